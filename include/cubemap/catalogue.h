@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The catalogue: a constant table that describes every mapping. Tools, tests and documentation
+ * iterate over it.
+ */
+#ifndef CUBEMAP_CATALOGUE_H
+#define CUBEMAP_CATALOGUE_H
+
+#include <stddef.h>
+
+#include <cubemap/export.h>
+#include <cubemap/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How a mapping comes about. */
+typedef enum cm_family
+{
+    CM_FAMILY_UNIVARIATE = 0, /* gnomonic, then u = f(p), v = f(q) */
+    CM_FAMILY_BIVARIATE = 1,  /* gnomonic, then (u, v) = W(p, q) */
+    CM_FAMILY_HYBRID = 2      /* its six faces are not the cube's */
+} cm_family;
+
+/* Properties, as bits. */
+#define CM_EQUAL_AREA 1u
+#define CM_CONFORMAL 2u
+
+/* How smooth a map is, on a face or across the edge of two faces. */
+typedef enum cm_smoothness
+{
+    CM_SMOOTH_TORN = 0,    /* neighbours may part */
+    CM_SMOOTH_C0 = 1,      /* continuous, with creases */
+    CM_SMOOTH_C1 = 2,      /* first derivatives are continuous, second ones are not everywhere */
+    CM_SMOOTH_ANALYTIC = 3 /* all derivatives */
+} cm_smoothness;
+
+#define CM_PARAMETERS_MAX 2
+
+typedef struct cm_parameter_info
+{
+    const char *name;    /* "c" */
+    const char *meaning; /* one line for people */
+    double standard;     /* the value when none is given */
+    double low;          /* smallest value */
+    double high;         /* largest value */
+    int low_excluded;    /* is low itself outside the range? */
+    int whole;           /* must the value be a whole number? */
+} cm_parameter_info;
+
+/* Read through pointers that the library gives out; it may grow at its end. */
+typedef struct cm_mapping_info
+{
+    const char *identifier;      /* "tangent" */
+    const char *aliases;         /* other names, apart by blanks; one that fixes parameters is
+                                    written "asc:c=1" and takes none of its own; "" for none */
+    const char *name;            /* one line for people */
+    const char *source;          /* author, year, equation */
+    cm_family family;
+    unsigned properties;         /* CM_EQUAL_AREA, CM_CONFORMAL */
+    cm_smoothness smooth_face;   /* inside a face */
+    cm_smoothness smooth_edge;   /* across the edge of two faces */
+    size_t parameter_count;
+    cm_parameter_info parameter[CM_PARAMETERS_MAX];
+} cm_mapping_info;
+
+/* The identifier of the mapping that we recommend where nothing speaks for another: nearly
+ * equal-area (0.25 %), smooth on a face, algebraic both ways. */
+#define CM_MAPPING_RECOMMENDED "coupled"
+
+/* The number of mappings, and the mapping at an index below it (else NULL). The order is fixed
+ * within a version. The tables are constant and live as long as the program. */
+CM_API size_t cm_catalogue_count(void);
+CM_API const cm_mapping_info *cm_catalogue_at(size_t index);
+
+/* The mapping that an identifier or alias names (upper and lower case are the same), or NULL. */
+CM_API const cm_mapping_info *cm_catalogue_find(const char *name);
+
+/* Is this a specification that cm_mapping_create takes? The same status as that would return. If it
+ * is not CM_OK, and message is not NULL, at most message_size bytes of one line without a line end
+ * that says what is wrong and what would be right are written to message, always ended by a zero
+ * byte if message_size > 0. */
+CM_API cm_status cm_specification_check(const char *specification, char *message,
+                                        size_t message_size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

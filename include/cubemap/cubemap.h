@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * libcubemap: mappings between the sphere and the six faces of a cube. This header includes all that
+ * the library offers; the kernels, for shaders and for inlining, are in <cubemap/kernels.h>.
+ */
+#ifndef CUBEMAP_CUBEMAP_H
+#define CUBEMAP_CUBEMAP_H
+
+#include <cubemap/catalogue.h>
+#include <cubemap/direction.h>
+#include <cubemap/export.h>
+#include <cubemap/frame.h>
+#include <cubemap/mapping.h>
+#include <cubemap/status.h>
+#include <cubemap/version.h>
+
+#endif

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * algebraic: u = p sqrt((1 + c^2) / (1 + c^2 p^2)), the survey's recommendation.
+ *
+ * c = 0.87 has the lowest maximum area error of the univariate sigmoids, 11.7 %. The slope at the
+ * edge, by which the inverse magnifies rounding, is 1 / (1 + c^2).
+ */
+#ifdef CM_DESCRIPTORS
+CM_WARP(algebraic,
+        .aliases = "",
+        .name = "algebraic sigmoid",
+        .source = "Lambers 2020, Survey of cube mapping methods, eq. 7",
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0,
+        .parameter_count = 1,
+        .parameter = {{.name = "c",
+                       .meaning = "strength of the sigmoid; 0 is gnomonic",
+                       .standard = 0.87,
+                       .low = 0.0,
+                       .high = 2.0}})
+#else
+
+/* k0 = c^2, k1 = 1 + c^2 */
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_algebraic_prepare)(CM_NAME(cm_constants) k)
+{
+    k.k0 = k.k0 * k.k0;
+    k.k1 = CM_LIT(1.0) + k.k0;
+    return k;
+}
+
+CM_FN CM_REAL CM_NAME(cm_algebraic_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
+{
+    return w * cm_sqrt(k.k1 / (CM_LIT(1.0) + k.k0 * (w * w)));
+}
+
+/* 1 + c^2 - c^2 w^2, written so that the edge is exact */
+CM_FN CM_REAL CM_NAME(cm_algebraic_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
+{
+    return w / cm_sqrt(CM_LIT(1.0) + k.k0 * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)));
+}
+
+CM_UNIVARIATE(cm_algebraic_forward, cm_algebraic_sigmoid, cm_algebraic_inverse,
+              cm_algebraic_sigmoid_inverse)
+
+#endif

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Everything that one backend needs, in order. For shaders this is the file to include, with
+ * CM_BACKEND undefined or CM_BACKEND_GLSL; C and C++ include <cubemap/kernels.h>.
+ */
+#include "dialect.h"
+#include "types.h"
+#include "elementary.h"
+#include "cube.h"
+#include "catalogue.h"

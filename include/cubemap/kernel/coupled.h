@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * coupled: the algebraic sigmoid whose constant depends on the other coordinate,
+ * p = u / sqrt(1 + (1 - u^2)(g0 + g1 v^2)), and q by swapping. Area error 0.25 % at most, no crease.
+ * The recommended default.
+ *
+ * The forward direction is the positive root of one quadratic equation: with X = p^2, Y = q^2,
+ * A = u^2, B = v^2, the inverse says A (1 + (1 - A)(g0 + g1 B)) ... = X, and its swap; eliminating
+ * leaves A = 2 alpha / R, B = 2 beta / R. No libm function, so the result is the same wherever +, -,
+ * *, / and sqrt round correctly and are not contracted.
+ */
+#ifdef CM_DESCRIPTORS
+CM_WARP(coupled,
+        .aliases = "",
+        .name = "coupled algebraic sigmoid, the recommended default",
+        .source = "libcubemap 2026, docs/mappings.md",
+        .family = CM_FAMILY_BIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0)
+#else
+
+/* k0 = g0, k1 = g1, k2 = K = 1 + g0, k3 = s = g0 + g1, k4 = 4 g1 / K */
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_coupled_prepare)(CM_NAME(cm_constants) k)
+{
+    k.k0 = CM_LIT(0.9063);
+    k.k1 = CM_LIT(-0.2559);
+    k.k2 = CM_LIT(1.9063);
+    k.k3 = CM_LIT(0.6504);
+    k.k4 = CM_LIT(4.0) * k.k1 / k.k2;
+    return k;
+}
+
+CM_FN CM_NAME(cm_uv) CM_NAME(cm_coupled_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
+{
+    CM_REAL x = p * p;
+    CM_REAL y = q * q;
+    CM_REAL g0x = k.k0 * x;
+    CM_REAL g0y = k.k0 * y;
+    CM_REAL delta = (CM_LIT(1.0) + g0x) * (CM_LIT(1.0) + g0y) - (k.k1 * x) * (k.k1 * y);
+    CM_REAL alpha = k.k2 * x * (CM_LIT(1.0) + k.k3 * y);
+    CM_REAL beta = k.k2 * y * (CM_LIT(1.0) + k.k3 * x);
+    CM_REAL r = delta + cm_sqrt(delta * delta + k.k4 * (alpha * beta));
+    CM_REAL g0r = k.k0 * r;
+    CM_REAL n = g0r + CM_LIT(2.0) * k.k1 * beta;
+    CM_REAL m = g0r + CM_LIT(2.0) * k.k1 * alpha;
+    return CM_NAME(cm_make_uv)(p * cm_sqrt((r + n) / (r + x * n)),
+                               q * cm_sqrt((r + m) / (r + y * m)));
+}
+
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_coupled_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
+{
+    CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
+    CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
+    return CM_NAME(cm_make_pq)(u / cm_sqrt(CM_LIT(1.0) + a * (k.k0 + k.k1 * (v * v))),
+                               v / cm_sqrt(CM_LIT(1.0) + b * (k.k0 + k.k1 * (u * u))));
+}
+
+#endif

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * cube: between directions and the gnomonic coordinates of the cube's faces, in the frame geo; other
+ * frames follow by renumbering and by signs. Not a mapping: what most mappings stand on.
+ */
+#ifndef CM_DESCRIPTORS
+
+/* A point of a face, and which. face is a whole number, 0.0 to 5.0, so that it is as wide as the
+ * coordinates. */
+CM_STRUCT(cm_face_point)
+{
+    CM_REAL face;
+    CM_REAL a; /* p or u */
+    CM_REAL b; /* q or v */
+}
+CM_STRUCT_END(cm_face_point)
+
+CM_STRUCT(cm_xyz)
+{
+    CM_REAL x;
+    CM_REAL y;
+    CM_REAL z;
+}
+CM_STRUCT_END(cm_xyz)
+
+/* The largest of |x|, |y|, |z|. */
+CM_FN CM_REAL CM_NAME(cm_magnitude)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    CM_REAL yz = cm_max(cm_abs(y), cm_abs(z));
+    return cm_max(cm_abs(x), yz);
+}
+
+/* Ties: the first of x, y, z with the largest magnitude wins. x, y, z finite and not all zero. */
+CM_FN CM_NAME(cm_face_point) CM_NAME(cm_cube_project)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    CM_REAL ax = cm_abs(x);
+    CM_REAL ay = cm_abs(y);
+    CM_REAL az = cm_abs(z);
+    CM_BOOL y_wins = ay >= az; /* of y and z */
+    CM_BOOL x_wins = ax >= cm_max(ay, az);
+    CM_REAL major = CM_SELECT(x_wins, x, CM_SELECT(y_wins, y, z));
+    CM_REAL sign = cm_copysign(CM_LIT(1.0), major);
+    CM_REAL turned = -(sign * x);
+    CM_REAL face = CM_SELECT(x_wins, CM_LIT(1.0) - sign,
+                             CM_SELECT(y_wins, CM_LIT(2.0) - sign,
+                                       CM_LIT(4.5) - CM_LIT(0.5) * sign));
+    CM_REAL a = CM_SELECT(x_wins, sign * y, CM_SELECT(y_wins, turned, y));
+    CM_REAL b = CM_SELECT(x_wins, z, CM_SELECT(y_wins, z, turned));
+    CM_NAME(cm_face_point) r;
+    r.face = face;
+    r.a = a / cm_abs(major);
+    r.b = b / cm_abs(major);
+    return r;
+}
+
+/* The unit direction of gnomonic (p, q) on a face. */
+CM_FN CM_NAME(cm_xyz) CM_NAME(cm_cube_unproject)(CM_REAL face, CM_REAL p, CM_REAL q)
+{
+    CM_REAL major = CM_LIT(1.0) / cm_sqrt(CM_LIT(1.0) + (p * p + q * q));
+    CM_REAL a = p * major;
+    CM_REAL b = q * major;
+    /* faces 0 1 2 3 are +x +y -x -y, 4 5 are +z -z */
+    CM_BOOL polar = face > CM_LIT(3.5);
+    CM_BOOL minus = face > CM_SELECT(polar, CM_LIT(4.5), CM_LIT(1.5));
+    CM_REAL sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
+    CM_REAL folded = face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0));
+    CM_BOOL along_y = folded > CM_LIT(0.5); /* if not polar */
+    CM_NAME(cm_xyz) r;
+    r.x = CM_SELECT(polar, -(sign * b), CM_SELECT(along_y, -(sign * a), sign * major));
+    r.y = CM_SELECT(polar, a, CM_SELECT(along_y, sign * major, sign * a));
+    r.z = CM_SELECT(polar, sign * major, b);
+    return r;
+}
+
+#endif

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The portable dialect: what a kernel is written in.
+ *
+ * A kernel is one text that several compilers read: C and C++ (in double and in float) and GLSL.
+ * This header gives that text its words, types.h its structs. Both are read anew for every backend,
+ * so they and the kernels have no include guards; <cubemap/kernels.h> is the guarded way in.
+ *
+ * Rules of the dialect, all of them forced by the narrowest backend (GLSL ES 3.00):
+ *   - scalars in, a small struct out; no pointers, no arrays, no recursion;
+ *   - every real literal is CM_LIT(...) with a decimal point: there is no int -> float there;
+ *   - names are whole words in CM_NAME(...): there is no ## there;
+ *   - only the functions named below, no name of a math library;
+ *   - CM_SELECT(condition, a, b) for a choice between values: both sides are evaluated, so that a
+ *     loop over a kernel has no branch. A branch on a mapping's constants is allowed: they are the
+ *     same for every point;
+ *   - loops have a literal number of turns.
+ *
+ * Backends, chosen by defining CM_BACKEND before the first include:
+ *   CM_BACKEND_DOUBLE   C11/C++17, double, names end in _f64
+ *   CM_BACKEND_FLOAT    C11/C++17, float, names end in _f32
+ *   CM_BACKEND_GLSL     GLSL 3.30 and later, GLSL ES 3.00 and later: highp float, names as they are
+ */
+#define CM_BACKEND_DOUBLE 1
+#define CM_BACKEND_FLOAT 2
+#define CM_BACKEND_GLSL 3
+
+#ifndef CM_BACKEND
+#define CM_BACKEND CM_BACKEND_GLSL
+#endif
+
+#undef CM_REAL
+#undef CM_REAL_BITS
+#undef CM_BOOL
+#undef CM_LIT
+#undef CM_NAME
+#undef CM_FN
+#undef CM_STRUCT
+#undef CM_STRUCT_END
+#undef CM_SELECT
+#undef cm_sqrt
+#undef cm_abs
+#undef cm_copysign
+#undef cm_min
+#undef cm_max
+#undef CM_UNUSED
+#undef CM_UNIVARIATE
+
+#if CM_BACKEND == CM_BACKEND_DOUBLE
+#define CM_REAL double
+#define CM_REAL_BITS 64
+#define CM_LIT(x) x
+#define CM_NAME(name) name##_f64
+#define cm_sqrt(x) sqrt(x)
+#define cm_abs(x) fabs(x)
+/* magnitude of m with the sign of s */
+#define cm_copysign(m, s) copysign(m, s)
+#elif CM_BACKEND == CM_BACKEND_FLOAT
+#define CM_REAL float
+#define CM_REAL_BITS 32
+#define CM_LIT(x) x##f
+#define CM_NAME(name) name##_f32
+#define cm_sqrt(x) sqrtf(x)
+#define cm_abs(x) fabsf(x)
+#define cm_copysign(m, s) copysignf(m, s)
+#else
+#define CM_REAL float
+#define CM_REAL_BITS 32
+#define CM_LIT(x) x
+#define CM_NAME(name) name
+#define cm_sqrt(x) sqrt(x)
+#define cm_abs(x) abs(x)
+/* m >= 0 wherever the kernels use it; the sign of a zero s is not seen */
+#define cm_copysign(m, s) ((s) < 0.0 ? -(m) : (m))
+#endif
+
+#if CM_BACKEND == CM_BACKEND_GLSL
+#define CM_BOOL bool
+#define CM_FN
+#define CM_UNUSED(x)
+#define CM_STRUCT(name) struct name
+#define CM_STRUCT_END(name) ;
+#else
+#define CM_BOOL int
+#define CM_FN static inline
+#define CM_UNUSED(x) (void)(x)
+#define CM_STRUCT(name) typedef struct CM_NAME(name)
+#define CM_STRUCT_END(name) CM_NAME(name);
+#endif
+
+#define CM_SELECT(condition, a, b) ((condition) ? (a) : (b))
+#define cm_min(a, b) CM_SELECT((a) < (b), a, b)
+#define cm_max(a, b) CM_SELECT((a) > (b), a, b)
+
+/* The two functions of a univariate mapping from those of one coordinate: u = f(p), v = f(q). */
+#define CM_UNIVARIATE(forward, f, inverse, f_inverse)                                              \
+    CM_FN CM_NAME(cm_uv) CM_NAME(forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)           \
+    {                                                                                              \
+        return CM_NAME(cm_make_uv)(CM_NAME(f)(p, k), CM_NAME(f)(q, k));                            \
+    }                                                                                              \
+    CM_FN CM_NAME(cm_pq) CM_NAME(inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)           \
+    {                                                                                              \
+        return CM_NAME(cm_make_pq)(CM_NAME(f_inverse)(u, k), CM_NAME(f_inverse)(v, k));            \
+    }

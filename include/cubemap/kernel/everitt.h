@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * everitt: u = p (c + (1 - c) |p|). Slope c at the centre and 2 - c at the edge.
+ */
+#ifdef CM_DESCRIPTORS
+CM_WARP(everitt,
+        .aliases = "",
+        .name = "Everitt's quadratic",
+        .source = "Everitt 2016, projection; Zucker & Higashi 2018 (c); Lambers 2020, eq. 6",
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_C1,
+        .smooth_edge = CM_SMOOTH_C0,
+        .parameter_count = 1,
+        .parameter = {{.name = "c",
+                       .meaning = "slope at the centre; 1 is gnomonic",
+                       .standard = 1.4511,
+                       .low = 0.5,
+                       .high = 1.8}})
+#else
+
+/* k0 = c, k1 = c - 1, k2 = 4 (c - 1), k3 = (2 - c)^2 */
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_everitt_prepare)(CM_NAME(cm_constants) k)
+{
+    k.k1 = k.k0 - CM_LIT(1.0);
+    k.k2 = CM_LIT(4.0) * k.k1;
+    k.k3 = (CM_LIT(2.0) - k.k0) * (CM_LIT(2.0) - k.k0);
+    return k;
+}
+
+CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
+{
+    return w + w * (k.k1 * (CM_LIT(1.0) - cm_abs(w)));
+}
+
+/* 2 w / (c + sqrt(c^2 - 4 (c - 1) |w|)), its radicand from the edge, where it is (2 - c)^2 */
+CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
+{
+    return CM_LIT(2.0) * w / (k.k0 + cm_sqrt(k.k3 + k.k2 * (CM_LIT(1.0) - cm_abs(w))));
+}
+
+CM_UNIVARIATE(cm_everitt_forward, cm_everitt_sigmoid, cm_everitt_inverse,
+              cm_everitt_sigmoid_inverse)
+
+#endif

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * gnomonic: the cube map of graphics hardware; the face is not warped at all.
+ */
+#ifdef CM_DESCRIPTORS
+CM_WARP(gnomonic,
+        .aliases = "tsc standard",
+        .name = "gnomonic, the standard cube map",
+        .source = "Greene 1986, Environment Mapping; Calabretta & Greisen 2002, TSC",
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0)
+#else
+
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_gnomonic_prepare)(CM_NAME(cm_constants) k)
+{
+    return k;
+}
+
+CM_FN CM_NAME(cm_uv) CM_NAME(cm_gnomonic_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(k);
+    return CM_NAME(cm_make_uv)(p, q);
+}
+
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_gnomonic_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(k);
+    return CM_NAME(cm_make_pq)(u, v);
+}
+
+#endif

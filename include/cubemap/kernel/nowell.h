@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * nowell: x = u sqrt(1 - v^2/2 - ...), Nowell's map between the cube's and the sphere's surface.
+ *
+ * The printed forward direction takes the square root of a difference that vanishes on the axes
+ * (2e-8 in double, 5e-4 in float, NaN); here its conjugate is divided by, which cannot cancel:
+ * u = p sqrt(12 / (3 + 5 p^2 + q^2 + S)), S = sqrt((3 + p^2 + q^2)^2 - 16 p^2 q^2).
+ */
+#ifdef CM_DESCRIPTORS
+CM_WARP(nowell,
+        .aliases = "ksc",
+        .name = "Nowell's mapping",
+        .source = "Nowell 2005, Mapping a cube to a sphere; Lambers 2020, eq. 3 (misprint "
+                  "corrected, forward reformulated)",
+        .family = CM_FAMILY_BIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0)
+#else
+
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_nowell_prepare)(CM_NAME(cm_constants) k)
+{
+    return k;
+}
+
+/* the denominator is 12 on the edge |w| = 1, but for rounding */
+CM_FN CM_REAL CM_NAME(cm_nowell_scale)(CM_REAL w, CM_REAL denominator)
+{
+    CM_REAL scaled = cm_min(cm_abs(w) * cm_sqrt(CM_LIT(12.0) / denominator), CM_LIT(1.0));
+    return cm_copysign(CM_SELECT(cm_abs(w) >= CM_LIT(1.0), CM_LIT(1.0), scaled), w);
+}
+
+CM_FN CM_NAME(cm_uv) CM_NAME(cm_nowell_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(k);
+    CM_REAL x = p * p;
+    CM_REAL y = q * q;
+    CM_REAL sum = CM_LIT(3.0) + (x + y);
+    CM_REAL product = CM_LIT(4.0) * cm_abs(p * q);
+    CM_REAL s = sum + cm_sqrt((sum - product) * (sum + product));
+    return CM_NAME(cm_make_uv)(CM_NAME(cm_nowell_scale)(p, s + CM_LIT(4.0) * x),
+                               CM_NAME(cm_nowell_scale)(q, s + CM_LIT(4.0) * y));
+}
+
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_nowell_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(k);
+    CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
+    CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
+    CM_REAL u3 = CM_LIT(3.0) - u * u;
+    CM_REAL v3 = CM_LIT(3.0) - v * v;
+    return CM_NAME(cm_make_pq)(
+        u * cm_sqrt(v3 / (v3 + a * (CM_LIT(1.0) + CM_LIT(2.0) * b))),
+        v * cm_sqrt(u3 / (u3 + b * (CM_LIT(1.0) + CM_LIT(2.0) * a))));
+}
+
+#endif

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * s2: the quadratic projection of the S2 geometry library, p = u (2 + |u|) / 3.
+ */
+#ifdef CM_DESCRIPTORS
+CM_WARP(s2,
+        .aliases = "s2-quadratic",
+        .name = "S2's quadratic projection",
+        .source = "S2 geometry library, s2coords.h, S2_QUADRATIC_PROJECTION",
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_C1,
+        .smooth_edge = CM_SMOOTH_C0)
+#else
+
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_s2_prepare)(CM_NAME(cm_constants) k)
+{
+    return k;
+}
+
+CM_FN CM_REAL CM_NAME(cm_s2_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(k);
+    return CM_LIT(3.0) * w /
+           (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + CM_LIT(3.0) * cm_abs(w)));
+}
+
+CM_FN CM_REAL CM_NAME(cm_s2_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(k);
+    return w * (CM_LIT(2.0) + cm_abs(w)) / CM_LIT(3.0);
+}
+
+CM_UNIVARIATE(cm_s2_forward, cm_s2_sigmoid, cm_s2_inverse, cm_s2_sigmoid_inverse)
+
+#endif

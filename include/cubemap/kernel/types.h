@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The small structs that kernels take and return.
+ */
+/* A point of a face before the warp: gnomonic coordinates, [-1, 1] each. */
+CM_STRUCT(cm_pq)
+{
+    CM_REAL p;
+    CM_REAL q;
+}
+CM_STRUCT_END(cm_pq)
+
+/* A point of a face after the warp: the coordinates of the map, [-1, 1] each. */
+CM_STRUCT(cm_uv)
+{
+    CM_REAL u;
+    CM_REAL v;
+}
+CM_STRUCT_END(cm_uv)
+
+/* What a mapping precomputes from its parameters. Before preparation k0, k1, ... are the parameters
+ * in the order of the mapping's descriptor; after it they are whatever the room says. */
+CM_STRUCT(cm_constants)
+{
+    CM_REAL k0;
+    CM_REAL k1;
+    CM_REAL k2;
+    CM_REAL k3;
+    CM_REAL k4;
+    CM_REAL k5;
+}
+CM_STRUCT_END(cm_constants)
+
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_make_pq)(CM_REAL p, CM_REAL q)
+{
+    CM_NAME(cm_pq) r;
+    r.p = p;
+    r.q = q;
+    return r;
+}
+
+CM_FN CM_NAME(cm_uv) CM_NAME(cm_make_uv)(CM_REAL u, CM_REAL v)
+{
+    CM_NAME(cm_uv) r;
+    r.u = u;
+    r.v = v;
+    return r;
+}

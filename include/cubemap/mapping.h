@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Mappings: forward (sphere to six faces) and inverse, for one point and for arrays, in double and
+ * in float.
+ *
+ * Conventions of every function here:
+ *   direction   three finite numbers, not all zero, of any length; frame axes as in frame.h
+ *   face        0..5, numbered by the mapping's frame; 255 (CM_NO_FACE) for "no face"
+ *   u, v        [-1, 1], centre of the face (0, 0). Forward never leaves that square. Inverse takes
+ *               u, v up to 1e-9 outside as the edge
+ *   bad input   a direction that is zero or has a NaN or an infinity gives CM_NO_FACE and NaN, NaN;
+ *               a face above 5, a NaN, or u, v further outside give NaN, NaN, NaN. Nothing traps,
+ *               nothing is read or written beyond the arguments
+ *   ties        on an edge or a corner the first of x, y, z with the largest magnitude wins
+ *   threads     a mapping is constant after its creation: any number of threads may use one
+ *   results     the same input gives the same bits in every function of one precision, whatever n,
+ *               the position in the array and the thread
+ */
+#ifndef CUBEMAP_MAPPING_H
+#define CUBEMAP_MAPPING_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cubemap/catalogue.h>
+#include <cubemap/export.h>
+#include <cubemap/frame.h>
+#include <cubemap/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CM_NO_FACE 255
+
+typedef struct cm_mapping cm_mapping;
+
+/* Make a mapping from a specification, NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]], e.g.
+ * "algebraic", "tangent:c=1.1823"; NAME is an identifier or an alias of the catalogue, upper and
+ * lower case are the same, values are decimal numbers with a point in every locale. frame NULL means
+ * geo; the table is copied. On success *mapping is to be given to cm_mapping_destroy.
+ * Errors: CM_ERROR_ARGUMENT, _SYNTAX, _MAPPING, _PARAMETER, _RANGE, _FRAME, _MEMORY;
+ * cm_specification_check says what is wrong in words. */
+CM_API cm_status cm_mapping_create(const char *specification, const cm_frame *frame,
+                                   cm_mapping **mapping);
+
+/* NULL is allowed. */
+CM_API void cm_mapping_destroy(cm_mapping *mapping);
+
+/* What the mapping was made from. Pointers live as long as the mapping. value is the parameter's
+ * value, NaN if index is not below the descriptor's parameter_count. */
+CM_API const cm_mapping_info *cm_mapping_describe(const cm_mapping *mapping);
+CM_API const cm_frame *cm_mapping_frame(const cm_mapping *mapping);
+CM_API double cm_mapping_parameter(const cm_mapping *mapping, size_t index);
+
+/* One point. forward returns the face. */
+CM_API uint8_t cm_forward(const cm_mapping *mapping, const double direction[3], double uv[2]);
+CM_API uint8_t cm_forward_f32(const cm_mapping *mapping, const float direction[3], float uv[2]);
+
+/* direction is a unit vector, each component within 2 ulp of 1 of the truth for that u, v besides
+ * the mapping's own error. */
+CM_API void cm_inverse(const cm_mapping *mapping, uint8_t face, const double uv[2],
+                       double direction[3]);
+CM_API void cm_inverse_f32(const cm_mapping *mapping, uint8_t face, const float uv[2],
+                           float direction[3]);
+
+/* One point in lon/lat, radians, as in direction.h, whose accuracy they share. */
+CM_API uint8_t cm_forward_lonlat(const cm_mapping *mapping, double lon, double lat, double uv[2]);
+CM_API void cm_inverse_lonlat(const cm_mapping *mapping, uint8_t face, const double uv[2],
+                              double lonlat[2]);
+
+/* n points in separate arrays of n elements each. Arrays may be NULL if n is 0. An output array may
+ * be the same as an input array (x and u, say); other overlaps are not allowed. No alignment beyond
+ * the element's own is needed. No allocation; some 12 kB of stack. */
+CM_API void cm_forward_array(const cm_mapping *mapping, size_t n, const double *x, const double *y,
+                             const double *z, uint8_t *face, double *u, double *v);
+CM_API void cm_forward_array_f32(const cm_mapping *mapping, size_t n, const float *x,
+                                 const float *y, const float *z, uint8_t *face, float *u, float *v);
+CM_API void cm_inverse_array(const cm_mapping *mapping, size_t n, const uint8_t *face,
+                             const double *u, const double *v, double *x, double *y, double *z);
+CM_API void cm_inverse_array_f32(const cm_mapping *mapping, size_t n, const uint8_t *face,
+                                 const float *u, const float *v, float *x, float *y, float *z);
+
+/* n directions in one array: x, y, z of point i are xyz[i * stride], xyz[i * stride + 1] and
+ * xyz[i * stride + 2]; stride counts elements, is 3 for a dense array, and may be any number,
+ * negative included, that keeps the points apart when they are written. What lies between the points
+ * is neither read nor written. No output array may overlap an input array. */
+CM_API void cm_forward_strided(const cm_mapping *mapping, size_t n, const double *xyz,
+                               ptrdiff_t stride, uint8_t *face, double *u, double *v);
+CM_API void cm_forward_strided_f32(const cm_mapping *mapping, size_t n, const float *xyz,
+                                   ptrdiff_t stride, uint8_t *face, float *u, float *v);
+CM_API void cm_inverse_strided(const cm_mapping *mapping, size_t n, const uint8_t *face,
+                               const double *u, const double *v, double *xyz, ptrdiff_t stride);
+CM_API void cm_inverse_strided_f32(const cm_mapping *mapping, size_t n, const uint8_t *face,
+                                   const float *u, const float *v, float *xyz, ptrdiff_t stride);
+
+/* The warp of a face alone, without the sphere: gnomonic (p, q) to (u, v) and back, both in
+ * [-1, 1]^2 with the same tolerance and the same NaN as above. Independent of frame and face.
+ * CM_OK; CM_ERROR_UNSUPPORTED if the family is CM_FAMILY_HYBRID. */
+CM_API cm_status cm_warp(const cm_mapping *mapping, const double pq[2], double uv[2]);
+CM_API cm_status cm_warp_f32(const cm_mapping *mapping, const float pq[2], float uv[2]);
+CM_API cm_status cm_unwarp(const cm_mapping *mapping, const double uv[2], double pq[2]);
+CM_API cm_status cm_unwarp_f32(const cm_mapping *mapping, const float uv[2], float pq[2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,285 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The table of descriptors, and specifications: NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]].
+ */
+#include "internal.h"
+
+#include <locale.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define CM_DESCRIPTORS
+#define CM_WARP(id, ...) {.identifier = #id, __VA_ARGS__},
+#define CM_SPHERE(id, ...) {.identifier = #id, __VA_ARGS__},
+
+static const cm_mapping_info catalogue[] = {
+#include <cubemap/kernel/catalogue.h>
+};
+
+size_t cm_catalogue_count(void)
+{
+    return sizeof catalogue / sizeof catalogue[0];
+}
+
+const cm_mapping_info *cm_catalogue_at(size_t index)
+{
+    return index < cm_catalogue_count() ? &catalogue[index] : NULL;
+}
+
+static char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+int cm_word_equal(const char *a, size_t a_length, const char *b, size_t b_length)
+{
+    if (a_length != b_length)
+    {
+        return 0;
+    }
+    for (size_t i = 0; i < a_length; i++)
+    {
+        if (lower(a[i]) != lower(b[i]))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The mapping that a name stands for; *fixed is what an alias says after its colon, else "". */
+static const cm_mapping_info *find(const char *name, size_t length, const char **fixed)
+{
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        const char *identifier = catalogue[i].identifier;
+        *fixed = "";
+        if (cm_word_equal(identifier, strlen(identifier), name, length))
+        {
+            return &catalogue[i];
+        }
+        for (const char *alias = catalogue[i].aliases; *alias != '\0';)
+        {
+            size_t word = strcspn(alias, ": ");
+            size_t whole = strcspn(alias, " ");
+            if (cm_word_equal(alias, word, name, length))
+            {
+                *fixed = word < whole ? alias + word + 1 : "";
+                return &catalogue[i];
+            }
+            alias += whole + strspn(alias + whole, " ");
+        }
+    }
+    return NULL;
+}
+
+const cm_mapping_info *cm_catalogue_find(const char *name)
+{
+    const char *fixed;
+    return name == NULL ? NULL : find(name, strlen(name), &fixed);
+}
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 4, 5)))
+#endif
+static cm_status
+fail(cm_status status, char *message, size_t size, const char *format, ...)
+{
+    if (message != NULL && size > 0)
+    {
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(message, size, format, arguments);
+        va_end(arguments);
+        /* one line of text, whatever was asked for */
+        for (char *c = message; *c != '\0'; c++)
+        {
+            if ((unsigned char)*c < 0x20 || *c == 0x7f)
+            {
+                *c = '?';
+            }
+        }
+    }
+    return status;
+}
+
+/* A decimal number with a point, in any locale, that fills its text; 0 if it is not one. */
+static int parse_number(const char *text, size_t length, double *value)
+{
+    char buffer[64];
+    const char *point = localeconv()->decimal_point;
+    size_t point_length = strlen(point);
+    size_t used = 0;
+    if (length == 0 || text[0] == ' ' || text[0] == '\t')
+    {
+        return 0;
+    }
+    for (size_t i = 0; i < length; i++)
+    {
+        if (strchr("0123456789+-.eE", text[i]) == NULL || used + point_length + 1 > sizeof buffer)
+        {
+            return 0;
+        }
+        if (text[i] == '.')
+        {
+            memcpy(buffer + used, point, point_length);
+            used += point_length;
+        }
+        else
+        {
+            buffer[used++] = text[i];
+        }
+    }
+    buffer[used] = '\0';
+    char *end;
+    *value = strtod(buffer, &end);
+    return *end == '\0' && end != buffer;
+}
+
+static const cm_parameter_info *find_parameter(const cm_mapping_info *info, const char *name,
+                                               size_t length, size_t *index)
+{
+    for (size_t i = 0; i < info->parameter_count; i++)
+    {
+        const cm_parameter_info *parameter = &info->parameter[i];
+        if (cm_word_equal(parameter->name, strlen(parameter->name), name, length))
+        {
+            *index = i;
+            return parameter;
+        }
+    }
+    return NULL;
+}
+
+static int inside(const cm_parameter_info *parameter, double value)
+{
+    return (parameter->low_excluded ? value > parameter->low : value >= parameter->low) &&
+           value <= parameter->high && (!parameter->whole || value == (double)(long)value);
+}
+
+/* One PARAMETER=VALUE of the given length. */
+static cm_status parse_assignment(const cm_mapping_info *info, const char *text, size_t length,
+                                  unsigned *given, double *values, char *message, size_t size)
+{
+    const char *equals = memchr(text, '=', length);
+    size_t name_length = equals == NULL ? length : (size_t)(equals - text);
+    int shown = name_length < 40 ? (int)name_length : 40;
+    size_t index = 0;
+    if (equals == NULL)
+    {
+        return fail(CM_ERROR_SYNTAX, message, size,
+                    "'%.*s' is not PARAMETER=VALUE, as in tangent:c=1.1823", shown, text);
+    }
+    const cm_parameter_info *parameter = find_parameter(info, text, name_length, &index);
+    if (parameter == NULL)
+    {
+        return info->parameter_count == 0
+                   ? fail(CM_ERROR_PARAMETER, message, size,
+                          "mapping %s has no parameter '%.*s'; it takes none", info->identifier,
+                          shown, text)
+                   : fail(CM_ERROR_PARAMETER, message, size,
+                          "mapping %s has no parameter '%.*s'; it has %s", info->identifier, shown,
+                          text, info->parameter[0].name);
+    }
+    if (*given & (1u << index))
+    {
+        return fail(CM_ERROR_PARAMETER, message, size, "parameter %s of %s is given twice",
+                    parameter->name, info->identifier);
+    }
+    const char *number = equals + 1;
+    size_t number_length = length - name_length - 1;
+    int number_shown = number_length < 40 ? (int)number_length : 40;
+    if (!parse_number(number, number_length, &values[index]))
+    {
+        return fail(CM_ERROR_SYNTAX, message, size,
+                    "'%.*s' is not a number for parameter %s of %s", number_shown, number,
+                    parameter->name, info->identifier);
+    }
+    if (!inside(parameter, values[index]))
+    {
+        return fail(CM_ERROR_RANGE, message, size,
+                    "parameter %s of %s is %.*s; it must be%s in %s%g, %g]", parameter->name,
+                    info->identifier, number_shown, number,
+                    parameter->whole ? " a whole number" : "", parameter->low_excluded ? "(" : "[",
+                    parameter->low, parameter->high);
+    }
+    *given |= 1u << index;
+    return CM_OK;
+}
+
+/* PARAMETER=VALUE[,PARAMETER=VALUE...] up to a blank or the end. */
+static cm_status parse_assignments(const cm_mapping_info *info, const char *text, size_t length,
+                                   double *values, char *message, size_t size)
+{
+    unsigned given = 0;
+    const char *end = text + length;
+    for (;;)
+    {
+        const char *comma = memchr(text, ',', (size_t)(end - text));
+        const char *stop = comma == NULL ? end : comma;
+        cm_status status = parse_assignment(info, text, (size_t)(stop - text), &given, values,
+                                            message, size);
+        if (status != CM_OK || comma == NULL)
+        {
+            return status;
+        }
+        text = comma + 1;
+    }
+}
+
+cm_status cm_specification_parse(const char *specification, size_t *index,
+                                 double parameter[CM_PARAMETERS_MAX], char *message,
+                                 size_t message_size)
+{
+    const char *fixed;
+    size_t length = strcspn(specification, ":");
+    int shown = length < 60 ? (int)length : 60;
+    const char *rest = specification[length] == ':' ? specification + length + 1 : NULL;
+    const cm_mapping_info *info = find(specification, length, &fixed);
+    if (info == NULL)
+    {
+        return fail(length == 0 ? CM_ERROR_SYNTAX : CM_ERROR_MAPPING, message, message_size,
+                    "no mapping is called '%.*s'; coupled is the recommended one, and the "
+                    "catalogue lists all",
+                    shown, specification);
+    }
+    if (*fixed != '\0' && rest != NULL)
+    {
+        return fail(CM_ERROR_PARAMETER, message, message_size,
+                    "'%.*s' takes no parameters: it is %s:%.*s", shown, specification,
+                    info->identifier, (int)strcspn(fixed, " "), fixed);
+    }
+    double values[CM_PARAMETERS_MAX] = {0.0};
+    for (size_t i = 0; i < info->parameter_count; i++)
+    {
+        values[i] = info->parameter[i].standard;
+    }
+    cm_status status = CM_OK;
+    if (rest != NULL)
+    {
+        status = parse_assignments(info, rest, strlen(rest), values, message, message_size);
+    }
+    else if (*fixed != '\0')
+    {
+        status = parse_assignments(info, fixed, strcspn(fixed, " "), values, message, message_size);
+    }
+    if (status == CM_OK)
+    {
+        *index = (size_t)(info - catalogue);
+        memcpy(parameter, values, sizeof values);
+    }
+    return status;
+}
+
+cm_status cm_specification_check(const char *specification, char *message, size_t message_size)
+{
+    size_t index;
+    double parameter[CM_PARAMETERS_MAX];
+    if (specification == NULL)
+    {
+        return fail(CM_ERROR_ARGUMENT, message, message_size, "no mapping is given");
+    }
+    return cm_specification_parse(specification, &index, parameter, message, message_size);
+}

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The frames, and what follows from their tables.
+ */
+#include "internal.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define X CM_AXIS_X
+#define Y CM_AXIS_Y
+#define Z CM_AXIS_Z
+
+static const cm_frame frames[] = {
+    {
+        sizeof(cm_frame),
+        "geo",
+        "x through lon 0, y through 90 E, z north; front right back left top bottom",
+        +1,
+        {
+            {"front", +X, +Y, +Z},
+            {"right", +Y, -X, +Z},
+            {"back", -X, -Y, +Z},
+            {"left", -Y, +X, +Z},
+            {"top", +Z, +Y, -X},
+            {"bottom", -Z, +Y, +X},
+        },
+    },
+    {
+        sizeof(cm_frame),
+        "gl",
+        "cube map of OpenGL, Vulkan, Direct3D: +x -x +y -y +z -z, seen from inside, v down",
+        -1,
+        {
+            {"+x", +X, -Z, -Y},
+            {"-x", -X, +Z, -Y},
+            {"+y", +Y, +X, +Z},
+            {"-y", -Y, +X, -Z},
+            {"+z", +Z, +X, -Y},
+            {"-z", -Z, -X, -Y},
+        },
+    },
+    {
+        sizeof(cm_frame),
+        "fits",
+        "FITS WCS paper II: 0 top, 1..4 equatorial from lon 0 eastward, 5 bottom; axes as geo",
+        +1,
+        {
+            {"top", +Z, +Y, -X},
+            {"front", +X, +Y, +Z},
+            {"right", +Y, -X, +Z},
+            {"back", -X, -Y, +Z},
+            {"left", -Y, +X, +Z},
+            {"bottom", -Z, +Y, +X},
+        },
+    },
+};
+
+#undef X
+#undef Y
+#undef Z
+
+size_t cm_frame_count(void)
+{
+    return sizeof frames / sizeof frames[0];
+}
+
+const cm_frame *cm_frame_at(size_t index)
+{
+    return index < cm_frame_count() ? &frames[index] : NULL;
+}
+
+const cm_frame *cm_frame_find(const char *identifier)
+{
+    if (identifier == NULL)
+    {
+        return NULL;
+    }
+    for (size_t i = 0; i < cm_frame_count(); i++)
+    {
+        const char *name = frames[i].identifier;
+        if (cm_word_equal(name, strlen(name), identifier, strlen(identifier)))
+        {
+            return &frames[i];
+        }
+    }
+    return NULL;
+}
+
+/* 0..5 for +x +y -x -y +z -z, the numbers of the faces of geo; -1 for no axis */
+static int geo_face_of(int axis)
+{
+    switch (axis)
+    {
+    case CM_AXIS_X:
+        return 0;
+    case CM_AXIS_Y:
+        return 1;
+    case -CM_AXIS_X:
+        return 2;
+    case -CM_AXIS_Y:
+        return 3;
+    case CM_AXIS_Z:
+        return 4;
+    case -CM_AXIS_Z:
+        return 5;
+    default:
+        return -1;
+    }
+}
+
+cm_status cm_frame_check(const cm_frame *frame)
+{
+    if (frame == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    if (frame->size != sizeof(cm_frame) || (frame->first_row_v != 1 && frame->first_row_v != -1))
+    {
+        return CM_ERROR_FRAME;
+    }
+    unsigned seen = 0;
+    for (int i = 0; i < 6; i++)
+    {
+        const cm_frame_face *face = &frame->face[i];
+        int outward = geo_face_of(face->outward);
+        if (outward < 0 || geo_face_of(face->u) < 0 || geo_face_of(face->v) < 0 ||
+            abs(face->outward) == abs(face->u) || abs(face->outward) == abs(face->v) ||
+            abs(face->u) == abs(face->v))
+        {
+            return CM_ERROR_FRAME;
+        }
+        seen |= 1u << outward;
+    }
+    return seen == 0x3fu ? CM_OK : CM_ERROR_FRAME;
+}
+
+void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn)
+{
+    const cm_frame *geo = cm_frame_find("geo");
+    turn->identity = 1;
+    for (int i = 0; i < 6; i++)
+    {
+        const cm_frame_face *to = &frame->face[i];
+        int g = geo_face_of(to->outward);
+        const cm_frame_face *from = &geo->face[g];
+        int swap = abs(to->u) != abs(from->u);
+        int first = swap ? from->v : from->u;
+        int second = swap ? from->u : from->v;
+        turn->face[g] = (unsigned char)i;
+        turn->geo_face[i] = (unsigned char)g;
+        turn->swap[g] = (unsigned char)swap;
+        turn->sign_u[g] = (signed char)(to->u == first ? 1 : -1);
+        turn->sign_v[g] = (signed char)(to->v == second ? 1 : -1);
+        if (i != g || swap || to->u != first || to->v != second)
+        {
+            turn->identity = 0;
+        }
+    }
+}

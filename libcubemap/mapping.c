@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The life of a mapping, and the thin wrappers in lon/lat.
+ */
+#include "internal.h"
+
+#include <stdlib.h>
+
+/* Constants are derived in double for both precisions, and rounded once. */
+static void prepare(cm_mapping *mapping)
+{
+    cm_constants_f64 k = {0};
+    k.k0 = mapping->parameter[0];
+    k.k1 = mapping->parameter[1];
+    if (cm_kernel_table_f64[mapping->index].prepare != NULL)
+    {
+        k = cm_kernel_table_f64[mapping->index].prepare(k);
+    }
+    mapping->constants_f64 = k;
+    mapping->constants_f32 = (cm_constants_f32){.k0 = (float)k.k0,
+                                                .k1 = (float)k.k1,
+                                                .k2 = (float)k.k2,
+                                                .k3 = (float)k.k3,
+                                                .k4 = (float)k.k4,
+                                                .k5 = (float)k.k5};
+}
+
+cm_status cm_mapping_create(const char *specification, const cm_frame *frame, cm_mapping **mapping)
+{
+    if (specification == NULL || mapping == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    const cm_frame *table = frame == NULL ? cm_frame_find("geo") : frame;
+    cm_mapping made = {.frame = *table};
+    cm_status status = cm_specification_parse(specification, &made.index, made.parameter, NULL, 0);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    status = cm_frame_check(table);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    made.info = cm_catalogue_at(made.index);
+    cm_turn_from_frame(table, &made.turn);
+    prepare(&made);
+    cm_mapping *kept = malloc(sizeof *kept);
+    if (kept == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    *kept = made;
+    *mapping = kept;
+    return CM_OK;
+}
+
+void cm_mapping_destroy(cm_mapping *mapping)
+{
+    free(mapping);
+}
+
+const cm_mapping_info *cm_mapping_describe(const cm_mapping *mapping)
+{
+    return mapping->info;
+}
+
+const cm_frame *cm_mapping_frame(const cm_mapping *mapping)
+{
+    return &mapping->frame;
+}
+
+double cm_mapping_parameter(const cm_mapping *mapping, size_t index)
+{
+    return index < mapping->info->parameter_count ? mapping->parameter[index] : (double)NAN;
+}
+
+uint8_t cm_forward_lonlat(const cm_mapping *mapping, double lon, double lat, double uv[2])
+{
+    double direction[3];
+    cm_direction_from_lonlat(lon, lat, direction);
+    return cm_forward(mapping, direction, uv);
+}
+
+void cm_inverse_lonlat(const cm_mapping *mapping, uint8_t face, const double uv[2],
+                       double lonlat[2])
+{
+    double direction[3];
+    cm_inverse(mapping, face, uv, direction);
+    cm_lonlat_from_direction(direction, lonlat);
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+#include "internal.h"
+
+const char *cm_status_text(cm_status status)
+{
+    switch (status)
+    {
+    case CM_OK:
+        return "success";
+    case CM_ERROR_ARGUMENT:
+        return "an argument is NULL or out of range";
+    case CM_ERROR_SYNTAX:
+        return "a mapping is written NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]]";
+    case CM_ERROR_MAPPING:
+        return "no mapping has this name";
+    case CM_ERROR_PARAMETER:
+        return "the mapping has no such parameter, or it is given twice";
+    case CM_ERROR_RANGE:
+        return "a parameter is outside its range";
+    case CM_ERROR_FRAME:
+        return "the table is not a frame of six faces";
+    case CM_ERROR_UNSUPPORTED:
+        return "the mapping has no such operation";
+    case CM_ERROR_MEMORY:
+        return "out of memory";
+    }
+    return "unknown status";
+}
+
+const char *cm_version(void)
+{
+    return CM_VERSION_STRING;
+}

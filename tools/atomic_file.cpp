@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+
+#include "atomic_file.hpp"
+#include "program.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace
+{
+
+// The temporary names, for the signal handler: it must find them without a lock.
+constexpr std::size_t slot_count = 16;
+std::array<std::atomic<const char *>, slot_count> temporary_names;
+
+constexpr std::array<int, 3> ending_signals = {SIGINT, SIGTERM, SIGHUP};
+
+void remove_temporary_files(int signal_number)
+{
+    for (std::atomic<const char *> &entry : temporary_names)
+    {
+        const char *const name = entry.load();
+        if (name != nullptr)
+        {
+            unlink(name);
+        }
+    }
+    std::signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+std::size_t enter_temporary_name(const char *name)
+{
+    for (std::size_t i = 0; i < slot_count; ++i)
+    {
+        const char *empty = nullptr;
+        if (temporary_names[i].compare_exchange_strong(empty, name))
+        {
+            return i;
+        }
+    }
+    throw Failure("more than " + std::to_string(slot_count) + " output files at a time");
+}
+
+// Holds back the ending signals while it lives.
+class SignalsHeld
+{
+public:
+    SignalsHeld()
+    {
+        sigset_t held;
+        sigemptyset(&held);
+        for (const int number : ending_signals)
+        {
+            sigaddset(&held, number);
+        }
+        pthread_sigmask(SIG_BLOCK, &held, &before);
+    }
+    ~SignalsHeld()
+    {
+        pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    }
+    SignalsHeld(const SignalsHeld &) = delete;
+    SignalsHeld &operator=(const SignalsHeld &) = delete;
+
+private:
+    sigset_t before;
+};
+
+std::filesystem::path folder_of(const std::string &path)
+{
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    return folder.empty() ? "." : folder;
+}
+
+// Failure if an output must not appear under this name; else the access bits that it should have.
+mode_t wanted_mode(const std::string &name, const std::string &target)
+{
+    struct stat status;
+    if (stat(target.c_str(), &status) != 0)
+    {
+        const mode_t mask = umask(0);
+        umask(mask);
+        return 0666 & ~mask;
+    }
+    if (!S_ISREG(status.st_mode))
+    {
+        throw Failure(quoted(name) + " exists and is " +
+                      (S_ISDIR(status.st_mode) ? "a folder" : "not a file") +
+                      "; give the name of a file");
+    }
+    if (access(target.c_str(), W_OK) != 0)
+    {
+        throw Failure(quoted(name) + " cannot be written: " + std::strerror(errno));
+    }
+    return status.st_mode & 0777;
+}
+
+std::string follow_links(const std::string &path)
+{
+    std::error_code error;
+    const std::filesystem::path target = std::filesystem::canonical(path, error);
+    return error ? path : target.string();
+}
+
+} // namespace
+
+AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_links(path))
+{
+    m_filename = path;
+    m_mode = Write;
+    const mode_t mode = wanted_mode(name, target);
+    const std::filesystem::path folder = folder_of(target);
+    const std::string extension = std::filesystem::path(target).extension().string();
+    const SignalsHeld held;
+    int descriptor = -1;
+    for (int attempt = 0; descriptor < 0 && attempt < 1000; ++attempt)
+    {
+        temporary = (folder / (".cubemap-" + std::to_string(getpid()) + "-" +
+                               std::to_string(attempt) + extension))
+                        .string();
+        descriptor = open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+        if (descriptor < 0 && errno != EEXIST)
+        {
+            break;
+        }
+    }
+    if (descriptor < 0)
+    {
+        throw Failure(quoted(name) + " cannot be written: folder " + quoted(folder.string()) +
+                      ": " + std::strerror(errno));
+    }
+    stream = fdopen(descriptor, "w+b");
+    if (stream == nullptr)
+    {
+        unlink(temporary.c_str());
+        close(descriptor);
+        throw std::bad_alloc();
+    }
+    slot = enter_temporary_name(temporary.c_str());
+    fchmod(descriptor, mode);
+}
+
+AtomicFile::~AtomicFile()
+{
+    const SignalsHeld held;
+    if (stream != nullptr)
+    {
+        std::fclose(stream);
+    }
+    if (!temporary.empty())
+    {
+        unlink(temporary.c_str());
+        temporary_names[slot] = nullptr;
+    }
+}
+
+void AtomicFile::note_error(int number) noexcept
+{
+    if (error_number == 0)
+    {
+        error_number = number != 0 ? number : EIO;
+    }
+}
+
+bool AtomicFile::seek(std::int64_t offset)
+{
+    if (error_number == 0 && fseeko(stream, offset, SEEK_SET) != 0)
+    {
+        note_error(errno);
+    }
+    m_pos = offset;
+    return true;
+}
+
+std::size_t AtomicFile::read(void *buffer, std::size_t size)
+{
+    std::size_t count = 0;
+    if (error_number == 0 && fseeko(stream, m_pos, SEEK_SET) == 0)
+    {
+        count = std::fread(buffer, 1, size, stream);
+        fseeko(stream, m_pos + static_cast<std::int64_t>(count), SEEK_SET);
+    }
+    m_pos += static_cast<std::int64_t>(count);
+    return count;
+}
+
+std::size_t AtomicFile::write(const void *buffer, std::size_t size)
+{
+    if (error_number == 0 && std::fwrite(buffer, 1, size, stream) != size)
+    {
+        note_error(errno);
+    }
+    m_pos += static_cast<std::int64_t>(size);
+    return size;
+}
+
+std::size_t AtomicFile::size() const
+{
+    struct stat status;
+    if (error_number != 0 || std::fflush(stream) != 0 || fstat(fileno(stream), &status) != 0)
+    {
+        return 0;
+    }
+    return static_cast<std::size_t>(status.st_size);
+}
+
+void AtomicFile::check() const
+{
+    if (error_number != 0)
+    {
+        throw Failure(quoted(name) + " cannot be written: " + std::strerror(error_number));
+    }
+}
+
+void AtomicFile::finish()
+{
+    if (stream == nullptr)
+    {
+        return;
+    }
+    if (std::fflush(stream) != 0 || (fsync(fileno(stream)) != 0 && errno != EINVAL))
+    {
+        note_error(errno);
+    }
+    if (std::fclose(stream) != 0)
+    {
+        note_error(errno);
+    }
+    stream = nullptr;
+    check();
+}
+
+void AtomicFile::appear()
+{
+    if (std::rename(temporary.c_str(), target.c_str()) != 0)
+    {
+        throw Failure(quoted(name) + " cannot be written: " + std::strerror(errno));
+    }
+    temporary_names[slot] = nullptr;
+    temporary.clear();
+}
+
+void appear_together(const std::vector<std::unique_ptr<AtomicFile>> &files)
+{
+    for (const std::unique_ptr<AtomicFile> &file : files)
+    {
+        file->finish();
+    }
+    const SignalsHeld held;
+    for (const std::unique_ptr<AtomicFile> &file : files)
+    {
+        file->appear();
+    }
+}
+
+void guard_temporary_files()
+{
+    for (const int number : ending_signals)
+    {
+        struct sigaction action;
+        if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
+        {
+            action = {};
+            action.sa_handler = remove_temporary_files;
+            sigfillset(&action.sa_mask);
+            sigaction(number, &action, nullptr);
+        }
+    }
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+bool same_file(const std::string &one, const std::string &other)
+{
+    std::error_code error;
+    return std::filesystem::equivalent(one, other, error) && !error;
+}

@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT */
+#include "listing.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cubemap/cubemap.h>
+
+#include "number.h"
+
+static const char *family_name(cm_family family)
+{
+    switch (family)
+    {
+    case CM_FAMILY_UNIVARIATE:
+        return "univariate";
+    case CM_FAMILY_BIVARIATE:
+        return "bivariate";
+    case CM_FAMILY_HYBRID:
+        return "hybrid";
+    }
+    return "unknown";
+}
+
+static const char *smoothness_name(cm_smoothness smoothness)
+{
+    switch (smoothness)
+    {
+    case CM_SMOOTH_TORN:
+        return "torn";
+    case CM_SMOOTH_C0:
+        return "C0";
+    case CM_SMOOTH_C1:
+        return "C1";
+    case CM_SMOOTH_ANALYTIC:
+        return "analytic";
+    }
+    return "unknown";
+}
+
+static const char *property_name(unsigned properties)
+{
+    switch (properties & (CM_EQUAL_AREA | CM_CONFORMAL))
+    {
+    case CM_EQUAL_AREA:
+        return "equal-area";
+    case CM_CONFORMAL:
+        return "conformal";
+    default:
+        return "-";
+    }
+}
+
+/* ------------------------------------------------------------------------------- table */
+
+static void write_heading(FILE *stream)
+{
+    fprintf(stream,
+            "libcubemap %s: the mappings that -m takes as NAME or NAME:PARAMETER=VALUE,...\n"
+            "The recommended one, and the default, is " CM_MAPPING_RECOMMENDED ".\n"
+            "FACE and EDGE say how smooth a mapping is on a face and across the edge of two:\n"
+            "torn, C0 (continuous), C1 (with its first derivatives) or analytic.\n\n",
+            cm_version());
+    fprintf(stream, "%-12s %-10s %-10s %-8s %-8s %s\n", "NAME", "FAMILY", "PROPERTY", "FACE", "EDGE",
+            "ALIASES");
+}
+
+/* c=0.87, in (0, 4]: strength */
+static void write_parameter_row(FILE *stream, const cm_parameter_info *parameter)
+{
+    char standard[NUMBER_WRITE_MAX];
+    char low[NUMBER_WRITE_MAX];
+    char high[NUMBER_WRITE_MAX];
+    number_write_shortest(parameter->standard, standard);
+    number_write_shortest(parameter->low, low);
+    number_write_shortest(parameter->high, high);
+    fprintf(stream, "    %s=%s, %sin %c%s, %s]: %s\n", parameter->name, standard,
+            parameter->whole ? "whole, " : "", parameter->low_excluded ? '(' : '[', low, high,
+            parameter->meaning);
+}
+
+static void write_mapping_rows(FILE *stream, const cm_mapping_info *mapping)
+{
+    fprintf(stream, "%-12s %-10s %-10s %-8s %-8s %s\n", mapping->identifier,
+            family_name(mapping->family), property_name(mapping->properties),
+            smoothness_name(mapping->smooth_face), smoothness_name(mapping->smooth_edge),
+            mapping->aliases[0] != '\0' ? mapping->aliases : "-");
+    fprintf(stream, "    %s\n", mapping->name);
+    for (size_t i = 0; i < mapping->parameter_count; i++)
+    {
+        write_parameter_row(stream, &mapping->parameter[i]);
+    }
+    fprintf(stream, "    %s\n", mapping->source);
+}
+
+void listing_write_table(FILE *stream)
+{
+    write_heading(stream);
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        write_mapping_rows(stream, cm_catalogue_at(i));
+    }
+    fprintf(stream, "\nThe frames that --frame takes:\n");
+    for (size_t i = 0; i < cm_frame_count(); i++)
+    {
+        const cm_frame *const frame = cm_frame_at(i);
+        fprintf(stream, "%-12s %s\n", frame->identifier, frame->name);
+    }
+}
+
+/* ------------------------------------------------------------------------------- JSON */
+
+/* length bytes of text as a JSON string. */
+static void write_text(FILE *stream, const char *text, size_t length)
+{
+    putc('"', stream);
+    for (size_t i = 0; i < length; i++)
+    {
+        const unsigned char character = (unsigned char)text[i];
+        if (character == '"' || character == '\\')
+        {
+            putc('\\', stream);
+            putc(character, stream);
+        }
+        else if (character < ' ')
+        {
+            fprintf(stream, "\\u%04x", (unsigned)character);
+        }
+        else
+        {
+            putc(character, stream);
+        }
+    }
+    putc('"', stream);
+}
+
+/* "key": "text" and what follows it. */
+static void write_member(FILE *stream, const char *key, const char *text, const char *after)
+{
+    fprintf(stream, "\"%s\": ", key);
+    write_text(stream, text, strlen(text));
+    fputs(after, stream);
+}
+
+/* JSON has no infinity and no NaN: null stands for them. */
+static void write_number_member(FILE *stream, const char *key, double value)
+{
+    char text[NUMBER_WRITE_MAX] = "null";
+    if (isfinite(value))
+    {
+        number_write_shortest(value, text);
+    }
+    fprintf(stream, "\"%s\": %s, ", key, text);
+}
+
+static const char *truth(bool value)
+{
+    return value ? "true" : "false";
+}
+
+/* Words apart by blanks, as an array. */
+static void write_words(FILE *stream, const char *words)
+{
+    bool first = true;
+    putc('[', stream);
+    for (words += strspn(words, " "); *words != '\0'; words += strspn(words, " "))
+    {
+        const size_t length = strcspn(words, " ");
+        fputs(first ? "" : ", ", stream);
+        write_text(stream, words, length);
+        words += length;
+        first = false;
+    }
+    putc(']', stream);
+}
+
+static void write_parameter_object(FILE *stream, const cm_parameter_info *parameter)
+{
+    fputs("\n        {", stream);
+    write_member(stream, "name", parameter->name, ", ");
+    write_member(stream, "meaning", parameter->meaning, ", ");
+    write_number_member(stream, "standard", parameter->standard);
+    write_number_member(stream, "low", parameter->low);
+    write_number_member(stream, "high", parameter->high);
+    fprintf(stream, "\"low_excluded\": %s, \"whole\": %s}", truth(parameter->low_excluded != 0),
+            truth(parameter->whole != 0));
+}
+
+static void write_mapping_object(FILE *stream, const cm_mapping_info *mapping)
+{
+    const char *const next = ",\n      ";
+    fputs("    {\n      ", stream);
+    write_member(stream, "identifier", mapping->identifier, ",\n      \"aliases\": ");
+    write_words(stream, mapping->aliases);
+    fputs(next, stream);
+    write_member(stream, "name", mapping->name, next);
+    write_member(stream, "source", mapping->source, next);
+    write_member(stream, "family", family_name(mapping->family), next);
+    fprintf(stream, "\"equal_area\": %s,\n      \"conformal\": %s%s",
+            truth((mapping->properties & CM_EQUAL_AREA) != 0),
+            truth((mapping->properties & CM_CONFORMAL) != 0), next);
+    write_member(stream, "smooth_face", smoothness_name(mapping->smooth_face), next);
+    write_member(stream, "smooth_edge", smoothness_name(mapping->smooth_edge), next);
+    fputs("\"parameters\": [", stream);
+    for (size_t i = 0; i < mapping->parameter_count; i++)
+    {
+        fputs(i == 0 ? "" : ",", stream);
+        write_parameter_object(stream, &mapping->parameter[i]);
+    }
+    fputs(mapping->parameter_count > 0 ? "\n      ]\n    }" : "]\n    }", stream);
+}
+
+/* "+x" for CM_AXIS_X. */
+static void write_axis_member(FILE *stream, const char *key, int axis, const char *after)
+{
+    const int index = abs(axis) - CM_AXIS_X;
+    fprintf(stream, "\"%s\": \"%c%c\"%s", key, axis < 0 ? '-' : '+',
+            index >= 0 && index < 3 ? "xyz"[index] : '?', after);
+}
+
+static void write_frame_object(FILE *stream, const cm_frame *frame)
+{
+    fputs("    {\n      ", stream);
+    write_member(stream, "identifier", frame->identifier, ",\n      ");
+    write_member(stream, "name", frame->name, ",\n      ");
+    fprintf(stream, "\"first_row_v\": %d,\n      \"faces\": [", frame->first_row_v);
+    for (int face = 0; face < 6; face++)
+    {
+        fprintf(stream, "%s\n        {\"face\": %d, ", face == 0 ? "" : ",", face);
+        write_member(stream, "name", frame->face[face].name, ", ");
+        write_axis_member(stream, "outward", frame->face[face].outward, ", ");
+        write_axis_member(stream, "u", frame->face[face].u, ", ");
+        write_axis_member(stream, "v", frame->face[face].v, "}");
+    }
+    fputs("\n      ]\n    }", stream);
+}
+
+void listing_write_json(FILE *stream)
+{
+    fputs("{\n  ", stream);
+    write_member(stream, "version", cm_version(), ",\n  ");
+    write_member(stream, "recommended", CM_MAPPING_RECOMMENDED, ",\n  \"mappings\": [\n");
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        fputs(i == 0 ? "" : ",\n", stream);
+        write_mapping_object(stream, cm_catalogue_at(i));
+    }
+    fputs("\n  ],\n  \"frames\": [\n", stream);
+    for (size_t i = 0; i < cm_frame_count(); i++)
+    {
+        fputs(i == 0 ? "" : ",\n", stream);
+        write_frame_object(stream, cm_frame_at(i));
+    }
+    fputs("\n  ]\n}\n", stream);
+}
