@@ -42,9 +42,10 @@ static void put_face_point(CM_NAME(cm_face_point) point, CM_REAL x, CM_REAL y, C
         for (size_t i = 0; i < n; i++)                                                             \
         {                                                                                          \
             CM_NAME(cm_xyz) r = CM_NAME(cm_##id##_unproject)(face[i], a[i], b[i]);                 \
-            x[i] = r.x;                                                                            \
-            y[i] = r.y;                                                                            \
-            z[i] = r.z;                                                                            \
+            CM_BOOL good = face[i] < CM_LIT(5.5);                                                  \
+            x[i] = CM_SELECT(good, r.x, CM_NOT_A_NUMBER);                                          \
+            y[i] = CM_SELECT(good, r.y, CM_NOT_A_NUMBER);                                          \
+            z[i] = CM_SELECT(good, r.z, CM_NOT_A_NUMBER);                                          \
         }                                                                                          \
     }
 
@@ -123,12 +124,15 @@ static void turn_back_block(const cm_turn *turn, size_t n, block *points)
 {
     for (size_t i = 0; i < n; i++)
     {
-        int g = turn->geo_face[(int)points->face[i]];
-        CM_REAL a = (CM_REAL)turn->sign_u[g] * points->a[i];
-        CM_REAL b = (CM_REAL)turn->sign_v[g] * points->b[i];
-        points->face[i] = (CM_REAL)g;
-        points->a[i] = turn->swap[g] ? b : a;
-        points->b[i] = turn->swap[g] ? a : b;
+        if (points->face[i] < CM_LIT(5.5))
+        {
+            int g = turn->geo_face[(int)points->face[i]];
+            CM_REAL a = (CM_REAL)turn->sign_u[g] * points->a[i];
+            CM_REAL b = (CM_REAL)turn->sign_v[g] * points->b[i];
+            points->face[i] = (CM_REAL)g;
+            points->a[i] = turn->swap[g] ? b : a;
+            points->b[i] = turn->swap[g] ? a : b;
+        }
     }
 }
 
@@ -174,9 +178,9 @@ static void inverse_block(const cm_mapping *mapping, size_t n, const uint8_t *fa
     for (size_t i = 0; i < n; i++)
     {
         CM_BOOL good = (face[i] < 6) & near_face(u[i], v[i]);
-        points.face[i] = CM_SELECT(good, (CM_REAL)face[i], CM_LIT(0.0));
-        points.a[i] = CM_SELECT(good, clamp(u[i]), CM_NOT_A_NUMBER);
-        points.b[i] = CM_SELECT(good, clamp(v[i]), CM_NOT_A_NUMBER);
+        points.face[i] = CM_SELECT(good, (CM_REAL)face[i], (CM_REAL)CM_NO_FACE);
+        points.a[i] = CM_SELECT(good, clamp(u[i]), CM_LIT(0.0));
+        points.b[i] = CM_SELECT(good, clamp(v[i]), CM_LIT(0.0));
     }
     if (kernels->unwarp != NULL)
     {

@@ -24,7 +24,12 @@ std::array<std::atomic<const char *>, slot_count> temporary_names;
 
 constexpr std::array<int, 3> ending_signals = {SIGINT, SIGTERM, SIGHUP};
 
-void remove_temporary_files(int signal_number)
+// A signal that has come, and how many SignalsHeld there are. The handler writes the one and then
+// reads the other, SignalsHeld the other way round, so at least one of them sees both.
+std::atomic<int> signal_come{0};
+std::atomic<int> holders{0};
+
+void remove_temporary_files_and_end(int signal_number)
 {
     for (std::atomic<const char *> &entry : temporary_names)
     {
@@ -38,6 +43,42 @@ void remove_temporary_files(int signal_number)
     raise(signal_number);
 }
 
+void handle_ending_signal(int signal_number)
+{
+    signal_come = signal_number;
+    if (holders == 0)
+    {
+        remove_temporary_files_and_end(signal_number);
+    }
+}
+
+// Puts off the ending signals while it lives, whichever thread they come to.
+class SignalsHeld
+{
+public:
+    SignalsHeld()
+    {
+        ++holders;
+        end_if_signal_has_come();
+    }
+    ~SignalsHeld()
+    {
+        --holders;
+        end_if_signal_has_come();
+    }
+    SignalsHeld(const SignalsHeld &) = delete;
+    SignalsHeld &operator=(const SignalsHeld &) = delete;
+
+private:
+    static void end_if_signal_has_come()
+    {
+        if (signal_come != 0)
+        {
+            remove_temporary_files_and_end(signal_come);
+        }
+    }
+};
+
 std::size_t enter_temporary_name(const char *name)
 {
     for (std::size_t i = 0; i < slot_count; ++i)
@@ -50,31 +91,6 @@ std::size_t enter_temporary_name(const char *name)
     }
     throw Failure("more than " + std::to_string(slot_count) + " output files at a time");
 }
-
-// Holds back the ending signals while it lives.
-class SignalsHeld
-{
-public:
-    SignalsHeld()
-    {
-        sigset_t held;
-        sigemptyset(&held);
-        for (const int number : ending_signals)
-        {
-            sigaddset(&held, number);
-        }
-        pthread_sigmask(SIG_BLOCK, &held, &before);
-    }
-    ~SignalsHeld()
-    {
-        pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    }
-    SignalsHeld(const SignalsHeld &) = delete;
-    SignalsHeld &operator=(const SignalsHeld &) = delete;
-
-private:
-    sigset_t before;
-};
 
 std::filesystem::path folder_of(const std::string &path)
 {
@@ -94,13 +110,13 @@ mode_t wanted_mode(const std::string &name, const std::string &target)
     }
     if (!S_ISREG(status.st_mode))
     {
-        throw Failure(quoted(name) + " exists and is " +
+        throw Failure(in_quotes(name) + " exists and is " +
                       (S_ISDIR(status.st_mode) ? "a folder" : "not a file") +
                       "; give the name of a file");
     }
     if (access(target.c_str(), W_OK) != 0)
     {
-        throw Failure(quoted(name) + " cannot be written: " + std::strerror(errno));
+        throw Failure(in_quotes(name) + " cannot be written: " + std::strerror(errno));
     }
     return status.st_mode & 0777;
 }
@@ -136,14 +152,14 @@ AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_link
     }
     if (descriptor < 0)
     {
-        throw Failure(quoted(name) + " cannot be written: folder " + quoted(folder.string()) +
+        throw Failure(in_quotes(name) + " cannot be written: folder " + in_quotes(folder.string()) +
                       ": " + std::strerror(errno));
     }
     stream = fdopen(descriptor, "w+b");
     if (stream == nullptr)
     {
         unlink(temporary.c_str());
-        close(descriptor);
+        ::close(descriptor);
         throw std::bad_alloc();
     }
     slot = enter_temporary_name(temporary.c_str());
@@ -218,7 +234,7 @@ void AtomicFile::check() const
 {
     if (error_number != 0)
     {
-        throw Failure(quoted(name) + " cannot be written: " + std::strerror(error_number));
+        throw Failure(in_quotes(name) + " cannot be written: " + std::strerror(error_number));
     }
 }
 
@@ -244,7 +260,7 @@ void AtomicFile::appear()
 {
     if (std::rename(temporary.c_str(), target.c_str()) != 0)
     {
-        throw Failure(quoted(name) + " cannot be written: " + std::strerror(errno));
+        throw Failure(in_quotes(name) + " cannot be written: " + std::strerror(errno));
     }
     temporary_names[slot] = nullptr;
     temporary.clear();
@@ -271,7 +287,7 @@ void guard_temporary_files()
         if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
         {
             action = {};
-            action.sa_handler = remove_temporary_files;
+            action.sa_handler = handle_ending_signal;
             sigfillset(&action.sa_mask);
             sigaction(number, &action, nullptr);
         }

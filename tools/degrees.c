@@ -5,17 +5,17 @@
 #include <stdbool.h>
 
 /* A sum of two doubles, the second much smaller than the first. */
-typedef struct pair
+struct pair
 {
     double high;
     double low;
-} pair;
+};
 
 /* value times a constant, to about twice the precision of a double. The constant is leading + rest,
  * leading with 24 bits at most, so that its products with both halves of value are exact. */
-static pair times_constant(double value, double leading, double rest)
+static struct pair times_constant(double value, double leading, double rest)
 {
-    pair product;
+    struct pair product;
     const double upper = (double)(float)value;
     const double lower = value - upper;
     product.high = value * (leading + rest);
@@ -24,12 +24,12 @@ static pair times_constant(double value, double leading, double rest)
 }
 
 /* pi/180 and 180/pi. */
-static pair degrees_to_radians(double degrees)
+static struct pair degrees_to_radians(double degrees)
 {
     return times_constant(degrees, 0x1.1df46ap-6, 0x1.294e9c8ae0ec6p-33);
 }
 
-static pair radians_to_degrees(double radians)
+static struct pair radians_to_degrees(double radians)
 {
     return times_constant(radians, 0x1.ca5dc2p+5, -0x1.670f8211e7ab4p-21);
 }
@@ -46,25 +46,48 @@ static double reduce(double degrees, int *quadrant)
     return remquo(degrees, 90, quadrant);
 }
 
+/* Sine and cosine of an angle in [-pi/4, pi/4] by their Taylor series, of which 2e-19 is left off.
+ * The large terms, x and 1 - x^2/2, are known to more than a double, so that the sum rounds once:
+ * the C library's functions, which take no pair, would round before the correction. */
+static void sine_cosine_series(struct pair x, double *sine, double *cosine)
+{
+    const double upper = (double)(float)x.high;
+    const double lower = x.high - upper;
+    const double square = x.high * x.high;
+    const double square_low = ((upper * upper - square) + 2 * upper * lower) + lower * lower;
+
+    double s = 1.0 / 355687428096000.0;
+    s = s * square - 1.0 / 1307674368000.0;
+    s = s * square + 1.0 / 6227020800.0;
+    s = s * square - 1.0 / 39916800.0;
+    s = s * square + 1.0 / 362880.0;
+    s = s * square - 1.0 / 5040.0;
+    s = s * square + 1.0 / 120.0;
+    s = s * square - 1.0 / 6.0;
+    *sine = x.high + (x.high * square * s + x.low * (1 - 0.5 * square));
+
+    double c = 1.0 / 20922789888000.0;
+    c = c * square - 1.0 / 87178291200.0;
+    c = c * square + 1.0 / 479001600.0;
+    c = c * square - 1.0 / 3628800.0;
+    c = c * square + 1.0 / 40320.0;
+    c = c * square - 1.0 / 720.0;
+    c = c * square + 1.0 / 24.0;
+    const double start = 1 - 0.5 * square;
+    const double lost = (1 - start) - 0.5 * square;
+    *cosine = start + (lost + (square * square * c - (0.5 * square_low + x.high * x.low)));
+}
+
 void degrees_sine_cosine(double degrees, double *sine, double *cosine)
 {
     const double square_root_half = 0x1.6a09e667f3bcdp-1;
     int quadrant = 0;
     const double reduced = reduce(degrees, &quadrant);
-    double s;
-    double c;
-    if (fabs(reduced) == 45)
+    double s = copysign(square_root_half, reduced);
+    double c = square_root_half;
+    if (fabs(reduced) != 45)
     {
-        s = copysign(square_root_half, reduced);
-        c = square_root_half;
-    }
-    else
-    {
-        const pair angle = degrees_to_radians(reduced);
-        const double s0 = sin(angle.high);
-        const double c0 = cos(angle.high);
-        s = s0 + c0 * angle.low;
-        c = c0 - s0 * angle.low;
+        sine_cosine_series(degrees_to_radians(reduced), &s, &c);
     }
     /* adding zero turns -0 into 0 */
     const bool odd = ((unsigned)quadrant & 1) != 0;
@@ -81,8 +104,7 @@ double degrees_atan2(double y, double x)
     const double along = fabs(x);
     const bool steep = up > along;
     /* in [0, 45], as a sum, so that what follows rounds only once */
-    const pair angle =
-        radians_to_degrees(steep ? atan2(along, up) : atan2(up, along));
+    const struct pair angle = radians_to_degrees(steep ? atan2(along, up) : atan2(up, along));
     const double base = steep ? 90.0 : (x < 0 ? 180.0 : 0.0);
     const double sign = steep == (x < 0) ? 1.0 : -1.0;
     /* base + high is exact or its rounding error is found exactly: base is 0 or larger than high */

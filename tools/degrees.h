@@ -12,11 +12,12 @@ extern "C" {
 #endif
 
 /* Sine and cosine of any finite angle in degrees, which is reduced exactly; two NaN for others. Both
- * are within 0.6 ulp or so, exact at multiples of 90 and equal in magnitude at odd multiples of 45. */
+ * are within 0.8 ulp, exact at multiples of 90 and equal in magnitude at odd multiples of 45. */
 void degrees_sine_cosine(double degrees, double *sine, double *cosine);
 
-/* atan2 in degrees, in [-180, 180]: exact on the axes and diagonals, elsewhere within 0.6 ulp or so.
- * A y of -0 counts as +0, so that the direction opposite to x is always at +180. */
+/* atan2 in degrees, in [-180, 180]: exact on the axes and diagonals; elsewhere within 1.5 ulp of the
+ * result, 1 ulp above 45 degrees and 0.75 ulp above 90 (measured with glibc). A y of -0 counts as +0,
+ * so that the direction opposite to x is always at +180. */
 double degrees_atan2(double y, double x);
 
 /* The unit direction of any finite longitude and of a latitude in [-90, 90]: exactly an axis at

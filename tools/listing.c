@@ -58,16 +58,15 @@ static const char *property_name(unsigned properties)
 static void write_heading(FILE *stream)
 {
     fprintf(stream,
-            "libcubemap %s: the mappings that -m takes as NAME or NAME:PARAMETER=VALUE,...\n"
+            "libcubemap %s: the mappings that -m takes, as NAME or NAME:PARAMETER=VALUE,...\n"
             "The recommended one, and the default, is " CM_MAPPING_RECOMMENDED ".\n"
             "FACE and EDGE say how smooth a mapping is on a face and across the edge of two:\n"
             "torn, C0 (continuous), C1 (with its first derivatives) or analytic.\n\n",
             cm_version());
-    fprintf(stream, "%-12s %-10s %-10s %-8s %-8s %s\n", "NAME", "FAMILY", "PROPERTY", "FACE", "EDGE",
-            "ALIASES");
+    fprintf(stream, "%-12s %-10s %-10s %-8s %-8s %s\n", "NAME", "FAMILY", "PROPERTY", "FACE",
+            "EDGE", "WHAT IT IS");
 }
 
-/* c=0.87, in (0, 4]: strength */
 static void write_parameter_row(FILE *stream, const cm_parameter_info *parameter)
 {
     char standard[NUMBER_WRITE_MAX];
@@ -76,23 +75,26 @@ static void write_parameter_row(FILE *stream, const cm_parameter_info *parameter
     number_write_shortest(parameter->standard, standard);
     number_write_shortest(parameter->low, low);
     number_write_shortest(parameter->high, high);
-    fprintf(stream, "    %s=%s, %sin %c%s, %s]: %s\n", parameter->name, standard,
-            parameter->whole ? "whole, " : "", parameter->low_excluded ? '(' : '[', low, high,
-            parameter->meaning);
+    fprintf(stream, "    parameter  %s, %s%c%s, %s], default %s: %s\n", parameter->name,
+            parameter->whole ? "whole, in " : "in ", parameter->low_excluded ? '(' : '[', low, high,
+            standard, parameter->meaning);
 }
 
 static void write_mapping_rows(FILE *stream, const cm_mapping_info *mapping)
 {
-    fprintf(stream, "%-12s %-10s %-10s %-8s %-8s %s\n", mapping->identifier,
+    fprintf(stream, "\n%-12s %-10s %-10s %-8s %-8s %s\n", mapping->identifier,
             family_name(mapping->family), property_name(mapping->properties),
             smoothness_name(mapping->smooth_face), smoothness_name(mapping->smooth_edge),
-            mapping->aliases[0] != '\0' ? mapping->aliases : "-");
-    fprintf(stream, "    %s\n", mapping->name);
+            mapping->name);
+    if (mapping->aliases[0] != '\0')
+    {
+        fprintf(stream, "    also       %s\n", mapping->aliases);
+    }
     for (size_t i = 0; i < mapping->parameter_count; i++)
     {
         write_parameter_row(stream, &mapping->parameter[i]);
     }
-    fprintf(stream, "    %s\n", mapping->source);
+    fprintf(stream, "    source     %s\n", mapping->source);
 }
 
 void listing_write_table(FILE *stream)

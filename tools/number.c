@@ -79,10 +79,10 @@ static const uint64_t power_of_ten[NUMBER_DIGITS_MAX + 1] = {
 /* What the text of a number says: 0.DIGITS or DIGITS times a power of ten. */
 typedef struct decimal
 {
-    uint64_t digits;      /* the first 19 significant digits */
-    long exponent;        /* the number is digits * 10^exponent, if exact */
-    int digit_count;      /* significant digits in digits */
-    bool exact;           /* are these all digits that count? */
+    uint64_t digits; /* the first 19 significant digits */
+    long exponent;   /* the number is digits * 10^exponent, if exact */
+    int digit_count; /* significant digits in digits */
+    bool exact;      /* are these all digits that count? */
     bool negative;
 } decimal;
 

@@ -64,7 +64,7 @@ std::int64_t ArgumentReader::whole_number(std::int64_t low, std::int64_t high)
     const auto result = std::from_chars(text.data(), end, number);
     if (result.ec != std::errc() || result.ptr != end || number < low || number > high)
     {
-        throw UsageFailure(current + ": " + quoted(text) + " is not a whole number from " +
+        throw UsageFailure(current + ": " + in_quotes(text) + " is not a whole number from " +
                            std::to_string(low) + " to " + std::to_string(high));
     }
     return number;
@@ -79,7 +79,7 @@ double ArgumentReader::not_negative_number()
     if (!(stream >> number) || stream.peek() != std::istringstream::traits_type::eof() ||
         !std::isfinite(number) || number < 0)
     {
-        throw UsageFailure(current + ": " + quoted(text) + " is not a number of 0 or more");
+        throw UsageFailure(current + ": " + in_quotes(text) + " is not a number of 0 or more");
     }
     return number;
 }
@@ -96,10 +96,10 @@ std::size_t ArgumentReader::word(const std::vector<std::string> &words)
         }
         list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
     }
-    throw UsageFailure(current + ": " + quoted(text) + " is not " + list);
+    throw UsageFailure(current + ": " + in_quotes(text) + " is not " + list);
 }
 
-std::string quoted(const std::string &text)
+std::string in_quotes(const std::string &text)
 {
     std::string result = "'" + text + "'";
     for (char &letter : result)

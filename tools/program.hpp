@@ -87,7 +87,7 @@ private:
 };
 
 // "'name'", with control characters replaced by '?', so that a message stays on one line.
-std::string quoted(const std::string &text);
+std::string in_quotes(const std::string &text);
 
 // The first line of a library's message, without a full stop at its end.
 std::string first_line(const std::string &text);

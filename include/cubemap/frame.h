@@ -11,8 +11,11 @@
  *   gl    the cube-map table of OpenGL, Vulkan and Direct3D: +x -x +y -y +z -z, u along s, v along
  *         t (OpenGL 4.6 core, table 8.19). There v grows *down* a stored face.
  *
- * geo and fits draw a face as it is seen from outside the globe, like a map; gl draws it as it is
- * seen from inside the cube, like a panorama: the one is the mirror image of the other.
+ * Inside and outside: if the axes are right-handed, as those of a globe are, the pictures of the
+ * faces show the sphere from outside in all three frames; if they are left-handed, as in Direct3D or
+ * in a panorama whose longitude grows to the right of somebody inside it, the same pictures show it
+ * from inside. Seen from the other side each picture is its mirror image. docs/frames.md has the
+ * pictures.
  */
 #ifndef CUBEMAP_FRAME_H
 #define CUBEMAP_FRAME_H

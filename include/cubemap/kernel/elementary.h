@@ -3,19 +3,28 @@
  * The elementary functions of the kernels, on the narrow domains that cube mappings need.
  *
  * Read once per backend, after dialect.h, so without an include guard; one text for double and for
- * float, with coefficients for each. scripts/elementary/minimax.sollya derives the coefficients and
- * tests/elementary_accuracy.c measures the errors stated here.
+ * float, with coefficients for each. scripts/elementary/minimax.sollya derives the coefficients,
+ * tests/elementary_accuracy.c measures the errors. Those stated here are the worst that it finds when
+ * run with "full" and without contraction; fused multiply-adds lower nearly all of them.
  *
  * Common to all of them:
- *   - no branch, no table, no fused multiply-add assumed; contraction does no harm;
- *   - x + x (z P(z)) with z = x^2: the rounding errors of P are scaled down by the smallness of the
- *     second term. P is evaluated by pairs, then fours, which keeps the dependency chain short;
- *   - NaN gives NaN. Odd functions are relatively accurate down to subnormals and keep the sign of
- *     zero; where P < 0 the sum would turn -0 into +0, hence the last select;
- *   - outside its domain a function is meaningless but harmless.
+ *   - no branch, no table, no fused multiply-add needed;
+ *   - the leading term is exact and the polynomial makes the rest, so that its rounding errors are
+ *     scaled down by the smallness of that rest. Polynomials are evaluated by pairs, then fours,
+ *     which keeps the chain of dependent operations short;
+ *   - atan, tan, tanh and atanh are x + x^3 R(t) with t = x^2 - m and m near the end of the domain:
+ *     there the second term is greatest, and there R is its first coefficient and next to nothing
+ *     more, so that only one rounding error of R counts;
+ *   - odd functions give the same bits for -x but for the sign, are relatively accurate down to
+ *     subnormals and keep the sign of zero (where the sum would turn -0 into +0, a select stands);
+ *   - NaN gives NaN; a little outside its domain a function is less accurate, but harmless.
+ *
+ * A compiler that is free to reassociate (-ffast-math, some shader compilers) may undo the
+ * splittings in versine and trisect. What is left is a correct formula with a greater rounding error.
  */
 
-/* atan x for |x| <= 1. */
+/* atan x for |x| <= 1.
+ * Worst error: double 0.94 ulp at 0x1.fed2c6991224fp-1, float 0.95 ulp at 0x1.e324bep-1. */
 CM_FN CM_REAL CM_NAME(cm_atan_unit)(CM_REAL x)
 {
     CM_REAL z = x * x;
@@ -23,39 +32,42 @@ CM_FN CM_REAL CM_NAME(cm_atan_unit)(CM_REAL x)
 #if CM_REAL_BITS == 64
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(-2.1673214455010723e-1) + t * CM_LIT(7.3536042015448222e-2);
-    CM_REAL b = CM_LIT(-2.8379391739745751e-2) + t * CM_LIT(1.1674978453434726e-2);
-    CM_REAL c = CM_LIT(-4.9931015391609249e-3) + t * CM_LIT(2.1923470929871578e-3);
-    CM_REAL d = CM_LIT(-9.8113810607287520e-4) + t * CM_LIT(4.4579480203439691e-4);
-    CM_REAL e = CM_LIT(-2.0245905559077454e-4) + t * CM_LIT(1.0737976849495455e-4);
-    CM_REAL f = CM_LIT(7.6629820600679345e-6) + t * CM_LIT(1.8142338743792818e-4);
-    CM_REAL g = CM_LIT(3.6407505556845077e-4) + t * CM_LIT(6.6395129523001966e-4);
-    CM_REAL h = CM_LIT(8.7426274843683388e-4) + t * CM_LIT(8.6744468678561447e-4);
-    CM_REAL i = CM_LIT(6.1846837401434093e-4) + t * CM_LIT(3.0358792909335875e-4);
-    CM_REAL j = CM_LIT(9.1754107276600447e-5) + t * CM_LIT(1.3225091314152730e-5);
+    CM_REAL a = CM_LIT(7.3536042015448222e-2) + t * CM_LIT(-2.8379391739745751e-2);
+    CM_REAL b = CM_LIT(1.1674978453434726e-2) + t * CM_LIT(-4.9931015391609249e-3);
+    CM_REAL c = CM_LIT(2.1923470929871578e-3) + t * CM_LIT(-9.8113810607287520e-4);
+    CM_REAL d = CM_LIT(4.4579480203439691e-4) + t * CM_LIT(-2.0245905559077454e-4);
+    CM_REAL e = CM_LIT(1.0737976849495455e-4) + t * CM_LIT(7.6629820600679345e-6);
+    CM_REAL f = CM_LIT(1.8142338743792818e-4) + t * CM_LIT(3.6407505556845077e-4);
+    CM_REAL g = CM_LIT(6.6395129523001966e-4) + t * CM_LIT(8.7426274843683388e-4);
+    CM_REAL h = CM_LIT(8.6744468678561447e-4) + t * CM_LIT(6.1846837401434093e-4);
+    CM_REAL i = CM_LIT(3.0358792909335875e-4) + t * CM_LIT(9.1754107276600447e-5);
+    CM_REAL j = CM_LIT(1.3225091314152730e-5);
     a = a + t2 * b;
     c = c + t2 * d;
     e = e + t2 * f;
     g = g + t2 * h;
     i = i + t2 * j;
     CM_REAL r = a + t4 * (c + t4 * (e + t4 * (g + t4 * i)));
+    r = CM_LIT(-2.1673214455010723e-1) + t * r;
 #else
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(-2.16732144e-1) + t * CM_LIT(7.35360682e-2);
-    CM_REAL b = CM_LIT(-2.83826403e-2) + t * CM_LIT(1.16101475e-2);
-    CM_REAL c = CM_LIT(-5.46732545e-3) + t * CM_LIT(4.73424647e-4);
-    CM_REAL d = CM_LIT(-4.33581043e-3) + t * CM_LIT(-3.01399198e-3);
-    CM_REAL e = CM_LIT(-1.79362297e-3);
+    CM_REAL a = CM_LIT(7.35360682e-2) + t * CM_LIT(-2.83826403e-2);
+    CM_REAL b = CM_LIT(1.16101475e-2) + t * CM_LIT(-5.46732545e-3);
+    CM_REAL c = CM_LIT(4.73424647e-4) + t * CM_LIT(-4.33581043e-3);
+    CM_REAL d = CM_LIT(-3.01399198e-3) + t * CM_LIT(-1.79362297e-3);
     a = a + t2 * b;
     c = c + t2 * d;
-    CM_REAL r = a + t4 * (c + t4 * e);
+    CM_REAL r = a + t4 * c;
+    r = CM_LIT(-2.16732144e-1) + t * r;
 #endif
     r = x + (x * z) * r;
     return CM_SELECT(x == CM_LIT(0.0), x, r);
 }
 
-/* tan x for |x| <= pi / 4. */
+/* tan x for |x| <= pi / 4.
+ * The shift is a product because x - c is exact near c, where x^2 - c^2 has the error of x^2.
+ * Worst error: double 1.02 ulp at 0x1.921f93c1f87c5p-1, float 1.02 ulp at 0x1.70b79ep-1. */
 CM_FN CM_REAL CM_NAME(cm_tan_quarter)(CM_REAL x)
 {
     CM_REAL z = x * x;
@@ -63,32 +75,32 @@ CM_FN CM_REAL CM_NAME(cm_tan_quarter)(CM_REAL x)
     CM_REAL t = (x - CM_LIT(0.771484375)) * (x + CM_LIT(0.771484375));
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(4.3788687902798390e-1) + t * CM_LIT(2.3145198120333721e-1);
-    CM_REAL b = CM_LIT(1.2352544053200641e-1) + t * CM_LIT(6.5973874046565933e-2);
-    CM_REAL c = CM_LIT(3.5238242649749757e-2) + t * CM_LIT(1.8821696168338880e-2);
-    CM_REAL d = CM_LIT(1.0053166005775863e-2) + t * CM_LIT(5.3695253065728088e-3);
-    CM_REAL e = CM_LIT(2.8670818743095202e-3) + t * CM_LIT(1.5273158228438068e-3);
-    CM_REAL f = CM_LIT(8.0332455736978445e-4) + t * CM_LIT(4.0248368725772624e-4);
-    CM_REAL g = CM_LIT(1.7612480483089260e-4) + t * CM_LIT(5.7038322524313956e-5);
-    CM_REAL h = CM_LIT(9.7109579264302020e-6);
+    CM_REAL a = CM_LIT(2.3145198120333721e-1) + t * CM_LIT(1.2352544053200641e-1);
+    CM_REAL b = CM_LIT(6.5973874046565933e-2) + t * CM_LIT(3.5238242649749757e-2);
+    CM_REAL c = CM_LIT(1.8821696168338880e-2) + t * CM_LIT(1.0053166005775863e-2);
+    CM_REAL d = CM_LIT(5.3695253065728088e-3) + t * CM_LIT(2.8670818743095202e-3);
+    CM_REAL e = CM_LIT(1.5273158228438068e-3) + t * CM_LIT(8.0332455736978445e-4);
+    CM_REAL f = CM_LIT(4.0248368725772624e-4) + t * CM_LIT(1.7612480483089260e-4);
+    CM_REAL g = CM_LIT(5.7038322524313956e-5) + t * CM_LIT(9.7109579264302020e-6);
     a = a + t2 * b;
     c = c + t2 * d;
     e = e + t2 * f;
-    g = g + t2 * h;
     CM_REAL r = a + t4 * (c + t4 * (e + t4 * g));
+    r = CM_LIT(4.3788687902798390e-1) + t * r;
 #else
     CM_REAL t = (x - CM_LIT(0.78125)) * (x + CM_LIT(0.78125));
     CM_REAL t2 = t * t;
-    CM_REAL a = CM_LIT(4.41425115e-1) + t * CM_LIT(2.35243797e-1);
-    CM_REAL b = CM_LIT(1.26562223e-1) + t * CM_LIT(6.79713488e-2);
-    CM_REAL c = CM_LIT(3.55633982e-2) + t * CM_LIT(1.61159523e-2);
-    CM_REAL d = CM_LIT(4.37629269e-3);
-    CM_REAL r = a + t2 * (b + t2 * (c + t2 * d));
+    CM_REAL a = CM_LIT(2.35243797e-1) + t * CM_LIT(1.26562223e-1);
+    CM_REAL b = CM_LIT(6.79713488e-2) + t * CM_LIT(3.55633982e-2);
+    CM_REAL c = CM_LIT(1.61159523e-2) + t * CM_LIT(4.37629269e-3);
+    CM_REAL r = a + t2 * (b + t2 * c);
+    r = CM_LIT(4.41425115e-1) + t * r;
 #endif
     return x + (x * z) * r;
 }
 
-/* sin x for |x| <= pi / 4. */
+/* sin x for |x| <= pi / 4.
+ * Worst error: double 0.80 ulp at 0x1.921fb519aa713p-1, float ?. */
 CM_FN CM_REAL CM_NAME(cm_sin_quarter)(CM_REAL x)
 {
     CM_REAL z = x * x;
@@ -106,8 +118,11 @@ CM_FN CM_REAL CM_NAME(cm_sin_quarter)(CM_REAL x)
 }
 
 /* 1 - cos x for |x| <= pi / 4, relatively accurate near 0.
- * The leading term x^2 / 2 has no larger term to hide its rounding behind, so x is split into a
- * head whose square is exact and a tail: x^2 = head^2 + (x - head) (x + head). */
+ * The leading term x^2 / 2 has no larger term to hide its rounding error, so x is split (Dekker)
+ * into a head whose square is exact and a tail: x^2 = head^2 + (x - head) (x + head). Contraction
+ * may make head = x, but then it also makes head^2 exact.
+ * Worst error: double ?, float ?.
+ * These are results that are subnormal; elsewhere 0.70 and 0.71. */
 CM_FN CM_REAL CM_NAME(cm_versine_quarter)(CM_REAL x)
 {
     CM_REAL z = x * x;
@@ -126,11 +141,12 @@ CM_FN CM_REAL CM_NAME(cm_versine_quarter)(CM_REAL x)
     CM_REAL wide = CM_LIT(4097.0) * x; /* 2^12 + 1 */
 #endif
     CM_REAL head = wide - (wide - x);
-    CM_REAL tail = CM_LIT(0.5) * ((x - head) * (x + head));
-    return CM_LIT(0.5) * (head * head) + (tail + (z * z) * r);
+    CM_REAL tail = (CM_LIT(0.5) * (x - head)) * (x + head);
+    return (CM_LIT(0.5) * head) * head + (tail + (z * z) * r);
 }
 
-/* tanh x for |x| <= 1. */
+/* tanh x for |x| <= 1.
+ * Worst error: double ?, float ?. */
 CM_FN CM_REAL CM_NAME(cm_tanh_unit)(CM_REAL x)
 {
     CM_REAL z = x * x;
@@ -138,34 +154,36 @@ CM_FN CM_REAL CM_NAME(cm_tanh_unit)(CM_REAL x)
 #if CM_REAL_BITS == 64
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(-2.3893512717642365e-1) + t * CM_LIT(6.7900888791818256e-2);
-    CM_REAL b = CM_LIT(-1.9583036543589529e-2) + t * CM_LIT(5.6586970654115198e-3);
-    CM_REAL c = CM_LIT(-1.6355789702764104e-3) + t * CM_LIT(4.7276383488353320e-4);
-    CM_REAL d = CM_LIT(-1.3665104801355787e-4) + t * CM_LIT(3.9510376535426373e-5);
-    CM_REAL e = CM_LIT(-1.1376863148563170e-5) + t * CM_LIT(3.4114341838489117e-6);
-    CM_REAL f = CM_LIT(-7.3431364469256871e-7) + t * CM_LIT(5.8772449732433837e-7);
-    CM_REAL g = CM_LIT(2.3339545015527080e-7) + t * CM_LIT(2.3625357103208460e-7);
-    CM_REAL h = CM_LIT(8.3848936018678008e-8) + t * CM_LIT(2.1270509246966235e-8);
+    CM_REAL a = CM_LIT(6.7900888791818256e-2) + t * CM_LIT(-1.9583036543589529e-2);
+    CM_REAL b = CM_LIT(5.6586970654115198e-3) + t * CM_LIT(-1.6355789702764104e-3);
+    CM_REAL c = CM_LIT(4.7276383488353320e-4) + t * CM_LIT(-1.3665104801355787e-4);
+    CM_REAL d = CM_LIT(3.9510376535426373e-5) + t * CM_LIT(-1.1376863148563170e-5);
+    CM_REAL e = CM_LIT(3.4114341838489117e-6) + t * CM_LIT(-7.3431364469256871e-7);
+    CM_REAL f = CM_LIT(5.8772449732433837e-7) + t * CM_LIT(2.3339545015527080e-7);
+    CM_REAL g = CM_LIT(2.3625357103208460e-7) + t * CM_LIT(8.3848936018678008e-8);
+    CM_REAL h = CM_LIT(2.1270509246966235e-8);
     a = a + t2 * b;
     c = c + t2 * d;
     e = e + t2 * f;
     g = g + t2 * h;
     CM_REAL r = a + t4 * (c + t4 * (e + t4 * g));
+    r = CM_LIT(-2.3893512717642365e-1) + t * r;
 #else
     CM_REAL t2 = t * t;
-    CM_REAL a = CM_LIT(-2.38935128e-1) + t * CM_LIT(6.79005757e-2);
-    CM_REAL b = CM_LIT(-1.95902716e-2) + t * CM_LIT(5.60368504e-3);
-    CM_REAL c = CM_LIT(-1.82227662e-3) + t * CM_LIT(1.67454986e-4);
-    CM_REAL d = CM_LIT(-3.58452002e-4);
-    CM_REAL r = a + t2 * (b + t2 * (c + t2 * d));
+    CM_REAL a = CM_LIT(6.79005757e-2) + t * CM_LIT(-1.95902716e-2);
+    CM_REAL b = CM_LIT(5.60368504e-3) + t * CM_LIT(-1.82227662e-3);
+    CM_REAL c = CM_LIT(1.67454986e-4) + t * CM_LIT(-3.58452002e-4);
+    CM_REAL r = a + t2 * (b + t2 * c);
+    r = CM_LIT(-2.38935128e-1) + t * r;
 #endif
     r = x + (x * z) * r;
     return CM_SELECT(x == CM_LIT(0.0), x, r);
 }
 
 /* atanh x for |x| <= 0.7616, just beyond tanh 1.
- * The polynomial is in t = z - 5/16: about z = 0 its coefficients would grow to thousands and
- * cancel each other. */
+ * R is a little over 1/2 where it matters; that half is added apart, which costs no rounding error.
+ * About x = 0 the coefficients would grow to thousands and cancel each other; not so in t.
+ * Worst error: double ?, float ?. */
 CM_FN CM_REAL CM_NAME(cm_atanh_part)(CM_REAL x)
 {
     CM_REAL z = x * x;
@@ -173,38 +191,40 @@ CM_FN CM_REAL CM_NAME(cm_atanh_part)(CM_REAL x)
 #if CM_REAL_BITS == 64
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(5.1287675139607236e-1) + t * CM_LIT(5.7657343660830951e-1);
-    CM_REAL b = CM_LIT(8.2523338459036955e-1) + t * CM_LIT(1.3242477791777696);
-    CM_REAL c = CM_LIT(2.2691194445230631) + t * CM_LIT(4.0558150112148139);
-    CM_REAL d = CM_LIT(7.4649938891012440) + t * CM_LIT(1.4038324653682999e1);
-    CM_REAL e = CM_LIT(2.6836737381473906e1) + t * CM_LIT(5.1970996231060063e1);
-    CM_REAL f = CM_LIT(1.0169080320642816e2) + t * CM_LIT(2.0048988981705355e2);
-    CM_REAL g = CM_LIT(3.9607570797247485e2) + t * CM_LIT(7.7370584419182126e2);
-    CM_REAL h = CM_LIT(1.4565517461662118e3) + t * CM_LIT(2.5440033858251863e3);
-    CM_REAL i = CM_LIT(3.9409735265071208e3) + t * CM_LIT(5.1677988264764026e3);
-    CM_REAL j = CM_LIT(5.4692890473417165e3) + t * CM_LIT(4.4277575900743022e3);
-    CM_REAL k = CM_LIT(2.5511524508381249e3) + t * CM_LIT(9.2620294818447587e2);
-    CM_REAL l = CM_LIT(1.5865019571371363e2);
+    CM_REAL a = CM_LIT(5.7657343660830951e-1) + t * CM_LIT(8.2523338459036955e-1);
+    CM_REAL b = CM_LIT(1.3242477791777696) + t * CM_LIT(2.2691194445230631);
+    CM_REAL c = CM_LIT(4.0558150112148139) + t * CM_LIT(7.4649938891012440);
+    CM_REAL d = CM_LIT(1.4038324653682999e1) + t * CM_LIT(2.6836737381473906e1);
+    CM_REAL e = CM_LIT(5.1970996231060063e1) + t * CM_LIT(1.0169080320642816e2);
+    CM_REAL f = CM_LIT(2.0048988981705355e2) + t * CM_LIT(3.9607570797247485e2);
+    CM_REAL g = CM_LIT(7.7370584419182126e2) + t * CM_LIT(1.4565517461662118e3);
+    CM_REAL h = CM_LIT(2.5440033858251863e3) + t * CM_LIT(3.9409735265071208e3);
+    CM_REAL i = CM_LIT(5.1677988264764026e3) + t * CM_LIT(5.4692890473417165e3);
+    CM_REAL j = CM_LIT(4.4277575900743022e3) + t * CM_LIT(2.5511524508381249e3);
+    CM_REAL k = CM_LIT(9.2620294818447587e2) + t * CM_LIT(1.5865019571371363e2);
     a = a + t2 * b;
     c = c + t2 * d;
     e = e + t2 * f;
     g = g + t2 * h;
     i = i + t2 * j;
-    k = k + t2 * l;
     CM_REAL r = a + t4 * (c + t4 * (e + t4 * (g + t4 * (i + t4 * k))));
+    r = CM_LIT(1.2876751396072359e-2) + t * r;
 #else
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(5.12876749e-1) + t * CM_LIT(5.76573491e-1);
-    CM_REAL b = CM_LIT(8.25255513e-1) + t * CM_LIT(1.32444394);
-    CM_REAL c = CM_LIT(2.26225209) + t * CM_LIT(3.90829182);
-    CM_REAL d = CM_LIT(6.18823671) + t * CM_LIT(7.70400238);
-    CM_REAL e = CM_LIT(6.19873190) + t * CM_LIT(2.30680275);
+    CM_REAL a = CM_LIT(5.76573491e-1) + t * CM_LIT(8.25255513e-1);
+    CM_REAL b = CM_LIT(1.32444394) + t * CM_LIT(2.26225209);
+    CM_REAL c = CM_LIT(3.90829182) + t * CM_LIT(6.18823671);
+    CM_REAL d = CM_LIT(7.70400238) + t * CM_LIT(6.19873190);
+    CM_REAL e = CM_LIT(2.30680275);
     a = a + t2 * b;
     c = c + t2 * d;
     CM_REAL r = a + t4 * (c + t4 * e);
+    r = CM_LIT(1.28767435e-2) + t * r;
 #endif
-    return x + (x * z) * r;
+    CM_REAL x3 = x * z;
+    r = x + (CM_LIT(0.5) * x3 + x3 * r);
+    return CM_SELECT(x == CM_LIT(0.0), x, r);
 }
 
 /* 2 sin(asin(y) / 3), the root x in [-1, 1] of 3 x - x^3 = 2 y, for |y| <= 1; beyond, as at +-1.
@@ -213,10 +233,11 @@ CM_FN CM_REAL CM_NAME(cm_atanh_part)(CM_REAL x)
  *     x - (3 x - x^3 - 2 y) / (3 (1 - x^2)),
  * whose numerator is all but exact: 3 x - 2 y = 2 (x - y) + x without rounding, and x is split into
  * a head of so few bits that its cube is exact, and a tail. At |y| = 1 the step is 0 over nothing;
- * the least denominator that can occur otherwise is far above the one that stands in there. */
+ * the least denominator that can occur otherwise is far above the one that stands in there.
+ * Worst error: double ?, float ?. */
 CM_FN CM_REAL CM_NAME(cm_trisect)(CM_REAL y)
 {
-    /* the unit first, so that NaN stays */
+    /* constants first, so that NaN stays NaN */
     y = cm_max(CM_LIT(-1.0), cm_min(CM_LIT(1.0), y));
     CM_REAL s = cm_sqrt(CM_LIT(1.0) - cm_abs(y));
 #if CM_REAL_BITS == 64

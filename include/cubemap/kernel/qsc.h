@@ -40,6 +40,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_co
                                           ((r + CM_LIT(1.0)) * (r + t2)));
     /* 12 / pi */
     CM_REAL v = cm_min(u * (angle * CM_LIT(3.8197186342054880584532103209403)), u);
+    v = CM_SELECT(t >= CM_LIT(1.0), u, v);
     return CM_NAME(cm_make_uv)(cm_copysign(CM_SELECT(wide, u, v), p),
                                cm_copysign(CM_SELECT(wide, v, u), q));
 }

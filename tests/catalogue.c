@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The catalogue against itself, and specifications good and bad.
+ */
+#include "suite.h"
+
+#include <locale.h>
+
+static const cm_mapping_info *at(size_t i)
+{
+    return cm_catalogue_at(i);
+}
+
+START_TEST(descriptors_are_complete)
+{
+    ck_assert_uint_ge(cm_catalogue_count(), 16);
+    ck_assert_ptr_null(at(cm_catalogue_count()));
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        ck_assert_uint_gt(strlen(at(i)->identifier), 0);
+        ck_assert_uint_gt(strlen(at(i)->name), 0);
+        ck_assert_uint_gt(strlen(at(i)->source), 0);
+        ck_assert_ptr_nonnull(at(i)->aliases);
+        ck_assert_uint_le(at(i)->parameter_count, CM_PARAMETERS_MAX);
+        ck_assert_int_ge((int)at(i)->smooth_face, (int)CM_SMOOTH_C0);
+        for (size_t k = 0; k < at(i)->parameter_count; k++)
+        {
+            const cm_parameter_info *p = &at(i)->parameter[k];
+            ck_assert_uint_gt(strlen(p->name), 0);
+            ck_assert_uint_gt(strlen(p->meaning), 0);
+            ck_assert(p->low < p->high);
+            ck_assert(p->standard <= p->high && p->standard >= p->low);
+            ck_assert(!(p->low_excluded && p->standard == p->low));
+        }
+    }
+}
+END_TEST
+
+START_TEST(names_are_unique_and_found)
+{
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        char names[256];
+        snprintf(names, sizeof names, "%s %s", at(i)->identifier, at(i)->aliases);
+        for (char *name = strtok(names, " "); name != NULL; name = strtok(NULL, " "))
+        {
+            char upper[64];
+            name[strcspn(name, ":")] = '\0';
+            ck_assert_msg(cm_catalogue_find(name) == at(i), "%s", name);
+            size_t length = strlen(name);
+            for (size_t c = 0; c <= length; c++)
+            {
+                upper[c] = (char)(name[c] >= 'a' && name[c] <= 'z' ? name[c] - 32 : name[c]);
+            }
+            ck_assert_msg(cm_catalogue_find(upper) == at(i), "%s", upper);
+            ck_assert_int_eq(cm_specification_check(name, NULL, 0), CM_OK);
+        }
+    }
+    ck_assert_ptr_nonnull(cm_catalogue_find(CM_MAPPING_RECOMMENDED));
+    ck_assert_ptr_null(cm_catalogue_find("tangen"));
+    ck_assert_ptr_null(cm_catalogue_find(""));
+    ck_assert_ptr_null(cm_catalogue_find(NULL));
+    ck_assert_ptr_null(cm_catalogue_find("asc:c=1"));
+}
+END_TEST
+
+START_TEST(the_mappings_of_the_plan_are_there)
+{
+    static const char *const names[] = {
+        "gnomonic",  "tsc",     "standard", "tangent",  "asc",       "eac",     "outerra", "osc",
+        "cobe",      "csc",     "qsc",      "nowell",   "ksc",       "unicube", "everitt", "s2",
+        "algebraic", "coupled", "logistic", "smoothstep", "continuous", "tanh", "healpix"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+    {
+        ck_assert_msg(cm_catalogue_find(names[i]) != NULL, "%s", names[i]);
+    }
+}
+END_TEST
+
+static void expect(const char *specification, cm_status status, const char *part)
+{
+    char message[160] = "untouched";
+    cm_status got = cm_specification_check(specification, message, sizeof message);
+    ck_assert_msg(got == status, "%s: status %d, not %d", specification, got, status);
+    if (status == CM_OK)
+    {
+        ck_assert_str_eq(message, "untouched");
+    }
+    else
+    {
+        cm_mapping *mapping = NULL;
+        ck_assert_msg(strstr(message, part) != NULL, "%s: %s", specification, message);
+        ck_assert_ptr_null(strchr(message, '\n'));
+        ck_assert_int_eq(cm_mapping_create(specification, NULL, &mapping), status);
+        ck_assert_ptr_null(mapping);
+    }
+}
+
+START_TEST(specifications)
+{
+    expect("tangent:c=1.1823", CM_OK, "");
+    expect("Tangent:C=1.5e0", CM_OK, "");
+    expect("tangent:c=4", CM_OK, "");
+    expect("tangent:c=4.0000001", CM_ERROR_RANGE, "(0, 4]");
+    expect("tangent:c=0", CM_ERROR_RANGE, "(0, 4]");
+    expect("tangent:c=-1", CM_ERROR_RANGE, "tangent");
+    expect("algebraic:c=0", CM_OK, "");
+    expect("cobe:legacy=1", CM_OK, "");
+    expect("cobe:legacy=0.5", CM_ERROR_RANGE, "whole");
+    expect("tangent:", CM_ERROR_SYNTAX, "PARAMETER=VALUE");
+    expect("tangent:c", CM_ERROR_SYNTAX, "PARAMETER=VALUE");
+    expect("tangent:c=", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=1x", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c= 1", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=0x1p0", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=nan", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=inf", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=1e999", CM_ERROR_RANGE, "(0, 4]");
+    expect("tangent:c=1,5", CM_ERROR_SYNTAX, "PARAMETER=VALUE");
+    expect("tangent:c=1,", CM_ERROR_SYNTAX, "PARAMETER=VALUE");
+    expect("tangent:d=1", CM_ERROR_PARAMETER, "it has c");
+    expect("tangent:c=1,c=2", CM_ERROR_PARAMETER, "twice");
+    expect("qsc:c=1", CM_ERROR_PARAMETER, "none");
+    expect("asc:c=1", CM_ERROR_PARAMETER, "tangent:c=1");
+    expect("tangens", CM_ERROR_MAPPING, "tangens");
+    expect("", CM_ERROR_SYNTAX, "coupled");
+    expect(":c=1", CM_ERROR_SYNTAX, "coupled");
+    expect("a\nb", CM_ERROR_MAPPING, "a?b");
+    ck_assert_int_eq(cm_specification_check(NULL, NULL, 0), CM_ERROR_ARGUMENT);
+}
+END_TEST
+
+/* every parameter at both ends of its range, and one step beyond */
+START_TEST(ranges_are_what_they_say)
+{
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        for (size_t k = 0; k < at(i)->parameter_count; k++)
+        {
+            const cm_parameter_info *p = &at(i)->parameter[k];
+            char text[128];
+            double beyond = nextafter(p->high, INFINITY);
+            double below = nextafter(p->low, -INFINITY);
+            snprintf(text, sizeof text, "%s:%s=%.17g", at(i)->identifier, p->name, p->high);
+            expect(text, CM_OK, "");
+            snprintf(text, sizeof text, "%s:%s=%.17g", at(i)->identifier, p->name, beyond);
+            expect(text, CM_ERROR_RANGE, p->name);
+            snprintf(text, sizeof text, "%s:%s=%.17g", at(i)->identifier, p->name, p->low);
+            expect(text, p->low_excluded ? CM_ERROR_RANGE : CM_OK, p->name);
+            snprintf(text, sizeof text, "%s:%s=%.17g", at(i)->identifier, p->name, below);
+            expect(text, CM_ERROR_RANGE, p->name);
+        }
+    }
+}
+END_TEST
+
+START_TEST(messages_fit_their_buffer)
+{
+    for (size_t size = 0; size < 40; size++)
+    {
+        char message[48];
+        memset(message, 'x', sizeof message);
+        cm_specification_check("no such mapping", message, size);
+        ck_assert(size == 0 || memchr(message, '\0', size) != NULL);
+        for (size_t i = size; i < sizeof message; i++)
+        {
+            ck_assert_int_eq(message[i], 'x');
+        }
+    }
+}
+END_TEST
+
+START_TEST(parameters_are_kept)
+{
+    cm_mapping *mapping = make_mapping("tangent:c=1.1823", NULL);
+    ck_assert(cm_mapping_parameter(mapping, 0) == 1.1823);
+    ck_assert(isnan(cm_mapping_parameter(mapping, 1)));
+    ck_assert_ptr_eq(cm_mapping_describe(mapping), cm_catalogue_find("tangent"));
+    ck_assert_str_eq(cm_mapping_frame(mapping)->identifier, "geo");
+    cm_mapping_destroy(mapping);
+    mapping = make_mapping("zucker", cm_frame_find("gl"));
+    ck_assert(cm_mapping_parameter(mapping, 0) == 1.1823);
+    ck_assert_str_eq(cm_mapping_frame(mapping)->identifier, "gl");
+    cm_mapping_destroy(mapping);
+    cm_mapping_destroy(NULL);
+}
+END_TEST
+
+/* a program may run with a decimal comma */
+START_TEST(numbers_have_a_point_in_every_locale)
+{
+    static const char *const locales[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "C"};
+    for (size_t i = 0; i < sizeof locales / sizeof locales[0]; i++)
+    {
+        if (setlocale(LC_NUMERIC, locales[i]) != NULL)
+        {
+            expect("tangent:c=1.1823", CM_OK, "");
+            cm_mapping *mapping = make_mapping("tangent:c=1.25", NULL);
+            ck_assert(cm_mapping_parameter(mapping, 0) == 1.25);
+            cm_mapping_destroy(mapping);
+        }
+    }
+    setlocale(LC_NUMERIC, "C");
+}
+END_TEST
+
+START_TEST(statuses_have_texts)
+{
+    for (int i = -1; i < 20; i++)
+    {
+        ck_assert_uint_gt(strlen(cm_status_text((cm_status)i)), 0);
+        for (int k = CM_OK; k < i && i <= (int)CM_ERROR_MEMORY; k++)
+        {
+            ck_assert_str_ne(cm_status_text((cm_status)i), cm_status_text((cm_status)k));
+        }
+    }
+    cm_mapping *mapping = NULL;
+    ck_assert_int_eq(cm_mapping_create(NULL, NULL, &mapping), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_mapping_create("qsc", NULL, NULL), CM_ERROR_ARGUMENT);
+    ck_assert_str_eq(cm_version(), CM_VERSION_STRING);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *tests[] = {descriptors_are_complete,
+                            names_are_unique_and_found,
+                            the_mappings_of_the_plan_are_there,
+                            specifications,
+                            ranges_are_what_they_say,
+                            messages_fit_their_buffer,
+                            parameters_are_kept,
+                            numbers_have_a_point_in_every_locale,
+                            statuses_have_texts,
+                            NULL};
+    return run_suite("catalogue", tests);
+}

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+
+#include "reproject_options.hpp"
+#include "program.hpp"
+
+#include <functional>
+#include <map>
+
+#include <cubemap/catalogue.h>
+
+namespace
+{
+
+const std::vector<std::string> layout_words = {"faces", "strip", "cross"};
+
+void read_projection(ArgumentReader &reader, std::optional<Kind> &kind, std::string &mapping)
+{
+    const std::string option = reader.text();
+    const std::string text = reader.value();
+    if (text == "equirect")
+    {
+        kind = Kind::equirect;
+        return;
+    }
+    if (text != "cube" && text.compare(0, 5, "cube:") != 0)
+    {
+        throw UsageFailure(option + ": " + in_quotes(text) +
+                           " is not equirect, cube or cube:MAPPING");
+    }
+    kind = Kind::cube;
+    mapping = text == "cube" ? CM_MAPPING_RECOMMENDED : text.substr(5);
+    char message[400];
+    if (cm_specification_check(mapping.c_str(), message, sizeof message) != CM_OK)
+    {
+        throw UsageFailure(option + ": " + in_quotes(text) + ": " + message);
+    }
+}
+
+CubeLayout read_layout(ArgumentReader &reader)
+{
+    return static_cast<CubeLayout>(reader.word(layout_words));
+}
+
+const cm_frame *read_frame(ArgumentReader &reader)
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < cm_frame_count(); ++i)
+    {
+        names.emplace_back(cm_frame_at(i)->identifier);
+    }
+    return cm_frame_at(reader.word(names));
+}
+
+using OptionAction = std::function<void(ArgumentReader &, Options &)>;
+
+const std::map<std::string, OptionAction> &option_actions()
+{
+    static const std::map<std::string, OptionAction> actions = {
+        {"--from", [](ArgumentReader &reader, Options &options)
+         { read_projection(reader, options.from, options.from_mapping); }},
+        {"--to", [](ArgumentReader &reader, Options &options)
+         { read_projection(reader, options.to, options.to_mapping); }},
+        {"--size", [](ArgumentReader &reader, Options &options)
+         { options.size = static_cast<int>(reader.whole_number(1, largest_equirect)); }},
+        {"--from-layout", [](ArgumentReader &reader, Options &options)
+         { options.from_layout = read_layout(reader); }},
+        {"--layout", [](ArgumentReader &reader, Options &options)
+         { options.layout = read_layout(reader); }},
+        {"--from-frame", [](ArgumentReader &reader, Options &options)
+         { options.from_frame = read_frame(reader); }},
+        {"--frame", [](ArgumentReader &reader, Options &options)
+         { options.frame = read_frame(reader); }},
+        {"--filter", [](ArgumentReader &reader, Options &options)
+         { options.filter = static_cast<Filter>(reader.word({"nearest", "bilinear"})); }},
+        {"--threads", [](ArgumentReader &reader, Options &options)
+         { options.threads = static_cast<int>(reader.whole_number(0, 1024)); }},
+        {"--quiet", [](ArgumentReader &, Options &options) { options.quiet = true; }},
+        {"--help", [](ArgumentReader &, Options &options) { options.help = true; }},
+        {"--version", [](ArgumentReader &, Options &options) { options.version = true; }}};
+    return actions;
+}
+
+void set_defaults(Options &options)
+{
+    if (options.frame == nullptr)
+    {
+        options.frame = cm_frame_find("geo");
+    }
+    if (options.from_frame == nullptr)
+    {
+        options.from_frame = options.frame;
+    }
+    for (std::string *mapping : {&options.from_mapping, &options.to_mapping})
+    {
+        if (mapping->empty())
+        {
+            *mapping = CM_MAPPING_RECOMMENDED;
+        }
+    }
+}
+
+} // namespace
+
+Options parse_options(int argc, char **argv)
+{
+    Options options;
+    std::vector<std::string> operands;
+    ArgumentReader reader(argc, argv);
+    while (reader.next())
+    {
+        if (!reader.is_option())
+        {
+            operands.push_back(reader.text());
+            continue;
+        }
+        const auto action = option_actions().find(reader.text());
+        if (action == option_actions().end())
+        {
+            throw UsageFailure("there is no option " + in_quotes(reader.text()) + "; see --help");
+        }
+        action->second(reader, options);
+    }
+    set_defaults(options);
+    if (options.help || options.version)
+    {
+        return options;
+    }
+    if (operands.size() != 2)
+    {
+        throw UsageFailure("INPUT and OUTPUT are needed, " + std::to_string(operands.size()) +
+                           (operands.size() == 1 ? " name is" : " names are") +
+                           " given; see --help");
+    }
+    options.input = operands[0];
+    options.output = operands[1];
+    return options;
+}
+
+std::string help_text()
+{
+    return R"(Usage: cubemap-reproject [OPTION]... INPUT OUTPUT
+
+Resamples an image of the whole sphere from one projection to another: from an
+equirectangular image to the six faces of a cube, back, or from cube to cube.
+PNG, JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel.
+
+  --from SPEC           what INPUT is; without it, its shape tells: 2:1 equirect,
+                        6:1 a strip, 4:3 a cross; %f in the name: six faces
+  --to SPEC             what OUTPUT is to be; without it, the other of the two
+                        SPEC is equirect, cube, or cube:MAPPING, such as
+                        cube:tangent:c=1.1823; cube alone is cube:)" CM_MAPPING_RECOMMENDED R"(
+  --size N              pixels along the edge of a face (to )" +
+           std::to_string(largest_face) + R"(), or across an
+                        equirectangular image (even, to )" +
+           std::to_string(largest_equirect) + R"()); without it,
+                        the resolution at the equator stays the same
+  --layout LAYOUT       how OUTPUT holds the faces of a cube; without it, faces
+  --from-layout LAYOUT  how INPUT does
+  --frame FRAME         how the faces sit on the axes; without it, geo
+  --from-frame FRAME    the same of INPUT; without it, the same as --frame
+  --filter FILTER       bilinear (without it) or nearest
+  --threads N           threads to use; 0 (without it) is one for each core
+  --quiet               neither a progress bar nor a line that says what was done
+  --help, --version     print this, or the version, and stop
+
+Layouts:
+  faces                 six files: %f in the name stands for 0 to 5; without it,
+                        NAME.EXT stands for NAME_0.EXT to NAME_5.EXT
+  strip                 6N x N, the faces in their order
+  cross                 4N x 3N, the cube unfolded
+
+Frames:
+  geo                   front right back left top bottom, seen from outside, like
+                        a map; front is lon 0, right is lon 90 E, top is north
+  gl                    +x -x +y -y +z -z, seen from inside, as OpenGL, Vulkan and
+                        Direct3D store cube maps
+  fits                  as geo, in the order top front right back left bottom
+
+Examples:
+  cubemap-reproject --size 512 earth.jpg face_%f.png
+  cubemap-reproject --to cube:qsc --layout cross earth.jpg cross.png
+  cubemap-reproject --size 2048 face_%f.png earth-again.png
+  cubemap-reproject --from cube --to cube:gnomonic --from-frame geo --frame gl \
+      --layout strip face_%f.png sky.exr
+)";
+}
+
+const char *layout_name(CubeLayout layout)
+{
+    return layout_words[static_cast<std::size_t>(layout)].c_str();
+}

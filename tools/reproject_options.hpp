@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// The command line of cubemap-reproject.
+
+#ifndef CUBEMAP_TOOLS_REPROJECT_OPTIONS_HPP
+#define CUBEMAP_TOOLS_REPROJECT_OPTIONS_HPP
+
+#include "cube_image.hpp"
+
+#include <optional>
+#include <string>
+
+enum class Kind
+{
+    equirect,
+    cube
+};
+
+struct Options
+{
+    std::optional<Kind> from;
+    std::optional<Kind> to;
+    std::string from_mapping; // specifications that the library takes
+    std::string to_mapping;
+    std::optional<int> size;
+    std::optional<CubeLayout> from_layout;
+    std::optional<CubeLayout> layout;
+    const cm_frame *from_frame = nullptr;
+    const cm_frame *frame = nullptr;
+    Filter filter = Filter::bilinear;
+    int threads = 0;
+    bool quiet = false;
+    bool help = false;
+    bool version = false;
+    std::string input;
+    std::string output;
+};
+
+// The largest --size, for a cube and for an equirectangular image.
+inline constexpr int largest_face = 65536;
+inline constexpr int largest_equirect = 262144;
+
+// UsageFailure if the command line is not one.
+Options parse_options(int argc, char **argv);
+
+std::string help_text();
+
+const char *layout_name(CubeLayout layout);
+
+#endif

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+
+#include "reproject_output.hpp"
+#include "equirect.hpp"
+#include "parallel.hpp"
+#include "program.hpp"
+
+#include <algorithm>
+
+namespace
+{
+
+// Rows are computed, then written, in bands of about so many floats, but at least so many rows.
+constexpr std::size_t band_floats = std::size_t{1} << 22;
+constexpr int band_rows_least = 16;
+
+// The width of an equirectangular image, or the edge of a face, with the same resolution at the
+// equator as the input.
+int natural_size(Kind kind, const Input &input)
+{
+    const int width = input.projection().width();
+    if (kind == input.kind())
+    {
+        return kind == Kind::equirect ? width + width % 2 : width;
+    }
+    return kind == Kind::equirect ? 4 * width : std::max(1, (width + 2) / 4);
+}
+
+int output_size(Kind kind, const Options &options, const Input &input)
+{
+    const int size = options.size ? *options.size : natural_size(kind, input);
+    const int largest = kind == Kind::cube ? largest_face : largest_equirect;
+    if (size > largest)
+    {
+        throw UsageFailure("--size: " + std::to_string(size) + " is too large; " +
+                           (kind == Kind::cube ? "the edge of a face"
+                                               : "the width of an equirectangular image") +
+                           " may be " + std::to_string(largest) + " at most");
+    }
+    if (kind == Kind::equirect && size % 2 != 0)
+    {
+        throw UsageFailure("--size: " + std::to_string(size) +
+                           " is odd; the width of an equirectangular image must be even");
+    }
+    return size;
+}
+
+// Computes the rows of a picture.
+class Band
+{
+public:
+    Band(const PictureLayout &picture_layout, const Projection &target, int channel_count)
+        : picture(picture_layout), sphere(target), channels(static_cast<std::size_t>(channel_count))
+    {
+    }
+
+    std::size_t row_floats() const
+    {
+        return static_cast<std::size_t>(picture.columns) *
+               static_cast<std::size_t>(sphere.width()) * channels;
+    }
+
+    int most_rows() const
+    {
+        const std::size_t rows = band_floats / row_floats();
+        const int all = picture.rows * sphere.height();
+        return std::min(all, std::max(band_rows_least, static_cast<int>(rows)));
+    }
+
+    // One row of the picture, its empty parts 0.
+    void compute_row(const Projection &from, const SphereGrid &grid, Filter filter, int row,
+                     float *pixels) const
+    {
+        std::fill(pixels, pixels + row_floats(), 0.0f);
+        for (const Placement &placement : picture.placements)
+        {
+            const int plane_row = row - placement.row * sphere.height();
+            if (plane_row >= 0 && plane_row < sphere.height())
+            {
+                compute_plane_row(from, grid, filter, placement.plane, plane_row,
+                                  pixels + static_cast<std::size_t>(placement.column) *
+                                               static_cast<std::size_t>(sphere.width()) * channels);
+            }
+        }
+    }
+
+private:
+    void compute_plane_row(const Projection &from, const SphereGrid &grid, Filter filter, int plane,
+                           int row, float *pixels) const
+    {
+        thread_local PointBatch batch;
+        for (int column = 0; column < sphere.width();)
+        {
+            const std::size_t count = std::min(PointBatch::capacity,
+                                               static_cast<std::size_t>(sphere.width() - column));
+            sphere.directions(plane, row, column, count, batch);
+            from.positions(count, batch);
+            sample(grid, filter, batch, count, pixels);
+            pixels += count * channels;
+            column += static_cast<int>(count);
+        }
+    }
+
+    const PictureLayout &picture;
+    const Projection &sphere;
+    const std::size_t channels;
+};
+
+} // namespace
+
+struct Output::Render
+{
+    const Projection &from;
+    const SphereGrid &grid;
+    Filter filter;
+    Progress &progress;
+};
+
+Output::Output(const Options &options, const Input &input)
+{
+    choose_projection(options, input);
+    choose_names(options, input);
+    const ImageFile &source = input.files().front();
+    plan = plan_image(output_format(names.front()), source.spec(), source.format(), names.front());
+    for (const std::string &name : names)
+    {
+        files.push_back(std::make_unique<AtomicFile>(name));
+    }
+}
+
+void Output::choose_projection(const Options &options, const Input &input)
+{
+    const Kind other = input.kind() == Kind::cube ? Kind::equirect : Kind::cube;
+    const Kind kind = options.to.value_or(other);
+    if (kind == Kind::equirect && options.layout)
+    {
+        throw UsageFailure("--layout is for a cube, but OUTPUT is equirectangular" +
+                           std::string(options.to ? "" : "; say --to cube if it is to be a cube"));
+    }
+    const int size = output_size(kind, options, input);
+    if (kind == Kind::equirect)
+    {
+        sphere = std::make_unique<Equirect>(size, size / 2);
+        pictures = {{1, 1, {{0, 0, 0}}}};
+        return;
+    }
+    layout = options.layout.value_or(CubeLayout::faces);
+    sphere = std::make_unique<CubeImage>(options.to_mapping, *options.frame, size);
+    pictures = cube_pictures(*layout, *options.frame);
+}
+
+void Output::choose_names(const Options &options, const Input &input)
+{
+    if (layout && layout != CubeLayout::faces && names_faces(options.output))
+    {
+        throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but --layout says " +
+                           layout_name(*layout));
+    }
+    names = pictures.size() > 1 ? face_names(options.output)
+                                : std::vector<std::string>{options.output};
+    for (const std::string &name : names)
+    {
+        for (const ImageFile &image : input.files())
+        {
+            if (same_file(name, image.path()))
+            {
+                throw UsageFailure("OUTPUT " + in_quotes(name) +
+                                   " is the same file as INPUT; give it another name");
+            }
+        }
+    }
+}
+
+void Output::write(const Options &options, const Input &input, const SphereGrid &grid, int threads)
+{
+    const std::int64_t rows =
+        std::int64_t{pictures.front().rows} * sphere->height() * std::int64_t(pictures.size());
+    {
+        Progress progress(rows, !options.quiet);
+        const Render render = {input.projection(), grid, options.filter, progress};
+        const int count = static_cast<int>(pictures.size());
+        const int threads_each = std::max(1, threads / count);
+        parallel_for(count, threads, [&](int i)
+        {
+            write_picture(render, static_cast<std::size_t>(i), threads_each);
+        });
+    }
+    appear_together(files);
+}
+
+void Output::write_picture(const Render &render, std::size_t index, int threads)
+{
+    const PictureLayout &picture = pictures[index];
+    const int height = picture.rows * sphere->height();
+    const Band band(picture, *sphere, render.grid.channels());
+    const int most_rows = band.most_rows();
+    std::vector<float> pixels(band.row_floats() * static_cast<std::size_t>(most_rows));
+    ImageWriter writer(plan, picture.columns * sphere->width(), height, names[index],
+                       *files[index]);
+    for (int first = 0; first < height; first += most_rows)
+    {
+        const int rows = std::min(most_rows, height - first);
+        parallel_for(rows, threads, [&](int row)
+        {
+            band.compute_row(render.from, render.grid, render.filter, first + row,
+                             pixels.data() + band.row_floats() * static_cast<std::size_t>(row));
+        });
+        writer.write(first, first + rows, pixels.data(), render.grid.channels());
+        render.progress.advance(rows);
+    }
+    writer.close();
+    files[index]->finish();
+}
+
+std::string Output::description(const Options &options) const
+{
+    std::string text = name_list(names) + " (equirect ";
+    if (layout)
+    {
+        text = name_list(names) + " (cube:" + options.to_mapping + ", frame " +
+               options.frame->identifier + ", ";
+        text += layout == CubeLayout::faces ? "" : std::string(layout_name(*layout)) + " ";
+    }
+    const PictureLayout &picture = pictures.front();
+    return text + std::to_string(picture.columns * sphere->width()) + "x" +
+           std::to_string(picture.rows * sphere->height()) +
+           (plan.alpha_dropped ? ", without alpha)" : ")");
+}
