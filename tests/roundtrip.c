@@ -88,7 +88,7 @@ static lonlat hard_point(uint64_t *state)
     return point;
 }
 
-/* The haversine formula in differences that double has exactly: well-conditioned for near points. */
+/* The haversine formula in differences that double has exactly: well-conditioned if near. */
 static double distance_between(lonlat a, lonlat b)
 {
     double turn = a.longitude - b.longitude;
@@ -369,7 +369,7 @@ static bool same(double a, double b)
     return memcmp(&a, &b, sizeof a) == 0;
 }
 
-/* Multiples of 90 degrees give the axes to the bit, with +0, and back; 45 gives equal magnitudes. */
+/* Multiples of 90 degrees give the axes to the bit, with +0, and back; 45 gives equal sizes. */
 static bool check_axes(void)
 {
     const double value[] = {0, 1, 0, -1};

@@ -80,6 +80,25 @@ static void write_parameter_row(FILE *stream, const cm_parameter_info *parameter
             standard, parameter->meaning);
 }
 
+/* "asc:c=1 eac:c=1" as "asc (c=1), eac (c=1)": the part behind the colon is not to be typed. */
+static void write_alias_row(FILE *stream, const char *words)
+{
+    const char *before = "    also       ";
+    for (words += strspn(words, " "); *words != '\0'; words += strspn(words, " "))
+    {
+        const int length = (int)strcspn(words, " ");
+        const int name_length = (int)strcspn(words, " :");
+        fprintf(stream, "%s%.*s", before, name_length, words);
+        if (name_length < length)
+        {
+            fprintf(stream, " (%.*s)", length - name_length - 1, words + name_length + 1);
+        }
+        words += length;
+        before = ", ";
+    }
+    fputc('\n', stream);
+}
+
 static void write_mapping_rows(FILE *stream, const cm_mapping_info *mapping)
 {
     fprintf(stream, "\n%-12s %-10s %-10s %-8s %-8s %s\n", mapping->identifier,
@@ -88,7 +107,7 @@ static void write_mapping_rows(FILE *stream, const cm_mapping_info *mapping)
             mapping->name);
     if (mapping->aliases[0] != '\0')
     {
-        fprintf(stream, "    also       %s\n", mapping->aliases);
+        write_alias_row(stream, mapping->aliases);
     }
     for (size_t i = 0; i < mapping->parameter_count; i++)
     {

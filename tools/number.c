@@ -323,8 +323,8 @@ static uint64_t round_scaled(uint64_t significand, int exponent, int scale)
 }
 
 /* The first digits of a positive value, rounded to nearest, as a whole number in
- * [10^(digits - 1), 10^digits), and the power of ten of the first of them. False if the value is too
- * large or too small for 128 bits. */
+ * [10^(digits - 1), 10^digits), and the power of ten of the first of them. False if the value is
+ * too large or too small for 128 bits. */
 static bool find_digits(double value, int digits, uint64_t *decimal_digits, int *first_power)
 {
     uint64_t bits;

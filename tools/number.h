@@ -22,9 +22,9 @@ extern "C" {
 
 /* Read the number that begins at text and ends before end at the latest: [+-]DIGITS[.DIGITS]
  * [e[+-]DIGITS], digits before or after the point, or inf, infinity or nan in upper or lower case.
- * No zero byte is needed at its end. The value is rounded to nearest, ties to even; beyond the range
- * of double it is an infinity or zero. Returns the first character after the number, or NULL (value
- * untouched) if no number begins there. */
+ * No zero byte is needed at its end. The value is rounded to nearest, ties to even; beyond the
+ * range of double it is an infinity or zero. Returns the first character after the number, or NULL
+ * (value untouched) if no number begins there. */
 const char *number_read(const char *text, const char *end, double *value);
 
 /* Write value as printf's %.*g does in the C locale, but -0 as 0 and every NaN as nan. digits is in

@@ -313,7 +313,7 @@ static void compute_double(const cm_mapping *mapping, struct batch *batch, bool 
     }
 }
 
-/* By contract a point that passed our checks has one; should a mapping break it, nobody is misled. */
+/* By contract a point that passed our checks has one; if a mapping breaks it, nobody is misled. */
 static bool has_result(const struct batch *batch, size_t index)
 {
     return batch->face[index] != CM_NO_FACE && !isnan(batch->a[index]) && !isnan(batch->b[index]);

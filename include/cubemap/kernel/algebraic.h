@@ -21,23 +21,29 @@ CM_WARP(algebraic,
                        .high = 2.0}})
 #else
 
-/* k0 = c^2, k1 = 1 + c^2 */
+/* k0 = c^2, k1 = -c^2 / (1 + c^2) */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_algebraic_prepare)(CM_NAME(cm_constants) k)
 {
     k.k0 = k.k0 * k.k0;
-    k.k1 = CM_LIT(1.0) + k.k0;
+    k.k1 = -(k.k0 / (CM_LIT(1.0) + k.k0));
     return k;
+}
+
+/* Both directions are w / sqrt(1 + g (1 - w^2)), in which the edge is exact: p = u / sqrt(1 + c^2 -
+ * c^2 u^2) with g = c^2, and u = p / sqrt((1 + c^2 p^2) / (1 + c^2)) with g = -c^2 / (1 + c^2). */
+CM_FN CM_REAL CM_NAME(cm_algebraic_curve)(CM_REAL w, CM_REAL g)
+{
+    return w / cm_sqrt(CM_LIT(1.0) + g * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)));
 }
 
 CM_FN CM_REAL CM_NAME(cm_algebraic_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    return w * cm_sqrt(k.k1 / (CM_LIT(1.0) + k.k0 * (w * w)));
+    return CM_NAME(cm_algebraic_curve)(w, k.k1);
 }
 
-/* 1 + c^2 - c^2 w^2, written so that the edge is exact */
 CM_FN CM_REAL CM_NAME(cm_algebraic_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    return w / cm_sqrt(CM_LIT(1.0) + k.k0 * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)));
+    return CM_NAME(cm_algebraic_curve)(w, k.k0);
 }
 
 CM_UNIVARIATE(cm_algebraic_forward, cm_algebraic_sigmoid, cm_algebraic_inverse,

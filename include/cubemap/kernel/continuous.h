@@ -26,8 +26,9 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_continuous_prepare)(CM_NAME(cm_constants)
 /* those of tangent with c = k(p) */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_continuous_across)(CM_REAL p, CM_NAME(cm_constants) k)
 {
-    k.k3 = cm_sqrt(CM_LIT(1.0) + p * p);
-    k.k0 = CM_LIT(1.0) / k.k3;
+    CM_REAL root = cm_sqrt(CM_LIT(1.0) + p * p);
+    k.k0 = CM_LIT(1.0) / root;
+    k.k3 = k.k0 + root;
     k.k1 = CM_NAME(cm_atan_unit)(k.k0);
     k.k2 = CM_LIT(1.0) / k.k1;
     return k;

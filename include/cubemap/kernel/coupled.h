@@ -43,8 +43,11 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_coupled_forward)(CM_REAL p, CM_REAL q, CM_NAME(c
     CM_REAL g0r = k.k0 * r;
     CM_REAL n = g0r + CM_LIT(2.0) * k.k1 * beta;
     CM_REAL m = g0r + CM_LIT(2.0) * k.k1 * alpha;
-    return CM_NAME(cm_make_uv)(p * cm_sqrt((r + n) / (r + x * n)),
-                               q * cm_sqrt((r + m) / (r + y * m)));
+    /* sqrt((r + n) / (r + x n)), in which the edge is exact and rounding counts less */
+    CM_REAL a = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
+    CM_REAL b = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
+    return CM_NAME(cm_make_uv)(p * cm_sqrt(CM_LIT(1.0) + a * n / (r + x * n)),
+                               q * cm_sqrt(CM_LIT(1.0) + b * m / (r + y * m)));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_coupled_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)

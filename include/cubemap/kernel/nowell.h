@@ -22,11 +22,14 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_nowell_prepare)(CM_NAME(cm_constants) k)
     return k;
 }
 
-/* the denominator is 12 on the edge |w| = 1, but for rounding */
-CM_FN CM_REAL CM_NAME(cm_nowell_scale)(CM_REAL w, CM_REAL denominator)
+/* u = p sqrt(12 / D), D = 3 + 5 p^2 + q^2 + S, where 12 - D = a (5 + (8 - a - 14 q^2) / (4 - q^2 + S))
+ * with a = 1 - p^2, so that D = 12 exactly on the edge. */
+CM_FN CM_REAL CM_NAME(cm_nowell_scale)(CM_REAL w, CM_REAL y, CM_REAL s)
 {
-    CM_REAL scaled = cm_min(cm_abs(w) * cm_sqrt(CM_LIT(12.0) / denominator), CM_LIT(1.0));
-    return cm_copysign(CM_SELECT(cm_abs(w) >= CM_LIT(1.0), CM_LIT(1.0), scaled), w);
+    CM_REAL a = (CM_LIT(1.0) - w) * (CM_LIT(1.0) + w);
+    CM_REAL rest = a * (CM_LIT(5.0) + (CM_LIT(8.0) - a - CM_LIT(14.0) * y) /
+                                          ((CM_LIT(4.0) - y) + s));
+    return w * cm_sqrt(CM_LIT(1.0) + rest / (CM_LIT(12.0) - rest));
 }
 
 CM_FN CM_NAME(cm_uv) CM_NAME(cm_nowell_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
@@ -36,9 +39,9 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_nowell_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm
     CM_REAL y = q * q;
     CM_REAL sum = CM_LIT(3.0) + (x + y);
     CM_REAL product = CM_LIT(4.0) * cm_abs(p * q);
-    CM_REAL s = sum + cm_sqrt((sum - product) * (sum + product));
-    return CM_NAME(cm_make_uv)(CM_NAME(cm_nowell_scale)(p, s + CM_LIT(4.0) * x),
-                               CM_NAME(cm_nowell_scale)(q, s + CM_LIT(4.0) * y));
+    CM_REAL s = cm_sqrt((sum - product) * (sum + product));
+    return CM_NAME(cm_make_uv)(CM_NAME(cm_nowell_scale)(p, y, s),
+                               CM_NAME(cm_nowell_scale)(q, x, s));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_nowell_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)

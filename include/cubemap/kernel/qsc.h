@@ -4,7 +4,12 @@
  * The same mapping as Snyder's (1992) equal-area cube and as Rosca & Plonka's (2011).
  *
  * The printed formulas lose half the digits at the centre and all of them on the axes (acos of a
- * number near 1). Here the sector |p| >= |q| is written with t = q / p, and the other by swapping.
+ * number near 1). Here the sector |p| >= |q| is written with t = q / p and r = sqrt(2 + t^2), and the
+ * other by swapping. The angle a in v = u (12 / pi) a, which the papers give as
+ * t = sin a / (cos a - 1/sqrt 2), is by half angles
+ *     tan(a / 2) = t (sqrt 2 - 1) / (r + sqrt 2),
+ * and from the diagonal, b = pi/12 - a, with k = cot(pi/12) = 2 + sqrt 3,
+ *     tan(b / 2) = (1 - t) / (k + t + r sqrt(2 k)).
  */
 #ifdef CM_DESCRIPTORS
 CM_WARP(qsc,
@@ -16,6 +21,10 @@ CM_WARP(qsc,
         .smooth_face = CM_SMOOTH_C0,
         .smooth_edge = CM_SMOOTH_C0)
 #else
+
+#define CM_QSC_SQRT2 CM_LIT(1.4142135623730950488016887242097)
+#define CM_QSC_K CM_LIT(3.7320508075688772935274463415059)       /* 2 + sqrt 3 */
+#define CM_QSC_SQRT_2K CM_LIT(2.7320508075688772935274463415059) /* sqrt(2 k) = 1 + sqrt 3 */
 
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_qsc_prepare)(CM_NAME(cm_constants) k)
 {
@@ -30,17 +39,20 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_co
     CM_BOOL wide = abs_p >= abs_q;
     CM_REAL major = CM_SELECT(wide, abs_p, abs_q);
     CM_REAL minor = CM_SELECT(wide, abs_q, abs_p);
-    CM_REAL t = minor / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0));
+    CM_REAL divisor = CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0));
+    CM_REAL t = minor / divisor;
     CM_REAL t2 = t * t;
     CM_REAL r = cm_sqrt((CM_LIT(1.0) + CM_LIT(1.0)) + t2);
     /* in the order of r above, so that w = r and u = 1 exactly on the edge, major = 1 */
     CM_REAL w = cm_sqrt((CM_LIT(1.0) + major * major) + minor * minor);
     CM_REAL u = major * cm_sqrt((r * (r + CM_LIT(1.0))) / (w * (w + CM_LIT(1.0))));
-    CM_REAL angle = CM_NAME(cm_atan_unit)(t * (CM_LIT(1.0) + t2) /
-                                          ((r + CM_LIT(1.0)) * (r + t2)));
-    /* 12 / pi */
-    CM_REAL v = cm_min(u * (angle * CM_LIT(3.8197186342054880584532103209403)), u);
-    v = CM_SELECT(t >= CM_LIT(1.0), u, v);
+    CM_BOOL inner = t <= CM_LIT(0.5);
+    CM_REAL above = CM_SELECT(inner, minor * (CM_QSC_SQRT2 - CM_LIT(1.0)), major - minor);
+    CM_REAL below =
+        CM_SELECT(inner, r + CM_QSC_SQRT2, (CM_QSC_K + t) + r * CM_QSC_SQRT_2K) * divisor;
+    CM_REAL part = u * (CM_NAME(cm_atan_unit)(above / below) *
+                        CM_LIT(7.6394372684109761169064206418786)); /* 24 / pi */
+    CM_REAL v = CM_SELECT(inner, part, u - part);
     return CM_NAME(cm_make_uv)(cm_copysign(CM_SELECT(wide, u, v), p),
                                cm_copysign(CM_SELECT(wide, v, u), q));
 }
@@ -60,18 +72,23 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
                     (part / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0)));
     CM_REAL sine = CM_NAME(cm_sin_quarter)(angle);
     CM_REAL versine = CM_NAME(cm_versine_quarter)(angle);
-    /* t = sin a / (cos a - 1/sqrt 2); and the same at pi / 12 - angle, by
-     * cos(pi/12) - 1/sqrt 2 = sin(pi/12), with cot(pi/12) = 2 + sqrt 3 */
-    CM_REAL cotangent = CM_LIT(3.7320508075688772935274463415059);
-    CM_REAL above = CM_SELECT(inner, sine, (CM_LIT(1.0) - versine) - cotangent * sine);
+    /* t = sin a / (cos a - 1/sqrt 2); and 1 - t from the diagonal, as cos(pi/12) - 1/sqrt 2 is
+     * sin(pi/12) */
+    CM_REAL above = CM_SELECT(inner, sine,
+                              (CM_QSC_K + CM_LIT(1.0)) * sine -
+                                  (CM_QSC_K - CM_LIT(1.0)) * versine);
     CM_REAL below = CM_SELECT(inner, CM_LIT(0.29289321881345247559915563789515) - versine,
-                              (CM_LIT(1.0) + sine) - cotangent * versine);
-    CM_REAL t = cm_min(above / below, CM_LIT(1.0));
+                              (CM_LIT(1.0) + sine) - CM_QSC_K * versine);
+    CM_REAL ratio = above / below;
+    CM_REAL t = CM_SELECT(inner, ratio, CM_LIT(1.0) - ratio);
     CM_REAL t2 = t * t;
     CM_REAL r1 = CM_LIT(1.0) + cm_sqrt(CM_LIT(2.0) + t2);
-    CM_REAL e = (CM_LIT(1.0) - major) * (CM_LIT(1.0) + major) * ((CM_LIT(1.0) + t2) / r1);
-    CM_REAL p = major * cm_sqrt(CM_LIT(1.0) + e / r1) / (CM_LIT(1.0) + e);
-    CM_REAL q = p * t;
+    CM_REAL inverse_r1 = CM_LIT(1.0) / r1;
+    CM_REAL e = (CM_LIT(1.0) - major) * (CM_LIT(1.0) + major) * (CM_LIT(1.0) + t2) * inverse_r1;
+    /* p = u g / (1 + e) with g = sqrt(1 + e / r1), as u minus what is missing */
+    CM_REAL g1 = r1 * (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + e * inverse_r1));
+    CM_REAL p = major - major * (e * (g1 - CM_LIT(1.0)) / (g1 * (CM_LIT(1.0) + e)));
+    CM_REAL q = CM_SELECT(inner, p * ratio, p - p * ratio);
     return CM_NAME(cm_make_pq)(cm_copysign(CM_SELECT(wide, p, q), u),
                                cm_copysign(CM_SELECT(wide, q, p), v));
 }

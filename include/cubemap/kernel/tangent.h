@@ -5,7 +5,8 @@
  * maximum area error.
  *
  * Both directions work from the nearer of 0 and the edge, by tan(alpha - d) =
- * (c - tan d) / (1 + c tan d), so that the edge is exact and no angle exceeds alpha / 2.
+ * (c - tan d) / (1 + c tan d), so that the edge is exact and no angle exceeds alpha / 2. Divided by c
+ * that is 1 - (c + 1/c) tan d / (1 + c tan d), in which the rounding of the second term counts less.
  */
 #ifdef CM_DESCRIPTORS
 CM_WARP(tangent,
@@ -31,14 +32,14 @@ CM_FN CM_REAL CM_NAME(cm_tangent_angle)(CM_REAL c)
            CM_NAME(cm_atan_unit)(c / (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + c * c)));
 }
 
-/* k0 = c, k1 = alpha = atan c, k2 = 1 / alpha, k3 = 1 / c */
+/* k0 = c, k1 = alpha = atan c, k2 = 1 / alpha, k3 = c + 1 / c */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_tangent_prepare)(CM_NAME(cm_constants) k)
 {
     /* below 1e-9 the mapping is gnomonic to the last bit, and 1 / c must stay finite */
     k.k0 = cm_max(k.k0, CM_LIT(1.0e-9));
     k.k1 = CM_NAME(cm_tangent_angle)(k.k0);
     k.k2 = CM_LIT(1.0) / k.k1;
-    k.k3 = CM_LIT(1.0) / k.k0;
+    k.k3 = k.k0 + CM_LIT(1.0) / k.k0;
     return k;
 }
 
@@ -57,9 +58,10 @@ CM_FN CM_REAL CM_NAME(cm_tangent_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constant
     CM_REAL a = cm_abs(w);
     CM_BOOL inner = a <= CM_LIT(0.5);
     CM_REAL t = CM_NAME(cm_tan_quarter)(k.k1 * CM_SELECT(inner, a, CM_LIT(1.0) - a));
-    CM_REAL above = CM_SELECT(inner, t, CM_LIT(1.0) - t * k.k3);
+    CM_REAL above = CM_SELECT(inner, t, t * k.k3);
     CM_REAL below = CM_SELECT(inner, k.k0, CM_LIT(1.0) + k.k0 * t);
-    return cm_copysign(above / below, w);
+    CM_REAL part = above / below;
+    return cm_copysign(CM_SELECT(inner, part, CM_LIT(1.0) - part), w);
 }
 
 CM_UNIVARIATE(cm_tangent_forward, cm_tangent_sigmoid, cm_tangent_inverse,

@@ -28,6 +28,8 @@ CM_STRUCT(cm_constants)
     CM_REAL k3;
     CM_REAL k4;
     CM_REAL k5;
+    CM_REAL k6;
+    CM_REAL k7;
 }
 CM_STRUCT_END(cm_constants)
 

@@ -1,0 +1,359 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# cubemap-project as a user meets it.
+#
+# usage: project.sh PROGRAMS [SOURCE]
+#   PROGRAMS  folder with the built programs
+#   SOURCE    top of the source tree
+set -u
+LC_ALL=C
+export LC_ALL
+
+programs=$(cd "${1:?usage: project.sh PROGRAMS [SOURCE]}" && pwd)
+root=$(cd "${2:-$(dirname "$0")/..}" && pwd)
+program=$programs/cubemap-project
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+cases=0
+failures=0
+
+ok()
+{
+    cases=$((cases + 1))
+    echo "ok $cases - $1"
+}
+
+# not_ok NAME [WHAT WAS SEEN]
+not_ok()
+{
+    cases=$((cases + 1))
+    failures=$((failures + 1))
+    echo "not ok $cases - $1"
+    [ $# -lt 2 ] || printf '%s\n' "$2" | sed 's/^/# /'
+}
+
+# verdict NAME: the status of the command before decides.
+verdict()
+{
+    if [ "$?" -eq 0 ]; then ok "$1"; else not_ok "$1"; fi
+}
+
+# expect NAME STATUS INPUT OUTPUT MESSAGE [ARGUMENT...]: INPUT and OUTPUT are as printf %b has them;
+# MESSAGE is an extended regular expression that all of standard error, a single line, must match,
+# or empty for silence.
+expect()
+{
+    local name=$1 status=$2 input=$3 output=$4 message=$5 got good=yes
+    shift 5
+    printf '%b' "$input" >input
+    printf '%b' "$output" >wanted
+    "$program" "$@" <input >output 2>errors
+    got=$?
+    [ "$got" -eq "$status" ] || good=no
+    cmp -s wanted output || good=no
+    if [ -z "$message" ]; then
+        [ ! -s errors ] || good=no
+    else
+        [ "$(wc -l <errors)" -eq 1 ] && grep -Eq -- "^$message\$" errors || good=no
+    fi
+    if [ "$good" = yes ]; then
+        ok "$name"
+    else
+        not_ok "$name" "$(printf 'status %s, wanted %s\n' "$got" "$status"
+            diff wanted output
+            printf 'messages (wanted: %s):\n' "$message"
+            cat errors)"
+    fi
+}
+
+# usage_error NAME MESSAGE ARGUMENT...: status 2, nothing on standard output.
+usage_error()
+{
+    local name=$1 message=$2
+    shift 2
+    expect "$name" 2 '0 0\n' '' "cubemap-project: $message" "$@"
+}
+
+# bad_line NAME INPUT MESSAGE [ARGUMENT...]: the third of five lines is bad, the others are not.
+bad_line()
+{
+    local name=$1 input=$2 message=$3 point='0 0' result='0 0 0' bad='nan nan nan'
+    shift 3
+    case " $* " in
+    *' -I --output xyz '*) point='0 0 0' result='1 0 0' ;;
+    *' -I '*) point='0 0 0' result='0 0' bad='nan nan' ;;
+    *' --input xyz '*) point='1 0 0' ;;
+    esac
+    expect "$name" 1 "$point\n# c\n$input\n\n$point\n" "$result\n# c\n$bad\n\n$result\n" \
+        "<stdin>:3: $message" "$@"
+}
+
+# ---------------------------------------------------------------------------- points
+
+axes='0 0\n90 0\n180 0\n-90 0\n0 90\n0 -90\n'
+expect 'axes in geo' 0 "$axes" '0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n5 0 0\n' ''
+expect 'axes in fits' 0 "$axes" '1 0 0\n2 0 0\n3 0 0\n4 0 0\n0 0 0\n5 0 0\n' '' --frame fits
+expect 'axes in gl' 0 "$axes" '0 0 0\n2 0 0\n1 0 0\n3 0 0\n4 0 0\n5 0 0\n' '' --frame gl
+expect 'axes of faces in geo' 0 '0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n5 0 0\n' "$axes" '' -I
+expect 'axes as directions' 0 '0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n5 0 0\n' \
+    '1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 1\n0 0 -1\n' '' -I --output xyz
+expect 'u grows east, v north' 0 '45 0\n-45 0\n0 45\n0 -45\n' '0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n' '' \
+    -m gnomonic
+expect 'a pole has every longitude' 0 '123.4 90\n-7 -90\n1e300 90\n' '4 0 0\n5 0 0\n4 0 0\n' ''
+expect 'turns of longitude' 0 '360 0\n-540 0\n3.6e20 0\n' '0 0 0\n2 0 0\n0 0 0\n' ''
+# 10 * 2^61 = 360 k + 200
+printf '23058430092136939520 20\n200 20\n-160 20\n' | "$program" | uniq | wc -l >output
+[ "$(cat output)" -eq 1 ]
+verdict 'longitudes are reduced exactly'
+expect 'gnomonic values' 0 '1 0.5 0.25\n-4 -1 3 x\n' '0 0.5 0.25\n2 0.25 0.75 x\n' '' \
+    -m gnomonic --input xyz
+expect 'directions of any length' 0 '2e300 1e300 0\n2e-300 1e-300 0\n4e-323 2e-323 0\n' \
+    '0 0.5 0\n0 0.5 0\n0 0.5 0\n' '' -m gnomonic --input xyz
+expect 'directions of any length in float' 0 '2e300 1e300 0\n2e-300 1e-300 0\n4e-323 2e-323 0\n' \
+    '0 0.5 0\n0 0.5 0\n0 0.5 0\n' '' -m gnomonic --input xyz --float
+expect 'aliases' 0 '22.5 0\n' '0 0.5 0\n' '' -m EAC --digits 14
+expect 'parameters' 0 '22.5 0\n' '0 0.5 0\n' '' -m tangent:c=1 --digits 14
+expect 'nearly outside is the edge' 0 '0 1.0000000005 0\n' '45 0\n' '' -I
+expect 'a corner' 0 '0 1 1\n' '0.57735026919 0.57735026919 0.57735026919\n' '' -I --output xyz \
+    --digits 11
+expect 'minus zero is zero' 0 '0 -0 -0\n2 0 0\n' '0 0\n180 0\n' '' -I
+expect 'digits' 0 '1 2\n' '0 0.017 0.035\n' '' -m gnomonic --digits 2
+expect 'float has 9 digits' 0 '3 1 0\n' '0 0.333333343 0\n' '' -m gnomonic --input xyz --float
+expect 'double has 17 digits' 0 '1 3 0\n' '1 -0.33333333333333331 0\n' '' -m gnomonic --input xyz
+
+# ---------------------------------------------------------------------------- lines
+
+expect 'no input' 0 '' '' ''
+expect 'comments and blank lines' 0 '# a\n\n  \t\n \t# b , c\n' '# a\n\n  \t\n \t# b , c\n' ''
+expect 'what follows passes through' 0 '0 0 a  b\n0 0\t#c\n0 0, 7\n0 0  \n' \
+    '0 0 0 a  b\n0 0 0\t#c\n0 0 0, 7\n0 0 0  \n' ''
+expect 'separators' 0 '0,0\n0 , 0\n0\t0\n  0  0\n0,\t0\n' \
+    '0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n' ''
+expect 'forms of numbers' 0 '+0 -.0\n0. 0e5\n9e1 0.0\n.9E+2 0\n900e-1 0\n' \
+    '0 0 0\n0 0 0\n1 0 0\n1 0 0\n1 0 0\n' ''
+expect 'CR LF' 0 '0 0\r\n# a\r\n0 90 b\r\n\r\n' '0 0 0\r\n# a\r\n4 0 0 b\r\n\r\n' ''
+expect 'no newline at the end' 0 '0 0\n90 0' '0 0 0\n1 0 0\n' ''
+expect 'a face as a decimal number' 0 '1.0 0 0\n' '90 0\n' '' -I
+expect 'nan gives nan' 1 'nan nan nan\n' 'nan nan\n' '<stdin>:1: .*face, nan, .*' -I
+
+bad_line 'one number' '5' '1 of 2 numbers: .*LON LAT.*'
+bad_line 'a word' 'abc 5' "'abc' is not a number: .*LON LAT.*"
+bad_line 'a word behind a number' '5 5x' "'5x' is not a number: .*"
+bad_line 'two commas' '5,,5' ".*not a number.*"
+bad_line 'a comma first' ',5,5' ".*not a number.*"
+bad_line 'an exponent without digits' '1e 5' "'1e' is not a number.*"
+bad_line 'hexadecimal' '0x10 5' "'0x10' is not a number.*"
+bad_line 'a control character is not echoed' '\033[2J 5' "'\\?\[2J' is not a number.*"
+bad_line 'latitude above 90' '0 90.00000000000001' '.*latitude, 90.000000000000014,.*\[-90, 90\].*'
+bad_line 'latitude nan' '0 nan' '.*latitude, nan,.*'
+bad_line 'longitude infinite' '1e999 0' '.*longitude, inf,.*'
+bad_line 'two numbers of a direction' '1 2' '2 of 3 numbers: a line is X Y Z' --input xyz
+bad_line 'direction of length zero' '0 0 -0' '.*no length.*' --input xyz
+bad_line 'direction not finite' '0 -inf 0' '.*not finite.*' --input xyz
+bad_line 'two numbers of a face' '0 0' '2 of 3 numbers: a line is FACE U V' -I
+bad_line 'face 6' '6 0 0' '.*face, 6,.*0 to 5' -I
+bad_line 'face -1' '-1 0 0' '.*face, -1,.*' -I
+bad_line 'face 1.5' '1.5 0 0' '.*face, 1.5,.*' -I
+bad_line 'u outside' '0 1.00000001 0' 'u, 1.0000000099.*\[-1, 1\]' -I
+bad_line 'v outside' '0 0 -2' 'v, -2,.*' -I
+bad_line 'v nan' '0 0 nan' 'v, nan,.*' -I
+bad_line 'v outside, xyz' '0 0 -2' 'v, -2,.*' -I --output xyz
+bad_line 'a zero byte' '0 0 \0000' '.*zero byte.*'
+expect 'a bad line keeps what follows its numbers' 1 '0 91 x y\n' 'nan nan nan x y\n' \
+    '<stdin>:1: .*latitude.*'
+
+printf '0 0\n# c\n0 x\n' >points
+expect 'a bad line by file and line' 1 '' '0 0 0\n# c\nnan nan nan\n' "points:3: 'x' is .*" points
+printf '0 0\n' >points
+expect 'FILE' 0 '90 0\n' '0 0 0\n' '' points
+expect 'FILE is -' 0 '90 0\n' '1 0 0\n' '' -
+expect 'FILE after --' 0 '90 0\n' '0 0 0\n' '' -- points
+
+# Every bad line is reported, and only those.
+for i in 1 2 3 4 5; do printf '%s 0\n1%s0 100\n' "$i" "$i"; done >input
+"$program" <input >output 2>errors
+[ $? -eq 1 ] && [ "$(grep -c nan output)" -eq 5 ] && [ "$(wc -l <output)" -eq 10 ] &&
+    [ "$(cut -d: -f2 errors | tr '\n' ' ')" = '2 4 6 8 10 ' ]
+verdict 'every bad line is reported'
+
+# Lines around the longest, at the end of the buffer or not, ended or not.
+line_of()
+{
+    printf '0 0 '
+    head -c $(($1 - 4)) /dev/zero | tr '\0' x
+}
+line_of 4096 >long
+{ cat long; printf '\r\n'; cat long; printf '\n'; cat long; } >input
+{ printf '0 '; cat long; printf '\r\n0 '; cat long; printf '\n0 '; cat long; printf '\n'; } >wanted
+"$program" <input >output 2>errors && cmp -s wanted output && [ ! -s errors ]
+verdict 'a line of 4096 bytes'
+
+for end in '\n' '\r\n' ''; do
+    { printf '90 0\n'; line_of 4097; printf '%b' "$end"; } >input
+    "$program" <input >output 2>errors
+    [ $? -eq 1 ] && [ "$(cat output)" = "$(printf '1 0 0\nnan nan nan')" ] &&
+        grep -q '^<stdin>:2: .*more than 4096 bytes$' errors
+    verdict "a line of 4097 bytes${end:+ and $end}"
+done
+
+# 100 MB without a newline, in memory that would not hold them.
+(
+    # programs under AddressSanitizer cannot live with that limit
+    if { (ulimit -v 50000 && "$program" --version); } >/dev/null 2>&1; then
+        ulimit -v 50000
+    fi
+    { printf '0 0\n'; head -c 100000000 /dev/zero | tr '\0' 1; printf '\n90 0\n'; } |
+        "$program" >output 2>errors
+)
+[ $? -eq 1 ] && [ "$(cat output)" = "$(printf '0 0 0\nnan nan nan\n1 0 0')" ] &&
+    [ "$(wc -l <errors)" -eq 1 ]
+verdict 'a line of 100 MB'
+
+# ---------------------------------------------------------------------------- streams
+
+awk 'BEGIN { for (i = 0; i < 20000; i++) printf "%.15g %.13g t%d\n", i * 0.017 - 170,
+    i * 0.0089 - 89, i }' >points
+"$program" points >whole
+{ head -c 70001 points; sleep 0.2; tail -c +70002 points; } | "$program" | cmp -s - whole
+verdict 'a pipe that pauses gives what the file gives'
+
+while read -r line; do printf '%s\n' "$line" | "$program"; done < <(head -n 20 points) >output
+head -n 20 whole | cmp -s - output
+verdict 'line by line gives what the file gives'
+
+"$program" -I whole | awk '
+    { split($1 " " $2, is); i = NR - 1
+      lon = is[1] - (i * 0.017 - 170); lat = is[2] - (i * 0.0089 - 89)
+      if (lon < -180) lon += 360; if (lon > 180) lon -= 360
+      if (lon < -1e-9 || lon > 1e-9 || lat < -1e-9 || lat > 1e-9 || $3 != "t" (NR - 1)) bad++ }
+    END { exit bad > 0 || NR != 20000 }'
+verdict 'there and back'
+
+# Each question is asked only when the one before is answered; half a line waits for its end.
+mkfifo questions
+"$program" <questions >answers &
+pid=$!
+exec 3>questions
+good=yes
+for i in 1 2 3; do
+    printf '0 0 %s\n90 ' "$i" >&3
+    for _ in $(seq 100); do
+        [ "$(wc -l <answers)" -lt $((2 * i - 1)) ] || break
+        sleep 0.05
+    done
+    [ "$(wc -l <answers)" -eq $((2 * i - 1)) ] || good=no
+    printf '0\n' >&3
+done
+exec 3>&-
+wait "$pid" && [ "$good" = yes ] && [ "$(wc -l <answers)" -eq 6 ]
+verdict 'each line is answered at once'
+
+if [ -c /dev/full ]; then
+    for arguments in '' '--list' '--list=json' '--help' '--version'; do
+        # shellcheck disable=SC2086 # no argument or one
+        echo 0 0 | "$program" $arguments >/dev/full 2>errors
+        [ $? -eq 1 ] && [ "$(wc -l <errors)" -eq 1 ] &&
+            grep -q '^cubemap-project: cannot write to standard output: ' errors
+        verdict "disk full${arguments:+ with $arguments}"
+    done
+    "$program" points >/dev/full 2>errors
+    [ $? -eq 1 ] && [ "$(wc -l <errors)" -eq 1 ]
+    verdict 'disk full in the middle'
+fi
+
+for _ in 1 2 3 4 5 6 7 8 9 10; do cat points; done >many
+{
+    "$program" many 2>errors
+    echo "${PIPESTATUS[0]}" >status
+} | head -n 1 >output
+[ "$(cat output)" = "$(head -n 1 whole)" ] && [ ! -s errors ] && [ "$(cat status)" -ge 128 ]
+verdict 'a closed pipe ends it quietly'
+
+echo 0 0 | "$program" >&- 2>errors
+[ $? -eq 1 ] && [ "$(wc -l <errors)" -eq 1 ]
+verdict 'closed standard output'
+
+"$program" <&- >output 2>errors
+[ $? -eq 1 ] && grep -q '^cubemap-project: cannot read <stdin>: ' errors
+verdict 'closed standard input'
+
+# ---------------------------------------------------------------------------- options
+
+expect 'a file that is not there' 1 '' '' 'cubemap-project: cannot open nowhere: .*' nowhere
+expect 'a folder' 1 '' '' 'cubemap-project: cannot read \.: .*' .
+usage_error 'unknown mapping' '-m nothing: .*' -m nothing
+usage_error 'unknown parameter' '-m tangent:d=1: .*' -m tangent:d=1
+usage_error 'parameter out of range' '-m tangent:c=9: .*' -m tangent:c=9
+usage_error 'empty mapping' '-m : .*' -m ''
+usage_error 'unknown frame' "--frame is 'earth', not one of geo, gl, fits" --frame earth
+usage_error 'digits 0' "--digits is '0', .* 1 to 17" --digits 0
+usage_error 'digits 18' "--digits is '18', .*" --digits=18
+usage_error 'digits 2.5' "--digits is '2.5', .*" --digits 2.5
+usage_error 'digits x' "--digits is 'x', .*" --digits x
+usage_error 'input form' "--input is 'polar', not lonlat or xyz" --input polar
+usage_error 'output form' "--output is 'polar', not lonlat or xyz" -I --output polar
+usage_error '-I with --input' '--input has no meaning with -I.*' -I --input xyz
+usage_error '--output without -I' '--output has no meaning without -I.*' --output xyz
+usage_error 'unknown short option' 'there is no option -x; .*' -x
+usage_error 'unknown long option' 'there is no option --nothing, .*' --nothing
+usage_error 'ambiguous option' 'there is no option --in, or it is short for several.*' --in
+usage_error 'missing argument, short' '--mapping needs an argument.*' -m
+usage_error 'missing argument, long' '--digits needs an argument.*' --digits
+usage_error 'argument too many' '--float takes no argument.*' --float=1
+usage_error 'two files' "one FILE at most, but 'b' follows 'a'" a b
+usage_error '--list of what' "--list is 'xml': .*" --list=xml
+usage_error '--list json' "--list reads no file, but 'json'.*--list=json.*" --list json
+expect 'short for a long option' 0 '1 2\n' '0 0.017 0.035\n' '' --mapp gnomonic --dig 2
+
+"$program" --help >output 2>errors && grep -q '^Usage: ' output && [ ! -s errors ] &&
+    [ "$(awk 'length > 100' output | wc -l)" -eq 0 ]
+verdict '--help'
+"$program" --version >output && grep -Eq '^cubemap-project .*[0-9]+\.[0-9]+\.[0-9]+$' output
+verdict '--version'
+
+# Every option of the help stands in the man page, and the other way round.
+if [ -f "$root/tools/man/cubemap-project.1" ]; then
+    "$program" --help | grep -Eo -- '--[a-z]+' | sort -u >output
+    sed 's/\\-/-/g' "$root/tools/man/cubemap-project.1" | grep -Eo -- '--[a-z]+' | sort -u >wanted
+    cmp -s output wanted
+    verdict 'the man page has the options of --help'
+fi
+
+# ---------------------------------------------------------------------------- catalogue
+
+"$program" --list >output && grep -q '^coupled ' output && grep -q '^geo ' output
+verdict '--list'
+if command -v python3 >/dev/null; then
+    "$program" --list=json >catalogue.json && python3 - >names <<'PYTHON'
+import json
+catalogue = json.load(open("catalogue.json"))
+identifiers = [mapping["identifier"] for mapping in catalogue["mappings"]]
+assert catalogue["recommended"] in identifiers
+assert [frame["identifier"] for frame in catalogue["frames"]] == ["geo", "gl", "fits"]
+for frame in catalogue["frames"]:
+    assert len(frame["faces"]) == 6 and abs(frame["first_row_v"]) == 1
+for mapping in catalogue["mappings"]:
+    for key in ("name", "source", "family", "smooth_face", "smooth_edge"):
+        assert mapping[key], key
+    assert isinstance(mapping["equal_area"], bool) and isinstance(mapping["conformal"], bool)
+    for parameter in mapping["parameters"]:
+        assert parameter["low"] <= parameter["standard"] <= parameter["high"]
+    print("\n".join([mapping["identifier"]] + mapping["aliases"]))
+PYTHON
+    verdict '--list=json'
+
+    good=yes
+    while read -r name; do
+        # written as it can be given: the part behind the colon belongs to the alias
+        head -n 2000 points | "$program" -m "${name%%:*}" >faces 2>errors &&
+            "$program" -m "${name%%:*}" -I faces >output 2>>errors &&
+            [ "$(wc -l <output)" -eq 2000 ] && [ ! -s errors ] || good="no: $name"
+    done <names
+    [ "$good" = yes ] && [ "$(wc -l <names)" -ge 16 ]
+    verdict 'every name of the catalogue can be given'
+fi
+
+echo "$cases cases, $failures failed"
+[ "$failures" -eq 0 ]
