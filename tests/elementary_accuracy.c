@@ -93,7 +93,7 @@ static const struct function functions[] = {
      0x1.921fb6p-1f, 0, 0.85, 0.8},
     {"versine_quarter", cm_versine_quarter_f64, cm_versine_quarter_f32, quad_versine,
      double_versine, 0x1.921fb54442d19p-1, 0x1.921fb6p-1f, 1, 1.0, 1.0},
-    {"tanh_unit", cm_tanh_unit_f64, cm_tanh_unit_f32, tanhq, tanh, 1.0, 1.0f, 0, 1.0, 1.05},
+    {"tanh_unit", cm_tanh_unit_f64, cm_tanh_unit_f32, tanhq, tanh, 1.0, 1.0f, 0, 1.05, 1.05},
     {"atanh_part", cm_atanh_part_f64, cm_atanh_part_f32, atanhq, atanh, 0.7616, 0.7616f, 0, 1.05,
      1.0},
     {"trisect", cm_trisect_f64, cm_trisect_f32, quad_trisect, double_trisect, 1.0, 1.0f, 0, 0.85,

@@ -5,7 +5,7 @@
  */
 #include "suite.h"
 
-#define COUNT 20000
+#define COUNT 10000
 
 static double random_directions[3][COUNT];
 
@@ -173,7 +173,9 @@ START_TEST(round_trip_over_the_ranges_of_parameters)
                                        random_directions[2][n]};
                 worst = fmax(worst, round_trip(mapping, direction));
             }
-            ck_assert_msg(worst <= (is_legacy(mapping) ? 1400.0 : fmax(5e-9, 1e-9 / slope)),
+            /* without a slope (smoothstep:c=1) only half the digits are left */
+            double bound = slope < 0.01 ? sqrt(0x1p-53) * EARTH_RADIUS : fmax(5e-9, 1e-9 / slope);
+            ck_assert_msg(worst <= (is_legacy(mapping) ? 1400.0 : bound),
                           "%s: %.3g nm, slope %.3g", text, worst * 1e9, slope);
             cm_mapping_destroy(mapping);
         }

@@ -7,7 +7,7 @@
 #
 # usage: project_roundtrip.sh PROGRAMS N [CHECKER [SEED]]
 #   PROGRAMS  folder with the built programs
-#   N         points for each mapping; 10000000 take a few minutes and 1 GB in TMPDIR
+#   N         points for each mapping; 10000000 take five minutes and 1 GB in TMPDIR
 #   CHECKER   the program that tests/roundtrip.c makes; default: PROGRAMS/../tests/roundtrip
 set -u -o pipefail
 LC_ALL=C

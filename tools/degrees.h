@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Directions from longitude and latitude in degrees, and back. Going through radians would lose
- * what degrees have: 90 is exact, pi/2 is not. Here every multiple of 90 degrees gives the axis exactly,
- * and back, and a result is rounded once at its end.
+ * what degrees have: 90 is exact, pi/2 is not. Here every multiple of 90 degrees gives the axis
+ * exactly, and back, and a result is rounded once at its end.
  */
 #ifndef CUBEMAP_TOOLS_DEGREES_H
 #define CUBEMAP_TOOLS_DEGREES_H
@@ -12,7 +12,8 @@ extern "C" {
 #endif
 
 /* Sine and cosine of any finite angle in degrees, which is reduced exactly; two NaN for others.
- * Both are within 0.8 ulp, exact at multiples of 90 and equal in magnitude at odd multiples of 45. */
+ * Both are within 0.8 ulp, exact at multiples of 90 and equal in magnitude at odd multiples of
+ * 45. */
 void degrees_sine_cosine(double degrees, double *sine, double *cosine);
 
 /* atan2 in degrees, in [-180, 180]: exact on the axes and diagonals; elsewhere within 1.5 ulp of

@@ -4,7 +4,7 @@
  *
  * Read once per backend, after dialect.h, so without an include guard; one text for double and for
  * float, with coefficients for each. scripts/elementary/minimax.sollya derives the coefficients,
- * tests/elementary_accuracy.c measures the errors. Those stated here are the worst that it finds when
+ * tests/elementary_accuracy.c measures the errors. Those stated here are the worst that it finds,
  * run with "full" and without contraction; fused multiply-adds lower nearly all of them.
  *
  * Common to all of them:
@@ -20,7 +20,7 @@
  *   - NaN gives NaN; a little outside its domain a function is less accurate, but harmless.
  *
  * A compiler that is free to reassociate (-ffast-math, some shader compilers) may undo the
- * splittings in versine and trisect. What is left is a correct formula with a greater rounding error.
+ * splittings in versine and trisect. What is left is a correct formula with a greater error.
  */
 
 /* atan x for |x| <= 1.
@@ -100,7 +100,7 @@ CM_FN CM_REAL CM_NAME(cm_tan_quarter)(CM_REAL x)
 }
 
 /* sin x for |x| <= pi / 4.
- * Worst error: double 0.80 ulp at 0x1.921fb519aa713p-1, float ?. */
+ * Worst error: double 0.80 ulp at 0x1.921fb519aa713p-1, float 0.74 ulp at 0x1.753b44p-1. */
 CM_FN CM_REAL CM_NAME(cm_sin_quarter)(CM_REAL x)
 {
     CM_REAL z = x * x;
@@ -121,7 +121,7 @@ CM_FN CM_REAL CM_NAME(cm_sin_quarter)(CM_REAL x)
  * The leading term x^2 / 2 has no larger term to hide its rounding error, so x is split (Dekker)
  * into a head whose square is exact and a tail: x^2 = head^2 + (x - head) (x + head). Contraction
  * may make head = x, but then it also makes head^2 exact.
- * Worst error: double ?, float ?.
+ * Worst error: double 1.00 ulp at 0x1.102d347ce68bcp-512, float 1.00 ulp at 0x1.802aaap-69.
  * These are results that are subnormal; elsewhere 0.70 and 0.71. */
 CM_FN CM_REAL CM_NAME(cm_versine_quarter)(CM_REAL x)
 {
@@ -146,7 +146,7 @@ CM_FN CM_REAL CM_NAME(cm_versine_quarter)(CM_REAL x)
 }
 
 /* tanh x for |x| <= 1.
- * Worst error: double ?, float ?. */
+ * Worst error: double 1.01 ulp at 0x1.b69dccefc169dp-1, float 1.05 ulp at 0x1.d16fbap-1. */
 CM_FN CM_REAL CM_NAME(cm_tanh_unit)(CM_REAL x)
 {
     CM_REAL z = x * x;
@@ -183,7 +183,7 @@ CM_FN CM_REAL CM_NAME(cm_tanh_unit)(CM_REAL x)
 /* atanh x for |x| <= 0.7616, just beyond tanh 1.
  * R is a little over 1/2 where it matters; that half is added apart, which costs no rounding error.
  * About x = 0 the coefficients would grow to thousands and cancel each other; not so in t.
- * Worst error: double ?, float ?. */
+ * Worst error: double 1.02 ulp at 0x1.8544b11bb2aa3p-1, float 1.00 ulp at 0x1.840ee6p-1. */
 CM_FN CM_REAL CM_NAME(cm_atanh_part)(CM_REAL x)
 {
     CM_REAL z = x * x;
@@ -234,7 +234,7 @@ CM_FN CM_REAL CM_NAME(cm_atanh_part)(CM_REAL x)
  * whose numerator is all but exact: 3 x - 2 y = 2 (x - y) + x without rounding, and x is split into
  * a head of so few bits that its cube is exact, and a tail. At |y| = 1 the step is 0 over nothing;
  * the least denominator that can occur otherwise is far above the one that stands in there.
- * Worst error: double ?, float ?. */
+ * Worst error: double 0.83 ulp at 0x1.ffffffffcdf65p-1, float 0.72 ulp at 0x1.ffff24p-1. */
 CM_FN CM_REAL CM_NAME(cm_trisect)(CM_REAL y)
 {
     /* constants first, so that NaN stays NaN */

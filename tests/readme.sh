@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The library as its users get it: installed into an empty folder, found by pkg-config, linked with
+# the shared and with the static library; the C program of the README compiles and prints what the
+# README says.
+# Usage: readme.sh REPOSITORY BUILD_FOLDER C_COMPILER MESON...
+set -eu
+root=$1 build=$2 cc=$3
+shift 3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$@" install -C "$build" --no-rebuild --destdir "$work/root" >"$work/install.log" 2>&1 || {
+    cat "$work/install.log"
+    exit 1
+}
+package=$(find "$work/root" -name cubemap.pc)
+test -n "$package"
+export PKG_CONFIG_PATH=${package%/*} PKG_CONFIG_SYSROOT_DIR=$work/root
+
+block() { # block LANGUAGE: the README's first block of code in that language
+    awk -v fence="\`\`\`$1" '$0 == fence && !done { inside = 1; next }
+        $0 == "```" && inside { inside = 0; done = 1 }
+        inside' "$root/README.md"
+}
+block c >"$work/example.c"
+block output >"$work/expected"
+test -s "$work/example.c"
+test -s "$work/expected"
+library=$(dirname "$(find "$work/root" -name 'libcubemap.so' | head -n 1)")
+# the library may have been built with sanitizers, which its users link too
+sanitizers=""
+if nm -D "$library/libcubemap.so" | grep -q __asan_; then
+    sanitizers="-fsanitize=address,undefined"
+fi
+# shellcheck disable=SC2046
+$cc -std=c11 -Wall -Wextra -Wpedantic -Werror $sanitizers -o "$work/shared" "$work/example.c" \
+    $(pkg-config --cflags --libs cubemap) -Wl,-rpath,"$library"
+"$work/shared" >"$work/got"
+diff "$work/expected" "$work/got"
+echo "ok: shared"
+# shellcheck disable=SC2046
+$cc -std=c11 -Wall -Wextra -Wpedantic -Werror $sanitizers -o "$work/static" "$work/example.c" \
+    $(pkg-config --cflags cubemap) "$library/libcubemap.a" -lm
+"$work/static" >"$work/got"
+diff "$work/expected" "$work/got"
+echo "ok: static"
+# everything a user expects is there
+for file in bin/cubemap-project bin/cubemap-reproject include/cubemap/cubemap.h \
+    include/cubemap/kernels.h include/cubemap/kernel/backend.h share/man/man1/cubemap-project.1 \
+    share/man/man1/cubemap-reproject.1; do
+    if [ -z "$(find "$work/root" -path "*/$file")" ]; then
+        echo "not ok: $file is not installed"
+        exit 1
+    fi
+done
+echo "ok: installed files"
+# nothing but the public names is exported
+if nm -D --defined-only "$library/libcubemap.so" | awk '{ print $3 }' |
+    grep -v -e '^cm_' -e '^__' -e '^_init$' -e '^_fini$'; then
+    echo "not ok: names that do not begin with cm_"
+    exit 1
+fi
+echo "ok: exported names"

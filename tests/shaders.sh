@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The kernels as GLSL: one fragment shader that calls every mapping both ways, compiled by
+# glslangValidator as desktop GLSL and as GLSL ES, with #include and as flat text.
+# Usage: shaders.sh INCLUDE_FOLDER C_COMPILER
+set -eu
+include=$1 cc=$2
+if ! command -v glslangValidator >/dev/null; then
+    echo "glslangValidator is missing (apt: glslang-tools)"
+    exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+rooms() { # rooms KIND: the identifiers of the catalogue's rooms of one kind
+    sed -n 's/^#include "\(.*\)"$/\1/p' "$include/cubemap/kernel/catalogue.h" |
+        while read -r file; do
+            sed -n "s/^$1(\([a-z0-9_]*\),.*/\1/p" "$include/cubemap/kernel/$file"
+        done
+}
+
+main() { # the body of a shader that uses everything
+    echo 'void main() {'
+    echo '    vec4 sum = vec4(0.0);'
+    echo '    cm_constants k;'
+    echo '    cm_uv uv; cm_pq pq; cm_face_point f; cm_xyz d;'
+    for id in $(rooms CM_WARP); do
+        echo '    k.k0 = place.z; k.k1 = k.k2 = k.k3 = k.k4 = k.k5 = k.k6 = k.k7 = 0.0;'
+        echo "    k = cm_${id}_prepare(k);"
+        echo "    uv = cm_${id}_forward(place.x, place.y, k); sum.xy += vec2(uv.u, uv.v);"
+        echo "    pq = cm_${id}_inverse(place.x, place.y, k); sum.zw += vec2(pq.p, pq.q);"
+    done
+    for id in cube $(rooms CM_SPHERE); do
+        echo "    f = cm_${id}_project(place.x, place.y, place.z); sum += vec4(f.face, f.a, f.b, 0.0);"
+        echo "    d = cm_${id}_unproject(f.face, f.a, f.b); sum += vec4(d.x, d.y, d.z, 0.0);"
+    done
+    echo '    colour = sum;'
+    echo '}'
+}
+
+check() { # check NAME OPTIONS...: compile $work/NAME.frag
+    local name=$1
+    shift
+    if glslangValidator "$@" "$work/$name.frag" >"$work/$name.log" 2>&1; then
+        echo "ok: $name"
+    else
+        echo "not ok: $name"
+        cat "$work/$name.log"
+        exit 1
+    fi
+}
+
+flat=$("$cc" -E -P -x c -DCM_BACKEND=3 -I "$include" "$include/cubemap/kernel/backend.h")
+io_vulkan='layout(location = 0) in vec3 place; layout(location = 0) out vec4 colour;'
+io_plain='in vec3 place; out vec4 colour;'
+
+for version in "450" "310 es"; do
+    name=include-${version// /-}
+    {
+        echo "#version $version"
+        echo '#extension GL_GOOGLE_include_directive : require'
+        case $version in *es) echo 'precision highp float;' ;; esac
+        echo '#include "cubemap/kernel/backend.h"'
+        echo "$io_vulkan"
+        main
+    } >"$work/$name.frag"
+    check "$name" -V -o "$work/$name.spv" -I"$include"
+done
+for version in "330" "450" "300 es"; do
+    name=flat-${version// /-}
+    {
+        echo "#version $version"
+        case $version in *es) echo 'precision highp float;' ;; esac
+        printf '%s\n' "$flat"
+        echo "$io_plain"
+        main
+    } >"$work/$name.frag"
+    check "$name"
+done
+echo "$(rooms CM_WARP | wc -l) warps and $(rooms CM_SPHERE | wc -l) whole-sphere mappings"
+test "$(rooms CM_WARP | wc -l)" -ge 15
