@@ -22,9 +22,10 @@ public:
     // Removes the temporary file unless appear() was called.
     ~AtomicFile() override;
 
+    // Not "file": the library takes what calls itself that for its own IOFile.
     const char *proxytype() const override
     {
-        return "file";
+        return "atomic";
     }
     bool seek(std::int64_t offset) override;
     std::size_t read(void *buffer, std::size_t size) override;
