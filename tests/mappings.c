@@ -5,7 +5,7 @@
  */
 #include "suite.h"
 
-#define COUNT 10000
+#define COUNT 5000
 
 static double random_directions[3][COUNT];
 

@@ -88,7 +88,7 @@ static void check_odd_points(const cm_mapping *mapping)
                                          1.0 + 9e-10, 1.000001, -1.0 - 9e-10, -1.1,     1e300,
                                          INFINITY,    -INFINITY, NAN};
     const size_t count = sizeof coordinates / sizeof coordinates[0];
-    for (int face = 0; face < 256; face++)
+    for (int face = 0; face < 256; face += face < 9 || face > 250 ? 1 : 40)
     {
         for (size_t n = 0; n < count * count; n++)
         {
