@@ -32,6 +32,12 @@ public:
     std::size_t write(const void *buffer, std::size_t size) override;
     std::size_t size() const override;
 
+    // The name under which a library that does not write to streams may write the file.
+    const std::string &temporary_name() const noexcept
+    {
+        return temporary;
+    }
+
     // The error that writing has met so far, as a Failure.
     void check() const;
 

@@ -39,9 +39,9 @@ public:
 private:
     struct MappingDeleter
     {
-        void operator()(cm_mapping *mapping) const noexcept
+        void operator()(cm_mapping *owned) const noexcept
         {
-            cm_mapping_destroy(mapping);
+            cm_mapping_destroy(owned);
         }
     };
 

@@ -69,11 +69,11 @@ std::unique_ptr<OIIO::ImageInput> open_image(const std::string &path)
     return input;
 }
 
-// What a message of the JPEG library says of a file that was decoded all the same: does it mean
-// that pixels are missing?
-bool pixels_are_missing(const std::string &message)
+// A file was decoded, but with this message: does it mean that pixels are missing or wrong? Of JPEG
+// files, many that are whole bring complaints about bytes that stand between their parts.
+bool pixels_are_missing(const std::string &format, const std::string &message)
 {
-    return message.find("remature end") != std::string::npos;
+    return format == "jpeg" ? message.find("remature end") != std::string::npos : !message.empty();
 }
 
 } // namespace
@@ -141,7 +141,7 @@ void ImageFile::read_stored(float *pixels, std::size_t row_stride)
     const bool good = input->read_image(0, 0, 0, channels(), OIIO::TypeFloat, pixels, x_stride,
                                         y_stride, OIIO::AutoStride);
     const std::string message = input->geterror();
-    if (!good || pixels_are_missing(message))
+    if (!good || pixels_are_missing(format(), message))
     {
         throw Failure(in_quotes(name) + " is damaged or ends too early" +
                       (message.empty() ? "" : ": " + first_line(message)));

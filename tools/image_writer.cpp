@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <vector>
 
 namespace
 {
@@ -150,37 +153,76 @@ ImagePlan plan_image(const std::string &format, const OIIO::ImageSpec &source,
     return plan;
 }
 
+// OpenImageIO 2.4 writes TIFF files with Exif metadata to a stream so that nobody can read them.
 ImageWriter::ImageWriter(const ImagePlan &plan, int width, int height, const std::string &path,
                          AtomicFile &destination)
-    : name(path), file(destination), output(OIIO::ImageOutput::create(plan.format))
+    : name(path), file(destination), by_name(plan.format == "tiff"),
+      output(OIIO::ImageOutput::create(plan.format))
 {
     OIIO::ImageSpec spec = plan.spec;
     spec.width = spec.full_width = width;
     spec.height = spec.full_height = height;
-    if (!output || !output->set_ioproxy(&file) || !output->open(name, spec))
+    if (!output || !open(spec))
     {
         const std::string message = output ? output->geterror() : OIIO::geterror();
         throw Failure(in_quotes(name) + " cannot be written: " + first_line(message));
     }
 }
 
+bool ImageWriter::open(const OIIO::ImageSpec &spec)
+{
+    return by_name ? output->open(file.temporary_name(), spec)
+                   : output->set_ioproxy(&file) && output->open(name, spec);
+}
+
 void ImageWriter::check(bool good)
 {
+    const int number = errno;
     file.check();
-    if (!good)
+    const std::string message = output->geterror();
+    if (!good || !message.empty())
     {
-        throw Failure(in_quotes(name) + " cannot be written: " + first_line(output->geterror()));
+        const bool full = number == ENOSPC || number == EFBIG || number == EDQUOT;
+        throw Failure(in_quotes(name) + " cannot be written: " +
+                      (full ? std::strerror(number) : first_line(message)));
     }
 }
 
 void ImageWriter::write(int first, int end, const float *rows, int channels)
 {
     const OIIO::stride_t x_stride = static_cast<OIIO::stride_t>(sizeof(float)) * channels;
+    errno = 0;
     check(output->write_scanlines(first, end, 0, OIIO::TypeFloat, rows, x_stride,
                                   x_stride * output->spec().width));
 }
 
 void ImageWriter::close()
 {
+    errno = 0;
     check(output->close());
+    if (by_name)
+    {
+        check_end();
+    }
+}
+
+// Not every error of writing by name is reported; but then the end is missing.
+void ImageWriter::check_end() const
+{
+    const auto written = OIIO::ImageInput::open(file.temporary_name());
+    bool good = written != nullptr;
+    if (good)
+    {
+        const OIIO::ImageSpec &spec = written->spec();
+        std::vector<float> row(static_cast<std::size_t>(spec.width) *
+                               static_cast<std::size_t>(spec.nchannels));
+        good = written->read_scanlines(0, 0, spec.height - 1, spec.height, 0, 0, spec.nchannels,
+                                       OIIO::TypeFloat, row.data()) &&
+               written->geterror().empty();
+    }
+    OIIO::geterror();
+    if (!good)
+    {
+        throw Failure(in_quotes(name) + " cannot be written: the end of the file is missing");
+    }
 }

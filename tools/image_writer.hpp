@@ -44,10 +44,13 @@ public:
     void close();
 
 private:
+    bool open(const OIIO::ImageSpec &spec);
     void check(bool good);
+    void check_end() const;
 
     std::string name;
     AtomicFile &file;
+    const bool by_name; // rather than through the file as a stream
     std::unique_ptr<OIIO::ImageOutput> output;
 };
 

@@ -78,6 +78,10 @@ Input::Input(const Options &options)
     open(options);
     find_kind(options);
     make_projection(options);
+    check_memory(in_quotes(images.front().path()),
+                 (std::int64_t{sphere->width()} + 2) * (std::int64_t{sphere->height()} + 2) *
+                     sphere->planes(),
+                 images.front().channels());
 }
 
 void Input::open(const Options &options)
@@ -176,9 +180,6 @@ SphereGrid Input::read(const Options &options, bool multiply_alpha, int threads)
 {
     const Finite finite = options.filter == Filter::nearest ? Finite::not_nan : Finite::all;
     const ImageFile &first = images.front();
-    check_memory(in_quotes(first.path()),
-                 std::int64_t{sphere->width() + 2} * (sphere->height() + 2) * sphere->planes(),
-                 first.channels());
     SphereGrid grid(sphere->planes(), sphere->width(), sphere->height(), first.channels());
     if (layout == CubeLayout::strip || layout == CubeLayout::cross)
     {

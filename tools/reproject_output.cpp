@@ -21,9 +21,11 @@ int natural_size(Kind kind, const Input &input)
     const int width = input.projection().width();
     if (kind == input.kind())
     {
-        return kind == Kind::equirect ? width + width % 2 : width;
+        return kind == Kind::equirect ? std::min(width + width % 2, largest_equirect)
+                                      : std::min(width, largest_face);
     }
-    return kind == Kind::equirect ? 4 * width : std::max(1, (width + 2) / 4);
+    return kind == Kind::equirect ? std::min(4 * width, largest_equirect)
+                                  : std::clamp((width + 2) / 4, 1, largest_face);
 }
 
 int output_size(Kind kind, const Options &options, const Input &input)
