@@ -93,8 +93,8 @@ Image read_image(const std::string &name)
 void write_image(const std::string &name, const OIIO::ImageSpec &spec, const float *pixels)
 {
     auto output = OIIO::ImageOutput::create(name);
-    if (!output || !output->open(name, spec) ||
-        !output->write_image(OIIO::TypeFloat, pixels) || !output->close())
+    if (!output || !output->open(name, spec) || !output->write_image(OIIO::TypeFloat, pixels) ||
+        !output->close())
     {
         throw std::runtime_error(name + ": cannot be written");
     }
@@ -212,7 +212,8 @@ void add_errors(const Sphere &sphere, int file, const std::string &name, Errors 
         for (std::size_t c = 0; c < 3; ++c)
         {
             const double wanted = there ? direction[c] : 0;
-            error = std::fmax(error, std::fabs(static_cast<double>(image.pixels[3 * i + c]) - wanted));
+            error =
+                std::fmax(error, std::fabs(static_cast<double>(image.pixels[3 * i + c]) - wanted));
         }
         errors.sum += error;
         ++errors.count;
@@ -260,9 +261,9 @@ void make_constant(char **arguments, int extra_count, char **extra)
             spec.attribute(text.substr(0, equals), value);
         }
     }
-    const std::vector<float> pixels(
-        std::size_t(width) * std::size_t(height) * std::size_t(channels),
-        static_cast<float>(std::atof(arguments[4])));
+    const std::vector<float> pixels(std::size_t(width) * std::size_t(height) *
+                                        std::size_t(channels),
+                                    static_cast<float>(std::atof(arguments[4])));
     write_image(arguments[5], spec, pixels.data());
 }
 

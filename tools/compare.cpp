@@ -69,8 +69,9 @@ void read_option(ArgumentReader &reader, Options &options)
     }
     else if (name == "--quiet" || name == "--help" || name == "--version")
     {
-        (name == "--quiet" ? options.quiet : name == "--help" ? options.help : options.version) =
-            true;
+        (name == "--quiet"  ? options.quiet
+         : name == "--help" ? options.help
+                            : options.version) = true;
     }
     else
     {
@@ -197,8 +198,7 @@ int compare(int argc, char **argv)
     const Options options = parse_options(argc, argv);
     if (options.help || options.version)
     {
-        print(options.help ? help_text
-                           : "cubemap-compare " + std::string(cm_version()) + "\n");
+        print(options.help ? help_text : "cubemap-compare " + std::string(cm_version()) + "\n");
         return 0;
     }
     ImageFile a(options.names[0]);

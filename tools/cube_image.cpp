@@ -45,8 +45,7 @@ float *pixel_at(SphereGrid &grid, const cm_frame &frame, int face, Place one, Pl
     for (const Place place : {one, other})
     {
         int &index = std::abs(place.axis) == std::abs(frame.face[face].u) ? column : row;
-        const int axis =
-            &index == &column ? right_axis(frame, face) : down_axis(frame, face);
+        const int axis = &index == &column ? right_axis(frame, face) : down_axis(frame, face);
         index = place.axis == axis ? place.number : grid.width() - 1 - place.number;
     }
     return grid.pixel(face, column, row);
@@ -61,8 +60,7 @@ void fill_edge(SphereGrid &grid, const cm_frame &frame, int face, int axis, int 
     const int outward = frame.face[face].outward;
     for (int i = 0; i <= last; ++i)
     {
-        const float *const from =
-            pixel_at(grid, frame, neighbour, {outward, last}, {along, i});
+        const float *const from = pixel_at(grid, frame, neighbour, {outward, last}, {along, i});
         std::copy(from, from + grid.channels(),
                   pixel_at(grid, frame, face, {axis, last + 1}, {along, i}));
     }
@@ -74,10 +72,10 @@ void fill_corner(SphereGrid &grid, const cm_frame &frame, int face, int axis, in
     const int last = grid.width() - 1;
     const int outward = frame.face[face].outward;
     const float *const own = pixel_at(grid, frame, face, {axis, last}, {other, last});
-    const float *const second = pixel_at(grid, frame, face_towards(frame, axis), {outward, last},
-                                         {other, last});
-    const float *const third = pixel_at(grid, frame, face_towards(frame, other), {outward, last},
-                                        {axis, last});
+    const float *const second =
+        pixel_at(grid, frame, face_towards(frame, axis), {outward, last}, {other, last});
+    const float *const third =
+        pixel_at(grid, frame, face_towards(frame, other), {outward, last}, {axis, last});
     float *const border = pixel_at(grid, frame, face, {axis, last + 1}, {other, last + 1});
     for (int c = 0; c < grid.channels(); ++c)
     {
@@ -159,15 +157,13 @@ void CubeImage::directions(int plane, int row, int first_column, std::size_t cou
         batch.y[i] = v;
     }
     cm_inverse_array(mapping.get(), count, batch.plane.data(), batch.x.data(), batch.y.data(),
-                     batch.direction_x.data(), batch.direction_y.data(),
-                     batch.direction_z.data());
+                     batch.direction_x.data(), batch.direction_y.data(), batch.direction_z.data());
 }
 
 void CubeImage::positions(std::size_t count, PointBatch &batch) const
 {
     cm_forward_array(mapping.get(), count, batch.direction_x.data(), batch.direction_y.data(),
-                     batch.direction_z.data(), batch.plane.data(), batch.x.data(),
-                     batch.y.data());
+                     batch.direction_z.data(), batch.plane.data(), batch.x.data(), batch.y.data());
     const double half = 0.5 * size;
     const double down = frame.first_row_v > 0 ? -half : half;
     for (std::size_t i = 0; i < count; ++i)

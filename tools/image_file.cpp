@@ -52,8 +52,8 @@ std::unique_ptr<OIIO::ImageInput> open_image(const std::string &path)
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &request);
     if (!input)
     {
-        throw Failure(in_quotes(path) + " is not an image that can be read: " +
-                      reason(OIIO::geterror()));
+        throw Failure(in_quotes(path) +
+                      " is not an image that can be read: " + reason(OIIO::geterror()));
     }
     const OIIO::ImageSpec &spec = input->spec();
     if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
@@ -173,8 +173,7 @@ void ImageFile::read_and_place(float *pixels, std::size_t row_stride)
                 std::fill(to, to + count, 0.0f);
                 continue;
             }
-            const float *const from = buffer.data() +
-                                      static_cast<std::size_t>(y) * stored_stride +
+            const float *const from = buffer.data() + static_cast<std::size_t>(y) * stored_stride +
                                       static_cast<std::size_t>(x) * count;
             std::copy(from, from + count, to);
         }
@@ -208,12 +207,12 @@ void ImageFile::check_finite(const float *pixels, std::size_t row_stride, Finite
             const bool not_a_number = std::isnan(values[i]);
             if (not_a_number || (finite == Finite::all && std::isinf(values[i])))
             {
-                throw Failure(in_quotes(name) + " has " +
-                              (not_a_number ? "a NaN" : "an infinite value") + " at x = " +
-                              std::to_string(i / count) + ", y = " + std::to_string(row) +
-                              ", channel " + std::string(spec().channel_name(static_cast<int>(i % count))) +
-                              (not_a_number ? "; only numbers can be resampled"
-                                            : "; only --filter nearest can resample it"));
+                throw Failure(
+                    in_quotes(name) + " has " + (not_a_number ? "a NaN" : "an infinite value") +
+                    " at x = " + std::to_string(i / count) + ", y = " + std::to_string(row) +
+                    ", channel " + std::string(spec().channel_name(static_cast<int>(i % count))) +
+                    (not_a_number ? "; only numbers can be resampled"
+                                  : "; only --filter nearest can resample it"));
             }
         }
     }
@@ -222,8 +221,8 @@ void ImageFile::check_finite(const float *pixels, std::size_t row_stride, Finite
 void check_memory(const std::string &what, std::int64_t pixels, int channels)
 {
     const double needed = static_cast<double>(pixels) * channels * sizeof(float);
-    const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                           static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    const double present =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
     if (present > 0 && needed > present)
     {
         char text[100];

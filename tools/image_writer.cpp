@@ -17,31 +17,58 @@ constexpr const char *default_jpeg_compression = "jpeg:95";
 
 // Metadata that a resampled image on another grid does not share with its source. A name that ends
 // in '*' stands for all that begin like it.
-constexpr std::array<const char *, 43> dropped_metadata = {
-    "Orientation",         "XResolution",      "YResolution",
-    "ResolutionUnit",      "PixelAspectRatio", "Exif:PixelXDimension",
-    "Exif:PixelYDimension", "Exif:ImageWidth", "Exif:ImageLength",
-    "Exif:RelatedImageWidth", "Exif:RelatedImageLength", "GPano:*",
-    "Panorama:*",          "envmap",           "worldtocamera",
-    "worldtoscreen",       "worldtoNDC",       "worldtolocal",
-    "textureformat",       "wrapmodes",        "fovcot",
-    "thumbnail_*",         "oiio:*",           "screenWindowCenter",
-    "screenWindowWidth",   "openexr:lineOrder", "openexr:levelmode",
-    "openexr:roundingmode", "openexr:chunkCount", "chunkCount",
-    "openexr:version",     "multiView",        "tiff:RowsPerStrip",
-    "tiff:subfiletype",    "tiff:PhotometricInterpretation", "tiff:PlanarConfiguration",
-    "planarconfig",        "tiff:ColorSpace",  "tiff:Predictor",
-    "tile_width",          "tile_height",      "preview",
-    "Raw profile type *"};
+constexpr std::array<const char *, 43> dropped_metadata = {"Orientation",
+                                                           "XResolution",
+                                                           "YResolution",
+                                                           "ResolutionUnit",
+                                                           "PixelAspectRatio",
+                                                           "Exif:PixelXDimension",
+                                                           "Exif:PixelYDimension",
+                                                           "Exif:ImageWidth",
+                                                           "Exif:ImageLength",
+                                                           "Exif:RelatedImageWidth",
+                                                           "Exif:RelatedImageLength",
+                                                           "GPano:*",
+                                                           "Panorama:*",
+                                                           "envmap",
+                                                           "worldtocamera",
+                                                           "worldtoscreen",
+                                                           "worldtoNDC",
+                                                           "worldtolocal",
+                                                           "textureformat",
+                                                           "wrapmodes",
+                                                           "fovcot",
+                                                           "thumbnail_*",
+                                                           "oiio:*",
+                                                           "screenWindowCenter",
+                                                           "screenWindowWidth",
+                                                           "openexr:lineOrder",
+                                                           "openexr:levelmode",
+                                                           "openexr:roundingmode",
+                                                           "openexr:chunkCount",
+                                                           "chunkCount",
+                                                           "openexr:version",
+                                                           "multiView",
+                                                           "tiff:RowsPerStrip",
+                                                           "tiff:subfiletype",
+                                                           "tiff:PhotometricInterpretation",
+                                                           "tiff:PlanarConfiguration",
+                                                           "planarconfig",
+                                                           "tiff:ColorSpace",
+                                                           "tiff:Predictor",
+                                                           "tile_width",
+                                                           "tile_height",
+                                                           "preview",
+                                                           "Raw profile type *"};
 
 // Of the names that begin with "oiio:", those that hold for the pixels' values.
 constexpr std::array<const char *, 2> kept_metadata = {"oiio:ColorSpace", "oiio:Gamma"};
 
 bool matches(const std::string &name, const std::string &pattern)
 {
-    return pattern.back() == '*' ? name.compare(0, pattern.size() - 1, pattern, 0,
-                                                pattern.size() - 1) == 0
-                                 : name == pattern;
+    return pattern.back() == '*'
+               ? name.compare(0, pattern.size() - 1, pattern, 0, pattern.size() - 1) == 0
+               : name == pattern;
 }
 
 bool metadata_still_holds(const std::string &name)
@@ -179,12 +206,11 @@ void ImageWriter::check(bool good)
 {
     const int number = errno;
     file.check();
-    const std::string message = output->geterror();
-    if (!good || !message.empty())
+    if (!good) // messages alone mean nothing: TIFF files without Exif metadata bring one
     {
         const bool full = number == ENOSPC || number == EFBIG || number == EDQUOT;
         throw Failure(in_quotes(name) + " cannot be written: " +
-                      (full ? std::strerror(number) : first_line(message)));
+                      (full ? std::strerror(number) : first_line(output->geterror())));
     }
 }
 

@@ -60,7 +60,8 @@ private:
 
 int thread_count(int requested)
 {
-    return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return requested > 0 ? requested
+                         : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 void parallel_for(int count, int threads, const std::function<void(int)> &body)

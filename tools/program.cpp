@@ -124,8 +124,7 @@ std::string first_line(const std::string &text)
 
 void print(const std::string &text)
 {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
-        std::fflush(stdout) != 0)
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     {
         throw Failure(std::string("standard output: ") + std::strerror(errno));
     }

@@ -17,8 +17,7 @@ int reproject(int argc, char **argv)
     const Options options = parse_options(argc, argv);
     if (options.help || options.version)
     {
-        print(options.help ? help_text()
-                           : "cubemap-reproject " + std::string(cm_version()) + "\n");
+        print(options.help ? help_text() : "cubemap-reproject " + std::string(cm_version()) + "\n");
         return 0;
     }
     guard_temporary_files();

@@ -141,8 +141,8 @@ void Input::find_kind(const Options &options)
     {
         layout = has_shape(image, 6, 1) ? CubeLayout::strip : CubeLayout::cross;
     }
-    const bool right = layout == CubeLayout::strip ? has_shape(image, 6, 1)
-                                                   : layout && has_shape(image, 4, 3);
+    const bool right =
+        layout == CubeLayout::strip ? has_shape(image, 6, 1) : layout && has_shape(image, 4, 3);
     if (right)
     {
         return;
@@ -173,7 +173,9 @@ void Input::make_projection(const Options &options)
 int Input::face_size_in_picture() const
 {
     const int width = images.front().width();
-    return layout == CubeLayout::faces ? width : layout == CubeLayout::strip ? width / 6 : width / 4;
+    return layout == CubeLayout::faces   ? width
+           : layout == CubeLayout::strip ? width / 6
+                                         : width / 4;
 }
 
 SphereGrid Input::read(const Options &options, bool multiply_alpha, int threads)
@@ -188,11 +190,12 @@ SphereGrid Input::read(const Options &options, bool multiply_alpha, int threads)
     }
     else
     {
-        parallel_for(static_cast<int>(images.size()), threads, [&](int plane)
-        {
-            images[static_cast<std::size_t>(plane)].read(grid.pixel(plane, 0, 0),
-                                                         grid.row_stride(), finite);
-        });
+        parallel_for(static_cast<int>(images.size()), threads,
+                     [&](int plane)
+                     {
+                         images[static_cast<std::size_t>(plane)].read(grid.pixel(plane, 0, 0),
+                                                                      grid.row_stride(), finite);
+                     });
     }
     for (int plane = 0; multiply_alpha && plane < grid.planes(); ++plane)
     {

@@ -64,14 +64,16 @@ const std::map<std::string, OptionAction> &option_actions()
          { options.size = static_cast<int>(reader.whole_number(1, largest_equirect)); }},
         {"--from-layout", [](ArgumentReader &reader, Options &options)
          { options.from_layout = read_layout(reader); }},
-        {"--layout", [](ArgumentReader &reader, Options &options)
-         { options.layout = read_layout(reader); }},
-        {"--from-frame", [](ArgumentReader &reader, Options &options)
-         { options.from_frame = read_frame(reader); }},
-        {"--frame", [](ArgumentReader &reader, Options &options)
-         { options.frame = read_frame(reader); }},
-        {"--filter", [](ArgumentReader &reader, Options &options)
-         { options.filter = static_cast<Filter>(reader.word({"nearest", "bilinear"})); }},
+        {"--layout",
+         [](ArgumentReader &reader, Options &options) { options.layout = read_layout(reader); }},
+        {"--from-frame",
+         [](ArgumentReader &reader, Options &options) { options.from_frame = read_frame(reader); }},
+        {"--frame",
+         [](ArgumentReader &reader, Options &options) { options.frame = read_frame(reader); }},
+        {"--filter",
+         [](ArgumentReader &reader, Options &options) {
+             options.filter = static_cast<Filter>(reader.word({"nearest", "bilinear"}));
+         }},
         {"--threads", [](ArgumentReader &reader, Options &options)
          { options.threads = static_cast<int>(reader.whole_number(0, 1024)); }},
         {"--quiet", [](ArgumentReader &, Options &options) { options.quiet = true; }},

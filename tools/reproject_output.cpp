@@ -34,10 +34,10 @@ int output_size(Kind kind, const Options &options, const Input &input)
     const int largest = kind == Kind::cube ? largest_face : largest_equirect;
     if (size > largest)
     {
-        throw UsageFailure("--size: " + std::to_string(size) + " is too large; " +
-                           (kind == Kind::cube ? "the edge of a face"
-                                               : "the width of an equirectangular image") +
-                           " may be " + std::to_string(largest) + " at most");
+        throw UsageFailure(
+            "--size: " + std::to_string(size) + " is too large; " +
+            (kind == Kind::cube ? "the edge of a face" : "the width of an equirectangular image") +
+            " may be " + std::to_string(largest) + " at most");
     }
     if (kind == Kind::equirect && size % 2 != 0)
     {
@@ -93,8 +93,8 @@ private:
         thread_local PointBatch batch;
         for (int column = 0; column < sphere.width();)
         {
-            const std::size_t count = std::min(PointBatch::capacity,
-                                               static_cast<std::size_t>(sphere.width() - column));
+            const std::size_t count =
+                std::min(PointBatch::capacity, static_cast<std::size_t>(sphere.width() - column));
             sphere.directions(plane, row, column, count, batch);
             from.positions(count, batch);
             sample(grid, filter, batch, count, pixels);
@@ -158,8 +158,8 @@ void Output::choose_names(const Options &options, const Input &input)
         throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but --layout says " +
                            layout_name(*layout));
     }
-    names = pictures.size() > 1 ? face_names(options.output)
-                                : std::vector<std::string>{options.output};
+    names =
+        pictures.size() > 1 ? face_names(options.output) : std::vector<std::string>{options.output};
     for (const std::string &name : names)
     {
         for (const ImageFile &image : input.files())
@@ -182,10 +182,9 @@ void Output::write(const Options &options, const Input &input, const SphereGrid 
         const Render render = {input.projection(), grid, options.filter, progress};
         const int count = static_cast<int>(pictures.size());
         const int threads_each = std::max(1, threads / count);
-        parallel_for(count, threads, [&](int i)
-        {
-            write_picture(render, static_cast<std::size_t>(i), threads_each);
-        });
+        parallel_for(count, threads,
+                     [&](int i)
+                     { write_picture(render, static_cast<std::size_t>(i), threads_each); });
     }
     appear_together(files);
 }
@@ -202,11 +201,13 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
     for (int first = 0; first < height; first += most_rows)
     {
         const int rows = std::min(most_rows, height - first);
-        parallel_for(rows, threads, [&](int row)
-        {
-            band.compute_row(render.from, render.grid, render.filter, first + row,
-                             pixels.data() + band.row_floats() * static_cast<std::size_t>(row));
-        });
+        parallel_for(rows, threads,
+                     [&](int row)
+                     {
+                         band.compute_row(render.from, render.grid, render.filter, first + row,
+                                          pixels.data() +
+                                              band.row_floats() * static_cast<std::size_t>(row));
+                     });
         writer.write(first, first + rows, pixels.data(), render.grid.channels());
         render.progress.advance(rows);
     }

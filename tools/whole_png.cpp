@@ -31,8 +31,8 @@ void check_whole_png(const std::string &path)
         {
             break;
         }
-        const std::int64_t length = std::int64_t{head[0]} << 24 | head[1] << 16 | head[2] << 8 |
-                                    head[3];
+        const std::int64_t length =
+            std::int64_t{head[0]} << 24 | head[1] << 16 | head[2] << 8 | head[3];
         position += 12 + length;
         if (std::memcmp(head + 4, "IEND", 4) == 0 && position <= size)
         {

@@ -33,7 +33,7 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_algebraic_prepare)(CM_NAME(cm_constants) 
  * c^2 u^2) with g = c^2, and u = p / sqrt((1 + c^2 p^2) / (1 + c^2)) with g = -c^2 / (1 + c^2). */
 CM_FN CM_REAL CM_NAME(cm_algebraic_curve)(CM_REAL w, CM_REAL g)
 {
-    return w / cm_sqrt(CM_LIT(1.0) + g * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)));
+    return CM_NAME(cm_divide_by_root)(w, g * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)));
 }
 
 CM_FN CM_REAL CM_NAME(cm_algebraic_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)

@@ -6,5 +6,6 @@
 #include "dialect.h"
 #include "types.h"
 #include "elementary.h"
+#include "roots.h"
 #include "cube.h"
 #include "catalogue.h"

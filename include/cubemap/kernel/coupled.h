@@ -4,10 +4,11 @@
  * p = u / sqrt(1 + (1 - u^2)(g0 + g1 v^2)), and q by swapping. Area error 0.25 % at most, no crease.
  * The recommended default.
  *
- * The forward direction is the positive root of one quadratic equation: with X = p^2, Y = q^2,
- * A = u^2, B = v^2, the inverse says A (1 + (1 - A)(g0 + g1 B)) ... = X, and its swap; eliminating
- * leaves A = 2 alpha / R, B = 2 beta / R. No libm function, so the result is the same wherever +, -,
- * *, / and sqrt round correctly and are not contracted.
+ * Forward: with X = p^2, Y = q^2, A = u^2, B = v^2 the inverse says
+ * X (1 + (1 - A)(g0 + g1 B)) = A and the same with X, Y and A, B swapped. Both are bilinear in A and B,
+ * and what is left is one quadratic equation, with the solution A = 2 alpha / R, B = 2 beta / R. No
+ * function but the square root, so the result is the same wherever +, -, *, / and sqrt round
+ * correctly and are not contracted.
  */
 #ifdef CM_DESCRIPTORS
 CM_WARP(coupled,
@@ -43,19 +44,20 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_coupled_forward)(CM_REAL p, CM_REAL q, CM_NAME(c
     CM_REAL g0r = k.k0 * r;
     CM_REAL n = g0r + CM_LIT(2.0) * k.k1 * beta;
     CM_REAL m = g0r + CM_LIT(2.0) * k.k1 * alpha;
-    /* sqrt((r + n) / (r + x n)), in which the edge is exact and rounding counts less */
     CM_REAL a = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
     CM_REAL b = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
-    return CM_NAME(cm_make_uv)(p * cm_sqrt(CM_LIT(1.0) + a * n / (r + x * n)),
-                               q * cm_sqrt(CM_LIT(1.0) + b * m / (r + y * m)));
+    return CM_NAME(cm_make_uv)(CM_NAME(cm_scale_by_root)(p, r + x * n, a * n),
+                               CM_NAME(cm_scale_by_root)(q, r + y * m, b * m));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_coupled_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
     CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
     CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
-    return CM_NAME(cm_make_pq)(u / cm_sqrt(CM_LIT(1.0) + a * (k.k0 + k.k1 * (v * v))),
-                               v / cm_sqrt(CM_LIT(1.0) + b * (k.k0 + k.k1 * (u * u))));
+    CM_REAL g = a * (k.k0 + k.k1 * (v * v));
+    CM_REAL h = b * (k.k0 + k.k1 * (u * u));
+    return CM_NAME(cm_make_pq)(CM_NAME(cm_divide_by_root)(u, g),
+                               CM_NAME(cm_divide_by_root)(v, h));
 }
 
 #endif

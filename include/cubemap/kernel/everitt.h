@@ -18,12 +18,13 @@ CM_WARP(everitt,
                        .high = 1.8}})
 #else
 
-/* k0 = c, k1 = c - 1, k2 = 4 (c - 1), k3 = (2 - c)^2 */
+/* k1 = c - 1, k2 = 2 (c - 1), k3 = 2 - c, k4 = (2 - c)^2 */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_everitt_prepare)(CM_NAME(cm_constants) k)
 {
     k.k1 = k.k0 - CM_LIT(1.0);
-    k.k2 = CM_LIT(4.0) * k.k1;
-    k.k3 = (CM_LIT(2.0) - k.k0) * (CM_LIT(2.0) - k.k0);
+    k.k2 = CM_LIT(2.0) * k.k1;
+    k.k3 = CM_LIT(2.0) - k.k0;
+    k.k4 = k.k3 * k.k3;
     return k;
 }
 
@@ -32,10 +33,12 @@ CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
     return w + w * (k.k1 * (CM_LIT(1.0) - cm_abs(w)));
 }
 
-/* 2 w / (c + sqrt(c^2 - 4 (c - 1) |w|)), its radicand from the edge, where it is (2 - c)^2 */
+/* 2 w / (c + S), S = sqrt(c^2 - 4 (c - 1) |w|), as w minus what is missing: with
+ * e = 2 (c - 1)(1 - |w|) that is w - w e / (2 - c + e + S), S^2 = (2 - c)^2 + 2 e */
 CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    return CM_LIT(2.0) * w / (k.k0 + cm_sqrt(k.k3 + k.k2 * (CM_LIT(1.0) - cm_abs(w))));
+    CM_REAL e = k.k2 * (CM_LIT(1.0) - cm_abs(w));
+    return w - w * (e / ((k.k3 + e) + cm_sqrt(k.k4 + CM_LIT(2.0) * e)));
 }
 
 CM_UNIVARIATE(cm_everitt_forward, cm_everitt_sigmoid, cm_everitt_inverse,
