@@ -172,10 +172,10 @@ Layouts:
   cross                 4N x 3N, the cube unfolded
 
 Frames:
-  geo                   front right back left top bottom, seen from outside, like
-                        a map; front is lon 0, right is lon 90 E, top is north
-  gl                    +x -x +y -y +z -z, seen from inside, as OpenGL, Vulkan and
-                        Direct3D store cube maps
+  geo                   front right back left top bottom: lon 0, lon 90 E, lon 180,
+                        lon 90 W, north, south; a face is drawn with north up
+  gl                    +x -x +y -y +z -z, turned as OpenGL, Vulkan and Direct3D
+                        store cube maps; +x is lon 0, +y is lon 90 E, +z is north
   fits                  as geo, in the order top front right back left bottom
 
 Examples:
