@@ -4,10 +4,8 @@
  */
 #include "internal.h"
 
-#include <locale.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define CM_DESCRIPTORS
@@ -105,37 +103,93 @@ fail(cm_status status, char *message, size_t size, const char *format, ...)
     return status;
 }
 
-/* A decimal number with a point, in any locale, that fills its text; 0 if it is not one. */
-static int parse_number(const char *text, size_t length, double *value)
+/* The digits of a number, with or without a point, up to anything else; *text is moved there. The
+ * value is *digits times a power of ten, which is returned; digits beyond the 19th only count. */
+static int scan_digits(const char **text, const char *end, unsigned long long *digits, int *count)
 {
-    char buffer[64];
-    const char *point = localeconv()->decimal_point;
-    size_t point_length = strlen(point);
-    size_t used = 0;
-    if (length == 0 || text[0] == ' ' || text[0] == '\t')
+    int power = 0;
+    int point = 0;
+    for (; *text < end; ++*text)
     {
-        return 0;
-    }
-    for (size_t i = 0; i < length; i++)
-    {
-        if (strchr("0123456789+-.eE", text[i]) == NULL || used + point_length + 1 > sizeof buffer)
+        char c = **text;
+        if (c == '.' && !point)
         {
-            return 0;
+            point = 1;
         }
-        if (text[i] == '.')
+        else if (c >= '0' && c <= '9')
         {
-            memcpy(buffer + used, point, point_length);
-            used += point_length;
+            int kept = *digits < 1000000000000000000ull;
+            *digits = kept ? *digits * 10 + (unsigned)(c - '0') : *digits;
+            power += (kept ? 0 : 1) - point;
+            ++*count;
         }
         else
         {
-            buffer[used++] = text[i];
+            break;
         }
     }
-    buffer[used] = '\0';
-    char *end;
-    *value = strtod(buffer, &end);
-    return *end == '\0' && end != buffer;
+    return power;
+}
+
+/* What follows an e; 0 if it is no exponent. */
+static int scan_exponent(const char **text, const char *end, int *power)
+{
+    int sign = 1;
+    int value = 0;
+    int count = 0;
+    if (*text < end && (**text == '-' || **text == '+'))
+    {
+        sign = **text == '-' ? -1 : 1;
+        ++*text;
+    }
+    for (; *text < end && **text >= '0' && **text <= '9'; ++*text, count++)
+    {
+        value = value < 100000 ? value * 10 + (**text - '0') : value;
+    }
+    *power += sign * value;
+    return count > 0;
+}
+
+/* digits * 10^power. Correctly rounded for up to 15 digits and powers to 22, where both operands are
+ * exact (Clinger 1990); else within an ulp. Out of range it is a huge or a tiny number, not an error:
+ * the parameters' ranges say what is right. */
+static double scale_by_ten(unsigned long long digits, int power)
+{
+    const int exact = digits <= 0x20000000000000ull && power >= -22 && power <= 22;
+    long double scale = 1.0L;
+    for (int i = power < 0 ? -power : power; i > 0 && scale < 1e300L; i--)
+    {
+        scale *= 10.0L;
+    }
+    if (exact)
+    {
+        return power < 0 ? (double)digits / (double)scale : (double)digits * (double)scale;
+    }
+    return (double)(power < 0 ? (long double)digits / scale : (long double)digits * scale);
+}
+
+/* A decimal number that fills its text; 0 if it is not one. Not strtod, which reads a comma where the
+ * locale of the program has one. */
+static int parse_number(const char *text, size_t length, double *value)
+{
+    const char *end = text + length;
+    unsigned long long digits = 0;
+    int count = 0;
+    int negative = length > 0 && *text == '-';
+    text += length > 0 && (*text == '-' || *text == '+') ? 1 : 0;
+    int power = scan_digits(&text, end, &digits, &count);
+    if (count > 0 && text < end && (*text == 'e' || *text == 'E'))
+    {
+        ++text;
+        count = scan_exponent(&text, end, &power) ? count : 0;
+    }
+    if (count == 0 || text != end)
+    {
+        return 0;
+    }
+    *value = scale_by_ten(digits, power);
+    *value = negative ? -*value : *value;
+    return 1;
 }
 
 static const cm_parameter_info *find_parameter(const cm_mapping_info *info, const char *name,
@@ -241,8 +295,8 @@ cm_status cm_specification_parse(const char *specification, size_t *index,
     if (info == NULL)
     {
         return fail(length == 0 ? CM_ERROR_SYNTAX : CM_ERROR_MAPPING, message, message_size,
-                    "no mapping is called '%.*s'; coupled is the recommended one, and the "
-                    "catalogue lists all",
+                    "no mapping is called '%.*s'; " CM_MAPPING_RECOMMENDED
+                    " is the recommended one, and the catalogue lists all",
                     shown, specification);
     }
     if (*fixed != '\0' && rest != NULL)

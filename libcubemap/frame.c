@@ -29,7 +29,7 @@ static const cm_frame frames[] = {
     {
         sizeof(cm_frame),
         "gl",
-        "cube map of OpenGL, Vulkan, Direct3D: +x -x +y -y +z -z, seen from inside, v down",
+        "cube map of OpenGL, Vulkan, Direct3D: +x -x +y -y +z -z, v down",
         -1,
         {
             {"+x", +X, -Z, -Y},

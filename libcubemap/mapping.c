@@ -9,9 +9,7 @@
 /* Constants are derived in double for both precisions, and rounded once. */
 static void prepare(cm_mapping *mapping)
 {
-    cm_constants_f64 k = {0};
-    k.k0 = mapping->parameter[0];
-    k.k1 = mapping->parameter[1];
+    cm_constants_f64 k = cm_make_parameters_f64(mapping->parameter[0], mapping->parameter[1]);
     if (cm_kernel_table_f64[mapping->index].prepare != NULL)
     {
         k = cm_kernel_table_f64[mapping->index].prepare(k);
@@ -22,9 +20,7 @@ static void prepare(cm_mapping *mapping)
                                                 .k2 = (float)k.k2,
                                                 .k3 = (float)k.k3,
                                                 .k4 = (float)k.k4,
-                                                .k5 = (float)k.k5,
-                                                .k6 = (float)k.k6,
-                                                .k7 = (float)k.k7};
+                                                .k5 = (float)k.k5};
 }
 
 cm_status cm_mapping_create(const char *specification, const cm_frame *frame, cm_mapping **mapping)
@@ -34,7 +30,7 @@ cm_status cm_mapping_create(const char *specification, const cm_frame *frame, cm
         return CM_ERROR_ARGUMENT;
     }
     const cm_frame *table = frame == NULL ? cm_frame_find("geo") : frame;
-    cm_mapping made = {.frame = *table};
+    cm_mapping made = {0};
     cm_status status = cm_specification_parse(specification, &made.index, made.parameter, NULL, 0);
     if (status != CM_OK)
     {
@@ -45,6 +41,7 @@ cm_status cm_mapping_create(const char *specification, const cm_frame *frame, cm
     {
         return status;
     }
+    made.frame = *table;
     made.info = cm_catalogue_at(made.index);
     cm_turn_from_frame(table, &made.turn);
     prepare(&made);

@@ -4,9 +4,15 @@
  */
 #include "suite.h"
 
-static const signed char *axes_of(const cm_frame *frame, int face)
+typedef struct axes
 {
-    return &frame->face[face].outward;
+    signed char of[3]; /* outward, u, v */
+} axes;
+
+static axes axes_of(const cm_frame *frame, int face)
+{
+    const cm_frame_face *table = &frame->face[face];
+    return (axes){{table->outward, table->u, table->v}};
 }
 
 static void add_axis(double direction[3], signed char axis, double length)
@@ -72,9 +78,9 @@ START_TEST(handedness)
             double up[3] = {0.0, 0.0, 0.0};
             double outward[3] = {0.0, 0.0, 0.0};
             double triple = 0.0;
-            add_axis(outward, axes_of(frame, f)[0], 1.0);
-            add_axis(u, axes_of(frame, f)[1], 1.0);
-            add_axis(up, axes_of(frame, f)[2], frame->first_row_v);
+            add_axis(outward, axes_of(frame, f).of[0], 1.0);
+            add_axis(u, axes_of(frame, f).of[1], 1.0);
+            add_axis(up, axes_of(frame, f).of[2], frame->first_row_v);
             for (int k = 0; k < 3; k++)
             {
                 int l = (k + 1) % 3;
@@ -102,9 +108,9 @@ START_TEST(forward_and_inverse_follow_the_table)
             double expected[3] = {0.0, 0.0, 0.0};
             double direction[3];
             double back[2];
-            add_axis(expected, axes_of(frame, f)[0], 1.0);
-            add_axis(expected, axes_of(frame, f)[1], uv[0]);
-            add_axis(expected, axes_of(frame, f)[2], uv[1]);
+            add_axis(expected, axes_of(frame, f).of[0], 1.0);
+            add_axis(expected, axes_of(frame, f).of[1], uv[0]);
+            add_axis(expected, axes_of(frame, f).of[2], uv[1]);
             cm_inverse(mapping, (uint8_t)f, uv, direction);
             ck_assert(angle_between(direction, expected) < 4e-16);
             ck_assert_int_eq(cm_forward(mapping, expected, back), f);
@@ -121,27 +127,27 @@ END_TEST
 static void check_edge(const cm_mapping *mapping, int face, int edge, double along)
 {
     const cm_frame *frame = cm_mapping_frame(mapping);
-    const signed char *axes = axes_of(frame, face);
+    const axes own = axes_of(frame, face);
     double uv[2];
     double here[3];
     double there[3];
     int upper = edge & 1;
     uv[edge >> 1] = upper ? 1.0 : -1.0;
     uv[1 - (edge >> 1)] = along;
-    signed char crossed = (signed char)((upper ? 1 : -1) * axes[1 + (edge >> 1)]);
-    signed char beside = axes[2 - (edge >> 1)];
+    signed char crossed = (signed char)((upper ? 1 : -1) * own.of[1 + (edge >> 1)]);
+    signed char beside = own.of[2 - (edge >> 1)];
     int neighbour = 0;
-    while (axes_of(frame, neighbour)[0] != crossed)
+    while (axes_of(frame, neighbour).of[0] != crossed)
     {
         neighbour++;
     }
     /* on the neighbour the same point: one coordinate at the end that looks to us, the other along */
-    const signed char *theirs = axes_of(frame, neighbour);
+    const axes theirs = axes_of(frame, neighbour);
     double other[2];
     for (int k = 0; k < 2; k++)
     {
-        signed char axis = theirs[1 + k];
-        other[k] = axis == axes[0] ? 1.0 : axis == -axes[0] ? -1.0 : axis == beside ? along : -along;
+        signed char axis = theirs.of[1 + k];
+        other[k] = axis == own.of[0] ? 1.0 : axis == -own.of[0] ? -1.0 : axis == beside ? along : -along;
     }
     cm_inverse(mapping, (uint8_t)face, uv, here);
     cm_inverse(mapping, (uint8_t)neighbour, other, there);
@@ -156,7 +162,7 @@ static void check_edge(const cm_mapping *mapping, int face, int edge, double alo
         step[k] = here[k];
     }
     add_axis(step, crossed, 1e-9);
-    add_axis(step, (signed char)-axes[0], 1e-9);
+    add_axis(step, (signed char)-own.of[0], 1e-9);
     ck_assert_int_eq(cm_forward(mapping, step, back), neighbour);
     ck_assert(fabs(back[0] - other[0]) < 1e-7 && fabs(back[1] - other[1]) < 1e-7);
 }

@@ -16,6 +16,14 @@ trap 'rm -rf "$work"' EXIT
 package=$(find "$work/root" -name cubemap.pc)
 test -n "$package"
 export PKG_CONFIG_PATH=${package%/*} PKG_CONFIG_SYSROOT_DIR=$work/root
+# one version everywhere
+version=$(pkg-config --modversion cubemap)
+header=$root/include/cubemap/version.h
+number() {
+    awk -v name="CM_VERSION_$1" '$2 == name { print $3 }' "$header"
+}
+test "$(number STRING)" = "\"$version\""
+test "$(number MAJOR).$(number MINOR).$(number PATCH)" = "$version"
 
 block() { # block LANGUAGE: the README's first block of code in that language
     awk -v fence="\`\`\`$1" '$0 == fence && !done { inside = 1; next }
@@ -54,10 +62,12 @@ for file in bin/cubemap-project bin/cubemap-reproject include/cubemap/cubemap.h 
     fi
 done
 echo "ok: installed files"
-# nothing but the public names is exported
-if nm -D --defined-only "$library/libcubemap.so" | awk '{ print $3 }' |
-    grep -v -e '^cm_' -e '^__' -e '^_init$' -e '^_fini$'; then
-    echo "not ok: names that do not begin with cm_"
-    exit 1
-fi
+# what the headers declare is exported, and nothing else
+nm -D --defined-only "$library/libcubemap.so" | awk '{ print $3 }' |
+    grep -v -e '^_' -e '^\.' | sort >"$work/exported"
+$cc -E -x c -DCM_API=CM_API "$root/include/cubemap/cubemap.h" -I "$root/include" 2>/dev/null |
+    tr '\n' ' ' | grep -o '__attribute__((visibility("default")))[^;]*;' |
+    sed 's/[^(]*(([^)]*)))//; s/(.*//; s/.*[ *]//' | sort >"$work/declared"
+test -s "$work/declared"
+diff "$work/declared" "$work/exported"
 echo "ok: exported names"

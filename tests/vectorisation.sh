@@ -21,8 +21,11 @@ status=0
 for precision in double float; do
     # shellcheck disable=SC2086
     lines=$($cc $flags $report -I "$root/include" -c "$root/libcubemap/$precision.c" -o /dev/null 2>&1)
+    # the selection of the face is where the loops over cube.h are made
+    faces=$(grep -n '^CM_PROJECTION(cube)' "$root/libcubemap/precision.h" | cut -d: -f1)
+    test -n "$faces"
     for room in kernel/algebraic.h kernel/coupled.h kernel/qsc.h kernel/outerra.h kernel/healpix.h \
-        libcubemap/precision.h; do
+        "precision.h:$faces"; do
         found=$(printf '%s\n' "$lines" | grep -c "$room:.*$pattern" || true)
         echo "$precision $room: $found loops of AVX2 vectors"
         # forward and inverse

@@ -44,7 +44,7 @@ typedef struct cm_frame_face
 
 typedef struct cm_frame
 {
-    size_t size;            /* sizeof(cm_frame) of whoever filled the table in */
+    size_t size;            /* sizeof(cm_frame), which tells the table's version */
     const char *identifier; /* "geo" */
     const char *name;       /* one line for people */
     int first_row_v;        /* +1 or -1: the value of v at the first row of a face's picture */

@@ -3,17 +3,18 @@
  * The kernels as inline functions for C and C++, each once in double (names end in _f64) and once in
  * float (_f32): for programs that want a mapping inside their own loops. No library to link.
  *
- *     cm_constants_f32 k = {0};
- *     k.k0 = 0.87f;                                   parameters, in the descriptor's order
- *     k = cm_algebraic_prepare_f32(k);                once
+ *     cm_constants_f32 k = cm_algebraic_prepare_f32(cm_make_parameters_f32(0.87f, 0.0f));
  *     cm_uv_f32 uv = cm_algebraic_forward_f32(p, q, k);
+ *
+ * The parameters are those of the descriptor, in its order.
  *
  * A mapping called M has cm_M_prepare, and if it warps a face cm_M_forward (p, q to u, v) and
  * cm_M_inverse; if its family is CM_FAMILY_HYBRID it has cm_M_project (direction to face, u, v) and
  * cm_M_unproject instead. cm_cube_project and cm_cube_unproject go between directions and (p, q), in
  * the frame geo. Arguments must be inside their ranges: [-1, 1] for coordinates, a finite non-zero
- * direction; nothing is checked. Bounds on error are those of <cubemap/mapping.h> if the compiler
- * keeps IEEE arithmetic (no -ffast-math).
+ * direction; nothing is checked. The bounds on error that docs/mappings.md gives hold if the
+ * compiler keeps IEEE arithmetic; under -ffast-math, in float, the edges of a face are no longer exact
+ * for every mapping.
  *
  * For GLSL include <cubemap/kernel/backend.h>.
  */
@@ -28,5 +29,6 @@
 #define CM_BACKEND 2
 #include "kernel/backend.h"
 #undef CM_BACKEND
+#include "kernel/undefine.h"
 
 #endif

@@ -11,7 +11,9 @@
  *   bad input   a direction that is zero or has a NaN or an infinity gives CM_NO_FACE and NaN, NaN;
  *               a face above 5, a NaN, or u, v further outside give NaN, NaN, NaN. Nothing traps,
  *               nothing is read or written beyond the arguments
- *   ties        on an edge or a corner the first of x, y, z with the largest magnitude wins
+ *   ties        on an edge or a corner the first of x, y, z with the largest magnitude wins. The
+ *               family CM_FAMILY_HYBRID has its own faces: healpix is on a polar one where
+ *               3 |z| > 2 |d|, else on that of the first of x, y with the larger magnitude
  *   threads     a mapping is constant after its creation: any number of threads may use one
  *   results     the same input gives the same bits in every function of one precision, whatever n,
  *               the position in the array and the thread
@@ -38,7 +40,7 @@ typedef struct cm_mapping cm_mapping;
 /* Make a mapping from a specification, NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]], e.g.
  * "algebraic", "tangent:c=1.1823"; NAME is an identifier or an alias of the catalogue, upper and
  * lower case are the same, values are decimal numbers with a point in every locale. frame NULL means
- * geo; the table is copied. On success *mapping is to be given to cm_mapping_destroy.
+ * geo; the table is copied, but not the texts that it points to. On success *mapping is to be given to cm_mapping_destroy.
  * Errors: CM_ERROR_ARGUMENT, _SYNTAX, _MAPPING, _PARAMETER, _RANGE, _FRAME, _MEMORY;
  * cm_specification_check says what is wrong in words. */
 CM_API cm_status cm_mapping_create(const char *specification, const cm_frame *frame,
@@ -53,7 +55,8 @@ CM_API const cm_mapping_info *cm_mapping_describe(const cm_mapping *mapping);
 CM_API const cm_frame *cm_mapping_frame(const cm_mapping *mapping);
 CM_API double cm_mapping_parameter(const cm_mapping *mapping, size_t index);
 
-/* One point. forward returns the face. */
+/* One point. forward returns the face. mapping must not be NULL here and below; the result may
+ * overwrite the argument. */
 CM_API uint8_t cm_forward(const cm_mapping *mapping, const double direction[3], double uv[2]);
 CM_API uint8_t cm_forward_f32(const cm_mapping *mapping, const float direction[3], float uv[2]);
 

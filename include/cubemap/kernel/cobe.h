@@ -6,7 +6,7 @@
  * to 45 arc seconds, 1.39 km on Earth. Here the forward polynomial is the definition and the inverse
  * solves it, by Newton's method from the published inverse; legacy=1 gives the published inverse
  * itself, for files that were made with it. What FITS calls the direction from (chi, psi) to (x, y)
- * is the inverse here.
+ * is the forward one here.
  */
 #ifdef CM_DESCRIPTORS
 CM_WARP(cobe,

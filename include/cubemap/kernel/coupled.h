@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * coupled: the algebraic sigmoid whose constant depends on the other coordinate,
- * p = u / sqrt(1 + (1 - u^2)(g0 + g1 v^2)), and q by swapping. Area error 0.25 % at most, no crease.
- * The recommended default.
+ * p = u / sqrt(1 + (1 - u^2)(g0 + g1 v^2)), and q by swapping. Area error 0.25 % at most
+ * (over 512 x 512 pixel centres), no crease. The recommended default.
  *
  * Forward: with X = p^2, Y = q^2, A = u^2, B = v^2 the inverse says
  * X (1 + (1 - A)(g0 + g1 B)) = A and the same with X, Y and A, B swapped. Both are bilinear in A and B,

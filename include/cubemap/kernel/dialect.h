@@ -29,22 +29,7 @@
 #define CM_BACKEND CM_BACKEND_GLSL
 #endif
 
-#undef CM_REAL
-#undef CM_REAL_BITS
-#undef CM_BOOL
-#undef CM_LIT
-#undef CM_NAME
-#undef CM_FN
-#undef CM_STRUCT
-#undef CM_STRUCT_END
-#undef CM_SELECT
-#undef cm_sqrt
-#undef cm_abs
-#undef cm_copysign
-#undef cm_min
-#undef cm_max
-#undef CM_UNUSED
-#undef CM_UNIVARIATE
+#include "undefine.h"
 
 #if CM_BACKEND == CM_BACKEND_DOUBLE
 #define CM_REAL double

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * outerra: the spherical cube of the Outerra engine, of all cube maps the one with the least
- * anisotropy (D_I at most 1.013) away from the corners; its forward direction has no closed form.
+ * outerra: the spherical cube of the Outerra engine. The two sides of a texel are within 0.6 % of
+ * each other everywhere (0.994 to 1.006; their angle varies). Its forward direction has no closed
+ * form.
  *
  * Inverse: p = u / Z, q = v / Z with Z = 1 + M (1 - u^2)(1 - v^2). Forward: u = p Z, v = q Z, where
  * e = Z - 1 solves e = M (1 - p^2 Z^2)(1 - q^2 Z^2). The paper's Newton iteration works on Z and on
@@ -43,7 +44,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_outerra_forward)(CM_REAL p, CM_REAL q, CM_NAME(c
     CM_REAL y = q * q;
     CM_REAL a0 = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
     CM_REAL b0 = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
-    /* The first step, from Z = 1, leaves 7e-3; the next ones 6e-6, 8e-12 and rounding. */
+    /* The first step, from e = 0, leaves 9e-4; the next ones 5e-8, 1e-16 and rounding. */
     CM_REAL e = k.k0 * (a0 * b0) / (CM_LIT(1.0) + CM_LIT(2.0) * k.k0 * (x * b0 + y * a0));
     e = CM_NAME(cm_outerra_step)(e, x, y, a0, b0, k.k0);
     e = CM_NAME(cm_outerra_step)(e, x, y, a0, b0, k.k0);

@@ -42,10 +42,12 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_co
     CM_REAL divisor = CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0));
     CM_REAL t = minor / divisor;
     CM_REAL t2 = t * t;
-    CM_REAL r = cm_sqrt((CM_LIT(1.0) + CM_LIT(1.0)) + t2);
-    /* in the order of r above, so that w = r and u = 1 exactly on the edge, major = 1 */
+    CM_REAL r = cm_sqrt(CM_LIT(2.0) + t2);
     CM_REAL w = cm_sqrt((CM_LIT(1.0) + major * major) + minor * minor);
-    CM_REAL u = major * cm_sqrt((r * (r + CM_LIT(1.0))) / (w * (w + CM_LIT(1.0))));
+    /* u = p sqrt(r (r + 1) / (w (w + 1))), where r^2 - w^2 = (1 - p^2)(1 + t^2) */
+    CM_REAL rest = ((CM_LIT(1.0) - major) * (CM_LIT(1.0) + major)) * (CM_LIT(1.0) + t2) *
+                   (CM_LIT(1.0) + CM_LIT(1.0) / (r + w));
+    CM_REAL u = CM_NAME(cm_scale_by_root)(major, w * (w + CM_LIT(1.0)), rest);
     CM_BOOL inner = t <= CM_LIT(0.5);
     CM_REAL above = CM_SELECT(inner, minor * (CM_QSC_SQRT2 - CM_LIT(1.0)), major - minor);
     CM_REAL below =

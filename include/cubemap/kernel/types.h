@@ -28,10 +28,21 @@ CM_STRUCT(cm_constants)
     CM_REAL k3;
     CM_REAL k4;
     CM_REAL k5;
-    CM_REAL k6;
-    CM_REAL k7;
 }
 CM_STRUCT_END(cm_constants)
+
+/* A mapping's parameters, to be prepared; 0 for those that it does not have. */
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_make_parameters)(CM_REAL first, CM_REAL second)
+{
+    CM_NAME(cm_constants) r;
+    r.k0 = first;
+    r.k1 = second;
+    r.k2 = CM_LIT(0.0);
+    r.k3 = CM_LIT(0.0);
+    r.k4 = CM_LIT(0.0);
+    r.k5 = CM_LIT(0.0);
+    return r;
+}
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_make_pq)(CM_REAL p, CM_REAL q)
 {

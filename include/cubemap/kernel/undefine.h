@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Takes the words of the dialect back, so that they can be defined for another backend, and so that
+ * they do not stay with whoever included <cubemap/kernels.h>.
+ */
+#undef CM_REAL
+#undef CM_REAL_BITS
+#undef CM_BOOL
+#undef CM_LIT
+#undef CM_NAME
+#undef CM_FN
+#undef CM_STRUCT
+#undef CM_STRUCT_END
+#undef CM_SELECT
+#undef cm_sqrt
+#undef cm_abs
+#undef cm_copysign
+#undef cm_min
+#undef cm_max
+#undef CM_UNUSED
+#undef CM_UNIVARIATE
