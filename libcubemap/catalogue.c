@@ -247,9 +247,8 @@ static cm_status parse_assignment(const cm_mapping_info *info, const char *text,
     int number_shown = number_length < 40 ? (int)number_length : 40;
     if (!parse_number(number, number_length, &values[index]))
     {
-        return fail(CM_ERROR_SYNTAX, message, size,
-                    "'%.*s' is not a number for parameter %s of %s", number_shown, number,
-                    parameter->name, info->identifier);
+        return fail(CM_ERROR_SYNTAX, message, size, "'%.*s' is not a number for parameter %s of %s",
+                    number_shown, number, parameter->name, info->identifier);
     }
     if (!inside(parameter, values[index]))
     {
@@ -273,8 +272,8 @@ static cm_status parse_assignments(const cm_mapping_info *info, const char *text
     {
         const char *comma = memchr(text, ',', (size_t)(end - text));
         const char *stop = comma == NULL ? end : comma;
-        cm_status status = parse_assignment(info, text, (size_t)(stop - text), &given, values,
-                                            message, size);
+        cm_status status =
+            parse_assignment(info, text, (size_t)(stop - text), &given, values, message, size);
         if (status != CM_OK || comma == NULL)
         {
             return status;

@@ -19,8 +19,7 @@ static void put_face_point(CM_NAME(cm_face_point) point, CM_REAL x, CM_REAL y, C
                            CM_REAL *face, CM_REAL *a, CM_REAL *b)
 {
     CM_REAL not_finite = (x - x) + (y - y) + (z - z);
-    CM_BOOL good = (not_finite == CM_LIT(0.0)) &
-                   (CM_NAME(cm_magnitude)(x, y, z) > CM_LIT(0.0));
+    CM_BOOL good = (not_finite == CM_LIT(0.0)) & (CM_NAME(cm_magnitude)(x, y, z) > CM_LIT(0.0));
     *face = CM_SELECT(good, point.face, (CM_REAL)CM_NO_FACE);
     *a = CM_SELECT(good, point.a, CM_NOT_A_NUMBER);
     *b = CM_SELECT(good, point.b, CM_NOT_A_NUMBER);

@@ -257,7 +257,9 @@ static int report(const char *name, const char *precision, const struct worst *w
 {
     int bad = w->broken || !(w->ulp <= bound);
     printf("%-16s %-9s %8.4f  %-24a %7.2f  %s\n", name, precision, w->ulp, w->input, bound,
-           w->broken ? "FAIL: sign, zero or NaN" : bad ? "FAIL" : "ok");
+           w->broken ? "FAIL: sign, zero or NaN"
+           : bad     ? "FAIL"
+                     : "ok");
     fflush(stdout);
     return bad;
 }

@@ -147,7 +147,10 @@ static void check_edge(const cm_mapping *mapping, int face, int edge, double alo
     for (int k = 0; k < 2; k++)
     {
         signed char axis = theirs.of[1 + k];
-        other[k] = axis == own.of[0] ? 1.0 : axis == -own.of[0] ? -1.0 : axis == beside ? along : -along;
+        other[k] = axis == own.of[0]    ? 1.0
+                   : axis == -own.of[0] ? -1.0
+                   : axis == beside     ? along
+                                        : -along;
     }
     cm_inverse(mapping, (uint8_t)face, uv, here);
     cm_inverse(mapping, (uint8_t)neighbour, other, there);

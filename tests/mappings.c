@@ -81,7 +81,8 @@ END_TEST
 static void check_hard_round_trip(const cm_mapping *mapping)
 {
     static const double bases[] = {0.0, 1.0, -1.0, 0.5, -0.3};
-    static const double steps[] = {0.0, 0x1p-52, -0x1p-53, 1e-15, 1e-12, -1e-8, 1e-4, 1e-300, -5e-324};
+    static const double steps[] = {0.0,   0x1p-52, -0x1p-53, 1e-15,  1e-12,
+                                   -1e-8, 1e-4,    1e-300,   -5e-324};
     static const double scales[] = {1.0, 1e-300, 1e300, 3.0};
     const size_t base_count = sizeof bases / sizeof bases[0];
     const size_t step_count = sizeof steps / sizeof steps[0];
@@ -252,8 +253,8 @@ START_TEST(round_trip_over_the_ranges_of_parameters)
             }
             /* without a slope (smoothstep:c=1) only half the digits are left */
             double bound = slope < 0.01 ? sqrt(0x1p-53) * EARTH_RADIUS : fmax(5e-9, 1e-9 / slope);
-            ck_assert_msg(worst <= (is_legacy(mapping) ? 1400.0 : bound),
-                          "%s: %.3g nm, slope %.3g", text, worst * 1e9, slope);
+            ck_assert_msg(worst <= (is_legacy(mapping) ? 1400.0 : bound), "%s: %.3g nm, slope %.3g",
+                          text, worst * 1e9, slope);
             cm_mapping_destroy(mapping);
         }
     }
@@ -284,7 +285,10 @@ static int same_bits(double a, double b)
 /* every batch length around the block's, at odd offsets, against single points */
 static void check_arrays(const cm_mapping *mapping)
 {
-    enum { most = 600 };
+    enum
+    {
+        most = 600
+    };
     static const size_t lengths[] = {0, 1, 2, 3, 5, 31, 255, 256, 257, 511, 513, most};
     static double u[most + 1], v[most + 1], x[most + 1], y[most + 1], z[most + 1];
     static uint8_t face[most + 1];
@@ -320,7 +324,10 @@ END_TEST
 
 static void check_strides(const cm_mapping *mapping)
 {
-    enum { n = 300 };
+    enum
+    {
+        n = 300
+    };
     static const ptrdiff_t strides[] = {3, 4, 7, -3, -5};
     static double packed[7 * (n + 1)], out[7 * (n + 1)];
     static double u[n], v[n], expected_u[n], expected_v[n], x[n], y[n], z[n];
@@ -350,7 +357,8 @@ static void check_strides(const cm_mapping *mapping)
         for (ptrdiff_t i = 0; i < n; i++)
         {
             double *got = out + start + i * stride;
-            ck_assert(same_bits(got[0], x[i]) && same_bits(got[1], y[i]) && same_bits(got[2], z[i]));
+            ck_assert(same_bits(got[0], x[i]) && same_bits(got[1], y[i]) &&
+                      same_bits(got[2], z[i]));
             got[0] = got[1] = got[2] = 55.0;
         }
         for (size_t i = 0; i < sizeof out / sizeof out[0]; i++)
@@ -368,7 +376,10 @@ END_TEST
 
 static void check_in_place(const cm_mapping *mapping)
 {
-    enum { n = 700 };
+    enum
+    {
+        n = 700
+    };
     static double a[3][n], u[n], v[n], x[n], y[n], z[n];
     static uint8_t face[n];
     for (int k = 0; k < 3; k++)
@@ -392,7 +403,10 @@ END_TEST
 
 static void check_float_arrays(const cm_mapping *mapping)
 {
-    enum { n = 300 };
+    enum
+    {
+        n = 300
+    };
     static float x[n], y[n], z[n], u[n], v[n], bx[n], by[n], bz[n], packed[5 * n], pu[n], pv[n];
     static uint8_t face[n], packed_face[n];
     for (size_t i = 0; i < n; i++)

@@ -27,8 +27,8 @@ static int all_nan(const double *values, int count)
     return all;
 }
 
-static const double odd[] = {0.0, -0.0, 1.0, -1.0, 0.5, 1e-300, 5e-324, -5e-324, 1e300, 1.7e308,
-                             -1.7e308, INFINITY, -INFINITY, NAN};
+static const double odd[] = {0.0,     -0.0,  1.0,     -1.0,     0.5,      1e-300,    5e-324,
+                             -5e-324, 1e300, 1.7e308, -1.7e308, INFINITY, -INFINITY, NAN};
 #define ODD (sizeof odd / sizeof odd[0])
 
 static void check_odd_directions(const cm_mapping *mapping)
@@ -84,8 +84,8 @@ END_TEST
 
 static void check_odd_points(const cm_mapping *mapping)
 {
-    static const double coordinates[] = {0.0,         -0.0,     1.0,        -1.0,      5e-324,
-                                         1.0 + 9e-10, 1.000001, -1.0 - 9e-10, -1.1,     1e300,
+    static const double coordinates[] = {0.0,         -0.0,      1.0,          -1.0, 5e-324,
+                                         1.0 + 9e-10, 1.000001,  -1.0 - 9e-10, -1.1, 1e300,
                                          INFINITY,    -INFINITY, NAN};
     const size_t count = sizeof coordinates / sizeof coordinates[0];
     for (int face = 0; face < 256; face += face < 9 || face > 250 ? 1 : 40)
@@ -104,7 +104,8 @@ static void check_odd_points(const cm_mapping *mapping)
             }
             double length = sqrt(direction[0] * direction[0] + direction[1] * direction[1] +
                                  direction[2] * direction[2]);
-            ck_assert_msg(fabs(length - 1.0) < 1e-15, "%s", cm_mapping_describe(mapping)->identifier);
+            ck_assert_msg(fabs(length - 1.0) < 1e-15, "%s",
+                          cm_mapping_describe(mapping)->identifier);
             double edge[2] = {fmax(-1.0, fmin(1.0, uv[0])), fmax(-1.0, fmin(1.0, uv[1]))};
             cm_inverse(mapping, (uint8_t)face, edge, clamped);
             ck_assert(memcmp(direction, clamped, sizeof clamped) == 0);
@@ -121,7 +122,10 @@ END_TEST
 /* one bad point among good ones spoils nothing but itself */
 static void check_mixed(const cm_mapping *mapping)
 {
-    enum { n = 515 };
+    enum
+    {
+        n = 515
+    };
     static double x[n], y[n], z[n], u[n], v[n], bx[n], by[n], bz[n];
     static uint8_t face[n];
     uint64_t state = 9;
@@ -220,7 +224,8 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {directions_that_are_none, points_that_are_none, bad_among_good,
-                            no_points,                warps_at_the_edge,    NULL};
+    const TTest *tests[] = {directions_that_are_none, points_that_are_none,
+                            bad_among_good,           no_points,
+                            warps_at_the_edge,        NULL};
     return run_suite("robustness", tests);
 }

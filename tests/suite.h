@@ -84,8 +84,8 @@ static inline double angle_between(const double a[3], const double b[3])
         cross[i] = (long double)a[j] * b[k] - (long double)a[k] * b[j];
         dot += (long double)a[i] * b[i];
     }
-    return (double)atan2l(
-        sqrtl(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]), dot);
+    return (double)atan2l(sqrtl(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]),
+                          dot);
 }
 
 static inline double earth_metres(const double a[3], const double b[3])

@@ -61,8 +61,8 @@ static int parse_line(const char *text, line *parsed)
     {
         float rounded = (float)parsed->in[i];
         /* a subnormal float has lost relative accuracy already */
-        parsed->exact_float &= (double)rounded == parsed->in[i] &&
-                               (rounded == 0.0f || fabsf(rounded) > 1e-37f);
+        parsed->exact_float &=
+            (double)rounded == parsed->in[i] && (rounded == 0.0f || fabsf(rounded) > 1e-37f);
     }
     return parsed->count >= 4;
 }

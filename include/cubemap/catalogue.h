@@ -52,15 +52,15 @@ typedef struct cm_parameter_info
 /* Read through pointers that the library gives out; it may grow at its end. */
 typedef struct cm_mapping_info
 {
-    const char *identifier;      /* "tangent" */
-    const char *aliases;         /* other names, apart by blanks; one that fixes parameters is
+    const char *identifier; /* "tangent" */
+    const char *aliases;    /* other names, apart by blanks; one that fixes parameters is
                                     written "asc:c=1" and takes none of its own; "" for none */
-    const char *name;            /* one line for people */
-    const char *source;          /* author, year, equation */
+    const char *name;       /* one line for people */
+    const char *source;     /* author, year, equation */
     cm_family family;
-    unsigned properties;         /* CM_EQUAL_AREA, CM_CONFORMAL */
-    cm_smoothness smooth_face;   /* inside a face */
-    cm_smoothness smooth_edge;   /* across the edge of two faces */
+    unsigned properties;       /* CM_EQUAL_AREA, CM_CONFORMAL */
+    cm_smoothness smooth_face; /* inside a face */
+    cm_smoothness smooth_edge; /* across the edge of two faces */
     size_t parameter_count;
     cm_parameter_info parameter[CM_PARAMETERS_MAX];
 } cm_mapping_info;

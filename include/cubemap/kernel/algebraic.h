@@ -3,18 +3,13 @@
  * algebraic: u = p sqrt((1 + c^2) / (1 + c^2 p^2)), the survey's recommendation.
  *
  * c = 0.87 has the lowest maximum area error of the univariate sigmoids, 11.7 % over 512 x 512 pixel
- * centres. The slope at the
- * edge, by which the inverse magnifies rounding, is 1 / (1 + c^2).
+ * centres. The slope at the edge, by which the inverse magnifies rounding, is 1 / (1 + c^2).
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(algebraic,
-        .aliases = "",
-        .name = "algebraic sigmoid",
+CM_WARP(algebraic, .aliases = "", .name = "algebraic sigmoid",
         .source = "Lambers 2020, Survey of cube mapping methods, eq. 7",
-        .family = CM_FAMILY_UNIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0,
-        .parameter_count = 1,
+        .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0, .parameter_count = 1,
         .parameter = {{.name = "c",
                        .meaning = "strength of the sigmoid; 0 is gnomonic",
                        .standard = 0.87,

@@ -9,15 +9,11 @@
  * is the forward one here.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(cobe,
-        .aliases = "csc",
-        .name = "COBE quadrilateralized spherical cube",
+CM_WARP(cobe, .aliases = "csc", .name = "COBE quadrilateralized spherical cube",
         .source = "Chan & O'Neill 1975; Calabretta & Greisen 2002, CSC; Dimitrijevic, Lambers, "
                   "Rancic 2016, eq. 4.6 to 4.9",
-        .family = CM_FAMILY_BIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0,
-        .parameter_count = 1,
+        .family = CM_FAMILY_BIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0, .parameter_count = 1,
         .parameter = {{.name = "legacy",
                        .meaning = "1 for the published inverse, 0 for the exact one",
                        .standard = 0.0,
@@ -67,8 +63,8 @@ CM_FN CM_NAME(cm_cobe_value) CM_NAME(cm_cobe_evaluate)(CM_REAL x, CM_REAL y)
     CM_REAL d = CM_COBE_D0 + CM_COBE_D1 * x;
     CM_NAME(cm_cobe_value) r;
     r.b = CM_COBE_GAMMA + (y * inner + x * (CM_COBE_OMEGA - x1 * d));
-    r.b_x = y * (CM_COBE_M_GAMMA + y1 * s_x) +
-            ((CM_COBE_OMEGA - x1 * d) + x * (d - x1 * CM_COBE_D1));
+    r.b_x =
+        y * (CM_COBE_M_GAMMA + y1 * s_x) + ((CM_COBE_OMEGA - x1 * d) + x * (d - x1 * CM_COBE_D1));
     r.b_y = inner + y * (y1 * s_y - s);
     return r;
 }
@@ -91,19 +87,17 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_cobe_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_c
  * in the form of cm_cobe_polynomial this is its sum. */
 CM_FN CM_REAL CM_NAME(cm_cobe_published)(CM_REAL x, CM_REAL y)
 {
-    CM_REAL y0 =
-        CM_LIT(-0.27292696) +
-        x * (CM_LIT(-0.07629969) +
-             x * (CM_LIT(-0.22797056) +
-                  x * (CM_LIT(0.54852384) +
-                       x * (CM_LIT(-0.62930065) +
-                            x * (CM_LIT(0.25795794) + x * CM_LIT(0.02584375))))));
+    CM_REAL y0 = CM_LIT(-0.27292696) +
+                 x * (CM_LIT(-0.07629969) +
+                      x * (CM_LIT(-0.22797056) +
+                           x * (CM_LIT(0.54852384) +
+                                x * (CM_LIT(-0.62930065) +
+                                     x * (CM_LIT(0.25795794) + x * CM_LIT(0.02584375))))));
     CM_REAL y1 =
         CM_LIT(-0.02819452) +
         x * (CM_LIT(-0.01471565) +
              x * (CM_LIT(0.48051509) +
-                  x * (CM_LIT(-1.74114454) +
-                       x * (CM_LIT(1.71547508) + x * CM_LIT(-0.53022337)))));
+                  x * (CM_LIT(-1.74114454) + x * (CM_LIT(1.71547508) + x * CM_LIT(-0.53022337)))));
     CM_REAL y2 =
         CM_LIT(0.27058160) +
         x * (CM_LIT(-0.56800938) +
@@ -140,9 +134,9 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_c
 {
     CM_REAL x = u * u;
     CM_REAL y = v * v;
-    CM_NAME(cm_pq) r = CM_NAME(cm_make_pq)(
-        CM_NAME(cm_cobe_polynomial)(u, CM_NAME(cm_cobe_published)(x, y)),
-        CM_NAME(cm_cobe_polynomial)(v, CM_NAME(cm_cobe_published)(y, x)));
+    CM_NAME(cm_pq) r =
+        CM_NAME(cm_make_pq)(CM_NAME(cm_cobe_polynomial)(u, CM_NAME(cm_cobe_published)(x, y)),
+                            CM_NAME(cm_cobe_polynomial)(v, CM_NAME(cm_cobe_published)(y, x)));
     if (k.k0 == CM_LIT(0.0))
     {
         r = CM_NAME(cm_cobe_step)(r.p, r.q, u, v);

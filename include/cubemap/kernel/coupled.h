@@ -11,13 +11,9 @@
  * correctly and are not contracted.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(coupled,
-        .aliases = "",
-        .name = "coupled algebraic sigmoid, the recommended default",
-        .source = "libcubemap 2026, docs/mappings.md",
-        .family = CM_FAMILY_BIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0)
+CM_WARP(coupled, .aliases = "", .name = "coupled algebraic sigmoid, the recommended default",
+        .source = "libcubemap 2026, docs/mappings.md", .family = CM_FAMILY_BIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC, .smooth_edge = CM_SMOOTH_C0)
 #else
 
 /* k0 = g0, k1 = g1, k2 = K = 1 + g0, k3 = s = g0 + g1, k4 = 4 g1 / K */
@@ -56,8 +52,7 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_coupled_inverse)(CM_REAL u, CM_REAL v, CM_NAME(c
     CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
     CM_REAL g = a * (k.k0 + k.k1 * (v * v));
     CM_REAL h = b * (k.k0 + k.k1 * (u * u));
-    return CM_NAME(cm_make_pq)(CM_NAME(cm_divide_by_root)(u, g),
-                               CM_NAME(cm_divide_by_root)(v, h));
+    return CM_NAME(cm_make_pq)(CM_NAME(cm_divide_by_root)(u, g), CM_NAME(cm_divide_by_root)(v, h));
 }
 
 #endif

@@ -41,9 +41,9 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_cube_project)(CM_REAL x, CM_REAL y, CM_R
     CM_REAL major = CM_SELECT(x_wins, x, CM_SELECT(y_wins, y, z));
     CM_REAL sign = cm_copysign(CM_LIT(1.0), major);
     CM_REAL turned = -(sign * x);
-    CM_REAL face = CM_SELECT(x_wins, CM_LIT(1.0) - sign,
-                             CM_SELECT(y_wins, CM_LIT(2.0) - sign,
-                                       CM_LIT(4.5) - CM_LIT(0.5) * sign));
+    CM_REAL face =
+        CM_SELECT(x_wins, CM_LIT(1.0) - sign,
+                  CM_SELECT(y_wins, CM_LIT(2.0) - sign, CM_LIT(4.5) - CM_LIT(0.5) * sign));
     CM_REAL a = CM_SELECT(x_wins, sign * y, CM_SELECT(y_wins, turned, y));
     CM_REAL b = CM_SELECT(x_wins, z, CM_SELECT(y_wins, z, turned));
     CM_NAME(cm_face_point) r;

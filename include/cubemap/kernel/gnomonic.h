@@ -3,12 +3,9 @@
  * gnomonic: the cube map of graphics hardware; the face is not warped at all.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(gnomonic,
-        .aliases = "tsc standard",
-        .name = "gnomonic, the standard cube map",
+CM_WARP(gnomonic, .aliases = "tsc standard", .name = "gnomonic, the standard cube map",
         .source = "Greene 1986, Environment Mapping; Calabretta & Greisen 2002, TSC",
-        .family = CM_FAMILY_UNIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0)
 #else
 

@@ -7,13 +7,10 @@
  * u = p sqrt(12 / (3 + 5 p^2 + q^2 + S)), S = sqrt((3 + p^2 + q^2)^2 - 16 p^2 q^2).
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(nowell,
-        .aliases = "ksc",
-        .name = "Nowell's mapping",
+CM_WARP(nowell, .aliases = "ksc", .name = "Nowell's mapping",
         .source = "Nowell 2005, Mapping a cube to a sphere; Lambers 2020, eq. 3 (misprint "
                   "corrected, forward reformulated)",
-        .family = CM_FAMILY_BIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .family = CM_FAMILY_BIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0)
 #else
 
@@ -27,8 +24,8 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_nowell_prepare)(CM_NAME(cm_constants) k)
 CM_FN CM_REAL CM_NAME(cm_nowell_scale)(CM_REAL w, CM_REAL y, CM_REAL s)
 {
     CM_REAL a = (CM_LIT(1.0) - w) * (CM_LIT(1.0) + w);
-    CM_REAL rest = a * (CM_LIT(5.0) + (CM_LIT(8.0) - a - CM_LIT(14.0) * y) /
-                                          ((CM_LIT(4.0) - y) + s));
+    CM_REAL rest =
+        a * (CM_LIT(5.0) + (CM_LIT(8.0) - a - CM_LIT(14.0) * y) / ((CM_LIT(4.0) - y) + s));
     return CM_NAME(cm_scale_by_root)(w, CM_LIT(12.0) - rest, rest);
 }
 

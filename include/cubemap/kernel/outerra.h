@@ -10,12 +10,9 @@
  * (1 - p^2) - p^2 e (2 + e), which is exact where p = 1.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(outerra,
-        .aliases = "osc",
-        .name = "Outerra spherical cube",
+CM_WARP(outerra, .aliases = "osc", .name = "Outerra spherical cube",
         .source = "Kemen & Hrabcak 2014; Dimitrijevic, Lambers, Rancic 2016, section 4.3",
-        .family = CM_FAMILY_BIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .family = CM_FAMILY_BIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0)
 #else
 

@@ -12,13 +12,9 @@
  *     tan(b / 2) = (1 - t) / (k + t + r sqrt(2 k)).
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(qsc,
-        .aliases = "snyder rosca-plonka",
-        .name = "quadrilateralized spherical cube",
+CM_WARP(qsc, .aliases = "snyder rosca-plonka", .name = "quadrilateralized spherical cube",
         .source = "O'Neill & Laubscher 1976; Lambers 2020, eq. 1 (reformulated)",
-        .family = CM_FAMILY_BIVARIATE,
-        .properties = CM_EQUAL_AREA,
-        .smooth_face = CM_SMOOTH_C0,
+        .family = CM_FAMILY_BIVARIATE, .properties = CM_EQUAL_AREA, .smooth_face = CM_SMOOTH_C0,
         .smooth_edge = CM_SMOOTH_C0)
 #else
 
@@ -77,8 +73,7 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
     /* t = sin a / (cos a - 1/sqrt 2); and 1 - t from the diagonal, as cos(pi/12) - 1/sqrt 2 is
      * sin(pi/12) */
     CM_REAL above = CM_SELECT(inner, sine,
-                              (CM_QSC_K + CM_LIT(1.0)) * sine -
-                                  (CM_QSC_K - CM_LIT(1.0)) * versine);
+                              (CM_QSC_K + CM_LIT(1.0)) * sine - (CM_QSC_K - CM_LIT(1.0)) * versine);
     CM_REAL below = CM_SELECT(inner, CM_LIT(0.29289321881345247559915563789515) - versine,
                               (CM_LIT(1.0) + sine) - CM_QSC_K * versine);
     CM_REAL ratio = above / below;

@@ -9,27 +9,23 @@
  * that is 1 - (c + 1/c) tan d / (1 + c tan d), in which the rounding of the second term counts less.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(tangent,
-        .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823",
-        .name = "tangent adjustment",
-        .source = "Ronchi, Iacono, Paolucci 1996 (c = 1); Zucker & Higashi 2018; Lambers 2020, eq. 2",
-        .family = CM_FAMILY_UNIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0,
-        .parameter_count = 1,
-        .parameter = {{.name = "c",
-                       .meaning = "tangent of the angle that the edge stands for; 1 is equi-angular",
-                       .standard = 1.0,
-                       .low = 0.0,
-                       .low_excluded = 1,
-                       .high = 4.0}})
+CM_WARP(
+    tangent, .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823", .name = "tangent adjustment",
+    .source = "Ronchi, Iacono, Paolucci 1996 (c = 1); Zucker & Higashi 2018; Lambers 2020, eq. 2",
+    .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC, .smooth_edge = CM_SMOOTH_C0,
+    .parameter_count = 1,
+    .parameter = {{.name = "c",
+                   .meaning = "tangent of the angle that the edge stands for; 1 is equi-angular",
+                   .standard = 1.0,
+                   .low = 0.0,
+                   .low_excluded = 1,
+                   .high = 4.0}})
 #else
 
 /* alpha = atan c for any c in [0, 4] */
 CM_FN CM_REAL CM_NAME(cm_tangent_angle)(CM_REAL c)
 {
-    return CM_LIT(2.0) *
-           CM_NAME(cm_atan_unit)(c / (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + c * c)));
+    return CM_LIT(2.0) * CM_NAME(cm_atan_unit)(c / (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + c * c)));
 }
 
 /* k0 = c, k1 = alpha = atan c, k2 = 1 / alpha, k3 = c + 1 / c */
