@@ -25,8 +25,7 @@ main() { # the body of a shader that uses everything
     echo '    cm_constants k;'
     echo '    cm_uv uv; cm_pq pq; cm_face_point f; cm_xyz d;'
     for id in $(rooms CM_WARP); do
-        echo '    k.k0 = place.z; k.k1 = k.k2 = k.k3 = k.k4 = k.k5 = k.k6 = k.k7 = 0.0;'
-        echo "    k = cm_${id}_prepare(k);"
+        echo "    k = cm_${id}_prepare(cm_make_parameters(place.z, 0.0));"
         echo "    uv = cm_${id}_forward(place.x, place.y, k); sum.xy += vec2(uv.u, uv.v);"
         echo "    pq = cm_${id}_inverse(place.x, place.y, k); sum.zw += vec2(pq.p, pq.q);"
     done

@@ -6,15 +6,21 @@
  * centres. The slope at the edge, by which the inverse magnifies rounding, is 1 / (1 + c^2).
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(algebraic, .aliases = "", .name = "algebraic sigmoid",
+/* clang-format off: a field a line */
+CM_WARP(algebraic,
+        .aliases = "",
+        .name = "algebraic sigmoid",
         .source = "Lambers 2020, Survey of cube mapping methods, eq. 7",
-        .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0, .parameter_count = 1,
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0,
+        .parameter_count = 1,
         .parameter = {{.name = "c",
                        .meaning = "strength of the sigmoid; 0 is gnomonic",
                        .standard = 0.87,
                        .low = 0.0,
                        .high = 2.0}})
+/* clang-format on */
 #else
 
 /* k0 = c^2, k1 = -c^2 / (1 + c^2) */

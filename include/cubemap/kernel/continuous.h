@@ -6,11 +6,16 @@
  * v, except on the edges.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(continuous, .aliases = "", .name = "continuous cube",
+/* clang-format off: a field a line */
+CM_WARP(continuous,
+        .aliases = "",
+        .name = "continuous cube",
         .source = "Grimm & Niebruegge 2007, Continuous cube mapping; Lambers 2020, eq. 4 (misprint "
                   "corrected)",
-        .family = CM_FAMILY_BIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
+        .family = CM_FAMILY_BIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0)
+/* clang-format on */
 #else
 
 /* those of tangent with c = 1 / sqrt 2 */

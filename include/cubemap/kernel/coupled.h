@@ -11,9 +11,15 @@
  * correctly and are not contracted.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(coupled, .aliases = "", .name = "coupled algebraic sigmoid, the recommended default",
-        .source = "libcubemap 2026, docs/mappings.md", .family = CM_FAMILY_BIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC, .smooth_edge = CM_SMOOTH_C0)
+/* clang-format off: a field a line */
+CM_WARP(coupled,
+        .aliases = "",
+        .name = "coupled algebraic sigmoid, the recommended default",
+        .source = "libcubemap 2026, docs/mappings.md",
+        .family = CM_FAMILY_BIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0)
+/* clang-format on */
 #else
 
 /* k0 = g0, k1 = g1, k2 = K = 1 + g0, k3 = s = g0 + g1, k4 = 4 g1 / K */

@@ -3,15 +3,21 @@
  * everitt: u = p (c + (1 - c) |p|). Slope c at the centre and 2 - c at the edge.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(everitt, .aliases = "", .name = "Everitt's quadratic",
+/* clang-format off: a field a line */
+CM_WARP(everitt,
+        .aliases = "",
+        .name = "Everitt's quadratic",
         .source = "Everitt 2016, projection; Zucker & Higashi 2018 (c); Lambers 2020, eq. 6",
-        .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_C1, .smooth_edge = CM_SMOOTH_C0,
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_C1,
+        .smooth_edge = CM_SMOOTH_C0,
         .parameter_count = 1,
         .parameter = {{.name = "c",
                        .meaning = "slope at the centre; 1 is gnomonic",
                        .standard = 1.4511,
                        .low = 0.5,
                        .high = 1.8}})
+/* clang-format on */
 #else
 
 /* k1 = c - 1, k2 = 2 (c - 1), k3 = 2 - c, k4 = (2 - c)^2 */

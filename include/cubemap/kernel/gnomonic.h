@@ -3,10 +3,15 @@
  * gnomonic: the cube map of graphics hardware; the face is not warped at all.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(gnomonic, .aliases = "tsc standard", .name = "gnomonic, the standard cube map",
+/* clang-format off: a field a line */
+CM_WARP(gnomonic,
+        .aliases = "tsc standard",
+        .name = "gnomonic, the standard cube map",
         .source = "Greene 1986, Environment Mapping; Calabretta & Greisen 2002, TSC",
-        .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0)
+/* clang-format on */
 #else
 
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_gnomonic_prepare)(CM_NAME(cm_constants) k)

@@ -9,11 +9,17 @@
  * near a pole.
  */
 #ifdef CM_DESCRIPTORS
-CM_SPHERE(healpix, .aliases = "", .name = "HEALPix on six faces",
+/* clang-format off: a field a line */
+CM_SPHERE(healpix,
+          .aliases = "",
+          .name = "HEALPix on six faces",
           .source = "Gorski et al. 2005; Calabretta & Roukema 2007; Dimitrijevic, Lambers, Rancic "
                     "2016, section 4.7",
-          .family = CM_FAMILY_HYBRID, .properties = CM_EQUAL_AREA, .smooth_face = CM_SMOOTH_C0,
+          .family = CM_FAMILY_HYBRID,
+          .properties = CM_EQUAL_AREA,
+          .smooth_face = CM_SMOOTH_C0,
           .smooth_edge = CM_SMOOTH_C0)
+/* clang-format on */
 #else
 
 /* x, y, z finite and not all zero. (a, b) of the result is (u, v). */

@@ -3,15 +3,22 @@
  * logistic: the logistic sigmoid scaled to [-1, 1], which is tanh (tanh.h) with half the c.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(logistic, .aliases = "", .name = "logistic sigmoid", .source = "Lambers 2020, section 4.8",
-        .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0, .parameter_count = 1,
+/* clang-format off: a field a line */
+CM_WARP(logistic,
+        .aliases = "",
+        .name = "logistic sigmoid",
+        .source = "Lambers 2020, section 4.8",
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0,
+        .parameter_count = 1,
         .parameter = {{.name = "c",
                        .meaning = "strength of the sigmoid; towards 0 it is gnomonic",
                        .standard = 1.94437,
                        .low = 0.0,
                        .low_excluded = 1,
                        .high = 4.0}})
+/* clang-format on */
 #else
 
 /* those of tanh with c / 2 */

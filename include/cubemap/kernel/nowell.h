@@ -7,11 +7,16 @@
  * u = p sqrt(12 / (3 + 5 p^2 + q^2 + S)), S = sqrt((3 + p^2 + q^2)^2 - 16 p^2 q^2).
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(nowell, .aliases = "ksc", .name = "Nowell's mapping",
+/* clang-format off: a field a line */
+CM_WARP(nowell,
+        .aliases = "ksc",
+        .name = "Nowell's mapping",
         .source = "Nowell 2005, Mapping a cube to a sphere; Lambers 2020, eq. 3 (misprint "
                   "corrected, forward reformulated)",
-        .family = CM_FAMILY_BIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
+        .family = CM_FAMILY_BIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0)
+/* clang-format on */
 #else
 
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_nowell_prepare)(CM_NAME(cm_constants) k)

@@ -10,10 +10,15 @@
  * (1 - p^2) - p^2 e (2 + e), which is exact where p = 1.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(outerra, .aliases = "osc", .name = "Outerra spherical cube",
+/* clang-format off: a field a line */
+CM_WARP(outerra,
+        .aliases = "osc",
+        .name = "Outerra spherical cube",
         .source = "Kemen & Hrabcak 2014; Dimitrijevic, Lambers, Rancic 2016, section 4.3",
-        .family = CM_FAMILY_BIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
+        .family = CM_FAMILY_BIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0)
+/* clang-format on */
 #else
 
 /* k0 = M = (sqrt 2 - 1) / 2 */

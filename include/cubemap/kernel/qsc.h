@@ -12,10 +12,16 @@
  *     tan(b / 2) = (1 - t) / (k + t + r sqrt(2 k)).
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(qsc, .aliases = "snyder rosca-plonka", .name = "quadrilateralized spherical cube",
+/* clang-format off: a field a line */
+CM_WARP(qsc,
+        .aliases = "snyder rosca-plonka",
+        .name = "quadrilateralized spherical cube",
         .source = "O'Neill & Laubscher 1976; Lambers 2020, eq. 1 (reformulated)",
-        .family = CM_FAMILY_BIVARIATE, .properties = CM_EQUAL_AREA, .smooth_face = CM_SMOOTH_C0,
+        .family = CM_FAMILY_BIVARIATE,
+        .properties = CM_EQUAL_AREA,
+        .smooth_face = CM_SMOOTH_C0,
         .smooth_edge = CM_SMOOTH_C0)
+/* clang-format on */
 #else
 
 #define CM_QSC_SQRT2 CM_LIT(1.4142135623730950488016887242097)

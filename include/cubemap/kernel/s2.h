@@ -5,9 +5,15 @@
  * the edge is exact and the rounding of the correction counts less.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(s2, .aliases = "s2-quadratic", .name = "S2's quadratic projection",
+/* clang-format off: a field a line */
+CM_WARP(s2,
+        .aliases = "s2-quadratic",
+        .name = "S2's quadratic projection",
         .source = "S2 geometry library, s2coords.h, S2_QUADRATIC_PROJECTION",
-        .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_C1, .smooth_edge = CM_SMOOTH_C0)
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_C1,
+        .smooth_edge = CM_SMOOTH_C0)
+/* clang-format on */
 #else
 
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_s2_prepare)(CM_NAME(cm_constants) k)

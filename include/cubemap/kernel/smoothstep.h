@@ -7,17 +7,23 @@
  * inverse magnifies the rounding of u without bound.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(smoothstep, .aliases = "", .name = "smoothstep sigmoid",
-        .source = "Lambers 2020, section 4.8", .family = CM_FAMILY_UNIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC, .smooth_edge = CM_SMOOTH_C0, .parameter_count = 1,
-        .parameter = {
-            {.name = "c",
-             .meaning = "strength of the sigmoid; towards 0 it is gnomonic, 1 has no slope "
-                        "at the edge",
-             .standard = 0.75086,
-             .low = 0.0,
-             .low_excluded = 1,
-             .high = 1.0}})
+/* clang-format off: a field a line */
+CM_WARP(smoothstep,
+        .aliases = "",
+        .name = "smoothstep sigmoid",
+        .source = "Lambers 2020, section 4.8",
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0,
+        .parameter_count = 1,
+        .parameter = {{.name = "c",
+                       .meaning = "strength of the sigmoid; towards 0 it is gnomonic, 1 has no slope "
+                                  "at the edge",
+                       .standard = 0.75086,
+                       .low = 0.0,
+                       .low_excluded = 1,
+                       .high = 1.0}})
+/* clang-format on */
 #else
 
 /* k0 = c, k1 = c^2, k2 = 1 / (3 - c^2), k3 = c (3 - c^2) / 2, k4 = 3 - c^2 */

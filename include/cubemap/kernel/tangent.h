@@ -9,17 +9,22 @@
  * that is 1 - (c + 1/c) tan d / (1 + c tan d), in which the rounding of the second term counts less.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(
-    tangent, .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823", .name = "tangent adjustment",
-    .source = "Ronchi, Iacono, Paolucci 1996 (c = 1); Zucker & Higashi 2018; Lambers 2020, eq. 2",
-    .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC, .smooth_edge = CM_SMOOTH_C0,
-    .parameter_count = 1,
-    .parameter = {{.name = "c",
-                   .meaning = "tangent of the angle that the edge stands for; 1 is equi-angular",
-                   .standard = 1.0,
-                   .low = 0.0,
-                   .low_excluded = 1,
-                   .high = 4.0}})
+/* clang-format off: a field a line */
+CM_WARP(tangent,
+        .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823",
+        .name = "tangent adjustment",
+        .source = "Ronchi, Iacono, Paolucci 1996 (c = 1); Zucker & Higashi 2018; Lambers 2020, eq. 2",
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0,
+        .parameter_count = 1,
+        .parameter = {{.name = "c",
+                       .meaning = "tangent of the angle that the edge stands for; 1 is equi-angular",
+                       .standard = 1.0,
+                       .low = 0.0,
+                       .low_excluded = 1,
+                       .high = 4.0}})
+/* clang-format on */
 #else
 
 /* alpha = atan c for any c in [0, 4] */

@@ -7,15 +7,22 @@
  * tanh(c - d) / T = 1 - (1/T - T) tanh d / (1 - T tanh d), T = tanh c.
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(tanh, .aliases = "", .name = "hyperbolic tangent sigmoid",
-        .source = "Lambers 2020, section 4.8", .family = CM_FAMILY_UNIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC, .smooth_edge = CM_SMOOTH_C0, .parameter_count = 1,
+/* clang-format off: a field a line */
+CM_WARP(tanh,
+        .aliases = "",
+        .name = "hyperbolic tangent sigmoid",
+        .source = "Lambers 2020, section 4.8",
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
+        .smooth_edge = CM_SMOOTH_C0,
+        .parameter_count = 1,
         .parameter = {{.name = "c",
                        .meaning = "strength of the sigmoid; towards 0 it is gnomonic",
                        .standard = 0.97218,
                        .low = 0.0,
                        .low_excluded = 1,
                        .high = 2.0}})
+/* clang-format on */
 #else
 
 /* k0 = c, k1 = T = tanh c, k2 = 1 / T - T, k3 = 1 - T^2, k4 = T^2 */

@@ -7,11 +7,16 @@
  * p = (1 - sqrt3 T) / sqrt(1 + T (2 sqrt3 - T)) with T = tan((1 - u) pi/6).
  */
 #ifdef CM_DESCRIPTORS
-CM_WARP(unicube, .aliases = "", .name = "unicube",
+/* clang-format off: a field a line */
+CM_WARP(unicube,
+        .aliases = "",
+        .name = "unicube",
         .source = "Ho, Wan, Leung, Lam, Wong 2011, Unicube for dynamic environment mapping; "
                   "Lambers 2020, eq. 5",
-        .family = CM_FAMILY_UNIVARIATE, .smooth_face = CM_SMOOTH_ANALYTIC,
+        .family = CM_FAMILY_UNIVARIATE,
+        .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0)
+/* clang-format on */
 #else
 
 /* k0 = sqrt 3, k1 = pi / 6 - 1 / 2, k2 = 2 - 6 / pi, k3 = sqrt 2: to multiply by a power of two and
