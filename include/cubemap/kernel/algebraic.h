@@ -6,7 +6,7 @@
  * centres. The slope at the edge, by which the inverse magnifies rounding, is 1 / (1 + c^2).
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(algebraic,
         .aliases = "",
         .name = "algebraic sigmoid",

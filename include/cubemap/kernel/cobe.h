@@ -9,7 +9,7 @@
  * is the forward one here.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(cobe,
         .aliases = "csc",
         .name = "COBE quadrilateralized spherical cube",

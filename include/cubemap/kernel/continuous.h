@@ -6,7 +6,7 @@
  * v, except on the edges.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(continuous,
         .aliases = "",
         .name = "continuous cube",

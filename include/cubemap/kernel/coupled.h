@@ -11,7 +11,7 @@
  * correctly and are not contracted.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(coupled,
         .aliases = "",
         .name = "coupled algebraic sigmoid, the recommended default",

@@ -3,7 +3,7 @@
  * everitt: u = p (c + (1 - c) |p|). Slope c at the centre and 2 - c at the edge.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(everitt,
         .aliases = "",
         .name = "Everitt's quadratic",

@@ -3,7 +3,7 @@
  * gnomonic: the cube map of graphics hardware; the face is not warped at all.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(gnomonic,
         .aliases = "tsc standard",
         .name = "gnomonic, the standard cube map",

@@ -9,7 +9,7 @@
  * near a pole.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_SPHERE(healpix,
           .aliases = "",
           .name = "HEALPix on six faces",

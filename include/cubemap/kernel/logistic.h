@@ -3,7 +3,7 @@
  * logistic: the logistic sigmoid scaled to [-1, 1], which is tanh (tanh.h) with half the c.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(logistic,
         .aliases = "",
         .name = "logistic sigmoid",

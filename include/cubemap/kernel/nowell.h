@@ -7,7 +7,7 @@
  * u = p sqrt(12 / (3 + 5 p^2 + q^2 + S)), S = sqrt((3 + p^2 + q^2)^2 - 16 p^2 q^2).
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(nowell,
         .aliases = "ksc",
         .name = "Nowell's mapping",

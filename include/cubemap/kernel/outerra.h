@@ -10,7 +10,7 @@
  * (1 - p^2) - p^2 e (2 + e), which is exact where p = 1.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(outerra,
         .aliases = "osc",
         .name = "Outerra spherical cube",

@@ -12,7 +12,7 @@
  *     tan(b / 2) = (1 - t) / (k + t + r sqrt(2 k)).
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(qsc,
         .aliases = "snyder rosca-plonka",
         .name = "quadrilateralized spherical cube",

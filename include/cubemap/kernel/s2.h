@@ -5,7 +5,7 @@
  * the edge is exact and the rounding of the correction counts less.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(s2,
         .aliases = "s2-quadratic",
         .name = "S2's quadratic projection",

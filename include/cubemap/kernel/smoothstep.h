@@ -7,7 +7,7 @@
  * inverse magnifies the rounding of u without bound.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(smoothstep,
         .aliases = "",
         .name = "smoothstep sigmoid",

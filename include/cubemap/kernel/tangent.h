@@ -9,7 +9,7 @@
  * that is 1 - (c + 1/c) tan d / (1 + c tan d), in which the rounding of the second term counts less.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(tangent,
         .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823",
         .name = "tangent adjustment",

@@ -7,7 +7,7 @@
  * tanh(c - d) / T = 1 - (1/T - T) tanh d / (1 - T tanh d), T = tanh c.
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(tanh,
         .aliases = "",
         .name = "hyperbolic tangent sigmoid",

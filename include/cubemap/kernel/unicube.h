@@ -7,7 +7,7 @@
  * p = (1 - sqrt3 T) / sqrt(1 + T (2 sqrt3 - T)) with T = tan((1 - u) pi/6).
  */
 #ifdef CM_DESCRIPTORS
-/* clang-format off: a field a line */
+/* clang-format off */
 CM_WARP(unicube,
         .aliases = "",
         .name = "unicube",
