@@ -9,20 +9,6 @@
 
 static double random_directions[3][COUNT];
 
-/* Call check for every mapping with its standard parameters, in every frame. */
-static void for_every_mapping(void (*check)(const cm_mapping *))
-{
-    for (size_t i = 0; i < cm_catalogue_count(); i++)
-    {
-        for (size_t f = 0; f < cm_frame_count(); f++)
-        {
-            cm_mapping *mapping = make_mapping(cm_catalogue_at(i)->identifier, cm_frame_at(f));
-            check(mapping);
-            cm_mapping_destroy(mapping);
-        }
-    }
-}
-
 static const char *name_of(const cm_mapping *mapping)
 {
     return cm_mapping_describe(mapping)->identifier;

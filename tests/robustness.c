@@ -4,19 +4,6 @@
  */
 #include "suite.h"
 
-static void for_every_mapping(void (*check)(const cm_mapping *))
-{
-    for (size_t i = 0; i < cm_catalogue_count(); i++)
-    {
-        for (size_t f = 0; f < cm_frame_count(); f++)
-        {
-            cm_mapping *mapping = make_mapping(cm_catalogue_at(i)->identifier, cm_frame_at(f));
-            check(mapping);
-            cm_mapping_destroy(mapping);
-        }
-    }
-}
-
 static int all_nan(const double *values, int count)
 {
     int all = 1;

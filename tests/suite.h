@@ -42,6 +42,20 @@ static inline cm_mapping *make_mapping(const char *specification, const cm_frame
     return mapping;
 }
 
+/* Call check for every mapping with its standard parameters, in every frame. */
+static inline void for_every_mapping(void (*check)(const cm_mapping *))
+{
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        for (size_t f = 0; f < cm_frame_count(); f++)
+        {
+            cm_mapping *mapping = make_mapping(cm_catalogue_at(i)->identifier, cm_frame_at(f));
+            check(mapping);
+            cm_mapping_destroy(mapping);
+        }
+    }
+}
+
 /* xorshift64*, so that a failure can be found again */
 static inline uint64_t next_bits(uint64_t *state)
 {

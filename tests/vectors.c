@@ -4,14 +4,9 @@
  * mapping and the frame. Lines: F p q -> u v, I u v -> p q, D x y z -> face u v, R face u v -> x y z.
  * The bound is 8 eps absolute in each coordinate, eps = 2^-53 in double, 2^-24 in float.
  */
-#include <cubemap/cubemap.h>
+#include "suite.h"
 
-#include <check.h>
 #include <dirent.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #define BOUND 8.0L
 #define FIELDS 8
@@ -321,16 +316,7 @@ int main(int argc, char **argv)
         return 2;
     }
     folder = argv[1];
-    Suite *suite = suite_create("vectors");
-    TCase *tcase = tcase_create("vectors");
-    tcase_set_timeout(tcase, 120.0);
-    tcase_add_test(tcase, every_file_of_vectors);
-    tcase_add_test(tcase, every_mapping_has_vectors);
-    tcase_add_test(tcase, gnomonic_faces_in_two_frames);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed == 0 ? 0 : 1;
+    const TTest *tests[] = {every_file_of_vectors, every_mapping_has_vectors,
+                            gnomonic_faces_in_two_frames, NULL};
+    return run_suite("vectors", tests);
 }
