@@ -308,6 +308,11 @@ talk()
     result $? 'help to a full device'
     python3 - "$programs/cubemap-reproject" >pty.txt <<'P'
 import os, pty, sys
+try:
+    os.close(pty.openpty()[0])
+except OSError:  # as in a change-root without devpts
+    print("none")
+    sys.exit()
 for arguments in ([], ["--quiet"]):
     output = b""
     child, terminal = pty.fork()
@@ -324,8 +329,12 @@ for arguments in ([], ["--quiet"]):
     os.waitpid(child, 0)
     print("bar" if b"%" in output.replace(b"%f", b"") else "no bar")
 P
-    [ "$(cat pty.txt)" = $'bar\nno bar' ]
-    result $? 'a progress bar on a terminal, unless --quiet' "$(cat pty.txt)"
+    if [ "$(cat pty.txt)" = none ]; then
+        echo "skipped: there is no terminal to be had for the progress bar"
+    else
+        [ "$(cat pty.txt)" = $'bar\nno bar' ]
+        result $? 'a progress bar on a terminal, unless --quiet' "$(cat pty.txt)"
+    fi
     cp noise.ppm -- -dash.ppm
     passes 'names that begin with a dash' reproject --quiet -- -dash.ppm -dash.png
     mkdir -p 'a folder'
