@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The filter of cubemap-project: lines of numbers through a mapping, in constant memory.
+ */
+#ifndef CUBEMAP_TOOLS_POINT_FILTER_H
+#define CUBEMAP_TOOLS_POINT_FILTER_H
+
+#include <stdbool.h>
+
+#include <cubemap/mapping.h>
+
+struct filter_options
+{
+    int digits;   /* significant ones to write, 1 to 17 */
+    bool inverse; /* from faces to the sphere */
+    bool single;  /* compute in float */
+    bool xyz;     /* directions are x y z, not lon lat */
+};
+
+/* Read the descriptor to its end and write to standard output. What is wrong with a line is told on
+ * stderr, with the input's name; false if any was wrong. Ends the program if input or output fail. */
+bool filter_points(const struct filter_options *options, const cm_mapping *mapping, int descriptor,
+                   const char *name);
+
+#endif
