@@ -8,8 +8,8 @@
 #include <cubemap/cubemap.h>
 #include <cubemap/kernels.h>
 
-/* Is there a table from face to face, and how do the coordinates change? For each face of geo: its
- * number in the frame, and u = sign_u * (swap ? b : a), v = sign_v * (swap ? a : b). */
+/* How a frame differs from geo. A point (a, b) of a face of geo is on the face of that number in the
+ * frame, at u = sign_u * (swap ? b : a), v = sign_v * (swap ? a : b). */
 typedef struct cm_turn
 {
     unsigned char face[6];     /* of the frame, by face of geo */
@@ -44,7 +44,6 @@ typedef struct cm_kernels_f64
                       double *y, double *z);
     void (*warp)(size_t n, double *a, double *b, const cm_constants_f64 *constants);
     void (*unwarp)(size_t n, double *a, double *b, const cm_constants_f64 *constants);
-    cm_constants_f64 (*prepare)(cm_constants_f64 parameters);
 } cm_kernels_f64;
 
 typedef struct cm_kernels_f32
@@ -55,7 +54,6 @@ typedef struct cm_kernels_f32
                       float *y, float *z);
     void (*warp)(size_t n, float *a, float *b, const cm_constants_f32 *constants);
     void (*unwarp)(size_t n, float *a, float *b, const cm_constants_f32 *constants);
-    cm_constants_f32 (*prepare)(cm_constants_f32 parameters);
 } cm_kernels_f32;
 
 /* By index in the catalogue. */

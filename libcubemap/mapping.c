@@ -6,13 +6,22 @@
 
 #include <stdlib.h>
 
+/* What derives a mapping's constants from its parameters, by index in the catalogue; NULL if it has
+ * none. */
+#define CM_DESCRIPTORS
+#define CM_SPHERE(id, ...) NULL,
+#define CM_WARP(id, ...) cm_##id##_prepare_f64,
+static cm_constants_f64 (*const prepare_table[])(cm_constants_f64 parameters) = {
+#include <cubemap/kernel/catalogue.h>
+};
+
 /* Constants are derived in double for both precisions, and rounded once. */
 static void prepare(cm_mapping *mapping)
 {
     cm_constants_f64 k = cm_make_parameters_f64(mapping->parameter[0], mapping->parameter[1]);
-    if (cm_kernel_table_f64[mapping->index].prepare != NULL)
+    if (prepare_table[mapping->index] != NULL)
     {
-        k = cm_kernel_table_f64[mapping->index].prepare(k);
+        k = prepare_table[mapping->index](k);
     }
     mapping->constants_f64 = k;
     mapping->constants_f32 = (cm_constants_f32){.k0 = (float)k.k0,

@@ -79,9 +79,8 @@ CM_PROJECTION(cube)
 #undef CM_SPHERE
 #undef CM_WARP
 
-#define CM_SPHERE(id, ...) {project_##id, unproject_##id, NULL, NULL, NULL},
-#define CM_WARP(id, ...)                                                                           \
-    {project_cube, unproject_cube, warp_##id, unwarp_##id, CM_NAME(cm_##id##_prepare)},
+#define CM_SPHERE(id, ...) {project_##id, unproject_##id, NULL, NULL},
+#define CM_WARP(id, ...) {project_cube, unproject_cube, warp_##id, unwarp_##id},
 
 const CM_NAME(cm_kernels) CM_NAME(cm_kernel_table)[] = {
 #include <cubemap/kernel/catalogue.h>

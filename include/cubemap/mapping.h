@@ -14,6 +14,13 @@
  *   ties        on an edge or a corner the first of x, y, z with the largest magnitude wins. The
  *               family CM_FAMILY_HYBRID has its own faces: healpix is on a polar one where
  *               3 |z| > 2 |d|, else on that of the first of x, y with the larger magnitude
+ *   accuracy    with the standard parameters u, v and the components of a direction are within 8 eps
+ *               of the truth, eps = 2^-53 in double, 2^-24 in float; a direction comes back from a
+ *               round trip within 5 nm on Earth in double, 1e-6 rad in float. docs/mappings.md has
+ *               the figures of each mapping and of the ranges of parameters
+ *   cost        no allocation; a few square roots and divisions, and for some mappings polynomials,
+ *               a point: bench/points.c measures it beside the accuracy
+ *   sources     of each mapping are in its descriptor (catalogue.h) and in its kernel
  *   threads     a mapping is constant after its creation: any number of threads may use one
  *   results     the same input gives the same bits in every function of one precision, whatever n,
  *               the position in the array and the thread
@@ -74,7 +81,7 @@ CM_API void cm_inverse_lonlat(const cm_mapping *mapping, uint8_t face, const dou
 
 /* n points in separate arrays of n elements each. Arrays may be NULL if n is 0. An output array may
  * be the same as an input array (x and u, say); other overlaps are not allowed. No alignment beyond
- * the element's own is needed. No allocation; some 12 kB of stack. */
+ * the element's own is needed. Some 12 kB of stack. */
 CM_API void cm_forward_array(const cm_mapping *mapping, size_t n, const double *x, const double *y,
                              const double *z, uint8_t *face, double *u, double *v);
 CM_API void cm_forward_array_f32(const cm_mapping *mapping, size_t n, const float *x,
