@@ -29,7 +29,9 @@ static void prepare(cm_mapping *mapping)
                                                 .k2 = (float)k.k2,
                                                 .k3 = (float)k.k3,
                                                 .k4 = (float)k.k4,
-                                                .k5 = (float)k.k5};
+                                                .k5 = (float)k.k5,
+                                                .k6 = (float)k.k6,
+                                                .variant = (float)k.variant};
 }
 
 cm_status cm_mapping_create(const char *specification, const cm_frame *frame, cm_mapping **mapping)

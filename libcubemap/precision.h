@@ -53,10 +53,25 @@ CM_PROJECTION(cube)
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...) CM_PROJECTION(id)
 #define CM_WARP(id, ...)                                                                           \
+    CM_WARP_LOOPS(id, 0)                                                                           \
+    CM_WARP_LOOPS(id, 1)                                                                           \
     static void warp_##id(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,                      \
-                          const CM_NAME(cm_constants) *constants)                                  \
+                          const CM_NAME(cm_constants) *k)                                          \
     {                                                                                              \
-        CM_NAME(cm_constants) k = *constants;                                                      \
+        (k->variant == CM_LIT(0.0) ? warp_##id##_0 : warp_##id##_1)(n, a, b, *k);                  \
+    }                                                                                              \
+    static void unwarp_##id(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,                    \
+                            const CM_NAME(cm_constants) *k)                                        \
+    {                                                                                              \
+        (k->variant == CM_LIT(0.0) ? unwarp_##id##_0 : unwarp_##id##_1)(n, a, b, *k);              \
+    }
+/* A loop for each variant, for which it is a constant, so that the loop has no branch. (Of a mapping
+ * without variants the two are equal, and gcc keeps one.) */
+#define CM_WARP_LOOPS(id, which)                                                                   \
+    static void warp_##id##_##which(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,            \
+                                    CM_NAME(cm_constants) k)                                       \
+    {                                                                                              \
+        k.variant = (CM_REAL)which;                                                                \
         for (size_t i = 0; i < n; i++)                                                             \
         {                                                                                          \
             CM_NAME(cm_uv) r = CM_NAME(cm_##id##_forward)(a[i], b[i], k);                          \
@@ -64,10 +79,10 @@ CM_PROJECTION(cube)
             b[i] = r.v;                                                                            \
         }                                                                                          \
     }                                                                                              \
-    static void unwarp_##id(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,                    \
-                            const CM_NAME(cm_constants) *constants)                                \
+    static void unwarp_##id##_##which(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,          \
+                                      CM_NAME(cm_constants) k)                                     \
     {                                                                                              \
-        CM_NAME(cm_constants) k = *constants;                                                      \
+        k.variant = (CM_REAL)which;                                                                \
         for (size_t i = 0; i < n; i++)                                                             \
         {                                                                                          \
             CM_NAME(cm_pq) r = CM_NAME(cm_##id##_inverse)(a[i], b[i], k);                          \
@@ -78,6 +93,7 @@ CM_PROJECTION(cube)
 #include <cubemap/kernel/catalogue.h>
 #undef CM_SPHERE
 #undef CM_WARP
+#undef CM_WARP_LOOPS
 
 #define CM_SPHERE(id, ...) {project_##id, unproject_##id, NULL, NULL},
 #define CM_WARP(id, ...) {project_cube, unproject_cube, warp_##id, unwarp_##id},

@@ -49,6 +49,19 @@ typedef struct cm_parameter_info
     int whole;           /* must the value be a whole number? */
 } cm_parameter_info;
 
+/* Upper bounds on a mapping's errors with its standard parameters, everywhere on the sphere: in eps,
+ * which is 2^-53 in double and 2^-24 in float. bench/certificate.c measures the errors and says what
+ * exactly they are, docs/certificate.md has the figures and those of other parameters. */
+typedef struct cm_bounds
+{
+    double round_trip;       /* direction -> face, u, v -> direction: the angle in rad / eps;
+                                1 eps is 0.707 nm on Earth in double, 0.38 m in float */
+    double plane_round_trip; /* u, v -> direction -> u, v: each coordinate */
+    double forward;          /* u and v: absolute error */
+    double inverse;          /* p and q, and x, y and z: absolute error */
+    double relative;         /* of each of these down to 1e-300 (in float 1e-36): relative error */
+} cm_bounds;
+
 /* Read through pointers that the library gives out; it may grow at its end. */
 typedef struct cm_mapping_info
 {
@@ -63,6 +76,7 @@ typedef struct cm_mapping_info
     cm_smoothness smooth_edge; /* across the edge of two faces */
     size_t parameter_count;
     cm_parameter_info parameter[CM_PARAMETERS_MAX];
+    cm_bounds bounds;
 } cm_mapping_info;
 
 /* The identifier of the mapping that we recommend where nothing speaks for another: nearly

@@ -19,7 +19,9 @@ CM_WARP(algebraic,
                        .meaning = "strength of the sigmoid; 0 is gnomonic",
                        .standard = 0.87,
                        .low = 0.0,
-                       .high = 2.0}})
+                       .high = 2.0}},
+        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                   .relative = 6})
 /* clang-format on */
 #else
 

@@ -5,7 +5,9 @@
  */
 #include "dialect.h"
 #include "types.h"
+#if CM_BACKEND != CM_BACKEND_QUAD
 #include "elementary.h"
-#include "roots.h"
+#endif
+#include "factors.h"
 #include "cube.h"
 #include "catalogue.h"

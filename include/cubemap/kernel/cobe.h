@@ -24,13 +24,16 @@ CM_WARP(cobe,
                        .standard = 0.0,
                        .low = 0.0,
                        .high = 1.0,
-                       .whole = 1}})
+                       .whole = 1}},
+        .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 2, .inverse = 4,
+                   .relative = 8})
 /* clang-format on */
 #else
 
-/* k0 = legacy */
+/* the variant is the legacy inverse */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_cobe_prepare)(CM_NAME(cm_constants) k)
 {
+    k.variant = k.k0;
     return k;
 }
 
@@ -77,7 +80,7 @@ CM_FN CM_NAME(cm_cobe_value) CM_NAME(cm_cobe_evaluate)(CM_REAL x, CM_REAL y)
 
 CM_FN CM_REAL CM_NAME(cm_cobe_polynomial)(CM_REAL w, CM_REAL b)
 {
-    return w + w * (((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)) * b);
+    return CM_NAME(cm_stretch)(w, ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)) * b);
 }
 
 CM_FN CM_NAME(cm_uv) CM_NAME(cm_cobe_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
@@ -143,12 +146,17 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_c
     CM_NAME(cm_pq) r =
         CM_NAME(cm_make_pq)(CM_NAME(cm_cobe_polynomial)(u, CM_NAME(cm_cobe_published)(x, y)),
                             CM_NAME(cm_cobe_polynomial)(v, CM_NAME(cm_cobe_published)(y, x)));
-    if (k.k0 == CM_LIT(0.0))
+    if (k.variant == CM_LIT(0.0))
     {
         r = CM_NAME(cm_cobe_step)(r.p, r.q, u, v);
-#if CM_REAL_BITS == 64
+#if CM_REAL_BITS >= 64
         r = CM_NAME(cm_cobe_step)(r.p, r.q, u, v);
 #endif
+#if CM_REAL_BITS > 64
+        r = CM_NAME(cm_cobe_step)(r.p, r.q, u, v);
+        r = CM_NAME(cm_cobe_step)(r.p, r.q, u, v);
+#endif
+        r = CM_NAME(cm_make_pq)(cm_copysign(r.p, u), cm_copysign(r.q, v));
     }
     return r;
 }

@@ -14,40 +14,38 @@ CM_WARP(continuous,
                   "corrected)",
         .family = CM_FAMILY_BIVARIATE,
         .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0)
+        .smooth_edge = CM_SMOOTH_C0,
+        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                   .relative = 6})
 /* clang-format on */
 #else
 
 /* those of tangent with c = 1 / sqrt 2 */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_continuous_prepare)(CM_NAME(cm_constants) k)
 {
-    k.k0 = CM_LIT(0.70710678118654752440084436210485);
+    k.k0 = CM_LIT(0.70710678118654752440084436210484903928);
     return CM_NAME(cm_tangent_prepare)(k);
-}
-
-/* those of tangent with c = k(p) */
-CM_FN CM_NAME(cm_constants) CM_NAME(cm_continuous_across)(CM_REAL p, CM_NAME(cm_constants) k)
-{
-    CM_REAL root = cm_sqrt(CM_LIT(1.0) + p * p);
-    k.k0 = CM_LIT(1.0) / root;
-    k.k3 = k.k0 + root;
-    k.k1 = CM_NAME(cm_atan_unit)(k.k0);
-    k.k2 = CM_LIT(1.0) / k.k1;
-    return k;
 }
 
 CM_FN CM_NAME(cm_uv) CM_NAME(cm_continuous_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
 {
-    CM_NAME(cm_constants) across = CM_NAME(cm_continuous_across)(p, k);
-    return CM_NAME(cm_make_uv)(CM_NAME(cm_tangent_sigmoid)(p, k),
-                               CM_NAME(cm_tangent_sigmoid)(q, across));
+    CM_REAL square = CM_LIT(1.0) / (CM_LIT(1.0) + p * p); /* of k(p) */
+    CM_REAL edge = CM_NAME(cm_atan_excess)(square);
+    CM_REAL excess = CM_NAME(cm_atan_excess)(square * (q * q));
+    return CM_NAME(cm_make_uv)(
+        CM_NAME(cm_tangent_sigmoid)(p, k),
+        CM_NAME(cm_stretch_inside)(q, (excess - edge) / (CM_LIT(1.0) + edge)));
 }
 
+/* q = tan(alpha v) / k(p), where alpha / k(p) = 1 + E1 of atan and 1 / that is 1 + E1 of tan */
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_continuous_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
     CM_REAL p = CM_NAME(cm_tangent_sigmoid_inverse)(u, k);
-    CM_NAME(cm_constants) across = CM_NAME(cm_continuous_across)(p, k);
-    return CM_NAME(cm_make_pq)(p, CM_NAME(cm_tangent_sigmoid_inverse)(v, across));
+    CM_REAL square = CM_LIT(1.0) / (CM_LIT(1.0) + p * p);
+    CM_REAL edge = CM_NAME(cm_atan_excess)(square);
+    CM_REAL ratio = CM_LIT(1.0) + edge;
+    CM_REAL excess = CM_NAME(cm_tan_excess)(square * (ratio * ratio) * (v * v));
+    return CM_NAME(cm_make_pq)(p, CM_NAME(cm_stretch_inside)(v, edge + ratio * excess));
 }
 
 #endif

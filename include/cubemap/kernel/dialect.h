@@ -12,7 +12,7 @@
  *   - names are whole words in CM_NAME(...): there is no ## there;
  *   - only the functions named below, no name of a math library;
  *   - CM_SELECT(condition, a, b) for a choice between values: both sides are evaluated, so that a
- *     loop over a kernel has no branch. A branch on a mapping's constants is allowed: they are the
+ *     loop over a kernel has no branch. A branch on a mapping's variant (types.h) is allowed: it is the
  *     same for every point;
  *   - loops have a literal number of turns.
  *
@@ -20,10 +20,14 @@
  *   CM_BACKEND_DOUBLE   C11/C++17, double, names end in _f64
  *   CM_BACKEND_FLOAT    C11/C++17, float, names end in _f32
  *   CM_BACKEND_GLSL     GLSL 3.30 and later, GLSL ES 3.00 and later: highp float, names as they are
+ *   CM_BACKEND_QUAD     gcc's __float128, names end in _f128: the truth that the tests measure the
+ *                       others against. The includer supplies <quadmath.h> and what elementary.h
+ *                       holds (tests/quad.h does)
  */
 #define CM_BACKEND_DOUBLE 1
 #define CM_BACKEND_FLOAT 2
 #define CM_BACKEND_GLSL 3
+#define CM_BACKEND_QUAD 4
 
 #ifndef CM_BACKEND
 #define CM_BACKEND CM_BACKEND_GLSL
@@ -48,6 +52,14 @@
 #define cm_sqrt(x) sqrtf(x)
 #define cm_abs(x) fabsf(x)
 #define cm_copysign(m, s) copysignf(m, s)
+#elif CM_BACKEND == CM_BACKEND_QUAD
+#define CM_REAL __float128
+#define CM_REAL_BITS 128
+#define CM_LIT(x) x##Q
+#define CM_NAME(name) name##_f128
+#define cm_sqrt(x) sqrtq(x)
+#define cm_abs(x) fabsq(x)
+#define cm_copysign(m, s) copysignq(m, s)
 #else
 #define CM_REAL float
 #define CM_REAL_BITS 32
@@ -67,7 +79,12 @@
 #define CM_STRUCT_END(name) ;
 #else
 #define CM_BOOL int
+/* a loop over a kernel is made of vectors only if every call in it is inlined */
+#if defined(__GNUC__)
+#define CM_FN static inline __attribute__((always_inline))
+#else
 #define CM_FN static inline
+#endif
 #define CM_UNUSED(x) (void)(x)
 #define CM_STRUCT(name) typedef struct CM_NAME(name)
 #define CM_STRUCT_END(name) CM_NAME(name);

@@ -12,22 +12,24 @@
  *   - the leading term is exact and the polynomial makes the rest, so that its rounding errors are
  *     scaled down by the smallness of that rest. Polynomials are evaluated by pairs, then fours,
  *     which keeps the chain of dependent operations short;
- *   - atan, tan, tanh and atanh are x + x^3 R(t) with t = x^2 - m and m near the end of the domain:
- *     there the second term is greatest, and there R is its first coefficient and next to nothing
- *     more, so that only one rounding error of R counts;
+ *   - atan, tan, tanh and atanh are given by their excess E(x^2) = f(x) / x - 1, so that
+ *     f(x) = x + x E(x^2): E is small, and a mapping that is f scaled to [-1, 1] is w plus w times a
+ *     difference of two E, in which their rounding errors are scaled down again. E is z R(t) with
+ *     t = z - m and m near the end of the domain: there E is greatest, and there R is its first
+ *     coefficient and next to nothing more, so that only one rounding error of R counts;
  *   - odd functions give the same bits for -x but for the sign, are relatively accurate down to
  *     subnormals and keep the sign of zero (where the sum would turn -0 into +0, a select stands);
  *   - NaN gives NaN; a little outside its domain a function is less accurate, but harmless.
+ * The worst error of an excess is that of x + x E(x^2), evaluated so.
  *
  * A compiler that is free to reassociate (-ffast-math, some shader compilers) may undo the
  * splittings in versine and trisect. What is left is a correct formula with a greater error.
  */
 
-/* atan x for |x| <= 1.
+/* The excess of atan x for |x| <= 1, from z = x^2.
  * Worst error: double 0.94 ulp at 0x1.fed2c6991224fp-1, float 0.95 ulp at 0x1.e324bep-1. */
-CM_FN CM_REAL CM_NAME(cm_atan_unit)(CM_REAL x)
+CM_FN CM_REAL CM_NAME(cm_atan_excess)(CM_REAL z)
 {
-    CM_REAL z = x * x;
     CM_REAL t = z - CM_LIT(0.970703125);
 #if CM_REAL_BITS == 64
     CM_REAL t2 = t * t;
@@ -61,18 +63,21 @@ CM_FN CM_REAL CM_NAME(cm_atan_unit)(CM_REAL x)
     CM_REAL r = a + t4 * c;
     r = CM_LIT(-2.16732144e-1) + t * r;
 #endif
-    r = x + (x * z) * r;
-    return CM_SELECT(x == CM_LIT(0.0), x, r);
+    return z * r;
 }
 
-/* tan x for |x| <= pi / 4.
- * The shift is a product because x - c is exact near c, where x^2 - c^2 has the error of x^2.
- * Worst error: double 1.02 ulp at 0x1.921f93c1f87c5p-1, float 1.02 ulp at 0x1.70b79ep-1. */
-CM_FN CM_REAL CM_NAME(cm_tan_quarter)(CM_REAL x)
+/* atan x for |x| <= 1. Error as above. */
+CM_FN CM_REAL CM_NAME(cm_atan_unit)(CM_REAL x)
 {
-    CM_REAL z = x * x;
+    return cm_copysign(x + x * CM_NAME(cm_atan_excess)(x * x), x);
+}
+
+/* The excess of tan x for |x| <= pi / 4, from z = x^2.
+ * Worst error: double 1.02 ulp at 0x1.921f93c1f87c5p-1, float 1.02 ulp at 0x1.70b79ep-1. */
+CM_FN CM_REAL CM_NAME(cm_tan_excess)(CM_REAL z)
+{
 #if CM_REAL_BITS == 64
-    CM_REAL t = (x - CM_LIT(0.771484375)) * (x + CM_LIT(0.771484375));
+    CM_REAL t = z - CM_LIT(0.595188140869140625);
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
     CM_REAL a = CM_LIT(2.3145198120333721e-1) + t * CM_LIT(1.2352544053200641e-1);
@@ -88,7 +93,7 @@ CM_FN CM_REAL CM_NAME(cm_tan_quarter)(CM_REAL x)
     CM_REAL r = a + t4 * (c + t4 * (e + t4 * g));
     r = CM_LIT(4.3788687902798390e-1) + t * r;
 #else
-    CM_REAL t = (x - CM_LIT(0.78125)) * (x + CM_LIT(0.78125));
+    CM_REAL t = z - CM_LIT(0.6103515625);
     CM_REAL t2 = t * t;
     CM_REAL a = CM_LIT(2.35243797e-1) + t * CM_LIT(1.26562223e-1);
     CM_REAL b = CM_LIT(6.79713488e-2) + t * CM_LIT(3.55633982e-2);
@@ -96,7 +101,7 @@ CM_FN CM_REAL CM_NAME(cm_tan_quarter)(CM_REAL x)
     CM_REAL r = a + t2 * (b + t2 * c);
     r = CM_LIT(4.41425115e-1) + t * r;
 #endif
-    return x + (x * z) * r;
+    return z * r;
 }
 
 /* sin x for |x| <= pi / 4.
@@ -145,11 +150,10 @@ CM_FN CM_REAL CM_NAME(cm_versine_quarter)(CM_REAL x)
     return (CM_LIT(0.5) * head) * head + (tail + (z * z) * r);
 }
 
-/* tanh x for |x| <= 1.
+/* The excess of tanh x for |x| <= 1, from z = x^2.
  * Worst error: double 1.01 ulp at 0x1.b69dccefc169dp-1, float 1.05 ulp at 0x1.d16fbap-1. */
-CM_FN CM_REAL CM_NAME(cm_tanh_unit)(CM_REAL x)
+CM_FN CM_REAL CM_NAME(cm_tanh_excess)(CM_REAL z)
 {
-    CM_REAL z = x * x;
     CM_REAL t = z - CM_LIT(0.9921875);
 #if CM_REAL_BITS == 64
     CM_REAL t2 = t * t;
@@ -176,18 +180,16 @@ CM_FN CM_REAL CM_NAME(cm_tanh_unit)(CM_REAL x)
     CM_REAL r = a + t2 * (b + t2 * c);
     r = CM_LIT(-2.38935128e-1) + t * r;
 #endif
-    r = x + (x * z) * r;
-    return CM_SELECT(x == CM_LIT(0.0), x, r);
+    return z * r;
 }
 
-/* atanh x for |x| <= 0.7616, just beyond tanh 1.
+/* The excess of atanh x for |x| <= 0.7616, just beyond tanh 1, from z = x^2.
  * R is a little over 1/2 where it matters; that half is added apart, which costs no rounding error.
  * About x = 0 the coefficients would grow to thousands and cancel each other; not so in t.
  * Worst error: double 1.02 ulp at 0x1.8544b11bb2aa3p-1, float 1.00 ulp at 0x1.840ee6p-1. */
-CM_FN CM_REAL CM_NAME(cm_atanh_part)(CM_REAL x)
+CM_FN CM_REAL CM_NAME(cm_atanh_excess)(CM_REAL z)
 {
-    CM_REAL z = x * x;
-    CM_REAL t = (x - CM_LIT(0.732421875)) * (x + CM_LIT(0.732421875));
+    CM_REAL t = z - CM_LIT(0.536441802978515625);
 #if CM_REAL_BITS == 64
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
@@ -222,9 +224,7 @@ CM_FN CM_REAL CM_NAME(cm_atanh_part)(CM_REAL x)
     CM_REAL r = a + t4 * (c + t4 * e);
     r = CM_LIT(1.28767435e-2) + t * r;
 #endif
-    CM_REAL x3 = x * z;
-    r = x + (CM_LIT(0.5) * x3 + x3 * r);
-    return CM_SELECT(x == CM_LIT(0.0), x, r);
+    return CM_LIT(0.5) * z + z * r;
 }
 
 /* 2 sin(asin(y) / 3), the root x in [-1, 1] of 3 x - x^3 = 2 y, for |y| <= 1; beyond, as at +-1.

@@ -16,7 +16,9 @@ CM_WARP(everitt,
                        .meaning = "slope at the centre; 1 is gnomonic",
                        .standard = 1.4511,
                        .low = 0.5,
-                       .high = 1.8}})
+                       .high = 1.8}},
+        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                   .relative = 6})
 /* clang-format on */
 #else
 
@@ -32,7 +34,7 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_everitt_prepare)(CM_NAME(cm_constants) k)
 
 CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    return w + w * (k.k1 * (CM_LIT(1.0) - cm_abs(w)));
+    return CM_NAME(cm_stretch)(w, k.k1 * (CM_LIT(1.0) - cm_abs(w)));
 }
 
 /* 2 w / (c + S), S = sqrt(c^2 - 4 (c - 1) |w|), as w minus what is missing: with
@@ -40,7 +42,7 @@ CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_REAL e = k.k2 * (CM_LIT(1.0) - cm_abs(w));
-    return w - w * (e / ((k.k3 + e) + cm_sqrt(k.k4 + CM_LIT(2.0) * e)));
+    return CM_NAME(cm_stretch)(w, -(e / ((k.k3 + e) + cm_sqrt(k.k4 + CM_LIT(2.0) * e))));
 }
 
 CM_UNIVARIATE(cm_everitt_forward, cm_everitt_sigmoid, cm_everitt_inverse,

@@ -10,7 +10,9 @@ CM_WARP(gnomonic,
         .source = "Greene 1986, Environment Mapping; Calabretta & Greisen 2002, TSC",
         .family = CM_FAMILY_UNIVARIATE,
         .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0)
+        .smooth_edge = CM_SMOOTH_C0,
+        .bounds = {.round_trip = 1.25, .plane_round_trip = 1, .forward = 0.5, .inverse = 2,
+                   .relative = 3})
 /* clang-format on */
 #else
 

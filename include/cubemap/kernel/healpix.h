@@ -18,35 +18,59 @@ CM_SPHERE(healpix,
           .family = CM_FAMILY_HYBRID,
           .properties = CM_EQUAL_AREA,
           .smooth_face = CM_SMOOTH_C0,
-          .smooth_edge = CM_SMOOTH_C0)
+          .smooth_edge = CM_SMOOTH_C0,
+          .bounds = {.round_trip = 5, .plane_round_trip = 6, .forward = 5, .inverse = 3,
+                     .relative = 8})
 /* clang-format on */
 #else
+
+/* A direction is polar if |z| is above 2 / sqrt 5 of its distance from the axis, which is 2/3 of its
+ * length. What rounding leaves beside that belongs to the belt, so that a point of the boundary that
+ * has been a direction comes back as a point of the belt's edge: the factor is greater by a few eps.
+ * Below CM_HEALPIX_SMALL directions are scaled up, because a product would lose digits. */
+#if CM_REAL_BITS == 64
+#define CM_HEALPIX_POLAR CM_LIT(0.894427190999916411)
+#define CM_HEALPIX_SMALL CM_LIT(1.0e-150)
+#define CM_HEALPIX_LARGE CM_LIT(4.1495155688809930e180) /* 2^600 */
+#elif CM_REAL_BITS == 32
+#define CM_HEALPIX_POLAR CM_LIT(0.894427478)
+#define CM_HEALPIX_SMALL CM_LIT(1.0e-18)
+#define CM_HEALPIX_LARGE CM_LIT(1152921504606846976.0) /* 2^60 */
+#else
+#define CM_HEALPIX_POLAR CM_LIT(0.89442719099991587856366946749251049418)
+#define CM_HEALPIX_SMALL CM_LIT(1.0e-150)
+#define CM_HEALPIX_LARGE CM_LIT(4.1495155688809930e180) /* 2^600 */
+#endif
 
 /* x, y, z finite and not all zero. (a, b) of the result is (u, v). */
 CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
-    CM_REAL scale = CM_NAME(cm_magnitude)(x, y, z);
-    CM_REAL sx = x / scale;
-    CM_REAL sy = y / scale;
-    CM_REAL sz = z / scale;
-    CM_REAL ax = cm_abs(x);
-    CM_REAL ay = cm_abs(y);
-    CM_BOOL x_wins = ax >= ay;
+    CM_REAL scale =
+        CM_SELECT(CM_NAME(cm_magnitude)(x, y, z) < CM_HEALPIX_SMALL, CM_HEALPIX_LARGE, CM_LIT(1.0));
+    CM_REAL height = scale * cm_abs(z);
+    CM_BOOL x_wins = cm_abs(x) >= cm_abs(y);
     CM_REAL sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_wins, x, y));
-    CM_REAL major = CM_SELECT(x_wins, ax, ay);
-    CM_REAL minor = CM_SELECT(x_wins, sign * y, -(sign * x));
+    CM_REAL major = scale * CM_SELECT(x_wins, cm_abs(x), cm_abs(y));
+    CM_REAL minor = scale * CM_SELECT(x_wins, sign * y, -(sign * x));
     /* tangent of the longitude from the middle of the sector; at a pole any will do */
     CM_REAL t = minor / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0));
-    CM_REAL f = CM_NAME(cm_atan_unit)(t) * CM_LIT(1.2732395447351626861510701069801); /* 4 / pi */
-    f = cm_copysign(cm_min(cm_abs(f), CM_LIT(1.0)), t);
+    CM_REAL square = CM_LIT(1.0) + t * t;
+    /* (4 / pi) atan t = t (1 + E) / (1 + E1), where 1 + E1 = pi / 4 */
+    CM_REAL excess =
+        CM_NAME(cm_atan_excess)(t * t) + CM_LIT(0.21460183660255169038433915418012427895);
+    CM_REAL f =
+        CM_NAME(cm_stretch_inside)(t, excess * CM_LIT(1.27323954473516268615107010698011489628));
     CM_REAL sector = CM_SELECT(x_wins, CM_LIT(1.0) - sign, CM_LIT(2.0) - sign);
 
-    CM_REAL n = cm_sqrt((sx * sx + sy * sy) + sz * sz);
-    CM_REAL height = cm_abs(sz) / n;
-    CM_BOOL polar = CM_LIT(3.0) * cm_abs(sz) > CM_LIT(2.0) * n;
-
-    CM_REAL rho = CM_SELECT(x_wins, cm_abs(sx), cm_abs(sy)) * cm_sqrt(CM_LIT(1.0) + t * t);
-    CM_REAL sigma = cm_min(rho * cm_sqrt(CM_LIT(3.0) / (n * (n + cm_abs(sz)))), CM_LIT(1.0));
+    CM_REAL root = cm_sqrt(square); /* the distance from the axis is major times that */
+    CM_BOOL polar = height > (CM_HEALPIX_POLAR * major) * root;
+    /* polar: the tangent of the distance from the pole, r, and n = sqrt(1 + r^2), so that 1 - |sin lat|
+     * is r^2 / (n (n + 1)); on the belt |sin lat| is r / n with the part of z to major */
+    CM_REAL r = (CM_SELECT(polar, major, height) / CM_SELECT(polar, height, major)) *
+                CM_SELECT(polar, root, CM_LIT(1.0));
+    CM_REAL n = cm_sqrt(CM_SELECT(polar, CM_LIT(1.0), square) + r * r);
+    CM_REAL sigma = cm_min(CM_LIT(1.0), r * cm_sqrt(CM_LIT(3.0) / (n * (n + CM_LIT(1.0)))));
+    CM_REAL belt = cm_min(CM_LIT(1.0), CM_LIT(1.5) * (r / n));
     CM_REAL along = sigma * f;
     /* the triangle of sector k is that of sector 0 turned by k right angles; the south is the north
      * mirrored */
@@ -54,14 +78,13 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, C
     CM_REAL signed_sigma = sign * sigma;
     CM_REAL cap_a = CM_SELECT(x_wins, signed_along, signed_sigma);
     CM_REAL cap_b = CM_SELECT(x_wins, -signed_sigma, signed_along);
-    CM_BOOL south = sz < CM_LIT(0.0);
+    CM_BOOL south = z < CM_LIT(0.0);
 
-    CM_NAME(cm_face_point) r;
-    r.face = CM_SELECT(polar, CM_SELECT(south, CM_LIT(5.0), CM_LIT(4.0)), sector);
-    r.a = CM_SELECT(polar, cap_a, f);
-    r.b = CM_SELECT(polar, CM_SELECT(south, -cap_b, cap_b),
-                    cm_copysign(cm_min(CM_LIT(1.5) * height, CM_LIT(1.0)), sz));
-    return r;
+    CM_NAME(cm_face_point) point;
+    point.face = CM_SELECT(polar, CM_SELECT(south, CM_LIT(5.0), CM_LIT(4.0)), sector);
+    point.a = CM_SELECT(polar, cap_a, f);
+    point.b = CM_SELECT(polar, CM_SELECT(south, -cap_b, cap_b), cm_copysign(belt, z));
+    return point;
 }
 
 /* The unit direction of (u, v) on a face. */
@@ -85,7 +108,7 @@ CM_FN CM_NAME(cm_xyz) CM_NAME(cm_healpix_unproject)(CM_REAL face, CM_REAL u, CM_
     CM_REAL sign = CM_SELECT(polar, cap_sign, belt_sign);
     CM_REAL along_x = CM_SELECT(CM_SELECT(polar, x_sector, x_face), CM_LIT(1.0), CM_LIT(0.0));
 
-    CM_REAL lon = f * CM_LIT(0.78539816339744830961566084581988); /* pi / 4 */
+    CM_REAL lon = f * CM_LIT(0.78539816339744830961566084581987572105); /* pi / 4 */
     CM_REAL sine = CM_NAME(cm_sin_quarter)(lon);
     CM_REAL cosine = CM_LIT(1.0) - CM_NAME(cm_versine_quarter)(lon);
 

@@ -17,7 +17,9 @@ CM_WARP(logistic,
                        .standard = 1.94437,
                        .low = 0.0,
                        .low_excluded = 1,
-                       .high = 4.0}})
+                       .high = 4.0}},
+        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                   .relative = 6})
 /* clang-format on */
 #else
 

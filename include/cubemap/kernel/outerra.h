@@ -17,14 +17,16 @@ CM_WARP(outerra,
         .source = "Kemen & Hrabcak 2014; Dimitrijevic, Lambers, Rancic 2016, section 4.3",
         .family = CM_FAMILY_BIVARIATE,
         .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0)
+        .smooth_edge = CM_SMOOTH_C0,
+        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                   .relative = 6})
 /* clang-format on */
 #else
 
 /* k0 = M = (sqrt 2 - 1) / 2 */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_outerra_prepare)(CM_NAME(cm_constants) k)
 {
-    k.k0 = CM_LIT(0.20710678118654752440084436210485);
+    k.k0 = CM_LIT(0.20710678118654752440084436210484903928);
     return k;
 }
 
@@ -50,10 +52,13 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_outerra_forward)(CM_REAL p, CM_REAL q, CM_NAME(c
     CM_REAL e = k.k0 * (a0 * b0) / (CM_LIT(1.0) + CM_LIT(2.0) * k.k0 * (x * b0 + y * a0));
     e = CM_NAME(cm_outerra_step)(e, x, y, a0, b0, k.k0);
     e = CM_NAME(cm_outerra_step)(e, x, y, a0, b0, k.k0);
-#if CM_REAL_BITS == 64
+#if CM_REAL_BITS >= 64
     e = CM_NAME(cm_outerra_step)(e, x, y, a0, b0, k.k0);
 #endif
-    return CM_NAME(cm_make_uv)(p + p * e, q + q * e);
+#if CM_REAL_BITS > 64
+    e = CM_NAME(cm_outerra_step)(e, x, y, a0, b0, k.k0);
+#endif
+    return CM_NAME(cm_make_uv)(CM_NAME(cm_stretch)(p, e), CM_NAME(cm_stretch)(q, e));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_outerra_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)

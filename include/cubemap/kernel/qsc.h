@@ -20,13 +20,15 @@ CM_WARP(qsc,
         .family = CM_FAMILY_BIVARIATE,
         .properties = CM_EQUAL_AREA,
         .smooth_face = CM_SMOOTH_C0,
-        .smooth_edge = CM_SMOOTH_C0)
+        .smooth_edge = CM_SMOOTH_C0,
+        .bounds = {.round_trip = 4, .plane_round_trip = 6, .forward = 4, .inverse = 4,
+                   .relative = 9})
 /* clang-format on */
 #else
 
-#define CM_QSC_SQRT2 CM_LIT(1.4142135623730950488016887242097)
-#define CM_QSC_K CM_LIT(3.7320508075688772935274463415059)       /* 2 + sqrt 3 */
-#define CM_QSC_SQRT_2K CM_LIT(2.7320508075688772935274463415059) /* sqrt(2 k) = 1 + sqrt 3 */
+#define CM_QSC_SQRT2 CM_LIT(1.4142135623730950488016887242096980786)
+#define CM_QSC_K CM_LIT(3.7320508075688772935274463415058723669)       /* 2 + sqrt 3 */
+#define CM_QSC_SQRT_2K CM_LIT(2.7320508075688772935274463415058723669) /* sqrt(2 k) = 1 + sqrt 3 */
 
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_qsc_prepare)(CM_NAME(cm_constants) k)
 {
@@ -55,7 +57,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_co
     CM_REAL below =
         CM_SELECT(inner, r + CM_QSC_SQRT2, (CM_QSC_K + t) + r * CM_QSC_SQRT_2K) * divisor;
     CM_REAL part = u * (CM_NAME(cm_atan_unit)(above / below) *
-                        CM_LIT(7.6394372684109761169064206418786)); /* 24 / pi */
+                        CM_LIT(7.6394372684109761169064206418806893777)); /* 24 / pi */
     CM_REAL v = CM_SELECT(inner, part, u - part);
     return CM_NAME(cm_make_uv)(cm_copysign(CM_SELECT(wide, u, v), p),
                                cm_copysign(CM_SELECT(wide, v, u), q));
@@ -72,7 +74,7 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
     /* the angle from the axis, or in the outer half from the diagonal, where t = 1 exactly */
     CM_BOOL inner = minor + minor <= major;
     CM_REAL part = CM_SELECT(inner, minor, major - minor);
-    CM_REAL angle = CM_LIT(0.26179938779914943653855361527329) * /* pi / 12 */
+    CM_REAL angle = CM_LIT(0.26179938779914943653855361527329190702) * /* pi / 12 */
                     (part / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0)));
     CM_REAL sine = CM_NAME(cm_sin_quarter)(angle);
     CM_REAL versine = CM_NAME(cm_versine_quarter)(angle);
@@ -80,7 +82,7 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
      * sin(pi/12) */
     CM_REAL above = CM_SELECT(inner, sine,
                               (CM_QSC_K + CM_LIT(1.0)) * sine - (CM_QSC_K - CM_LIT(1.0)) * versine);
-    CM_REAL below = CM_SELECT(inner, CM_LIT(0.29289321881345247559915563789515) - versine,
+    CM_REAL below = CM_SELECT(inner, CM_LIT(0.29289321881345247559915563789515096072) - versine,
                               (CM_LIT(1.0) + sine) - CM_QSC_K * versine);
     CM_REAL ratio = above / below;
     CM_REAL t = CM_SELECT(inner, ratio, CM_LIT(1.0) - ratio);

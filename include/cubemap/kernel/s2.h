@@ -12,7 +12,9 @@ CM_WARP(s2,
         .source = "S2 geometry library, s2coords.h, S2_QUADRATIC_PROJECTION",
         .family = CM_FAMILY_UNIVARIATE,
         .smooth_face = CM_SMOOTH_C1,
-        .smooth_edge = CM_SMOOTH_C0)
+        .smooth_edge = CM_SMOOTH_C0,
+        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                   .relative = 6})
 /* clang-format on */
 #else
 
@@ -26,13 +28,13 @@ CM_FN CM_REAL CM_NAME(cm_s2_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
     CM_UNUSED(k);
     CM_REAL a = cm_abs(w);
     CM_REAL root = cm_sqrt(CM_LIT(1.0) + CM_LIT(3.0) * a);
-    return w + w * ((CM_LIT(1.0) - a) / ((CM_LIT(1.0) + a) + root));
+    return CM_NAME(cm_stretch)(w, (CM_LIT(1.0) - a) / ((CM_LIT(1.0) + a) + root));
 }
 
 CM_FN CM_REAL CM_NAME(cm_s2_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_UNUSED(k);
-    return w - w * ((CM_LIT(1.0) - cm_abs(w)) / CM_LIT(3.0));
+    return CM_NAME(cm_stretch)(w, (cm_abs(w) - CM_LIT(1.0)) / CM_LIT(3.0));
 }
 
 CM_UNIVARIATE(cm_s2_forward, cm_s2_sigmoid, cm_s2_inverse, cm_s2_sigmoid_inverse)

@@ -22,7 +22,9 @@ CM_WARP(smoothstep,
                        .standard = 0.75086,
                        .low = 0.0,
                        .low_excluded = 1,
-                       .high = 1.0}})
+                       .high = 1.0}},
+        .bounds = {.round_trip = 2.8, .plane_round_trip = 4, .forward = 2, .inverse = 4,
+                   .relative = 6})
 /* clang-format on */
 #else
 
@@ -41,15 +43,14 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_smoothstep_prepare)(CM_NAME(cm_constants)
 /* (3 - c^2 w^2) / (3 - c^2) = 1 + c^2 (1 - w^2) / (3 - c^2) */
 CM_FN CM_REAL CM_NAME(cm_smoothstep_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    return w + w * ((k.k1 * k.k2) * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)));
+    return CM_NAME(cm_stretch)(w, (k.k1 * k.k2) * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)));
 }
 
 CM_FN CM_REAL CM_NAME(cm_smoothstep_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_REAL a = cm_abs(w);
-    CM_REAL y = cm_min(k.k3 * a, CM_LIT(1.0));
-    CM_REAL root = cm_min(CM_NAME(cm_trisect)(y) / k.k0, CM_LIT(1.0));
-    return cm_copysign(CM_SELECT(a >= CM_LIT(1.0), CM_LIT(1.0), root), w);
+    CM_REAL root = CM_NAME(cm_trisect)(k.k3 * a) / k.k0;
+    return cm_copysign(CM_SELECT(a == CM_LIT(1.0), CM_LIT(1.0), cm_min(CM_LIT(1.0), root)), w);
 }
 
 CM_UNIVARIATE(cm_smoothstep_forward, cm_smoothstep_sigmoid, cm_smoothstep_inverse,

@@ -4,9 +4,12 @@
  * cube map (EAC) of video; c = 1.1823 is Zucker & Higashi's least area RMSE, 1.19705 the least
  * maximum area error.
  *
- * Both directions work from the nearer of 0 and the edge, by tan(alpha - d) =
- * (c - tan d) / (1 + c tan d), so that the edge is exact and no angle exceeds alpha / 2. Divided by c
- * that is 1 - (c + 1/c) tan d / (1 + c tan d), in which the rounding of the second term counts less.
+ * Both directions are w plus w times a difference that vanishes at the edge, made of the excess E of
+ * atan or tan (elementary.h): with E1 that of the edge,
+ *     atan(c w) / atan c = w (1 + E) / (1 + E1) = w + w (E - E1) / (1 + E1), E = E(c^2 w^2).
+ * c > 1 is beyond the excess' domain and takes half the angle, atan x = 2 atan(x / (1 + S)) with
+ * S = sqrt(1 + x^2), and tan x = 2 t / (1 - t^2) with t = tan(x / 2); then the two terms of the
+ * difference have the same sign, so that nothing cancels.
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
@@ -23,46 +26,74 @@ CM_WARP(tangent,
                        .standard = 1.0,
                        .low = 0.0,
                        .low_excluded = 1,
-                       .high = 4.0}})
+                       .high = 4.0}},
+        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                   .relative = 6})
 /* clang-format on */
 #else
 
-/* alpha = atan c for any c in [0, 4] */
-CM_FN CM_REAL CM_NAME(cm_tangent_angle)(CM_REAL c)
-{
-    return CM_LIT(2.0) * CM_NAME(cm_atan_unit)(c / (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + c * c)));
-}
-
-/* k0 = c, k1 = alpha = atan c, k2 = 1 / alpha, k3 = c + 1 / c */
+/* k0 = c^2; k1, k2: E1 of atan and c / alpha; k3 = alpha^2; k4, k5: E1 of tan and alpha / c. For
+ * c > 1, the variant, k1 is E of half the angle, k2 twice that; k3 is (alpha / 2)^2, k4 E of that. */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_tangent_prepare)(CM_NAME(cm_constants) k)
 {
-    /* below 1e-9 the mapping is gnomonic to the last bit, and 1 / c must stay finite */
-    k.k0 = cm_max(k.k0, CM_LIT(1.0e-9));
-    k.k1 = CM_NAME(cm_tangent_angle)(k.k0);
-    k.k2 = CM_LIT(1.0) / k.k1;
-    k.k3 = k.k0 + CM_LIT(1.0) / k.k0;
+    CM_REAL c = k.k0;
+    k.k0 = c * c;
+    k.variant = CM_SELECT(c > CM_LIT(1.0), CM_LIT(1.0), CM_LIT(0.0));
+    if (k.variant == CM_LIT(0.0))
+    {
+        k.k1 = CM_NAME(cm_atan_excess)(k.k0);
+        k.k5 = CM_LIT(1.0) + k.k1;
+        k.k2 = CM_LIT(1.0) / k.k5;
+        CM_REAL angle = c + c * k.k1;
+        k.k3 = angle * angle;
+    }
+    else
+    {
+        CM_REAL root = cm_sqrt(CM_LIT(1.0) + k.k0);
+        CM_REAL half_tan = c / (CM_LIT(1.0) + root);
+        k.k1 = CM_NAME(cm_atan_excess)((root - CM_LIT(1.0)) / (root + CM_LIT(1.0)));
+        CM_REAL half_angle = half_tan + half_tan * k.k1;
+        k.k2 = c / half_angle;
+        k.k3 = half_angle * half_angle;
+        k.k5 = CM_LIT(2.0) / k.k2;
+    }
+    k.k4 = CM_NAME(cm_tan_excess)(k.k3);
     return k;
 }
 
 CM_FN CM_REAL CM_NAME(cm_tangent_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    CM_REAL a = cm_abs(w);
-    CM_REAL from_zero = k.k0 * a;
-    CM_REAL from_edge = k.k0 * (CM_LIT(1.0) - a) / (CM_LIT(1.0) + k.k0 * from_zero);
-    CM_BOOL inner = from_zero <= from_edge;
-    CM_REAL part = CM_NAME(cm_atan_unit)(CM_SELECT(inner, from_zero, from_edge)) * k.k2;
-    return cm_copysign(CM_SELECT(inner, part, CM_LIT(1.0) - part), w);
+    CM_REAL z = k.k0 * (w * w);
+    CM_REAL d;
+    if (k.variant == CM_LIT(0.0))
+    {
+        d = (CM_NAME(cm_atan_excess)(z) - k.k1) * k.k2;
+    }
+    else
+    {
+        CM_REAL root = cm_sqrt(CM_LIT(1.0) + z);
+        CM_REAL root1 = cm_sqrt(CM_LIT(1.0) + k.k0);
+        CM_REAL scale = CM_LIT(1.0) / (CM_LIT(1.0) + root);
+        CM_REAL excess = CM_NAME(cm_atan_excess)((root - CM_LIT(1.0)) * scale);
+        CM_REAL rest = k.k0 * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)); /* root1^2 - root^2 */
+        d = (k.k2 * (excess - k.k1) + rest / (root + root1)) * scale;
+    }
+    return CM_NAME(cm_stretch_inside)(w, d);
 }
 
 CM_FN CM_REAL CM_NAME(cm_tangent_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    CM_REAL a = cm_abs(w);
-    CM_BOOL inner = a <= CM_LIT(0.5);
-    CM_REAL t = CM_NAME(cm_tan_quarter)(k.k1 * CM_SELECT(inner, a, CM_LIT(1.0) - a));
-    CM_REAL above = CM_SELECT(inner, t, t * k.k3);
-    CM_REAL below = CM_SELECT(inner, k.k0, CM_LIT(1.0) + k.k0 * t);
-    CM_REAL part = above / below;
-    return cm_copysign(CM_SELECT(inner, part, CM_LIT(1.0) - part), w);
+    CM_REAL z = k.k3 * (w * w);
+    CM_REAL excess = CM_NAME(cm_tan_excess)(z);
+    CM_REAL d = (excess - k.k4) * k.k5;
+    if (k.variant != CM_LIT(0.0))
+    {
+        CM_REAL f = CM_LIT(1.0) + excess;
+        CM_REAL f1 = CM_LIT(1.0) + k.k4;
+        CM_REAL t2 = z * (f * f); /* of the tangent of half the angle */
+        d = (d + (t2 - k.k3 * (f1 * f1))) / (CM_LIT(1.0) - t2);
+    }
+    return CM_NAME(cm_stretch_inside)(w, d);
 }
 
 CM_UNIVARIATE(cm_tangent_forward, cm_tangent_sigmoid, cm_tangent_inverse,

@@ -3,8 +3,9 @@
  * tanh: u = tanh(c p) / tanh c. 0.97218 is the c of least maximum area error
  * over 512 x 512 pixel centres.
  *
- * As in tangent.h both directions work from the nearer of 0 and the edge, here by
- * tanh(c - d) / T = 1 - (1/T - T) tanh d / (1 - T tanh d), T = tanh c.
+ * As in tangent.h both directions are w plus w times a difference that vanishes at the edge, made of
+ * the excess of tanh or atanh. c > 1 is beyond the excess' domain: tanh x = 2 t / (1 + t^2) with
+ * t = tanh(x / 2), and atanh y = 2 atanh(y / (1 + Q)) with Q = sqrt(1 - y^2).
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
@@ -21,45 +22,75 @@ CM_WARP(tanh,
                        .standard = 0.97218,
                        .low = 0.0,
                        .low_excluded = 1,
-                       .high = 2.0}})
+                       .high = 2.0}},
+        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                   .relative = 6})
 /* clang-format on */
 #else
 
-/* k0 = c, k1 = T = tanh c, k2 = 1 / T - T, k3 = 1 - T^2, k4 = T^2 */
+/* T = tanh c. k0 = c^2; k1, k2: excess of tanh at the edge and c / T; k3 = T^2; k4, k5: excess of
+ * atanh at the edge and T / c. For c > 1, the variant, k0 is (c / 2)^2, k1 and k4 belong to the half
+ * argument, k5 is 2 T / c; k6 = 1 - T^2. */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_tanh_prepare)(CM_NAME(cm_constants) k)
 {
-    /* below 1e-9 the mapping is gnomonic to the last bit, and 1 / T must stay finite */
-    k.k0 = cm_max(k.k0, CM_LIT(1.0e-9));
-    CM_REAL half_tanh = CM_NAME(cm_tanh_unit)(CM_LIT(0.5) * k.k0);
-    CM_REAL square = half_tanh * half_tanh;
-    CM_REAL sech = (CM_LIT(1.0) - square) / (CM_LIT(1.0) + square);
-    k.k1 = CM_LIT(2.0) * half_tanh / (CM_LIT(1.0) + square);
-    k.k3 = sech * sech;
-    k.k2 = k.k3 / k.k1;
-    k.k4 = k.k1 * k.k1;
+    CM_REAL c = k.k0;
+    k.variant = CM_SELECT(c > CM_LIT(1.0), CM_LIT(1.0), CM_LIT(0.0));
+    CM_REAL part = CM_SELECT(c > CM_LIT(1.0), CM_LIT(0.5) * c, c);
+    k.k0 = part * part;
+    k.k1 = CM_NAME(cm_tanh_excess)(k.k0);
+    CM_REAL value = part + part * k.k1; /* tanh of the part */
+    if (k.variant != CM_LIT(0.0))
+    {
+        CM_REAL square = value * value;
+        CM_REAL sech = (CM_LIT(1.0) - square) / (CM_LIT(1.0) + square);
+        k.k2 = (CM_LIT(1.0) + square) / (CM_LIT(1.0) + k.k1);
+        k.k6 = sech * sech;
+        k.k3 = CM_LIT(1.0) - k.k6;
+        k.k4 = CM_NAME(cm_atanh_excess)((CM_LIT(1.0) - sech) / (CM_LIT(1.0) + sech));
+        k.k5 = CM_LIT(2.0) / k.k2;
+    }
+    else
+    {
+        k.k5 = CM_LIT(1.0) + k.k1;
+        k.k2 = CM_LIT(1.0) / k.k5;
+        k.k3 = value * value;
+        k.k4 = CM_NAME(cm_atanh_excess)(k.k3);
+    }
     return k;
 }
 
 CM_FN CM_REAL CM_NAME(cm_tanh_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    CM_REAL a = cm_abs(w);
-    CM_BOOL inner = a <= CM_LIT(0.5);
-    CM_REAL t = CM_NAME(cm_tanh_unit)(k.k0 * CM_SELECT(inner, a, CM_LIT(1.0) - a));
-    CM_REAL above = CM_SELECT(inner, t, t * k.k2);
-    CM_REAL below = CM_SELECT(inner, k.k1, CM_LIT(1.0) - t * k.k1);
-    CM_REAL part = above / below;
-    return cm_copysign(CM_SELECT(inner, part, CM_LIT(1.0) - part), w);
+    CM_REAL z = k.k0 * (w * w);
+    CM_REAL excess = CM_NAME(cm_tanh_excess)(z);
+    CM_REAL d = (excess - k.k1) * k.k2;
+    if (k.variant != CM_LIT(0.0))
+    {
+        CM_REAL f = CM_LIT(1.0) + excess;
+        CM_REAL f1 = CM_LIT(1.0) + k.k1;
+        CM_REAL t2 = z * (f * f); /* of tanh of half the argument */
+        d = (d + (k.k0 * (f1 * f1) - t2)) / (CM_LIT(1.0) + t2);
+    }
+    return CM_NAME(cm_stretch_inside)(w, d);
 }
 
 CM_FN CM_REAL CM_NAME(cm_tanh_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    CM_REAL a = cm_abs(w);
-    CM_REAL b = CM_LIT(1.0) - a;
-    CM_REAL from_zero = k.k1 * a;
-    CM_REAL from_edge = k.k1 * b / (k.k3 + k.k4 * b);
-    CM_BOOL inner = from_zero <= from_edge;
-    CM_REAL part = CM_NAME(cm_atanh_part)(CM_SELECT(inner, from_zero, from_edge)) / k.k0;
-    return cm_copysign(CM_SELECT(inner, part, CM_LIT(1.0) - part), w);
+    CM_REAL d;
+    if (k.variant != CM_LIT(0.0))
+    {
+        CM_REAL rest = k.k3 * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)); /* root^2 - root1^2 */
+        CM_REAL root = cm_sqrt(k.k6 + rest);
+        CM_REAL root1 = cm_sqrt(k.k6);
+        CM_REAL scale = CM_LIT(1.0) / (CM_LIT(1.0) + root);
+        CM_REAL excess = CM_NAME(cm_atanh_excess)((CM_LIT(1.0) - root) * scale);
+        d = (k.k5 * (excess - k.k4) - rest / (root + root1)) * scale;
+    }
+    else
+    {
+        d = (CM_NAME(cm_atanh_excess)(k.k3 * (w * w)) - k.k4) * k.k5;
+    }
+    return CM_NAME(cm_stretch_inside)(w, d);
 }
 
 CM_UNIVARIATE(cm_tanh_forward, cm_tanh_sigmoid, cm_tanh_inverse, cm_tanh_sigmoid_inverse)

@@ -19,7 +19,9 @@ CM_STRUCT(cm_uv)
 CM_STRUCT_END(cm_uv)
 
 /* What a mapping precomputes from its parameters. Before preparation k0, k1, ... are the parameters
- * in the order of the mapping's descriptor; after it they are whatever the room says. */
+ * in the order of the mapping's descriptor; after it they are whatever the room says.
+ * variant is 0 or 1: which of two formulas a mapping with these parameters takes. It is all that a
+ * kernel may branch on, so that a loop over points can be made once for each and has no branch. */
 CM_STRUCT(cm_constants)
 {
     CM_REAL k0;
@@ -28,6 +30,8 @@ CM_STRUCT(cm_constants)
     CM_REAL k3;
     CM_REAL k4;
     CM_REAL k5;
+    CM_REAL k6;
+    CM_REAL variant;
 }
 CM_STRUCT_END(cm_constants)
 
@@ -41,6 +45,8 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_make_parameters)(CM_REAL first, CM_REAL s
     r.k3 = CM_LIT(0.0);
     r.k4 = CM_LIT(0.0);
     r.k5 = CM_LIT(0.0);
+    r.k6 = CM_LIT(0.0);
+    r.variant = CM_LIT(0.0);
     return r;
 }
 

@@ -19,3 +19,6 @@
 #undef cm_max
 #undef CM_UNUSED
 #undef CM_UNIVARIATE
+#undef CM_HEALPIX_POLAR
+#undef CM_HEALPIX_SMALL
+#undef CM_HEALPIX_LARGE

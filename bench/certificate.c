@@ -1,0 +1,622 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The certificate: the worst errors of every mapping in double and in float, measured at all hard
+ * points (tests/hard_points.h) and at random ones, where they occur, and the published bounds
+ * (cm_mapping_info.bounds). Errors are in eps, 2^-53 in double and 2^-24 in float:
+ *
+ *   round trip        direction -> face, u, v -> direction: the angle, in rad / eps
+ *   plane round trip  face, u, v -> direction -> face, u, v: the larger difference of u and of v; where
+ *                     the face is another (beside an edge) the angle between what the two stand for
+ *   forward           u and v of a direction, and of p, q, against the truth: absolute, and relative
+ *                     where the truth is at least 1e-300 (1e-36 in float)
+ *   inverse           x, y and z, and p and q, of u, v; likewise
+ *
+ * The truth is the kernel's own text in quadruple precision (tests/quad.h) for double, and the library
+ * in double for float. The exit status is 1 if a bound does not hold.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include "../tests/hard_points.h"
+#include "../tests/quad.h"
+#include "../tests/sphere.h"
+
+#include <cubemap/cubemap.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum
+{
+    BLOCK = 1024
+};
+
+typedef enum kind
+{
+    ROUND_TRIP,
+    PLANE_ROUND_TRIP,
+    FORWARD,
+    FORWARD_RELATIVE,
+    INVERSE,
+    INVERSE_RELATIVE,
+    KINDS
+} kind;
+
+static const char *const kind_names[KINDS] = {"round trip", "plane round trip",
+                                              "forward",    "forward, relative",
+                                              "inverse",    "inverse, relative"};
+
+typedef struct extreme
+{
+    double error; /* eps */
+    char where[128];
+} extreme;
+
+/* One mapping in one precision, and what has been found of it. */
+typedef struct subject
+{
+    const cm_mapping *mapping;
+    quad_mapping truth;
+    int narrow; /* in float */
+    double eps;
+    double least; /* where relative errors begin */
+    extreme worst[KINDS];
+} subject;
+
+/* ---- The two precisions under one roof; in float the numbers are floats already ---- */
+
+static void forward_block(const subject *s, size_t n, double (*d)[BLOCK], uint8_t *face,
+                          double (*uv)[BLOCK])
+{
+    static float in[3][BLOCK];
+    static float out[2][BLOCK];
+    if (!s->narrow)
+    {
+        cm_forward_array(s->mapping, n, d[0], d[1], d[2], face, uv[0], uv[1]);
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        in[0][i] = (float)d[0][i];
+        in[1][i] = (float)d[1][i];
+        in[2][i] = (float)d[2][i];
+    }
+    cm_forward_array_f32(s->mapping, n, in[0], in[1], in[2], face, out[0], out[1]);
+    for (size_t i = 0; i < n; i++)
+    {
+        uv[0][i] = (double)out[0][i];
+        uv[1][i] = (double)out[1][i];
+    }
+}
+
+static void inverse_block(const subject *s, size_t n, const uint8_t *face, double (*uv)[BLOCK],
+                          double (*d)[BLOCK])
+{
+    static float in[2][BLOCK];
+    static float out[3][BLOCK];
+    if (!s->narrow)
+    {
+        cm_inverse_array(s->mapping, n, face, uv[0], uv[1], d[0], d[1], d[2]);
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        in[0][i] = (float)uv[0][i];
+        in[1][i] = (float)uv[1][i];
+    }
+    cm_inverse_array_f32(s->mapping, n, face, in[0], in[1], out[0], out[1], out[2]);
+    for (size_t i = 0; i < n; i++)
+    {
+        d[0][i] = (double)out[0][i];
+        d[1][i] = (double)out[1][i];
+        d[2][i] = (double)out[2][i];
+    }
+}
+
+/* The warp, or with back its inverse, of the library; 0 if the mapping has none. */
+static int warp_point(const subject *s, int back, const double from[2], double to[2])
+{
+    float in[2] = {(float)from[0], (float)from[1]};
+    float out[2];
+    if (!s->narrow)
+    {
+        return (back ? cm_unwarp : cm_warp)(s->mapping, from, to) == CM_OK;
+    }
+    if ((back ? cm_unwarp_f32 : cm_warp_f32)(s->mapping, in, out) != CM_OK)
+    {
+        return 0;
+    }
+    to[0] = (double)out[0];
+    to[1] = (double)out[1];
+    return 1;
+}
+
+/* ---- Truth ---- */
+
+static int true_forward(const subject *s, const double d[3], long double uv[2])
+{
+    if (s->narrow)
+    {
+        double wide[2];
+        int face = cm_forward(s->mapping, d, wide);
+        uv[0] = (long double)wide[0];
+        uv[1] = (long double)wide[1];
+        return face;
+    }
+    quad in[3] = {(quad)d[0], (quad)d[1], (quad)d[2]};
+    quad out[2];
+    int face = quad_forward(&s->truth, in, out);
+    uv[0] = (long double)out[0];
+    uv[1] = (long double)out[1];
+    return face;
+}
+
+/* u, v beyond the edge are on it. */
+static void true_inverse(const subject *s, int face, const double uv[2], long double d[3])
+{
+    if (s->narrow)
+    {
+        double wide[3];
+        cm_inverse(s->mapping, (uint8_t)face, uv, wide);
+        for (int k = 0; k < 3; k++)
+        {
+            d[k] = (long double)wide[k];
+        }
+        return;
+    }
+    quad in[2] = {(quad)fmax(-1.0, fmin(1.0, uv[0])), (quad)fmax(-1.0, fmin(1.0, uv[1]))};
+    quad out[3];
+    quad_inverse(&s->truth, face, in, out);
+    for (int k = 0; k < 3; k++)
+    {
+        d[k] = (long double)out[k];
+    }
+}
+
+static void true_warp(const subject *s, int back, const double from[2], long double to[2])
+{
+    if (s->narrow)
+    {
+        double wide[2];
+        (void)(back ? cm_unwarp : cm_warp)(s->mapping, from, wide);
+        to[0] = (long double)wide[0];
+        to[1] = (long double)wide[1];
+        return;
+    }
+    quad in[2] = {(quad)fmax(-1.0, fmin(1.0, from[0])), (quad)fmax(-1.0, fmin(1.0, from[1]))};
+    quad out[2];
+    (back ? quad_unwarp : quad_warp)(&s->truth, in, out);
+    to[0] = (long double)out[0];
+    to[1] = (long double)out[1];
+}
+
+/* ---- Errors ---- */
+
+/* NaN is the worst there is. */
+static void note(subject *s, kind which, double error, const char *format, int face, double a,
+                 double b, double c)
+{
+    extreme *worst = &s->worst[which];
+    if (!(error <= worst->error))
+    {
+        worst->error = isnan(error) ? (double)INFINITY : error;
+        if (face < 0)
+        {
+            snprintf(worst->where, sizeof worst->where, format, a, b, c);
+        }
+        else
+        {
+            snprintf(worst->where, sizeof worst->where, format, face, a, b);
+        }
+    }
+}
+
+#define DIRECTION "%.17g %.17g %.17g"
+#define POINT "%d %.17g %.17g"
+#define WARP "p, q %.17g %.17g%.0s"
+#define UNWARP "u, v %.17g %.17g%.0s"
+
+/* The angle, for a direction of any length and one of unit length near it. */
+static double angle_between_near(double ax, double ay, double az, double bx, double by, double bz)
+{
+    /* lengths near 1, so that nothing overflows; powers of two, so that nothing is rounded */
+    double most = fmax(fabs(ax), fmax(fabs(ay), fabs(az)));
+    if (!(most > 0x1p-500 && most < 0x1p500))
+    {
+        int exponent;
+        frexp(most, &exponent);
+        ax = ldexp(ax, -exponent);
+        ay = ldexp(ay, -exponent);
+        az = ldexp(az, -exponent);
+    }
+    long double x = (long double)ay * bz - (long double)az * by;
+    long double y = (long double)az * bx - (long double)ax * bz;
+    long double z = (long double)ax * by - (long double)ay * bx;
+    double square = ax * ax + ay * ay + az * az;
+    double dot = ax * bx + ay * by + az * bz;
+    double sine = sqrt((double)(x * x + y * y + z * z) / square);
+    return dot > 0.0 ? sine : 2.0 + sine;
+}
+
+static double absolute(const long double *truth, const double *got, int count, double eps)
+{
+    double worst = 0.0;
+    for (int k = 0; k < count; k++)
+    {
+        worst = fmax(worst, (double)fabsl((long double)got[k] - truth[k]) / eps);
+        worst = isnan(got[k]) ? (double)INFINITY : worst;
+    }
+    return worst;
+}
+
+static double relative(const subject *s, const long double *truth, const double *got, int count)
+{
+    double worst = 0.0;
+    for (int k = 0; k < count; k++)
+    {
+        if (fabsl(truth[k]) >= s->least)
+        {
+            worst = fmax(worst, (double)fabsl((long double)got[k] / truth[k] - 1.0L) / s->eps);
+        }
+    }
+    return worst;
+}
+
+/* ---- Round trips ---- */
+
+static void round_trips(subject *s, size_t n, double (*d)[BLOCK])
+{
+    static double uv[2][BLOCK], back[3][BLOCK], again[2][BLOCK], twice[3][BLOCK];
+    static uint8_t face[BLOCK], face_again[BLOCK];
+    forward_block(s, n, d, face, uv);
+    inverse_block(s, n, face, uv, back);
+    forward_block(s, n, back, face_again, again);
+    inverse_block(s, n, face_again, again, twice);
+    for (size_t i = 0; i < n; i++)
+    {
+        double angle =
+            angle_between_near(d[0][i], d[1][i], d[2][i], back[0][i], back[1][i], back[2][i]);
+        double plane = fmax(fabs(again[0][i] - uv[0][i]), fabs(again[1][i] - uv[1][i]));
+        if (face_again[i] != face[i])
+        {
+            plane = angle_between_near(back[0][i], back[1][i], back[2][i], twice[0][i], twice[1][i],
+                                       twice[2][i]);
+        }
+        note(s, ROUND_TRIP, angle / s->eps, DIRECTION, -1, d[0][i], d[1][i], d[2][i]);
+        note(s, PLANE_ROUND_TRIP, plane / s->eps, POINT, face[i], uv[0][i], uv[1][i], 0.0);
+    }
+}
+
+/* face, u, v -> direction -> face, u, v from given points, all six faces */
+static void plane_round_trips(subject *s, size_t n, double (*uv)[BLOCK])
+{
+    static double back[3][BLOCK], again[2][BLOCK], twice[3][BLOCK];
+    static uint8_t face[BLOCK], face_again[BLOCK];
+    for (int f = 0; f < 6; f++)
+    {
+        memset(face, f, sizeof face);
+        inverse_block(s, n, face, uv, back);
+        forward_block(s, n, back, face_again, again);
+        inverse_block(s, n, face_again, again, twice);
+        for (size_t i = 0; i < n; i++)
+        {
+            double u = fmax(-1.0, fmin(1.0, uv[0][i]));
+            double v = fmax(-1.0, fmin(1.0, uv[1][i]));
+            double plane = fmax(fabs(again[0][i] - u), fabs(again[1][i] - v));
+            if (face_again[i] != f)
+            {
+                plane = angle_between_near(back[0][i], back[1][i], back[2][i], twice[0][i],
+                                           twice[1][i], twice[2][i]);
+            }
+            note(s, PLANE_ROUND_TRIP, plane / s->eps, POINT, f, uv[0][i], uv[1][i], 0.0);
+        }
+    }
+}
+
+/* ---- Against the truth ---- */
+
+static void compare_forward(subject *s, size_t n, double (*d)[BLOCK])
+{
+    static double uv[2][BLOCK];
+    static uint8_t face[BLOCK];
+    forward_block(s, n, d, face, uv);
+    for (size_t i = 0; i < n; i++)
+    {
+        const double direction[3] = {d[0][i], d[1][i], d[2][i]};
+        const double got[2] = {uv[0][i], uv[1][i]};
+        long double truth[2];
+        if (true_forward(s, direction, truth) == face[i])
+        {
+            note(s, FORWARD, absolute(truth, got, 2, s->eps), DIRECTION, -1, direction[0],
+                 direction[1], direction[2]);
+            note(s, FORWARD_RELATIVE, relative(s, truth, got, 2), DIRECTION, -1, direction[0],
+                 direction[1], direction[2]);
+            continue;
+        }
+        /* on the other side of an edge by rounding: as near to it on the sphere */
+        long double meant[3];
+        true_inverse(s, face[i], got, meant);
+        note(s, FORWARD,
+             angle_between_near(direction[0], direction[1], direction[2], (double)meant[0],
+                                (double)meant[1], (double)meant[2]) /
+                 s->eps,
+             DIRECTION, -1, direction[0], direction[1], direction[2]);
+    }
+}
+
+static void compare_inverse(subject *s, size_t n, const uint8_t *face, double (*uv)[BLOCK])
+{
+    static double d[3][BLOCK];
+    inverse_block(s, n, face, uv, d);
+    for (size_t i = 0; i < n; i++)
+    {
+        const double point[2] = {uv[0][i], uv[1][i]};
+        const double got[3] = {d[0][i], d[1][i], d[2][i]};
+        long double truth[3];
+        true_inverse(s, face[i], point, truth);
+        note(s, INVERSE, absolute(truth, got, 3, s->eps), POINT, face[i], point[0], point[1], 0.0);
+        note(s, INVERSE_RELATIVE, relative(s, truth, got, 3), POINT, face[i], point[0], point[1],
+             0.0);
+    }
+}
+
+static void compare_warps(subject *s, size_t n, double (*from)[BLOCK])
+{
+    for (size_t i = 0; i < 2 * n; i++)
+    {
+        int back = (int)(i % 2);
+        const double point[2] = {from[0][i / 2], from[1][i / 2]};
+        const char *format = back ? UNWARP : WARP;
+        kind which = back ? INVERSE : FORWARD;
+        kind which_relative = back ? INVERSE_RELATIVE : FORWARD_RELATIVE;
+        double got[2];
+        long double truth[2];
+        if (!warp_point(s, back, point, got))
+        {
+            return;
+        }
+        true_warp(s, back, point, truth);
+        note(s, which, absolute(truth, got, 2, s->eps), format, -1, point[0], point[1], 0.0);
+        note(s, which_relative, relative(s, truth, got, 2), format, -1, point[0], point[1], 0.0);
+    }
+}
+
+/* ---- Points ---- */
+
+static void random_directions(subject *s, uint64_t *state, double (*d)[BLOCK])
+{
+    for (size_t i = 0; i < BLOCK; i++)
+    {
+        double direction[3];
+        next_direction(state, direction);
+        for (int k = 0; k < 3; k++)
+        {
+            d[k][i] = s->narrow ? (double)(float)direction[k] : direction[k];
+        }
+    }
+}
+
+/* One in four has a coordinate that is small, by up to 2^-60, or as near to the edge. */
+static void random_points(subject *s, uint64_t *state, uint8_t *face, double (*uv)[BLOCK])
+{
+    for (size_t i = 0; i < BLOCK; i++)
+    {
+        double point[2] = {next_real(state), next_real(state)};
+        uint64_t bits = next_bits(state);
+        double small = ldexp(point[bits & 1], -(int)(bits >> 8 & 63) % 60);
+        switch (bits >> 1 & 7)
+        {
+        case 0:
+            point[bits & 1] = small;
+            break;
+        case 1:
+            point[bits & 1] = copysign(1.0 - fabs(small), small);
+            break;
+        default:
+            break;
+        }
+        face[i] = (uint8_t)((bits >> 16) % 6);
+        uv[0][i] = s->narrow ? (double)(float)point[0] : point[0];
+        uv[1][i] = s->narrow ? (double)(float)point[1] : point[1];
+    }
+}
+
+/* From index on; directions of zero length are left out. */
+static size_t hard_directions(const subject *s, uint64_t *index, double (*d)[BLOCK])
+{
+    size_t n = 0;
+    while (n < BLOCK && *index < HARD_DIRECTIONS)
+    {
+        double direction[3];
+        float narrow[3];
+        hard_direction(*index, direction);
+        hard_direction_f32(*index, narrow);
+        ++*index;
+        int some = 0;
+        for (int k = 0; k < 3; k++)
+        {
+            d[k][n] = s->narrow ? (double)narrow[k] : direction[k];
+            some |= d[k][n] != 0.0;
+        }
+        n += (size_t)some;
+    }
+    return n;
+}
+
+static size_t hard_face_points(const subject *s, uint64_t *index, double (*uv)[BLOCK])
+{
+    size_t n = 0;
+    for (; n < BLOCK && *index < HARD_POINTS; n++)
+    {
+        double point[2];
+        float narrow[2];
+        hard_point(*index, point);
+        hard_point_f32(*index, narrow);
+        ++*index;
+        uv[0][n] = s->narrow ? (double)narrow[0] : point[0];
+        uv[1][n] = s->narrow ? (double)narrow[1] : point[1];
+    }
+    return n;
+}
+
+/* ---- The whole of one mapping ---- */
+
+/* stride: of the hard directions, one in so many is compared with the truth */
+static void measure(subject *s, double round_trip_count, double truth_count, uint64_t stride)
+{
+    static double d[3][BLOCK], uv[2][BLOCK];
+    static uint8_t face[BLOCK];
+    uint64_t state = 77;
+    for (double done = 0.0; done < round_trip_count; done += BLOCK)
+    {
+        random_directions(s, &state, d);
+        round_trips(s, BLOCK, d);
+    }
+    for (double done = 0.0; done < truth_count; done += BLOCK)
+    {
+        random_directions(s, &state, d);
+        compare_forward(s, BLOCK, d);
+        random_points(s, &state, face, uv);
+        compare_inverse(s, BLOCK, face, uv);
+        random_points(s, &state, face, uv);
+        compare_warps(s, BLOCK, uv);
+    }
+    size_t n;
+    uint64_t index = 0;
+    for (uint64_t block = 0; (n = hard_directions(s, &index, d)) > 0; block++)
+    {
+        round_trips(s, n, d);
+        if (block % stride == 0)
+        {
+            compare_forward(s, n, d);
+        }
+    }
+    index = 0;
+    while ((n = hard_face_points(s, &index, uv)) > 0)
+    {
+        plane_round_trips(s, n, uv);
+        compare_warps(s, n, uv);
+        for (int f = 0; f < 6; f++)
+        {
+            memset(face, f, sizeof face);
+            compare_inverse(s, n, face, uv);
+        }
+    }
+}
+
+static double bound_of(const cm_bounds *bounds, kind which)
+{
+    switch (which)
+    {
+    case ROUND_TRIP:
+        return bounds->round_trip;
+    case PLANE_ROUND_TRIP:
+        return bounds->plane_round_trip;
+    case FORWARD:
+        return bounds->forward;
+    case INVERSE:
+        return bounds->inverse;
+    default:
+        return bounds->relative;
+    }
+}
+
+/* One line a kind, fields apart by tabs. */
+static int report(const subject *s, const char *specification)
+{
+    int broken = 0;
+    const cm_bounds *bounds = &cm_mapping_describe(s->mapping)->bounds;
+    for (int which = 0; which < KINDS; which++)
+    {
+        const extreme *worst = &s->worst[which];
+        double bound = bound_of(bounds, (kind)which);
+        int held = worst->error <= bound;
+        printf("%s\t%s\t%s\t%.3f\t%g\t%s\t%s\n", specification, s->narrow ? "float" : "double",
+               kind_names[which], worst->error, bound, worst->where, held ? "held" : "BROKEN");
+        broken |= !held;
+    }
+    fflush(stdout);
+    return broken;
+}
+
+static int certify(const char *specification, int narrow, double round_trip_count,
+                   double truth_count, uint64_t stride)
+{
+    cm_mapping *mapping = NULL;
+    if (cm_mapping_create(specification, NULL, &mapping) != CM_OK)
+    {
+        fprintf(stderr, "certificate: no mapping %s\n", specification);
+        return 2;
+    }
+    subject s = {.mapping = mapping,
+                 .truth = quad_from(mapping),
+                 .narrow = narrow,
+                 .eps = narrow ? 0x1p-24 : 0x1p-53,
+                 .least = narrow ? 1e-36 : 1e-300};
+    measure(&s, round_trip_count, truth_count, stride);
+    int broken = report(&s, specification);
+    cm_mapping_destroy(mapping);
+    return broken;
+}
+
+static int usage(void)
+{
+    fprintf(stderr,
+            "usage: certificate [-r ROUND_TRIPS] [-t COMPARISONS] [-s STRIDE] [-p double|float] "
+            "[SPECIFICATION...]\n"
+            "  -r  random round trips a mapping (1000000)\n"
+            "  -t  random comparisons with the truth, forward, inverse and warp (100000)\n"
+            "  -s  compare one block of hard directions in so many with the truth (1: all)\n"
+            "  -p  only that precision\n");
+    return 2;
+}
+
+int main(int argc, char **argv)
+{
+    double round_trip_count = 1e6;
+    double truth_count = 1e5;
+    double stride = 1.0;
+    int precisions[2] = {1, 1};
+    int first = 1;
+    for (; first + 1 < argc && argv[first][0] == '-'; first += 2)
+    {
+        const char *value = argv[first + 1];
+        switch (argv[first][1])
+        {
+        case 'r':
+            round_trip_count = atof(value);
+            break;
+        case 't':
+            truth_count = atof(value);
+            break;
+        case 's':
+            stride = atof(value);
+            break;
+        case 'p':
+            precisions[0] = strcmp(value, "float") != 0;
+            precisions[1] = strcmp(value, "double") != 0;
+            break;
+        default:
+            return usage();
+        }
+    }
+    if (!(round_trip_count >= 0.0 && truth_count >= 0.0 && stride >= 1.0) ||
+        (first < argc && argv[first][0] == '-'))
+    {
+        return usage();
+    }
+    int broken = 0;
+    size_t count = first < argc ? (size_t)(argc - first) : cm_catalogue_count();
+    for (size_t i = 0; i < count; i++)
+    {
+        const char *name = first < argc ? argv[(size_t)first + i] : cm_catalogue_at(i)->identifier;
+        for (int narrow = 0; narrow < 2; narrow++)
+        {
+            if (precisions[narrow])
+            {
+                broken |= certify(name, narrow, round_trip_count, truth_count, (uint64_t)stride);
+            }
+        }
+    }
+    return broken;
+}
