@@ -14,7 +14,7 @@ esac
 
 # What each job needs, by the names of Debian's and Ubuntu's packages.
 needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev check"
-needs_to_test="$needs_to_build glslang-tools python3"
+needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath"
 
 die()
 {
@@ -48,6 +48,8 @@ has()
     check) pkg-config --exists check 2>/dev/null ;;
     glslang-tools) command -v glslangValidator >/dev/null ;;
     python3) command -v python3 >/dev/null ;;
+    python3-mpmath)
+        python3 -c 'import mpmath' 2>/dev/null || /usr/bin/python3 -c 'import mpmath' 2>/dev/null ;;
     *) die "has: no rule for $1" ;;
     esac
 }

@@ -21,7 +21,7 @@ CM_WARP(qsc,
         .properties = CM_EQUAL_AREA,
         .smooth_face = CM_SMOOTH_C0,
         .smooth_edge = CM_SMOOTH_C0,
-        .bounds = {.round_trip = 4, .plane_round_trip = 6, .forward = 4, .inverse = 4,
+        .bounds = {.round_trip = 4, .plane_round_trip = 6, .forward = 5, .inverse = 4,
                    .relative = 9})
 /* clang-format on */
 #else

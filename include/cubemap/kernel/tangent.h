@@ -81,19 +81,35 @@ CM_FN CM_REAL CM_NAME(cm_tangent_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
     return CM_NAME(cm_stretch_inside)(w, d);
 }
 
+/* c > 1: for the outer quarter from the edge, where the slope is steep,
+ * tan(alpha - d) / c = 1 - (1 + 1 / c^2) c tan d / (1 + c tan d). */
+CM_FN CM_REAL CM_NAME(cm_tangent_steep_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
+{
+    CM_REAL a = cm_abs(w);
+    CM_REAL b = CM_LIT(1.0) - a;
+    CM_BOOL outer = b < CM_LIT(0.25);
+    CM_REAL z = k.k3 * CM_SELECT(outer, CM_LIT(4.0) * (b * b), w * w);
+    CM_REAL excess = CM_NAME(cm_tan_excess)(z);
+    CM_REAL f = CM_LIT(1.0) + excess;
+    CM_REAL f1 = CM_LIT(1.0) + k.k4;
+    CM_REAL t2 = z * (f * f); /* of the tangent of half the angle */
+    CM_REAL rest = (excess - k.k4) * k.k5 + (t2 - k.k3 * (f1 * f1));
+    CM_REAL ct = b * ((CM_LIT(2.0) * k.k0 / k.k2) * f); /* c tan d */
+    CM_REAL above = CM_SELECT(outer, ct, rest);
+    CM_REAL below = CM_SELECT(outer, CM_LIT(1.0) + ct, CM_LIT(1.0) - t2);
+    CM_REAL ratio = above / below;
+    CM_REAL from_edge = CM_LIT(1.0) - (CM_LIT(1.0) + CM_LIT(1.0) / k.k0) * ratio;
+    return cm_copysign(CM_SELECT(outer, from_edge, a + a * ratio), w);
+}
+
 CM_FN CM_REAL CM_NAME(cm_tangent_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    CM_REAL z = k.k3 * (w * w);
-    CM_REAL excess = CM_NAME(cm_tan_excess)(z);
-    CM_REAL d = (excess - k.k4) * k.k5;
     if (k.variant != CM_LIT(0.0))
     {
-        CM_REAL f = CM_LIT(1.0) + excess;
-        CM_REAL f1 = CM_LIT(1.0) + k.k4;
-        CM_REAL t2 = z * (f * f); /* of the tangent of half the angle */
-        d = (d + (t2 - k.k3 * (f1 * f1))) / (CM_LIT(1.0) - t2);
+        return CM_NAME(cm_tangent_steep_inverse)(w, k);
     }
-    return CM_NAME(cm_stretch_inside)(w, d);
+    CM_REAL excess = CM_NAME(cm_tan_excess)(k.k3 * (w * w));
+    return CM_NAME(cm_stretch_inside)(w, (excess - k.k4) * k.k5);
 }
 
 CM_UNIVARIATE(cm_tangent_forward, cm_tangent_sigmoid, cm_tangent_inverse,
