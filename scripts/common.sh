@@ -15,6 +15,8 @@ esac
 # What each job needs, by the names of Debian's and Ubuntu's packages.
 needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev check"
 needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath"
+# The libraries that tests/peers compares with are used where they are; .ci/run has them all.
+needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographiclib-dev"
 
 die()
 {
@@ -48,6 +50,12 @@ has()
     check) pkg-config --exists check 2>/dev/null ;;
     glslang-tools) command -v glslangValidator >/dev/null ;;
     python3) command -v python3 >/dev/null ;;
+    wcslib-dev) pkg-config --exists wcslib 2>/dev/null ;;
+    libproj-dev) pkg-config --exists proj 2>/dev/null ;;
+    libchealpix-dev) pkg-config --exists chealpix 2>/dev/null ;;
+    libs2-dev) compiles "${CXX:-c++} -std=c++17" c++ s2/s2coords.h ;;
+    libgeographiclib-dev) pkg-config --exists geographiclib 2>/dev/null ;;
+    gcovr) command -v gcovr >/dev/null ;;
     python3-mpmath)
         python3 -c 'import mpmath' 2>/dev/null || /usr/bin/python3 -c 'import mpmath' 2>/dev/null ;;
     *) die "has: no rule for $1" ;;
