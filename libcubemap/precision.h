@@ -52,25 +52,12 @@ CM_PROJECTION(cube)
 
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...) CM_PROJECTION(id)
-#define CM_WARP(id, ...)                                                                           \
-    CM_WARP_LOOPS(id, 0)                                                                           \
-    CM_WARP_LOOPS(id, 1)                                                                           \
-    static void warp_##id(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,                      \
-                          const CM_NAME(cm_constants) *k)                                          \
+/* A loop over a kernel, for one variant, which is a constant in it, so that it has no branch. */
+#define CM_WARP_LOOPS(name, id, which)                                                             \
+    static void warp_##name(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,                    \
+                            const CM_NAME(cm_constants) *constants)                                \
     {                                                                                              \
-        (k->variant == CM_LIT(0.0) ? warp_##id##_0 : warp_##id##_1)(n, a, b, *k);                  \
-    }                                                                                              \
-    static void unwarp_##id(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,                    \
-                            const CM_NAME(cm_constants) *k)                                        \
-    {                                                                                              \
-        (k->variant == CM_LIT(0.0) ? unwarp_##id##_0 : unwarp_##id##_1)(n, a, b, *k);              \
-    }
-/* A loop for each variant, for which it is a constant, so that the loop has no branch. (Of a mapping
- * without variants the two are equal, and gcc keeps one.) */
-#define CM_WARP_LOOPS(id, which)                                                                   \
-    static void warp_##id##_##which(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,            \
-                                    CM_NAME(cm_constants) k)                                       \
-    {                                                                                              \
+        CM_NAME(cm_constants) k = *constants;                                                      \
         k.variant = (CM_REAL)which;                                                                \
         for (size_t i = 0; i < n; i++)                                                             \
         {                                                                                          \
@@ -79,9 +66,10 @@ CM_PROJECTION(cube)
             b[i] = r.v;                                                                            \
         }                                                                                          \
     }                                                                                              \
-    static void unwarp_##id##_##which(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,          \
-                                      CM_NAME(cm_constants) k)                                     \
+    static void unwarp_##name(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,                  \
+                              const CM_NAME(cm_constants) *constants)                              \
     {                                                                                              \
+        CM_NAME(cm_constants) k = *constants;                                                      \
         k.variant = (CM_REAL)which;                                                                \
         for (size_t i = 0; i < n; i++)                                                             \
         {                                                                                          \
@@ -90,9 +78,24 @@ CM_PROJECTION(cube)
             b[i] = r.q;                                                                            \
         }                                                                                          \
     }
+#define CM_WARP(id, ...) CM_WARP_LOOPS(id, id, 0)
+#define CM_WARP_VARIANTS(id, ...)                                                                  \
+    CM_WARP_LOOPS(id##_0, id, 0)                                                                   \
+    CM_WARP_LOOPS(id##_1, id, 1)                                                                   \
+    static void warp_##id(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,                      \
+                          const CM_NAME(cm_constants) *k)                                          \
+    {                                                                                              \
+        (k->variant == CM_LIT(0.0) ? warp_##id##_0 : warp_##id##_1)(n, a, b, k);                   \
+    }                                                                                              \
+    static void unwarp_##id(size_t n, CM_REAL *restrict a, CM_REAL *restrict b,                    \
+                            const CM_NAME(cm_constants) *k)                                        \
+    {                                                                                              \
+        (k->variant == CM_LIT(0.0) ? unwarp_##id##_0 : unwarp_##id##_1)(n, a, b, k);               \
+    }
 #include <cubemap/kernel/catalogue.h>
 #undef CM_SPHERE
 #undef CM_WARP
+#undef CM_WARP_VARIANTS
 #undef CM_WARP_LOOPS
 
 #define CM_SPHERE(id, ...) {project_##id, unproject_##id, NULL, NULL},

@@ -124,6 +124,17 @@ START_TEST(specifications)
     expect("", CM_ERROR_SYNTAX, "coupled");
     expect(":c=1", CM_ERROR_SYNTAX, "coupled");
     expect("a\nb", CM_ERROR_MAPPING, "a?b");
+    expect("a\177b", CM_ERROR_MAPPING, "a?b");
+    expect("tangent:c=1.2.3", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=-", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=1e", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=1e-", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=1e+x", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=1e/", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=e5", CM_ERROR_SYNTAX, "number");
+    expect("tangent:c=1e12345678901234567890", CM_ERROR_RANGE, "(0, 4]");
+    expect("tangent:c=1000000000000000000000000000000000000000000000000", CM_ERROR_RANGE,
+           "1000000");
     ck_assert_int_eq(cm_specification_check(NULL, NULL, 0), CM_ERROR_ARGUMENT);
 }
 END_TEST
@@ -148,6 +159,24 @@ START_TEST(ranges_are_what_they_say)
             snprintf(text, sizeof text, "%s:%s=%.17g", at(i)->identifier, p->name, below);
             expect(text, CM_ERROR_RANGE, p->name);
         }
+    }
+}
+END_TEST
+
+/* names and values that are longer than a message shows of them */
+START_TEST(long_words_are_cut)
+{
+    static const char long_word[] =
+        "abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyz";
+    char text[200];
+    char message[256];
+    static const char *const before[] = {"", "tangent:", "tangent:c="};
+    for (size_t i = 0; i < sizeof before / sizeof before[0]; i++)
+    {
+        snprintf(text, sizeof text, "%s%s", before[i], long_word);
+        ck_assert_int_ne(cm_specification_check(text, message, sizeof message), CM_OK);
+        ck_assert_ptr_null(strstr(message, long_word));
+        ck_assert_ptr_nonnull(strstr(message, "abcdefghijklmnopqrstuvwxyzabcdefghijklmn"));
     }
 }
 END_TEST
@@ -197,10 +226,28 @@ static double parsed(const char *number)
 /* the last bit of strtod's in the C locale up to 15 digits, and one ulp beyond */
 START_TEST(numbers_are_exact)
 {
-    static const char *const odd[] = {"1",     "1.",     ".5",          "0.87",     "+1.25",
-                                      "0",     "1e-3",   "1E0",         "0.0",      "00001.5",
-                                      "1e-30", "15e-1",  "0.000000125", "12.5e-1",  "-0",
-                                      "2.000", "0.1e+1", "1e-999",      "0e999999", "1e-400"};
+    static const char *const odd[] = {"1",
+                                      "1.",
+                                      ".5",
+                                      "0.87",
+                                      "+1.25",
+                                      "0",
+                                      "1e-3",
+                                      "1E0",
+                                      "0.0",
+                                      "00001.5",
+                                      "1e-30",
+                                      "15e-1",
+                                      "0.000000125",
+                                      "12.5e-1",
+                                      "-0",
+                                      "2.000",
+                                      "0.1e+1",
+                                      "1e-999",
+                                      "0e999999",
+                                      "1e-400",
+                                      "1.2345678901234567890123456789",
+                                      "0.12345678901234567891"};
     for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++)
     {
         ck_assert_msg(fabs(parsed(odd[i]) - strtod(odd[i], NULL)) < 1e-299, "%s", odd[i]);
@@ -242,6 +289,7 @@ int main(void)
                             the_mappings_of_the_plan_are_there,
                             specifications,
                             ranges_are_what_they_say,
+                            long_words_are_cut,
                             messages_fit_their_buffer,
                             parameters_are_kept,
                             numbers_are_exact,

@@ -62,6 +62,29 @@ START_TEST(broken_tables_are_refused)
     frame = *cm_frame_find("geo");
     frame.size = 3;
     ck_assert_int_eq(cm_frame_check(&frame), CM_ERROR_FRAME);
+    static const signed char no_axes[] = {0, 4, -4, 100, -100};
+    for (size_t i = 0; i < 4 * sizeof no_axes / sizeof no_axes[0]; i++)
+    {
+        frame = *cm_frame_find("geo");
+        cm_frame_face *face = &frame.face[3];
+        /* a word that is no axis in each place, or v along outward */
+        switch (i % 4)
+        {
+        case 0:
+            face->outward = no_axes[i / 4];
+            break;
+        case 1:
+            face->u = no_axes[i / 4];
+            break;
+        case 2:
+            face->v = no_axes[i / 4];
+            break;
+        default:
+            face->v = -face->outward;
+            break;
+        }
+        ck_assert_int_eq(cm_frame_check(&frame), CM_ERROR_FRAME);
+    }
 }
 END_TEST
 

@@ -12,10 +12,10 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-rooms() { # rooms KIND: the identifiers of the catalogue's rooms of one kind
+rooms() { # rooms KIND: the identifiers of the catalogue's rooms whose descriptor begins so
     sed -n 's/^#include "\(.*\)"$/\1/p' "$include/cubemap/kernel/catalogue.h" |
         while read -r file; do
-            sed -n "s/^$1(\([a-z0-9_]*\),.*/\1/p" "$include/cubemap/kernel/$file"
+            sed -n "s/^$1[A-Z_]*(\([a-z0-9_]*\),.*/\1/p" "$include/cubemap/kernel/$file"
         done
 }
 

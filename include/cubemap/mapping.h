@@ -13,11 +13,15 @@
  *               nothing is read or written beyond the arguments
  *   ties        on an edge or a corner the first of x, y, z with the largest magnitude wins. The
  *               family CM_FAMILY_HYBRID has its own faces: healpix is on a polar one where
- *               3 |z| > 2 |d|, else on that of the first of x, y with the larger magnitude
+ *               3 |z| > 2 |d| by more than 6 eps, else on that of the first of x, y with the larger
+ *               magnitude. An edge point that inverse has made a direction of is on the winner's
+ *               edge for forward
+ *   signs       a component of -0 gives a u or v of -0 or +0 by the frame's signs, and comes back
  *   accuracy    with the standard parameters u, v and the components of a direction are within 8 eps
- *               of the truth, eps = 2^-53 in double, 2^-24 in float; a direction comes back from a
- *               round trip within 5 nm on Earth in double, 1e-6 rad in float. docs/mappings.md has
- *               the figures of each mapping and of the ranges of parameters
+ *               of the truth, eps = 2^-53 in double, 2^-24 in float, and 16 eps of their own size; a
+ *               direction comes back from a round trip within 5 nm on Earth in double, 1e-6 rad in
+ *               float. cm_mapping_info.bounds has the bounds of each mapping, docs/certificate.md the
+ *               errors themselves, and those of other parameters
  *   cost        no allocation; a few square roots and divisions, and for some mappings polynomials,
  *               a point: bench/points.c measures it beside the accuracy
  *   sources     of each mapping are in its descriptor (catalogue.h) and in its kernel

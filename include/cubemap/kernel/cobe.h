@@ -10,23 +10,23 @@
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
-CM_WARP(cobe,
-        .aliases = "csc",
-        .name = "COBE quadrilateralized spherical cube",
-        .source = "Chan & O'Neill 1975; Calabretta & Greisen 2002, CSC; Dimitrijevic, Lambers, "
-                  "Rancic 2016, eq. 4.6 to 4.9",
-        .family = CM_FAMILY_BIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0,
-        .parameter_count = 1,
-        .parameter = {{.name = "legacy",
-                       .meaning = "1 for the published inverse, 0 for the exact one",
-                       .standard = 0.0,
-                       .low = 0.0,
-                       .high = 1.0,
-                       .whole = 1}},
-        .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 2, .inverse = 4,
-                   .relative = 8})
+CM_WARP_VARIANTS(cobe,
+                 .aliases = "csc",
+                 .name = "COBE quadrilateralized spherical cube",
+                 .source = "Chan & O'Neill 1975; Calabretta & Greisen 2002, CSC; Dimitrijevic, Lambers, "
+                           "Rancic 2016, eq. 4.6 to 4.9",
+                 .family = CM_FAMILY_BIVARIATE,
+                 .smooth_face = CM_SMOOTH_ANALYTIC,
+                 .smooth_edge = CM_SMOOTH_C0,
+                 .parameter_count = 1,
+                 .parameter = {{.name = "legacy",
+                                .meaning = "1 for the published inverse, 0 for the exact one",
+                                .standard = 0.0,
+                                .low = 0.0,
+                                .high = 1.0,
+                                .whole = 1}},
+                 .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 2, .inverse = 4,
+                            .relative = 8})
 /* clang-format on */
 #else
 

@@ -79,8 +79,9 @@
 #define CM_STRUCT_END(name) ;
 #else
 #define CM_BOOL int
-/* a loop over a kernel is made of vectors only if every call in it is inlined */
-#if defined(__GNUC__)
+/* A loop over a kernel is made of vectors only if every call in it is inlined; without optimisation
+ * kernels stay functions, for debuggers and for counting what is covered. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define CM_FN static inline __attribute__((always_inline))
 #else
 #define CM_FN static inline

@@ -13,22 +13,22 @@
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
-CM_WARP(tangent,
-        .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823",
-        .name = "tangent adjustment",
-        .source = "Ronchi, Iacono, Paolucci 1996 (c = 1); Zucker & Higashi 2018; Lambers 2020, eq. 2",
-        .family = CM_FAMILY_UNIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0,
-        .parameter_count = 1,
-        .parameter = {{.name = "c",
-                       .meaning = "tangent of the angle that the edge stands for; 1 is equi-angular",
-                       .standard = 1.0,
-                       .low = 0.0,
-                       .low_excluded = 1,
-                       .high = 4.0}},
-        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
-                   .relative = 6})
+CM_WARP_VARIANTS(tangent,
+                 .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823",
+                 .name = "tangent adjustment",
+                 .source = "Ronchi, Iacono, Paolucci 1996 (c = 1); Zucker & Higashi 2018; Lambers 2020, eq. 2",
+                 .family = CM_FAMILY_UNIVARIATE,
+                 .smooth_face = CM_SMOOTH_ANALYTIC,
+                 .smooth_edge = CM_SMOOTH_C0,
+                 .parameter_count = 1,
+                 .parameter = {{.name = "c",
+                                .meaning = "tangent of the angle that the edge stands for; 1 is equi-angular",
+                                .standard = 1.0,
+                                .low = 0.0,
+                                .low_excluded = 1,
+                                .high = 4.0}},
+                 .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                            .relative = 6})
 /* clang-format on */
 #else
 

@@ -9,22 +9,22 @@
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
-CM_WARP(tanh,
-        .aliases = "",
-        .name = "hyperbolic tangent sigmoid",
-        .source = "Lambers 2020, section 4.8",
-        .family = CM_FAMILY_UNIVARIATE,
-        .smooth_face = CM_SMOOTH_ANALYTIC,
-        .smooth_edge = CM_SMOOTH_C0,
-        .parameter_count = 1,
-        .parameter = {{.name = "c",
-                       .meaning = "strength of the sigmoid; towards 0 it is gnomonic",
-                       .standard = 0.97218,
-                       .low = 0.0,
-                       .low_excluded = 1,
-                       .high = 2.0}},
-        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
-                   .relative = 6})
+CM_WARP_VARIANTS(tanh,
+                 .aliases = "",
+                 .name = "hyperbolic tangent sigmoid",
+                 .source = "Lambers 2020, section 4.8",
+                 .family = CM_FAMILY_UNIVARIATE,
+                 .smooth_face = CM_SMOOTH_ANALYTIC,
+                 .smooth_edge = CM_SMOOTH_C0,
+                 .parameter_count = 1,
+                 .parameter = {{.name = "c",
+                                .meaning = "strength of the sigmoid; towards 0 it is gnomonic",
+                                .standard = 0.97218,
+                                .low = 0.0,
+                                .low_excluded = 1,
+                                .high = 2.0}},
+                 .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+                            .relative = 6})
 /* clang-format on */
 #else
 

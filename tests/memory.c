@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Memory that cannot be had. Linked with --wrap=malloc against the static library, so that the test
+ * decides what malloc gives.
+ */
+#include <cubemap/cubemap.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+
+void *__real_malloc(size_t size);
+void *__wrap_malloc(size_t size);
+
+static int exhausted;
+
+void *__wrap_malloc(size_t size)
+{
+    return exhausted ? NULL : __real_malloc(size);
+}
+
+int main(void)
+{
+    cm_mapping *untouched = NULL;
+    cm_mapping *mapping = NULL;
+    exhausted = 1;
+    cm_status status = cm_mapping_create("coupled", NULL, &mapping);
+    exhausted = 0;
+    if (status != CM_ERROR_MEMORY || mapping != untouched)
+    {
+        printf("without memory: status %d (%s)\n", (int)status, cm_status_text(status));
+        return 1;
+    }
+    status = cm_mapping_create("coupled", NULL, &mapping);
+    cm_mapping_destroy(mapping);
+    return status == CM_OK ? 0 : 1;
+}
