@@ -338,6 +338,7 @@ for mapping in catalogue["mappings"]:
     for key in ("name", "source", "family", "smooth_face", "smooth_edge"):
         assert mapping[key], key
     assert isinstance(mapping["equal_area"], bool) and isinstance(mapping["conformal"], bool)
+    assert all(bound > 0 for bound in mapping["bounds_eps"].values())
     for parameter in mapping["parameters"]:
         assert parameter["low"] <= parameter["standard"] <= parameter["high"]
     print("\n".join([mapping["identifier"]] + mapping["aliases"]))

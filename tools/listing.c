@@ -209,6 +209,19 @@ static void write_parameter_object(FILE *stream, const cm_parameter_info *parame
             truth(parameter->whole != 0));
 }
 
+/* In eps, 2^-53 in double and 2^-24 in float, as in <cubemap/catalogue.h>. */
+static void write_bounds(FILE *stream, const cm_bounds *bounds)
+{
+    fputs("\"bounds_eps\": {", stream);
+    write_number_member(stream, "round_trip", bounds->round_trip);
+    write_number_member(stream, "plane_round_trip", bounds->plane_round_trip);
+    write_number_member(stream, "forward", bounds->forward);
+    write_number_member(stream, "inverse", bounds->inverse);
+    char relative[NUMBER_WRITE_MAX];
+    number_write_shortest(bounds->relative, relative);
+    fprintf(stream, "\"relative\": %s}", relative);
+}
+
 static void write_mapping_object(FILE *stream, const cm_mapping_info *mapping)
 {
     const char *const next = ",\n      ";
@@ -224,6 +237,8 @@ static void write_mapping_object(FILE *stream, const cm_mapping_info *mapping)
             truth((mapping->properties & CM_CONFORMAL) != 0), next);
     write_member(stream, "smooth_face", smoothness_name(mapping->smooth_face), next);
     write_member(stream, "smooth_edge", smoothness_name(mapping->smooth_edge), next);
+    write_bounds(stream, &mapping->bounds);
+    fputs(next, stream);
     fputs("\"parameters\": [", stream);
     for (size_t i = 0; i < mapping->parameter_count; i++)
     {
