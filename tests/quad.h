@@ -18,8 +18,8 @@
 
 __extension__ typedef __float128 quad;
 
-/* What elementary.h holds, by the library's functions. An excess is f(x) / x - 1, accurate to 2^-110
- * absolute, which is what its users need. */
+/* What elementary.h holds, by the library's functions, and cm_atan, which some kernels use here only.
+ * An excess is f(x) / x - 1, accurate to 2^-110 absolute, which is what its users need. */
 static inline quad cm_excess_of(quad (*f)(quad), quad z)
 {
     quad x = sqrtq(z);
@@ -46,7 +46,7 @@ static inline quad cm_atanh_excess_f128(quad z)
     return cm_excess_of(atanhq, z);
 }
 
-static inline quad cm_atan_unit_f128(quad x)
+static inline quad cm_atan_f128(quad x)
 {
     return atanq(x);
 }

@@ -66,12 +66,6 @@ CM_FN CM_REAL CM_NAME(cm_atan_excess)(CM_REAL z)
     return z * r;
 }
 
-/* atan x for |x| <= 1. Error as above. */
-CM_FN CM_REAL CM_NAME(cm_atan_unit)(CM_REAL x)
-{
-    return cm_copysign(x + x * CM_NAME(cm_atan_excess)(x * x), x);
-}
-
 /* The excess of tan x for |x| <= pi / 4, from z = x^2.
  * Worst error: double 1.15 ulp at 0x1.921fb4f104f61p-1, float 1.16 ulp at 0x1.911cf6p-1. */
 CM_FN CM_REAL CM_NAME(cm_tan_excess)(CM_REAL z)

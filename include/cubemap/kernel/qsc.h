@@ -5,11 +5,11 @@
  *
  * The printed formulas lose half the digits at the centre and all of them on the axes (acos of a
  * number near 1). Here the sector |p| >= |q| is written with t = q / p and r = sqrt(2 + t^2), and the
- * other by swapping. The angle a in v = u (12 / pi) a, which the papers give as
- * t = sin a / (cos a - 1/sqrt 2), is by half angles
- *     tan(a / 2) = t (sqrt 2 - 1) / (r + sqrt 2),
- * and from the diagonal, b = pi/12 - a, with k = cot(pi/12) = 2 + sqrt 3,
- *     tan(b / 2) = (1 - t) / (k + t + r sqrt(2 k)).
+ * other by swapping. v / u depends on t alone: it is w = (12 / pi) a with the angle a that the papers
+ * give as t = sin a / (cos a - 1/sqrt 2), which by half angles is
+ *     tan(a / 2) = t (sqrt 2 - 1) / (r + sqrt 2).
+ * Both directions of that are one polynomial, w = t + t (1 - t^2) G(t^2) and t = w - w (1 - w^2) H(w^2)
+ * with G and H about 0.1, exact on the diagonal. scripts/elementary derives the coefficients.
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
@@ -21,19 +21,104 @@ CM_WARP(qsc,
         .properties = CM_EQUAL_AREA,
         .smooth_face = CM_SMOOTH_C0,
         .smooth_edge = CM_SMOOTH_C0,
-        .bounds = {.round_trip = 4, .plane_round_trip = 6, .forward = 5, .inverse = 4,
-                   .relative = 9})
+        .bounds = {.round_trip = 3.4, .plane_round_trip = 4, .forward = 3, .inverse = 3,
+                   .relative = 7})
 /* clang-format on */
 #else
-
-#define CM_QSC_SQRT2 CM_LIT(1.4142135623730950488016887242096980786)
-#define CM_QSC_K CM_LIT(3.7320508075688772935274463415058723669)       /* 2 + sqrt 3 */
-#define CM_QSC_SQRT_2K CM_LIT(2.7320508075688772935274463415058723669) /* sqrt(2 k) = 1 + sqrt 3 */
 
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_qsc_prepare)(CM_NAME(cm_constants) k)
 {
     return k;
 }
+
+#if CM_REAL_BITS <= 64
+
+/* G(z), z = t^2 */
+CM_FN CM_REAL CM_NAME(cm_qsc_bend)(CM_REAL z)
+{
+    CM_REAL t = z - CM_LIT(0.5);
+    CM_REAL t2 = t * t;
+#if CM_REAL_BITS == 64
+    CM_REAL t4 = t2 * t2;
+    CM_REAL a = CM_LIT(1.0615000502962231e-1) + t * CM_LIT(-2.1961390716897265e-2);
+    CM_REAL b = CM_LIT(5.6134091146451404e-3) + t * CM_LIT(-1.5967083492698208e-3);
+    CM_REAL c = CM_LIT(4.8470718603886863e-4) + t * CM_LIT(-1.5374729087981500e-4);
+    CM_REAL d = CM_LIT(5.0339179351028393e-5) + t * CM_LIT(-1.6882094828084027e-5);
+    CM_REAL e = CM_LIT(5.7691330580042528e-6) + t * CM_LIT(-2.0018762580562573e-6);
+    CM_REAL f = CM_LIT(7.0378811862275126e-7) + t * CM_LIT(-2.4827565409534262e-7);
+    CM_REAL g = CM_LIT(8.7303740353679913e-8) + t * CM_LIT(-3.6198443637375944e-8);
+    CM_REAL h = CM_LIT(1.5124334989133468e-8);
+    a = a + t2 * b;
+    c = c + t2 * d;
+    e = e + t2 * f;
+    g = g + t2 * h;
+    return a + t4 * (c + t4 * (e + t4 * g));
+#else
+    CM_REAL a = CM_LIT(1.06150009e-1) + t * CM_LIT(-2.19616350e-2);
+    CM_REAL b = CM_LIT(5.61250607e-3) + t * CM_LIT(-1.59102294e-3);
+    CM_REAL c = CM_LIT(4.99413523e-4) + t * CM_LIT(-1.80117480e-4);
+    a = a + t2 * b;
+    return a + (t2 * t2) * c;
+#endif
+}
+
+/* H(z), z = w^2 */
+CM_FN CM_REAL CM_NAME(cm_qsc_straighten)(CM_REAL z)
+{
+    CM_REAL t = z - CM_LIT(0.5);
+    CM_REAL t2 = t * t;
+#if CM_REAL_BITS == 64
+    CM_REAL t4 = t2 * t2;
+    CM_REAL a = CM_LIT(1.1240240518902343e-1) + t * CM_LIT(1.3217130243902243e-2);
+    CM_REAL b = CM_LIT(1.5549437009784312e-3) + t * CM_LIT(1.8293452638543057e-4);
+    CM_REAL c = CM_LIT(2.1521708947467036e-5) + t * CM_LIT(2.5319658366546534e-6);
+    CM_REAL d = CM_LIT(2.9787809767612589e-7) + t * CM_LIT(3.5043622173221922e-8);
+    CM_REAL e = CM_LIT(4.1239776066890040e-9) + t * CM_LIT(4.8915588924864857e-10);
+    CM_REAL f = CM_LIT(5.5457480779075641e-11);
+    a = a + t2 * b;
+    c = c + t2 * d;
+    e = e + t2 * f;
+    return a + t4 * (c + t4 * e);
+#else
+    CM_REAL a = CM_LIT(1.12402402e-1) + t * CM_LIT(1.32171111e-2);
+    CM_REAL b = CM_LIT(1.55509659e-3) + t * CM_LIT(1.83491298e-4);
+    CM_REAL c = CM_LIT(2.07460926e-5);
+    a = a + t2 * b;
+    return a + (t2 * t2) * c;
+#endif
+}
+
+/* w = v / u from t = q / p, in [0, 1] */
+CM_FN CM_REAL CM_NAME(cm_qsc_across)(CM_REAL t)
+{
+    return t + t * (((CM_LIT(1.0) - t) * (CM_LIT(1.0) + t)) * CM_NAME(cm_qsc_bend)(t * t));
+}
+
+CM_FN CM_REAL CM_NAME(cm_qsc_across_inverse)(CM_REAL w)
+{
+    return w - w * (((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)) * CM_NAME(cm_qsc_straighten)(w * w));
+}
+
+#else /* the definition */
+
+#define CM_QSC_SQRT2 CM_LIT(1.4142135623730950488016887242096980786)
+#define CM_QSC_PI CM_LIT(3.14159265358979323846264338327950288420)
+
+CM_FN CM_REAL CM_NAME(cm_qsc_across)(CM_REAL t)
+{
+    CM_REAL half_tan =
+        t * (CM_QSC_SQRT2 - CM_LIT(1.0)) / (cm_sqrt(CM_LIT(2.0) + t * t) + CM_QSC_SQRT2);
+    return CM_NAME(cm_atan)(half_tan) * (CM_LIT(24.0) / CM_QSC_PI);
+}
+
+CM_FN CM_REAL CM_NAME(cm_qsc_across_inverse)(CM_REAL w)
+{
+    CM_REAL angle = w * (CM_QSC_PI / CM_LIT(12.0));
+    CM_REAL cosine = CM_LIT(1.0) - CM_NAME(cm_versine_quarter)(angle);
+    return CM_NAME(cm_sin_quarter)(angle) / (cosine - CM_LIT(0.5) * CM_QSC_SQRT2);
+}
+
+#endif
 
 CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
 {
@@ -43,8 +128,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_co
     CM_BOOL wide = abs_p >= abs_q;
     CM_REAL major = CM_SELECT(wide, abs_p, abs_q);
     CM_REAL minor = CM_SELECT(wide, abs_q, abs_p);
-    CM_REAL divisor = CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0));
-    CM_REAL t = minor / divisor;
+    CM_REAL t = minor / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0));
     CM_REAL t2 = t * t;
     CM_REAL r = cm_sqrt(CM_LIT(2.0) + t2);
     CM_REAL w = cm_sqrt((CM_LIT(1.0) + major * major) + minor * minor);
@@ -52,13 +136,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_co
     CM_REAL rest = ((CM_LIT(1.0) - major) * (CM_LIT(1.0) + major)) * (CM_LIT(1.0) + t2) *
                    (CM_LIT(1.0) + CM_LIT(1.0) / (r + w));
     CM_REAL u = CM_NAME(cm_scale_by_root)(major, w * (w + CM_LIT(1.0)), rest);
-    CM_BOOL inner = t <= CM_LIT(0.5);
-    CM_REAL above = CM_SELECT(inner, minor * (CM_QSC_SQRT2 - CM_LIT(1.0)), major - minor);
-    CM_REAL below =
-        CM_SELECT(inner, r + CM_QSC_SQRT2, (CM_QSC_K + t) + r * CM_QSC_SQRT_2K) * divisor;
-    CM_REAL part = u * (CM_NAME(cm_atan_unit)(above / below) *
-                        CM_LIT(7.6394372684109761169064206418806893777)); /* 24 / pi */
-    CM_REAL v = CM_SELECT(inner, part, u - part);
+    CM_REAL v = u * CM_NAME(cm_qsc_across)(t);
     return CM_NAME(cm_make_uv)(cm_copysign(CM_SELECT(wide, u, v), p),
                                cm_copysign(CM_SELECT(wide, v, u), q));
 }
@@ -71,21 +149,8 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
     CM_BOOL wide = abs_u >= abs_v;
     CM_REAL major = CM_SELECT(wide, abs_u, abs_v);
     CM_REAL minor = CM_SELECT(wide, abs_v, abs_u);
-    /* the angle from the axis, or in the outer half from the diagonal, where t = 1 exactly */
-    CM_BOOL inner = minor + minor <= major;
-    CM_REAL part = CM_SELECT(inner, minor, major - minor);
-    CM_REAL angle = CM_LIT(0.26179938779914943653855361527329190702) * /* pi / 12 */
-                    (part / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0)));
-    CM_REAL sine = CM_NAME(cm_sin_quarter)(angle);
-    CM_REAL versine = CM_NAME(cm_versine_quarter)(angle);
-    /* t = sin a / (cos a - 1/sqrt 2); and 1 - t from the diagonal, as cos(pi/12) - 1/sqrt 2 is
-     * sin(pi/12) */
-    CM_REAL above = CM_SELECT(inner, sine,
-                              (CM_QSC_K + CM_LIT(1.0)) * sine - (CM_QSC_K - CM_LIT(1.0)) * versine);
-    CM_REAL below = CM_SELECT(inner, CM_LIT(0.29289321881345247559915563789515096072) - versine,
-                              (CM_LIT(1.0) + sine) - CM_QSC_K * versine);
-    CM_REAL ratio = above / below;
-    CM_REAL t = CM_SELECT(inner, ratio, CM_LIT(1.0) - ratio);
+    CM_REAL t =
+        CM_NAME(cm_qsc_across_inverse)(minor / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0)));
     CM_REAL t2 = t * t;
     CM_REAL r1 = CM_LIT(1.0) + cm_sqrt(CM_LIT(2.0) + t2);
     CM_REAL inverse_r1 = CM_LIT(1.0) / r1;
@@ -93,7 +158,7 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
     /* p = u g / (1 + e) with g = sqrt(1 + e / r1), as u minus what is missing */
     CM_REAL g1 = r1 * (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + e * inverse_r1));
     CM_REAL p = major - major * (e * (g1 - CM_LIT(1.0)) / (g1 * (CM_LIT(1.0) + e)));
-    CM_REAL q = CM_SELECT(inner, p * ratio, p - p * ratio);
+    CM_REAL q = p * t;
     return CM_NAME(cm_make_pq)(cm_copysign(CM_SELECT(wide, p, q), u),
                                cm_copysign(CM_SELECT(wide, q, p), v));
 }

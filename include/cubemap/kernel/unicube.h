@@ -120,7 +120,7 @@ CM_FN CM_REAL CM_NAME(cm_unicube_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constant
 CM_FN CM_REAL CM_NAME(cm_unicube_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_UNUSED(k);
-    return CM_NAME(cm_atan_unit)(w / cm_sqrt(CM_LIT(2.0) + w * w)) * (CM_LIT(6.0) / CM_UNICUBE_PI);
+    return CM_NAME(cm_atan)(w / cm_sqrt(CM_LIT(2.0) + w * w)) * (CM_LIT(6.0) / CM_UNICUBE_PI);
 }
 
 CM_FN CM_REAL CM_NAME(cm_unicube_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
