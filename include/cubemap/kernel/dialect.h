@@ -67,8 +67,8 @@
 #define CM_NAME(name) name
 #define cm_sqrt(x) sqrt(x)
 #define cm_abs(x) abs(x)
-/* m >= 0 wherever the kernels use it; the sign of a zero s is not seen */
-#define cm_copysign(m, s) ((s) < 0.0 ? -(m) : (m))
+/* the sign of a zero s is not seen: GLSL need not keep it */
+#define cm_copysign(m, s) ((s) < 0.0 ? -abs(m) : abs(m))
 #endif
 
 #if CM_BACKEND == CM_BACKEND_GLSL

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The kernels of one backend as a table, for shader_backend.cpp to compare. shader_kernels.cpp makes
+ * that of the shaders' text.
+ */
+#ifndef TESTS_SHADER_KERNELS_H
+#define TESTS_SHADER_KERNELS_H
+
+struct kernel_result
+{
+    float value[3];
+};
+
+/* What a mapping does not have is null. */
+struct kernel_row
+{
+    const char *name;
+    kernel_result (*forward)(float p, float q, float parameter);
+    kernel_result (*inverse)(float u, float v, float parameter);
+    kernel_result (*project)(float x, float y, float z);
+    kernel_result (*unproject)(float face, float a, float b);
+};
+
+/* The catalogue, and cube behind it; ends with a row without a name. */
+extern const kernel_row shader_table[];
+
+/* A row for each descriptor, of kernels called KERNEL(name). */
+#define KERNEL_TABLE_SPHERE(id)                                                                    \
+    {#id, nullptr, nullptr,                                                                        \
+     [](float x, float y, float z) -> kernel_result                                                \
+     {                                                                                             \
+         auto r = KERNEL(cm_##id##_project)(x, y, z);                                              \
+         return {{r.face, r.a, r.b}};                                                              \
+     },                                                                                            \
+     [](float face, float a, float b) -> kernel_result                                             \
+     {                                                                                             \
+         auto r = KERNEL(cm_##id##_unproject)(face, a, b);                                         \
+         return {{r.x, r.y, r.z}};                                                                 \
+     }},
+#define KERNEL_TABLE_WARP(id)                                                                      \
+    {#id,                                                                                          \
+     [](float p, float q, float parameter) -> kernel_result                                        \
+     {                                                                                             \
+         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(parameter, 0.0f));          \
+         auto r = KERNEL(cm_##id##_forward)(p, q, k);                                              \
+         return {{r.u, r.v, 0.0f}};                                                                \
+     },                                                                                            \
+     [](float u, float v, float parameter) -> kernel_result                                        \
+     {                                                                                             \
+         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(parameter, 0.0f));          \
+         auto r = KERNEL(cm_##id##_inverse)(u, v, k);                                              \
+         return {{r.p, r.q, 0.0f}};                                                                \
+     },                                                                                            \
+     nullptr, nullptr},
+
+#endif
