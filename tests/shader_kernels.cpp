@@ -7,8 +7,6 @@
 
 #include <cmath>
 
-#include <cstdlib>
-
 namespace
 {
 using std::abs;

@@ -13,7 +13,7 @@
  *               nothing is read or written beyond the arguments
  *   ties        on an edge or a corner the first of x, y, z with the largest magnitude wins. The
  *               family CM_FAMILY_HYBRID has its own faces: healpix is on a polar one where
- *               3 |z| > 2 |d| by more than 6 eps, else on that of the first of x, y with the larger
+ *               3 |z| > 2 |d| by more than 4 eps, else on that of the first of x, y with the larger
  *               magnitude. An edge point that inverse has made a direction of is on the winner's
  *               edge for forward
  *   signs       a component of -0 gives a u or v of -0 or +0 by the frame's signs, and comes back
