@@ -239,6 +239,39 @@ START_TEST(custom_frame)
 }
 END_TEST
 
+/* geo with u, or with v, the other way */
+START_TEST(frames_that_differ_in_one_axis_only)
+{
+    for (int axis = 0; axis < 2; axis++)
+    {
+        cm_frame frame = *cm_frame_find("geo");
+        for (int i = 0; i < 6; i++)
+        {
+            signed char *turned_axis = axis == 0 ? &frame.face[i].u : &frame.face[i].v;
+            *turned_axis = (signed char)-*turned_axis;
+        }
+        cm_mapping *turned = make_mapping("coupled", &frame);
+        cm_mapping *plain = make_mapping("coupled", NULL);
+        uint64_t state = 23;
+        for (int i = 0; i < 1000; i++)
+        {
+            double direction[3];
+            double uv[2];
+            double plain_uv[2];
+            double back[3];
+            next_direction(&state, direction);
+            uint8_t face = cm_forward(turned, direction, uv);
+            ck_assert_int_eq(cm_forward(plain, direction, plain_uv), face);
+            ck_assert(uv[axis] == -plain_uv[axis] && uv[1 - axis] == plain_uv[1 - axis]);
+            cm_inverse(turned, face, uv, back);
+            ck_assert(earth_metres(direction, back) < 5e-9);
+        }
+        cm_mapping_destroy(turned);
+        cm_mapping_destroy(plain);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *tests[] = {tables_are_frames,
@@ -247,6 +280,7 @@ int main(void)
                             forward_and_inverse_follow_the_table,
                             edges_meet_the_right_neighbour,
                             custom_frame,
+                            frames_that_differ_in_one_axis_only,
                             NULL};
     return run_suite("frames", tests);
 }
