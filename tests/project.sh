@@ -303,6 +303,7 @@ usage_error 'missing argument, short' '--mapping needs an argument.*' -m
 usage_error 'missing argument, long' '--digits needs an argument.*' --digits
 usage_error 'argument too many' '--float takes no argument.*' --float=1
 usage_error 'two files' "one FILE at most, but 'b' follows 'a'" a b
+usage_error 'a name of two lines' "-m cu[?]bic: no mapping is called 'cu[?]bic'.*" -m $'cu\nbic'
 usage_error '--list of what' "--list is 'xml': .*" --list=xml
 usage_error '--list json' "--list reads no file, but 'json'.*--list=json.*" --list json
 expect 'short for a long option' 0 '1 2\n' '0 0.017 0.035\n' '' --mapp gnomonic --dig 2

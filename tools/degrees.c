@@ -134,15 +134,18 @@ void degrees_to_direction(double longitude, double latitude, double direction[3]
 
 void degrees_from_direction(const double direction[3], double *longitude, double *latitude)
 {
-    const double x = direction[0];
-    const double y = direction[1];
-    const double z = direction[2];
-    const double largest = fmax(fabs(x), fmax(fabs(y), fabs(z)));
-    if (isnan(x) || isnan(y) || isnan(z) || isinf(largest) || largest == 0)
+    const double largest = fmax(fabs(direction[0]), fmax(fabs(direction[1]), fabs(direction[2])));
+    if (isnan(direction[0]) || isnan(direction[1]) || isnan(direction[2]) || isinf(largest) ||
+        largest == 0)
     {
         *longitude = *latitude = (double)NAN;
         return;
     }
+    /* a subnormal distance from the axis has lost digits */
+    const double scale = largest < 1e-290 ? 0x1p600 : 1.0;
+    const double x = direction[0] * scale;
+    const double y = direction[1] * scale;
+    const double z = direction[2] * scale;
     const double squares = x * x + y * y;
     /* hypot where squares would leave the range of double */
     const double across = squares > 1e-290 && squares < 1e290 ? sqrt(squares) : hypot(x, y);

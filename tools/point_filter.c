@@ -91,8 +91,7 @@ PRINTF_LIKE(3, 4) static void complain(struct filter *filter, size_t index, cons
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    fprintf(stderr, "%s:%llu: %s\n", filter->name,
-            (unsigned long long)(filter->batch.first_line + index), text);
+    say("%s:%llu: %s", filter->name, (unsigned long long)(filter->batch.first_line + index), text);
     filter->any_bad = true;
 }
 

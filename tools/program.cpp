@@ -2,6 +2,7 @@
 
 #include "program.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -151,6 +152,9 @@ int run_program(const std::string &name, const std::function<int()> &body)
     {
         text = first_line(exception.what());
     }
+    // whatever words of a user are in it: nothing that ends the line or that a terminal acts upon
+    const auto is_control = [](unsigned char byte) { return byte < ' ' || byte == 0x7f; };
+    std::replace_if(text.begin(), text.end(), is_control, '?');
     std::fprintf(stderr, "%s: %s\n", name.c_str(), text.c_str());
     return status;
 }
