@@ -141,8 +141,8 @@ void degrees_from_direction(const double direction[3], double *longitude, double
         *longitude = *latitude = (double)NAN;
         return;
     }
-    /* a subnormal distance from the axis has lost digits */
-    const double scale = largest < 1e-290 ? 0x1p600 : 1.0;
+    /* a subnormal distance from the axis has lost digits, and one of huge components is infinite */
+    const double scale = largest < 1e-290 ? 0x1p600 : (largest > 1e290 ? 0x1p-600 : 1.0);
     const double x = direction[0] * scale;
     const double y = direction[1] * scale;
     const double z = direction[2] * scale;
