@@ -62,9 +62,10 @@ static inline quad cm_versine_quarter_f128(quad x)
     return 2.0Q * half * half;
 }
 
-static inline quad cm_trisect_f128(quad y)
+static inline quad cm_trisect_f128(quad y, quad s)
 {
-    return 2.0Q * sinq(asinq(fminq(1.0Q, fmaxq(-1.0Q, y))) / 3.0Q);
+    (void)s;
+    return 2.0Q * sinq(asinq(fminq(1.0Q, y)) / 3.0Q);
 }
 
 #define CM_BACKEND 4

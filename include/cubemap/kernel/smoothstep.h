@@ -3,7 +3,7 @@
  * smoothstep: u = p (3 - c^2 p^2) / (3 - c^2), the part of the smoothstep polynomial up to c.
  *
  * The inverse is p = 2 sin(asin(y) / 3) / c with y = (3c - c^3) u / 2 (a published code has a wrong
- * one). The slope at the edge is 3 (1 - c^2) / (3 - c^2): towards c = 1 it vanishes there, and the
+ * one); a polynomial for that starts one Newton step. The slope at the edge is 3 (1 - c^2) / (3 - c^2): towards c = 1 it vanishes there, and the
  * inverse magnifies the rounding of u without bound.
  */
 #ifdef CM_DESCRIPTORS
@@ -23,34 +23,53 @@ CM_WARP(smoothstep,
                        .low = 0.0,
                        .low_excluded = 1,
                        .high = 1.0}},
-        .bounds = {.round_trip = 2.8, .plane_round_trip = 4, .forward = 2, .inverse = 4,
+        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
                    .relative = 6})
 /* clang-format on */
 #else
 
-/* k0 = c, k1 = c^2, k2 = 1 / (3 - c^2), k3 = c (3 - c^2) / 2, k4 = 3 - c^2 */
+/* k0 = kappa = c^2 / (3 - c^2), k1 = 1 - 2 kappa, the slope at the edge; with y = k2 a as above,
+ * 1 - y = k3 + k2 (1 - a); k4 = 1 / c */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_smoothstep_prepare)(CM_NAME(cm_constants) k)
 {
     /* below 1e-9 the mapping is gnomonic to the last bit */
-    k.k0 = cm_max(k.k0, CM_LIT(1.0e-9));
-    k.k1 = k.k0 * k.k0;
-    k.k4 = CM_LIT(3.0) - k.k1;
-    k.k2 = CM_LIT(1.0) / k.k4;
-    k.k3 = CM_LIT(0.5) * k.k0 * k.k4;
+    CM_REAL c = cm_max(k.k0, CM_LIT(1.0e-9));
+    CM_REAL e = CM_LIT(1.0) - c;
+    CM_REAL below = CM_LIT(3.0) - c * c;
+    k.k0 = c * c / below;
+    k.k1 = CM_LIT(3.0) * e * (CM_LIT(1.0) + c) / below;
+    k.k2 = CM_LIT(0.5) * c * below;
+    k.k3 = CM_LIT(0.5) * (e * e) * (CM_LIT(2.0) + c);
+    k.k4 = CM_LIT(1.0) / c;
     return k;
 }
 
-/* (3 - c^2 w^2) / (3 - c^2) = 1 + c^2 (1 - w^2) / (3 - c^2) */
+/* (3 - c^2 w^2) / (3 - c^2) = 1 + kappa (1 - w^2) */
 CM_FN CM_REAL CM_NAME(cm_smoothstep_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    return CM_NAME(cm_stretch)(w, (k.k1 * k.k2) * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)));
+    return CM_NAME(cm_stretch)(w, k.k0 * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)));
+}
+
+/* One Newton step on p (1 + kappa (1 - p^2)) - a: the rest is all but exact, because a - p is. */
+CM_FN CM_REAL CM_NAME(cm_smoothstep_step)(CM_REAL p, CM_REAL a, CM_NAME(cm_constants) k)
+{
+    CM_REAL b = k.k0 * ((CM_LIT(1.0) - p) * (CM_LIT(1.0) + p));
+    CM_REAL rest = (a - p) - p * b;
+    CM_REAL slope = k.k1 + CM_LIT(3.0) * b;
+    /* without a slope, at the edge for c = 1, there is no rest either */
+    return p + rest / cm_max(slope, CM_LIT(1.0e-12));
 }
 
 CM_FN CM_REAL CM_NAME(cm_smoothstep_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_REAL a = cm_abs(w);
-    CM_REAL root = CM_NAME(cm_trisect)(k.k3 * a) / k.k0;
-    return cm_copysign(CM_SELECT(a == CM_LIT(1.0), CM_LIT(1.0), cm_min(CM_LIT(1.0), root)), w);
+    CM_REAL s = cm_sqrt(k.k3 + k.k2 * (CM_LIT(1.0) - a));
+    CM_REAL p = CM_NAME(cm_trisect)(k.k2 * a, s) * k.k4;
+    p = CM_NAME(cm_smoothstep_step)(p, a, k);
+#if CM_REAL_BITS > 64
+    p = CM_NAME(cm_smoothstep_step)(p, a, k);
+#endif
+    return cm_copysign(CM_SELECT(a == CM_LIT(1.0), CM_LIT(1.0), p), w);
 }
 
 CM_UNIVARIATE(cm_smoothstep_forward, cm_smoothstep_sigmoid, cm_smoothstep_inverse,
