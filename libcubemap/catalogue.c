@@ -6,6 +6,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define CM_DESCRIPTORS
@@ -151,13 +152,14 @@ static int scan_exponent(const char **text, const char *end, int *power)
 }
 
 /* digits * 10^power. Correctly rounded for up to 15 digits and powers to 22, where both operands are
- * exact (Clinger 1990); else within an ulp. Out of range it is a huge or a tiny number, not an error:
- * the parameters' ranges say what is right. */
+ * exact (Clinger 1990); else within an ulp. Out of range it is infinite or 0, not an error: the
+ * parameters' ranges say what is right. */
 static double scale_by_ten(unsigned long long digits, int power)
 {
     const int exact = digits <= 0x20000000000000ull && power >= -22 && power <= 22;
+    const int most = 400; /* beyond the range of double, with 19 digits too */
     long double scale = 1.0L;
-    for (int i = power < 0 ? -power : power; i > 0 && scale < 1e300L; i--)
+    for (int i = abs(power) < most ? abs(power) : most; i > 0; i--)
     {
         scale *= 10.0L;
     }

@@ -12,12 +12,13 @@ extern "C" {
 #endif
 
 /* Sine and cosine of any finite angle in degrees, which is reduced exactly; two NaN for others.
- * Both are within 0.8 ulp, exact at multiples of 90 and equal in magnitude at odd multiples of
- * 45. */
+ * Both are within 0.8 ulp (1 ulp where the result is below 2^-120), exact at multiples of 90 and equal
+ * in magnitude at odd multiples of 45. */
 void degrees_sine_cosine(double degrees, double *sine, double *cosine);
 
 /* atan2 in degrees, in [-180, 180]: exact on the axes and diagonals; elsewhere within 1.5 ulp of
- * the result, 1 ulp above 45 degrees and 0.75 ulp above 90 (measured with glibc). A y of -0 counts
+ * the result, 1 ulp above 45 degrees and 0.75 ulp above 90 (measured with glibc), 2 ulp below 2^-120
+ * degrees, and below 1e-306 degrees to an ulp of the subnormal radians. A y of -0 counts
  * as +0, so that the direction opposite to x is always at +180. */
 double degrees_atan2(double y, double x);
 
