@@ -17,7 +17,7 @@ CM_WARP(everitt,
                        .standard = 1.4511,
                        .low = 0.5,
                        .high = 1.8}},
-        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
                    .relative = 6})
 /* clang-format on */
 #else

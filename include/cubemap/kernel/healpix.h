@@ -19,7 +19,7 @@ CM_SPHERE(healpix,
           .properties = CM_EQUAL_AREA,
           .smooth_face = CM_SMOOTH_C0,
           .smooth_edge = CM_SMOOTH_C0,
-          .bounds = {.round_trip = 5, .plane_round_trip = 8, .forward = 5, .inverse = 3,
+          .bounds = {.round_trip = 5.8, .plane_round_trip = 8, .forward = 5, .inverse = 3,
                      .relative = 8})
 /* clang-format on */
 #else

@@ -13,7 +13,7 @@ CM_WARP(s2,
         .family = CM_FAMILY_UNIVARIATE,
         .smooth_face = CM_SMOOTH_C1,
         .smooth_edge = CM_SMOOTH_C0,
-        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
                    .relative = 6})
 /* clang-format on */
 #else

@@ -23,7 +23,7 @@ CM_WARP(smoothstep,
                        .low = 0.0,
                        .low_excluded = 1,
                        .high = 1.0}},
-        .bounds = {.round_trip = 2.5, .plane_round_trip = 3, .forward = 2, .inverse = 3,
+        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
                    .relative = 6})
 /* clang-format on */
 #else
