@@ -34,6 +34,25 @@ START_TEST(descriptors_are_complete)
 }
 END_TEST
 
+/* What the project promises of every mapping; bench/certificate holds the mappings to their bounds. */
+START_TEST(bounds_keep_the_promise)
+{
+    const double earth_nanometres = EARTH_RADIUS * 1e9 * 0x1p-53;
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        const cm_bounds *bounds = &at(i)->bounds;
+        double most = at(i)->family == CM_FAMILY_UNIVARIATE ? 2.0 : 5.0;
+        ck_assert_msg(bounds->round_trip > 0.0 && bounds->round_trip * earth_nanometres <= most,
+                      "%s: %g nm", at(i)->identifier, bounds->round_trip * earth_nanometres);
+        ck_assert(bounds->round_trip * 0x1p-24 <= 1e-6);
+        ck_assert(bounds->plane_round_trip > 0.0);
+        ck_assert(bounds->forward > 0.0 && bounds->forward <= 8.0);
+        ck_assert(bounds->inverse > 0.0 && bounds->inverse <= 8.0);
+        ck_assert(bounds->relative > 0.0 && bounds->relative <= 16.0);
+    }
+}
+END_TEST
+
 START_TEST(names_are_unique_and_found)
 {
     for (size_t i = 0; i < cm_catalogue_count(); i++)
@@ -285,6 +304,7 @@ END_TEST
 int main(void)
 {
     const TTest *tests[] = {descriptors_are_complete,
+                            bounds_keep_the_promise,
                             names_are_unique_and_found,
                             the_mappings_of_the_plan_are_there,
                             specifications,
