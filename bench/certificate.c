@@ -198,29 +198,41 @@ static void true_warp(const subject *s, int back, const double from[2], long dou
 
 /* ---- Errors ---- */
 
+/* What the three numbers of a place are. */
+typedef enum place
+{
+    DIRECTION, /* x y z */
+    POINT,     /* face u v */
+    WARP,      /* p q, of the warp alone */
+    UNWARP     /* u v, of its inverse */
+} place;
+
+static void describe(char *text, size_t size, place what, double a, double b, double c)
+{
+    switch (what)
+    {
+    case DIRECTION:
+        snprintf(text, size, "%.17g %.17g %.17g", a, b, c);
+        break;
+    case POINT:
+        snprintf(text, size, "%d %.17g %.17g", (int)a, b, c);
+        break;
+    default:
+        snprintf(text, size, "%s %.17g %.17g", what == WARP ? "p, q" : "u, v", a, b);
+        break;
+    }
+}
+
 /* NaN is the worst there is. */
-static void note(subject *s, kind which, double error, const char *format, int face, double a,
-                 double b, double c)
+static void note(subject *s, kind which, double error, place what, double a, double b, double c)
 {
     extreme *worst = &s->worst[which];
     if (!(error <= worst->error))
     {
         worst->error = isnan(error) ? (double)INFINITY : error;
-        if (face < 0)
-        {
-            snprintf(worst->where, sizeof worst->where, format, a, b, c);
-        }
-        else
-        {
-            snprintf(worst->where, sizeof worst->where, format, face, a, b);
-        }
+        describe(worst->where, sizeof worst->where, what, a, b, c);
     }
 }
-
-#define DIRECTION "%.17g %.17g %.17g"
-#define POINT "%d %.17g %.17g"
-#define WARP "p, q %.17g %.17g%.0s"
-#define UNWARP "u, v %.17g %.17g%.0s"
 
 /* a b - c d to an ulp and a half (Kahan), however much cancels. */
 static inline double difference_of_products(double a, double b, double c, double d)
@@ -312,7 +324,7 @@ static void plane_round_trips(subject *s, size_t n, const uint8_t *face, double 
         error[i] = (face_again[i] == face[i] ? plane : angle[i]) / s->eps;
     }
     size_t at = index_of_worst(n, error);
-    note(s, PLANE_ROUND_TRIP, error[at], POINT, face[at], uv[0][at], uv[1][at], 0.0);
+    note(s, PLANE_ROUND_TRIP, error[at], POINT, face[at], uv[0][at], uv[1][at]);
 }
 
 /* Directions whose lengths may be squared. */
@@ -324,7 +336,7 @@ static void round_trips(subject *s, size_t n, double (*d)[BLOCK])
     inverse_block(s, n, face, uv, back);
     small_angles(n, d, back, angle);
     size_t at = index_of_worst(n, angle);
-    note(s, ROUND_TRIP, angle[at] / s->eps, DIRECTION, -1, d[0][at], d[1][at], d[2][at]);
+    note(s, ROUND_TRIP, angle[at] / s->eps, DIRECTION, d[0][at], d[1][at], d[2][at]);
     plane_round_trips(s, n, face, uv, back);
 }
 
@@ -339,7 +351,7 @@ static void hard_round_trips(subject *s, size_t n, double (*d)[BLOCK])
     {
         const double from[3] = {d[0][i], d[1][i], d[2][i]};
         const double to[3] = {back[0][i], back[1][i], back[2][i]};
-        note(s, ROUND_TRIP, small_angle_of_any(from, to) / s->eps, DIRECTION, -1, from[0], from[1],
+        note(s, ROUND_TRIP, small_angle_of_any(from, to) / s->eps, DIRECTION, from[0], from[1],
              from[2]);
     }
     plane_round_trips(s, n, face, uv, back);
@@ -372,9 +384,9 @@ static void compare_forward(subject *s, size_t n, double (*d)[BLOCK])
         long double truth[2];
         if (true_forward(s, direction, truth) == face[i])
         {
-            note(s, FORWARD, absolute(truth, got, 2, s->eps), DIRECTION, -1, direction[0],
-                 direction[1], direction[2]);
-            note(s, FORWARD_RELATIVE, relative(s, truth, got, 2), DIRECTION, -1, direction[0],
+            note(s, FORWARD, absolute(truth, got, 2, s->eps), DIRECTION, direction[0], direction[1],
+                 direction[2]);
+            note(s, FORWARD_RELATIVE, relative(s, truth, got, 2), DIRECTION, direction[0],
                  direction[1], direction[2]);
             continue;
         }
@@ -382,7 +394,7 @@ static void compare_forward(subject *s, size_t n, double (*d)[BLOCK])
         long double meant[3];
         true_inverse(s, face[i], got, meant);
         const double stands_for[3] = {(double)meant[0], (double)meant[1], (double)meant[2]};
-        note(s, FORWARD, small_angle_of_any(direction, stands_for) / s->eps, DIRECTION, -1,
+        note(s, FORWARD, small_angle_of_any(direction, stands_for) / s->eps, DIRECTION,
              direction[0], direction[1], direction[2]);
     }
 }
@@ -397,9 +409,8 @@ static void compare_inverse(subject *s, size_t n, const uint8_t *face, double (*
         const double got[3] = {d[0][i], d[1][i], d[2][i]};
         long double truth[3];
         true_inverse(s, face[i], point, truth);
-        note(s, INVERSE, absolute(truth, got, 3, s->eps), POINT, face[i], point[0], point[1], 0.0);
-        note(s, INVERSE_RELATIVE, relative(s, truth, got, 3), POINT, face[i], point[0], point[1],
-             0.0);
+        note(s, INVERSE, absolute(truth, got, 3, s->eps), POINT, face[i], point[0], point[1]);
+        note(s, INVERSE_RELATIVE, relative(s, truth, got, 3), POINT, face[i], point[0], point[1]);
     }
 }
 
@@ -409,7 +420,7 @@ static void compare_warps(subject *s, size_t n, double (*from)[BLOCK])
     {
         int back = (int)(i % 2);
         const double point[2] = {from[0][i / 2], from[1][i / 2]};
-        const char *format = back ? UNWARP : WARP;
+        const place what = back ? UNWARP : WARP;
         kind which = back ? INVERSE : FORWARD;
         kind which_relative = back ? INVERSE_RELATIVE : FORWARD_RELATIVE;
         double got[2];
@@ -419,8 +430,8 @@ static void compare_warps(subject *s, size_t n, double (*from)[BLOCK])
             return;
         }
         true_warp(s, back, point, truth);
-        note(s, which, absolute(truth, got, 2, s->eps), format, -1, point[0], point[1], 0.0);
-        note(s, which_relative, relative(s, truth, got, 2), format, -1, point[0], point[1], 0.0);
+        note(s, which, absolute(truth, got, 2, s->eps), what, point[0], point[1], 0.0);
+        note(s, which_relative, relative(s, truth, got, 2), what, point[0], point[1], 0.0);
     }
 }
 
