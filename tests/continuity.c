@@ -13,16 +13,6 @@
 #include "quad.h"
 #endif
 
-/* ck_assert_msg without the note that it writes on every success: there are millions of them. */
-#define REQUIRE(condition, ...)                                                                    \
-    do                                                                                             \
-    {                                                                                              \
-        if (!(condition))                                                                          \
-        {                                                                                          \
-            ck_abort_msg(__VA_ARGS__);                                                             \
-        }                                                                                          \
-    } while (0)
-
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 /* ---- Mappings, and what they promise ---- */

@@ -10,16 +10,6 @@
 
 #include <float.h>
 
-/* ck_assert_msg without the note that it writes on every success: there are millions of them. */
-#define REQUIRE(condition, ...)                                                                    \
-    do                                                                                             \
-    {                                                                                              \
-        if (!(condition))                                                                          \
-        {                                                                                          \
-            ck_abort_msg(__VA_ARGS__);                                                             \
-        }                                                                                          \
-    } while (0)
-
 #define HALF_PI 1.5707963267948966 /* and PI are the doubles below the true values */
 #define PI 3.141592653589793
 #define TOLERANCE 1e-9

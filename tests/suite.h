@@ -16,6 +16,16 @@
 
 #include "sphere.h"
 
+/* ck_assert_msg without the note that it writes on every success: there are millions of them. */
+#define REQUIRE(condition, ...)                                                                    \
+    do                                                                                             \
+    {                                                                                              \
+        if (!(condition))                                                                          \
+        {                                                                                          \
+            ck_abort_msg(__VA_ARGS__);                                                             \
+        }                                                                                          \
+    } while (0)
+
 static inline int run_suite(const char *name, const TTest *const *tests)
 {
     Suite *suite = suite_create(name);
