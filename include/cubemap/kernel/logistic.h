@@ -18,7 +18,7 @@ CM_WARP_VARIANTS(logistic,
                                 .low = 0.0,
                                 .low_excluded = 1,
                                 .high = 4.0}},
-                 .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
+                 .bounds = {.round_trip = 2.8, .plane_round_trip = 4, .forward = 2, .inverse = 3,
                             .relative = 6})
 /* clang-format on */
 #else
