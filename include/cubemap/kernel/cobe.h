@@ -146,7 +146,7 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_c
     CM_NAME(cm_pq) r =
         CM_NAME(cm_make_pq)(CM_NAME(cm_cobe_polynomial)(u, CM_NAME(cm_cobe_published)(x, y)),
                             CM_NAME(cm_cobe_polynomial)(v, CM_NAME(cm_cobe_published)(y, x)));
-    if (k.variant == CM_LIT(0.0))
+    if (!CM_VARIANT(k))
     {
         r = CM_NAME(cm_cobe_step)(r.p, r.q, u, v);
 #if CM_REAL_BITS >= 64

@@ -36,8 +36,8 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_cube_project)(CM_REAL x, CM_REAL y, CM_R
     CM_REAL ax = cm_abs(x);
     CM_REAL ay = cm_abs(y);
     CM_REAL az = cm_abs(z);
-    CM_BOOL y_wins = ay >= az; /* of y and z */
-    CM_BOOL x_wins = ax >= cm_max(ay, az);
+    CM_BOOL y_wins = cm_at_least(ay, az); /* of y and z */
+    CM_BOOL x_wins = cm_at_least(ax, cm_max(ay, az));
     CM_REAL major = CM_SELECT(x_wins, x, CM_SELECT(y_wins, y, z));
     CM_REAL sign = cm_copysign(CM_LIT(1.0), major);
     CM_REAL turned = -(sign * x);
@@ -60,11 +60,11 @@ CM_FN CM_NAME(cm_xyz) CM_NAME(cm_cube_unproject)(CM_REAL face, CM_REAL p, CM_REA
     CM_REAL a = p * major;
     CM_REAL b = q * major;
     /* faces 0 1 2 3 are +x +y -x -y, 4 5 are +z -z */
-    CM_BOOL polar = face > CM_LIT(3.5);
-    CM_BOOL minus = face > CM_SELECT(polar, CM_LIT(4.5), CM_LIT(1.5));
+    CM_BOOL polar = cm_less(CM_LIT(3.5), face);
+    CM_BOOL minus = cm_less(CM_SELECT(polar, CM_LIT(4.5), CM_LIT(1.5)), face);
     CM_REAL sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
     CM_REAL folded = face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0));
-    CM_BOOL along_y = folded > CM_LIT(0.5); /* if not polar */
+    CM_BOOL along_y = cm_less(CM_LIT(0.5), folded); /* if not polar */
     CM_NAME(cm_xyz) r;
     r.x = CM_SELECT(polar, -(sign * b), CM_SELECT(along_y, -(sign * a), sign * major));
     r.y = CM_SELECT(polar, a, CM_SELECT(along_y, sign * major, sign * a));

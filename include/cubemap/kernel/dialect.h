@@ -11,9 +11,10 @@
  *   - every real literal is CM_LIT(...) with a decimal point: there is no int -> float there;
  *   - names are whole words in CM_NAME(...): there is no ## there;
  *   - only the functions named below, no name of a math library;
- *   - CM_SELECT(condition, a, b) for a choice between values: both sides are evaluated, so that a
- *     loop over a kernel has no branch. A branch on a mapping's variant (types.h) is allowed: it is the
- *     same for every point;
+ *   - CM_SELECT(condition, a, b) for a choice between values, its condition made by cm_less(a, b),
+ *     cm_at_least(a, b) or cm_equal(a, b): both sides are evaluated, so that a kernel has no branch. A
+ *     branch on a mapping's variant (types.h), CM_VARIANT(k), is allowed: it is the same for every
+ *     point;
  *   - loops have a literal number of turns.
  *
  * Backends, chosen by defining CM_BACKEND before the first include:
@@ -23,11 +24,15 @@
  *   CM_BACKEND_QUAD     gcc's __float128, names end in _f128: the truth that the tests measure the
  *                       others against. The includer supplies <quadmath.h> and what elementary.h
  *                       holds (tests/quad.h does)
+ *   CM_BACKEND_LANES    vectors of several points: a CM_REAL is as many numbers as a register holds.
+ *                       The includer supplies all words, in a file that CM_LANES names
+ *                       (libcubemap/lanes/)
  */
 #define CM_BACKEND_DOUBLE 1
 #define CM_BACKEND_FLOAT 2
 #define CM_BACKEND_GLSL 3
 #define CM_BACKEND_QUAD 4
+#define CM_BACKEND_LANES 5
 
 #ifndef CM_BACKEND
 #define CM_BACKEND CM_BACKEND_GLSL
@@ -60,6 +65,8 @@
 #define cm_sqrt(x) sqrtq(x)
 #define cm_abs(x) fabsq(x)
 #define cm_copysign(m, s) copysignq(m, s)
+#elif CM_BACKEND == CM_BACKEND_LANES
+#include CM_LANES
 #else
 #define CM_REAL float
 #define CM_REAL_BITS 32
@@ -78,7 +85,9 @@
 #define CM_STRUCT(name) struct name
 #define CM_STRUCT_END(name) ;
 #else
+#if CM_BACKEND != CM_BACKEND_LANES
 #define CM_BOOL int
+#endif
 /* A loop over a kernel is made of vectors only if every call in it is inlined; without optimisation
  * kernels stay functions, for debuggers and for counting what is covered. */
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
@@ -91,9 +100,15 @@
 #define CM_STRUCT_END(name) CM_NAME(name);
 #endif
 
+#if CM_BACKEND != CM_BACKEND_LANES
+#define cm_less(a, b) ((a) < (b))
+#define cm_at_least(a, b) ((a) >= (b))
+#define cm_equal(a, b) ((a) == (b))
 #define CM_SELECT(condition, a, b) ((condition) ? (a) : (b))
 #define cm_min(a, b) CM_SELECT((a) < (b), a, b)
 #define cm_max(a, b) CM_SELECT((a) > (b), a, b)
+#define CM_VARIANT(k) ((k).variant != CM_LIT(0.0))
+#endif
 
 /* The two functions of a univariate mapping from those of one coordinate: u = f(p), v = f(q). */
 #define CM_UNIVARIATE(forward, f, inverse, f_inverse)                                              \

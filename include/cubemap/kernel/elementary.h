@@ -113,7 +113,7 @@ CM_FN CM_REAL CM_NAME(cm_sin_quarter)(CM_REAL x)
     CM_REAL r = CM_LIT(-1.66666552e-1) + z * (CM_LIT(8.33219010e-3) + z * CM_LIT(-1.95184548e-4));
 #endif
     r = x + (x * z) * r;
-    return CM_SELECT(x == CM_LIT(0.0), x, r);
+    return CM_SELECT(cm_equal(x, CM_LIT(0.0)), x, r);
 }
 
 /* 1 - cos x for |x| <= pi / 4, relatively accurate near 0.

@@ -16,7 +16,7 @@ CM_FN CM_REAL CM_NAME(cm_stretch)(CM_REAL w, CM_REAL d)
  * exact there nevertheless. */
 CM_FN CM_REAL CM_NAME(cm_stretch_inside)(CM_REAL w, CM_REAL d)
 {
-    return cm_copysign(CM_SELECT(cm_abs(w) == CM_LIT(1.0), CM_LIT(1.0), cm_abs(w + w * d)), w);
+    return cm_copysign(CM_SELECT(cm_equal(cm_abs(w), CM_LIT(1.0)), CM_LIT(1.0), cm_abs(w + w * d)), w);
 }
 
 /* w sqrt((a + d) / a); a > 0, a + d > 0 */

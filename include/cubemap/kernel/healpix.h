@@ -46,14 +46,15 @@ CM_SPHERE(healpix,
 CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
     CM_REAL scale =
-        CM_SELECT(CM_NAME(cm_magnitude)(x, y, z) < CM_HEALPIX_SMALL, CM_HEALPIX_LARGE, CM_LIT(1.0));
+        CM_SELECT(cm_less(CM_NAME(cm_magnitude)(x, y, z), CM_HEALPIX_SMALL), CM_HEALPIX_LARGE,
+                  CM_LIT(1.0));
     CM_REAL height = scale * cm_abs(z);
-    CM_BOOL x_wins = cm_abs(x) >= cm_abs(y);
+    CM_BOOL x_wins = cm_at_least(cm_abs(x), cm_abs(y));
     CM_REAL sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_wins, x, y));
     CM_REAL major = scale * CM_SELECT(x_wins, cm_abs(x), cm_abs(y));
     CM_REAL minor = scale * CM_SELECT(x_wins, sign * y, -(sign * x));
     /* tangent of the longitude from the middle of the sector; at a pole any will do */
-    CM_REAL t = minor / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0));
+    CM_REAL t = minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
     CM_REAL square = CM_LIT(1.0) + t * t;
     /* (4 / pi) atan t = t (1 + E) / (1 + E1), where 1 + E1 = pi / 4 */
     CM_REAL excess =
@@ -63,7 +64,7 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, C
     CM_REAL sector = CM_SELECT(x_wins, CM_LIT(1.0) - sign, CM_LIT(2.0) - sign);
 
     CM_REAL root = cm_sqrt(square); /* the distance from the axis is major times that */
-    CM_BOOL polar = height > (CM_HEALPIX_POLAR * major) * root;
+    CM_BOOL polar = cm_less((CM_HEALPIX_POLAR * major) * root, height);
     /* polar: the tangent of the distance from the pole, r, and n = sqrt(1 + r^2), so that 1 - |sin lat|
      * is r^2 / (n (n + 1)); on the belt |sin lat| is r / n with the part of z to major */
     CM_REAL r = (CM_SELECT(polar, major, height) / CM_SELECT(polar, height, major)) *
@@ -78,7 +79,7 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, C
     CM_REAL signed_sigma = sign * sigma;
     CM_REAL cap_a = CM_SELECT(x_wins, signed_along, signed_sigma);
     CM_REAL cap_b = CM_SELECT(x_wins, -signed_sigma, signed_along);
-    CM_BOOL south = z < CM_LIT(0.0);
+    CM_BOOL south = cm_less(z, CM_LIT(0.0));
 
     CM_NAME(cm_face_point) point;
     point.face = CM_SELECT(polar, CM_SELECT(south, CM_LIT(5.0), CM_LIT(4.0)), sector);
@@ -90,23 +91,24 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, C
 /* The unit direction of (u, v) on a face. */
 CM_FN CM_NAME(cm_xyz) CM_NAME(cm_healpix_unproject)(CM_REAL face, CM_REAL u, CM_REAL v)
 {
-    CM_BOOL polar = face > CM_LIT(3.5);
-    CM_BOOL south = face > CM_LIT(4.5);
+    CM_BOOL polar = cm_less(CM_LIT(3.5), face);
+    CM_BOOL south = cm_less(CM_LIT(4.5), face);
     /* in a cap: the sector by the larger coordinate, ties to the sectors of the x axis, as forward */
     CM_REAL w = CM_SELECT(south, -v, v);
-    CM_BOOL x_sector = cm_abs(w) >= cm_abs(u);
+    CM_BOOL x_sector = cm_at_least(cm_abs(w), cm_abs(u));
     CM_REAL cap_sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_sector, -w, u));
     CM_REAL sigma = CM_SELECT(x_sector, cm_abs(w), cm_abs(u));
     CM_REAL cap_along = cap_sign * CM_SELECT(x_sector, u, w);
-    CM_REAL cap_f = cap_along / CM_SELECT(sigma > CM_LIT(0.0), sigma, CM_LIT(1.0));
+    CM_REAL cap_f = cap_along / CM_SELECT(cm_less(CM_LIT(0.0), sigma), sigma, CM_LIT(1.0));
     /* on the belt: the sector is the face */
-    CM_BOOL minus = face > CM_LIT(1.5);
+    CM_BOOL minus = cm_less(CM_LIT(1.5), face);
     CM_REAL belt_sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
-    CM_BOOL x_face = face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0)) < CM_LIT(0.5);
+    CM_BOOL x_face = cm_less(face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0)), CM_LIT(0.5));
 
     CM_REAL f = CM_SELECT(polar, cap_f, u);
     CM_REAL sign = CM_SELECT(polar, cap_sign, belt_sign);
-    CM_REAL along_x = CM_SELECT(CM_SELECT(polar, x_sector, x_face), CM_LIT(1.0), CM_LIT(0.0));
+    CM_REAL along_x = CM_SELECT(polar, CM_SELECT(x_sector, CM_LIT(1.0), CM_LIT(0.0)),
+                                CM_SELECT(x_face, CM_LIT(1.0), CM_LIT(0.0)));
 
     CM_REAL lon = f * CM_LIT(0.78539816339744830961566084581987572105); /* pi / 4 */
     CM_REAL sine = CM_NAME(cm_sin_quarter)(lon);
@@ -119,7 +121,7 @@ CM_FN CM_NAME(cm_xyz) CM_NAME(cm_healpix_unproject)(CM_REAL face, CM_REAL u, CM_
                             cm_sqrt((CM_LIT(1.0) - belt_z) * (CM_LIT(1.0) + belt_z)));
     CM_REAL major = sign * (rho * cosine);
     CM_REAL minor = sign * (rho * sine);
-    CM_BOOL x_major = along_x > CM_LIT(0.5);
+    CM_BOOL x_major = cm_less(CM_LIT(0.5), along_x);
     CM_NAME(cm_xyz) r;
     r.x = CM_SELECT(x_major, major, -minor);
     r.y = CM_SELECT(x_major, minor, major);

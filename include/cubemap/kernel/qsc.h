@@ -125,10 +125,10 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_co
     CM_UNUSED(k);
     CM_REAL abs_p = cm_abs(p);
     CM_REAL abs_q = cm_abs(q);
-    CM_BOOL wide = abs_p >= abs_q;
+    CM_BOOL wide = cm_at_least(abs_p, abs_q);
     CM_REAL major = CM_SELECT(wide, abs_p, abs_q);
     CM_REAL minor = CM_SELECT(wide, abs_q, abs_p);
-    CM_REAL t = minor / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0));
+    CM_REAL t = minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
     CM_REAL t2 = t * t;
     CM_REAL r = cm_sqrt(CM_LIT(2.0) + t2);
     CM_REAL w = cm_sqrt((CM_LIT(1.0) + major * major) + minor * minor);
@@ -146,11 +146,11 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
     CM_UNUSED(k);
     CM_REAL abs_u = cm_abs(u);
     CM_REAL abs_v = cm_abs(v);
-    CM_BOOL wide = abs_u >= abs_v;
+    CM_BOOL wide = cm_at_least(abs_u, abs_v);
     CM_REAL major = CM_SELECT(wide, abs_u, abs_v);
     CM_REAL minor = CM_SELECT(wide, abs_v, abs_u);
     CM_REAL t =
-        CM_NAME(cm_qsc_across_inverse)(minor / CM_SELECT(major > CM_LIT(0.0), major, CM_LIT(1.0)));
+        CM_NAME(cm_qsc_across_inverse)(minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0)));
     CM_REAL t2 = t * t;
     CM_REAL r1 = CM_LIT(1.0) + cm_sqrt(CM_LIT(2.0) + t2);
     CM_REAL inverse_r1 = CM_LIT(1.0) / r1;

@@ -69,7 +69,7 @@ CM_FN CM_REAL CM_NAME(cm_smoothstep_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_const
 #if CM_REAL_BITS > 64
     p = CM_NAME(cm_smoothstep_step)(p, a, k);
 #endif
-    return cm_copysign(CM_SELECT(a == CM_LIT(1.0), CM_LIT(1.0), p), w);
+    return cm_copysign(CM_SELECT(cm_equal(a, CM_LIT(1.0)), CM_LIT(1.0), p), w);
 }
 
 CM_UNIVARIATE(cm_smoothstep_forward, cm_smoothstep_sigmoid, cm_smoothstep_inverse,

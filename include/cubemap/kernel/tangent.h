@@ -38,8 +38,8 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_tangent_prepare)(CM_NAME(cm_constants) k)
 {
     CM_REAL c = k.k0;
     k.k0 = c * c;
-    k.variant = CM_SELECT(c > CM_LIT(1.0), CM_LIT(1.0), CM_LIT(0.0));
-    if (k.variant == CM_LIT(0.0))
+    k.variant = CM_SELECT(cm_less(CM_LIT(1.0), c), CM_LIT(1.0), CM_LIT(0.0));
+    if (!CM_VARIANT(k))
     {
         k.k1 = CM_NAME(cm_atan_excess)(k.k0);
         k.k5 = CM_LIT(1.0) + k.k1;
@@ -65,7 +65,7 @@ CM_FN CM_REAL CM_NAME(cm_tangent_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_REAL z = k.k0 * (w * w);
     CM_REAL d;
-    if (k.variant == CM_LIT(0.0))
+    if (!CM_VARIANT(k))
     {
         d = (CM_NAME(cm_atan_excess)(z) - k.k1) * k.k2;
     }
@@ -87,7 +87,7 @@ CM_FN CM_REAL CM_NAME(cm_tangent_steep_inverse)(CM_REAL w, CM_NAME(cm_constants)
 {
     CM_REAL a = cm_abs(w);
     CM_REAL b = CM_LIT(1.0) - a;
-    CM_BOOL outer = b < CM_LIT(0.25);
+    CM_BOOL outer = cm_less(b, CM_LIT(0.25));
     CM_REAL z = k.k3 * CM_SELECT(outer, CM_LIT(4.0) * (b * b), w * w);
     CM_REAL excess = CM_NAME(cm_tan_excess)(z);
     CM_REAL f = CM_LIT(1.0) + excess;
@@ -104,7 +104,7 @@ CM_FN CM_REAL CM_NAME(cm_tangent_steep_inverse)(CM_REAL w, CM_NAME(cm_constants)
 
 CM_FN CM_REAL CM_NAME(cm_tangent_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
-    if (k.variant != CM_LIT(0.0))
+    if (CM_VARIANT(k))
     {
         return CM_NAME(cm_tangent_steep_inverse)(w, k);
     }

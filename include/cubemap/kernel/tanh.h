@@ -34,12 +34,12 @@ CM_WARP_VARIANTS(tanh,
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_tanh_prepare)(CM_NAME(cm_constants) k)
 {
     CM_REAL c = k.k0;
-    k.variant = CM_SELECT(c > CM_LIT(1.0), CM_LIT(1.0), CM_LIT(0.0));
-    CM_REAL part = CM_SELECT(c > CM_LIT(1.0), CM_LIT(0.5) * c, c);
+    k.variant = CM_SELECT(cm_less(CM_LIT(1.0), c), CM_LIT(1.0), CM_LIT(0.0));
+    CM_REAL part = CM_SELECT(cm_less(CM_LIT(1.0), c), CM_LIT(0.5) * c, c);
     k.k0 = part * part;
     k.k1 = CM_NAME(cm_tanh_excess)(k.k0);
     CM_REAL value = part + part * k.k1; /* tanh of the part */
-    if (k.variant != CM_LIT(0.0))
+    if (CM_VARIANT(k))
     {
         CM_REAL square = value * value;
         CM_REAL sech = (CM_LIT(1.0) - square) / (CM_LIT(1.0) + square);
@@ -65,7 +65,7 @@ CM_FN CM_REAL CM_NAME(cm_tanh_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
     CM_REAL z = k.k0 - k.k0 * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w));
     CM_REAL excess = CM_NAME(cm_tanh_excess)(z);
     CM_REAL d = (excess - k.k1) * k.k2;
-    if (k.variant != CM_LIT(0.0))
+    if (CM_VARIANT(k))
     {
         CM_REAL f = CM_LIT(1.0) + excess;
         CM_REAL f1 = CM_LIT(1.0) + k.k1;
@@ -78,7 +78,7 @@ CM_FN CM_REAL CM_NAME(cm_tanh_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 CM_FN CM_REAL CM_NAME(cm_tanh_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_REAL d;
-    if (k.variant != CM_LIT(0.0))
+    if (CM_VARIANT(k))
     {
         CM_REAL rest = k.k3 * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w)); /* root^2 - root1^2 */
         CM_REAL root = cm_sqrt(k.k6 + rest);

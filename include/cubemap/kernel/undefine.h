@@ -17,6 +17,10 @@
 #undef cm_copysign
 #undef cm_min
 #undef cm_max
+#undef cm_less
+#undef cm_at_least
+#undef cm_equal
+#undef CM_VARIANT
 #undef CM_UNUSED
 #undef CM_UNIVARIATE
 #undef CM_HEALPIX_POLAR
