@@ -138,21 +138,26 @@ cm_status cm_frame_check(const cm_frame *frame)
 void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn)
 {
     const cm_frame *geo = cm_frame_find("geo");
-    turn->identity = 1;
-    for (int i = 0; i < 6; i++)
+    *turn = (cm_turn){.identity = 1};
+    for (unsigned i = 0; i < 6; i++)
     {
         const cm_frame_face *to = &frame->face[i];
-        int g = geo_face_of(to->outward);
+        unsigned g = (unsigned)geo_face_of(to->outward);
         const cm_frame_face *from = &geo->face[g];
         int swap = abs(to->u) != abs(from->u);
         int first = swap ? from->v : from->u;
         int second = swap ? from->u : from->v;
-        turn->face[g] = (unsigned char)i;
-        turn->geo_face[i] = (unsigned char)g;
-        turn->swap[g] = (unsigned char)swap;
-        turn->sign_u[g] = (signed char)(to->u == first ? 1 : -1);
-        turn->sign_v[g] = (signed char)(to->v == second ? 1 : -1);
-        if (i != g || swap || to->u != first || to->v != second)
+        uint64_t minus_u = to->u != first;
+        uint64_t minus_v = to->v != second;
+        turn->swap_bits |= (uint64_t)swap << (63u - g);
+        turn->minus_u_bits |= minus_u << (63u - g);
+        turn->minus_v_bits |= minus_v << (63u - g);
+        turn->face_digits |= (uint64_t)i << (3u * g);
+        turn->swap_back_bits |= (uint64_t)swap << (63u - i);
+        turn->minus_u_back_bits |= minus_u << (63u - i);
+        turn->minus_v_back_bits |= minus_v << (63u - i);
+        turn->geo_face_digits |= (uint64_t)g << (3u * i);
+        if (i != g || swap || minus_u || minus_v)
         {
             turn->identity = 0;
         }

@@ -7,18 +7,79 @@
 
 #include <cubemap/cubemap.h>
 #include <cubemap/kernels.h>
+#include <cubemap/options.h>
 
 /* How a frame differs from geo. A point (a, b) of a face of geo is on the face of that number in the
  * frame, at u = sign_u * (swap ? b : a), v = sign_v * (swap ? a : b). */
 typedef struct cm_turn
 {
-    unsigned char face[6];     /* of the frame, by face of geo */
-    unsigned char geo_face[6]; /* of geo, by face of the frame */
-    unsigned char swap[6];     /* by face of geo, as are the signs */
-    signed char sign_u[6];
-    signed char sign_v[6];
     int identity; /* nothing changes at all */
+    /* As tables that a vector of faces looks up: bit 63 - i for face i, and octal digit i. The first
+     * four by face of geo, the others by face of the frame. */
+    uint64_t swap_bits;
+    uint64_t minus_u_bits;
+    uint64_t minus_v_bits;
+    uint64_t face_digits; /* of the frame */
+    uint64_t swap_back_bits;
+    uint64_t minus_u_back_bits;
+    uint64_t minus_v_back_bits;
+    uint64_t geo_face_digits;
 } cm_turn;
+
+/* The loops of one mapping in one precision (batch.h), over whole vectors: n is a multiple of the set's
+ * lanes. The arguments are those of the public functions; warp and unwarp work in place, and are NULL if
+ * the mapping has none. */
+typedef struct cm_batch_f64
+{
+    void (*forward)(const cm_mapping *mapping, size_t n, const double *x, const double *y,
+                    const double *z, uint8_t *face, double *u, double *v);
+    void (*inverse)(const cm_mapping *mapping, size_t n, const uint8_t *face, const double *u,
+                    const double *v, double *x, double *y, double *z);
+    void (*warp)(const cm_mapping *mapping, size_t n, double *p, double *q);
+    void (*unwarp)(const cm_mapping *mapping, size_t n, double *u, double *v);
+} cm_batch_f64;
+
+typedef struct cm_batch_f32
+{
+    void (*forward)(const cm_mapping *mapping, size_t n, const float *x, const float *y,
+                    const float *z, uint8_t *face, float *u, float *v);
+    void (*inverse)(const cm_mapping *mapping, size_t n, const uint8_t *face, const float *u,
+                    const float *v, float *x, float *y, float *z);
+    void (*warp)(const cm_mapping *mapping, size_t n, float *p, float *q);
+    void (*unwarp)(const cm_mapping *mapping, size_t n, float *u, float *v);
+} cm_batch_f32;
+
+/* By variant; a mapping that has only one leaves the other empty. */
+typedef struct cm_batch_variants_f64
+{
+    cm_batch_f64 variant[2];
+} cm_batch_variants_f64;
+
+typedef struct cm_batch_variants_f32
+{
+    cm_batch_f32 variant[2];
+} cm_batch_variants_f32;
+
+/* All loops for one instruction set; tables by index in the catalogue. */
+typedef struct cm_batch_set
+{
+    const char *name;
+    size_t lanes_f64; /* powers of two, CM_LANES_MAX at most */
+    size_t lanes_f32;
+    const cm_batch_variants_f64 *f64;
+    const cm_batch_variants_f32 *f32;
+} cm_batch_set;
+
+#define CM_LANES_MAX 16
+
+/* Points that are gathered at once from arrays with a stride; a multiple of CM_LANES_MAX. */
+#define CM_BLOCK 256
+
+extern const cm_batch_set cm_batch_scalar;
+extern const cm_batch_set cm_batch_sse2;
+extern const cm_batch_set cm_batch_avx2;
+extern const cm_batch_set cm_batch_avx512;
+extern const cm_batch_set cm_batch_neon;
 
 struct cm_mapping
 {
@@ -29,36 +90,14 @@ struct cm_mapping
     cm_turn turn;
     cm_constants_f64 constants_f64;
     cm_constants_f32 constants_f32;
+    const cm_batch_set *set;
+    const cm_batch_f64 *batch_f64;
+    const cm_batch_f32 *batch_f32;
 };
 
-/* The kernels of one mapping in one precision, over arrays of at most CM_BLOCK points. project and
- * unproject go between directions and a face of geo; warp and unwarp work on the face in place and
- * are NULL if project gives (u, v) already. */
-#define CM_BLOCK 256
-
-typedef struct cm_kernels_f64
-{
-    void (*project)(size_t n, const double *x, const double *y, const double *z, double *face,
-                    double *a, double *b);
-    void (*unproject)(size_t n, const double *face, const double *a, const double *b, double *x,
-                      double *y, double *z);
-    void (*warp)(size_t n, double *a, double *b, const cm_constants_f64 *constants);
-    void (*unwarp)(size_t n, double *a, double *b, const cm_constants_f64 *constants);
-} cm_kernels_f64;
-
-typedef struct cm_kernels_f32
-{
-    void (*project)(size_t n, const float *x, const float *y, const float *z, float *face, float *a,
-                    float *b);
-    void (*unproject)(size_t n, const float *face, const float *a, const float *b, float *x,
-                      float *y, float *z);
-    void (*warp)(size_t n, float *a, float *b, const cm_constants_f32 *constants);
-    void (*unwarp)(size_t n, float *a, float *b, const cm_constants_f32 *constants);
-} cm_kernels_f32;
-
-/* By index in the catalogue. */
-extern const cm_kernels_f64 cm_kernel_table_f64[];
-extern const cm_kernels_f32 cm_kernel_table_f32[];
+/* The set of that name (NULL: what the environment says, else the best) if this machine can run it,
+ * else NULL. */
+const cm_batch_set *cm_batch_set_find(const char *name);
 
 /* frame must have passed cm_frame_check. */
 void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn);

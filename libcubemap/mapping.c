@@ -34,9 +34,24 @@ static void prepare(cm_mapping *mapping)
                                                 .variant = (float)k.variant};
 }
 
+/* The loops for the mapping's variant. */
+static void choose_loops(cm_mapping *mapping)
+{
+    size_t variant = mapping->constants_f64.variant != 0.0;
+    mapping->batch_f64 = &mapping->set->f64[mapping->index].variant[variant];
+    mapping->batch_f32 = &mapping->set->f32[mapping->index].variant[variant];
+}
+
 cm_status cm_mapping_create(const char *specification, const cm_frame *frame, cm_mapping **mapping)
 {
-    if (specification == NULL || mapping == NULL)
+    return cm_mapping_create_with(specification, frame, NULL, mapping);
+}
+
+cm_status cm_mapping_create_with(const char *specification, const cm_frame *frame,
+                                 const cm_options *options, cm_mapping **mapping)
+{
+    if (specification == NULL || mapping == NULL ||
+        (options != NULL && options->size != sizeof(cm_options)))
     {
         return CM_ERROR_ARGUMENT;
     }
@@ -55,7 +70,13 @@ cm_status cm_mapping_create(const char *specification, const cm_frame *frame, cm
     made.frame = *table;
     made.info = cm_catalogue_at(made.index);
     cm_turn_from_frame(table, &made.turn);
+    made.set = cm_batch_set_find(options == NULL ? NULL : options->instructions);
+    if (made.set == NULL)
+    {
+        return CM_ERROR_INSTRUCTIONS;
+    }
     prepare(&made);
+    choose_loops(&made);
     cm_mapping *kept = malloc(sizeof *kept);
     if (kept == NULL)
     {
@@ -74,6 +95,11 @@ void cm_mapping_destroy(cm_mapping *mapping)
 const cm_mapping_info *cm_mapping_describe(const cm_mapping *mapping)
 {
     return mapping->info;
+}
+
+const char *cm_mapping_instructions(const cm_mapping *mapping)
+{
+    return mapping->set->name;
 }
 
 const cm_frame *cm_mapping_frame(const cm_mapping *mapping)

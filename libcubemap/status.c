@@ -23,6 +23,9 @@ const char *cm_status_text(cm_status status)
         return "the mapping has no such operation";
     case CM_ERROR_MEMORY:
         return "out of memory";
+    case CM_ERROR_INSTRUCTIONS:
+        return "this machine or this build does not have that instruction set "
+               "(CUBEMAP_INSTRUCTIONS)";
     }
     return "unknown status";
 }

@@ -1,37 +1,56 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The compiler's own report on the batch loops for AVX2: which loop over which mapping's kernel became
-# vector code. Fails if the loops over algebraic, coupled, qsc, outerra or the face selection did not.
-# Usage: vectorisation.sh REPOSITORY C_COMPILER
+# The machine code of the batch loops: every mapping has its four loops in every instruction set and
+# precision, they work on vectors of the set's width, and nothing in them is a call (which would be a
+# kernel that was not inlined, or a function of libm).
+# Usage: vectorisation.sh BUILD_FOLDER INCLUDE_FOLDER SET...
 set -eu
-root=$1 cc=$2
-if [ "$(uname -m)" != x86_64 ]; then
-    echo "not an x86-64 machine"
+build=$1 include=$2
+shift 2
+if ! command -v objdump >/dev/null; then
+    echo "objdump is missing (apt: binutils)"
     exit 77
 fi
-flags="-std=c11 -O3 -mavx2 -ffp-contract=off -fno-math-errno -fno-trapping-math"
-if $cc --version | grep -qi clang; then
-    report="-Rpass=loop-vectorize"
-    pattern='vectorized loop (vectorization width: [48],'
-else
-    report="-fopt-info-vec-optimized"
-    pattern='loop vectorized using 32 byte vectors'
-fi
+
+# NAME COUNT: the identifiers of the catalogue's rooms and the number of their variants
+rooms=$(sed -n 's/^#include "\(.*\)"$/\1/p' "$include/cubemap/kernel/catalogue.h" | while read -r file; do
+    sed -n 's/^CM_WARP_VARIANTS(\([a-z0-9_]*\),.*/\1 2/p; s/^CM_\(WARP\|SPHERE\)(\([a-z0-9_]*\),.*/\2 1/p' \
+        "$include/cubemap/kernel/$file"
+done)
+expected=$(echo "$rooms" | awk '{sum += $2} END {print sum}')
+
 status=0
-for precision in double float; do
-    # shellcheck disable=SC2086
-    lines=$($cc $flags $report -I "$root/include" -c "$root/libcubemap/$precision.c" -o /dev/null 2>&1)
-    # the selection of the face is where the loops over cube.h are made
-    faces=$(grep -n '^CM_PROJECTION(cube)' "$root/libcubemap/precision.h" | cut -d: -f1)
-    test -n "$faces"
-    for room in kernel/algebraic.h kernel/coupled.h kernel/qsc.h kernel/outerra.h kernel/healpix.h \
-        "precision.h:$faces"; do
-        found=$(printf '%s\n' "$lines" | grep -c "$room:.*$pattern" || true)
-        echo "$precision $room: $found loops of AVX2 vectors"
-        # forward and inverse
-        if [ "$found" -lt 2 ]; then
-            status=1
-        fi
+for set in "$@"; do
+    case $set in
+    sse2) register='%xmm' packed='(mul|add|div)p' ;;
+    avx2) register='%ymm' packed='v(mul|add|div|fn?m[a-z0-9]*)p' ;;
+    avx512) register='%zmm' packed='v(mul|add|div|fn?m[a-z0-9]*)p' ;;
+    neon) register='v[0-9]+[.](2d|4s)' packed='f(mul|add|div|mla|mls) ' ;;
+    esac
+    object=$build/libcubemap/libcubemap-$set.a.p/batch_$set.c.o
+    for precision in 64 32; do
+        objdump -d --no-show-raw-insn "$object" | awk -v set="$set" -v precision="$precision" \
+            -v register="$register" -v packed="$packed" -v expected="$expected" '
+            function finish() {
+                if (name != "" && vectors < 4) { print set ": " name " has no loop of vectors"; bad = 1 }
+                name = ""
+            }
+            /^[0-9a-f]+ <.*>:$/ {
+                finish()
+                if ($2 ~ "^<(forward|inverse)_.*_lanes_f" precision ">:$") {
+                    name = $2; vectors = 0; found[substr(name, 2, 7)]++
+                }
+            }
+            name != "" && /call|\tbl / { print set ": " name " calls: " $0; bad = 1 }
+            # compilers fold functions with the same code into one
+            name != "" && /jmp.*<(forward|inverse)_[a-z0-9_]*_lanes_f[0-9]*>$/ { vectors = 4 }
+            name != "" && $0 ~ packed && $0 ~ register { vectors++ }
+            END {
+                finish()
+                print set ", " precision " bits: " found["forward"] " forward and " found["inverse"] \
+                    " inverse loops, " expected " expected"
+                exit bad || found["forward"] != expected || found["inverse"] != expected
+            }' || status=1
     done
 done
 exit $status

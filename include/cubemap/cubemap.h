@@ -11,7 +11,9 @@
 #include <cubemap/export.h>
 #include <cubemap/frame.h>
 #include <cubemap/mapping.h>
+#include <cubemap/options.h>
 #include <cubemap/status.h>
+#include <cubemap/threads.h>
 #include <cubemap/version.h>
 
 #endif

@@ -52,7 +52,7 @@ typedef struct cm_mapping cm_mapping;
  * "algebraic", "tangent:c=1.1823"; NAME is an identifier or an alias of the catalogue, upper and
  * lower case are the same, values are decimal numbers with a point in every locale. frame NULL means
  * geo; the table is copied, but not the texts that it points to. On success *mapping is to be given to cm_mapping_destroy.
- * Errors: CM_ERROR_ARGUMENT, _SYNTAX, _MAPPING, _PARAMETER, _RANGE, _FRAME, _MEMORY;
+ * Errors: CM_ERROR_ARGUMENT, _SYNTAX, _MAPPING, _PARAMETER, _RANGE, _FRAME, _MEMORY, _INSTRUCTIONS;
  * cm_specification_check says what is wrong in words. */
 CM_API cm_status cm_mapping_create(const char *specification, const cm_frame *frame,
                                    cm_mapping **mapping);

@@ -21,7 +21,8 @@ typedef enum cm_status
     CM_ERROR_RANGE = 5,     /* a parameter's value is outside its range */
     CM_ERROR_FRAME = 6,     /* a table that is not a frame */
     CM_ERROR_UNSUPPORTED = 7, /* the mapping has no such operation */
-    CM_ERROR_MEMORY = 8       /* no memory */
+    CM_ERROR_MEMORY = 8,      /* no memory */
+    CM_ERROR_INSTRUCTIONS = 9 /* an instruction set that this machine or this build does not have */
 } cm_status;
 
 /* One sentence without a full stop for each status, in English; never NULL, whatever the argument. */

@@ -64,17 +64,18 @@ CM_FN CM_NAME(cm_cobe_value) CM_NAME(cm_cobe_evaluate)(CM_REAL x, CM_REAL y)
 {
     CM_REAL x1 = CM_LIT(1.0) - x;
     CM_REAL y1 = CM_LIT(1.0) - y;
-    CM_REAL s = (CM_COBE_C00 + x * (CM_COBE_C10 + x * CM_COBE_C20)) +
-                y * ((CM_COBE_C01 + x * CM_COBE_C11) + y * CM_COBE_C02);
-    CM_REAL s_x = CM_COBE_C10 + CM_LIT(2.0) * x * CM_COBE_C20 + y * CM_COBE_C11;
-    CM_REAL s_y = CM_COBE_C01 + x * CM_COBE_C11 + CM_LIT(2.0) * y * CM_COBE_C02;
-    CM_REAL inner = (CM_COBE_CAPITAL_GAMMA + CM_COBE_M_GAMMA * x) + y1 * s;
-    CM_REAL d = CM_COBE_D0 + CM_COBE_D1 * x;
+    CM_REAL s = cm_mad(y, cm_mad(y, CM_COBE_C02, cm_mad(x, CM_COBE_C11, CM_COBE_C01)),
+                       cm_mad(x, cm_mad(x, CM_COBE_C20, CM_COBE_C10), CM_COBE_C00));
+    CM_REAL s_x = cm_mad(y, CM_COBE_C11, cm_mad(x, CM_LIT(2.0) * CM_COBE_C20, CM_COBE_C10));
+    CM_REAL s_y = cm_mad(y, CM_LIT(2.0) * CM_COBE_C02, cm_mad(x, CM_COBE_C11, CM_COBE_C01));
+    CM_REAL inner = cm_mad(y1, s, cm_mad(x, CM_COBE_M_GAMMA, CM_COBE_CAPITAL_GAMMA));
+    CM_REAL d = cm_mad(x, CM_COBE_D1, CM_COBE_D0);
+    CM_REAL outer = cm_mad(-x1, d, CM_COBE_OMEGA);
     CM_NAME(cm_cobe_value) r;
-    r.b = CM_COBE_GAMMA + (y * inner + x * (CM_COBE_OMEGA - x1 * d));
+    r.b = CM_COBE_GAMMA + cm_mad(y, inner, x * outer);
     r.b_x =
-        y * (CM_COBE_M_GAMMA + y1 * s_x) + ((CM_COBE_OMEGA - x1 * d) + x * (d - x1 * CM_COBE_D1));
-    r.b_y = inner + y * (y1 * s_y - s);
+        cm_mad(y, cm_mad(y1, s_x, CM_COBE_M_GAMMA), cm_mad(x, cm_mad(-x1, CM_COBE_D1, d), outer));
+    r.b_y = cm_mad(y, cm_mad(y1, s_y, -s), inner);
     return r;
 }
 
@@ -96,27 +97,38 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_cobe_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_c
  * in the form of cm_cobe_polynomial this is its sum. */
 CM_FN CM_REAL CM_NAME(cm_cobe_published)(CM_REAL x, CM_REAL y)
 {
-    CM_REAL y0 = CM_LIT(-0.27292696) +
-                 x * (CM_LIT(-0.07629969) +
-                      x * (CM_LIT(-0.22797056) +
-                           x * (CM_LIT(0.54852384) +
-                                x * (CM_LIT(-0.62930065) +
-                                     x * (CM_LIT(0.25795794) + x * CM_LIT(0.02584375))))));
-    CM_REAL y1 =
-        CM_LIT(-0.02819452) +
-        x * (CM_LIT(-0.01471565) +
-             x * (CM_LIT(0.48051509) +
-                  x * (CM_LIT(-1.74114454) + x * (CM_LIT(1.71547508) + x * CM_LIT(-0.53022337)))));
-    CM_REAL y2 =
-        CM_LIT(0.27058160) +
-        x * (CM_LIT(-0.56800938) +
-             x * (CM_LIT(0.30803317) + x * (CM_LIT(0.98938102) + x * CM_LIT(-0.83180469))));
-    CM_REAL y3 = CM_LIT(-0.60441560) +
-                 x * (CM_LIT(1.50880086) + x * (CM_LIT(-0.93678576) + x * CM_LIT(0.08693841)));
-    CM_REAL y4 = CM_LIT(0.93412077) + x * (CM_LIT(-1.41601920) + x * CM_LIT(0.33887446));
-    CM_REAL y5 = CM_LIT(-0.63915306) + x * CM_LIT(0.52032238);
+    CM_REAL y0 =
+        cm_mad(x,
+               cm_mad(x,
+                      cm_mad(x,
+                             cm_mad(x,
+                                    cm_mad(x, cm_mad(x, CM_LIT(0.02584375), CM_LIT(0.25795794)),
+                                           CM_LIT(-0.62930065)),
+                                    CM_LIT(0.54852384)),
+                             CM_LIT(-0.22797056)),
+                      CM_LIT(-0.07629969)),
+               CM_LIT(-0.27292696));
+    CM_REAL y1 = cm_mad(x,
+                        cm_mad(x,
+                               cm_mad(x,
+                                      cm_mad(x, cm_mad(x, CM_LIT(-0.53022337), CM_LIT(1.71547508)),
+                                             CM_LIT(-1.74114454)),
+                                      CM_LIT(0.48051509)),
+                               CM_LIT(-0.01471565)),
+                        CM_LIT(-0.02819452));
+    CM_REAL y2 = cm_mad(
+        x,
+        cm_mad(x, cm_mad(x, cm_mad(x, CM_LIT(-0.83180469), CM_LIT(0.98938102)), CM_LIT(0.30803317)),
+               CM_LIT(-0.56800938)),
+        CM_LIT(0.27058160));
+    CM_REAL y3 =
+        cm_mad(x, cm_mad(x, cm_mad(x, CM_LIT(0.08693841), CM_LIT(-0.93678576)), CM_LIT(1.50880086)),
+               CM_LIT(-0.60441560));
+    CM_REAL y4 = cm_mad(x, cm_mad(x, CM_LIT(0.33887446), CM_LIT(-1.41601920)), CM_LIT(0.93412077));
+    CM_REAL y5 = cm_mad(x, CM_LIT(0.52032238), CM_LIT(-0.63915306));
     CM_REAL y6 = CM_LIT(0.14381585);
-    return y0 + y * (y1 + y * (y2 + y * (y3 + y * (y4 + y * (y5 + y * y6)))));
+    return cm_mad(y, cm_mad(y, cm_mad(y, cm_mad(y, cm_mad(y, cm_mad(y, y6, y5), y4), y3), y2), y1),
+                  y0);
 }
 
 /* One Newton step from (p, q) towards F(p, q) = u, F(q, p) = v. */
@@ -128,15 +140,15 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_step)(CM_REAL p, CM_REAL q, CM_REAL u, CM_R
     CM_REAL y1 = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
     CM_NAME(cm_cobe_value) f = CM_NAME(cm_cobe_evaluate)(x, y);
     CM_NAME(cm_cobe_value) g = CM_NAME(cm_cobe_evaluate)(y, x);
-    CM_REAL f_p = CM_LIT(1.0) + x1 * f.b + CM_LIT(2.0) * x * (x1 * f.b_x - f.b);
-    CM_REAL g_q = CM_LIT(1.0) + y1 * g.b + CM_LIT(2.0) * y * (y1 * g.b_x - g.b);
+    CM_REAL f_p = cm_mad(CM_LIT(2.0) * x, cm_mad(x1, f.b_x, -f.b), cm_mad(x1, f.b, CM_LIT(1.0)));
+    CM_REAL g_q = cm_mad(CM_LIT(2.0) * y, cm_mad(y1, g.b_x, -g.b), cm_mad(y1, g.b, CM_LIT(1.0)));
     CM_REAL f_q = CM_LIT(2.0) * p * q * (x1 * f.b_y);
     CM_REAL g_p = CM_LIT(2.0) * p * q * (y1 * g.b_y);
-    CM_REAL f_rest = (u - p) - p * (x1 * f.b);
-    CM_REAL g_rest = (v - q) - q * (y1 * g.b);
-    CM_REAL scale = CM_LIT(1.0) / (f_p * g_q - f_q * g_p);
-    return CM_NAME(cm_make_pq)(p + (f_rest * g_q - g_rest * f_q) * scale,
-                               q + (g_rest * f_p - f_rest * g_p) * scale);
+    CM_REAL f_rest = cm_mad(-p, x1 * f.b, u - p);
+    CM_REAL g_rest = cm_mad(-q, y1 * g.b, v - q);
+    CM_REAL scale = CM_LIT(1.0) / cm_mad(f_p, g_q, -(f_q * g_p));
+    return CM_NAME(cm_make_pq)(cm_mad(cm_mad(f_rest, g_q, -(g_rest * f_q)), scale, p),
+                               cm_mad(cm_mad(g_rest, f_p, -(f_rest * g_p)), scale, q));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)

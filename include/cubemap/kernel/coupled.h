@@ -39,27 +39,26 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_coupled_forward)(CM_REAL p, CM_REAL q, CM_NAME(c
 {
     CM_REAL x = p * p;
     CM_REAL y = q * q;
-    CM_REAL g0x = k.k0 * x;
-    CM_REAL g0y = k.k0 * y;
-    CM_REAL delta = (CM_LIT(1.0) + g0x) * (CM_LIT(1.0) + g0y) - (k.k1 * x) * (k.k1 * y);
-    CM_REAL alpha = k.k2 * x * (CM_LIT(1.0) + k.k3 * y);
-    CM_REAL beta = k.k2 * y * (CM_LIT(1.0) + k.k3 * x);
-    CM_REAL r = delta + cm_sqrt(delta * delta + k.k4 * (alpha * beta));
+    CM_REAL delta = cm_mad(cm_mad(k.k0, x, CM_LIT(1.0)), cm_mad(k.k0, y, CM_LIT(1.0)),
+                           -((k.k1 * x) * (k.k1 * y)));
+    CM_REAL alpha = k.k2 * x * cm_mad(k.k3, y, CM_LIT(1.0));
+    CM_REAL beta = k.k2 * y * cm_mad(k.k3, x, CM_LIT(1.0));
+    CM_REAL r = delta + CM_NAME(cm_root)(cm_mad(k.k4, alpha * beta, delta * delta));
     CM_REAL g0r = k.k0 * r;
-    CM_REAL n = g0r + CM_LIT(2.0) * k.k1 * beta;
-    CM_REAL m = g0r + CM_LIT(2.0) * k.k1 * alpha;
+    CM_REAL n = cm_mad(CM_LIT(2.0) * k.k1, beta, g0r);
+    CM_REAL m = cm_mad(CM_LIT(2.0) * k.k1, alpha, g0r);
     CM_REAL a = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
     CM_REAL b = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
-    return CM_NAME(cm_make_uv)(CM_NAME(cm_scale_by_root)(p, r + x * n, a * n),
-                               CM_NAME(cm_scale_by_root)(q, r + y * m, b * m));
+    return CM_NAME(cm_make_uv)(CM_NAME(cm_divide_by_root)(p, -(a * n / (r + n))),
+                               CM_NAME(cm_divide_by_root)(q, -(b * m / (r + m))));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_coupled_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
     CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
     CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
-    CM_REAL g = a * (k.k0 + k.k1 * (v * v));
-    CM_REAL h = b * (k.k0 + k.k1 * (u * u));
+    CM_REAL g = a * cm_mad(k.k1, v * v, k.k0);
+    CM_REAL h = b * cm_mad(k.k1, u * u, k.k0);
     return CM_NAME(cm_make_pq)(CM_NAME(cm_divide_by_root)(u, g), CM_NAME(cm_divide_by_root)(v, h));
 }
 

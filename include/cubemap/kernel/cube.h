@@ -36,39 +36,36 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_cube_project)(CM_REAL x, CM_REAL y, CM_R
     CM_REAL ax = cm_abs(x);
     CM_REAL ay = cm_abs(y);
     CM_REAL az = cm_abs(z);
-    CM_BOOL y_wins = cm_at_least(ay, az); /* of y and z */
     CM_BOOL x_wins = cm_at_least(ax, cm_max(ay, az));
-    CM_REAL major = CM_SELECT(x_wins, x, CM_SELECT(y_wins, y, z));
-    CM_REAL sign = cm_copysign(CM_LIT(1.0), major);
+    CM_BOOL polar = cm_less(cm_max(ax, ay), az);
+    CM_REAL sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_wins, x, CM_SELECT(polar, z, y)));
     CM_REAL turned = -(sign * x);
-    CM_REAL face =
-        CM_SELECT(x_wins, CM_LIT(1.0) - sign,
-                  CM_SELECT(y_wins, CM_LIT(2.0) - sign, CM_LIT(4.5) - CM_LIT(0.5) * sign));
-    CM_REAL a = CM_SELECT(x_wins, sign * y, CM_SELECT(y_wins, turned, y));
-    CM_REAL b = CM_SELECT(x_wins, z, CM_SELECT(y_wins, z, turned));
+    CM_REAL major = CM_NAME(cm_magnitude)(x, y, z);
     CM_NAME(cm_face_point) r;
-    r.face = face;
-    r.a = a / cm_abs(major);
-    r.b = b / cm_abs(major);
+    r.face = CM_SELECT(polar, cm_mad(sign, CM_LIT(-0.5), CM_LIT(4.5)),
+                       CM_SELECT(x_wins, CM_LIT(1.0), CM_LIT(2.0)) - sign);
+    r.a = CM_SELECT(polar, y, CM_SELECT(x_wins, sign * y, turned)) / major;
+    r.b = CM_SELECT(polar, turned, z) / major;
     return r;
 }
 
 /* The unit direction of gnomonic (p, q) on a face. */
 CM_FN CM_NAME(cm_xyz) CM_NAME(cm_cube_unproject)(CM_REAL face, CM_REAL p, CM_REAL q)
 {
-    CM_REAL major = CM_LIT(1.0) / cm_sqrt(CM_LIT(1.0) + (p * p + q * q));
+    CM_REAL major = CM_NAME(cm_inverse_root)(CM_LIT(1.0) + (p * p + q * q));
     CM_REAL a = p * major;
     CM_REAL b = q * major;
-    /* faces 0 1 2 3 are +x +y -x -y, 4 5 are +z -z */
+    /* faces 0 1 2 3 are +x +y -x -y, 4 5 are +z -z; the product changes its sign with that of the axis */
     CM_BOOL polar = cm_less(CM_LIT(3.5), face);
-    CM_BOOL minus = cm_less(CM_SELECT(polar, CM_LIT(4.5), CM_LIT(1.5)), face);
-    CM_REAL sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
-    CM_REAL folded = face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0));
-    CM_BOOL along_y = cm_less(CM_LIT(0.5), folded); /* if not polar */
+    CM_BOOL along_x = cm_equal(cm_abs(face - CM_LIT(1.0)), CM_LIT(1.0));
+    CM_BOOL along_y = cm_equal(cm_abs(face - CM_LIT(2.0)), CM_LIT(1.0));
+    CM_REAL sign = cm_copysign(CM_LIT(1.0),
+                               (CM_LIT(1.5) - face) * (CM_LIT(3.5) - face) * (CM_LIT(4.5) - face));
+    CM_REAL outward = sign * major;
     CM_NAME(cm_xyz) r;
-    r.x = CM_SELECT(polar, -(sign * b), CM_SELECT(along_y, -(sign * a), sign * major));
-    r.y = CM_SELECT(polar, a, CM_SELECT(along_y, sign * major, sign * a));
-    r.z = CM_SELECT(polar, sign * major, b);
+    r.x = CM_SELECT(along_x, outward, -(sign * CM_SELECT(polar, b, a)));
+    r.y = CM_SELECT(along_y, outward, a * CM_SELECT(polar, CM_LIT(1.0), sign));
+    r.z = CM_SELECT(polar, outward, b);
     return r;
 }
 

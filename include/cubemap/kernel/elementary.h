@@ -34,34 +34,34 @@ CM_FN CM_REAL CM_NAME(cm_atan_excess)(CM_REAL z)
 #if CM_REAL_BITS == 64
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(7.3536042015448222e-2) + t * CM_LIT(-2.8379391739745751e-2);
-    CM_REAL b = CM_LIT(1.1674978453434726e-2) + t * CM_LIT(-4.9931015391609249e-3);
-    CM_REAL c = CM_LIT(2.1923470929871578e-3) + t * CM_LIT(-9.8113810607287520e-4);
-    CM_REAL d = CM_LIT(4.4579480203439691e-4) + t * CM_LIT(-2.0245905559077454e-4);
-    CM_REAL e = CM_LIT(1.0737976849495455e-4) + t * CM_LIT(7.6629820600679345e-6);
-    CM_REAL f = CM_LIT(1.8142338743792818e-4) + t * CM_LIT(3.6407505556845077e-4);
-    CM_REAL g = CM_LIT(6.6395129523001966e-4) + t * CM_LIT(8.7426274843683388e-4);
-    CM_REAL h = CM_LIT(8.6744468678561447e-4) + t * CM_LIT(6.1846837401434093e-4);
-    CM_REAL i = CM_LIT(3.0358792909335875e-4) + t * CM_LIT(9.1754107276600447e-5);
+    CM_REAL a = cm_mad(t, CM_LIT(-2.8379391739745751e-2), CM_LIT(7.3536042015448222e-2));
+    CM_REAL b = cm_mad(t, CM_LIT(-4.9931015391609249e-3), CM_LIT(1.1674978453434726e-2));
+    CM_REAL c = cm_mad(t, CM_LIT(-9.8113810607287520e-4), CM_LIT(2.1923470929871578e-3));
+    CM_REAL d = cm_mad(t, CM_LIT(-2.0245905559077454e-4), CM_LIT(4.4579480203439691e-4));
+    CM_REAL e = cm_mad(t, CM_LIT(7.6629820600679345e-6), CM_LIT(1.0737976849495455e-4));
+    CM_REAL f = cm_mad(t, CM_LIT(3.6407505556845077e-4), CM_LIT(1.8142338743792818e-4));
+    CM_REAL g = cm_mad(t, CM_LIT(8.7426274843683388e-4), CM_LIT(6.6395129523001966e-4));
+    CM_REAL h = cm_mad(t, CM_LIT(6.1846837401434093e-4), CM_LIT(8.6744468678561447e-4));
+    CM_REAL i = cm_mad(t, CM_LIT(9.1754107276600447e-5), CM_LIT(3.0358792909335875e-4));
     CM_REAL j = CM_LIT(1.3225091314152730e-5);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    e = e + t2 * f;
-    g = g + t2 * h;
-    i = i + t2 * j;
-    CM_REAL r = a + t4 * (c + t4 * (e + t4 * (g + t4 * i)));
-    r = CM_LIT(-2.1673214455010723e-1) + t * r;
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    e = cm_mad(t2, f, e);
+    g = cm_mad(t2, h, g);
+    i = cm_mad(t2, j, i);
+    CM_REAL r = cm_mad(t4, cm_mad(t4, cm_mad(t4, cm_mad(t4, i, g), e), c), a);
+    r = cm_mad(t, r, CM_LIT(-2.1673214455010723e-1));
 #else
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(7.35360682e-2) + t * CM_LIT(-2.83826403e-2);
-    CM_REAL b = CM_LIT(1.16101475e-2) + t * CM_LIT(-5.46732545e-3);
-    CM_REAL c = CM_LIT(4.73424647e-4) + t * CM_LIT(-4.33581043e-3);
-    CM_REAL d = CM_LIT(-3.01399198e-3) + t * CM_LIT(-1.79362297e-3);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    CM_REAL r = a + t4 * c;
-    r = CM_LIT(-2.16732144e-1) + t * r;
+    CM_REAL a = cm_mad(t, CM_LIT(-2.83826403e-2), CM_LIT(7.35360682e-2));
+    CM_REAL b = cm_mad(t, CM_LIT(-5.46732545e-3), CM_LIT(1.16101475e-2));
+    CM_REAL c = cm_mad(t, CM_LIT(-4.33581043e-3), CM_LIT(4.73424647e-4));
+    CM_REAL d = cm_mad(t, CM_LIT(-1.79362297e-3), CM_LIT(-3.01399198e-3));
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    CM_REAL r = cm_mad(t4, c, a);
+    r = cm_mad(t, r, CM_LIT(-2.16732144e-1));
 #endif
     return z * r;
 }
@@ -74,26 +74,26 @@ CM_FN CM_REAL CM_NAME(cm_tan_excess)(CM_REAL z)
     CM_REAL t = z - CM_LIT(0.595188140869140625);
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(2.3145198120333721e-1) + t * CM_LIT(1.2352544053200641e-1);
-    CM_REAL b = CM_LIT(6.5973874046565933e-2) + t * CM_LIT(3.5238242649749757e-2);
-    CM_REAL c = CM_LIT(1.8821696168338880e-2) + t * CM_LIT(1.0053166005775863e-2);
-    CM_REAL d = CM_LIT(5.3695253065728088e-3) + t * CM_LIT(2.8670818743095202e-3);
-    CM_REAL e = CM_LIT(1.5273158228438068e-3) + t * CM_LIT(8.0332455736978445e-4);
-    CM_REAL f = CM_LIT(4.0248368725772624e-4) + t * CM_LIT(1.7612480483089260e-4);
-    CM_REAL g = CM_LIT(5.7038322524313956e-5) + t * CM_LIT(9.7109579264302020e-6);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    e = e + t2 * f;
-    CM_REAL r = a + t4 * (c + t4 * (e + t4 * g));
-    r = CM_LIT(4.3788687902798390e-1) + t * r;
+    CM_REAL a = cm_mad(t, CM_LIT(1.2352544053200641e-1), CM_LIT(2.3145198120333721e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(3.5238242649749757e-2), CM_LIT(6.5973874046565933e-2));
+    CM_REAL c = cm_mad(t, CM_LIT(1.0053166005775863e-2), CM_LIT(1.8821696168338880e-2));
+    CM_REAL d = cm_mad(t, CM_LIT(2.8670818743095202e-3), CM_LIT(5.3695253065728088e-3));
+    CM_REAL e = cm_mad(t, CM_LIT(8.0332455736978445e-4), CM_LIT(1.5273158228438068e-3));
+    CM_REAL f = cm_mad(t, CM_LIT(1.7612480483089260e-4), CM_LIT(4.0248368725772624e-4));
+    CM_REAL g = cm_mad(t, CM_LIT(9.7109579264302020e-6), CM_LIT(5.7038322524313956e-5));
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    e = cm_mad(t2, f, e);
+    CM_REAL r = cm_mad(t4, cm_mad(t4, cm_mad(t4, g, e), c), a);
+    r = cm_mad(t, r, CM_LIT(4.3788687902798390e-1));
 #else
     CM_REAL t = z - CM_LIT(0.6103515625);
     CM_REAL t2 = t * t;
-    CM_REAL a = CM_LIT(2.35243797e-1) + t * CM_LIT(1.26562223e-1);
-    CM_REAL b = CM_LIT(6.79713488e-2) + t * CM_LIT(3.55633982e-2);
-    CM_REAL c = CM_LIT(1.61159523e-2) + t * CM_LIT(4.37629269e-3);
-    CM_REAL r = a + t2 * (b + t2 * c);
-    r = CM_LIT(4.41425115e-1) + t * r;
+    CM_REAL a = cm_mad(t, CM_LIT(1.26562223e-1), CM_LIT(2.35243797e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(3.55633982e-2), CM_LIT(6.79713488e-2));
+    CM_REAL c = cm_mad(t, CM_LIT(4.37629269e-3), CM_LIT(1.61159523e-2));
+    CM_REAL r = cm_mad(t2, cm_mad(t2, c, b), a);
+    r = cm_mad(t, r, CM_LIT(4.41425115e-1));
 #endif
     return z * r;
 }
@@ -105,12 +105,13 @@ CM_FN CM_REAL CM_NAME(cm_sin_quarter)(CM_REAL x)
     CM_REAL z = x * x;
 #if CM_REAL_BITS == 64
     CM_REAL z2 = z * z;
-    CM_REAL a = CM_LIT(-1.6666666666666630e-1) + z * CM_LIT(8.3333333333219239e-3);
-    CM_REAL b = CM_LIT(-1.9841269829464980e-4) + z * CM_LIT(2.7557313585037963e-6);
-    CM_REAL c = CM_LIT(-2.5050742816066740e-8) + z * CM_LIT(1.5895975168098640e-10);
-    CM_REAL r = a + z2 * (b + z2 * c);
+    CM_REAL a = cm_mad(z, CM_LIT(8.3333333333219239e-3), CM_LIT(-1.6666666666666630e-1));
+    CM_REAL b = cm_mad(z, CM_LIT(2.7557313585037963e-6), CM_LIT(-1.9841269829464980e-4));
+    CM_REAL c = cm_mad(z, CM_LIT(1.5895975168098640e-10), CM_LIT(-2.5050742816066740e-8));
+    CM_REAL r = cm_mad(z2, cm_mad(z2, c, b), a);
 #else
-    CM_REAL r = CM_LIT(-1.66666552e-1) + z * (CM_LIT(8.33219010e-3) + z * CM_LIT(-1.95184548e-4));
+    CM_REAL r =
+        cm_mad(z, cm_mad(z, CM_LIT(-1.95184548e-4), CM_LIT(8.33219010e-3)), CM_LIT(-1.66666552e-1));
 #endif
     r = x + (x * z) * r;
     return CM_SELECT(cm_equal(x, CM_LIT(0.0)), x, r);
@@ -127,12 +128,13 @@ CM_FN CM_REAL CM_NAME(cm_versine_quarter)(CM_REAL x)
     CM_REAL z = x * x;
 #if CM_REAL_BITS == 64
     CM_REAL z2 = z * z;
-    CM_REAL a = CM_LIT(-4.1666666666666644e-2) + z * CM_LIT(1.3888888888881773e-3);
-    CM_REAL b = CM_LIT(-2.4801587294225240e-5) + z * CM_LIT(2.7557315705419162e-7);
-    CM_REAL c = CM_LIT(-2.0875904305974629e-9) + z * CM_LIT(1.1368855994000267e-11);
-    CM_REAL r = a + z2 * (b + z2 * c);
+    CM_REAL a = cm_mad(z, CM_LIT(1.3888888888881773e-3), CM_LIT(-4.1666666666666644e-2));
+    CM_REAL b = cm_mad(z, CM_LIT(2.7557315705419162e-7), CM_LIT(-2.4801587294225240e-5));
+    CM_REAL c = cm_mad(z, CM_LIT(1.1368855994000267e-11), CM_LIT(-2.0875904305974629e-9));
+    CM_REAL r = cm_mad(z2, cm_mad(z2, c, b), a);
 #else
-    CM_REAL r = CM_LIT(-4.16666530e-2) + z * (CM_LIT(1.38876424e-3) + z * CM_LIT(-2.44675030e-5));
+    CM_REAL r =
+        cm_mad(z, cm_mad(z, CM_LIT(-2.44675030e-5), CM_LIT(1.38876424e-3)), CM_LIT(-4.16666530e-2));
 #endif
 #if CM_REAL_BITS == 64
     CM_REAL wide = CM_LIT(134217729.0) * x; /* 2^27 + 1 */
@@ -152,27 +154,27 @@ CM_FN CM_REAL CM_NAME(cm_tanh_excess)(CM_REAL z)
 #if CM_REAL_BITS == 64
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(6.7900888791818256e-2) + t * CM_LIT(-1.9583036543589529e-2);
-    CM_REAL b = CM_LIT(5.6586970654115198e-3) + t * CM_LIT(-1.6355789702764104e-3);
-    CM_REAL c = CM_LIT(4.7276383488353320e-4) + t * CM_LIT(-1.3665104801355787e-4);
-    CM_REAL d = CM_LIT(3.9510376535426373e-5) + t * CM_LIT(-1.1376863148563170e-5);
-    CM_REAL e = CM_LIT(3.4114341838489117e-6) + t * CM_LIT(-7.3431364469256871e-7);
-    CM_REAL f = CM_LIT(5.8772449732433837e-7) + t * CM_LIT(2.3339545015527080e-7);
-    CM_REAL g = CM_LIT(2.3625357103208460e-7) + t * CM_LIT(8.3848936018678008e-8);
+    CM_REAL a = cm_mad(t, CM_LIT(-1.9583036543589529e-2), CM_LIT(6.7900888791818256e-2));
+    CM_REAL b = cm_mad(t, CM_LIT(-1.6355789702764104e-3), CM_LIT(5.6586970654115198e-3));
+    CM_REAL c = cm_mad(t, CM_LIT(-1.3665104801355787e-4), CM_LIT(4.7276383488353320e-4));
+    CM_REAL d = cm_mad(t, CM_LIT(-1.1376863148563170e-5), CM_LIT(3.9510376535426373e-5));
+    CM_REAL e = cm_mad(t, CM_LIT(-7.3431364469256871e-7), CM_LIT(3.4114341838489117e-6));
+    CM_REAL f = cm_mad(t, CM_LIT(2.3339545015527080e-7), CM_LIT(5.8772449732433837e-7));
+    CM_REAL g = cm_mad(t, CM_LIT(8.3848936018678008e-8), CM_LIT(2.3625357103208460e-7));
     CM_REAL h = CM_LIT(2.1270509246966235e-8);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    e = e + t2 * f;
-    g = g + t2 * h;
-    CM_REAL r = a + t4 * (c + t4 * (e + t4 * g));
-    r = CM_LIT(-2.3893512717642365e-1) + t * r;
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    e = cm_mad(t2, f, e);
+    g = cm_mad(t2, h, g);
+    CM_REAL r = cm_mad(t4, cm_mad(t4, cm_mad(t4, g, e), c), a);
+    r = cm_mad(t, r, CM_LIT(-2.3893512717642365e-1));
 #else
     CM_REAL t2 = t * t;
-    CM_REAL a = CM_LIT(6.79005757e-2) + t * CM_LIT(-1.95902716e-2);
-    CM_REAL b = CM_LIT(5.60368504e-3) + t * CM_LIT(-1.82227662e-3);
-    CM_REAL c = CM_LIT(1.67454986e-4) + t * CM_LIT(-3.58452002e-4);
-    CM_REAL r = a + t2 * (b + t2 * c);
-    r = CM_LIT(-2.38935128e-1) + t * r;
+    CM_REAL a = cm_mad(t, CM_LIT(-1.95902716e-2), CM_LIT(6.79005757e-2));
+    CM_REAL b = cm_mad(t, CM_LIT(-1.82227662e-3), CM_LIT(5.60368504e-3));
+    CM_REAL c = cm_mad(t, CM_LIT(-3.58452002e-4), CM_LIT(1.67454986e-4));
+    CM_REAL r = cm_mad(t2, cm_mad(t2, c, b), a);
+    r = cm_mad(t, r, CM_LIT(-2.38935128e-1));
 #endif
     return z * r;
 }
@@ -187,38 +189,38 @@ CM_FN CM_REAL CM_NAME(cm_atanh_excess)(CM_REAL z)
 #if CM_REAL_BITS == 64
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(5.7657343660830951e-1) + t * CM_LIT(8.2523338459036955e-1);
-    CM_REAL b = CM_LIT(1.3242477791777696) + t * CM_LIT(2.2691194445230631);
-    CM_REAL c = CM_LIT(4.0558150112148139) + t * CM_LIT(7.4649938891012440);
-    CM_REAL d = CM_LIT(1.4038324653682999e1) + t * CM_LIT(2.6836737381473906e1);
-    CM_REAL e = CM_LIT(5.1970996231060063e1) + t * CM_LIT(1.0169080320642816e2);
-    CM_REAL f = CM_LIT(2.0048988981705355e2) + t * CM_LIT(3.9607570797247485e2);
-    CM_REAL g = CM_LIT(7.7370584419182126e2) + t * CM_LIT(1.4565517461662118e3);
-    CM_REAL h = CM_LIT(2.5440033858251863e3) + t * CM_LIT(3.9409735265071208e3);
-    CM_REAL i = CM_LIT(5.1677988264764026e3) + t * CM_LIT(5.4692890473417165e3);
-    CM_REAL j = CM_LIT(4.4277575900743022e3) + t * CM_LIT(2.5511524508381249e3);
-    CM_REAL k = CM_LIT(9.2620294818447587e2) + t * CM_LIT(1.5865019571371363e2);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    e = e + t2 * f;
-    g = g + t2 * h;
-    i = i + t2 * j;
-    CM_REAL r = a + t4 * (c + t4 * (e + t4 * (g + t4 * (i + t4 * k))));
-    r = CM_LIT(1.2876751396072359e-2) + t * r;
+    CM_REAL a = cm_mad(t, CM_LIT(8.2523338459036955e-1), CM_LIT(5.7657343660830951e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(2.2691194445230631), CM_LIT(1.3242477791777696));
+    CM_REAL c = cm_mad(t, CM_LIT(7.4649938891012440), CM_LIT(4.0558150112148139));
+    CM_REAL d = cm_mad(t, CM_LIT(2.6836737381473906e1), CM_LIT(1.4038324653682999e1));
+    CM_REAL e = cm_mad(t, CM_LIT(1.0169080320642816e2), CM_LIT(5.1970996231060063e1));
+    CM_REAL f = cm_mad(t, CM_LIT(3.9607570797247485e2), CM_LIT(2.0048988981705355e2));
+    CM_REAL g = cm_mad(t, CM_LIT(1.4565517461662118e3), CM_LIT(7.7370584419182126e2));
+    CM_REAL h = cm_mad(t, CM_LIT(3.9409735265071208e3), CM_LIT(2.5440033858251863e3));
+    CM_REAL i = cm_mad(t, CM_LIT(5.4692890473417165e3), CM_LIT(5.1677988264764026e3));
+    CM_REAL j = cm_mad(t, CM_LIT(2.5511524508381249e3), CM_LIT(4.4277575900743022e3));
+    CM_REAL k = cm_mad(t, CM_LIT(1.5865019571371363e2), CM_LIT(9.2620294818447587e2));
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    e = cm_mad(t2, f, e);
+    g = cm_mad(t2, h, g);
+    i = cm_mad(t2, j, i);
+    CM_REAL r = cm_mad(t4, cm_mad(t4, cm_mad(t4, cm_mad(t4, cm_mad(t4, k, i), g), e), c), a);
+    r = cm_mad(t, r, CM_LIT(1.2876751396072359e-2));
 #else
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(5.76573491e-1) + t * CM_LIT(8.25255513e-1);
-    CM_REAL b = CM_LIT(1.32444394) + t * CM_LIT(2.26225209);
-    CM_REAL c = CM_LIT(3.90829182) + t * CM_LIT(6.18823671);
-    CM_REAL d = CM_LIT(7.70400238) + t * CM_LIT(6.19873190);
+    CM_REAL a = cm_mad(t, CM_LIT(8.25255513e-1), CM_LIT(5.76573491e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(2.26225209), CM_LIT(1.32444394));
+    CM_REAL c = cm_mad(t, CM_LIT(6.18823671), CM_LIT(3.90829182));
+    CM_REAL d = cm_mad(t, CM_LIT(6.19873190), CM_LIT(7.70400238));
     CM_REAL e = CM_LIT(2.30680275);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    CM_REAL r = a + t4 * (c + t4 * e);
-    r = CM_LIT(1.28767435e-2) + t * r;
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    CM_REAL r = cm_mad(t4, cm_mad(t4, e, c), a);
+    r = cm_mad(t, r, CM_LIT(1.28767435e-2));
 #endif
-    return CM_LIT(0.5) * z + z * r;
+    return cm_mad(z, r, CM_LIT(0.5) * z);
 }
 
 /* About 2 sin(asin(y) / 3), the root x in [0, 1] of 3 x - x^3 = 2 y, for 0 <= y <= 1, to start one
@@ -230,23 +232,23 @@ CM_FN CM_REAL CM_NAME(cm_trisect)(CM_REAL y, CM_REAL s)
 #if CM_REAL_BITS == 64
     CM_REAL s2 = s * s;
     CM_REAL s4 = s2 * s2;
-    CM_REAL a = CM_LIT(-8.1649657929233455e-1) + s * CM_LIT(8.8888838074977872e-1);
-    CM_REAL b = CM_LIT(-8.5427093497103301e-1) + s * CM_LIT(8.7188581649925190e-1);
-    CM_REAL c = CM_LIT(-8.5658195319644093e-1) + s * CM_LIT(8.3113668481175507e-1);
-    CM_REAL d = CM_LIT(-7.1259759344228490e-1) + s * CM_LIT(4.4517318193693484e-1);
-    CM_REAL e = CM_LIT(-5.2962152566214990e-2) + s * CM_LIT(-2.5458945329634725e-1);
-    CM_REAL f = CM_LIT(2.9844978273613970e-1) + s * CM_LIT(-1.5427319983404772e-1);
+    CM_REAL a = cm_mad(s, CM_LIT(8.8888838074977872e-1), CM_LIT(-8.1649657929233455e-1));
+    CM_REAL b = cm_mad(s, CM_LIT(8.7188581649925190e-1), CM_LIT(-8.5427093497103301e-1));
+    CM_REAL c = cm_mad(s, CM_LIT(8.3113668481175507e-1), CM_LIT(-8.5658195319644093e-1));
+    CM_REAL d = cm_mad(s, CM_LIT(4.4517318193693484e-1), CM_LIT(-7.1259759344228490e-1));
+    CM_REAL e = cm_mad(s, CM_LIT(-2.5458945329634725e-1), CM_LIT(-5.2962152566214990e-2));
+    CM_REAL f = cm_mad(s, CM_LIT(-1.5427319983404772e-1), CM_LIT(2.9844978273613970e-1));
     CM_REAL g = CM_LIT(3.2904685194952557e-2);
-    a = a + s2 * b;
-    c = c + s2 * d;
-    e = e + s2 * f;
-    CM_REAL k = a + s4 * (c + s4 * (e + s4 * g));
+    a = cm_mad(s2, b, a);
+    c = cm_mad(s2, d, c);
+    e = cm_mad(s2, f, e);
+    CM_REAL k = cm_mad(s4, cm_mad(s4, cm_mad(s4, g, e), c), a);
 #else
     CM_REAL s2 = s * s;
-    CM_REAL a = CM_LIT(-8.16472769e-1) + s * CM_LIT(8.86878431e-1);
-    CM_REAL b = CM_LIT(-8.25706780e-1) + s * CM_LIT(7.14204192e-1);
-    CM_REAL c = CM_LIT(-4.17035669e-1) + s * CM_LIT(1.24818668e-1);
-    CM_REAL k = a + s2 * (b + s2 * c);
+    CM_REAL a = cm_mad(s, CM_LIT(8.86878431e-1), CM_LIT(-8.16472769e-1));
+    CM_REAL b = cm_mad(s, CM_LIT(7.14204192e-1), CM_LIT(-8.25706780e-1));
+    CM_REAL c = cm_mad(s, CM_LIT(1.24818668e-1), CM_LIT(-4.17035669e-1));
+    CM_REAL k = cm_mad(s2, cm_mad(s2, c, b), a);
 #endif
     return y * (CM_LIT(1.0) + s * k);
 }

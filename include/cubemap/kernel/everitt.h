@@ -42,7 +42,8 @@ CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_REAL e = k.k2 * (CM_LIT(1.0) - cm_abs(w));
-    return CM_NAME(cm_stretch)(w, -(e / ((k.k3 + e) + cm_sqrt(k.k4 + CM_LIT(2.0) * e))));
+    return CM_NAME(cm_stretch)(
+        w, -(e / ((k.k3 + e) + CM_NAME(cm_root)(cm_mad(CM_LIT(2.0), e, k.k4)))));
 }
 
 CM_UNIVARIATE(cm_everitt_forward, cm_everitt_sigmoid, cm_everitt_inverse,

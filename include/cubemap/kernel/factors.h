@@ -9,27 +9,62 @@
 /* w (1 + d), d > -1 */
 CM_FN CM_REAL CM_NAME(cm_stretch)(CM_REAL w, CM_REAL d)
 {
-    return cm_copysign(w + w * d, w);
+    return cm_copysign(cm_mad(w, d, w), w);
 }
 
 /* The same for a d that vanishes at |w| = 1 but for rounding errors, which differ between compilers:
  * exact there nevertheless. */
 CM_FN CM_REAL CM_NAME(cm_stretch_inside)(CM_REAL w, CM_REAL d)
 {
-    return cm_copysign(CM_SELECT(cm_equal(cm_abs(w), CM_LIT(1.0)), CM_LIT(1.0), cm_abs(w + w * d)), w);
+    return cm_copysign(
+        CM_SELECT(cm_equal(cm_abs(w), CM_LIT(1.0)), CM_LIT(1.0), cm_abs(cm_mad(w, d, w))), w);
 }
 
-/* w sqrt((a + d) / a); a > 0, a + d > 0 */
-CM_FN CM_REAL CM_NAME(cm_scale_by_root)(CM_REAL w, CM_REAL a, CM_REAL d)
+/* 1 / sqrt(1 + h) - 1; h > -1. Where the dialect has CM_ROUGH_INVERSE_ROOT(x), 1 / sqrt(x) to half the
+ * digits, in which 1 / x is its square without rounding, two corrections by
+ * e = 1 - (1 + h) y^2 = (1 - y^2) - h y^2 are cheaper than a root and a division, and more accurate. */
+CM_FN CM_REAL CM_NAME(cm_inverse_root_excess)(CM_REAL h)
 {
-    return CM_NAME(cm_stretch)(w, d / (a + cm_sqrt(a * (a + d))));
+    CM_REAL radicand = CM_LIT(1.0) + h;
+#ifdef CM_ROUGH_INVERSE_ROOT
+    CM_REAL y = CM_ROUGH_INVERSE_ROOT(radicand);
+    CM_REAL square = y * y;
+    CM_REAL e = cm_mad(-h, square, CM_LIT(1.0) - square);
+    return cm_mad(y * e, cm_mad(e, CM_LIT(0.375), CM_LIT(0.5)), y - CM_LIT(1.0));
+#else
+    return -(h / (radicand + cm_sqrt(radicand)));
+#endif
+}
+
+/* 1 / sqrt(x), x > 0 */
+CM_FN CM_REAL CM_NAME(cm_inverse_root)(CM_REAL x)
+{
+#ifdef CM_ROUGH_INVERSE_ROOT
+    CM_REAL y = CM_ROUGH_INVERSE_ROOT(x);
+    CM_REAL e = cm_mad(-x, y * y, CM_LIT(1.0));
+    return cm_mad(y * e, cm_mad(e, CM_LIT(0.375), CM_LIT(0.5)), y);
+#else
+    return CM_LIT(1.0) / cm_sqrt(x);
+#endif
+}
+
+/* sqrt(x), x > 0, for kernels that divide so much that the divider is what they wait for */
+CM_FN CM_REAL CM_NAME(cm_root)(CM_REAL x)
+{
+#ifdef CM_ROUGH_INVERSE_ROOT
+    CM_REAL y = CM_ROUGH_INVERSE_ROOT(x);
+    CM_REAL root = x * y;
+    CM_REAL e = cm_mad(-root, y, CM_LIT(1.0));
+    return cm_mad(root * e, cm_mad(e, CM_LIT(0.375), CM_LIT(0.5)), root);
+#else
+    return cm_sqrt(x);
+#endif
 }
 
 /* w / sqrt(1 + h); h > -1 */
 CM_FN CM_REAL CM_NAME(cm_divide_by_root)(CM_REAL w, CM_REAL h)
 {
-    CM_REAL radicand = CM_LIT(1.0) + h;
-    return CM_NAME(cm_stretch)(w, -(h / (radicand + cm_sqrt(radicand))));
+    return CM_NAME(cm_stretch)(w, CM_NAME(cm_inverse_root_excess)(h));
 }
 
 #endif

@@ -45,9 +45,8 @@ CM_SPHERE(healpix,
 /* x, y, z finite and not all zero. (a, b) of the result is (u, v). */
 CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
-    CM_REAL scale =
-        CM_SELECT(cm_less(CM_NAME(cm_magnitude)(x, y, z), CM_HEALPIX_SMALL), CM_HEALPIX_LARGE,
-                  CM_LIT(1.0));
+    CM_REAL scale = CM_SELECT(cm_less(CM_NAME(cm_magnitude)(x, y, z), CM_HEALPIX_SMALL),
+                              CM_HEALPIX_LARGE, CM_LIT(1.0));
     CM_REAL height = scale * cm_abs(z);
     CM_BOOL x_wins = cm_at_least(cm_abs(x), cm_abs(y));
     CM_REAL sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_wins, x, y));

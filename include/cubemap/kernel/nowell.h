@@ -33,7 +33,7 @@ CM_FN CM_REAL CM_NAME(cm_nowell_scale)(CM_REAL w, CM_REAL y, CM_REAL s)
     CM_REAL a = (CM_LIT(1.0) - w) * (CM_LIT(1.0) + w);
     CM_REAL rest =
         a * (CM_LIT(5.0) + (CM_LIT(8.0) - a - CM_LIT(14.0) * y) / ((CM_LIT(4.0) - y) + s));
-    return CM_NAME(cm_scale_by_root)(w, CM_LIT(12.0) - rest, rest);
+    return CM_NAME(cm_divide_by_root)(w, rest * CM_LIT(-0.083333333333333333333333333333333333333));
 }
 
 CM_FN CM_NAME(cm_uv) CM_NAME(cm_nowell_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
@@ -57,8 +57,8 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_nowell_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm
     CM_REAL v3 = CM_LIT(3.0) - v * v;
     CM_REAL g = a * (CM_LIT(1.0) + CM_LIT(2.0) * b);
     CM_REAL h = b * (CM_LIT(1.0) + CM_LIT(2.0) * a);
-    return CM_NAME(cm_make_pq)(CM_NAME(cm_scale_by_root)(u, v3 + g, -g),
-                               CM_NAME(cm_scale_by_root)(v, u3 + h, -h));
+    return CM_NAME(cm_make_pq)(CM_NAME(cm_divide_by_root)(u, g / v3),
+                               CM_NAME(cm_divide_by_root)(v, h / u3));
 }
 
 #endif

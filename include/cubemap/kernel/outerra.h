@@ -36,10 +36,10 @@ CM_FN CM_REAL CM_NAME(cm_outerra_step)(CM_REAL e, CM_REAL x, CM_REAL y, CM_REAL 
                                        CM_REAL m)
 {
     CM_REAL z1 = e * (CM_LIT(2.0) + e); /* Z^2 - 1 */
-    CM_REAL a = a0 - x * z1;
-    CM_REAL b = b0 - y * z1;
-    CM_REAL slope = CM_LIT(1.0) + CM_LIT(2.0) * m * (CM_LIT(1.0) + e) * (x * b + y * a);
-    return e - (e - m * (a * b)) / slope;
+    CM_REAL a = cm_mad(-x, z1, a0);
+    CM_REAL b = cm_mad(-y, z1, b0);
+    CM_REAL slope = cm_mad(CM_LIT(2.0) * m * (CM_LIT(1.0) + e), x * b + y * a, CM_LIT(1.0));
+    return e - cm_mad(-m, a * b, e) / slope;
 }
 
 CM_FN CM_NAME(cm_uv) CM_NAME(cm_outerra_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
@@ -65,7 +65,7 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_outerra_inverse)(CM_REAL u, CM_REAL v, CM_NAME(c
 {
     CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
     CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
-    CM_REAL z = CM_LIT(1.0) + k.k0 * (a * b);
+    CM_REAL z = cm_mad(k.k0, a * b, CM_LIT(1.0));
     return CM_NAME(cm_make_pq)(u / z, v / z);
 }
 

@@ -40,24 +40,24 @@ CM_FN CM_REAL CM_NAME(cm_qsc_bend)(CM_REAL z)
     CM_REAL t2 = t * t;
 #if CM_REAL_BITS == 64
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(1.0615000502962231e-1) + t * CM_LIT(-2.1961390716897265e-2);
-    CM_REAL b = CM_LIT(5.6134091146451404e-3) + t * CM_LIT(-1.5967083492698208e-3);
-    CM_REAL c = CM_LIT(4.8470718603886863e-4) + t * CM_LIT(-1.5374729087981500e-4);
-    CM_REAL d = CM_LIT(5.0339179351028393e-5) + t * CM_LIT(-1.6882094828084027e-5);
-    CM_REAL e = CM_LIT(5.7691330580042528e-6) + t * CM_LIT(-2.0018762580562573e-6);
-    CM_REAL f = CM_LIT(7.0378811862275126e-7) + t * CM_LIT(-2.4827565409534262e-7);
-    CM_REAL g = CM_LIT(8.7303740353679913e-8) + t * CM_LIT(-3.6198443637375944e-8);
+    CM_REAL a = cm_mad(t, CM_LIT(-2.1961390716897265e-2), CM_LIT(1.0615000502962231e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(-1.5967083492698208e-3), CM_LIT(5.6134091146451404e-3));
+    CM_REAL c = cm_mad(t, CM_LIT(-1.5374729087981500e-4), CM_LIT(4.8470718603886863e-4));
+    CM_REAL d = cm_mad(t, CM_LIT(-1.6882094828084027e-5), CM_LIT(5.0339179351028393e-5));
+    CM_REAL e = cm_mad(t, CM_LIT(-2.0018762580562573e-6), CM_LIT(5.7691330580042528e-6));
+    CM_REAL f = cm_mad(t, CM_LIT(-2.4827565409534262e-7), CM_LIT(7.0378811862275126e-7));
+    CM_REAL g = cm_mad(t, CM_LIT(-3.6198443637375944e-8), CM_LIT(8.7303740353679913e-8));
     CM_REAL h = CM_LIT(1.5124334989133468e-8);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    e = e + t2 * f;
-    g = g + t2 * h;
-    return a + t4 * (c + t4 * (e + t4 * g));
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    e = cm_mad(t2, f, e);
+    g = cm_mad(t2, h, g);
+    return cm_mad(t4, cm_mad(t4, cm_mad(t4, g, e), c), a);
 #else
-    CM_REAL a = CM_LIT(1.06150009e-1) + t * CM_LIT(-2.19616350e-2);
-    CM_REAL b = CM_LIT(5.61250607e-3) + t * CM_LIT(-1.59102294e-3);
-    CM_REAL c = CM_LIT(4.99413523e-4) + t * CM_LIT(-1.80117480e-4);
-    a = a + t2 * b;
+    CM_REAL a = cm_mad(t, CM_LIT(-2.19616350e-2), CM_LIT(1.06150009e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(-1.59102294e-3), CM_LIT(5.61250607e-3));
+    CM_REAL c = cm_mad(t, CM_LIT(-1.80117480e-4), CM_LIT(4.99413523e-4));
+    a = cm_mad(t2, b, a);
     return a + (t2 * t2) * c;
 #endif
 }
@@ -69,21 +69,21 @@ CM_FN CM_REAL CM_NAME(cm_qsc_straighten)(CM_REAL z)
     CM_REAL t2 = t * t;
 #if CM_REAL_BITS == 64
     CM_REAL t4 = t2 * t2;
-    CM_REAL a = CM_LIT(1.1240240518902343e-1) + t * CM_LIT(1.3217130243902243e-2);
-    CM_REAL b = CM_LIT(1.5549437009784312e-3) + t * CM_LIT(1.8293452638543057e-4);
-    CM_REAL c = CM_LIT(2.1521708947467036e-5) + t * CM_LIT(2.5319658366546534e-6);
-    CM_REAL d = CM_LIT(2.9787809767612589e-7) + t * CM_LIT(3.5043622173221922e-8);
-    CM_REAL e = CM_LIT(4.1239776066890040e-9) + t * CM_LIT(4.8915588924864857e-10);
+    CM_REAL a = cm_mad(t, CM_LIT(1.3217130243902243e-2), CM_LIT(1.1240240518902343e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(1.8293452638543057e-4), CM_LIT(1.5549437009784312e-3));
+    CM_REAL c = cm_mad(t, CM_LIT(2.5319658366546534e-6), CM_LIT(2.1521708947467036e-5));
+    CM_REAL d = cm_mad(t, CM_LIT(3.5043622173221922e-8), CM_LIT(2.9787809767612589e-7));
+    CM_REAL e = cm_mad(t, CM_LIT(4.8915588924864857e-10), CM_LIT(4.1239776066890040e-9));
     CM_REAL f = CM_LIT(5.5457480779075641e-11);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    e = e + t2 * f;
-    return a + t4 * (c + t4 * e);
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    e = cm_mad(t2, f, e);
+    return cm_mad(t4, cm_mad(t4, e, c), a);
 #else
-    CM_REAL a = CM_LIT(1.12402402e-1) + t * CM_LIT(1.32171111e-2);
-    CM_REAL b = CM_LIT(1.55509659e-3) + t * CM_LIT(1.83491298e-4);
+    CM_REAL a = cm_mad(t, CM_LIT(1.32171111e-2), CM_LIT(1.12402402e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(1.83491298e-4), CM_LIT(1.55509659e-3));
     CM_REAL c = CM_LIT(2.07460926e-5);
-    a = a + t2 * b;
+    a = cm_mad(t2, b, a);
     return a + (t2 * t2) * c;
 #endif
 }
@@ -91,7 +91,7 @@ CM_FN CM_REAL CM_NAME(cm_qsc_straighten)(CM_REAL z)
 /* w = v / u from t = q / p, in [0, 1] */
 CM_FN CM_REAL CM_NAME(cm_qsc_across)(CM_REAL t)
 {
-    return t + t * (((CM_LIT(1.0) - t) * (CM_LIT(1.0) + t)) * CM_NAME(cm_qsc_bend)(t * t));
+    return cm_mad(t, ((CM_LIT(1.0) - t) * (CM_LIT(1.0) + t)) * CM_NAME(cm_qsc_bend)(t * t), t);
 }
 
 CM_FN CM_REAL CM_NAME(cm_qsc_across_inverse)(CM_REAL w)
@@ -132,10 +132,12 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_co
     CM_REAL t2 = t * t;
     CM_REAL r = cm_sqrt(CM_LIT(2.0) + t2);
     CM_REAL w = cm_sqrt((CM_LIT(1.0) + major * major) + minor * minor);
-    /* u = p sqrt(r (r + 1) / (w (w + 1))), where r^2 - w^2 = (1 - p^2)(1 + t^2) */
-    CM_REAL rest = ((CM_LIT(1.0) - major) * (CM_LIT(1.0) + major)) * (CM_LIT(1.0) + t2) *
-                   (CM_LIT(1.0) + CM_LIT(1.0) / (r + w));
-    CM_REAL u = CM_NAME(cm_scale_by_root)(major, w * (w + CM_LIT(1.0)), rest);
+    /* u = p / sqrt(w (w + 1) / (r (r + 1))), where r^2 - w^2 = (1 - p^2)(1 + t^2), so that the quotient
+     * is 1 - (r^2 - w^2)(r + w + 1) / ((r + w) r (r + 1)) */
+    CM_REAL sum = r + w;
+    CM_REAL difference = ((CM_LIT(1.0) - major) * (CM_LIT(1.0) + major)) * (CM_LIT(1.0) + t2);
+    CM_REAL u = CM_NAME(cm_divide_by_root)(
+        major, -(difference * (sum + CM_LIT(1.0)) / (sum * (r * (r + CM_LIT(1.0))))));
     CM_REAL v = u * CM_NAME(cm_qsc_across)(t);
     return CM_NAME(cm_make_uv)(cm_copysign(CM_SELECT(wide, u, v), p),
                                cm_copysign(CM_SELECT(wide, v, u), q));
@@ -149,8 +151,8 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
     CM_BOOL wide = cm_at_least(abs_u, abs_v);
     CM_REAL major = CM_SELECT(wide, abs_u, abs_v);
     CM_REAL minor = CM_SELECT(wide, abs_v, abs_u);
-    CM_REAL t =
-        CM_NAME(cm_qsc_across_inverse)(minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0)));
+    CM_REAL t = CM_NAME(cm_qsc_across_inverse)(
+        minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0)));
     CM_REAL t2 = t * t;
     CM_REAL r1 = CM_LIT(1.0) + cm_sqrt(CM_LIT(2.0) + t2);
     CM_REAL inverse_r1 = CM_LIT(1.0) / r1;

@@ -27,7 +27,7 @@ CM_FN CM_REAL CM_NAME(cm_s2_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_UNUSED(k);
     CM_REAL a = cm_abs(w);
-    CM_REAL root = cm_sqrt(CM_LIT(1.0) + CM_LIT(3.0) * a);
+    CM_REAL root = CM_NAME(cm_root)(cm_mad(CM_LIT(3.0), a, CM_LIT(1.0)));
     return CM_NAME(cm_stretch)(w, (CM_LIT(1.0) - a) / ((CM_LIT(1.0) + a) + root));
 }
 

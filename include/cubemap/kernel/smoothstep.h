@@ -54,8 +54,8 @@ CM_FN CM_REAL CM_NAME(cm_smoothstep_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 CM_FN CM_REAL CM_NAME(cm_smoothstep_step)(CM_REAL p, CM_REAL a, CM_NAME(cm_constants) k)
 {
     CM_REAL b = k.k0 * ((CM_LIT(1.0) - p) * (CM_LIT(1.0) + p));
-    CM_REAL rest = (a - p) - p * b;
-    CM_REAL slope = k.k1 + CM_LIT(3.0) * b;
+    CM_REAL rest = cm_mad(-p, b, a - p);
+    CM_REAL slope = cm_mad(CM_LIT(3.0), b, k.k1);
     /* without a slope, at the edge for c = 1, there is no rest either */
     return p + rest / cm_max(slope, CM_LIT(1.0e-12));
 }
@@ -63,7 +63,7 @@ CM_FN CM_REAL CM_NAME(cm_smoothstep_step)(CM_REAL p, CM_REAL a, CM_NAME(cm_const
 CM_FN CM_REAL CM_NAME(cm_smoothstep_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_REAL a = cm_abs(w);
-    CM_REAL s = cm_sqrt(k.k3 + k.k2 * (CM_LIT(1.0) - a));
+    CM_REAL s = cm_sqrt(cm_mad(k.k2, CM_LIT(1.0) - a, k.k3));
     CM_REAL p = CM_NAME(cm_trisect)(k.k2 * a, s) * k.k4;
     p = CM_NAME(cm_smoothstep_step)(p, a, k);
 #if CM_REAL_BITS > 64

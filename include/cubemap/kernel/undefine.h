@@ -17,7 +17,9 @@
 #undef cm_copysign
 #undef cm_min
 #undef cm_max
+#undef cm_mad
 #undef cm_less
+#undef CM_ROUGH_INVERSE_ROOT
 #undef cm_at_least
 #undef cm_equal
 #undef CM_VARIANT

@@ -36,31 +36,31 @@ CM_FN CM_REAL CM_NAME(cm_unicube_bend)(CM_REAL z)
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
 #if CM_REAL_BITS == 64
-    CM_REAL a = CM_LIT(2.7168354136262074e-1) + t * CM_LIT(-1.1778167129379338e-1);
-    CM_REAL b = CM_LIT(5.8261380592083398e-2) + t * CM_LIT(-3.0797344880222659e-2);
-    CM_REAL c = CM_LIT(1.6968938963746981e-2) + t * CM_LIT(-9.6237413835044087e-3);
-    CM_REAL d = CM_LIT(5.5763323133892579e-3) + t * CM_LIT(-3.2851713073876734e-3);
-    CM_REAL e = CM_LIT(1.9611103989126879e-3) + t * CM_LIT(-1.1833388405424446e-3);
-    CM_REAL f = CM_LIT(7.2044989310751672e-4) + t * CM_LIT(-4.4201278187316819e-4);
-    CM_REAL g = CM_LIT(2.7250687874662250e-4) + t * CM_LIT(-1.6840764702206765e-4);
-    CM_REAL h = CM_LIT(1.0716565404654928e-4) + t * CM_LIT(-6.9937436515507759e-5);
-    CM_REAL i = CM_LIT(3.5928286536470256e-5) + t * CM_LIT(-1.6700537380384999e-5);
-    CM_REAL j = CM_LIT(2.7045440570039705e-5) + t * CM_LIT(-2.2409534941600882e-5);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    e = e + t2 * f;
-    g = g + t2 * h;
-    i = i + t2 * j;
-    return a + t4 * (c + t4 * (e + t4 * (g + t4 * i)));
+    CM_REAL a = cm_mad(t, CM_LIT(-1.1778167129379338e-1), CM_LIT(2.7168354136262074e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(-3.0797344880222659e-2), CM_LIT(5.8261380592083398e-2));
+    CM_REAL c = cm_mad(t, CM_LIT(-9.6237413835044087e-3), CM_LIT(1.6968938963746981e-2));
+    CM_REAL d = cm_mad(t, CM_LIT(-3.2851713073876734e-3), CM_LIT(5.5763323133892579e-3));
+    CM_REAL e = cm_mad(t, CM_LIT(-1.1833388405424446e-3), CM_LIT(1.9611103989126879e-3));
+    CM_REAL f = cm_mad(t, CM_LIT(-4.4201278187316819e-4), CM_LIT(7.2044989310751672e-4));
+    CM_REAL g = cm_mad(t, CM_LIT(-1.6840764702206765e-4), CM_LIT(2.7250687874662250e-4));
+    CM_REAL h = cm_mad(t, CM_LIT(-6.9937436515507759e-5), CM_LIT(1.0716565404654928e-4));
+    CM_REAL i = cm_mad(t, CM_LIT(-1.6700537380384999e-5), CM_LIT(3.5928286536470256e-5));
+    CM_REAL j = cm_mad(t, CM_LIT(-2.2409534941600882e-5), CM_LIT(2.7045440570039705e-5));
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    e = cm_mad(t2, f, e);
+    g = cm_mad(t2, h, g);
+    i = cm_mad(t2, j, i);
+    return cm_mad(t4, cm_mad(t4, cm_mad(t4, cm_mad(t4, i, g), e), c), a);
 #else
-    CM_REAL a = CM_LIT(2.71683544e-1) + t * CM_LIT(-1.17781609e-1);
-    CM_REAL b = CM_LIT(5.82597181e-2) + t * CM_LIT(-3.08026671e-2);
-    CM_REAL c = CM_LIT(1.70118995e-2) + t * CM_LIT(-9.52239987e-3);
-    CM_REAL d = CM_LIT(5.21856360e-3) + t * CM_LIT(-3.92929278e-3);
+    CM_REAL a = cm_mad(t, CM_LIT(-1.17781609e-1), CM_LIT(2.71683544e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(-3.08026671e-2), CM_LIT(5.82597181e-2));
+    CM_REAL c = cm_mad(t, CM_LIT(-9.52239987e-3), CM_LIT(1.70118995e-2));
+    CM_REAL d = cm_mad(t, CM_LIT(-3.92929278e-3), CM_LIT(5.21856360e-3));
     CM_REAL e = CM_LIT(3.01940669e-3);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    return a + t4 * (c + t4 * e);
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    return cm_mad(t4, cm_mad(t4, e, c), a);
 #endif
 }
 
@@ -71,31 +71,31 @@ CM_FN CM_REAL CM_NAME(cm_unicube_straighten)(CM_REAL z)
     CM_REAL t2 = t * t;
     CM_REAL t4 = t2 * t2;
 #if CM_REAL_BITS == 64
-    CM_REAL a = CM_LIT(3.1536753327833095e-1) + t * CM_LIT(1.3836223333971626e-1);
-    CM_REAL b = CM_LIT(6.6695390038284924e-2) + t * CM_LIT(3.3610460148880306e-2);
-    CM_REAL c = CM_LIT(1.7379893982607593e-2) + t * CM_LIT(9.1401920585696371e-3);
-    CM_REAL d = CM_LIT(4.8647057878032883e-3) + t * CM_LIT(2.6123606797748152e-3);
-    CM_REAL e = CM_LIT(1.4125869742764917e-3) + t * CM_LIT(7.6806729442564217e-4);
-    CM_REAL f = CM_LIT(4.1949810776781488e-4) + t * CM_LIT(2.2993750385405672e-4);
-    CM_REAL g = CM_LIT(1.2654681355533915e-4) + t * CM_LIT(7.0127980368376257e-5);
-    CM_REAL h = CM_LIT(3.8420883014899591e-5) + t * CM_LIT(1.9956130688734791e-5);
-    CM_REAL i = CM_LIT(1.1848711392640434e-5) + t * CM_LIT(9.4125680152173495e-6);
+    CM_REAL a = cm_mad(t, CM_LIT(1.3836223333971626e-1), CM_LIT(3.1536753327833095e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(3.3610460148880306e-2), CM_LIT(6.6695390038284924e-2));
+    CM_REAL c = cm_mad(t, CM_LIT(9.1401920585696371e-3), CM_LIT(1.7379893982607593e-2));
+    CM_REAL d = cm_mad(t, CM_LIT(2.6123606797748152e-3), CM_LIT(4.8647057878032883e-3));
+    CM_REAL e = cm_mad(t, CM_LIT(7.6806729442564217e-4), CM_LIT(1.4125869742764917e-3));
+    CM_REAL f = cm_mad(t, CM_LIT(2.2993750385405672e-4), CM_LIT(4.1949810776781488e-4));
+    CM_REAL g = cm_mad(t, CM_LIT(7.0127980368376257e-5), CM_LIT(1.2654681355533915e-4));
+    CM_REAL h = cm_mad(t, CM_LIT(1.9956130688734791e-5), CM_LIT(3.8420883014899591e-5));
+    CM_REAL i = cm_mad(t, CM_LIT(9.4125680152173495e-6), CM_LIT(1.1848711392640434e-5));
     CM_REAL j = CM_LIT(4.5207743489113512e-6);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    e = e + t2 * f;
-    g = g + t2 * h;
-    i = i + t2 * j;
-    return a + t4 * (c + t4 * (e + t4 * (g + t4 * i)));
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    e = cm_mad(t2, f, e);
+    g = cm_mad(t2, h, g);
+    i = cm_mad(t2, j, i);
+    return cm_mad(t4, cm_mad(t4, cm_mad(t4, cm_mad(t4, i, g), e), c), a);
 #else
-    CM_REAL a = CM_LIT(3.15367520e-1) + t * CM_LIT(1.38362184e-1);
-    CM_REAL b = CM_LIT(6.66959360e-2) + t * CM_LIT(3.36141698e-2);
-    CM_REAL c = CM_LIT(1.73681751e-2) + t * CM_LIT(9.07299947e-3);
-    CM_REAL d = CM_LIT(4.92856419e-3) + t * CM_LIT(3.02888104e-3);
+    CM_REAL a = cm_mad(t, CM_LIT(1.38362184e-1), CM_LIT(3.15367520e-1));
+    CM_REAL b = cm_mad(t, CM_LIT(3.36141698e-2), CM_LIT(6.66959360e-2));
+    CM_REAL c = cm_mad(t, CM_LIT(9.07299947e-3), CM_LIT(1.73681751e-2));
+    CM_REAL d = cm_mad(t, CM_LIT(3.02888104e-3), CM_LIT(4.92856419e-3));
     CM_REAL e = CM_LIT(1.41706225e-3);
-    a = a + t2 * b;
-    c = c + t2 * d;
-    return a + t4 * (c + t4 * e);
+    a = cm_mad(t2, b, a);
+    c = cm_mad(t2, d, c);
+    return cm_mad(t4, cm_mad(t4, e, c), a);
 #endif
 }
 

@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The loops over the kernels, for one instruction set and one precision: whole vectors of points from
+ * array to array. Read by batch_set.h, which has defined the dialect's words and those of lanes/. n is
+ * a multiple of LANES here; dispatch is in double.c and float.c.
+ *
+ * A point takes the same way in every function: project (direction to face and coordinates), turn
+ * (from geo to the mapping's frame), warp; and back. A vector is read whole before it is written, so
+ * that an output may be an input.
+ */
+#define BATCH_FN static inline __attribute__((always_inline))
+
+BATCH_FN CM_BOOL CM_NAME(batch_is_direction)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    /* zero, or NaN, which is not less than anything */
+    CM_REAL zero = CM_LIT(0.0);
+    return cm_less(cm_mad(x, zero, cm_mad(y, zero, z * zero)), CM_NAME(cm_magnitude)(x, y, z));
+}
+
+BATCH_FN CM_BOOL CM_NAME(batch_is_near_face)(CM_REAL a, CM_REAL b)
+{
+    CM_REAL limit = CM_LIT(1.0) + CM_LIT(1.0e-9);
+    return CM_AND(cm_at_least(limit, cm_abs(a)), cm_at_least(limit, cm_abs(b)));
+}
+
+/* A coordinate on a face that is nearly inside is put on the edge. */
+BATCH_FN CM_REAL CM_NAME(batch_clamp)(CM_REAL w)
+{
+    return cm_min(cm_max(w, CM_LIT(-1.0)), CM_LIT(1.0));
+}
+
+/* from geo to the frame */
+BATCH_FN CM_NAME(cm_face_point) CM_NAME(batch_turn)(const cm_turn *turn, CM_NAME(cm_face_point) p)
+{
+    if (turn->identity)
+    {
+        return p;
+    }
+    LANES_INDEX index = lanes_index(p.face);
+    CM_BOOL swap = lanes_bit(turn->swap_bits, index);
+    CM_NAME(cm_face_point) r;
+    r.a = lanes_flip(CM_SELECT(swap, p.b, p.a), turn->minus_u_bits, index);
+    r.b = lanes_flip(CM_SELECT(swap, p.a, p.b), turn->minus_v_bits, index);
+    r.face = lanes_digit(turn->face_digits, index);
+    return r;
+}
+
+/* from the frame to geo */
+BATCH_FN CM_NAME(cm_face_point)
+    CM_NAME(batch_turn_back)(const cm_turn *turn, CM_NAME(cm_face_point) p)
+{
+    if (turn->identity)
+    {
+        return p;
+    }
+    LANES_INDEX index = lanes_index(p.face);
+    CM_BOOL swap = lanes_bit(turn->swap_back_bits, index);
+    CM_REAL a = lanes_flip(p.a, turn->minus_u_back_bits, index);
+    CM_REAL b = lanes_flip(p.b, turn->minus_v_back_bits, index);
+    CM_NAME(cm_face_point) r;
+    r.a = CM_SELECT(swap, b, a);
+    r.b = CM_SELECT(swap, a, b);
+    r.face = lanes_digit(turn->geo_face_digits, index);
+    return r;
+}
+
+BATCH_FN CM_NAME(cm_constants) CM_NAME(batch_constants)(const cm_mapping *mapping)
+{
+    const CM_SCALAR_NAME(cm_constants) *k = &mapping->CM_SCALAR_NAME(constants);
+    CM_NAME(cm_constants) r;
+    r.k0 = lanes_all(k->k0);
+    r.k1 = lanes_all(k->k1);
+    r.k2 = lanes_all(k->k2);
+    r.k3 = lanes_all(k->k3);
+    r.k4 = lanes_all(k->k4);
+    r.k5 = lanes_all(k->k5);
+    r.k6 = lanes_all(k->k6);
+    r.variant = lanes_all(k->variant);
+    return r;
+}
+
+/* What is no point of a map becomes NaN here, and stays it on all ways to a direction. */
+BATCH_FN CM_NAME(cm_face_point)
+    CM_NAME(batch_load_map)(const uint8_t *face, const LANES_SCALAR *u, const LANES_SCALAR *v)
+{
+    CM_REAL a = lanes_load(u);
+    CM_REAL b = lanes_load(v);
+    CM_NAME(cm_face_point) point;
+    point.face = lanes_load_faces(face);
+    CM_BOOL good = CM_AND(cm_less(point.face, CM_LIT(5.5)), CM_NAME(batch_is_near_face)(a, b));
+    point.a = lanes_or_nan(good, CM_NAME(batch_clamp)(a));
+    point.b = lanes_or_nan(good, CM_NAME(batch_clamp)(b));
+    return point;
+}
+
+BATCH_FN void CM_NAME(batch_store_map)(CM_BOOL good, CM_NAME(cm_face_point) p, uint8_t *face,
+                                       LANES_SCALAR *u, LANES_SCALAR *v)
+{
+    lanes_store_faces(face, CM_SELECT(good, p.face, CM_LIT(255.0)));
+    lanes_store(u, lanes_or_nan(good, p.a));
+    lanes_store(v, lanes_or_nan(good, p.b));
+}
+
+/* ---- The loops. They are inlined with kernels that are constants, so that no call is left ---- */
+
+typedef CM_NAME(cm_face_point) (*CM_NAME(batch_project))(CM_REAL x, CM_REAL y, CM_REAL z);
+typedef CM_NAME(cm_xyz) (*CM_NAME(batch_unproject))(CM_REAL face, CM_REAL a, CM_REAL b);
+typedef CM_NAME(cm_uv) (*CM_NAME(batch_warp))(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k);
+typedef CM_NAME(cm_pq) (*CM_NAME(batch_unwarp))(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k);
+
+BATCH_FN void CM_NAME(batch_forward)(CM_NAME(batch_project) project, CM_NAME(batch_warp) warp,
+                                     CM_REAL variant, const cm_mapping *mapping, size_t n,
+                                     const LANES_SCALAR *x, const LANES_SCALAR *y,
+                                     const LANES_SCALAR *z, uint8_t *face, LANES_SCALAR *u,
+                                     LANES_SCALAR *v)
+{
+    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    k.variant = variant;
+    for (size_t i = 0; i < n; i += LANES)
+    {
+        CM_REAL dx = lanes_load(x + i);
+        CM_REAL dy = lanes_load(y + i);
+        CM_REAL dz = lanes_load(z + i);
+        CM_BOOL good = CM_NAME(batch_is_direction)(dx, dy, dz);
+        CM_NAME(cm_face_point) p = CM_NAME(batch_turn)(&mapping->turn, project(dx, dy, dz));
+        if (warp != NULL)
+        {
+            CM_NAME(cm_uv) uv = warp(p.a, p.b, k);
+            p.a = uv.u;
+            p.b = uv.v;
+        }
+        CM_NAME(batch_store_map)(good, p, face + i, u + i, v + i);
+    }
+}
+
+BATCH_FN void CM_NAME(batch_inverse)(CM_NAME(batch_unproject) unproject,
+                                     CM_NAME(batch_unwarp) unwarp, CM_REAL variant,
+                                     const cm_mapping *mapping, size_t n, const uint8_t *face,
+                                     const LANES_SCALAR *u, const LANES_SCALAR *v, LANES_SCALAR *x,
+                                     LANES_SCALAR *y, LANES_SCALAR *z)
+{
+    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    k.variant = variant;
+    for (size_t i = 0; i < n; i += LANES)
+    {
+        CM_NAME(cm_face_point) p = CM_NAME(batch_load_map)(face + i, u + i, v + i);
+        if (unwarp != NULL)
+        {
+            CM_NAME(cm_pq) pq = unwarp(p.a, p.b, k);
+            p.a = pq.p;
+            p.b = pq.q;
+        }
+        p = CM_NAME(batch_turn_back)(&mapping->turn, p);
+        CM_NAME(cm_xyz) d = unproject(p.face, p.a, p.b);
+        lanes_store(x + i, d.x);
+        lanes_store(y + i, d.y);
+        lanes_store(z + i, d.z);
+    }
+}
+
+/* The warp alone, in place; only one of the two kernels is given. */
+BATCH_FN void CM_NAME(batch_warp_only)(CM_NAME(batch_warp) warp, CM_NAME(batch_unwarp) unwarp,
+                                       CM_REAL variant, const cm_mapping *mapping, size_t n,
+                                       LANES_SCALAR *a, LANES_SCALAR *b)
+{
+    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    k.variant = variant;
+    for (size_t i = 0; i < n; i += LANES)
+    {
+        CM_NAME(cm_uv) r = {CM_NAME(batch_clamp)(lanes_load(a + i)),
+                            CM_NAME(batch_clamp)(lanes_load(b + i))};
+        if (warp != NULL)
+        {
+            r = warp(r.u, r.v, k);
+        }
+        else
+        {
+            CM_NAME(cm_pq) pq = unwarp(r.u, r.v, k);
+            r.u = pq.p;
+            r.v = pq.q;
+        }
+        lanes_store(a + i, r.u);
+        lanes_store(b + i, r.v);
+    }
+}
+
+/* ---- One set of loops for each mapping ---- */
+
+#define BATCH_LOOPS(name, projection, warp, unwarp, which)                                         \
+    static void CM_NAME(forward_##name)(                                                           \
+        const cm_mapping *mapping, size_t n, const LANES_SCALAR *x, const LANES_SCALAR *y,         \
+        const LANES_SCALAR *z, uint8_t *face, LANES_SCALAR *u, LANES_SCALAR *v)                    \
+    {                                                                                              \
+        CM_NAME(batch_forward)                                                                     \
+        (CM_NAME(cm_##projection##_project), warp, CM_LIT(which), mapping, n, x, y, z, face, u,    \
+         v);                                                                                       \
+    }                                                                                              \
+    static void CM_NAME(inverse_##name)(const cm_mapping *mapping, size_t n, const uint8_t *face,  \
+                                        const LANES_SCALAR *u, const LANES_SCALAR *v,              \
+                                        LANES_SCALAR *x, LANES_SCALAR *y, LANES_SCALAR *z)         \
+    {                                                                                              \
+        CM_NAME(batch_inverse)                                                                     \
+        (CM_NAME(cm_##projection##_unproject), unwarp, CM_LIT(which), mapping, n, face, u, v, x,   \
+         y, z);                                                                                    \
+    }
+#define BATCH_WARP_LOOPS(name, id, which)                                                          \
+    BATCH_LOOPS(name, cube, CM_NAME(cm_##id##_forward), CM_NAME(cm_##id##_inverse), which)         \
+    static void CM_NAME(warp_##name)(const cm_mapping *mapping, size_t n, LANES_SCALAR *p,         \
+                                     LANES_SCALAR *q)                                              \
+    {                                                                                              \
+        CM_NAME(batch_warp_only)                                                                   \
+        (CM_NAME(cm_##id##_forward), NULL, CM_LIT(which), mapping, n, p, q);                       \
+    }                                                                                              \
+    static void CM_NAME(unwarp_##name)(const cm_mapping *mapping, size_t n, LANES_SCALAR *u,       \
+                                       LANES_SCALAR *v)                                            \
+    {                                                                                              \
+        CM_NAME(batch_warp_only)                                                                   \
+        (NULL, CM_NAME(cm_##id##_inverse), CM_LIT(which), mapping, n, u, v);                       \
+    }
+
+#define CM_DESCRIPTORS
+#define CM_SPHERE(id, ...) BATCH_LOOPS(id##_0, id, NULL, NULL, 0.0)
+#define CM_WARP(id, ...) BATCH_WARP_LOOPS(id##_0, id, 0.0)
+#define CM_WARP_VARIANTS(id, ...)                                                                  \
+    BATCH_WARP_LOOPS(id##_0, id, 0.0)                                                              \
+    BATCH_WARP_LOOPS(id##_1, id, 1.0)
+#include <cubemap/kernel/catalogue.h>
+#undef CM_SPHERE
+#undef CM_WARP
+#undef CM_WARP_VARIANTS
+
+#define BATCH_ENTRY(name)                                                                          \
+    {                                                                                              \
+        CM_NAME(forward_##name), CM_NAME(inverse_##name), CM_NAME(warp_##name),                    \
+            CM_NAME(unwarp_##name)                                                                 \
+    }
+#define CM_SPHERE(id, ...) {{{CM_NAME(forward_##id##_0), CM_NAME(inverse_##id##_0), NULL, NULL}}},
+#define CM_WARP(id, ...) {{BATCH_ENTRY(id##_0)}},
+#define CM_WARP_VARIANTS(id, ...) {{BATCH_ENTRY(id##_0), BATCH_ENTRY(id##_1)}},
+
+static const CM_SCALAR_NAME(cm_batch_variants) CM_NAME(batch_table)[] = {
+#include <cubemap/kernel/catalogue.h>
+};
+
+#undef CM_SPHERE
+#undef CM_WARP
+#undef CM_WARP_VARIANTS
+#undef CM_DESCRIPTORS
+#undef BATCH_LOOPS
+#undef BATCH_WARP_LOOPS
+#undef BATCH_ENTRY
+#undef BATCH_FN
