@@ -60,11 +60,12 @@ CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_continuous_jacobian)(CM_REAL p, CM_REAL q,
     CM_REAL s1 = s + CM_LIT(1.0); /* 2 (1 + c^2 p^2) */
     CM_REAL ratio = CM_LIT(1.0) + CM_NAME(cm_atan_excess)(CM_LIT(1.0) / s);
     CM_REAL below = (s + q * q) * ratio;
-    CM_REAL all = CM_LIT(1.0) / (below * s1);
+    CM_REAL inverse_all = CM_LIT(1.0) / (below * s1);
     CM_REAL abs_q = cm_abs(q);
     CM_REAL from_edge = (CM_LIT(1.0) - abs_q) + abs_q * (CM_LIT(1.0) - cm_abs(v));
-    return CM_NAME(cm_make_jacobian)((CM_LIT(2.0) * k.k2) * (all * below), CM_LIT(0.0),
-                                     -((p * ((q - v) * s + q * from_edge)) * all), s * (all * s1));
+    return CM_NAME(cm_make_jacobian)((CM_LIT(2.0) * k.k2) * (inverse_all * below), CM_LIT(0.0),
+                                     -((p * ((q - v) * s + q * from_edge)) * inverse_all),
+                                     s * (inverse_all * s1));
 }
 
 #endif

@@ -138,9 +138,9 @@ CM_FN CM_NAME(cm_tangents)
     CM_NAME(cm_healpix_turn)(CM_BOOL polar, CM_BOOL x_wins, CM_BOOL south, CM_REAL sign,
                              CM_NAME(cm_xyz) along, CM_NAME(cm_xyz) across)
 {
-    CM_REAL half = CM_SELECT(south, CM_LIT(-1.0), CM_LIT(1.0)); /* of the sphere */
+    CM_REAL side = CM_SELECT(south, CM_LIT(-1.0), CM_LIT(1.0));
     CM_REAL flat_sign = CM_SELECT(polar, CM_LIT(1.0), sign);
-    CM_REAL z_sign = CM_SELECT(polar, sign * half, CM_LIT(1.0));
+    CM_REAL z_sign = CM_SELECT(polar, sign * side, CM_LIT(1.0));
     CM_REAL along_x = flat_sign * CM_SELECT(x_wins, along.x, -along.y);
     CM_REAL along_y = flat_sign * CM_SELECT(x_wins, along.y, along.x);
     CM_REAL along_z = z_sign * along.z;
@@ -151,9 +151,9 @@ CM_FN CM_NAME(cm_tangents)
     r.x_a = CM_SELECT(polar, CM_SELECT(x_wins, along_x, across_x), along_x);
     r.y_a = CM_SELECT(polar, CM_SELECT(x_wins, along_y, across_y), along_y);
     r.z_a = CM_SELECT(polar, CM_SELECT(x_wins, along_z, across_z), along_z);
-    r.x_b = CM_SELECT(polar, half * CM_SELECT(x_wins, -across_x, along_x), across_x);
-    r.y_b = CM_SELECT(polar, half * CM_SELECT(x_wins, -across_y, along_y), across_y);
-    r.z_b = CM_SELECT(polar, half * CM_SELECT(x_wins, -across_z, along_z), across_z);
+    r.x_b = CM_SELECT(polar, side * CM_SELECT(x_wins, -across_x, along_x), across_x);
+    r.y_b = CM_SELECT(polar, side * CM_SELECT(x_wins, -across_y, along_y), across_y);
+    r.z_b = CM_SELECT(polar, side * CM_SELECT(x_wins, -across_z, along_z), across_z);
     return r;
 }
 
@@ -237,9 +237,9 @@ CM_FN CM_NAME(cm_gradients) CM_NAME(cm_healpix_gradients)(CM_REAL x, CM_REAL y, 
     /* one division for 1 / root, 1 / n and 1 / (n + 1) */
     CM_REAL n1 = n + CM_LIT(1.0);
     CM_REAL n_root = n * root;
-    CM_REAL all = CM_LIT(1.0) / (n_root * n1);
-    CM_REAL inverse_n = (all * root) * n1;
-    CM_REAL cosine = (all * n) * n1;
+    CM_REAL inverse_all = CM_LIT(1.0) / (n_root * n1);
+    CM_REAL inverse_n = (inverse_all * root) * n1;
+    CM_REAL cosine = (inverse_all * n) * n1;
     CM_REAL sine = t * cosine;
     CM_REAL rho = CM_SELECT(polar, r, root) * inverse_n;
     CM_REAL s = CM_SELECT(polar, inverse_n, cm_copysign(r * inverse_n, z));
@@ -249,7 +249,7 @@ CM_FN CM_NAME(cm_gradients) CM_NAME(cm_healpix_gradients)(CM_REAL x, CM_REAL y, 
     CM_REAL conjugate = cm_sqrt((CM_LIT(3.0) * n) * n1);    /* h = conjugate / (3 n) */
     CM_REAL half_h = (CM_LIT(0.5) * conjugate) * inverse_n; /* (3 / 2) h */
     CM_REAL inverse_rho = n * cosine;                       /* on the belt */
-    CM_REAL around = four * CM_SELECT(polar, conjugate * (all * n_root), inverse_rho);
+    CM_REAL around = four * CM_SELECT(polar, conjugate * (inverse_all * n_root), inverse_rho);
     /* on the belt v is (3 / 2) s, with the sign of z in s */
     CM_REAL inwards = CM_SELECT(polar, half_h * s, CM_LIT(-1.5) * (s * rho));
     CM_NAME(cm_xyz) across;

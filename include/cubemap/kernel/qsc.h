@@ -193,20 +193,20 @@ CM_FN CM_NAME(cm_jacobian)
     CM_REAL sum = r + w;
     /* one division for 1 / r, 1 / w and 1 / (r + w) */
     CM_REAL ww1_sum = ww1 * sum;
-    CM_REAL all = CM_LIT(1.0) / (rr1 * ww1_sum);
-    CM_REAL inverse_rr1 = all * ww1_sum;
-    CM_REAL all_rr1 = all * rr1;
+    CM_REAL inverse_all = CM_LIT(1.0) / (rr1 * ww1_sum);
+    CM_REAL inverse_rr1 = inverse_all * ww1_sum;
+    CM_REAL all_rr1 = inverse_all * rr1;
     CM_REAL inverse_ww1 = all_rr1 * sum;
     CM_REAL inverse_r = inverse_rr1 * r1;
     CM_REAL inverse_w = inverse_ww1 * w1;
     CM_REAL inverse_rw = inverse_r * inverse_w;
 
     CM_REAL s = cm_sqrt(rr1 * inverse_ww1);
-    CM_REAL half = CM_LIT(0.5) * s;
+    CM_REAL half_s = CM_LIT(0.5) * s;
     CM_REAL delta = ((CM_LIT(1.0) - major) * (CM_LIT(1.0) + major)) * (r * w + sum) *
                     (all_rr1 * ww1) * (inverse_rw * inverse_rw);
-    CM_REAL u_minor = half * (t * delta);
-    CM_REAL u_major = half * (w1 * (inverse_w * inverse_w) - t2 * delta);
+    CM_REAL u_minor = half_s * (t * delta);
+    CM_REAL u_major = half_s * (w1 * (inverse_w * inverse_w) - t2 * delta);
     CM_REAL across = CM_NAME(cm_qsc_across)(t);
     CM_REAL turn =
         (s * inverse_rr1) * CM_LIT(3.81971863420548805845321032094034468883); /* 12 / pi */
