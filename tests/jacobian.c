@@ -7,8 +7,9 @@
  *
  * The truth is one-sided: a difference is taken towards the inside of the piece of the map on which the
  * point counts, or on that piece continued beyond its border. The worst errors are printed, in eps:
- * that of a matrix relative to its largest entry, and that of each entry relative to itself where it is
- * at least 1/100 of the largest.
+ * that of a matrix relative to its largest entry, and that of each entry relative to itself: where it
+ * is at least 1/100 of the largest, or of a warp away from the edge 1e-9 of it, which is as far as the
+ * truth goes.
  */
 #include "suite.h"
 
@@ -28,7 +29,7 @@ enum
     ENTRIES_MOST = 6
 };
 
-/* eps: of a matrix; the standard parameters need a third of it */
+/* eps: with the standard parameters, and with others or of an entry */
 #define BOUND_STANDARD 20.0
 #define BOUND 64.0
 
@@ -53,7 +54,7 @@ typedef struct worst
 /* The largest entry may be no smaller than this: only smoothstep with c = 1 has none at a corner. */
 #define LEAST 1e-9
 
-static void measure(worst *w, int entries, const double *got, const quad *truth,
+static void measure(worst *w, int entries, const double *got, const quad *truth, double least,
                     const precision *in)
 {
     quad largest = (quad)LEAST;
@@ -66,7 +67,7 @@ static void measure(worst *w, int entries, const double *got, const quad *truth,
         quad error = fabsq((quad)got[i] - truth[i]) / (quad)in->eps;
         error = isnan(got[i]) ? (quad)INFINITY : error;
         w->matrix = fmax(w->matrix, (double)(error / largest));
-        if (fabsq(truth[i]) >= 0.01Q * largest)
+        if (fabsq(truth[i]) >= (quad)least * largest)
         {
             w->entry = fmax(w->entry, (double)(error / fabsq(truth[i])));
         }
@@ -186,6 +187,7 @@ typedef struct subject
     cm_constants_f32 narrow; /* those of double, rounded, as in the library */
     quad_mapping truth;
     int creased; /* on the diagonals */
+    int signs;   /* an entry changes its sign inside the face, and is a difference there */
     int legacy;
     int standard;
 } subject;
@@ -248,6 +250,7 @@ static subject make_subject(const char *specification)
                                   (float)k.k4, (float)k.k5, (float)k.k6, (float)k.variant};
     s.truth = quad_from(mapping);
     s.creased = strcmp(identifier, "qsc") == 0;
+    s.signs = s.creased || strcmp(identifier, "cobe") == 0;
     s.legacy = strcmp(specification, "cobe:legacy=1") == 0;
     s.standard = strchr(specification, '=') == NULL;
     cm_mapping_destroy(mapping);
@@ -453,11 +456,15 @@ static void check_warp(const subject *s)
             warp_steps(s->creased, at, steps);
             differentiate_all(warp_value, &s->truth, 2, 2, 0, at, steps, truth);
             warp_jacobian(s, in, pq, got);
-            measure(&w, 4, got, truth, in);
+            /* beside an edge the rounding of u and v is large beside their distance from it */
+            int inside = fmax(fabs(pq[0]), fabs(pq[1])) <= 0.9;
+            measure(&w, 4, got, truth, inside ? 1e-9 : 0.01, in);
         }
         report(s->specification, in, &w);
         REQUIRE(w.matrix <= (s->standard ? BOUND_STANDARD : BOUND), "%s in %s: %g eps",
                 s->specification, in->name, w.matrix);
+        REQUIRE(s->signs || w.entry <= BOUND, "an entry of %s in %s: %g eps", s->specification,
+                in->name, w.entry);
     }
 }
 
@@ -638,14 +645,14 @@ START_TEST(test_cube)
             quad at[2] = {(quad)pq[0], (quad)pq[1]};
             differentiate_all(unproject_value, &face, 2, 3, 1, at, steps, truth);
             tangents_of(0, in, face, pq, got);
-            measure(&tangents, 6, got, truth, in);
+            measure(&tangents, 6, got, truth, 0.01, in);
 
             next_vector(in, i, &state, d);
             face = gradients_of(0, in, d, got);
             make_unit(d, unit);
             project_steps(unit, face, steps);
             differentiate_all(project_value, NULL, 3, 2, 0, unit, steps, truth);
-            measure(&gradients, 6, got, truth, in);
+            measure(&gradients, 6, got, truth, 0.01, in);
             slanted = fmax(slanted, slant(got, unit, in));
         }
         report("cube, tangents", in, &tangents);
@@ -790,13 +797,13 @@ START_TEST(test_healpix)
             next_point(in, i, &state, uv);
             healpix_tangent_truth(face, uv, truth);
             tangents_of(1, in, face, uv, got);
-            measure(&tangents, 6, got, truth, in);
+            measure(&tangents, 6, got, truth, 0.01, in);
             area = fmax(area, fabs(cross_length(got) / SIXTH_OF_PI - 1.0) / in->eps);
 
             next_vector(in, i, &state, d);
             face = gradients_of(1, in, d, got);
             healpix_gradient_truth(face, d, unit, truth);
-            measure(&gradients, 6, got, truth, in);
+            measure(&gradients, 6, got, truth, 0.01, in);
             area = fmax(area, fabs(cross_length(got) * SIXTH_OF_PI - 1.0) / in->eps);
             slanted = fmax(slanted, slant(got, unit, in));
         }

@@ -170,7 +170,8 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
  * on the edge. v / u is W(t), and as areas are equal, W' = (12 / pi) / (r (r + 1)):
  *     v_q = u_q W + s W',  v_p = u_p W - s t W'.
  * On a crease it is the matrix of the sector that forward chooses, |p| >= |q|; at the centre of a face,
- * where all sectors meet, it is that of the sector of u on its axis. */
+ * where all sectors meet, it is that of the sector of u on its axis. v_p is a
+ * difference, and small near that axis: accurate beside the other entries, not beside itself. */
 CM_FN CM_NAME(cm_jacobian)
     CM_NAME(cm_qsc_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
