@@ -11,7 +11,15 @@
  * A mapping called M has cm_M_prepare, and if it warps a face cm_M_forward (p, q to u, v) and
  * cm_M_inverse; if its family is CM_FAMILY_HYBRID it has cm_M_project (direction to face, u, v) and
  * cm_M_unproject instead. cm_cube_project and cm_cube_unproject go between directions and (p, q), in
- * the frame geo. Arguments must be inside their ranges: [-1, 1] for coordinates, a finite non-zero
+ * the frame geo.
+ *
+ * Derivatives: cm_M_jacobian takes a point as (p, q) and as the (u, v) that cm_M_forward makes of it, and
+ * gives those of (u, v) by (p, q); cm_cube_tangents and cm_cube_gradients give those of the unit direction
+ * by (p, q) and of (p, q) by the direction, cm_jacobian_tangents and cm_jacobian_gradients make of both
+ * those by and of (u, v). For a hybrid they are cm_M_tangents and cm_M_gradients. Where a map has a crease
+ * they are those of the side to which the point counts.
+ *
+ * Arguments must be inside their ranges: [-1, 1] for coordinates, a finite non-zero
  * direction; nothing is checked. The bounds on error that docs/mappings.md gives hold if the
  * compiler keeps IEEE arithmetic; under -ffast-math, in float, the edges of a face are no longer exact
  * for every mapping.

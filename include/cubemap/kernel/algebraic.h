@@ -53,4 +53,15 @@ CM_FN CM_REAL CM_NAME(cm_algebraic_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_consta
 CM_UNIVARIATE(cm_algebraic_forward, cm_algebraic_sigmoid, cm_algebraic_inverse,
               cm_algebraic_sigmoid_inverse)
 
+/* p = u / sqrt h with h = 1 + c^2 (1 - u^2), so that the slope is h^(3/2) / (1 + c^2): no division,
+ * because 1 / (1 + c^2) = 1 + k1. */
+CM_FN CM_REAL CM_NAME(cm_algebraic_slope)(CM_REAL w, CM_REAL f, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(w);
+    CM_REAL h = CM_LIT(1.0) + k.k0 * ((CM_LIT(1.0) - f) * (CM_LIT(1.0) + f));
+    return (CM_LIT(1.0) + k.k1) * (h * cm_sqrt(h));
+}
+
+CM_UNIVARIATE_JACOBIAN(cm_algebraic_jacobian, cm_algebraic_slope)
+
 #endif

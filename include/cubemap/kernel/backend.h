@@ -10,4 +10,5 @@
 #endif
 #include "factors.h"
 #include "cube.h"
+#include "jacobian.h"
 #include "catalogue.h"

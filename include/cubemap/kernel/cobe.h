@@ -173,4 +173,24 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_c
     return r;
 }
 
+/* That of the forward polynomial, in both variants. The published inverse is not the forward's, so the
+ * matrix of its derivatives is not this one's inverse: their product differs from 1 by up to 0.7 %. */
+CM_FN CM_NAME(cm_jacobian)
+    CM_NAME(cm_cobe_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(u);
+    CM_UNUSED(v);
+    CM_UNUSED(k);
+    CM_REAL x = p * p;
+    CM_REAL y = q * q;
+    CM_REAL x1 = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
+    CM_REAL y1 = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
+    CM_NAME(cm_cobe_value) f = CM_NAME(cm_cobe_evaluate)(x, y);
+    CM_NAME(cm_cobe_value) g = CM_NAME(cm_cobe_evaluate)(y, x);
+    CM_REAL cross = CM_LIT(2.0) * (p * q);
+    return CM_NAME(cm_make_jacobian)(
+        CM_LIT(1.0) + (x1 * f.b + CM_LIT(2.0) * x * (x1 * f.b_x - f.b)), cross * (x1 * f.b_y),
+        cross * (y1 * g.b_y), CM_LIT(1.0) + (y1 * g.b + CM_LIT(2.0) * y * (y1 * g.b_x - g.b)));
+}
+
 #endif

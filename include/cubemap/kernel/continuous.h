@@ -48,4 +48,24 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_continuous_inverse)(CM_REAL u, CM_REAL v, CM_NAM
     return CM_NAME(cm_make_pq)(p, CM_NAME(cm_stretch_inside)(v, edge + ratio * excess));
 }
 
+/* u by p as in tangent.h. With s = 1 + p^2 and 1 + E1 = atan k / k,
+ *     v_q = s / ((s + q^2)(1 + E1)),
+ *     v_p = -p ((q - v) s + q (1 - q v)) / ((1 + E1)(s + q^2)(s + 1)),
+ * where 1 - q v is taken from the edge; there v_p vanishes. */
+CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_continuous_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u,
+                                                           CM_REAL v, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(u);
+    CM_REAL s = CM_LIT(1.0) + p * p;
+    CM_REAL s1 = s + CM_LIT(1.0); /* 2 (1 + c^2 p^2) */
+    CM_REAL ratio = CM_LIT(1.0) + CM_NAME(cm_atan_excess)(CM_LIT(1.0) / s);
+    CM_REAL below = (s + q * q) * ratio;
+    CM_REAL inverse_all = CM_LIT(1.0) / (below * s1);
+    CM_REAL abs_q = cm_abs(q);
+    CM_REAL from_edge = (CM_LIT(1.0) - abs_q) + abs_q * (CM_LIT(1.0) - cm_abs(v));
+    return CM_NAME(cm_make_jacobian)((CM_LIT(2.0) * k.k2) * (inverse_all * below), CM_LIT(0.0),
+                                     -((p * ((q - v) * s + q * from_edge)) * inverse_all),
+                                     s * (inverse_all * s1));
+}
+
 #endif

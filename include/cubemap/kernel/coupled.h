@@ -62,4 +62,30 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_coupled_inverse)(CM_REAL u, CM_REAL v, CM_NAME(c
     return CM_NAME(cm_make_pq)(CM_NAME(cm_divide_by_root)(u, g), CM_NAME(cm_divide_by_root)(v, h));
 }
 
+/* With G = g0 + g1 v^2, H = g0 + g1 u^2, g = 1 + (1 - u^2) G, h = 1 + (1 - v^2) H the inverse is
+ * p = u g^(-1/2), q = v h^(-1/2), and p_u = (1 + G) g^(-3/2), p_v = -g1 u v (1 - u^2) g^(-3/2); that
+ * matrix is inverted. Its determinant is far from 0. */
+CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_coupled_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v,
+                                                        CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(p);
+    CM_UNUSED(q);
+    CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
+    CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
+    CM_REAL capital_g = k.k0 + k.k1 * (v * v);
+    CM_REAL capital_h = k.k0 + k.k1 * (u * u);
+    CM_REAL g = CM_LIT(1.0) + a * capital_g;
+    CM_REAL h = CM_LIT(1.0) + b * capital_h;
+    CM_REAL cross = k.k1 * (u * v);
+    CM_REAL cross_a = a * cross;
+    CM_REAL cross_b = b * cross;
+    CM_REAL g1 = CM_LIT(1.0) + capital_g;
+    CM_REAL h1 = CM_LIT(1.0) + capital_h;
+    CM_REAL scale = CM_LIT(1.0) / (g1 * h1 - cross_a * cross_b);
+    CM_REAL g_power = (g * cm_sqrt(g)) * scale;
+    CM_REAL h_power = (h * cm_sqrt(h)) * scale;
+    return CM_NAME(cm_make_jacobian)(h1 * g_power, cross_a * h_power, cross_b * g_power,
+                                     g1 * h_power);
+}
+
 #endif

@@ -69,4 +69,86 @@ CM_FN CM_NAME(cm_xyz) CM_NAME(cm_cube_unproject)(CM_REAL face, CM_REAL p, CM_REA
     return r;
 }
 
+/* The derivatives of a unit direction by the coordinates a, b of a face (p, q or u, v). */
+CM_STRUCT(cm_tangents)
+{
+    CM_REAL x_a;
+    CM_REAL y_a;
+    CM_REAL z_a;
+    CM_REAL x_b;
+    CM_REAL y_b;
+    CM_REAL z_b;
+}
+CM_STRUCT_END(cm_tangents)
+
+/* The derivatives of the coordinates a, b of a face (p, q or u, v) by a direction of unit length; they
+ * are orthogonal to it, so that the length of a gradient is the change per radian. */
+CM_STRUCT(cm_gradients)
+{
+    CM_REAL a_x;
+    CM_REAL a_y;
+    CM_REAL a_z;
+    CM_REAL b_x;
+    CM_REAL b_y;
+    CM_REAL b_z;
+}
+CM_STRUCT_END(cm_gradients)
+
+/* A vector whose components are along the outward axis of a face, along p, and along q. */
+CM_FN CM_NAME(cm_xyz)
+    CM_NAME(cm_cube_from_axes)(CM_REAL face, CM_REAL outward, CM_REAL a, CM_REAL b)
+{
+    CM_BOOL polar = cm_less(CM_LIT(3.5), face);
+    CM_BOOL minus = cm_less(CM_SELECT(polar, CM_LIT(4.5), CM_LIT(1.5)), face);
+    CM_REAL sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
+    CM_REAL folded = face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0));
+    CM_BOOL along_y = cm_less(CM_LIT(0.5), folded); /* if not polar */
+    CM_NAME(cm_xyz) r;
+    r.x = CM_SELECT(polar, -(sign * b), CM_SELECT(along_y, -(sign * a), sign * outward));
+    r.y = CM_SELECT(polar, a, CM_SELECT(along_y, sign * outward, sign * a));
+    r.z = CM_SELECT(polar, sign * outward, b);
+    return r;
+}
+
+/* The derivatives of cm_cube_unproject by (p, q), which stand as a and b. */
+CM_FN CM_NAME(cm_tangents) CM_NAME(cm_cube_tangents)(CM_REAL face, CM_REAL p, CM_REAL q)
+{
+    CM_REAL x = CM_LIT(1.0) + p * p;
+    CM_REAL y = CM_LIT(1.0) + q * q;
+    CM_REAL square = x + q * q; /* of the length of (1, p, q) */
+    CM_REAL cube = CM_LIT(1.0) / (square * cm_sqrt(square));
+    CM_REAL cross = -((p * q) * cube);
+    CM_NAME(cm_xyz) by_p = CM_NAME(cm_cube_from_axes)(face, -(p * cube), y * cube, cross);
+    CM_NAME(cm_xyz) by_q = CM_NAME(cm_cube_from_axes)(face, -(q * cube), cross, x * cube);
+    CM_NAME(cm_tangents) r;
+    r.x_a = by_p.x;
+    r.y_a = by_p.y;
+    r.z_a = by_p.z;
+    r.x_b = by_q.x;
+    r.y_b = by_q.y;
+    r.z_b = by_q.z;
+    return r;
+}
+
+/* The derivatives of p and q, which stand as a and b, on the face that cm_cube_project chooses. They are
+ * those at the direction scaled to unit length, however long x, y, z is. */
+CM_FN CM_NAME(cm_gradients) CM_NAME(cm_cube_gradients)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    CM_NAME(cm_face_point) point = CM_NAME(cm_cube_project)(x, y, z);
+    CM_REAL p = point.a;
+    CM_REAL q = point.b;
+    CM_REAL length = cm_sqrt((CM_LIT(1.0) + p * p) + q * q); /* of (1, p, q) */
+    CM_REAL none = CM_LIT(0.0);
+    CM_NAME(cm_xyz) of_p = CM_NAME(cm_cube_from_axes)(point.face, -(p * length), length, none);
+    CM_NAME(cm_xyz) of_q = CM_NAME(cm_cube_from_axes)(point.face, -(q * length), none, length);
+    CM_NAME(cm_gradients) r;
+    r.a_x = of_p.x;
+    r.a_y = of_p.y;
+    r.a_z = of_p.z;
+    r.b_x = of_q.x;
+    r.b_y = of_q.y;
+    r.b_z = of_q.z;
+    return r;
+}
+
 #endif

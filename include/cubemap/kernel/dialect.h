@@ -122,3 +122,13 @@
     {                                                                                              \
         return CM_NAME(cm_make_pq)(CM_NAME(f_inverse)(u, k), CM_NAME(f_inverse)(v, k));            \
     }
+
+/* The Jacobian of a univariate mapping from the slope of f at a coordinate given both ways, as w and as
+ * f(w). */
+#define CM_UNIVARIATE_JACOBIAN(jacobian, f_slope)                                                  \
+    CM_FN CM_NAME(cm_jacobian)                                                                     \
+        CM_NAME(jacobian)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)     \
+    {                                                                                              \
+        return CM_NAME(cm_make_jacobian)(CM_NAME(f_slope)(p, u, k), CM_LIT(0.0), CM_LIT(0.0),      \
+                                         CM_NAME(f_slope)(q, v, k));                               \
+    }

@@ -49,4 +49,13 @@ CM_FN CM_REAL CM_NAME(cm_everitt_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constant
 CM_UNIVARIATE(cm_everitt_forward, cm_everitt_sigmoid, cm_everitt_inverse,
               cm_everitt_sigmoid_inverse)
 
+/* c - 2 (c - 1) |w|, from the edge, where it may be small */
+CM_FN CM_REAL CM_NAME(cm_everitt_slope)(CM_REAL w, CM_REAL f, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(f);
+    return k.k3 + k.k2 * (CM_LIT(1.0) - cm_abs(w));
+}
+
+CM_UNIVARIATE_JACOBIAN(cm_everitt_jacobian, cm_everitt_slope)
+
 #endif

@@ -33,4 +33,15 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_gnomonic_inverse)(CM_REAL u, CM_REAL v, CM_NAME(
     return CM_NAME(cm_make_pq)(u, v);
 }
 
+CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_gnomonic_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v,
+                                                         CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(p);
+    CM_UNUSED(q);
+    CM_UNUSED(u);
+    CM_UNUSED(v);
+    CM_UNUSED(k);
+    return CM_NAME(cm_make_jacobian)(CM_LIT(1.0), CM_LIT(0.0), CM_LIT(0.0), CM_LIT(1.0));
+}
+
 #endif

@@ -128,4 +128,147 @@ CM_FN CM_NAME(cm_xyz) CM_NAME(cm_healpix_unproject)(CM_REAL face, CM_REAL u, CM_
     return r;
 }
 
+/* The derivatives of (u, v) or by (u, v), which stand as a and b, from those by or of two coordinates of
+ * a sector: along and sigma in a cap, f and v on the belt, of which the second is called across here.
+ * Vectors have the components major, towards the middle of the sector, and minor, towards greater
+ * longitude; in a cap z is that of the north. x_wins and sign are those of project. A cap's u and v are
+ * along and sigma with the sector's sign, which cancels against that of major and minor. */
+CM_FN CM_NAME(cm_tangents)
+    CM_NAME(cm_healpix_turn)(CM_BOOL polar, CM_BOOL x_wins, CM_BOOL south, CM_REAL sign,
+                             CM_NAME(cm_xyz) along, CM_NAME(cm_xyz) across)
+{
+    CM_REAL side = CM_SELECT(south, CM_LIT(-1.0), CM_LIT(1.0));
+    CM_REAL flat_sign = CM_SELECT(polar, CM_LIT(1.0), sign);
+    CM_REAL z_sign = CM_SELECT(polar, sign * side, CM_LIT(1.0));
+    CM_REAL along_x = flat_sign * CM_SELECT(x_wins, along.x, -along.y);
+    CM_REAL along_y = flat_sign * CM_SELECT(x_wins, along.y, along.x);
+    CM_REAL along_z = z_sign * along.z;
+    CM_REAL across_x = flat_sign * CM_SELECT(x_wins, across.x, -across.y);
+    CM_REAL across_y = flat_sign * CM_SELECT(x_wins, across.y, across.x);
+    CM_REAL across_z = z_sign * across.z;
+    CM_NAME(cm_tangents) r;
+    r.x_a = CM_SELECT(polar, CM_SELECT(x_wins, along_x, across_x), along_x);
+    r.y_a = CM_SELECT(polar, CM_SELECT(x_wins, along_y, across_y), along_y);
+    r.z_a = CM_SELECT(polar, CM_SELECT(x_wins, along_z, across_z), along_z);
+    r.x_b = CM_SELECT(polar, side * CM_SELECT(x_wins, -across_x, along_x), across_x);
+    r.y_b = CM_SELECT(polar, side * CM_SELECT(x_wins, -across_y, along_y), across_y);
+    r.z_b = CM_SELECT(polar, side * CM_SELECT(x_wins, -across_z, along_z), across_z);
+    return r;
+}
+
+/* The derivatives of cm_healpix_unproject by (u, v), which stand as a and b. On a border of two sectors
+ * they are those of the sector that unproject chooses. At a pole, where four sectors meet and the map
+ * has no derivatives, they are those of the sector of v's axis at its middle. */
+CM_FN CM_NAME(cm_tangents) CM_NAME(cm_healpix_tangents)(CM_REAL face, CM_REAL u, CM_REAL v)
+{
+    /* sectors as in unproject */
+    CM_BOOL polar = cm_less(CM_LIT(3.5), face);
+    CM_BOOL south = cm_less(CM_LIT(4.5), face);
+    CM_REAL w = CM_SELECT(south, -v, v);
+    CM_BOOL x_sector = cm_at_least(cm_abs(w), cm_abs(u));
+    CM_REAL cap_sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_sector, -w, u));
+    CM_REAL sigma = CM_SELECT(x_sector, cm_abs(w), cm_abs(u));
+    CM_REAL cap_along = cap_sign * CM_SELECT(x_sector, u, w);
+    CM_REAL cap_f = cap_along / CM_SELECT(cm_less(CM_LIT(0.0), sigma), sigma, CM_LIT(1.0));
+    CM_BOOL minus = cm_less(CM_LIT(1.5), face);
+    CM_REAL belt_sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
+    CM_REAL folded = face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0));
+    CM_REAL belt_x = CM_SELECT(cm_less(folded, CM_LIT(0.5)), CM_LIT(1.0), CM_LIT(0.0));
+    CM_REAL along_x = CM_SELECT(polar, CM_SELECT(x_sector, CM_LIT(1.0), CM_LIT(0.0)), belt_x);
+    CM_BOOL x_wins = cm_less(CM_LIT(0.5), along_x);
+
+    CM_REAL quarter = CM_LIT(0.78539816339744830961566084581987572105); /* pi / 4 */
+    CM_REAL third = CM_LIT(0.33333333333333333333333333333333333333);
+    CM_REAL lon = CM_SELECT(polar, cap_f, u) * quarter;
+    CM_REAL sine = CM_NAME(cm_sin_quarter)(lon);
+    CM_REAL cosine = CM_LIT(1.0) - CM_NAME(cm_versine_quarter)(lon);
+
+    /* the distance from the axis is sigma root / 3 in a cap, and root on the belt */
+    CM_REAL s2 = sigma * sigma;
+    CM_REAL belt_z = CM_LIT(2.0) * (v * third);
+    CM_REAL root = cm_sqrt(
+        CM_SELECT(polar, CM_LIT(6.0) - s2, (CM_LIT(1.0) - belt_z) * (CM_LIT(1.0) + belt_z)));
+    /* of which the derivative by sigma, or by v, at a constant f */
+    CM_REAL outwards = CM_SELECT(polar, CM_LIT(6.0) - CM_LIT(2.0) * s2, CM_LIT(-2.0) * belt_z) /
+                       (CM_LIT(3.0) * root);
+    CM_REAL turn = quarter * CM_SELECT(polar, third * root, root);
+    /* f = along / sigma turns back when sigma grows */
+    CM_REAL back = CM_SELECT(polar, turn * cap_f, CM_LIT(0.0));
+    CM_NAME(cm_xyz) along;
+    along.x = -(turn * sine);
+    along.y = turn * cosine;
+    along.z = CM_LIT(0.0);
+    CM_NAME(cm_xyz) across;
+    across.x = outwards * cosine + back * sine;
+    across.y = outwards * sine - back * cosine;
+    across.z = (CM_LIT(2.0) * third) * CM_SELECT(polar, -sigma, CM_LIT(1.0));
+    return CM_NAME(cm_healpix_turn)(polar, x_wins, south, CM_SELECT(polar, cap_sign, belt_sign),
+                                    along, across);
+}
+
+/* The derivatives of u and v, which stand as a and b, by a direction of unit length: those at (x, y, z)
+ * scaled to it, however long that is. On a border, of sectors or of belt and cap, they are those of the
+ * side to which cm_healpix_project counts the point. At a pole, where u and v have none, they are those
+ * of the sector of the x axis, on the side of the sign of x, at its middle.
+ *
+ * With s = |sin lat|, rho the distance from the axis and h = sqrt((1 + s) / 3) = rho / sigma, in a cap
+ *     grad sigma = (3 / 2) h (s along major, -rho along z)
+ *     grad along = f grad sigma + (4 / pi) / h along minor,
+ * in which nothing vanishes towards the pole. */
+CM_FN CM_NAME(cm_gradients) CM_NAME(cm_healpix_gradients)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    /* belt or cap, and where, as in project */
+    CM_REAL scale = CM_SELECT(cm_less(CM_NAME(cm_magnitude)(x, y, z), CM_HEALPIX_SMALL),
+                              CM_HEALPIX_LARGE, CM_LIT(1.0));
+    CM_REAL height = scale * cm_abs(z);
+    CM_BOOL x_wins = cm_at_least(cm_abs(x), cm_abs(y));
+    CM_REAL sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_wins, x, y));
+    CM_REAL major = scale * CM_SELECT(x_wins, cm_abs(x), cm_abs(y));
+    CM_REAL minor = scale * CM_SELECT(x_wins, sign * y, -(sign * x));
+    CM_REAL t = minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
+    CM_REAL square = CM_LIT(1.0) + t * t;
+    CM_REAL root = cm_sqrt(square);
+    CM_BOOL polar = cm_less((CM_HEALPIX_POLAR * major) * root, height);
+    CM_REAL r = (CM_SELECT(polar, major, height) / CM_SELECT(polar, height, major)) *
+                CM_SELECT(polar, root, CM_LIT(1.0));
+    CM_REAL n = cm_sqrt(CM_SELECT(polar, CM_LIT(1.0), square) + r * r);
+
+    /* one division for 1 / root, 1 / n and 1 / (n + 1) */
+    CM_REAL n1 = n + CM_LIT(1.0);
+    CM_REAL n_root = n * root;
+    CM_REAL inverse_all = CM_LIT(1.0) / (n_root * n1);
+    CM_REAL inverse_n = (inverse_all * root) * n1;
+    CM_REAL cosine = (inverse_all * n) * n1;
+    CM_REAL sine = t * cosine;
+    CM_REAL rho = CM_SELECT(polar, r, root) * inverse_n;
+    CM_REAL s = CM_SELECT(polar, inverse_n, cm_copysign(r * inverse_n, z));
+
+    CM_REAL four = CM_LIT(1.27323954473516268615107010698011489628); /* 4 / pi */
+    CM_REAL f = CM_SELECT(polar, four * (t + t * CM_NAME(cm_atan_excess)(t * t)), CM_LIT(0.0));
+    CM_REAL conjugate = cm_sqrt((CM_LIT(3.0) * n) * n1);    /* h = conjugate / (3 n) */
+    CM_REAL half_h = (CM_LIT(0.5) * conjugate) * inverse_n; /* (3 / 2) h */
+    CM_REAL inverse_rho = n * cosine;                       /* on the belt */
+    CM_REAL around = four * CM_SELECT(polar, conjugate * (inverse_all * n_root), inverse_rho);
+    /* on the belt v is (3 / 2) s, with the sign of z in s */
+    CM_REAL inwards = CM_SELECT(polar, half_h * s, CM_LIT(-1.5) * (s * rho));
+    CM_NAME(cm_xyz) across;
+    across.x = inwards * cosine;
+    across.y = inwards * sine;
+    across.z = rho * CM_SELECT(polar, -half_h, CM_LIT(1.5) * rho);
+    CM_NAME(cm_xyz) along;
+    along.x = f * across.x - around * sine;
+    along.y = f * across.y + around * cosine;
+    along.z = f * across.z;
+    CM_NAME(cm_tangents) both =
+        CM_NAME(cm_healpix_turn)(polar, x_wins, cm_less(z, CM_LIT(0.0)), sign, along, across);
+    CM_NAME(cm_gradients) g;
+    g.a_x = both.x_a;
+    g.a_y = both.y_a;
+    g.a_z = both.z_a;
+    g.b_x = both.x_b;
+    g.b_y = both.y_b;
+    g.b_z = both.z_b;
+    return g;
+}
+
 #endif

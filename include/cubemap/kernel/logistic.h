@@ -32,4 +32,6 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_logistic_prepare)(CM_NAME(cm_constants) k
 
 CM_UNIVARIATE(cm_logistic_forward, cm_tanh_sigmoid, cm_logistic_inverse, cm_tanh_sigmoid_inverse)
 
+CM_UNIVARIATE_JACOBIAN(cm_logistic_jacobian, cm_tanh_slope)
+
 #endif

@@ -61,4 +61,26 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_nowell_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm
                                CM_NAME(cm_divide_by_root)(v, h / u3));
 }
 
+/* With A = u^2, B = v^2 the inverse is p = u sqrt((3 - B) / N), q = v sqrt((3 - A) / N) with
+ * N = 6 - 3 A - 3 B + 2 A B. The determinant of its Jacobian has the factor N, which cancels against
+ * that of the derivatives; what is left to divide by is 6 (3 - A - B). */
+CM_FN CM_NAME(cm_jacobian)
+    CM_NAME(cm_nowell_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(p);
+    CM_UNUSED(q);
+    CM_UNUSED(k);
+    CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
+    CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
+    CM_REAL u3 = CM_LIT(2.0) + a; /* 3 - A */
+    CM_REAL v3 = CM_LIT(2.0) + b;
+    CM_REAL n = CM_LIT(2.0) + (a + b + CM_LIT(2.0) * (a * b));
+    CM_REAL scale = CM_LIT(1.0) / (CM_LIT(6.0) * (CM_LIT(1.0) + (a + b)));
+    CM_REAL root_p = scale * cm_sqrt(n * v3);
+    CM_REAL root_q = scale * cm_sqrt(n * u3);
+    CM_REAL cross = u * v;
+    return CM_NAME(cm_make_jacobian)(((CM_LIT(1.0) + a) * u3) * root_p, -((cross * a) * root_q),
+                                     -((cross * b) * root_p), ((CM_LIT(1.0) + b) * v3) * root_q);
+}
+
 #endif

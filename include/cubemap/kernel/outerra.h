@@ -69,4 +69,24 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_outerra_inverse)(CM_REAL u, CM_REAL v, CM_NAME(c
     return CM_NAME(cm_make_pq)(u / z, v / z);
 }
 
+/* The inverse's is (I - w g / Z) / Z with the column w = (u, v) and the row g of Z's derivatives; that
+ * of rank one is inverted in closed form, Z (I + w g / (Z - g w)). All terms of the denominator are
+ * positive. */
+CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_outerra_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v,
+                                                        CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(p);
+    CM_UNUSED(q);
+    CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
+    CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
+    CM_REAL m2 = CM_LIT(2.0) * k.k0;
+    CM_REAL z = CM_LIT(1.0) + k.k0 * (a * b);
+    CM_REAL along_u = m2 * ((u * u) * b); /* minus u Z_u */
+    CM_REAL along_v = m2 * ((v * v) * a);
+    CM_REAL scale = z / (z + (along_u + along_v));
+    CM_REAL cross = (m2 * (u * v)) * scale;
+    return CM_NAME(cm_make_jacobian)((z + along_v) * scale, -(a * cross), -(b * cross),
+                                     (z + along_u) * scale);
+}
+
 #endif

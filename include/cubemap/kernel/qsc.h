@@ -165,4 +165,62 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
                                cm_copysign(CM_SELECT(wide, q, p), v));
 }
 
+/* With s = u / p = sqrt(r (r + 1) / (w (w + 1))) and t, r, w as in forward, in the sector p >= q >= 0:
+ *     u_q = s t delta / 2,  u_p = s ((w + 1) / w^2 - t^2 delta) / 2,
+ *     delta = (1 - p^2)(r w + r + w) / ((r + w)(r w)^2),
+ * where differences of the derivatives of r and w are multiplied out, so that delta vanishes exactly
+ * on the edge. v / u is W(t), and as areas are equal, W' = (12 / pi) / (r (r + 1)):
+ *     v_q = u_q W + s W',  v_p = u_p W - s t W'.
+ * On a crease it is the matrix of the sector that forward chooses, |p| >= |q|; at the centre of a face,
+ * where all sectors meet, it is that of the sector of u on its axis. v_p is a
+ * difference, and small near that axis: accurate beside the other entries, not beside itself. */
+CM_FN CM_NAME(cm_jacobian)
+    CM_NAME(cm_qsc_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(u);
+    CM_UNUSED(v);
+    CM_UNUSED(k);
+    CM_REAL abs_p = cm_abs(p);
+    CM_REAL abs_q = cm_abs(q);
+    CM_BOOL wide = cm_at_least(abs_p, abs_q);
+    CM_REAL major = CM_SELECT(wide, abs_p, abs_q);
+    CM_REAL minor = CM_SELECT(wide, abs_q, abs_p);
+    CM_REAL t = minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
+    CM_REAL t2 = t * t;
+    CM_REAL r = cm_sqrt(CM_LIT(2.0) + t2);
+    CM_REAL w = cm_sqrt((CM_LIT(1.0) + major * major) + minor * minor);
+    CM_REAL r1 = r + CM_LIT(1.0);
+    CM_REAL w1 = w + CM_LIT(1.0);
+    CM_REAL rr1 = r * r1;
+    CM_REAL ww1 = w * w1;
+    CM_REAL sum = r + w;
+    /* one division for 1 / r, 1 / w and 1 / (r + w) */
+    CM_REAL ww1_sum = ww1 * sum;
+    CM_REAL inverse_all = CM_LIT(1.0) / (rr1 * ww1_sum);
+    CM_REAL inverse_rr1 = inverse_all * ww1_sum;
+    CM_REAL all_rr1 = inverse_all * rr1;
+    CM_REAL inverse_ww1 = all_rr1 * sum;
+    CM_REAL inverse_r = inverse_rr1 * r1;
+    CM_REAL inverse_w = inverse_ww1 * w1;
+    CM_REAL inverse_rw = inverse_r * inverse_w;
+
+    CM_REAL s = cm_sqrt(rr1 * inverse_ww1);
+    CM_REAL half_s = CM_LIT(0.5) * s;
+    CM_REAL delta = ((CM_LIT(1.0) - major) * (CM_LIT(1.0) + major)) * (r * w + sum) *
+                    (all_rr1 * ww1) * (inverse_rw * inverse_rw);
+    CM_REAL u_minor = half_s * (t * delta);
+    CM_REAL u_major = half_s * (w1 * (inverse_w * inverse_w) - t2 * delta);
+    CM_REAL across = CM_NAME(cm_qsc_across)(t);
+    CM_REAL turn =
+        (s * inverse_rr1) * CM_LIT(3.81971863420548805845321032094034468883); /* 12 / pi */
+    CM_REAL v_minor = u_minor * across + turn;
+    CM_REAL v_major = u_major * across - t * turn;
+    /* off the diagonal a sign for each of p and q */
+    CM_REAL u_cross = cm_copysign(CM_LIT(1.0), p) * cm_copysign(u_minor, q);
+    CM_REAL v_cross = (cm_copysign(CM_LIT(1.0), p) * cm_copysign(CM_LIT(1.0), q)) * v_major;
+    return CM_NAME(cm_make_jacobian)(
+        CM_SELECT(wide, u_major, v_minor), CM_SELECT(wide, u_cross, v_cross),
+        CM_SELECT(wide, v_cross, u_cross), CM_SELECT(wide, v_minor, u_major));
+}
+
 #endif

@@ -39,4 +39,14 @@ CM_FN CM_REAL CM_NAME(cm_s2_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 
 CM_UNIVARIATE(cm_s2_forward, cm_s2_sigmoid, cm_s2_inverse, cm_s2_sigmoid_inverse)
 
+/* of the inverse it is 2 (1 + |f|) / 3 */
+CM_FN CM_REAL CM_NAME(cm_s2_slope)(CM_REAL w, CM_REAL f, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(w);
+    CM_UNUSED(k);
+    return CM_LIT(1.5) / (CM_LIT(1.0) + cm_abs(f));
+}
+
+CM_UNIVARIATE_JACOBIAN(cm_s2_jacobian, cm_s2_slope)
+
 #endif

@@ -75,4 +75,13 @@ CM_FN CM_REAL CM_NAME(cm_smoothstep_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_const
 CM_UNIVARIATE(cm_smoothstep_forward, cm_smoothstep_sigmoid, cm_smoothstep_inverse,
               cm_smoothstep_sigmoid_inverse)
 
+/* 1 + kappa - 3 kappa w^2, from the edge, where it vanishes for c = 1 */
+CM_FN CM_REAL CM_NAME(cm_smoothstep_slope)(CM_REAL w, CM_REAL f, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(f);
+    return k.k1 + (CM_LIT(3.0) * k.k0) * ((CM_LIT(1.0) - w) * (CM_LIT(1.0) + w));
+}
+
+CM_UNIVARIATE_JACOBIAN(cm_smoothstep_jacobian, cm_smoothstep_slope)
+
 #endif

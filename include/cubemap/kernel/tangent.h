@@ -115,4 +115,18 @@ CM_FN CM_REAL CM_NAME(cm_tangent_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constant
 CM_UNIVARIATE(cm_tangent_forward, cm_tangent_sigmoid, cm_tangent_inverse,
               cm_tangent_sigmoid_inverse)
 
+/* (c / alpha) / (1 + c^2 w^2) */
+CM_FN CM_REAL CM_NAME(cm_tangent_slope)(CM_REAL w, CM_REAL f, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(f);
+    CM_REAL scale = k.k2;
+    if (CM_VARIANT(k))
+    {
+        scale = CM_LIT(0.5) * k.k2;
+    }
+    return scale / (CM_LIT(1.0) + k.k0 * (w * w));
+}
+
+CM_UNIVARIATE_JACOBIAN(cm_tangent_jacobian, cm_tangent_slope)
+
 #endif

@@ -97,4 +97,18 @@ CM_FN CM_REAL CM_NAME(cm_tanh_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) 
 
 CM_UNIVARIATE(cm_tanh_forward, cm_tanh_sigmoid, cm_tanh_inverse, cm_tanh_sigmoid_inverse)
 
+/* (c / T)(1 - T^2 f^2), with 1 - T^2 f^2 = (1 - T^2) + T^2 (1 - f^2) */
+CM_FN CM_REAL CM_NAME(cm_tanh_slope)(CM_REAL w, CM_REAL f, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(w);
+    CM_REAL at_edge = CM_LIT(1.0) - k.k3;
+    if (CM_VARIANT(k))
+    {
+        at_edge = k.k6;
+    }
+    return k.k2 * (at_edge + k.k3 * ((CM_LIT(1.0) - f) * (CM_LIT(1.0) + f)));
+}
+
+CM_UNIVARIATE_JACOBIAN(cm_tanh_jacobian, cm_tanh_slope)
+
 #endif

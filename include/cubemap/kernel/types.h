@@ -65,3 +65,24 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_make_uv)(CM_REAL u, CM_REAL v)
     r.v = v;
     return r;
 }
+
+/* The derivatives of (u, v) by (p, q). */
+CM_STRUCT(cm_jacobian)
+{
+    CM_REAL u_p;
+    CM_REAL u_q;
+    CM_REAL v_p;
+    CM_REAL v_q;
+}
+CM_STRUCT_END(cm_jacobian)
+
+CM_FN CM_NAME(cm_jacobian)
+    CM_NAME(cm_make_jacobian)(CM_REAL u_p, CM_REAL u_q, CM_REAL v_p, CM_REAL v_q)
+{
+    CM_NAME(cm_jacobian) r;
+    r.u_p = u_p;
+    r.u_q = u_q;
+    r.v_p = v_p;
+    r.v_q = v_q;
+    return r;
+}

@@ -135,4 +135,16 @@ CM_FN CM_REAL CM_NAME(cm_unicube_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constant
 CM_UNIVARIATE(cm_unicube_forward, cm_unicube_sigmoid, cm_unicube_inverse,
               cm_unicube_sigmoid_inverse)
 
+/* (6 / pi) / ((1 + w^2) sqrt(2 + w^2)) */
+CM_FN CM_REAL CM_NAME(cm_unicube_slope)(CM_REAL w, CM_REAL f, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(f);
+    CM_UNUSED(k);
+    CM_REAL z = w * w;
+    return CM_LIT(1.90985931710274402922660516047017234442) /
+           ((CM_LIT(1.0) + z) * cm_sqrt(CM_LIT(2.0) + z));
+}
+
+CM_UNIVARIATE_JACOBIAN(cm_unicube_jacobian, cm_unicube_slope)
+
 #endif
