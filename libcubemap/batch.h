@@ -64,6 +64,50 @@ BATCH_FN CM_NAME(cm_face_point)
     return r;
 }
 
+/* A pair of derivatives by, or of, the two coordinates of a face, as batch_turn has the coordinates. */
+BATCH_FN void CM_NAME(batch_turn_pair)(uint64_t swap_bits, uint64_t minus_u_bits,
+                                       uint64_t minus_v_bits, CM_REAL face, CM_REAL *a, CM_REAL *b)
+{
+    LANES_INDEX index = lanes_index(face);
+    CM_BOOL swap = lanes_bit(swap_bits, index);
+    CM_REAL first = CM_SELECT(swap, *b, *a);
+    CM_REAL second = CM_SELECT(swap, *a, *b);
+    *a = lanes_flip(first, minus_u_bits, index);
+    *b = lanes_flip(second, minus_v_bits, index);
+}
+
+/* face of geo */
+BATCH_FN CM_NAME(cm_gradients)
+    CM_NAME(batch_turn_gradients)(const cm_turn *t, CM_REAL face, CM_NAME(cm_gradients) g)
+{
+    if (!t->identity)
+    {
+        CM_NAME(batch_turn_pair)
+        (t->swap_bits, t->minus_u_bits, t->minus_v_bits, face, &g.a_x, &g.b_x);
+        CM_NAME(batch_turn_pair)
+        (t->swap_bits, t->minus_u_bits, t->minus_v_bits, face, &g.a_y, &g.b_y);
+        CM_NAME(batch_turn_pair)
+        (t->swap_bits, t->minus_u_bits, t->minus_v_bits, face, &g.a_z, &g.b_z);
+    }
+    return g;
+}
+
+/* face of the frame */
+BATCH_FN CM_NAME(cm_tangents)
+    CM_NAME(batch_turn_tangents)(const cm_turn *t, CM_REAL face, CM_NAME(cm_tangents) d)
+{
+    if (!t->identity)
+    {
+        CM_NAME(batch_turn_pair)
+        (t->swap_back_bits, t->minus_u_back_bits, t->minus_v_back_bits, face, &d.x_a, &d.x_b);
+        CM_NAME(batch_turn_pair)
+        (t->swap_back_bits, t->minus_u_back_bits, t->minus_v_back_bits, face, &d.y_a, &d.y_b);
+        CM_NAME(batch_turn_pair)
+        (t->swap_back_bits, t->minus_u_back_bits, t->minus_v_back_bits, face, &d.z_a, &d.z_b);
+    }
+    return d;
+}
+
 BATCH_FN CM_NAME(cm_constants) CM_NAME(batch_constants)(const cm_mapping *mapping)
 {
     const CM_SCALAR_NAME(cm_constants) *k = &mapping->CM_SCALAR_NAME(constants);
@@ -158,6 +202,78 @@ BATCH_FN void CM_NAME(batch_inverse)(CM_NAME(batch_unproject) unproject,
     }
 }
 
+typedef CM_NAME(cm_gradients) (*CM_NAME(batch_gradients))(CM_REAL x, CM_REAL y, CM_REAL z);
+typedef CM_NAME(cm_tangents) (*CM_NAME(batch_tangents))(CM_REAL face, CM_REAL a, CM_REAL b);
+typedef CM_NAME(cm_jacobian) (*CM_NAME(batch_jacobian))(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v,
+                                                        CM_NAME(cm_constants) k);
+
+BATCH_FN void CM_NAME(batch_forward_jacobian)(
+    CM_NAME(batch_project) project, CM_NAME(batch_gradients) gradients, CM_NAME(batch_warp) warp,
+    CM_NAME(batch_jacobian) jacobian, CM_REAL variant, const cm_mapping *mapping, size_t n,
+    const LANES_SCALAR *x, const LANES_SCALAR *y, const LANES_SCALAR *z, LANES_SCALAR *const to[6])
+{
+    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    k.variant = variant;
+    for (size_t i = 0; i < n; i += LANES)
+    {
+        CM_REAL dx = lanes_load(x + i);
+        CM_REAL dy = lanes_load(y + i);
+        CM_REAL dz = lanes_load(z + i);
+        CM_BOOL good = CM_NAME(batch_is_direction)(dx, dy, dz);
+        CM_NAME(cm_face_point) geo = project(dx, dy, dz);
+        CM_NAME(cm_gradients) g = gradients(dx, dy, dz);
+        g = CM_NAME(batch_turn_gradients)(&mapping->turn, geo.face, g);
+        if (warp != NULL)
+        {
+            CM_NAME(cm_face_point) p = CM_NAME(batch_turn)(&mapping->turn, geo);
+            CM_NAME(cm_uv) uv = warp(p.a, p.b, k);
+            g = CM_NAME(cm_jacobian_gradients)(jacobian(p.a, p.b, uv.u, uv.v, k), g);
+        }
+        lanes_store(to[0] + i, lanes_or_nan(good, g.a_x));
+        lanes_store(to[1] + i, lanes_or_nan(good, g.a_y));
+        lanes_store(to[2] + i, lanes_or_nan(good, g.a_z));
+        lanes_store(to[3] + i, lanes_or_nan(good, g.b_x));
+        lanes_store(to[4] + i, lanes_or_nan(good, g.b_y));
+        lanes_store(to[5] + i, lanes_or_nan(good, g.b_z));
+    }
+}
+
+BATCH_FN void CM_NAME(batch_inverse_jacobian)(CM_NAME(batch_tangents) tangents,
+                                              CM_NAME(batch_unwarp) unwarp,
+                                              CM_NAME(batch_jacobian) jacobian, CM_REAL variant,
+                                              const cm_mapping *mapping, size_t n,
+                                              const uint8_t *face, const LANES_SCALAR *u,
+                                              const LANES_SCALAR *v, LANES_SCALAR *const to[6])
+{
+    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    k.variant = variant;
+    for (size_t i = 0; i < n; i += LANES)
+    {
+        CM_NAME(cm_face_point) uv = CM_NAME(batch_load_map)(face + i, u + i, v + i);
+        CM_BOOL good = cm_equal(uv.a, uv.a);
+        CM_NAME(cm_face_point) p = uv;
+        if (unwarp != NULL)
+        {
+            CM_NAME(cm_pq) pq = unwarp(uv.a, uv.b, k);
+            p.a = pq.p;
+            p.b = pq.q;
+        }
+        CM_NAME(cm_face_point) geo = CM_NAME(batch_turn_back)(&mapping->turn, p);
+        CM_NAME(cm_tangents) d = tangents(geo.face, geo.a, geo.b);
+        d = CM_NAME(batch_turn_tangents)(&mapping->turn, uv.face, d);
+        if (unwarp != NULL)
+        {
+            d = CM_NAME(cm_jacobian_tangents)(jacobian(p.a, p.b, uv.a, uv.b, k), d);
+        }
+        lanes_store(to[0] + i, lanes_or_nan(good, d.x_a));
+        lanes_store(to[1] + i, lanes_or_nan(good, d.x_b));
+        lanes_store(to[2] + i, lanes_or_nan(good, d.y_a));
+        lanes_store(to[3] + i, lanes_or_nan(good, d.y_b));
+        lanes_store(to[4] + i, lanes_or_nan(good, d.z_a));
+        lanes_store(to[5] + i, lanes_or_nan(good, d.z_b));
+    }
+}
+
 /* The warp alone, in place; only one of the two kernels is given. */
 BATCH_FN void CM_NAME(batch_warp_only)(CM_NAME(batch_warp) warp, CM_NAME(batch_unwarp) unwarp,
                                        CM_REAL variant, const cm_mapping *mapping, size_t n,
@@ -186,7 +302,7 @@ BATCH_FN void CM_NAME(batch_warp_only)(CM_NAME(batch_warp) warp, CM_NAME(batch_u
 
 /* ---- One set of loops for each mapping ---- */
 
-#define BATCH_LOOPS(name, projection, warp, unwarp, which)                                         \
+#define BATCH_LOOPS(name, projection, warp, unwarp, jacobian, which)                               \
     static void CM_NAME(forward_##name)(                                                           \
         const cm_mapping *mapping, size_t n, const LANES_SCALAR *x, const LANES_SCALAR *y,         \
         const LANES_SCALAR *z, uint8_t *face, LANES_SCALAR *u, LANES_SCALAR *v)                    \
@@ -202,9 +318,26 @@ BATCH_FN void CM_NAME(batch_warp_only)(CM_NAME(batch_warp) warp, CM_NAME(batch_u
         CM_NAME(batch_inverse)                                                                     \
         (CM_NAME(cm_##projection##_unproject), unwarp, CM_LIT(which), mapping, n, face, u, v, x,   \
          y, z);                                                                                    \
+    }                                                                                              \
+    static void CM_NAME(forward_jacobian_##name)(const cm_mapping *mapping, size_t n,              \
+                                                 const LANES_SCALAR *x, const LANES_SCALAR *y,     \
+                                                 const LANES_SCALAR *z, LANES_SCALAR *const to[6]) \
+    {                                                                                              \
+        CM_NAME(batch_forward_jacobian)                                                            \
+        (CM_NAME(cm_##projection##_project), CM_NAME(cm_##projection##_gradients), warp, jacobian, \
+         CM_LIT(which), mapping, n, x, y, z, to);                                                  \
+    }                                                                                              \
+    static void CM_NAME(inverse_jacobian_##name)(const cm_mapping *mapping, size_t n,              \
+                                                 const uint8_t *face, const LANES_SCALAR *u,       \
+                                                 const LANES_SCALAR *v, LANES_SCALAR *const to[6]) \
+    {                                                                                              \
+        CM_NAME(batch_inverse_jacobian)                                                            \
+        (CM_NAME(cm_##projection##_tangents), unwarp, jacobian, CM_LIT(which), mapping, n, face,   \
+         u, v, to);                                                                                \
     }
 #define BATCH_WARP_LOOPS(name, id, which)                                                          \
-    BATCH_LOOPS(name, cube, CM_NAME(cm_##id##_forward), CM_NAME(cm_##id##_inverse), which)         \
+    BATCH_LOOPS(name, cube, CM_NAME(cm_##id##_forward), CM_NAME(cm_##id##_inverse),                \
+                CM_NAME(cm_##id##_jacobian), which)                                                \
     static void CM_NAME(warp_##name)(const cm_mapping *mapping, size_t n, LANES_SCALAR *p,         \
                                      LANES_SCALAR *q)                                              \
     {                                                                                              \
@@ -219,7 +352,7 @@ BATCH_FN void CM_NAME(batch_warp_only)(CM_NAME(batch_warp) warp, CM_NAME(batch_u
     }
 
 #define CM_DESCRIPTORS
-#define CM_SPHERE(id, ...) BATCH_LOOPS(id##_0, id, NULL, NULL, 0.0)
+#define CM_SPHERE(id, ...) BATCH_LOOPS(id##_0, id, NULL, NULL, NULL, 0.0)
 #define CM_WARP(id, ...) BATCH_WARP_LOOPS(id##_0, id, 0.0)
 #define CM_WARP_VARIANTS(id, ...)                                                                  \
     BATCH_WARP_LOOPS(id##_0, id, 0.0)                                                              \
@@ -229,14 +362,13 @@ BATCH_FN void CM_NAME(batch_warp_only)(CM_NAME(batch_warp) warp, CM_NAME(batch_u
 #undef CM_WARP
 #undef CM_WARP_VARIANTS
 
-#define BATCH_ENTRY(name)                                                                          \
-    {                                                                                              \
-        CM_NAME(forward_##name), CM_NAME(inverse_##name), CM_NAME(warp_##name),                    \
-            CM_NAME(unwarp_##name)                                                                 \
-    }
-#define CM_SPHERE(id, ...) {{{CM_NAME(forward_##id##_0), CM_NAME(inverse_##id##_0), NULL, NULL}}},
-#define CM_WARP(id, ...) {{BATCH_ENTRY(id##_0)}},
-#define CM_WARP_VARIANTS(id, ...) {{BATCH_ENTRY(id##_0), BATCH_ENTRY(id##_1)}},
+#define BATCH_SPHERE_ENTRY(name)                                                                   \
+    CM_NAME(forward_##name), CM_NAME(inverse_##name), CM_NAME(forward_jacobian_##name),            \
+        CM_NAME(inverse_jacobian_##name)
+#define BATCH_ENTRY(name) BATCH_SPHERE_ENTRY(name), CM_NAME(warp_##name), CM_NAME(unwarp_##name)
+#define CM_SPHERE(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0), NULL, NULL}}},
+#define CM_WARP(id, ...) {{{BATCH_ENTRY(id##_0)}}},
+#define CM_WARP_VARIANTS(id, ...) {{{BATCH_ENTRY(id##_0)}, {BATCH_ENTRY(id##_1)}}},
 
 static const CM_SCALAR_NAME(cm_batch_variants) CM_NAME(batch_table)[] = {
 #include <cubemap/kernel/catalogue.h>
@@ -249,4 +381,5 @@ static const CM_SCALAR_NAME(cm_batch_variants) CM_NAME(batch_table)[] = {
 #undef BATCH_LOOPS
 #undef BATCH_WARP_LOOPS
 #undef BATCH_ENTRY
+#undef BATCH_SPHERE_ENTRY
 #undef BATCH_FN

@@ -35,6 +35,10 @@ typedef struct cm_batch_f64
                     const double *z, uint8_t *face, double *u, double *v);
     void (*inverse)(const cm_mapping *mapping, size_t n, const uint8_t *face, const double *u,
                     const double *v, double *x, double *y, double *z);
+    void (*forward_jacobian)(const cm_mapping *mapping, size_t n, const double *x, const double *y,
+                             const double *z, double *const jacobian[6]);
+    void (*inverse_jacobian)(const cm_mapping *mapping, size_t n, const uint8_t *face,
+                             const double *u, const double *v, double *const jacobian[6]);
     void (*warp)(const cm_mapping *mapping, size_t n, double *p, double *q);
     void (*unwarp)(const cm_mapping *mapping, size_t n, double *u, double *v);
 } cm_batch_f64;
@@ -45,6 +49,10 @@ typedef struct cm_batch_f32
                     const float *z, uint8_t *face, float *u, float *v);
     void (*inverse)(const cm_mapping *mapping, size_t n, const uint8_t *face, const float *u,
                     const float *v, float *x, float *y, float *z);
+    void (*forward_jacobian)(const cm_mapping *mapping, size_t n, const float *x, const float *y,
+                             const float *z, float *const jacobian[6]);
+    void (*inverse_jacobian)(const cm_mapping *mapping, size_t n, const uint8_t *face,
+                             const float *u, const float *v, float *const jacobian[6]);
     void (*warp)(const cm_mapping *mapping, size_t n, float *p, float *q);
     void (*unwarp)(const cm_mapping *mapping, size_t n, float *u, float *v);
 } cm_batch_f32;

@@ -177,6 +177,78 @@ void CM_PUBLIC(cm_inverse)(const cm_mapping *mapping, uint8_t face, const CM_REA
     inverse_points(mapping, 1, &face, &uv[0], &uv[1], &direction[0], &direction[1], &direction[2]);
 }
 
+static void copy_jacobians(CM_REAL *const to[6], size_t at, rest from[6], size_t n)
+{
+    for (int k = 0; k < 6; k++)
+    {
+        memcpy(to[k] + at, from[k], n * sizeof(CM_REAL));
+    }
+}
+
+void CM_PUBLIC(cm_forward_jacobian_array)(const cm_mapping *mapping, size_t n, const CM_REAL *x,
+                                          const CM_REAL *y, const CM_REAL *z,
+                                          CM_REAL *const jacobian[6])
+{
+    size_t lanes = mapping->set->CM_NAME(lanes);
+    size_t left = n % lanes;
+    size_t whole = n - left;
+    if (whole > 0)
+    {
+        mapping->CM_NAME(batch)->forward_jacobian(mapping, whole, x, y, z, jacobian);
+    }
+    if (left > 0)
+    {
+        rest r[6];
+        CM_REAL *const to[6] = {r[0], r[1], r[2], r[3], r[4], r[5]};
+        copy_to_rest(r[0], x + whole, left);
+        copy_to_rest(r[1], y + whole, left);
+        copy_to_rest(r[2], z + whole, left);
+        mapping->CM_NAME(batch)->forward_jacobian(mapping, lanes, r[0], r[1], r[2], to);
+        copy_jacobians(jacobian, whole, r, left);
+    }
+}
+
+void CM_PUBLIC(cm_inverse_jacobian_array)(const cm_mapping *mapping, size_t n, const uint8_t *face,
+                                          const CM_REAL *u, const CM_REAL *v,
+                                          CM_REAL *const jacobian[6])
+{
+    size_t lanes = mapping->set->CM_NAME(lanes);
+    size_t left = n % lanes;
+    size_t whole = n - left;
+    if (whole > 0)
+    {
+        mapping->CM_NAME(batch)->inverse_jacobian(mapping, whole, face, u, v, jacobian);
+    }
+    if (left > 0)
+    {
+        rest r[6];
+        CM_REAL *const to[6] = {r[0], r[1], r[2], r[3], r[4], r[5]};
+        uint8_t faces[CM_LANES_MAX] = {0};
+        memcpy(faces, face + whole, left);
+        copy_to_rest(r[0], u + whole, left);
+        copy_to_rest(r[1], v + whole, left);
+        mapping->CM_NAME(batch)->inverse_jacobian(mapping, lanes, faces, r[0], r[1], to);
+        copy_jacobians(jacobian, whole, r, left);
+    }
+}
+
+void CM_PUBLIC(cm_forward_jacobian)(const cm_mapping *mapping, const CM_REAL direction[3],
+                                    CM_REAL jacobian[6])
+{
+    CM_REAL *const to[6] = {&jacobian[0], &jacobian[1], &jacobian[2],
+                            &jacobian[3], &jacobian[4], &jacobian[5]};
+    CM_PUBLIC(cm_forward_jacobian_array)
+    (mapping, 1, &direction[0], &direction[1], &direction[2], to);
+}
+
+void CM_PUBLIC(cm_inverse_jacobian)(const cm_mapping *mapping, uint8_t face, const CM_REAL uv[2],
+                                    CM_REAL jacobian[6])
+{
+    CM_REAL *const to[6] = {&jacobian[0], &jacobian[1], &jacobian[2],
+                            &jacobian[3], &jacobian[4], &jacobian[5]};
+    CM_PUBLIC(cm_inverse_jacobian_array)(mapping, 1, &face, &uv[0], &uv[1], to);
+}
+
 static cm_status warp_point(void (*warp)(const cm_mapping *, size_t, CM_REAL *, CM_REAL *),
                             const cm_mapping *mapping, const CM_REAL from[2], CM_REAL to[2])
 {

@@ -228,3 +228,44 @@ THREADED(cm_forward_strided_threads, cm_forward_strided, FORWARD_STRIDED, double
 THREADED(cm_forward_strided_threads_f32, cm_forward_strided_f32, FORWARD_STRIDED, float)
 THREADED(cm_inverse_strided_threads, cm_inverse_strided, INVERSE_STRIDED, double)
 THREADED(cm_inverse_strided_threads_f32, cm_inverse_strided_f32, INVERSE_STRIDED, float)
+
+/* ---- Jacobians, whose outputs are six arrays ---- */
+
+/* The six arrays from a point on; as a macro for both precisions. */
+#define SIX_FROM(jacobian, begin)                                                                  \
+    {                                                                                              \
+        (jacobian)[0] + (begin), (jacobian)[1] + (begin), (jacobian)[2] + (begin),                 \
+            (jacobian)[3] + (begin), (jacobian)[4] + (begin), (jacobian)[5] + (begin)              \
+    }
+
+#define THREADED_JACOBIAN(name, plain, first_type, real)                                           \
+    typedef struct plain##_job                                                                     \
+    {                                                                                              \
+        const cm_mapping *mapping;                                                                 \
+        const first_type *first;                                                                   \
+        const real *second;                                                                        \
+        const real *third;                                                                         \
+        real *const *jacobian;                                                                     \
+    } plain##_job;                                                                                 \
+                                                                                                   \
+    static void plain##_chunk(size_t begin, size_t end, void *user)                                \
+    {                                                                                              \
+        const plain##_job *job = user;                                                             \
+        real *const to[6] = SIX_FROM(job->jacobian, begin);                                        \
+        plain(job->mapping, end - begin, job->first + begin, job->second + begin,                  \
+              job->third + begin, to);                                                             \
+    }                                                                                              \
+                                                                                                   \
+    void name(const cm_mapping *mapping, unsigned threads, size_t n, const first_type *first,      \
+              const real *second, const real *third, real *const jacobian[6])                      \
+    {                                                                                              \
+        plain##_job job = {mapping, first, second, third, jacobian};                               \
+        cm_run_threads(threads, n, CM_POINTS_PER_THREAD, plain##_chunk, &job);                     \
+    }
+
+THREADED_JACOBIAN(cm_forward_jacobian_array_threads, cm_forward_jacobian_array, double, double)
+THREADED_JACOBIAN(cm_forward_jacobian_array_threads_f32, cm_forward_jacobian_array_f32, float,
+                  float)
+THREADED_JACOBIAN(cm_inverse_jacobian_array_threads, cm_inverse_jacobian_array, uint8_t, double)
+THREADED_JACOBIAN(cm_inverse_jacobian_array_threads_f32, cm_inverse_jacobian_array_f32, uint8_t,
+                  float)

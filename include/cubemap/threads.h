@@ -84,6 +84,18 @@ CM_API void cm_inverse_strided_threads(const cm_mapping *mapping, unsigned threa
 CM_API void cm_inverse_strided_threads_f32(const cm_mapping *mapping, unsigned threads, size_t n,
                                            const uint8_t *face, const float *u, const float *v,
                                            float *xyz, ptrdiff_t stride);
+CM_API void cm_forward_jacobian_array_threads(const cm_mapping *mapping, unsigned threads, size_t n,
+                                              const double *x, const double *y, const double *z,
+                                              double *const jacobian[6]);
+CM_API void cm_forward_jacobian_array_threads_f32(const cm_mapping *mapping, unsigned threads,
+                                                  size_t n, const float *x, const float *y,
+                                                  const float *z, float *const jacobian[6]);
+CM_API void cm_inverse_jacobian_array_threads(const cm_mapping *mapping, unsigned threads, size_t n,
+                                              const uint8_t *face, const double *u, const double *v,
+                                              double *const jacobian[6]);
+CM_API void cm_inverse_jacobian_array_threads_f32(const cm_mapping *mapping, unsigned threads,
+                                                  size_t n, const uint8_t *face, const float *u,
+                                                  const float *v, float *const jacobian[6]);
 
 #ifdef __cplusplus
 }

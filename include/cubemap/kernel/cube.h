@@ -49,24 +49,29 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_cube_project)(CM_REAL x, CM_REAL y, CM_R
     return r;
 }
 
-/* The unit direction of gnomonic (p, q) on a face. */
-CM_FN CM_NAME(cm_xyz) CM_NAME(cm_cube_unproject)(CM_REAL face, CM_REAL p, CM_REAL q)
+/* The vector with these components along the axes of a face: outward and those of p and q. */
+CM_FN CM_NAME(cm_xyz)
+    CM_NAME(cm_cube_from_axes)(CM_REAL face, CM_REAL outward, CM_REAL a, CM_REAL b)
 {
-    CM_REAL major = CM_NAME(cm_inverse_root)(CM_LIT(1.0) + (p * p + q * q));
-    CM_REAL a = p * major;
-    CM_REAL b = q * major;
     /* faces 0 1 2 3 are +x +y -x -y, 4 5 are +z -z; the product changes its sign with that of the axis */
     CM_BOOL polar = cm_less(CM_LIT(3.5), face);
     CM_BOOL along_x = cm_equal(cm_abs(face - CM_LIT(1.0)), CM_LIT(1.0));
     CM_BOOL along_y = cm_equal(cm_abs(face - CM_LIT(2.0)), CM_LIT(1.0));
     CM_REAL sign = cm_copysign(CM_LIT(1.0),
                                (CM_LIT(1.5) - face) * (CM_LIT(3.5) - face) * (CM_LIT(4.5) - face));
-    CM_REAL outward = sign * major;
+    CM_REAL along = sign * outward;
     CM_NAME(cm_xyz) r;
-    r.x = CM_SELECT(along_x, outward, -(sign * CM_SELECT(polar, b, a)));
-    r.y = CM_SELECT(along_y, outward, a * CM_SELECT(polar, CM_LIT(1.0), sign));
-    r.z = CM_SELECT(polar, outward, b);
+    r.x = CM_SELECT(along_x, along, -(sign * CM_SELECT(polar, b, a)));
+    r.y = CM_SELECT(along_y, along, a * CM_SELECT(polar, CM_LIT(1.0), sign));
+    r.z = CM_SELECT(polar, along, b);
     return r;
+}
+
+/* The unit direction of gnomonic (p, q) on a face. */
+CM_FN CM_NAME(cm_xyz) CM_NAME(cm_cube_unproject)(CM_REAL face, CM_REAL p, CM_REAL q)
+{
+    CM_REAL outward = CM_NAME(cm_inverse_root)(CM_LIT(1.0) + (p * p + q * q));
+    return CM_NAME(cm_cube_from_axes)(face, outward, p * outward, q * outward);
 }
 
 /* The derivatives of a unit direction by the coordinates a, b of a face (p, q or u, v). */
@@ -93,22 +98,6 @@ CM_STRUCT(cm_gradients)
     CM_REAL b_z;
 }
 CM_STRUCT_END(cm_gradients)
-
-/* A vector whose components are along the outward axis of a face, along p, and along q. */
-CM_FN CM_NAME(cm_xyz)
-    CM_NAME(cm_cube_from_axes)(CM_REAL face, CM_REAL outward, CM_REAL a, CM_REAL b)
-{
-    CM_BOOL polar = cm_less(CM_LIT(3.5), face);
-    CM_BOOL minus = cm_less(CM_SELECT(polar, CM_LIT(4.5), CM_LIT(1.5)), face);
-    CM_REAL sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
-    CM_REAL folded = face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0));
-    CM_BOOL along_y = cm_less(CM_LIT(0.5), folded); /* if not polar */
-    CM_NAME(cm_xyz) r;
-    r.x = CM_SELECT(polar, -(sign * b), CM_SELECT(along_y, -(sign * a), sign * outward));
-    r.y = CM_SELECT(polar, a, CM_SELECT(along_y, sign * outward, sign * a));
-    r.z = CM_SELECT(polar, sign * outward, b);
-    return r;
-}
 
 /* The derivatives of cm_cube_unproject by (p, q), which stand as a and b. */
 CM_FN CM_NAME(cm_tangents) CM_NAME(cm_cube_tangents)(CM_REAL face, CM_REAL p, CM_REAL q)
