@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The loops over the kernels, for one instruction set and one precision: whole vectors of points from
- * array to array. Read by batch_set.h, which has defined the dialect's words and those of lanes/. n is
- * a multiple of LANES here; dispatch is in double.c and float.c.
+ * array to array. Read by batch_set.h, which has defined the dialect's words and those of lanes/, and
+ * which numbers the arrays hold: LANES_IO, read and written by lanes_read and lanes_write. n is a
+ * multiple of LANES here; double.c and float.c care for the rest.
  *
  * A point takes the same way in every function: project (direction to face and coordinates), turn
  * (from geo to the mapping's frame), warp; and back. A vector is read whole before it is written, so
@@ -10,27 +11,28 @@
  */
 #define BATCH_FN static inline __attribute__((always_inline))
 
-BATCH_FN CM_BOOL CM_NAME(batch_is_direction)(CM_REAL x, CM_REAL y, CM_REAL z)
+BATCH_FN CM_BOOL BATCH_NAME(batch_is_direction)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
     /* zero, or NaN, which is not less than anything */
     CM_REAL zero = CM_LIT(0.0);
     return cm_less(cm_mad(x, zero, cm_mad(y, zero, z * zero)), CM_NAME(cm_magnitude)(x, y, z));
 }
 
-BATCH_FN CM_BOOL CM_NAME(batch_is_near_face)(CM_REAL a, CM_REAL b)
+BATCH_FN CM_BOOL BATCH_NAME(batch_is_near_face)(CM_REAL a, CM_REAL b)
 {
     CM_REAL limit = CM_LIT(1.0) + CM_LIT(1.0e-9);
     return CM_AND(cm_at_least(limit, cm_abs(a)), cm_at_least(limit, cm_abs(b)));
 }
 
 /* A coordinate on a face that is nearly inside is put on the edge. */
-BATCH_FN CM_REAL CM_NAME(batch_clamp)(CM_REAL w)
+BATCH_FN CM_REAL BATCH_NAME(batch_clamp)(CM_REAL w)
 {
     return cm_min(cm_max(w, CM_LIT(-1.0)), CM_LIT(1.0));
 }
 
 /* from geo to the frame */
-BATCH_FN CM_NAME(cm_face_point) CM_NAME(batch_turn)(const cm_turn *turn, CM_NAME(cm_face_point) p)
+BATCH_FN CM_NAME(cm_face_point) BATCH_NAME(batch_turn)(const cm_turn *turn,
+                                                       CM_NAME(cm_face_point) p)
 {
     if (turn->identity)
     {
@@ -46,8 +48,8 @@ BATCH_FN CM_NAME(cm_face_point) CM_NAME(batch_turn)(const cm_turn *turn, CM_NAME
 }
 
 /* from the frame to geo */
-BATCH_FN CM_NAME(cm_face_point)
-    CM_NAME(batch_turn_back)(const cm_turn *turn, CM_NAME(cm_face_point) p)
+BATCH_FN CM_NAME(cm_face_point) BATCH_NAME(batch_turn_back)(const cm_turn *turn,
+                                                            CM_NAME(cm_face_point) p)
 {
     if (turn->identity)
     {
@@ -65,8 +67,9 @@ BATCH_FN CM_NAME(cm_face_point)
 }
 
 /* A pair of derivatives by, or of, the two coordinates of a face, as batch_turn has the coordinates. */
-BATCH_FN void CM_NAME(batch_turn_pair)(uint64_t swap_bits, uint64_t minus_u_bits,
-                                       uint64_t minus_v_bits, CM_REAL face, CM_REAL *a, CM_REAL *b)
+BATCH_FN void BATCH_NAME(batch_turn_pair)(uint64_t swap_bits, uint64_t minus_u_bits,
+                                          uint64_t minus_v_bits, CM_REAL face, CM_REAL *a,
+                                          CM_REAL *b)
 {
     LANES_INDEX index = lanes_index(face);
     CM_BOOL swap = lanes_bit(swap_bits, index);
@@ -77,38 +80,38 @@ BATCH_FN void CM_NAME(batch_turn_pair)(uint64_t swap_bits, uint64_t minus_u_bits
 }
 
 /* face of geo */
-BATCH_FN CM_NAME(cm_gradients)
-    CM_NAME(batch_turn_gradients)(const cm_turn *t, CM_REAL face, CM_NAME(cm_gradients) g)
+BATCH_FN CM_NAME(cm_gradients) BATCH_NAME(batch_turn_gradients)(const cm_turn *t, CM_REAL face,
+                                                                CM_NAME(cm_gradients) g)
 {
     if (!t->identity)
     {
-        CM_NAME(batch_turn_pair)
+        BATCH_NAME(batch_turn_pair)
         (t->swap_bits, t->minus_u_bits, t->minus_v_bits, face, &g.a_x, &g.b_x);
-        CM_NAME(batch_turn_pair)
+        BATCH_NAME(batch_turn_pair)
         (t->swap_bits, t->minus_u_bits, t->minus_v_bits, face, &g.a_y, &g.b_y);
-        CM_NAME(batch_turn_pair)
+        BATCH_NAME(batch_turn_pair)
         (t->swap_bits, t->minus_u_bits, t->minus_v_bits, face, &g.a_z, &g.b_z);
     }
     return g;
 }
 
 /* face of the frame */
-BATCH_FN CM_NAME(cm_tangents)
-    CM_NAME(batch_turn_tangents)(const cm_turn *t, CM_REAL face, CM_NAME(cm_tangents) d)
+BATCH_FN CM_NAME(cm_tangents) BATCH_NAME(batch_turn_tangents)(const cm_turn *t, CM_REAL face,
+                                                              CM_NAME(cm_tangents) d)
 {
     if (!t->identity)
     {
-        CM_NAME(batch_turn_pair)
+        BATCH_NAME(batch_turn_pair)
         (t->swap_back_bits, t->minus_u_back_bits, t->minus_v_back_bits, face, &d.x_a, &d.x_b);
-        CM_NAME(batch_turn_pair)
+        BATCH_NAME(batch_turn_pair)
         (t->swap_back_bits, t->minus_u_back_bits, t->minus_v_back_bits, face, &d.y_a, &d.y_b);
-        CM_NAME(batch_turn_pair)
+        BATCH_NAME(batch_turn_pair)
         (t->swap_back_bits, t->minus_u_back_bits, t->minus_v_back_bits, face, &d.z_a, &d.z_b);
     }
     return d;
 }
 
-BATCH_FN CM_NAME(cm_constants) CM_NAME(batch_constants)(const cm_mapping *mapping)
+BATCH_FN CM_NAME(cm_constants) BATCH_NAME(batch_constants)(const cm_mapping *mapping)
 {
     const CM_SCALAR_NAME(cm_constants) *k = &mapping->CM_SCALAR_NAME(constants);
     CM_NAME(cm_constants) r;
@@ -124,132 +127,135 @@ BATCH_FN CM_NAME(cm_constants) CM_NAME(batch_constants)(const cm_mapping *mappin
 }
 
 /* What is no point of a map becomes NaN here, and stays it on all ways to a direction. */
-BATCH_FN CM_NAME(cm_face_point)
-    CM_NAME(batch_load_map)(const uint8_t *face, const LANES_SCALAR *u, const LANES_SCALAR *v)
+BATCH_FN CM_NAME(cm_face_point) BATCH_NAME(batch_load_map)(const uint8_t *face, const LANES_IO *u,
+                                                           const LANES_IO *v)
 {
-    CM_REAL a = lanes_load(u);
-    CM_REAL b = lanes_load(v);
+    CM_REAL a = lanes_read(u);
+    CM_REAL b = lanes_read(v);
     CM_NAME(cm_face_point) point;
     point.face = lanes_load_faces(face);
-    CM_BOOL good = CM_AND(cm_less(point.face, CM_LIT(5.5)), CM_NAME(batch_is_near_face)(a, b));
-    point.a = lanes_or_nan(good, CM_NAME(batch_clamp)(a));
-    point.b = lanes_or_nan(good, CM_NAME(batch_clamp)(b));
+    CM_BOOL good = CM_AND(cm_less(point.face, CM_LIT(5.5)), BATCH_NAME(batch_is_near_face)(a, b));
+    point.a = lanes_or_nan(good, BATCH_NAME(batch_clamp)(a));
+    point.b = lanes_or_nan(good, BATCH_NAME(batch_clamp)(b));
     return point;
 }
 
-BATCH_FN void CM_NAME(batch_store_map)(CM_BOOL good, CM_NAME(cm_face_point) p, uint8_t *face,
-                                       LANES_SCALAR *u, LANES_SCALAR *v)
+BATCH_FN void BATCH_NAME(batch_store_map)(CM_BOOL good, CM_NAME(cm_face_point) p, uint8_t *face,
+                                          LANES_IO *u, LANES_IO *v)
 {
     lanes_store_faces(face, CM_SELECT(good, p.face, CM_LIT(255.0)));
-    lanes_store(u, lanes_or_nan(good, p.a));
-    lanes_store(v, lanes_or_nan(good, p.b));
+    lanes_write(u, lanes_or_nan(good, p.a));
+    lanes_write(v, lanes_or_nan(good, p.b));
 }
 
 /* ---- The loops. They are inlined with kernels that are constants, so that no call is left ---- */
 
-typedef CM_NAME(cm_face_point) (*CM_NAME(batch_project))(CM_REAL x, CM_REAL y, CM_REAL z);
-typedef CM_NAME(cm_xyz) (*CM_NAME(batch_unproject))(CM_REAL face, CM_REAL a, CM_REAL b);
-typedef CM_NAME(cm_uv) (*CM_NAME(batch_warp))(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k);
-typedef CM_NAME(cm_pq) (*CM_NAME(batch_unwarp))(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k);
+typedef CM_NAME(cm_face_point) (*BATCH_NAME(batch_project))(CM_REAL x, CM_REAL y, CM_REAL z);
+typedef CM_NAME(cm_xyz) (*BATCH_NAME(batch_unproject))(CM_REAL face, CM_REAL a, CM_REAL b);
+typedef CM_NAME(cm_uv) (*BATCH_NAME(batch_warp))(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k);
+typedef CM_NAME(cm_pq) (*BATCH_NAME(batch_unwarp))(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k);
 
-BATCH_FN void CM_NAME(batch_forward)(CM_NAME(batch_project) project, CM_NAME(batch_warp) warp,
-                                     CM_REAL variant, const cm_mapping *mapping, size_t n,
-                                     const LANES_SCALAR *x, const LANES_SCALAR *y,
-                                     const LANES_SCALAR *z, uint8_t *face, LANES_SCALAR *u,
-                                     LANES_SCALAR *v)
+BATCH_FN void BATCH_NAME(batch_forward)(BATCH_NAME(batch_project) project,
+                                        BATCH_NAME(batch_warp) warp, CM_REAL variant,
+                                        const cm_mapping *mapping, size_t n, const LANES_IO *x,
+                                        const LANES_IO *y, const LANES_IO *z, uint8_t *face,
+                                        LANES_IO *u, LANES_IO *v)
 {
-    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_REAL dx = lanes_load(x + i);
-        CM_REAL dy = lanes_load(y + i);
-        CM_REAL dz = lanes_load(z + i);
-        CM_BOOL good = CM_NAME(batch_is_direction)(dx, dy, dz);
-        CM_NAME(cm_face_point) p = CM_NAME(batch_turn)(&mapping->turn, project(dx, dy, dz));
+        CM_REAL dx = lanes_read(x + i);
+        CM_REAL dy = lanes_read(y + i);
+        CM_REAL dz = lanes_read(z + i);
+        CM_BOOL good = BATCH_NAME(batch_is_direction)(dx, dy, dz);
+        CM_NAME(cm_face_point) p = BATCH_NAME(batch_turn)(&mapping->turn, project(dx, dy, dz));
         if (warp != NULL)
         {
             CM_NAME(cm_uv) uv = warp(p.a, p.b, k);
             p.a = uv.u;
             p.b = uv.v;
         }
-        CM_NAME(batch_store_map)(good, p, face + i, u + i, v + i);
+        BATCH_NAME(batch_store_map)(good, p, face + i, u + i, v + i);
     }
 }
 
-BATCH_FN void CM_NAME(batch_inverse)(CM_NAME(batch_unproject) unproject,
-                                     CM_NAME(batch_unwarp) unwarp, CM_REAL variant,
-                                     const cm_mapping *mapping, size_t n, const uint8_t *face,
-                                     const LANES_SCALAR *u, const LANES_SCALAR *v, LANES_SCALAR *x,
-                                     LANES_SCALAR *y, LANES_SCALAR *z)
+BATCH_FN void BATCH_NAME(batch_inverse)(BATCH_NAME(batch_unproject) unproject,
+                                        BATCH_NAME(batch_unwarp) unwarp, CM_REAL variant,
+                                        const cm_mapping *mapping, size_t n, const uint8_t *face,
+                                        const LANES_IO *u, const LANES_IO *v, LANES_IO *x,
+                                        LANES_IO *y, LANES_IO *z)
 {
-    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_NAME(cm_face_point) p = CM_NAME(batch_load_map)(face + i, u + i, v + i);
+        CM_NAME(cm_face_point) p = BATCH_NAME(batch_load_map)(face + i, u + i, v + i);
         if (unwarp != NULL)
         {
             CM_NAME(cm_pq) pq = unwarp(p.a, p.b, k);
             p.a = pq.p;
             p.b = pq.q;
         }
-        p = CM_NAME(batch_turn_back)(&mapping->turn, p);
+        p = BATCH_NAME(batch_turn_back)(&mapping->turn, p);
         CM_NAME(cm_xyz) d = unproject(p.face, p.a, p.b);
-        lanes_store(x + i, d.x);
-        lanes_store(y + i, d.y);
-        lanes_store(z + i, d.z);
+        lanes_write(x + i, d.x);
+        lanes_write(y + i, d.y);
+        lanes_write(z + i, d.z);
     }
 }
 
-typedef CM_NAME(cm_gradients) (*CM_NAME(batch_gradients))(CM_REAL x, CM_REAL y, CM_REAL z);
-typedef CM_NAME(cm_tangents) (*CM_NAME(batch_tangents))(CM_REAL face, CM_REAL a, CM_REAL b);
-typedef CM_NAME(cm_jacobian) (*CM_NAME(batch_jacobian))(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v,
-                                                        CM_NAME(cm_constants) k);
+typedef CM_NAME(cm_gradients) (*BATCH_NAME(batch_gradients))(CM_REAL x, CM_REAL y, CM_REAL z);
+typedef CM_NAME(cm_tangents) (*BATCH_NAME(batch_tangents))(CM_REAL face, CM_REAL a, CM_REAL b);
+typedef CM_NAME(cm_jacobian) (*BATCH_NAME(batch_jacobian))(CM_REAL p, CM_REAL q, CM_REAL u,
+                                                           CM_REAL v, CM_NAME(cm_constants) k);
 
-BATCH_FN void CM_NAME(batch_forward_jacobian)(
-    CM_NAME(batch_project) project, CM_NAME(batch_gradients) gradients, CM_NAME(batch_warp) warp,
-    CM_NAME(batch_jacobian) jacobian, CM_REAL variant, const cm_mapping *mapping, size_t n,
-    const LANES_SCALAR *x, const LANES_SCALAR *y, const LANES_SCALAR *z, LANES_SCALAR *const to[6])
+BATCH_FN void BATCH_NAME(batch_forward_jacobian)(BATCH_NAME(batch_project) project,
+                                                 BATCH_NAME(batch_gradients) gradients,
+                                                 BATCH_NAME(batch_warp) warp,
+                                                 BATCH_NAME(batch_jacobian) jacobian,
+                                                 CM_REAL variant, const cm_mapping *mapping,
+                                                 size_t n, const LANES_IO *x, const LANES_IO *y,
+                                                 const LANES_IO *z, LANES_IO *const to[6])
 {
-    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_REAL dx = lanes_load(x + i);
-        CM_REAL dy = lanes_load(y + i);
-        CM_REAL dz = lanes_load(z + i);
-        CM_BOOL good = CM_NAME(batch_is_direction)(dx, dy, dz);
+        CM_REAL dx = lanes_read(x + i);
+        CM_REAL dy = lanes_read(y + i);
+        CM_REAL dz = lanes_read(z + i);
+        CM_BOOL good = BATCH_NAME(batch_is_direction)(dx, dy, dz);
         CM_NAME(cm_face_point) geo = project(dx, dy, dz);
         CM_NAME(cm_gradients) g = gradients(dx, dy, dz);
-        g = CM_NAME(batch_turn_gradients)(&mapping->turn, geo.face, g);
+        g = BATCH_NAME(batch_turn_gradients)(&mapping->turn, geo.face, g);
         if (warp != NULL)
         {
-            CM_NAME(cm_face_point) p = CM_NAME(batch_turn)(&mapping->turn, geo);
+            CM_NAME(cm_face_point) p = BATCH_NAME(batch_turn)(&mapping->turn, geo);
             CM_NAME(cm_uv) uv = warp(p.a, p.b, k);
             g = CM_NAME(cm_jacobian_gradients)(jacobian(p.a, p.b, uv.u, uv.v, k), g);
         }
-        lanes_store(to[0] + i, lanes_or_nan(good, g.a_x));
-        lanes_store(to[1] + i, lanes_or_nan(good, g.a_y));
-        lanes_store(to[2] + i, lanes_or_nan(good, g.a_z));
-        lanes_store(to[3] + i, lanes_or_nan(good, g.b_x));
-        lanes_store(to[4] + i, lanes_or_nan(good, g.b_y));
-        lanes_store(to[5] + i, lanes_or_nan(good, g.b_z));
+        lanes_write(to[0] + i, lanes_or_nan(good, g.a_x));
+        lanes_write(to[1] + i, lanes_or_nan(good, g.a_y));
+        lanes_write(to[2] + i, lanes_or_nan(good, g.a_z));
+        lanes_write(to[3] + i, lanes_or_nan(good, g.b_x));
+        lanes_write(to[4] + i, lanes_or_nan(good, g.b_y));
+        lanes_write(to[5] + i, lanes_or_nan(good, g.b_z));
     }
 }
 
-BATCH_FN void CM_NAME(batch_inverse_jacobian)(CM_NAME(batch_tangents) tangents,
-                                              CM_NAME(batch_unwarp) unwarp,
-                                              CM_NAME(batch_jacobian) jacobian, CM_REAL variant,
-                                              const cm_mapping *mapping, size_t n,
-                                              const uint8_t *face, const LANES_SCALAR *u,
-                                              const LANES_SCALAR *v, LANES_SCALAR *const to[6])
+BATCH_FN void BATCH_NAME(batch_inverse_jacobian)(BATCH_NAME(batch_tangents) tangents,
+                                                 BATCH_NAME(batch_unwarp) unwarp,
+                                                 BATCH_NAME(batch_jacobian) jacobian,
+                                                 CM_REAL variant, const cm_mapping *mapping,
+                                                 size_t n, const uint8_t *face, const LANES_IO *u,
+                                                 const LANES_IO *v, LANES_IO *const to[6])
 {
-    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_NAME(cm_face_point) uv = CM_NAME(batch_load_map)(face + i, u + i, v + i);
+        CM_NAME(cm_face_point) uv = BATCH_NAME(batch_load_map)(face + i, u + i, v + i);
         CM_BOOL good = cm_equal(uv.a, uv.a);
         CM_NAME(cm_face_point) p = uv;
         if (unwarp != NULL)
@@ -258,33 +264,34 @@ BATCH_FN void CM_NAME(batch_inverse_jacobian)(CM_NAME(batch_tangents) tangents,
             p.a = pq.p;
             p.b = pq.q;
         }
-        CM_NAME(cm_face_point) geo = CM_NAME(batch_turn_back)(&mapping->turn, p);
+        CM_NAME(cm_face_point) geo = BATCH_NAME(batch_turn_back)(&mapping->turn, p);
         CM_NAME(cm_tangents) d = tangents(geo.face, geo.a, geo.b);
-        d = CM_NAME(batch_turn_tangents)(&mapping->turn, uv.face, d);
+        d = BATCH_NAME(batch_turn_tangents)(&mapping->turn, uv.face, d);
         if (unwarp != NULL)
         {
             d = CM_NAME(cm_jacobian_tangents)(jacobian(p.a, p.b, uv.a, uv.b, k), d);
         }
-        lanes_store(to[0] + i, lanes_or_nan(good, d.x_a));
-        lanes_store(to[1] + i, lanes_or_nan(good, d.x_b));
-        lanes_store(to[2] + i, lanes_or_nan(good, d.y_a));
-        lanes_store(to[3] + i, lanes_or_nan(good, d.y_b));
-        lanes_store(to[4] + i, lanes_or_nan(good, d.z_a));
-        lanes_store(to[5] + i, lanes_or_nan(good, d.z_b));
+        lanes_write(to[0] + i, lanes_or_nan(good, d.x_a));
+        lanes_write(to[1] + i, lanes_or_nan(good, d.x_b));
+        lanes_write(to[2] + i, lanes_or_nan(good, d.y_a));
+        lanes_write(to[3] + i, lanes_or_nan(good, d.y_b));
+        lanes_write(to[4] + i, lanes_or_nan(good, d.z_a));
+        lanes_write(to[5] + i, lanes_or_nan(good, d.z_b));
     }
 }
 
 /* The warp alone, in place; only one of the two kernels is given. */
-BATCH_FN void CM_NAME(batch_warp_only)(CM_NAME(batch_warp) warp, CM_NAME(batch_unwarp) unwarp,
-                                       CM_REAL variant, const cm_mapping *mapping, size_t n,
-                                       LANES_SCALAR *a, LANES_SCALAR *b)
+BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
+                                          BATCH_NAME(batch_unwarp) unwarp, CM_REAL variant,
+                                          const cm_mapping *mapping, size_t n, LANES_IO *a,
+                                          LANES_IO *b)
 {
-    CM_NAME(cm_constants) k = CM_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_NAME(cm_uv) r = {CM_NAME(batch_clamp)(lanes_load(a + i)),
-                            CM_NAME(batch_clamp)(lanes_load(b + i))};
+        CM_NAME(cm_uv) r = {BATCH_NAME(batch_clamp)(lanes_read(a + i)),
+                            BATCH_NAME(batch_clamp)(lanes_read(b + i))};
         if (warp != NULL)
         {
             r = warp(r.u, r.v, k);
@@ -295,59 +302,59 @@ BATCH_FN void CM_NAME(batch_warp_only)(CM_NAME(batch_warp) warp, CM_NAME(batch_u
             r.u = pq.p;
             r.v = pq.q;
         }
-        lanes_store(a + i, r.u);
-        lanes_store(b + i, r.v);
+        lanes_write(a + i, r.u);
+        lanes_write(b + i, r.v);
     }
 }
 
 /* ---- One set of loops for each mapping ---- */
 
 #define BATCH_LOOPS(name, projection, warp, unwarp, jacobian, which)                               \
-    static void CM_NAME(forward_##name)(                                                           \
-        const cm_mapping *mapping, size_t n, const LANES_SCALAR *x, const LANES_SCALAR *y,         \
-        const LANES_SCALAR *z, uint8_t *face, LANES_SCALAR *u, LANES_SCALAR *v)                    \
+    static void BATCH_NAME(forward_##name)(const cm_mapping *mapping, size_t n, const LANES_IO *x, \
+                                           const LANES_IO *y, const LANES_IO *z, uint8_t *face,    \
+                                           LANES_IO *u, LANES_IO *v)                               \
     {                                                                                              \
-        CM_NAME(batch_forward)                                                                     \
+        BATCH_NAME(batch_forward)                                                                  \
         (CM_NAME(cm_##projection##_project), warp, CM_LIT(which), mapping, n, x, y, z, face, u,    \
          v);                                                                                       \
     }                                                                                              \
-    static void CM_NAME(inverse_##name)(const cm_mapping *mapping, size_t n, const uint8_t *face,  \
-                                        const LANES_SCALAR *u, const LANES_SCALAR *v,              \
-                                        LANES_SCALAR *x, LANES_SCALAR *y, LANES_SCALAR *z)         \
+    static void BATCH_NAME(inverse_##name)(                                                        \
+        const cm_mapping *mapping, size_t n, const uint8_t *face, const LANES_IO *u,               \
+        const LANES_IO *v, LANES_IO *x, LANES_IO *y, LANES_IO *z)                                  \
     {                                                                                              \
-        CM_NAME(batch_inverse)                                                                     \
+        BATCH_NAME(batch_inverse)                                                                  \
         (CM_NAME(cm_##projection##_unproject), unwarp, CM_LIT(which), mapping, n, face, u, v, x,   \
          y, z);                                                                                    \
     }                                                                                              \
-    static void CM_NAME(forward_jacobian_##name)(const cm_mapping *mapping, size_t n,              \
-                                                 const LANES_SCALAR *x, const LANES_SCALAR *y,     \
-                                                 const LANES_SCALAR *z, LANES_SCALAR *const to[6]) \
+    static void BATCH_NAME(forward_jacobian_##name)(const cm_mapping *mapping, size_t n,           \
+                                                    const LANES_IO *x, const LANES_IO *y,          \
+                                                    const LANES_IO *z, LANES_IO *const to[6])      \
     {                                                                                              \
-        CM_NAME(batch_forward_jacobian)                                                            \
+        BATCH_NAME(batch_forward_jacobian)                                                         \
         (CM_NAME(cm_##projection##_project), CM_NAME(cm_##projection##_gradients), warp, jacobian, \
          CM_LIT(which), mapping, n, x, y, z, to);                                                  \
     }                                                                                              \
-    static void CM_NAME(inverse_jacobian_##name)(const cm_mapping *mapping, size_t n,              \
-                                                 const uint8_t *face, const LANES_SCALAR *u,       \
-                                                 const LANES_SCALAR *v, LANES_SCALAR *const to[6]) \
+    static void BATCH_NAME(inverse_jacobian_##name)(const cm_mapping *mapping, size_t n,           \
+                                                    const uint8_t *face, const LANES_IO *u,        \
+                                                    const LANES_IO *v, LANES_IO *const to[6])      \
     {                                                                                              \
-        CM_NAME(batch_inverse_jacobian)                                                            \
+        BATCH_NAME(batch_inverse_jacobian)                                                         \
         (CM_NAME(cm_##projection##_tangents), unwarp, jacobian, CM_LIT(which), mapping, n, face,   \
          u, v, to);                                                                                \
     }
 #define BATCH_WARP_LOOPS(name, id, which)                                                          \
     BATCH_LOOPS(name, cube, CM_NAME(cm_##id##_forward), CM_NAME(cm_##id##_inverse),                \
                 CM_NAME(cm_##id##_jacobian), which)                                                \
-    static void CM_NAME(warp_##name)(const cm_mapping *mapping, size_t n, LANES_SCALAR *p,         \
-                                     LANES_SCALAR *q)                                              \
+    static void BATCH_NAME(warp_##name)(const cm_mapping *mapping, size_t n, LANES_IO *p,          \
+                                        LANES_IO *q)                                               \
     {                                                                                              \
-        CM_NAME(batch_warp_only)                                                                   \
+        BATCH_NAME(batch_warp_only)                                                                \
         (CM_NAME(cm_##id##_forward), NULL, CM_LIT(which), mapping, n, p, q);                       \
     }                                                                                              \
-    static void CM_NAME(unwarp_##name)(const cm_mapping *mapping, size_t n, LANES_SCALAR *u,       \
-                                       LANES_SCALAR *v)                                            \
+    static void BATCH_NAME(unwarp_##name)(const cm_mapping *mapping, size_t n, LANES_IO *u,        \
+                                          LANES_IO *v)                                             \
     {                                                                                              \
-        CM_NAME(batch_warp_only)                                                                   \
+        BATCH_NAME(batch_warp_only)                                                                \
         (NULL, CM_NAME(cm_##id##_inverse), CM_LIT(which), mapping, n, u, v);                       \
     }
 
@@ -363,14 +370,15 @@ BATCH_FN void CM_NAME(batch_warp_only)(CM_NAME(batch_warp) warp, CM_NAME(batch_u
 #undef CM_WARP_VARIANTS
 
 #define BATCH_SPHERE_ENTRY(name)                                                                   \
-    CM_NAME(forward_##name), CM_NAME(inverse_##name), CM_NAME(forward_jacobian_##name),            \
-        CM_NAME(inverse_jacobian_##name)
-#define BATCH_ENTRY(name) BATCH_SPHERE_ENTRY(name), CM_NAME(warp_##name), CM_NAME(unwarp_##name)
+    BATCH_NAME(forward_##name), BATCH_NAME(inverse_##name), BATCH_NAME(forward_jacobian_##name),   \
+        BATCH_NAME(inverse_jacobian_##name)
+#define BATCH_ENTRY(name)                                                                          \
+    BATCH_SPHERE_ENTRY(name), BATCH_NAME(warp_##name), BATCH_NAME(unwarp_##name)
 #define CM_SPHERE(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0), NULL, NULL}}},
 #define CM_WARP(id, ...) {{{BATCH_ENTRY(id##_0)}}},
 #define CM_WARP_VARIANTS(id, ...) {{{BATCH_ENTRY(id##_0)}, {BATCH_ENTRY(id##_1)}}},
 
-static const CM_SCALAR_NAME(cm_batch_variants) CM_NAME(batch_table)[] = {
+static const BATCH_VARIANTS BATCH_NAME(batch_table)[] = {
 #include <cubemap/kernel/catalogue.h>
 };
 

@@ -12,6 +12,8 @@
 #define BATCH_JOIN(a, b) a##b
 #define BATCH_JOINED(a, b) BATCH_JOIN(a, b)
 
+/* ---- Double ---- */
+
 #define CM_LANES_BITS 64
 #define CM_SCALAR_NAME(name) name##_f64
 #ifdef CM_LANES
@@ -23,15 +25,29 @@
 
 #include "lanes/scalar.h"
 #endif
+
+#define LANES_IO double
+#define lanes_read(p) lanes_load(p)
+#define lanes_write(p, x) lanes_store(p, x)
+#define BATCH_NAME(name) name##_in_f64
+#define BATCH_VARIANTS cm_batch_variants_f64
 #include "batch.h"
+#undef LANES_IO
+#undef lanes_read
+#undef lanes_write
+#undef BATCH_NAME
+#undef BATCH_VARIANTS
 enum
 {
     BATCH_LANES_F64 = LANES
 };
+
 #include "lanes/undefine.h"
 #undef CM_LANES_BITS
 #undef CM_SCALAR_NAME
 #undef CM_BACKEND
+
+/* ---- Float ---- */
 
 #define CM_LANES_BITS 32
 #define CM_SCALAR_NAME(name) name##_f32
@@ -44,21 +60,45 @@ enum
 
 #include "lanes/scalar.h"
 #endif
+
+#define LANES_IO float
+#define lanes_read(p) lanes_load(p)
+#define lanes_write(p, x) lanes_store(p, x)
+#define BATCH_NAME(name) name##_in_f32
+#define BATCH_VARIANTS cm_batch_variants_f32
 #include "batch.h"
+#undef LANES_IO
+#undef lanes_read
+#undef lanes_write
+#undef BATCH_NAME
+#undef BATCH_VARIANTS
 enum
 {
     BATCH_LANES_F32 = LANES
 };
-#include "lanes/undefine.h"
 
-#ifdef CM_LANES
-#define BATCH_TABLE(bits) batch_table_lanes_f##bits
-#else
-#define BATCH_TABLE(bits) batch_table_f##bits
-#endif
+/* ---- The fast tier: arrays of double, computed in float ---- */
+
+#define LANES_IO double
+#define lanes_read(p) lanes_load_narrowed(p)
+#define lanes_write(p, x) lanes_store_widened(p, x)
+#define BATCH_NAME(name) name##_fast
+#define BATCH_VARIANTS cm_batch_variants_f64
+#include "batch.h"
+#undef LANES_IO
+#undef lanes_read
+#undef lanes_write
+#undef BATCH_NAME
+#undef BATCH_VARIANTS
+
+#include "lanes/undefine.h"
+#undef CM_LANES_BITS
+#undef CM_SCALAR_NAME
+#undef CM_BACKEND
 
 const cm_batch_set BATCH_JOINED(cm_batch_, CM_SET) = {.name = BATCH_NAME_TEXT(CM_SET),
                                                       .lanes_f64 = BATCH_LANES_F64,
                                                       .lanes_f32 = BATCH_LANES_F32,
-                                                      .f64 = BATCH_TABLE(64),
-                                                      .f32 = BATCH_TABLE(32)};
+                                                      .f64 = batch_table_in_f64,
+                                                      .f32 = batch_table_in_f32,
+                                                      .fast = batch_table_fast};

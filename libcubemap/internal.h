@@ -76,6 +76,7 @@ typedef struct cm_batch_set
     size_t lanes_f32;
     const cm_batch_variants_f64 *f64;
     const cm_batch_variants_f32 *f32;
+    const cm_batch_variants_f64 *fast; /* arrays of double in lanes_f32, computed in float */
 } cm_batch_set;
 
 #define CM_LANES_MAX 16
@@ -98,9 +99,12 @@ struct cm_mapping
     cm_turn turn;
     cm_constants_f64 constants_f64;
     cm_constants_f32 constants_f32;
+    cm_tier tier;
     const cm_batch_set *set;
-    const cm_batch_f64 *batch_f64;
-    const cm_batch_f32 *batch_f32;
+    cm_batch_f64 batch_f64;
+    cm_batch_f32 batch_f32;
+    size_t lanes_f64; /* what batch_f64 takes whole multiples of */
+    size_t lanes_f32;
 };
 
 /* The set of that name (NULL: what the environment says, else the best) if this machine can run it,

@@ -38,8 +38,29 @@ static void prepare(cm_mapping *mapping)
 static void choose_loops(cm_mapping *mapping)
 {
     size_t variant = mapping->constants_f64.variant != 0.0;
-    mapping->batch_f64 = &mapping->set->f64[mapping->index].variant[variant];
-    mapping->batch_f32 = &mapping->set->f32[mapping->index].variant[variant];
+    const cm_batch_set *set = mapping->set;
+    mapping->batch_f64 = set->f64[mapping->index].variant[variant];
+    mapping->batch_f32 = set->f32[mapping->index].variant[variant];
+    mapping->lanes_f64 = set->lanes_f64;
+    mapping->lanes_f32 = set->lanes_f32;
+    if (mapping->tier == CM_TIER_FAST)
+    {
+        const cm_batch_f64 *fast = &set->fast[mapping->index].variant[variant];
+        /* more lanes are a multiple of fewer, so that the exact loops take them too */
+        mapping->lanes_f64 = set->lanes_f32;
+        if (mapping->info->fast & CM_FAST_FORWARD)
+        {
+            mapping->batch_f64.forward = fast->forward;
+            mapping->batch_f64.forward_jacobian = fast->forward_jacobian;
+            mapping->batch_f64.warp = fast->warp;
+        }
+        if (mapping->info->fast & CM_FAST_INVERSE)
+        {
+            mapping->batch_f64.inverse = fast->inverse;
+            mapping->batch_f64.inverse_jacobian = fast->inverse_jacobian;
+            mapping->batch_f64.unwarp = fast->unwarp;
+        }
+    }
 }
 
 cm_status cm_mapping_create(const char *specification, const cm_frame *frame, cm_mapping **mapping)
@@ -51,7 +72,8 @@ cm_status cm_mapping_create_with(const char *specification, const cm_frame *fram
                                  const cm_options *options, cm_mapping **mapping)
 {
     if (specification == NULL || mapping == NULL ||
-        (options != NULL && options->size != sizeof(cm_options)))
+        (options != NULL && (options->size != sizeof(cm_options) ||
+                             (options->tier != CM_TIER_EXACT && options->tier != CM_TIER_FAST))))
     {
         return CM_ERROR_ARGUMENT;
     }
@@ -75,6 +97,7 @@ cm_status cm_mapping_create_with(const char *specification, const cm_frame *fram
     {
         return CM_ERROR_INSTRUCTIONS;
     }
+    made.tier = options == NULL || !made.info->fast ? CM_TIER_EXACT : options->tier;
     prepare(&made);
     choose_loops(&made);
     cm_mapping *kept = malloc(sizeof *kept);
@@ -95,6 +118,11 @@ void cm_mapping_destroy(cm_mapping *mapping)
 const cm_mapping_info *cm_mapping_describe(const cm_mapping *mapping)
 {
     return mapping->info;
+}
+
+cm_tier cm_mapping_tier(const cm_mapping *mapping)
+{
+    return mapping->tier;
 }
 
 const char *cm_mapping_instructions(const cm_mapping *mapping)

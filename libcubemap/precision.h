@@ -23,12 +23,12 @@ static void copy_to_rest(rest to, const CM_REAL *from, size_t n)
 static void forward_points(const cm_mapping *mapping, size_t n, const CM_REAL *x, const CM_REAL *y,
                            const CM_REAL *z, uint8_t *face, CM_REAL *u, CM_REAL *v)
 {
-    size_t lanes = mapping->set->CM_NAME(lanes);
+    size_t lanes = mapping->CM_NAME(lanes);
     size_t left = n % lanes;
     size_t whole = n - left;
     if (whole > 0)
     {
-        mapping->CM_NAME(batch)->forward(mapping, whole, x, y, z, face, u, v);
+        mapping->CM_NAME(batch).forward(mapping, whole, x, y, z, face, u, v);
     }
     if (left > 0)
     {
@@ -37,7 +37,7 @@ static void forward_points(const cm_mapping *mapping, size_t n, const CM_REAL *x
         copy_to_rest(a, x + whole, left);
         copy_to_rest(b, y + whole, left);
         copy_to_rest(c, z + whole, left);
-        mapping->CM_NAME(batch)->forward(mapping, lanes, a, b, c, faces, a, b);
+        mapping->CM_NAME(batch).forward(mapping, lanes, a, b, c, faces, a, b);
         memcpy(face + whole, faces, left);
         memcpy(u + whole, a, left * sizeof *u);
         memcpy(v + whole, b, left * sizeof *v);
@@ -47,12 +47,12 @@ static void forward_points(const cm_mapping *mapping, size_t n, const CM_REAL *x
 static void inverse_points(const cm_mapping *mapping, size_t n, const uint8_t *face,
                            const CM_REAL *u, const CM_REAL *v, CM_REAL *x, CM_REAL *y, CM_REAL *z)
 {
-    size_t lanes = mapping->set->CM_NAME(lanes);
+    size_t lanes = mapping->CM_NAME(lanes);
     size_t left = n % lanes;
     size_t whole = n - left;
     if (whole > 0)
     {
-        mapping->CM_NAME(batch)->inverse(mapping, whole, face, u, v, x, y, z);
+        mapping->CM_NAME(batch).inverse(mapping, whole, face, u, v, x, y, z);
     }
     if (left > 0)
     {
@@ -61,7 +61,7 @@ static void inverse_points(const cm_mapping *mapping, size_t n, const uint8_t *f
         memcpy(faces, face + whole, left);
         copy_to_rest(a, u + whole, left);
         copy_to_rest(b, v + whole, left);
-        mapping->CM_NAME(batch)->inverse(mapping, lanes, faces, a, b, a, b, c);
+        mapping->CM_NAME(batch).inverse(mapping, lanes, faces, a, b, a, b, c);
         memcpy(x + whole, a, left * sizeof *x);
         memcpy(y + whole, b, left * sizeof *y);
         memcpy(z + whole, c, left * sizeof *z);
@@ -189,12 +189,12 @@ void CM_PUBLIC(cm_forward_jacobian_array)(const cm_mapping *mapping, size_t n, c
                                           const CM_REAL *y, const CM_REAL *z,
                                           CM_REAL *const jacobian[6])
 {
-    size_t lanes = mapping->set->CM_NAME(lanes);
+    size_t lanes = mapping->CM_NAME(lanes);
     size_t left = n % lanes;
     size_t whole = n - left;
     if (whole > 0)
     {
-        mapping->CM_NAME(batch)->forward_jacobian(mapping, whole, x, y, z, jacobian);
+        mapping->CM_NAME(batch).forward_jacobian(mapping, whole, x, y, z, jacobian);
     }
     if (left > 0)
     {
@@ -203,7 +203,7 @@ void CM_PUBLIC(cm_forward_jacobian_array)(const cm_mapping *mapping, size_t n, c
         copy_to_rest(r[0], x + whole, left);
         copy_to_rest(r[1], y + whole, left);
         copy_to_rest(r[2], z + whole, left);
-        mapping->CM_NAME(batch)->forward_jacobian(mapping, lanes, r[0], r[1], r[2], to);
+        mapping->CM_NAME(batch).forward_jacobian(mapping, lanes, r[0], r[1], r[2], to);
         copy_jacobians(jacobian, whole, r, left);
     }
 }
@@ -212,12 +212,12 @@ void CM_PUBLIC(cm_inverse_jacobian_array)(const cm_mapping *mapping, size_t n, c
                                           const CM_REAL *u, const CM_REAL *v,
                                           CM_REAL *const jacobian[6])
 {
-    size_t lanes = mapping->set->CM_NAME(lanes);
+    size_t lanes = mapping->CM_NAME(lanes);
     size_t left = n % lanes;
     size_t whole = n - left;
     if (whole > 0)
     {
-        mapping->CM_NAME(batch)->inverse_jacobian(mapping, whole, face, u, v, jacobian);
+        mapping->CM_NAME(batch).inverse_jacobian(mapping, whole, face, u, v, jacobian);
     }
     if (left > 0)
     {
@@ -227,7 +227,7 @@ void CM_PUBLIC(cm_inverse_jacobian_array)(const cm_mapping *mapping, size_t n, c
         memcpy(faces, face + whole, left);
         copy_to_rest(r[0], u + whole, left);
         copy_to_rest(r[1], v + whole, left);
-        mapping->CM_NAME(batch)->inverse_jacobian(mapping, lanes, faces, r[0], r[1], to);
+        mapping->CM_NAME(batch).inverse_jacobian(mapping, lanes, faces, r[0], r[1], to);
         copy_jacobians(jacobian, whole, r, left);
     }
 }
@@ -261,7 +261,7 @@ static cm_status warp_point(void (*warp)(const cm_mapping *, size_t, CM_REAL *, 
     rest a, b;
     copy_to_rest(a, &from[0], 1);
     copy_to_rest(b, &from[1], 1);
-    warp(mapping, mapping->set->CM_NAME(lanes), a, b);
+    warp(mapping, mapping->CM_NAME(lanes), a, b);
     to[0] = CM_SELECT(good, a[0], (CM_REAL)NAN);
     to[1] = CM_SELECT(good, b[0], (CM_REAL)NAN);
     return CM_OK;
@@ -269,10 +269,10 @@ static cm_status warp_point(void (*warp)(const cm_mapping *, size_t, CM_REAL *, 
 
 cm_status CM_PUBLIC(cm_warp)(const cm_mapping *mapping, const CM_REAL pq[2], CM_REAL uv[2])
 {
-    return warp_point(mapping->CM_NAME(batch)->warp, mapping, pq, uv);
+    return warp_point(mapping->CM_NAME(batch).warp, mapping, pq, uv);
 }
 
 cm_status CM_PUBLIC(cm_unwarp)(const cm_mapping *mapping, const CM_REAL uv[2], CM_REAL pq[2])
 {
-    return warp_point(mapping->CM_NAME(batch)->unwarp, mapping, uv, pq);
+    return warp_point(mapping->CM_NAME(batch).unwarp, mapping, uv, pq);
 }

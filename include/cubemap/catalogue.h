@@ -27,6 +27,10 @@ typedef enum cm_family
 #define CM_EQUAL_AREA 1u
 #define CM_CONFORMAL 2u
 
+/* Directions, as bits. */
+#define CM_FAST_FORWARD 1u
+#define CM_FAST_INVERSE 2u
+
 /* How smooth a map is, on a face or across the edge of two faces. */
 typedef enum cm_smoothness
 {
@@ -77,6 +81,7 @@ typedef struct cm_mapping_info
     size_t parameter_count;
     cm_parameter_info parameter[CM_PARAMETERS_MAX];
     cm_bounds bounds;
+    unsigned fast; /* CM_FAST_FORWARD, CM_FAST_INVERSE: where there is CM_TIER_FAST (options.h) */
 } cm_mapping_info;
 
 /* The identifier of the mapping that we recommend where nothing speaks for another: nearly

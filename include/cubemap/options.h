@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How a mapping is to be computed: with which instruction set. Nothing here changes what is computed,
- * only how fast; every set keeps the bounds of cm_mapping_info.bounds.
+ * How a mapping is to be computed: with which instruction set, and how accurately.
  */
 #ifndef CUBEMAP_OPTIONS_H
 #define CUBEMAP_OPTIONS_H
@@ -15,28 +14,45 @@
 extern "C" {
 #endif
 
+/* How accurate the functions for double are; those for float are the same in both tiers.
+ *   exact   the bounds of cm_mapping_info.bounds with eps = 2^-53: a round trip within 5 nm on Earth
+ *   fast    arrays of double, computed in float: the same bounds with eps = 2^-24, and half an eps more
+ *           for each of u, v, x, y, z that is rounded first: a round trip within 1e-6 rad, 6 m on Earth.
+ *           1.5 to 3 times as fast. A direction should be of a length from 1e-30 to 1e38: shorter ones
+ *           lose digits, and what is zero or infinite in float is no direction
+ * A tier says what is accurate enough: where fast would not be 1.5 times as fast, cm_mapping_info.fast
+ * lacks that direction, and exact is taken. */
+typedef enum cm_tier
+{
+    CM_TIER_EXACT = 0,
+    CM_TIER_FAST = 1
+} cm_tier;
+
 /* To be filled with zeros but for size, which is sizeof(cm_options), and for what is wanted. */
 typedef struct cm_options
 {
     size_t size;
     const char *instructions; /* one of cm_instructions_at; NULL for what the environment variable
                                  CUBEMAP_INSTRUCTIONS says, and without it for the best of them */
+    cm_tier tier;
 } cm_options;
 
 /* As cm_mapping_create, with options; NULL for none.
- * Errors: those of cm_mapping_create; CM_ERROR_ARGUMENT if size is not right; CM_ERROR_INSTRUCTIONS if
+ * Errors: those of cm_mapping_create; CM_ERROR_ARGUMENT if size or tier is none; CM_ERROR_INSTRUCTIONS if
  * this machine or this build does not have the instruction set that options or environment name. */
 CM_API cm_status cm_mapping_create_with(const char *specification, const cm_frame *frame,
                                         const cm_options *options, cm_mapping **mapping);
 
 /* The instruction sets that this build has and this machine can run, the simplest first, the default
  * last: "scalar" (one point at a time, plain C), then "sse2", "avx2" (with FMA) and "avx512" (F, DQ, BW,
- * VL) on x86-64, "neon" on AArch64. NULL if index is not below the count. The same input gives the same
- * bits with one set, whatever the machine; sets differ within the bounds. */
+ * VL) on x86-64, "neon" on AArch64. NULL if index is not below the count. All keep the bounds; their
+ * results differ within them. With one set the same input gives the same bits on every machine; only
+ * avx512 starts roots from an approximation that makers of processors may round in other ways. */
 CM_API size_t cm_instructions_count(void);
 CM_API const char *cm_instructions_at(size_t index);
 
-/* The instruction set that a mapping uses. */
+/* The tier that a mapping uses, fast if it does in one direction at least, and the instruction set. */
+CM_API cm_tier cm_mapping_tier(const cm_mapping *mapping);
 CM_API const char *cm_mapping_instructions(const cm_mapping *mapping);
 
 #ifdef __cplusplus

@@ -73,4 +73,19 @@ static inline void lanes_put_faces_f32(uint8_t *bytes, __m256 faces)
 
 #define lanes_load_faces(bytes) lanes_faces_f32(bytes)
 #define lanes_store_faces(bytes, faces) lanes_put_faces_f32(bytes, faces)
+
+static inline __m256 lanes_narrowed(const double *p)
+{
+    return _mm256_set_m128(_mm256_cvtpd_ps(_mm256_loadu_pd(p + 4)),
+                           _mm256_cvtpd_ps(_mm256_loadu_pd(p)));
+}
+
+static inline void lanes_put_widened(double *p, __m256 x)
+{
+    _mm256_storeu_pd(p, _mm256_cvtps_pd(_mm256_castps256_ps128(x)));
+    _mm256_storeu_pd(p + 4, _mm256_cvtps_pd(_mm256_extractf128_ps(x, 1)));
+}
+
+#define lanes_load_narrowed(p) lanes_narrowed(p)
+#define lanes_store_widened(p, x) lanes_put_widened(p, x)
 #endif

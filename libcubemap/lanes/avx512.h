@@ -84,4 +84,19 @@ static inline __m512 lanes_rough_inverse_root_f32(__m512 x)
     _mm512_cvtepi32_ps(_mm512_cvtepu8_epi32(_mm_loadu_si128((const __m128i *)(bytes))))
 #define lanes_store_faces(bytes, faces)                                                            \
     _mm_storeu_si128((__m128i *)(bytes), _mm512_cvtepi32_epi8(_mm512_cvttps_epi32(faces)))
+
+static inline __m512 lanes_narrowed(const double *p)
+{
+    return _mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(_mm512_loadu_pd(p))),
+                              _mm512_cvtpd_ps(_mm512_loadu_pd(p + 8)), 1);
+}
+
+static inline void lanes_put_widened(double *p, __m512 x)
+{
+    _mm512_storeu_pd(p, _mm512_cvtps_pd(_mm512_castps512_ps256(x)));
+    _mm512_storeu_pd(p + 8, _mm512_cvtps_pd(_mm512_extractf32x8_ps(x, 1)));
+}
+
+#define lanes_load_narrowed(p) lanes_narrowed(p)
+#define lanes_store_widened(p, x) lanes_put_widened(p, x)
 #endif

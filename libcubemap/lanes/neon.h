@@ -68,4 +68,18 @@ static inline void lanes_put_faces_f32(uint8_t *bytes, float32x4_t faces)
 
 #define lanes_load_faces(bytes) lanes_faces_f32(bytes)
 #define lanes_store_faces(bytes, faces) lanes_put_faces_f32(bytes, faces)
+
+static inline float32x4_t lanes_narrowed(const double *p)
+{
+    return vcvt_high_f32_f64(vcvt_f32_f64(vld1q_f64(p)), vld1q_f64(p + 2));
+}
+
+static inline void lanes_put_widened(double *p, float32x4_t x)
+{
+    vst1q_f64(p, vcvt_f64_f32(vget_low_f32(x)));
+    vst1q_f64(p + 2, vcvt_high_f64_f32(x));
+}
+
+#define lanes_load_narrowed(p) lanes_narrowed(p)
+#define lanes_store_widened(p, x) lanes_put_widened(p, x)
 #endif

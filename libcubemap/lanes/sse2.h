@@ -78,4 +78,18 @@ static inline void lanes_put_faces_f32(uint8_t *bytes, __m128 faces)
 
 #define lanes_load_faces(bytes) lanes_faces_f32(bytes)
 #define lanes_store_faces(bytes, faces) lanes_put_faces_f32(bytes, faces)
+
+static inline __m128 lanes_narrowed(const double *p)
+{
+    return _mm_movelh_ps(_mm_cvtpd_ps(_mm_loadu_pd(p)), _mm_cvtpd_ps(_mm_loadu_pd(p + 2)));
+}
+
+static inline void lanes_put_widened(double *p, __m128 x)
+{
+    _mm_storeu_pd(p, _mm_cvtps_pd(x));
+    _mm_storeu_pd(p + 2, _mm_cvtps_pd(_mm_movehl_ps(x, x)));
+}
+
+#define lanes_load_narrowed(p) lanes_narrowed(p)
+#define lanes_store_widened(p, x) lanes_put_widened(p, x)
 #endif

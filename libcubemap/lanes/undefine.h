@@ -18,6 +18,8 @@
 #undef CM_AND
 #undef lanes_all
 #undef lanes_load
+#undef lanes_load_narrowed
+#undef lanes_store_widened
 #undef lanes_store
 #undef lanes_load_faces
 #undef lanes_store_faces

@@ -26,7 +26,8 @@ CM_WARP_VARIANTS(cobe,
                                 .high = 1.0,
                                 .whole = 1}},
                  .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 2, .inverse = 4,
-                            .relative = 8})
+                            .relative = 8},
+                 .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else
 

@@ -18,7 +18,8 @@ CM_WARP(everitt,
                        .low = 0.5,
                        .high = 1.8}},
         .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
-                   .relative = 6})
+                   .relative = 6},
+        .fast = CM_FAST_INVERSE)
 /* clang-format on */
 #else
 

@@ -20,7 +20,8 @@ CM_SPHERE(healpix,
           .smooth_face = CM_SMOOTH_C0,
           .smooth_edge = CM_SMOOTH_C0,
           .bounds = {.round_trip = 5.8, .plane_round_trip = 8, .forward = 5, .inverse = 3,
-                     .relative = 8})
+                     .relative = 8},
+          .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else
 

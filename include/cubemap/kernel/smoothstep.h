@@ -24,7 +24,8 @@ CM_WARP(smoothstep,
                        .low_excluded = 1,
                        .high = 1.0}},
         .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
-                   .relative = 6})
+                   .relative = 6},
+        .fast = CM_FAST_INVERSE)
 /* clang-format on */
 #else
 

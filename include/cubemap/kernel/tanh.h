@@ -24,7 +24,8 @@ CM_WARP_VARIANTS(tanh,
                                 .low_excluded = 1,
                                 .high = 2.0}},
                  .bounds = {.round_trip = 2.8, .plane_round_trip = 4, .forward = 2, .inverse = 3,
-                            .relative = 6})
+                            .relative = 6},
+                 .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else
 
