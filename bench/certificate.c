@@ -15,8 +15,12 @@
  * is: how much the warp, or its inverse, stretches a small difference at most; but those of forward and
  * inverse stay below 8 eps, and relative to the truth below 16.
  *
+ * The tier fast (options.h) has the bounds of float and what the rounding of its arguments adds: an eps
+ * for round trips; for forward and inverse, and relative to the truth, an eps and one more for the
+ * condition. Its directions are of lengths near 1 or greater.
+ *
  * The truth is the kernel's own text in quadruple precision (tests/quad.h) for double, and the library
- * in double for float. The exit status is 1 if a bound does not hold.
+ * in double for float and fast. The exit status is 1 if a bound does not hold.
  */
 #define _POSIX_C_SOURCE 200809L
 
@@ -56,12 +60,25 @@ typedef struct extreme
     char where[128];
 } extreme;
 
+/* double, float, and double computed in float */
+typedef enum precision_kind
+{
+    DOUBLE,
+    FLOAT,
+    FAST,
+    PRECISIONS
+} precision_kind;
+
+static const char *const precision_names[PRECISIONS] = {"double", "float", "fast"};
+
 /* One mapping in one precision, and what has been found of it. */
 typedef struct subject
 {
-    const cm_mapping *mapping;
+    cm_mapping *mapping;
+    cm_mapping *exact; /* the truth unless in double */
     quad_mapping truth;
-    int narrow; /* in float */
+    precision_kind precision;
+    int narrow; /* the functions for float */
     double eps;
     double least; /* where relative errors begin */
     double condition;
@@ -141,10 +158,10 @@ static int warp_point(const subject *s, int back, const double from[2], double t
 
 static int true_forward(const subject *s, const double d[3], long double uv[2])
 {
-    if (s->narrow)
+    if (s->precision != DOUBLE)
     {
         double wide[2];
-        int face = cm_forward(s->mapping, d, wide);
+        int face = cm_forward(s->exact, d, wide);
         uv[0] = (long double)wide[0];
         uv[1] = (long double)wide[1];
         return face;
@@ -160,10 +177,10 @@ static int true_forward(const subject *s, const double d[3], long double uv[2])
 /* u, v beyond the edge are on it. */
 static void true_inverse(const subject *s, int face, const double uv[2], long double d[3])
 {
-    if (s->narrow)
+    if (s->precision != DOUBLE)
     {
         double wide[3];
-        cm_inverse(s->mapping, (uint8_t)face, uv, wide);
+        cm_inverse(s->exact, (uint8_t)face, uv, wide);
         for (int k = 0; k < 3; k++)
         {
             d[k] = (long double)wide[k];
@@ -181,10 +198,10 @@ static void true_inverse(const subject *s, int face, const double uv[2], long do
 
 static void true_warp(const subject *s, int back, const double from[2], long double to[2])
 {
-    if (s->narrow)
+    if (s->precision != DOUBLE)
     {
         double wide[2];
-        (void)(back ? cm_unwarp : cm_warp)(s->mapping, from, wide);
+        (void)(back ? cm_unwarp : cm_warp)(s->exact, from, wide);
         to[0] = (long double)wide[0];
         to[1] = (long double)wide[1];
         return;
@@ -475,7 +492,14 @@ static void random_points(subject *s, uint64_t *state, uint8_t *face, double (*u
     }
 }
 
-/* From index on; directions of zero length are left out. */
+/* Is it one for this precision? Not of zero length, nor for fast too short. */
+static int is_wanted(const subject *s, double x, double y, double z)
+{
+    double length = fmax(fabs(x), fmax(fabs(y), fabs(z)));
+    return s->precision == FAST ? length >= 0.1 && length <= 1e30 : length > 0.0;
+}
+
+/* From index on. */
 static size_t hard_directions(const subject *s, uint64_t *index, double (*d)[BLOCK])
 {
     size_t n = 0;
@@ -486,13 +510,11 @@ static size_t hard_directions(const subject *s, uint64_t *index, double (*d)[BLO
         hard_direction(*index, direction);
         hard_direction_f32(*index, narrow);
         ++*index;
-        int some = 0;
         for (int k = 0; k < 3; k++)
         {
             d[k][n] = s->narrow ? (double)narrow[k] : direction[k];
-            some |= d[k][n] != 0.0;
         }
-        n += (size_t)some;
+        n += (size_t)is_wanted(s, d[0][n], d[1][n], d[2][n]);
     }
     return n;
 }
@@ -607,7 +629,9 @@ static double bound_of(const subject *s, kind which)
         return (double)INFINITY;
     }
     const double most[KINDS] = {INFINITY, INFINITY, 8.0, 16.0, 8.0, 16.0};
-    return fmin(of[which] * s->widening, most[which]);
+    int is_round_trip = which == ROUND_TRIP || which == PLANE_ROUND_TRIP;
+    double rounding = s->precision != FAST ? 0.0 : is_round_trip ? 1.0 : 1.0 + s->condition;
+    return fmin(of[which] * s->widening, most[which]) + rounding;
 }
 
 /* One line a kind, fields apart by tabs. */
@@ -620,7 +644,7 @@ static int report(const subject *s, const char *specification)
         double bound = bound_of(s, (kind)which);
         int held = worst->error <= bound;
         printf("%s\t%s\t%.2f\t%s\t%.3f\t%.3g\t%s\t%s\n", specification,
-               s->narrow ? "float" : "double", s->condition, kind_names[which], worst->error, bound,
+               precision_names[s->precision], s->condition, kind_names[which], worst->error, bound,
                worst->where, held ? "held" : "BROKEN");
         broken |= !held;
     }
@@ -642,46 +666,74 @@ static double standard_condition(const cm_mapping *mapping)
     return condition;
 }
 
-static int certify(const char *specification, int narrow, double round_trip_count,
-                   double truth_count, uint64_t stride)
+/* What is asked for. */
+typedef struct amounts
 {
-    cm_mapping *mapping = NULL;
-    if (cm_mapping_create(specification, NULL, &mapping) != CM_OK)
+    double round_trips;
+    double comparisons;
+    double stride;
+} amounts;
+
+static int certify(const char *specification, const char *instructions, precision_kind precision,
+                   const amounts *of)
+{
+    cm_options options = {.size = sizeof options,
+                          .instructions = instructions,
+                          .tier = precision == FAST ? CM_TIER_FAST : CM_TIER_EXACT};
+    subject s = {.precision = precision,
+                 .narrow = precision == FLOAT,
+                 .eps = precision == DOUBLE ? 0x1p-53 : 0x1p-24,
+                 .least = precision == DOUBLE ? 1e-300 : 1e-36};
+    cm_status status = cm_mapping_create_with(specification, NULL, &options, &s.mapping);
+    if (status != CM_OK || cm_mapping_create(specification, NULL, &s.exact) != CM_OK)
     {
-        fprintf(stderr, "certificate: no mapping %s\n", specification);
+        fprintf(stderr, "certificate: %s: %s\n", specification, cm_status_text(status));
+        cm_mapping_destroy(s.mapping);
         return 2;
     }
-    subject s = {.mapping = mapping,
-                 .truth = quad_from(mapping),
-                 .narrow = narrow,
-                 .eps = narrow ? 0x1p-24 : 0x1p-53,
-                 .least = narrow ? 1e-36 : 1e-300};
-    s.condition = condition_of(&s.truth);
-    s.widening = fmax(1.0, s.condition / standard_condition(mapping));
-    measure(&s, round_trip_count, truth_count, stride);
-    int broken = report(&s, specification);
-    cm_mapping_destroy(mapping);
+    int broken = 0;
+    if (precision != FAST || cm_mapping_tier(s.mapping) == CM_TIER_FAST)
+    {
+        s.truth = quad_from(s.exact);
+        s.condition = condition_of(&s.truth);
+        s.widening = fmax(1.0, s.condition / standard_condition(s.exact));
+        measure(&s, of->round_trips, of->comparisons, (uint64_t)of->stride);
+        broken = report(&s, specification);
+    }
+    cm_mapping_destroy(s.mapping);
+    cm_mapping_destroy(s.exact);
     return broken;
 }
 
 static int usage(void)
 {
-    fprintf(stderr,
-            "usage: certificate [-r ROUND_TRIPS] [-t COMPARISONS] [-s STRIDE] [-p double|float] "
-            "[SPECIFICATION...]\n"
-            "  -r  random round trips a mapping (1000000)\n"
-            "  -t  random comparisons with the truth, forward, inverse and warp (100000)\n"
-            "  -s  compare one block of hard directions in so many with the truth (1: all)\n"
-            "  -p  only that precision\n");
+    fprintf(
+        stderr,
+        "usage: certificate [-r ROUND_TRIPS] [-t COMPARISONS] [-s STRIDE] "
+        "[-p double|float|fast] [-i INSTRUCTIONS] [SPECIFICATION...]\n"
+        "  -r  random round trips a mapping (1000000)\n"
+        "  -t  random comparisons with the truth, forward, inverse and warp (100000)\n"
+        "  -s  compare one block of hard directions in so many with the truth (1: all)\n"
+        "  -p  only that precision, or the fast tier\n"
+        "  -i  scalar, sse2, avx2, avx512, neon; 77 is the exit status if this machine cannot\n");
     return 2;
+}
+
+static int is_runnable(const char *instructions)
+{
+    int found = instructions == NULL;
+    for (size_t i = 0; i < cm_instructions_count(); i++)
+    {
+        found |= instructions != NULL && strcmp(instructions, cm_instructions_at(i)) == 0;
+    }
+    return found;
 }
 
 int main(int argc, char **argv)
 {
-    double round_trip_count = 1e6;
-    double truth_count = 1e5;
-    double stride = 1.0;
-    int precisions[2] = {1, 1};
+    amounts of = {1e6, 1e5, 1.0};
+    const char *only = NULL;
+    const char *instructions = NULL;
     int first = 1;
     for (; first + 1 < argc && argv[first][0] == '-'; first += 2)
     {
@@ -689,37 +741,44 @@ int main(int argc, char **argv)
         switch (argv[first][1])
         {
         case 'r':
-            round_trip_count = atof(value);
+            of.round_trips = atof(value);
             break;
         case 't':
-            truth_count = atof(value);
+            of.comparisons = atof(value);
             break;
         case 's':
-            stride = atof(value);
+            of.stride = atof(value);
             break;
         case 'p':
-            precisions[0] = strcmp(value, "float") != 0;
-            precisions[1] = strcmp(value, "double") != 0;
+            only = value;
+            break;
+        case 'i':
+            instructions = value;
             break;
         default:
             return usage();
         }
     }
-    if (!(round_trip_count >= 0.0 && truth_count >= 0.0 && stride >= 1.0) ||
+    if (!(of.round_trips >= 0.0 && of.comparisons >= 0.0 && of.stride >= 1.0) ||
         (first < argc && argv[first][0] == '-'))
     {
         return usage();
+    }
+    if (!is_runnable(instructions))
+    {
+        fprintf(stderr, "certificate: no instruction set %s here\n", instructions);
+        return 77;
     }
     int broken = 0;
     size_t count = first < argc ? (size_t)(argc - first) : cm_catalogue_count();
     for (size_t i = 0; i < count; i++)
     {
         const char *name = first < argc ? argv[(size_t)first + i] : cm_catalogue_at(i)->identifier;
-        for (int narrow = 0; narrow < 2; narrow++)
+        for (int k = 0; k < PRECISIONS; k++)
         {
-            if (precisions[narrow])
+            if (only == NULL || strcmp(only, precision_names[k]) == 0)
             {
-                broken |= certify(name, narrow, round_trip_count, truth_count, (uint64_t)stride);
+                broken |= certify(name, instructions, (precision_kind)k, &of);
             }
         }
     }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The machine code of the batch loops: every mapping has its four loops (forward, inverse and their
-# Jacobians) in every instruction set and precision, they work on vectors of the set's width, and nothing in them is a call (which would be a
+# Jacobians) in every instruction set, in double, in float and in the fast tier, they work on vectors of the set's width, and nothing in them is a call (which would be a
 # kernel that was not inlined, or a function of libm).
 # Usage: vectorisation.sh BUILD_FOLDER INCLUDE_FOLDER SET...
 set -eu
@@ -28,7 +28,7 @@ for set in "$@"; do
     neon) register='v[0-9]+[.](2d|4s)' packed='f(mul|add|div|mla|mls) ' ;;
     esac
     object=$build/libcubemap/libcubemap-$set.a.p/batch_$set.c.o
-    for precision in 64 32; do
+    for precision in in_f64 in_f32 fast; do
         objdump -d --no-show-raw-insn "$object" | awk -v set="$set" -v precision="$precision" \
             -v register="$register" -v packed="$packed" -v expected="$expected" '
             function finish() {
@@ -37,17 +37,17 @@ for set in "$@"; do
             }
             /^[0-9a-f]+ <.*>:$/ {
                 finish()
-                if ($2 ~ "^<(forward|inverse)_.*_lanes_f" precision ">:$") {
+                if ($2 ~ "^<(forward|inverse)_.*_" precision ">:$") {
                     name = $2; vectors = 0; found[substr(name, 2, 7)]++
                 }
             }
             name != "" && /call|\tbl / { print set ": " name " calls: " $0; bad = 1 }
             # compilers fold functions with the same code into one
-            name != "" && /jmp.*<(forward|inverse)_[a-z0-9_]*_lanes_f[0-9]*>$/ { vectors = 4 }
+            name != "" && /jmp.*<(forward|inverse)_[a-z0-9_]*>$/ { vectors = 4 }
             name != "" && $0 ~ packed && $0 ~ register { vectors++ }
             END {
                 finish()
-                print set ", " precision " bits: " found["forward"] " forward and " found["inverse"] \
+                print set ", " precision ": " found["forward"] " forward and " found["inverse"] \
                     " inverse loops, " expected " expected"
                 exit bad || found["forward"] != expected || found["inverse"] != expected
             }' || status=1

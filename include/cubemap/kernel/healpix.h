@@ -63,15 +63,18 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, C
         CM_NAME(cm_stretch_inside)(t, excess * CM_LIT(1.27323954473516268615107010698011489628));
     CM_REAL sector = CM_SELECT(x_wins, CM_LIT(1.0) - sign, CM_LIT(2.0) - sign);
 
-    CM_REAL root = cm_sqrt(square); /* the distance from the axis is major times that */
+    CM_REAL root = CM_NAME(cm_root)(square); /* the distance from the axis is major times that */
     CM_BOOL polar = cm_less((CM_HEALPIX_POLAR * major) * root, height);
     /* polar: the tangent of the distance from the pole, r, and n = sqrt(1 + r^2), so that 1 - |sin lat|
      * is r^2 / (n (n + 1)); on the belt |sin lat| is r / n with the part of z to major */
     CM_REAL r = (CM_SELECT(polar, major, height) / CM_SELECT(polar, height, major)) *
                 CM_SELECT(polar, root, CM_LIT(1.0));
-    CM_REAL n = cm_sqrt(CM_SELECT(polar, CM_LIT(1.0), square) + r * r);
-    CM_REAL sigma = cm_min(CM_LIT(1.0), r * cm_sqrt(CM_LIT(3.0) / (n * (n + CM_LIT(1.0)))));
-    CM_REAL belt = cm_min(CM_LIT(1.0), CM_LIT(1.5) * (r / n));
+    CM_REAL n2 = cm_mad(r, r, CM_SELECT(polar, CM_LIT(1.0), square));
+    CM_REAL over_n = CM_NAME(cm_inverse_root)(n2);
+    CM_REAL over_nn = CM_NAME(cm_inverse_root)(cm_mad(n2, over_n, n2)); /* 1 / sqrt(n (n + 1)) */
+    CM_REAL sigma =
+        cm_min(CM_LIT(1.0), r * (over_nn * CM_LIT(1.73205080756887729352744634150587236694)));
+    CM_REAL belt = cm_min(CM_LIT(1.0), CM_LIT(1.5) * (r * over_n));
     CM_REAL along = sigma * f;
     /* the triangle of sector k is that of sector 0 turned by k right angles; the south is the north
      * mirrored */
