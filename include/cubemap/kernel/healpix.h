@@ -43,92 +43,130 @@ CM_SPHERE(healpix,
 #define CM_HEALPIX_LARGE CM_LIT(4.1495155688809930e180) /* 2^600 */
 #endif
 
-/* x, y, z finite and not all zero. (a, b) of the result is (u, v). */
-CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z)
+/* Where a direction is: the sector of longitude, and cap or belt. */
+CM_STRUCT(cm_healpix_place)
 {
+    CM_BOOL x_wins; /* is the middle of the sector on the x axis? */
+    CM_BOOL polar;
+    CM_REAL sign;   /* of x or y there */
+    CM_REAL t;      /* tangent of the longitude from there, towards greater ones */
+    CM_REAL square; /* 1 + t^2 */
+    CM_REAL root;   /* of square */
+    CM_REAL r; /* in a cap the tangent of the distance from the pole, on the belt |z| / major */
+}
+CM_STRUCT_END(cm_healpix_place)
+
+/* x, y, z finite and not all zero. */
+CM_FN CM_NAME(cm_healpix_place) CM_NAME(cm_healpix_locate)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    CM_NAME(cm_healpix_place) p;
     CM_REAL scale = CM_SELECT(cm_less(CM_NAME(cm_magnitude)(x, y, z), CM_HEALPIX_SMALL),
                               CM_HEALPIX_LARGE, CM_LIT(1.0));
     CM_REAL height = scale * cm_abs(z);
-    CM_BOOL x_wins = cm_at_least(cm_abs(x), cm_abs(y));
-    CM_REAL sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_wins, x, y));
-    CM_REAL major = scale * CM_SELECT(x_wins, cm_abs(x), cm_abs(y));
-    CM_REAL minor = scale * CM_SELECT(x_wins, sign * y, -(sign * x));
-    /* tangent of the longitude from the middle of the sector; at a pole any will do */
-    CM_REAL t = minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
-    CM_REAL square = CM_LIT(1.0) + t * t;
+    p.x_wins = cm_at_least(cm_abs(x), cm_abs(y));
+    p.sign = cm_copysign(CM_LIT(1.0), CM_SELECT(p.x_wins, x, y));
+    CM_REAL major = scale * CM_SELECT(p.x_wins, cm_abs(x), cm_abs(y));
+    CM_REAL minor = scale * CM_SELECT(p.x_wins, p.sign * y, -(p.sign * x));
+    /* at a pole any longitude will do */
+    p.t = minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
+    p.square = CM_LIT(1.0) + p.t * p.t;
+    p.root = CM_NAME(cm_root)(p.square); /* the distance from the axis is major times that */
+    p.polar = cm_less((CM_HEALPIX_POLAR * major) * p.root, height);
+    p.r = (CM_SELECT(p.polar, major, height) / CM_SELECT(p.polar, height, major)) *
+          CM_SELECT(p.polar, p.root, CM_LIT(1.0));
+    return p;
+}
+
+/* x, y, z finite and not all zero. (a, b) of the result is (u, v). */
+CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    CM_NAME(cm_healpix_place) at = CM_NAME(cm_healpix_locate)(x, y, z);
     /* (4 / pi) atan t = t (1 + E) / (1 + E1), where 1 + E1 = pi / 4 */
     CM_REAL excess =
-        CM_NAME(cm_atan_excess)(t * t) + CM_LIT(0.21460183660255169038433915418012427895);
+        CM_NAME(cm_atan_excess)(at.t * at.t) + CM_LIT(0.21460183660255169038433915418012427895);
     CM_REAL f =
-        CM_NAME(cm_stretch_inside)(t, excess * CM_LIT(1.27323954473516268615107010698011489628));
-    CM_REAL sector = CM_SELECT(x_wins, CM_LIT(1.0) - sign, CM_LIT(2.0) - sign);
+        CM_NAME(cm_stretch_inside)(at.t, excess * CM_LIT(1.27323954473516268615107010698011489628));
 
-    CM_REAL root = CM_NAME(cm_root)(square); /* the distance from the axis is major times that */
-    CM_BOOL polar = cm_less((CM_HEALPIX_POLAR * major) * root, height);
-    /* polar: the tangent of the distance from the pole, r, and n = sqrt(1 + r^2), so that 1 - |sin lat|
-     * is r^2 / (n (n + 1)); on the belt |sin lat| is r / n with the part of z to major */
-    CM_REAL r = (CM_SELECT(polar, major, height) / CM_SELECT(polar, height, major)) *
-                CM_SELECT(polar, root, CM_LIT(1.0));
-    CM_REAL n2 = cm_mad(r, r, CM_SELECT(polar, CM_LIT(1.0), square));
+    /* polar: with n = sqrt(1 + r^2), 1 - |sin lat| is r^2 / (n (n + 1)); on the belt |sin lat| is r / n
+     * with the part of z to major */
+    CM_REAL n2 = cm_mad(at.r, at.r, CM_SELECT(at.polar, CM_LIT(1.0), at.square));
     CM_REAL over_n = CM_NAME(cm_inverse_root)(n2);
     CM_REAL over_nn = CM_NAME(cm_inverse_root)(cm_mad(n2, over_n, n2)); /* 1 / sqrt(n (n + 1)) */
     CM_REAL sigma =
-        cm_min(CM_LIT(1.0), r * (over_nn * CM_LIT(1.73205080756887729352744634150587236694)));
-    CM_REAL belt = cm_min(CM_LIT(1.0), CM_LIT(1.5) * (r * over_n));
+        cm_min(CM_LIT(1.0), at.r * (over_nn * CM_LIT(1.73205080756887729352744634150587236694)));
+    CM_REAL belt = cm_min(CM_LIT(1.0), CM_LIT(1.5) * (at.r * over_n));
     CM_REAL along = sigma * f;
     /* the triangle of sector k is that of sector 0 turned by k right angles; the south is the north
      * mirrored */
-    CM_REAL signed_along = sign * along;
-    CM_REAL signed_sigma = sign * sigma;
-    CM_REAL cap_a = CM_SELECT(x_wins, signed_along, signed_sigma);
-    CM_REAL cap_b = CM_SELECT(x_wins, -signed_sigma, signed_along);
+    CM_REAL signed_along = at.sign * along;
+    CM_REAL signed_sigma = at.sign * sigma;
+    CM_REAL cap_a = CM_SELECT(at.x_wins, signed_along, signed_sigma);
+    CM_REAL cap_b = CM_SELECT(at.x_wins, -signed_sigma, signed_along);
+    CM_REAL sector = CM_SELECT(at.x_wins, CM_LIT(1.0) - at.sign, CM_LIT(2.0) - at.sign);
     CM_BOOL south = cm_less(z, CM_LIT(0.0));
 
     CM_NAME(cm_face_point) point;
-    point.face = CM_SELECT(polar, CM_SELECT(south, CM_LIT(5.0), CM_LIT(4.0)), sector);
-    point.a = CM_SELECT(polar, cap_a, f);
-    point.b = CM_SELECT(polar, CM_SELECT(south, -cap_b, cap_b), cm_copysign(belt, z));
+    point.face = CM_SELECT(at.polar, CM_SELECT(south, CM_LIT(5.0), CM_LIT(4.0)), sector);
+    point.a = CM_SELECT(at.polar, cap_a, f);
+    point.b = CM_SELECT(at.polar, CM_SELECT(south, -cap_b, cap_b), cm_copysign(belt, z));
     return point;
+}
+
+/* Where (u, v) of a face is: cap or belt, and the sector; in a cap that of the larger coordinate, and
+ * equal ones belong to the sectors of the x axis, as forward. */
+CM_STRUCT(cm_healpix_spot)
+{
+    CM_BOOL x_wins;
+    CM_BOOL polar;
+    CM_BOOL south;
+    CM_REAL sign;
+    CM_REAL sigma; /* in a cap */
+    CM_REAL f;     /* -1..1 through the sector */
+}
+CM_STRUCT_END(cm_healpix_spot)
+
+CM_FN CM_NAME(cm_healpix_spot) CM_NAME(cm_healpix_find)(CM_REAL face, CM_REAL u, CM_REAL v)
+{
+    CM_NAME(cm_healpix_spot) p;
+    p.polar = cm_less(CM_LIT(3.5), face);
+    p.south = cm_less(CM_LIT(4.5), face);
+    CM_REAL w = CM_SELECT(p.south, -v, v);
+    CM_BOOL x_sector = cm_at_least(cm_abs(w), cm_abs(u));
+    CM_REAL cap_sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_sector, -w, u));
+    p.sigma = CM_SELECT(x_sector, cm_abs(w), cm_abs(u));
+    CM_REAL cap_along = cap_sign * CM_SELECT(x_sector, u, w);
+    CM_REAL cap_f = cap_along / CM_SELECT(cm_less(CM_LIT(0.0), p.sigma), p.sigma, CM_LIT(1.0));
+    /* on the belt the sector is the face */
+    CM_BOOL minus = cm_less(CM_LIT(1.5), face);
+    CM_REAL belt_sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
+    CM_BOOL x_face = cm_less(face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0)), CM_LIT(0.5));
+    CM_REAL along_x = CM_SELECT(p.polar, CM_SELECT(x_sector, CM_LIT(1.0), CM_LIT(0.0)),
+                                CM_SELECT(x_face, CM_LIT(1.0), CM_LIT(0.0)));
+    p.x_wins = cm_less(CM_LIT(0.5), along_x);
+    p.sign = CM_SELECT(p.polar, cap_sign, belt_sign);
+    p.f = CM_SELECT(p.polar, cap_f, u);
+    return p;
 }
 
 /* The unit direction of (u, v) on a face. */
 CM_FN CM_NAME(cm_xyz) CM_NAME(cm_healpix_unproject)(CM_REAL face, CM_REAL u, CM_REAL v)
 {
-    CM_BOOL polar = cm_less(CM_LIT(3.5), face);
-    CM_BOOL south = cm_less(CM_LIT(4.5), face);
-    /* in a cap: the sector by the larger coordinate, ties to the sectors of the x axis, as forward */
-    CM_REAL w = CM_SELECT(south, -v, v);
-    CM_BOOL x_sector = cm_at_least(cm_abs(w), cm_abs(u));
-    CM_REAL cap_sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_sector, -w, u));
-    CM_REAL sigma = CM_SELECT(x_sector, cm_abs(w), cm_abs(u));
-    CM_REAL cap_along = cap_sign * CM_SELECT(x_sector, u, w);
-    CM_REAL cap_f = cap_along / CM_SELECT(cm_less(CM_LIT(0.0), sigma), sigma, CM_LIT(1.0));
-    /* on the belt: the sector is the face */
-    CM_BOOL minus = cm_less(CM_LIT(1.5), face);
-    CM_REAL belt_sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
-    CM_BOOL x_face = cm_less(face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0)), CM_LIT(0.5));
-
-    CM_REAL f = CM_SELECT(polar, cap_f, u);
-    CM_REAL sign = CM_SELECT(polar, cap_sign, belt_sign);
-    CM_REAL along_x = CM_SELECT(polar, CM_SELECT(x_sector, CM_LIT(1.0), CM_LIT(0.0)),
-                                CM_SELECT(x_face, CM_LIT(1.0), CM_LIT(0.0)));
-
-    CM_REAL lon = f * CM_LIT(0.78539816339744830961566084581987572105); /* pi / 4 */
+    CM_NAME(cm_healpix_spot) at = CM_NAME(cm_healpix_find)(face, u, v);
+    CM_REAL lon = at.f * CM_LIT(0.78539816339744830961566084581987572105); /* pi / 4 */
     CM_REAL sine = CM_NAME(cm_sin_quarter)(lon);
     CM_REAL cosine = CM_LIT(1.0) - CM_NAME(cm_versine_quarter)(lon);
 
-    CM_REAL s2 = sigma * sigma;
+    CM_REAL s2 = at.sigma * at.sigma;
     CM_REAL belt_z = v * CM_LIT(2.0) / CM_LIT(3.0);
     CM_REAL cap_z = CM_LIT(1.0) - s2 / CM_LIT(3.0);
-    CM_REAL rho = CM_SELECT(polar, sigma * (cm_sqrt(CM_LIT(6.0) - s2) / CM_LIT(3.0)),
+    CM_REAL rho = CM_SELECT(at.polar, at.sigma * (cm_sqrt(CM_LIT(6.0) - s2) / CM_LIT(3.0)),
                             cm_sqrt((CM_LIT(1.0) - belt_z) * (CM_LIT(1.0) + belt_z)));
-    CM_REAL major = sign * (rho * cosine);
-    CM_REAL minor = sign * (rho * sine);
-    CM_BOOL x_major = cm_less(CM_LIT(0.5), along_x);
+    CM_REAL major = at.sign * (rho * cosine);
+    CM_REAL minor = at.sign * (rho * sine);
     CM_NAME(cm_xyz) r;
-    r.x = CM_SELECT(x_major, major, -minor);
-    r.y = CM_SELECT(x_major, minor, major);
-    r.z = CM_SELECT(polar, CM_SELECT(south, -cap_z, cap_z), belt_z);
+    r.x = CM_SELECT(at.x_wins, major, -minor);
+    r.y = CM_SELECT(at.x_wins, minor, major);
+    r.z = CM_SELECT(at.polar, CM_SELECT(at.south, -cap_z, cap_z), belt_z);
     return r;
 }
 
@@ -165,39 +203,24 @@ CM_FN CM_NAME(cm_tangents)
  * has no derivatives, they are those of the sector of v's axis at its middle. */
 CM_FN CM_NAME(cm_tangents) CM_NAME(cm_healpix_tangents)(CM_REAL face, CM_REAL u, CM_REAL v)
 {
-    /* sectors as in unproject */
-    CM_BOOL polar = cm_less(CM_LIT(3.5), face);
-    CM_BOOL south = cm_less(CM_LIT(4.5), face);
-    CM_REAL w = CM_SELECT(south, -v, v);
-    CM_BOOL x_sector = cm_at_least(cm_abs(w), cm_abs(u));
-    CM_REAL cap_sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_sector, -w, u));
-    CM_REAL sigma = CM_SELECT(x_sector, cm_abs(w), cm_abs(u));
-    CM_REAL cap_along = cap_sign * CM_SELECT(x_sector, u, w);
-    CM_REAL cap_f = cap_along / CM_SELECT(cm_less(CM_LIT(0.0), sigma), sigma, CM_LIT(1.0));
-    CM_BOOL minus = cm_less(CM_LIT(1.5), face);
-    CM_REAL belt_sign = CM_SELECT(minus, CM_LIT(-1.0), CM_LIT(1.0));
-    CM_REAL folded = face - CM_SELECT(minus, CM_LIT(2.0), CM_LIT(0.0));
-    CM_REAL belt_x = CM_SELECT(cm_less(folded, CM_LIT(0.5)), CM_LIT(1.0), CM_LIT(0.0));
-    CM_REAL along_x = CM_SELECT(polar, CM_SELECT(x_sector, CM_LIT(1.0), CM_LIT(0.0)), belt_x);
-    CM_BOOL x_wins = cm_less(CM_LIT(0.5), along_x);
-
+    CM_NAME(cm_healpix_spot) at = CM_NAME(cm_healpix_find)(face, u, v);
     CM_REAL quarter = CM_LIT(0.78539816339744830961566084581987572105); /* pi / 4 */
     CM_REAL third = CM_LIT(0.33333333333333333333333333333333333333);
-    CM_REAL lon = CM_SELECT(polar, cap_f, u) * quarter;
+    CM_REAL lon = at.f * quarter;
     CM_REAL sine = CM_NAME(cm_sin_quarter)(lon);
     CM_REAL cosine = CM_LIT(1.0) - CM_NAME(cm_versine_quarter)(lon);
 
     /* the distance from the axis is sigma root / 3 in a cap, and root on the belt */
-    CM_REAL s2 = sigma * sigma;
+    CM_REAL s2 = at.sigma * at.sigma;
     CM_REAL belt_z = CM_LIT(2.0) * (v * third);
     CM_REAL root = cm_sqrt(
-        CM_SELECT(polar, CM_LIT(6.0) - s2, (CM_LIT(1.0) - belt_z) * (CM_LIT(1.0) + belt_z)));
+        CM_SELECT(at.polar, CM_LIT(6.0) - s2, (CM_LIT(1.0) - belt_z) * (CM_LIT(1.0) + belt_z)));
     /* of which the derivative by sigma, or by v, at a constant f */
-    CM_REAL outwards = CM_SELECT(polar, CM_LIT(6.0) - CM_LIT(2.0) * s2, CM_LIT(-2.0) * belt_z) /
+    CM_REAL outwards = CM_SELECT(at.polar, CM_LIT(6.0) - CM_LIT(2.0) * s2, CM_LIT(-2.0) * belt_z) /
                        (CM_LIT(3.0) * root);
-    CM_REAL turn = quarter * CM_SELECT(polar, third * root, root);
+    CM_REAL turn = quarter * CM_SELECT(at.polar, third * root, root);
     /* f = along / sigma turns back when sigma grows */
-    CM_REAL back = CM_SELECT(polar, turn * cap_f, CM_LIT(0.0));
+    CM_REAL back = CM_SELECT(at.polar, turn * at.f, CM_LIT(0.0));
     CM_NAME(cm_xyz) along;
     along.x = -(turn * sine);
     along.y = turn * cosine;
@@ -205,9 +228,8 @@ CM_FN CM_NAME(cm_tangents) CM_NAME(cm_healpix_tangents)(CM_REAL face, CM_REAL u,
     CM_NAME(cm_xyz) across;
     across.x = outwards * cosine + back * sine;
     across.y = outwards * sine - back * cosine;
-    across.z = (CM_LIT(2.0) * third) * CM_SELECT(polar, -sigma, CM_LIT(1.0));
-    return CM_NAME(cm_healpix_turn)(polar, x_wins, south, CM_SELECT(polar, cap_sign, belt_sign),
-                                    along, across);
+    across.z = (CM_LIT(2.0) * third) * CM_SELECT(at.polar, -at.sigma, CM_LIT(1.0));
+    return CM_NAME(cm_healpix_turn)(at.polar, at.x_wins, at.south, at.sign, along, across);
 }
 
 /* The derivatives of u and v, which stand as a and b, by a direction of unit length: those at (x, y, z)
@@ -221,50 +243,38 @@ CM_FN CM_NAME(cm_tangents) CM_NAME(cm_healpix_tangents)(CM_REAL face, CM_REAL u,
  * in which nothing vanishes towards the pole. */
 CM_FN CM_NAME(cm_gradients) CM_NAME(cm_healpix_gradients)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
-    /* belt or cap, and where, as in project */
-    CM_REAL scale = CM_SELECT(cm_less(CM_NAME(cm_magnitude)(x, y, z), CM_HEALPIX_SMALL),
-                              CM_HEALPIX_LARGE, CM_LIT(1.0));
-    CM_REAL height = scale * cm_abs(z);
-    CM_BOOL x_wins = cm_at_least(cm_abs(x), cm_abs(y));
-    CM_REAL sign = cm_copysign(CM_LIT(1.0), CM_SELECT(x_wins, x, y));
-    CM_REAL major = scale * CM_SELECT(x_wins, cm_abs(x), cm_abs(y));
-    CM_REAL minor = scale * CM_SELECT(x_wins, sign * y, -(sign * x));
-    CM_REAL t = minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
-    CM_REAL square = CM_LIT(1.0) + t * t;
-    CM_REAL root = cm_sqrt(square);
-    CM_BOOL polar = cm_less((CM_HEALPIX_POLAR * major) * root, height);
-    CM_REAL r = (CM_SELECT(polar, major, height) / CM_SELECT(polar, height, major)) *
-                CM_SELECT(polar, root, CM_LIT(1.0));
-    CM_REAL n = cm_sqrt(CM_SELECT(polar, CM_LIT(1.0), square) + r * r);
+    CM_NAME(cm_healpix_place) at = CM_NAME(cm_healpix_locate)(x, y, z);
+    CM_REAL n = cm_sqrt(CM_SELECT(at.polar, CM_LIT(1.0), at.square) + at.r * at.r);
 
     /* one division for 1 / root, 1 / n and 1 / (n + 1) */
     CM_REAL n1 = n + CM_LIT(1.0);
-    CM_REAL n_root = n * root;
+    CM_REAL n_root = n * at.root;
     CM_REAL inverse_all = CM_LIT(1.0) / (n_root * n1);
-    CM_REAL inverse_n = (inverse_all * root) * n1;
+    CM_REAL inverse_n = (inverse_all * at.root) * n1;
     CM_REAL cosine = (inverse_all * n) * n1;
-    CM_REAL sine = t * cosine;
-    CM_REAL rho = CM_SELECT(polar, r, root) * inverse_n;
-    CM_REAL s = CM_SELECT(polar, inverse_n, cm_copysign(r * inverse_n, z));
+    CM_REAL sine = at.t * cosine;
+    CM_REAL rho = CM_SELECT(at.polar, at.r, at.root) * inverse_n;
+    CM_REAL s = CM_SELECT(at.polar, inverse_n, cm_copysign(at.r * inverse_n, z));
 
     CM_REAL four = CM_LIT(1.27323954473516268615107010698011489628); /* 4 / pi */
-    CM_REAL f = CM_SELECT(polar, four * (t + t * CM_NAME(cm_atan_excess)(t * t)), CM_LIT(0.0));
+    CM_REAL f = CM_SELECT(at.polar, four * (at.t + at.t * CM_NAME(cm_atan_excess)(at.t * at.t)),
+                          CM_LIT(0.0));
     CM_REAL conjugate = cm_sqrt((CM_LIT(3.0) * n) * n1);    /* h = conjugate / (3 n) */
     CM_REAL half_h = (CM_LIT(0.5) * conjugate) * inverse_n; /* (3 / 2) h */
     CM_REAL inverse_rho = n * cosine;                       /* on the belt */
-    CM_REAL around = four * CM_SELECT(polar, conjugate * (inverse_all * n_root), inverse_rho);
+    CM_REAL around = four * CM_SELECT(at.polar, conjugate * (inverse_all * n_root), inverse_rho);
     /* on the belt v is (3 / 2) s, with the sign of z in s */
-    CM_REAL inwards = CM_SELECT(polar, half_h * s, CM_LIT(-1.5) * (s * rho));
+    CM_REAL inwards = CM_SELECT(at.polar, half_h * s, CM_LIT(-1.5) * (s * rho));
     CM_NAME(cm_xyz) across;
     across.x = inwards * cosine;
     across.y = inwards * sine;
-    across.z = rho * CM_SELECT(polar, -half_h, CM_LIT(1.5) * rho);
+    across.z = rho * CM_SELECT(at.polar, -half_h, CM_LIT(1.5) * rho);
     CM_NAME(cm_xyz) along;
     along.x = f * across.x - around * sine;
     along.y = f * across.y + around * cosine;
     along.z = f * across.z;
-    CM_NAME(cm_tangents) both =
-        CM_NAME(cm_healpix_turn)(polar, x_wins, cm_less(z, CM_LIT(0.0)), sign, along, across);
+    CM_NAME(cm_tangents) both = CM_NAME(cm_healpix_turn)(
+        at.polar, at.x_wins, cm_less(z, CM_LIT(0.0)), at.sign, along, across);
     CM_NAME(cm_gradients) g;
     g.a_x = both.x_a;
     g.a_y = both.y_a;
