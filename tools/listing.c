@@ -222,6 +222,9 @@ static void write_bounds(FILE *stream, const cm_bounds *bounds)
     fprintf(stream, "\"relative\": %s}", relative);
 }
 
+/* In which directions there is the tier fast, by the bits. */
+static const char *const fast_directions[] = {"", "forward", "inverse", "forward inverse"};
+
 static void write_mapping_object(FILE *stream, const cm_mapping_info *mapping)
 {
     const char *const next = ",\n      ";
@@ -238,6 +241,9 @@ static void write_mapping_object(FILE *stream, const cm_mapping_info *mapping)
     write_member(stream, "smooth_face", smoothness_name(mapping->smooth_face), next);
     write_member(stream, "smooth_edge", smoothness_name(mapping->smooth_edge), next);
     write_bounds(stream, &mapping->bounds);
+    fputs(next, stream);
+    fputs("\"fast\": ", stream);
+    write_words(stream, fast_directions[mapping->fast & (CM_FAST_FORWARD | CM_FAST_INVERSE)]);
     fputs(next, stream);
     fputs("\"parameters\": [", stream);
     for (size_t i = 0; i < mapping->parameter_count; i++)
