@@ -42,6 +42,11 @@ enum
     BATCH_LANES_F64 = LANES
 };
 
+static void rest_in_f64(double *to, const double *from, size_t n)
+{
+    lanes_store(to, n == 1 ? lanes_all(*from) : lanes_some(from, n));
+}
+
 #include "lanes/undefine.h"
 #undef CM_LANES_BITS
 #undef CM_SCALAR_NAME
@@ -77,6 +82,11 @@ enum
     BATCH_LANES_F32 = LANES
 };
 
+static void rest_in_f32(float *to, const float *from, size_t n)
+{
+    lanes_store(to, n == 1 ? lanes_all(*from) : lanes_some(from, n));
+}
+
 /* ---- The fast tier: arrays of double, computed in float ---- */
 
 #define LANES_IO double
@@ -99,6 +109,8 @@ enum
 const cm_batch_set BATCH_JOINED(cm_batch_, CM_SET) = {.name = BATCH_NAME_TEXT(CM_SET),
                                                       .lanes_f64 = BATCH_LANES_F64,
                                                       .lanes_f32 = BATCH_LANES_F32,
+                                                      .rest_f64 = rest_in_f64,
+                                                      .rest_f32 = rest_in_f32,
                                                       .f64 = batch_table_in_f64,
                                                       .f32 = batch_table_in_f32,
                                                       .fast = batch_table_fast};

@@ -4,8 +4,6 @@
  */
 #include "internal.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -78,30 +76,6 @@ const cm_mapping_info *cm_catalogue_find(const char *name)
 {
     const char *fixed;
     return name == NULL ? NULL : find(name, strlen(name), &fixed);
-}
-
-#if defined(__GNUC__)
-__attribute__((format(printf, 4, 5)))
-#endif
-static cm_status
-fail(cm_status status, char *message, size_t size, const char *format, ...)
-{
-    if (message != NULL && size > 0)
-    {
-        va_list arguments;
-        va_start(arguments, format);
-        vsnprintf(message, size, format, arguments);
-        va_end(arguments);
-        /* one line of text, whatever was asked for */
-        for (char *c = message; *c != '\0'; c++)
-        {
-            if ((unsigned char)*c < 0x20 || *c == 0x7f)
-            {
-                *c = '?';
-            }
-        }
-    }
-    return status;
 }
 
 /* The digits of a number, with or without a point, up to anything else; *text is moved there. The
@@ -225,40 +199,41 @@ static cm_status parse_assignment(const cm_mapping_info *info, const char *text,
     size_t index = 0;
     if (equals == NULL)
     {
-        return fail(CM_ERROR_SYNTAX, message, size,
-                    "'%.*s' is not PARAMETER=VALUE, as in tangent:c=1.1823", shown, text);
+        return cm_fail(CM_ERROR_SYNTAX, message, size,
+                       "'%.*s' is not PARAMETER=VALUE, as in tangent:c=1.1823", shown, text);
     }
     const cm_parameter_info *parameter = find_parameter(info, text, name_length, &index);
     if (parameter == NULL)
     {
         return info->parameter_count == 0
-                   ? fail(CM_ERROR_PARAMETER, message, size,
-                          "mapping %s has no parameter '%.*s'; it takes none", info->identifier,
-                          shown, text)
-                   : fail(CM_ERROR_PARAMETER, message, size,
-                          "mapping %s has no parameter '%.*s'; it has %s", info->identifier, shown,
-                          text, info->parameter[0].name);
+                   ? cm_fail(CM_ERROR_PARAMETER, message, size,
+                             "mapping %s has no parameter '%.*s'; it takes none", info->identifier,
+                             shown, text)
+                   : cm_fail(CM_ERROR_PARAMETER, message, size,
+                             "mapping %s has no parameter '%.*s'; it has %s", info->identifier,
+                             shown, text, info->parameter[0].name);
     }
     if (*given & (1u << index))
     {
-        return fail(CM_ERROR_PARAMETER, message, size, "parameter %s of %s is given twice",
-                    parameter->name, info->identifier);
+        return cm_fail(CM_ERROR_PARAMETER, message, size, "parameter %s of %s is given twice",
+                       parameter->name, info->identifier);
     }
     const char *number = equals + 1;
     size_t number_length = length - name_length - 1;
     int number_shown = number_length < 40 ? (int)number_length : 40;
     if (!parse_number(number, number_length, &values[index]))
     {
-        return fail(CM_ERROR_SYNTAX, message, size, "'%.*s' is not a number for parameter %s of %s",
-                    number_shown, number, parameter->name, info->identifier);
+        return cm_fail(CM_ERROR_SYNTAX, message, size,
+                       "'%.*s' is not a number for parameter %s of %s", number_shown, number,
+                       parameter->name, info->identifier);
     }
     if (!inside(parameter, values[index]))
     {
-        return fail(CM_ERROR_RANGE, message, size,
-                    "parameter %s of %s is %.*s; it must be%s in %s%g, %g]", parameter->name,
-                    info->identifier, number_shown, number,
-                    parameter->whole ? " a whole number" : "", parameter->low_excluded ? "(" : "[",
-                    parameter->low, parameter->high);
+        return cm_fail(CM_ERROR_RANGE, message, size,
+                       "parameter %s of %s is %.*s; it must be%s in %s%g, %g]", parameter->name,
+                       info->identifier, number_shown, number,
+                       parameter->whole ? " a whole number" : "",
+                       parameter->low_excluded ? "(" : "[", parameter->low, parameter->high);
     }
     *given |= 1u << index;
     return CM_OK;
@@ -295,16 +270,16 @@ cm_status cm_specification_parse(const char *specification, size_t *index,
     const cm_mapping_info *info = find(specification, length, &fixed);
     if (info == NULL)
     {
-        return fail(length == 0 ? CM_ERROR_SYNTAX : CM_ERROR_MAPPING, message, message_size,
-                    "no mapping is called '%.*s'; " CM_MAPPING_RECOMMENDED
-                    " is the recommended one, and the catalogue lists all",
-                    shown, specification);
+        return cm_fail(length == 0 ? CM_ERROR_SYNTAX : CM_ERROR_MAPPING, message, message_size,
+                       "no mapping is called '%.*s'; " CM_MAPPING_RECOMMENDED
+                       " is the recommended one, and the catalogue lists all",
+                       shown, specification);
     }
     if (*fixed != '\0' && rest != NULL)
     {
-        return fail(CM_ERROR_PARAMETER, message, message_size,
-                    "'%.*s' takes no parameters: it is %s:%.*s", shown, specification,
-                    info->identifier, (int)strcspn(fixed, " "), fixed);
+        return cm_fail(CM_ERROR_PARAMETER, message, message_size,
+                       "'%.*s' takes no parameters: it is %s:%.*s", shown, specification,
+                       info->identifier, (int)strcspn(fixed, " "), fixed);
     }
     double values[CM_PARAMETERS_MAX] = {0.0};
     for (size_t i = 0; i < info->parameter_count; i++)
@@ -334,7 +309,7 @@ cm_status cm_specification_check(const char *specification, char *message, size_
     double parameter[CM_PARAMETERS_MAX];
     if (specification == NULL)
     {
-        return fail(CM_ERROR_ARGUMENT, message, message_size, "no mapping is given");
+        return cm_fail(CM_ERROR_ARGUMENT, message, message_size, "no mapping is given");
     }
     return cm_specification_parse(specification, &index, parameter, message, message_size);
 }

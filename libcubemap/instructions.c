@@ -4,8 +4,12 @@
  */
 #include "internal.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* names the set that is used where the program does not */
+#define VARIABLE "CUBEMAP_INSTRUCTIONS"
 
 static int always(void)
 {
@@ -81,7 +85,7 @@ const char *cm_instructions_at(size_t index)
 
 const cm_batch_set *cm_batch_set_find(const char *name)
 {
-    const char *wanted = name != NULL ? name : getenv("CUBEMAP_INSTRUCTIONS");
+    const char *wanted = name != NULL ? name : getenv(VARIABLE);
     if (wanted == NULL || *wanted == '\0')
     {
         return set_at(cm_instructions_count() - 1);
@@ -95,4 +99,23 @@ const cm_batch_set *cm_batch_set_find(const char *name)
         }
     }
     return NULL;
+}
+
+cm_status cm_instructions_check(const char *name, char *message, size_t message_size)
+{
+    if (cm_batch_set_find(name) != NULL)
+    {
+        return CM_OK;
+    }
+    const char *wanted = name != NULL ? name : getenv(VARIABLE);
+    char known[64] = "";
+    for (size_t i = 0; set_at(i) != NULL; i++)
+    {
+        size_t length = strlen(known);
+        snprintf(known + length, sizeof known - length, "%s%s", i == 0 ? "" : ", ",
+                 set_at(i)->name);
+    }
+    return cm_fail(CM_ERROR_INSTRUCTIONS, message, message_size,
+                   "%s is '%.32s', but here it can be %s",
+                   name != NULL ? "the instruction set" : VARIABLE, wanted, known);
 }

@@ -74,6 +74,11 @@ typedef struct cm_batch_set
     const char *name;
     size_t lanes_f64; /* powers of two, CM_LANES_MAX at most */
     size_t lanes_f32;
+    /* n numbers, no more than the lanes, to a vector, with zeros for what is missing; one number to all
+     * lanes. By one store, because the reading of a vector from several would wait for them all, and one
+     * call for the other. */
+    void (*rest_f64)(double *to, const double *from, size_t n);
+    void (*rest_f32)(float *to, const float *from, size_t n);
     const cm_batch_variants_f64 *f64;
     const cm_batch_variants_f32 *f32;
     const cm_batch_variants_f64 *fast; /* arrays of double in lanes_f32, computed in float */
@@ -121,5 +126,13 @@ int cm_word_equal(const char *a, size_t a_length, const char *b, size_t b_length
 cm_status cm_specification_parse(const char *specification, size_t *index,
                                  double parameter[CM_PARAMETERS_MAX], char *message,
                                  size_t message_size);
+
+/* Writes a message, unless it is NULL or size is 0: one line of text, whatever the arguments are, cut to
+ * size bytes with a zero byte at its end. Returns the status. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 4, 5)))
+#endif
+cm_status
+cm_fail(cm_status status, char *message, size_t size, const char *format, ...);
 
 #endif

@@ -11,13 +11,45 @@
 
 #include <string.h>
 
-/* One vector, zeros where there is no point. */
+/* One vector, with zeros or the same point where there is none. */
 typedef CM_REAL rest[CM_LANES_MAX];
+#define REST _Alignas(sizeof(rest)) rest
 
-static void copy_to_rest(rest to, const CM_REAL *from, size_t n)
+static void copy_to_rest(const cm_mapping *mapping, rest to, const CM_REAL *from, size_t n)
 {
-    memset(to, 0, sizeof(rest));
-    memcpy(to, from, n * sizeof(CM_REAL));
+    size_t lanes = mapping->set->CM_NAME(lanes); /* in the fast tier those are half of a vector */
+    for (size_t done = 0; done < mapping->CM_NAME(lanes); done += lanes)
+    {
+        size_t start = done < n ? done : n;
+        size_t count = n - start < lanes ? n - start : lanes;
+        mapping->set->CM_NAME(rest)(to + done, from + start, count);
+    }
+}
+
+/* By one store, too. All machines with vectors here have the lower byte first. */
+#if defined(__GNUC__)
+typedef uint64_t faces_vector __attribute__((vector_size(CM_LANES_MAX)));
+#else
+typedef struct faces_vector
+{
+    uint64_t low, high;
+} faces_vector;
+#endif
+
+static void copy_faces_to_rest(uint8_t to[CM_LANES_MAX], const uint8_t *from, size_t n)
+{
+    uint64_t low = 0;
+    uint64_t high = 0;
+    for (size_t i = n; i-- > 8;)
+    {
+        high = high << 8 | from[i];
+    }
+    for (size_t i = n < 8 ? n : 8; i-- > 0;)
+    {
+        low = low << 8 | from[i];
+    }
+    faces_vector faces = {low, high};
+    memcpy(to, &faces, sizeof faces);
 }
 
 static void forward_points(const cm_mapping *mapping, size_t n, const CM_REAL *x, const CM_REAL *y,
@@ -32,11 +64,11 @@ static void forward_points(const cm_mapping *mapping, size_t n, const CM_REAL *x
     }
     if (left > 0)
     {
-        rest a, b, c;
+        REST a, b, c;
         uint8_t faces[CM_LANES_MAX];
-        copy_to_rest(a, x + whole, left);
-        copy_to_rest(b, y + whole, left);
-        copy_to_rest(c, z + whole, left);
+        copy_to_rest(mapping, a, x + whole, left);
+        copy_to_rest(mapping, b, y + whole, left);
+        copy_to_rest(mapping, c, z + whole, left);
         mapping->CM_NAME(batch).forward(mapping, lanes, a, b, c, faces, a, b);
         memcpy(face + whole, faces, left);
         memcpy(u + whole, a, left * sizeof *u);
@@ -56,11 +88,11 @@ static void inverse_points(const cm_mapping *mapping, size_t n, const uint8_t *f
     }
     if (left > 0)
     {
-        rest a, b, c;
-        uint8_t faces[CM_LANES_MAX] = {0};
-        memcpy(faces, face + whole, left);
-        copy_to_rest(a, u + whole, left);
-        copy_to_rest(b, v + whole, left);
+        REST a, b, c;
+        uint8_t faces[CM_LANES_MAX];
+        copy_faces_to_rest(faces, face + whole, left);
+        copy_to_rest(mapping, a, u + whole, left);
+        copy_to_rest(mapping, b, v + whole, left);
         mapping->CM_NAME(batch).inverse(mapping, lanes, faces, a, b, a, b, c);
         memcpy(x + whole, a, left * sizeof *x);
         memcpy(y + whole, b, left * sizeof *y);
@@ -198,11 +230,11 @@ void CM_PUBLIC(cm_forward_jacobian_array)(const cm_mapping *mapping, size_t n, c
     }
     if (left > 0)
     {
-        rest r[6];
+        REST r[6];
         CM_REAL *const to[6] = {r[0], r[1], r[2], r[3], r[4], r[5]};
-        copy_to_rest(r[0], x + whole, left);
-        copy_to_rest(r[1], y + whole, left);
-        copy_to_rest(r[2], z + whole, left);
+        copy_to_rest(mapping, r[0], x + whole, left);
+        copy_to_rest(mapping, r[1], y + whole, left);
+        copy_to_rest(mapping, r[2], z + whole, left);
         mapping->CM_NAME(batch).forward_jacobian(mapping, lanes, r[0], r[1], r[2], to);
         copy_jacobians(jacobian, whole, r, left);
     }
@@ -221,12 +253,12 @@ void CM_PUBLIC(cm_inverse_jacobian_array)(const cm_mapping *mapping, size_t n, c
     }
     if (left > 0)
     {
-        rest r[6];
+        REST r[6];
         CM_REAL *const to[6] = {r[0], r[1], r[2], r[3], r[4], r[5]};
-        uint8_t faces[CM_LANES_MAX] = {0};
-        memcpy(faces, face + whole, left);
-        copy_to_rest(r[0], u + whole, left);
-        copy_to_rest(r[1], v + whole, left);
+        uint8_t faces[CM_LANES_MAX];
+        copy_faces_to_rest(faces, face + whole, left);
+        copy_to_rest(mapping, r[0], u + whole, left);
+        copy_to_rest(mapping, r[1], v + whole, left);
         mapping->CM_NAME(batch).inverse_jacobian(mapping, lanes, faces, r[0], r[1], to);
         copy_jacobians(jacobian, whole, r, left);
     }
@@ -258,9 +290,9 @@ static cm_status warp_point(void (*warp)(const cm_mapping *, size_t, CM_REAL *, 
     }
     const CM_REAL limit = CM_LIT(1.0) + CM_LIT(1.0e-9);
     CM_BOOL good = (cm_abs(from[0]) <= limit) & (cm_abs(from[1]) <= limit);
-    rest a, b;
-    copy_to_rest(a, &from[0], 1);
-    copy_to_rest(b, &from[1], 1);
+    REST a, b;
+    copy_to_rest(mapping, a, &from[0], 1);
+    copy_to_rest(mapping, b, &from[1], 1);
     warp(mapping, mapping->CM_NAME(lanes), a, b);
     to[0] = CM_SELECT(good, a[0], (CM_REAL)NAN);
     to[1] = CM_SELECT(good, b[0], (CM_REAL)NAN);

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "internal.h"
 
+#include <stdarg.h>
+#include <stdio.h>
+
 const char *cm_status_text(cm_status status)
 {
     switch (status)
@@ -24,8 +27,7 @@ const char *cm_status_text(cm_status status)
     case CM_ERROR_MEMORY:
         return "out of memory";
     case CM_ERROR_INSTRUCTIONS:
-        return "this machine or this build does not have that instruction set "
-               "(CUBEMAP_INSTRUCTIONS)";
+        return "this machine or this build does not have that instruction set";
     }
     return "unknown status";
 }
@@ -33,4 +35,23 @@ const char *cm_status_text(cm_status status)
 const char *cm_version(void)
 {
     return CM_VERSION_STRING;
+}
+
+cm_status cm_fail(cm_status status, char *message, size_t size, const char *format, ...)
+{
+    if (message != NULL && size > 0)
+    {
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(message, size, format, arguments);
+        va_end(arguments);
+        for (char *c = message; *c != '\0'; c++)
+        {
+            if ((unsigned char)*c < 0x20 || *c == 0x7f)
+            {
+                *c = '?';
+            }
+        }
+    }
+    return status;
 }

@@ -306,6 +306,12 @@ usage_error 'two files' "one FILE at most, but 'b' follows 'a'" a b
 usage_error 'a name of two lines' "-m cu[?]bic: no mapping is called 'cu[?]bic'.*" -m $'cu\nbic'
 usage_error '--list of what' "--list is 'xml': .*" --list=xml
 usage_error '--list json' "--list reads no file, but 'json'.*--list=json.*" --list json
+export CUBEMAP_INSTRUCTIONS=abacus
+expect 'instruction set that is none' 1 '' '' \
+    "cubemap-project: CUBEMAP_INSTRUCTIONS is 'abacus', but here it can be scalar.*" -m qsc
+export CUBEMAP_INSTRUCTIONS=scalar
+expect 'instruction set' 0 '0 0\n' '0 0 0\n' ''
+unset CUBEMAP_INSTRUCTIONS
 expect 'short for a long option' 0 '1 2\n' '0 0.017 0.035\n' '' --mapp gnomonic --dig 2
 
 "$program" --help >output 2>errors && grep -q '^Usage: ' output && [ ! -s errors ] &&

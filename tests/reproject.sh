@@ -375,6 +375,8 @@ bad_arguments()
     fails 'unknown parameter' 2 '--from: ' reproject --from cube:qsc:c=1 noise.ppm made/a.png
     fails 'empty mapping' 2 '--to: ' reproject --to cube: noise.ppm made/a.png
     fails 'unknown layout' 2 'faces, strip or cross' reproject --layout row noise.ppm made/a.png
+    fails 'instruction set that is none' 1 "'abacus', but here it can be scalar" \
+        env CUBEMAP_INSTRUCTIONS=abacus "$programs/cubemap-reproject" noise.ppm made/a.png
     fails 'unknown frame' 2 'geo, gl or fits' reproject --frame east noise.ppm made/a.png
     fails 'unknown filter' 2 'nearest or bilinear' reproject --filter cubic noise.ppm made/a.png
     fails 'negative threads' 2 '--threads' reproject --threads -1 noise.ppm made/a.png

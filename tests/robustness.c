@@ -76,8 +76,51 @@ START_TEST(no_points)
 }
 END_TEST
 
+START_TEST(no_direction_has_no_longitude)
+{
+    static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+    for (int k = 0; k < 4; k++)
+    {
+        for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
+        {
+            double direction[3] = {0.0, 0.0, 0.0};
+            double lonlat[2] = {7.0, 7.0};
+            if (k < 3)
+            {
+                direction[(k + 1) % 3] = 1.0;
+                direction[k] = bad[i];
+            }
+            cm_lonlat_from_direction(direction, lonlat);
+            ck_assert(isnan(lonlat[0]) && isnan(lonlat[1]));
+        }
+    }
+}
+END_TEST
+
+static void check_warp_alone(const cm_mapping *mapping)
+{
+    const double from[2] = {0.25, -0.5};
+    double to[2] = {7.0, -7.0};
+    float to_f32[2] = {7.0F, -7.0F};
+    int has_none = cm_mapping_describe(mapping)->family == CM_FAMILY_HYBRID;
+    cm_status expected = has_none ? CM_ERROR_UNSUPPORTED : CM_OK;
+    ck_assert_int_eq(cm_warp(mapping, from, to), expected);
+    ck_assert_int_eq(cm_unwarp(mapping, from, to), expected);
+    ck_assert_int_eq(cm_warp_f32(mapping, (float[2]){0.25F, -0.5F}, to_f32), expected);
+    ck_assert_int_eq(cm_unwarp_f32(mapping, (float[2]){0.25F, -0.5F}, to_f32), expected);
+    ck_assert_int_eq(to[0] == 7.0 && to[1] == -7.0, has_none);
+    ck_assert_int_eq(to_f32[0] == 7.0F && to_f32[1] == -7.0F, has_none);
+}
+
+START_TEST(mappings_without_a_warp_say_so)
+{
+    for_every_mapping(check_warp_alone);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *tests[] = {bad_among_good, no_points, NULL};
+    const TTest *tests[] = {bad_among_good, no_points, no_direction_has_no_longitude,
+                            mappings_without_a_warp_say_so, NULL};
     return run_suite("robustness", tests);
 }

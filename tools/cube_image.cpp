@@ -3,6 +3,8 @@
 #include "cube_image.hpp"
 #include "program.hpp"
 
+#include <cubemap/options.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -136,6 +138,11 @@ PictureLayout cross_picture(const cm_frame &frame)
 CubeImage::CubeImage(const std::string &specification, const cm_frame &faces_frame, int face_size)
     : frame(faces_frame), size(face_size)
 {
+    char message[160];
+    if (cm_instructions_check(nullptr, message, sizeof message) != CM_OK)
+    {
+        throw Failure(message);
+    }
     cm_mapping *made = nullptr;
     const cm_status status = cm_mapping_create(specification.c_str(), &faces_frame, &made);
     if (status != CM_OK)

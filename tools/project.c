@@ -289,6 +289,10 @@ static cm_mapping *create_mapping(const struct settings *settings)
     {
         die(EXIT_USAGE, "-m %s: %s; see --list", settings->mapping, message);
     }
+    if (cm_instructions_check(NULL, message, sizeof message) != CM_OK)
+    {
+        die(EXIT_FAILURE, "%s", message);
+    }
     const cm_status status = cm_mapping_create(settings->mapping, frame, &mapping);
     if (status != CM_OK)
     {

@@ -51,6 +51,12 @@ CM_API cm_status cm_mapping_create_with(const char *specification, const cm_fram
 CM_API size_t cm_instructions_count(void);
 CM_API const char *cm_instructions_at(size_t index);
 
+/* Does this machine have the instruction set of that name, NULL for what the environment says? CM_OK or
+ * CM_ERROR_INSTRUCTIONS; then, if message is not NULL, at most message_size bytes of one line that says
+ * what is wrong and what would be right are written to it, always ended by a zero byte if
+ * message_size > 0. */
+CM_API cm_status cm_instructions_check(const char *name, char *message, size_t message_size);
+
 /* The tier that a mapping uses, fast if it does in one direction at least, and the instruction set. */
 CM_API cm_tier cm_mapping_tier(const cm_mapping *mapping);
 CM_API const char *cm_mapping_instructions(const cm_mapping *mapping);

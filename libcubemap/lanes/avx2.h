@@ -8,6 +8,9 @@
 #define LANES 4
 #define CM_REAL __m256d
 #define lanes_all(x) _mm256_set1_pd(x)
+#define lanes_some(p, n)                                                                           \
+    _mm256_maskload_pd(                                                                            \
+        p, _mm256_cmpgt_epi64(_mm256_set1_epi64x((long long)(n)), _mm256_setr_epi64x(0, 1, 2, 3)))
 #define CM_SELECT(condition, a, b) _mm256_blendv_pd(b, a, _mm256_castsi256_pd(condition))
 #define cm_min(a, b) _mm256_min_pd(a, b)
 #define cm_max(a, b) _mm256_max_pd(a, b)
@@ -20,6 +23,9 @@
 #define LANES 8
 #define CM_REAL __m256
 #define lanes_all(x) _mm256_set1_ps(x)
+#define lanes_some(p, n)                                                                           \
+    _mm256_maskload_ps(p, _mm256_cmpgt_epi32(_mm256_set1_epi32((int)(n)),                          \
+                                             _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)))
 #define CM_SELECT(condition, a, b) _mm256_blendv_ps(b, a, _mm256_castsi256_ps(condition))
 #define cm_min(a, b) _mm256_min_ps(a, b)
 #define cm_max(a, b) _mm256_max_ps(a, b)

@@ -8,6 +8,7 @@
 #define CM_REAL __m512d
 #define CM_BOOL __mmask8
 #define lanes_all(x) _mm512_set1_pd(x)
+#define lanes_some(p, n) _mm512_maskz_loadu_pd((__mmask8)((1u << (n)) - 1u), p)
 #define LANES_COMPARE(a, b, how) _mm512_cmp_pd_mask(a, b, how)
 #define CM_SELECT(condition, a, b) _mm512_mask_blend_pd(condition, b, a)
 #define cm_min(a, b) _mm512_min_pd(a, b)
@@ -26,6 +27,7 @@
 #define CM_REAL __m512
 #define CM_BOOL __mmask16
 #define lanes_all(x) _mm512_set1_ps(x)
+#define lanes_some(p, n) _mm512_maskz_loadu_ps((__mmask16)((1u << (n)) - 1u), p)
 #define LANES_COMPARE(a, b, how) _mm512_cmp_ps_mask(a, b, how)
 #define CM_SELECT(condition, a, b) _mm512_mask_blend_ps(condition, b, a)
 #define cm_min(a, b) _mm512_min_ps(a, b)

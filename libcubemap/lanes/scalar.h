@@ -10,6 +10,7 @@
 #define CM_AND(a, b) ((a) & (b))
 #define lanes_all(x) (x)
 #define lanes_load(p) (*(p))
+#define lanes_some(p, n) ((n) > 0 ? *(p) : 0)
 #define lanes_store(p, x) (*(p) = (x))
 #define lanes_load_narrowed(p) ((CM_REAL) * (p))
 #define lanes_store_widened(p, x) (*(p) = (double)(x))

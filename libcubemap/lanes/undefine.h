@@ -18,6 +18,7 @@
 #undef CM_AND
 #undef lanes_all
 #undef lanes_load
+#undef lanes_some
 #undef lanes_load_narrowed
 #undef lanes_store_widened
 #undef lanes_store

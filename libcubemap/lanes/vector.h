@@ -35,6 +35,16 @@ static inline
 
 #define lanes_load(p) CM_NAME(lanes_load_at)(p)
 #define lanes_store(p, x) CM_NAME(lanes_store_at)(p, x)
+/* The first n, LANES at most, and zeros; nothing else is read. */
+#ifndef lanes_some
+#if LANES == 2
+#define lanes_some(p, n) ((CM_REAL){(n) > 0 ? (p)[0] : 0, (n) > 1 ? (p)[1] : 0})
+#else
+#define lanes_some(p, n)                                                                           \
+    ((CM_REAL){(n) > 0 ? (p)[0] : 0, (n) > 1 ? (p)[1] : 0, (n) > 2 ? (p)[2] : 0,                   \
+               (n) > 3 ? (p)[3] : 0})
+#endif
+#endif
 #define CM_VARIANT(k) ((k).variant[0] != 0)
 
 /* Look-up by face: bit 63 - i (in float 31 - i) of a word for face i, and digit i of a word of octal
