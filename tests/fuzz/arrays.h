@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * Arrays: any length, any offset, results over the arguments, any stride; equal to single points to
- * the bit. Read by arrays_double.c and arrays_float.c, which name the functions.
+ * Arrays: any length, any offset, results over the arguments, any stride, any number of threads, and
+ * Jacobians; equal to single points to the bit. Read by arrays_double.c and arrays_float.c, which name
+ * the functions.
  *
  * Every array ends where its memory ends, so that the address sanitizer sees what goes beyond it.
  */
 #include "values.h"
+
+#include <cubemap/threads.h>
 
 enum
 {
@@ -179,6 +182,61 @@ static void expect_arguments(const points *input, const points *before, REAL *co
     }
 }
 
+/* Arrays in chunks, for cm_run_threads. */
+typedef struct split
+{
+    const subject *made;
+    const points *input;
+    uint8_t *face;
+    REAL *const *place;
+    int inverse;
+} split;
+
+static void map_chunk(size_t begin, size_t end, void *user)
+{
+    const split *s = user;
+    const points *input = s->input;
+    if (s->inverse)
+    {
+        INVERSE_ARRAY(s->made->mapping, end - begin, input->face + begin, input->column[0] + begin,
+                      input->column[1] + begin, s->place[0] + begin, s->place[1] + begin,
+                      s->place[2] + begin);
+    }
+    else
+    {
+        FORWARD_ARRAY(s->made->mapping, end - begin, input->column[0] + begin,
+                      input->column[1] + begin, input->column[2] + begin, s->face + begin,
+                      s->place[0] + begin, s->place[1] + begin);
+    }
+}
+
+/* At once; by the function with threads, which makes none for so few points; or in chunks of 64. */
+static void call_arrays(const subject *made, uint8_t way, const points *input, uint8_t *face,
+                        REAL *const place[3], int inverse)
+{
+    split whole = {made, input, face, place, inverse};
+    unsigned threads = way / 3;
+    size_t n = input->count;
+    if (way % 3 == 0)
+    {
+        map_chunk(0, n, &whole);
+    }
+    else if (way % 3 == 1)
+    {
+        cm_run_threads(threads % 8, n, 64, map_chunk, &whole);
+    }
+    else if (inverse)
+    {
+        INVERSE_ARRAY_THREADS(made->mapping, threads, n, input->face, input->column[0],
+                              input->column[1], place[0], place[1], place[2]);
+    }
+    else
+    {
+        FORWARD_ARRAY_THREADS(made->mapping, threads, n, input->column[0], input->column[1],
+                              input->column[2], face, place[0], place[1]);
+    }
+}
+
 static void check_arrays(const subject *made, supply *from, const points *input,
                          const points *expected, int inverse)
 {
@@ -187,18 +245,8 @@ static void check_arrays(const subject *made, supply *from, const points *input,
     REAL *place[3];
     copy_points(input, &before);
     choose_places(from, input, inverse ? 2 : 3, &own, place);
-    if (inverse)
-    {
-        INVERSE_ARRAY(made->mapping, input->count, input->face, input->column[0], input->column[1],
-                      place[0], place[1], place[2]);
-        expect_same(made, expected, input->face, place, 3);
-    }
-    else
-    {
-        FORWARD_ARRAY(made->mapping, input->count, input->column[0], input->column[1],
-                      input->column[2], own.face, place[0], place[1]);
-        expect_same(made, expected, own.face, place, 2);
-    }
+    call_arrays(made, take_byte(from), input, own.face, place, inverse);
+    expect_same(made, expected, inverse ? input->face : own.face, place, inverse ? 3 : 2);
     expect_arguments(input, &before, place, inverse ? 3 : 2);
     expect_guards(&own);
     expect_guards(input);
@@ -247,6 +295,9 @@ static void check_forward_strided(const subject *made, supply *from, const point
     FORWARD_STRIDED(made->mapping, input->count, packed.first, stride, read.face, read.column[0],
                     read.column[1]);
     expect_same(made, &expected, read.face, read.column, 2);
+    FORWARD_STRIDED_THREADS(made->mapping, take_byte(from), input->count, packed.first, stride,
+                            read.face, read.column[0], read.column[1]);
+    expect_same(made, &expected, read.face, read.column, 2);
     drop_points(&read);
     drop_points(&expected);
     free(packed.memory);
@@ -258,8 +309,17 @@ static void check_inverse_strided(const subject *made, supply *from, const point
     ptrdiff_t stride = 3 + take_byte(from) % (STRIDE_MAX - 2);
     stride = take_byte(from) % 2 == 0 ? stride : -stride;
     strided packed = make_strided(input->count, stride);
-    INVERSE_STRIDED(made->mapping, input->count, input->face, input->column[0], input->column[1],
-                    packed.first, stride);
+    uint8_t threads = take_byte(from);
+    if (threads % 2 == 0)
+    {
+        INVERSE_STRIDED(made->mapping, input->count, input->face, input->column[0],
+                        input->column[1], packed.first, stride);
+    }
+    else
+    {
+        INVERSE_STRIDED_THREADS(made->mapping, threads, input->count, input->face, input->column[0],
+                                input->column[1], packed.first, stride);
+    }
     for (size_t i = 0; i < input->count; i++)
     {
         for (int k = 0; k < 3; k++)
@@ -277,6 +337,79 @@ static void check_inverse_strided(const subject *made, supply *from, const point
         EXPECT(packed.memory[i] == GUARD, "written between the points");
     }
     free(packed.memory);
+}
+
+/* ---- Jacobians ---- */
+
+/* Six arrays of their own, in two sets of points. */
+static void call_jacobians(const subject *made, uint8_t way, const points *input, REAL *const to[6],
+                           int inverse)
+{
+    size_t n = input->count;
+    REAL *const *column = input->column;
+    if (inverse && way % 2 == 0)
+    {
+        INVERSE_JACOBIAN_ARRAY(made->mapping, n, input->face, column[0], column[1], to);
+    }
+    else if (inverse)
+    {
+        INVERSE_JACOBIAN_ARRAY_THREADS(made->mapping, way, n, input->face, column[0], column[1],
+                                       to);
+    }
+    else if (way % 2 == 0)
+    {
+        FORWARD_JACOBIAN_ARRAY(made->mapping, n, column[0], column[1], column[2], to);
+    }
+    else
+    {
+        FORWARD_JACOBIAN_ARRAY_THREADS(made->mapping, way, n, column[0], column[1], column[2], to);
+    }
+}
+
+/* NaN if the point is none; and a number if it is one and its mapping has no edge without slope. */
+static void expect_jacobian(const subject *made, const REAL value[3], const REAL jacobian[6],
+                            int good)
+{
+    for (int k = 0; k < 6; k++)
+    {
+        EXPECT(good ? isfinite(jacobian[k]) || !made->standard : isnan(jacobian[k]),
+               "%s: %a %a %a: %d of the Jacobian is %a", made->specification, (double)value[0],
+               (double)value[1], (double)value[2], k, (double)jacobian[k]);
+    }
+}
+
+static void check_jacobians(const subject *made, supply *from, const points *input, int inverse)
+{
+    points first = make_points(input->count, take_byte(from) % OFFSETS);
+    points second = make_points(input->count, take_byte(from) % OFFSETS);
+    REAL *const to[6] = {first.column[0],  first.column[1],  first.column[2],
+                         second.column[0], second.column[1], second.column[2]};
+    call_jacobians(made, take_byte(from), input, to, inverse);
+    for (size_t i = 0; i < input->count; i++)
+    {
+        const REAL value[3] = {input->column[0][i], input->column[1][i], input->column[2][i]};
+        REAL jacobian[6];
+        if (inverse)
+        {
+            INVERSE_JACOBIAN(made->mapping, input->face[i], value, jacobian);
+        }
+        else
+        {
+            FORWARD_JACOBIAN(made->mapping, value, jacobian);
+        }
+        expect_jacobian(made, value, jacobian,
+                        inverse ? input->face[i] < 6 && is_point(value) : is_direction(value));
+        for (int k = 0; k < 6; k++)
+        {
+            EXPECT(memcmp(&to[k][i], &jacobian[k], sizeof(REAL)) == 0,
+                   "%s: %d of Jacobian %zu of %zu: %a, alone %a", made->specification, k, i,
+                   input->count, (double)to[k][i], (double)jacobian[k]);
+        }
+    }
+    expect_guards(&first);
+    expect_guards(&second);
+    drop_points(&first);
+    drop_points(&second);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -299,6 +432,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     {
         check_forward_strided(&made, &from, &input);
     }
+    check_jacobians(&made, &from, &input, inverse);
     drop_points(&expected);
     drop_points(&input);
     drop_subject(&made);

@@ -7,4 +7,14 @@
 #define INVERSE_ARRAY cm_inverse_array_f32
 #define FORWARD_STRIDED cm_forward_strided_f32
 #define INVERSE_STRIDED cm_inverse_strided_f32
+#define FORWARD_ARRAY_THREADS cm_forward_array_threads_f32
+#define INVERSE_ARRAY_THREADS cm_inverse_array_threads_f32
+#define FORWARD_STRIDED_THREADS cm_forward_strided_threads_f32
+#define INVERSE_STRIDED_THREADS cm_inverse_strided_threads_f32
+#define FORWARD_JACOBIAN cm_forward_jacobian_f32
+#define INVERSE_JACOBIAN cm_inverse_jacobian_f32
+#define FORWARD_JACOBIAN_ARRAY cm_forward_jacobian_array_f32
+#define INVERSE_JACOBIAN_ARRAY cm_inverse_jacobian_array_f32
+#define FORWARD_JACOBIAN_ARRAY_THREADS cm_forward_jacobian_array_threads_f32
+#define INVERSE_JACOBIAN_ARRAY_THREADS cm_inverse_jacobian_array_threads_f32
 #include "arrays.h"

@@ -31,8 +31,9 @@ def fractions(*values):
     return b"".join(word(int((value + 1) * 2**31)) for value in values)
 
 
-def subject(mapping, choice=STANDARD):
-    return bytes([mapping, choice])
+def subject(mapping, choice=STANDARD, instructions=3):
+    """instructions: the number of the set, modulo how many there are; 0 is scalar."""
+    return bytes([mapping, choice, instructions])
 
 
 def middle_parameter():
@@ -83,9 +84,21 @@ def arrays_inputs(form):
     return {
         "forward-6": subject(COUPLED) + bytes([1]) + word(6) + bytes([0, 3]) + forward,
         "inverse-6": subject(COUPLED) + bytes([1]) + word(6) + bytes([1, 1]) + inverse,
-        "forward-513": subject(QSC) + bytes([0]) + word(513) + bytes([0, 1]) + forward,
+        "forward-513": subject(QSC, instructions=0) + bytes([0]) + word(513) + bytes([0, 1]) + forward,
         "inverse-257": subject(HEALPIX) + bytes([0]) + word(257) + bytes([1, 0]) + inverse,
         "none": subject(GNOMONIC) + bytes([1]) + word(0) + bytes([0, 0]),
+    }
+
+
+def threads_inputs():
+    """How many threads, least and elements; the rest is read as a second one of these."""
+    def one(threads, least, count):
+        return bytes([threads]) + word(least) + number("Q", count)
+    return {
+        "none": one(4, 64, 0),
+        "one": one(1, 64, 1000),
+        "few": one(3, 64, 1000) + one(0, 0, 64),
+        "many": one(16, 1, 16 * 64 + 1) + one(16, 64, 2**64 - 1),
     }
 
 
@@ -158,6 +171,7 @@ INPUTS = {
     "points_float": points_inputs("f"),
     "arrays_double": arrays_inputs("d"),
     "arrays_float": arrays_inputs("f"),
+    "threads": threads_inputs(),
     "lonlat": lonlat_inputs(),
     "frames": frames_inputs(),
     "degrees": degrees_inputs(),

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * A mapping that the input chooses, and how accurate it has to be.
+ * A mapping that the input chooses, with the instruction set that computes it, and how accurate it has
+ * to be.
  */
 #ifndef TESTS_FUZZ_SUBJECT_H
 #define TESTS_FUZZ_SUBJECT_H
 
 #include <cubemap/cubemap.h>
+#include <cubemap/options.h>
 
 #include "../hard_points.h"
 #include "../sphere.h"
@@ -77,6 +79,8 @@ static inline subject take_subject(supply *from, const cm_frame *frame)
 {
     const cm_mapping_info *info = cm_catalogue_at(take_byte(from) % cm_catalogue_count());
     uint8_t choice = take_byte(from);
+    cm_options options = {.size = sizeof options};
+    options.instructions = cm_instructions_at(take_byte(from) % cm_instructions_count());
     const cm_frame *known = cm_frame_at(choice % cm_frame_count());
     subject made = {.standard = choice < 128 || info->parameter_count == 0};
     int length = snprintf(made.specification, sizeof made.specification, "%s", info->identifier);
@@ -86,8 +90,8 @@ static inline subject take_subject(supply *from, const cm_frame *frame)
                            "%c%s=%.17g", i == 0 ? ':' : ',', info->parameter[i].name,
                            take_parameter(from, &info->parameter[i]));
     }
-    cm_status status =
-        cm_mapping_create(made.specification, frame != NULL ? frame : known, &made.mapping);
+    cm_status status = cm_mapping_create_with(made.specification, frame != NULL ? frame : known,
+                                              &options, &made.mapping);
     EXPECT(status == CM_OK, "%s: %s", made.specification, cm_status_text(status));
     set_bounds(&made);
     return made;

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The tested path against the reference, at every input.
+ */
+#include "paths.h"
+
+enum
+{
+    BLOCK = 2048,
+    NUMBER_SIZE = 32
+};
+
+static size_t write_number(char *text, size_t size, char letter, number v)
+{
+    int length = letter == 'r' ? snprintf(text, size, " %.17g", v.real)
+                               : snprintf(text, size, " %llu", (unsigned long long)v.word);
+    return length < 0 ? 0 : (size_t)length;
+}
+
+static void write_numbers(char *text, size_t size, const char *letters, const number *numbers)
+{
+    size_t length = 0;
+    text[0] = '\0';
+    for (size_t k = 0; letters[k] != '\0' && length < size; k++)
+    {
+        length += write_number(text + length, size - length, letters[k], numbers[k]);
+    }
+}
+
+static void report(const comparison *c, const char *wrong)
+{
+    char text[3][COLUMNS_MAX * NUMBER_SIZE];
+    write_numbers(text[0], sizeof text[0], c->path->inputs, c->input);
+    write_numbers(text[1], sizeof text[1], c->path->outputs, c->expected);
+    write_numbers(text[2], sizeof text[2], c->path->outputs, c->got);
+    complain(c->subject, c->in, c->path, "%s:%s:\n    scalar%s\n    tested%s", wrong, text[0],
+             text[1], text[2]);
+}
+
+static void judge_point(const comparison *c, extreme *worst)
+{
+    double error = 0.0;
+    const char *wrong = c->path->judge(c, &error);
+    if (wrong != NULL)
+    {
+        report(c, wrong);
+    }
+    if (error > worst->error)
+    {
+        char where[COLUMNS_MAX * NUMBER_SIZE];
+        worst->error = error;
+        write_numbers(where, sizeof where, c->path->inputs, c->input);
+        snprintf(worst->where, sizeof worst->where, "%s, %s:%.*s", c->subject->specification,
+                 c->subject->frame->identifier, (int)sizeof where, where);
+    }
+}
+
+static void get_values(const char *letters, const precision *in, void *const *columns, size_t i,
+                       number *to)
+{
+    for (size_t k = 0; letters[k] != '\0'; k++)
+    {
+        to[k] = get_value(letters[k], in, columns[k], i);
+    }
+}
+
+static int has_same_bits(const char *letters, const precision *in, void *const *a, void *const *b,
+                         size_t i)
+{
+    int same = 1;
+    for (size_t k = 0; letters[k] != '\0' && same; k++)
+    {
+        size_t size = element_size(letters[k], in);
+        same = memcmp((char *)a[k] + i * size, (char *)b[k] + i * size, size) == 0;
+    }
+    return same;
+}
+
+static void compare_block(const subject *s, const precision *in, const path *p, size_t n,
+                          void *const *input, extreme *worst)
+{
+    static double expected[COLUMNS_MAX][BLOCK];
+    static double got[COLUMNS_MAX][BLOCK];
+    void *to_expected[COLUMNS_MAX], *to_got[COLUMNS_MAX];
+    for (size_t k = 0; k < COLUMNS_MAX; k++)
+    {
+        to_expected[k] = expected[k];
+        to_got[k] = got[k];
+    }
+    (void)p->forms[0].call(s->reference, n, input, to_expected, p->forms[0].argument);
+    (void)p->forms[0].call(s->tested, n, input, to_got, p->forms[0].argument);
+    for (size_t i = 0; i < n; i++)
+    {
+        if (!has_same_bits(p->outputs, in, to_expected, to_got, i))
+        {
+            comparison c = {.subject = s, .in = in, .path = p};
+            get_values(p->inputs, in, input, i, c.input);
+            get_values(p->outputs, in, to_expected, i, c.expected);
+            get_values(p->outputs, in, to_got, i, c.got);
+            judge_point(&c, worst);
+        }
+    }
+    worst->points += n;
+}
+
+void compare_points(const subject *s, const precision *in, const path *p, size_t n,
+                    void *const *input, extreme *worst)
+{
+    for (size_t done = 0; done < n; done += BLOCK)
+    {
+        void *from[COLUMNS_MAX] = {NULL};
+        for (size_t k = 0; p->inputs[k] != '\0'; k++)
+        {
+            from[k] = (char *)input[k] + done * element_size(p->inputs[k], in);
+        }
+        compare_block(s, in, p, n - done < BLOCK ? n - done : BLOCK, from, worst);
+    }
+}
+
+void compare_inputs(const subject *s, const precision *in, const path *p, size_t one_in,
+                    extreme *worst)
+{
+    static double input[COLUMNS_MAX][BLOCK];
+    void *columns[COLUMNS_MAX];
+    for (size_t k = 0; k < COLUMNS_MAX; k++)
+    {
+        columns[k] = input[k];
+    }
+    size_t count = input_count(p->kind, one_in);
+    for (size_t done = 0; done < count; done += BLOCK)
+    {
+        size_t n = count - done < BLOCK ? count - done : BLOCK;
+        for (size_t i = 0; i < n; i++)
+        {
+            number point[COLUMNS_MAX];
+            input_at(p->kind, in, one_in, done + i, point);
+            for (size_t k = 0; p->inputs[k] != '\0'; k++)
+            {
+                put_value(p->inputs[k], in, columns[k], i, point[k]);
+            }
+        }
+        compare_block(s, in, p, n, columns, worst);
+    }
+}

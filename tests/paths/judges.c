@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The judges: whether a result of the tested path may stand beside that of the reference.
+ */
+#include "paths.h"
+
+#include "../sphere.h"
+
+int has_warp(const cm_mapping *mapping)
+{
+    return cm_mapping_describe(mapping)->family != CM_FAMILY_HYBRID;
+}
+
+/* NaN, signs (of zeros too), and distances in eps: absolute, and of a number's own size where that is
+ * not too small for it. */
+static const char *judge_numbers(const comparison *c, int first, int count, double absolute,
+                                 double relative, double *error)
+{
+    for (int k = first; k < first + count; k++)
+    {
+        double expected = c->expected[k].real;
+        double got = c->got[k].real;
+        if (isnan(expected) || isnan(got))
+        {
+            if (isnan(expected) && isnan(got))
+            {
+                continue;
+            }
+            return "NaN, but not both";
+        }
+        if (signbit(expected) != signbit(got))
+        {
+            return "another sign";
+        }
+        double apart = fabs(expected - got) / c->in->eps;
+        *error = fmax(*error, apart);
+        if (!(apart <= absolute))
+        {
+            return "too far apart";
+        }
+        if (fabs(expected) >= c->in->least && !(apart <= relative * fabs(expected)))
+        {
+            return "too far apart for their size";
+        }
+    }
+    return NULL;
+}
+
+/* The angle between what face, u, v of both stand for. */
+static double angle_apart(const comparison *c)
+{
+    const number *const both[2] = {c->expected, c->got};
+    double direction[2][3];
+    for (int i = 0; i < 2; i++)
+    {
+        const double uv[2] = {both[i][1].real, both[i][2].real};
+        cm_inverse(c->subject->reference, (uint8_t)both[i][0].word, uv, direction[i]);
+    }
+    return angle_between(direction[0], direction[1]);
+}
+
+/* Faces are equal, of ties too. Only those of a hybrid are a matter of rounding; on the other side of
+ * an edge a result is as near on the sphere. */
+const char *judge_map(const comparison *c, double *error)
+{
+    if (c->expected[0].word == c->got[0].word)
+    {
+        return judge_numbers(c, 1, 2, forward_bound(c->subject), relative_bound(c->subject), error);
+    }
+    if (has_warp(c->subject->reference))
+    {
+        return "another face";
+    }
+    double angle = angle_apart(c);
+    *error = fmax(*error, angle / c->in->eps);
+    return angle <= angle_bound(c->subject, c->in) ? NULL : "another face, and not beside an edge";
+}
+
+const char *judge_direction(const comparison *c, double *error)
+{
+    return judge_numbers(c, 0, 3, inverse_bound(c->subject), relative_bound(c->subject), error);
+}
+
+const char *judge_warped(const comparison *c, double *error)
+{
+    return judge_numbers(c, 0, 2, forward_bound(c->subject), relative_bound(c->subject), error);
+}
+
+const char *judge_unwarped(const comparison *c, double *error)
+{
+    return judge_numbers(c, 0, 2, inverse_bound(c->subject), relative_bound(c->subject), error);
+}
+
+/* How far a matrix is from another, in eps of the other's largest entry; infinite if one of them has NaN
+ * and not the other. */
+static double matrix_apart(const comparison *c, const number *expected)
+{
+    double largest = 0.0;
+    double apart = 0.0;
+    for (int k = 0; k < 6; k++)
+    {
+        largest = fmax(largest, fabs(expected[k].real));
+        apart = fmax(apart, fabs(expected[k].real - c->got[k].real));
+        if (isnan(expected[k].real) != isnan(c->got[k].real))
+        {
+            return (double)INFINITY;
+        }
+    }
+    return apart == 0.0 ? 0.0 : apart / (largest * c->in->eps);
+}
+
+/* The same from the reference's matrix at a point that is some eps beside the input: step has a digit of
+ * base 3 for each column. */
+static double apart_beside(const comparison *c, int step)
+{
+    double input[COLUMNS_MAX], output[COLUMNS_MAX];
+    void *in[COLUMNS_MAX], *out[COLUMNS_MAX];
+    number beside[COLUMNS_MAX];
+    const path *p = c->path;
+    for (size_t k = 0; k < COLUMNS_MAX; k++, step /= 3)
+    {
+        in[k] = &input[k];
+        out[k] = &output[k];
+        if (k < strlen(p->inputs))
+        {
+            number moved = c->input[k];
+            moved.real *= p->inputs[k] == 'r' ? 1.0 + (step % 3 - 1) * 8.0 * c->in->eps : 1.0;
+            put_value(p->inputs[k], c->in, in[k], 0, moved);
+        }
+    }
+    (void)p->forms[0].call(c->subject->reference, 1, in, out, p->forms[0].argument);
+    for (size_t k = 0; k < 6; k++)
+    {
+        beside[k] = get_value('r', c->in, out[k], 0);
+    }
+    return matrix_apart(c, beside);
+}
+
+/* Beside an edge of a hybrid's face rounding decides which face's coordinates have the derivatives, as in
+ * judge_map. */
+const char *judge_jacobian(const comparison *c, double *error)
+{
+    double bound = jacobian_bound(c->subject);
+    double apart = matrix_apart(c, c->expected);
+    for (int step = 0; step < 27 && apart > bound && !has_warp(c->subject->reference); step++)
+    {
+        apart = fmin(apart, apart_beside(c, step));
+    }
+    *error = fmax(*error, apart);
+    return apart <= bound ? NULL : "too far apart";
+}
