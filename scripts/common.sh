@@ -15,8 +15,11 @@ esac
 # What each job needs, by the names of Debian's and Ubuntu's packages.
 needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev check"
 needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath"
-# The libraries that tests/peers compares with are used where they are; .ci/run has them all.
+# The libraries that tests/peers and bench/side_by_side compare with are used where they are; .ci/run
+# and scripts/speed have them all.
 needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographiclib-dev"
+# A compiler for AArch64 and an emulator of it, for tests/neon.sh.
+needs_for_neon="gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user"
 
 die()
 {
@@ -55,7 +58,14 @@ has()
     libchealpix-dev) pkg-config --exists chealpix 2>/dev/null ;;
     libs2-dev) compiles "${CXX:-c++} -std=c++17" c++ s2/s2coords.h ;;
     libgeographiclib-dev) pkg-config --exists geographiclib 2>/dev/null ;;
+    gcc-aarch64-linux-gnu) command -v aarch64-linux-gnu-gcc >/dev/null ;;
+    libc6-dev-arm64-cross) compiles aarch64-linux-gnu-gcc c stdio.h ;;
+    qemu-user) command -v qemu-aarch64 >/dev/null || command -v qemu-aarch64-static >/dev/null ;;
     gcovr) command -v gcovr >/dev/null ;;
+    valgrind) command -v valgrind >/dev/null && compiles "${CC:-cc}" c valgrind/callgrind.h ;;
+    python3-matplotlib)
+        python3 -c 'import matplotlib' 2>/dev/null ||
+            /usr/bin/python3 -c 'import matplotlib' 2>/dev/null ;;
     python3-mpmath)
         python3 -c 'import mpmath' 2>/dev/null || /usr/bin/python3 -c 'import mpmath' 2>/dev/null ;;
     *) die "has: no rule for $1" ;;

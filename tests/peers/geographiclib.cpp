@@ -18,23 +18,17 @@ const GeographicLib::Geodesic unit_sphere(1.0, 0.0);
 const GeographicLib::Gnomonic projection(unit_sphere);
 const GeographicLib::Geocentric geocentric(1.0, 0.0);
 
-/* the centres of the faces of geo */
-const double centre_lat[6] = {0.0, 0.0, 0.0, 0.0, 90.0, -90.0};
-const double centre_lon[6] = {0.0, 90.0, 180.0, -90.0, 0.0, 0.0};
-
 int forward(const peer_subject *, const double sphere[3], peer_place *place)
 {
-    const int face = place->chart;
-    projection.Forward(centre_lat[face], centre_lon[face], sphere[1], sphere[0], place->x,
-                       place->y);
+    const double *const centre = peer_geo_centre[place->chart];
+    projection.Forward(centre[1], centre[0], sphere[1], sphere[0], place->x, place->y);
     return std::isfinite(place->x) && std::isfinite(place->y);
 }
 
 int inverse(const peer_subject *, const peer_place *place, double sphere[3])
 {
-    const int face = place->chart;
-    projection.Reverse(centre_lat[face], centre_lon[face], place->x, place->y, sphere[1],
-                       sphere[0]);
+    const double *const centre = peer_geo_centre[place->chart];
+    projection.Reverse(centre[1], centre[0], place->x, place->y, sphere[1], sphere[0]);
     return std::isfinite(sphere[0]) && std::isfinite(sphere[1]);
 }
 

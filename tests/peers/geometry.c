@@ -116,6 +116,9 @@ void peer_direction(const peer_subject *subject, const double sphere[3], double 
 
 /* --------------------------------------------------------------------------------- other planes */
 
+const double peer_geo_centre[6][2] = {{0.0, 0.0},   {90.0, 0.0}, {180.0, 0.0},
+                                      {-90.0, 0.0}, {0.0, 90.0}, {0.0, -90.0}};
+
 const cm_frame peer_s2_frame = {sizeof(cm_frame),
                                 "s2",
                                 "S2 geometry library",

@@ -193,6 +193,9 @@ double *peer_hard_sphere(const peer_subject *subject, size_t *count);
 double *peer_random_places(size_t count);
 double *peer_hard_places(size_t *count);
 
+/* Longitude and latitude in degrees of the centres of the faces of the frame geo. */
+extern const double peer_geo_centre[6][2];
+
 /* The faces of the S2 library, as docs/frames.md has them. */
 extern const cm_frame peer_s2_frame;
 
