@@ -76,6 +76,7 @@ typedef struct subject
 {
     cm_mapping *mapping;
     cm_mapping *exact; /* the truth unless in double */
+    cm_mapping *undo;  /* whose inverse is that of forward */
     quad_mapping truth;
     precision_kind precision;
     int narrow; /* the functions for float */
@@ -174,13 +175,14 @@ static int true_forward(const subject *s, const double d[3], long double uv[2])
     return face;
 }
 
-/* u, v beyond the edge are on it. */
-static void true_inverse(const subject *s, int face, const double uv[2], long double d[3])
+/* u, v beyond the edge are on it. In double exact is the kernel's text, whatever the argument. */
+static void true_inverse(const subject *s, const cm_mapping *exact, int face, const double uv[2],
+                         long double d[3])
 {
     if (s->precision != DOUBLE)
     {
         double wide[3];
-        cm_inverse(s->exact, (uint8_t)face, uv, wide);
+        cm_inverse(exact, (uint8_t)face, uv, wide);
         for (int k = 0; k < 3; k++)
         {
             d[k] = (long double)wide[k];
@@ -409,7 +411,7 @@ static void compare_forward(subject *s, size_t n, double (*d)[BLOCK])
         }
         /* on the other side of an edge by rounding: as near to it on the sphere */
         long double meant[3];
-        true_inverse(s, face[i], got, meant);
+        true_inverse(s, s->undo, face[i], got, meant);
         const double stands_for[3] = {(double)meant[0], (double)meant[1], (double)meant[2]};
         note(s, FORWARD, small_angle_of_any(direction, stands_for) / s->eps, DIRECTION,
              direction[0], direction[1], direction[2]);
@@ -425,7 +427,7 @@ static void compare_inverse(subject *s, size_t n, const uint8_t *face, double (*
         const double point[2] = {uv[0][i], uv[1][i]};
         const double got[3] = {d[0][i], d[1][i], d[2][i]};
         long double truth[3];
-        true_inverse(s, face[i], point, truth);
+        true_inverse(s, s->exact, face[i], point, truth);
         note(s, INVERSE, absolute(truth, got, 3, s->eps), POINT, face[i], point[0], point[1]);
         note(s, INVERSE_RELATIVE, relative(s, truth, got, 3), POINT, face[i], point[0], point[1]);
     }
@@ -685,10 +687,12 @@ static int certify(const char *specification, const char *instructions, precisio
                  .eps = precision == DOUBLE ? 0x1p-53 : 0x1p-24,
                  .least = precision == DOUBLE ? 1e-300 : 1e-36};
     cm_status status = cm_mapping_create_with(specification, NULL, &options, &s.mapping);
-    if (status != CM_OK || cm_mapping_create(specification, NULL, &s.exact) != CM_OK)
+    if (status != CM_OK || cm_mapping_create(specification, NULL, &s.exact) != CM_OK ||
+        cm_mapping_create(is_no_inverse(s.exact) ? "cobe" : specification, NULL, &s.undo) != CM_OK)
     {
         fprintf(stderr, "certificate: %s: %s\n", specification, cm_status_text(status));
         cm_mapping_destroy(s.mapping);
+        cm_mapping_destroy(s.exact);
         return 2;
     }
     int broken = 0;
@@ -702,6 +706,7 @@ static int certify(const char *specification, const char *instructions, precisio
     }
     cm_mapping_destroy(s.mapping);
     cm_mapping_destroy(s.exact);
+    cm_mapping_destroy(s.undo);
     return broken;
 }
 

@@ -72,17 +72,27 @@ static void print_group(FILE *out, const roster *all, const char *group)
     print_notes(out, all, group);
 }
 
+/* Is it the first of its library? */
+static int is_first(const roster *all, size_t index)
+{
+    for (size_t i = 0; i < index; i++)
+    {
+        if (strcmp(all->list[i].library, all->list[index].library) == 0)
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 static void print_versions(FILE *out, const roster *all)
 {
-    const char *last = "";
     fprintf(out, "libcubemap %s", cm_version());
     for (size_t i = 0; i < all->count; i++)
     {
-        const contestant *c = &all->list[i];
-        if (!c->own && strcmp(c->library, last) != 0)
+        if (!all->list[i].own && is_first(all, i))
         {
-            fprintf(out, ", %s %s", c->library, c->version);
-            last = c->library;
+            fprintf(out, ", %s %s", all->list[i].library, all->list[i].version);
         }
     }
     fprintf(out, "\n");
