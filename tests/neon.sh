@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The library and check-paths for AArch64, on whatever machine this is: cross-compiled, and run by an
-# emulator. Without them (apt: gcc-aarch64-linux-gnu qemu-user) it ends with 77 and is skipped.
+# The library, check-paths and the test of bits for AArch64, on whatever machine this is:
+# cross-compiled, and run by an emulator. Without them (apt: gcc-aarch64-linux-gnu qemu-user) it ends with 77 and is skipped.
 # Usage: neon.sh REPOSITORY [ARGUMENT OF check-paths...]
 set -eu
 root=$1
@@ -37,12 +37,16 @@ compile()
 }
 
 running=()
-for source in "${sources[@]}" "$root"/tests/paths/*.c; do
+for source in "${sources[@]}" "$root"/tests/paths/*.c "$root"/tests/bits.c; do
     compile "$source" &
     running+=($!)
 done
 for process in "${running[@]}"; do
     wait "$process"
 done
-"$compiler" -static "$folder"/*.o -lm -lpthread -o "$folder/check-paths"
-"$emulator" "$folder/check-paths" --set neon "$@"
+for program in tests-paths tests-bits; do
+    "$compiler" -static "$folder"/libcubemap-*.o "$folder/$program"*.o -lm -lpthread \
+        -o "$folder/$program"
+done
+"$emulator" "$folder/tests-bits" "$root/tests/bits.txt"
+"$emulator" "$folder/tests-paths" --set neon "$@"

@@ -25,7 +25,7 @@ static int is_measured(const contestant *c, int narrow)
     {
         if (strcmp(c->specification, mappings[i]) == 0)
         {
-            return c->own && c->array && c->narrow == narrow;
+            return c->own && c->array && c->narrow == narrow && strcmp(c->tier, "exact") == 0;
         }
     }
     return 0;

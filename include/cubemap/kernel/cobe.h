@@ -27,7 +27,7 @@ CM_WARP_VARIANTS(cobe,
                                 .whole = 1}},
                  .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 2, .inverse = 4,
                             .relative = 8},
-                 .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
+                 .fast = CM_FAST_INVERSE)
 /* clang-format on */
 #else
 
