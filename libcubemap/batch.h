@@ -9,7 +9,11 @@
  * (from geo to the mapping's frame), warp; and back. A vector is read whole before it is written, so
  * that an output may be an input.
  */
+#if defined(__GNUC__)
 #define BATCH_FN static inline __attribute__((always_inline))
+#else
+#define BATCH_FN static inline
+#endif
 
 BATCH_FN CM_BOOL BATCH_NAME(batch_is_direction)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
@@ -307,9 +311,9 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
     }
 }
 
-/* ---- One set of loops for each mapping ---- */
+/* ---- One set of loops for each mapping; of the fast tier the maps alone ---- */
 
-#define BATCH_LOOPS(name, projection, warp, unwarp, jacobian, which)                               \
+#define BATCH_MAPS(name, projection, warp, unwarp, which)                                          \
     static void BATCH_NAME(forward_##name)(const cm_mapping *mapping, size_t n, const LANES_IO *x, \
                                            const LANES_IO *y, const LANES_IO *z, uint8_t *face,    \
                                            LANES_IO *u, LANES_IO *v)                               \
@@ -325,7 +329,13 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
         BATCH_NAME(batch_inverse)                                                                  \
         (CM_NAME(cm_##projection##_unproject), unwarp, CM_LIT(which), mapping, n, face, u, v, x,   \
          y, z);                                                                                    \
-    }                                                                                              \
+    }
+
+#ifdef BATCH_MAPS_ONLY
+#define BATCH_JACOBIANS(name, projection, warp, unwarp, jacobian, which)
+#define BATCH_WARPS(name, id, which)
+#else
+#define BATCH_JACOBIANS(name, projection, warp, unwarp, jacobian, which)                           \
     static void BATCH_NAME(forward_jacobian_##name)(const cm_mapping *mapping, size_t n,           \
                                                     const LANES_IO *x, const LANES_IO *y,          \
                                                     const LANES_IO *z, LANES_IO *const to[6])      \
@@ -342,9 +352,7 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
         (CM_NAME(cm_##projection##_tangents), unwarp, jacobian, CM_LIT(which), mapping, n, face,   \
          u, v, to);                                                                                \
     }
-#define BATCH_WARP_LOOPS(name, id, which)                                                          \
-    BATCH_LOOPS(name, cube, CM_NAME(cm_##id##_forward), CM_NAME(cm_##id##_inverse),                \
-                CM_NAME(cm_##id##_jacobian), which)                                                \
+#define BATCH_WARPS(name, id, which)                                                               \
     static void BATCH_NAME(warp_##name)(const cm_mapping *mapping, size_t n, LANES_IO *p,          \
                                         LANES_IO *q)                                               \
     {                                                                                              \
@@ -357,9 +365,17 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
         BATCH_NAME(batch_warp_only)                                                                \
         (NULL, CM_NAME(cm_##id##_inverse), CM_LIT(which), mapping, n, u, v);                       \
     }
+#endif
+
+#define BATCH_WARP_LOOPS(name, id, which)                                                          \
+    BATCH_MAPS(name, cube, CM_NAME(cm_##id##_forward), CM_NAME(cm_##id##_inverse), which)          \
+    BATCH_JACOBIANS(name, cube, CM_NAME(cm_##id##_forward), CM_NAME(cm_##id##_inverse),            \
+                    CM_NAME(cm_##id##_jacobian), which)                                            \
+    BATCH_WARPS(name, id, which)
 
 #define CM_DESCRIPTORS
-#define CM_SPHERE(id, ...) BATCH_LOOPS(id##_0, id, NULL, NULL, NULL, 0.0)
+#define CM_SPHERE(id, ...)                                                                         \
+    BATCH_MAPS(id##_0, id, NULL, NULL, 0.0) BATCH_JACOBIANS(id##_0, id, NULL, NULL, NULL, 0.0)
 #define CM_WARP(id, ...) BATCH_WARP_LOOPS(id##_0, id, 0.0)
 #define CM_WARP_VARIANTS(id, ...)                                                                  \
     BATCH_WARP_LOOPS(id##_0, id, 0.0)                                                              \
@@ -369,12 +385,19 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
 #undef CM_WARP
 #undef CM_WARP_VARIANTS
 
+#define BATCH_MAPS_ENTRY(name)                                                                     \
+    .forward = BATCH_NAME(forward_##name), .inverse = BATCH_NAME(inverse_##name)
+#ifdef BATCH_MAPS_ONLY
+#define BATCH_SPHERE_ENTRY(name) BATCH_MAPS_ENTRY(name)
+#define BATCH_ENTRY(name) BATCH_MAPS_ENTRY(name)
+#else
 #define BATCH_SPHERE_ENTRY(name)                                                                   \
-    BATCH_NAME(forward_##name), BATCH_NAME(inverse_##name), BATCH_NAME(forward_jacobian_##name),   \
-        BATCH_NAME(inverse_jacobian_##name)
+    BATCH_MAPS_ENTRY(name), .forward_jacobian = BATCH_NAME(forward_jacobian_##name),               \
+                            .inverse_jacobian = BATCH_NAME(inverse_jacobian_##name)
 #define BATCH_ENTRY(name)                                                                          \
-    BATCH_SPHERE_ENTRY(name), BATCH_NAME(warp_##name), BATCH_NAME(unwarp_##name)
-#define CM_SPHERE(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0), NULL, NULL}}},
+    BATCH_SPHERE_ENTRY(name), .warp = BATCH_NAME(warp_##name), .unwarp = BATCH_NAME(unwarp_##name)
+#endif
+#define CM_SPHERE(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0)}}},
 #define CM_WARP(id, ...) {{{BATCH_ENTRY(id##_0)}}},
 #define CM_WARP_VARIANTS(id, ...) {{{BATCH_ENTRY(id##_0)}, {BATCH_ENTRY(id##_1)}}},
 
@@ -386,8 +409,11 @@ static const BATCH_VARIANTS BATCH_NAME(batch_table)[] = {
 #undef CM_WARP
 #undef CM_WARP_VARIANTS
 #undef CM_DESCRIPTORS
-#undef BATCH_LOOPS
+#undef BATCH_MAPS
+#undef BATCH_JACOBIANS
+#undef BATCH_WARPS
 #undef BATCH_WARP_LOOPS
+#undef BATCH_MAPS_ENTRY
 #undef BATCH_ENTRY
 #undef BATCH_SPHERE_ENTRY
 #undef BATCH_FN

@@ -87,8 +87,10 @@ static void rest_in_f32(float *to, const float *from, size_t n)
     lanes_store(to, n == 1 ? lanes_all(*from) : lanes_some(from, n));
 }
 
-/* ---- The fast tier: arrays of double, computed in float ---- */
+/* ---- The fast tier: arrays of double, computed in float. One point at a time gains nothing ---- */
 
+#ifdef CM_LANES
+#define BATCH_MAPS_ONLY
 #define LANES_IO double
 #define lanes_read(p) lanes_load_narrowed(p)
 #define lanes_write(p, x) lanes_store_widened(p, x)
@@ -100,6 +102,11 @@ static void rest_in_f32(float *to, const float *from, size_t n)
 #undef lanes_write
 #undef BATCH_NAME
 #undef BATCH_VARIANTS
+#undef BATCH_MAPS_ONLY
+#define BATCH_FAST batch_table_fast
+#else
+#define BATCH_FAST NULL
+#endif
 
 #include "lanes/undefine.h"
 #undef CM_LANES_BITS
@@ -113,4 +120,4 @@ const cm_batch_set BATCH_JOINED(cm_batch_, CM_SET) = {.name = BATCH_NAME_TEXT(CM
                                                       .rest_f32 = rest_in_f32,
                                                       .f64 = batch_table_in_f64,
                                                       .f32 = batch_table_in_f32,
-                                                      .fast = batch_table_fast};
+                                                      .fast = BATCH_FAST};

@@ -81,7 +81,8 @@ typedef struct cm_batch_set
     void (*rest_f32)(float *to, const float *from, size_t n);
     const cm_batch_variants_f64 *f64;
     const cm_batch_variants_f32 *f32;
-    const cm_batch_variants_f64 *fast; /* arrays of double in lanes_f32, computed in float */
+    /* forward and inverse of double arrays in lanes_f32, computed in float; NULL where that gains nothing */
+    const cm_batch_variants_f64 *fast;
 } cm_batch_set;
 
 #define CM_LANES_MAX 16

@@ -51,14 +51,10 @@ static void choose_loops(cm_mapping *mapping)
         if (mapping->info->fast & CM_FAST_FORWARD)
         {
             mapping->batch_f64.forward = fast->forward;
-            mapping->batch_f64.forward_jacobian = fast->forward_jacobian;
-            mapping->batch_f64.warp = fast->warp;
         }
         if (mapping->info->fast & CM_FAST_INVERSE)
         {
             mapping->batch_f64.inverse = fast->inverse;
-            mapping->batch_f64.inverse_jacobian = fast->inverse_jacobian;
-            mapping->batch_f64.unwarp = fast->unwarp;
         }
     }
 }
@@ -97,7 +93,8 @@ cm_status cm_mapping_create_with(const char *specification, const cm_frame *fram
     {
         return CM_ERROR_INSTRUCTIONS;
     }
-    made.tier = options == NULL || !made.info->fast ? CM_TIER_EXACT : options->tier;
+    int is_offered = made.info->fast != 0 && made.set->fast != NULL;
+    made.tier = options == NULL || !is_offered ? CM_TIER_EXACT : options->tier;
     prepare(&made);
     choose_loops(&made);
     cm_mapping *kept = malloc(sizeof *kept);

@@ -97,12 +97,18 @@ static void *run_chunk(void *argument)
 
 /* One thread for each chunk but the last, from the first one on. Returns their number, which is
  * less if the system has no more. Signals are blocked in them: handlers belong to the program's
- * threads. */
+ * threads. Not those that the thread's own work brings about, as when a program supplies the pages of
+ * an array when they are touched. */
 static size_t start_threads(const split *whole, pthread_t *threads, chunk *chunks)
 {
+    static const int own[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS};
     sigset_t all;
     sigset_t before;
     sigfillset(&all);
+    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++)
+    {
+        sigdelset(&all, own[i]);
+    }
     pthread_sigmask(SIG_SETMASK, &all, &before);
     size_t started = 0;
     while (started + 1 < whole->chunks)

@@ -79,7 +79,8 @@ static uint64_t hash_float(const cm_mapping *mapping)
     return hash(state, jacobian_f32, sizeof jacobian_f32);
 }
 
-/* The line of one mapping, without an end; 0 if it cannot be made. */
+/* The line of one mapping, without an end; empty if the set has no such tier of it. 0 if it cannot be
+ * made. */
 static int line_of(char *line, size_t size, const char *set, const char *name, int which)
 {
     static const char *const precisions[] = {"double", "float", "fast"};
@@ -90,6 +91,12 @@ static int line_of(char *line, size_t size, const char *set, const char *name, i
     if (cm_mapping_create_with(name, cm_frame_find("gl"), &options, &mapping) != CM_OK)
     {
         return 0;
+    }
+    line[0] = '\0';
+    if (cm_mapping_tier(mapping) != options.tier)
+    {
+        cm_mapping_destroy(mapping);
+        return 1;
     }
     uint64_t bits = which == 1 ? hash_float(mapping) : hash_double(mapping);
     cm_mapping_destroy(mapping);
@@ -111,9 +118,22 @@ static int is_in(const char *text, const char *line)
     return 0;
 }
 
+static int is_big_endian(void)
+{
+    const uint16_t one = 1;
+    uint8_t first;
+    memcpy(&first, &one, 1);
+    return first == 0;
+}
+
 int main(int argc, char **argv)
 {
     static char text[1 << 20];
+    if (is_big_endian())
+    {
+        printf("the hashes are of numbers with the lowest byte first\n");
+        return 77;
+    }
     int print = argc == 2 && strcmp(argv[1], "--print") == 0;
     if (argc != 2)
     {
@@ -138,6 +158,10 @@ int main(int argc, char **argv)
             if (!line_of(line, sizeof line, set, cm_catalogue_at(i / 3)->identifier, (int)(i % 3)))
             {
                 return 2;
+            }
+            if (line[0] == '\0')
+            {
+                continue;
             }
             int good = print || is_in(text, line);
             different += !good;

@@ -116,6 +116,12 @@ static int add(roster *all, contestant entrant)
         cm_mapping_destroy(mapping); /* it would be the exact one again */
         return 1;
     }
+    if (options.tier == CM_TIER_FAST)
+    {
+        unsigned offered = cm_mapping_describe(mapping)->fast;
+        entrant.absent = (offered & CM_FAST_FORWARD ? 0u : 1u << FORWARD) |
+                         (offered & CM_FAST_INVERSE ? 0u : 1u << INVERSE);
+    }
     entrant.library = "libcubemap";
     entrant.version = cm_version();
     entrant.own = 1;

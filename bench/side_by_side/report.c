@@ -22,6 +22,11 @@ static double spread(const timing *t)
 static void print_direction(FILE *out, const contestant *c, int direction)
 {
     const timing *t = &c->time[direction];
+    if (c->absent >> direction & 1u) /* it is the exact one again */
+    {
+        fprintf(out, "  %8s %8s %5s %7s", "-", "-", "-", "-");
+        return;
+    }
     fprintf(out, "  %8.2f %8.2f %4.0f%% %7.2f", t->best, t->median, spread(t), c->ratio[direction]);
 }
 
@@ -276,8 +281,10 @@ static void json_contestant(FILE *out, const contestant *c, int direction)
     json_number(out, "ratio", c->ratio[direction]);
     json_number(out, "worst_random_m", c->worst_random);
     json_number(out, "worst_hard_m", c->worst_hard);
-    fprintf(out, "\"pixels\": %s, \"array\": %s, \"refused\": %lu, \"tried\": %lu}",
-            c->pixels ? "true" : "false", c->array ? "true" : "false", c->refused, c->tried);
+    fprintf(out,
+            "\"pixels\": %s, \"array\": %s, \"offered\": %s, \"refused\": %lu, \"tried\": %lu}",
+            c->pixels ? "true" : "false", c->array ? "true" : "false",
+            c->absent >> direction & 1u ? "false" : "true", c->refused, c->tried);
 }
 
 static void json_scaling(FILE *out, const scaling_row *row, int direction)

@@ -65,6 +65,7 @@ typedef struct contestant
     const char *tier;          /* the same */
     const char *note;          /* what one should know for a fair reading, or "" */
     int own;                   /* is it this library? */
+    unsigned absent;           /* bits of directions that the tier does not have */
     int narrow;                /* in float? */
     int array;    /* this library's arrays of directions: what ratios and scaling are of */
     int by_face;  /* does it need the points sorted by face? Sorting is not timed */

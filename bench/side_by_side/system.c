@@ -50,7 +50,7 @@ const char *system_name(void)
     struct utsname name;
     if (uname(&name) == 0)
     {
-        snprintf(text, sizeof text, "%s %s, %s", name.sysname, name.release, name.machine);
+        snprintf(text, sizeof text, "%s, %s", name.sysname, name.machine);
     }
     return text;
 }

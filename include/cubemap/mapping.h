@@ -20,11 +20,12 @@
  *   accuracy    with the standard parameters u, v and the components of a direction are within 8 eps
  *               of the truth, eps = 2^-53 in double, 2^-24 in float, and 16 eps of their own size; a
  *               direction comes back from a round trip within 5 nm on Earth in double, 1e-6 rad in
- *               float. cm_mapping_info.bounds has the bounds of each mapping, docs/certificate.md the
- *               errors themselves, and those of other parameters
+ *               float; the tier fast is less accurate (options.h). cm_mapping_info.bounds has the
+ *               bounds of each mapping, docs/certificate.md the errors themselves, and those of other
+ *               parameters
  *   cost        no allocation; a few square roots and divisions, and for some mappings polynomials,
  *               a point. Arrays are computed by vectors (options.h): 1 to 15 ns a point with AVX2, and
- *               single points cost 10 to 50 ns; docs/speed.md has them all, beside the accuracy
+ *               single points cost 20 to 90 ns; docs/speed.md has them all, beside the accuracy
  *   sources     of each mapping are in its descriptor (catalogue.h) and in its kernel
  *   threads     a mapping is constant after its creation: any number of threads may use one
  *   results     the same input gives the same bits in every function of one precision, whatever n,
@@ -113,9 +114,9 @@ CM_API void cm_inverse_strided_f32(const cm_mapping *mapping, size_t n, const ui
 
 /* Jacobians, in closed form. forward: d(u, v) / d(x, y, z), 2 x 3 by rows, at the direction scaled to unit
  * length, so per radian; the product with the direction is zero. inverse: d(x, y, z) / d(u, v) of the unit
- * direction, 3 x 2 by rows. Arrays take six outputs of n elements each, in that order; one may be the
- * same as an input array. Creases: the values of the side that forward, or the
- * face, counts the point to; the diagonals of qsc belong to |p| >= |q|. smoothstep with c = 1 has a
+ * direction, 3 x 2 by rows. Arrays take six outputs of n elements each, in that order; an input
+ * array may be the same as one of them. Creases: the values of the side that forward, or the face, counts
+ * the point to; the diagonals of qsc belong to |p| >= |q|. smoothstep with c = 1 has a
  * singular Jacobian on the edges, where the inverse's is infinite or NaN. cobe:legacy=1 has that of the
  * forward direction, or its inverse, though the published inverse differs from it by 0.7 % at most.
  * Accuracy: each element within 20 eps of the truth relative to the largest of its matrix, with other

@@ -13,9 +13,10 @@
  *               a border where an array is not aligned
  *   errors      none: what the system gives no thread for, the calling thread does itself
  *   life        threads are made for the call and gone when it returns. They have the platform's
- *               default stack, all signals blocked, and the caller's floating-point environment. A
- *               cancellation of the calling thread waits for the end of the call. The library keeps
- *               no pool and no state: any number of threads may call
+ *               default stack, all signals blocked but those of faults in the work itself (SIGSEGV,
+ *               SIGBUS and the like), and the caller's floating-point environment. A cancellation of
+ *               the calling thread waits for the end of the call. The library keeps no pool and no
+ *               state: any number of threads may call
  *   cost        no allocation but the stacks that the system gives to threads, and some 8 kB more
  *               of the caller's stack; 10 to 20 microseconds to make a thread, which is why none is
  *               made for much less than CM_POINTS_PER_THREAD points
@@ -41,7 +42,7 @@ extern "C" {
  * times as long as one: the second thread costs some 60 microseconds in all, a point 7 to 13 ns in
  * double and 3 to 5 ns in float. On two cores of a Xeon in a virtual machine with Linux;
  * `build/tests/test-threads cost` measures it. */
-#define CM_POINTS_PER_THREAD 16384
+#define CM_POINTS_PER_THREAD 65536
 
 /* The processors that the calling thread may run on, where the system tells (as nproc counts them),
  * else those that are online; at least 1, and 1 where the library was built without threads. Limits

@@ -12,8 +12,6 @@
 #define lanes_load(p) (*(p))
 #define lanes_some(p, n) ((n) > 0 ? *(p) : 0)
 #define lanes_store(p, x) (*(p) = (x))
-#define lanes_load_narrowed(p) ((CM_REAL) * (p))
-#define lanes_store_widened(p, x) (*(p) = (double)(x))
 #define lanes_load_faces(bytes) ((CM_REAL) * (bytes))
 #define lanes_store_faces(bytes, face) (*(bytes) = (uint8_t)(int)(face))
 #define lanes_index(face) ((unsigned)(int)(face)&7u)

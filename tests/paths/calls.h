@@ -5,9 +5,9 @@
  */
 #include "paths.h"
 
-/* Beyond the two chunks that the least number of points for a thread makes, and no multiple of
+/* More than the three chunks that the least number of points for a thread makes, and no multiple of
  * anything. */
-#define POINTS_FOR_THREADS (2 * CM_POINTS_PER_THREAD + 333)
+#define POINTS_FOR_THREADS (3 * CM_POINTS_PER_THREAD + 333)
 
 /* ---- Strides ---- */
 
@@ -302,8 +302,8 @@ const path_table TABLE = {.in = {REAL_NAME, sizeof(REAL) == sizeof(float), EPS, 
                                EPS_OF_MATRIX,
                                judge_jacobian,
                                NULL,
-                               CM_FAST_FORWARD,
                                0,
+                               1,
                                1,
                                {{"array", forward_jacobian_array, 0, 0},
                                 {"single points", forward_jacobian_single, 0, 600},
@@ -315,8 +315,8 @@ const path_table TABLE = {.in = {REAL_NAME, sizeof(REAL) == sizeof(float), EPS, 
                                EPS_OF_MATRIX,
                                judge_jacobian,
                                NULL,
-                               CM_FAST_INVERSE,
                                0,
+                               1,
                                1,
                                {{"array", inverse_jacobian_array, 0, 0},
                                 {"single points", inverse_jacobian_single, 0, 600},
@@ -328,7 +328,7 @@ const path_table TABLE = {.in = {REAL_NAME, sizeof(REAL) == sizeof(float), EPS, 
                                EPS_OF_1,
                                judge_warped,
                                has_warp,
-                               CM_FAST_FORWARD,
+                               0,
                                1,
                                0,
                                {{"single points", warp_single, 0, 0},
@@ -340,7 +340,7 @@ const path_table TABLE = {.in = {REAL_NAME, sizeof(REAL) == sizeof(float), EPS, 
                                EPS_OF_1,
                                judge_unwarped,
                                has_warp,
-                               CM_FAST_INVERSE,
+                               0,
                                1,
                                0,
                                {{"single points", unwarp_single, 0, 0},

@@ -92,6 +92,10 @@ static void check_subject(const subject *s, extreme (*worst)[PATHS_MAX])
                 compare_inputs(s, &judged, p, chosen.one_in, &worst[t][k]);
                 check_shapes(s, &judged, p);
             }
+            else if (is_exact_in_fast(s, &tables[t]->in, p))
+            {
+                check_shapes(s, &tables[t]->in, p);
+            }
         }
     }
 }
@@ -103,6 +107,10 @@ static void write_worst(const char *set, cm_tier tier, extreme (*worst)[PATHS_MA
         for (size_t k = 0; tables[t]->paths[k].name != NULL; k++)
         {
             const path *p = &tables[t]->paths[k];
+            if (worst[t][k].points == 0)
+            {
+                continue;
+            }
             printf("%-7s %-12s  %-17s %9zu points, apart by %5.1f %s", set,
                    tier == CM_TIER_FAST ? "double, fast" : tables[t]->in.name, p->name,
                    worst[t][k].points, worst[t][k].error, p->measure);

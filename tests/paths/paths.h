@@ -155,6 +155,9 @@ extern const path_table paths_float;
  * which is float's in the fast tier. */
 int is_path_of(const subject *s, const precision *in, const path *p, precision *judged);
 
+/* Whether the subject has the path, exact in a mapping of the fast tier: its loops take longer rests there. */
+int is_exact_in_fast(const subject *s, const precision *in, const path *p);
+
 /* ---- Columns ---- */
 
 static inline size_t element_size(char letter, const precision *in)
@@ -232,6 +235,10 @@ typedef struct extreme
     size_t points;
     char where[256];
 } extreme;
+
+/* What is right (compare.c): the first form of the path by the scalar set; in the fast tier, that of float
+ * from the same numbers in float. */
+void call_reference(const subject *s, const path *p, size_t n, void *const *in, void *const *out);
 
 /* Tested against reference at all inputs (compare.c). */
 void compare_inputs(const subject *s, const precision *in, const path *p, size_t one_in,

@@ -250,21 +250,37 @@ static int decode_over(const path *p, size_t code, int *over)
     return code == 0;
 }
 
+static void try_over(const pool *from, size_t code, size_t n)
+{
+    trial t = plain_trial(from, &from->path->forms[0], n);
+    if (decode_over(from->path, code, t.over))
+    {
+        run_trial(&t);
+    }
+}
+
+/* Of six outputs one or two adjacent ones go over inputs at a time, because all combinations would be
+ * too many. */
 static void try_places(const pool *from)
 {
     static const size_t lengths[] = {1, 3, 16, 37};
+    size_t inputs = strlen(from->path->inputs) + 1;
     size_t codes = 1;
+    size_t limit = strlen(from->path->outputs) > 3 ? inputs * inputs : SIZE_MAX;
     for (size_t k = 0; from->path->outputs[k] != '\0'; k++)
     {
-        codes *= strlen(from->path->inputs) + 1;
+        codes *= inputs;
     }
-    for (size_t code = 1; code < codes * 4 && from->path->in_place; code++)
+    for (size_t shift = 1; shift < codes && from->path->in_place; shift *= inputs)
     {
-        trial t = plain_trial(from, &from->path->forms[0], lengths[code % 4]);
-        if (decode_over(from->path, code / 4, t.over))
+        for (size_t code = 1; code < limit && code * shift < codes; code++)
         {
-            run_trial(&t);
+            for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++)
+            {
+                try_over(from, code * shift, lengths[i]);
+            }
         }
+        shift = limit == SIZE_MAX ? codes : shift;
     }
 }
 

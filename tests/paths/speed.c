@@ -81,9 +81,9 @@ static void write_mean(const ratios *all)
     printf(" %8.2f", exp(all->logarithms / (all->count == 0 ? 1 : all->count)));
 }
 
-/* The fast tier of double, beside the exact one of the reference. */
+/* The fast tier of double, beside the exact one of the same set: what it is offered for. */
 static void time_fast(size_t index, const path_table *table, size_t which, const char *set,
-                      double scalar, ratios *all)
+                      double exact, ratios *all)
 {
     const path *p = &table->paths[which];
     precision judged;
@@ -92,7 +92,7 @@ static void time_fast(size_t index, const path_table *table, size_t which, const
     {
         double tested = time_subject(&s, &judged, p).tested;
         printf(" %8.2f", tested);
-        write_ratio(all, scalar / tested);
+        write_ratio(all, exact / tested);
     }
     else
     {
@@ -117,7 +117,7 @@ void time_path(const path_table *const tables[2], size_t which, const char *set,
             pair narrow = time_subject(&s, &tables[1]->in, &tables[1]->paths[which]);
             printf("%-16s %8.2f %8.2f", s.specification, wide.scalar, wide.tested);
             write_ratio(&all[0], wide.scalar / wide.tested);
-            time_fast(i, tables[0], which, set, wide.scalar, &all[1]);
+            time_fast(i, tables[0], which, set, wide.tested, &all[1]);
             printf(" %8.2f %8.2f", narrow.scalar, narrow.tested);
             write_ratio(&all[2], narrow.scalar / narrow.tested);
             printf("\n");

@@ -160,6 +160,13 @@ double angle_bound(const subject *s, const precision *in)
     return 2.0 * bounds_of(s)->round_trip * s->widening * in->eps;
 }
 
+int is_exact_in_fast(const subject *s, const precision *in, const path *p)
+{
+    return s->tier == CM_TIER_FAST && !in->narrow &&
+           (p->applies == NULL || p->applies(s->reference)) &&
+           (cm_mapping_describe(s->reference)->fast & p->fast) == 0;
+}
+
 int is_path_of(const subject *s, const precision *in, const path *p, precision *judged)
 {
     int applies = p->applies == NULL || p->applies(s->reference);
