@@ -18,8 +18,8 @@
  *               the calling thread waits for the end of the call. The library keeps no pool and no
  *               state: any number of threads may call
  *   cost        no allocation but the stacks that the system gives to threads, and some 8 kB more
- *               of the caller's stack; 10 to 20 microseconds to make a thread, which is why none is
- *               made for much less than CM_POINTS_PER_THREAD points
+ *               of the caller's stack; 60 to 80 microseconds a thread, which is why none is made
+ *               for less than CM_POINTS_PER_THREAD points
  *   platforms   POSIX threads. Where the library was built without them the calling thread does it
  *               all
  */
@@ -38,9 +38,9 @@ extern "C" {
 
 #define CM_THREADS_MAX 256
 
-/* With so many points each, two threads take from 1.15 times (the quickest mapping, in float) to 0.65
- * times as long as one: the second thread costs some 60 microseconds in all, a point 7 to 13 ns in
- * double and 3 to 5 ns in float. On two cores of a Xeon in a virtual machine with Linux;
+/* With so many points each, two threads take from 1.7 times (gnomonic in float, the quickest mapping) to
+ * 0.6 times as long as one: the second thread costs 60 to 80 microseconds in all, a point 1 to 5 ns in
+ * double and 0.5 to 2 ns in float. On two cores of a Xeon with AVX-512 in a virtual machine with Linux;
  * `build/tests/test-threads cost` measures it. */
 #define CM_POINTS_PER_THREAD 65536
 

@@ -66,6 +66,7 @@ static inline __m512d lanes_rough_inverse_root_f64(__m512d x)
 }
 
 #define CM_ROUGH_INVERSE_ROOT(x) lanes_rough_inverse_root_f64(x)
+#define CM_ROUGH_INVERSE(x) _mm512_rcp14_pd(x) /* where it pays beside roots and divisions */
 #else
 static inline __m512 lanes_rough_inverse_root_f32(__m512 x)
 {
@@ -74,6 +75,7 @@ static inline __m512 lanes_rough_inverse_root_f32(__m512 x)
 }
 
 #define CM_ROUGH_INVERSE_ROOT(x) lanes_rough_inverse_root_f32(x)
+#define CM_ROUGH_INVERSE(x) _mm512_rcp14_ps(x)
 #endif
 
 #if CM_LANES_BITS == 64

@@ -78,10 +78,14 @@ static void bad_point(size_t index, number *point)
 }
 
 /* One coordinate in four is small, by up to 2^-60, or as near to the edge. */
-static double random_coordinate(uint64_t *state)
+static double random_coordinate(uint64_t *state, int ordinary)
 {
     double coordinate = next_real(state);
     uint64_t bits = next_bits(state) >> 32;
+    if (ordinary)
+    {
+        return coordinate;
+    }
     double small = ldexp(coordinate, -(int)(bits >> 8 & 63) % 60);
     switch (bits & 7)
     {
@@ -94,7 +98,7 @@ static double random_coordinate(uint64_t *state)
     }
 }
 
-void random_input(input_kind kind, uint64_t index, number *point)
+void random_input(input_kind kind, uint64_t index, int ordinary, number *point)
 {
     uint64_t state = (index + 1) * 0x9e3779b97f4a7c15u;
     double direction[3];
@@ -110,12 +114,12 @@ void random_input(input_kind kind, uint64_t index, number *point)
         break;
     case POINTS:
         point[0].word = (next_bits(&state) >> 32) % 6;
-        point[1].real = random_coordinate(&state);
-        point[2].real = random_coordinate(&state);
+        point[1].real = random_coordinate(&state, ordinary);
+        point[2].real = random_coordinate(&state, ordinary);
         break;
     case PLANE:
-        point[0].real = random_coordinate(&state);
-        point[1].real = random_coordinate(&state);
+        point[0].real = random_coordinate(&state, ordinary);
+        point[1].real = random_coordinate(&state, ordinary);
         break;
     }
 }
@@ -178,7 +182,7 @@ void input_at(input_kind kind, const precision *in, size_t one_in, size_t index,
     }
     else if (index >= bad)
     {
-        random_input(kind, index, point);
+        random_input(kind, index, 0, point);
     }
     else if (kind == DIRECTIONS)
     {

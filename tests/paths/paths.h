@@ -219,8 +219,9 @@ static inline void *need(void *memory)
 size_t input_count(input_kind kind, size_t one_in);
 void input_at(input_kind kind, const precision *in, size_t one_in, size_t index, number *point);
 
-/* An ordinary random point, the same for the same index. */
-void random_input(input_kind kind, uint64_t index, number *point);
+/* A random point, the same for the same index; if not an ordinary one, then with a coordinate near 0 or an
+ * edge now and then. Powers of the smallest underflow in float, which takes processors long. */
+void random_input(input_kind kind, uint64_t index, int ordinary, number *point);
 
 /* ---- The checks ---- */
 

@@ -311,7 +311,7 @@ static void fill_pool(pool *made)
         size_t index = i * 7919;
         if (i % 3 == 2)
         {
-            random_input(p->kind, i, point);
+            random_input(p->kind, i, 0, point);
         }
         else
         {

@@ -47,7 +47,7 @@ static pair time_subject(const subject *s, const precision *in, const path *p)
     for (size_t i = 0; i < COUNT; i++)
     {
         number point[COLUMNS_MAX];
-        random_input(p->kind, i, point);
+        random_input(p->kind, i, 1, point);
         for (size_t k = 0; p->inputs[k] != '\0'; k++)
         {
             put_value(p->inputs[k], in, input[k], i, point[k]);

@@ -35,7 +35,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_continuous_forward)(CM_REAL p, CM_REAL q, CM_NAM
     CM_REAL excess = CM_NAME(cm_atan_excess)(square * (q * q));
     return CM_NAME(cm_make_uv)(
         CM_NAME(cm_tangent_sigmoid)(p, k),
-        CM_NAME(cm_stretch_inside)(q, (excess - edge) / (CM_LIT(1.0) + edge)));
+        CM_NAME(cm_stretch_inside)(q, CM_NAME(cm_quotient)(excess - edge, CM_LIT(1.0) + edge)));
 }
 
 /* q = tan(alpha v) / k(p), where alpha / k(p) = 1 + E1 of atan and 1 / that is 1 + E1 of tan */

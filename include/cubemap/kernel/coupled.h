@@ -50,8 +50,8 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_coupled_forward)(CM_REAL p, CM_REAL q, CM_NAME(c
     CM_REAL m = cm_mad(CM_LIT(2.0) * k.k1, alpha, g0r);
     CM_REAL a = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
     CM_REAL b = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
-    return CM_NAME(cm_make_uv)(CM_NAME(cm_divide_by_root)(p, -(a * n / (r + n))),
-                               CM_NAME(cm_divide_by_root)(q, -(b * m / (r + m))));
+    return CM_NAME(cm_make_uv)(CM_NAME(cm_divide_by_root)(p, -CM_NAME(cm_quotient)(a * n, r + n)),
+                               CM_NAME(cm_divide_by_root)(q, -CM_NAME(cm_quotient)(b * m, r + m)));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_coupled_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)

@@ -61,6 +61,23 @@ CM_FN CM_REAL CM_NAME(cm_root)(CM_REAL x)
 #endif
 }
 
+/* n / d for a d from 2^-60 to 2^60, as a term of something greater: where the dialect has
+ * CM_ROUGH_INVERSE(x), 1 / x to 14 bits, it is that and Newton's method, and the last bit may be another
+ * than that of a division. */
+CM_FN CM_REAL CM_NAME(cm_quotient)(CM_REAL n, CM_REAL d)
+{
+#ifdef CM_ROUGH_INVERSE
+    CM_REAL y = CM_ROUGH_INVERSE(d);
+#if CM_REAL_BITS == 64
+    y = cm_mad(y, cm_mad(-d, y, CM_LIT(1.0)), y);
+#endif
+    CM_REAL q = n * y;
+    return cm_mad(q, cm_mad(-d, y, CM_LIT(1.0)), q);
+#else
+    return n / d;
+#endif
+}
+
 /* w / sqrt(1 + h); h > -1 */
 CM_FN CM_REAL CM_NAME(cm_divide_by_root)(CM_REAL w, CM_REAL h)
 {

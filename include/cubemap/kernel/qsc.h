@@ -137,8 +137,9 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_qsc_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_co
      * is 1 - (r^2 - w^2)(r + w + 1) / ((r + w) r (r + 1)) */
     CM_REAL sum = r + w;
     CM_REAL difference = ((CM_LIT(1.0) - major) * (CM_LIT(1.0) + major)) * (CM_LIT(1.0) + t2);
-    CM_REAL u = CM_NAME(cm_divide_by_root)(
-        major, -(difference * (sum + CM_LIT(1.0)) / (sum * (r * (r + CM_LIT(1.0))))));
+    CM_REAL u =
+        CM_NAME(cm_divide_by_root)(major, -CM_NAME(cm_quotient)(difference * (sum + CM_LIT(1.0)),
+                                                                sum * (r * (r + CM_LIT(1.0)))));
     CM_REAL v = u * CM_NAME(cm_qsc_across)(t);
     return CM_NAME(cm_make_uv)(cm_copysign(CM_SELECT(wide, u, v), p),
                                cm_copysign(CM_SELECT(wide, v, u), q));
@@ -160,7 +161,8 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
     CM_REAL e = (CM_LIT(1.0) - major) * (CM_LIT(1.0) + major) * (CM_LIT(1.0) + t2) * inverse_r1;
     /* p = u g / (1 + e) with g = sqrt(1 + e / r1), as u minus what is missing */
     CM_REAL g1 = r1 * (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + e * inverse_r1));
-    CM_REAL p = major - major * (e * (g1 - CM_LIT(1.0)) / (g1 * (CM_LIT(1.0) + e)));
+    CM_REAL p =
+        major - major * CM_NAME(cm_quotient)(e * (g1 - CM_LIT(1.0)), g1 * (CM_LIT(1.0) + e));
     CM_REAL q = p * t;
     return CM_NAME(cm_make_pq)(cm_copysign(CM_SELECT(wide, p, q), u),
                                cm_copysign(CM_SELECT(wide, q, p), v));

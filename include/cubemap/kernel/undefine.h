@@ -19,6 +19,7 @@
 #undef cm_max
 #undef cm_mad
 #undef cm_less
+#undef CM_ROUGH_INVERSE
 #undef CM_ROUGH_INVERSE_ROOT
 #undef cm_at_least
 #undef cm_equal
