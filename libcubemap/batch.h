@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * The loops over the kernels, for one instruction set and one precision: whole vectors of points from
- * array to array. Read by batch_set.h, which has defined the dialect's words and those of lanes/, and
- * which numbers the arrays hold: LANES_IO, read and written by lanes_read and lanes_write. n is a
- * multiple of LANES here; double.c and float.c care for the rest.
+ * array to array. Read by batch_set.h and batch_precision.h, which have defined the dialect's words and those
+ * of lanes/, and which numbers the arrays hold: LANES_IO, read and written by lanes_read and lanes_write.
+ * These and the names are undefined at the end. n is a multiple of LANES here; precision.h cares for the
+ * rest.
  *
  * A point takes the same way in every function: project (direction to face and coordinates), turn
  * (from geo to the mapping's frame), warp; and back. A vector is read whole before it is written, so
@@ -284,7 +285,8 @@ BATCH_FN void BATCH_NAME(batch_inverse_jacobian)(BATCH_NAME(batch_tangents) tang
     }
 }
 
-/* The warp alone, in place; only one of the two kernels is given. */
+/* The warp alone, in place, NaN where there is no point of a face; only one of the two kernels is
+ * given. */
 BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
                                           BATCH_NAME(batch_unwarp) unwarp, CM_REAL variant,
                                           const cm_mapping *mapping, size_t n, LANES_IO *a,
@@ -294,8 +296,10 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_NAME(cm_uv) r = {BATCH_NAME(batch_clamp)(lanes_read(a + i)),
-                            BATCH_NAME(batch_clamp)(lanes_read(b + i))};
+        CM_REAL first = lanes_read(a + i);
+        CM_REAL second = lanes_read(b + i);
+        CM_BOOL good = BATCH_NAME(batch_is_near_face)(first, second);
+        CM_NAME(cm_uv) r = {BATCH_NAME(batch_clamp)(first), BATCH_NAME(batch_clamp)(second)};
         if (warp != NULL)
         {
             r = warp(r.u, r.v, k);
@@ -306,8 +310,8 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
             r.u = pq.p;
             r.v = pq.q;
         }
-        lanes_write(a + i, r.u);
-        lanes_write(b + i, r.v);
+        lanes_write(a + i, lanes_or_nan(good, r.u));
+        lanes_write(b + i, lanes_or_nan(good, r.v));
     }
 }
 
@@ -417,3 +421,9 @@ static const BATCH_VARIANTS BATCH_NAME(batch_table)[] = {
 #undef BATCH_ENTRY
 #undef BATCH_SPHERE_ENTRY
 #undef BATCH_FN
+#undef BATCH_MAPS_ONLY
+#undef BATCH_NAME
+#undef BATCH_VARIANTS
+#undef LANES_IO
+#undef lanes_read
+#undef lanes_write

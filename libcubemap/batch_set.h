@@ -16,76 +16,20 @@
 
 #define CM_LANES_BITS 64
 #define CM_SCALAR_NAME(name) name##_f64
-#ifdef CM_LANES
-#define CM_BACKEND 5
-#include <cubemap/kernel/backend.h>
-#else
-#define CM_BACKEND 1
-#include <cubemap/kernel/dialect.h>
-
-#include "lanes/scalar.h"
-#endif
-
 #define LANES_IO double
-#define lanes_read(p) lanes_load(p)
-#define lanes_write(p, x) lanes_store(p, x)
 #define BATCH_NAME(name) name##_in_f64
 #define BATCH_VARIANTS cm_batch_variants_f64
-#include "batch.h"
-#undef LANES_IO
-#undef lanes_read
-#undef lanes_write
-#undef BATCH_NAME
-#undef BATCH_VARIANTS
-enum
-{
-    BATCH_LANES_F64 = LANES
-};
-
-static void rest_in_f64(double *to, const double *from, size_t n)
-{
-    lanes_store(to, n == 1 ? lanes_all(*from) : lanes_some(from, n));
-}
-
+#include "batch_precision.h"
 #include "lanes/undefine.h"
-#undef CM_LANES_BITS
-#undef CM_SCALAR_NAME
-#undef CM_BACKEND
 
 /* ---- Float ---- */
 
 #define CM_LANES_BITS 32
 #define CM_SCALAR_NAME(name) name##_f32
-#ifdef CM_LANES
-#define CM_BACKEND 5
-#include <cubemap/kernel/backend.h>
-#else
-#define CM_BACKEND 2
-#include <cubemap/kernel/dialect.h>
-
-#include "lanes/scalar.h"
-#endif
-
 #define LANES_IO float
-#define lanes_read(p) lanes_load(p)
-#define lanes_write(p, x) lanes_store(p, x)
 #define BATCH_NAME(name) name##_in_f32
 #define BATCH_VARIANTS cm_batch_variants_f32
-#include "batch.h"
-#undef LANES_IO
-#undef lanes_read
-#undef lanes_write
-#undef BATCH_NAME
-#undef BATCH_VARIANTS
-enum
-{
-    BATCH_LANES_F32 = LANES
-};
-
-static void rest_in_f32(float *to, const float *from, size_t n)
-{
-    lanes_store(to, n == 1 ? lanes_all(*from) : lanes_some(from, n));
-}
+#include "batch_precision.h"
 
 /* ---- The fast tier: arrays of double, computed in float. One point at a time gains nothing ---- */
 
@@ -97,25 +41,15 @@ static void rest_in_f32(float *to, const float *from, size_t n)
 #define BATCH_NAME(name) name##_fast
 #define BATCH_VARIANTS cm_batch_variants_f64
 #include "batch.h"
-#undef LANES_IO
-#undef lanes_read
-#undef lanes_write
-#undef BATCH_NAME
-#undef BATCH_VARIANTS
-#undef BATCH_MAPS_ONLY
 #define BATCH_FAST batch_table_fast
 #else
 #define BATCH_FAST NULL
 #endif
-
 #include "lanes/undefine.h"
-#undef CM_LANES_BITS
-#undef CM_SCALAR_NAME
-#undef CM_BACKEND
 
 const cm_batch_set BATCH_JOINED(cm_batch_, CM_SET) = {.name = BATCH_NAME_TEXT(CM_SET),
-                                                      .lanes_f64 = BATCH_LANES_F64,
-                                                      .lanes_f32 = BATCH_LANES_F32,
+                                                      .lanes_f64 = lanes_in_f64,
+                                                      .lanes_f32 = lanes_in_f32,
                                                       .rest_f64 = rest_in_f64,
                                                       .rest_f32 = rest_in_f32,
                                                       .f64 = batch_table_in_f64,

@@ -288,14 +288,12 @@ static cm_status warp_point(void (*warp)(const cm_mapping *, size_t, CM_REAL *, 
     {
         return CM_ERROR_UNSUPPORTED;
     }
-    const CM_REAL limit = CM_LIT(1.0) + CM_LIT(1.0e-9);
-    CM_BOOL good = (cm_abs(from[0]) <= limit) & (cm_abs(from[1]) <= limit);
     REST a, b;
     copy_to_rest(mapping, a, &from[0], 1);
     copy_to_rest(mapping, b, &from[1], 1);
     warp(mapping, mapping->CM_NAME(lanes), a, b);
-    to[0] = CM_SELECT(good, a[0], (CM_REAL)NAN);
-    to[1] = CM_SELECT(good, b[0], (CM_REAL)NAN);
+    to[0] = a[0];
+    to[1] = b[0];
     return CM_OK;
 }
 

@@ -3,7 +3,7 @@
 # The machine code of the batch loops: every mapping has its four loops (forward, inverse and their
 # Jacobians) in every instruction set, in double and in float, and forward and inverse in the fast tier;
 # they work on vectors of the set's width, and nothing in them is a call (which would be a kernel that was
-# not inlined, or a function of libm).
+# not inlined, or a function of libm). Writes how many divisions and square roots each has for a vector.
 # Usage: vectorisation.sh BUILD_FOLDER INCLUDE_FOLDER SET...
 set -eu
 build=$1 include=$2
@@ -35,18 +35,25 @@ for set in "$@"; do
         objdump -d --no-show-raw-insn "$object" | awk -v set="$set" -v precision="$precision" \
             -v register="$register" -v packed="$packed" -v expected="$expected" '
             function finish() {
-                if (name != "" && vectors < 4) { print set ": " name " has no loop of vectors"; bad = 1 }
+                if (name == "") return
+                if (vectors < 4) { print set ": " name " has no loop of vectors"; bad = 1 }
+                if (vectors >= 4 && !folded) {
+                    gsub(/^<|_in_f[0-9]+>:$|>:$/, "", name)
+                    print set ", " precision ": " name ": " divisions " divisions, " roots " roots"
+                }
                 name = ""
             }
             /^[0-9a-f]+ <.*>:$/ {
                 finish()
                 if ($2 ~ "^<(forward|inverse)_.*_" precision ">:$") {
-                    name = $2; vectors = 0; found[substr(name, 2, 7)]++
+                    name = $2; vectors = divisions = roots = folded = 0; found[substr(name, 2, 7)]++
                 }
             }
             name != "" && /call|\tbl / { print set ": " name " calls: " $0; bad = 1 }
             # compilers fold functions with the same code into one
-            name != "" && /jmp.*<(forward|inverse)_[a-z0-9_]*>$/ { vectors = 4 }
+            name != "" && /jmp.*<(forward|inverse)_[a-z0-9_]*>$/ { vectors = 4; folded = 1 }
+            name != "" && /\tv?f?div/ { divisions++ }
+            name != "" && /\tv?f?sqrt/ { roots++ }
             name != "" && $0 ~ packed && $0 ~ register { vectors++ }
             END {
                 finish()

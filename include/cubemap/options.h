@@ -52,7 +52,8 @@ CM_API cm_status cm_mapping_create_with(const char *specification, const cm_fram
  * last: "scalar" (one point at a time, plain C), then "sse2", "avx2" (with FMA) and "avx512" (F, DQ, BW,
  * VL) on x86-64, "neon" on AArch64. NULL if index is not below the count. All keep the bounds; their
  * results differ within them. With one set the same input gives the same bits on every machine; only
- * avx512 starts roots from an approximation that makers of processors may round in other ways. */
+ * avx512 starts roots and quotients from approximations that makers of processors may round in other
+ * ways. */
 CM_API size_t cm_instructions_count(void);
 CM_API const char *cm_instructions_at(size_t index);
 

@@ -29,3 +29,6 @@
 #undef lanes_flip
 #undef lanes_digit
 #undef lanes_mask_of_signs
+#undef CM_LANES_BITS
+#undef CM_SCALAR_NAME
+#undef CM_BACKEND
