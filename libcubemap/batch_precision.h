@@ -28,6 +28,43 @@ static void BATCH_NAME(rest)(LANES_IO *to, const LANES_IO *from, size_t n)
     lanes_store(to, n == 1 ? lanes_all(*from) : lanes_some(from, n));
 }
 
+/* In the order of cm_distortion. */
+static void BATCH_NAME(indicatrices)(int of_tangents, size_t n, LANES_IO *const j[6],
+                                     LANES_IO *const to[CM_DISTORTION_COLUMNS])
+{
+    for (size_t i = 0; i < n; i += LANES)
+    {
+        CM_REAL k0 = lanes_load(j[0] + i);
+        CM_REAL k1 = lanes_load(j[1] + i);
+        CM_REAL k2 = lanes_load(j[2] + i);
+        CM_REAL k3 = lanes_load(j[3] + i);
+        CM_REAL k4 = lanes_load(j[4] + i);
+        CM_REAL k5 = lanes_load(j[5] + i);
+        CM_NAME(cm_indicatrix) r;
+        if (of_tangents)
+        {
+            CM_NAME(cm_tangents) t = {
+                .x_a = k0, .x_b = k1, .y_a = k2, .y_b = k3, .z_a = k4, .z_b = k5};
+            r = CM_NAME(cm_indicatrix_of_tangents)(t);
+        }
+        else
+        {
+            CM_NAME(cm_gradients) g = {
+                .a_x = k0, .a_y = k1, .a_z = k2, .b_x = k3, .b_y = k4, .b_z = k5};
+            r = CM_NAME(cm_indicatrix_of_gradients)(g);
+        }
+        lanes_store(to[0] + i, r.major);
+        lanes_store(to[1] + i, r.minor);
+        lanes_store(to[2] + i, r.orientation);
+        lanes_store(to[3] + i, r.scale);
+        lanes_store(to[4] + i, r.deformation);
+        lanes_store(to[5] + i, r.area);
+        lanes_store(to[6] + i, r.isotropy);
+        lanes_store(to[7] + i, r.texel_aspect);
+        lanes_store(to[8] + i, r.texel_area);
+    }
+}
+
 #define lanes_read(p) lanes_load(p)
 #define lanes_write(p, x) lanes_store(p, x)
 #include "batch.h"

@@ -52,6 +52,8 @@ const cm_batch_set BATCH_JOINED(cm_batch_, CM_SET) = {.name = BATCH_NAME_TEXT(CM
                                                       .lanes_f32 = lanes_in_f32,
                                                       .rest_f64 = rest_in_f64,
                                                       .rest_f32 = rest_in_f32,
+                                                      .indicatrices_f64 = indicatrices_in_f64,
+                                                      .indicatrices_f32 = indicatrices_in_f32,
                                                       .f64 = batch_table_in_f64,
                                                       .f32 = batch_table_in_f32,
                                                       .fast = BATCH_FAST};

@@ -68,6 +68,9 @@ typedef struct cm_batch_variants_f32
     cm_batch_f32 variant[2];
 } cm_batch_variants_f32;
 
+/* what distortion.h has for a point */
+#define CM_DISTORTION_COLUMNS 9
+
 /* All loops for one instruction set; tables by index in the catalogue. */
 typedef struct cm_batch_set
 {
@@ -79,6 +82,12 @@ typedef struct cm_batch_set
      * call for the other. */
     void (*rest_f64)(double *to, const double *from, size_t n);
     void (*rest_f32)(float *to, const float *from, size_t n);
+    /* The nine columns of distortion.h from the six of forward Jacobians, or with of_tangents of inverse
+     * ones; n is a multiple of the lanes. */
+    void (*indicatrices_f64)(int of_tangents, size_t n, double *const jacobian[6],
+                             double *const to[CM_DISTORTION_COLUMNS]);
+    void (*indicatrices_f32)(int of_tangents, size_t n, float *const jacobian[6],
+                             float *const to[CM_DISTORTION_COLUMNS]);
     const cm_batch_variants_f64 *f64;
     const cm_batch_variants_f32 *f32;
     /* forward and inverse of double arrays in lanes_f32, computed in float; NULL where that gains nothing */

@@ -281,6 +281,102 @@ void CM_PUBLIC(cm_inverse_jacobian)(const cm_mapping *mapping, uint8_t face, con
     CM_PUBLIC(cm_inverse_jacobian_array)(mapping, 1, &face, &uv[0], &uv[1], to);
 }
 
+/* ---- Distortion, documented in <cubemap/distortion.h> ---- */
+
+typedef CM_REAL block[CM_BLOCK];
+
+typedef struct distortion_blocks
+{
+    block jacobian[6];
+    block column[CM_DISTORTION_COLUMNS];
+} distortion_blocks;
+
+/* From the Jacobians of at most CM_BLOCK points to their places from at on. */
+static void distort_block(const cm_mapping *mapping, int of_tangents, size_t n, size_t at,
+                          distortion_blocks *b, const CM_PUBLIC(cm_distortion_arrays) * to)
+{
+    CM_REAL *wanted[CM_DISTORTION_COLUMNS] = {to->major,    to->minor,        to->orientation,
+                                              to->scale,    to->deformation,  to->area,
+                                              to->isotropy, to->texel_aspect, to->texel_area};
+    CM_REAL *const jacobian[6] = {b->jacobian[0], b->jacobian[1], b->jacobian[2],
+                                  b->jacobian[3], b->jacobian[4], b->jacobian[5]};
+    CM_REAL *column[CM_DISTORTION_COLUMNS];
+    size_t lanes = mapping->set->CM_NAME(lanes);
+    size_t padded = (n + lanes - 1) / lanes * lanes;
+    for (int k = 0; k < 6; k++)
+    {
+        for (size_t i = n; i < padded; i++)
+        {
+            jacobian[k][i] = jacobian[k][0];
+        }
+    }
+    for (int k = 0; k < CM_DISTORTION_COLUMNS; k++)
+    {
+        column[k] = b->column[k];
+    }
+    mapping->set->CM_NAME(indicatrices)(of_tangents, padded, jacobian, column);
+    for (int k = 0; k < CM_DISTORTION_COLUMNS; k++)
+    {
+        if (wanted[k] != NULL)
+        {
+            memcpy(wanted[k] + at, column[k], n * sizeof(CM_REAL));
+        }
+    }
+}
+
+void CM_PUBLIC(cm_forward_distortion_array)(const cm_mapping *mapping, size_t n, const CM_REAL *x,
+                                            const CM_REAL *y, const CM_REAL *z,
+                                            const CM_PUBLIC(cm_distortion_arrays) * distortion)
+{
+    distortion_blocks b;
+    CM_REAL *const to[6] = {b.jacobian[0], b.jacobian[1], b.jacobian[2],
+                            b.jacobian[3], b.jacobian[4], b.jacobian[5]};
+    for (size_t done = 0; done < n; done += CM_BLOCK)
+    {
+        size_t count = n - done < CM_BLOCK ? n - done : CM_BLOCK;
+        CM_PUBLIC(cm_forward_jacobian_array)(mapping, count, x + done, y + done, z + done, to);
+        distort_block(mapping, 0, count, done, &b, distortion);
+    }
+}
+
+void CM_PUBLIC(cm_inverse_distortion_array)(const cm_mapping *mapping, size_t n,
+                                            const uint8_t *face, const CM_REAL *u, const CM_REAL *v,
+                                            const CM_PUBLIC(cm_distortion_arrays) * distortion)
+{
+    distortion_blocks b;
+    CM_REAL *const to[6] = {b.jacobian[0], b.jacobian[1], b.jacobian[2],
+                            b.jacobian[3], b.jacobian[4], b.jacobian[5]};
+    for (size_t done = 0; done < n; done += CM_BLOCK)
+    {
+        size_t count = n - done < CM_BLOCK ? n - done : CM_BLOCK;
+        CM_PUBLIC(cm_inverse_jacobian_array)(mapping, count, face + done, u + done, v + done, to);
+        distort_block(mapping, 1, count, done, &b, distortion);
+    }
+}
+
+#define ARRAYS_OF(d)                                                                               \
+    {                                                                                              \
+        .major = &(d)->major, .minor = &(d)->minor, .orientation = &(d)->orientation,              \
+        .scale = &(d)->scale, .deformation = &(d)->deformation, .area = &(d)->area,                \
+        .isotropy = &(d)->isotropy, .texel_aspect = &(d)->texel_aspect,                            \
+        .texel_area = &(d)->texel_area                                                             \
+    }
+
+void CM_PUBLIC(cm_forward_distortion)(const cm_mapping *mapping, const CM_REAL direction[3],
+                                      CM_PUBLIC(cm_distortion) * distortion)
+{
+    const CM_PUBLIC(cm_distortion_arrays) to = ARRAYS_OF(distortion);
+    CM_PUBLIC(cm_forward_distortion_array)
+    (mapping, 1, &direction[0], &direction[1], &direction[2], &to);
+}
+
+void CM_PUBLIC(cm_inverse_distortion)(const cm_mapping *mapping, uint8_t face, const CM_REAL uv[2],
+                                      CM_PUBLIC(cm_distortion) * distortion)
+{
+    const CM_PUBLIC(cm_distortion_arrays) to = ARRAYS_OF(distortion);
+    CM_PUBLIC(cm_inverse_distortion_array)(mapping, 1, &face, &uv[0], &uv[1], &to);
+}
+
 static cm_status warp_point(void (*warp)(const cm_mapping *, size_t, CM_REAL *, CM_REAL *),
                             const cm_mapping *mapping, const CM_REAL from[2], CM_REAL to[2])
 {

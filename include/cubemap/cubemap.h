@@ -8,6 +8,7 @@
 
 #include <cubemap/catalogue.h>
 #include <cubemap/direction.h>
+#include <cubemap/distortion.h>
 #include <cubemap/export.h>
 #include <cubemap/frame.h>
 #include <cubemap/mapping.h>

@@ -412,6 +412,51 @@ static void check_jacobians(const subject *made, supply *from, const points *inp
     drop_points(&second);
 }
 
+/* ---- Distortion ---- */
+
+/* Columns that are given, of two sets of points; the others are not wanted. */
+static void check_distortion(const subject *made, supply *from, const points *input, int inverse)
+{
+    points into = make_points(input->count, take_byte(from) % OFFSETS);
+    const DISTORTION_ARRAYS to = {
+        .deformation = into.column[0], .isotropy = into.column[1], .texel_area = into.column[2]};
+    size_t n = input->count;
+    if (inverse)
+    {
+        INVERSE_DISTORTION_ARRAY(made->mapping, n, input->face, input->column[0], input->column[1],
+                                 &to);
+    }
+    else
+    {
+        FORWARD_DISTORTION_ARRAY(made->mapping, n, input->column[0], input->column[1],
+                                 input->column[2], &to);
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        const REAL value[3] = {input->column[0][i], input->column[1][i], input->column[2][i]};
+        int good = inverse ? input->face[i] < 6 && is_point(value) : is_direction(value);
+        DISTORTION d;
+        if (inverse)
+        {
+            INVERSE_DISTORTION(made->mapping, input->face[i], value, &d);
+        }
+        else
+        {
+            FORWARD_DISTORTION(made->mapping, value, &d);
+        }
+        EXPECT(good ? (d.isotropy >= 1 && isfinite(d.texel_area)) || !made->standard
+                    : isnan(d.isotropy) && isnan(d.major) && isnan(d.orientation),
+               "%s: %a %a %a: isotropy %a", made->specification, (double)value[0], (double)value[1],
+               (double)value[2], (double)d.isotropy);
+        EXPECT(memcmp(&into.column[0][i], &d.deformation, sizeof(REAL)) == 0 &&
+                   memcmp(&into.column[1][i], &d.isotropy, sizeof(REAL)) == 0 &&
+                   memcmp(&into.column[2][i], &d.texel_area, sizeof(REAL)) == 0,
+               "%s: distortion %zu of %zu is another alone", made->specification, i, n);
+    }
+    expect_guards(&into);
+    drop_points(&into);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     supply from = {data, size};
@@ -433,6 +478,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_forward_strided(&made, &from, &input);
     }
     check_jacobians(&made, &from, &input, inverse);
+    check_distortion(&made, &from, &input, inverse);
     drop_points(&expected);
     drop_points(&input);
     drop_subject(&made);

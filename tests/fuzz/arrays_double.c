@@ -17,4 +17,10 @@
 #define INVERSE_JACOBIAN_ARRAY cm_inverse_jacobian_array
 #define FORWARD_JACOBIAN_ARRAY_THREADS cm_forward_jacobian_array_threads
 #define INVERSE_JACOBIAN_ARRAY_THREADS cm_inverse_jacobian_array_threads
+#define DISTORTION cm_distortion
+#define DISTORTION_ARRAYS cm_distortion_arrays
+#define FORWARD_DISTORTION cm_forward_distortion
+#define INVERSE_DISTORTION cm_inverse_distortion
+#define FORWARD_DISTORTION_ARRAY cm_forward_distortion_array
+#define INVERSE_DISTORTION_ARRAY cm_inverse_distortion_array
 #include "arrays.h"

@@ -17,4 +17,10 @@
 #define INVERSE_JACOBIAN_ARRAY cm_inverse_jacobian_array_f32
 #define FORWARD_JACOBIAN_ARRAY_THREADS cm_forward_jacobian_array_threads_f32
 #define INVERSE_JACOBIAN_ARRAY_THREADS cm_inverse_jacobian_array_threads_f32
+#define DISTORTION cm_distortion_f32
+#define DISTORTION_ARRAYS cm_distortion_arrays_f32
+#define FORWARD_DISTORTION cm_forward_distortion_f32
+#define INVERSE_DISTORTION cm_inverse_distortion_f32
+#define FORWARD_DISTORTION_ARRAY cm_forward_distortion_array_f32
+#define INVERSE_DISTORTION_ARRAY cm_inverse_distortion_array_f32
 #include "arrays.h"

@@ -250,6 +250,70 @@ static const char *inverse_jacobian_single(const cm_mapping *mapping, size_t n, 
     return NULL;
 }
 
+/* ---- Distortion: of its columns those from which the others follow ---- */
+
+#define DISTORTION_OF(out)                                                                         \
+    {                                                                                              \
+        .major = (out)[0], .minor = (out)[1], .orientation = (out)[2], .deformation = (out)[3],    \
+        .texel_aspect = (out)[4], .texel_area = (out)[5]                                           \
+    }
+
+static const char *forward_distortion_array(const cm_mapping *mapping, size_t n, void *const *in,
+                                            void *const *out, int argument)
+{
+    const PUBLIC(cm_distortion_arrays) to = DISTORTION_OF(out);
+    (void)argument;
+    PUBLIC(cm_forward_distortion_array)(mapping, n, in[0], in[1], in[2], &to);
+    return NULL;
+}
+
+static const char *inverse_distortion_array(const cm_mapping *mapping, size_t n, void *const *in,
+                                            void *const *out, int argument)
+{
+    const PUBLIC(cm_distortion_arrays) to = DISTORTION_OF(out);
+    (void)argument;
+    PUBLIC(cm_inverse_distortion_array)(mapping, n, in[0], in[1], in[2], &to);
+    return NULL;
+}
+
+static void put_distortion(void *const *out, size_t i, const PUBLIC(cm_distortion) * d)
+{
+    const REAL values[6] = {d->major,       d->minor,        d->orientation,
+                            d->deformation, d->texel_aspect, d->texel_area};
+    for (int k = 0; k < 6; k++)
+    {
+        ((REAL *)out[k])[i] = values[k];
+    }
+}
+
+static const char *forward_distortion_single(const cm_mapping *mapping, size_t n, void *const *in,
+                                             void *const *out, int argument)
+{
+    (void)argument;
+    for (size_t i = 0; i < n; i++)
+    {
+        const REAL direction[3] = {((REAL *)in[0])[i], ((REAL *)in[1])[i], ((REAL *)in[2])[i]};
+        PUBLIC(cm_distortion) d;
+        PUBLIC(cm_forward_distortion)(mapping, direction, &d);
+        put_distortion(out, i, &d);
+    }
+    return NULL;
+}
+
+static const char *inverse_distortion_single(const cm_mapping *mapping, size_t n, void *const *in,
+                                             void *const *out, int argument)
+{
+    (void)argument;
+    for (size_t i = 0; i < n; i++)
+    {
+        const REAL uv[2] = {((REAL *)in[1])[i], ((REAL *)in[2])[i]};
+        PUBLIC(cm_distortion) d;
+        PUBLIC(cm_inverse_distortion)(mapping, ((uint8_t *)in[0])[i], uv, &d);
+        put_distortion(out, i, &d);
+    }
+    return NULL;
+}
+
 /* ---- The warp alone, which has no arrays ---- */
 
 #define WARP_SINGLE(name)                                                                          \
@@ -321,6 +385,30 @@ const path_table TABLE = {.in = {REAL_NAME, sizeof(REAL) == sizeof(float), EPS, 
                                {{"array", inverse_jacobian_array, 0, 0},
                                 {"single points", inverse_jacobian_single, 0, 600},
                                 {"threads", inverse_jacobian_threads, 3, POINTS_FOR_THREADS}}},
+                              {"forward distortion",
+                               DIRECTIONS,
+                               "rrr",
+                               "rrrrrr",
+                               "of its bound",
+                               judge_distortion,
+                               NULL,
+                               0,
+                               1,
+                               1,
+                               {{"array", forward_distortion_array, 0, 0},
+                                {"single points", forward_distortion_single, 0, 600}}},
+                              {"inverse distortion",
+                               POINTS,
+                               "brr",
+                               "rrrrrr",
+                               "of its bound",
+                               judge_distortion,
+                               NULL,
+                               0,
+                               1,
+                               1,
+                               {{"array", inverse_distortion_array, 0, 0},
+                                {"single points", inverse_distortion_single, 0, 600}}},
                               {"warp",
                                PLANE,
                                "rr",

@@ -109,13 +109,14 @@ static double matrix_apart(const comparison *c, const number *expected)
     return apart == 0.0 ? 0.0 : apart / (largest * c->in->eps);
 }
 
-/* The same from the reference's matrix at a point that is some eps beside the input: step has a digit of
- * base 3 for each column. */
-static double apart_beside(const comparison *c, int step)
+/* Digits of base 3, one for each column of the input. */
+#define STEPS 27
+
+/* What the reference has at a point that is some eps beside the input. */
+static void reference_beside(const comparison *c, int step, number beside[COLUMNS_MAX])
 {
     double input[COLUMNS_MAX], output[COLUMNS_MAX];
     void *in[COLUMNS_MAX], *out[COLUMNS_MAX];
-    number beside[COLUMNS_MAX];
     const path *p = c->path;
     for (size_t k = 0; k < COLUMNS_MAX; k++, step /= 3)
     {
@@ -133,19 +134,59 @@ static double apart_beside(const comparison *c, int step)
     {
         beside[k] = get_value('r', c->in, out[k], 0);
     }
-    return matrix_apart(c, beside);
 }
 
 /* Beside an edge of a hybrid's face rounding decides which face's coordinates have the derivatives, as in
  * judge_map. */
+static double least_apart(const comparison *c, double bound,
+                          double (*measure)(const comparison *c, const number *expected))
+{
+    double apart = measure(c, c->expected);
+    for (int step = 0; step < STEPS && apart > bound && !has_warp(c->subject->reference); step++)
+    {
+        number beside[COLUMNS_MAX];
+        reference_beside(c, step, beside);
+        apart = fmin(apart, measure(c, beside));
+    }
+    return apart;
+}
+
 const char *judge_jacobian(const comparison *c, double *error)
 {
     double bound = jacobian_bound(c->subject);
-    double apart = matrix_apart(c, c->expected);
-    for (int step = 0; step < 27 && apart > bound && !has_warp(c->subject->reference); step++)
-    {
-        apart = fmin(apart, apart_beside(c, step));
-    }
+    double apart = least_apart(c, bound, matrix_apart);
     *error = fmax(*error, apart);
     return apart <= bound ? NULL : "too far apart";
+}
+
+/* Major, minor, orientation, deformation and the texel's two, as far apart as distortion.h allows each of
+ * them to be from the truth, in its unit. */
+static double distortion_apart(const comparison *c, const number *expected)
+{
+    double unit = c->in->narrow ? 5e-6 : 1e-14;
+    double isotropy = expected[0].real / expected[1].real;
+    double apart = 0.0;
+    unit *= c->subject->standard ? 1.0 : isotropy * isotropy;
+    for (int k = 0; k < 6; k++)
+    {
+        double got = c->got[k].real;
+        double difference = fabs(expected[k].real - got);
+        if (isnan(expected[k].real) != isnan(got))
+        {
+            return isotropy < 1e6 || c->subject->standard ? (double)INFINITY : 0.0;
+        }
+        difference = k == 2 ? fmin(difference, fabs(difference - 3.14159265358979324)) *
+                                  (isotropy - 1.0 < 10.0 * unit ? 0.0 : isotropy - 1.0)
+                     : k == 3 ? difference
+                              : difference / fabs(expected[k].real);
+        apart = isotropy < 1e6 ? fmax(apart, difference / unit) : apart;
+    }
+    return apart;
+}
+
+const char *judge_distortion(const comparison *c, double *error)
+{
+    double apart = least_apart(c, 2.0, distortion_apart);
+    *error = fmax(*error, apart);
+    return apart <= 2.0 ? NULL : "too far apart";
 }

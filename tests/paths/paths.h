@@ -121,6 +121,7 @@ const char *judge_direction(const comparison *c, double *error);
 const char *judge_warped(const comparison *c, double *error);
 const char *judge_unwarped(const comparison *c, double *error);
 const char *judge_jacobian(const comparison *c, double *error);
+const char *judge_distortion(const comparison *c, double *error);
 
 int has_warp(const cm_mapping *mapping);
 

@@ -11,4 +11,5 @@
 #include "factors.h"
 #include "cube.h"
 #include "jacobian.h"
+#include "tissot.h"
 #include "catalogue.h"
