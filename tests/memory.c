@@ -31,6 +31,15 @@ int main(void)
         return 1;
     }
     status = cm_mapping_create("coupled", NULL, &mapping);
+    if (status != CM_OK)
+    {
+        return 1;
+    }
+    const double percent = 50.0;
+    double value = 77.0;
+    exhausted = 1;
+    status = cm_distortion_percentiles(mapping, CM_QUANTITY_AREA, NULL, 1, &percent, &value, NULL);
+    exhausted = 0;
     cm_mapping_destroy(mapping);
-    return status == CM_OK ? 0 : 1;
+    return status == CM_ERROR_MEMORY && value == 77.0 ? 0 : 1;
 }

@@ -13,6 +13,7 @@
 #include <cubemap/frame.h>
 #include <cubemap/mapping.h>
 #include <cubemap/options.h>
+#include <cubemap/statistics.h>
 #include <cubemap/status.h>
 #include <cubemap/threads.h>
 #include <cubemap/version.h>

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The least and the greatest value of a quantity: a grid on every piece, then a compass search from those
+ * points of it that are extreme among their neighbours and may lead to the extreme of all: each step goes
+ * to the best of eight points around, or halves the distance to them.
+ */
+#include "pieces.h"
+
+enum
+{
+    GRID = 33,
+    NEIGHBOURS = 8,
+    HALVINGS = 34
+};
+
+/* A piece's borders are creases of some maps: the points on them are so far inside. */
+static const double inset_t = 0x1p-50;
+static const double inset_r = 0x1p-40;
+
+void cm_survey_extreme(cm_statistics *s, double value, uint8_t face, double u, double v)
+{
+    if (value < s->minimum)
+    {
+        s->minimum = value;
+        s->minimum_face = face;
+        s->minimum_uv[0] = u;
+        s->minimum_uv[1] = v;
+    }
+    if (value > s->maximum)
+    {
+        s->maximum = value;
+        s->maximum_face = face;
+        s->maximum_uv[0] = u;
+        s->maximum_uv[1] = v;
+    }
+}
+
+static double clamp(double x, double low, double high)
+{
+    return fmin(fmax(x, low), high);
+}
+
+static void add_point(cm_piece_points *points, int piece, double r, double t)
+{
+    cm_piece_point(points, piece, clamp(r, inset_r, 1.0), clamp(t, inset_t, 1.0 - inset_t));
+}
+
+static void evaluate(const cm_survey *survey, cm_piece_points *points, cm_statistics *s)
+{
+    cm_survey_evaluate(survey, points);
+    s->evaluations += points->count;
+    for (size_t i = 0; i < points->count; i++)
+    {
+        cm_survey_extreme(s, points->value[i], points->face[i], points->u[i], points->v[i]);
+    }
+}
+
+/* value[i * GRID + j] is that at r = i / (GRID - 1), t = j / (GRID - 1). */
+static void evaluate_grid(const cm_survey *survey, int piece, double *value, cm_statistics *s)
+{
+    for (int i = 0; i < GRID; i++)
+    {
+        cm_piece_points points;
+        points.count = 0;
+        for (int j = 0; j < GRID; j++)
+        {
+            add_point(&points, piece, (double)i / (GRID - 1), (double)j / (GRID - 1));
+        }
+        evaluate(survey, &points, s);
+        for (int j = 0; j < GRID; j++)
+        {
+            value[i * GRID + j] = points.value[j];
+        }
+    }
+}
+
+static void search_from(const cm_survey *survey, int piece, double r, double t, double value,
+                        double sign, cm_statistics *s)
+{
+    double step = 0.5 / (GRID - 1);
+    for (int halvings = 0; halvings < HALVINGS;)
+    {
+        static const int along[NEIGHBOURS] = {1, 1, 0, -1, -1, -1, 0, 1};
+        cm_piece_points points;
+        int best = -1;
+        points.count = 0;
+        for (int k = 0; k < NEIGHBOURS; k++)
+        {
+            add_point(&points, piece, r + step * along[k], t + step * along[(k + 6) % NEIGHBOURS]);
+        }
+        evaluate(survey, &points, s);
+        for (int k = 0; k < NEIGHBOURS; k++)
+        {
+            if (sign * points.value[k] > sign * value)
+            {
+                value = points.value[k];
+                best = k;
+            }
+        }
+        if (best < 0)
+        {
+            step /= 2.0;
+            halvings++;
+            continue;
+        }
+        r = clamp(r + step * along[best], 0.0, 1.0);
+        t = clamp(t + step * along[(best + 6) % NEIGHBOURS], 0.0, 1.0);
+    }
+}
+
+/* Is a point of the grid extreme among its neighbours, and near enough to the extreme so far? What a
+ * smooth function can gain within a cell is less than what it loses towards the neighbours; twice that
+ * is allowed for. */
+static int may_lead(const double *value, int i, int j, double sign, double extreme)
+{
+    double here = sign * value[i * GRID + j];
+    double least = here;
+    for (int a = i > 0 ? i - 1 : 0; a <= i + 1 && a < GRID; a++)
+    {
+        for (int b = j > 0 ? j - 1 : 0; b <= j + 1 && b < GRID; b++)
+        {
+            double there = sign * value[a * GRID + b];
+            if (there > here)
+            {
+                return 0;
+            }
+            least = fmin(least, there);
+        }
+    }
+    double flat = 1e-14 * fabs(here); /* a constant has peaks of rounding errors */
+    return here + 2.0 * (here - least) >= sign * extreme && here - least > flat && isfinite(here);
+}
+
+static void search_piece(const cm_survey *survey, int piece, cm_statistics *s)
+{
+    double value[GRID * GRID];
+    evaluate_grid(survey, piece, value, s);
+    for (int i = 0; i < GRID; i++)
+    {
+        for (int j = 0; j < GRID; j++)
+        {
+            double r = (double)i / (GRID - 1);
+            double t = (double)j / (GRID - 1);
+            double here = value[i * GRID + j];
+            if (may_lead(value, i, j, 1.0, s->maximum))
+            {
+                search_from(survey, piece, r, t, here, 1.0, s);
+            }
+            if (may_lead(value, i, j, -1.0, s->minimum))
+            {
+                search_from(survey, piece, r, t, here, -1.0, s);
+            }
+        }
+    }
+}
+
+void cm_survey_search(const cm_survey *survey, cm_statistics *statistics)
+{
+    for (int piece = 0; piece < CM_PIECES; piece++)
+    {
+        if (cm_survey_has(survey, piece))
+        {
+            search_piece(survey, piece, statistics);
+        }
+    }
+}
