@@ -7,17 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void *allocate(size_t count, size_t size)
-{
-    void *memory = calloc(count == 0 ? 1 : count, size);
-    if (memory == NULL)
-    {
-        perror("side-by-side");
-        exit(1);
-    }
-    return memory;
-}
-
 int roster_wants(const roster *all, const char *group)
 {
     for (size_t i = 0; i < all->group_count; i++)
@@ -38,7 +27,7 @@ void roster_add(roster *all, const contestant *entrant)
         contestant *more = realloc(all->list, all->room * sizeof *more);
         if (more == NULL)
         {
-            perror("side-by-side");
+            perror(program_name);
             exit(1);
         }
         all->list = more;

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char program_name[] = "side-by-side";
+
 enum
 {
     GROUPS_MAX = 64
@@ -210,50 +212,6 @@ static void list_contestants(const roster *all)
         contestant_label(&all->list[i], label, sizeof label);
         printf("%-12s %s\n", all->list[i].group, label);
     }
-}
-
-/* A file that is there from the beginning, so that one that cannot be written is known before the
- * long run, and that gets its name at the end. */
-typedef struct output
-{
-    const char *name;
-    char part[1024];
-    FILE *file;
-} output;
-
-static int output_open(output *o, const char *name)
-{
-    o->name = name;
-    o->file = NULL;
-    if (name == NULL || strcmp(name, "-") == 0)
-    {
-        o->file = name == NULL ? NULL : stdout;
-        return 1;
-    }
-    if (snprintf(o->part, sizeof o->part, "%s.part", name) >= (int)sizeof o->part ||
-        (o->file = fopen(o->part, "w")) == NULL)
-    {
-        fprintf(stderr, "side-by-side: cannot write %s: %s\n", name, strerror(errno));
-        return 0;
-    }
-    return 1;
-}
-
-static int output_close(output *o)
-{
-    if (o->file == NULL || o->file == stdout)
-    {
-        return 1;
-    }
-    int bad = ferror(o->file);
-    bad |= fclose(o->file);
-    if (bad || rename(o->part, o->name) != 0)
-    {
-        fprintf(stderr, "side-by-side: cannot write %s: %s\n", o->name, strerror(errno));
-        remove(o->part);
-        return 0;
-    }
-    return 1;
 }
 
 static int measure(const options *o, roster *all)

@@ -4,18 +4,10 @@
  */
 #include "side_by_side.h"
 
-#include "../../tests/peers/peers.h"
-
 #include <math.h>
 #include <string.h>
 
 static const char *const direction_names[DIRECTIONS] = {"forward", "inverse"};
-
-/* half the distance of the quartiles, in per cent of the median */
-static double spread(const timing *t)
-{
-    return 50.0 * (t->upper_quartile - t->lower_quartile) / t->median;
-}
 
 /* ---- Table ---- */
 
@@ -42,7 +34,7 @@ static void print_row(FILE *out, const contestant *c)
     fprintf(out, "%-34s %-5s", label, c->unit == 0.0 ? "xyz" : c->unit == 1.0 ? "rad" : "deg");
     print_direction(out, c, FORWARD);
     print_direction(out, c, INVERSE);
-    fprintf(out, "  %10s %10s %7s\n", peer_metres(c->worst_random), peer_metres(c->worst_hard),
+    fprintf(out, "  %10s %10s %7s\n", length_text(c->worst_random), length_text(c->worst_hard),
             refused);
 }
 
@@ -219,37 +211,6 @@ void print_csv(FILE *out, const roster *all)
 }
 
 /* ---- JSON ---- */
-
-static void json_text(FILE *out, const char *key, const char *text)
-{
-    fprintf(out, "\"%s\": \"", key);
-    for (; *text != '\0'; text++)
-    {
-        if ((unsigned char)*text < 0x20)
-        {
-            fprintf(out, "\\u%04x", (unsigned)*text);
-            continue;
-        }
-        if (*text == '"' || *text == '\\')
-        {
-            fputc('\\', out);
-        }
-        fputc(*text, out);
-    }
-    fprintf(out, "\", ");
-}
-
-static void json_number(FILE *out, const char *key, double value)
-{
-    if (isfinite(value))
-    {
-        fprintf(out, "\"%s\": %.6g, ", key, value);
-    }
-    else
-    {
-        fprintf(out, "\"%s\": null, ", key);
-    }
-}
 
 static void json_who(FILE *out, const contestant *c)
 {

@@ -16,6 +16,8 @@
 
 #include <cubemap/cubemap.h>
 
+#include "../common/bench.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -44,15 +46,6 @@ typedef struct batch
     int *status[DIRECTIONS]; /* of peers that give one: not 0 where they refuse a point */
     size_t first[7]; /* of contestants by_face: points first[k] up to first[k + 1] are on face k */
 } batch;
-
-/* Nanoseconds a point. */
-typedef struct timing
-{
-    double best;
-    double lower_quartile;
-    double median;
-    double upper_quartile;
-} timing;
 
 typedef struct contestant
 {
@@ -129,8 +122,6 @@ double *hard_points(const contestant *c, size_t step, size_t *count);
 void contestant_ready(const contestant *c, batch *b, int direction);
 void contestant_run(const contestant *c, batch *b, int direction);
 
-double seconds(void);
-
 /* Fills in the times of all, in interleaved repetitions. */
 void time_all(roster *all, size_t points, size_t repetitions);
 
@@ -170,23 +161,6 @@ void print_table(FILE *out, const roster *all, const settings *set);
 void print_scaling(FILE *out, const scaling *rows);
 void print_csv(FILE *out, const roster *all);
 void print_json(FILE *out, const roster *all, const settings *set, const scaling *rows);
-
-/* What the figures are of; texts are static. */
-const char *system_cpu(void);
-const char *system_name(void);
-const char *system_compiler(void);
-const char *system_flags(void);
-double system_free_memory(void); /* bytes; 0 if unknown */
-
-/* A line that the next one overwrites, on stderr if that is a terminal. NULL clears it. */
-void progress(const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 1, 2)))
-#endif
-    ;
-
-/* Zeroed memory, or the end of the program. */
-void *allocate(size_t count, size_t size);
 
 #ifdef __cplusplus
 }

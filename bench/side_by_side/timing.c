@@ -4,13 +4,10 @@
  * all alike; each is run once before it is timed, so that its points are in the cache, and itself
  * in the machine's predictors.
  */
-#define _POSIX_C_SOURCE 200809L
-
 #include "side_by_side.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #ifdef HAVE_CALLGRIND
 #include <valgrind/callgrind.h>
@@ -18,13 +15,6 @@
 
 /* Who took longer than this the last time is warm enough. */
 static const double long_run = 2e-3;
-
-double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 void contestant_ready(const contestant *c, batch *b, int direction)
 {
@@ -48,23 +38,6 @@ static double time_once(const contestant *c, batch *b, int direction)
     double start = seconds();
     contestant_run(c, b, direction);
     return (seconds() - start) * 1e9 / (double)b->count;
-}
-
-static int compare(const void *a, const void *b)
-{
-    double x = *(const double *)a;
-    double y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static timing summary(const double *samples, size_t count)
-{
-    double *sorted = allocate(count, sizeof sorted[0]);
-    memcpy(sorted, samples, count * sizeof sorted[0]);
-    qsort(sorted, count, sizeof sorted[0], compare);
-    timing t = {sorted[0], sorted[count / 4], sorted[count / 2], sorted[3 * count / 4]};
-    free(sorted);
-    return t;
 }
 
 /* This library's fastest exact double path for a group: what ratios are of. */

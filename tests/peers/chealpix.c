@@ -7,6 +7,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "../../bench/common/bench.h"
 #include "peers.h"
 
 #include "../sphere.h"
@@ -362,7 +363,7 @@ static int report(const function *f, const extremes *e)
         return 0;
     }
     fflush(stdout);
-    fprintf(stderr, "%s: %s where %g nm are claimed, at %s\n", mapping, peer_metres(e->within),
+    fprintf(stderr, "%s: %s where %g nm are claimed, at %s\n", mapping, length_text(e->within),
             f->claim.nanometres, e->within_at);
     return 1;
 }

@@ -4,6 +4,8 @@
  */
 #include "peers.h"
 
+#include "../../bench/common/bench.h"
+
 #include "../sphere.h"
 
 #include <math.h>
@@ -184,31 +186,6 @@ static void finish(comparison *c)
 
 static const char *const direction_names[] = {"forward", "inverse", "round trip"};
 
-const char *peer_metres(double metres)
-{
-    static char texts[4][32];
-    static int next = 0;
-    static const struct
-    {
-        double below;
-        double factor;
-        const char *format;
-    } units[] = {{1e-6, 1e9, "%.1f nm"},     {1e-3, 1e6, "%.3g um"}, {1e-2, 1e3, "%.2g mm"},
-                 {1.0, 1e2, "%.1f cm"},      {1e3, 1.0, "%.2f m"},   {1e5, 1e-3, "%.2f km"},
-                 {HUGE_VAL, 1e-3, "%.0f km"}};
-    char *text = texts[next++ & 3];
-    snprintf(text, sizeof texts[0], "refused");
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
-    {
-        if (metres < units[i].below)
-        {
-            snprintf(text, sizeof texts[0], units[i].format, metres * units[i].factor);
-            break;
-        }
-    }
-    return text;
-}
-
 void peer_table_head(void)
 {
     puts("| peer | mapping | direction | right | worst there | random points, worst | hard points, "
@@ -225,8 +202,8 @@ void peer_table_row(const peer_row *row)
     }
     printf("| %s %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", row->peer, row->version,
            row->mapping, row->direction, row->right,
-           row->right[0] == '\0' ? "" : peer_metres(row->right_metres),
-           peer_metres(row->random_metres), peer_metres(row->hard_metres), refusals, row->at);
+           row->right[0] == '\0' ? "" : length_text(row->right_metres),
+           length_text(row->random_metres), length_text(row->hard_metres), refusals, row->at);
 }
 
 static void print_input(char *text, size_t size, const peer_subject *subject, int direction,
@@ -316,7 +293,7 @@ static int is_broken(const char *who, const char *what, double metres, double na
         return 0;
     }
     fflush(stdout);
-    fprintf(stderr, "%s, %s: %s where %g nm are claimed, at %s\n", who, what, peer_metres(metres),
+    fprintf(stderr, "%s, %s: %s where %g nm are claimed, at %s\n", who, what, length_text(metres),
             nanometres, at);
     return 1;
 }
@@ -465,7 +442,7 @@ int peer_failure_line(const peer_row *row, const char *documented_version, doubl
                             : observed >= documented / 2.0 && observed <= documented * 2.0;
     int wrong = !as_documented && peer_is_recorded(row->version, documented_version);
     printf("failure; %s %s; %s; %s; %s; %s; %s; %s\n", row->peer, row->version, row->mapping,
-           row->direction, row->at, peer_metres(observed),
+           row->direction, row->at, length_text(observed),
            as_documented      ? "as documented"
            : observed < right ? "fixed in this version"
                               : "not as documented",
@@ -474,7 +451,7 @@ int peer_failure_line(const peer_row *row, const char *documented_version, doubl
     {
         fflush(stdout);
         fprintf(stderr, "%s %s, %s: documented are %s\n", row->peer, row->version, row->mapping,
-                peer_metres(documented));
+                length_text(documented));
     }
     return wrong;
 }

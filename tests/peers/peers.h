@@ -176,9 +176,6 @@ typedef struct peer_lonlat
  * The number of broken bounds. */
 int peer_compare_lonlat(const peer_lonlat *theirs, double nanometres);
 
-/* metres in a unit that people read, "0.12 m"; the text is valid until the fourth call after. */
-const char *peer_metres(double metres);
-
 /* The true direction of a point on the sphere in the units of the subject, as precise in each
  * component as long double allows. */
 void peer_direction(const peer_subject *subject, const double sphere[3], double direction[3]);

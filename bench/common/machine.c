@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the figures are of: the machine, the system, the compiler. And the line of progress.
+ * What the figures are of: the machine, the system, the compiler.
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "side_by_side.h"
+#include "bench.h"
 
-#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/utsname.h>
 #include <unistd.h>
@@ -77,23 +77,4 @@ double system_free_memory(void)
     double kilobytes = 0.0;
     line_of("/proc/meminfo", "MemAvailable", text, sizeof text);
     return sscanf(text, "%lf", &kilobytes) == 1 ? kilobytes * 1024.0 : 0.0;
-}
-
-void progress(const char *format, ...)
-{
-    static double last;
-    va_list arguments;
-    if (!isatty(STDERR_FILENO) || (format != NULL && seconds() - last < 0.1))
-    {
-        return;
-    }
-    last = seconds();
-    fputs("\r\033[K", stderr);
-    if (format != NULL)
-    {
-        va_start(arguments, format);
-        vfprintf(stderr, format, arguments);
-        va_end(arguments);
-    }
-    fflush(stderr);
 }
