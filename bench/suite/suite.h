@@ -92,7 +92,7 @@ typedef struct subject
     cm_mapping *mapping;
     distortion distortion;
     size_t length_count;
-    length_row *lengths;               /* NULL if not measured */
+    length_row *lengths;           /* NULL if not measured */
     double *error_map[DIRECTIONS]; /* pixels x pixels, the first row v = +1; NULL if not measured */
 } subject;
 

@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Dimitrijevic et al. 2020: table I, Tissot's indicatrix of the adjusted spherical cube (tangent) on an
+ * ellipsoid of equatorial radius 1, by way of a sphere with three latitudes; and s2geometry's table.
+ *
+ * Means are over the centres of pixels of a face, extremes over a grid with its edges; "all" is of four side
+ * faces and two tops.
+ */
+#include "papers.h"
+
+#include <cubemap/kernels.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+typedef struct surface
+{
+    const char *name;
+    double e2; /* squared eccentricity */
+    double k;  /* tangent of the sphere's latitude over that of the geodetic one */
+} surface;
+
+/* Of the sphere's tangent plane by the ellipsoid's, to the east and to the north, at a latitude of the
+ * sphere. With the geodetic latitude's cosine c and sine s, m = c^2 + k^2 s^2 and W^2 = 1 - e^2 s^2 the radii
+ * of curvature are 1 / W and (1 - e^2) / W^3, and the latitude changes by k / m. */
+static void stretches(const surface *of, double cosine, double sine, double *east, double *north)
+{
+    double size = hypot(of->k * cosine, sine);
+    double c = of->k * cosine / size;
+    double s = sine / size;
+    double m = c * c + of->k * of->k * s * s;
+    double w2 = 1.0 - of->e2 * s * s;
+    *east = sqrt(w2 / m);
+    *north = of->k / m * w2 * sqrt(w2) / (1.0 - of->e2);
+}
+
+static cm_indicatrix_f64 indicatrix_on(const surface *of, const cm_mapping *mapping, uint8_t face,
+                                       const double uv[2])
+{
+    double d[3];
+    double j[6];
+    double g[2][2];
+    cm_inverse(mapping, face, uv, d);
+    cm_inverse_jacobian(mapping, face, uv, j);
+    /* the derivative of (u, v) by the tangent plane, from that of the direction, of the side of this face */
+    cm_tangents_f64 t = {
+        .x_a = j[0], .x_b = j[1], .y_a = j[2], .y_b = j[3], .z_a = j[4], .z_b = j[5]};
+    double rho = hypot(d[0], d[1]);
+    const double east[3] = {rho > 0.0 ? -d[1] / rho : 0.0, rho > 0.0 ? d[0] / rho : 1.0, 0.0};
+    const double north[3] = {-d[2] * east[1], d[2] * east[0], rho};
+    double a = t.x_a * east[0] + t.y_a * east[1];
+    double b = t.x_b * east[0] + t.y_b * east[1];
+    double c = t.x_a * north[0] + t.y_a * north[1] + t.z_a * north[2];
+    double e = t.x_b * north[0] + t.y_b * north[1] + t.z_b * north[2];
+    double scale = 1.0 / (a * e - b * c);
+    double to_east;
+    double to_north;
+    stretches(of, rho, d[2], &to_east, &to_north);
+    g[0][0] = e * scale * to_east;
+    g[0][1] = -b * scale * to_north;
+    g[1][0] = -c * scale * to_east;
+    g[1][1] = a * scale * to_north;
+    return cm_make_indicatrix_f64(
+        g[0][0] * g[0][0] + g[0][1] * g[0][1], g[0][0] * g[1][0] + g[0][1] * g[1][1],
+        g[1][0] * g[1][0] + g[1][1] * g[1][1], fabs(g[0][0] * g[1][1] - g[0][1] * g[1][0]));
+}
+
+typedef struct face_figures
+{
+    double most_angle;
+    double mean_angle;
+    double least_area;
+    double most_area;
+    double mean_area;
+} face_figures;
+
+static face_figures survey_face(const surface *of, const cm_mapping *mapping, uint8_t face,
+                                size_t pixels)
+{
+    face_figures f = {0.0, 0.0, (double)INFINITY, 0.0, 0.0};
+    size_t vertices = 2 * (pixels / 2) + 1; /* the centre is one */
+    for (size_t i = 0; i < pixels * pixels; i++)
+    {
+        const double uv[2] = {(2.0 * (double)(i % pixels) + 1.0) / (double)pixels - 1.0,
+                              (2.0 * (double)(i / pixels) + 1.0) / (double)pixels - 1.0};
+        cm_indicatrix_f64 at = indicatrix_on(of, mapping, face, uv);
+        f.mean_angle += at.deformation;
+        f.mean_area += at.scale;
+    }
+    for (size_t i = 0; i < vertices * vertices; i++)
+    {
+        const double uv[2] = {2.0 * (double)(i % vertices) / (double)(vertices - 1) - 1.0,
+                              2.0 * (double)(i / vertices) / (double)(vertices - 1) - 1.0};
+        cm_indicatrix_f64 at = indicatrix_on(of, mapping, face, uv);
+        f.most_angle = fmax(f.most_angle, at.deformation);
+        f.least_area = fmin(f.least_area, at.scale);
+        f.most_area = fmax(f.most_area, at.scale);
+    }
+    f.mean_angle /= (double)(pixels * pixels);
+    f.mean_area /= (double)(pixels * pixels);
+    return f;
+}
+
+static void add_face(table *t, const surface *of, const char *face, const face_figures *f,
+                     const char *const printed[6])
+{
+    static const char *const columns[6] = {"angle max.", "angle mean", "area min.",
+                                           "area max.",  "area ratio", "area mean"};
+    const double degree = 3.14159265358979324 / 180.0;
+    const double values[6] = {f->most_angle / degree, f->mean_angle / degree,       f->least_area,
+                              f->most_area,           f->most_area / f->least_area, f->mean_area};
+    char row[40];
+    snprintf(row, sizeof row, "%s, %s", of->name, face);
+    for (int k = 0; k < 6; k++)
+    {
+        add_figure(t, row, columns[k], printed[k], values[k], NULL);
+    }
+}
+
+void compute_grid(table *t, resolution r)
+{
+    const double f = 1.0 / 298.257223563; /* WGS 84 */
+    const double e2 = f * (2.0 - f);
+    const surface surfaces[] = {{"sphere", 0.0, 1.0},
+                                {"geodetic", e2, 1.0},
+                                {"geocentric", e2, 1.0 - e2},
+                                {"authalic, approx.", e2, pow(1.0 - e2, 2.0 / 3.0)}};
+    static const char *const printed[4][3][6] = {
+        {{"31.085", "11.569", "1.621", "2.293", "1.414", "1.925"},
+         {"31.085", "11.569", "1.621", "2.293", "1.414", "1.925"},
+         {"31.085", "11.569", "1.621", "2.293", "1.414", "1.925"}},
+        {{"30.962", "11.570", "1.632", "2.308", "1.414", "1.934"},
+         {"31.332", "11.588", "1.610", "2.293", "1.424", "1.921"},
+         {"31.332", "11.576", "1.610", "2.308", "1.433", "1.929"}},
+        {{"31.085", "11.569", "1.621", "2.300", "1.419", "1.927"},
+         {"31.084", "11.569", "1.632", "2.300", "1.410", "1.934"},
+         {"31.085", "11.569", "1.621", "2.300", "1.419", "1.929"}},
+        {{"31.044", "11.567", "1.625", "2.298", "1.414", "1.929"},
+         {"31.167", "11.575", "1.625", "2.298", "1.414", "1.929"},
+         {"31.167", "11.570", "1.625", "2.298", "1.414", "1.929"}}};
+    cm_mapping *mapping = paper_mapping("tangent");
+    for (int i = 0; i < 4; i++)
+    {
+        face_figures side = survey_face(&surfaces[i], mapping, 0, r.pixels);
+        face_figures top = survey_face(&surfaces[i], mapping, 4, r.pixels);
+        face_figures all = {fmax(side.most_angle, top.most_angle),
+                            (4.0 * side.mean_angle + 2.0 * top.mean_angle) / 6.0,
+                            fmin(side.least_area, top.least_area),
+                            fmax(side.most_area, top.most_area),
+                            (4.0 * side.mean_area + 2.0 * top.mean_area) / 6.0};
+        add_face(t, &surfaces[i], "side", &side, printed[i][0]);
+        add_face(t, &surfaces[i], "top", &top, printed[i][1]);
+        add_face(t, &surfaces[i], "all", &all, printed[i][2]);
+    }
+    cm_mapping_destroy(mapping);
+}
+
+/* ---- s2geometry ---- */
+
+typedef struct ratios
+{
+    double least[3]; /* area, edge, diagonal */
+    double most[3];
+} ratios;
+
+static void take(ratios *of, int which, double value)
+{
+    of->least[which] = fmin(of->least[which], value);
+    of->most[which] = fmax(of->most[which], value);
+}
+
+/* Of cells so small that they are parallelograms, at a grid of points with the edges. */
+static ratios survey_cells(const cm_mapping *mapping, size_t grid)
+{
+    ratios of = {{(double)INFINITY, (double)INFINITY, (double)INFINITY}, {0.0, 0.0, 0.0}};
+    for (size_t i = 0; i < grid * grid; i++)
+    {
+        const double uv[2] = {2.0 * (double)(i % grid) / (double)(grid - 1) - 1.0,
+                              2.0 * (double)(i / grid) / (double)(grid - 1) - 1.0};
+        double j[6];
+        cm_distortion d;
+        cm_inverse_jacobian(mapping, 0, uv, j);
+        cm_inverse_distortion(mapping, 0, uv, &d);
+        take(&of, 0, 1.0 / d.scale);
+        take(&of, 1, hypot(j[0], hypot(j[2], j[4])));
+        take(&of, 1, hypot(j[1], hypot(j[3], j[5])));
+        take(&of, 2, hypot(j[0] + j[1], hypot(j[2] + j[3], j[4] + j[5])));
+        take(&of, 2, hypot(j[0] - j[1], hypot(j[2] - j[3], j[4] - j[5])));
+    }
+    return of;
+}
+
+void compute_s2(table *t, resolution r)
+{
+    static const char finite[] = "S2's figures are of cells of a finite level, not one for all: "
+                                 "diagonals of tangent are 1.7039 at\n"
+                                 "  level 6 and 1.7179 at level 7, edges of quadratic 1.8013 at "
+                                 "level 8. Computed are the limits of\n"
+                                 "  small cells, which S2's own s2metrics.cc has: 3 sqrt(3) = "
+                                 "5.196, 1.5 sqrt(2) = 2.121, 3, ...";
+    static const struct
+    {
+        const char *row;
+        const char *specification;
+        const char *printed[3];
+        const char *note[3];
+    } rows[] = {
+        {"linear", "gnomonic", {"5.200", "2.117", "2.959"}, {finite, finite, finite}},
+        {"tangent", "tangent", {"1.414", "1.414", "1.704"}, {NULL, NULL, finite}},
+        {"quadratic", "s2", {"2.082", "1.802", "1.932"}, {finite, finite, finite}},
+    };
+    static const char *const columns[3] = {"area ratio", "edge ratio", "diagonal ratio"};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
+    {
+        cm_mapping *mapping = paper_mapping(rows[i].specification);
+        ratios of = survey_cells(mapping, r.pixels + 1);
+        for (int k = 0; k < 3; k++)
+        {
+            add_figure(t, rows[i].row, columns[k], rows[i].printed[k], of.most[k] / of.least[k],
+                       rows[i].note[k]);
+        }
+        cm_mapping_destroy(mapping);
+    }
+}
