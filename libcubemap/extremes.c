@@ -128,7 +128,7 @@ static int may_lead(const double *value, int i, int j, double sign, double extre
         }
     }
     double flat = 1e-14 * fabs(here); /* a constant has peaks of rounding errors */
-    return here + 2.0 * (here - least) >= sign * extreme && here - least > flat && isfinite(here);
+    return here + 2.0 * (here - least) >= sign * extreme && here - least > flat;
 }
 
 static void search_piece(const cm_survey *survey, int piece, cm_statistics *s)

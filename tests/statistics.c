@@ -254,7 +254,7 @@ START_TEST(test_pixels)
 {
     enum
     {
-        PIXELS = 37
+        PIXELS = 137 /* a row is more than one block of points */
     };
     cm_mapping *mapping = make_mapping("everitt", NULL);
     cm_statistics_options o = over(CM_OVER_FACE, 1u << 3, 0.0);
@@ -290,6 +290,17 @@ START_TEST(test_faces)
     cm_statistics a = statistics_of(mapping, CM_QUANTITY_ISOTROPY, &side);
     cm_statistics b = statistics_of(mapping, CM_QUANTITY_ISOTROPY, &top);
     cm_statistics all = statistics_of(mapping, CM_QUANTITY_ISOTROPY, NULL);
+    const double most = 100.0;
+    double of_side;
+    double of_top;
+    ck_assert_int_eq(
+        cm_distortion_percentiles(mapping, CM_QUANTITY_ISOTROPY, &side, 1, &most, &of_side, NULL),
+        CM_OK);
+    ck_assert_int_eq(
+        cm_distortion_percentiles(mapping, CM_QUANTITY_ISOTROPY, &top, 1, &most, &of_top, NULL),
+        CM_OK);
+    REQUIRE(is_near(of_side, a.maximum, 0.02) && is_near(of_top, b.maximum, 0.1), "%g %g", of_side,
+            of_top);
     REQUIRE(a.maximum < 1.6 && b.maximum > 2.4 && all.maximum == b.maximum && a.maximum_face < 4 &&
                 b.maximum_face >= 4,
             "%g %g %g", a.maximum, b.maximum, all.maximum);
@@ -364,6 +375,20 @@ START_TEST(test_bad_arguments)
     }
     ck_assert_int_eq(
         cm_distortion_percentiles(mapping, CM_QUANTITY_AREA, NULL, 1, percents, NULL, NULL),
+        CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(
+        cm_distortion_percentiles(mapping, CM_QUANTITY_AREA, NULL, 1, NULL, &value, NULL),
+        CM_ERROR_ARGUMENT);
+    const double half = 50.0;
+    bad = good;
+    bad.pixels = 8;
+    ck_assert_int_eq(
+        cm_distortion_percentiles(mapping, CM_QUANTITY_AREA, &bad, 1, &half, &value, NULL),
+        CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(
+        cm_distortion_percentiles(mapping, CM_QUANTITY_AREA, &good, 1, &half, &value, NULL), CM_OK);
+    ck_assert_int_eq(
+        cm_distortion_percentiles(NULL, CM_QUANTITY_AREA, NULL, 1, &half, &value, NULL),
         CM_ERROR_ARGUMENT);
     ck_assert_int_eq(
         cm_distortion_percentiles(mapping, CM_QUANTITY_AREA, NULL, 0, NULL, NULL, NULL), CM_OK);

@@ -12,6 +12,20 @@
 
 #include <cubemap/mapping.h>
 
+struct MappingDeleter
+{
+    void operator()(cm_mapping *owned) const noexcept
+    {
+        cm_mapping_destroy(owned);
+    }
+};
+
+using MappingPointer = std::unique_ptr<cm_mapping, MappingDeleter>;
+
+// The specification must be one that the library takes. Failure if the instruction set that the
+// environment asks for is not there.
+MappingPointer make_mapping(const std::string &specification, const cm_frame &frame);
+
 class CubeImage : public Projection
 {
 public:
@@ -34,18 +48,20 @@ public:
     void directions(int plane, int row, int first_column, std::size_t count,
                     PointBatch &batch) const override;
     void positions(std::size_t count, PointBatch &batch) const override;
+    void derivatives(std::size_t count, const PointBatch &batch,
+                     DerivativeBatch &derivatives) const override;
+    bool wraps() const noexcept override
+    {
+        return false;
+    }
     void fill_border(SphereGrid &grid) const override;
 
-private:
-    struct MappingDeleter
-    {
-        void operator()(cm_mapping *owned) const noexcept
-        {
-            cm_mapping_destroy(owned);
-        }
-    };
+    // Sets face, u and v (as plane, x and y) of the centres of count pixels of a row.
+    void face_coordinates(int face, int row, int first_column, std::size_t count,
+                          PointBatch &batch) const;
 
-    std::unique_ptr<cm_mapping, MappingDeleter> mapping;
+private:
+    MappingPointer mapping;
     cm_frame frame;
     int size;
 };

@@ -73,6 +73,27 @@ void Equirect::positions(std::size_t count, PointBatch &batch) const
     }
 }
 
+// At a pole the derivative by y has no direction, and is NaN.
+void Equirect::derivatives(std::size_t count, const PointBatch &batch,
+                           DerivativeBatch &derivatives) const
+{
+    const double per_column = 2 * pi / columns;
+    const double per_row = pi / rows;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const double x = batch.direction_x[i];
+        const double y = batch.direction_y[i];
+        const double cos_lat = std::hypot(x, y);
+        const double sin_lat = batch.direction_z[i];
+        derivatives.by_x[0][i] = -per_column * y;
+        derivatives.by_x[1][i] = per_column * x;
+        derivatives.by_x[2][i] = 0;
+        derivatives.by_y[0][i] = per_row * sin_lat * (x / cos_lat);
+        derivatives.by_y[1][i] = per_row * sin_lat * (y / cos_lat);
+        derivatives.by_y[2][i] = -per_row * cos_lat;
+    }
+}
+
 void Equirect::fill_border(SphereGrid &grid) const
 {
     for (int row = 0; row < rows; ++row)

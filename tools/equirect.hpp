@@ -29,6 +29,12 @@ public:
     void directions(int plane, int row, int first_column, std::size_t count,
                     PointBatch &batch) const override;
     void positions(std::size_t count, PointBatch &batch) const override;
+    void derivatives(std::size_t count, const PointBatch &batch,
+                     DerivativeBatch &derivatives) const override;
+    bool wraps() const noexcept override
+    {
+        return true;
+    }
     void fill_border(SphereGrid &grid) const override;
 
 private:

@@ -74,15 +74,12 @@ std::int64_t ArgumentReader::whole_number(std::int64_t low, std::int64_t high)
 double ArgumentReader::not_negative_number()
 {
     const std::string text = value();
-    std::istringstream stream(text);
-    stream.imbue(std::locale::classic());
-    double number = 0;
-    if (!(stream >> number) || stream.peek() != std::istringstream::traits_type::eof() ||
-        !std::isfinite(number) || number < 0)
+    const std::optional<double> number = read_number(text);
+    if (!number || *number < 0)
     {
         throw UsageFailure(current + ": " + in_quotes(text) + " is not a number of 0 or more");
     }
-    return number;
+    return *number;
 }
 
 std::size_t ArgumentReader::word(const std::vector<std::string> &words)
@@ -98,6 +95,19 @@ std::size_t ArgumentReader::word(const std::vector<std::string> &words)
         list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
     }
     throw UsageFailure(current + ": " + in_quotes(text) + " is not " + list);
+}
+
+std::optional<double> read_number(const std::string &text)
+{
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    double number = 0;
+    if (!(stream >> number) || stream.peek() != std::istringstream::traits_type::eof() ||
+        !std::isfinite(number))
+    {
+        return std::nullopt;
+    }
+    return number;
 }
 
 std::string in_quotes(const std::string &text)

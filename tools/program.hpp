@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -85,6 +86,9 @@ private:
     bool has_attached = false;
     bool only_operands = false;
 };
+
+// The finite number that the whole text is, with a point in every locale.
+std::optional<double> read_number(const std::string &text);
 
 // "'name'", with control characters replaced by '?', so that a message stays on one line.
 std::string in_quotes(const std::string &text);

@@ -5,21 +5,13 @@
 #ifndef CUBEMAP_TOOLS_REPROJECT_INPUT_HPP
 #define CUBEMAP_TOOLS_REPROJECT_INPUT_HPP
 
+#include "face_names.hpp"
 #include "image_file.hpp"
 #include "reproject_options.hpp"
 
 #include <memory>
 #include <string>
 #include <vector>
-
-// The names of six faces: 0 to 5 in place of %f, or else before the extension.
-std::vector<std::string> face_names(const std::string &name);
-
-// Does the name have %f in it?
-bool names_faces(const std::string &name);
-
-// "face_0.png .. face_5.png"
-std::string name_list(const std::vector<std::string> &names);
 
 class Input
 {

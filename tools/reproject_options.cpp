@@ -11,8 +11,6 @@
 namespace
 {
 
-const std::vector<std::string> layout_words = {"faces", "strip", "cross"};
-
 void read_projection(ArgumentReader &reader, std::optional<Kind> &kind, std::string &mapping)
 {
     const std::string option = reader.text();
@@ -34,21 +32,6 @@ void read_projection(ArgumentReader &reader, std::optional<Kind> &kind, std::str
     {
         throw UsageFailure(option + ": " + in_quotes(text) + ": " + message);
     }
-}
-
-CubeLayout read_layout(ArgumentReader &reader)
-{
-    return static_cast<CubeLayout>(reader.word(layout_words));
-}
-
-const cm_frame *read_frame(ArgumentReader &reader)
-{
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < cm_frame_count(); ++i)
-    {
-        names.emplace_back(cm_frame_at(i)->identifier);
-    }
-    return cm_frame_at(reader.word(names));
 }
 
 using OptionAction = std::function<void(ArgumentReader &, Options &)>;
@@ -115,6 +98,12 @@ Options parse_options(int argc, char **argv)
             operands.push_back(reader.text());
             continue;
         }
+        const auto overlay_action = overlay_option_actions().find(reader.text());
+        if (overlay_action != overlay_option_actions().end())
+        {
+            overlay_action->second(reader, options.overlay);
+            continue;
+        }
         const auto action = option_actions().find(reader.text());
         if (action == option_actions().end())
         {
@@ -133,6 +122,7 @@ Options parse_options(int argc, char **argv)
                            (operands.size() == 1 ? " name is" : " names are") +
                            " given; see --help");
     }
+    check_overlay_options(options.overlay, false);
     options.input = operands[0];
     options.output = operands[1];
     return options;
@@ -154,14 +144,15 @@ PNG, JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel.
   --size N              pixels along the edge of a face (to )" +
            std::to_string(largest_face) + R"(), or across an
                         equirectangular image (even, to )" +
-           std::to_string(largest_equirect) + R"()); without it,
+           std::to_string(largest_equirect) + R"(); without it,
                         the resolution at the equator stays the same
   --layout LAYOUT       how OUTPUT holds the faces of a cube; without it, faces
   --from-layout LAYOUT  how INPUT does
   --frame FRAME         how the faces sit on the axes; without it, geo
   --from-frame FRAME    the same of INPUT; without it, the same as --frame
   --filter FILTER       bilinear (without it) or nearest
-  --threads N           threads to use; 0 (without it) is one for each core
+)" + overlay_help_text(Options().overlay) +
+           R"(  --threads N           threads to use; 0 (without it) is one for each core
   --quiet               neither a progress bar nor a line that says what was done
   --help, --version     print this, or the version, and stop
 
@@ -178,16 +169,17 @@ Frames:
                         store cube maps; +x is lon 0, +y is lon 90 E, +z is north
   fits                  as geo, in the order top front right back left bottom
 
+Lines:
+  Meridians and parallels, grid and ellipses lie over the resampled image. The cube
+  of grid and ellipses is OUTPUT's, else INPUT's, else cube:)" CM_MAPPING_RECOMMENDED R"(.
+
 Examples:
   cubemap-reproject --size 512 earth.jpg face_%f.png
   cubemap-reproject --to cube:qsc --layout cross earth.jpg cross.png
+  cubemap-reproject --to cube:gnomonic --graticule 15 --indicatrices 5 \
+      --layout cross earth.jpg cross.png
   cubemap-reproject --size 2048 face_%f.png earth-again.png
   cubemap-reproject --from cube --to cube:gnomonic --from-frame geo --frame gl \
       --layout strip face_%f.png sky.exr
 )";
-}
-
-const char *layout_name(CubeLayout layout)
-{
-    return layout_words[static_cast<std::size_t>(layout)].c_str();
 }

@@ -5,7 +5,8 @@
 #ifndef CUBEMAP_TOOLS_REPROJECT_OPTIONS_HPP
 #define CUBEMAP_TOOLS_REPROJECT_OPTIONS_HPP
 
-#include "cube_image.hpp"
+#include "cube_options.hpp"
+#include "overlay_options.hpp"
 
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ struct Options
     const cm_frame *from_frame = nullptr;
     const cm_frame *frame = nullptr;
     Filter filter = Filter::bilinear;
+    OverlayOptions overlay;
     int threads = 0;
     bool quiet = false;
     bool help = false;
@@ -44,7 +46,5 @@ inline constexpr int largest_equirect = 262144;
 Options parse_options(int argc, char **argv);
 
 std::string help_text();
-
-const char *layout_name(CubeLayout layout);
 
 #endif

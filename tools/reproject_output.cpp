@@ -6,6 +6,7 @@
 #include "program.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -13,6 +14,9 @@ namespace
 // Rows are computed, then written, in bands of about so many floats, but at least so many rows.
 constexpr std::size_t band_floats = std::size_t{1} << 22;
 constexpr int band_rows_least = 16;
+
+// How opaque ellipses are inside: what is below must still be seen.
+constexpr double ellipse_fill = 0.35;
 
 // The width of an equirectangular image, or the edge of a face, with the same resolution at the
 // equator as the input.
@@ -51,8 +55,13 @@ int output_size(Kind kind, const Options &options, const Input &input)
 class Band
 {
 public:
-    Band(const PictureLayout &picture_layout, const Projection &target, int channel_count)
-        : picture(picture_layout), sphere(target), channels(static_cast<std::size_t>(channel_count))
+    // draw_over, if there is one, gets each row of a plane when it is computed.
+    using DrawOver = std::function<void(int plane, int row, float *pixels)>;
+
+    Band(const PictureLayout &picture_layout, const Projection &target, int channel_count,
+         DrawOver draw_over)
+        : picture(picture_layout), sphere(target),
+          channels(static_cast<std::size_t>(channel_count)), over(std::move(draw_over))
     {
     }
 
@@ -91,6 +100,7 @@ private:
                            int row, float *pixels) const
     {
         thread_local PointBatch batch;
+        float *const whole_row = pixels;
         for (int column = 0; column < sphere.width();)
         {
             const std::size_t count =
@@ -101,11 +111,16 @@ private:
             pixels += count * channels;
             column += static_cast<int>(count);
         }
+        if (over)
+        {
+            over(plane, row, whole_row);
+        }
     }
 
     const PictureLayout &picture;
     const Projection &sphere;
     const std::size_t channels;
+    const DrawOver over;
 };
 
 } // namespace
@@ -124,6 +139,7 @@ Output::Output(const Options &options, const Input &input)
     choose_names(options, input);
     const ImageFile &source = input.files().front();
     plan = plan_image(output_format(names.front()), source.spec(), source.format(), names.front());
+    choose_overlay(options, source.spec());
     for (const std::string &name : names)
     {
         files.push_back(std::make_unique<AtomicFile>(name));
@@ -149,6 +165,21 @@ void Output::choose_projection(const Options &options, const Input &input)
     layout = options.layout.value_or(CubeLayout::faces);
     sphere = std::make_unique<CubeImage>(options.to_mapping, *options.frame, size);
     pictures = cube_pictures(*layout, *options.frame);
+}
+
+// The pixels are those of the source, multiplied by alpha if the format wants it so.
+void Output::choose_overlay(const Options &options, const OIIO::ImageSpec &source)
+{
+    if (!options.overlay.wanted())
+    {
+        return;
+    }
+    overlay = std::make_unique<Overlay>(options.overlay,
+                                        layout ? options.to_mapping : options.from_mapping,
+                                        layout ? *options.frame : *options.from_frame, *sphere);
+    line_style = {options.overlay.line_width, options.overlay.line_color, ellipse_fill};
+    const bool divided = source.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
+    line_channels = {source.nchannels, source.alpha_channel, !divided || plan.multiply_alpha};
 }
 
 void Output::choose_names(const Options &options, const Input &input)
@@ -189,11 +220,25 @@ void Output::write(const Options &options, const Input &input, const SphereGrid 
     appear_together(files);
 }
 
+std::function<void(int, int, float *)> Output::line_drawer() const
+{
+    if (!overlay)
+    {
+        return nullptr;
+    }
+    return [this](int plane, int row, float *pixels)
+    {
+        LineRow lines(sphere->width());
+        overlay->add_lines(plane, row, lines);
+        lines.draw(line_style, line_channels, pixels);
+    };
+}
+
 void Output::write_picture(const Render &render, std::size_t index, int threads)
 {
     const PictureLayout &picture = pictures[index];
     const int height = picture.rows * sphere->height();
-    const Band band(picture, *sphere, render.grid.channels());
+    const Band band(picture, *sphere, render.grid.channels(), line_drawer());
     const int most_rows = band.most_rows();
     std::vector<float> pixels(band.row_floats() * static_cast<std::size_t>(most_rows));
     ImageWriter writer(plan, picture.columns * sphere->width(), height, names[index],
@@ -227,5 +272,6 @@ std::string Output::description(const Options &options) const
     const PictureLayout &picture = pictures.front();
     return text + std::to_string(picture.columns * sphere->width()) + "x" +
            std::to_string(picture.rows * sphere->height()) +
-           (plan.alpha_dropped ? ", without alpha)" : ")");
+           (plan.alpha_dropped ? ", without alpha" : "") +
+           (overlay ? "; " + overlay->description() : "") + ")";
 }

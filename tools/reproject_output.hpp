@@ -6,8 +6,11 @@
 #define CUBEMAP_TOOLS_REPROJECT_OUTPUT_HPP
 
 #include "image_writer.hpp"
+#include "overlay.hpp"
 #include "progress.hpp"
 #include "reproject_input.hpp"
+
+#include <functional>
 
 class Output
 {
@@ -32,7 +35,9 @@ private:
     struct Render; // what all of the rows have in common
 
     void choose_projection(const Options &options, const Input &input);
+    void choose_overlay(const Options &options, const OIIO::ImageSpec &source);
     void choose_names(const Options &options, const Input &input);
+    std::function<void(int plane, int row, float *pixels)> line_drawer() const;
     void write_picture(const Render &render, std::size_t index, int threads);
 
     std::unique_ptr<Projection> sphere;
@@ -41,6 +46,9 @@ private:
     std::vector<std::string> names; // of their files
     std::vector<std::unique_ptr<AtomicFile>> files;
     ImagePlan plan;
+    std::unique_ptr<Overlay> overlay; // of lines, if there are to be any
+    LineStyle line_style = {};
+    PixelChannels line_channels = {};
 };
 
 #endif

@@ -84,6 +84,14 @@ struct PointBatch
     std::array<std::uint8_t, capacity> plane;
 };
 
+// How the directions of a batch move with their positions, per pixel: the derivatives of x, y and z by
+// the position's x, which grows to the right, and by its y, which grows down.
+struct DerivativeBatch
+{
+    using Numbers = std::array<double, PointBatch::capacity>;
+    std::array<Numbers, 3> by_x, by_y;
+};
+
 // Writes the values at the first count positions of a batch, channel by channel, pixel by pixel.
 void sample(const SphereGrid &grid, Filter filter, const PointBatch &batch, std::size_t count,
             float *output);
@@ -104,6 +112,14 @@ public:
 
     // Sets the positions of the first count directions.
     virtual void positions(std::size_t count, PointBatch &batch) const = 0;
+
+    // Sets the derivatives at the first count positions, whose directions, of unit length, are in the
+    // batch, too.
+    virtual void derivatives(std::size_t count, const PointBatch &batch,
+                             DerivativeBatch &derivatives) const = 0;
+
+    // Does the plane go on at its left edge where it ends at its right one?
+    virtual bool wraps() const noexcept = 0;
 
     // Fills the border of a grid of this projection's size from its pixels.
     virtual void fill_border(SphereGrid &grid) const = 0;

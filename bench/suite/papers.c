@@ -168,7 +168,7 @@ static size_t print_table(size_t index, resolution r, int markdown)
     for (size_t i = 0; i < t.count; i++)
     {
         print_figure(&t.figures[i], markdown);
-        legible += is_legible(&t.figures[i]);
+        legible += (size_t)is_legible(&t.figures[i]);
         agreeing += is_legible(&t.figures[i]) && agrees(&t.figures[i]);
         bad += !is_as_expected(&t.figures[i]);
     }

@@ -333,11 +333,9 @@ static void json_map(FILE *out, const suite *all, const subject *s)
         fprintf(out, ",\n        \"%s_m\": [", direction_names[direction]);
         for (size_t i = 0; i < pixels * pixels; i++)
         {
-            fprintf(out, "%s%.3g",
-                    i == 0            ? ""
-                    : i % pixels == 0 ? ",\n          "
-                                      : ", ",
-                    s->error_map[direction][i]);
+            double error = s->error_map[direction][i];
+            fprintf(out, "%s", i == 0 ? "" : i % pixels == 0 ? ",\n          " : ", ");
+            fprintf(out, isfinite(error) ? "%.3g" : "null", error);
         }
         fprintf(out, "]");
     }

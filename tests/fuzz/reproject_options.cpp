@@ -68,6 +68,13 @@ void check_options(const Options &options)
     }
     EXPECT(!options.size || (*options.size >= 1 && *options.size <= largest_equirect), "size %d",
            *options.size);
+    const OverlayOptions &lines = options.overlay;
+    EXPECT(lines.indicatrices || !lines.indicatrices_radius || options.help || options.version,
+           "a radius alone");
+    EXPECT(!lines.graticule || (*lines.graticule >= 0.0099 && *lines.graticule <= 180),
+           "%g degrees", *lines.graticule);
+    EXPECT(!lines.grid || *lines.grid >= 1, "grid %d", *lines.grid);
+    EXPECT(lines.line_width >= 0.1 && lines.line_width <= 100, "line width %g", lines.line_width);
     EXPECT(options.threads >= 0 && options.threads <= 1024, "%d threads", options.threads);
     check_layout(options.layout.value_or(CubeLayout::cross), *options.frame);
     check_layout(options.from_layout.value_or(CubeLayout::cross), *options.from_frame);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+
+#include "quantity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double none = -std::numeric_limits<double>::infinity();
+
+// Blue below the middle, red above; light where there is no distortion.
+constexpr const char *diverging = "diverging-lightness";
+constexpr const char *sequential = "sequential-custom";
+
+} // namespace
+
+const std::vector<Quantity> &quantities()
+{
+    using Arrays = cm_distortion_arrays;
+    // clang-format off
+    static const std::vector<Quantity> list = {
+        {"area", "D_A", "areas on the map over those of the sphere; 1 is the mean",
+         "", &Arrays::area, 1, 1, none, {0.25, 4}, diverging},
+        {"isotropy", "D_I", "axes of Tissot's ellipse, longer over shorter",
+         "", &Arrays::isotropy, 1, 0, 1, {1, 2}, sequential},
+        {"deformation", "omega", "the most by which an angle can differ",
+         " degrees", &Arrays::deformation, 180 / pi, 0, 0, {0, 40}, sequential},
+        {"scale", "s", "as area, in units of u and v; 6/pi is the mean",
+         "", &Arrays::scale, 1, 6 / pi, none, {1.5 / pi, 24 / pi}, diverging},
+        {"texel-aspect", "L_x / L_y", "width over height of a texel on the sphere",
+         "", &Arrays::texel_aspect, 1, 1, none, {0.5, 2}, diverging},
+        {"texel-area", "L_x L_y", "width times height, over a texel's mean area",
+         "", &Arrays::texel_area, 6 / pi, 1, none, {0.25, 4}, diverging}};
+    // clang-format on
+    return list;
+}
+
+ColorScale::ColorScale(const Quantity &quantity, const ValueRange &value_range, bool turned_round)
+    : colored(value_range), middle(quantity.middle), half(0),
+      reversed(turned_round != !logarithmic())
+{
+    if (logarithmic())
+    {
+        half = std::max(std::fabs(std::log(colored.low / middle)),
+                        std::fabs(std::log(colored.high / middle)));
+    }
+}
+
+double ColorScale::place(double value) const
+{
+    const double inside = std::isnan(value) ? value : std::clamp(value, colored.low, colored.high);
+    const double upwards = logarithmic() ? 0.5 + 0.5 * std::log(inside / middle) / half
+                                         : (inside - colored.low) / (colored.high - colored.low);
+    return reversed ? 1 - upwards : upwards;
+}
+
+double ColorScale::value_at(double part) const
+{
+    return logarithmic() ? colored.low * std::pow(colored.high / colored.low, part)
+                         : colored.low + part * (colored.high - colored.low);
+}
+
+std::string ColorScale::description() const
+{
+    return logarithmic() ? "logarithmic about " + number_text(middle) : "linear";
+}
+
+std::string number_text(double value)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
