@@ -60,9 +60,10 @@ static cm_indicatrix_f64 indicatrix_on(const surface *of, const cm_mapping *mapp
     g[0][1] = -b * scale * to_north;
     g[1][0] = -c * scale * to_east;
     g[1][1] = a * scale * to_north;
-    return cm_make_indicatrix_f64(
-        g[0][0] * g[0][0] + g[0][1] * g[0][1], g[0][0] * g[1][0] + g[0][1] * g[1][1],
-        g[1][0] * g[1][0] + g[1][1] * g[1][1], fabs(g[0][0] * g[1][1] - g[0][1] * g[1][0]));
+    double area = fabs(g[0][0] * g[1][1] - g[0][1] * g[1][0]);
+    return cm_make_indicatrix_f64(g[0][0] * g[0][0] + g[0][1] * g[0][1],
+                                  g[0][0] * g[1][0] + g[0][1] * g[1][1],
+                                  g[1][0] * g[1][0] + g[1][1] * g[1][1], area, 1.0 / area);
 }
 
 typedef struct face_figures

@@ -20,8 +20,8 @@
  *               orientation within 1e-14 rad / (isotropy - 1), it has no direction where the map is
  *               isotropic, and is 0 where a = b in floating point. In float 5e-6 in place of 1e-14. With
  *               other parameters: those errors times isotropy squared
- *   cost        that of a Jacobian and 6 roots and 7 divisions by vectors, 3 to 10 ns a point with AVX2;
- *               some 35 kB of stack
+ *   cost        that of a Jacobian and 6 roots and 6 divisions: 15 to 30 ns a point in double and 6 to 12 in
+ *               float by vectors of AVX2 or AVX-512; some 35 kB of stack
  *   sources     Tissot 1881 by Snyder, Map projections: a working manual, 1987, pp. 20-26 (a, b, s, omega);
  *               Lambers, Mappings between sphere, disc, and square, 2016, section 5.1 (D_A, D_I);
  *               Dimitrijevic, Lambers, Rancic, Comparison of spherical cube map projections, 2016,

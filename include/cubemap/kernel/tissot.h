@@ -26,7 +26,7 @@ CM_STRUCT(cm_indicatrix)
     CM_REAL area;        /* D_A = s / (6 / pi) */
     CM_REAL isotropy;    /* D_I = a / b */
     CM_REAL
-        texel_aspect; /* of the lengths on the sphere of du and dv (Dimitrijevic et al. 2016, eq. 3.4) */
+    texel_aspect; /* of the lengths on the sphere of du and dv (Dimitrijevic et al. 2016, eq. 3.4) */
     CM_REAL texel_area; /* their product over du dv */
 }
 CM_STRUCT_END(cm_indicatrix)
@@ -50,29 +50,28 @@ CM_FN CM_REAL CM_NAME(cm_half_angle)(CM_REAL x, CM_REAL y, CM_REAL radius)
     return CM_SELECT(cm_less(x, CM_LIT(0.0)), quarter - angle, angle);
 }
 
-/* From A, B, C and s. */
-CM_FN CM_NAME(cm_indicatrix)
-    CM_NAME(cm_make_indicatrix)(CM_REAL uu, CM_REAL uv, CM_REAL vv, CM_REAL scale)
+/* From A, B, C, s and 1 / s. */
+CM_FN CM_NAME(cm_indicatrix) CM_NAME(cm_make_indicatrix)(CM_REAL uu, CM_REAL uv, CM_REAL vv,
+                                                         CM_REAL scale, CM_REAL inverse_scale)
 {
     CM_REAL across = CM_LIT(2.0) * uv;
     CM_REAL apart = uu - vv;
     CM_REAL squares_apart = cm_sqrt(cm_mad(apart, apart, across * across));
     CM_REAL sum = cm_sqrt(uu + vv + CM_LIT(2.0) * scale);
     CM_REAL difference = squares_apart / sum;
+    CM_REAL turn = difference / (sum + CM_LIT(2.0) * cm_sqrt(scale));
     CM_NAME(cm_indicatrix) r;
     r.major = CM_LIT(0.5) * (sum + difference);
     r.minor = cm_min(scale / r.major, r.major); /* not above it by rounding */
     r.scale = scale;
     r.area = scale * CM_LIT(0.52359877559829887);
-    r.isotropy = r.major / r.minor;
-    r.deformation =
-        CM_LIT(4.0) * CM_NAME(cm_atan_unit)(difference / (sum + CM_LIT(2.0) * cm_sqrt(scale)));
+    r.isotropy = r.major * r.major * inverse_scale;
+    r.isotropy = CM_SELECT(cm_less(r.isotropy, CM_LIT(1.0)), CM_LIT(1.0), r.isotropy);
+    r.deformation = CM_LIT(4.0) * CM_NAME(cm_atan_unit)(turn);
     r.orientation = CM_NAME(cm_half_angle)(apart, across, squares_apart);
     /* the columns of the inverse of the derivative are as long as the other row, over s */
-    CM_REAL u_length = cm_sqrt(uu);
-    CM_REAL v_length = cm_sqrt(vv);
-    r.texel_aspect = v_length / u_length;
-    r.texel_area = (u_length / scale) * (v_length / scale);
+    r.texel_aspect = cm_sqrt(vv / uu);
+    r.texel_area = cm_sqrt(uu * vv) * (inverse_scale * inverse_scale);
     return r;
 }
 
@@ -82,10 +81,11 @@ CM_FN CM_NAME(cm_indicatrix) CM_NAME(cm_indicatrix_of_gradients)(CM_NAME(cm_grad
     CM_REAL x = g.a_y * g.b_z - g.a_z * g.b_y;
     CM_REAL y = g.a_z * g.b_x - g.a_x * g.b_z;
     CM_REAL z = g.a_x * g.b_y - g.a_y * g.b_x;
+    CM_REAL scale = cm_sqrt(x * x + y * y + z * z);
     return CM_NAME(cm_make_indicatrix)(g.a_x * g.a_x + g.a_y * g.a_y + g.a_z * g.a_z,
                                        g.a_x * g.b_x + g.a_y * g.b_y + g.a_z * g.b_z,
-                                       g.b_x * g.b_x + g.b_y * g.b_y + g.b_z * g.b_z,
-                                       cm_sqrt(x * x + y * y + z * z));
+                                       g.b_x * g.b_x + g.b_y * g.b_y + g.b_z * g.b_z, scale,
+                                       CM_LIT(1.0) / scale);
 }
 
 /* From the derivatives of the unit direction by u and v: their products are the inverse matrix. */
@@ -94,12 +94,13 @@ CM_FN CM_NAME(cm_indicatrix) CM_NAME(cm_indicatrix_of_tangents)(CM_NAME(cm_tange
     CM_REAL x = t.y_a * t.z_b - t.z_a * t.y_b;
     CM_REAL y = t.z_a * t.x_b - t.x_a * t.z_b;
     CM_REAL z = t.x_a * t.y_b - t.y_a * t.x_b;
-    CM_REAL scale = CM_LIT(1.0) / cm_sqrt(x * x + y * y + z * z);
+    CM_REAL inverse_scale = cm_sqrt(x * x + y * y + z * z);
+    CM_REAL scale = CM_LIT(1.0) / inverse_scale;
     CM_REAL square = scale * scale;
     return CM_NAME(cm_make_indicatrix)((t.x_b * t.x_b + t.y_b * t.y_b + t.z_b * t.z_b) * square,
                                        -((t.x_a * t.x_b + t.y_a * t.y_b + t.z_a * t.z_b) * square),
                                        (t.x_a * t.x_a + t.y_a * t.y_a + t.z_a * t.z_a) * square,
-                                       scale);
+                                       scale, inverse_scale);
 }
 
 #endif
