@@ -284,6 +284,9 @@ lines()
     on_black --to cube:gnomonic --size 401 --graticule 15 black.tif odd.tif
     holds 'a pixel on the pole' pixel odd_4.tif 200 200 1
     holds 'and on the other' pixel odd_5.tif 200 200 1
+    reproject --quiet --to cube:gnomonic --size 60 black.tif flat.tif
+    on_black --from cube:gnomonic --to equirect --size 720 --grid 3 flat_%f.tif grid.tif
+    holds 'grid of a cube over an equirectangular image' equirect_grid grid.tif
     local mapping
     for mapping in gnomonic qsc cobe healpix; do
         on_black --to cube:$mapping --size 240 --grid 6 black.tif grid.tif

@@ -368,6 +368,17 @@ def check_cube_grid(name, cells):
         close(line[-1], 1, 0, "the edge")
 
 
+def check_equirect_grid(name):
+    """720 x 360, 3 x 3 cells of gnomonic: near the equator at its lines of u, at the pole at one circle."""
+    picture = Picture(name)
+    third = math.degrees(math.atan(1 / 3))
+    wanted = [2 * (180 + face + lon) for face in (-180, -90, 0, 90, 180) for lon in (-45, -third, third)]
+    check_lines(line_centres(row(picture, 175)), [x for x in wanted if 0 < x < 720], 0.05, "equator")
+    close(sum(row(picture, 175)), 2 * 12, 0.2, "the width of all lines")
+    top = [2 * lat for lat in (third, 45, 90 - third, 90 + third, 135, 180 - third)]
+    check_lines(line_centres(column(picture, 359)), top, 0.1, "lon 0")
+
+
 def check_isolines(name, step):
     """A face of gnomonic with isolines of area in red, 4 wide: circles of (1 + r^2)^1.5 pi/6 = k step."""
     picture, step = Picture(name), float(step)

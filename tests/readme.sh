@@ -53,9 +53,12 @@ $cc -std=c11 -Wall -Wextra -Wpedantic -Werror $sanitizers -o "$work/static" "$wo
 diff "$work/expected" "$work/got"
 echo "ok: static"
 # everything a user expects is there
-for file in bin/cubemap-project bin/cubemap-reproject include/cubemap/cubemap.h \
-    include/cubemap/kernels.h include/cubemap/kernel/backend.h share/man/man1/cubemap-project.1 \
-    share/man/man1/cubemap-reproject.1; do
+for file in bin/cubemap-project bin/cubemap-reproject bin/cubemap-bench bin/cubemap-distortion \
+    bin/cubemap-colormap include/cubemap/cubemap.h include/cubemap/distortion.h \
+    include/cubemap/statistics.h include/cubemap/colormap.h include/cubemap/kernels.h \
+    include/cubemap/kernel/backend.h share/man/man1/cubemap-project.1 \
+    share/man/man1/cubemap-reproject.1 share/man/man1/cubemap-bench.1 \
+    share/man/man1/cubemap-distortion.1 share/man/man1/cubemap-colormap.1; do
     if [ -z "$(find "$work/root" -path "*/$file")" ]; then
         echo "not ok: $file is not installed"
         exit 1

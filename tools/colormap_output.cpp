@@ -76,7 +76,7 @@ struct Steps
     double mean;
     double deviation;          // the largest from the mean, as a part of it
     double deviation_at;       // t where that step begins
-    double without_corners;    // the same of steps along which the path has no corner
+    double without_corners;    // the same of steps across which the path has no corner
     double deviation_of_bytes; // the same of colours that are rounded to 8 bits
 };
 
@@ -155,6 +155,41 @@ Steps measure_steps(const SampledMap &sampled)
     const Spread spread = spread_of(all);
     return {spread.mean, spread.deviation, samples[spread.furthest].t,
             spread_of(straight).deviation, spread_of(of_bytes).deviation};
+}
+
+// ---- where the samples are
+
+// The places between two samples whose places are known. Between two corners they are equally far apart, which
+// saves the library's planning of all places for each of them.
+void fill_places(const cm_colormap *map, std::vector<double> &places, std::size_t first,
+                 std::size_t last)
+{
+    if (last - first < 2)
+    {
+        return;
+    }
+    if (!crosses_corner(map, places[first], places[last]))
+    {
+        const double step = (places[last] - places[first]) / static_cast<double>(last - first);
+        for (std::size_t i = first + 1; i < last; ++i)
+        {
+            places[i] = places[first] + static_cast<double>(i - first) * step;
+        }
+        return;
+    }
+    const std::size_t middle = first + (last - first) / 2;
+    places[middle] = cm_colormap_position(map, places.size(), middle);
+    fill_places(map, places, first, middle);
+    fill_places(map, places, middle, last);
+}
+
+std::vector<double> places_of_samples(const cm_colormap *map, std::size_t count)
+{
+    std::vector<double> places(count);
+    places.front() = cm_colormap_position(map, count, 0);
+    places.back() = cm_colormap_position(map, count, count - 1);
+    fill_places(map, places, 0, count - 1);
+    return places;
 }
 
 // ---- JSON
@@ -318,9 +353,9 @@ SampledMap sample_map(const cm_colormap *map, const std::string &name, std::size
     std::vector<double> srgb(3 * count);
     cm_colormap_samples(map, count, srgb.data(), &sampled.clipping);
     sampled.samples.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
+    for (const double t : places_of_samples(map, count))
     {
-        sampled.samples.push_back(sample_at(map, cm_colormap_position(map, count, i)));
+        sampled.samples.push_back(sample_at(map, t));
     }
     if (reversed)
     {

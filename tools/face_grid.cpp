@@ -17,9 +17,29 @@ struct GridBatch
 
 } // namespace
 
+// No derivatives here: on a crease those of the two directions may be of different sides.
+void FaceGrid::lower_own_distances(std::size_t points, const PointBatch &batch,
+                                   double *distance) const
+{
+    const double cell = double(size) / count;
+    for (std::size_t i = 0; i < points; ++i)
+    {
+        for (const double place : {batch.x[i], batch.y[i]})
+        {
+            distance[i] =
+                std::fmin(distance[i], std::fabs(place - std::round(place / cell) * cell));
+        }
+    }
+}
+
 void FaceGrid::lower_distances(std::size_t points, const PointBatch &batch,
                                const DerivativeBatch &derivatives, double *distance) const
 {
+    if (size > 0)
+    {
+        lower_own_distances(points, batch, distance);
+        return;
+    }
     thread_local GridBatch grid;
     const double *const x = batch.direction_x.data();
     const double *const y = batch.direction_y.data();

@@ -10,8 +10,10 @@
 class FaceGrid
 {
 public:
-    // N x N cells a face of the cube with this mapping, which must outlive the grid.
-    FaceGrid(const cm_mapping &cube_mapping, int cells) : mapping(cube_mapping), count(cells)
+    // N x N cells a face of the cube with this mapping, which must outlive the grid. In pictures of that
+    // cube itself own_size is the edge of a face in pixels; in others it is 0.
+    FaceGrid(const cm_mapping &cube_mapping, int cells, int own_size)
+        : mapping(cube_mapping), count(cells), size(own_size)
     {
     }
 
@@ -21,8 +23,11 @@ public:
                          const DerivativeBatch &derivatives, double *distance) const;
 
 private:
+    void lower_own_distances(std::size_t points, const PointBatch &batch, double *distance) const;
+
     const cm_mapping &mapping;
     int count;
+    int size;
 };
 
 #endif

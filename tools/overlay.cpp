@@ -114,7 +114,8 @@ Overlay::Overlay(const OverlayOptions &wanted, const std::string &mapping, const
     }
     if (options.grid)
     {
-        grid.emplace(*cube, *options.grid);
+        const bool own = target.planes() == 6;
+        grid.emplace(*cube, *options.grid, own ? target.width() : 0);
     }
     if (options.indicatrices)
     {
