@@ -120,6 +120,7 @@ for name in sys.argv[1:]:
                                        data["specification"].split(":")[1].split(",")}
     count = {"qualitative": 8, "diverging": 257}.get(data["family"], 256)
     assert len(data["samples"]) == count, len(data["samples"])
+    assert data["step"]["max_deviation_percent"] < 0.01, data["step"]
     assert data["step"]["max_deviation_without_corners_percent"] < 0.01, data["step"]
     assert data["largest_saturation"] > data["parameters"]["saturation"]
     for sample in data["samples"]:
@@ -129,6 +130,78 @@ for name in sys.argv[1:]:
     assert data["family"] != "diverging" or middle == [0], middle
 ' sequential-single sequential-rainbow sequential-custom sequential-saturation diverging-lightness \
     diverging-saturation qualitative
+cat >luv.py <<'P'
+def invert(m):
+    """The inverse of a 3 by 3 matrix, by cofactors."""
+    def minor(i, k):
+        a, b = (x for x in range(3) if x != i)
+        c, d = (x for x in range(3) if x != k)
+        return (-1) ** (i + k) * (m[a][c] * m[b][d] - m[a][d] * m[b][c])
+    whole = sum(m[0][k] * minor(0, k) for k in range(3))
+    return [[minor(k, i) / whole for k in range(3)] for i in range(3)]
+
+def xyz(x, y):
+    return [x / y, 1, (1 - x - y) / y]
+
+def times(m, v):
+    return [sum(m[i][k] * v[k] for k in range(3)) for i in range(3)]
+
+WHITE = xyz(0.3127, 0.3290)
+PRIMARIES = [list(row) for row in zip(xyz(0.64, 0.33), xyz(0.30, 0.60), xyz(0.15, 0.06))]
+BRIGHT = times(invert(PRIMARIES), WHITE)
+
+def luv(srgb):
+    """CIELUV of three numbers of sRGB, from the chromaticities of its primaries and its white."""
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in srgb]
+    x, y, z = times(PRIMARIES, [c * b for c, b in zip(linear, BRIGHT)])
+    if y <= 0:
+        return [0, 0, 0]
+    lightness = 116 * y ** (1 / 3) - 16 if y > 216 / 24389 else y * 24389 / 27
+    whole, of_white = x + 15 * y + 3 * z, WHITE[0] + 15 + 3 * WHITE[2]
+    return [lightness, 13 * lightness * (4 * x / whole - 4 * WHITE[0] / of_white),
+            13 * lightness * (9 * y / whole - 9 / of_white)]
+
+def worst_step(colors):
+    """How far the worst distance of neighbours is from the mean, as a part of it, and the mean."""
+    at = [luv(color) for color in colors]
+    steps = [sum((a - b) ** 2 for a, b in zip(*pair)) ** 0.5 for pair in zip(at, at[1:])]
+    mean = sum(steps) / len(steps)
+    return max(abs(step / mean - 1) for step in steps), mean
+P
+for model in $models; do
+    colormap "$model" --samples 256 --format json -o "$model.256.json"
+    colormap "$model" --samples 256 --format csv -o "$model.256.csv"
+done
+checks 'steps of 256 colours are even, corners included, and json says so' '
+import csv, json, sys
+from luv import worst_step
+for name in sys.argv[1:]:
+    data = json.load(open(name + ".256.json"))
+    rows = list(csv.DictReader(open(name + ".256.csv")))
+    assert len(rows) == len(data["samples"]) == 256
+    ts = [float(row["t"]) for row in rows]
+    assert ts[0] == 0 and all(a < b for a, b in zip(ts, ts[1:])), name
+    assert ts[-1] == 1 or name == "qualitative", ts[-1]
+    for colors in ([s["srgb"] for s in data["samples"]],
+                   [[float(row[c]) for c in ("red", "green", "blue")] for row in rows]):
+        worst, mean = worst_step(colors)
+        assert worst < 0.0001, (name, worst)
+        assert abs(mean - data["step"]["mean"]) < 1e-6 * mean, (name, mean, data["step"])
+        assert abs(100 * worst - data["step"]["max_deviation_percent"]) < 1e-5, (name, worst)
+' sequential-single sequential-rainbow sequential-custom sequential-saturation diverging-lightness \
+    diverging-saturation qualitative
+# the colour in the middle of a fold, where two samples beside it are the same, is the only short step
+colormap diverging:divergence=0 --samples 256 --format json >fold.json
+checks 'json says where steps are not even' '
+import json
+from luv import worst_step
+data = json.load(open("fold.json"))
+assert data["step"]["max_deviation_percent"] > 99, data["step"]
+assert abs(data["step"]["max_deviation_t"] - 0.5) < 0.01, data["step"]
+assert worst_step([s["srgb"] for s in data["samples"]])[0] > 0.99
+assert data["step"]["max_deviation_without_corners_percent"] < 1e-6, data["step"]'
+colormap diverging --samples 257 --format csv | grep -q '^0\.5,\([^,]*\),\1,\1,'
+result $? 'the middle of a diverging map is a colour of 257, and grey'
 specification=$(python3 -c 'import json; print(json.load(open("sequential-custom.json"))["specification"])')
 colormap "$specification" --format json | cmp -s - sequential-custom.json
 result $? 'the specification in json makes the same map'

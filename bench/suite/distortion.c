@@ -17,8 +17,7 @@ void distort(const cm_mapping *mapping, double tolerance, int with_percentiles, 
         (void)cm_distortion_statistics(mapping, quantity, &options, s);
         if (with_percentiles &&
             cm_distortion_percentiles(mapping, quantity, &options, PERCENTILES, percentiles,
-                                      d->percentile[quantity][measure],
-                                      d->percentile_doubt[quantity][measure]) != CM_OK)
+                                      d->percentile[quantity][measure], NULL) != CM_OK)
         {
             perror(program_name);
         }

@@ -76,7 +76,6 @@ typedef struct distortion
 {
     cm_statistics of[QUANTITIES][MEASURES];
     double percentile[QUANTITIES][MEASURES][PERCENTILES];
-    double percentile_doubt[QUANTITIES][MEASURES][PERCENTILES];
 } distortion;
 
 typedef struct length_row

@@ -151,19 +151,36 @@ static void check_corners(const cm_colormap *map)
     EXPECT(isnan(cm_colormap_corner(map, cm_colormap_corner_count(map))), "one corner too many");
 }
 
+/* Places grow from one end to the other; the middle of a diverging map is one. */
+static void check_places(const cm_colormap *map, const double *places, size_t n)
+{
+    const cm_colormap_family family = cm_colormap_describe(map)->family;
+    for (size_t i = 0; i < n; i++)
+    {
+        EXPECT(i == 0 ? places[0] == 0.0 : places[i] > places[i - 1], "%zu of %zu at %.17g", i, n,
+               places[i]);
+    }
+    EXPECT(n < 2 || family == CM_COLORMAP_QUALITATIVE || places[n - 1] == 1.0, "the last of %zu",
+           n);
+    EXPECT(n < 2 || n % 2 == 0 || family != CM_COLORMAP_DIVERGING || places[n / 2] == 0.5,
+           "the middle of %zu", n);
+}
+
 static void check_samples(const cm_colormap *map, size_t n)
 {
     double *srgb = malloc(3 * n * sizeof *srgb + (n == 0));
     uint8_t *bytes = malloc(3 * n + (n == 0));
+    double *places = malloc(n * sizeof *places + (n == 0));
     cm_colormap_clipping found, of_bytes;
     size_t outside = 0;
-    EXPECT(srgb != NULL && bytes != NULL, "no memory");
+    EXPECT(srgb != NULL && bytes != NULL && places != NULL, "no memory");
     cm_colormap_samples(map, n, srgb, &found);
     cm_colormap_samples_u8(map, n, bytes, &of_bytes);
     for (size_t i = 0; i < n; i++)
     {
         cm_colormap_color color;
-        cm_colormap_color_at(map, cm_colormap_position(map, n, i), &color);
+        places[i] = cm_colormap_position(map, n, i);
+        cm_colormap_color_at(map, places[i], &color);
         outside += !color.inside;
         for (size_t k = 0; k < 3; k++)
         {
@@ -173,6 +190,8 @@ static void check_samples(const cm_colormap *map, size_t n)
     }
     EXPECT(found.count == outside && of_bytes.count == outside, "%zu clipped", found.count);
     EXPECT(isnan(cm_colormap_position(map, n, n)), "one sample too many");
+    check_places(map, places, n);
+    free(places);
     free(srgb);
     free(bytes);
 }
@@ -241,7 +260,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_parameters(map);
         check_written(map);
         check_corners(map);
-        check_samples(map, take_byte(&from) + (size_t)take_byte(&from) % 50);
+        size_t n = take_byte(&from) + (size_t)take_byte(&from) % 50;
+        /* with many stops each place may take milliseconds */
+        check_samples(map, cm_colormap_stop_count(map) > 6 ? n % 40 : n);
         check_color(map, take_double(&from));
         check_color(map, 0.5 + 0.5 * take_fraction(&from));
         check_distance(map, 0.5 + 0.5 * take_fraction(&from), 0.5 + 0.5 * take_fraction(&from));
