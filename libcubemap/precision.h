@@ -287,35 +287,33 @@ typedef CM_REAL block[CM_BLOCK];
 
 typedef struct distortion_blocks
 {
-    block jacobian[6];
+    _Alignas(sizeof(rest)) block jacobian[6];
     block column[CM_DISTORTION_COLUMNS];
 } distortion_blocks;
 
-/* From the Jacobians of at most CM_BLOCK points to their places from at on. */
-static void distort_block(const cm_mapping *mapping, int of_tangents, size_t n, size_t at,
-                          distortion_blocks *b, const CM_PUBLIC(cm_distortion_arrays) * to)
-{
-    CM_REAL *wanted[CM_DISTORTION_COLUMNS] = {to->major,    to->minor,        to->orientation,
-                                              to->scale,    to->deformation,  to->area,
-                                              to->isotropy, to->texel_aspect, to->texel_area};
-    CM_REAL *const jacobian[6] = {b->jacobian[0], b->jacobian[1], b->jacobian[2],
-                                  b->jacobian[3], b->jacobian[4], b->jacobian[5]};
-    CM_REAL *column[CM_DISTORTION_COLUMNS];
-    size_t lanes = mapping->set->CM_NAME(lanes);
-    size_t padded = (n + lanes - 1) / lanes * lanes;
-    for (int k = 0; k < 6; k++)
-    {
-        for (size_t i = n; i < padded; i++)
-        {
-            jacobian[k][i] = jacobian[k][0];
-        }
+#define SIX_BLOCKS(b)                                                                              \
+    {                                                                                              \
+        (b)->jacobian[0], (b)->jacobian[1], (b)->jacobian[2], (b)->jacobian[3], (b)->jacobian[4],  \
+            (b)->jacobian[5]                                                                       \
     }
+
+/* From the Jacobians of whole vectors of points, of which n are kept, to their places from at on: straight
+ * there, or where the vectors are more than n by way of the blocks. */
+static void distort_block(const cm_mapping *mapping, int of_tangents, size_t padded, size_t n,
+                          size_t at, distortion_blocks *b,
+                          const CM_PUBLIC(cm_distortion_arrays) * to)
+{
+    CM_REAL *const wanted[CM_DISTORTION_COLUMNS] = {to->major,    to->minor,        to->orientation,
+                                                    to->scale,    to->deformation,  to->area,
+                                                    to->isotropy, to->texel_aspect, to->texel_area};
+    CM_REAL *const jacobian[6] = SIX_BLOCKS(b);
+    CM_REAL *column[CM_DISTORTION_COLUMNS];
     for (int k = 0; k < CM_DISTORTION_COLUMNS; k++)
     {
-        column[k] = b->column[k];
+        column[k] = wanted[k] != NULL && n == padded ? wanted[k] + at : b->column[k];
     }
     mapping->set->CM_NAME(indicatrices)(of_tangents, padded, jacobian, column);
-    for (int k = 0; k < CM_DISTORTION_COLUMNS; k++)
+    for (int k = 0; k < CM_DISTORTION_COLUMNS && n < padded; k++)
     {
         if (wanted[k] != NULL)
         {
@@ -329,13 +327,24 @@ void CM_PUBLIC(cm_forward_distortion_array)(const cm_mapping *mapping, size_t n,
                                             const CM_PUBLIC(cm_distortion_arrays) * distortion)
 {
     distortion_blocks b;
-    CM_REAL *const to[6] = {b.jacobian[0], b.jacobian[1], b.jacobian[2],
-                            b.jacobian[3], b.jacobian[4], b.jacobian[5]};
-    for (size_t done = 0; done < n; done += CM_BLOCK)
+    CM_REAL *const to[6] = SIX_BLOCKS(&b);
+    size_t lanes = mapping->CM_NAME(lanes);
+    size_t left = n % lanes;
+    size_t whole = n - left;
+    for (size_t done = 0; done < whole; done += CM_BLOCK)
     {
-        size_t count = n - done < CM_BLOCK ? n - done : CM_BLOCK;
-        CM_PUBLIC(cm_forward_jacobian_array)(mapping, count, x + done, y + done, z + done, to);
-        distort_block(mapping, 0, count, done, &b, distortion);
+        size_t count = whole - done < CM_BLOCK ? whole - done : CM_BLOCK;
+        mapping->CM_NAME(batch).forward_jacobian(mapping, count, x + done, y + done, z + done, to);
+        distort_block(mapping, 0, count, count, done, &b, distortion);
+    }
+    if (left > 0)
+    {
+        REST p, q, r;
+        copy_to_rest(mapping, p, x + whole, left);
+        copy_to_rest(mapping, q, y + whole, left);
+        copy_to_rest(mapping, r, z + whole, left);
+        mapping->CM_NAME(batch).forward_jacobian(mapping, lanes, p, q, r, to);
+        distort_block(mapping, 0, lanes, left, whole, &b, distortion);
     }
 }
 
@@ -344,13 +353,26 @@ void CM_PUBLIC(cm_inverse_distortion_array)(const cm_mapping *mapping, size_t n,
                                             const CM_PUBLIC(cm_distortion_arrays) * distortion)
 {
     distortion_blocks b;
-    CM_REAL *const to[6] = {b.jacobian[0], b.jacobian[1], b.jacobian[2],
-                            b.jacobian[3], b.jacobian[4], b.jacobian[5]};
-    for (size_t done = 0; done < n; done += CM_BLOCK)
+    CM_REAL *const to[6] = SIX_BLOCKS(&b);
+    size_t lanes = mapping->CM_NAME(lanes);
+    size_t left = n % lanes;
+    size_t whole = n - left;
+    for (size_t done = 0; done < whole; done += CM_BLOCK)
     {
-        size_t count = n - done < CM_BLOCK ? n - done : CM_BLOCK;
-        CM_PUBLIC(cm_inverse_jacobian_array)(mapping, count, face + done, u + done, v + done, to);
-        distort_block(mapping, 1, count, done, &b, distortion);
+        size_t count = whole - done < CM_BLOCK ? whole - done : CM_BLOCK;
+        mapping->CM_NAME(batch).inverse_jacobian(mapping, count, face + done, u + done, v + done,
+                                                 to);
+        distort_block(mapping, 1, count, count, done, &b, distortion);
+    }
+    if (left > 0)
+    {
+        REST p, q;
+        uint8_t faces[CM_LANES_MAX];
+        copy_faces_to_rest(faces, face + whole, left);
+        copy_to_rest(mapping, p, u + whole, left);
+        copy_to_rest(mapping, q, v + whole, left);
+        mapping->CM_NAME(batch).inverse_jacobian(mapping, lanes, faces, p, q, to);
+        distort_block(mapping, 1, lanes, left, whole, &b, distortion);
     }
 }
 

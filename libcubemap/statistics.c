@@ -179,7 +179,7 @@ static void find_percentiles(const cm_survey *survey, int along, sample *samples
     }
     for (size_t k = 0; k < count; k++)
     {
-        value[k] = percentile_of(samples, n, total, percent[k]);
+        value[k] = n == 0 ? (double)NAN : percentile_of(samples, n, total, percent[k]);
     }
 }
 

@@ -59,12 +59,16 @@ const char *length_text(double metres);
 void json_text(FILE *out, const char *key, const char *text);
 void json_number(FILE *out, const char *key, double value);
 
-/* A file of results that is there from the beginning, so that one that cannot be written is known before
- * the long run, and that gets its name at the end. - is standard output, NULL none. */
+#define OUTPUT_NAME_MAX 4200
+
+/* A file of results, written beside the target and given its name at the end; what is no regular file is
+ * written as it is. - is standard output, NULL none. Two at most may be open at a time: those are removed
+ * when a signal ends the program. */
 typedef struct output
 {
     const char *name;
-    char part[1024];
+    char target[OUTPUT_NAME_MAX];
+    char part[OUTPUT_NAME_MAX];
     FILE *file;
 } output;
 
@@ -72,6 +76,12 @@ typedef struct output
 int output_open(output *o, const char *name);
 int output_close(output *o);
 void output_drop(output *o);
+
+/* Are they two files, as far as one can tell before they are there? NULL is none. */
+int outputs_differ(const char *a, const char *b);
+
+/* 0, or 1 after it has said what is wrong: the exit status. */
+int close_standard_output(void);
 
 #ifdef __cplusplus
 }

@@ -5,7 +5,6 @@
  */
 #include "suite.h"
 
-#include <errno.h>
 #include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
@@ -177,6 +176,27 @@ static const char *option_name(int value)
     return "";
 }
 
+static const char *right_for(int option)
+{
+    switch (option)
+    {
+    case ISOTROPY:
+        return "a number from 1 on";
+    case DEFORMATION:
+        return "a number from 0 to 180";
+    case EQUAL:
+        return "yes or no";
+    case SMOOTH:
+        return "c0, c1 or analytic";
+    case DIRECTION:
+        return "forward, inverse or both";
+    case PRECISION:
+        return "double, float or fast";
+    default:
+        return "a number from 0 on";
+    }
+}
+
 /* -1 to go on, or the exit status */
 static int read_options(advice *a, int argc, char **argv)
 {
@@ -186,7 +206,7 @@ static int read_options(advice *a, int argc, char **argv)
         if (option == 'h')
         {
             fputs(help, stdout);
-            return fflush(stdout) != 0;
+            return close_standard_output();
         }
         if (option == '?')
         {
@@ -194,9 +214,7 @@ static int read_options(advice *a, int argc, char **argv)
         }
         if (!take_option(a, option))
         {
-            char what[64];
-            snprintf(what, sizeof what, "--%s cannot be ", option_name(option));
-            return usage(what, optarg);
+            return usage_of(option_name(option), optarg, right_for(option));
         }
     }
     char why[200];
@@ -216,13 +234,22 @@ static int read_options(advice *a, int argc, char **argv)
 
 /* ---- Candidates ---- */
 
-/* A round trip on Earth, as the descriptor promises it for the standard parameters. */
-static double promised_error(const subject *s, int precision)
+/* A round trip on Earth, as the descriptor promises it; NaN for parameters that it promises nothing for.
+ * The fast tier falls back to the exact one where it has no direction. */
+static double promised_error(const subject *s, const way *w)
 {
-    const cm_bounds *bounds = &cm_mapping_describe(s->mapping)->bounds;
-    double eps = precision == PRECISION_DOUBLE ? 0x1p-53 : 0x1p-24;
-    double more = precision == PRECISION_FAST ? 1.0 : 0.0;
-    return (bounds->round_trip + more) * eps * 6371007.2;
+    const cm_mapping_info *info = cm_mapping_describe(s->mapping);
+    int narrow = w->precision == PRECISION_FLOAT ||
+                 (w->precision == PRECISION_FAST && (w->offered[FORWARD] || w->offered[INVERSE]));
+    double more = narrow && w->precision == PRECISION_FAST ? 1.0 : 0.0;
+    for (size_t i = 0; i < info->parameter_count; i++)
+    {
+        if (cm_mapping_parameter(s->mapping, i) != info->parameter[i].standard)
+        {
+            return (double)NAN;
+        }
+    }
+    return (info->bounds.round_trip + more) * (narrow ? 0x1p-24 : 0x1p-53) * 6371007.2;
 }
 
 static int keeps(const advice *a, const candidate *c)
@@ -230,7 +257,8 @@ static int keeps(const advice *a, const candidate *c)
     const cm_mapping_info *info = cm_mapping_describe(c->subject->mapping);
     const limits *l = &a->limit;
     return c->value[0] <= l->area_error && c->value[1] <= l->isotropy &&
-           c->value[2] <= l->deformation && c->value[3] <= l->ns && c->value[4] <= l->error &&
+           c->value[2] <= l->deformation && c->value[3] <= l->ns &&
+           (c->value[4] <= l->error || isinf(l->error)) &&
            (!l->equal_area || (info->properties & CM_EQUAL_AREA) != 0) &&
            (int)info->smooth_face >= l->smooth;
 }
@@ -251,7 +279,7 @@ static candidate make_candidate(const advice *a, const way *w)
     c.value[1] = of[CM_QUANTITY_ISOTROPY][CM_OVER_FACE].maximum;
     c.value[2] = of[CM_QUANTITY_DEFORMATION][CM_OVER_FACE].maximum * 57.295779513082321;
     c.value[3] = c.cost;
-    c.value[4] = promised_error(s, w->precision);
+    c.value[4] = promised_error(s, w);
     c.good = keeps(a, &c);
     return c;
 }
@@ -263,22 +291,12 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The tier fast where it has both directions that are asked for, else the exact one. */
-static int is_candidate(const advice *a, const way *w)
-{
-    return w->precision == a->precision && (!(a->limit.directions & 1) || w->offered[FORWARD]) &&
-           (!(a->limit.directions & 2) || w->offered[INVERSE]);
-}
-
 static void find_candidates(advice *a)
 {
     a->list = allocate(a->all.way_count, sizeof *a->list);
     for (size_t i = 0; i < a->all.way_count; i++)
     {
-        if (is_candidate(a, &a->all.ways[i]))
-        {
-            a->list[a->count++] = make_candidate(a, &a->all.ways[i]);
-        }
+        a->list[a->count++] = make_candidate(a, &a->all.ways[i]);
     }
     qsort(a->list, a->count, sizeof *a->list, compare);
 }
@@ -287,9 +305,11 @@ static void find_candidates(advice *a)
 
 static void print_candidate(const candidate *c)
 {
-    printf("%-20s %6.2f %6.2f   %10.4g %9.4f %11.2f   %s\n", c->subject->specification,
-           c->way->time[FORWARD].median, c->way->time[INVERSE].median, c->value[0], c->value[1],
-           c->value[2], length_text(c->value[4]));
+    const timing *t = c->way->time;
+    printf("%-20s %6.2f %6.2f %3.0f%%  %10.4g %9.4f %11.2f   %s\n", c->subject->specification,
+           t[FORWARD].median, t[INVERSE].median, fmax(spread(&t[FORWARD]), spread(&t[INVERSE])),
+           c->value[0] < 1e-12 ? 0.0 : c->value[0], c->value[1], c->value[2],
+           isnan(c->value[4]) ? "-" : length_text(c->value[4]));
 }
 
 /* What a candidate exceeds, as a sentence's end. */
@@ -302,7 +322,12 @@ static void print_excess(const advice *a, const candidate *c)
     const char *before = " ";
     for (int k = 0; k < 5; k++)
     {
-        if (c->value[k] > limit[k])
+        if (isnan(c->value[k]) && !isinf(limit[k]))
+        {
+            printf("%sno promise of its %s with these parameters", before, what[k]);
+            before = "; ";
+        }
+        else if (c->value[k] > limit[k])
         {
             printf("%s%s %.4g, %.3g more than %g", before, what[k], c->value[k],
                    c->value[k] - limit[k], limit[k]);
@@ -380,12 +405,23 @@ static void write_advice(FILE *out, const advice *a)
 {
     static const char *const keys[] = {"area_error", "isotropy", "deformation_deg", "cost_ns",
                                        "round_trip_bound_m"};
+    const double limit[] = {a->limit.area_error, a->limit.isotropy, a->limit.deformation,
+                            a->limit.ns, a->limit.error};
     fprintf(out, "{\n  ");
     json_text(out, "program", "cubemap-bench advise");
     json_text(out, "version", cm_version());
     json_text(out, "cpu", system_cpu());
+    json_text(out, "compiler", system_compiler());
+    json_text(out, "flags", system_flags());
+    json_text(out, "instructions", cm_mapping_instructions(a->all.subjects[0].mapping));
     json_text(out, "precision", precision_names[a->precision]);
-    fprintf(out, "\n  \"candidates\": [");
+    fprintf(out, "\n  \"limits\": {");
+    for (int k = 0; k < 5; k++)
+    {
+        json_number(out, keys[k], limit[k]);
+    }
+    fprintf(out, "\"equal_area\": %s},\n  \"candidates\": [",
+            a->limit.equal_area ? "true" : "false");
     for (size_t i = 0; i < a->count; i++)
     {
         const candidate *c = &a->list[i];
@@ -434,13 +470,9 @@ static int run(advice *a)
     {
         write_advice(json.file, a);
     }
-    int written = output_close(&json);
-    if (fflush(stdout) != 0)
-    {
-        fprintf(stderr, "%s: cannot write to standard output: %s\n", program_name, strerror(errno));
-        written = 0;
-    }
-    return !written || first_good == a->count;
+    int good = output_close(&json);
+    good &= close_standard_output() == 0;
+    return !good || first_good == a->count;
 }
 
 int advise(int argc, char **argv)
@@ -451,6 +483,7 @@ int advise(int argc, char **argv)
     if (status < 0)
     {
         a.all.set.precision = a.precision;
+        a.all.set.all_tiers = 1;
         status = suite_prepare(&a.all) ? run(&a) : 1;
     }
     free(a.list);

@@ -11,9 +11,11 @@ import json
 import math
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 FEW = ["--quick", "--repetitions", "3", "--points", "500", "--random", "200", "--hard", "200"]
 QUANTITIES = ["area", "isotropy", "deformation", "scale", "texel-aspect", "texel-area"]
@@ -128,6 +130,41 @@ def check_advise(program, folder):
     check(none.returncode == 1 and "No mapping qualifies" in none.stdout and none.stderr == "", none)
 
 
+def check_options(program, folder):
+    for order in (["--points", "100", "--quick"], ["--quick", "--points", "100"]):
+        results = json.loads(run(program, *order, "--repetitions", "2", "--random", "9", "--hard", "9",
+                                 "--json", "-", "s2"))
+        check(results["settings"]["points"] == 100, order, results["settings"])
+    # a mapping without a fast tier is advised with its exact one; no promise without standard parameters
+    text = run(program, "advise", "--quick", "--precision", "fast", "gnomonic", "tangent")
+    check("gnomonic" in text and "tangent" in text, text)
+    done = call(program, "advise", "--quick", "--max-error", "1", "cobe:legacy=1")
+    check(done.returncode == 1 and "no promise" in done.stdout, done)
+    nothing = call(program, "--precision", "fast", "gnomonic")
+    check(nothing.returncode == 2 and nothing.stderr.count("\n") == 1, nothing)
+    same = str(folder / "same")
+    done = call(program, "--json", same, "--csv", same)
+    check(done.returncode == 2 and not pathlib.Path(same).exists(), done)
+
+
+def check_files(program, folder):
+    """Links are followed, devices written to, and nothing is left by a signal."""
+    real, link = folder / "real.json", folder / "link.json"
+    real.write_text("old", encoding="ascii")
+    link.symlink_to(real)
+    run(program, *FEW, "--json", str(link), "--csv", "/dev/null", "s2")
+    check(link.is_symlink() and json.loads(real.read_text())["program"] == "cubemap-bench", "links")
+    check(pathlib.Path("/dev/null").is_char_device(), "/dev/null")
+    before = sorted(folder.iterdir())
+    running = subprocess.Popen([program, "--repetitions", "100000", "--json", str(folder / "never")],
+                               stdout=subprocess.DEVNULL)
+    while sorted(folder.iterdir()) == before:
+        time.sleep(0.01)
+    running.terminate()
+    check(running.wait() == -signal.SIGTERM and sorted(folder.iterdir()) == before, "after a signal",
+          list(folder.iterdir()))
+
+
 def check_wrong_usage(program, folder):
     for wrong in (["--points", "0"], ["--points", "many"], ["--nothing"], ["no_such_mapping"],
                   ["no_such_*"], ["--precision", "half"], ["--tolerance", "1"], ["tangent:c=-1"],
@@ -140,12 +177,15 @@ def check_wrong_usage(program, folder):
                   ["advise", "--json", str(folder / "no" / "file")]):
         done = call(program, *wrong, "s2")
         check(done.returncode == 1 and "cannot write" in done.stderr, wrong, done)
-    left = [each.name for each in folder.iterdir() if each.name.endswith(".part")]
-    check(not left, left)
-    if pathlib.Path("/dev/full").exists():
-        with open("/dev/full", "w", encoding="ascii") as full:
-            done = subprocess.run([program, *FEW, "s2"], stdout=full, stderr=subprocess.PIPE, check=False)
-        check(done.returncode == 1 and b"standard output" in done.stderr, done)
+    check(not list(folder.iterdir()), list(folder.iterdir()))
+    if pathlib.Path("/dev/full").is_char_device():
+        for wanted in ([*FEW, "s2"], ["--help"], ["--list"], ["advise", "--help"], ["papers", "s2"]):
+            with open("/dev/full", "w", encoding="ascii") as full:
+                done = subprocess.run([program, *wanted], stdout=full, stderr=subprocess.PIPE, check=False)
+            check(done.returncode == 1 and b"standard output" in done.stderr, wanted, done)
+        done = call(program, *FEW, "--json", "/dev/full", "s2")
+        check(done.returncode == 1 and "cannot write /dev/full" in done.stderr, done)
+        check(pathlib.Path("/dev/full").is_char_device(), "/dev/full")
 
 
 def check_words(program):
@@ -166,10 +206,9 @@ def main():
         sys.exit(__doc__.strip())
     program = sys.argv[1]
     check_words(program)
-    with tempfile.TemporaryDirectory() as folder:
-        check_results(program, pathlib.Path(folder))
-        check_advise(program, pathlib.Path(folder))
-        check_wrong_usage(program, pathlib.Path(folder))
+    for each in (check_results, check_advise, check_options, check_files, check_wrong_usage):
+        with tempfile.TemporaryDirectory() as folder:
+            each(program, pathlib.Path(folder))
 
 
 if __name__ == "__main__":

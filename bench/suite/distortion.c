@@ -4,6 +4,8 @@
  */
 #include "suite.h"
 
+#include <stdlib.h>
+
 void distort(const cm_mapping *mapping, double tolerance, int with_percentiles, distortion *d)
 {
     for (int k = 0; k < QUANTITIES * MEASURES; k++)
@@ -14,12 +16,16 @@ void distort(const cm_mapping *mapping, double tolerance, int with_percentiles, 
             .size = sizeof options, .measure = (cm_measure)measure, .tolerance = tolerance};
         cm_statistics *s = &d->of[quantity][measure];
         s->size = sizeof *s;
-        (void)cm_distortion_statistics(mapping, quantity, &options, s);
-        if (with_percentiles &&
-            cm_distortion_percentiles(mapping, quantity, &options, PERCENTILES, percentiles,
-                                      d->percentile[quantity][measure], NULL) != CM_OK)
+        cm_status status = cm_distortion_statistics(mapping, quantity, &options, s);
+        if (status == CM_OK && with_percentiles)
         {
-            perror(program_name);
+            status = cm_distortion_percentiles(mapping, quantity, &options, PERCENTILES,
+                                               percentiles, d->percentile[quantity][measure], NULL);
+        }
+        if (status != CM_OK)
+        {
+            fprintf(stderr, "%s: distortion: %s\n", program_name, cm_status_text(status));
+            exit(1);
         }
     }
 }

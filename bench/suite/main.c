@@ -4,7 +4,6 @@
  */
 #include "suite.h"
 
-#include <errno.h>
 #include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
@@ -24,13 +23,16 @@ static const char help[] =
     "tables\n"
     "that papers have printed; each has a --help of its own.\n"
     "\n"
-    "      --quick            in a few seconds: fewer points and repetitions, no maps\n"
+    "      --quick            in some seconds: fewer points and repetitions, no maps, no lengths;\n"
+    "                         wherever it stands, other options count before it\n"
     "      --json FILE        write all results there as JSON; - is standard output, without "
     "tables\n"
-    "      --csv FILE         one line for each way of computing a mapping; - as before\n"
+    "      --csv FILE         one line for each way and direction; - as before\n"
     "      --precision P      only double, float or fast (double, computed in float)\n"
     "      --form F           only array or single (point by point)\n"
-    "      --instructions I   scalar, sse2, avx2, avx512 or neon; default: the best there is\n"
+    "      --instructions I   scalar, sse2, avx2, avx512 or neon; default: what "
+    "CUBEMAP_INSTRUCTIONS\n"
+    "                         says, else the best there is\n"
     "      --points N         points an array (8192)\n"
     "      --repetitions N    of everything (30)\n"
     "      --random N         random points for the errors (20000)\n"
@@ -50,6 +52,13 @@ static const char help[] =
 int usage(const char *what, const char *text)
 {
     fprintf(stderr, "%s: %s%s; see --help\n", program_name, what, text);
+    return 2;
+}
+
+int usage_of(const char *option, const char *argument, const char *right)
+{
+    fprintf(stderr, "%s: --%s cannot be '%s', but %s; see --help\n", program_name, option, argument,
+            right);
     return 2;
 }
 
@@ -148,15 +157,44 @@ static void be_quick(settings *set)
     set->tolerance = 1e-6;
 }
 
+/* What an option's argument can be. */
+static const char *right_for(int option)
+{
+    switch (option)
+    {
+    case PRECISION:
+        return "double, float or fast";
+    case FORM:
+        return "array or single";
+    case TOLERANCE:
+        return "a number from 1e-13 to 1e-2";
+    case LARGEST:
+        return "a whole number from 0 to 100000000";
+    case MAP:
+        return "a whole number from 0 to 4096";
+    case REPETITIONS:
+        return "a whole number from 1 to 1000000";
+    default:
+        return "a whole number from 1 to 100000000";
+    }
+}
+
+static const char *name_of(int option)
+{
+    const struct option *o = long_options;
+    while (o->name != NULL && o->val != option)
+    {
+        o++;
+    }
+    return o->name;
+}
+
 /* 0 if the option's argument is no good */
 static int take_option(options *o, int option)
 {
     settings *set = &o->all.set;
     switch (option)
     {
-    case QUICK:
-        be_quick(set);
-        return 1;
     case JSON:
         o->json = optarg;
         return 1;
@@ -175,25 +213,44 @@ static int take_option(options *o, int option)
     case REPETITIONS:
         return take_count(optarg, 1.0, 1e6, &set->repetitions);
     case RANDOM:
-        return take_count(optarg, 1.0, 1e9, &set->random);
+        return take_count(optarg, 1.0, 1e8, &set->random);
     case HARD:
-        return take_count(optarg, 1.0, 1e9, &set->hard);
+        return take_count(optarg, 1.0, 1e8, &set->hard);
     case LARGEST:
         return take_count(optarg, 0.0, 1e8, &set->largest);
     case MAP:
         return take_count(optarg, 0.0, 4096.0, &set->map_pixels);
     case TOLERANCE:
         return read_number(optarg, 1e-13, 1e-2, &set->tolerance);
-    default:
+    case LIST:
         o->list = 1;
         return 1;
+    default:
+        return 1; /* QUICK has been taken before */
     }
+}
+
+/* First of all, so that other options count wherever it stands. */
+static void take_quick(options *o, int argc, char **argv)
+{
+    int option;
+    opterr = 0;
+    while ((option = getopt_long(argc, argv, "h", long_options, NULL)) != -1)
+    {
+        if (option == QUICK)
+        {
+            be_quick(&o->all.set);
+        }
+    }
+    opterr = 1;
+    optind = 1;
 }
 
 /* -1 to go on, or the exit status */
 static int read_options(options *o, int argc, char **argv)
 {
     int option;
+    take_quick(o, argc, argv);
     while ((option = getopt_long(argc, argv, "h", long_options, NULL)) != -1)
     {
         if (option == 'h' || option == VERSION)
@@ -201,7 +258,7 @@ static int read_options(options *o, int argc, char **argv)
             printf("%s", option == 'h' ? help : "cubemap-bench (libcubemap) ");
             printf("%s", option == 'h' ? "" : cm_version());
             printf("%s", option == 'h' ? "" : "\n");
-            return fflush(stdout) != 0;
+            return close_standard_output();
         }
         if (option == '?')
         {
@@ -209,13 +266,17 @@ static int read_options(options *o, int argc, char **argv)
         }
         if (!take_option(o, option))
         {
-            return usage("not in the range of its option: ", optarg);
+            return usage_of(name_of(option), optarg, right_for(option));
         }
     }
     char why[200];
     if (cm_instructions_check(o->all.set.instructions, why, sizeof why) != CM_OK)
     {
         return usage(why, "");
+    }
+    if (!outputs_differ(o->json, o->csv))
+    {
+        return usage("--json and --csv name the same file: ", o->json);
     }
     for (int i = optind; i < argc; i++)
     {
@@ -266,11 +327,7 @@ static int run(options *o)
     }
     int good = output_close(&json);
     good &= output_close(&csv);
-    if (fflush(stdout) != 0 || ferror(stdout))
-    {
-        fprintf(stderr, "%s: cannot write to standard output: %s\n", program_name, strerror(errno));
-        good = 0;
-    }
+    good &= close_standard_output() == 0;
     return !good;
 }
 
@@ -292,11 +349,16 @@ static int bench(int argc, char **argv)
         {
             printf("%s\n", o.all.subjects[i].specification);
         }
-        status = fflush(stdout) != 0;
+        status = close_standard_output();
+    }
+    else if (status < 0 && !suite_prepare(&o.all))
+    {
+        status = 1;
     }
     else if (status < 0)
     {
-        status = suite_prepare(&o.all) ? run(&o) : 1;
+        status = o.all.way_count > 0 ? run(&o)
+                                     : usage("nothing is left with --precision and --form", "");
     }
     suite_close(&o.all);
     return status;
@@ -306,10 +368,12 @@ int main(int argc, char **argv)
 {
     if (argc > 1 && strcmp(argv[1], "advise") == 0)
     {
+        argv[1] = argv[0]; /* for messages */
         return advise(argc - 1, argv + 1);
     }
     if (argc > 1 && strcmp(argv[1], "papers") == 0)
     {
+        argv[1] = argv[0];
         return papers(argc - 1, argv + 1);
     }
     return bench(argc, argv);

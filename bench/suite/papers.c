@@ -160,7 +160,9 @@ static size_t print_table(size_t index, resolution r, int markdown)
     size_t agreeing = 0;
     size_t legible = 0;
     size_t bad = 0;
+    progress("%s", tables[index].title);
     tables[index].compute(&t, r);
+    progress(NULL);
     printf(markdown
                ? "\n## %s\n\n| | | printed | computed | difference | |\n|---|---|---|---|---|---|\n"
                : "\n%s\n\n%-22.0s %-18.0s  printed   computed difference\n",
@@ -216,7 +218,7 @@ static int read_options(options *o, int argc, char **argv)
         {
         case 'h':
             fputs(help, stdout);
-            return fflush(stdout) != 0;
+            return close_standard_output();
         case 'f':
             o->resolution = (resolution){512, 512, 8000};
             break;
@@ -237,6 +239,11 @@ static int read_options(options *o, int argc, char **argv)
             return usage("no table is called ", argv[i]);
         }
     }
+    char why[200];
+    if (cm_instructions_check(NULL, why, sizeof why) != CM_OK)
+    {
+        return usage(why, "");
+    }
     o->wanted = o->wanted == 0 ? (1u << TABLES) - 1 : o->wanted;
     return -1;
 }
@@ -254,8 +261,6 @@ int papers(int argc, char **argv)
     {
         if ((o.wanted >> i & 1u) != 0)
         {
-            progress("%s", tables[i].title);
-            progress(NULL);
             bad += print_table(i, o.resolution, o.markdown);
         }
     }
@@ -263,5 +268,5 @@ int papers(int argc, char **argv)
     {
         fprintf(stderr, "%s: %zu figures are not what they were found to be\n", program_name, bad);
     }
-    return fflush(stdout) != 0 || (o.check && bad > 0);
+    return close_standard_output() != 0 || (o.check && bad > 0);
 }

@@ -92,25 +92,54 @@ static void print_distortion(FILE *out, const suite *all)
     }
 }
 
+/* The times of a length in one precision; NULL if it was not measured. */
+static const length_row *row_of(const subject *s, size_t points, int precision)
+{
+    for (size_t i = 0; i < s->length_count; i++)
+    {
+        if (s->lengths[i].points == points && s->lengths[i].precision == precision)
+        {
+            return &s->lengths[i];
+        }
+    }
+    return NULL;
+}
+
 static void print_lengths(FILE *out, const subject *s)
 {
     if (s->lengths == NULL)
     {
         return;
     }
-    fprintf(out, "\n%s: ns a point against the length of the array\n%10s", s->specification,
-            "points");
+    fprintf(out, "\n%s: ns a point against the length of the array, the best of some\n%10s",
+            s->specification, "points");
     for (int k = 0; k < 2 * DIRECTIONS; k++)
     {
-        fprintf(out, " %9s %-7s", precision_names[k / DIRECTIONS], direction_names[k % DIRECTIONS]);
+        fprintf(out, " %8s %-7s", precision_names[k / DIRECTIONS], direction_names[k % DIRECTIONS]);
     }
     fprintf(out, "\n");
     for (size_t i = 0; i < s->length_count; i++)
     {
-        const length_row *l = &s->lengths[i];
-        fprintf(out, "%10zu", l->points);
-        fprintf(out, "%*s %17.2f %17.2f\n", l->precision == PRECISION_FLOAT ? 36 : 0, "",
-                l->ns[FORWARD], l->ns[INVERSE]);
+        size_t points = s->lengths[i].points;
+        if (s->lengths[i].precision != s->lengths[0].precision)
+        {
+            break; /* the other precision's lengths are the same */
+        }
+        fprintf(out, "%10zu", points);
+        for (int precision = PRECISION_DOUBLE; precision <= PRECISION_FLOAT; precision++)
+        {
+            const length_row *l = row_of(s, points, precision);
+            for (int direction = 0; direction < DIRECTIONS; direction++)
+            {
+                char text[32] = "-";
+                if (l != NULL)
+                {
+                    snprintf(text, sizeof text, "%.2f", l->ns[direction]);
+                }
+                fprintf(out, " %16s", text);
+            }
+        }
+        fprintf(out, "\n");
     }
 }
 
@@ -118,8 +147,7 @@ void write_table(FILE *out, const suite *all)
 {
     const settings *set = &all->set;
     fprintf(out, "cubemap-bench (libcubemap) %s\n%s; %s; instructions %s\n%s %s\n\n", cm_version(),
-            system_cpu(), system_name(),
-            all->way_count > 0 ? cm_mapping_instructions(all->ways[0].mapping) : "-",
+            system_cpu(), system_name(), cm_mapping_instructions(all->subjects[0].mapping),
             system_compiler(), system_flags());
     fprintf(
         out,
@@ -172,7 +200,29 @@ static void csv_head(FILE *out)
             ",%s_min,%s_max,%s_max_error,%s_mean_face,%s_rmse_face,%s_mean_sphere,%s_rmse_sphere",
             name, name, name, name, name, name, name);
     }
-    fprintf(out, "\n");
+    fprintf(out, ",version,cpu,system,compiler,flags,instructions\n");
+}
+
+/* "," and a text between quotation marks */
+static void csv_text(FILE *out, const char *text)
+{
+    fputs(",\"", out);
+    for (; *text != '\0'; text++)
+    {
+        fputs(*text == '"' ? "\"\"" : (char[]){*text, '\0'}, out);
+    }
+    fputc('"', out);
+}
+
+static void csv_machine(FILE *out, const way *w)
+{
+    const char *const texts[] = {cm_version(),   system_cpu(),
+                                 system_name(),  system_compiler(),
+                                 system_flags(), cm_mapping_instructions(w->mapping)};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+    {
+        csv_text(out, texts[i]);
+    }
 }
 
 static void csv_distortion(FILE *out, const distortion *d)
@@ -213,6 +263,7 @@ void write_csv(FILE *out, const suite *all)
             csv_number(out, values[k]);
         }
         csv_distortion(out, &all->subjects[w->subject].distortion);
+        csv_machine(out, w);
         fprintf(out, "\n");
     }
 }
@@ -259,7 +310,8 @@ static void json_quantity(FILE *out, const distortion *d, int quantity)
     json_exact(out, ", ", "minimum", s->minimum / unit);
     json_exact(out, ", ", "maximum", s->maximum / unit);
     json_exact(out, ", ", "maximum_error", s->maximum_error / unit);
-    json_exact(out, ", ", "ratio", s->ratio);
+    /* a least value of 0 is rounding */
+    json_exact(out, ", ", "ratio", s->ideal == 0.0 ? (double)NAN : s->ratio);
     json_place(out, "minimum_at", s->minimum_face, s->minimum_uv);
     json_place(out, "maximum_at", s->maximum_face, s->maximum_uv);
     json_means(out, d, quantity, CM_OVER_FACE);
@@ -380,8 +432,7 @@ void write_json(FILE *out, const suite *all)
     json_text(out, "system", system_name());
     json_text(out, "compiler", system_compiler());
     json_text(out, "flags", system_flags());
-    json_text(out, "instructions",
-              all->way_count > 0 ? cm_mapping_instructions(all->ways[0].mapping) : "");
+    json_text(out, "instructions", cm_mapping_instructions(all->subjects[0].mapping));
     fprintf(out,
             "\"cores_used\": 1},\n  \"settings\": {\"points\": %zu, \"repetitions\": %zu, "
             "\"random_points\": %zu, \"hard_points\": %zu, \"tolerance\": %g},\n  \"mappings\": [",

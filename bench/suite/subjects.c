@@ -105,29 +105,28 @@ static int make(const suite *all, const char *specification, int fast, cm_mappin
 
 static int add_way(suite *all, size_t index, int precision, int form)
 {
-    way *w = &all->ways[all->way_count];
-    *w = (way){.subject = index, .precision = precision, .form = form, .offered = {1, 1}};
-    if (!make(all, all->subjects[index].specification, precision == PRECISION_FAST, &w->mapping))
+    way w = {.subject = index, .precision = precision, .form = form, .offered = {1, 1}};
+    if (!make(all, all->subjects[index].specification, precision == PRECISION_FAST, &w.mapping))
     {
         return 0;
     }
     if (precision == PRECISION_FAST)
     {
-        unsigned fast = cm_mapping_describe(w->mapping)->fast;
-        int has_tier = cm_mapping_tier(w->mapping) == CM_TIER_FAST;
-        w->offered[FORWARD] = has_tier && (fast & CM_FAST_FORWARD) != 0;
-        w->offered[INVERSE] = has_tier && (fast & CM_FAST_INVERSE) != 0;
-        if (!w->offered[FORWARD] && !w->offered[INVERSE])
+        unsigned fast = cm_mapping_describe(w.mapping)->fast;
+        int has_tier = cm_mapping_tier(w.mapping) == CM_TIER_FAST;
+        w.offered[FORWARD] = has_tier && (fast & CM_FAST_FORWARD) != 0;
+        w.offered[INVERSE] = has_tier && (fast & CM_FAST_INVERSE) != 0;
+        if (!w.offered[FORWARD] && !w.offered[INVERSE] && !all->set.all_tiers)
         {
-            cm_mapping_destroy(w->mapping); /* it would be the exact one again */
+            cm_mapping_destroy(w.mapping); /* it would be the exact one again */
             return 1;
         }
     }
     for (int direction = 0; direction < DIRECTIONS; direction++)
     {
-        w->error[direction] = (errors){(double)NAN, (double)NAN, (double)NAN, (double)NAN};
+        w.error[direction] = (errors){(double)NAN, (double)NAN, (double)NAN, (double)NAN};
     }
-    all->way_count++;
+    all->ways[all->way_count++] = w;
     return 1;
 }
 

@@ -107,6 +107,7 @@ typedef struct settings
     int precision;     /* only this one; -1 for all */
     int form;
     const char *instructions;
+    int all_tiers; /* keep mappings without a fast tier among the fast ways: their exact one */
 } settings;
 
 typedef struct suite
@@ -151,7 +152,11 @@ void write_json(FILE *out, const suite *all);
 int advise(int argc, char **argv);
 int papers(int argc, char **argv);
 
+/* The exit status 2, after a line that says what is wrong. */
 int usage(const char *what, const char *text);
+
+/* The same of an option and its argument. */
+int usage_of(const char *option, const char *argument, const char *right);
 int read_number(const char *text, double low, double high, double *value);
 
 #endif

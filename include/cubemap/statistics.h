@@ -12,10 +12,13 @@
  * Accuracy: the quadrature is adaptive, of Gauss and Legendre's rule with 10 x 10 nodes, on the eight
  * triangles between a face's middle lines and diagonals, on which the derivatives of most mappings are
  * smooth; mean_error and rmse_error are eight times the sums of the differences between each cell and its
- * four quarters, which is more than the true errors, but for what rounding adds (some 1e-15). Extremes are those
- * of the limits towards edges, diagonals and middle lines from each side, to within some 1e-12 relative,
- * found by search from a grid of 33 x 33 points a triangle: a peak that is narrower can be missed.
- * Cost: 1 to 100 ms; less than 64 kB of stack, and for percentiles 4 MB of memory.
+ * four quarters: nearly always more than the true errors, but for what rounding adds (some 1e-15), and
+ * never found to be less than a fifth of them (a kink where a map turns isotropic can hide from a rough
+ * tolerance). Extremes are those of the limits towards edges, diagonals and middle lines from each side, to
+ * within some 1e-12 relative, found by search from a grid of 33 x 33 points a triangle: a peak that is
+ * narrower can be missed.
+ * Cost: from 3 ms, where all is smooth, to half a second, where derivatives jump within triangles; less than
+ * 64 kB of stack, and for percentiles 4 MB of memory.
  */
 #ifndef CUBEMAP_STATISTICS_H
 #define CUBEMAP_STATISTICS_H
@@ -82,7 +85,7 @@ typedef struct cm_statistics
 } cm_statistics;
 
 /* "area", "isotropy", "deformation", "scale", "texel-aspect", "texel-area" at 0 to 5, NULL at others; and
- * the quantity of a name, -1 if it is none. */
+ * the quantity of a name (upper and lower case are the same), -1 if it is none. */
 CM_API const char *cm_quantity_name(size_t index);
 CM_API int cm_quantity_find(const char *name);
 
@@ -94,7 +97,7 @@ CM_API cm_status cm_distortion_statistics(const cm_mapping *mapping, cm_quantity
                                           const cm_statistics_options *options,
                                           cm_statistics *statistics);
 
-/* The values below which percent[i] of the face or sphere have it, percent in [0, 100], for i below count:
+/* The values below which percent[i] of the face or sphere have it (0 and 100: the extremes of the samples), percent in [0, 100], for i below count:
  * value[i], and how far that of a quarter as many samples is from it: doubt[i], unless doubt is NULL. From
  * 64 x 64 points a triangle; options->pixels must be 0 and tolerance is not used.
  * Errors: as before; CM_ERROR_MEMORY. */
