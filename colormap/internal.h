@@ -71,7 +71,7 @@ struct cm_colormap
     size_t corner_count;
     double corner[CM_COLORMAP_PIECES_MAX];
     double corner_sine[CM_COLORMAP_PIECES_MAX]; /* of half the angle inside the corner */
-    int mirrored;                               /* is t the mirror image of 1 - t but for the hue? */
+    int mirrored; /* is t the mirror image of 1 - t but for the hue? */
 };
 
 /* specification.c: parse and check; on CM_OK *parameters is set, on failure message (if any) says why. */

@@ -975,6 +975,51 @@ START_TEST(samples_are_even_with_every_number)
 }
 END_TEST
 
+static size_t crowded_count;
+
+static void check_crowd(const cm_colormap *map, const char *text)
+{
+    static const size_t sizes[] = {9, 33, 400};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+    {
+        sampled s = sample(map, sizes[i]);
+        double mean = cm_colormap_length(map) / (double)(s.n - 1), least = mean;
+        check_places(map, &s, text);
+        has_room(map, &s);
+        for (size_t k = 0; k + 1 < s.n; k++)
+        {
+            least = is_folded(&s, k) ? least : fmin(least, distance(s.luv[k], s.luv[k + 1]));
+        }
+        crowded_count += s.n == 400 && least > 0.97 * mean;
+        forget(&s);
+    }
+}
+
+/* With many stops whose hues go to and fro places are hard to find; nearly always they are. */
+START_TEST(samples_of_many_stops)
+{
+    const int count = 30;
+    state = 10;
+    crowded_count = 0;
+    for (int i = 0; i < count; i++)
+    {
+        char text[600];
+        int length = snprintf(text, sizeof text, "custom:saturation=%.17g,hues=%.17g",
+                              uniform(0.3, 2.0), uniform(0.0, 360.0));
+        for (int k = 9 + i % 7; k > 0; k--)
+        {
+            length += snprintf(text + length, sizeof text - (size_t)length, "/%.17g",
+                               uniform(0.0, 360.0));
+        }
+        cm_colormap *map = make_fitted(text);
+        check_crowd(map, text);
+        cm_colormap_destroy(map);
+    }
+    printf("many stops: 400 samples are even in %zu of %d maps\n", crowded_count, count);
+    ck_assert_uint_ge(crowded_count, (size_t)count * 9 / 10);
+}
+END_TEST
+
 static void expect_even_places(const cm_colormap *map, size_t n)
 {
     for (size_t i = 0; i < n; i++)
@@ -990,6 +1035,7 @@ START_TEST(places_without_corners)
 {
     static const char *const maps[] = {"saturation",
                                        "diverging-saturation:divergence=180",
+                                       "diverging-saturation:divergence=180.00001",
                                        "diverging-saturation:divergence=0",
                                        "diverging-saturation:saturation=0",
                                        "qualitative:divergence=120",
@@ -1572,6 +1618,7 @@ int main(void)
                             samples_of_standard_maps_are_even,
                             samples_are_even_with_every_number,
                             samples_of_other_maps_are_even,
+                            samples_of_many_stops,
                             places_without_corners,
                             places_of_enormous_numbers,
                             paths_are_those_of_the_paper,

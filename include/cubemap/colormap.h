@@ -150,9 +150,27 @@ typedef struct cm_colormap_color
  * whatever the hues. Of a colour without chroma the hue is that of the path there. */
 CM_API void cm_colormap_color_at(const cm_colormap *map, double t, cm_colormap_color *color);
 
-/* The place of sample index of n: i / (n - 1), or 0 if n is 1. Of a qualitative map whose hues go round
- * so far that the last sample would be closer to the first than to its neighbour, i / n of the circle, so
- * that the full circle does not repeat its first colour. NaN if index is not below n. */
+/* The place of sample index of n. Neighbours are equally far apart in CIELUV, corners between them or not: t
+ * grows by the same step everywhere but across a corner (cm_colormap_corner), where it grows by more, so much
+ * that the straight line from colour to colour is as long as the others. The first sample is at 0, the last at
+ * 1; t grows strictly; the middle of an odd number of samples of a diverging map is at 0.5.
+ * That holds, to 0.1 % of the step across a corner, where n is so large that i / (n - 1) would have 4 steps
+ * between two corners and 2 between a corner and an end. Otherwise it may be that places are i / (n - 1), and
+ * steps across corners short, as they are above n = 2^32. Besides:
+ *   - where hues change, steps of the same length along a curve are lines of different lengths. They are
+ *     within 0.6 % of their mean where the hue goes round by no more than 10 degrees from sample to sample,
+ *     within 2 % where by no more than 20
+ *   - a corner at which the path turns round by more than 150 degrees is a fold, whose tip would be cut off
+ *     by up to 1 / sin of that angle steps. If that is more than a sixteenth of the way to the next corner or
+ *     end, the fold is passed over as if the path went straight on, and the one step across it is short
+ *   - where hues go far to and fro from stop to stop, such places are not always found: of random lists of up
+ *     to 7 stops one in 10^4 is left as it is, of 12 to 16 stops about one in 30
+ * The standard maps are within 2 % from n = 20 on, within 0.5 % from n = 28 on, and within 0.1 % from n = 64 on.
+ * A qualitative map has no corner, and its samples are at i / (n - 1), or, where its hues go round so far that
+ * the last would be closer to the first than to its neighbour, at i / n of the circle, so that the full circle
+ * does not repeat its first colour. 0 if n is 1; NaN if index is not below n.
+ * Cost: without corners, nothing; with 1 to 3 of them 1 to 20 us, with 7 about 0.1 ms, with 15 sharp ones up
+ * to 10 ms, whatever n is, at each call, which plans all places anew. cm_colormap_samples plans them once. */
 CM_API double cm_colormap_position(const cm_colormap *map, size_t n, size_t index);
 
 /* What has been cut to [0, 1]. */
@@ -175,9 +193,10 @@ CM_API void cm_colormap_samples_u8(const cm_colormap *map, size_t n, uint8_t *sr
 /* The length of the path in CIELUV: |dLUV / dt| everywhere. */
 CM_API double cm_colormap_length(const cm_colormap *map);
 
-/* The places inside (0, 1), growing, where the path changes its direction: a step of samples across
- * one is a shortcut. NaN if index is not below the number. The middle of a map by lightness, where the
- * chroma is largest, stops of a list of hues, and the middle of a diverging map are such places. */
+/* The places inside (0, 1), growing, where the path changes its direction: equal steps of t across one are
+ * shortcuts, which samples make up for. NaN if index is not below the number. The middle of a map by
+ * lightness, where the chroma is largest, stops of a list of hues, and the middle of a diverging map are
+ * such places. */
 CM_API size_t cm_colormap_corner_count(const cm_colormap *map);
 CM_API double cm_colormap_corner(const cm_colormap *map, size_t index);
 
