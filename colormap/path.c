@@ -96,11 +96,11 @@ void cm_colormap_lch_in_piece(const cm_colormap_piece *piece, double x, double l
     }
 }
 
-/* t must be in [0, 1]. */
+/* t must be in [0, 1]; beyond that the last piece goes on. */
 static void lch_at(const cm_colormap *map, double t, double lch[3])
 {
     const cm_colormap_piece *piece = map->piece;
-    while (t > piece->t_to)
+    while (t > piece->t_to && piece < map->piece + map->piece_count - 1)
     {
         piece++;
     }

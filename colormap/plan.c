@@ -395,8 +395,8 @@ static double line_between(const cm_colormap *map, double step, double from, dou
 {
     double one[3];
     double other[3];
-    cm_colormap_luv_at(map, fmax(from, 0.0), one);
-    cm_colormap_luv_at(map, fmin(to, 1.0), other);
+    cm_colormap_luv_at(map, fmin(fmax(from, 0.0), 1.0), one);
+    cm_colormap_luv_at(map, fmin(fmax(to, 0.0), 1.0), other);
     return hypot(one[0] - other[0], hypot(one[1] - other[1], one[2] - other[2])) /
            (step * map->length);
 }
@@ -415,7 +415,8 @@ static double shortage(const cm_colormap *map, const way *w, const bend *c)
     return (legs[0] * before + legs[1] * behind) / (legs[0] + legs[1]) - across;
 }
 
-/* Correct each corner by a part of what the line across it lacks. Returns the worst of that. */
+/* Correct each corner by a part of what the line across it lacks. Returns the worst of that. The limits are
+ * far beyond what a solution has; where samples are few and nothing fits they keep numbers sane. */
 static double correct(const cm_colormap *map, way *w, double part)
 {
     double lacks[CM_COLORMAP_PIECES_MAX];
@@ -428,7 +429,8 @@ static double correct(const cm_colormap *map, way *w, double part)
     for (size_t k = 0; k < w->count; k++)
     {
         bend *c = &w->corner[k];
-        c->more += part * lacks[k] / (c->sine * c->sine * (1.0 - c->g));
+        const double change = part * lacks[k] / (c->sine * c->sine * (1.0 - c->g));
+        c->more = fmin(fmax(c->more + change, -0.5), 1.0);
     }
     return worst;
 }

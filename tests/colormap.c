@@ -975,6 +975,24 @@ START_TEST(samples_are_even_with_every_number)
 }
 END_TEST
 
+static void check_few(const cm_colormap *map, const char *text)
+{
+    for (size_t n = 2; n < 20; n++)
+    {
+        sampled s = sample(map, n);
+        check_places(map, &s, text);
+        forget(&s);
+    }
+}
+
+/* Where corners have no room, in the gamut and out of it. */
+START_TEST(places_of_few_samples)
+{
+    state = 11;
+    for_many_maps(150, make, check_few);
+}
+END_TEST
+
 static size_t crowded_count;
 
 static void check_crowd(const cm_colormap *map, const char *text)
@@ -1618,6 +1636,7 @@ int main(void)
                             samples_of_standard_maps_are_even,
                             samples_are_even_with_every_number,
                             samples_of_other_maps_are_even,
+                            places_of_few_samples,
                             samples_of_many_stops,
                             places_without_corners,
                             places_of_enormous_numbers,

@@ -261,6 +261,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_written(map);
         check_corners(map);
         size_t n = take_byte(&from) + (size_t)take_byte(&from) % 50;
+        check_samples(map, n % 8);
         /* with many stops each place may take milliseconds */
         check_samples(map, cm_colormap_stop_count(map) > 6 ? n % 40 : n);
         check_color(map, take_double(&from));
