@@ -51,6 +51,9 @@ void progress_bar(double done, double total, const char *text);
 /* Zeroed memory, or the end of the program. */
 void *allocate(size_t count, size_t size);
 
+/* A list of count elements, NULL if there is none, made long enough for one more, or the end of the program. */
+void *grow(void *list, size_t count, size_t size);
+
 /* A length in the unit that people read, "0.12 m"; INFINITY is "refused". The text is valid until the fourth
  * call after. */
 const char *length_text(double metres);
@@ -58,6 +61,9 @@ const char *length_text(double metres);
 /* "key": "text" and "key": number (null if it is not finite), each followed by a comma and a blank. */
 void json_text(FILE *out, const char *key, const char *text);
 void json_number(FILE *out, const char *key, double value);
+
+/* The machine, system, compiler and flags, as four of those. */
+void json_machine(FILE *out);
 
 #define OUTPUT_NAME_MAX 4200
 

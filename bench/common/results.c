@@ -226,3 +226,11 @@ void json_number(FILE *out, const char *key, double value)
         fprintf(out, "\"%s\": null, ", key);
     }
 }
+
+void json_machine(FILE *out)
+{
+    json_text(out, "cpu", system_cpu());
+    json_text(out, "system", system_name());
+    json_text(out, "compiler", system_compiler());
+    json_text(out, "flags", system_flags());
+}

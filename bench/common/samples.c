@@ -49,3 +49,19 @@ void *allocate(size_t count, size_t size)
     }
     return memory;
 }
+
+/* Memory is for a power of two of elements: more is needed when there are as many. */
+void *grow(void *list, size_t count, size_t size)
+{
+    if ((count & (count - 1)) != 0)
+    {
+        return list;
+    }
+    void *more = realloc(list, (count == 0 ? 1 : 2 * count) * size);
+    if (more == NULL)
+    {
+        perror(program_name);
+        exit(1);
+    }
+    return more;
+}

@@ -21,17 +21,7 @@ int roster_wants(const roster *all, const char *group)
 
 void roster_add(roster *all, const contestant *entrant)
 {
-    if (all->count == all->room)
-    {
-        all->room = all->room == 0 ? 64 : 2 * all->room;
-        contestant *more = realloc(all->list, all->room * sizeof *more);
-        if (more == NULL)
-        {
-            perror(program_name);
-            exit(1);
-        }
-        all->list = more;
-    }
+    all->list = grow(all->list, all->count, sizeof *all->list);
     all->list[all->count++] = *entrant;
 }
 
@@ -51,7 +41,6 @@ void roster_sort(roster *all)
     }
     free(all->list);
     all->list = sorted;
-    all->room = all->count;
 }
 
 void roster_close(roster *all)

@@ -8,52 +8,22 @@
 
 static void forward_array(const contestant *c, batch *b)
 {
-    cm_forward_array(c->handle, b->count, b->from[0], b->from[1], b->from[2], b->face, b->plane[0],
-                     b->plane[1]);
+    run_arrays(c->handle, c->narrow, b, FORWARD);
 }
 
 static void inverse_array(const contestant *c, batch *b)
 {
-    cm_inverse_array(c->handle, b->count, b->face, b->plane[0], b->plane[1], b->back[0], b->back[1],
-                     b->back[2]);
-}
-
-static void forward_array_f32(const contestant *c, batch *b)
-{
-    cm_forward_array_f32(c->handle, b->count, b->from_f32[0], b->from_f32[1], b->from_f32[2],
-                         b->face, b->plane_f32[0], b->plane_f32[1]);
-}
-
-static void inverse_array_f32(const contestant *c, batch *b)
-{
-    cm_inverse_array_f32(c->handle, b->count, b->face, b->plane_f32[0], b->plane_f32[1],
-                         b->back_f32[0], b->back_f32[1], b->back_f32[2]);
+    run_arrays(c->handle, c->narrow, b, INVERSE);
 }
 
 static void forward_points(const contestant *c, batch *b)
 {
-    for (size_t i = 0; i < b->count; i++)
-    {
-        const double direction[3] = {b->from[0][i], b->from[1][i], b->from[2][i]};
-        double uv[2];
-        b->face[i] = cm_forward(c->handle, direction, uv);
-        b->plane[0][i] = uv[0];
-        b->plane[1][i] = uv[1];
-    }
+    run_points(c->handle, c->narrow, b, FORWARD);
 }
 
 static void inverse_points(const contestant *c, batch *b)
 {
-    for (size_t i = 0; i < b->count; i++)
-    {
-        const double uv[2] = {b->plane[0][i], b->plane[1][i]};
-        double direction[3];
-        cm_inverse(c->handle, b->face[i], uv, direction);
-        for (int k = 0; k < 3; k++)
-        {
-            b->back[k][i] = direction[k];
-        }
-    }
+    run_points(c->handle, c->narrow, b, INVERSE);
 }
 
 /* For those who start from longitude and latitude, as most peers do. */
@@ -135,13 +105,11 @@ static int add(roster *all, contestant entrant)
 static int add_arrays(roster *all, const contestant *plain)
 {
     contestant wide = *plain;
-    contestant narrow = *plain;
-    wide.array = narrow.array = 1;
+    wide.array = 1;
     wide.forward = forward_array;
     wide.inverse = inverse_array;
+    contestant narrow = wide;
     narrow.narrow = 1;
-    narrow.forward = forward_array_f32;
-    narrow.inverse = inverse_array_f32;
     /* float has no tiers */
     return add(all, wide) && (strcmp(plain->tier, "fast") == 0 || add(all, narrow));
 }

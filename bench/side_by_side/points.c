@@ -32,54 +32,6 @@ static peer_subject subject_of(double unit)
 
 /* ---------------------------------------------------------------------------------------- batches */
 
-void batch_allocate(batch *b, size_t room)
-{
-    memset(b, 0, sizeof *b);
-    for (int k = 0; k < 3; k++)
-    {
-        b->from[k] = allocate(room, sizeof(double));
-        b->back[k] = allocate(room, sizeof(double));
-        b->from_f32[k] = allocate(room, sizeof(float));
-        b->back_f32[k] = allocate(room, sizeof(float));
-    }
-    for (int k = 0; k < 2; k++)
-    {
-        b->plane[k] = allocate(room, sizeof(double));
-        b->plane_f32[k] = allocate(room, sizeof(float));
-        b->status[k] = allocate(room, sizeof(int));
-    }
-    b->face = allocate(room, 1);
-    b->pixel = allocate(room, sizeof(int64_t));
-}
-
-void batch_free(batch *b)
-{
-    for (int k = 0; k < 3; k++)
-    {
-        free(b->from[k]);
-        free(b->back[k]);
-        free(b->from_f32[k]);
-        free(b->back_f32[k]);
-    }
-    for (int k = 0; k < 2; k++)
-    {
-        free(b->plane[k]);
-        free(b->plane_f32[k]);
-        free(b->status[k]);
-    }
-    free(b->face);
-    free(b->pixel);
-}
-
-static void put(batch *b, size_t at, const double point[3])
-{
-    for (int k = 0; k < 3; k++)
-    {
-        b->from[k][at] = point[k];
-        b->from_f32[k][at] = (float)point[k];
-    }
-}
-
 /* The points in the order of the faces of the frame geo that they are on. */
 static void load_by_face(batch *b, const contestant *c, const double *points, size_t count)
 {
@@ -103,7 +55,7 @@ static void load_by_face(batch *b, const contestant *c, const double *points, si
     for (size_t i = 0; i < count; i++)
     {
         b->face[next[face[i]]] = face[i];
-        put(b, next[face[i]]++, points + 3 * i);
+        batch_put(b, next[face[i]]++, points + 3 * i);
     }
     free(face);
 }
@@ -120,7 +72,7 @@ void batch_load(batch *b, const contestant *c, const double *points, size_t coun
     }
     for (size_t i = 0; i < count; i++)
     {
-        put(b, i, points + 3 * i);
+        batch_put(b, i, points + 3 * i);
     }
 }
 

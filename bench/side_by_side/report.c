@@ -263,10 +263,7 @@ static void json_head(FILE *out, const settings *set)
     json_text(out, "program", "side-by-side");
     json_text(out, "version", cm_version());
     fprintf(out, "\n  \"machine\": {");
-    json_text(out, "cpu", system_cpu());
-    json_text(out, "system", system_name());
-    json_text(out, "compiler", system_compiler());
-    json_text(out, "flags", system_flags());
+    json_machine(out);
     fprintf(out, "\"cores_used\": 1},\n");
     fprintf(out,
             "  \"points\": %zu, \"repetitions\": %zu, \"random_points\": %zu, "

@@ -119,17 +119,7 @@ static void free_arrays(batch *b)
 
 static void add_row(scaling *all, const contestant *c, size_t n)
 {
-    if (all->count == all->room)
-    {
-        all->room = all->room == 0 ? 256 : 2 * all->room;
-        scaling_row *more = realloc(all->rows, all->room * sizeof *more);
-        if (more == NULL)
-        {
-            perror("side-by-side");
-            exit(1);
-        }
-        all->rows = more;
-    }
+    all->rows = grow(all->rows, all->count, sizeof *all->rows);
     scaling_row row = {c, n, {1e300, 1e300}};
     all->rows[all->count++] = row;
 }

@@ -16,36 +16,12 @@
 
 #include <cubemap/cubemap.h>
 
+#include "../common/batch.h"
 #include "../common/bench.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-enum
-{
-    FORWARD,
-    INVERSE,
-    DIRECTIONS
-};
-
-/* Points on the sphere, what forward makes of them, and what inverse makes of that. A contestant
- * uses the arrays that it needs: forward reads from and writes plane, face and pixel; inverse reads
- * those and writes back. */
-typedef struct batch
-{
-    size_t count;
-    double *from[3]; /* x, y, z; or longitude and latitude */
-    double *plane[2];
-    double *back[3];
-    float *from_f32[3];
-    float *plane_f32[2];
-    float *back_f32[3];
-    uint8_t *face;
-    int64_t *pixel;
-    int *status[DIRECTIONS]; /* of peers that give one: not 0 where they refuse a point */
-    size_t first[7]; /* of contestants by_face: points first[k] up to first[k + 1] are on face k */
-} batch;
 
 typedef struct contestant
 {
@@ -84,7 +60,6 @@ typedef struct roster
     const char *const *groups; /* the mappings that are asked for */
     size_t group_count;
     size_t count;
-    size_t room;
     contestant *list;
 } roster;
 
@@ -107,11 +82,8 @@ int add_chealpix(roster *all);
 int add_s2(roster *all);
 int add_geographiclib(roster *all);
 
-/* A batch with room for so many points, and with those of a list of three numbers each, which are
- * in the form and order that the contestant takes. */
-void batch_allocate(batch *b, size_t room);
+/* Points of a list of three numbers each into a batch, in the form and order that the contestant takes. */
 void batch_load(batch *b, const contestant *c, const double *points, size_t count);
-void batch_free(batch *b);
 
 /* Points in the contestant's form, to be freed: random ones, the same for all as far as their units
  * allow, and hard ones, of which every step-th. */
@@ -142,7 +114,6 @@ typedef struct scaling_row
 typedef struct scaling
 {
     size_t count;
-    size_t room;
     scaling_row *rows;
 } scaling;
 

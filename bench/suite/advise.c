@@ -5,6 +5,8 @@
  */
 #include "suite.h"
 
+#include "../../tests/sphere.h"
+
 #include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
@@ -102,26 +104,12 @@ static const struct option long_options[] = {
     {NULL, 0, NULL, 0},
 };
 
-/* The index of a word, -1 if it is none. */
-static int word_index(const char *text, const char *const *words)
-{
-    for (int i = 0; words[i] != NULL; i++)
-    {
-        if (strcmp(text, words[i]) == 0)
-        {
-            return i;
-        }
-    }
-    return -1;
-}
-
 /* 0 if the argument is no good */
 static int take_word(advice *a, int option)
 {
     static const char *const no_yes[] = {"no", "yes", NULL};
     static const char *const smooth[] = {"torn", "c0", "c1", "analytic", NULL};
     static const char *const directions[] = {"", "forward", "inverse", "both", NULL};
-    static const char *const precisions[] = {"double", "float", "fast", NULL};
     int *to = option == EQUAL       ? &a->limit.equal_area
               : option == SMOOTH    ? &a->limit.smooth
               : option == DIRECTION ? &a->limit.directions
@@ -129,8 +117,8 @@ static int take_word(advice *a, int option)
     const char *const *words = option == EQUAL       ? no_yes
                                : option == SMOOTH    ? smooth
                                : option == DIRECTION ? directions
-                                                     : precisions;
-    int index = word_index(optarg, words);
+                                                     : precision_names;
+    int index = find_word(optarg, words);
     if (index < 0 || (option == DIRECTION && index == 0))
     {
         return 0;
@@ -162,18 +150,6 @@ static int take_option(advice *a, int option)
     default:
         return take_word(a, option);
     }
-}
-
-static const char *option_name(int value)
-{
-    for (const struct option *o = long_options; o->name != NULL; o++)
-    {
-        if (o->val == value)
-        {
-            return o->name;
-        }
-    }
-    return "";
 }
 
 static const char *right_for(int option)
@@ -214,7 +190,7 @@ static int read_options(advice *a, int argc, char **argv)
         }
         if (!take_option(a, option))
         {
-            return usage_of(option_name(option), optarg, right_for(option));
+            return usage_of(option_name(long_options, option), optarg, right_for(option));
         }
     }
     char why[200];
@@ -249,7 +225,7 @@ static double promised_error(const subject *s, const way *w)
             return (double)NAN;
         }
     }
-    return (info->bounds.round_trip + more) * (narrow ? 0x1p-24 : 0x1p-53) * 6371007.2;
+    return (info->bounds.round_trip + more) * (narrow ? 0x1p-24 : 0x1p-53) * EARTH_RADIUS;
 }
 
 static int keeps(const advice *a, const candidate *c)
@@ -277,7 +253,7 @@ static candidate make_candidate(const advice *a, const way *w)
     }
     c.value[0] = of[CM_QUANTITY_AREA][CM_OVER_FACE].maximum_error;
     c.value[1] = of[CM_QUANTITY_ISOTROPY][CM_OVER_FACE].maximum;
-    c.value[2] = of[CM_QUANTITY_DEFORMATION][CM_OVER_FACE].maximum * 57.295779513082321;
+    c.value[2] = of[CM_QUANTITY_DEFORMATION][CM_OVER_FACE].maximum / DEGREE;
     c.value[3] = c.cost;
     c.value[4] = promised_error(s, w);
     c.good = keeps(a, &c);
@@ -410,9 +386,7 @@ static void write_advice(FILE *out, const advice *a)
     fprintf(out, "{\n  ");
     json_text(out, "program", "cubemap-bench advise");
     json_text(out, "version", cm_version());
-    json_text(out, "cpu", system_cpu());
-    json_text(out, "compiler", system_compiler());
-    json_text(out, "flags", system_flags());
+    json_machine(out);
     json_text(out, "instructions", cm_mapping_instructions(a->all.subjects[0].mapping));
     json_text(out, "precision", precision_names[a->precision]);
     fprintf(out, "\n  \"limits\": {");

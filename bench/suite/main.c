@@ -74,6 +74,27 @@ int read_number(const char *text, double low, double high, double *value)
     return 1;
 }
 
+int find_word(const char *text, const char *const *words)
+{
+    for (int i = 0; words[i] != NULL; i++)
+    {
+        if (strcmp(text, words[i]) == 0)
+        {
+            return i;
+        }
+    }
+    return -1;
+}
+
+const char *option_name(const struct option *options, int value)
+{
+    while (options->name != NULL && options->val != value)
+    {
+        options++;
+    }
+    return options->name;
+}
+
 enum
 {
     QUICK = 256,
@@ -133,17 +154,11 @@ static int take_count(const char *text, double low, double high, size_t *count)
     return 1;
 }
 
-static int take_word(const char *text, const char *const *words, int count, int *index)
+static int take_word(const char *text, const char *const *words, int *index)
 {
-    for (int i = 0; i < count; i++)
-    {
-        if (strcmp(text, words[i]) == 0)
-        {
-            *index = i;
-            return 1;
-        }
-    }
-    return 0;
+    int found = find_word(text, words);
+    *index = found < 0 ? *index : found;
+    return found >= 0;
 }
 
 static void be_quick(settings *set)
@@ -179,16 +194,6 @@ static const char *right_for(int option)
     }
 }
 
-static const char *name_of(int option)
-{
-    const struct option *o = long_options;
-    while (o->name != NULL && o->val != option)
-    {
-        o++;
-    }
-    return o->name;
-}
-
 /* 0 if the option's argument is no good */
 static int take_option(options *o, int option)
 {
@@ -202,9 +207,9 @@ static int take_option(options *o, int option)
         o->csv = optarg;
         return 1;
     case PRECISION:
-        return take_word(optarg, precision_names, PRECISIONS, &set->precision);
+        return take_word(optarg, precision_names, &set->precision);
     case FORM:
-        return take_word(optarg, form_names, FORMS, &set->form);
+        return take_word(optarg, form_names, &set->form);
     case INSTRUCTIONS:
         set->instructions = optarg;
         return 1;
@@ -266,7 +271,7 @@ static int read_options(options *o, int argc, char **argv)
         }
         if (!take_option(o, option))
         {
-            return usage_of(name_of(option), optarg, right_for(option));
+            return usage_of(option_name(long_options, option), optarg, right_for(option));
         }
     }
     char why[200];

@@ -60,17 +60,7 @@ cm_mapping *paper_mapping(const char *specification)
 void add_figure(table *t, const char *row, const char *column, const char *printed, double computed,
                 const char *note)
 {
-    if (t->count == t->room)
-    {
-        t->room = t->room == 0 ? 64 : 2 * t->room;
-        figure *more = realloc(t->figures, t->room * sizeof *more);
-        if (more == NULL)
-        {
-            perror(program_name);
-            exit(1);
-        }
-        t->figures = more;
-    }
+    t->figures = grow(t->figures, t->count, sizeof *t->figures);
     figure *f = &t->figures[t->count++];
     *f = (figure){.computed = computed, .expected = note == NULL, .note = note};
     snprintf(f->row, sizeof f->row, "%s", row);

@@ -22,7 +22,6 @@ typedef struct figure
 typedef struct table
 {
     size_t count;
-    size_t room;
     figure *figures;
 } table;
 

@@ -107,8 +107,7 @@ static void add_face(table *t, const surface *of, const char *face, const face_f
 {
     static const char *const columns[6] = {"angle max.", "angle mean", "area min.",
                                            "area max.",  "area ratio", "area mean"};
-    const double degree = 3.14159265358979324 / 180.0;
-    const double values[6] = {f->most_angle / degree, f->mean_angle / degree,       f->least_area,
+    const double values[6] = {f->most_angle / DEGREE, f->mean_angle / DEGREE,       f->least_area,
                               f->most_area,           f->most_area / f->least_area, f->mean_area};
     char row[40];
     snprintf(row, sizeof row, "%s, %s", of->name, face);

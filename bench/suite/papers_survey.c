@@ -4,6 +4,8 @@
  */
 #include "papers.h"
 
+#include <cubemap/kernels.h>
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -28,7 +30,7 @@ static pixel_figures figures_of(const cm_mapping *mapping, cm_quantity quantity,
     return (pixel_figures){s.mean, s.maximum_error, s.rmse};
 }
 
-/* The distance on the sphere of two points of the face 0, so far from (u, v) along one coordinate. */
+/* The derivative of the direction along one coordinate of the face 0, by a central difference. */
 static void difference(const cm_mapping *mapping, const double uv[2], int along, double step,
                        double slope[3])
 {
@@ -46,11 +48,6 @@ static void difference(const cm_mapping *mapping, const double uv[2], int along,
     }
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Isotropy from central differences, as the paper must have had it: on a crease they mix both sides. */
 static pixel_figures isotropy_by_differences(const cm_mapping *mapping, size_t pixels)
 {
@@ -63,9 +60,13 @@ static pixel_figures isotropy_by_differences(const cm_mapping *mapping, size_t p
         double by_v[3];
         difference(mapping, uv, 0, 1e-6, by_u);
         difference(mapping, uv, 1, 1e-6, by_v);
-        double sum = dot(by_u, by_u) + dot(by_v, by_v);
-        double root = hypot(dot(by_u, by_u) - dot(by_v, by_v), 2.0 * dot(by_u, by_v));
-        double error = sqrt((sum + root) / (sum - root)) - 1.0;
+        const cm_tangents_f64 tangents = {.x_a = by_u[0],
+                                          .y_a = by_u[1],
+                                          .z_a = by_u[2],
+                                          .x_b = by_v[0],
+                                          .y_b = by_v[1],
+                                          .z_b = by_v[2]};
+        double error = cm_indicatrix_of_tangents_f64(tangents).isotropy - 1.0;
         f.mean += 1.0 + error;
         f.rmse += error * error;
         f.maximum_error = fmax(f.maximum_error, error);

@@ -7,8 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double degree = 3.14159265358979324 / 180.0;
-
 static const cm_mapping_info *info_of(const subject *s)
 {
     return cm_mapping_describe(s->mapping);
@@ -17,7 +15,7 @@ static const cm_mapping_info *info_of(const subject *s)
 /* What a quantity is divided by to be written. */
 static double unit_of(int quantity)
 {
-    return quantity == CM_QUANTITY_DEFORMATION ? degree : 1.0;
+    return quantity == CM_QUANTITY_DEFORMATION ? DEGREE : 1.0;
 }
 
 static double worst_of(const errors *e)
@@ -86,8 +84,8 @@ static void print_distortion(FILE *out, const suite *all)
                 "%-20s %7.4f %6.4f %7.4f %6.4f  %6.4f %6.4g %6.4f  %5.2f %6.2f  %6.4f %6.4f  "
                 "%6.4f %6.4f\n",
                 s->specification, area->minimum, area->maximum, area->maximum_error, area->rmse,
-                isotropy->mean, isotropy->maximum, isotropy->rmse, bent->mean / degree,
-                bent->maximum / degree, aspect->minimum, aspect->maximum, texel->minimum,
+                isotropy->mean, isotropy->maximum, isotropy->rmse, bent->mean / DEGREE,
+                bent->maximum / DEGREE, aspect->minimum, aspect->maximum, texel->minimum,
                 texel->maximum);
     }
 }
@@ -428,10 +426,7 @@ void write_json(FILE *out, const suite *all)
     json_text(out, "program", program_name);
     json_text(out, "version", cm_version());
     fprintf(out, "\"format\": 1,\n  \"machine\": {");
-    json_text(out, "cpu", system_cpu());
-    json_text(out, "system", system_name());
-    json_text(out, "compiler", system_compiler());
-    json_text(out, "flags", system_flags());
+    json_machine(out);
     json_text(out, "instructions", cm_mapping_instructions(all->subjects[0].mapping));
     fprintf(out,
             "\"cores_used\": 1},\n  \"settings\": {\"points\": %zu, \"repetitions\": %zu, "

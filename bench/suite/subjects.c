@@ -12,8 +12,8 @@
 #include <string.h>
 
 const char *const direction_names[DIRECTIONS] = {"forward", "inverse"};
-const char *const precision_names[PRECISIONS] = {"double", "float", "fast"};
-const char *const form_names[FORMS] = {"array", "single"};
+const char *const precision_names[PRECISIONS + 1] = {"double", "float", "fast", NULL};
+const char *const form_names[FORMS + 1] = {"array", "single", NULL};
 const char *const measure_names[MEASURES] = {"face", "sphere"};
 const double percentiles[PERCENTILES] = {5.0, 25.0, 50.0, 75.0, 95.0};
 
@@ -35,13 +35,7 @@ static void add(suite *all, const char *specification)
     {
         return;
     }
-    subject *more = realloc(all->subjects, (all->subject_count + 1) * sizeof *more);
-    if (more == NULL)
-    {
-        perror(program_name);
-        exit(1);
-    }
-    all->subjects = more;
+    all->subjects = grow(all->subjects, all->subject_count, sizeof *all->subjects);
     subject made = {.specification = ""};
     snprintf(made.specification, sizeof made.specification, "%s", specification);
     all->subjects[all->subject_count++] = made;

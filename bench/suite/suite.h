@@ -14,14 +14,8 @@
 
 #include <cubemap/cubemap.h>
 
+#include "../common/batch.h"
 #include "../common/bench.h"
-
-enum
-{
-    FORWARD,
-    INVERSE,
-    DIRECTIONS
-};
 
 enum
 {
@@ -45,10 +39,10 @@ enum
     PERCENTILES = 5
 };
 
-extern const char *const direction_names[DIRECTIONS]; /* "forward", "inverse" */
-extern const char *const precision_names[PRECISIONS]; /* "double", "float", "fast" */
-extern const char *const form_names[FORMS];           /* "array", "single" */
-extern const char *const measure_names[MEASURES];     /* "face", "sphere" */
+extern const char *const direction_names[DIRECTIONS];     /* "forward", "inverse" */
+extern const char *const precision_names[PRECISIONS + 1]; /* "double", "float", "fast", NULL */
+extern const char *const form_names[FORMS + 1];           /* "array", "single", NULL */
+extern const char *const measure_names[MEASURES];         /* "face", "sphere" */
 extern const double percentiles[PERCENTILES];
 
 /* Angles between what should come out and what does, in metres on Earth; NaN if not measured. */
@@ -158,5 +152,15 @@ int usage(const char *what, const char *text);
 /* The same of an option and its argument. */
 int usage_of(const char *option, const char *argument, const char *right);
 int read_number(const char *text, double low, double high, double *value);
+
+/* The index of a text among words that end with NULL, -1 if it is none of them. */
+int find_word(const char *text, const char *const *words);
+
+struct option;
+/* The long name of an option. */
+const char *option_name(const struct option *options, int value);
+
+/* Degrees in a radian's unit: what an angle is divided by to be written. */
+#define DEGREE (3.14159265358979324 / 180.0)
 
 #endif

@@ -7,152 +7,25 @@
 
 #include "../../tests/sphere.h"
 
-#include <stdlib.h>
-
-/* Directions of length 1, faces and coordinates, and directions again, in double and in float. */
-typedef struct batch
-{
-    size_t count;
-    double *from[3];
-    double *plane[2];
-    double *back[3];
-    float *from_f32[3];
-    float *plane_f32[2];
-    float *back_f32[3];
-    uint8_t *face;
-} batch;
-
+/* Directions of length 1, the same for all. */
 static void batch_make(batch *b, size_t count)
 {
     uint64_t state = 7;
+    batch_allocate(b, count);
     b->count = count;
-    for (int k = 0; k < 3; k++)
-    {
-        b->from[k] = allocate(count, sizeof(double));
-        b->back[k] = allocate(count, sizeof(double));
-        b->from_f32[k] = allocate(count, sizeof(float));
-        b->back_f32[k] = allocate(count, sizeof(float));
-    }
-    for (int k = 0; k < 2; k++)
-    {
-        b->plane[k] = allocate(count, sizeof(double));
-        b->plane_f32[k] = allocate(count, sizeof(float));
-    }
-    b->face = allocate(count, 1);
     for (size_t i = 0; i < count; i++)
     {
         double d[3];
         next_direction(&state, d);
         double size = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-        for (int k = 0; k < 3; k++)
-        {
-            b->from[k][i] = d[k] / size;
-            b->from_f32[k][i] = (float)(d[k] / size);
-        }
-    }
-}
-
-static void batch_drop(batch *b)
-{
-    for (int k = 0; k < 3; k++)
-    {
-        free(b->from[k]);
-        free(b->back[k]);
-        free(b->from_f32[k]);
-        free(b->back_f32[k]);
-    }
-    for (int k = 0; k < 2; k++)
-    {
-        free(b->plane[k]);
-        free(b->plane_f32[k]);
-    }
-    free(b->face);
-}
-
-static void run_arrays(const way *w, batch *b, size_t n, int direction)
-{
-    if (w->precision == PRECISION_FLOAT && direction == FORWARD)
-    {
-        cm_forward_array_f32(w->mapping, n, b->from_f32[0], b->from_f32[1], b->from_f32[2], b->face,
-                             b->plane_f32[0], b->plane_f32[1]);
-    }
-    else if (w->precision == PRECISION_FLOAT)
-    {
-        cm_inverse_array_f32(w->mapping, n, b->face, b->plane_f32[0], b->plane_f32[1],
-                             b->back_f32[0], b->back_f32[1], b->back_f32[2]);
-    }
-    else if (direction == FORWARD)
-    {
-        cm_forward_array(w->mapping, n, b->from[0], b->from[1], b->from[2], b->face, b->plane[0],
-                         b->plane[1]);
-    }
-    else
-    {
-        cm_inverse_array(w->mapping, n, b->face, b->plane[0], b->plane[1], b->back[0], b->back[1],
-                         b->back[2]);
-    }
-}
-
-static void forward_points(const way *w, batch *b)
-{
-    for (size_t i = 0; i < b->count; i++)
-    {
-        const double direction[3] = {b->from[0][i], b->from[1][i], b->from[2][i]};
-        double uv[2];
-        b->face[i] = cm_forward(w->mapping, direction, uv);
-        b->plane[0][i] = uv[0];
-        b->plane[1][i] = uv[1];
-    }
-}
-
-static void inverse_points(const way *w, batch *b)
-{
-    for (size_t i = 0; i < b->count; i++)
-    {
-        const double uv[2] = {b->plane[0][i], b->plane[1][i]};
-        double direction[3];
-        cm_inverse(w->mapping, b->face[i], uv, direction);
-        b->back[0][i] = direction[0];
-        b->back[1][i] = direction[1];
-        b->back[2][i] = direction[2];
-    }
-}
-
-static void forward_points_f32(const way *w, batch *b)
-{
-    for (size_t i = 0; i < b->count; i++)
-    {
-        const float direction[3] = {b->from_f32[0][i], b->from_f32[1][i], b->from_f32[2][i]};
-        float uv[2];
-        b->face[i] = cm_forward_f32(w->mapping, direction, uv);
-        b->plane_f32[0][i] = uv[0];
-        b->plane_f32[1][i] = uv[1];
-    }
-}
-
-static void inverse_points_f32(const way *w, batch *b)
-{
-    for (size_t i = 0; i < b->count; i++)
-    {
-        const float uv[2] = {b->plane_f32[0][i], b->plane_f32[1][i]};
-        float direction[3];
-        cm_inverse_f32(w->mapping, b->face[i], uv, direction);
-        b->back_f32[0][i] = direction[0];
-        b->back_f32[1][i] = direction[1];
-        b->back_f32[2][i] = direction[2];
+        batch_put(b, i, (const double[]){d[0] / size, d[1] / size, d[2] / size});
     }
 }
 
 static void run(const way *w, batch *b, int direction)
 {
-    static void (*const one_by_one[DIRECTIONS][2])(const way *, batch *) = {
-        {forward_points, forward_points_f32}, {inverse_points, inverse_points_f32}};
-    if (w->form == FORM_ARRAY)
-    {
-        run_arrays(w, b, b->count, direction);
-        return;
-    }
-    one_by_one[direction][w->precision == PRECISION_FLOAT](w, b);
+    (w->form == FORM_ARRAY ? run_arrays : run_points)(w->mapping, w->precision == PRECISION_FLOAT,
+                                                      b, direction);
 }
 
 /* ns a point */
@@ -192,7 +65,7 @@ void measure_times(suite *all, stage part)
                 summary(all->ways[i].samples[direction], all->set.repetitions);
         }
     }
-    batch_drop(&b);
+    batch_free(&b);
 }
 
 /* ---- Cost against the length of the array ---- */
@@ -223,12 +96,13 @@ static double time_length(const way *w, batch *b, size_t n, int direction)
     size_t calls = n < AT_ONCE ? AT_ONCE / n : 1;
     size_t repetitions = n > 1000000 ? 3 : 20;
     double best = (double)INFINITY;
+    b->count = n;
     for (size_t r = 0; r < repetitions; r++)
     {
         double start = seconds();
         for (size_t i = 0; i < calls; i++)
         {
-            run_arrays(w, b, n, direction);
+            run(w, b, direction);
         }
         best = fmin(best, (seconds() - start) * 1e9 / (double)(calls * n));
     }
@@ -238,15 +112,9 @@ static double time_length(const way *w, batch *b, size_t n, int direction)
 static void add_lengths(suite *all, const way *w, batch *b)
 {
     subject *s = &all->subjects[w->subject];
-    for (size_t n = 1; n <= b->count; n = next_length(n))
+    for (size_t n = 1; n <= all->set.largest; n = next_length(n))
     {
-        length_row *more = realloc(s->lengths, (s->length_count + 1) * sizeof *more);
-        if (more == NULL)
-        {
-            perror(program_name);
-            exit(1);
-        }
-        s->lengths = more;
+        s->lengths = grow(s->lengths, s->length_count, sizeof *s->lengths);
         length_row *l = &s->lengths[s->length_count++];
         *l = (length_row){.points = n, .precision = w->precision};
         for (int direction = 0; direction < DIRECTIONS; direction++)
@@ -273,5 +141,5 @@ void measure_lengths(suite *all, stage part)
         }
         stage_progress(part, i + 1, all->way_count, "cost against length");
     }
-    batch_drop(&b);
+    batch_free(&b);
 }
