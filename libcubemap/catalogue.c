@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The table of descriptors, and specifications: NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]].
+ * The table of descriptors, and specifications: NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]] or
+ * NAME:PRESET.
  */
 #include "internal.h"
 
@@ -8,8 +9,8 @@
 #include <string.h>
 
 #define CM_DESCRIPTORS
-#define CM_WARP(id, ...) {.identifier = #id, __VA_ARGS__},
-#define CM_SPHERE(id, ...) {.identifier = #id, __VA_ARGS__},
+#define CM_WARP(id, ...) {__VA_ARGS__},
+#define CM_SPHERE(id, ...) {__VA_ARGS__},
 
 static const cm_mapping_info catalogue[] = {
 #include <cubemap/kernel/catalogue.h>
@@ -199,8 +200,12 @@ static cm_status parse_assignment(const cm_mapping_info *info, const char *text,
     size_t index = 0;
     if (equals == NULL)
     {
-        return cm_fail(CM_ERROR_SYNTAX, message, size,
-                       "'%.*s' is not PARAMETER=VALUE, as in tangent:c=1.1823", shown, text);
+        return info->presets == NULL
+                   ? cm_fail(CM_ERROR_SYNTAX, message, size,
+                             "'%.*s' is not PARAMETER=VALUE, as in tangent:c=1.1823", shown, text)
+                   : cm_fail(CM_ERROR_SYNTAX, message, size,
+                             "'%.*s' is neither a preset of %s (%s) nor PARAMETER=VALUE", shown,
+                             text, info->identifier, info->presets);
     }
     const cm_parameter_info *parameter = find_parameter(info, text, name_length, &index);
     if (parameter == NULL)
@@ -239,7 +244,24 @@ static cm_status parse_assignment(const cm_mapping_info *info, const char *text,
     return CM_OK;
 }
 
-/* PARAMETER=VALUE[,PARAMETER=VALUE...] up to a blank or the end. */
+/* What a word of "NAME:WHAT NAME:WHAT..." stands for; its length is counted up to a blank. NULL if there is
+ * no such word. */
+static const char *find_preset(const char *presets, const char *name, size_t length)
+{
+    for (const char *preset = presets == NULL ? "" : presets; *preset != '\0';)
+    {
+        size_t word = strcspn(preset, ":");
+        if (cm_word_equal(preset, word, name, length))
+        {
+            return preset + word + 1;
+        }
+        preset += strcspn(preset, " ");
+        preset += strspn(preset, " ");
+    }
+    return NULL;
+}
+
+/* PARAMETER=VALUE[,PARAMETER=VALUE...]. */
 static cm_status parse_assignments(const cm_mapping_info *info, const char *text, size_t length,
                                    double *values, char *message, size_t size)
 {
@@ -287,11 +309,16 @@ cm_status cm_specification_parse(const char *specification, size_t *index,
         values[i] = info->parameter[i].standard;
     }
     cm_status status = CM_OK;
-    if (rest != NULL)
+    const char *preset = rest == NULL ? NULL : find_preset(info->presets, rest, strlen(rest));
+    if (preset != NULL)
+    {
+        fixed = preset;
+    }
+    else if (rest != NULL)
     {
         status = parse_assignments(info, rest, strlen(rest), values, message, message_size);
     }
-    else if (*fixed != '\0')
+    if (*fixed != '\0')
     {
         status = parse_assignments(info, fixed, strcspn(fixed, " "), values, message, message_size);
     }

@@ -18,7 +18,12 @@ static cm_constants_f64 (*const prepare_table[])(cm_constants_f64 parameters) = 
 /* Constants are derived in double for both precisions, and rounded once. */
 static void prepare(cm_mapping *mapping)
 {
-    cm_constants_f64 k = cm_make_parameters_f64(mapping->parameter[0], mapping->parameter[1]);
+    const double *parameter = mapping->parameter;
+    cm_constants_f64 k = cm_make_parameters_f64(parameter[0], parameter[1]);
+    k.k2 = parameter[2];
+    k.k3 = parameter[3];
+    k.k4 = parameter[4];
+    k.k5 = parameter[5];
     if (prepare_table[mapping->index] != NULL)
     {
         k = prepare_table[mapping->index](k);

@@ -152,7 +152,6 @@ static void differentiate_all(quad_function function, const void *context, int v
 
 typedef struct warp_kernels
 {
-    const char *identifier;
     cm_constants_f64 (*prepare)(cm_constants_f64 parameters);
     cm_uv_f64 (*forward_f64)(double p, double q, cm_constants_f64 k);
     cm_pq_f64 (*inverse_f64)(double u, double v, cm_constants_f64 k);
@@ -163,10 +162,9 @@ typedef struct warp_kernels
 
 /* By index in the catalogue. */
 #define CM_DESCRIPTORS
-#define CM_SPHERE(id, ...) {#id, NULL, NULL, NULL, NULL, NULL, NULL},
+#define CM_SPHERE(id, ...) {NULL, NULL, NULL, NULL, NULL, NULL},
 #define CM_WARP(id, ...)                                                                           \
-    {#id,                                                                                          \
-     cm_##id##_prepare_f64,                                                                        \
+    {cm_##id##_prepare_f64,                                                                        \
      cm_##id##_forward_f64,                                                                        \
      cm_##id##_inverse_f64,                                                                        \
      cm_##id##_jacobian_f64,                                                                       \
@@ -236,15 +234,21 @@ static subject make_subject(const char *specification)
     const char *identifier = cm_mapping_describe(mapping)->identifier;
     for (size_t i = 0; i < COUNT(kernel_table); i++)
     {
-        if (strcmp(kernel_table[i].identifier, identifier) == 0)
+        if (cm_catalogue_at(i) == cm_mapping_describe(mapping))
         {
             s.kernels = &kernel_table[i];
         }
     }
     ck_assert_ptr_nonnull(s.kernels);
-    size_t count = cm_mapping_describe(mapping)->parameter_count;
-    s.constants = s.kernels->prepare(
-        cm_make_parameters_f64(count > 0 ? cm_mapping_parameter(mapping, 0) : 0.0, 0.0));
+    double parameter[CM_PARAMETERS_MAX] = {0.0};
+    for (size_t i = 0; i < cm_mapping_describe(mapping)->parameter_count; i++)
+    {
+        parameter[i] = cm_mapping_parameter(mapping, i);
+    }
+    s.constants = cm_make_parameters_f64(parameter[0], parameter[1]);
+    s.constants.k2 = parameter[2];
+    s.constants.k3 = parameter[3];
+    s.constants = s.kernels->prepare(s.constants);
     cm_constants_f64 k = s.constants;
     s.narrow = (cm_constants_f32){(float)k.k0, (float)k.k1, (float)k.k2, (float)k.k3,
                                   (float)k.k4, (float)k.k5, (float)k.k6, (float)k.variant};

@@ -113,10 +113,16 @@ static inline quad_mapping quad_from(const cm_mapping *mapping)
             made.kernels = &quad_table[i];
         }
     }
-    size_t count = cm_mapping_describe(mapping)->parameter_count;
-    made.constants =
-        cm_make_parameters_f128(count > 0 ? (quad)cm_mapping_parameter(mapping, 0) : 0.0Q,
-                                count > 1 ? (quad)cm_mapping_parameter(mapping, 1) : 0.0Q);
+    quad parameter[CM_PARAMETERS_MAX] = {0.0Q};
+    for (size_t i = 0; i < cm_mapping_describe(mapping)->parameter_count; i++)
+    {
+        parameter[i] = (quad)cm_mapping_parameter(mapping, i);
+    }
+    made.constants = cm_make_parameters_f128(parameter[0], parameter[1]);
+    made.constants.k2 = parameter[2];
+    made.constants.k3 = parameter[3];
+    made.constants.k4 = parameter[4];
+    made.constants.k5 = parameter[5];
     if (made.kernels->prepare != NULL)
     {
         made.constants = made.kernels->prepare(made.constants);

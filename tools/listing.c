@@ -58,7 +58,8 @@ static const char *property_name(unsigned properties)
 static void write_heading(FILE *stream)
 {
     fprintf(stream,
-            "libcubemap %s: the mappings that -m takes, as NAME or NAME:PARAMETER=VALUE,...\n"
+            "libcubemap %s: the mappings that -m takes, as NAME, NAME:PRESET or\n"
+            "NAME:PARAMETER=VALUE,...\n"
             "The recommended one, and the default, is " CM_MAPPING_RECOMMENDED ".\n"
             "FACE and EDGE say how smooth a mapping is on a face and across the edge of two:\n"
             "torn, C0 (continuous), C1 (with its first derivatives) or analytic.\n\n",
@@ -81,9 +82,8 @@ static void write_parameter_row(FILE *stream, const cm_parameter_info *parameter
 }
 
 /* "asc:c=1 eac:c=1" as "asc (c=1), eac (c=1)": the part behind the colon is not to be typed. */
-static void write_alias_row(FILE *stream, const char *words)
+static void write_word_row(FILE *stream, const char *before, const char *words)
 {
-    const char *before = "    also       ";
     for (words += strspn(words, " "); *words != '\0'; words += strspn(words, " "))
     {
         const int length = (int)strcspn(words, " ");
@@ -107,7 +107,11 @@ static void write_mapping_rows(FILE *stream, const cm_mapping_info *mapping)
             mapping->name);
     if (mapping->aliases[0] != '\0')
     {
-        write_alias_row(stream, mapping->aliases);
+        write_word_row(stream, "    also       ", mapping->aliases);
+    }
+    if (mapping->presets != NULL)
+    {
+        write_word_row(stream, "    preset     ", mapping->presets);
     }
     for (size_t i = 0; i < mapping->parameter_count; i++)
     {
@@ -251,7 +255,11 @@ static void write_mapping_object(FILE *stream, const cm_mapping_info *mapping)
         fputs(i == 0 ? "" : ",", stream);
         write_parameter_object(stream, &mapping->parameter[i]);
     }
-    fputs(mapping->parameter_count > 0 ? "\n      ]\n    }" : "]\n    }", stream);
+    fputs(mapping->parameter_count > 0 ? "\n      ]" : "]", stream);
+    fputs(next, stream);
+    fputs("\"presets\": ", stream);
+    write_words(stream, mapping->presets == NULL ? "" : mapping->presets);
+    fputs("\n    }", stream);
 }
 
 /* "+x" for CM_AXIS_X. */

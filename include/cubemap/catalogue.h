@@ -40,7 +40,7 @@ typedef enum cm_smoothness
     CM_SMOOTH_ANALYTIC = 3 /* all derivatives */
 } cm_smoothness;
 
-#define CM_PARAMETERS_MAX 2
+#define CM_PARAMETERS_MAX 6
 
 typedef struct cm_parameter_info
 {
@@ -82,6 +82,8 @@ typedef struct cm_mapping_info
     cm_parameter_info parameter[CM_PARAMETERS_MAX];
     cm_bounds bounds;
     unsigned fast; /* CM_FAST_FORWARD, CM_FAST_INVERSE: where there is CM_TIER_FAST (options.h) */
+    const char *presets; /* names for values of the parameters, apart by blanks, written
+                            "mild:kappa=0.54,l1=0.17 ...", to be given as NAME:PRESET; NULL for none */
 } cm_mapping_info;
 
 /* The identifier of the mapping that we recommend where nothing speaks for another: nearly

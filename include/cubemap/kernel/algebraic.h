@@ -8,6 +8,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(algebraic,
+        .identifier = "algebraic",
         .aliases = "",
         .name = "algebraic sigmoid",
         .source = "Lambers 2020, Survey of cube mapping methods, eq. 7",

@@ -11,6 +11,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP_VARIANTS(cobe,
+                 .identifier = "cobe",
                  .aliases = "csc",
                  .name = "COBE quadrilateralized spherical cube",
                  .source = "Chan & O'Neill 1975; Calabretta & Greisen 2002, CSC; Dimitrijevic, Lambers, "

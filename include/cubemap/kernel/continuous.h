@@ -8,6 +8,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(continuous,
+        .identifier = "continuous",
         .aliases = "",
         .name = "continuous cube",
         .source = "Grimm & Niebruegge 2007, Continuous cube mapping; Lambers 2020, eq. 4 (misprint "

@@ -13,6 +13,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(coupled,
+        .identifier = "coupled",
         .aliases = "",
         .name = "coupled algebraic sigmoid, the recommended default",
         .source = "libcubemap 2026, docs/mappings.md",

@@ -5,6 +5,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(everitt,
+        .identifier = "everitt",
         .aliases = "",
         .name = "Everitt's quadratic",
         .source = "Everitt 2016, projection; Zucker & Higashi 2018 (c); Lambers 2020, eq. 6",

@@ -5,6 +5,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(gnomonic,
+        .identifier = "gnomonic",
         .aliases = "tsc standard",
         .name = "gnomonic, the standard cube map",
         .source = "Greene 1986, Environment Mapping; Calabretta & Greisen 2002, TSC",

@@ -11,6 +11,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_SPHERE(healpix,
+          .identifier = "healpix",
           .aliases = "",
           .name = "HEALPix on six faces",
           .source = "Gorski et al. 2005; Calabretta & Roukema 2007; Dimitrijevic, Lambers, Rancic "

@@ -5,6 +5,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP_VARIANTS(logistic,
+                 .identifier = "logistic",
                  .aliases = "",
                  .name = "logistic sigmoid",
                  .source = "Lambers 2020, section 4.8",

@@ -9,6 +9,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(nowell,
+        .identifier = "nowell",
         .aliases = "ksc",
         .name = "Nowell's mapping",
         .source = "Nowell 2005, Mapping a cube to a sphere; Lambers 2020, eq. 3 (misprint "

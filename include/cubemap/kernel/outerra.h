@@ -12,6 +12,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(outerra,
+        .identifier = "outerra",
         .aliases = "osc",
         .name = "Outerra spherical cube",
         .source = "Kemen & Hrabcak 2014; Dimitrijevic, Lambers, Rancic 2016, section 4.3",

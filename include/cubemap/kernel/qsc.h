@@ -14,6 +14,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(qsc,
+        .identifier = "qsc",
         .aliases = "snyder rosca-plonka",
         .name = "quadrilateralized spherical cube",
         .source = "O'Neill & Laubscher 1976; Lambers 2020, eq. 1 (reformulated)",

@@ -7,6 +7,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(s2,
+        .identifier = "s2",
         .aliases = "s2-quadratic",
         .name = "S2's quadratic projection",
         .source = "S2 geometry library, s2coords.h, S2_QUADRATIC_PROJECTION",

@@ -9,6 +9,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(smoothstep,
+        .identifier = "smoothstep",
         .aliases = "",
         .name = "smoothstep sigmoid",
         .source = "Lambers 2020, section 4.8",

@@ -14,6 +14,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP_VARIANTS(tangent,
+                 .identifier = "tangent",
                  .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823",
                  .name = "tangent adjustment",
                  .source = "Ronchi, Iacono, Paolucci 1996 (c = 1); Zucker & Higashi 2018; Lambers 2020, eq. 2",

@@ -10,6 +10,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP_VARIANTS(tanh,
+                 .identifier = "tanh",
                  .aliases = "",
                  .name = "hyperbolic tangent sigmoid",
                  .source = "Lambers 2020, section 4.8",

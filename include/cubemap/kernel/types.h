@@ -35,7 +35,8 @@ CM_STRUCT(cm_constants)
 }
 CM_STRUCT_END(cm_constants)
 
-/* A mapping's parameters, to be prepared; 0 for those that it does not have. */
+/* A mapping's first two parameters, to be prepared; 0 for those that it does not have. k2, k3, ... are the
+ * others. */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_make_parameters)(CM_REAL first, CM_REAL second)
 {
     CM_NAME(cm_constants) r;

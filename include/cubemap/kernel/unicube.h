@@ -10,6 +10,7 @@
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
 CM_WARP(unicube,
+        .identifier = "unicube",
         .aliases = "",
         .name = "unicube",
         .source = "Ho, Wan, Leung, Lam, Wong 2011, Unicube for dynamic environment mapping; "
