@@ -21,6 +21,7 @@
 #include "everitt.h"
 #include "algebraic.h"
 #include "coupled.h"
+#include "difference.h"
 #include "tanh.h"
 #include "logistic.h"
 #include "smoothstep.h"
