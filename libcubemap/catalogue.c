@@ -5,6 +5,7 @@
  */
 #include "internal.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -190,6 +191,90 @@ static int inside(const cm_parameter_info *parameter, double value)
            value <= parameter->high && (!parameter->whole || value == (double)(long)value);
 }
 
+/* What a word of "NAME:WHAT NAME:WHAT..." stands for; its length is counted up to a blank. NULL if there is
+ * no such word. */
+static const char *find_preset(const char *presets, const char *name, size_t length)
+{
+    for (const char *preset = presets == NULL ? "" : presets; *preset != '\0';)
+    {
+        size_t word = strcspn(preset, ":");
+        if (cm_word_equal(preset, word, name, length))
+        {
+            return preset + word + 1;
+        }
+        preset += strcspn(preset, " ");
+        preset += strspn(preset, " ");
+    }
+    return NULL;
+}
+
+enum
+{
+    NAMES_SIZE = 96 /* of a list of names in a message */
+};
+
+static void append_name(char names[NAMES_SIZE], const char *name, size_t length)
+{
+    size_t used = strlen(names);
+    snprintf(names + used, NAMES_SIZE - used, "%s%.*s", used == 0 ? "" : ", ", (int)length, name);
+}
+
+/* "kappa, l1, l2" */
+static void list_parameters(const cm_mapping_info *info, char names[NAMES_SIZE])
+{
+    names[0] = '\0';
+    for (size_t i = 0; i < info->parameter_count; i++)
+    {
+        append_name(names, info->parameter[i].name, strlen(info->parameter[i].name));
+    }
+}
+
+/* "mild, balanced, isotropic" */
+static void list_presets(const cm_mapping_info *info, char names[NAMES_SIZE])
+{
+    names[0] = '\0';
+    for (const char *preset = info->presets; *preset != '\0';)
+    {
+        append_name(names, preset, strcspn(preset, ":"));
+        preset += strcspn(preset, " ");
+        preset += strspn(preset, " ");
+    }
+}
+
+/* What is wrong with a word that has no '='. */
+static cm_status refuse_word(const cm_mapping_info *info, const char *text, size_t length,
+                             char *message, size_t size)
+{
+    char names[NAMES_SIZE];
+    int shown = length < 40 ? (int)length : 40;
+    if (info->presets == NULL)
+    {
+        return cm_fail(CM_ERROR_SYNTAX, message, size,
+                       "'%.*s' is not PARAMETER=VALUE, as in tangent:c=1.1823", shown, text);
+    }
+    if (find_preset(info->presets, text, length) != NULL)
+    {
+        return cm_fail(CM_ERROR_PARAMETER, message, size,
+                       "preset '%.*s' of %s stands alone: it sets every parameter", shown, text,
+                       info->identifier);
+    }
+    list_presets(info, names);
+    return cm_fail(CM_ERROR_SYNTAX, message, size,
+                   "'%.*s' is neither a preset of %s, which are %s, nor PARAMETER=VALUE", shown,
+                   text, info->identifier, names);
+}
+
+/* A parameter that there is not. */
+static cm_status refuse_parameter(const cm_mapping_info *info, const char *name, int shown,
+                                  char *message, size_t size)
+{
+    char names[NAMES_SIZE];
+    list_parameters(info, names);
+    return cm_fail(CM_ERROR_PARAMETER, message, size, "mapping %s has no parameter '%.*s'; it %s%s",
+                   info->identifier, shown, name,
+                   info->parameter_count == 0 ? "takes none" : "has ", names);
+}
+
 /* One PARAMETER=VALUE of the given length. */
 static cm_status parse_assignment(const cm_mapping_info *info, const char *text, size_t length,
                                   unsigned *given, double *values, char *message, size_t size)
@@ -200,23 +285,12 @@ static cm_status parse_assignment(const cm_mapping_info *info, const char *text,
     size_t index = 0;
     if (equals == NULL)
     {
-        return info->presets == NULL
-                   ? cm_fail(CM_ERROR_SYNTAX, message, size,
-                             "'%.*s' is not PARAMETER=VALUE, as in tangent:c=1.1823", shown, text)
-                   : cm_fail(CM_ERROR_SYNTAX, message, size,
-                             "'%.*s' is neither a preset of %s (%s) nor PARAMETER=VALUE", shown,
-                             text, info->identifier, info->presets);
+        return refuse_word(info, text, length, message, size);
     }
     const cm_parameter_info *parameter = find_parameter(info, text, name_length, &index);
     if (parameter == NULL)
     {
-        return info->parameter_count == 0
-                   ? cm_fail(CM_ERROR_PARAMETER, message, size,
-                             "mapping %s has no parameter '%.*s'; it takes none", info->identifier,
-                             shown, text)
-                   : cm_fail(CM_ERROR_PARAMETER, message, size,
-                             "mapping %s has no parameter '%.*s'; it has %s", info->identifier,
-                             shown, text, info->parameter[0].name);
+        return refuse_parameter(info, text, shown, message, size);
     }
     if (*given & (1u << index))
     {
@@ -242,23 +316,6 @@ static cm_status parse_assignment(const cm_mapping_info *info, const char *text,
     }
     *given |= 1u << index;
     return CM_OK;
-}
-
-/* What a word of "NAME:WHAT NAME:WHAT..." stands for; its length is counted up to a blank. NULL if there is
- * no such word. */
-static const char *find_preset(const char *presets, const char *name, size_t length)
-{
-    for (const char *preset = presets == NULL ? "" : presets; *preset != '\0';)
-    {
-        size_t word = strcspn(preset, ":");
-        if (cm_word_equal(preset, word, name, length))
-        {
-            return preset + word + 1;
-        }
-        preset += strcspn(preset, " ");
-        preset += strspn(preset, " ");
-    }
-    return NULL;
 }
 
 /* PARAMETER=VALUE[,PARAMETER=VALUE...]. */

@@ -83,7 +83,8 @@ typedef struct cm_mapping_info
     cm_bounds bounds;
     unsigned fast; /* CM_FAST_FORWARD, CM_FAST_INVERSE: where there is CM_TIER_FAST (options.h) */
     const char *presets; /* names for values of the parameters, apart by blanks, written
-                            "mild:kappa=0.54,l1=0.17 ...", to be given as NAME:PRESET; NULL for none */
+                            "mild:kappa=0.54,l1=0.17 ...", to be given as NAME:PRESET; a parameter that
+                            one does not name has its standard value; NULL for none */
 } cm_mapping_info;
 
 /* The identifier of the mapping that we recommend where nothing speaks for another: nearly
