@@ -225,8 +225,8 @@ std::string distortion_help_text()
     return R"(Usage: cubemap-distortion [OPTION]... OUTPUT
 
 Draws the distortion of a mapping between the sphere and the faces of a cube, a disc
-or one square: the colour of each pixel is that of the quantity at its centre. PNG, JPEG and TIFF; with
---values TIFF and EXR.
+or one square: the colour of each pixel is that of the quantity at its centre. PNG,
+JPEG and TIFF; with --values TIFF and EXR.
 
   -m, --mapping MAPPING NAME, NAME:PRESET or NAME:PARAMETER=VALUE[,...]; without it, )" CM_MAPPING_RECOMMENDED
            R"(
