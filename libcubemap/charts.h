@@ -250,12 +250,13 @@ CHART_FN void BATCH_NAME(chart_square_jacobian)(BATCH_NAME(chart_slopes) slopes,
 {
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_NAME(cm_jacobian) j =
-            slopes(BATCH_NAME(chart_load)(disc, i), lanes_load(a + i), lanes_load(b + i));
-        lanes_store(to[0] + i, j.u_p);
-        lanes_store(to[1] + i, j.u_q);
-        lanes_store(to[2] + i, j.v_p);
-        lanes_store(to[3] + i, j.v_q);
+        CM_NAME(cm_disc_point) d = BATCH_NAME(chart_load)(disc, i);
+        CM_BOOL good = cm_equal(d.u, d.u);
+        CM_NAME(cm_jacobian) j = slopes(d, lanes_load(a + i), lanes_load(b + i));
+        lanes_store(to[0] + i, lanes_or_nan(good, j.u_p));
+        lanes_store(to[1] + i, lanes_or_nan(good, j.u_q));
+        lanes_store(to[2] + i, lanes_or_nan(good, j.v_p));
+        lanes_store(to[3] + i, lanes_or_nan(good, j.v_q));
     }
 }
 

@@ -41,6 +41,8 @@ typedef struct cm_batch_f64
                              const double *u, const double *v, double *const jacobian[6]);
     void (*warp)(const cm_mapping *mapping, size_t n, double *p, double *q);
     void (*unwarp)(const cm_mapping *mapping, size_t n, double *u, double *v);
+    void (*warp_jacobian)(const cm_mapping *mapping, size_t n, const double *p, const double *q,
+                          double *const jacobian[4]);
 } cm_batch_f64;
 
 typedef struct cm_batch_f32
@@ -55,6 +57,8 @@ typedef struct cm_batch_f32
                              const float *u, const float *v, float *const jacobian[6]);
     void (*warp)(const cm_mapping *mapping, size_t n, float *p, float *q);
     void (*unwarp)(const cm_mapping *mapping, size_t n, float *u, float *v);
+    void (*warp_jacobian)(const cm_mapping *mapping, size_t n, const float *p, const float *q,
+                          float *const jacobian[4]);
 } cm_batch_f32;
 
 /* By variant; a mapping that has only one leaves the other empty. */
