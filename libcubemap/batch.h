@@ -324,6 +324,31 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
     }
 }
 
+/* The derivatives of the warp alone, by rows. */
+BATCH_FN void BATCH_NAME(batch_warp_jacobian)(BATCH_NAME(batch_warp) warp,
+                                              BATCH_NAME(batch_jacobian) jacobian, CM_REAL variant,
+                                              const cm_mapping *mapping, size_t n,
+                                              const LANES_IO *p, const LANES_IO *q,
+                                              LANES_IO *const to[4])
+{
+    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
+    k.variant = variant;
+    for (size_t i = 0; i < n; i += LANES)
+    {
+        CM_REAL first = lanes_read(p + i);
+        CM_REAL second = lanes_read(q + i);
+        CM_BOOL good = BATCH_NAME(batch_is_near_face)(first, second);
+        first = BATCH_NAME(batch_clamp)(first);
+        second = BATCH_NAME(batch_clamp)(second);
+        CM_NAME(cm_uv) uv = warp(first, second, k);
+        CM_NAME(cm_jacobian) j = jacobian(first, second, uv.u, uv.v, k);
+        lanes_write(to[0] + i, lanes_or_nan(good, j.u_p));
+        lanes_write(to[1] + i, lanes_or_nan(good, j.u_q));
+        lanes_write(to[2] + i, lanes_or_nan(good, j.v_p));
+        lanes_write(to[3] + i, lanes_or_nan(good, j.v_q));
+    }
+}
+
 /* ---- One set of loops for each mapping; of the fast tier the maps alone ---- */
 
 #define BATCH_MAPS(name, projection, warp, unwarp, which)                                          \
@@ -377,6 +402,14 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
     {                                                                                              \
         BATCH_NAME(batch_warp_only)                                                                \
         (NULL, CM_NAME(cm_##id##_inverse), CM_LIT(which), mapping, n, u, v);                       \
+    }                                                                                              \
+    static void BATCH_NAME(warp_jacobian_##name)(const cm_mapping *mapping, size_t n,              \
+                                                 const LANES_IO *p, const LANES_IO *q,             \
+                                                 LANES_IO *const to[4])                            \
+    {                                                                                              \
+        BATCH_NAME(batch_warp_jacobian)                                                            \
+        (CM_NAME(cm_##id##_forward), CM_NAME(cm_##id##_jacobian), CM_LIT(which), mapping, n, p, q, \
+         to);                                                                                      \
     }
 #endif
 
@@ -410,7 +443,9 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
     BATCH_MAPS_ENTRY(name), .forward_jacobian = BATCH_NAME(forward_jacobian_##name),               \
                             .inverse_jacobian = BATCH_NAME(inverse_jacobian_##name)
 #define BATCH_ENTRY(name)                                                                          \
-    BATCH_SPHERE_ENTRY(name), .warp = BATCH_NAME(warp_##name), .unwarp = BATCH_NAME(unwarp_##name)
+    BATCH_SPHERE_ENTRY(name), .warp = BATCH_NAME(warp_##name),                                     \
+                              .unwarp = BATCH_NAME(unwarp_##name),                                 \
+                              .warp_jacobian = BATCH_NAME(warp_jacobian_##name)
 #endif
 #define CM_CHART(...) {{{NULL}}},
 #define CM_SPHERE(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0)}}},

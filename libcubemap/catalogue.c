@@ -410,8 +410,9 @@ static cm_status check_part(const cm_mapping_info *info, const cm_mapping_info *
     const cm_parameter_info *fov = find_parameter(part, "fov", 3, &index);
     if (folded && fov->high < 180.0)
     {
-        return cm_fail(CM_ERROR_PARAMETER, message, size, "%s has no map of a hemisphere, as %s needs",
-                       part->identifier, info->identifier);
+        return cm_fail(CM_ERROR_PARAMETER, message, size,
+                       "%s has no map of a hemisphere, as %s needs", part->identifier,
+                       info->identifier);
     }
     if (!folded && fov->high < 360.0)
     {
@@ -422,8 +423,8 @@ static cm_status check_part(const cm_mapping_info *info, const cm_mapping_info *
     return CM_OK;
 }
 
-static cm_status parse_part(const cm_mapping_info *info, const char *text, size_t length, int *count,
-                            cm_specification *made, char *message, size_t size)
+static cm_status parse_part(const cm_mapping_info *info, const char *text, size_t length,
+                            int *count, cm_specification *made, char *message, size_t size)
 {
     const char *kind = *count == 0 ? "azimuthal" : "square";
     int shown = length < 40 ? (int)length : 40;
@@ -431,8 +432,9 @@ static cm_status parse_part(const cm_mapping_info *info, const char *text, size_
     if (part == NULL)
     {
         return cm_fail(*count < 2 ? CM_ERROR_MAPPING : CM_ERROR_SYNTAX, message, size,
-                       *count < 2 ? "there is no %s:%.*s; it is %s:AZIMUTHAL,SQUARE, as in %s:%s"
-                                  : "%s:%.*s is one part too many; it is %s:AZIMUTHAL,SQUARE, as in %s:%s",
+                       *count < 2
+                           ? "there is no %s:%.*s; it is %s:AZIMUTHAL,SQUARE, as in %s:%s"
+                           : "%s:%.*s is one part too many; it is %s:AZIMUTHAL,SQUARE, as in %s:%s",
                        kind, shown, text, info->identifier, info->identifier, info->parts);
     }
     *(*count == 0 ? &made->azimuthal : &made->square) = (size_t)(part - catalogue);
@@ -477,8 +479,9 @@ static cm_status parse_parts(const cm_mapping_info *info, const char *text, size
         value_of(&catalogue[made->azimuthal], "beta", made->parameter) != NULL &&
         *value_of(info, "beta", made->parameter) == 0.0)
     {
-        return cm_fail(CM_ERROR_RANGE, message, size,
-                       "with beta=0 mixture has no map of the whole sphere; beta must be in (0, 1]");
+        return cm_fail(
+            CM_ERROR_RANGE, message, size,
+            "with beta=0 mixture has no map of the whole sphere; beta must be in (0, 1]");
     }
     return status;
 }
@@ -521,8 +524,8 @@ static cm_status refuse_name(const char *text, size_t length, char *message, siz
                         strlen(catalogue[i].identifier) - length - 1);
         }
     }
-    return cm_fail(CM_ERROR_MAPPING, message, size, "after '%.*s:' comes one of %s", (int)length, text,
-                   names);
+    return cm_fail(CM_ERROR_MAPPING, message, size, "after '%.*s:' comes one of %s", (int)length,
+                   text, names);
 }
 
 cm_status cm_specification_parse(const char *specification, cm_specification *made, char *message,

@@ -36,12 +36,12 @@ typedef struct chart_blocks
             (to)[5] + (at)                                                                         \
     }
 
-static const CM_NAME(cm_azimuthal_loops) * azimuthal_of(const cm_mapping *mapping)
+static const CM_NAME(cm_azimuthal_loops) *azimuthal_of(const cm_mapping *mapping)
 {
     return &mapping->set->CM_NAME(charts)->azimuthal[mapping->azimuthal];
 }
 
-static const CM_NAME(cm_square_loops) * square_of(const cm_mapping *mapping)
+static const CM_NAME(cm_square_loops) *square_of(const cm_mapping *mapping)
 {
     return &mapping->set->CM_NAME(charts)->square[mapping->square];
 }
@@ -66,7 +66,8 @@ static void azimuthal_forward(const cm_mapping *mapping, size_t n, const CM_REAL
 }
 
 static void azimuthal_inverse(const cm_mapping *mapping, size_t n, const uint8_t *face,
-                              const CM_REAL *u, const CM_REAL *v, CM_REAL *x, CM_REAL *y, CM_REAL *z)
+                              const CM_REAL *u, const CM_REAL *v, CM_REAL *x, CM_REAL *y,
+                              CM_REAL *z)
 {
     chart_blocks c;
     CM_REAL *const disc[CM_DISC_COLUMNS] = DISC_COLUMNS(&c);
@@ -81,7 +82,8 @@ static void azimuthal_inverse(const cm_mapping *mapping, size_t n, const uint8_t
 
 /* The directions are those of forward, so that bad ones and those beyond the rim are NaN as they are. */
 static void azimuthal_forward_jacobian(const cm_mapping *mapping, size_t n, const CM_REAL *x,
-                                       const CM_REAL *y, const CM_REAL *z, CM_REAL *const jacobian[6])
+                                       const CM_REAL *y, const CM_REAL *z,
+                                       CM_REAL *const jacobian[6])
 {
     chart_blocks c;
     CM_REAL *const disc[CM_DISC_COLUMNS] = DISC_COLUMNS(&c);
@@ -96,7 +98,8 @@ static void azimuthal_forward_jacobian(const cm_mapping *mapping, size_t n, cons
 }
 
 static void azimuthal_inverse_jacobian(const cm_mapping *mapping, size_t n, const uint8_t *face,
-                                       const CM_REAL *u, const CM_REAL *v, CM_REAL *const jacobian[6])
+                                       const CM_REAL *u, const CM_REAL *v,
+                                       CM_REAL *const jacobian[6])
 {
     chart_blocks c;
     CM_REAL *const disc[CM_DISC_COLUMNS] = DISC_COLUMNS(&c);
@@ -155,7 +158,8 @@ static void layout_forward_jacobian(const cm_mapping *mapping, size_t n, const C
         square_of(mapping)->forward(count, disc, c.a, c.b);
         square_of(mapping)->jacobian(count, disc, c.a, c.b, by_disc);
         azimuthal_of(mapping)->gradients(mapping, count, x + at, y + at, z + at, to);
-        mapping->set->CM_NAME(charts)->gradients_out(mapping, count, disc[4], c.a, c.b, by_disc, to);
+        mapping->set->CM_NAME(charts)->gradients_out(mapping, count, disc[4], c.a, c.b, by_disc,
+                                                     to);
         mapping->set->CM_NAME(charts)->keep(count, disc[0], to);
     }
 }
@@ -208,6 +212,22 @@ static void square_unwarp(const cm_mapping *mapping, size_t n, CM_REAL *u, CM_RE
     }
 }
 
+static void square_warp_jacobian(const cm_mapping *mapping, size_t n, const CM_REAL *u,
+                                 const CM_REAL *v, CM_REAL *const jacobian[4])
+{
+    chart_blocks c;
+    CM_REAL *const disc[CM_DISC_COLUMNS] = DISC_COLUMNS(&c);
+    for (size_t at = 0; at < n; at += CHART_BLOCK)
+    {
+        size_t count = block_of(n, at);
+        CM_REAL *const to[4] = {jacobian[0] + at, jacobian[1] + at, jacobian[2] + at,
+                                jacobian[3] + at};
+        mapping->set->CM_NAME(charts)->disc_in(count, u + at, v + at, disc);
+        square_of(mapping)->forward(count, disc, c.a, c.b);
+        square_of(mapping)->jacobian(count, disc, c.a, c.b, to);
+    }
+}
+
 static void fill(CM_REAL *to, size_t n)
 {
     for (size_t i = 0; i < n; i++)
@@ -257,8 +277,8 @@ static void no_inverse_jacobian(const cm_mapping *mapping, size_t n, const uint8
 /* By kind; cubes have loops of their own, and so have layouts that are one kernel. */
 const CM_NAME(cm_batch) CM_NAME(cm_chart_batches)[] = {
     [CM_KIND_DISC_SQUARE] = {no_forward, no_inverse, no_forward_jacobian, no_inverse_jacobian,
-                             square_warp, square_unwarp},
+                             square_warp, square_unwarp, square_warp_jacobian},
     [CM_KIND_AZIMUTHAL] = {azimuthal_forward, azimuthal_inverse, azimuthal_forward_jacobian,
-                           azimuthal_inverse_jacobian, NULL, NULL},
+                           azimuthal_inverse_jacobian, NULL, NULL, NULL},
     [CM_KIND_LAYOUT] = {layout_forward, layout_inverse, layout_forward_jacobian,
-                        layout_inverse_jacobian, NULL, NULL}};
+                        layout_inverse_jacobian, NULL, NULL, NULL}};

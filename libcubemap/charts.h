@@ -29,7 +29,8 @@ typedef CM_NAME(cm_tangents) (*BATCH_NAME(chart_tangents))(CM_NAME(cm_disc_point
                                                            CM_NAME(cm_constants) k);
 typedef CM_NAME(cm_uv) (*BATCH_NAME(chart_to_square))(CM_NAME(cm_disc_point) d);
 typedef CM_NAME(cm_disc_point) (*BATCH_NAME(chart_to_disc))(CM_REAL x, CM_REAL y);
-typedef CM_NAME(cm_jacobian) (*BATCH_NAME(chart_slopes))(CM_NAME(cm_disc_point) d, CM_REAL x, CM_REAL y);
+typedef CM_NAME(cm_jacobian) (*BATCH_NAME(chart_slopes))(CM_NAME(cm_disc_point) d, CM_REAL x,
+                                                         CM_REAL y);
 
 CHART_FN CM_NAME(cm_constants) BATCH_NAME(chart_constants)(const cm_mapping *mapping)
 {
@@ -47,8 +48,8 @@ CHART_FN CM_NAME(cm_constants) BATCH_NAME(chart_constants)(const cm_mapping *map
 }
 
 /* The columns of a disc's points. */
-CHART_FN CM_NAME(cm_disc_point)
-    BATCH_NAME(chart_load)(LANES_IO *const disc[CM_DISC_COLUMNS], size_t i)
+CHART_FN CM_NAME(cm_disc_point) BATCH_NAME(chart_load)(LANES_IO *const disc[CM_DISC_COLUMNS],
+                                                       size_t i)
 {
     CM_NAME(cm_disc_point) d;
     d.u = lanes_load(disc[0] + i);
@@ -92,7 +93,8 @@ CHART_FN void BATCH_NAME(chart_turn)(const cm_mapping *mapping, CM_REAL *x, CM_R
     }
 }
 
-CHART_FN void BATCH_NAME(chart_turn_back)(const cm_mapping *mapping, CM_REAL *x, CM_REAL *y, CM_REAL *z)
+CHART_FN void BATCH_NAME(chart_turn_back)(const cm_mapping *mapping, CM_REAL *x, CM_REAL *y,
+                                          CM_REAL *z)
 {
     if (mapping->is_turned)
     {
@@ -137,8 +139,9 @@ CHART_FN void BATCH_NAME(chart_azimuthal_forward)(BATCH_NAME(chart_project) proj
     CM_REAL least = -((k.k0 * k.k0) * lanes_all((LANES_SCALAR)CHART_TOLERANCE));
     for (size_t i = 0; i < n; i += LANES)
     {
-        BATCH_NAME(chart_direction) d = BATCH_NAME(chart_read)(mapping, lanes_load(x + i),
-                                                               lanes_load(y + i), lanes_load(z + i));
+        BATCH_NAME(chart_direction)
+        d = BATCH_NAME(chart_read)(mapping, lanes_load(x + i), lanes_load(y + i),
+                                   lanes_load(z + i));
         CM_REAL margin = CM_NAME(cm_azimuthal_bearing)(d.x, d.y, d.z, k).t.margin;
         CM_BOOL good = cm_both(d.good, cm_at_least(margin, least));
         BATCH_NAME(chart_store)(project(d.x, d.y, d.z, k), good, disc, i);
@@ -148,8 +151,8 @@ CHART_FN void BATCH_NAME(chart_azimuthal_forward)(BATCH_NAME(chart_project) proj
 
 CHART_FN void BATCH_NAME(chart_azimuthal_inverse)(BATCH_NAME(chart_unproject) unproject,
                                                   const cm_mapping *mapping, size_t n,
-                                                  LANES_IO *const disc[CM_DISC_COLUMNS], LANES_IO *x,
-                                                  LANES_IO *y, LANES_IO *z)
+                                                  LANES_IO *const disc[CM_DISC_COLUMNS],
+                                                  LANES_IO *x, LANES_IO *y, LANES_IO *z)
 {
     CM_NAME(cm_constants) k = BATCH_NAME(chart_constants)(mapping);
     for (size_t i = 0; i < n; i += LANES)
@@ -171,8 +174,9 @@ CHART_FN void BATCH_NAME(chart_azimuthal_gradients)(BATCH_NAME(chart_gradients) 
     CM_NAME(cm_constants) k = BATCH_NAME(chart_constants)(mapping);
     for (size_t i = 0; i < n; i += LANES)
     {
-        BATCH_NAME(chart_direction) d = BATCH_NAME(chart_read)(mapping, lanes_load(x + i),
-                                                               lanes_load(y + i), lanes_load(z + i));
+        BATCH_NAME(chart_direction)
+        d = BATCH_NAME(chart_read)(mapping, lanes_load(x + i), lanes_load(y + i),
+                                   lanes_load(z + i));
         CM_NAME(cm_gradients) g = gradients(d.x, d.y, d.z, k);
         g.a_z = g.a_z * d.side;
         g.b_z = g.b_z * d.side;
@@ -246,12 +250,13 @@ CHART_FN void BATCH_NAME(chart_square_jacobian)(BATCH_NAME(chart_slopes) slopes,
 {
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_NAME(cm_jacobian) j =
-            slopes(BATCH_NAME(chart_load)(disc, i), lanes_load(a + i), lanes_load(b + i));
-        lanes_store(to[0] + i, j.u_p);
-        lanes_store(to[1] + i, j.u_q);
-        lanes_store(to[2] + i, j.v_p);
-        lanes_store(to[3] + i, j.v_q);
+        CM_NAME(cm_disc_point) d = BATCH_NAME(chart_load)(disc, i);
+        CM_BOOL good = cm_equal(d.u, d.u);
+        CM_NAME(cm_jacobian) j = slopes(d, lanes_load(a + i), lanes_load(b + i));
+        lanes_store(to[0] + i, lanes_or_nan(good, j.u_p));
+        lanes_store(to[1] + i, lanes_or_nan(good, j.u_q));
+        lanes_store(to[2] + i, lanes_or_nan(good, j.v_p));
+        lanes_store(to[3] + i, lanes_or_nan(good, j.v_q));
     }
 }
 
@@ -311,8 +316,8 @@ static void BATCH_NAME(chart_square_out)(const cm_mapping *mapping, size_t n, co
     }
 }
 
-static void BATCH_NAME(chart_face_out)(size_t n, const LANES_IO *u, const LANES_IO *v, uint8_t *face,
-                                       LANES_IO *to_u, LANES_IO *to_v)
+static void BATCH_NAME(chart_face_out)(size_t n, const LANES_IO *u, const LANES_IO *v,
+                                       uint8_t *face, LANES_IO *to_u, LANES_IO *to_v)
 {
     CM_REAL one = CM_LIT(1.0);
     for (size_t i = 0; i < n; i += LANES)
@@ -352,9 +357,10 @@ static void BATCH_NAME(chart_keep)(size_t n, const LANES_IO *where, LANES_IO *co
 }
 
 /* The Jacobian of the square's point with that of its place on the map. */
-CHART_FN CM_NAME(cm_jacobian)
-    BATCH_NAME(chart_placed)(const cm_mapping *mapping, size_t i, const LANES_IO *side,
-                             const LANES_IO *a, const LANES_IO *b, LANES_IO *const by_disc[4])
+CHART_FN CM_NAME(cm_jacobian) BATCH_NAME(chart_placed)(const cm_mapping *mapping, size_t i,
+                                                       const LANES_IO *side, const LANES_IO *a,
+                                                       const LANES_IO *b,
+                                                       LANES_IO *const by_disc[4])
 {
     CM_NAME(cm_jacobian) j =
         CM_NAME(cm_make_jacobian)(lanes_load(by_disc[0] + i), lanes_load(by_disc[1] + i),
@@ -370,9 +376,10 @@ CHART_FN CM_NAME(cm_jacobian)
 }
 
 /* The gradients of the disc's coordinates become those of the map's. */
-static void BATCH_NAME(chart_gradients_out)(const cm_mapping *mapping, size_t n, const LANES_IO *side,
-                                            const LANES_IO *a, const LANES_IO *b,
-                                            LANES_IO *const by_disc[4], LANES_IO *const to[6])
+static void BATCH_NAME(chart_gradients_out)(const cm_mapping *mapping, size_t n,
+                                            const LANES_IO *side, const LANES_IO *a,
+                                            const LANES_IO *b, LANES_IO *const by_disc[4],
+                                            LANES_IO *const to[6])
 {
     for (size_t i = 0; i < n; i += LANES)
     {
@@ -391,16 +398,20 @@ static void BATCH_NAME(chart_gradients_out)(const cm_mapping *mapping, size_t n,
 }
 
 /* The derivatives by the disc's coordinates become those by the map's. */
-static void BATCH_NAME(chart_tangents_out)(const cm_mapping *mapping, size_t n, const LANES_IO *side,
-                                           const LANES_IO *a, const LANES_IO *b,
-                                           LANES_IO *const by_disc[4], LANES_IO *const to[6])
+static void BATCH_NAME(chart_tangents_out)(const cm_mapping *mapping, size_t n,
+                                           const LANES_IO *side, const LANES_IO *a,
+                                           const LANES_IO *b, LANES_IO *const by_disc[4],
+                                           LANES_IO *const to[6])
 {
     for (size_t i = 0; i < n; i += LANES)
     {
         CM_NAME(cm_jacobian) j = BATCH_NAME(chart_placed)(mapping, i, side, a, b, by_disc);
-        CM_NAME(cm_tangents) t = {
-            .x_a = lanes_load(to[0] + i), .x_b = lanes_load(to[1] + i), .y_a = lanes_load(to[2] + i),
-            .y_b = lanes_load(to[3] + i), .z_a = lanes_load(to[4] + i), .z_b = lanes_load(to[5] + i)};
+        CM_NAME(cm_tangents) t = {.x_a = lanes_load(to[0] + i),
+                                  .x_b = lanes_load(to[1] + i),
+                                  .y_a = lanes_load(to[2] + i),
+                                  .y_b = lanes_load(to[3] + i),
+                                  .z_a = lanes_load(to[4] + i),
+                                  .z_b = lanes_load(to[5] + i)};
         t = CM_NAME(cm_jacobian_tangents)(j, t);
         lanes_store(to[0] + i, t.x_a);
         lanes_store(to[1] + i, t.x_b);
@@ -443,8 +454,8 @@ static void BATCH_NAME(chart_tangents_out)(const cm_mapping *mapping, size_t n, 
         (CM_NAME(cm_azimuthal_##id##_tangents), mapping, n, disc, to);                             \
     }
 #define CHART_SQUARE(id)                                                                           \
-    static void BATCH_NAME(square_forward_##id)(                                                   \
-        size_t n, LANES_IO *const disc[CM_DISC_COLUMNS], LANES_IO *a, LANES_IO *b)                 \
+    static void BATCH_NAME(square_forward_##id)(size_t n, LANES_IO *const disc[CM_DISC_COLUMNS],   \
+                                                LANES_IO *a, LANES_IO *b)                          \
     {                                                                                              \
         BATCH_NAME(chart_square_forward)(CM_NAME(cm_square_##id##_forward), n, disc, a, b);        \
     }                                                                                              \
@@ -453,9 +464,9 @@ static void BATCH_NAME(chart_tangents_out)(const cm_mapping *mapping, size_t n, 
     {                                                                                              \
         BATCH_NAME(chart_square_inverse)(CM_NAME(cm_square_##id##_inverse), n, a, b, disc);        \
     }                                                                                              \
-    static void BATCH_NAME(square_jacobian_##id)(                                                  \
-        size_t n, LANES_IO *const disc[CM_DISC_COLUMNS], const LANES_IO *a, const LANES_IO *b,     \
-        LANES_IO *const to[4])                                                                     \
+    static void BATCH_NAME(square_jacobian_##id)(size_t n, LANES_IO *const disc[CM_DISC_COLUMNS],  \
+                                                 const LANES_IO *a, const LANES_IO *b,             \
+                                                 LANES_IO *const to[4])                            \
     {                                                                                              \
         BATCH_NAME(chart_square_jacobian)(CM_NAME(cm_square_##id##_jacobian), n, disc, a, b, to);  \
     }
@@ -503,17 +514,17 @@ static const CM_SCALAR_NAME(cm_square_loops) BATCH_NAME(square_table)[] = {
 #undef CM_SQUARE
 #undef CM_DESCRIPTORS
 
-static const CM_SCALAR_NAME(cm_chart_loops) BATCH_NAME(chart_loops) = {
-    .azimuthal = BATCH_NAME(azimuthal_table),
-    .square = BATCH_NAME(square_table),
-    .disc_in = BATCH_NAME(chart_disc_in),
-    .square_in = BATCH_NAME(chart_square_in),
-    .square_out = BATCH_NAME(chart_square_out),
-    .face_in = BATCH_NAME(chart_face_in),
-    .face_out = BATCH_NAME(chart_face_out),
-    .gradients_out = BATCH_NAME(chart_gradients_out),
-    .tangents_out = BATCH_NAME(chart_tangents_out),
-    .keep = BATCH_NAME(chart_keep)};
+static const CM_SCALAR_NAME(cm_chart_loops)
+    BATCH_NAME(chart_loops) = {.azimuthal = BATCH_NAME(azimuthal_table),
+                               .square = BATCH_NAME(square_table),
+                               .disc_in = BATCH_NAME(chart_disc_in),
+                               .square_in = BATCH_NAME(chart_square_in),
+                               .square_out = BATCH_NAME(chart_square_out),
+                               .face_in = BATCH_NAME(chart_face_in),
+                               .face_out = BATCH_NAME(chart_face_out),
+                               .gradients_out = BATCH_NAME(chart_gradients_out),
+                               .tangents_out = BATCH_NAME(chart_tangents_out),
+                               .keep = BATCH_NAME(chart_keep)};
 
 #undef CHART_FN
 #undef CHART_TOLERANCE

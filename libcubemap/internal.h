@@ -41,6 +41,8 @@ typedef struct cm_batch_f64
                              const double *u, const double *v, double *const jacobian[6]);
     void (*warp)(const cm_mapping *mapping, size_t n, double *p, double *q);
     void (*unwarp)(const cm_mapping *mapping, size_t n, double *u, double *v);
+    void (*warp_jacobian)(const cm_mapping *mapping, size_t n, const double *p, const double *q,
+                          double *const jacobian[4]);
 } cm_batch_f64;
 
 typedef struct cm_batch_f32
@@ -55,6 +57,8 @@ typedef struct cm_batch_f32
                              const float *u, const float *v, float *const jacobian[6]);
     void (*warp)(const cm_mapping *mapping, size_t n, float *p, float *q);
     void (*unwarp)(const cm_mapping *mapping, size_t n, float *u, float *v);
+    void (*warp_jacobian)(const cm_mapping *mapping, size_t n, const float *p, const float *q,
+                          float *const jacobian[4]);
 } cm_batch_f32;
 
 /* By variant; a mapping that has only one leaves the other empty. */
@@ -87,9 +91,10 @@ typedef struct cm_azimuthal_loops_f64
 typedef struct cm_square_loops_f64
 {
     void (*forward)(size_t n, double *const disc[CM_DISC_COLUMNS], double *a, double *b);
-    void (*inverse)(size_t n, const double *a, const double *b, double *const disc[CM_DISC_COLUMNS]);
-    void (*jacobian)(size_t n, double *const disc[CM_DISC_COLUMNS], const double *a, const double *b,
-                     double *const to[4]);
+    void (*inverse)(size_t n, const double *a, const double *b,
+                    double *const disc[CM_DISC_COLUMNS]);
+    void (*jacobian)(size_t n, double *const disc[CM_DISC_COLUMNS], const double *a,
+                     const double *b, double *const to[4]);
 } cm_square_loops_f64;
 
 /* The first two by index in the catalogue. */
@@ -97,10 +102,12 @@ typedef struct cm_chart_loops_f64
 {
     const cm_azimuthal_loops_f64 *azimuthal;
     const cm_square_loops_f64 *square;
-    void (*disc_in)(size_t n, const double *u, const double *v, double *const disc[CM_DISC_COLUMNS]);
-    void (*square_in)(const cm_mapping *mapping, size_t n, const double *u, const double *v, double *a,
-                      double *b, double *side);
-    void (*square_out)(const cm_mapping *mapping, size_t n, const double *side, double *a, double *b);
+    void (*disc_in)(size_t n, const double *u, const double *v,
+                    double *const disc[CM_DISC_COLUMNS]);
+    void (*square_in)(const cm_mapping *mapping, size_t n, const double *u, const double *v,
+                      double *a, double *b, double *side);
+    void (*square_out)(const cm_mapping *mapping, size_t n, const double *side, double *a,
+                       double *b);
     void (*face_in)(size_t n, const uint8_t *face, const double *u, const double *v, double *to_u,
                     double *to_v);
     void (*face_out)(size_t n, const double *u, const double *v, uint8_t *face, double *to_u,
@@ -203,7 +210,8 @@ struct cm_mapping
     size_t square;
     int is_folded; /* both hemispheres go to the disc */
     int is_turned; /* the centre is not the north pole in longitude 0 */
-    double axes_f64[9]; /* then the axes about the centre, by rows: south, east and outwards at a north pole */
+    double axes_f64
+        [9]; /* then the axes about the centre, by rows: south, east and outwards at a north pole */
     float axes_f32[9];
     cm_frame frame;
     cm_turn turn;

@@ -61,10 +61,15 @@ static void turn_axes(cm_mapping *mapping)
     double lat = parameter_called(mapping, "lat", 90.0);
     sine_cosine(lon, &sine_lon, &cosine_lon);
     sine_cosine(lat, &sine_lat, &cosine_lat);
-    const double axes[9] = {
-        sine_lat * cosine_lon,   sine_lat * sine_lon,   -cosine_lat, /* south */
-        -sine_lon,               cosine_lon,            0.0,         /* east */
-        cosine_lat * cosine_lon, cosine_lat * sine_lon, sine_lat};   /* outwards */
+    const double axes[9] = {sine_lat * cosine_lon,
+                            sine_lat * sine_lon,
+                            -cosine_lat, /* south */
+                            -sine_lon,
+                            cosine_lon,
+                            0.0, /* east */
+                            cosine_lat * cosine_lon,
+                            cosine_lat * sine_lon,
+                            sine_lat}; /* outwards */
     mapping->is_turned = lon != 0.0 || lat != 90.0;
     for (int k = 0; k < 9; k++)
     {

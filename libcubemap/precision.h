@@ -399,28 +399,93 @@ void CM_PUBLIC(cm_inverse_distortion)(const cm_mapping *mapping, uint8_t face, c
     CM_PUBLIC(cm_inverse_distortion_array)(mapping, 1, &face, &uv[0], &uv[1], &to);
 }
 
-static cm_status warp_point(void (*warp)(const cm_mapping *, size_t, CM_REAL *, CM_REAL *),
-                            const cm_mapping *mapping, const CM_REAL from[2], CM_REAL to[2])
+/* ---- Warps alone ---- */
+
+typedef void (*warp_loop)(const cm_mapping *, size_t, CM_REAL *, CM_REAL *);
+
+/* The points are copied to a block, which is padded to whole vectors: loops work in place. */
+static cm_status warp_points(warp_loop warp, const cm_mapping *mapping, size_t n, const CM_REAL *a,
+                             const CM_REAL *b, CM_REAL *to_a, CM_REAL *to_b)
 {
+    _Alignas(sizeof(rest)) block first, second;
+    size_t lanes = mapping->CM_NAME(lanes);
     if (warp == NULL)
     {
         return CM_ERROR_UNSUPPORTED;
     }
-    REST a, b;
-    copy_to_rest(mapping, a, &from[0], 1);
-    copy_to_rest(mapping, b, &from[1], 1);
-    warp(mapping, mapping->CM_NAME(lanes), a, b);
-    to[0] = a[0];
-    to[1] = b[0];
+    for (size_t done = 0; done < n; done += CM_BLOCK)
+    {
+        size_t count = n - done < CM_BLOCK ? n - done : CM_BLOCK;
+        size_t left = count % lanes;
+        size_t whole = count - left;
+        memcpy(first, a + done, whole * sizeof *a);
+        memcpy(second, b + done, whole * sizeof *b);
+        if (left > 0)
+        {
+            copy_to_rest(mapping, first + whole, a + done + whole, left);
+            copy_to_rest(mapping, second + whole, b + done + whole, left);
+        }
+        warp(mapping, whole + (left > 0 ? lanes : 0), first, second);
+        memcpy(to_a + done, first, count * sizeof *to_a);
+        memcpy(to_b + done, second, count * sizeof *to_b);
+    }
     return CM_OK;
+}
+
+cm_status CM_PUBLIC(cm_warp_array)(const cm_mapping *mapping, size_t n, const CM_REAL *p,
+                                   const CM_REAL *q, CM_REAL *u, CM_REAL *v)
+{
+    return warp_points(mapping->CM_NAME(batch).warp, mapping, n, p, q, u, v);
+}
+
+cm_status CM_PUBLIC(cm_unwarp_array)(const cm_mapping *mapping, size_t n, const CM_REAL *u,
+                                     const CM_REAL *v, CM_REAL *p, CM_REAL *q)
+{
+    return warp_points(mapping->CM_NAME(batch).unwarp, mapping, n, u, v, p, q);
 }
 
 cm_status CM_PUBLIC(cm_warp)(const cm_mapping *mapping, const CM_REAL pq[2], CM_REAL uv[2])
 {
-    return warp_point(mapping->CM_NAME(batch).warp, mapping, pq, uv);
+    return CM_PUBLIC(cm_warp_array)(mapping, 1, &pq[0], &pq[1], &uv[0], &uv[1]);
 }
 
 cm_status CM_PUBLIC(cm_unwarp)(const cm_mapping *mapping, const CM_REAL uv[2], CM_REAL pq[2])
 {
-    return warp_point(mapping->CM_NAME(batch).unwarp, mapping, uv, pq);
+    return CM_PUBLIC(cm_unwarp_array)(mapping, 1, &uv[0], &uv[1], &pq[0], &pq[1]);
+}
+
+cm_status CM_PUBLIC(cm_warp_jacobian_array)(const cm_mapping *mapping, size_t n, const CM_REAL *p,
+                                            const CM_REAL *q, CM_REAL *const jacobian[4])
+{
+    size_t lanes = mapping->CM_NAME(lanes);
+    size_t left = n % lanes;
+    size_t whole = n - left;
+    if (mapping->CM_NAME(batch).warp_jacobian == NULL)
+    {
+        return CM_ERROR_UNSUPPORTED;
+    }
+    if (whole > 0)
+    {
+        mapping->CM_NAME(batch).warp_jacobian(mapping, whole, p, q, jacobian);
+    }
+    if (left > 0)
+    {
+        REST r[4];
+        CM_REAL *const to[4] = {r[0], r[1], r[2], r[3]};
+        copy_to_rest(mapping, r[0], p + whole, left);
+        copy_to_rest(mapping, r[1], q + whole, left);
+        mapping->CM_NAME(batch).warp_jacobian(mapping, lanes, r[0], r[1], to);
+        for (int k = 0; k < 4; k++)
+        {
+            memcpy(jacobian[k] + whole, r[k], left * sizeof(CM_REAL));
+        }
+    }
+    return CM_OK;
+}
+
+cm_status CM_PUBLIC(cm_warp_jacobian)(const cm_mapping *mapping, const CM_REAL pq[2],
+                                      CM_REAL jacobian[4])
+{
+    CM_REAL *const to[4] = {&jacobian[0], &jacobian[1], &jacobian[2], &jacobian[3]};
+    return CM_PUBLIC(cm_warp_jacobian_array)(mapping, 1, &pq[0], &pq[1], to);
 }

@@ -104,7 +104,7 @@ static void add_parameter_ends(const cm_mapping_info *info)
 static void list_subjects(void)
 {
     subject_count = 0;
-    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    for (size_t i = 0; i < cube_count(); i++)
     {
         const cm_mapping_info *info = cm_catalogue_at(i);
         add_subject(info->identifier, info);

@@ -1,13 +1,22 @@
 /* SPDX-License-Identifier: MIT
  *
- * Mappings: forward (sphere to six faces) and inverse, for one point and for arrays, in double and
- * in float.
+ * Mappings: forward (sphere to six faces, to a disc or to one square) and inverse, for one point and for
+ * arrays, in double and in float.
  *
  * Conventions of every function here:
  *   direction   three finite numbers, not all zero, of any length; frame axes as in frame.h
  *   face        0..5, numbered by the mapping's frame; 255 (CM_NO_FACE) for "no face"
  *   u, v        [-1, 1], centre of the face (0, 0). Forward never leaves that square. Inverse takes
  *               u, v up to 1e-9 outside as the edge
+ *   one face    azimuthal projections (CM_KIND_AZIMUTHAL) and layouts (CM_KIND_LAYOUT) have face 0 alone and
+ *               no use for a frame. A projection's points are a disc: about the north pole
+ *               u = r sin lon, v = -r cos lon, about other centres u is east and v north there, and r is 1
+ *               at the rim, half the field of view from the centre. What is up to 1e-9 of the radius beyond
+ *               it (1e-6 in float) is put on it; further out there is no point: CM_NO_FACE or NaN. At the
+ *               centre's antipode, where every point of the rim is right, it is that of longitude 0, and
+ *               inverse gives that direction exactly for the whole border of border:...
+ *               Mappings between disc and square (CM_KIND_DISC_SQUARE) know no sphere: here
+ *               they give CM_NO_FACE and NaN, see cm_warp
  *   bad input   a direction that is zero or has a NaN or an infinity gives CM_NO_FACE and NaN, NaN;
  *               a face above 5, a NaN, or u, v further outside give NaN, NaN, NaN. Nothing traps,
  *               nothing is read or written beyond the arguments
@@ -139,13 +148,35 @@ CM_API void cm_inverse_jacobian_array(const cm_mapping *mapping, size_t n, const
 CM_API void cm_inverse_jacobian_array_f32(const cm_mapping *mapping, size_t n, const uint8_t *face,
                                           const float *u, const float *v, float *const jacobian[6]);
 
-/* The warp of a face alone, without the sphere: gnomonic (p, q) to (u, v) and back, both in
- * [-1, 1]^2 with the same tolerance and the same NaN as above. Independent of frame and face.
- * CM_OK; CM_ERROR_UNSUPPORTED if the family is CM_FAMILY_HYBRID. */
+/* The plane part alone, without the sphere. Of a mapping to six faces: gnomonic (p, q) to (u, v) and back,
+ * both in [-1, 1]^2 with the same tolerance and the same NaN as above; independent of frame and face. Of
+ * CM_KIND_DISC_SQUARE: the disc's (p, q) to the square's (u, v) and back, all within 8 eps. A point of the disc
+ * may be up to 1e-9 (1e-6 in float) outside, which is the rim. Where the square's corners are, the disc has no
+ * numbers: beside them the rounding of p and q to eps is sqrt(eps) in u and v, and what is exact is the
+ * result for the p and q that are given.
+ * jacobian: d(u, v) / d(p, q), 2 x 2 by rows; infinite or NaN at the corners of a square that are on the disc's
+ * rim (squircle, elliptical, conformal). Arrays as above, of four outputs there.
+ * CM_OK; CM_ERROR_UNSUPPORTED if there is no such part: healpix, azimuthal projections, layouts. */
 CM_API cm_status cm_warp(const cm_mapping *mapping, const double pq[2], double uv[2]);
 CM_API cm_status cm_warp_f32(const cm_mapping *mapping, const float pq[2], float uv[2]);
 CM_API cm_status cm_unwarp(const cm_mapping *mapping, const double uv[2], double pq[2]);
 CM_API cm_status cm_unwarp_f32(const cm_mapping *mapping, const float uv[2], float pq[2]);
+CM_API cm_status cm_warp_array(const cm_mapping *mapping, size_t n, const double *p,
+                               const double *q, double *u, double *v);
+CM_API cm_status cm_warp_array_f32(const cm_mapping *mapping, size_t n, const float *p,
+                                   const float *q, float *u, float *v);
+CM_API cm_status cm_unwarp_array(const cm_mapping *mapping, size_t n, const double *u,
+                                 const double *v, double *p, double *q);
+CM_API cm_status cm_unwarp_array_f32(const cm_mapping *mapping, size_t n, const float *u,
+                                     const float *v, float *p, float *q);
+CM_API cm_status cm_warp_jacobian(const cm_mapping *mapping, const double pq[2],
+                                  double jacobian[4]);
+CM_API cm_status cm_warp_jacobian_f32(const cm_mapping *mapping, const float pq[2],
+                                      float jacobian[4]);
+CM_API cm_status cm_warp_jacobian_array(const cm_mapping *mapping, size_t n, const double *p,
+                                        const double *q, double *const jacobian[4]);
+CM_API cm_status cm_warp_jacobian_array_f32(const cm_mapping *mapping, size_t n, const float *p,
+                                            const float *q, float *const jacobian[4]);
 
 #ifdef __cplusplus
 }

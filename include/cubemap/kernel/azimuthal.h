@@ -73,10 +73,10 @@ CM_STRUCT_END(cm_bearing)
 /* Powers of two by which directions of all lengths are brought to where squares are normal numbers, and
  * those that it takes for the distance from the axis of one beside it. */
 #if CM_REAL_BITS == 32
-#define CM_AZIMUTHAL_SMALL CM_LIT(9.313225746154785e-10)  /* 2^-30 */
-#define CM_AZIMUTHAL_LARGE CM_LIT(1.073741824e9)          /* 2^30 */
-#define CM_AZIMUTHAL_UP CM_LIT(1.237940039285380e27)      /* 2^90 */
-#define CM_AZIMUTHAL_DOWN CM_LIT(8.077935669463161e-28)   /* 2^-90 */
+#define CM_AZIMUTHAL_SMALL CM_LIT(9.313225746154785e-10) /* 2^-30 */
+#define CM_AZIMUTHAL_LARGE CM_LIT(1.073741824e9)         /* 2^30 */
+#define CM_AZIMUTHAL_UP CM_LIT(1.237940039285380e27)     /* 2^90 */
+#define CM_AZIMUTHAL_DOWN CM_LIT(8.077935669463161e-28)  /* 2^-90 */
 #else
 #define CM_AZIMUTHAL_SMALL CM_LIT(3.872591914849318e-121) /* 2^-400 */
 #define CM_AZIMUTHAL_LARGE CM_LIT(2.582249878086909e120)  /* 2^400 */
@@ -87,9 +87,9 @@ CM_STRUCT_END(cm_bearing)
 /* The power of two for a magnitude. */
 CM_FN CM_REAL CM_NAME(cm_azimuthal_scale)(CM_REAL magnitude)
 {
-    return CM_SELECT(cm_less(magnitude, CM_AZIMUTHAL_SMALL), CM_AZIMUTHAL_UP,
-                     CM_SELECT(cm_less(CM_AZIMUTHAL_LARGE, magnitude), CM_AZIMUTHAL_DOWN,
-                               CM_LIT(1.0)));
+    return CM_SELECT(
+        cm_less(magnitude, CM_AZIMUTHAL_SMALL), CM_AZIMUTHAL_UP,
+        CM_SELECT(cm_less(CM_AZIMUTHAL_LARGE, magnitude), CM_AZIMUTHAL_DOWN, CM_LIT(1.0)));
 }
 
 /* x, y, z finite and not all zero. */
@@ -208,7 +208,7 @@ CM_FN CM_NAME(cm_tangents)
 }
 
 /* The kernels of a projection from its law. */
-#define CM_AZIMUTHAL_KERNELS(point, direction, gradients, tangents, radius, angle)                 \
+#define CM_LAW_KERNELS(point, direction, gradients, tangents, radius, angle)                       \
     CM_FN CM_NAME(cm_disc_point)                                                                   \
         CM_NAME(point)(CM_REAL x, CM_REAL y, CM_REAL z, CM_NAME(cm_constants) k)                   \
     {                                                                                              \
@@ -217,8 +217,8 @@ CM_FN CM_NAME(cm_tangents)
     }                                                                                              \
     CM_FN CM_NAME(cm_xyz) CM_NAME(direction)(CM_NAME(cm_disc_point) d, CM_NAME(cm_constants) k)    \
     {                                                                                              \
-        return CM_NAME(cm_azimuthal_direction)(                                                    \
-            d, CM_NAME(angle)(d.u * d.u + d.v * d.v, d.rim, k));                                   \
+        return CM_NAME(cm_azimuthal_direction)(d,                                                  \
+                                               CM_NAME(angle)(d.u * d.u + d.v * d.v, d.rim, k));   \
     }                                                                                              \
     CM_FN CM_NAME(cm_gradients)                                                                    \
         CM_NAME(gradients)(CM_REAL x, CM_REAL y, CM_REAL z, CM_NAME(cm_constants) k)               \
@@ -226,11 +226,11 @@ CM_FN CM_NAME(cm_tangents)
         CM_NAME(cm_bearing) b = CM_NAME(cm_azimuthal_bearing)(x, y, z, k);                         \
         return CM_NAME(cm_azimuthal_gradients_of)(b, CM_NAME(radius)(b.t, k));                     \
     }                                                                                              \
-    CM_FN CM_NAME(cm_tangents) CM_NAME(tangents)(CM_NAME(cm_disc_point) d,                         \
-                                                 CM_NAME(cm_constants) k)                          \
+    CM_FN CM_NAME(cm_tangents)                                                                     \
+        CM_NAME(tangents)(CM_NAME(cm_disc_point) d, CM_NAME(cm_constants) k)                       \
     {                                                                                              \
-        return CM_NAME(cm_azimuthal_tangents_of)(                                                  \
-            d, CM_NAME(angle)(d.u * d.u + d.v * d.v, d.rim, k));                                   \
+        return CM_NAME(cm_azimuthal_tangents_of)(d,                                                \
+                                                 CM_NAME(angle)(d.u * d.u + d.v * d.v, d.rim, k)); \
     }
 
 #endif

@@ -29,11 +29,11 @@ CM_AZIMUTHAL(equidistant,
 /* k3 = t0 / 2, k4 = sin t0, k5 = 2 / t0 */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_azimuthal_equidistant_prepare)(CM_NAME(cm_constants) k)
 {
-    CM_REAL half = k.k0 * CM_LIT(0.004363323129985823942309226921222153178);
+    CM_REAL half_angle = k.k0 * CM_LIT(0.004363323129985823942309226921222153178);
     k = CM_NAME(cm_azimuthal_prepare)(k);
-    k.k3 = half;
+    k.k3 = half_angle;
     k.k4 = CM_LIT(2.0) * (k.k0 * k.k1);
-    k.k5 = CM_LIT(1.0) / half;
+    k.k5 = CM_LIT(1.0) / half_angle;
     return k;
 }
 
@@ -48,8 +48,8 @@ CM_FN CM_NAME(cm_radius)
     CM_REAL rest_sine = t.margin / CM_SELECT(cm_less(none, sum), sum, one);
     CM_REAL rest_cosine = k.k1 * t.half_cosine + k.k0 * t.half_sine;
     CM_BOOL outer = cm_less(rest_sine, t.half_sine);
-    CM_REAL tangent = CM_SELECT(outer, rest_sine, t.half_sine) /
-                      CM_SELECT(outer, rest_cosine, t.half_cosine);
+    CM_REAL tangent =
+        CM_SELECT(outer, rest_sine, t.half_sine) / CM_SELECT(outer, rest_cosine, t.half_cosine);
     CM_REAL excess = one + CM_NAME(cm_atan_excess)(tangent * tangent);
     CM_REAL from_rim = (k.k5 * tangent) * excess; /* 1 - r */
     CM_REAL inner_ratio = (k.k5 * excess) / t.half_cosine;
@@ -87,7 +87,8 @@ CM_FN CM_NAME(cm_angle)
     return r;
 }
 
-CM_AZIMUTHAL_KERNELS(cm_azimuthal_equidistant_project, cm_azimuthal_equidistant_unproject, cm_azimuthal_equidistant_gradients,
-                     cm_azimuthal_equidistant_tangents, cm_azimuthal_equidistant_radius, cm_azimuthal_equidistant_angle)
+CM_LAW_KERNELS(cm_azimuthal_equidistant_project, cm_azimuthal_equidistant_unproject,
+               cm_azimuthal_equidistant_gradients, cm_azimuthal_equidistant_tangents,
+               cm_azimuthal_equidistant_radius, cm_azimuthal_equidistant_angle)
 
 #endif

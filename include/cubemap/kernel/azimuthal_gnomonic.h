@@ -59,7 +59,8 @@ CM_FN CM_NAME(cm_angle)
     return r;
 }
 
-CM_AZIMUTHAL_KERNELS(cm_azimuthal_gnomonic_project, cm_azimuthal_gnomonic_unproject, cm_azimuthal_gnomonic_gradients,
-                     cm_azimuthal_gnomonic_tangents, cm_azimuthal_gnomonic_radius, cm_azimuthal_gnomonic_angle)
+CM_LAW_KERNELS(cm_azimuthal_gnomonic_project, cm_azimuthal_gnomonic_unproject,
+               cm_azimuthal_gnomonic_gradients, cm_azimuthal_gnomonic_tangents,
+               cm_azimuthal_gnomonic_radius, cm_azimuthal_gnomonic_angle)
 
 #endif

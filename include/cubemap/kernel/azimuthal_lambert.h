@@ -58,7 +58,8 @@ CM_FN CM_NAME(cm_angle)
     return r;
 }
 
-CM_AZIMUTHAL_KERNELS(cm_azimuthal_lambert_project, cm_azimuthal_lambert_unproject, cm_azimuthal_lambert_gradients,
-                     cm_azimuthal_lambert_tangents, cm_azimuthal_lambert_radius, cm_azimuthal_lambert_angle)
+CM_LAW_KERNELS(cm_azimuthal_lambert_project, cm_azimuthal_lambert_unproject,
+               cm_azimuthal_lambert_gradients, cm_azimuthal_lambert_tangents,
+               cm_azimuthal_lambert_radius, cm_azimuthal_lambert_angle)
 
 #endif

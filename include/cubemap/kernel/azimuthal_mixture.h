@@ -43,8 +43,7 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_azimuthal_mixture_prepare)(CM_NAME(cm_con
 CM_FN CM_NAME(cm_radius)
     CM_NAME(cm_azimuthal_mixture_radius)(CM_NAME(cm_colatitude) t, CM_NAME(cm_constants) k)
 {
-    CM_REAL radicand =
-        t.half_cosine * t.half_cosine + k.k3 * (t.half_sine * t.half_sine);
+    CM_REAL radicand = t.half_cosine * t.half_cosine + k.k3 * (t.half_sine * t.half_sine);
     CM_NAME(cm_radius) r;
     r.ratio = k.k5 * CM_NAME(cm_inverse_root)(radicand);
     r.rim = t.margin / (radicand * k.k6);
@@ -67,7 +66,8 @@ CM_FN CM_NAME(cm_angle)
     return r;
 }
 
-CM_AZIMUTHAL_KERNELS(cm_azimuthal_mixture_project, cm_azimuthal_mixture_unproject, cm_azimuthal_mixture_gradients,
-                     cm_azimuthal_mixture_tangents, cm_azimuthal_mixture_radius, cm_azimuthal_mixture_angle)
+CM_LAW_KERNELS(cm_azimuthal_mixture_project, cm_azimuthal_mixture_unproject,
+               cm_azimuthal_mixture_gradients, cm_azimuthal_mixture_tangents,
+               cm_azimuthal_mixture_radius, cm_azimuthal_mixture_angle)
 
 #endif

@@ -54,7 +54,8 @@ CM_FN CM_NAME(cm_angle)
     return r;
 }
 
-CM_AZIMUTHAL_KERNELS(cm_azimuthal_orthographic_project, cm_azimuthal_orthographic_unproject, cm_azimuthal_orthographic_gradients,
-                     cm_azimuthal_orthographic_tangents, cm_azimuthal_orthographic_radius, cm_azimuthal_orthographic_angle)
+CM_LAW_KERNELS(cm_azimuthal_orthographic_project, cm_azimuthal_orthographic_unproject,
+               cm_azimuthal_orthographic_gradients, cm_azimuthal_orthographic_tangents,
+               cm_azimuthal_orthographic_radius, cm_azimuthal_orthographic_angle)
 
 #endif

@@ -57,7 +57,8 @@ CM_FN CM_NAME(cm_angle)
     return r;
 }
 
-CM_AZIMUTHAL_KERNELS(cm_azimuthal_stereographic_project, cm_azimuthal_stereographic_unproject, cm_azimuthal_stereographic_gradients,
-                     cm_azimuthal_stereographic_tangents, cm_azimuthal_stereographic_radius, cm_azimuthal_stereographic_angle)
+CM_LAW_KERNELS(cm_azimuthal_stereographic_project, cm_azimuthal_stereographic_unproject,
+               cm_azimuthal_stereographic_gradients, cm_azimuthal_stereographic_tangents,
+               cm_azimuthal_stereographic_radius, cm_azimuthal_stereographic_angle)
 
 #endif

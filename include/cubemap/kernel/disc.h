@@ -55,8 +55,7 @@ CM_FN CM_NAME(cm_disc_point) CM_NAME(cm_make_disc_point)(CM_REAL u, CM_REAL v)
 {
     CM_REAL rim = CM_NAME(cm_disc_rim)(u, v);
     CM_BOOL outside = cm_less(rim, CM_LIT(0.0));
-    CM_REAL scale =
-        CM_SELECT(outside, CM_LIT(1.0) / cm_sqrt(CM_LIT(1.0) - rim), CM_LIT(1.0));
+    CM_REAL scale = CM_SELECT(outside, CM_LIT(1.0) / cm_sqrt(CM_LIT(1.0) - rim), CM_LIT(1.0));
     CM_NAME(cm_disc_point) r;
     r.u = u * scale;
     r.v = v * scale;
@@ -88,8 +87,8 @@ CM_FN CM_NAME(cm_disc_octant) CM_NAME(cm_disc_fold)(CM_REAL a, CM_REAL b, CM_REA
 }
 
 /* The pair (major, minor) where (a, b) was folded, with its signs. */
-CM_FN CM_NAME(cm_uv) CM_NAME(cm_disc_unfold)(CM_BOOL u_wins, CM_REAL major, CM_REAL minor, CM_REAL a,
-                                             CM_REAL b)
+CM_FN CM_NAME(cm_uv)
+    CM_NAME(cm_disc_unfold)(CM_BOOL u_wins, CM_REAL major, CM_REAL minor, CM_REAL a, CM_REAL b)
 {
     return CM_NAME(cm_make_uv)(cm_copysign(CM_SELECT(u_wins, major, minor), a),
                                cm_copysign(CM_SELECT(u_wins, minor, major), b));

@@ -46,13 +46,12 @@ CM_LAYOUT(quincuncial,
 /* A point (a, b) of the square of a hemisphere; side is -1 for that of the antipode. */
 CM_FN CM_NAME(cm_uv) CM_NAME(cm_quincuncial_place)(CM_REAL a, CM_REAL b, CM_REAL side)
 {
-    CM_REAL half = CM_LIT(0.5);
-    CM_REAL x = half * (a + b);
-    CM_REAL y = half * (b - a);
+    CM_REAL one_half = CM_LIT(0.5);
+    CM_REAL x = one_half * (a + b);
+    CM_REAL y = one_half * (b - a);
     CM_BOOL outer = cm_less(side, CM_LIT(0.0));
-    return CM_NAME(cm_make_uv)(
-        CM_SELECT(outer, cm_copysign(CM_LIT(1.0) - cm_abs(y), x), x),
-        CM_SELECT(outer, cm_copysign(CM_LIT(1.0) - cm_abs(x), y), y));
+    return CM_NAME(cm_make_uv)(CM_SELECT(outer, cm_copysign(CM_LIT(1.0) - cm_abs(y), x), x),
+                               CM_SELECT(outer, cm_copysign(CM_LIT(1.0) - cm_abs(x), y), y));
 }
 
 /* And back: (a, b), and the side as face, 1 or -1. */
@@ -71,12 +70,12 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_quincuncial_unplace)(CM_REAL u, CM_REAL 
 /* The derivatives of (u, v) by (a, b). */
 CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_quincuncial_jacobian)(CM_REAL a, CM_REAL b, CM_REAL side)
 {
-    CM_REAL half = CM_LIT(0.5);
+    CM_REAL one_half = CM_LIT(0.5);
     CM_BOOL outer = cm_less(side, CM_LIT(0.0));
-    CM_REAL turn = -(cm_copysign(half, a + b) * cm_copysign(CM_LIT(1.0), b - a));
+    CM_REAL turn = -(cm_copysign(one_half, a + b) * cm_copysign(CM_LIT(1.0), b - a));
     return CM_NAME(cm_make_jacobian)(
-        CM_SELECT(outer, -turn, half), CM_SELECT(outer, turn, half), CM_SELECT(outer, turn, -half),
-        CM_SELECT(outer, turn, half));
+        CM_SELECT(outer, -turn, one_half), CM_SELECT(outer, turn, one_half),
+        CM_SELECT(outer, turn, -one_half), CM_SELECT(outer, turn, one_half));
 }
 
 #endif

@@ -66,8 +66,8 @@ CM_FN CM_NAME(cm_xyz) CM_NAME(cm_octahedral_unproject)(CM_REAL face, CM_REAL u, 
 }
 
 /* What a fold makes of derivatives of |u| and |v|, of one variable each; signs are those of x and y. */
-CM_FN CM_NAME(cm_uv) CM_NAME(cm_octahedral_turn)(CM_BOOL lower, CM_REAL sign_x, CM_REAL sign_y, CM_REAL a,
-                                                 CM_REAL b)
+CM_FN CM_NAME(cm_uv)
+    CM_NAME(cm_octahedral_turn)(CM_BOOL lower, CM_REAL sign_x, CM_REAL sign_y, CM_REAL a, CM_REAL b)
 {
     return CM_NAME(cm_make_uv)(sign_x * CM_SELECT(lower, -b, a), sign_y * CM_SELECT(lower, -a, b));
 }
@@ -90,8 +90,8 @@ CM_FN CM_NAME(cm_gradients) CM_NAME(cm_octahedral_gradients)(CM_REAL x, CM_REAL 
     CM_REAL sign_z = CM_SELECT(lower, CM_LIT(-1.0), CM_LIT(1.0));
     CM_REAL ax_over = ax * over;
     CM_REAL ay_over = ay * over;
-    CM_NAME(cm_uv) by_x = CM_NAME(cm_octahedral_turn)(lower, sign_x, sign_y,
-                                                      sign_x * ((ay + az) * over), -(sign_x * ay_over));
+    CM_NAME(cm_uv) by_x = CM_NAME(cm_octahedral_turn)(
+        lower, sign_x, sign_y, sign_x * ((ay + az) * over), -(sign_x * ay_over));
     CM_NAME(cm_uv) by_y = CM_NAME(cm_octahedral_turn)(lower, sign_x, sign_y, -(sign_y * ax_over),
                                                       sign_y * ((ax + az) * over));
     CM_NAME(cm_uv) by_z = CM_NAME(cm_octahedral_turn)(lower, sign_x, sign_y, -(sign_z * ax_over),
@@ -107,7 +107,8 @@ CM_FN CM_NAME(cm_gradients) CM_NAME(cm_octahedral_gradients)(CM_REAL x, CM_REAL 
 }
 
 /* A derivative of the point p of the octahedron's face, of length 1 / scale, is turned into one of p / |p|. */
-CM_FN CM_NAME(cm_xyz) CM_NAME(cm_octahedral_tangent)(CM_NAME(cm_xyz) d, CM_REAL scale, CM_NAME(cm_xyz) by)
+CM_FN CM_NAME(cm_xyz)
+    CM_NAME(cm_octahedral_tangent)(CM_NAME(cm_xyz) d, CM_REAL scale, CM_NAME(cm_xyz) by)
 {
     CM_REAL along = (d.x * by.x + d.y * by.y) + d.z * by.z;
     CM_NAME(cm_xyz) r;

@@ -40,8 +40,8 @@ CM_FN CM_NAME(cm_clarberg_place) CM_NAME(cm_clarberg_locate)(CM_REAL x, CM_REAL 
     r.height = b.t.cosine;
     r.x_wins = cm_at_least(cm_abs(x), cm_abs(y));
     CM_REAL major = cm_max(cm_abs(x), cm_abs(y));
-    r.slope = cm_min(cm_abs(x), cm_abs(y)) /
-              CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
+    r.slope =
+        cm_min(cm_abs(x), cm_abs(y)) / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
     return r;
 }
 
@@ -54,7 +54,8 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_clarberg_project)(CM_REAL x, CM_REAL y, 
     CM_REAL minor = radius * part;
     CM_REAL major = radius - minor;
     /* of the lower half: 1 - minor and 1 - major, where 1 - radius is height / (1 + radius) */
-    CM_REAL rest = CM_SELECT(cm_less(z, CM_LIT(0.0)), at.height / (CM_LIT(1.0) + radius), CM_LIT(0.0));
+    CM_REAL rest =
+        CM_SELECT(cm_less(z, CM_LIT(0.0)), at.height / (CM_LIT(1.0) + radius), CM_LIT(0.0));
     CM_NAME(cm_uv) uv = CM_NAME(cm_disc_unfold)(at.x_wins, cm_min(CM_LIT(1.0), rest + major),
                                                 cm_min(CM_LIT(1.0), rest + minor), x, y);
     CM_NAME(cm_face_point) r;
@@ -164,7 +165,7 @@ CM_FN CM_NAME(cm_tangents) CM_NAME(cm_clarberg_tangents)(CM_REAL face, CM_REAL u
     CM_REAL out_major = (outwards * height) * cosine_lon;
     CM_REAL out_minor = (outwards * height) * sine_lon;
     CM_REAL out_z = -(outwards * sine);
-    CM_REAL by_major = -(around * at.part);                /* of the angle, times sin t */
+    CM_REAL by_major = -(around * at.part); /* of the angle, times sin t */
     CM_REAL by_minor = around * (CM_LIT(1.0) - at.part);
 
     CM_REAL sign_x = cm_copysign(CM_LIT(1.0), u);

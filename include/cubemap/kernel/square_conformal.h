@@ -31,11 +31,11 @@ CM_SQUARE(conformal,
 /* clang-format on */
 #else
 
-#define CM_CONFORMAL_2_K CM_LIT(1.078705202376758713335871444711105465532)      /* 2 / K */
-#define CM_CONFORMAL_2R_K CM_LIT(1.525519527003626376124651961927231586585)     /* 2 sqrt(2) / K */
-#define CM_CONFORMAL_HALF_K CM_LIT(0.9270373386506859592169251735976300231088)  /* K / 2 */
-#define CM_CONFORMAL_K2_8 CM_LIT(0.4296991136262733017181309862381598248688)    /* K^2 / 8 */
-#define CM_CONFORMAL_K_2R CM_LIT(0.6555143885730299526162098974727798534207)    /* K / (2 sqrt(2)) */
+#define CM_CONFORMAL_2_K CM_LIT(1.078705202376758713335871444711105465532)     /* 2 / K */
+#define CM_CONFORMAL_2R_K CM_LIT(1.525519527003626376124651961927231586585)    /* 2 sqrt(2) / K */
+#define CM_CONFORMAL_HALF_K CM_LIT(0.9270373386506859592169251735976300231088) /* K / 2 */
+#define CM_CONFORMAL_K2_8 CM_LIT(0.4296991136262733017181309862381598248688)   /* K^2 / 8 */
+#define CM_CONFORMAL_K_2R CM_LIT(0.6555143885730299526162098974727798534207)   /* K / (2 sqrt(2)) */
 
 /* One step of the recurrence b_k = a_k + 2 Re(x) b_(k+1) - |x|^2 b_(k+2). */
 #define CM_CONFORMAL_STEP(a)                                                                       \
@@ -75,13 +75,15 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_series)(CM_BOOL edge, CM_NAME(cm_
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(187631425803692.733), CM_LIT(1.34386717662166345e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-34473865447161.0), CM_LIT(-1.43983142644334721e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(6354727165791.2439), CM_LIT(1.54778626690838589e-3)))
-    CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-1175626408075.46154), CM_LIT(-1.66993922903202474e-3)))
+    CM_CONFORMAL_STEP(
+        CM_SELECT(edge, CM_LIT(-1175626408075.46154), CM_LIT(-1.66993922903202474e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(218359920482.945946), CM_LIT(1.80904930919944628e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-40738134983.4), CM_LIT(-1.96860521100461483e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(7638037473.0), CM_LIT(2.15307590909875356e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-1440076833.0), CM_LIT(-2.36826964089127838e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(273236146.655172414), CM_LIT(2.62185931205749512e-3)))
-    CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-52219763.6666666667), CM_LIT(-2.92417013420248931e-3)))
+    CM_CONFORMAL_STEP(
+        CM_SELECT(edge, CM_LIT(-52219763.6666666667), CM_LIT(-2.92417013420248931e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(10063838.76), CM_LIT(3.28939301627022879e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-1958553.0), CM_LIT(-3.73751322428385417e-3)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(385593.0), CM_LIT(4.2974890732183689e-3)))
@@ -97,8 +99,7 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_series)(CM_BOOL edge, CM_NAME(cm_
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-9.0), CM_LIT(-0.0240384615384615385)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(2.6), CM_LIT(0.0416666666666666667)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-1.0), CM_LIT(-0.1)))
-    return CM_NAME(cm_make_complex)(
-        CM_LIT(1.0) + cm_mad(x.re, b1, minus * b2), b1 * x.im);
+    return CM_NAME(cm_make_complex)(CM_LIT(1.0) + cm_mad(x.re, b1, minus * b2), b1 * x.im);
 #endif
 }
 
@@ -106,9 +107,9 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_series)(CM_BOOL edge, CM_NAME(cm_
 CM_STRUCT(cm_conformal_place)
 {
     CM_BOOL centre;
-    CM_BOOL edge;                /* neither: corner */
-    CM_NAME(cm_complex) base;    /* W^2, s or w: the series' argument is its square */
-    CM_NAME(cm_complex) factor;  /* W, s or (1 + i) sqrt(w) */
+    CM_BOOL edge;               /* neither: corner */
+    CM_NAME(cm_complex) base;   /* W^2, s or w: the series' argument is its square */
+    CM_NAME(cm_complex) factor; /* W, s or (1 + i) sqrt(w) */
 }
 CM_STRUCT_END(cm_conformal_place)
 
@@ -125,9 +126,8 @@ CM_FN CM_NAME(cm_conformal_place)
     CM_REAL length = cm_sqrt(w.re * w.re + w.im * w.im);
     length = cm_max(length, cm_max(w.re, w.im)); /* whose squares may be 0 */
     CM_REAL s_sum = cm_sqrt(length + w.im);
-    CM_REAL s_difference = CM_SELECT(
-        cm_less(w.im, w.re * CM_LIT(1.0e-40)), s_sum,
-        w.re / CM_SELECT(cm_less(CM_LIT(0.0), s_sum), s_sum, one));
+    CM_REAL s_difference = CM_SELECT(cm_less(w.im, w.re * CM_LIT(1.0e-40)), s_sum,
+                                     w.re / CM_SELECT(cm_less(CM_LIT(0.0), s_sum), s_sum, one));
 
     CM_NAME(cm_conformal_place) r;
     r.centre = cm_at_least(length, one - rim);
@@ -171,9 +171,11 @@ CM_FN CM_NAME(cm_complex)
     CM_REAL b0;
     CM_REAL b1;
     CM_REAL b2 = CM_LIT(0.0);
-#define CM_CONFORMAL_PICK(g, q, h) CM_SELECT(centre, CM_LIT(g), CM_SELECT(edge, CM_LIT(q), CM_LIT(h)))
+#define CM_CONFORMAL_PICK(g, q, h)                                                                 \
+    CM_SELECT(centre, CM_LIT(g), CM_SELECT(edge, CM_LIT(q), CM_LIT(h)))
 #if CM_REAL_BITS >= 64
-    b1 = CM_CONFORMAL_PICK(1.85441853903597156e-12, 3.00693815987933635e-3, 2.53542736565007208e-11);
+    b1 =
+        CM_CONFORMAL_PICK(1.85441853903597156e-12, 3.00693815987933635e-3, 2.53542736565007208e-11);
     CM_CONFORMAL_STEP(
         CM_CONFORMAL_PICK(2.19137473396006082e-11, 5.17083961789844143e-3, 2.7411364886546464e-10))
     CM_CONFORMAL_STEP(
@@ -241,11 +243,14 @@ CM_FN CM_NAME(cm_disc_point) CM_NAME(cm_square_conformal_inverse)(CM_REAL x, CM_
     CM_BOOL centre = cm_at_least(CM_LIT(0.6), distance);
     CM_BOOL edge = cm_both(cm_less(CM_LIT(0.6), distance), cm_less(b, CM_LIT(0.35) * a));
 
-    CM_NAME(cm_complex) t = CM_NAME(cm_make_complex)(CM_CONFORMAL_HALF_K * a, CM_CONFORMAL_HALF_K * b);
+    CM_NAME(cm_complex) t =
+        CM_NAME(cm_make_complex)(CM_CONFORMAL_HALF_K * a, CM_CONFORMAL_HALF_K * b);
     CM_NAME(cm_complex) t2 = CM_NAME(cm_complex_square)(t);
     CM_NAME(cm_complex) target;
-    target.re = CM_SELECT(edge, CM_CONFORMAL_K_2R * a1, (CM_CONFORMAL_K2_8 * a1) * (CM_LIT(2.0) * b1));
-    target.im = CM_SELECT(edge, -(CM_CONFORMAL_K_2R * b), CM_CONFORMAL_K2_8 * ((a - b) * (a1 + b1)));
+    target.re =
+        CM_SELECT(edge, CM_CONFORMAL_K_2R * a1, (CM_CONFORMAL_K2_8 * a1) * (CM_LIT(2.0) * b1));
+    target.im =
+        CM_SELECT(edge, -(CM_CONFORMAL_K_2R * b), CM_CONFORMAL_K2_8 * ((a - b) * (a1 + b1)));
     CM_NAME(cm_complex) base = CM_NAME(cm_make_complex)(CM_SELECT(centre, t2.re, target.re),
                                                         CM_SELECT(centre, t2.im, target.im));
     target.re = CM_SELECT(centre, t.re, target.re);
@@ -265,9 +270,9 @@ CM_FN CM_NAME(cm_disc_point) CM_NAME(cm_square_conformal_inverse)(CM_REAL x, CM_
     CM_REAL u = CM_SELECT(centre, w.re, CM_SELECT(edge, along, half_root2 * (along + across)));
     CM_REAL v = CM_SELECT(centre, w.im, CM_SELECT(edge, -across, half_root2 * (along - across)));
     CM_REAL rim = CM_SELECT(centre, one - square, CM_LIT(4.0) * (w.re * over));
-    CM_REAL gap = CM_SELECT(centre, u - v,
-                            CM_SELECT(edge, u - v,
-                                      CM_LIT(1.41421356237309504880168872420969807857) * across));
+    CM_REAL gap = CM_SELECT(
+        centre, u - v,
+        CM_SELECT(edge, u - v, CM_LIT(1.41421356237309504880168872420969807857) * across));
     return CM_NAME(cm_disc_unfold_point)(x_wins, u, v, rim, gap, x, y);
 }
 
@@ -280,10 +285,11 @@ CM_FN CM_NAME(cm_jacobian)
     CM_UNUSED(y);
     CM_REAL product = CM_LIT(2.0) * (d.u * d.v);
     CM_REAL difference = d.gap * (cm_abs(d.u) + cm_abs(d.v)); /* u^2 - v^2 */
-    CM_REAL re = (d.rim + d.gap * d.gap) * (CM_LIT(1.0) + cm_abs(product)) + difference * difference;
+    CM_REAL re =
+        (d.rim + d.gap * d.gap) * (CM_LIT(1.0) + cm_abs(product)) + difference * difference;
     CM_REAL im = CM_LIT(2.0) * (product * difference);
-    CM_NAME(cm_complex) slope = CM_NAME(cm_complex_inverse)(
-        CM_NAME(cm_complex_root)(CM_NAME(cm_make_complex)(re, im)));
+    CM_NAME(cm_complex) slope =
+        CM_NAME(cm_complex_inverse)(CM_NAME(cm_complex_root)(CM_NAME(cm_make_complex)(re, im)));
     CM_REAL a = CM_CONFORMAL_2_K * slope.re;
     CM_REAL b = CM_CONFORMAL_2_K * slope.im;
     return CM_NAME(cm_make_jacobian)(a, -b, b, a);

@@ -62,8 +62,8 @@ CM_FN CM_NAME(cm_jacobian)
     CM_REAL y1 = (CM_LIT(1.0) - y) * (CM_LIT(1.0) + y);
     CM_REAL scale = CM_LIT(2.0) / (x1 + y1);
     CM_REAL cross = CM_LIT(0.5) * (x * y);
-    return CM_NAME(cm_make_jacobian)((a * (b * b)) * scale, (cross * b) * scale, (cross * a) * scale,
-                                     ((a * a) * b) * scale);
+    return CM_NAME(cm_make_jacobian)((a * (b * b)) * scale, (cross * b) * scale,
+                                     (cross * a) * scale, ((a * a) * b) * scale);
 }
 
 #endif

@@ -22,8 +22,8 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_square_shirley_forward)(CM_NAME(cm_disc_point) d
 {
     CM_NAME(cm_disc_octant) at = CM_NAME(cm_disc_fold)(d.u, d.v, d.gap);
     CM_REAL radius = CM_NAME(cm_disc_radius)(at, d.rim);
-    return CM_NAME(cm_disc_unfold)(at.u_wins, radius, radius * CM_NAME(cm_eighth_turns)(at.slope), d.u,
-                                   d.v);
+    return CM_NAME(cm_disc_unfold)(at.u_wins, radius, radius * CM_NAME(cm_eighth_turns)(at.slope),
+                                   d.u, d.v);
 }
 
 /* The slope is tan((pi / 4) minor / major), or where that is beside 1, from its complement. */
@@ -33,7 +33,8 @@ CM_FN CM_NAME(cm_disc_point) CM_NAME(cm_square_shirley_inverse)(CM_REAL x, CM_RE
     CM_REAL apart = at.major - at.minor;
     CM_BOOL diagonal = cm_less(apart, at.minor);
     CM_REAL some = CM_SELECT(cm_less(CM_LIT(0.0), at.major), at.major, CM_LIT(1.0));
-    CM_REAL tangent = CM_NAME(cm_slope_of_eighth_turns)(CM_SELECT(diagonal, apart, at.minor) / some);
+    CM_REAL tangent =
+        CM_NAME(cm_slope_of_eighth_turns)(CM_SELECT(diagonal, apart, at.minor) / some);
     CM_REAL over = CM_LIT(1.0) / (CM_LIT(1.0) + tangent);
     CM_REAL slope = CM_SELECT(diagonal, (CM_LIT(1.0) - tangent) * over, tangent);
     CM_REAL rest = CM_SELECT(diagonal, CM_LIT(2.0) * (tangent * over), CM_LIT(1.0) - tangent);
@@ -54,8 +55,8 @@ CM_FN CM_NAME(cm_jacobian)
     CM_REAL cosine = CM_NAME(cm_disc_cosine)(t);
     CM_REAL excess = t * CM_NAME(cm_atan_excess)(t * t);
     CM_REAL scale = CM_LIT(1.27323954473516268615107010698011489628) * cosine;
-    CM_NAME(cm_jacobian) j = CM_NAME(cm_make_jacobian)(
-        cosine, t * cosine, scale * excess, scale * (CM_LIT(1.0) + t * (t + excess)));
+    CM_NAME(cm_jacobian) j = CM_NAME(cm_make_jacobian)(cosine, t * cosine, scale * excess,
+                                                       scale * (CM_LIT(1.0) + t * (t + excess)));
     return CM_NAME(cm_disc_unfold_jacobian)(at.u_wins, j, d.u, d.v);
 }
 

@@ -29,9 +29,8 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_square_squircle_forward)(CM_NAME(cm_disc_point) 
     CM_NAME(cm_disc_octant) at = CM_NAME(cm_disc_fold)(d.u, d.v, d.gap);
     CM_REAL radicand = d.rim + (d.gap * d.gap) * CM_NAME(cm_squircle_spread)(at.slope);
     CM_REAL scale = cm_sqrt(CM_LIT(2.0) / (CM_LIT(1.0) + cm_sqrt(radicand)));
-    return CM_NAME(cm_make_uv)(
-        cm_copysign(cm_min(CM_LIT(1.0), cm_abs(d.u) * scale), d.u),
-        cm_copysign(cm_min(CM_LIT(1.0), cm_abs(d.v) * scale), d.v));
+    return CM_NAME(cm_make_uv)(cm_copysign(cm_min(CM_LIT(1.0), cm_abs(d.u) * scale), d.u),
+                               cm_copysign(cm_min(CM_LIT(1.0), cm_abs(d.v) * scale), d.v));
 }
 
 /* The factor that makes (u, v) of (x, y): sqrt(1 - x^2 y^2 / (x^2 + y^2)). */
@@ -72,8 +71,8 @@ CM_FN CM_NAME(cm_jacobian)
     CM_REAL scale = CM_LIT(1.0) / determinant;
     CM_REAL cross = (part * over) * at.slope;
     CM_NAME(cm_jacobian) j = CM_NAME(cm_make_jacobian)(
-        (factor - (part * over) * t2) * scale, cross * scale,
-        (cross * (t2 * t2)) * scale, (factor - (part * over) * (t2 * t2)) * scale);
+        (factor - (part * over) * t2) * scale, cross * scale, (cross * (t2 * t2)) * scale,
+        (factor - (part * over) * (t2 * t2)) * scale);
     return CM_NAME(cm_disc_unfold_jacobian)(at.u_wins, j, x, y);
 }
 
