@@ -20,7 +20,6 @@
 
 #include <cubemap/cubemap.h>
 
-#include "cubes.h"
 
 namespace
 {
@@ -290,7 +289,7 @@ int describe(const std::string &name)
 // Those of six faces, or of one.
 int list_mappings(bool charts)
 {
-    for (std::size_t i = 0; i < cube_count(); ++i)
+    for (std::size_t i = 0; i < cm_catalogue_count(); ++i)
     {
         const cm_mapping_info *const info = cm_catalogue_at(i);
         const bool chart = info->kind == CM_KIND_AZIMUTHAL || info->kind == CM_KIND_LAYOUT;

@@ -278,55 +278,43 @@ static void widen_batch(struct batch *batch)
     }
 }
 
-/* Between disc and square, where there is no sphere. */
-static void warp_batch(const cm_mapping *mapping, struct batch *batch, bool inverse, bool single)
-{
-    for (size_t i = 0; i < batch->count; i++)
-    {
-        double point[2] = {batch->a[i], batch->b[i]};
-        float single_point[2] = {batch->single_a[i], batch->single_b[i]};
-        if (single)
-        {
-            (inverse ? cm_unwarp_f32 : cm_warp_f32)(mapping, single_point, single_point);
-        }
-        else
-        {
-            (inverse ? cm_unwarp : cm_warp)(mapping, point, point);
-        }
-        batch->a[i] = point[0];
-        batch->b[i] = point[1];
-        batch->single_a[i] = single_point[0];
-        batch->single_b[i] = single_point[1];
-    }
-}
-
 static void compute_single(const cm_mapping *mapping, struct batch *batch, bool inverse)
 {
+    const size_t n = batch->count;
     float *const a = batch->single_a;
     float *const b = batch->single_b;
     float *const c = batch->single_c;
-    if (inverse)
+    if (cm_mapping_describe(mapping)->kind == CM_KIND_DISC_SQUARE)
     {
-        cm_inverse_array_f32(mapping, batch->count, batch->face, a, b, a, b, c);
+        (inverse ? cm_unwarp_array_f32 : cm_warp_array_f32)(mapping, n, a, b, a, b);
+    }
+    else if (inverse)
+    {
+        cm_inverse_array_f32(mapping, n, batch->face, a, b, a, b, c);
     }
     else
     {
-        cm_forward_array_f32(mapping, batch->count, a, b, c, batch->face, a, b);
+        cm_forward_array_f32(mapping, n, a, b, c, batch->face, a, b);
     }
 }
 
 static void compute_double(const cm_mapping *mapping, struct batch *batch, bool inverse)
 {
+    const size_t n = batch->count;
     double *const a = batch->a;
     double *const b = batch->b;
     double *const c = batch->c;
-    if (inverse)
+    if (cm_mapping_describe(mapping)->kind == CM_KIND_DISC_SQUARE)
     {
-        cm_inverse_array(mapping, batch->count, batch->face, a, b, a, b, c);
+        (inverse ? cm_unwarp_array : cm_warp_array)(mapping, n, a, b, a, b);
+    }
+    else if (inverse)
+    {
+        cm_inverse_array(mapping, n, batch->face, a, b, a, b, c);
     }
     else
     {
-        cm_forward_array(mapping, batch->count, a, b, c, batch->face, a, b);
+        cm_forward_array(mapping, n, a, b, c, batch->face, a, b);
     }
 }
 
@@ -334,22 +322,15 @@ static void compute(struct filter *filter)
 {
     struct batch *const batch = &filter->batch;
     const bool inverse = filter->options->inverse;
-    const bool single = filter->options->single;
-    if (single)
+    if (filter->options->single)
     {
         narrow_batch(batch, filter->from == FORM_LONLAT || filter->from == FORM_XYZ);
-    }
-    if (cm_mapping_describe(filter->mapping)->kind == CM_KIND_DISC_SQUARE)
-    {
-        warp_batch(filter->mapping, batch, inverse, single);
+        compute_single(filter->mapping, batch, inverse);
+        widen_batch(batch);
     }
     else
     {
-        (single ? compute_single : compute_double)(filter->mapping, batch, inverse);
-    }
-    if (single)
-    {
-        widen_batch(batch);
+        compute_double(filter->mapping, batch, inverse);
     }
 }
 
