@@ -20,7 +20,6 @@
 
 #include <cubemap/cubemap.h>
 
-
 namespace
 {
 
