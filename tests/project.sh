@@ -461,6 +461,16 @@ PYTHON
     # The last of the points are in every field of view; on the disc there are others.
     good=yes
     tail -n 2000 points >north
+    if [ -f "$root/docs/projections.md" ]; then
+        python3 - "$root/docs/projections.md" <<'PYTHON'
+import json, sys
+page = open(sys.argv[1], encoding="utf-8").read()
+for mapping in json.load(open("catalogue.json"))["mappings"]:
+    name = mapping["identifier"] + (":" + mapping["parts"] if mapping["parts"] else "")
+    assert f"`{name}`" in page, name
+PYTHON
+        verdict 'every mapping is in docs/projections.md'
+    fi
     awk '{ print $1 / 250, $2 / 250, $3 }' north >disc
     while read -r kind name; do
         here=north
