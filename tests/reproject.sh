@@ -145,6 +145,22 @@ cube_to_cube()
         --layout strip first.tif second.tif
     passes 'cube to cube in another mapping, frame and layout' \
         "$helper" check tangent:c=1.1823 fits strip second.tif 1.5e-3 5e-5
+    # rHEALPix: the same with its polar squares elsewhere, turned
+    reproject --quiet --to cube:healpix --layout cross equirect.tif first.tif
+    reproject --quiet --from cube:healpix first.tif straight.tif
+    local columns
+    for columns in north=0,south=3 north=2,south=0 north=3,south=2 north=1,south=1; do
+        for frame in geo gl; do
+            reproject --quiet --to cube:healpix --frame $frame --layout cross:$columns equirect.tif turned.tif
+            reproject --quiet --from cube:healpix --frame $frame --from-layout cross:$columns turned.tif \
+                back.tif
+            passes "rHEALPix in $frame, $columns" compare --max 2e-7 straight.tif back.tif
+        done
+    done
+    "$helper" constant 8 4 1 float 0.5 grey.tif
+    reproject --quiet --to cube:healpix --layout cross:north=3,south=0 --size 8 grey.tif cross.tif
+    "$helper" describe cross.tif | grep -q '32 x 24, 1 channels'
+    result $? 'size of a cross with turned faces'
     for frame in gl fits; do
         reproject --quiet --filter nearest --from cube:qsc --to cube:qsc --from-frame gl \
             --frame $frame --layout strip first.tif there.tif
@@ -484,6 +500,10 @@ bad_arguments()
     fails 'unknown layout' 2 'faces, strip or cross' reproject --layout row noise.ppm made/a.png
     fails 'instruction set that is none' 1 "'abacus', but here it can be scalar" \
         env CUBEMAP_INSTRUCTIONS=abacus "$programs/cubemap-reproject" noise.ppm made/a.png
+    fails 'a column that is none' 2 'columns from 0 to 3' \
+        reproject --layout cross:north=4,south=0 noise.ppm made/a.png
+    fails 'columns of a strip' 2 'faces, strip or cross' \
+        reproject --layout strip:north=1,south=0 noise.ppm made/a.png
     fails 'unknown frame' 2 'geo, gl or fits' reproject --frame east noise.ppm made/a.png
     fails 'unknown filter' 2 'nearest or bilinear' reproject --filter cubic noise.ppm made/a.png
     fails 'negative threads' 2 '--threads' reproject --threads -1 noise.ppm made/a.png

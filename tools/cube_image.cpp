@@ -97,6 +97,13 @@ bool joins_below(const cm_frame &frame, int from, int to)
            right_axis(frame, to) == right_axis(frame, from);
 }
 
+// Turns a face about its outward axis so that these are the axes along which its columns and rows count.
+void turn_face(cm_frame &frame, int face, int right, int down)
+{
+    frame.face[face].u = static_cast<signed char>(right);
+    frame.face[face].v = static_cast<signed char>(frame.first_row_v > 0 ? -down : down);
+}
+
 // The cross around a middle face; no placements if some face would have to be turned.
 PictureLayout cross_around(const cm_frame &frame, int middle)
 {
@@ -116,7 +123,7 @@ PictureLayout cross_around(const cm_frame &frame, int middle)
     return cross;
 }
 
-PictureLayout cross_picture(const cm_frame &frame)
+PictureLayout straight_cross(const cm_frame &frame)
 {
     for (int middle = 0; middle < 6; ++middle)
     {
@@ -153,11 +160,32 @@ void CubeImage::fill_border(SphereGrid &grid) const
     }
 }
 
-std::vector<PictureLayout> cube_pictures(CubeLayout layout, const cm_frame &frame)
+cm_frame turn_poles(const cm_frame &frame, PolarColumns columns)
+{
+    cm_frame turned = frame;
+    if (columns.north == 1 && columns.south == 1)
+    {
+        return turned;
+    }
+    const std::vector<Placement> placements = straight_cross(frame).placements;
+    const int above = placements[static_cast<std::size_t>(columns.north) + 1].plane;
+    const int below = placements[static_cast<std::size_t>(columns.south) + 1].plane;
+    turn_face(turned, placements.front().plane, right_axis(frame, above),
+              frame.face[above].outward);
+    turn_face(turned, placements.back().plane, right_axis(frame, below),
+              -frame.face[below].outward);
+    return turned;
+}
+
+std::vector<PictureLayout> cube_pictures(CubeLayout layout, const cm_frame &frame,
+                                         PolarColumns columns)
 {
     if (layout == CubeLayout::cross)
     {
-        return {cross_picture(frame)};
+        PictureLayout cross = straight_cross(frame);
+        cross.placements.front().column = columns.north;
+        cross.placements.back().column = columns.south;
+        return {cross};
     }
     std::vector<PictureLayout> faces;
     PictureLayout strip = {6, 1, {}};

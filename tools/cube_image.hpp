@@ -40,9 +40,21 @@ enum class CubeLayout
     cross
 };
 
+// The columns of a cross, 0 to 3, that its uppermost and lowest face are in.
+struct PolarColumns
+{
+    int north = 1;
+    int south = 1;
+};
+
 // The pictures of a cube: one of each face, or a strip of the faces in their order, or the unfolded
-// cube. In the cross no face is turned: the middle of its second row is the face that the one above
-// and the one below it join as they are drawn. Failure if the frame has no such face.
-std::vector<PictureLayout> cube_pictures(CubeLayout layout, const cm_frame &frame);
+// cube. In the cross no face is turned: the second of its second row is the face that the one above
+// and the one below it join as they are drawn. In other columns those two are turned, as turn_poles does it.
+// Failure if the frame has no such face.
+std::vector<PictureLayout> cube_pictures(CubeLayout layout, const cm_frame &frame,
+                                         PolarColumns columns = {});
+
+// The frame in which the faces of the cross join those of their columns as they are drawn.
+cm_frame turn_poles(const cm_frame &frame, PolarColumns columns);
 
 #endif

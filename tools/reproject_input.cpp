@@ -153,7 +153,8 @@ void Input::make_projection(const Options &options)
     }
     else
     {
-        sphere = std::make_unique<CubeImage>(options.from_mapping, *options.from_frame,
+        sphere = std::make_unique<CubeImage>(options.from_mapping,
+                                             turn_poles(*options.from_frame, options.from_columns),
                                              face_size_in_picture());
     }
 }
@@ -173,7 +174,8 @@ SphereGrid Input::read(const Options &options, bool multiply_alpha, int threads)
     SphereGrid grid(sphere->planes(), sphere->width(), sphere->height(), first.channels());
     if (layout == CubeLayout::strip || layout == CubeLayout::cross)
     {
-        const std::vector<PictureLayout> pictures = cube_pictures(*layout, *options.from_frame);
+        const std::vector<PictureLayout> pictures =
+            cube_pictures(*layout, *options.from_frame, options.from_columns);
         read_parts(grid, pictures.front(), finite);
     }
     else

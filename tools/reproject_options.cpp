@@ -69,9 +69,9 @@ const std::map<std::string, OptionAction> &option_actions()
         {"--size", [](ArgumentReader &reader, Options &options)
          { options.size = static_cast<int>(reader.whole_number(1, largest_equirect)); }},
         {"--from-layout", [](ArgumentReader &reader, Options &options)
-         { options.from_layout = read_layout(reader); }},
-        {"--layout",
-         [](ArgumentReader &reader, Options &options) { options.layout = read_layout(reader); }},
+         { options.from_layout = read_layout(reader, options.from_columns); }},
+        {"--layout", [](ArgumentReader &reader, Options &options)
+         { options.layout = read_layout(reader, options.columns); }},
         {"--from-frame",
          [](ArgumentReader &reader, Options &options) { options.from_frame = read_frame(reader); }},
         {"--frame",
@@ -189,6 +189,9 @@ Layouts:
                         NAME.EXT stands for NAME_0.EXT to NAME_5.EXT
   strip                 6N x N, the faces in their order
   cross                 4N x 3N, the cube unfolded
+  cross:north=N,south=N the same with the uppermost and the lowest face in columns
+                        0 to 3 instead of 1, turned; of cube:healpix that is
+                        rHEALPix as PROJ has it with lon_0=45
 
 Frames:
   geo                   front right back left top bottom: lon 0, lon 90 E, lon 180,

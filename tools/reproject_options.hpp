@@ -27,6 +27,8 @@ struct Options
     std::optional<int> size;
     std::optional<CubeLayout> from_layout;
     std::optional<CubeLayout> layout;
+    PolarColumns from_columns; // of crosses
+    PolarColumns columns;
     const cm_frame *from_frame = nullptr;
     const cm_frame *frame = nullptr;
     Filter filter = Filter::bilinear;

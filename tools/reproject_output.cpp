@@ -191,8 +191,9 @@ void Output::choose_projection(const Options &options, const Input &input)
         return;
     }
     layout = options.layout.value_or(CubeLayout::faces);
-    sphere = std::make_unique<CubeImage>(options.to_mapping, *options.frame, size);
-    pictures = cube_pictures(*layout, *options.frame);
+    sphere = std::make_unique<CubeImage>(options.to_mapping,
+                                         turn_poles(*options.frame, options.columns), size);
+    pictures = cube_pictures(*layout, *options.frame, options.columns);
 }
 
 // The pixels are those of the source, multiplied by alpha if the format wants it so.
@@ -203,9 +204,10 @@ void Output::choose_overlay(const Options &options, const OIIO::ImageSpec &sourc
         return;
     }
     const bool own = kind != Kind::equirect;
-    overlay =
-        std::make_unique<Overlay>(options.overlay, own ? options.to_mapping : options.from_mapping,
-                                  own ? *options.frame : *options.from_frame, *sphere);
+    const cm_frame frame = own ? turn_poles(*options.frame, options.columns)
+                               : turn_poles(*options.from_frame, options.from_columns);
+    overlay = std::make_unique<Overlay>(
+        options.overlay, own ? options.to_mapping : options.from_mapping, frame, *sphere);
     line_style = {options.overlay.line_width, options.overlay.line_color, ellipse_fill};
     const bool divided = source.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
     line_channels = {source.nchannels, source.alpha_channel, !divided || plan.multiply_alpha};
