@@ -164,6 +164,7 @@ typedef struct warp_kernels
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...) {NULL, NULL, NULL, NULL, NULL, NULL},
 #define CM_CHART(id, ...) {0},
+#define CM_SPHERE_CONSTANTS(id, ...) {0},
 #define CM_WARP(id, ...)                                                                           \
     {cm_##id##_prepare_f64,  cm_##id##_forward_f64, cm_##id##_inverse_f64,                         \
      cm_##id##_jacobian_f64, cm_##id##_forward_f32, cm_##id##_jacobian_f32},
@@ -171,6 +172,7 @@ static const warp_kernels kernel_table[] = {
 #include <cubemap/kernel/catalogue.h>
 };
 #undef CM_CHART
+#undef CM_SPHERE_CONSTANTS
 #undef CM_SPHERE
 #undef CM_WARP
 #undef CM_DESCRIPTORS

@@ -85,6 +85,20 @@ extern const kernel_row shader_table[];
          return {{r.u, r.v, r.rim}};                                                               \
      },                                                                                            \
      nullptr, nullptr},
+#define KERNEL_TABLE_CONSTANTS(id)                                                                 \
+    {#id, nullptr, nullptr,                                                                        \
+     [](float x, float y, float z) -> kernel_result                                                \
+     {                                                                                             \
+         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(1.0f, 3.0f));               \
+         auto r = KERNEL(cm_##id##_project)(x, y, z, k);                                           \
+         return {{r.face, r.a, r.b}};                                                              \
+     },                                                                                            \
+     [](float face, float a, float b) -> kernel_result                                             \
+     {                                                                                             \
+         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(1.0f, 3.0f));               \
+         auto r = KERNEL(cm_##id##_unproject)(face, a, b, k);                                      \
+         return {{r.x, r.y, r.z}};                                                                 \
+     }},
 #define KERNEL_TABLE_LAYOUT(id) {#id, nullptr, nullptr, nullptr, nullptr},
 
 #endif
