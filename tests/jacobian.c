@@ -164,12 +164,8 @@ typedef struct warp_kernels
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...) {NULL, NULL, NULL, NULL, NULL, NULL},
 #define CM_WARP(id, ...)                                                                           \
-    {cm_##id##_prepare_f64,                                                                        \
-     cm_##id##_forward_f64,                                                                        \
-     cm_##id##_inverse_f64,                                                                        \
-     cm_##id##_jacobian_f64,                                                                       \
-     cm_##id##_forward_f32,                                                                        \
-     cm_##id##_jacobian_f32},
+    {cm_##id##_prepare_f64,  cm_##id##_forward_f64, cm_##id##_inverse_f64,                         \
+     cm_##id##_jacobian_f64, cm_##id##_forward_f32, cm_##id##_jacobian_f32},
 static const warp_kernels kernel_table[] = {
 #include <cubemap/kernel/catalogue.h>
 };
@@ -185,7 +181,8 @@ typedef struct subject
     cm_constants_f32 narrow; /* those of double, rounded, as in the library */
     quad_mapping truth;
     int creased; /* on the diagonals */
-    int signs;   /* an entry changes its sign inside the face, and is a difference there */
+    int sliced; /* on the axes as well; and all derivatives depend on the direction at the corners */
+    int signs;  /* an entry changes its sign inside the face, and is a difference there */
     int legacy;
     int standard;
 } subject;
@@ -195,6 +192,10 @@ static const char *const specifications[] = {"gnomonic",
                                              "outerra",
                                              "cobe",
                                              "qsc",
+                                             "slice",
+                                             "zucker-cobe",
+                                             "zucker-quintic",
+                                             "arvo",
                                              "nowell",
                                              "continuous",
                                              "unicube",
@@ -210,6 +211,8 @@ static const char *const specifications[] = {"gnomonic",
                                              "tangent:c=1.1823",
                                              "tangent:c=4",
                                              "cobe:legacy=1",
+                                             "zucker-cobe:forward=1",
+                                             "zucker-quintic:forward=1",
                                              "everitt:c=0.5",
                                              "everitt:c=1",
                                              "everitt:c=1.8",
@@ -253,8 +256,9 @@ static subject make_subject(const char *specification)
     s.narrow = (cm_constants_f32){(float)k.k0, (float)k.k1, (float)k.k2, (float)k.k3,
                                   (float)k.k4, (float)k.k5, (float)k.k6, (float)k.variant};
     s.truth = quad_from(mapping);
-    s.creased = strcmp(identifier, "qsc") == 0;
-    s.signs = s.creased || strcmp(identifier, "cobe") == 0;
+    s.sliced = strcmp(identifier, "slice") == 0;
+    s.creased = s.sliced || strcmp(identifier, "qsc") == 0;
+    s.signs = s.creased || strstr(identifier, "cobe") != NULL;
     s.legacy = strcmp(specification, "cobe:legacy=1") == 0;
     s.standard = strchr(specification, '=') == NULL;
     cm_mapping_destroy(mapping);
@@ -421,12 +425,13 @@ static void unwarp_value(const void *context, const quad *at, quad *value)
 }
 
 /* Steps that stay on one side of a crease, and on the side of the face's middle lines on which the point
- * is: where the two quadratic ones are not analytic. The centre of qsc stands for its side along p. */
-static void warp_steps(int creased, quad at[2], quad steps[2])
+ * is: where the two quadratic ones are not analytic. The centre of those with creases stands for its side
+ * along p. */
+static void warp_steps(const subject *s, quad at[2], quad steps[2])
 {
     quad sign_a = copysignq(1.0Q, at[0]);
     quad sign_b = copysignq(1.0Q, at[1]);
-    if (!creased)
+    if (!s->creased)
     {
         steps[0] = 0.02Q * sign_a;
         steps[1] = 0.02Q * sign_b;
@@ -437,9 +442,32 @@ static void warp_steps(int creased, quad at[2], quad steps[2])
         at[0] = 1e-1000Q * sign_a;
     }
     int wide = fabsq(at[0]) >= fabsq(at[1]);
-    quad size = 0.02Q * fmaxq(fabsq(at[0]), fabsq(at[1]));
-    steps[0] = (wide ? size : -size) * sign_a;
-    steps[1] = (wide ? -size : size) * sign_b;
+    quad major = fmaxq(fabsq(at[0]), fabsq(at[1]));
+    quad minor = fminq(fabsq(at[0]), fabsq(at[1]));
+    quad size = 0.02Q * (s->sliced ? fminq(major, 2.0Q - (major + minor)) : major);
+    /* away from the diagonal, and of slice, from the axis if that is nearer */
+    quad inwards = s->sliced && 2.0Q * minor < major ? size : -size;
+    steps[0] = (wide ? size : inwards) * sign_a;
+    steps[1] = (wide ? inwards : size) * sign_b;
+}
+
+/* Of the forward kernel. Where a quad is too near a corner of slice for differences, of its Jacobian in
+ * quadruple precision, which the differences elsewhere have shown to be right. */
+static void warp_truth(const subject *s, const quad at_point[2], quad truth[4])
+{
+    quad at[2] = {at_point[0], at_point[1]};
+    quad steps[2];
+    if (s->sliced && 2.0Q - (fabsq(at[0]) + fabsq(at[1])) < 1e-5Q)
+    {
+        cm_jacobian_f128 j = cm_slice_jacobian_f128(at[0], at[1], 0.0Q, 0.0Q, s->truth.constants);
+        truth[0] = j.u_p;
+        truth[1] = j.u_q;
+        truth[2] = j.v_p;
+        truth[3] = j.v_q;
+        return;
+    }
+    warp_steps(s, at, steps);
+    differentiate_all(warp_value, &s->truth, 2, 2, 0, at, steps, truth);
 }
 
 static void check_warp(const subject *s)
@@ -454,11 +482,9 @@ static void check_warp(const subject *s)
             double pq[2];
             double got[4];
             quad truth[4];
-            quad steps[2];
             next_point(in, i, &state, pq);
-            quad at[2] = {(quad)pq[0], (quad)pq[1]};
-            warp_steps(s->creased, at, steps);
-            differentiate_all(warp_value, &s->truth, 2, 2, 0, at, steps, truth);
+            const quad at[2] = {(quad)pq[0], (quad)pq[1]};
+            warp_truth(s, at, truth);
             warp_jacobian(s, in, pq, got);
             /* beside an edge the rounding of u and v is large beside their distance from it */
             int inside = fmax(fabs(pq[0]), fabs(pq[1])) <= 0.9;
@@ -497,7 +523,7 @@ static void check_inverse(const subject *s)
         cm_pq_f64 r = s->kernels->inverse_f64(rounded[0], rounded[1], s->constants);
         pq[0] = r.p;
         pq[1] = r.q;
-        warp_steps(s->creased, uv, steps);
+        warp_steps(s, uv, steps);
         differentiate_all(unwarp_value, &s->truth, 2, 2, 0, uv, steps, inverse);
         take_jacobian(s->kernels->jacobian_f64(pq[0], pq[1], rounded[0], rounded[1], s->constants),
                       forward);
