@@ -24,7 +24,8 @@ CM_WARP(arvo,
         .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_TORN,
         .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
-                   .relative = 6})
+                   .relative = 6},
+        .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else
 

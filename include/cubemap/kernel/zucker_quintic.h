@@ -29,7 +29,8 @@ CM_WARP_VARIANTS(zucker_quintic,
                                 .high = 1.0,
                                 .whole = 1}},
                  .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
-                            .relative = 6})
+                            .relative = 6},
+                 .fast = CM_FAST_FORWARD)
 /* clang-format on */
 #else
 
