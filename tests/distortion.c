@@ -121,7 +121,10 @@ static int is_inside(const vector *v)
 /* Is it on a crease, where a rounded direction may be of the other side? */
 static int is_creased(const vector *v)
 {
-    return fabs(v->uv[0]) == fabs(v->uv[1]) && strcmp(v->specification, "qsc") == 0;
+    int diagonal = fabs(v->uv[0]) == fabs(v->uv[1]);
+    int axis = v->uv[0] == 0.0 || v->uv[1] == 0.0;
+    return (diagonal && strcmp(v->specification, "qsc") == 0) ||
+           ((diagonal || axis) && strcmp(v->specification, "slice") == 0);
 }
 
 static void forward_quantities(const cm_mapping *mapping, const vector *v, double got[QUANTITIES])
