@@ -24,6 +24,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "../tests/cubes.h"
 #include "../tests/hard_points.h"
 #include "../tests/quad.h"
 #include "../tests/sphere.h"
@@ -775,7 +776,7 @@ int main(int argc, char **argv)
         return 77;
     }
     int broken = 0;
-    size_t count = first < argc ? (size_t)(argc - first) : cm_catalogue_count();
+    size_t count = first < argc ? (size_t)(argc - first) : cube_count();
     for (size_t i = 0; i < count; i++)
     {
         const char *name = first < argc ? argv[(size_t)first + i] : cm_catalogue_at(i)->identifier;

@@ -8,6 +8,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "../tests/cubes.h"
 #include "../tests/hard_points.h"
 #include "../tests/sphere.h"
 
@@ -109,7 +110,7 @@ int main(int argc, char **argv)
     printf("frame %s, %d points an array, %ld round trips\n", frame->identifier, COUNT, count);
     printf("%-12s %8s %8s %8s %8s %12s\n", "ns a point:", "forward", "inverse", "float", "float",
            "round trip");
-    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    for (size_t i = 0; i < cube_count(); i++)
     {
         cm_mapping *mapping = NULL;
         const char *name = cm_catalogue_at(i)->identifier;

@@ -26,7 +26,7 @@ BATCH_FN CM_BOOL BATCH_NAME(batch_is_direction)(CM_REAL x, CM_REAL y, CM_REAL z)
 BATCH_FN CM_BOOL BATCH_NAME(batch_is_near_face)(CM_REAL a, CM_REAL b)
 {
     CM_REAL limit = CM_LIT(1.0) + CM_LIT(1.0e-9);
-    return CM_AND(cm_at_least(limit, cm_abs(a)), cm_at_least(limit, cm_abs(b)));
+    return cm_both(cm_at_least(limit, cm_abs(a)), cm_at_least(limit, cm_abs(b)));
 }
 
 /* A coordinate on a face that is nearly inside is put on the edge. */
@@ -131,15 +131,22 @@ BATCH_FN CM_NAME(cm_constants) BATCH_NAME(batch_constants)(const cm_mapping *map
     return r;
 }
 
+/* Faces have numbers below this. */
+BATCH_FN CM_REAL BATCH_NAME(batch_last_face)(const cm_mapping *mapping)
+{
+    return mapping->info->kind == CM_KIND_CUBE ? lanes_all((LANES_SCALAR)5.5)
+                                               : lanes_all((LANES_SCALAR)0.5);
+}
+
 /* What is no point of a map becomes NaN here, and stays it on all ways to a direction. */
-BATCH_FN CM_NAME(cm_face_point) BATCH_NAME(batch_load_map)(const uint8_t *face, const LANES_IO *u,
-                                                           const LANES_IO *v)
+BATCH_FN CM_NAME(cm_face_point) BATCH_NAME(batch_load_map)(CM_REAL last_face, const uint8_t *face,
+                                                           const LANES_IO *u, const LANES_IO *v)
 {
     CM_REAL a = lanes_read(u);
     CM_REAL b = lanes_read(v);
     CM_NAME(cm_face_point) point;
     point.face = lanes_load_faces(face);
-    CM_BOOL good = CM_AND(cm_less(point.face, CM_LIT(5.5)), BATCH_NAME(batch_is_near_face)(a, b));
+    CM_BOOL good = cm_both(cm_less(point.face, last_face), BATCH_NAME(batch_is_near_face)(a, b));
     point.a = lanes_or_nan(good, BATCH_NAME(batch_clamp)(a));
     point.b = lanes_or_nan(good, BATCH_NAME(batch_clamp)(b));
     return point;
@@ -193,9 +200,10 @@ BATCH_FN void BATCH_NAME(batch_inverse)(BATCH_NAME(batch_unproject) unproject,
 {
     CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
     k.variant = variant;
+    CM_REAL last = BATCH_NAME(batch_last_face)(mapping);
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_NAME(cm_face_point) p = BATCH_NAME(batch_load_map)(face + i, u + i, v + i);
+        CM_NAME(cm_face_point) p = BATCH_NAME(batch_load_map)(last, face + i, u + i, v + i);
         if (unwarp != NULL)
         {
             CM_NAME(cm_pq) pq = unwarp(p.a, p.b, k);
@@ -258,9 +266,10 @@ BATCH_FN void BATCH_NAME(batch_inverse_jacobian)(BATCH_NAME(batch_tangents) tang
 {
     CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
     k.variant = variant;
+    CM_REAL last = BATCH_NAME(batch_last_face)(mapping);
     for (size_t i = 0; i < n; i += LANES)
     {
-        CM_NAME(cm_face_point) uv = BATCH_NAME(batch_load_map)(face + i, u + i, v + i);
+        CM_NAME(cm_face_point) uv = BATCH_NAME(batch_load_map)(last, face + i, u + i, v + i);
         CM_BOOL good = cm_equal(uv.a, uv.a);
         CM_NAME(cm_face_point) p = uv;
         if (unwarp != NULL)
@@ -378,6 +387,7 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
     BATCH_WARPS(name, id, which)
 
 #define CM_DESCRIPTORS
+#define CM_CHART(...)
 #define CM_SPHERE(id, ...)                                                                         \
     BATCH_MAPS(id##_0, id, NULL, NULL, 0.0) BATCH_JACOBIANS(id##_0, id, NULL, NULL, NULL, 0.0)
 #define CM_WARP(id, ...) BATCH_WARP_LOOPS(id##_0, id, 0.0)
@@ -385,6 +395,7 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
     BATCH_WARP_LOOPS(id##_0, id, 0.0)                                                              \
     BATCH_WARP_LOOPS(id##_1, id, 1.0)
 #include <cubemap/kernel/catalogue.h>
+#undef CM_CHART
 #undef CM_SPHERE
 #undef CM_WARP
 #undef CM_WARP_VARIANTS
@@ -401,6 +412,7 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
 #define BATCH_ENTRY(name)                                                                          \
     BATCH_SPHERE_ENTRY(name), .warp = BATCH_NAME(warp_##name), .unwarp = BATCH_NAME(unwarp_##name)
 #endif
+#define CM_CHART(...) {{{NULL}}},
 #define CM_SPHERE(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0)}}},
 #define CM_WARP(id, ...) {{{BATCH_ENTRY(id##_0)}}},
 #define CM_WARP_VARIANTS(id, ...) {{{BATCH_ENTRY(id##_0)}, {BATCH_ENTRY(id##_1)}}},
@@ -409,6 +421,7 @@ static const BATCH_VARIANTS BATCH_NAME(batch_table)[] = {
 #include <cubemap/kernel/catalogue.h>
 };
 
+#undef CM_CHART
 #undef CM_SPHERE
 #undef CM_WARP
 #undef CM_WARP_VARIANTS

@@ -65,6 +65,8 @@ static void BATCH_NAME(indicatrices)(int of_tangents, size_t n, LANES_IO *const 
     }
 }
 
+#include "charts.h"
+
 #define lanes_read(p) lanes_load(p)
 #define lanes_write(p, x) lanes_store(p, x)
 #include "batch.h"

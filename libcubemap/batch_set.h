@@ -56,4 +56,6 @@ const cm_batch_set BATCH_JOINED(cm_batch_, CM_SET) = {.name = BATCH_NAME_TEXT(CM
                                                       .indicatrices_f32 = indicatrices_in_f32,
                                                       .f64 = batch_table_in_f64,
                                                       .f32 = batch_table_in_f32,
-                                                      .fast = BATCH_FAST};
+                                                      .fast = BATCH_FAST,
+                                                      .charts_f64 = &chart_loops_in_f64,
+                                                      .charts_f32 = &chart_loops_in_f32};

@@ -5,12 +5,14 @@
  */
 #include "internal.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define CM_DESCRIPTORS
 #define CM_WARP(id, ...) {__VA_ARGS__},
 #define CM_SPHERE(id, ...) {__VA_ARGS__},
+#define CM_CHART(id, ...) {__VA_ARGS__},
 
 static const cm_mapping_info catalogue[] = {
 #include <cubemap/kernel/catalogue.h>
@@ -47,6 +49,18 @@ int cm_word_equal(const char *a, size_t a_length, const char *b, size_t b_length
     return 1;
 }
 
+size_t cm_alias_length(const char *word, size_t whole)
+{
+    size_t colon = whole;
+    for (size_t i = 0; i < whole; i++)
+    {
+        colon = word[i] == ':' ? i : colon;
+    }
+    int fixes = memchr(word + colon, '=', whole - colon) != NULL ||
+                memchr(word + colon, ',', whole - colon) != NULL;
+    return fixes ? colon : whole;
+}
+
 /* The mapping that a name stands for; *fixed is what an alias says after its colon, else "". */
 static const cm_mapping_info *find(const char *name, size_t length, const char **fixed)
 {
@@ -60,8 +74,8 @@ static const cm_mapping_info *find(const char *name, size_t length, const char *
         }
         for (const char *alias = catalogue[i].aliases; *alias != '\0';)
         {
-            size_t word = strcspn(alias, ": ");
             size_t whole = strcspn(alias, " ");
+            size_t word = cm_alias_length(alias, whole);
             if (cm_word_equal(alias, word, name, length))
             {
                 *fixed = word < whole ? alias + word + 1 : "";
@@ -190,6 +204,90 @@ static int inside(const cm_parameter_info *parameter, double value)
            value <= parameter->high && (!parameter->whole || value == (double)(long)value);
 }
 
+/* What a word of "NAME:WHAT NAME:WHAT..." stands for; its length is counted up to a blank. NULL if there is
+ * no such word. */
+static const char *find_preset(const char *presets, const char *name, size_t length)
+{
+    for (const char *preset = presets == NULL ? "" : presets; *preset != '\0';)
+    {
+        size_t word = strcspn(preset, ":");
+        if (cm_word_equal(preset, word, name, length))
+        {
+            return preset + word + 1;
+        }
+        preset += strcspn(preset, " ");
+        preset += strspn(preset, " ");
+    }
+    return NULL;
+}
+
+enum
+{
+    NAMES_SIZE = 96 /* of a list of names in a message */
+};
+
+static void append_name(char names[NAMES_SIZE], const char *name, size_t length)
+{
+    size_t used = strlen(names);
+    snprintf(names + used, NAMES_SIZE - used, "%s%.*s", used == 0 ? "" : ", ", (int)length, name);
+}
+
+/* "kappa, l1, l2" */
+static void list_parameters(const cm_mapping_info *info, char names[NAMES_SIZE])
+{
+    names[0] = '\0';
+    for (size_t i = 0; i < info->parameter_count; i++)
+    {
+        append_name(names, info->parameter[i].name, strlen(info->parameter[i].name));
+    }
+}
+
+/* "mild, balanced, isotropic" */
+static void list_presets(const cm_mapping_info *info, char names[NAMES_SIZE])
+{
+    names[0] = '\0';
+    for (const char *preset = info->presets; *preset != '\0';)
+    {
+        append_name(names, preset, strcspn(preset, ":"));
+        preset += strcspn(preset, " ");
+        preset += strspn(preset, " ");
+    }
+}
+
+/* What is wrong with a word that has no '='. */
+static cm_status refuse_word(const cm_mapping_info *info, const char *text, size_t length,
+                             char *message, size_t size)
+{
+    char names[NAMES_SIZE];
+    int shown = length < 40 ? (int)length : 40;
+    if (info->presets == NULL)
+    {
+        return cm_fail(CM_ERROR_SYNTAX, message, size,
+                       "'%.*s' is not PARAMETER=VALUE, as in tangent:c=1.1823", shown, text);
+    }
+    if (find_preset(info->presets, text, length) != NULL)
+    {
+        return cm_fail(CM_ERROR_PARAMETER, message, size,
+                       "preset '%.*s' of %s stands alone: it sets every parameter", shown, text,
+                       info->identifier);
+    }
+    list_presets(info, names);
+    return cm_fail(CM_ERROR_SYNTAX, message, size,
+                   "'%.*s' is neither a preset of %s, which are %s, nor PARAMETER=VALUE", shown,
+                   text, info->identifier, names);
+}
+
+/* A parameter that there is not. */
+static cm_status refuse_parameter(const cm_mapping_info *info, const char *name, int shown,
+                                  char *message, size_t size)
+{
+    char names[NAMES_SIZE];
+    list_parameters(info, names);
+    return cm_fail(CM_ERROR_PARAMETER, message, size, "mapping %s has no parameter '%.*s'; it %s%s",
+                   info->identifier, shown, name,
+                   info->parameter_count == 0 ? "takes none" : "has ", names);
+}
+
 /* One PARAMETER=VALUE of the given length. */
 static cm_status parse_assignment(const cm_mapping_info *info, const char *text, size_t length,
                                   unsigned *given, double *values, char *message, size_t size)
@@ -200,23 +298,12 @@ static cm_status parse_assignment(const cm_mapping_info *info, const char *text,
     size_t index = 0;
     if (equals == NULL)
     {
-        return info->presets == NULL
-                   ? cm_fail(CM_ERROR_SYNTAX, message, size,
-                             "'%.*s' is not PARAMETER=VALUE, as in tangent:c=1.1823", shown, text)
-                   : cm_fail(CM_ERROR_SYNTAX, message, size,
-                             "'%.*s' is neither a preset of %s (%s) nor PARAMETER=VALUE", shown,
-                             text, info->identifier, info->presets);
+        return refuse_word(info, text, length, message, size);
     }
     const cm_parameter_info *parameter = find_parameter(info, text, name_length, &index);
     if (parameter == NULL)
     {
-        return info->parameter_count == 0
-                   ? cm_fail(CM_ERROR_PARAMETER, message, size,
-                             "mapping %s has no parameter '%.*s'; it takes none", info->identifier,
-                             shown, text)
-                   : cm_fail(CM_ERROR_PARAMETER, message, size,
-                             "mapping %s has no parameter '%.*s'; it has %s", info->identifier,
-                             shown, text, info->parameter[0].name);
+        return refuse_parameter(info, text, shown, message, size);
     }
     if (*given & (1u << index))
     {
@@ -244,35 +331,17 @@ static cm_status parse_assignment(const cm_mapping_info *info, const char *text,
     return CM_OK;
 }
 
-/* What a word of "NAME:WHAT NAME:WHAT..." stands for; its length is counted up to a blank. NULL if there is
- * no such word. */
-static const char *find_preset(const char *presets, const char *name, size_t length)
-{
-    for (const char *preset = presets == NULL ? "" : presets; *preset != '\0';)
-    {
-        size_t word = strcspn(preset, ":");
-        if (cm_word_equal(preset, word, name, length))
-        {
-            return preset + word + 1;
-        }
-        preset += strcspn(preset, " ");
-        preset += strspn(preset, " ");
-    }
-    return NULL;
-}
-
-/* PARAMETER=VALUE[,PARAMETER=VALUE...]. */
+/* PARAMETER=VALUE[,PARAMETER=VALUE...]; *given has the bits of those that there are. */
 static cm_status parse_assignments(const cm_mapping_info *info, const char *text, size_t length,
-                                   double *values, char *message, size_t size)
+                                   unsigned *given, double *values, char *message, size_t size)
 {
-    unsigned given = 0;
     const char *end = text + length;
     for (;;)
     {
         const char *comma = memchr(text, ',', (size_t)(end - text));
         const char *stop = comma == NULL ? end : comma;
         cm_status status =
-            parse_assignment(info, text, (size_t)(stop - text), &given, values, message, size);
+            parse_assignment(info, text, (size_t)(stop - text), given, values, message, size);
         if (status != CM_OK || comma == NULL)
         {
             return status;
@@ -281,62 +350,243 @@ static cm_status parse_assignments(const cm_mapping_info *info, const char *text
     }
 }
 
-cm_status cm_specification_parse(const char *specification, size_t *index,
-                                 double parameter[CM_PARAMETERS_MAX], char *message,
+/* Is it the index of a parameter that is given? */
+static int is_given(const cm_mapping_info *info, const char *name, unsigned given)
+{
+    size_t index;
+    return find_parameter(info, name, strlen(name), &index) != NULL && (given & (1u << index)) != 0;
+}
+
+static double *value_of(const cm_mapping_info *info, const char *name, double *values)
+{
+    size_t index;
+    return find_parameter(info, name, strlen(name), &index) == NULL ? NULL : &values[index];
+}
+
+/* What the ranges of an azimuthal projection's parameters do not say. */
+static cm_status check_azimuthal(const cm_mapping_info *info, unsigned given, double *values,
+                                 char *message, size_t size)
+{
+    const double *full = value_of(info, "full", values);
+    const double *beta = value_of(info, "beta", values);
+    if (is_given(info, "full", given) && is_given(info, "fov", given))
+    {
+        return cm_fail(CM_ERROR_PARAMETER, message, size,
+                       "%s has either fov or full, which is fov=360", info->identifier);
+    }
+    if (beta != NULL && *beta == 0.0 &&
+        ((full != NULL && *full != 0.0) || *value_of(info, "fov", values) == 360.0))
+    {
+        return cm_fail(CM_ERROR_RANGE, message, size,
+                       "with beta=0 %s has no map of the whole sphere; beta must be in (0, 1]",
+                       info->identifier);
+    }
+    return CM_OK;
+}
+
+int cm_is_folded(const cm_mapping_info *info)
+{
+    return strcmp(info->identifier, "quincuncial") == 0;
+}
+
+/* ---- Layouts: border:AZIMUTHAL,SQUARE[,PARAMETER=VALUE...] ---- */
+
+/* The part called so, after the word of its kind and a colon. */
+static const cm_mapping_info *find_part(const char *kind, const char *name, size_t length)
+{
+    char whole[64];
+    const char *fixed;
+    int written = snprintf(whole, sizeof whole, "%s:%.*s", kind, (int)length, name);
+    return written < 0 || (size_t)written >= sizeof whole ? NULL
+                                                          : find(whole, (size_t)written, &fixed);
+}
+
+/* Does the projection go to where the layout's square ends? */
+static cm_status check_part(const cm_mapping_info *info, const cm_mapping_info *part, char *message,
+                            size_t size)
+{
+    size_t index;
+    int folded = cm_is_folded(info);
+    const cm_parameter_info *fov = find_parameter(part, "fov", 3, &index);
+    if (folded && fov->high < 180.0)
+    {
+        return cm_fail(CM_ERROR_PARAMETER, message, size,
+                       "%s has no map of a hemisphere, as %s needs", part->identifier,
+                       info->identifier);
+    }
+    if (!folded && fov->high < 360.0)
+    {
+        return cm_fail(CM_ERROR_PARAMETER, message, size,
+                       "%s has no map of the whole sphere, as %s needs", part->identifier,
+                       info->identifier);
+    }
+    return CM_OK;
+}
+
+static cm_status parse_part(const cm_mapping_info *info, const char *text, size_t length,
+                            int *count, cm_specification *made, char *message, size_t size)
+{
+    const char *kind = *count == 0 ? "azimuthal" : "square";
+    int shown = length < 40 ? (int)length : 40;
+    const cm_mapping_info *part = *count < 2 ? find_part(kind, text, length) : NULL;
+    if (part == NULL)
+    {
+        return cm_fail(*count < 2 ? CM_ERROR_MAPPING : CM_ERROR_SYNTAX, message, size,
+                       *count < 2
+                           ? "there is no %s:%.*s; it is %s:AZIMUTHAL,SQUARE, as in %s:%s"
+                           : "%s:%.*s is one part too many; it is %s:AZIMUTHAL,SQUARE, as in %s:%s",
+                       kind, shown, text, info->identifier, info->identifier, info->parts);
+    }
+    *(*count == 0 ? &made->azimuthal : &made->square) = (size_t)(part - catalogue);
+    return ++*count == 1 ? check_part(info, part, message, size) : CM_OK;
+}
+
+/* Words apart by commas, or colons: a part's name, or PARAMETER=VALUE. */
+static cm_status parse_parts(const cm_mapping_info *info, const char *text, size_t length,
+                             cm_specification *made, char *message, size_t size)
+{
+    int count = 0;
+    unsigned given = 0;
+    cm_status status = CM_OK;
+    const char *end = text + length;
+    for (int more = 1; status == CM_OK && more;)
+    {
+        const char *stop = text;
+        while (stop < end && *stop != ',' && *stop != ':')
+        {
+            ++stop;
+        }
+        size_t word = (size_t)(stop - text);
+        status = memchr(text, '=', word) != NULL
+                     ? parse_assignment(info, text, word, &given, made->parameter, message, size)
+                     : parse_part(info, text, word, &count, made, message, size);
+        more = stop < end;
+        text = stop + 1;
+    }
+    if (status == CM_OK && count == 1)
+    {
+        return cm_fail(CM_ERROR_SYNTAX, message, size,
+                       "%s has one part, and needs two: %s:AZIMUTHAL,SQUARE, as in %s:%s",
+                       info->identifier, info->identifier, info->identifier, info->parts);
+    }
+    if (status == CM_OK && is_given(info, "beta", given) &&
+        value_of(&catalogue[made->azimuthal], "beta", made->parameter) == NULL)
+    {
+        return cm_fail(CM_ERROR_PARAMETER, message, size, "%s has no parameter 'beta'; mixture has",
+                       catalogue[made->azimuthal].identifier);
+    }
+    if (status == CM_OK && !cm_is_folded(info) &&
+        value_of(&catalogue[made->azimuthal], "beta", made->parameter) != NULL &&
+        *value_of(info, "beta", made->parameter) == 0.0)
+    {
+        return cm_fail(
+            CM_ERROR_RANGE, message, size,
+            "with beta=0 mixture has no map of the whole sphere; beta must be in (0, 1]");
+    }
+    return status;
+}
+
+/* ---- Specifications ---- */
+
+/* The mapping that a specification begins with the name of, and the length of that: names may have a colon
+ * in them. */
+static const cm_mapping_info *find_in(const char *text, size_t *length, const char **fixed)
+{
+    size_t one = strcspn(text, ":");
+    *length = text[one] == ':' ? one + 1 + strcspn(text + one + 1, ":,") : one;
+    const cm_mapping_info *info = find(text, *length, fixed);
+    if (info == NULL)
+    {
+        *length = one;
+        info = find(text, one, fixed);
+    }
+    return info;
+}
+
+static cm_status refuse_name(const char *text, size_t length, char *message, size_t size)
+{
+    const cm_kind kind = cm_word_equal("square", 6, text, length)      ? CM_KIND_DISC_SQUARE
+                         : cm_word_equal("azimuthal", 9, text, length) ? CM_KIND_AZIMUTHAL
+                                                                       : CM_KIND_CUBE;
+    if (kind == CM_KIND_CUBE)
+    {
+        return cm_fail(length == 0 ? CM_ERROR_SYNTAX : CM_ERROR_MAPPING, message, size,
+                       "no mapping is called '%.*s'; " CM_MAPPING_RECOMMENDED
+                       " is the recommended one, and the catalogue lists all",
+                       length < 60 ? (int)length : 60, text);
+    }
+    char names[NAMES_SIZE] = "";
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        if (catalogue[i].kind == kind)
+        {
+            append_name(names, catalogue[i].identifier + length + 1,
+                        strlen(catalogue[i].identifier) - length - 1);
+        }
+    }
+    return cm_fail(CM_ERROR_MAPPING, message, size, "after '%.*s:' comes one of %s", (int)length,
+                   text, names);
+}
+
+cm_status cm_specification_parse(const char *specification, cm_specification *made, char *message,
                                  size_t message_size)
 {
     const char *fixed;
-    size_t length = strcspn(specification, ":");
-    int shown = length < 60 ? (int)length : 60;
-    const char *rest = specification[length] == ':' ? specification + length + 1 : NULL;
-    const cm_mapping_info *info = find(specification, length, &fixed);
+    size_t length;
+    const cm_mapping_info *info = find_in(specification, &length, &fixed);
+    const char *rest = specification[length] == '\0' ? NULL : specification + length + 1;
     if (info == NULL)
     {
-        return cm_fail(length == 0 ? CM_ERROR_SYNTAX : CM_ERROR_MAPPING, message, message_size,
-                       "no mapping is called '%.*s'; " CM_MAPPING_RECOMMENDED
-                       " is the recommended one, and the catalogue lists all",
-                       shown, specification);
+        return refuse_name(specification, length, message, message_size);
     }
     if (*fixed != '\0' && rest != NULL)
     {
         return cm_fail(CM_ERROR_PARAMETER, message, message_size,
-                       "'%.*s' takes no parameters: it is %s:%.*s", shown, specification,
+                       "'%.*s' takes no parameters: it is %s:%.*s", (int)length, specification,
                        info->identifier, (int)strcspn(fixed, " "), fixed);
     }
-    double values[CM_PARAMETERS_MAX] = {0.0};
+    cm_specification read = {.index = (size_t)(info - catalogue)};
+    read.azimuthal = read.index;
+    read.square = read.index;
     for (size_t i = 0; i < info->parameter_count; i++)
     {
-        values[i] = info->parameter[i].standard;
+        read.parameter[i] = info->parameter[i].standard;
     }
-    cm_status status = CM_OK;
     const char *preset = rest == NULL ? NULL : find_preset(info->presets, rest, strlen(rest));
-    if (preset != NULL)
+    const char *text = preset != NULL ? preset : rest != NULL ? rest : fixed;
+    size_t text_length = rest != NULL && preset == NULL ? strlen(text) : strcspn(text, " ");
+    unsigned given = 0;
+    cm_status status = CM_OK;
+    if (info->parts != NULL)
     {
-        fixed = preset;
+        parse_parts(info, info->parts, strlen(info->parts), &read, NULL, 0);
+        if (rest != NULL || *fixed != '\0')
+        {
+            status = parse_parts(info, text, text_length, &read, message, message_size);
+        }
     }
-    else if (rest != NULL)
+    else if (rest != NULL || *fixed != '\0')
     {
-        status = parse_assignments(info, rest, strlen(rest), values, message, message_size);
+        status = parse_assignments(info, text, text_length, &given, read.parameter, message,
+                                   message_size);
     }
-    if (*fixed != '\0')
+    if (status == CM_OK && info->kind == CM_KIND_AZIMUTHAL)
     {
-        status = parse_assignments(info, fixed, strcspn(fixed, " "), values, message, message_size);
+        status = check_azimuthal(info, given, read.parameter, message, message_size);
     }
     if (status == CM_OK)
     {
-        *index = (size_t)(info - catalogue);
-        memcpy(parameter, values, sizeof values);
+        *made = read;
     }
     return status;
 }
 
 cm_status cm_specification_check(const char *specification, char *message, size_t message_size)
 {
-    size_t index;
-    double parameter[CM_PARAMETERS_MAX];
+    cm_specification made;
     if (specification == NULL)
     {
         return cm_fail(CM_ERROR_ARGUMENT, message, message_size, "no mapping is given");
     }
-    return cm_specification_parse(specification, &index, parameter, message, message_size);
+    return cm_specification_parse(specification, &made, message, message_size);
 }

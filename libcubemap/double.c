@@ -3,4 +3,5 @@
 
 #define CM_BACKEND 1
 #define CM_PUBLIC(name) name
+#include "chart.h"
 #include "precision.h"

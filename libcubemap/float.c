@@ -3,4 +3,5 @@
 
 #define CM_BACKEND 2
 #define CM_PUBLIC(name) name##_f32
+#include "chart.h"
 #include "precision.h"

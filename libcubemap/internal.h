@@ -68,6 +68,96 @@ typedef struct cm_batch_variants_f32
     cm_batch_f32 variant[2];
 } cm_batch_variants_f32;
 
+#define CM_DISC_COLUMNS 5
+
+/* The loops of parts (charts.h), over whole vectors. A point of a disc is CM_DISC_COLUMNS numbers: those of
+ * cm_disc_point, and 1, or -1 for the hemisphere of the antipode. Bad points are NaN. */
+typedef struct cm_azimuthal_loops_f64
+{
+    void (*forward)(const cm_mapping *mapping, size_t n, const double *x, const double *y,
+                    const double *z, double *const disc[CM_DISC_COLUMNS]);
+    void (*inverse)(const cm_mapping *mapping, size_t n, double *const disc[CM_DISC_COLUMNS],
+                    double *x, double *y, double *z);
+    void (*gradients)(const cm_mapping *mapping, size_t n, const double *x, const double *y,
+                      const double *z, double *const to[6]);
+    void (*tangents)(const cm_mapping *mapping, size_t n, double *const disc[CM_DISC_COLUMNS],
+                     double *const to[6]);
+} cm_azimuthal_loops_f64;
+
+typedef struct cm_square_loops_f64
+{
+    void (*forward)(size_t n, double *const disc[CM_DISC_COLUMNS], double *a, double *b);
+    void (*inverse)(size_t n, const double *a, const double *b,
+                    double *const disc[CM_DISC_COLUMNS]);
+    void (*jacobian)(size_t n, double *const disc[CM_DISC_COLUMNS], const double *a,
+                     const double *b, double *const to[4]);
+} cm_square_loops_f64;
+
+/* The first two by index in the catalogue. */
+typedef struct cm_chart_loops_f64
+{
+    const cm_azimuthal_loops_f64 *azimuthal;
+    const cm_square_loops_f64 *square;
+    void (*disc_in)(size_t n, const double *u, const double *v,
+                    double *const disc[CM_DISC_COLUMNS]);
+    void (*square_in)(const cm_mapping *mapping, size_t n, const double *u, const double *v,
+                      double *a, double *b, double *side);
+    void (*square_out)(const cm_mapping *mapping, size_t n, const double *side, double *a,
+                       double *b);
+    void (*face_in)(size_t n, const uint8_t *face, const double *u, const double *v, double *to_u,
+                    double *to_v);
+    void (*face_out)(size_t n, const double *u, const double *v, uint8_t *face, double *to_u,
+                     double *to_v);
+    void (*gradients_out)(const cm_mapping *mapping, size_t n, const double *side, const double *a,
+                          const double *b, double *const by_disc[4], double *const to[6]);
+    void (*tangents_out)(const cm_mapping *mapping, size_t n, const double *side, const double *a,
+                         const double *b, double *const by_disc[4], double *const to[6]);
+    void (*keep)(size_t n, const double *where, double *const to[6]);
+} cm_chart_loops_f64;
+
+typedef struct cm_azimuthal_loops_f32
+{
+    void (*forward)(const cm_mapping *mapping, size_t n, const float *x, const float *y,
+                    const float *z, float *const disc[CM_DISC_COLUMNS]);
+    void (*inverse)(const cm_mapping *mapping, size_t n, float *const disc[CM_DISC_COLUMNS],
+                    float *x, float *y, float *z);
+    void (*gradients)(const cm_mapping *mapping, size_t n, const float *x, const float *y,
+                      const float *z, float *const to[6]);
+    void (*tangents)(const cm_mapping *mapping, size_t n, float *const disc[CM_DISC_COLUMNS],
+                     float *const to[6]);
+} cm_azimuthal_loops_f32;
+
+typedef struct cm_square_loops_f32
+{
+    void (*forward)(size_t n, float *const disc[CM_DISC_COLUMNS], float *a, float *b);
+    void (*inverse)(size_t n, const float *a, const float *b, float *const disc[CM_DISC_COLUMNS]);
+    void (*jacobian)(size_t n, float *const disc[CM_DISC_COLUMNS], const float *a, const float *b,
+                     float *const to[4]);
+} cm_square_loops_f32;
+
+typedef struct cm_chart_loops_f32
+{
+    const cm_azimuthal_loops_f32 *azimuthal;
+    const cm_square_loops_f32 *square;
+    void (*disc_in)(size_t n, const float *u, const float *v, float *const disc[CM_DISC_COLUMNS]);
+    void (*square_in)(const cm_mapping *mapping, size_t n, const float *u, const float *v, float *a,
+                      float *b, float *side);
+    void (*square_out)(const cm_mapping *mapping, size_t n, const float *side, float *a, float *b);
+    void (*face_in)(size_t n, const uint8_t *face, const float *u, const float *v, float *to_u,
+                    float *to_v);
+    void (*face_out)(size_t n, const float *u, const float *v, uint8_t *face, float *to_u,
+                     float *to_v);
+    void (*gradients_out)(const cm_mapping *mapping, size_t n, const float *side, const float *a,
+                          const float *b, float *const by_disc[4], float *const to[6]);
+    void (*tangents_out)(const cm_mapping *mapping, size_t n, const float *side, const float *a,
+                         const float *b, float *const by_disc[4], float *const to[6]);
+    void (*keep)(size_t n, const float *where, float *const to[6]);
+} cm_chart_loops_f32;
+
+/* What runs them in a row (chart.h), by kind. */
+extern const cm_batch_f64 cm_chart_batches_f64[];
+extern const cm_batch_f32 cm_chart_batches_f32[];
+
 /* what distortion.h has for a point */
 #define CM_DISTORTION_COLUMNS 9
 
@@ -92,6 +182,8 @@ typedef struct cm_batch_set
     const cm_batch_variants_f32 *f32;
     /* forward and inverse of double arrays in lanes_f32, computed in float; NULL where that gains nothing */
     const cm_batch_variants_f64 *fast;
+    const cm_chart_loops_f64 *charts_f64;
+    const cm_chart_loops_f32 *charts_f32;
 } cm_batch_set;
 
 #define CM_LANES_MAX 16
@@ -110,6 +202,13 @@ struct cm_mapping
     const cm_mapping_info *info;
     size_t index; /* in the catalogue */
     double parameter[CM_PARAMETERS_MAX];
+    size_t azimuthal; /* in the catalogue: the parts of a map that is made of parts */
+    size_t square;
+    int is_folded; /* both hemispheres go to the disc */
+    int is_turned; /* the centre is not the north pole in longitude 0 */
+    double axes_f64
+        [9]; /* then the axes about the centre, by rows: south, east and outwards at a north pole */
+    float axes_f32[9];
     cm_frame frame;
     cm_turn turn;
     cm_constants_f64 constants_f64;
@@ -122,6 +221,13 @@ struct cm_mapping
     size_t lanes_f32;
 };
 
+/* Is it computed by charts.h? */
+static inline int cm_mapping_has_parts(const cm_mapping *mapping)
+{
+    return mapping->info->kind == CM_KIND_DISC_SQUARE || mapping->info->kind == CM_KIND_AZIMUTHAL ||
+           mapping->info->parts != NULL;
+}
+
 /* The set of that name (NULL: what the environment says, else the best) if this machine can run it,
  * else NULL. */
 const cm_batch_set *cm_batch_set_find(const char *name);
@@ -129,12 +235,27 @@ const cm_batch_set *cm_batch_set_find(const char *name);
 /* frame must have passed cm_frame_check. */
 void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn);
 
+/* The length of the name in an alias of the catalogue, a word of whole characters: "asc:c=1" and
+ * "peirce:stereographic,conformal" fix what is behind the last colon, "square:concentric" fixes nothing. */
+size_t cm_alias_length(const char *word, size_t whole);
+
+/* Does the layout put one hemisphere on the disc, and the other one on the same disc? */
+int cm_is_folded(const cm_mapping_info *info);
+
 /* Equality of two ASCII words of given lengths, without upper and lower case. */
 int cm_word_equal(const char *a, size_t a_length, const char *b, size_t b_length);
 
-/* Parse and check; on CM_OK index and parameter[] are set, on failure message (if any) says why. */
-cm_status cm_specification_parse(const char *specification, size_t *index,
-                                 double parameter[CM_PARAMETERS_MAX], char *message,
+/* A specification that has been read. */
+typedef struct cm_specification
+{
+    size_t index; /* in the catalogue */
+    double parameter[CM_PARAMETERS_MAX];
+    size_t azimuthal; /* of a layout's parts, and of an azimuthal projection its own */
+    size_t square;    /* the same of the mapping between disc and square */
+} cm_specification;
+
+/* Parse and check; on CM_OK *made is set, on failure message (if any) says why. */
+cm_status cm_specification_parse(const char *specification, cm_specification *made, char *message,
                                  size_t message_size);
 
 /* Writes a message, unless it is NULL or size is 0: one line of text, whatever the arguments are, cut to

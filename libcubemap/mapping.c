@@ -5,15 +5,78 @@
 #include "internal.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* What derives a mapping's constants from its parameters, by index in the catalogue; NULL if it has
  * none. */
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...) NULL,
+#define CM_LAYOUT(id, ...) NULL,
+#define CM_SQUARE(id, ...) NULL,
+#define CM_AZIMUTHAL(id, ...) cm_azimuthal_##id##_prepare_f64,
 #define CM_WARP(id, ...) cm_##id##_prepare_f64,
 static cm_constants_f64 (*const prepare_table[])(cm_constants_f64 parameters) = {
 #include <cubemap/kernel/catalogue.h>
 };
+
+/* A parameter by its name, or what it is if there is none. */
+static double parameter_called(const cm_mapping *mapping, const char *name, double otherwise)
+{
+    for (size_t i = 0; i < mapping->info->parameter_count; i++)
+    {
+        if (strcmp(mapping->info->parameter[i].name, name) == 0)
+        {
+            return mapping->parameter[i];
+        }
+    }
+    return otherwise;
+}
+
+/* What the kernel of the azimuthal projection takes: the field of view and beta. */
+static cm_constants_f64 azimuthal_parameters(const cm_mapping *mapping)
+{
+    double fov = mapping->info->kind == CM_KIND_AZIMUTHAL ? parameter_called(mapping, "fov", 180.0)
+                 : mapping->is_folded                     ? 180.0
+                                                          : 360.0;
+    fov = parameter_called(mapping, "full", 0.0) != 0.0 ? 360.0 : fov;
+    return cm_make_parameters_f64(fov, parameter_called(mapping, "beta", 0.0));
+}
+
+/* Exact at multiples of 90 degrees. */
+static void sine_cosine(double degrees, double *sine, double *cosine)
+{
+    int quadrant;
+    double angle = remquo(degrees, 90.0, &quadrant) * (3.14159265358979323846 / 180.0);
+    double s = quadrant & 1 ? cos(angle) : sin(angle);
+    double c = quadrant & 1 ? sin(angle) : cos(angle);
+    *sine = quadrant & 2 ? -s : s;
+    *cosine = (quadrant & 1) != (quadrant >> 1 & 1) ? -c : c;
+}
+
+/* The axes about the centre: those that the north pole has are turned there along the centre's meridian. */
+static void turn_axes(cm_mapping *mapping)
+{
+    double sine_lon, cosine_lon, sine_lat, cosine_lat;
+    double lon = parameter_called(mapping, "lon", 0.0);
+    double lat = parameter_called(mapping, "lat", 90.0);
+    sine_cosine(lon, &sine_lon, &cosine_lon);
+    sine_cosine(lat, &sine_lat, &cosine_lat);
+    const double axes[9] = {sine_lat * cosine_lon,
+                            sine_lat * sine_lon,
+                            -cosine_lat, /* south */
+                            -sine_lon,
+                            cosine_lon,
+                            0.0, /* east */
+                            cosine_lat * cosine_lon,
+                            cosine_lat * sine_lon,
+                            sine_lat}; /* outwards */
+    mapping->is_turned = lon != 0.0 || lat != 90.0;
+    for (int k = 0; k < 9; k++)
+    {
+        mapping->axes_f64[k] = axes[k];
+        mapping->axes_f32[k] = (float)axes[k];
+    }
+}
 
 /* Constants are derived in double for both precisions, and rounded once. */
 static void prepare(cm_mapping *mapping)
@@ -24,7 +87,12 @@ static void prepare(cm_mapping *mapping)
     k.k3 = parameter[3];
     k.k4 = parameter[4];
     k.k5 = parameter[5];
-    if (prepare_table[mapping->index] != NULL)
+    if (cm_mapping_has_parts(mapping) && mapping->info->kind != CM_KIND_DISC_SQUARE)
+    {
+        k = prepare_table[mapping->azimuthal](azimuthal_parameters(mapping));
+        turn_axes(mapping);
+    }
+    else if (prepare_table[mapping->index] != NULL)
     {
         k = prepare_table[mapping->index](k);
     }
@@ -48,6 +116,11 @@ static void choose_loops(cm_mapping *mapping)
     mapping->batch_f32 = set->f32[mapping->index].variant[variant];
     mapping->lanes_f64 = set->lanes_f64;
     mapping->lanes_f32 = set->lanes_f32;
+    if (cm_mapping_has_parts(mapping))
+    {
+        mapping->batch_f64 = cm_chart_batches_f64[mapping->info->kind];
+        mapping->batch_f32 = cm_chart_batches_f32[mapping->info->kind];
+    }
     if (mapping->tier == CM_TIER_FAST)
     {
         const cm_batch_f64 *fast = &set->fast[mapping->index].variant[variant];
@@ -80,11 +153,16 @@ cm_status cm_mapping_create_with(const char *specification, const cm_frame *fram
     }
     const cm_frame *table = frame == NULL ? cm_frame_find("geo") : frame;
     cm_mapping made = {0};
-    cm_status status = cm_specification_parse(specification, &made.index, made.parameter, NULL, 0);
+    cm_specification read;
+    cm_status status = cm_specification_parse(specification, &read, NULL, 0);
     if (status != CM_OK)
     {
         return status;
     }
+    made.index = read.index;
+    made.azimuthal = read.azimuthal;
+    made.square = read.square;
+    memcpy(made.parameter, read.parameter, sizeof made.parameter);
     status = cm_frame_check(table);
     if (status != CM_OK)
     {
@@ -92,7 +170,9 @@ cm_status cm_mapping_create_with(const char *specification, const cm_frame *fram
     }
     made.frame = *table;
     made.info = cm_catalogue_at(made.index);
-    cm_turn_from_frame(table, &made.turn);
+    made.is_folded = cm_is_folded(made.info);
+    /* one face has nothing to be numbered or turned */
+    cm_turn_from_frame(made.info->kind == CM_KIND_CUBE ? table : cm_frame_find("geo"), &made.turn);
     made.set = cm_batch_set_find(options == NULL ? NULL : options->instructions);
     if (made.set == NULL)
     {

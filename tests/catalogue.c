@@ -84,10 +84,12 @@ END_TEST
 START_TEST(the_mappings_of_the_plan_are_there)
 {
     static const char *const names[] = {
-        "gnomonic", "tsc",     "standard",  "tangent", "asc",         "eac",           "outerra",
-        "osc",      "cobe",    "csc",       "qsc",     "nowell",      "ksc",           "unicube",
-        "everitt",  "s2",      "algebraic", "coupled", "logistic",    "smoothstep",    "continuous",
-        "tanh",     "healpix", "slice",     "arvo",    "zucker-cobe", "zucker-quintic"};
+        "gnomonic",   "tsc",         "standard",      "tangent",    "asc",
+        "eac",        "outerra",     "osc",           "cobe",       "csc",
+        "qsc",        "nowell",      "ksc",           "unicube",    "everitt",
+        "s2",         "algebraic",   "coupled",       "difference", "logistic",
+        "smoothstep", "continuous",  "tanh",          "healpix",    "slice",
+        "arvo",       "zucker-cobe", "zucker-quintic"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
     {
         ck_assert_msg(cm_catalogue_find(names[i]) != NULL, "%s", names[i]);
@@ -111,7 +113,7 @@ END_TEST
 
 static void expect(const char *specification, cm_status status, const char *part)
 {
-    char message[160] = "untouched";
+    char message[256] = "untouched";
     cm_status got = cm_specification_check(specification, message, sizeof message);
     ck_assert_msg(got == status, "%s: status %d, not %d", specification, got, status);
     if (status == CM_OK)
@@ -170,6 +172,97 @@ START_TEST(specifications)
     expect("tangent:c=1000000000000000000000000000000000000000000000000", CM_ERROR_RANGE,
            "1000000");
     ck_assert_int_eq(cm_specification_check(NULL, NULL, 0), CM_ERROR_ARGUMENT);
+}
+END_TEST
+
+/* In upper case, and with another end. */
+static void expect_loud(const char *specification, const char *end, cm_status status,
+                        const char *part)
+{
+    char text[128];
+    size_t length = (size_t)snprintf(text, sizeof text, "%s%s", specification, end);
+    for (size_t i = 0; i < length; i++)
+    {
+        text[i] = (char)(text[i] >= 'a' && text[i] <= 'z' ? text[i] - 32 : text[i]);
+    }
+    expect(text, status, part);
+}
+
+static void check_preset(const cm_mapping_info *info, const char *preset)
+{
+    char text[96];
+    char spelled[200];
+    const char *values = preset + strcspn(preset, ":") + 1;
+    snprintf(text, sizeof text, "%s:%.*s", info->identifier, (int)strcspn(preset, ":"), preset);
+    snprintf(spelled, sizeof spelled, "%s:%.*s", info->identifier, (int)strcspn(values, " "),
+             values);
+    expect(text, CM_OK, "");
+    expect(spelled, CM_OK, "");
+    expect_loud(text, "", CM_OK, "");
+    expect_loud(text, ",", CM_ERROR_PARAMETER, "stands alone");
+    expect_loud(text, ",x=1", CM_ERROR_PARAMETER, "stands alone");
+    expect_loud(text, "=1", CM_ERROR_PARAMETER, info->parameter[0].name);
+    expect_loud(text, "x", CM_ERROR_SYNTAX, "preset");
+    cm_mapping *named = make_mapping(text, NULL);
+    cm_mapping *written = make_mapping(spelled, NULL);
+    for (size_t k = 0; k < info->parameter_count; k++)
+    {
+        ck_assert_msg(cm_mapping_parameter(named, k) == cm_mapping_parameter(written, k), "%s: %s",
+                      text, info->parameter[k].name);
+    }
+    const double direction[3] = {0.7, -0.31, 0.2};
+    double uv[2][2];
+    ck_assert_int_eq(cm_forward(named, direction, uv[0]), cm_forward(written, direction, uv[1]));
+    ck_assert_mem_eq(uv[0], uv[1], sizeof uv[0]);
+    cm_mapping_destroy(named);
+    cm_mapping_destroy(written);
+}
+
+START_TEST(presets)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        const char *preset = at(i)->presets == NULL ? "" : at(i)->presets;
+        for (; *preset != '\0'; count++)
+        {
+            check_preset(at(i), preset);
+            preset += strcspn(preset, " ");
+            preset += strspn(preset, " ");
+        }
+    }
+    ck_assert_uint_ge(count, 3);
+    expect("difference:", CM_ERROR_SYNTAX,
+           "preset of difference, which are mild, balanced, isotropic");
+    expect("difference:wild", CM_ERROR_SYNTAX, "'wild' is neither a preset of difference");
+    expect("difference:mild,l1=0.2", CM_ERROR_PARAMETER,
+           "preset 'mild' of difference stands alone");
+    expect("difference:l1=0.2,mild", CM_ERROR_PARAMETER,
+           "preset 'mild' of difference stands alone");
+    expect("difference:mild,isotropic", CM_ERROR_PARAMETER, "stands alone");
+    expect("difference:mild=1", CM_ERROR_PARAMETER, "it has kappa, l1, l2");
+    expect("difference:L2=0.3,KAPPA=0.5", CM_OK, "");
+    expect("difference:kappa=0.2", CM_ERROR_RANGE, "[0.3, 1]");
+    expect("tangent:mild", CM_ERROR_SYNTAX, "PARAMETER=VALUE");
+    expect("qsc:mild", CM_ERROR_SYNTAX, "PARAMETER=VALUE");
+}
+END_TEST
+
+/* what a preset leaves out, and what nobody gives, is the standard value */
+START_TEST(standard_values)
+{
+    cm_mapping *mapping = make_mapping("difference:l2=0.5", NULL);
+    const cm_mapping_info *info = cm_mapping_describe(mapping);
+    ck_assert(cm_mapping_parameter(mapping, 0) == info->parameter[0].standard);
+    ck_assert(cm_mapping_parameter(mapping, 1) == info->parameter[1].standard);
+    ck_assert(cm_mapping_parameter(mapping, 2) == 0.5);
+    cm_mapping_destroy(mapping);
+    cm_mapping *preset = make_mapping("difference:balanced", NULL);
+    for (size_t k = 0; k < info->parameter_count; k++)
+    {
+        ck_assert(cm_mapping_parameter(preset, k) == info->parameter[k].standard);
+    }
+    cm_mapping_destroy(preset);
 }
 END_TEST
 
@@ -324,6 +417,8 @@ int main(void)
                             the_mappings_of_the_plan_are_there,
                             aliases_of_other_formulas,
                             specifications,
+                            presets,
+                            standard_values,
                             ranges_are_what_they_say,
                             long_words_are_cut,
                             messages_fit_their_buffer,

@@ -19,12 +19,13 @@
 
 /* besides the standard parameters and the ends of their ranges */
 static const char *const variants[] = {
-    "zucker",       "tangent:c=0.5", "tangent:c=1.19705", "tanh:c=0.5",    "tanh:c=1.5",
-    "logistic:c=1", "everitt:c=1",   "everitt:c=1.2",     "algebraic:c=1", "smoothstep:c=0.5"};
+    "zucker",        "tangent:c=0.5",    "tangent:c=1.19705", "tanh:c=0.5",
+    "tanh:c=1.5",    "logistic:c=1",     "everitt:c=1",       "everitt:c=1.2",
+    "algebraic:c=1", "smoothstep:c=0.5", "difference:mild",   "difference:isotropic"};
 
 enum
 {
-    SUBJECTS_MOST = 64
+    SUBJECTS_MOST = 128
 };
 
 typedef struct subject
@@ -103,7 +104,7 @@ static void add_parameter_ends(const cm_mapping_info *info)
 static void list_subjects(void)
 {
     subject_count = 0;
-    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    for (size_t i = 0; i < cube_count(); i++)
     {
         const cm_mapping_info *info = cm_catalogue_at(i);
         add_subject(info->identifier, info);
@@ -1143,9 +1144,12 @@ static void quad_direction_of_edge(const cm_mapping *mapping, const edge *e, dou
 static void measure_edge(path *p, double jump[ORDERS])
 {
     uint64_t state = 19;
+    /* difference is not smooth at the cube's corners: these are to stay as far away as singularities must */
+    int cornered = strcmp(cm_mapping_describe(p->mapping)->identifier, "difference") == 0;
+    double most = cornered ? 0.6 : 0.9;
     for (int n = 0; n < 15; n++)
     {
-        double t = n < 3 ? 0.0 : 0.9 * next_real(&state);
+        double t = n < 3 ? 0.0 : most * next_real(&state);
         quad_direction_of_edge(p->mapping, &p->across, t, p->from);
         /* towards the other face: outward gets less, across more; and somewhat along the edge */
         quad_put_along(p->step, p->across.outward, (quad)(0.25 * (next_real(&state) - 1.0)));

@@ -20,6 +20,8 @@
 
 #include <cubemap/cubemap.h>
 
+#include "cubes.h"
+
 namespace
 {
 
@@ -286,7 +288,7 @@ int describe(const std::string &name)
 
 int list_mappings()
 {
-    for (std::size_t i = 0; i < cm_catalogue_count(); ++i)
+    for (std::size_t i = 0; i < cube_count(); ++i)
     {
         std::puts(cm_catalogue_at(i)->identifier);
     }

@@ -201,7 +201,7 @@ END_TEST
 START_TEST(test_relations)
 {
     uint64_t state = 3;
-    for (size_t m = 0; m < cm_catalogue_count(); m++)
+    for (size_t m = 0; m < cube_count(); m++)
     {
         cm_mapping *mapping = make_mapping(cm_catalogue_at(m)->identifier, cm_frame_find("gl"));
         for (int i = 0; i < 500; i++)
@@ -272,7 +272,7 @@ START_TEST(test_bad_input)
         {0.0, 0.0, 0.0}, {(double)NAN, 1.0, 0.0}, {1.0, (double)INFINITY, 0.0}};
     static const double points[][2] = {{1.1, 0.0}, {0.0, (double)NAN}, {-(double)INFINITY, 0.0}};
     const double centre[2] = {0.0, 0.0};
-    for (size_t m = 0; m < cm_catalogue_count(); m++)
+    for (size_t m = 0; m < cube_count(); m++)
     {
         cm_mapping *mapping = make_mapping(cm_catalogue_at(m)->identifier, cm_frame_find("fits"));
         cm_distortion d;

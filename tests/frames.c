@@ -195,7 +195,7 @@ static void check_edge(const cm_mapping *mapping, int face, int edge, double alo
 
 START_TEST(edges_meet_the_right_neighbour)
 {
-    for (size_t m = 0; m < cm_catalogue_count(); m++)
+    for (size_t m = 0; m < cube_count(); m++)
     {
         for (size_t i = 0; i < cm_frame_count(); i++)
         {

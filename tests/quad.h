@@ -81,17 +81,21 @@ typedef struct quad_kernels
     cm_pq_f128 (*unwarp)(quad u, quad v, cm_constants_f128 k);
     cm_face_point_f128 (*project)(quad x, quad y, quad z);
     cm_xyz_f128 (*unproject)(quad face, quad a, quad b);
+    cm_jacobian_f128 (*jacobian)(quad p, quad q, quad u, quad v, cm_constants_f128 k);
 } quad_kernels;
 
 /* By index in the catalogue. */
 #define CM_DESCRIPTORS
-#define CM_SPHERE(id, ...) {NULL, NULL, NULL, cm_##id##_project_f128, cm_##id##_unproject_f128},
+#define CM_SPHERE(id, ...)                                                                         \
+    {NULL, NULL, NULL, cm_##id##_project_f128, cm_##id##_unproject_f128, NULL},
+#define CM_CHART(id, ...) {0},
 #define CM_WARP(id, ...)                                                                           \
-    {cm_##id##_prepare_f128, cm_##id##_forward_f128, cm_##id##_inverse_f128, cm_cube_project_f128, \
-     cm_cube_unproject_f128},
+    {cm_##id##_prepare_f128, cm_##id##_forward_f128, cm_##id##_inverse_f128,                       \
+     cm_cube_project_f128,   cm_cube_unproject_f128, cm_##id##_jacobian_f128},
 static const quad_kernels quad_table[] = {
 #include <cubemap/kernel/catalogue.h>
 };
+#undef CM_CHART
 #undef CM_SPHERE
 #undef CM_WARP
 #undef CM_DESCRIPTORS

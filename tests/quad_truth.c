@@ -156,19 +156,40 @@ static void check_line(file_state *state, const line *at, const char *name, int 
     }
 }
 
-/* The parameter as the decimal number that it is written as, and that the standard one is short for. */
-static void prepare(file_state *state, const char *specification)
+/* The decimal number that a double is short for. */
+static quad decimal_of(double value)
+{
+    char text[32];
+    for (int digits = 15; digits <= 17; digits++)
+    {
+        snprintf(text, sizeof text, "%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+        {
+            break;
+        }
+    }
+    return strtoflt128(text, NULL);
+}
+
+/* The parameters as the decimal numbers that they are written as, in a specification, a preset or the
+ * descriptor: all of them are the shortest that stand for their doubles. */
+static void prepare(file_state *state)
 {
     const cm_mapping_info *info = cm_mapping_describe(state->mapping);
-    const char *value = strchr(specification, '=');
-    char standard[32];
-    snprintf(standard, sizeof standard, "%.15g", info->parameter[0].standard);
+    quad parameter[CM_PARAMETERS_MAX] = {(quad)0.0};
     state->truth = quad_from(state->mapping);
+    for (size_t i = 0; i < info->parameter_count; i++)
+    {
+        parameter[i] = decimal_of(cm_mapping_parameter(state->mapping, i));
+    }
     if (info->parameter_count > 0)
     {
-        quad parameter = strtoflt128(value != NULL ? value + 1 : standard, NULL);
-        state->truth.constants =
-            state->truth.kernels->prepare(cm_make_parameters_f128(parameter, (quad)0.0));
+        cm_constants_f128 k = cm_make_parameters_f128(parameter[0], parameter[1]);
+        k.k2 = parameter[2];
+        k.k3 = parameter[3];
+        k.k4 = parameter[4];
+        k.k5 = parameter[5];
+        state->truth.constants = state->truth.kernels->prepare(k);
     }
 }
 
@@ -199,7 +220,7 @@ static int check_file(const char *name)
             {
                 break;
             }
-            prepare(&state, specification);
+            prepare(&state);
         }
         if (!parse(text, &parsed))
         {

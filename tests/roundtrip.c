@@ -20,6 +20,7 @@
 
 #include "../tools/degrees.h"
 #include "../tools/number.h"
+#include "cubes.h"
 
 #define BOUND_NANOMETRES 5.0
 #define EARTH_NANOMETRES 6371007.2e9
@@ -208,7 +209,7 @@ static bool check_mappings(uint64_t count, uint64_t seed)
            (unsigned long long)seed, BOUND_NANOMETRES);
     printf("%-12s %-5s %9s  %24s %24s  %9s  %24s %24s\n", "mapping", "frame", "random", "lon",
            "lat", "hard", "lon", "lat");
-    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    for (size_t i = 0; i < cube_count(); i++)
     {
         const char *const name = cm_catalogue_at(i)->identifier;
         /* all mappings in the first frame, the recommended one in every frame */

@@ -18,6 +18,9 @@
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...) KERNEL_TABLE_SPHERE(id)
 #define CM_WARP(id, ...) KERNEL_TABLE_WARP(id)
+#define CM_AZIMUTHAL(id, ...) KERNEL_TABLE_AZIMUTHAL(id)
+#define CM_SQUARE(id, ...) KERNEL_TABLE_SQUARE(id)
+#define CM_LAYOUT(id, ...) KERNEL_TABLE_LAYOUT(id)
 
 static const kernel_row float_table[] = {
 #include <cubemap/kernel/catalogue.h>
@@ -46,8 +49,11 @@ static void same(const char *name, const char *direction, const kernel_result &a
     }
 }
 
-static void compare_direction(const float in[3])
+/* GLSL does not keep the sign of zero, which on the border of an octahedral square is another place for the
+ * same point: all zeros are positive here. */
+static void compare_direction(const float given[3])
 {
+    const float in[3] = {given[0] + 0.0f, given[1] + 0.0f, given[2] + 0.0f};
     for (int i = 0; float_table[i].name != nullptr; i++)
     {
         const kernel_row &a = float_table[i];
@@ -68,13 +74,14 @@ static void compare_point(float a, float b)
     {
         const kernel_row &row = float_table[i];
         const cm_mapping_info *info = cm_catalogue_find(row.name);
-        if (row.forward == nullptr || info == nullptr)
+        if (row.forward == nullptr)
         {
             continue;
         }
-        /* the standard one, and the highest for the other variant */
-        const float parameters[] = {static_cast<float>(info->parameter[0].standard),
-                                    static_cast<float>(info->parameter[0].high)};
+        /* the standard one, and the highest for the other variant; parts have none */
+        const float parameters[] = {
+            info == nullptr ? 0.0f : static_cast<float>(info->parameter[0].standard),
+            info == nullptr ? 0.0f : static_cast<float>(info->parameter[0].high)};
         for (float parameter : parameters)
         {
             const float in[3] = {a, b, parameter};

@@ -21,6 +21,9 @@ using std::sqrt;
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...) KERNEL_TABLE_SPHERE(id)
 #define CM_WARP(id, ...) KERNEL_TABLE_WARP(id)
+#define CM_AZIMUTHAL(id, ...) KERNEL_TABLE_AZIMUTHAL(id)
+#define CM_SQUARE(id, ...) KERNEL_TABLE_SQUARE(id)
+#define CM_LAYOUT(id, ...) KERNEL_TABLE_LAYOUT(id)
 
 const kernel_row shader_table[] = {
 #include <cubemap/kernel/catalogue.h>

@@ -52,5 +52,39 @@ extern const kernel_row shader_table[];
          return {{r.p, r.q, 0.0f}};                                                                \
      },                                                                                            \
      nullptr, nullptr},
+/* Parts of maps: a projection of the hemisphere, of which unproject takes a point of the disc; a mapping between
+ * disc and square; a layout, by itself nothing. */
+#define KERNEL_TABLE_AZIMUTHAL(id)                                                                 \
+    {#id, nullptr, nullptr,                                                                        \
+     [](float x, float y, float z) -> kernel_result                                                \
+     {                                                                                             \
+         auto k =                                                                                  \
+             KERNEL(cm_azimuthal_##id##_prepare)(KERNEL(cm_make_parameters)(178.0f, 0.4f));        \
+         auto r = KERNEL(cm_azimuthal_##id##_project)(x, y, z < 0.0f ? -z : z, k);                 \
+         return {{r.u, r.v, r.rim}};                                                               \
+     },                                                                                            \
+     [](float u, float v, float) -> kernel_result                                                  \
+     {                                                                                             \
+         auto k =                                                                                  \
+             KERNEL(cm_azimuthal_##id##_prepare)(KERNEL(cm_make_parameters)(178.0f, 0.4f));        \
+         auto r = KERNEL(cm_azimuthal_##id##_unproject)(KERNEL(cm_make_disc_point)(u, v), k);      \
+         return {{r.x, r.y, r.z}};                                                                 \
+     }},
+#define KERNEL_TABLE_SQUARE(id)                                                                    \
+    {#id,                                                                                          \
+     [](float u, float v, float) -> kernel_result                                                  \
+     {                                                                                             \
+         auto r = KERNEL(cm_square_##id##_forward)(KERNEL(cm_make_disc_point)(u, v));              \
+         auto p = KERNEL(cm_quincuncial_place)(r.u, r.v, u);                                       \
+         return {{p.u, p.v, r.u}};                                                                 \
+     },                                                                                            \
+     [](float x, float y, float) -> kernel_result                                                  \
+     {                                                                                             \
+         auto p = KERNEL(cm_quincuncial_unplace)(x, y);                                            \
+         auto r = KERNEL(cm_square_##id##_inverse)(p.a, p.b);                                      \
+         return {{r.u, r.v, r.rim}};                                                               \
+     },                                                                                            \
+     nullptr, nullptr},
+#define KERNEL_TABLE_LAYOUT(id) {#id, nullptr, nullptr, nullptr, nullptr},
 
 #endif

@@ -40,6 +40,22 @@ main() { # the body of a shader that uses everything
         echo "    sum += vec4(t.x_a, t.y_a, t.z_a, t.x_b) + vec4(t.y_b, t.z_b, g.a_x, g.a_y);"
         echo "    sum += vec4(g.a_z, g.b_x, g.b_y, g.b_z);"
     done
+    echo '    cm_disc_point disc;'
+    for id in $(rooms CM_AZIMUTHAL); do
+        echo "    k = cm_azimuthal_${id}_prepare(cm_make_parameters(place.z, place.y));"
+        echo "    disc = cm_azimuthal_${id}_project(place.x, place.y, place.z, k);"
+        echo "    d = cm_azimuthal_${id}_unproject(disc, k); sum += vec4(disc.u, disc.v, d.x, d.z);"
+        echo "    t = cm_azimuthal_${id}_tangents(disc, k); sum += vec4(t.x_a, t.y_a, t.z_a, t.x_b);"
+        echo "    g = cm_azimuthal_${id}_gradients(place.x, place.y, place.z, k); sum.x += g.a_x;"
+    done
+    for id in $(rooms CM_SQUARE); do
+        echo "    uv = cm_square_${id}_forward(cm_make_disc_point(place.x, place.y));"
+        echo "    disc = cm_square_${id}_inverse(uv.u, uv.v); sum += vec4(uv.u, uv.v, disc.u, disc.v);"
+        echo "    j = cm_square_${id}_jacobian(disc, uv.u, uv.v); sum.x += cm_jacobian_determinant(j);"
+    done
+    echo "    uv = cm_quincuncial_place(place.x, place.y, place.z); sum += vec4(uv.u, uv.v, 0.0, 0.0);"
+    echo "    f = cm_quincuncial_unplace(uv.u, uv.v); sum += vec4(f.face, f.a, f.b, 0.0);"
+    echo "    j = cm_quincuncial_jacobian(f.a, f.b, f.face); sum.x += cm_jacobian_determinant(j);"
     echo '    colour = sum;'
     echo '}'
 }

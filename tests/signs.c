@@ -382,7 +382,7 @@ static cm_frame exchanged_frame(void)
 static void for_every_variant(void (*check)(const cm_mapping *))
 {
     const cm_frame exchanged = exchanged_frame();
-    for (size_t i = 0; i < cm_catalogue_count() + COUNT(variants); i++)
+    for (size_t i = 0; i < cube_count() + COUNT(variants); i++)
     {
         const char *specification =
             i < COUNT(variants) ? variants[i] : cm_catalogue_at(i - COUNT(variants))->identifier;

@@ -80,7 +80,7 @@ END_TEST
 START_TEST(test_means_over_the_sphere)
 {
     const cm_statistics_options sphere = over(CM_OVER_SPHERE, 0, 0.0);
-    for (size_t m = 0; m < cm_catalogue_count(); m++)
+    for (size_t m = 0; m < cube_count(); m++)
     {
         cm_mapping *mapping = make_mapping(cm_catalogue_at(m)->identifier, NULL);
         cm_statistics area = statistics_of(mapping, CM_QUANTITY_AREA, &sphere);
@@ -136,7 +136,7 @@ static void check_quadrature(const cm_mapping *mapping, cm_quantity quantity, cm
 
 START_TEST(test_stated_errors)
 {
-    for (size_t m = 0; m < cm_catalogue_count(); m++)
+    for (size_t m = 0; m < cube_count(); m++)
     {
         cm_mapping *mapping = make_mapping(cm_catalogue_at(m)->identifier, NULL);
         for (int i = 0; i < QUANTITIES * MEASURES; i++)
@@ -171,7 +171,7 @@ START_TEST(test_samples)
     };
     static const double percent[] = {5.0, 50.0, 95.0};
     static const double origin[2] = {0.0, 0.0};
-    for (size_t m = 0; m < cm_catalogue_count(); m++)
+    for (size_t m = 0; m < cube_count(); m++)
     {
         cm_mapping *mapping = make_mapping(cm_catalogue_at(m)->identifier, NULL);
         cm_statistics s[QUANTITIES];

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cubes.h"
 #include "sphere.h"
 
 /* ck_assert_msg without the note that it writes on every success: there are millions of them. */
@@ -54,7 +55,7 @@ static inline cm_mapping *make_mapping(const char *specification, const cm_frame
 /* Call check for every mapping with its standard parameters, in every frame. */
 static inline void for_every_mapping(void (*check)(const cm_mapping *))
 {
-    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    for (size_t i = 0; i < cube_count(); i++)
     {
         for (size_t f = 0; f < cm_frame_count(); f++)
         {

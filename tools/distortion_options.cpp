@@ -201,7 +201,7 @@ Draws the distortion of a mapping between the sphere and the faces of a cube: th
 colour of each pixel is that of the quantity at its centre. PNG, JPEG and TIFF; with
 --values TIFF and EXR.
 
-  -m, --mapping MAPPING NAME or NAME:PARAMETER=VALUE[,...]; without it, )" CM_MAPPING_RECOMMENDED
+  -m, --mapping MAPPING NAME, NAME:PRESET or NAME:PARAMETER=VALUE[,...]; without it, )" CM_MAPPING_RECOMMENDED
            R"(
   --frame FRAME         how the faces sit on the axes: geo (without it), gl or fits
   --quantity QUANTITY   what to draw; without it, area

@@ -50,8 +50,8 @@ static const char usage_text[] =
     "line, empty lines and lines that begin with # pass through. Without FILE, or when FILE\n"
     "is -, it reads standard input.\n"
     "\n"
-    "  -m, --mapping MAPPING   NAME or NAME:PARAMETER=VALUE[,...]; default: " CM_MAPPING_RECOMMENDED
-    "\n"
+    "  -m, --mapping MAPPING   NAME, NAME:PRESET or NAME:PARAMETER=VALUE[,...]; "
+    "default: " CM_MAPPING_RECOMMENDED "\n"
     "      --frame FRAME       numbering and axes of the faces: geo, gl or fits; default: geo\n"
     "  -I, --inverse           from faces to the sphere\n"
     "      --input FORM        what to read: lonlat (the default) or xyz, of any length\n"

@@ -2,6 +2,8 @@
  *
  * Speed and accuracy of this library beside others': what to run and where to write it.
  */
+#include "../../tests/cubes.h"
+
 #include "side_by_side.h"
 
 #include <errno.h>
@@ -151,7 +153,7 @@ static int take_mappings(options *o, char **names, int count)
             o->groups[o->group_count++] = names[i];
         }
     }
-    for (size_t i = 0; count == 0 && i < cm_catalogue_count() && i < GROUPS_MAX; i++)
+    for (size_t i = 0; count == 0 && i < cube_count() && i < GROUPS_MAX; i++)
     {
         o->groups[o->group_count++] = cm_catalogue_at(i)->identifier;
     }

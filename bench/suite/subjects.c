@@ -4,6 +4,8 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "../../tests/cubes.h"
+
 #include "suite.h"
 
 #include <fnmatch.h>
@@ -44,7 +46,7 @@ static void add(suite *all, const char *specification)
 static int add_pattern(suite *all, const char *pattern)
 {
     int found = 0;
-    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    for (size_t i = 0; i < cube_count(); i++)
     {
         const char *identifier = cm_catalogue_at(i)->identifier;
         if (fnmatch(pattern, identifier, 0) == 0)

@@ -15,12 +15,21 @@
 extern "C" {
 #endif
 
+/* What a mapping maps. */
+typedef enum cm_kind
+{
+    CM_KIND_CUBE = 0,        /* the sphere to six faces */
+    CM_KIND_DISC_SQUARE = 1, /* the disc to the square: cm_warp and cm_unwarp alone (mapping.h) */
+    CM_KIND_AZIMUTHAL = 2,   /* the sphere, or a part of it, to the disc, which is face 0 */
+    CM_KIND_LAYOUT = 3       /* the sphere to one square, which is face 0 */
+} cm_kind;
+
 /* How a mapping comes about. */
 typedef enum cm_family
 {
     CM_FAMILY_UNIVARIATE = 0, /* gnomonic, then u = f(p), v = f(q) */
     CM_FAMILY_BIVARIATE = 1,  /* gnomonic, then (u, v) = W(p, q) */
-    CM_FAMILY_HYBRID = 2      /* its six faces are not the cube's */
+    CM_FAMILY_HYBRID = 2      /* its faces are not the cube's, or it has only one */
 } cm_family;
 
 /* Properties, as bits. */
@@ -83,7 +92,11 @@ typedef struct cm_mapping_info
     cm_bounds bounds;
     unsigned fast; /* CM_FAST_FORWARD, CM_FAST_INVERSE: where there is CM_TIER_FAST (options.h) */
     const char *presets; /* names for values of the parameters, apart by blanks, written
-                            "mild:kappa=0.54,l1=0.17 ...", to be given as NAME:PRESET; NULL for none */
+                            "mild:kappa=0.54,l1=0.17 ...", to be given as NAME:PRESET; a parameter that
+                            one does not name has its standard value; NULL for none */
+    cm_kind kind;
+    const char *parts; /* of a layout that joins an azimuthal projection and a mapping between disc and
+                          square, those it has when none are given, "lambert,shirley"; else NULL */
 } cm_mapping_info;
 
 /* The identifier of the mapping that we recommend where nothing speaks for another: nearly

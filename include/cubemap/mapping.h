@@ -51,10 +51,11 @@ extern "C" {
 
 typedef struct cm_mapping cm_mapping;
 
-/* Make a mapping from a specification, NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]], e.g.
- * "algebraic", "tangent:c=1.1823"; NAME is an identifier or an alias of the catalogue, upper and
- * lower case are the same, values are decimal numbers with a point in every locale. frame NULL means
- * geo; the table is copied, but not the texts that it points to. On success *mapping is to be given to
+/* Make a mapping from a specification, NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]] or NAME:PRESET, e.g.
+ * "algebraic", "tangent:c=1.1823", "difference:mild"; NAME is an identifier or an alias of the catalogue,
+ * PRESET one of the mapping's, which sets all its parameters and stands alone; parameters that are not
+ * given have their standard values. Upper and lower case are the same, values are decimal numbers with a
+ * point in every locale. frame NULL means geo; the table is copied, but not the texts that it points to. On success *mapping is to be given to
  * cm_mapping_destroy.
  * Errors: CM_ERROR_ARGUMENT, _SYNTAX, _MAPPING, _PARAMETER, _RANGE, _FRAME, _MEMORY, _INSTRUCTIONS;
  * cm_specification_check says what is wrong in words. */

@@ -15,9 +15,9 @@ typedef enum cm_status
 {
     CM_OK = 0,
     CM_ERROR_ARGUMENT = 1,  /* a pointer that must not be NULL is NULL, an index is out of range */
-    CM_ERROR_SYNTAX = 2,    /* a specification is not NAME[:PARAMETER=VALUE[,...]] */
+    CM_ERROR_SYNTAX = 2,    /* a specification is not NAME[:PARAMETER=VALUE[,...]], NAME:PRESET */
     CM_ERROR_MAPPING = 3,   /* no mapping of that name */
-    CM_ERROR_PARAMETER = 4, /* the mapping has no such parameter, or it is given twice */
+    CM_ERROR_PARAMETER = 4, /* no such parameter, or given twice, or beside a preset */
     CM_ERROR_RANGE = 5,     /* a parameter's value is outside its range */
     CM_ERROR_FRAME = 6,     /* a table that is not a frame */
     CM_ERROR_UNSUPPORTED = 7, /* the mapping has no such operation */

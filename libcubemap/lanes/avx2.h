@@ -37,7 +37,7 @@
                  _mm256_and_ps(_mm256_set1_ps(-0.0f), s))
 #endif
 #define CM_BOOL __m256i
-#define CM_AND(a, b) _mm256_and_si256(a, b)
+#define cm_both(a, b) _mm256_and_si256(a, b)
 #define cm_less(a, b) ((__m256i)((a) < (b)))
 #define cm_at_least(a, b) ((__m256i)((a) >= (b)))
 #define cm_equal(a, b) ((__m256i)((a) == (b)))

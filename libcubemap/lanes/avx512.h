@@ -41,7 +41,7 @@
                                                   0xd8))
 #define lanes_mask_of_signs(x) _mm512_movepi32_mask((__m512i)(x))
 #endif
-#define CM_AND(a, b) ((CM_BOOL)((a) & (b)))
+#define cm_both(a, b) ((CM_BOOL)((a) & (b)))
 #define lanes_or_nan(good, x) CM_SELECT(good, x, lanes_all((LANES_SCALAR)NAN))
 #define cm_less(a, b) LANES_COMPARE(a, b, _CMP_LT_OQ)
 #define cm_at_least(a, b) LANES_COMPARE(a, b, _CMP_GE_OQ)

@@ -9,7 +9,7 @@
 #define CM_BOOL uint64x2_t
 #define lanes_all(x) vdupq_n_f64(x)
 #define CM_SELECT(condition, a, b) vbslq_f64(condition, a, b)
-#define CM_AND(a, b) vandq_u64(a, b)
+#define cm_both(a, b) vandq_u64(a, b)
 #define cm_less(a, b) vcltq_f64(a, b)
 #define cm_at_least(a, b) vcgeq_f64(a, b)
 #define cm_equal(a, b) vceqq_f64(a, b)
@@ -24,7 +24,7 @@
 #define CM_BOOL uint32x4_t
 #define lanes_all(x) vdupq_n_f32(x)
 #define CM_SELECT(condition, a, b) vbslq_f32(condition, a, b)
-#define CM_AND(a, b) vandq_u32(a, b)
+#define cm_both(a, b) vandq_u32(a, b)
 #define cm_less(a, b) vcltq_f32(a, b)
 #define cm_at_least(a, b) vcgeq_f32(a, b)
 #define cm_equal(a, b) vceqq_f32(a, b)

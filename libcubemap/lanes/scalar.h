@@ -7,7 +7,6 @@
 #define LANES 1
 #define LANES_SCALAR CM_REAL
 #define LANES_INDEX unsigned
-#define CM_AND(a, b) ((a) & (b))
 #define lanes_all(x) (x)
 #define lanes_load(p) (*(p))
 #define lanes_some(p, n) ((n) > 0 ? *(p) : 0)

@@ -39,7 +39,7 @@
 #define lanes_mask_of_signs(x) _mm_srai_epi32((__m128i)(x), 31)
 #endif
 #define CM_BOOL __m128i
-#define CM_AND(a, b) _mm_and_si128(a, b)
+#define cm_both(a, b) _mm_and_si128(a, b)
 #define cm_less(a, b) LANES_COMPARE(a, b, lt)
 #define cm_at_least(a, b) LANES_COMPARE(a, b, ge)
 #define cm_equal(a, b) LANES_COMPARE(a, b, eq)

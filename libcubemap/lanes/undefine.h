@@ -15,7 +15,6 @@
 #undef LANES_SIGN
 #undef LANES_COMPARE
 #undef lanes_or_nan
-#undef CM_AND
 #undef lanes_all
 #undef lanes_load
 #undef lanes_some

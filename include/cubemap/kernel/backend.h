@@ -12,4 +12,7 @@
 #include "cube.h"
 #include "jacobian.h"
 #include "tissot.h"
+#include "disc.h"
+#include "complex.h"
+#include "azimuthal.h"
 #include "catalogue.h"

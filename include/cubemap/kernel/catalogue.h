@@ -3,12 +3,20 @@
  * The catalogue: one line a mapping. Each room holds the mapping's kernel and, under CM_DESCRIPTORS,
  * its descriptor; this list makes the kernels, the descriptors and the tables of the library.
  *
- * A descriptor is CM_WARP(identifier, fields...), CM_WARP_VARIANTS if its kernel has two variants
- * (types.h), or CM_SPHERE if it is no warp of the cube's faces.
+ * A descriptor is CM_WARP(NAME, fields...), NAME being that of its kernel's functions, CM_WARP_VARIANTS if
+ * the kernel has two variants (types.h), or CM_SPHERE if it is no warp of the cube's faces but maps
+ * directions to them, or to a square, itself. What maps only part of the way is a CM_AZIMUTHAL (sphere to
+ * disc), a CM_SQUARE (disc to square) or a CM_LAYOUT, which joins the two; who does not tell those
+ * three apart defines CM_CHART for all of them.
  */
 #if defined(CM_DESCRIPTORS) && !defined(CM_WARP_VARIANTS)
 #define CM_WARP_VARIANTS(...) CM_WARP(__VA_ARGS__)
 #define CM_WARP_VARIANTS_HERE
+#endif
+#if defined(CM_DESCRIPTORS) && defined(CM_CHART)
+#define CM_AZIMUTHAL(...) CM_CHART(__VA_ARGS__)
+#define CM_SQUARE(...) CM_CHART(__VA_ARGS__)
+#define CM_LAYOUT(...) CM_CHART(__VA_ARGS__)
 #endif
 #include "gnomonic.h"
 #include "tangent.h"
@@ -25,11 +33,33 @@
 #include "everitt.h"
 #include "algebraic.h"
 #include "coupled.h"
+#include "difference.h"
 #include "tanh.h"
 #include "logistic.h"
 #include "smoothstep.h"
 #include "s2.h"
 #include "healpix.h"
+
+#include "square_radial.h"
+#include "square_shirley.h"
+#include "square_squircle.h"
+#include "square_elliptical.h"
+#include "square_conformal.h"
+#include "azimuthal_lambert.h"
+#include "azimuthal_stereographic.h"
+#include "azimuthal_breusing.h"
+#include "azimuthal_mixture.h"
+#include "azimuthal_equidistant.h"
+#include "azimuthal_orthographic.h"
+#include "azimuthal_gnomonic.h"
+#include "layout.h"
+#include "octahedral.h"
+#include "octahedral_clarberg.h"
+#if defined(CM_DESCRIPTORS) && defined(CM_CHART)
+#undef CM_AZIMUTHAL
+#undef CM_SQUARE
+#undef CM_LAYOUT
+#endif
 #ifdef CM_WARP_VARIANTS_HERE
 #undef CM_WARP_VARIANTS
 #undef CM_WARP_VARIANTS_HERE

@@ -12,9 +12,9 @@
  *   - names are whole words in CM_NAME(...): there is no ## there;
  *   - only the functions named below, no name of a math library;
  *   - CM_SELECT(condition, a, b) for a choice between values, its condition made by cm_less(a, b),
- *     cm_at_least(a, b) or cm_equal(a, b): both sides are evaluated, so that a kernel has no branch. A
- *     branch on a mapping's variant (types.h), CM_VARIANT(k), is allowed: it is the same for every
- *     point;
+ *     cm_at_least(a, b) or cm_equal(a, b), or by cm_both(c, d) of two conditions: both sides are
+ *     evaluated, so that a kernel has no branch. A branch on a mapping's variant (types.h), CM_VARIANT(k),
+ *     is allowed: it is the same for every point;
  *   - loops have a literal number of turns.
  *
  * Backends, chosen by defining CM_BACKEND before the first include:
@@ -106,6 +106,11 @@
 #define cm_less(a, b) ((a) < (b))
 #define cm_at_least(a, b) ((a) >= (b))
 #define cm_equal(a, b) ((a) == (b))
+#if CM_BACKEND == CM_BACKEND_GLSL
+#define cm_both(a, b) ((a) && (b))
+#else
+#define cm_both(a, b) ((a) & (b))
+#endif
 #define CM_SELECT(condition, a, b) ((condition) ? (a) : (b))
 #define cm_min(a, b) CM_SELECT((a) < (b), a, b)
 #define cm_max(a, b) CM_SELECT((a) > (b), a, b)

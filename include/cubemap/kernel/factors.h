@@ -78,6 +78,24 @@ CM_FN CM_REAL CM_NAME(cm_quotient)(CM_REAL n, CM_REAL d)
 #endif
 }
 
+/* (4 / pi) atan t for |t| <= 1: t (1 + E) / (1 + E1), where 1 + E1 = pi / 4 */
+CM_FN CM_REAL CM_NAME(cm_eighth_turns)(CM_REAL t)
+{
+    CM_REAL excess =
+        CM_NAME(cm_atan_excess)(t * t) + CM_LIT(0.21460183660255169038433915418012427895);
+    return CM_NAME(cm_stretch_inside)(t, excess * CM_LIT(1.27323954473516268615107010698011489628));
+}
+
+/* tan((pi / 4) w) for |w| <= 1 */
+CM_FN CM_REAL CM_NAME(cm_slope_of_eighth_turns)(CM_REAL w)
+{
+    CM_REAL excess =
+        CM_NAME(cm_tan_excess)(CM_LIT(0.6168502750680849136771556874922594459571) * (w * w)) -
+        CM_LIT(0.2732395447351626861510701069801148962757);
+    return CM_NAME(cm_stretch_inside)(w,
+                                      excess * CM_LIT(0.7853981633974483096156608458198757210493));
+}
+
 /* w / sqrt(1 + h); h > -1 */
 CM_FN CM_REAL CM_NAME(cm_divide_by_root)(CM_REAL w, CM_REAL h)
 {

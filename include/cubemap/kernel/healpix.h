@@ -82,11 +82,7 @@ CM_FN CM_NAME(cm_healpix_place) CM_NAME(cm_healpix_locate)(CM_REAL x, CM_REAL y,
 CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
     CM_NAME(cm_healpix_place) at = CM_NAME(cm_healpix_locate)(x, y, z);
-    /* (4 / pi) atan t = t (1 + E) / (1 + E1), where 1 + E1 = pi / 4 */
-    CM_REAL excess =
-        CM_NAME(cm_atan_excess)(at.t * at.t) + CM_LIT(0.21460183660255169038433915418012427895);
-    CM_REAL f =
-        CM_NAME(cm_stretch_inside)(at.t, excess * CM_LIT(1.27323954473516268615107010698011489628));
+    CM_REAL f = CM_NAME(cm_eighth_turns)(at.t);
 
     /* polar: with n = sqrt(1 + r^2), 1 - |sin lat| is r^2 / (n (n + 1)); on the belt |sin lat| is r / n
      * with the part of z to major */

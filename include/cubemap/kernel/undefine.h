@@ -23,6 +23,7 @@
 #undef CM_ROUGH_INVERSE_ROOT
 #undef cm_at_least
 #undef cm_equal
+#undef cm_both
 #undef CM_VARIANT
 #undef CM_UNUSED
 #undef CM_UNIVARIATE
@@ -30,3 +31,14 @@
 #undef CM_HEALPIX_POLAR
 #undef CM_HEALPIX_SMALL
 #undef CM_HEALPIX_LARGE
+#undef CM_AZIMUTHAL_SMALL
+#undef CM_AZIMUTHAL_LARGE
+#undef CM_AZIMUTHAL_UP
+#undef CM_AZIMUTHAL_DOWN
+#undef CM_LAW_KERNELS
+#undef CM_CONFORMAL_2_K
+#undef CM_CONFORMAL_2R_K
+#undef CM_CONFORMAL_HALF_K
+#undef CM_CONFORMAL_K2_8
+#undef CM_CONFORMAL_K_2R
+#undef CM_CONFORMAL_STEP

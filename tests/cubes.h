@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The mappings to six faces, which are the first of the catalogue.
+ */
+#ifndef TESTS_CUBES_H
+#define TESTS_CUBES_H
+
+#include <cubemap/catalogue.h>
+
+static inline size_t cube_count(void)
+{
+    size_t count = 0;
+    while (count < cm_catalogue_count() && cm_catalogue_at(count)->kind == CM_KIND_CUBE)
+    {
+        count++;
+    }
+    return count;
+}
+
+#endif
