@@ -84,14 +84,30 @@ END_TEST
 START_TEST(the_mappings_of_the_plan_are_there)
 {
     static const char *const names[] = {
-        "gnomonic",   "tsc",      "standard",   "tangent",    "asc",       "eac",
-        "outerra",    "osc",      "cobe",       "csc",        "qsc",       "nowell",
-        "ksc",        "unicube",  "everitt",    "s2",         "algebraic", "coupled",
-        "difference", "logistic", "smoothstep", "continuous", "tanh",      "healpix"};
+        "gnomonic",   "tsc",         "standard",      "tangent",    "asc",
+        "eac",        "outerra",     "osc",           "cobe",       "csc",
+        "qsc",        "nowell",      "ksc",           "unicube",    "everitt",
+        "s2",         "algebraic",   "coupled",       "difference", "logistic",
+        "smoothstep", "continuous",  "tanh",          "healpix",    "slice",
+        "arvo",       "zucker-cobe", "zucker-quintic"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
     {
         ck_assert_msg(cm_catalogue_find(names[i]) != NULL, "%s", names[i]);
     }
+}
+END_TEST
+
+/* Aliases for what others have published with other formulas; tests/vectors has those formulas' values. */
+START_TEST(aliases_of_other_formulas)
+{
+    cm_mapping *mapping = NULL;
+    ck_assert_ptr_eq(cm_catalogue_find("snyder"), cm_catalogue_find("qsc"));
+    ck_assert_ptr_eq(cm_catalogue_find("rosca-plonka"), cm_catalogue_find("qsc"));
+    ck_assert_ptr_eq(cm_catalogue_find("slice-and-dice"), cm_catalogue_find("slice"));
+    ck_assert_int_eq(cm_mapping_create("equi-edge", NULL, &mapping), CM_OK);
+    ck_assert_ptr_eq(cm_mapping_describe(mapping), cm_catalogue_find("tangent"));
+    ck_assert(cm_mapping_parameter(mapping, 0) == sqrt(0.5));
+    cm_mapping_destroy(mapping);
 }
 END_TEST
 
@@ -399,6 +415,7 @@ int main(void)
                             bounds_keep_the_promise,
                             names_are_unique_and_found,
                             the_mappings_of_the_plan_are_there,
+                            aliases_of_other_formulas,
                             specifications,
                             presets,
                             standard_values,

@@ -186,6 +186,7 @@ typedef struct subject
     quad_mapping truth;
     int creased;  /* on the diagonals */
     int cornered; /* not smooth at the corners */
+    int sliced;   /* creased on the axes as well */
     int signs;    /* an entry changes its sign inside the face, and is a difference there */
     int legacy;
     int standard;
@@ -196,6 +197,10 @@ static const char *const specifications[] = {"gnomonic",
                                              "outerra",
                                              "cobe",
                                              "qsc",
+                                             "slice",
+                                             "zucker-cobe",
+                                             "zucker-quintic",
+                                             "arvo",
                                              "nowell",
                                              "continuous",
                                              "unicube",
@@ -212,6 +217,8 @@ static const char *const specifications[] = {"gnomonic",
                                              "tangent:c=1.1823",
                                              "tangent:c=4",
                                              "cobe:legacy=1",
+                                             "zucker-cobe:forward=1",
+                                             "zucker-quintic:forward=1",
                                              "everitt:c=0.5",
                                              "everitt:c=1",
                                              "everitt:c=1.8",
@@ -260,9 +267,10 @@ static subject make_subject(const char *specification)
     s.narrow = (cm_constants_f32){(float)k.k0, (float)k.k1, (float)k.k2, (float)k.k3,
                                   (float)k.k4, (float)k.k5, (float)k.k6, (float)k.variant};
     s.truth = quad_from(mapping);
-    s.creased = strcmp(identifier, "qsc") == 0;
-    s.cornered = strcmp(identifier, "difference") == 0;
-    s.signs = s.creased || strcmp(identifier, "cobe") == 0;
+    s.sliced = strcmp(identifier, "slice") == 0;
+    s.creased = s.sliced || strcmp(identifier, "qsc") == 0;
+    s.cornered = s.sliced || strcmp(identifier, "difference") == 0;
+    s.signs = s.creased || strstr(identifier, "cobe") != NULL;
     s.legacy = strcmp(specification, "cobe:legacy=1") == 0;
     s.standard = strchr(specification, ':') == NULL;
     cm_mapping_destroy(mapping);
@@ -429,7 +437,8 @@ static void unwarp_value(const void *context, const quad *at, quad *value)
 }
 
 /* Steps that stay on one side of a crease, and on the side of the face's middle lines on which the point
- * is: where the two quadratic ones are not analytic. The centre of qsc stands for its side along p. */
+ * is: where the two quadratic ones are not analytic. The centre of those with creases stands for its side
+ * along p. */
 static void warp_steps(const subject *s, quad at[2], quad steps[2])
 {
     quad sign_a = copysignq(1.0Q, at[0]);
@@ -447,9 +456,13 @@ static void warp_steps(const subject *s, quad at[2], quad steps[2])
         at[0] = 1e-1000Q * sign_a;
     }
     int wide = fabsq(at[0]) >= fabsq(at[1]);
-    quad size = 0.02Q * fmaxq(fabsq(at[0]), fabsq(at[1]));
-    steps[0] = (wide ? size : -size) * sign_a;
-    steps[1] = (wide ? -size : size) * sign_b;
+    quad major = fmaxq(fabsq(at[0]), fabsq(at[1]));
+    quad minor = fminq(fabsq(at[0]), fabsq(at[1]));
+    quad size = 0.02Q * (s->sliced ? fminq(major, 2.0Q - (major + minor)) : major);
+    /* away from the diagonal, and of slice, from the axis if that is nearer */
+    quad inwards = s->sliced && 2.0Q * minor < major ? size : -size;
+    steps[0] = (wide ? size : inwards) * sign_a;
+    steps[1] = (wide ? inwards : size) * sign_b;
 }
 
 /* By differences; at a corner where the map is not smooth these are too rough, and the kernel itself in

@@ -254,6 +254,9 @@ START_TEST(test_suprema)
         {"algebraic", CM_QUANTITY_AREA, 0.88143, 1.11730, 5e-6},
         {"qsc", CM_QUANTITY_ISOTROPY, (double)NAN, 1.55728, 5e-6},
         {"qsc", CM_QUANTITY_DEFORMATION, (double)NAN, 25.174 * PI / 180.0, 1e-5},
+        {"slice", CM_QUANTITY_ISOTROPY, (double)NAN, 1.4266730784783803, 1e-9},
+        {"slice", CM_QUANTITY_DEFORMATION, (double)NAN, 20.2535 * PI / 180.0, 1e-6},
+        {"slice", CM_QUANTITY_AREA, 1.0, 1.0, 1e-12},
         {"outerra", CM_QUANTITY_TEXEL_AREA, 0.3238, 1.0, 1e-4},
         {"coupled", CM_QUANTITY_AREA, 0.9975308, 1.0025037, 1e-7},
     };
