@@ -392,6 +392,14 @@ static void face_round_trips(subject *s, size_t n, double (*uv)[BLOCK])
 
 /* ---- Against the truth ---- */
 
+/* Where a mapping's derivatives are infinite, at the corners of a conformal face, the rounding of p and q
+ * comes out magnified without bound; comparisons of the warp alone, from p and q, have no such exception. */
+static int is_beside_singularity(const subject *s, const long double uv[2])
+{
+    return (cm_mapping_describe(s->mapping)->properties & CM_CONFORMAL) != 0 &&
+           fminl(fabsl(uv[0]), fabsl(uv[1])) > 0.9375L;
+}
+
 static void compare_forward(subject *s, size_t n, double (*d)[BLOCK])
 {
     static double uv[2][BLOCK];
@@ -402,7 +410,7 @@ static void compare_forward(subject *s, size_t n, double (*d)[BLOCK])
         const double direction[3] = {d[0][i], d[1][i], d[2][i]};
         const double got[2] = {uv[0][i], uv[1][i]};
         long double truth[2];
-        if (true_forward(s, direction, truth) == face[i])
+        if (true_forward(s, direction, truth) == face[i] && !is_beside_singularity(s, truth))
         {
             note(s, FORWARD, absolute(truth, got, 2, s->eps), DIRECTION, direction[0], direction[1],
                  direction[2]);
@@ -410,7 +418,7 @@ static void compare_forward(subject *s, size_t n, double (*d)[BLOCK])
                  direction[1], direction[2]);
             continue;
         }
-        /* on the other side of an edge by rounding: as near to it on the sphere */
+        /* on the other side of an edge by rounding, or that: as near to it on the sphere */
         long double meant[3];
         true_inverse(s, s->undo, face[i], got, meant);
         const double stands_for[3] = {(double)meant[0], (double)meant[1], (double)meant[2]};
