@@ -33,7 +33,7 @@ CM_WARP(conformal,
         .smooth_edge = CM_SMOOTH_ANALYTIC,
         .bounds = {.round_trip = 5, .plane_round_trip = 8192, .forward = 4, .inverse = 4,
                    .relative = 16},
-        .fast = 0)
+        .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else
 
