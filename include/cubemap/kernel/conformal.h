@@ -45,41 +45,15 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_conformal_prepare)(CM_NAME(cm_constants) 
 #define CM_CONFORMAL_SQRT3 CM_LIT(1.7320508075688772935274463415058723670)
 #define CM_CONFORMAL_INVERSE_SQRT3 CM_LIT(0.57735026918962576450914878050195745565)
 
-CM_STRUCT(cm_complex)
-{
-    CM_REAL re;
-    CM_REAL im;
-}
-CM_STRUCT_END(cm_complex)
-
-CM_FN CM_NAME(cm_complex) CM_NAME(cm_make_complex)(CM_REAL re, CM_REAL im)
-{
-    CM_NAME(cm_complex) r;
-    r.re = re;
-    r.im = im;
-    return r;
-}
-
 CM_FN CM_NAME(cm_complex)
-    CM_NAME(cm_complex_select)(CM_BOOL condition, CM_NAME(cm_complex) a, CM_NAME(cm_complex) b)
+    CM_NAME(cm_conformal_select)(CM_BOOL condition, CM_NAME(cm_complex) a, CM_NAME(cm_complex) b)
 {
     return CM_NAME(cm_make_complex)(CM_SELECT(condition, a.re, b.re),
                                     CM_SELECT(condition, a.im, b.im));
 }
 
-CM_FN CM_NAME(cm_complex) CM_NAME(cm_complex_times)(CM_NAME(cm_complex) a, CM_NAME(cm_complex) b)
-{
-    return CM_NAME(cm_make_complex)(cm_mad(a.re, b.re, -(a.im * b.im)),
-                                    cm_mad(a.re, b.im, a.im * b.re));
-}
-
-CM_FN CM_NAME(cm_complex) CM_NAME(cm_complex_square)(CM_NAME(cm_complex) a)
-{
-    return CM_NAME(cm_make_complex)((a.re - a.im) * (a.re + a.im), CM_LIT(2.0) * a.re * a.im);
-}
-
 /* The root of an a with a.re >= 0, from |a|. */
-CM_FN CM_NAME(cm_complex) CM_NAME(cm_complex_root)(CM_NAME(cm_complex) a, CM_REAL modulus)
+CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_root)(CM_NAME(cm_complex) a, CM_REAL modulus)
 {
     CM_REAL real = CM_NAME(cm_root)(CM_LIT(0.5) * (modulus + a.re));
     return CM_NAME(cm_make_complex)(real, CM_NAME(cm_quotient)(CM_LIT(0.5) * a.im, real));
@@ -189,11 +163,11 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_forward_sum)(CM_BOOL corner, CM_N
     CM_REAL order = CM_SELECT(corner, CM_LIT(0.75), CM_LIT(1.0)); /* of the integral */
     CM_REAL left = CM_LIT(1.0) - x.re;
     CM_REAL inverse = CM_LIT(1.0) / (left * left + x.im * x.im);
-    CM_NAME(cm_complex) s = CM_NAME(cm_complex_times)(
+    CM_NAME(cm_complex) s = CM_NAME(cm_complex_multiply)(
         CM_NAME(cm_make_complex)(CM_CONFORMAL_SHIFT + CM_CONFORMAL_POLE * x.re,
                                  CM_CONFORMAL_POLE * x.im),
         CM_NAME(cm_make_complex)(left * inverse, x.im * inverse));
-    s = CM_NAME(cm_complex_select)(corner, x, s);
+    s = CM_NAME(cm_conformal_select)(corner, x, s);
     CM_NAME(cm_complex) power = CM_NAME(cm_make_complex)(CM_LIT(1.0), CM_LIT(0.0));
     CM_NAME(cm_complex) sum = CM_NAME(cm_make_complex)(CM_LIT(0.0), CM_LIT(0.0));
     CM_REAL c = CM_LIT(1.0);
@@ -203,7 +177,7 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_forward_sum)(CM_BOOL corner, CM_N
     {
         sum.re += power.re * (c / order);
         sum.im += power.im * (c / order);
-        power = CM_NAME(cm_complex_times)(power, s);
+        power = CM_NAME(cm_complex_multiply)(power, s);
         CM_REAL next = -(alpha * (k + CM_LIT(0.25)) * c + beta * (k - CM_LIT(0.5)) * before) /
                        (k + CM_LIT(1.0));
         before = c;
@@ -229,9 +203,9 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_power)(CM_NAME(cm_complex) w)
     CM_REAL tiny = CM_LIT(1e-16);
 #endif
     CM_REAL modulus = CM_NAME(cm_root)(cm_max(cm_mad(w.re, w.re, w.im * w.im), tiny));
-    CM_NAME(cm_complex) root = CM_NAME(cm_complex_root)(w, modulus);
-    return CM_NAME(cm_complex_root)(CM_NAME(cm_complex_times)(w, root),
-                                    modulus * CM_NAME(cm_root)(modulus));
+    CM_NAME(cm_complex) root = CM_NAME(cm_conformal_root)(w, modulus);
+    return CM_NAME(cm_conformal_root)(CM_NAME(cm_complex_multiply)(w, root),
+                                      modulus * CM_NAME(cm_root)(modulus));
 }
 
 /* for 0 <= q <= p */
@@ -258,16 +232,16 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_conformal_octant)(CM_REAL p, CM_REAL q)
         cm_mad(cm_mad(m4, -CM_CONFORMAL_SHIFT, fourth.re), below, fourth.im * fourth.im) *
             inverse_below,
         (m4 * (CM_CONFORMAL_SHIFT + CM_CONFORMAL_POLE)) * fourth.im * inverse_below);
-    x = CM_NAME(cm_complex_select)(corner,
-                                   CM_NAME(cm_complex_times)(CM_NAME(cm_complex_square)(w), w), x);
+    x = CM_NAME(cm_conformal_select)(
+        corner, CM_NAME(cm_complex_multiply)(CM_NAME(cm_complex_square)(w), w), x);
     CM_NAME(cm_complex) sum = CM_NAME(cm_conformal_forward_sum)(corner, x);
     /* z = (p + i q)(1 + (F - 1 - n) / (1 + n)), as n - 1 = (p^2 + q^2) / (1 + n) */
     CM_NAME(cm_complex) factor =
         CM_NAME(cm_make_complex)((sum.re - square * inverse_m) * inverse_m, sum.im * inverse_m);
-    CM_NAME(cm_complex) d =
-        CM_NAME(cm_complex_times)(CM_NAME(cm_complex_select)(corner, CM_NAME(cm_conformal_power)(w),
-                                                             CM_NAME(cm_make_complex)(p, q)),
-                                  CM_NAME(cm_complex_select)(corner, sum, factor));
+    CM_NAME(cm_complex) d = CM_NAME(cm_complex_multiply)(
+        CM_NAME(cm_conformal_select)(corner, CM_NAME(cm_conformal_power)(w),
+                                     CM_NAME(cm_make_complex)(p, q)),
+        CM_NAME(cm_conformal_select)(corner, sum, factor));
     CM_REAL u = CM_SELECT(corner, CM_LIT(1.0), p) + CM_SELECT(corner, d.im, d.re);
     CM_REAL v = CM_SELECT(corner, CM_LIT(1.0), q) + CM_SELECT(corner, d.re, d.im);
     u = CM_SELECT(cm_equal(p, CM_LIT(1.0)), p, cm_min(CM_LIT(1.0), u));
@@ -313,7 +287,7 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_slope)(CM_REAL p, CM_REAL q, CM_R
     CM_REAL real = (p - q) * (p + q); /* A */
     CM_REAL imaginary = CM_LIT(2.0) * p * q;
     CM_REAL both = CM_LIT(2.0) * (real * imaginary);
-    CM_NAME(cm_complex) product = CM_NAME(cm_complex_times)(
+    CM_NAME(cm_complex) product = CM_NAME(cm_complex_multiply)(
         CM_NAME(cm_make_complex)(beside * (t * m2 + imaginary) + real * real, both),
         CM_NAME(cm_make_complex)(m2 * m2 + (t * t) * ((real - imaginary) * (real + imaginary)),
                                  (t * t) * both));
@@ -322,8 +296,9 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_slope)(CM_REAL p, CM_REAL q, CM_R
     product.im = product.im * scale;
     CM_REAL modulus = cm_sqrt(product.re * product.re + product.im * product.im);
     CM_REAL root = cm_sqrt(modulus);
-    CM_NAME(cm_complex) fourth = CM_NAME(cm_complex_root)(
-        CM_NAME(cm_complex_root)(CM_NAME(cm_make_complex)(product.re, -product.im), modulus), root);
+    CM_NAME(cm_complex) fourth = CM_NAME(cm_conformal_root)(
+        CM_NAME(cm_conformal_root)(CM_NAME(cm_make_complex)(product.re, -product.im), modulus),
+        root);
     return CM_NAME(cm_make_complex)(fourth.re / root, fourth.im / root);
 }
 
@@ -340,9 +315,9 @@ CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_conformal_octant_jacobian)(CM_REAL p, CM_R
     slope.im = slope.im * (scale * CM_LIT(2.4589161211916530669900713824564418560));
     CM_REAL cross = -(p * q);
     CM_NAME(cm_complex) by_p =
-        CM_NAME(cm_complex_times)(slope, CM_NAME(cm_make_complex)(nm - p * p, cross));
+        CM_NAME(cm_complex_multiply)(slope, CM_NAME(cm_make_complex)(nm - p * p, cross));
     CM_NAME(cm_complex) by_q =
-        CM_NAME(cm_complex_times)(slope, CM_NAME(cm_make_complex)(cross, nm - q * q));
+        CM_NAME(cm_complex_multiply)(slope, CM_NAME(cm_make_complex)(cross, nm - q * q));
     return CM_NAME(cm_make_jacobian)(by_p.re, by_q.re, by_p.im, by_q.im);
 }
 
@@ -543,12 +518,12 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_octant_inverse)(CM_REAL u, CM_REAL v)
         CM_NAME(cm_make_complex)(CM_LIT(0.5) * (CM_LIT(1.0) - v), CM_LIT(0.5) * (CM_LIT(1.0) - u));
     CM_BOOL corner = cm_less(cm_mad(z_c.re, z_c.re, z_c.im * z_c.im), CM_LIT(0.1225));
     CM_NAME(cm_complex) square =
-        CM_NAME(cm_complex_square)(CM_NAME(cm_complex_select)(corner, z_c, z));
+        CM_NAME(cm_complex_square)(CM_NAME(cm_conformal_select)(corner, z_c, z));
     CM_NAME(cm_complex) sum =
         CM_NAME(cm_conformal_inverse_sum)(corner, CM_NAME(cm_complex_square)(square));
     /* corner: 1 - p and 1 - q over y; sqrt 3 times the imaginary part of w */
     CM_NAME(cm_complex) w =
-        CM_NAME(cm_complex_times)(CM_NAME(cm_conformal_inverse_power)(z_c), sum);
+        CM_NAME(cm_complex_multiply)(CM_NAME(cm_conformal_inverse_power)(z_c), sum);
     CM_REAL rise = CM_CONFORMAL_SQRT3 * w.im;
     CM_REAL half_square = CM_LIT(0.5) * cm_mad(w.re, w.re, w.im * w.im);
     CM_REAL y = CM_LIT(1.0) + ((w.re + rise) - half_square);
@@ -557,7 +532,7 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_octant_inverse)(CM_REAL u, CM_REAL v)
     CM_REAL zeta_square =
         (CM_LIT(0.25) * cm_mad(u, u, v * v)) * cm_mad(rest, rest, sum.im * sum.im);
     CM_NAME(cm_complex) d =
-        CM_NAME(cm_complex_times)(z, CM_NAME(cm_make_complex)(zeta_square - sum.re, -sum.im));
+        CM_NAME(cm_complex_multiply)(z, CM_NAME(cm_make_complex)(zeta_square - sum.re, -sum.im));
     CM_REAL inverse = CM_LIT(1.0) / CM_SELECT(corner, y, CM_LIT(1.0) - zeta_square);
     CM_REAL p = cm_mad(CM_SELECT(corner, CM_LIT(-2.0) * rise, d.re), inverse,
                        CM_SELECT(corner, CM_LIT(1.0), u));
@@ -570,7 +545,7 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_octant_inverse)(CM_REAL u, CM_REAL v)
 #if CM_REAL_BITS > 64
 
 /* One Newton step; the octant's border stays. */
-CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_step)(CM_NAME(cm_pq) at, CM_REAL u, CM_REAL v)
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_newton)(CM_NAME(cm_pq) at, CM_REAL u, CM_REAL v)
 {
     CM_NAME(cm_uv) f = CM_NAME(cm_conformal_octant)(at.p, at.q);
     CM_NAME(cm_jacobian) j = CM_NAME(cm_conformal_octant_jacobian)(at.p, at.q);
@@ -593,8 +568,8 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_inverse)(CM_REAL u, CM_REAL v, CM_NAME
     CM_REAL minor = CM_SELECT(wide, abs_v, abs_u);
     CM_NAME(cm_pq) r = CM_NAME(cm_conformal_octant_inverse)(major, minor);
 #if CM_REAL_BITS > 64
-    r = CM_NAME(cm_conformal_step)(r, major, minor);
-    r = CM_NAME(cm_conformal_step)(r, major, minor);
+    r = CM_NAME(cm_conformal_newton)(r, major, minor);
+    r = CM_NAME(cm_conformal_newton)(r, major, minor);
 #endif
     return CM_NAME(cm_make_pq)(cm_copysign(CM_SELECT(wide, r.p, r.q), u),
                                cm_copysign(CM_SELECT(wide, r.q, r.p), v));
