@@ -263,8 +263,8 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_conformal_forward)(CM_REAL p, CM_REAL q, CM_NAME
 /* ---- Jacobian ---- */
 
 /* (1 + 14 zeta^4 + zeta^8)^(-1/4). With P = p + i q, P^2 = A + i B, m = 1 + n and t = 2 - sqrt 3 the
- * polynomial is the product of t m^2 - i P^2, t m^2 + i P^2, m^2 - i t P^2 and m^2 + i t P^2, over t^2 m^8. The
- * first vanishes at the corner: its real part, t m^2 - B there, is made of a = 1 - p, b = 1 - q and
+ * polynomial is the product of t m^2 + i P^2, t m^2 - i P^2, m^2 + i t P^2 and m^2 - i t P^2, over
+ * t^2 m^8. The first vanishes at the corner: its real part, t m^2 - B, is made of a = 1 - p, b = 1 - q and
  * d = sqrt 3 - n. At the corner itself it is that of a point an ulp beside. */
 CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_slope)(CM_REAL p, CM_REAL q, CM_REAL n)
 {
