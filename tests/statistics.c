@@ -125,9 +125,12 @@ static void check_quadrature(const cm_mapping *mapping, cm_quantity quantity, cm
     static const double tolerances[] = {1e-2, 1e-5};
     const cm_statistics_options options = over(measure, faces_of(mapping), 1e-8);
     cm_statistics fine = statistics_of(mapping, quantity, &options);
-    REQUIRE(fine.mean_error <= 1e-6 && fine.rmse_error <= 1e-5, "%s, %s: errors %g, %g",
-            cm_mapping_describe(mapping)->identifier, cm_quantity_name(quantity), fine.mean_error,
-            fine.rmse_error);
+    /* at its corners the area of a conformal mapping is infinite: its square's integral just converges */
+    int conformal = (cm_mapping_describe(mapping)->properties & CM_CONFORMAL) != 0;
+    REQUIRE(fine.mean_error <= (conformal ? 1e-5 : 1e-6) &&
+                fine.rmse_error <= (conformal ? 1e-2 : 1e-5),
+            "%s, %s: errors %g, %g", cm_mapping_describe(mapping)->identifier,
+            cm_quantity_name(quantity), fine.mean_error, fine.rmse_error);
     for (size_t i = 0; i < COUNT(tolerances); i++)
     {
         check_rough(mapping, quantity, measure, tolerances[i], &fine);

@@ -38,6 +38,7 @@
 #include "logistic.h"
 #include "smoothstep.h"
 #include "s2.h"
+#include "conformal.h"
 #include "healpix.h"
 
 #include "square_radial.h"
