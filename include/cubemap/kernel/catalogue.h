@@ -22,6 +22,7 @@
 #include "algebraic.h"
 #include "coupled.h"
 #include "difference.h"
+#include "corner.h"
 #include "tanh.h"
 #include "logistic.h"
 #include "smoothstep.h"

@@ -15,7 +15,7 @@ CM_WARP(difference,
         .identifier = "difference",
         .aliases = "",
         .name = "difference of squared tangents, low anisotropy",
-        .source = "libcubemap 2026, docs/mappings.md",
+        .source = "libcubemap 2026, docs/new-mappings.md",
         .family = CM_FAMILY_BIVARIATE,
         .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0,
@@ -34,13 +34,13 @@ CM_WARP(difference,
                        .meaning = "with l2 = l1 it is algebraic with c^2 = 1 / kappa - 1",
                        .standard = 0.4121738584515696,
                        .low = 0.2,
-                       .high = 1.0}},
+                       .high = 0.8}},
         .presets = "mild:kappa=0.5397097196288356,l1=0.1719858275482514,l2=0.2296337469790219 "
                    "balanced:kappa=0.5916038587343118,l1=0.2673678011834392,l2=0.4121738584515696 "
                    "isotropic:kappa=0.6435186283061214,l1=0.369772453776693,l2=0.6433367683885691",
-        .bounds = {.round_trip = 4, .plane_round_trip = 6, .forward = 4, .inverse = 4,
-                   .relative = 8},
-        .fast = 0)
+        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
+                   .relative = 6},
+        .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else
 
