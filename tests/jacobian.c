@@ -198,6 +198,7 @@ static const char *const specifications[] = {"gnomonic",
                                              "everitt",
                                              "algebraic",
                                              "coupled",
+                                             "coupled-cubic",
                                              "difference",
                                              "corner",
                                              "tanh",
@@ -215,6 +216,7 @@ static const char *const specifications[] = {"gnomonic",
                                              "algebraic:c=0",
                                              "algebraic:c=1",
                                              "algebraic:c=2",
+                                             "coupled-cubic:low",
                                              "difference:mild",
                                              "difference:isotropic",
                                              "difference:kappa=0.3,l1=0.125,l2=0.8",
@@ -263,7 +265,8 @@ static subject make_subject(const char *specification)
     s.truth = quad_from(mapping);
     s.creased = strcmp(identifier, "qsc") == 0;
     s.cornered = strcmp(identifier, "difference") == 0;
-    s.signs = s.creased || strcmp(identifier, "cobe") == 0;
+    s.signs = s.creased || strcmp(identifier, "cobe") == 0 ||
+              strcmp(specification, "coupled-cubic:low") == 0;
     s.legacy = strcmp(specification, "cobe:legacy=1") == 0;
     s.standard = strchr(specification, ':') == NULL;
     cm_mapping_destroy(mapping);

@@ -21,6 +21,7 @@
 #include "everitt.h"
 #include "algebraic.h"
 #include "coupled.h"
+#include "coupled_cubic.h"
 #include "difference.h"
 #include "corner.h"
 #include "tanh.h"
