@@ -41,8 +41,8 @@ CM_WARP(corner,
                        .standard = 1.999763507550025,
                        .low = 0.5,
                        .high = 3.0}},
-        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
-                   .relative = 6},
+        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 3, .inverse = 3,
+                   .relative = 7},
         .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else

@@ -38,7 +38,7 @@ CM_WARP(difference,
         .presets = "mild:kappa=0.5397097196288356,l1=0.1719858275482514,l2=0.2296337469790219 "
                    "balanced:kappa=0.5916038587343118,l1=0.2673678011834392,l2=0.4121738584515696 "
                    "isotropic:kappa=0.6435186283061214,l1=0.369772453776693,l2=0.6433367683885691",
-        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
+        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2.5, .inverse = 3,
                    .relative = 6},
         .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
