@@ -99,9 +99,8 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_corner_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm
 CM_FN CM_REAL CM_NAME(cm_corner_ratio)(CM_REAL a, CM_REAL own, CM_REAL other, CM_REAL e,
                                        CM_NAME(cm_constants) k)
 {
-    CM_REAL shared = cm_mad(k.k2, own, e);
-    return CM_NAME(cm_quotient)(a * cm_mad(k.k5, other, k.k4 * shared),
-                                cm_mad(k.k3, other, shared));
+    CM_REAL part = cm_mad(k.k2, own, e);
+    return CM_NAME(cm_quotient)(a * cm_mad(k.k5, other, k.k4 * part), cm_mad(k.k3, other, part));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_corner_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
@@ -138,7 +137,7 @@ CM_FN CM_NAME(cm_jacobian)
     CM_REAL m_b = m * (CM_LIT(1.0) + k.k2 * capital_b);
     CM_REAL t_part = (c2 * a / e_u) * capital_b * m_b;
     CM_REAL w_part = (c2 * b / e_v) * capital_a * m_a;
-    CM_REAL common = k.k0 * lg / (l * l * (lg + (t_part + w_part)));
+    CM_REAL factor = k.k0 * lg / (l * l * (lg + (t_part + w_part)));
     /* z is (p / u)^2; from it and 1 - p^2 follows a, which 1 - u^2 gives less accurately beside an edge */
     CM_REAL kl = (CM_LIT(1.0) + k.k4) * l;
     CM_REAL n = l + m * capital_b;
@@ -151,8 +150,8 @@ CM_FN CM_NAME(cm_jacobian)
     CM_REAL from_q = b_q * (z_q * o / kl);
     CM_REAL f_p = k.k0 + (CM_LIT(1.0) - k.k0) * a_p;
     CM_REAL f_q = k.k0 + (CM_LIT(1.0) - k.k0) * b_q;
-    CM_REAL x_scale = common / (f_p * f_p);
-    CM_REAL y_scale = common / (f_q * f_q);
+    CM_REAL x_scale = factor / (f_p * f_p);
+    CM_REAL y_scale = factor / (f_q * f_q);
     return CM_NAME(cm_make_jacobian)(((e_u * e_u) / c2) * (lg + w_part) * x_scale / cm_sqrt(z_p),
                                      -(u * q * (from_p * m_a) * y_scale),
                                      -(p * v * (from_q * m_b) * x_scale),
