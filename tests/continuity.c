@@ -18,10 +18,19 @@
 /* ---- Mappings, and what they promise ---- */
 
 /* besides the standard parameters and the ends of their ranges */
-static const char *const variants[] = {
-    "zucker",        "tangent:c=0.5",    "tangent:c=1.19705", "tanh:c=0.5",
-    "tanh:c=1.5",    "logistic:c=1",     "everitt:c=1",       "everitt:c=1.2",
-    "algebraic:c=1", "smoothstep:c=0.5", "difference:mild",   "difference:isotropic"};
+static const char *const variants[] = {"zucker",
+                                       "tangent:c=0.5",
+                                       "tangent:c=1.19705",
+                                       "tanh:c=0.5",
+                                       "tanh:c=1.5",
+                                       "logistic:c=1",
+                                       "everitt:c=1",
+                                       "everitt:c=1.2",
+                                       "algebraic:c=1",
+                                       "smoothstep:c=0.5",
+                                       "difference:mild",
+                                       "coupled-cubic:low",
+                                       "difference:isotropic"};
 
 enum
 {

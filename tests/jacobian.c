@@ -208,7 +208,9 @@ static const char *const specifications[] = {"gnomonic",
                                              "everitt",
                                              "algebraic",
                                              "coupled",
+                                             "coupled-cubic",
                                              "difference",
+                                             "corner",
                                              "tanh",
                                              "logistic",
                                              "smoothstep",
@@ -227,11 +229,16 @@ static const char *const specifications[] = {"gnomonic",
                                              "algebraic:c=0",
                                              "algebraic:c=1",
                                              "algebraic:c=2",
+                                             "coupled-cubic:low",
                                              "difference:mild",
                                              "difference:isotropic",
-                                             "difference:kappa=0.3,l1=0.125,l2=1",
-                                             "difference:kappa=1,l1=0.125,l2=1",
+                                             "difference:kappa=0.3,l1=0.125,l2=0.8",
+                                             "difference:kappa=1,l1=0.125,l2=0.8",
                                              "difference:kappa=0.3,l1=0.4,l2=0.2",
+                                             "corner:c1=-0.5,c2=2,l1=1,l2=1",
+                                             "corner:c1=-0.85,c2=8,l1=0.5,l2=3",
+                                             "corner:c1=-0.5,c2=8,l1=3,l2=0.5",
+                                             "corner:c1=-0.85,c2=2,l1=3,l2=3",
                                              "tanh:c=1e-200",
                                              "tanh:c=0.5",
                                              "tanh:c=1.5",
@@ -273,7 +280,8 @@ static subject make_subject(const char *specification)
     s.creased = s.sliced || strcmp(identifier, "qsc") == 0;
     s.infinite = strcmp(identifier, "conformal") == 0;
     s.cornered = s.infinite || s.sliced || strcmp(identifier, "difference") == 0;
-    s.signs = s.creased || strstr(identifier, "cobe") != NULL;
+    s.signs = s.creased || strstr(identifier, "cobe") != NULL ||
+              strcmp(specification, "coupled-cubic:low") == 0;
     s.legacy = strcmp(specification, "cobe:legacy=1") == 0;
     s.standard = strchr(specification, ':') == NULL;
     cm_mapping_destroy(mapping);
