@@ -75,7 +75,7 @@ template <typename constants> constants with_parameters(constants k, const float
          auto r = KERNEL(cm_azimuthal_##id##_project)(x, y, z < 0.0f ? -z : z, k);                 \
          return {{r.u, r.v, r.rim}};                                                               \
      },                                                                                            \
-     [](float u, float v, const float *) -> kernel_result                                          \
+     [](float u, float v, float) -> kernel_result                                                  \
      {                                                                                             \
          auto k =                                                                                  \
              KERNEL(cm_azimuthal_##id##_prepare)(KERNEL(cm_make_parameters)(178.0f, 0.4f));        \
