@@ -14,7 +14,8 @@
 enum class Kind
 {
     equirect,
-    cube
+    cube,
+    chart // a mapping of one face
 };
 
 struct Options
@@ -38,7 +39,7 @@ struct Options
     std::string output;
 };
 
-// The largest --size, for a cube and for an equirectangular image.
+// The largest --size, for a cube or a chart, and for an equirectangular image.
 inline constexpr int largest_face = 65536;
 inline constexpr int largest_equirect = 262144;
 
