@@ -162,8 +162,11 @@ BATCH_FN void BATCH_NAME(batch_store_map)(CM_BOOL good, CM_NAME(cm_face_point) p
 
 /* ---- The loops. They are inlined with kernels that are constants, so that no call is left ---- */
 
-typedef CM_NAME(cm_face_point) (*BATCH_NAME(batch_project))(CM_REAL x, CM_REAL y, CM_REAL z);
-typedef CM_NAME(cm_xyz) (*BATCH_NAME(batch_unproject))(CM_REAL face, CM_REAL a, CM_REAL b);
+/* Projections between the sphere and faces, which have no use for the constants if warps follow. */
+typedef CM_NAME(cm_face_point) (*BATCH_NAME(batch_project))(CM_REAL x, CM_REAL y, CM_REAL z,
+                                                            CM_NAME(cm_constants) k);
+typedef CM_NAME(cm_xyz) (*BATCH_NAME(batch_unproject))(CM_REAL face, CM_REAL a, CM_REAL b,
+                                                       CM_NAME(cm_constants) k);
 typedef CM_NAME(cm_uv) (*BATCH_NAME(batch_warp))(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k);
 typedef CM_NAME(cm_pq) (*BATCH_NAME(batch_unwarp))(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k);
 
@@ -181,7 +184,7 @@ BATCH_FN void BATCH_NAME(batch_forward)(BATCH_NAME(batch_project) project,
         CM_REAL dy = lanes_read(y + i);
         CM_REAL dz = lanes_read(z + i);
         CM_BOOL good = BATCH_NAME(batch_is_direction)(dx, dy, dz);
-        CM_NAME(cm_face_point) p = BATCH_NAME(batch_turn)(&mapping->turn, project(dx, dy, dz));
+        CM_NAME(cm_face_point) p = BATCH_NAME(batch_turn)(&mapping->turn, project(dx, dy, dz, k));
         if (warp != NULL)
         {
             CM_NAME(cm_uv) uv = warp(p.a, p.b, k);
@@ -211,15 +214,17 @@ BATCH_FN void BATCH_NAME(batch_inverse)(BATCH_NAME(batch_unproject) unproject,
             p.b = pq.q;
         }
         p = BATCH_NAME(batch_turn_back)(&mapping->turn, p);
-        CM_NAME(cm_xyz) d = unproject(p.face, p.a, p.b);
+        CM_NAME(cm_xyz) d = unproject(p.face, p.a, p.b, k);
         lanes_write(x + i, d.x);
         lanes_write(y + i, d.y);
         lanes_write(z + i, d.z);
     }
 }
 
-typedef CM_NAME(cm_gradients) (*BATCH_NAME(batch_gradients))(CM_REAL x, CM_REAL y, CM_REAL z);
-typedef CM_NAME(cm_tangents) (*BATCH_NAME(batch_tangents))(CM_REAL face, CM_REAL a, CM_REAL b);
+typedef CM_NAME(cm_gradients) (*BATCH_NAME(batch_gradients))(CM_REAL x, CM_REAL y, CM_REAL z,
+                                                             CM_NAME(cm_constants) k);
+typedef CM_NAME(cm_tangents) (*BATCH_NAME(batch_tangents))(CM_REAL face, CM_REAL a, CM_REAL b,
+                                                           CM_NAME(cm_constants) k);
 typedef CM_NAME(cm_jacobian) (*BATCH_NAME(batch_jacobian))(CM_REAL p, CM_REAL q, CM_REAL u,
                                                            CM_REAL v, CM_NAME(cm_constants) k);
 
@@ -239,8 +244,8 @@ BATCH_FN void BATCH_NAME(batch_forward_jacobian)(BATCH_NAME(batch_project) proje
         CM_REAL dy = lanes_read(y + i);
         CM_REAL dz = lanes_read(z + i);
         CM_BOOL good = BATCH_NAME(batch_is_direction)(dx, dy, dz);
-        CM_NAME(cm_face_point) geo = project(dx, dy, dz);
-        CM_NAME(cm_gradients) g = gradients(dx, dy, dz);
+        CM_NAME(cm_face_point) geo = project(dx, dy, dz, k);
+        CM_NAME(cm_gradients) g = gradients(dx, dy, dz, k);
         g = BATCH_NAME(batch_turn_gradients)(&mapping->turn, geo.face, g);
         if (warp != NULL)
         {
@@ -279,7 +284,7 @@ BATCH_FN void BATCH_NAME(batch_inverse_jacobian)(BATCH_NAME(batch_tangents) tang
             p.b = pq.q;
         }
         CM_NAME(cm_face_point) geo = BATCH_NAME(batch_turn_back)(&mapping->turn, p);
-        CM_NAME(cm_tangents) d = tangents(geo.face, geo.a, geo.b);
+        CM_NAME(cm_tangents) d = tangents(geo.face, geo.a, geo.b, k);
         d = BATCH_NAME(batch_turn_tangents)(&mapping->turn, uv.face, d);
         if (unwarp != NULL)
         {
@@ -357,16 +362,15 @@ BATCH_FN void BATCH_NAME(batch_warp_jacobian)(BATCH_NAME(batch_warp) warp,
                                            LANES_IO *u, LANES_IO *v)                               \
     {                                                                                              \
         BATCH_NAME(batch_forward)                                                                  \
-        (CM_NAME(cm_##projection##_project), warp, CM_LIT(which), mapping, n, x, y, z, face, u,    \
-         v);                                                                                       \
+        (BATCH_NAME(projection##_project), warp, CM_LIT(which), mapping, n, x, y, z, face, u, v);  \
     }                                                                                              \
     static void BATCH_NAME(inverse_##name)(                                                        \
         const cm_mapping *mapping, size_t n, const uint8_t *face, const LANES_IO *u,               \
         const LANES_IO *v, LANES_IO *x, LANES_IO *y, LANES_IO *z)                                  \
     {                                                                                              \
         BATCH_NAME(batch_inverse)                                                                  \
-        (CM_NAME(cm_##projection##_unproject), unwarp, CM_LIT(which), mapping, n, face, u, v, x,   \
-         y, z);                                                                                    \
+        (BATCH_NAME(projection##_unproject), unwarp, CM_LIT(which), mapping, n, face, u, v, x, y,  \
+         z);                                                                                       \
     }
 
 #ifdef BATCH_MAPS_ONLY
@@ -379,7 +383,7 @@ BATCH_FN void BATCH_NAME(batch_warp_jacobian)(BATCH_NAME(batch_warp) warp,
                                                     const LANES_IO *z, LANES_IO *const to[6])      \
     {                                                                                              \
         BATCH_NAME(batch_forward_jacobian)                                                         \
-        (CM_NAME(cm_##projection##_project), CM_NAME(cm_##projection##_gradients), warp, jacobian, \
+        (BATCH_NAME(projection##_project), BATCH_NAME(projection##_gradients), warp, jacobian,     \
          CM_LIT(which), mapping, n, x, y, z, to);                                                  \
     }                                                                                              \
     static void BATCH_NAME(inverse_jacobian_##name)(const cm_mapping *mapping, size_t n,           \
@@ -387,8 +391,8 @@ BATCH_FN void BATCH_NAME(batch_warp_jacobian)(BATCH_NAME(batch_warp) warp,
                                                     const LANES_IO *v, LANES_IO *const to[6])      \
     {                                                                                              \
         BATCH_NAME(batch_inverse_jacobian)                                                         \
-        (CM_NAME(cm_##projection##_tangents), unwarp, jacobian, CM_LIT(which), mapping, n, face,   \
-         u, v, to);                                                                                \
+        (BATCH_NAME(projection##_tangents), unwarp, jacobian, CM_LIT(which), mapping, n, face, u,  \
+         v, to);                                                                                   \
     }
 #define BATCH_WARPS(name, id, which)                                                               \
     static void BATCH_NAME(warp_##name)(const cm_mapping *mapping, size_t n, LANES_IO *p,          \
@@ -419,10 +423,52 @@ BATCH_FN void BATCH_NAME(batch_warp_jacobian)(BATCH_NAME(batch_warp) warp,
                     CM_NAME(cm_##id##_jacobian), which)                                            \
     BATCH_WARPS(name, id, which)
 
+/* A projection under names of these loops; with its constants, or with none to take. */
+#define BATCH_PROJECTION(id, ...)                                                                  \
+    BATCH_FN CM_NAME(cm_face_point) BATCH_NAME(id##_project)(CM_REAL x, CM_REAL y, CM_REAL z,      \
+                                                             CM_NAME(cm_constants) k)              \
+    {                                                                                              \
+        (void)k;                                                                                   \
+        return CM_NAME(cm_##id##_project)(x, y, z __VA_ARGS__);                                    \
+    }                                                                                              \
+    BATCH_FN CM_NAME(cm_xyz) BATCH_NAME(id##_unproject)(CM_REAL face, CM_REAL a, CM_REAL b,        \
+                                                        CM_NAME(cm_constants) k)                   \
+    {                                                                                              \
+        (void)k;                                                                                   \
+        return CM_NAME(cm_##id##_unproject)(face, a, b __VA_ARGS__);                               \
+    }
+#define BATCH_PROJECTION_SLOPES(id, ...)                                                           \
+    BATCH_FN CM_NAME(cm_gradients) BATCH_NAME(id##_gradients)(CM_REAL x, CM_REAL y, CM_REAL z,     \
+                                                              CM_NAME(cm_constants) k)             \
+    {                                                                                              \
+        (void)k;                                                                                   \
+        return CM_NAME(cm_##id##_gradients)(x, y, z __VA_ARGS__);                                  \
+    }                                                                                              \
+    BATCH_FN CM_NAME(cm_tangents) BATCH_NAME(id##_tangents)(CM_REAL face, CM_REAL a, CM_REAL b,    \
+                                                            CM_NAME(cm_constants) k)               \
+    {                                                                                              \
+        (void)k;                                                                                   \
+        return CM_NAME(cm_##id##_tangents)(face, a, b __VA_ARGS__);                                \
+    }
+#ifdef BATCH_MAPS_ONLY
+#undef BATCH_PROJECTION_SLOPES
+#define BATCH_PROJECTION_SLOPES(id, ...)
+#endif
+#define BATCH_NONE
+#define BATCH_THOSE , k
+
+BATCH_PROJECTION(cube, BATCH_NONE)
+BATCH_PROJECTION_SLOPES(cube, BATCH_NONE)
+
 #define CM_DESCRIPTORS
 #define CM_CHART(...)
-#define CM_SPHERE(id, ...)                                                                         \
-    BATCH_MAPS(id##_0, id, NULL, NULL, 0.0) BATCH_JACOBIANS(id##_0, id, NULL, NULL, NULL, 0.0)
+#define BATCH_SPHERE_LOOPS(id, ...)                                                                \
+    BATCH_PROJECTION(id, __VA_ARGS__)                                                              \
+    BATCH_PROJECTION_SLOPES(id, __VA_ARGS__)                                                       \
+    BATCH_MAPS(id##_0, id, NULL, NULL, 0.0)                                                        \
+    BATCH_JACOBIANS(id##_0, id, NULL, NULL, NULL, 0.0)
+#define CM_SPHERE(id, ...) BATCH_SPHERE_LOOPS(id, BATCH_NONE)
+#define CM_SPHERE_CONSTANTS(id, ...) BATCH_SPHERE_LOOPS(id, BATCH_THOSE)
 #define CM_WARP(id, ...) BATCH_WARP_LOOPS(id##_0, id, 0.0)
 #define CM_WARP_VARIANTS(id, ...)                                                                  \
     BATCH_WARP_LOOPS(id##_0, id, 0.0)                                                              \
@@ -430,6 +476,7 @@ BATCH_FN void BATCH_NAME(batch_warp_jacobian)(BATCH_NAME(batch_warp) warp,
 #include <cubemap/kernel/catalogue.h>
 #undef CM_CHART
 #undef CM_SPHERE
+#undef CM_SPHERE_CONSTANTS
 #undef CM_WARP
 #undef CM_WARP_VARIANTS
 
@@ -449,6 +496,7 @@ BATCH_FN void BATCH_NAME(batch_warp_jacobian)(BATCH_NAME(batch_warp) warp,
 #endif
 #define CM_CHART(...) {{{NULL}}},
 #define CM_SPHERE(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0)}}},
+#define CM_SPHERE_CONSTANTS(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0)}}},
 #define CM_WARP(id, ...) {{{BATCH_ENTRY(id##_0)}}},
 #define CM_WARP_VARIANTS(id, ...) {{{BATCH_ENTRY(id##_0)}, {BATCH_ENTRY(id##_1)}}},
 
@@ -458,9 +506,15 @@ static const BATCH_VARIANTS BATCH_NAME(batch_table)[] = {
 
 #undef CM_CHART
 #undef CM_SPHERE
+#undef CM_SPHERE_CONSTANTS
 #undef CM_WARP
 #undef CM_WARP_VARIANTS
 #undef CM_DESCRIPTORS
+#undef BATCH_PROJECTION
+#undef BATCH_PROJECTION_SLOPES
+#undef BATCH_SPHERE_LOOPS
+#undef BATCH_NONE
+#undef BATCH_THOSE
 #undef BATCH_MAPS
 #undef BATCH_JACOBIANS
 #undef BATCH_WARPS

@@ -12,6 +12,7 @@
 #define CM_DESCRIPTORS
 #define CM_WARP(id, ...) {__VA_ARGS__},
 #define CM_SPHERE(id, ...) {__VA_ARGS__},
+#define CM_SPHERE_CONSTANTS(id, ...) {__VA_ARGS__},
 #define CM_CHART(id, ...) {__VA_ARGS__},
 
 static const cm_mapping_info catalogue[] = {

@@ -473,18 +473,21 @@ static void BATCH_NAME(chart_tangents_out)(const cm_mapping *mapping, size_t n,
 
 #define CM_DESCRIPTORS
 #define CM_SPHERE(...)
+#define CM_SPHERE_CONSTANTS(...)
 #define CM_WARP(...)
 #define CM_LAYOUT(...)
 #define CM_AZIMUTHAL(id, ...) CHART_AZIMUTHAL(id)
 #define CM_SQUARE(id, ...) CHART_SQUARE(id)
 #include <cubemap/kernel/catalogue.h>
 #undef CM_SPHERE
+#undef CM_SPHERE_CONSTANTS
 #undef CM_WARP
 #undef CM_LAYOUT
 #undef CM_AZIMUTHAL
 #undef CM_SQUARE
 
 #define CM_SPHERE(...) {0},
+#define CM_SPHERE_CONSTANTS(...) {0},
 #define CM_WARP(...) {0},
 #define CM_LAYOUT(...) {0},
 #define CM_SQUARE(...) {0},
@@ -508,6 +511,7 @@ static const CM_SCALAR_NAME(cm_square_loops) BATCH_NAME(square_table)[] = {
 #include <cubemap/kernel/catalogue.h>
 };
 #undef CM_SPHERE
+#undef CM_SPHERE_CONSTANTS
 #undef CM_WARP
 #undef CM_LAYOUT
 #undef CM_AZIMUTHAL

@@ -11,6 +11,7 @@
  * none. */
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...) NULL,
+#define CM_SPHERE_CONSTANTS(id, ...) cm_##id##_prepare_f64,
 #define CM_LAYOUT(id, ...) NULL,
 #define CM_SQUARE(id, ...) NULL,
 #define CM_AZIMUTHAL(id, ...) cm_azimuthal_##id##_prepare_f64,

@@ -121,7 +121,10 @@ static int is_inside(const vector *v)
 /* Is it on a crease, where a rounded direction may be of the other side? */
 static int is_creased(const vector *v)
 {
-    return fabs(v->uv[0]) == fabs(v->uv[1]) && strcmp(v->specification, "qsc") == 0;
+    int diagonal = fabs(v->uv[0]) == fabs(v->uv[1]);
+    int axis = v->uv[0] == 0.0 || v->uv[1] == 0.0;
+    return (diagonal && strcmp(v->specification, "qsc") == 0) ||
+           ((diagonal || axis) && strcmp(v->specification, "slice") == 0);
 }
 
 static void forward_quantities(const cm_mapping *mapping, const vector *v, double got[QUANTITIES])
@@ -237,6 +240,8 @@ START_TEST(test_known)
         {"continuous", {1.0, 1.0}, 1.5960277, 1.7320508075688773},
         {"qsc", {1.0, 1.0}, 1.0, 1.5497444},
         {"qsc", {1e-9, 1e-9}, 1.0, 1.5572796},
+        {"slice", {1.0, 1.0}, 1.0, 1.4266730784783803},
+        {"slice", {1.0, 1.0 - 1e-9}, 1.0, 1.4266730784783803},
     };
     for (size_t i = 0; i < COUNT(known); i++)
     {

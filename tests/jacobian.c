@@ -164,6 +164,7 @@ typedef struct warp_kernels
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...) {NULL, NULL, NULL, NULL, NULL, NULL},
 #define CM_CHART(id, ...) {0},
+#define CM_SPHERE_CONSTANTS(id, ...) {0},
 #define CM_WARP(id, ...)                                                                           \
     {cm_##id##_prepare_f64,  cm_##id##_forward_f64, cm_##id##_inverse_f64,                         \
      cm_##id##_jacobian_f64, cm_##id##_forward_f32, cm_##id##_jacobian_f32},
@@ -171,6 +172,7 @@ static const warp_kernels kernel_table[] = {
 #include <cubemap/kernel/catalogue.h>
 };
 #undef CM_CHART
+#undef CM_SPHERE_CONSTANTS
 #undef CM_SPHERE
 #undef CM_WARP
 #undef CM_DESCRIPTORS
@@ -184,6 +186,8 @@ typedef struct subject
     quad_mapping truth;
     int creased;  /* on the diagonals */
     int cornered; /* not smooth at the corners */
+    int sliced;   /* creased on the axes as well */
+    int infinite; /* there */
     int signs;    /* an entry changes its sign inside the face, and is a difference there */
     int legacy;
     int standard;
@@ -194,33 +198,47 @@ static const char *const specifications[] = {"gnomonic",
                                              "outerra",
                                              "cobe",
                                              "qsc",
+                                             "slice",
+                                             "zucker-cobe",
+                                             "zucker-quintic",
+                                             "arvo",
                                              "nowell",
                                              "continuous",
                                              "unicube",
                                              "everitt",
                                              "algebraic",
                                              "coupled",
+                                             "coupled-cubic",
                                              "difference",
+                                             "corner",
                                              "tanh",
                                              "logistic",
                                              "smoothstep",
                                              "s2",
+                                             "conformal",
                                              "tangent:c=1e-200",
                                              "tangent:c=0.5",
                                              "tangent:c=1.1823",
                                              "tangent:c=4",
                                              "cobe:legacy=1",
+                                             "zucker-cobe:forward=1",
+                                             "zucker-quintic:forward=1",
                                              "everitt:c=0.5",
                                              "everitt:c=1",
                                              "everitt:c=1.8",
                                              "algebraic:c=0",
                                              "algebraic:c=1",
                                              "algebraic:c=2",
+                                             "coupled-cubic:low",
                                              "difference:mild",
                                              "difference:isotropic",
-                                             "difference:kappa=0.3,l1=0.125,l2=1",
-                                             "difference:kappa=1,l1=0.125,l2=1",
+                                             "difference:kappa=0.3,l1=0.125,l2=0.8",
+                                             "difference:kappa=1,l1=0.125,l2=0.8",
                                              "difference:kappa=0.3,l1=0.4,l2=0.2",
+                                             "corner:c1=-0.5,c2=2,l1=1,l2=1",
+                                             "corner:c1=-0.85,c2=8,l1=0.5,l2=3",
+                                             "corner:c1=-0.5,c2=8,l1=3,l2=0.5",
+                                             "corner:c1=-0.85,c2=2,l1=3,l2=3",
                                              "tanh:c=1e-200",
                                              "tanh:c=0.5",
                                              "tanh:c=1.5",
@@ -258,9 +276,12 @@ static subject make_subject(const char *specification)
     s.narrow = (cm_constants_f32){(float)k.k0, (float)k.k1, (float)k.k2, (float)k.k3,
                                   (float)k.k4, (float)k.k5, (float)k.k6, (float)k.variant};
     s.truth = quad_from(mapping);
-    s.creased = strcmp(identifier, "qsc") == 0;
-    s.cornered = strcmp(identifier, "difference") == 0;
-    s.signs = s.creased || strcmp(identifier, "cobe") == 0;
+    s.sliced = strcmp(identifier, "slice") == 0;
+    s.creased = s.sliced || strcmp(identifier, "qsc") == 0;
+    s.infinite = strcmp(identifier, "conformal") == 0;
+    s.cornered = s.infinite || s.sliced || strcmp(identifier, "difference") == 0;
+    s.signs = s.creased || strstr(identifier, "cobe") != NULL ||
+              strcmp(specification, "coupled-cubic:low") == 0;
     s.legacy = strcmp(specification, "cobe:legacy=1") == 0;
     s.standard = strchr(specification, ':') == NULL;
     cm_mapping_destroy(mapping);
@@ -427,7 +448,8 @@ static void unwarp_value(const void *context, const quad *at, quad *value)
 }
 
 /* Steps that stay on one side of a crease, and on the side of the face's middle lines on which the point
- * is: where the two quadratic ones are not analytic. The centre of qsc stands for its side along p. */
+ * is: where the two quadratic ones are not analytic; from a corner where the map is not smooth they lead
+ * away. The centre of those with creases stands for its side along p. */
 static void warp_steps(const subject *s, quad at[2], quad steps[2])
 {
     quad sign_a = copysignq(1.0Q, at[0]);
@@ -435,7 +457,7 @@ static void warp_steps(const subject *s, quad at[2], quad steps[2])
     if (!s->creased)
     {
         quad from_corner = 1.0Q - fminq(fabsq(at[0]), fabsq(at[1]));
-        quad size = s->cornered ? 0.02Q * from_corner : 0.02Q;
+        quad size = s->cornered ? -0.02Q * from_corner : 0.02Q;
         steps[0] = size * sign_a;
         steps[1] = size * sign_b;
         return;
@@ -445,9 +467,13 @@ static void warp_steps(const subject *s, quad at[2], quad steps[2])
         at[0] = 1e-1000Q * sign_a;
     }
     int wide = fabsq(at[0]) >= fabsq(at[1]);
-    quad size = 0.02Q * fmaxq(fabsq(at[0]), fabsq(at[1]));
-    steps[0] = (wide ? size : -size) * sign_a;
-    steps[1] = (wide ? -size : size) * sign_b;
+    quad major = fmaxq(fabsq(at[0]), fabsq(at[1]));
+    quad minor = fminq(fabsq(at[0]), fabsq(at[1]));
+    quad size = 0.02Q * (s->sliced ? fminq(major, 2.0Q - (major + minor)) : major);
+    /* away from the diagonal, and of slice, from the axis if that is nearer */
+    quad inwards = s->sliced && 2.0Q * minor < major ? size : -size;
+    steps[0] = (wide ? size : inwards) * sign_a;
+    steps[1] = (wide ? inwards : size) * sign_b;
 }
 
 /* By differences; at a corner where the map is not smooth these are too rough, and the kernel itself in
@@ -485,6 +511,10 @@ static void check_warp(const subject *s)
             double got[4];
             quad truth[4];
             next_point(in, i, &state, pq);
+            if (s->infinite && fabs(pq[0]) == 1.0 && fabs(pq[1]) == 1.0)
+            {
+                continue;
+            }
             warp_truth(s, pq, truth);
             warp_jacobian(s, in, pq, got);
             /* beside an edge the rounding of u and v is large beside their distance from it */

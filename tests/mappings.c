@@ -444,7 +444,7 @@ START_TEST(area_is_as_claimed)
         }
         else
         {
-            ck_assert_msg(worst > 1e-4, "%s: %g", info->identifier, worst);
+            ck_assert_msg(worst > 5e-6, "%s: %g", info->identifier, worst);
         }
         /* what the recommended default promises */
         ck_assert(strcmp(info->identifier, CM_MAPPING_RECOMMENDED) != 0 || worst < 0.0025);

@@ -89,6 +89,7 @@ typedef struct quad_kernels
 #define CM_SPHERE(id, ...)                                                                         \
     {NULL, NULL, NULL, cm_##id##_project_f128, cm_##id##_unproject_f128, NULL},
 #define CM_CHART(id, ...) {0},
+#define CM_SPHERE_CONSTANTS(id, ...) {0},
 #define CM_WARP(id, ...)                                                                           \
     {cm_##id##_prepare_f128, cm_##id##_forward_f128, cm_##id##_inverse_f128,                       \
      cm_cube_project_f128,   cm_cube_unproject_f128, cm_##id##_jacobian_f128},
@@ -96,6 +97,7 @@ static const quad_kernels quad_table[] = {
 #include <cubemap/kernel/catalogue.h>
 };
 #undef CM_CHART
+#undef CM_SPHERE_CONSTANTS
 #undef CM_SPHERE
 #undef CM_WARP
 #undef CM_DESCRIPTORS

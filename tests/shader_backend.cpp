@@ -21,6 +21,7 @@
 #define CM_AZIMUTHAL(id, ...) KERNEL_TABLE_AZIMUTHAL(id)
 #define CM_SQUARE(id, ...) KERNEL_TABLE_SQUARE(id)
 #define CM_LAYOUT(id, ...) KERNEL_TABLE_LAYOUT(id)
+#define CM_SPHERE_CONSTANTS(id, ...) KERNEL_TABLE_CONSTANTS(id)
 
 static const kernel_row float_table[] = {
 #include <cubemap/kernel/catalogue.h>
@@ -73,22 +74,25 @@ static void compare_point(float a, float b)
     for (int i = 0; float_table[i].name != nullptr; i++)
     {
         const kernel_row &row = float_table[i];
-        const cm_mapping_info *info = cm_catalogue_find(row.name);
-        if (row.forward == nullptr)
+        const cm_mapping_info *info = cm_catalogue_at(static_cast<size_t>(i));
+        if (row.forward == nullptr || info == nullptr)
         {
             continue;
         }
-        /* the standard one, and the highest for the other variant; parts have none */
-        const float parameters[] = {
-            info == nullptr ? 0.0f : static_cast<float>(info->parameter[0].standard),
-            info == nullptr ? 0.0f : static_cast<float>(info->parameter[0].high)};
-        for (float parameter : parameters)
+        /* the standard ones, and the highest of the first for the other variant */
+        float parameters[CM_PARAMETERS_MAX];
+        for (int k = 0; k < CM_PARAMETERS_MAX; k++)
         {
-            const float in[3] = {a, b, parameter};
-            same(row.name, "forward", row.forward(a, b, parameter),
-                 shader_table[i].forward(a, b, parameter), in);
-            same(row.name, "inverse", row.inverse(a, b, parameter),
-                 shader_table[i].inverse(a, b, parameter), in);
+            parameters[k] = static_cast<float>(info->parameter[k].standard);
+        }
+        for (int turn = 0; turn < 2; turn++)
+        {
+            const float in[3] = {a, b, parameters[0]};
+            same(row.name, "forward", row.forward(a, b, parameters),
+                 shader_table[i].forward(a, b, parameters), in);
+            same(row.name, "inverse", row.inverse(a, b, parameters),
+                 shader_table[i].inverse(a, b, parameters), in);
+            parameters[0] = static_cast<float>(info->parameter[0].high);
         }
     }
 }

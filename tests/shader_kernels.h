@@ -15,14 +15,24 @@ struct kernel_result
 struct kernel_row
 {
     const char *name;
-    kernel_result (*forward)(float p, float q, float parameter);
-    kernel_result (*inverse)(float u, float v, float parameter);
+    kernel_result (*forward)(float p, float q, const float *parameters);
+    kernel_result (*inverse)(float u, float v, const float *parameters);
     kernel_result (*project)(float x, float y, float z);
     kernel_result (*unproject)(float face, float a, float b);
 };
 
 /* The catalogue, and cube behind it; ends with a row without a name. */
 extern const kernel_row shader_table[];
+
+/* The constants of a mapping's first four parameters. */
+template <typename constants> constants with_parameters(constants k, const float *parameters)
+{
+    k.k0 = parameters[0];
+    k.k1 = parameters[1];
+    k.k2 = parameters[2];
+    k.k3 = parameters[3];
+    return k;
+}
 
 /* A row for each descriptor, of kernels called KERNEL(name). */
 #define KERNEL_TABLE_SPHERE(id)                                                                    \
@@ -39,15 +49,17 @@ extern const kernel_row shader_table[];
      }},
 #define KERNEL_TABLE_WARP(id)                                                                      \
     {#id,                                                                                          \
-     [](float p, float q, float parameter) -> kernel_result                                        \
+     [](float p, float q, const float *parameters) -> kernel_result                                \
      {                                                                                             \
-         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(parameter, 0.0f));          \
+         auto k = KERNEL(cm_##id##_prepare)(                                                       \
+             with_parameters(KERNEL(cm_make_parameters)(0.0f, 0.0f), parameters));                 \
          auto r = KERNEL(cm_##id##_forward)(p, q, k);                                              \
          return {{r.u, r.v, 0.0f}};                                                                \
      },                                                                                            \
-     [](float u, float v, float parameter) -> kernel_result                                        \
+     [](float u, float v, const float *parameters) -> kernel_result                                \
      {                                                                                             \
-         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(parameter, 0.0f));          \
+         auto k = KERNEL(cm_##id##_prepare)(                                                       \
+             with_parameters(KERNEL(cm_make_parameters)(0.0f, 0.0f), parameters));                 \
          auto r = KERNEL(cm_##id##_inverse)(u, v, k);                                              \
          return {{r.p, r.q, 0.0f}};                                                                \
      },                                                                                            \
@@ -72,19 +84,33 @@ extern const kernel_row shader_table[];
      }},
 #define KERNEL_TABLE_SQUARE(id)                                                                    \
     {#id,                                                                                          \
-     [](float u, float v, float) -> kernel_result                                                  \
+     [](float u, float v, const float *) -> kernel_result                                          \
      {                                                                                             \
          auto r = KERNEL(cm_square_##id##_forward)(KERNEL(cm_make_disc_point)(u, v));              \
-         auto p = KERNEL(cm_quincuncial_place)(r.u, r.v, u);                                       \
+         auto p = KERNEL(cm_quincuncial_place)(r.u, r.v, 1.0f);                                      \
          return {{p.u, p.v, r.u}};                                                                 \
      },                                                                                            \
-     [](float x, float y, float) -> kernel_result                                                  \
+     [](float x, float y, const float *) -> kernel_result                                          \
      {                                                                                             \
          auto p = KERNEL(cm_quincuncial_unplace)(x, y);                                            \
          auto r = KERNEL(cm_square_##id##_inverse)(p.a, p.b);                                      \
          return {{r.u, r.v, r.rim}};                                                               \
      },                                                                                            \
      nullptr, nullptr},
+#define KERNEL_TABLE_CONSTANTS(id)                                                                 \
+    {#id, nullptr, nullptr,                                                                        \
+     [](float x, float y, float z) -> kernel_result                                                \
+     {                                                                                             \
+         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(1.0f, 3.0f));               \
+         auto r = KERNEL(cm_##id##_project)(x, y, z, k);                                           \
+         return {{r.face, r.a, r.b}};                                                              \
+     },                                                                                            \
+     [](float face, float a, float b) -> kernel_result                                             \
+     {                                                                                             \
+         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(1.0f, 3.0f));               \
+         auto r = KERNEL(cm_##id##_unproject)(face, a, b, k);                                      \
+         return {{r.x, r.y, r.z}};                                                                 \
+     }},
 #define KERNEL_TABLE_LAYOUT(id) {#id, nullptr, nullptr, nullptr, nullptr},
 
 #endif

@@ -15,7 +15,7 @@ trap 'rm -rf "$work"' EXIT
 rooms() { # rooms KIND: the identifiers of the catalogue's rooms whose descriptor begins so
     sed -n 's/^#include "\(.*\)"$/\1/p' "$include/cubemap/kernel/catalogue.h" |
         while read -r file; do
-            sed -n "s/^$1[A-Z_]*(\([a-z0-9_]*\),.*/\1/p" "$include/cubemap/kernel/$file"
+            sed -n "s/^$1\(_VARIANTS\)\?(\([a-z0-9_]*\),.*/\2/p" "$include/cubemap/kernel/$file"
         done
 }
 
@@ -39,6 +39,13 @@ main() { # the body of a shader that uses everything
         echo "    g = cm_jacobian_gradients(j, cm_${id}_gradients(d.x, d.y, d.z));"
         echo "    sum += vec4(t.x_a, t.y_a, t.z_a, t.x_b) + vec4(t.y_b, t.z_b, g.a_x, g.a_y);"
         echo "    sum += vec4(g.a_z, g.b_x, g.b_y, g.b_z);"
+    done
+    for id in $(rooms CM_SPHERE_CONSTANTS); do
+        echo "    k = cm_${id}_prepare(cm_make_parameters(place.z, place.y));"
+        echo "    f = cm_${id}_project(place.x, place.y, place.z, k); sum += vec4(f.face, f.a, f.b, 0.0);"
+        echo "    d = cm_${id}_unproject(f.face, f.a, f.b, k); sum += vec4(d.x, d.y, d.z, 0.0);"
+        echo "    t = cm_${id}_tangents(f.face, f.a, f.b, k); sum += vec4(t.x_a, t.y_a, t.z_a, t.x_b);"
+        echo "    g = cm_${id}_gradients(d.x, d.y, d.z, k); sum += vec4(g.a_z, g.b_x, g.b_y, g.b_z);"
     done
     echo '    cm_disc_point disc;'
     for id in $(rooms CM_AZIMUTHAL); do

@@ -347,10 +347,23 @@ static double as_seen(int is_float, double value)
 /* ---- Mappings and frames ---- */
 
 /* the parameters where a formula changes, and the ends of their ranges */
-static const char *const variants[] = {
-    "tangent:c=0.5", "tangent:c=4",   "tangent:c=1e-200", "tanh:c=0.5",          "tanh:c=2",
-    "tanh:c=1e-200", "logistic:c=1",  "logistic:c=4",     "everitt:c=0.5",       "everitt:c=1.8",
-    "algebraic:c=0", "algebraic:c=2", "smoothstep:c=1",   "smoothstep:c=1e-200", "cobe:legacy=1"};
+static const char *const variants[] = {"tangent:c=0.5",
+                                       "tangent:c=4",
+                                       "tangent:c=1e-200",
+                                       "tanh:c=0.5",
+                                       "tanh:c=2",
+                                       "tanh:c=1e-200",
+                                       "logistic:c=1",
+                                       "logistic:c=4",
+                                       "everitt:c=0.5",
+                                       "everitt:c=1.8",
+                                       "algebraic:c=0",
+                                       "algebraic:c=2",
+                                       "smoothstep:c=1",
+                                       "smoothstep:c=1e-200",
+                                       "cobe:legacy=1",
+                                       "zucker-cobe:forward=1",
+                                       "zucker-quintic:forward=1"};
 
 /* a frame of one's own: geo with u and v exchanged, counted backwards */
 static cm_frame exchanged_frame(void)
@@ -401,7 +414,7 @@ static int is_hybrid(const cm_mapping *mapping)
 /* the two coordinates of continuous are not alike */
 static int is_alike(const cm_mapping *mapping)
 {
-    return strcmp(name_of(mapping), "continuous") != 0;
+    return strcmp(name_of(mapping), "continuous") != 0 && strcmp(name_of(mapping), "arvo") != 0;
 }
 
 /* What a direction has along a signed axis. */

@@ -125,9 +125,12 @@ static void check_quadrature(const cm_mapping *mapping, cm_quantity quantity, cm
     static const double tolerances[] = {1e-2, 1e-5};
     const cm_statistics_options options = over(measure, faces_of(mapping), 1e-8);
     cm_statistics fine = statistics_of(mapping, quantity, &options);
-    REQUIRE(fine.mean_error <= 1e-6 && fine.rmse_error <= 1e-5, "%s, %s: errors %g, %g",
-            cm_mapping_describe(mapping)->identifier, cm_quantity_name(quantity), fine.mean_error,
-            fine.rmse_error);
+    /* at its corners the area of a conformal mapping is infinite: its square's integral just converges */
+    int conformal = (cm_mapping_describe(mapping)->properties & CM_CONFORMAL) != 0;
+    REQUIRE(fine.mean_error <= (conformal ? 1e-5 : 1e-6) &&
+                fine.rmse_error <= (conformal ? 1e-2 : 1e-5),
+            "%s, %s: errors %g, %g", cm_mapping_describe(mapping)->identifier,
+            cm_quantity_name(quantity), fine.mean_error, fine.rmse_error);
     for (size_t i = 0; i < COUNT(tolerances); i++)
     {
         check_rough(mapping, quantity, measure, tolerances[i], &fine);
@@ -254,6 +257,9 @@ START_TEST(test_suprema)
         {"algebraic", CM_QUANTITY_AREA, 0.88143, 1.11730, 5e-6},
         {"qsc", CM_QUANTITY_ISOTROPY, (double)NAN, 1.55728, 5e-6},
         {"qsc", CM_QUANTITY_DEFORMATION, (double)NAN, 25.174 * PI / 180.0, 1e-5},
+        {"slice", CM_QUANTITY_ISOTROPY, (double)NAN, 1.4266730784783803, 1e-9},
+        {"slice", CM_QUANTITY_DEFORMATION, (double)NAN, 20.2535 * PI / 180.0, 1e-6},
+        {"slice", CM_QUANTITY_AREA, 1.0, 1.0, 1e-12},
         {"outerra", CM_QUANTITY_TEXEL_AREA, 0.3238, 1.0, 1e-4},
         {"coupled", CM_QUANTITY_AREA, 0.9975308, 1.0025037, 1e-7},
     };

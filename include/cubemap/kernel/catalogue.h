@@ -5,7 +5,7 @@
  *
  * A descriptor is CM_WARP(NAME, fields...), NAME being that of its kernel's functions, CM_WARP_VARIANTS if
  * the kernel has two variants (types.h), or CM_SPHERE if it is no warp of the cube's faces but maps
- * directions to them, or to a square, itself. What maps only part of the way is a CM_AZIMUTHAL (sphere to
+ * directions to them, or to a square, itself, CM_SPHERE_CONSTANTS if that takes parameters. What maps only part of the way is a CM_AZIMUTHAL (sphere to
  * disc), a CM_SQUARE (disc to square) or a CM_LAYOUT, which joins the two; who does not tell those
  * three apart defines CM_CHART for all of them.
  */
@@ -23,17 +23,24 @@
 #include "outerra.h"
 #include "cobe.h"
 #include "qsc.h"
+#include "slice.h"
+#include "zucker_cobe.h"
+#include "zucker_quintic.h"
 #include "nowell.h"
 #include "continuous.h"
 #include "unicube.h"
+#include "arvo.h"
 #include "everitt.h"
 #include "algebraic.h"
 #include "coupled.h"
+#include "coupled_cubic.h"
 #include "difference.h"
+#include "corner.h"
 #include "tanh.h"
 #include "logistic.h"
 #include "smoothstep.h"
 #include "s2.h"
+#include "conformal.h"
 #include "healpix.h"
 
 #include "square_radial.h"
@@ -51,6 +58,7 @@
 #include "layout.h"
 #include "octahedral.h"
 #include "octahedral_clarberg.h"
+#include "rhealpix.h"
 #if defined(CM_DESCRIPTORS) && defined(CM_CHART)
 #undef CM_AZIMUTHAL
 #undef CM_SQUARE

@@ -133,15 +133,15 @@ CM_FN CM_REAL CM_NAME(cm_cobe_published)(CM_REAL x, CM_REAL y)
                   y0);
 }
 
-/* One Newton step from (p, q) towards F(p, q) = u, F(q, p) = v. */
-CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_step)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v)
+/* One Newton step from (p, q) towards F(p, q) = u, F(q, p) = v, with f the values of F at (p, q) and g
+ * those at (q, p). Serves every polynomial of this form (zucker_cobe.h). */
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_newton)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v,
+                                             CM_NAME(cm_cobe_value) f, CM_NAME(cm_cobe_value) g)
 {
     CM_REAL x = p * p;
     CM_REAL y = q * q;
     CM_REAL x1 = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
     CM_REAL y1 = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
-    CM_NAME(cm_cobe_value) f = CM_NAME(cm_cobe_evaluate)(x, y);
-    CM_NAME(cm_cobe_value) g = CM_NAME(cm_cobe_evaluate)(y, x);
     CM_REAL f_p = cm_mad(CM_LIT(2.0) * x, cm_mad(x1, f.b_x, -f.b), cm_mad(x1, f.b, CM_LIT(1.0)));
     CM_REAL g_q = cm_mad(CM_LIT(2.0) * y, cm_mad(y1, g.b_x, -g.b), cm_mad(y1, g.b, CM_LIT(1.0)));
     CM_REAL f_q = CM_LIT(2.0) * p * q * (x1 * f.b_y);
@@ -151,6 +151,14 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_step)(CM_REAL p, CM_REAL q, CM_REAL u, CM_R
     CM_REAL scale = CM_LIT(1.0) / cm_mad(f_p, g_q, -(f_q * g_p));
     return CM_NAME(cm_make_pq)(cm_mad(cm_mad(f_rest, g_q, -(g_rest * f_q)), scale, p),
                                cm_mad(cm_mad(g_rest, f_p, -(f_rest * g_p)), scale, q));
+}
+
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_step)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v)
+{
+    CM_REAL x = p * p;
+    CM_REAL y = q * q;
+    return CM_NAME(cm_cobe_newton)(p, q, u, v, CM_NAME(cm_cobe_evaluate)(x, y),
+                                   CM_NAME(cm_cobe_evaluate)(y, x));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
@@ -175,6 +183,20 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_cobe_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_c
     return r;
 }
 
+/* The derivatives of (F(p, q), F(q, p)), from the values as in cm_cobe_newton. */
+CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_cobe_matrix)(CM_REAL p, CM_REAL q, CM_NAME(cm_cobe_value) f,
+                                                   CM_NAME(cm_cobe_value) g)
+{
+    CM_REAL x = p * p;
+    CM_REAL y = q * q;
+    CM_REAL x1 = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
+    CM_REAL y1 = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
+    CM_REAL cross = CM_LIT(2.0) * (p * q);
+    return CM_NAME(cm_make_jacobian)(
+        CM_LIT(1.0) + (x1 * f.b + CM_LIT(2.0) * x * (x1 * f.b_x - f.b)), cross * (x1 * f.b_y),
+        cross * (y1 * g.b_y), CM_LIT(1.0) + (y1 * g.b + CM_LIT(2.0) * y * (y1 * g.b_x - g.b)));
+}
+
 /* That of the forward polynomial, in both variants. The published inverse is not the forward's, so the
  * matrix of its derivatives is not this one's inverse: their product differs from 1 by up to 0.7 %. */
 CM_FN CM_NAME(cm_jacobian)
@@ -185,14 +207,8 @@ CM_FN CM_NAME(cm_jacobian)
     CM_UNUSED(k);
     CM_REAL x = p * p;
     CM_REAL y = q * q;
-    CM_REAL x1 = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
-    CM_REAL y1 = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
-    CM_NAME(cm_cobe_value) f = CM_NAME(cm_cobe_evaluate)(x, y);
-    CM_NAME(cm_cobe_value) g = CM_NAME(cm_cobe_evaluate)(y, x);
-    CM_REAL cross = CM_LIT(2.0) * (p * q);
-    return CM_NAME(cm_make_jacobian)(
-        CM_LIT(1.0) + (x1 * f.b + CM_LIT(2.0) * x * (x1 * f.b_x - f.b)), cross * (x1 * f.b_y),
-        cross * (y1 * g.b_y), CM_LIT(1.0) + (y1 * g.b + CM_LIT(2.0) * y * (y1 * g.b_x - g.b)));
+    return CM_NAME(cm_cobe_matrix)(p, q, CM_NAME(cm_cobe_evaluate)(x, y),
+                                   CM_NAME(cm_cobe_evaluate)(y, x));
 }
 
 #endif

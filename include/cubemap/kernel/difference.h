@@ -15,7 +15,7 @@ CM_WARP(difference,
         .identifier = "difference",
         .aliases = "",
         .name = "difference of squared tangents, low anisotropy",
-        .source = "libcubemap 2026, docs/mappings.md",
+        .source = "libcubemap 2026, docs/new-mappings.md",
         .family = CM_FAMILY_BIVARIATE,
         .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0,
@@ -34,13 +34,13 @@ CM_WARP(difference,
                        .meaning = "with l2 = l1 it is algebraic with c^2 = 1 / kappa - 1",
                        .standard = 0.4121738584515696,
                        .low = 0.2,
-                       .high = 1.0}},
+                       .high = 0.8}},
         .presets = "mild:kappa=0.5397097196288356,l1=0.1719858275482514,l2=0.2296337469790219 "
                    "balanced:kappa=0.5916038587343118,l1=0.2673678011834392,l2=0.4121738584515696 "
                    "isotropic:kappa=0.6435186283061214,l1=0.369772453776693,l2=0.6433367683885691",
-        .bounds = {.round_trip = 4, .plane_round_trip = 6, .forward = 4, .inverse = 4,
-                   .relative = 8},
-        .fast = 0)
+        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2.5, .inverse = 3,
+                   .relative = 6},
+        .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else
 
@@ -85,11 +85,11 @@ CM_FN CM_NAME(cm_difference_terms)
         CM_NAME(cm_root)(CM_SELECT(cm_less(CM_LIT(0.0), radicand), radicand, CM_LIT(1.0)));
     CM_REAL scaled = cm_mad(l1, sum, root - e);
     CM_REAL mean = cm_mad(k.k6, scaled, -(k.k3 * e));
-    CM_REAL half_apart = CM_LIT(0.5) * (l2 - l1);
+    CM_REAL bias = CM_LIT(0.5) * (l2 - l1);
     CM_NAME(cm_difference_terms) r;
     r.below = cm_mad(k.k5, scaled, k.k2 * e);
-    r.above_p = cm_mad(-half_apart, difference, mean);
-    r.above_q = cm_mad(half_apart, difference, mean);
+    r.above_p = cm_mad(-bias, difference, mean);
+    r.above_q = cm_mad(bias, difference, mean);
     return r;
 }
 
@@ -109,9 +109,9 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_difference_forward)(CM_REAL p, CM_REAL q, CM_NAM
 CM_FN CM_REAL CM_NAME(cm_difference_ratio)(CM_REAL a, CM_REAL own, CM_REAL other, CM_REAL ab,
                                            CM_NAME(cm_constants) k)
 {
-    CM_REAL common_part = cm_mad(k.k0, own, ab);
-    CM_REAL n = cm_mad(k.k1, other, common_part);
-    return CM_NAME(cm_quotient)(a * cm_mad(k.k4, other, k.k3 * common_part),
+    CM_REAL part = cm_mad(k.k0, own, ab);
+    CM_REAL n = cm_mad(k.k1, other, part);
+    return CM_NAME(cm_quotient)(a * cm_mad(k.k4, other, k.k3 * part),
                                 CM_SELECT(cm_less(CM_LIT(0.0), n), n, CM_LIT(1.0)));
 }
 
@@ -161,11 +161,11 @@ CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_difference_jacobian)(CM_REAL p, CM_REAL q,
     CM_REAL alpha = m * (near_q * near_q) * p_part * x;
     CM_REAL beta = m * (near_p * near_p) * q_part * y;
     CM_REAL gghh = gg * hh;
-    CM_REAL both_part = k.k2 * gghh / (gghh + (alpha * hh + beta * gg));
+    CM_REAL factor = k.k2 * gghh / (gghh + (alpha * hh + beta * gg));
     CM_REAL z_p = x + a * g;
     CM_REAL z_q = y + b * h;
-    CM_REAL p_power = both_part / (z_p * cm_sqrt(z_p));
-    CM_REAL q_power = both_part / (z_q * cm_sqrt(z_q));
+    CM_REAL p_power = factor / (z_p * cm_sqrt(z_p));
+    CM_REAL q_power = factor / (z_q * cm_sqrt(z_q));
     return CM_NAME(cm_make_jacobian)((gg + alpha) * p_power, -(p * q * p_cross * p_power),
                                      -(p * q * q_cross * q_power), (hh + beta) * q_power);
 }

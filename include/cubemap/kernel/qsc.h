@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * qsc: the quadrilateralized spherical cube, equal-area, with creases on the diagonals of a face.
+ * qsc: the quadrilateralized spherical cube, equal-area, with creases on the diagonals of a face;
+ * slice.h is equal-area with smaller creases and less distortion.
  * The same mapping as Snyder's (1992) equal-area cube and as Rosca & Plonka's (2011).
  *
  * The printed formulas lose half the digits at the centre and all of them on the axes (acos of a

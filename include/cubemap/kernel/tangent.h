@@ -2,7 +2,8 @@
  *
  * tangent: u = atan(c p) / atan c. With c = 1 the adjusted spherical cube (ASC) and the equi-angular
  * cube map (EAC) of video; c = 1.1823 is Zucker & Higashi's least area RMSE, 1.19705 the least
- * maximum area error.
+ * maximum area error; c = 1 / sqrt 2 is the equi-edge grid of the atmosphere model FV3, whose points are
+ * equally far apart on the great circles of the edges.
  *
  * Both directions are w plus w times a difference that vanishes at the edge, made of the excess E of
  * atan or tan (elementary.h): with E1 that of the edge,
@@ -15,7 +16,8 @@
 /* clang-format off */
 CM_WARP_VARIANTS(tangent,
                  .identifier = "tangent",
-                 .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823",
+                 .aliases = "asc:c=1 eac:c=1 zucker:c=1.1823 "
+                            "equi-edge:c=0.70710678118654752",
                  .name = "tangent adjustment",
                  .source = "Ronchi, Iacono, Paolucci 1996 (c = 1); Zucker & Higashi 2018; Lambers 2020, eq. 2",
                  .family = CM_FAMILY_UNIVARIATE,
