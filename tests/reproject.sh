@@ -191,6 +191,8 @@ peirce 4e-5 2e-5
 quincuncial:equidistant,radial,lon=20,lat=30 4e-3 2e-5
 border:equidistant,squircle 5e-5 2e-5
 border:breusing,elliptical,lon=20,lat=30 8e-5 3e-5
+rhealpix 6e-3 1e-4
+rhealpix:north=2,south=3 6e-3 1e-4
 azimuthal:equidistant:full=1 8e-3 3e-5
 E
     for chart in lambert stereographic equidistant mixture breusing; do
@@ -222,6 +224,7 @@ P
             reproject --quiet --filter $filter --from "$chart" --to "$chart" same.tif again.tif
             passes "$chart to the same, $filter: the same pixels" compare --max 0 same.tif again.tif
         done
+        [ "$chart" != rhealpix ] || continue # no pixel of so few is on each of its squares
         for size in 1 2 3; do
             "$helper" constant $size $size 1 float 0.7 small.tif
             reproject --quiet --from "$chart" --to azimuthal:lambert:fov=80 --size 5 small.tif out.tif

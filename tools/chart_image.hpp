@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Mappings of one face: a disc in a square image, or a square that is all of it. The first row is that of
-// v = 1.
+// Mappings of one face: a disc in a square image, a square that is all of it, or one with gaps. The first row is
+// that of v = 1.
 
 #ifndef CUBEMAP_TOOLS_CHART_IMAGE_HPP
 #define CUBEMAP_TOOLS_CHART_IMAGE_HPP
@@ -24,7 +24,13 @@ private:
     bool border_is_point() const;
     void fill_square_border(SphereGrid &grid) const;
     void fill_beyond_rim(SphereGrid &grid) const;
+    void fill_gaps(SphereGrid &grid) const;
+    bool is_on_map(const double uv[2]) const;
+    double part_of_square() const;
+    void copy_continuation(SphereGrid &grid, int column, int row, int from_column,
+                           int from_row) const;
 
+    const bool gaps;  // are there places of the square that are not on the map?
     const bool point; // is the whole border, or rim, one point of the sphere?
 };
 

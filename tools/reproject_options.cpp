@@ -167,7 +167,8 @@ PNG, JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel.
                         or azimuthal:NAME, such as azimuthal:equidistant:fov=200,
                         a disc in a square image; or a square of the whole sphere,
                         peirce, quincuncial:AZIMUTHAL,SQUARE,
-                        border:AZIMUTHAL,SQUARE, octahedral or octahedral:clarberg
+                        border:AZIMUTHAL,SQUARE, octahedral,
+                        octahedral:clarberg or rhealpix
   --size N              pixels along the edge of a face (to )" +
            std::to_string(largest_face) + R"(), or across an
                         equirectangular image (even, to )" +
