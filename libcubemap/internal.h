@@ -239,6 +239,12 @@ const cm_batch_set *cm_batch_set_find(const char *name);
 /* frame must have passed cm_frame_check. */
 void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn);
 
+/* The mapping that a name stands for, NULL if there is none; *fixed is what an alias says after its colon,
+ * else "". */
+const cm_mapping_info *cm_catalogue_find_word(const char *name, size_t length, const char **fixed);
+
+size_t cm_catalogue_index(const cm_mapping_info *info);
+
 /* The length of the name in an alias of the catalogue, a word of whole characters: "asc:c=1" and
  * "peirce:stereographic,conformal" fix what is behind the last colon, "square:concentric" fixes nothing. */
 size_t cm_alias_length(const char *word, size_t whole);
