@@ -108,6 +108,9 @@ every_frame()
 # Uses the variables mapping, frame and layout of its caller.
 there_and_back()
 {
+    # torn along edges, where the pixels of the neighbour are not those next to a face's own
+    local largest=1.5e-3
+    [ "$mapping" != arvo ] || largest=1.5e-2
     name=cube.tif
     [ "$layout" != faces ] || name=cube_%f.tif
     reproject --quiet --to "cube:$mapping" --frame "$frame" --layout "$layout" equirect.tif "$name"
@@ -117,7 +120,7 @@ there_and_back()
     reproject --quiet --from "cube:$mapping" --frame "$frame" --from-layout "$layout" "$name" \
         back.tif
     passes "cube:$mapping, $frame, $layout to equirect" \
-        "$helper" check equirect - - back.tif 1.5e-3 2e-5
+        "$helper" check equirect - - back.tif $largest 2e-5
 }
 
 odd_sizes()
