@@ -34,6 +34,13 @@ START_TEST(descriptors_are_complete)
 }
 END_TEST
 
+/* Where a rounding of u and v is far more on the sphere somewhere no round trip is promised: catalogue.h. */
+static int is_flat(const cm_mapping_info *info)
+{
+    return strcmp(info->identifier, "border") == 0 ||
+           strcmp(info->identifier, "azimuthal:orthographic") == 0;
+}
+
 /* What the project promises of every mapping; bench/certificate holds the mappings to their bounds. */
 START_TEST(bounds_keep_the_promise)
 {
@@ -42,13 +49,14 @@ START_TEST(bounds_keep_the_promise)
     {
         const cm_bounds *bounds = &at(i)->bounds;
         double most = at(i)->family == CM_FAMILY_UNIVARIATE ? 2.0 : 5.0;
-        ck_assert_msg(bounds->round_trip > 0.0 && bounds->round_trip * earth_nanometres <= most,
+        int is_stated = bounds->round_trip > 0.0;
+        ck_assert_msg(is_stated != is_flat(at(i)) && bounds->round_trip * earth_nanometres <= most,
                       "%s: %g nm", at(i)->identifier, bounds->round_trip * earth_nanometres);
         ck_assert(bounds->round_trip * 0x1p-24 <= 1e-6);
         ck_assert(bounds->plane_round_trip > 0.0);
         ck_assert(bounds->forward > 0.0 && bounds->forward <= 8.0);
         ck_assert(bounds->inverse > 0.0 && bounds->inverse <= 8.0);
-        ck_assert(bounds->relative > 0.0 && bounds->relative <= 16.0);
+        ck_assert((bounds->relative > 0.0 || at(i)->parts != NULL) && bounds->relative <= 16.0);
     }
 }
 END_TEST
