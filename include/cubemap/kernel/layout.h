@@ -39,7 +39,7 @@ CM_LAYOUT(quincuncial,
                          .low = -90.0, .high = 90.0},
                         {.name = "beta", .meaning = "that of the mixture", .standard = 0.4, .high = 1.0}},
           .parts = "stereographic,conformal",
-          .bounds = {.round_trip = 7.068, .plane_round_trip = 6, .forward = 5, .inverse = 5, .relative = 0})
+          .bounds = {.round_trip = 7.5, .plane_round_trip = 6, .forward = 5, .inverse = 5, .relative = 0})
 /* clang-format on */
 #else
 
