@@ -54,6 +54,15 @@ static uint64_t hash_double(const cm_mapping *mapping)
 {
     double *const to[6] = {jacobian[0], jacobian[1], jacobian[2],
                            jacobian[3], jacobian[4], jacobian[5]};
+    if (cm_mapping_describe(mapping)->kind == CM_KIND_DISC_SQUARE)
+    {
+        double *const of_warp[4] = {jacobian[0], jacobian[1], jacobian[2], jacobian[3]};
+        (void)cm_warp_array(mapping, COUNT, d[0], d[1], uv[0], uv[1]);
+        (void)cm_unwarp_array(mapping, COUNT, d[0], d[1], back[0], back[1]);
+        (void)cm_warp_jacobian_array(mapping, COUNT, d[0], d[1], of_warp);
+        return hash(hash(hash(14695981039346656037u, uv, sizeof uv), back, 2 * sizeof back[0]),
+                    jacobian, 4 * sizeof jacobian[0]);
+    }
     cm_forward_array(mapping, COUNT, d[0], d[1], d[2], face, uv[0], uv[1]);
     cm_inverse_array(mapping, COUNT, face, uv[0], uv[1], back[0], back[1], back[2]);
     uint64_t state = hash(14695981039346656037u, face, sizeof face);
@@ -68,6 +77,17 @@ static uint64_t hash_float(const cm_mapping *mapping)
 {
     float *const to[6] = {jacobian_f32[0], jacobian_f32[1], jacobian_f32[2],
                           jacobian_f32[3], jacobian_f32[4], jacobian_f32[5]};
+    if (cm_mapping_describe(mapping)->kind == CM_KIND_DISC_SQUARE)
+    {
+        float *const of_warp[4] = {jacobian_f32[0], jacobian_f32[1], jacobian_f32[2],
+                                   jacobian_f32[3]};
+        (void)cm_warp_array_f32(mapping, COUNT, d_f32[0], d_f32[1], uv_f32[0], uv_f32[1]);
+        (void)cm_unwarp_array_f32(mapping, COUNT, d_f32[0], d_f32[1], back_f32[0], back_f32[1]);
+        (void)cm_warp_jacobian_array_f32(mapping, COUNT, d_f32[0], d_f32[1], of_warp);
+        return hash(hash(hash(14695981039346656037u, uv_f32, sizeof uv_f32), back_f32,
+                         2 * sizeof back_f32[0]),
+                    jacobian_f32, 4 * sizeof jacobian_f32[0]);
+    }
     cm_forward_array_f32(mapping, COUNT, d_f32[0], d_f32[1], d_f32[2], face, uv_f32[0], uv_f32[1]);
     cm_inverse_array_f32(mapping, COUNT, face, uv_f32[0], uv_f32[1], back_f32[0], back_f32[1],
                          back_f32[2]);
