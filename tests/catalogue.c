@@ -106,12 +106,14 @@ END_TEST
 START_TEST(the_mappings_of_the_plan_are_there)
 {
     static const char *const names[] = {
-        "gnomonic",   "tsc",         "standard",      "tangent",    "asc",
-        "eac",        "outerra",     "osc",           "cobe",       "csc",
-        "qsc",        "nowell",      "ksc",           "unicube",    "everitt",
-        "s2",         "algebraic",   "coupled",       "difference", "logistic",
-        "smoothstep", "continuous",  "tanh",          "healpix",    "slice",
-        "arvo",       "zucker-cobe", "zucker-quintic", "corner", "coupled-cubic"};
+        "gnomonic",   "tsc",           "standard",     "tangent",
+        "asc",        "eac",           "outerra",      "osc",
+        "cobe",       "csc",           "qsc",          "nowell",
+        "ksc",        "unicube",       "everitt",      "s2",
+        "algebraic",  "coupled",       "difference",   "logistic",
+        "smoothstep", "continuous",    "tanh",         "healpix",
+        "slice",      "arvo",          "zucker-cobe",  "zucker-quintic",
+        "corner",     "coupled-cubic", "coupled-lean", "seamless"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
     {
         ck_assert_msg(cm_catalogue_find(names[i]) != NULL, "%s", names[i]);

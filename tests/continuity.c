@@ -1081,16 +1081,18 @@ static cm_smoothness claim_for_face(const char *specification, const cm_mapping_
 }
 
 /* A crease of the first derivative is on the diagonals of a face, and of slice on its axes as well, one
- * of the second on its axes; docs/mappings.md says so of those that have them. */
+ * of the second on its axes, and of seamless one of the third on the diagonals; docs/mappings.md says so of those that have them. */
 static void check_where(const char *specification, double jump[LINES][ORDERS])
 {
     int sliced = strcmp(specification, "slice") == 0;
+    int seamless = strcmp(specification, "seamless") == 0;
     for (int line = 0; line < LINES; line++)
     {
         cm_smoothness found = smoothness_of(jump[line], specification, line_names[line]);
         REQUIRE(found == CM_SMOOTH_ANALYTIC || (found == CM_SMOOTH_C0 && line == DIAGONALS) ||
                     (found == CM_SMOOTH_C0 && line == AXES && sliced) ||
-                    (found == CM_SMOOTH_C1 && line == AXES),
+                    (found == CM_SMOOTH_C1 && line == AXES) ||
+                    (found == CM_SMOOTH_C1 && line == DIAGONALS && seamless),
                 "%s: smoothness %d on the %s", specification, (int)found, line_names[line]);
     }
 }

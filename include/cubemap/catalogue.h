@@ -45,7 +45,7 @@ typedef enum cm_smoothness
 {
     CM_SMOOTH_TORN = 0,    /* neighbours may part */
     CM_SMOOTH_C0 = 1,      /* continuous, with creases */
-    CM_SMOOTH_C1 = 2,      /* first derivatives are continuous, second ones are not everywhere */
+    CM_SMOOTH_C1 = 2,      /* first derivatives are continuous, not all of the higher ones */
     CM_SMOOTH_ANALYTIC = 3 /* all derivatives */
 } cm_smoothness;
 

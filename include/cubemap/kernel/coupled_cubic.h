@@ -98,6 +98,13 @@ CM_FN CM_NAME(cm_cubic_value)
     return r;
 }
 
+/* u^2 from S */
+CM_FN CM_REAL CM_NAME(cm_cubic_first)(CM_REAL x, CM_REAL s)
+{
+    CM_REAL xs = x * s;
+    return CM_NAME(cm_quotient)(x + xs, CM_LIT(1.0) + xs);
+}
+
 /* The first approximation of u^2. */
 CM_FN CM_REAL CM_NAME(cm_cubic_start)(CM_REAL x, CM_REAL y, CM_NAME(cm_constants) k)
 {
@@ -105,9 +112,8 @@ CM_FN CM_REAL CM_NAME(cm_cubic_start)(CM_REAL x, CM_REAL y, CM_NAME(cm_constants
         cm_mad(x, cm_mad(x, cm_mad(x, CM_CUBIC_S30, CM_CUBIC_S20), CM_CUBIC_S10), CM_CUBIC_S00);
     CM_REAL row1 = cm_mad(x, cm_mad(x, CM_CUBIC_S21, CM_CUBIC_S11), CM_CUBIC_S01);
     CM_REAL row2 = cm_mad(x, CM_CUBIC_S12, CM_CUBIC_S02);
-    CM_REAL s = cm_mad(y, cm_mad(y, cm_mad(y, CM_CUBIC_S03, row2), row1), row0);
-    CM_REAL xs = x * s;
-    return CM_NAME(cm_quotient)(x + xs, CM_LIT(1.0) + xs);
+    return CM_NAME(cm_cubic_first)(x,
+                                   cm_mad(y, cm_mad(y, cm_mad(y, CM_CUBIC_S03, row2), row1), row0));
 }
 
 /* u^2 and v^2, and there C(u^2, v^2) and C(v^2, u^2), to first order. */
@@ -120,12 +126,12 @@ CM_STRUCT(cm_cubic_step)
 }
 CM_STRUCT_END(cm_cubic_step)
 
-/* One Newton step from (a, b). */
+/* One Newton step from (a, b), where C is f, and with a and b swapped g. What C is does not matter here and
+ * below: coupled-lean has another. */
 CM_FN CM_NAME(cm_cubic_step)
-    CM_NAME(cm_cubic_newton)(CM_REAL x, CM_REAL y, CM_REAL a, CM_REAL b, CM_NAME(cm_constants) k)
+    CM_NAME(cm_cubic_solve)(CM_REAL x, CM_REAL y, CM_REAL a, CM_REAL b, CM_NAME(cm_cubic_value) f,
+                            CM_NAME(cm_cubic_value) g)
 {
-    CM_NAME(cm_cubic_value) f = CM_NAME(cm_cubic_evaluate)(a, b, k);
-    CM_NAME(cm_cubic_value) g = CM_NAME(cm_cubic_evaluate)(b, a, k);
     CM_REAL x1 = x * (CM_LIT(1.0) - a);
     CM_REAL y1 = y * (CM_LIT(1.0) - b);
     CM_REAL f_rest = cm_mad(x1, f.c, x - a);
@@ -145,6 +151,31 @@ CM_FN CM_NAME(cm_cubic_step)
     return r;
 }
 
+/* u = p sqrt((1 + C) / (1 + X C)), v likewise */
+CM_FN CM_NAME(cm_uv) CM_NAME(cm_cubic_finish)(CM_REAL p, CM_REAL q, CM_NAME(cm_cubic_step) r)
+{
+    CM_REAL a = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
+    CM_REAL b = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
+    return CM_NAME(cm_make_uv)(
+        CM_NAME(cm_divide_by_root)(p, -CM_NAME(cm_quotient)(a * r.c, CM_LIT(1.0) + r.c)),
+        CM_NAME(cm_divide_by_root)(q, -CM_NAME(cm_quotient)(b * r.d, CM_LIT(1.0) + r.d)));
+}
+
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_cubic_unwarp)(CM_REAL u, CM_REAL v, CM_REAL c, CM_REAL d)
+{
+    CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
+    CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
+    return CM_NAME(cm_make_pq)(CM_NAME(cm_divide_by_root)(u, a * c),
+                               CM_NAME(cm_divide_by_root)(v, b * d));
+}
+
+CM_FN CM_NAME(cm_cubic_step)
+    CM_NAME(cm_cubic_newton)(CM_REAL x, CM_REAL y, CM_REAL a, CM_REAL b, CM_NAME(cm_constants) k)
+{
+    return CM_NAME(cm_cubic_solve)(x, y, a, b, CM_NAME(cm_cubic_evaluate)(a, b, k),
+                                   CM_NAME(cm_cubic_evaluate)(b, a, k));
+}
+
 CM_FN CM_NAME(cm_uv)
     CM_NAME(cm_coupled_cubic_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
 {
@@ -159,12 +190,7 @@ CM_FN CM_NAME(cm_uv)
     r = CM_NAME(cm_cubic_newton)(x, y, r.a, r.b, k);
     r = CM_NAME(cm_cubic_newton)(x, y, r.a, r.b, k);
 #endif
-    CM_REAL a = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
-    CM_REAL b = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
-    /* u = p sqrt((1 + C) / (1 + X C)) */
-    return CM_NAME(cm_make_uv)(
-        CM_NAME(cm_divide_by_root)(p, -CM_NAME(cm_quotient)(a * r.c, CM_LIT(1.0) + r.c)),
-        CM_NAME(cm_divide_by_root)(q, -CM_NAME(cm_quotient)(b * r.d, CM_LIT(1.0) + r.d)));
+    return CM_NAME(cm_cubic_finish)(p, q, r);
 }
 
 CM_FN CM_NAME(cm_pq)
@@ -172,27 +198,20 @@ CM_FN CM_NAME(cm_pq)
 {
     CM_REAL x = u * u;
     CM_REAL y = v * v;
-    CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
-    CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
-    return CM_NAME(cm_make_pq)(
-        CM_NAME(cm_divide_by_root)(u, a * CM_NAME(cm_cubic_evaluate)(x, y, k).c),
-        CM_NAME(cm_divide_by_root)(v, b * CM_NAME(cm_cubic_evaluate)(y, x, k).c));
+    return CM_NAME(cm_cubic_unwarp)(u, v, CM_NAME(cm_cubic_evaluate)(x, y, k).c,
+                                    CM_NAME(cm_cubic_evaluate)(y, x, k).c);
 }
 
 /* As in coupled: with g = 1 + (1 - u^2) C and C_u, C_v the derivatives of C by u^2 and v^2,
  * p_u = (1 + C - u^2 (1 - u^2) C_u) g^(-3/2), p_v = -u v (1 - u^2) C_v g^(-3/2), and that matrix is
  * inverted. Its determinant is far from 0. */
-CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_coupled_cubic_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u,
-                                                              CM_REAL v, CM_NAME(cm_constants) k)
+CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_cubic_matrix)(CM_REAL u, CM_REAL v, CM_NAME(cm_cubic_value) c,
+                                                    CM_NAME(cm_cubic_value) d)
 {
-    CM_UNUSED(p);
-    CM_UNUSED(q);
     CM_REAL x = u * u;
     CM_REAL y = v * v;
     CM_REAL a = (CM_LIT(1.0) - u) * (CM_LIT(1.0) + u);
     CM_REAL b = (CM_LIT(1.0) - v) * (CM_LIT(1.0) + v);
-    CM_NAME(cm_cubic_value) c = CM_NAME(cm_cubic_evaluate)(x, y, k);
-    CM_NAME(cm_cubic_value) d = CM_NAME(cm_cubic_evaluate)(y, x, k);
     CM_REAL g = CM_LIT(1.0) + a * c.c;
     CM_REAL h = CM_LIT(1.0) + b * d.c;
     CM_REAL cross_a = (u * v) * (a * c.c_y);
@@ -204,6 +223,15 @@ CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_coupled_cubic_jacobian)(CM_REAL p, CM_REAL
     CM_REAL h_power = (h * cm_sqrt(h)) * scale;
     return CM_NAME(cm_make_jacobian)(own_b * g_power, cross_a * h_power, cross_b * g_power,
                                      own_a * h_power);
+}
+
+CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_coupled_cubic_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u,
+                                                              CM_REAL v, CM_NAME(cm_constants) k)
+{
+    CM_UNUSED(p);
+    CM_UNUSED(q);
+    return CM_NAME(cm_cubic_matrix)(u, v, CM_NAME(cm_cubic_evaluate)(u * u, v * v, k),
+                                    CM_NAME(cm_cubic_evaluate)(v * v, u * u, k));
 }
 
 #endif
