@@ -184,7 +184,7 @@ typedef struct subject
     cm_constants_f64 constants;
     cm_constants_f32 narrow; /* those of double, rounded, as in the library */
     quad_mapping truth;
-    int creased;  /* on the diagonals */
+    int creased;  /* on the diagonals; seamless only in its third derivatives */
     int cornered; /* not smooth at the corners */
     int sliced;   /* creased on the axes as well */
     int infinite; /* there */
@@ -279,7 +279,7 @@ static subject make_subject(const char *specification)
                                   (float)k.k4, (float)k.k5, (float)k.k6, (float)k.variant};
     s.truth = quad_from(mapping);
     s.sliced = strcmp(identifier, "slice") == 0;
-    s.creased = s.sliced || strcmp(identifier, "qsc") == 0;
+    s.creased = s.sliced || strcmp(identifier, "qsc") == 0 || strcmp(identifier, "seamless") == 0;
     s.infinite = strcmp(identifier, "conformal") == 0;
     s.cornered = s.infinite || s.sliced || strcmp(identifier, "difference") == 0;
     s.signs = s.creased || strstr(identifier, "cobe") != NULL ||

@@ -17,7 +17,7 @@ CM_WARP(coupled_lean,
         .smooth_edge = CM_SMOOTH_C0,
         .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
                    .relative = 6},
-        .fast = 0)
+        .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else
 

@@ -24,9 +24,9 @@ CM_WARP(seamless,
         .properties = CM_EQUAL_AREA,
         .smooth_face = CM_SMOOTH_C1,
         .smooth_edge = CM_SMOOTH_C0,
-        .bounds = {.round_trip = 7, .plane_round_trip = 8, .forward = 4, .inverse = 5,
-                   .relative = 10},
-        .fast = 0)
+        .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
+                   .relative = 6},
+        .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */
 #else
 
@@ -103,39 +103,29 @@ CM_FN CM_NAME(cm_seamless_value)
     return r;
 }
 
-/* beta over X (1 - X), of X - 1/2 */
-CM_FN CM_NAME(cm_seamless_value) CM_NAME(cm_seamless_beta)(CM_REAL s)
+/* beta over X (1 - X), of X - 1/2; in double to 1e-11 only */
+CM_FN CM_NAME(cm_seamless_value) CM_NAME(cm_seamless_rough_beta)(CM_REAL s)
 {
     CM_REAL z = s * s;
     CM_NAME(cm_seamless_value) even;
     CM_NAME(cm_seamless_value) odd;
 #if CM_REAL_BITS == 64
-    even = CM_NAME(cm_seamless_first)(z, CM_LIT(3.0947580490379635e-2),
-                                      CM_LIT(-4.2868466943873900e-3));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-1.2753826160635790e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(3.7482597228851333e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-6.4929559565064235e-3));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(3.1696135423148177e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-4.4321996319849649e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(5.0752964642761272e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(6.3071491034526576e-3));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-3.5625855398817192e-3));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-2.5905096389622413e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(2.0470142180484468e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(5.3584908632014316e-2));
-    odd = CM_NAME(cm_seamless_first)(z, CM_LIT(-3.4037847314625391e-2),
-                                     CM_LIT(3.6553530284581387e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-4.7909821997068953e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(7.4036415933657401e-3));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-5.1796946735291460e-3));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-1.6695987457238943e-3));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-2.0716144097878794e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-3.0670196936883661e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(5.0508447440898226e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-3.6701552586596728e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(4.0128737276351138e-3));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-5.4226525203866498e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(3.8245837667852334e-2));
+    even = CM_NAME(cm_seamless_first)(z, CM_LIT(4.4702441173593108e-2),
+                                      CM_LIT(-5.2081332550192372e-2));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(5.2643815688566638e-2));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(6.0690558223565260e-3));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-3.5467990765640635e-3));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-2.5905601580725256e-2));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(2.0470148267367910e-2));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(5.3584908620098008e-2));
+    odd = CM_NAME(cm_seamless_first)(z, CM_LIT(-1.2916554980453946e-2),
+                                     CM_LIT(-1.4724550891326181e-2));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-3.2118126729723313e-2));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(5.0691541637047949e-2));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-3.6713754723208189e-2));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(4.0132657144368224e-3));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-5.4226529936895106e-2));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(3.8245837677122085e-2));
 #else
     even = CM_NAME(cm_seamless_first)(z, CM_LIT(3.02835442e-2), CM_LIT(1.05786417e-2));
     even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-3.98565410e-3));
@@ -150,39 +140,29 @@ CM_FN CM_NAME(cm_seamless_value) CM_NAME(cm_seamless_beta)(CM_REAL s)
     return CM_NAME(cm_seamless_join)(s, even, odd);
 }
 
-/* gamma over X (1 - X) */
-CM_FN CM_NAME(cm_seamless_value) CM_NAME(cm_seamless_gamma)(CM_REAL s)
+/* gamma over X (1 - X), likewise */
+CM_FN CM_NAME(cm_seamless_value) CM_NAME(cm_seamless_rough_gamma)(CM_REAL s)
 {
     CM_REAL z = s * s;
     CM_NAME(cm_seamless_value) even;
     CM_NAME(cm_seamless_value) odd;
 #if CM_REAL_BITS == 64
-    even = CM_NAME(cm_seamless_first)(z, CM_LIT(-1.6778245305939608e-2),
-                                      CM_LIT(8.4751089783436360e-4));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(1.0819163963670383e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-2.4289056343132002e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(5.6661550521279165e-3));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-1.9661089821639135e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(3.1316143457433256e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-3.1664350523110889e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-1.4513975705553617e-3));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(5.8489945181390765e-3));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(2.3107446643341682e-2));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-7.1448281473856547e-3));
-    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-3.2598683080814247e-2));
-    odd = CM_NAME(cm_seamless_first)(z, CM_LIT(1.9014440583538850e-2),
-                                     CM_LIT(-2.2437371937147919e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(2.9739118593110059e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-5.5817648367598154e-3));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(2.2080738561666056e-3));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-2.4086989718388139e-4));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(1.2196856201068517e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(1.8494515626360172e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-3.6086324971679205e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(2.1275289000288623e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-6.9243228204559698e-3));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(3.1396882317045745e-2));
-    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-4.3502006812938636e-2));
+    even = CM_NAME(cm_seamless_first)(z, CM_LIT(-2.6014306345715946e-2),
+                                      CM_LIT(3.5379004148817089e-2));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-3.2670451151281837e-2));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-1.3239009611514443e-3));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(5.8405147470293427e-3));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(2.3107718449461127e-2));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-7.1448314248326759e-3));
+    even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(-3.2598683074397020e-2));
+    odd =
+        CM_NAME(cm_seamless_first)(z, CM_LIT(5.0935400755194272e-3), CM_LIT(9.2396231274162657e-3));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(1.9221932345265411e-2));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-3.6179184864563362e-2));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(2.1281511754979138e-2));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-6.9245233638462961e-3));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(3.1396884742407795e-2));
+    odd = CM_NAME(cm_seamless_next)(odd, z, CM_LIT(-4.3502006817690252e-2));
 #else
     even = CM_NAME(cm_seamless_first)(z, CM_LIT(-1.61719974e-2), CM_LIT(-4.81973495e-3));
     even = CM_NAME(cm_seamless_next)(even, z, CM_LIT(6.19122386e-3));
@@ -196,6 +176,72 @@ CM_FN CM_NAME(cm_seamless_value) CM_NAME(cm_seamless_gamma)(CM_REAL s)
 #endif
     return CM_NAME(cm_seamless_join)(s, even, odd);
 }
+
+#if CM_REAL_BITS == 64
+
+/* beta over X (1 - X) */
+CM_FN CM_REAL CM_NAME(cm_seamless_beta)(CM_REAL s)
+{
+    CM_REAL z = s * s;
+    CM_REAL even = cm_mad(z, CM_LIT(3.0947580490379635e-2), CM_LIT(-4.2868466943873900e-3));
+    even = cm_mad(z, even, CM_LIT(-1.2753826160635790e-2));
+    even = cm_mad(z, even, CM_LIT(3.7482597228851333e-2));
+    even = cm_mad(z, even, CM_LIT(-6.4929559565064235e-3));
+    even = cm_mad(z, even, CM_LIT(3.1696135423148177e-2));
+    even = cm_mad(z, even, CM_LIT(-4.4321996319849649e-2));
+    even = cm_mad(z, even, CM_LIT(5.0752964642761272e-2));
+    even = cm_mad(z, even, CM_LIT(6.3071491034526576e-3));
+    even = cm_mad(z, even, CM_LIT(-3.5625855398817192e-3));
+    even = cm_mad(z, even, CM_LIT(-2.5905096389622413e-2));
+    even = cm_mad(z, even, CM_LIT(2.0470142180484468e-2));
+    even = cm_mad(z, even, CM_LIT(5.3584908632014316e-2));
+    CM_REAL odd = cm_mad(z, CM_LIT(-3.4037847314625391e-2), CM_LIT(3.6553530284581387e-2));
+    odd = cm_mad(z, odd, CM_LIT(-4.7909821997068953e-2));
+    odd = cm_mad(z, odd, CM_LIT(7.4036415933657401e-3));
+    odd = cm_mad(z, odd, CM_LIT(-5.1796946735291460e-3));
+    odd = cm_mad(z, odd, CM_LIT(-1.6695987457238943e-3));
+    odd = cm_mad(z, odd, CM_LIT(-2.0716144097878794e-2));
+    odd = cm_mad(z, odd, CM_LIT(-3.0670196936883661e-2));
+    odd = cm_mad(z, odd, CM_LIT(5.0508447440898226e-2));
+    odd = cm_mad(z, odd, CM_LIT(-3.6701552586596728e-2));
+    odd = cm_mad(z, odd, CM_LIT(4.0128737276351138e-3));
+    odd = cm_mad(z, odd, CM_LIT(-5.4226525203866498e-2));
+    odd = cm_mad(z, odd, CM_LIT(3.8245837667852334e-2));
+    return cm_mad(s, odd, even);
+}
+
+/* gamma over X (1 - X) */
+CM_FN CM_REAL CM_NAME(cm_seamless_gamma)(CM_REAL s)
+{
+    CM_REAL z = s * s;
+    CM_REAL even = cm_mad(z, CM_LIT(-1.6778245305939608e-2), CM_LIT(8.4751089783436360e-4));
+    even = cm_mad(z, even, CM_LIT(1.0819163963670383e-2));
+    even = cm_mad(z, even, CM_LIT(-2.4289056343132002e-2));
+    even = cm_mad(z, even, CM_LIT(5.6661550521279165e-3));
+    even = cm_mad(z, even, CM_LIT(-1.9661089821639135e-2));
+    even = cm_mad(z, even, CM_LIT(3.1316143457433256e-2));
+    even = cm_mad(z, even, CM_LIT(-3.1664350523110889e-2));
+    even = cm_mad(z, even, CM_LIT(-1.4513975705553617e-3));
+    even = cm_mad(z, even, CM_LIT(5.8489945181390765e-3));
+    even = cm_mad(z, even, CM_LIT(2.3107446643341682e-2));
+    even = cm_mad(z, even, CM_LIT(-7.1448281473856547e-3));
+    even = cm_mad(z, even, CM_LIT(-3.2598683080814247e-2));
+    CM_REAL odd = cm_mad(z, CM_LIT(1.9014440583538850e-2), CM_LIT(-2.2437371937147919e-2));
+    odd = cm_mad(z, odd, CM_LIT(2.9739118593110059e-2));
+    odd = cm_mad(z, odd, CM_LIT(-5.5817648367598154e-3));
+    odd = cm_mad(z, odd, CM_LIT(2.2080738561666056e-3));
+    odd = cm_mad(z, odd, CM_LIT(-2.4086989718388139e-4));
+    odd = cm_mad(z, odd, CM_LIT(1.2196856201068517e-2));
+    odd = cm_mad(z, odd, CM_LIT(1.8494515626360172e-2));
+    odd = cm_mad(z, odd, CM_LIT(-3.6086324971679205e-2));
+    odd = cm_mad(z, odd, CM_LIT(2.1275289000288623e-2));
+    odd = cm_mad(z, odd, CM_LIT(-6.9243228204559698e-3));
+    odd = cm_mad(z, odd, CM_LIT(3.1396882317045745e-2));
+    odd = cm_mad(z, odd, CM_LIT(-4.3502006812938636e-2));
+    return cm_mad(s, odd, even);
+}
+
+#endif
 
 /* C5 over X (C1 + C5 + C7) */
 CM_FN CM_NAME(cm_seamless_value) CM_NAME(cm_seamless_c5)(CM_REAL s)
@@ -305,12 +351,12 @@ CM_FN CM_NAME(cm_seamless_value) CM_NAME(cm_seamless_c7)(CM_REAL s)
     return CM_NAME(cm_seamless_join)(s, even, odd);
 }
 
-/* beta and gamma */
-CM_FN CM_NAME(cm_seamless_pair) CM_NAME(cm_seamless_bend)(CM_REAL x, CM_REAL edge)
+/* beta and gamma, good enough for slopes, and for a first step */
+CM_FN CM_NAME(cm_seamless_pair) CM_NAME(cm_seamless_rough)(CM_REAL x, CM_REAL edge)
 {
     CM_REAL s = x - CM_LIT(0.5);
-    CM_NAME(cm_seamless_value) beta = CM_NAME(cm_seamless_beta)(s);
-    CM_NAME(cm_seamless_value) gamma = CM_NAME(cm_seamless_gamma)(s);
+    CM_NAME(cm_seamless_value) beta = CM_NAME(cm_seamless_rough_beta)(s);
+    CM_NAME(cm_seamless_value) gamma = CM_NAME(cm_seamless_rough_gamma)(s);
     CM_REAL inner = x * edge;
     CM_REAL x2 = CM_LIT(2.0) * x;
     CM_REAL lean = edge - x;
@@ -319,6 +365,19 @@ CM_FN CM_NAME(cm_seamless_pair) CM_NAME(cm_seamless_bend)(CM_REAL x, CM_REAL edg
     r.seven = inner * gamma.value;
     r.five_slope = x2 * cm_mad(inner, beta.slope, lean * beta.value);
     r.seven_slope = x2 * cm_mad(inner, gamma.slope, lean * gamma.value);
+    return r;
+}
+
+/* beta and gamma */
+CM_FN CM_NAME(cm_seamless_pair) CM_NAME(cm_seamless_bend)(CM_REAL x, CM_REAL edge)
+{
+    CM_NAME(cm_seamless_pair) r = CM_NAME(cm_seamless_rough)(x, edge);
+#if CM_REAL_BITS == 64
+    CM_REAL s = x - CM_LIT(0.5);
+    CM_REAL inner = x * edge;
+    r.five = inner * CM_NAME(cm_seamless_beta)(s);
+    r.seven = inner * CM_NAME(cm_seamless_gamma)(s);
+#endif
     return r;
 }
 
@@ -410,6 +469,11 @@ CM_FN CM_NAME(cm_seamless_pair) CM_NAME(cm_seamless_bend)(CM_REAL x, CM_REAL edg
     return r;
 }
 
+CM_FN CM_NAME(cm_seamless_pair) CM_NAME(cm_seamless_rough)(CM_REAL x, CM_REAL edge)
+{
+    return CM_NAME(cm_seamless_bend)(x, edge);
+}
+
 CM_FN CM_NAME(cm_seamless_pair) CM_NAME(cm_seamless_lead)(CM_REAL x)
 {
     CM_NAME(cm_seamless_series) s = CM_NAME(cm_seamless_define)(x);
@@ -438,8 +502,8 @@ CM_FN CM_REAL CM_NAME(cm_seamless_lack)(CM_REAL x, CM_REAL five, CM_REAL seven)
     return ((CM_LIT(1.0) - x) * (CM_LIT(1.0) + x)) * cm_mad(x2 * x2, seven, cm_mad(x2, both, both));
 }
 
-/* One step of third order, for C1 (1 + delta) + C5 t^4 (1 + delta)^5 + C7 t^6 (1 + delta)^7, less its value at
- * delta = 0, to be rest; five and seven are C5 t^4 and C7 t^6, one is C1. */
+/* One step of third order, for C1 (1 + delta) + C5 t^4 (1 + delta)^5 + C7 t^6 (1 + delta)^7, less its
+ * value at delta = 0, to be rest; five and seven are C5 t^4 and C7 t^6, one is C1. */
 CM_FN CM_REAL CM_NAME(cm_seamless_forward_step)(CM_REAL delta, CM_REAL rest, CM_REAL one,
                                                 CM_REAL five, CM_REAL seven)
 {
@@ -525,13 +589,11 @@ CM_STRUCT(cm_seamless_place)
 }
 CM_STRUCT_END(cm_seamless_place)
 
-/* One Newton step for u, with y = v / u. */
+/* One Newton step for u, with y = v / u; bend is of p^2, square. */
 CM_FN CM_NAME(cm_seamless_place)
-    CM_NAME(cm_seamless_inverse_step)(CM_NAME(cm_seamless_place) r, CM_REAL u, CM_REAL y)
+    CM_NAME(cm_seamless_inverse_step)(CM_NAME(cm_seamless_place) r, CM_REAL u, CM_REAL y,
+                                      CM_REAL square, CM_REAL edge, CM_NAME(cm_seamless_pair) bend)
 {
-    CM_REAL square = r.p * r.p;
-    CM_REAL edge = (CM_LIT(1.0) - r.p) * (CM_LIT(1.0) + r.p);
-    CM_NAME(cm_seamless_pair) bend = CM_NAME(cm_seamless_bend)(square, edge);
     CM_REAL five = CM_LIT(5.0) * bend.five;
     CM_REAL seven = CM_LIT(7.0) * bend.seven;
     CM_REAL m = CM_NAME(cm_seamless_stretch)(square, edge);
@@ -608,16 +670,28 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_seamless_inverse)(CM_REAL u, CM_REAL v, CM_NAME(
     CM_REAL minor = CM_SELECT(wide, abs_v, abs_u);
     CM_REAL y = minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
     CM_NAME(cm_seamless_place) r = CM_NAME(cm_seamless_inverse_start)(major, y);
-    r = CM_NAME(cm_seamless_inverse_step)(r, major, y);
-#if CM_REAL_BITS >= 64
-    r = CM_NAME(cm_seamless_inverse_step)(r, major, y);
-#endif
-#if CM_REAL_BITS > 64
-    r = CM_NAME(cm_seamless_inverse_step)(r, major, y);
-    r = CM_NAME(cm_seamless_inverse_step)(r, major, y);
-#endif
     CM_REAL square = r.p * r.p;
     CM_REAL edge = (CM_LIT(1.0) - r.p) * (CM_LIT(1.0) + r.p);
+    r = CM_NAME(cm_seamless_inverse_step)(r, major, y, square, edge,
+                                          CM_NAME(cm_seamless_rough)(square, edge));
+    square = r.p * r.p;
+    edge = (CM_LIT(1.0) - r.p) * (CM_LIT(1.0) + r.p);
+#if CM_REAL_BITS >= 64
+    r = CM_NAME(cm_seamless_inverse_step)(r, major, y, square, edge,
+                                          CM_NAME(cm_seamless_bend)(square, edge));
+    square = r.p * r.p;
+    edge = (CM_LIT(1.0) - r.p) * (CM_LIT(1.0) + r.p);
+#endif
+#if CM_REAL_BITS > 64
+    r = CM_NAME(cm_seamless_inverse_step)(r, major, y, square, edge,
+                                          CM_NAME(cm_seamless_bend)(square, edge));
+    square = r.p * r.p;
+    edge = (CM_LIT(1.0) - r.p) * (CM_LIT(1.0) + r.p);
+    r = CM_NAME(cm_seamless_inverse_step)(r, major, y, square, edge,
+                                          CM_NAME(cm_seamless_bend)(square, edge));
+    square = r.p * r.p;
+    edge = (CM_LIT(1.0) - r.p) * (CM_LIT(1.0) + r.p);
+#endif
     CM_REAL m = CM_NAME(cm_seamless_stretch)(square, edge);
     CM_REAL m1 = CM_LIT(1.0) + m;
     CM_REAL x = CM_NAME(cm_quotient)(y, cm_mad(r.excess, m1, m1));
@@ -636,8 +710,8 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_seamless_inverse)(CM_REAL u, CM_REAL v, CM_NAME(
 }
 
 /* In the octant, with n(x) = C1 + 5 C5 x^4 + 7 C7 x^6 in units of C1 + C5 + C7 and c = 6 / pi,
- *     v_q = M (1 + X) sqrt(omega) / (w^(3/2) n),   S_pv = c / (w^(3/2) v_q),   S_vv = 20 beta x^3 + 42 gamma x^5,
- *     u_q = S_vv v_q,   u_p = S_pv + S_vv v_p,
+ *     v_q = M (1 + X) sqrt(omega) / (w^(3/2) n),   S_pv = c / (w^(3/2) v_q),
+ *     S_vv = 20 beta x^3 + 42 gamma x^5,   u_q = S_vv v_q,   u_p = S_pv + S_vv v_p,
  * and v_p from the derivative of x by p at constant q. On a diagonal the two octants have the same matrix. */
 CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_seamless_jacobian)(CM_REAL p, CM_REAL q, CM_REAL u, CM_REAL v,
                                                          CM_NAME(cm_constants) k)
