@@ -29,7 +29,7 @@
  *   accuracy    with the standard parameters u, v and the components of a direction are within 8 eps
  *               of the truth, eps = 2^-53 in double, 2^-24 in float, and 16 eps of their own size; a
  *               direction comes back from a round trip within 5 nm on Earth in double, 1e-6 rad in
- *               float (quincuncial: 5.5 nm; maps of the whole sphere and other pairs of parts: 10 nm);
+ *               float (quincuncial: 5.5 nm; maps of the whole sphere and other pairs of parts: 15 nm);
  *               the tier fast is less accurate (options.h). cm_mapping_info.bounds has the bounds of
  *               each mapping, docs/certificate.md the errors themselves, and those of other parameters
  *   flat laws   where the radius of an azimuthal projection hardly grows with the angle, a rounding of u and v

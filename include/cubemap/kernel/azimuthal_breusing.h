@@ -60,11 +60,12 @@ CM_FN CM_NAME(cm_angle)
     CM_REAL sine_ratio = (CM_LIT(2.0) * k.k3) * over;             /* sin(t / 2) / r */
     CM_REAL apart = (k.k4 * rim) * ((CM_LIT(1.0) + k.k1) * over); /* cos(t / 2) - cos(t0 / 2) */
     CM_REAL sine_square = (sine_ratio * sine_ratio) * square;
+    /* beyond the equator both ways end alike; up to it the second has the digits of the cosine */
+    CM_REAL most = CM_SELECT(cm_less(k.k2, CM_LIT(0.0)), CM_LIT(0.5), CM_LIT(0.25));
     CM_NAME(cm_angle) r;
     r.ratio = CM_LIT(2.0) * (sine_ratio * half_cosine);
-    r.cosine =
-        CM_SELECT(cm_less(sine_square, CM_LIT(0.25)), CM_LIT(1.0) - CM_LIT(2.0) * sine_square,
-                  k.k2 + CM_LIT(2.0) * (apart * (half_cosine + k.k1)));
+    r.cosine = CM_SELECT(cm_less(sine_square, most), CM_LIT(1.0) - CM_LIT(2.0) * sine_square,
+                         k.k2 + CM_LIT(2.0) * (apart * (half_cosine + k.k1)));
     r.slope = CM_LIT(2.0) * sine_ratio;
     return r;
 }
