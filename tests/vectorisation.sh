@@ -15,10 +15,13 @@ fi
 
 # NAME COUNT: the identifiers of the catalogue's rooms and the number of their variants
 rooms=$(sed -n 's/^#include "\(.*\)"$/\1/p' "$include/cubemap/kernel/catalogue.h" | while read -r file; do
-    sed -n 's/^CM_WARP_VARIANTS(\([a-z0-9_]*\),.*/\1 2/p; s/^CM_\(WARP\|SPHERE\)(\([a-z0-9_]*\),.*/\2 1/p' \
+    sed -n 's/^CM_WARP_VARIANTS(\([a-z0-9_]*\),.*/\1 2/p; s/^CM_\(WARP\|SPHERE\|SPHERE_CONSTANTS\)(\([a-z0-9_]*\),.*/\2 1/p' \
         "$include/cubemap/kernel/$file"
 done)
 variants=$(echo "$rooms" | awk '{sum += $2} END {print sum}')
+# and the loops of the parts of maps: four of a projection to the disc, three of a mapping to the square
+parts=$(cat "$include"/cubemap/kernel/*.h |
+    awk '/^CM_AZIMUTHAL\(/ {sum += 4} /^CM_SQUARE\(/ {sum += 3} END {print sum}')
 
 status=0
 for set in "$@"; do
@@ -31,9 +34,11 @@ for set in "$@"; do
     object=$build/libcubemap/libcubemap-$set.a.p/batch_$set.c.o
     for precision in in_f64 in_f32 fast; do
         expected=$((2 * variants))
-        [[ $precision != fast ]] || expected=$variants
+        expected_parts=$parts
+        [[ $precision != fast ]] || expected=$variants expected_parts=0
         objdump -d --no-show-raw-insn "$object" | awk -v set="$set" -v precision="$precision" \
-            -v register="$register" -v packed="$packed" -v expected="$expected" '
+            -v register="$register" -v packed="$packed" -v expected="$expected" \
+            -v expected_parts="$expected_parts" '
             function finish() {
                 if (name == "") return
                 if (vectors < 4) { print set ": " name " has no loop of vectors"; bad = 1 }
@@ -45,13 +50,13 @@ for set in "$@"; do
             }
             /^[0-9a-f]+ <.*>:$/ {
                 finish()
-                if ($2 ~ "^<(forward|inverse)_.*_" precision ">:$") {
+                if ($2 ~ "^<(forward|inverse|azimuthal|square)_.*_" precision ">:$") {
                     name = $2; vectors = divisions = roots = folded = 0; found[substr(name, 2, 7)]++
                 }
             }
             name != "" && /call|\tbl / { print set ": " name " calls: " $0; bad = 1 }
             # compilers fold functions with the same code into one
-            name != "" && /jmp.*<(forward|inverse)_[a-z0-9_]*>$/ { vectors = 4; folded = 1 }
+            name != "" && /jmp.*<(forward|inverse|azimuthal|square)_[a-z0-9_]*>$/ { vectors = 4; folded = 1 }
             name != "" && /\tv?f?div/ { divisions++ }
             name != "" && /\tv?f?sqrt/ { roots++ }
             name != "" && $0 ~ packed && $0 ~ register { vectors++ }
@@ -59,7 +64,10 @@ for set in "$@"; do
                 finish()
                 print set ", " precision ": " found["forward"] " forward and " found["inverse"] \
                     " inverse loops, " expected " expected"
-                exit bad || found["forward"] != expected || found["inverse"] != expected
+                found_parts = found["azimuth"] + found["square_"]
+                print set ", " precision ": " found_parts " loops of parts, " expected_parts " expected"
+                exit bad || found["forward"] != expected || found["inverse"] != expected || \
+                    found_parts != expected_parts
             }' || status=1
     done
 done
