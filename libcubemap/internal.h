@@ -208,6 +208,7 @@ struct cm_mapping
     double parameter[CM_PARAMETERS_MAX];
     size_t azimuthal; /* in the catalogue: the parts of a map that is made of parts */
     size_t square;
+    double area_scale; /* 6 / pi over the area of the map per area of what it shows of the sphere */
     int is_folded; /* both hemispheres go to the disc */
     int is_turned; /* the centre is not the north pole in longitude 0 */
     double axes_f64
@@ -238,6 +239,12 @@ const cm_batch_set *cm_batch_set_find(const char *name);
 
 /* frame must have passed cm_frame_check. */
 void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn);
+
+/* The mapping that a name stands for, NULL if there is none; *fixed is what an alias says after its colon,
+ * else "". */
+const cm_mapping_info *cm_catalogue_find_word(const char *name, size_t length, const char **fixed);
+
+size_t cm_catalogue_index(const cm_mapping_info *info);
 
 /* The length of the name in an alias of the catalogue, a word of whole characters: "asc:c=1" and
  * "peirce:stereographic,conformal" fix what is behind the last colon, "square:concentric" fixes nothing. */

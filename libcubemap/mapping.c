@@ -108,6 +108,23 @@ static void prepare(cm_mapping *mapping)
                                                 .variant = (float)k.variant};
 }
 
+/* A cube has 6 faces of area 4 for the sphere's 4 pi, a square one, rhealpix six of a quarter's side, and a disc
+ * pi for the 4 pi sin^2(t0 / 2) that it shows. */
+static double area_scale_of(const cm_mapping *mapping)
+{
+    const cm_mapping_info *info = mapping->info;
+    double half_sine = mapping->constants_f64.k0;
+    switch (info->kind)
+    {
+    case CM_KIND_AZIMUTHAL:
+        return 24.0 / 3.14159265358979323846 * half_sine * half_sine;
+    case CM_KIND_LAYOUT:
+        return strcmp(info->identifier, "rhealpix") == 0 ? 16.0 : 6.0;
+    default:
+        return 1.0;
+    }
+}
+
 /* The loops for the mapping's variant. */
 static void choose_loops(cm_mapping *mapping)
 {
@@ -182,6 +199,7 @@ cm_status cm_mapping_create_with(const char *specification, const cm_frame *fram
     int is_offered = made.info->fast != 0 && made.set->fast != NULL;
     made.tier = options == NULL || !is_offered ? CM_TIER_EXACT : options->tier;
     prepare(&made);
+    made.area_scale = area_scale_of(&made);
     choose_loops(&made);
     cm_mapping *kept = malloc(sizeof *kept);
     if (kept == NULL)

@@ -66,6 +66,10 @@ cm_status cm_survey_make(const cm_mapping *mapping, cm_quantity quantity,
     {
         return CM_ERROR_ARGUMENT;
     }
+    if (cm_mapping_describe(mapping)->kind != CM_KIND_CUBE)
+    {
+        return CM_ERROR_UNSUPPORTED;
+    }
     survey->mapping = mapping;
     survey->quantity = quantity;
     survey->measure = o->measure;

@@ -37,7 +37,7 @@ typedef struct cm_piece_points
     double weight[CM_PIECE_POINTS]; /* of the measure, per du dv */
 } cm_piece_points;
 
-/* CM_OK, or CM_ERROR_ARGUMENT. options may be NULL. */
+/* CM_OK, CM_ERROR_ARGUMENT, or CM_ERROR_UNSUPPORTED. options may be NULL. */
 cm_status cm_survey_make(const cm_mapping *mapping, cm_quantity quantity,
                          const cm_statistics_options *options, cm_survey *survey);
 

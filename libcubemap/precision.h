@@ -313,6 +313,10 @@ static void distort_block(const cm_mapping *mapping, int of_tangents, size_t pad
         column[k] = wanted[k] != NULL && n == padded ? wanted[k] + at : b->column[k];
     }
     mapping->set->CM_NAME(indicatrices)(of_tangents, padded, jacobian, column);
+    for (size_t i = 0; i < padded && mapping->area_scale != 1.0; i++)
+    {
+        column[5][i] *= (CM_REAL)mapping->area_scale;
+    }
     for (int k = 0; k < CM_DISTORTION_COLUMNS && n < padded; k++)
     {
         if (wanted[k] != NULL)

@@ -63,10 +63,14 @@ cm_status cm_distortion_statistics(const cm_mapping *mapping, cm_quantity quanti
                                    const cm_statistics_options *options, cm_statistics *statistics)
 {
     cm_survey survey;
-    if (statistics == NULL || statistics->size != sizeof *statistics ||
-        cm_survey_make(mapping, quantity, options, &survey) != CM_OK)
+    if (statistics == NULL || statistics->size != sizeof *statistics)
     {
         return CM_ERROR_ARGUMENT;
+    }
+    cm_status status = cm_survey_make(mapping, quantity, options, &survey);
+    if (status != CM_OK)
+    {
+        return status;
     }
     cm_statistics s = {.size = sizeof s,
                        .ideal = survey.ideal,
@@ -188,8 +192,7 @@ cm_status cm_distortion_percentiles(const cm_mapping *mapping, cm_quantity quant
                                     const double *percent, double *value, double *doubt)
 {
     cm_survey survey;
-    if (cm_survey_make(mapping, quantity, options, &survey) != CM_OK ||
-        (options != NULL && options->pixels != 0) ||
+    if ((options != NULL && options->pixels != 0) ||
         (count > 0 && (percent == NULL || value == NULL)))
     {
         return CM_ERROR_ARGUMENT;
@@ -200,6 +203,11 @@ cm_status cm_distortion_percentiles(const cm_mapping *mapping, cm_quantity quant
         {
             return CM_ERROR_ARGUMENT;
         }
+    }
+    cm_status status = cm_survey_make(mapping, quantity, options, &survey);
+    if (status != CM_OK)
+    {
+        return status;
     }
     sample *samples = malloc((size_t)CM_PIECES * SAMPLES * SAMPLES * sizeof *samples);
     if (samples == NULL)

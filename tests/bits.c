@@ -50,17 +50,46 @@ static uint64_t hash(uint64_t state, const void *data, size_t size)
     return state;
 }
 
+/* Processors give NaN different signs. */
+static void settle(double *values, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        values[i] = isnan(values[i]) ? (double)NAN : values[i];
+    }
+}
+
+static void settle_float(float *values, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        values[i] = isnan(values[i]) ? (float)NAN : values[i];
+    }
+}
+
 static uint64_t hash_double(const cm_mapping *mapping)
 {
     double *const to[6] = {jacobian[0], jacobian[1], jacobian[2],
                            jacobian[3], jacobian[4], jacobian[5]};
+    if (cm_mapping_describe(mapping)->kind == CM_KIND_DISC_SQUARE)
+    {
+        double *const of_warp[4] = {jacobian[0], jacobian[1], jacobian[2], jacobian[3]};
+        (void)cm_warp_array(mapping, COUNT, d[0], d[1], uv[0], uv[1]);
+        (void)cm_unwarp_array(mapping, COUNT, d[0], d[1], back[0], back[1]);
+        (void)cm_warp_jacobian_array(mapping, COUNT, d[0], d[1], of_warp);
+        settle(jacobian[0], 4 * (size_t)COUNT);
+        return hash(hash(hash(14695981039346656037u, uv, sizeof uv), back, 2 * sizeof back[0]),
+                    jacobian, 4 * sizeof jacobian[0]);
+    }
     cm_forward_array(mapping, COUNT, d[0], d[1], d[2], face, uv[0], uv[1]);
     cm_inverse_array(mapping, COUNT, face, uv[0], uv[1], back[0], back[1], back[2]);
     uint64_t state = hash(14695981039346656037u, face, sizeof face);
     state = hash(hash(state, uv, sizeof uv), back, sizeof back);
     cm_forward_jacobian_array(mapping, COUNT, d[0], d[1], d[2], to);
+    settle(jacobian[0], 6 * (size_t)COUNT);
     state = hash(state, jacobian, sizeof jacobian);
     cm_inverse_jacobian_array(mapping, COUNT, face, uv[0], uv[1], to);
+    settle(jacobian[0], 6 * (size_t)COUNT);
     return hash(state, jacobian, sizeof jacobian);
 }
 
@@ -68,14 +97,28 @@ static uint64_t hash_float(const cm_mapping *mapping)
 {
     float *const to[6] = {jacobian_f32[0], jacobian_f32[1], jacobian_f32[2],
                           jacobian_f32[3], jacobian_f32[4], jacobian_f32[5]};
+    if (cm_mapping_describe(mapping)->kind == CM_KIND_DISC_SQUARE)
+    {
+        float *const of_warp[4] = {jacobian_f32[0], jacobian_f32[1], jacobian_f32[2],
+                                   jacobian_f32[3]};
+        (void)cm_warp_array_f32(mapping, COUNT, d_f32[0], d_f32[1], uv_f32[0], uv_f32[1]);
+        (void)cm_unwarp_array_f32(mapping, COUNT, d_f32[0], d_f32[1], back_f32[0], back_f32[1]);
+        (void)cm_warp_jacobian_array_f32(mapping, COUNT, d_f32[0], d_f32[1], of_warp);
+        settle_float(jacobian_f32[0], 4 * (size_t)COUNT);
+        return hash(hash(hash(14695981039346656037u, uv_f32, sizeof uv_f32), back_f32,
+                         2 * sizeof back_f32[0]),
+                    jacobian_f32, 4 * sizeof jacobian_f32[0]);
+    }
     cm_forward_array_f32(mapping, COUNT, d_f32[0], d_f32[1], d_f32[2], face, uv_f32[0], uv_f32[1]);
     cm_inverse_array_f32(mapping, COUNT, face, uv_f32[0], uv_f32[1], back_f32[0], back_f32[1],
                          back_f32[2]);
     uint64_t state = hash(14695981039346656037u, face, sizeof face);
     state = hash(hash(state, uv_f32, sizeof uv_f32), back_f32, sizeof back_f32);
     cm_forward_jacobian_array_f32(mapping, COUNT, d_f32[0], d_f32[1], d_f32[2], to);
+    settle_float(jacobian_f32[0], 6 * (size_t)COUNT);
     state = hash(state, jacobian_f32, sizeof jacobian_f32);
     cm_inverse_jacobian_array_f32(mapping, COUNT, face, uv_f32[0], uv_f32[1], to);
+    settle_float(jacobian_f32[0], 6 * (size_t)COUNT);
     return hash(state, jacobian_f32, sizeof jacobian_f32);
 }
 

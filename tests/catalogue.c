@@ -34,6 +34,13 @@ START_TEST(descriptors_are_complete)
 }
 END_TEST
 
+/* Where a rounding of u and v is far more on the sphere somewhere no round trip is promised: catalogue.h. */
+static int is_flat(const cm_mapping_info *info)
+{
+    return strcmp(info->identifier, "border") == 0 ||
+           strcmp(info->identifier, "azimuthal:orthographic") == 0;
+}
+
 /* What the project promises of every mapping; bench/certificate holds the mappings to their bounds. */
 START_TEST(bounds_keep_the_promise)
 {
@@ -41,17 +48,32 @@ START_TEST(bounds_keep_the_promise)
     for (size_t i = 0; i < cm_catalogue_count(); i++)
     {
         const cm_bounds *bounds = &at(i)->bounds;
-        double most = at(i)->family == CM_FAMILY_UNIVARIATE ? 2.0 : 5.0;
-        ck_assert_msg(bounds->round_trip > 0.0 && bounds->round_trip * earth_nanometres <= most,
+        /* three parts in a row have the roundings of three */
+        double most = at(i)->family == CM_FAMILY_UNIVARIATE ? 2.0
+                      : at(i)->parts != NULL                ? 5.5
+                                                            : 5.0;
+        int is_stated = bounds->round_trip > 0.0;
+        ck_assert_msg(is_stated != is_flat(at(i)) && bounds->round_trip * earth_nanometres <= most,
                       "%s: %g nm", at(i)->identifier, bounds->round_trip * earth_nanometres);
         ck_assert(bounds->round_trip * 0x1p-24 <= 1e-6);
         ck_assert(bounds->plane_round_trip > 0.0);
         ck_assert(bounds->forward > 0.0 && bounds->forward <= 8.0);
         ck_assert(bounds->inverse > 0.0 && bounds->inverse <= 8.0);
-        ck_assert(bounds->relative > 0.0 && bounds->relative <= 16.0);
+        ck_assert((bounds->relative > 0.0 || at(i)->kind == CM_KIND_LAYOUT) && bounds->relative <= 16.0);
     }
 }
 END_TEST
+
+/* Where an alias fixes parameters or parts, which are not its name: "asc:c=1", "peirce:stereographic,..."; the
+ * colon of "azimuthal:lambert" fixes nothing. */
+static void cut_name(char *name)
+{
+    char *colon = strrchr(name, ':');
+    if (colon != NULL && strpbrk(colon, "=,") != NULL)
+    {
+        *colon = '\0';
+    }
+}
 
 START_TEST(names_are_unique_and_found)
 {
@@ -62,7 +84,7 @@ START_TEST(names_are_unique_and_found)
         for (char *name = strtok(names, " "); name != NULL; name = strtok(NULL, " "))
         {
             char upper[64];
-            name[strcspn(name, ":")] = '\0';
+            cut_name(name);
             ck_assert_msg(cm_catalogue_find(name) == at(i), "%s", name);
             size_t length = strlen(name);
             for (size_t c = 0; c <= length; c++)
@@ -271,6 +293,22 @@ START_TEST(standard_values)
 }
 END_TEST
 
+/* NAME:PARAMETER=VALUE; beta is of the mixture alone. */
+static void write_value(char *text, size_t size, const cm_mapping_info *info,
+                        const cm_parameter_info *p, double value)
+{
+    int needs_part = info->parts != NULL && strcmp(p->name, "beta") == 0;
+    snprintf(text, size, "%s:%s%s=%.17g", info->identifier, needs_part ? "mixture,shirley," : "",
+             p->name, value);
+}
+
+/* The value of an end of a range that another parameter excludes. */
+static int is_excluded(const cm_mapping_info *info, const cm_parameter_info *p)
+{
+    return p->low_excluded ||
+           (strcmp(info->identifier, "border") == 0 && strcmp(p->name, "beta") == 0);
+}
+
 /* every parameter at both ends of its range, and one step beyond */
 START_TEST(ranges_are_what_they_say)
 {
@@ -282,13 +320,13 @@ START_TEST(ranges_are_what_they_say)
             char text[128];
             double beyond = nextafter(p->high, INFINITY);
             double below = nextafter(p->low, -INFINITY);
-            snprintf(text, sizeof text, "%s:%s=%.17g", at(i)->identifier, p->name, p->high);
+            write_value(text, sizeof text, at(i), p, p->high);
             expect(text, CM_OK, "");
-            snprintf(text, sizeof text, "%s:%s=%.17g", at(i)->identifier, p->name, beyond);
+            write_value(text, sizeof text, at(i), p, beyond);
             expect(text, CM_ERROR_RANGE, p->name);
-            snprintf(text, sizeof text, "%s:%s=%.17g", at(i)->identifier, p->name, p->low);
-            expect(text, p->low_excluded ? CM_ERROR_RANGE : CM_OK, p->name);
-            snprintf(text, sizeof text, "%s:%s=%.17g", at(i)->identifier, p->name, below);
+            write_value(text, sizeof text, at(i), p, p->low);
+            expect(text, is_excluded(at(i), p) ? CM_ERROR_RANGE : CM_OK, p->name);
+            write_value(text, sizeof text, at(i), p, below);
             expect(text, CM_ERROR_RANGE, p->name);
         }
     }

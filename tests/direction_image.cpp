@@ -20,8 +20,6 @@
 
 #include <cubemap/cubemap.h>
 
-#include "cubes.h"
-
 namespace
 {
 
@@ -39,7 +37,7 @@ struct Shape
 {
     std::string specification; // "equirect", or a mapping
     std::string frame;
-    std::string layout; // faces, strip, cross
+    std::string layout; // faces, strip, cross; "-" for a mapping of one face
 };
 
 // Where each face stands in the cross, {column, row}.
@@ -127,7 +125,8 @@ public:
         return mapping != nullptr && of.layout == "faces";
     }
 
-    // The direction of a pixel's centre; false if there is none, as in the corners of a cross.
+    // The direction of a pixel's centre; false if there is none, as in the corners of a cross or
+    // beside a disc.
     bool direction(int file, const Image &image, int column, int row, double out[3]) const
     {
         if (mapping == nullptr)
@@ -143,7 +142,7 @@ public:
         const double down = (2.0 * (row % size) + 1) / size - 1;
         const double uv[2] = {(2.0 * (column % size) + 1) / size - 1, -first_row_v * down};
         cm_inverse(mapping, static_cast<std::uint8_t>(face), uv, out);
-        return face < 6;
+        return face < 6 && !std::isnan(out[0]);
     }
 
 private:
@@ -286,11 +285,17 @@ int describe(const std::string &name)
     return EXIT_SUCCESS;
 }
 
-int list_mappings()
+// Those of six faces, or of one.
+int list_mappings(bool charts)
 {
-    for (std::size_t i = 0; i < cube_count(); ++i)
+    for (std::size_t i = 0; i < cm_catalogue_count(); ++i)
     {
-        std::puts(cm_catalogue_at(i)->identifier);
+        const cm_mapping_info *const info = cm_catalogue_at(i);
+        const bool chart = info->kind == CM_KIND_AZIMUTHAL || info->kind == CM_KIND_LAYOUT;
+        if (charts ? chart : info->kind == CM_KIND_CUBE)
+        {
+            std::puts(info->identifier);
+        }
     }
     return EXIT_SUCCESS;
 }
@@ -299,12 +304,13 @@ int usage()
 {
     std::fputs("direction_image make SPEC FRAME LAYOUT SIZE FILE\n"
                "direction_image check SPEC FRAME LAYOUT FILE LARGEST MEAN\n"
-               "    SPEC is equirect (then FRAME and LAYOUT are -) or a mapping; %f in FILE\n"
-               "    stands for the face; check fails if an error is above LARGEST or their\n"
-               "    mean above MEAN\n"
+               "    SPEC is equirect or a mapping of one face (then FRAME and LAYOUT are -), or\n"
+               "    a mapping of the cube; %f in FILE stands for the face; check fails if an\n"
+               "    error is above LARGEST or their mean above MEAN\n"
                "direction_image constant WIDTH HEIGHT CHANNELS TYPE VALUE FILE [NAME=TEXT]...\n"
                "direction_image describe FILE\n"
-               "direction_image mappings\n",
+               "direction_image mappings\n"
+               "direction_image charts\n",
                stderr);
     return 2;
 }
@@ -330,7 +336,8 @@ int run(int argc, char **argv)
     {
         return describe(argv[2]);
     }
-    return command == "mappings" && argc == 2 ? list_mappings() : usage();
+    const bool charts = command == "charts";
+    return (charts || command == "mappings") && argc == 2 ? list_mappings(charts) : usage();
 }
 
 } // namespace

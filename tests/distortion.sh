@@ -174,6 +174,19 @@ talk()
     distortion -m tangent --size 8 --colors sequential-single:saturation=5 area.png >out.txt
     grep -q '% are outside sRGB and cut to it' out.txt
     result $? 'says which colours are cut' "$(cat out.txt)"
+    # over the means of a disc and of a square: (1 + r^2)^2 / 2, and 1
+    distortion -m azimuthal:stereographic --size 200 disc.png >out.txt
+    grep -q '^azimuthal:stereographic, area (D_A): 0\.5000[0-9]* to 1\.99[0-9]* at .*(200x200)$' out.txt
+    result $? 'areas of a disc, over their mean' "$(cat out.txt)"
+    distortion -m octahedral:clarberg --size 100 square.png >out.txt
+    grep -q '^octahedral:clarberg, area (D_A): 1 to 1 at' out.txt
+    result $? 'areas of a square' "$(cat out.txt)"
+    distortion -m azimuthal:lambert --quantity scale --size 50 disc.png >out.txt
+    grep -q 'scale (s): 0\.5 to 0\.5 at .*0\.125 to 2, logarithmic about 0\.5 ' out.txt
+    result $? 'the scale of a disc' "$(cat out.txt)"
+    distortion -m peirce --quantity texel-area --size 64 square.png >out.txt
+    grep -q 'texel-area (L_x L_y): 0\.00[0-9]* to 2\.18[0-9]* at' out.txt
+    result $? 'texels of a square' "$(cat out.txt)"
     local extension
     for extension in png jpg tif; do
         distortion --quiet -m gnomonic --range 1:4 --size 32 area.$extension
@@ -335,6 +348,11 @@ bad_arguments()
     fails 'unknown option' 2 "'--sise'" distortion --sise 5 made/a.png
     fails 'missing value' 2 '--size needs a value' distortion made/a.png --size
     fails 'value too many' 2 '--values takes no value' distortion --values=1 made/a.tif
+    fails 'layout of one face' 2 '--layout is for the six faces' \
+        distortion -m peirce --layout cross made/a.png
+    fails 'frame of one face' 2 '--frame is for the six faces' distortion -m peirce --frame gl made/a.png
+    fails 'face 1 of one' 2 '--face is for the six faces' distortion -m peirce --face 1 made/a.png
+    fails 'no sphere' 2 'joins disc and square' distortion -m square:radial made/a.png
     fails 'unknown mapping' 2 '-m: .*nonesuch' distortion -m nonesuch made/a.png
     fails 'parameter out of range' 2 '--mapping: ' distortion --mapping tangent:c=5 made/a.png
     fails 'unknown frame' 2 'geo, gl or fits' distortion --frame east made/a.png

@@ -90,6 +90,20 @@ bad_line()
         "<stdin>:3: $message" "$@"
 }
 
+# bad_pair NAME INPUT MESSAGE ARGUMENT...: the same where two numbers come from two, of the north pole or
+# the middle of the plane.
+bad_pair()
+{
+    local name=$1 input=$2 message=$3 point='0 90' result='0 0'
+    shift 3
+    case " $* " in
+    *' square:'*) point='0 0' ;;
+    *' -I '*) point='0 0' result='0 90' ;;
+    esac
+    expect "$name" 1 "$point\n$input\n$point\n" "$result\nnan nan\n$result\n" \
+        "<stdin>:2: $message" "$@"
+}
+
 # ---------------------------------------------------------------------------- points
 
 axes='0 0\n90 0\n180 0\n-90 0\n0 90\n0 -90\n'
@@ -122,6 +136,75 @@ expect 'minus zero is zero' 0 '0 -0 -0\n2 0 0\n' '0 0\n180 0\n' '' -I
 expect 'digits' 0 '1 2\n' '0 0.017 0.035\n' '' -m gnomonic --digits 2
 expect 'float has 9 digits' 0 '3 1 0\n' '0 0.333333343 0\n' '' -m gnomonic --input xyz --float
 expect 'double has 17 digits' 0 '1 3 0\n' '1 -0.33333333333333331 0\n' '' -m gnomonic --input xyz
+
+# ---------------------------------------------------------------------------- disc and square
+
+# The radius 0.5 becomes the larger coordinate.
+expect 'disc to square' 0 '0.3 0.4 a\n-0.4 0.3\n0 -1\n' '0.375 0.5 a\n-0.5 0.375\n0 -1\n' '' \
+    -m square:radial --digits 14
+expect 'square to disc' 0 '0.375 0.5 a\n-0.5 0.375\n1 1\n' \
+    '0.3 0.4 a\n-0.4 0.3\n0.707106781187 0.707106781187\n' '' -m square:radial -I --digits 12
+expect 'disc to square in float' 0 '0.3 0.4\n' '0.375 0.5\n' '' -m square:radial --float --digits 6
+expect 'square to disc in float' 0 '0.375 0.5\n' '0.3 0.4\n' '' -m square:radial --float -I --digits 6
+expect 'concentric' 0 '0.5 0\n0 -0.25\n0.5 0.5\n' \
+    '0.5 0\n0 -0.25\n0.707106781187 0.707106781187\n' '' -m square:concentric --digits 12
+bad_pair 'outside the disc' '0.8 0.9' 'the point .* is outside the disc' -m square:shirley
+bad_pair 'outside the square' '0 1.5' 'y, 1.5, is not in \[-1, 1\]' -m square:shirley -I
+bad_pair 'nan on the disc' 'nan 0' 'the point nan 0 is outside the disc' -m square:conformal
+bad_pair 'one number of a disc' '0.5' '1 of 2 numbers: a line is U V' -m square:conformal
+bad_pair 'one number of a square' '0.5' '1 of 2 numbers: a line is X Y' -m square:conformal -I
+
+# Equal angles about the pole, from south eastward; about other centres up is north.
+expect 'azimuthal, about the pole' 0 '0 90\n0 60\n90 60\n180 60\n-90 60\n-90 0\n' \
+    '0 0\n0 -0.333333333333\n0.333333333333 0\n0 0.333333333333\n-0.333333333333 0\n-1 0\n' '' \
+    -m azimuthal:equidistant --digits 12
+expect 'azimuthal, about another centre' 0 '90 0 here\n90 30\n90 -45\n120 0\n' \
+    '0 0 here\n0 0.333333333333\n0 -0.5\n0.333333333333 0\n' '' -m azimuthal:aeqd:lon=90,lat=0 \
+    --digits 12
+expect 'azimuthal, back' 0 '0 0\n0 0.5\n' '10 50\n-170 85\n' '' \
+    -m azimuthal:aeqd:lon=10,lat=50 -I --digits 12
+expect 'azimuthal, a direction' 0 '3 0 4\n' '0 -0.75\n' '' -m azimuthal:gnomonic --input xyz \
+    --digits 12
+expect 'azimuthal, back to a direction' 0 '0 -0.75\n' '0.6 0 0.8\n' '' -m azimuthal:gnomonic -I \
+    --output xyz --digits 12
+expect 'azimuthal, the whole sphere' 0 '90 0\n90 -90\n' '0.707106781187 0\n0 -1\n' '' \
+    -m azimuthal:lambert:full=1 --digits 12
+expect 'a field of view' 0 '90 0\n90 -20\n' '0.818181818182 0\n1 0\n' '' \
+    -m azimuthal:equidistant:fov=220 --digits 12
+bad_pair 'not in the hemisphere' '0 -1' 'the direction is not in the field of view of 180 degrees' \
+    -m azimuthal:lambert
+bad_pair 'not in the field of view' '0 30' '.*field of view of 100 degrees' -m azimuthal:lambert:fov=100
+bad_pair 'not in the field of view of the gnomonic' '0 -90' '.*field of view of 90 degrees' \
+    -m azimuthal:gnomonic
+bad_pair 'azimuthal, outside the disc' '0.6 -0.9' 'the point .* is outside the disc' \
+    -m azimuthal:orthographic -I
+bad_pair 'azimuthal, just outside the disc' '0 1.00000001' '.*outside the disc' \
+    -m azimuthal:orthographic -I
+bad_pair 'azimuthal, a word' '0 x' "'x' is not a number: a line is U V" -m azimuthal:orthographic -I
+awk 'BEGIN { for (i = 0; i < 360; i++) printf "%d 0\n", i }' >rim
+"$program" -m azimuthal:lambert --float rim | "$program" -m azimuthal:lambert --float -I >output \
+    2>errors && [ ! -s errors ] && [ "$(wc -l <output)" -eq 360 ]
+verdict 'the rim in float comes back'
+
+expect 'octahedral' 0 '0 90\n0 0\n90 0\n45 0\n' '0 0\n1 0\n0 1\n0.5 0.5\n' '' -m octahedral \
+    --digits 12
+expect 'octahedral, directions' 0 '1 1 2\n1 1 -2\n' '0.25 0.25\n0.75 0.75\n' '' -m oct \
+    --input xyz --digits 12
+expect 'octahedral, back' 0 '0.75 0.75\n-1 -1\n' '0.408248290464 0.408248290464 -0.816496580928\n0 0 -1\n' \
+    '' -m oct -I --output xyz --digits 12
+expect 'equal-area octahedral' 0 '0 90\n180 0\n-45 0\n' '0 0\n-1 0\n0.5 -0.5\n' '' \
+    -m octahedral:clarberg --digits 12
+expect 'quincuncial' 0 '0 90\n0 0\n45 0\n135 0\n' '0 0\n-0.5 -0.5\n0 -1\n1 0\n' '' -m peirce \
+    --digits 12
+expect 'quincuncial, back' 0 '0 0\n1 0\n0.75 0.75\n1 1\n' '0 90\n135 0\n180 -45\n0 -90\n' '' \
+    -m quincuncial:equidistant,radial -I --digits 12
+expect 'a pole at the border' 0 '0 90\n90 0\n45 0\n' \
+    '0 0\n0.707106781187 0\n0.707106781187 -0.707106781187\n' '' -m border:lambert,radial --digits 12
+expect 'a pole at the border, back' 0 '1 0.3\n0 0.25\n' '0 -90\n180 45\n' '' \
+    -m border:equidistant,shirley -I --digits 12
+bad_pair 'outside a layout' '-1.5 0' 'x, -1.5, is not in \[-1, 1\]' -m quincuncial -I
+bad_pair 'nan on a layout' '0 nan' 'y, nan, is not in \[-1, 1\]' -m octahedral -I
+bad_pair 'latitude of a layout' '0 100' 'the latitude, 100, .*' -m octahedral
 
 # ---------------------------------------------------------------------------- lines
 
@@ -296,6 +379,16 @@ usage_error 'input form' "--input is 'polar', not lonlat or xyz" --input polar
 usage_error 'output form' "--output is 'polar', not lonlat or xyz" -I --output polar
 usage_error '-I with --input' '--input has no meaning with -I.*' -I --input xyz
 usage_error '--output without -I' '--output has no meaning without -I.*' --output xyz
+usage_error '--frame of a disc' '--frame has no meaning with -m azimuthal:lambert, .*' \
+    -m azimuthal:lambert --frame geo
+usage_error '--frame of a square' '--frame has no meaning with -m peirce, .*' -m peirce --frame gl
+usage_error '--input of a disc' '--input has no meaning with -m square:radial, .*' \
+    -m square:radial --input xyz
+usage_error '--output of a square' '--output has no meaning with -m square:radial, .*' \
+    -m square:radial -I --output lonlat
+usage_error 'square of what' "-m square:round: after 'square:' comes one of radial.*" -m square:round
+usage_error 'azimuthal of what' "-m azimuthal: after 'azimuthal:' comes one of lambert.*" -m azimuthal
+usage_error 'no layout of that' '-m border:gnomonic,radial: .*whole sphere.*' -m border:gnomonic,radial
 usage_error 'unknown short option' 'there is no option -x; .*' -x
 usage_error 'unknown long option' 'there is no option --nothing, .*' --nothing
 usage_error 'ambiguous option' 'there is no option --in, or it is short for several.*' --in
@@ -332,6 +425,10 @@ fi
 
 "$program" --list >output && grep -q '^coupled ' output && grep -q '^geo ' output
 verdict '--list'
+[ "$(grep -c ':$' output)" -eq 6 ] && grep -q '^    also       peirce (stereographic,conformal)$' output &&
+    grep -q '^    also       square:concentric$' output && grep -q '^    parts      border:AZ' output &&
+    grep -q '^octahedral .* -  *octahedron' output
+verdict '--list by kinds'
 if command -v python3 >/dev/null; then
     "$program" --list=json >catalogue.json && python3 - >names <<'PYTHON'
 import json
@@ -342,24 +439,48 @@ assert [frame["identifier"] for frame in catalogue["frames"]] == ["geo", "gl", "
 for frame in catalogue["frames"]:
     assert len(frame["faces"]) == 6 and abs(frame["first_row_v"]) == 1
 for mapping in catalogue["mappings"]:
-    for key in ("name", "source", "family", "smooth_face", "smooth_edge"):
+    for key in ("name", "source", "family", "smooth_face"):
         assert mapping[key], key
+    assert mapping["kind"] in ("cube", "disc-square", "azimuthal", "layout")
+    assert (mapping["smooth_edge"] is None) == (mapping["kind"] != "cube")
+    assert mapping["parts"] is None or mapping["kind"] == "layout"
     assert isinstance(mapping["equal_area"], bool) and isinstance(mapping["conformal"], bool)
-    assert all(bound > 0 for bound in mapping["bounds_eps"].values())
+    # no relative bound where what is near the axes is not near 0
+    assert all(bound > 0 or (key == "relative" and mapping["kind"] == "layout")
+               for key, bound in mapping["bounds_eps"].items())
     for parameter in mapping["parameters"]:
         assert parameter["low"] <= parameter["standard"] <= parameter["high"]
-    print("\n".join([mapping["identifier"]] + mapping["aliases"]))
+    for name in [mapping["identifier"]] + mapping["aliases"]:
+        # as it can be given: values and parts behind the last colon belong to the alias
+        fixes = "=" in name or "," in name
+        print(mapping["kind"], name.rpartition(":")[0] if fixes else name)
+kinds = {mapping["identifier"]: mapping["kind"] for mapping in catalogue["mappings"]}
+assert kinds["coupled"] == "cube" and kinds["square:radial"] == "disc-square"
+assert kinds["azimuthal:lambert"] == "azimuthal" and kinds["octahedral"] == "layout"
 PYTHON
     verdict '--list=json'
 
+    # The last of the points are in every field of view; on the disc there are others.
     good=yes
-    while read -r name; do
-        # written as it can be given: the part behind the colon belongs to the alias
-        head -n 2000 points | "$program" -m "${name%%:*}" >faces 2>errors &&
-            "$program" -m "${name%%:*}" -I faces >output 2>>errors &&
+    tail -n 2000 points >north
+    if [ -f "$root/docs/projections.md" ]; then
+        python3 - "$root/docs/projections.md" <<'PYTHON'
+import json, sys
+page = open(sys.argv[1], encoding="utf-8").read()
+for mapping in json.load(open("catalogue.json"))["mappings"]:
+    name = mapping["identifier"] + (":" + mapping["parts"] if mapping["parts"] else "")
+    assert f"`{name}`" in page or f"`{name}:" in page, name
+PYTHON
+        verdict 'every mapping is in docs/projections.md'
+    fi
+    awk '{ print $1 / 250, $2 / 250, $3 }' north >disc
+    while read -r kind name; do
+        here=north
+        [ "$kind" != disc-square ] || here=disc
+        "$program" -m "$name" $here >faces 2>errors && "$program" -m "$name" -I faces >output 2>>errors &&
             [ "$(wc -l <output)" -eq 2000 ] && [ ! -s errors ] || good="no: $name"
     done <names
-    [ "$good" = yes ] && [ "$(wc -l <names)" -ge 16 ]
+    [ "$good" = yes ] && [ "$(wc -l <names)" -ge 33 ]
     verdict 'every name of the catalogue can be given'
 fi
 

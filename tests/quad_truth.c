@@ -171,16 +171,26 @@ static quad decimal_of(double value)
     return strtoflt128(text, NULL);
 }
 
-/* The parameters as the decimal numbers that they are written as, in a specification, a preset or the
- * descriptor: all of them are the shortest that stand for their doubles. */
-static void prepare(file_state *state)
+/* A parameter as the decimal number that it is written as: in the specification in all its digits, which may
+ * be more than a double has, in a preset or the descriptor the shortest that stands for its double. */
+static quad written_as(const file_state *state, const char *specification, size_t index)
+{
+    const cm_mapping_info *info = cm_mapping_describe(state->mapping);
+    char assignment[32];
+    snprintf(assignment, sizeof assignment, "%s=", info->parameter[index].name);
+    const char *found = strstr(specification, assignment);
+    return found != NULL ? strtoflt128(found + strlen(assignment), NULL)
+                         : decimal_of(cm_mapping_parameter(state->mapping, index));
+}
+
+static void prepare(file_state *state, const char *specification)
 {
     const cm_mapping_info *info = cm_mapping_describe(state->mapping);
     quad parameter[CM_PARAMETERS_MAX] = {(quad)0.0};
     state->truth = quad_from(state->mapping);
     for (size_t i = 0; i < info->parameter_count; i++)
     {
-        parameter[i] = decimal_of(cm_mapping_parameter(state->mapping, i));
+        parameter[i] = written_as(state, specification, i);
     }
     if (info->parameter_count > 0)
     {
@@ -220,7 +230,7 @@ static int check_file(const char *name)
             {
                 break;
             }
-            prepare(&state);
+            prepare(&state, specification);
         }
         if (!parse(text, &parsed))
         {

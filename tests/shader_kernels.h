@@ -87,7 +87,7 @@ template <typename constants> constants with_parameters(constants k, const float
      [](float u, float v, const float *) -> kernel_result                                          \
      {                                                                                             \
          auto r = KERNEL(cm_square_##id##_forward)(KERNEL(cm_make_disc_point)(u, v));              \
-         auto p = KERNEL(cm_quincuncial_place)(r.u, r.v, u);                                       \
+         auto p = KERNEL(cm_quincuncial_place)(r.u, r.v, 1.0f);                                      \
          return {{p.u, p.v, r.u}};                                                                 \
      },                                                                                            \
      [](float x, float y, const float *) -> kernel_result                                          \

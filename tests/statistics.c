@@ -425,6 +425,33 @@ START_TEST(test_bad_arguments)
 }
 END_TEST
 
+/* What has not six faces has no such statistics, and the outputs are as they were. */
+START_TEST(test_other_kinds)
+{
+    ck_assert_uint_lt(cube_count(), cm_catalogue_count());
+    for (size_t m = cube_count(); m < cm_catalogue_count(); m++)
+    {
+        cm_mapping *mapping = make_mapping(cm_catalogue_at(m)->identifier, NULL);
+        cm_statistics s = {.size = sizeof s, .mean = 77.0};
+        const cm_statistics_options pixels = {.size = sizeof pixels, .pixels = 4};
+        const double half = 50.0;
+        double value = 77.0;
+        double doubt = 77.0;
+        ck_assert_int_eq(cm_distortion_statistics(mapping, CM_QUANTITY_AREA, NULL, &s),
+                         CM_ERROR_UNSUPPORTED);
+        ck_assert_int_eq(cm_distortion_statistics(mapping, CM_QUANTITY_AREA, &pixels, &s),
+                         CM_ERROR_UNSUPPORTED);
+        ck_assert_int_eq(cm_distortion_percentiles(mapping, CM_QUANTITY_ISOTROPY, NULL, 1, &half,
+                                                   &value, &doubt),
+                         CM_ERROR_UNSUPPORTED);
+        ck_assert(s.mean == 77.0 && value == 77.0 && doubt == 77.0);
+        ck_assert_int_eq(cm_distortion_statistics(mapping, (cm_quantity)QUANTITIES, NULL, &s),
+                         CM_ERROR_ARGUMENT);
+        cm_mapping_destroy(mapping);
+    }
+}
+END_TEST
+
 /* Where a map is singular, something comes out, and says that it is uncertain. */
 START_TEST(test_singular)
 {
@@ -441,16 +468,11 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {test_closed_forms,
-                                  test_means_over_the_sphere,
-                                  test_stated_errors,
-                                  test_samples,
-                                  test_suprema,
-                                  test_pixels,
-                                  test_faces,
-                                  test_names,
-                                  test_bad_arguments,
-                                  test_singular,
-                                  NULL};
+    const TTest *const tests[] = {test_closed_forms,  test_means_over_the_sphere,
+                                  test_stated_errors, test_samples,
+                                  test_suprema,       test_pixels,
+                                  test_faces,         test_names,
+                                  test_bad_arguments, test_other_kinds,
+                                  test_singular,      NULL};
     return run_suite("statistics", tests);
 }

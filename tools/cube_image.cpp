@@ -3,10 +3,7 @@
 #include "cube_image.hpp"
 #include "program.hpp"
 
-#include <cubemap/options.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 namespace
@@ -100,6 +97,13 @@ bool joins_below(const cm_frame &frame, int from, int to)
            right_axis(frame, to) == right_axis(frame, from);
 }
 
+// Turns a face about its outward axis so that these are the axes along which its columns and rows count.
+void turn_face(cm_frame &frame, int face, int right, int down)
+{
+    frame.face[face].u = static_cast<signed char>(right);
+    frame.face[face].v = static_cast<signed char>(frame.first_row_v > 0 ? -down : down);
+}
+
 // The cross around a middle face; no placements if some face would have to be turned.
 PictureLayout cross_around(const cm_frame &frame, int middle)
 {
@@ -119,7 +123,7 @@ PictureLayout cross_around(const cm_frame &frame, int middle)
     return cross;
 }
 
-PictureLayout cross_picture(const cm_frame &frame)
+PictureLayout straight_cross(const cm_frame &frame)
 {
     for (int middle = 0; middle < 6; ++middle)
     {
@@ -135,88 +139,9 @@ PictureLayout cross_picture(const cm_frame &frame)
 
 } // namespace
 
-MappingPointer make_mapping(const std::string &specification, const cm_frame &frame)
-{
-    char message[160];
-    if (cm_instructions_check(nullptr, message, sizeof message) != CM_OK)
-    {
-        throw Failure(message);
-    }
-    cm_mapping *made = nullptr;
-    const cm_status status = cm_mapping_create(specification.c_str(), &frame, &made);
-    if (status != CM_OK)
-    {
-        throw Failure(in_quotes(specification) + ": " + cm_status_text(status));
-    }
-    return MappingPointer(made);
-}
-
 CubeImage::CubeImage(const std::string &specification, const cm_frame &faces_frame, int face_size)
-    : mapping(make_mapping(specification, faces_frame)), frame(faces_frame), size(face_size)
+    : FaceImage(specification, faces_frame, face_size)
 {
-}
-
-void CubeImage::face_coordinates(int face, int row, int first_column, std::size_t count,
-                                 PointBatch &batch) const
-{
-    const double down = (2.0 * row + 1) / size - 1;
-    const double v = frame.first_row_v > 0 ? -down : down;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        batch.plane[i] = static_cast<std::uint8_t>(face);
-        batch.x[i] = (2.0 * (first_column + static_cast<double>(i)) + 1) / size - 1;
-        batch.y[i] = v;
-    }
-}
-
-void CubeImage::directions(int plane, int row, int first_column, std::size_t count,
-                           PointBatch &batch) const
-{
-    face_coordinates(plane, row, first_column, count, batch);
-    cm_inverse_array(mapping.get(), count, batch.plane.data(), batch.x.data(), batch.y.data(),
-                     batch.direction_x.data(), batch.direction_y.data(), batch.direction_z.data());
-}
-
-void CubeImage::positions(std::size_t count, PointBatch &batch) const
-{
-    cm_forward_array(mapping.get(), count, batch.direction_x.data(), batch.direction_y.data(),
-                     batch.direction_z.data(), batch.plane.data(), batch.x.data(), batch.y.data());
-    const double half = 0.5 * size;
-    const double down = frame.first_row_v > 0 ? -half : half;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        batch.x[i] = half + half * batch.x[i];
-        batch.y[i] = half + down * batch.y[i];
-    }
-}
-
-void CubeImage::derivatives(std::size_t count, const PointBatch &batch,
-                            DerivativeBatch &derivatives) const
-{
-    thread_local DerivativeBatch::Numbers u, v;
-    const double per_column = 2.0 / size;
-    const double per_row = frame.first_row_v > 0 ? -per_column : per_column;
-    const double half = 0.5 * size;
-    const double down = frame.first_row_v > 0 ? -half : half;
-    // Counted from the middle, so that what is on a diagonal stays there.
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        u[i] = (batch.x[i] - half) / half;
-        v[i] = (batch.y[i] - half) / down;
-    }
-    DerivativeBatch &d = derivatives;
-    double *const jacobian[6] = {d.by_x[0].data(), d.by_y[0].data(), d.by_x[1].data(),
-                                 d.by_y[1].data(), d.by_x[2].data(), d.by_y[2].data()};
-    cm_inverse_jacobian_array(mapping.get(), count, batch.plane.data(), u.data(), v.data(),
-                              jacobian);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        for (std::size_t i = 0; i < count; ++i)
-        {
-            jacobian[2 * axis][i] *= per_column;
-            jacobian[2 * axis + 1][i] *= per_row;
-        }
-    }
 }
 
 void CubeImage::fill_border(SphereGrid &grid) const
@@ -235,11 +160,32 @@ void CubeImage::fill_border(SphereGrid &grid) const
     }
 }
 
-std::vector<PictureLayout> cube_pictures(CubeLayout layout, const cm_frame &frame)
+cm_frame turn_poles(const cm_frame &frame, PolarColumns columns)
+{
+    cm_frame turned = frame;
+    if (columns.north == 1 && columns.south == 1)
+    {
+        return turned;
+    }
+    const std::vector<Placement> placements = straight_cross(frame).placements;
+    const int above = placements[static_cast<std::size_t>(columns.north) + 1].plane;
+    const int below = placements[static_cast<std::size_t>(columns.south) + 1].plane;
+    turn_face(turned, placements.front().plane, right_axis(frame, above),
+              frame.face[above].outward);
+    turn_face(turned, placements.back().plane, right_axis(frame, below),
+              -frame.face[below].outward);
+    return turned;
+}
+
+std::vector<PictureLayout> cube_pictures(CubeLayout layout, const cm_frame &frame,
+                                         PolarColumns columns)
 {
     if (layout == CubeLayout::cross)
     {
-        return {cross_picture(frame)};
+        PictureLayout cross = straight_cross(frame);
+        cross.placements.front().column = columns.north;
+        cross.placements.back().column = columns.south;
+        return {cross};
     }
     std::vector<PictureLayout> faces;
     PictureLayout strip = {6, 1, {}};

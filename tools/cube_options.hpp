@@ -10,6 +10,7 @@
 
 // The values of options; UsageFailure if they are none.
 CubeLayout read_layout(ArgumentReader &reader);
+CubeLayout read_layout(ArgumentReader &reader, PolarColumns &columns); // cross:north=N,south=N, too
 const cm_frame *read_frame(ArgumentReader &reader);
 
 // "faces", "strip", "cross"

@@ -145,6 +145,29 @@ void check_combinations(const DistortionOptions &options)
     }
 }
 
+// What belongs to the six faces of a cube, before the defaults are set.
+void check_faces(DistortionOptions &options)
+{
+    if (options.mapping.empty())
+    {
+        return;
+    }
+    const MappingPointer mapping = make_mapping(options.mapping, *cm_frame_find("geo"));
+    options.one_face = face_count(*mapping) == 1;
+    if (cm_mapping_describe(mapping.get())->kind == CM_KIND_DISC_SQUARE)
+    {
+        throw UsageFailure("-m: " + in_quotes(options.mapping) +
+                           " joins disc and square, not the sphere");
+    }
+    if (options.one_face && (options.layout || options.face.value_or(0) > 0 || options.frame))
+    {
+        throw UsageFailure(std::string(options.layout  ? "--layout"
+                                       : options.frame ? "--frame"
+                                                       : "--face") +
+                           " is for the six faces of a cube, but " + options.mapping + " has one");
+    }
+}
+
 void set_defaults(DistortionOptions &options)
 {
     options.mapping = options.mapping.empty() ? CM_MAPPING_RECOMMENDED : options.mapping;
@@ -169,6 +192,10 @@ DistortionOptions parse_distortion_options(int argc, char **argv)
         {
             operands.push_back(reader.text());
         }
+    }
+    if (!options.help && !options.version)
+    {
+        check_faces(options);
     }
     set_defaults(options);
     if (options.help || options.version)
@@ -197,9 +224,9 @@ std::string distortion_help_text()
     }
     return R"(Usage: cubemap-distortion [OPTION]... OUTPUT
 
-Draws the distortion of a mapping between the sphere and the faces of a cube: the
-colour of each pixel is that of the quantity at its centre. PNG, JPEG and TIFF; with
---values TIFF and EXR.
+Draws the distortion of a mapping between the sphere and the faces of a cube, a disc
+or one square: the colour of each pixel is that of the quantity at its centre. PNG,
+JPEG and TIFF; with --values TIFF and EXR.
 
   -m, --mapping MAPPING NAME, NAME:PRESET or NAME:PARAMETER=VALUE[,...]; without it, )" CM_MAPPING_RECOMMENDED
            R"(
@@ -233,5 +260,6 @@ Examples:
   cubemap-distortion -m qsc --quantity deformation --face 0 --isolines 5 qsc.png
   cubemap-distortion -m healpix --quantity isotropy --graticule 15 cross.png
   cubemap-distortion -m tangent --values --layout strip area.exr
+  cubemap-distortion -m peirce --size 512 --graticule 15 peirce.png
 )";
 }

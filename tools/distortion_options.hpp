@@ -14,7 +14,8 @@
 
 struct DistortionOptions
 {
-    std::string mapping; // a specification that the library takes
+    std::string mapping;   // a specification that the library takes
+    bool one_face = false; // has the mapping one?
     const cm_frame *frame = nullptr;
     const Quantity *quantity = nullptr;
     std::optional<CubeLayout> layout;

@@ -27,9 +27,9 @@ constexpr float blank_value = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<PictureLayout> choose_pictures(const DistortionOptions &options)
 {
-    if (options.face)
+    if (options.face || options.one_face)
     {
-        return {{1, 1, {{*options.face, 0, 0}}}};
+        return {{1, 1, {{options.face.value_or(0), 0, 0}}}};
     }
     return cube_pictures(options.layout.value_or(CubeLayout::cross), *options.frame);
 }
@@ -62,7 +62,7 @@ std::string percent(double part)
 DistortionPicture::DistortionPicture(const DistortionOptions &wanted)
     : options(wanted), rows(wanted.mapping, *wanted.frame, wanted.size, *wanted.quantity),
       colors(wanted.colors),
-      scale(*wanted.quantity, wanted.range.value_or(wanted.quantity->range), wanted.reverse),
+      scale(rows.what(), wanted.range.value_or(rows.what().range), wanted.reverse),
       pictures(choose_pictures(wanted))
 {
     if (options.overlay.wanted())
@@ -153,13 +153,14 @@ void DistortionPicture::add_to_survey(const std::vector<double> &values)
         row.high = std::max(row.high, value);
         row.below += value < scale.range().low;
         row.above += value > scale.range().high;
+        row.count += options.one_face && std::isnan(value) ? 0 : 1;
     }
     const std::lock_guard<std::mutex> lock(mutex);
     found.low = std::min(found.low, row.low);
     found.high = std::max(found.high, row.high);
     found.below += row.below;
     found.above += row.above;
-    found.count += static_cast<double>(values.size());
+    found.count += row.count;
 }
 
 ImagePlan DistortionPicture::plan() const
@@ -237,7 +238,9 @@ void DistortionPicture::draw_plane_row(int face, int row, float *pixels) const
     }
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-        const Color color = colors.at(scale.place(values[i]));
+        const bool blank = options.one_face && std::isnan(values[i]);
+        const Color color = blank ? Color{blank_color, blank_color, blank_color}
+                                  : colors.at(scale.place(values[i]));
         std::copy(color.begin(), color.end(), pixels + i * color_channels);
     }
     if (overlay || options.isolines)
@@ -279,9 +282,11 @@ void DistortionPicture::write_legend()
 std::string DistortionPicture::description() const
 {
     const Quantity &quantity = *options.quantity;
-    std::string text = options.mapping + ", frame " + options.frame->identifier + ", " +
-                       quantity.name + " (" + quantity.symbol + "): " + number_text(found.low) +
-                       " to " + number_text(found.high) + quantity.unit + " at the pixels' centres";
+    std::string text =
+        options.mapping +
+        (options.one_face ? ", " : std::string(", frame ") + options.frame->identifier + ", ") +
+        quantity.name + " (" + quantity.symbol + "): " + number_text(found.low) + " to " +
+        number_text(found.high) + quantity.unit + " at the pixels' centres";
     if (options.values)
     {
         return text;

@@ -30,9 +30,10 @@ double isoline_distance(const Quantity &quantity, double value, double step, dou
 } // namespace
 
 DistortionRows::DistortionRows(const std::string &specification, const cm_frame &frame,
-                               int face_size, const Quantity &what)
-    : cube(specification, frame, face_size), mapping(make_mapping(specification, frame)),
-      size(face_size), quantity(what)
+                               int face_size, const Quantity &wanted)
+    : faces(make_face_image(specification, frame, face_size)),
+      mapping(make_mapping(specification, frame)), size(face_size),
+      quantity(face_count(*mapping) == 6 ? wanted : with_mean_scale(wanted, faces->mean_scale()))
 {
 }
 
@@ -56,7 +57,7 @@ void DistortionRows::evaluate(int face, int row, double *values) const
     {
         const std::size_t count =
             std::min(PointBatch::capacity, static_cast<std::size_t>(size - column));
-        cube.face_coordinates(face, row, column, count, batch);
+        faces->face_coordinates(face, row, column, count, batch);
         evaluate_batch(count, batch, values + column);
         column += static_cast<int>(count);
     }
@@ -75,7 +76,7 @@ void DistortionRows::lower_distances(int face, int row, double step, const doubl
             std::min(PointBatch::capacity, static_cast<std::size_t>(size - column));
         for (std::size_t side = 0; side < 4; ++side)
         {
-            cube.face_coordinates(face, row, column, count, batch);
+            faces->face_coordinates(face, row, column, count, batch);
             for (std::size_t i = 0; i < count; ++i)
             {
                 batch.x[i] += shift[side][0];

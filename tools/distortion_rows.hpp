@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
-// A quantity of distortion along the rows of the faces of a cube.
+// A quantity of distortion along the rows of the faces of a mapping.
 
 #ifndef CUBEMAP_TOOLS_DISTORTION_ROWS_HPP
 #define CUBEMAP_TOOLS_DISTORTION_ROWS_HPP
 
-#include "cube_image.hpp"
+#include "face_image.hpp"
 #include "quantity.hpp"
 
 class DistortionRows
 {
 public:
     DistortionRows(const std::string &specification, const cm_frame &frame, int face_size,
-                   const Quantity &what);
+                   const Quantity &wanted);
 
     const Projection &projection() const noexcept
     {
-        return cube;
+        return *faces;
     }
 
-    // The values at the centres of a row's pixels.
+    // That for the mean scale of the mapping.
+    const Quantity &what() const noexcept
+    {
+        return quantity;
+    }
+
+    // The values at the centres of a row's pixels; NaN beside a disc.
     void evaluate(int face, int row, double *values) const;
 
     // Lowers the distance of each pixel of the row, whose values these are, to that of the nearest
@@ -30,10 +36,10 @@ public:
 private:
     void evaluate_batch(std::size_t count, const PointBatch &batch, double *values) const;
 
-    CubeImage cube;
+    std::unique_ptr<FaceImage> faces;
     MappingPointer mapping;
     int size;
-    const Quantity &quantity;
+    const Quantity quantity;
 };
 
 #endif

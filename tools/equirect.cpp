@@ -67,7 +67,7 @@ void Equirect::positions(std::size_t count, PointBatch &batch) const
                                      batch.direction_z[i]};
         double lonlat[2];
         cm_lonlat_from_direction(direction, lonlat);
-        batch.plane[i] = 0;
+        batch.plane[i] = std::isnan(lonlat[0]) ? no_plane : 0;
         batch.x[i] = (0.5 + lonlat[0] / (2 * pi)) * columns;
         batch.y[i] = (0.5 - lonlat[1] / pi) * rows;
     }

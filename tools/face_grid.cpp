@@ -24,6 +24,10 @@ void FaceGrid::lower_own_distances(std::size_t points, const PointBatch &batch,
     const double cell = double(size) / count;
     for (std::size_t i = 0; i < points; ++i)
     {
+        if (std::isnan(batch.direction_x[i]))
+        {
+            continue;
+        }
         for (const double place : {batch.x[i], batch.y[i]})
         {
             distance[i] =

@@ -10,8 +10,8 @@
 class FaceGrid
 {
 public:
-    // N x N cells a face of the cube with this mapping, which must outlive the grid. In pictures of that
-    // cube itself own_size is the edge of a face in pixels; in others it is 0.
+    // N x N cells a face of this mapping, which must outlive the grid. In pictures of the faces themselves
+    // own_size is the edge of one in pixels; in others it is 0.
     FaceGrid(const cm_mapping &cube_mapping, int cells, int own_size)
         : mapping(cube_mapping), count(cells), size(own_size)
     {

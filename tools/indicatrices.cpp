@@ -29,7 +29,7 @@ double cell_centre(int index, int cells)
 double largest_radius(const cm_mapping &cube, int cells)
 {
     double steepest = 0;
-    for (std::uint8_t face = 0; face < 6; ++face)
+    for (std::uint8_t face = 0; face < face_count(cube); ++face)
     {
         for (int i = 0; i < cells * cells; ++i)
         {
@@ -38,8 +38,9 @@ double largest_radius(const cm_mapping &cube, int cells)
             cm_inverse_distortion(&cube, face, uv, &at);
             const double cosine = std::cos(at.orientation);
             const double sine = std::sin(at.orientation);
-            steepest = std::max({steepest, std::hypot(at.major * cosine, at.minor * sine),
-                                 std::hypot(at.major * sine, at.minor * cosine)});
+            // NaN where a disc has no place
+            steepest = std::fmax(steepest, std::hypot(at.major * cosine, at.minor * sine));
+            steepest = std::fmax(steepest, std::hypot(at.major * sine, at.minor * cosine));
         }
     }
     return part_of_cell / (cells * steepest);
@@ -52,7 +53,7 @@ Indicatrices::Indicatrices(const cm_mapping &cube, int cells, std::optional<doub
     : sphere(target), ellipses(static_cast<std::size_t>(target.planes()))
 {
     choose_radius(cube, cells, wanted_radius);
-    for (std::uint8_t face = 0; face < 6; ++face)
+    for (std::uint8_t face = 0; face < face_count(cube); ++face)
     {
         add_face(cube, face, cells);
     }
@@ -87,6 +88,10 @@ void Indicatrices::add_face(const cm_mapping &cube, std::uint8_t face, int cells
         const double uv[2] = {cell_centre(i % cells, cells), cell_centre(i / cells, cells)};
         double direction[3];
         cm_inverse(&cube, face, uv, direction);
+        if (std::isnan(direction[0]))
+        {
+            continue; // no place of a disc
+        }
         batch->direction_x[0] = direction[0];
         batch->direction_y[0] = direction[1];
         batch->direction_z[0] = direction[2];

@@ -15,7 +15,7 @@
 class Indicatrices
 {
 public:
-    // At the centres of N x N cells of each face of the cube, in pictures of the target. Without a
+    // At the centres of N x N cells of each face of the mapping, in pictures of the target. Without a
     // radius, in radians, the largest at which they do not overlap. UsageFailure if they would with this
     // one.
     Indicatrices(const cm_mapping &cube, int cells, std::optional<double> wanted_radius,

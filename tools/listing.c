@@ -10,6 +10,25 @@
 
 #include "number.h"
 
+/* What a mapping maps: a word for programs, a heading, and the room that names need. */
+static const struct
+{
+    const char *word;
+    const char *heading;
+    int width;
+} kinds[] = {
+    [CM_KIND_CUBE] = {"cube", "Between the sphere and the six faces of a cube", 12},
+    [CM_KIND_DISC_SQUARE] = {"disc-square", "Between the unit disc and the square", 18},
+    [CM_KIND_AZIMUTHAL] = {"azimuthal", "Between the sphere, or a part of it, and the unit disc",
+                           24},
+    [CM_KIND_LAYOUT] = {"layout", "Between the sphere and one square", 20},
+};
+
+enum
+{
+    KIND_COUNT = sizeof kinds / sizeof kinds[0]
+};
+
 static const char *family_name(cm_family family)
 {
     switch (family)
@@ -40,6 +59,12 @@ static const char *smoothness_name(cm_smoothness smoothness)
     return "unknown";
 }
 
+/* One face has no edge to another. */
+static const char *edge_name(const cm_mapping_info *mapping)
+{
+    return mapping->kind == CM_KIND_CUBE ? smoothness_name(mapping->smooth_edge) : NULL;
+}
+
 static const char *property_name(unsigned properties)
 {
     switch (properties & (CM_EQUAL_AREA | CM_CONFORMAL))
@@ -62,10 +87,14 @@ static void write_heading(FILE *stream)
             "NAME:PARAMETER=VALUE,...\n"
             "The recommended one, and the default, is " CM_MAPPING_RECOMMENDED ".\n"
             "FACE and EDGE say how smooth a mapping is on a face and across the edge of two:\n"
-            "torn, C0 (continuous), C1 (with its first derivatives) or analytic.\n\n",
+            "torn, C0 (continuous), C1 (with its first derivatives) or analytic.\n",
             cm_version());
-    fprintf(stream, "%-12s %-10s %-10s %-8s %-8s %s\n", "NAME", "FAMILY", "PROPERTY", "FACE",
-            "EDGE", "WHAT IT IS");
+}
+
+static void write_kind_heading(FILE *stream, cm_kind kind)
+{
+    fprintf(stream, "\n%s:\n\n%-*s %-10s %-10s %-8s %-8s %s\n", kinds[kind].heading,
+            kinds[kind].width, "NAME", "FAMILY", "PROPERTY", "FACE", "EDGE", "WHAT IT IS");
 }
 
 static void write_parameter_row(FILE *stream, const cm_parameter_info *parameter)
@@ -81,13 +110,26 @@ static void write_parameter_row(FILE *stream, const cm_parameter_info *parameter
             standard, parameter->meaning);
 }
 
+/* The length of what is to be typed of a word: without the colon that values or parts follow. */
+static int typed_length(const char *word, int length)
+{
+    int colon = length;
+    bool fixes = false;
+    for (int i = 0; i < length; i++)
+    {
+        colon = word[i] == ':' ? i : colon;
+        fixes = fixes || word[i] == '=' || word[i] == ',';
+    }
+    return fixes ? colon : length;
+}
+
 /* "asc:c=1 eac:c=1" as "asc (c=1), eac (c=1)": the part behind the colon is not to be typed. */
 static void write_word_row(FILE *stream, const char *before, const char *words)
 {
     for (words += strspn(words, " "); *words != '\0'; words += strspn(words, " "))
     {
         const int length = (int)strcspn(words, " ");
-        const int name_length = (int)strcspn(words, " :");
+        const int name_length = typed_length(words, length);
         fprintf(stream, "%s%.*s", before, name_length, words);
         if (name_length < length)
         {
@@ -101,13 +143,18 @@ static void write_word_row(FILE *stream, const char *before, const char *words)
 
 static void write_mapping_rows(FILE *stream, const cm_mapping_info *mapping)
 {
-    fprintf(stream, "\n%-12s %-10s %-10s %-8s %-8s %s\n", mapping->identifier,
-            family_name(mapping->family), property_name(mapping->properties),
-            smoothness_name(mapping->smooth_face), smoothness_name(mapping->smooth_edge),
-            mapping->name);
+    const char *const edge = edge_name(mapping);
+    fprintf(stream, "\n%-*s %-10s %-10s %-8s %-8s %s\n", kinds[mapping->kind].width,
+            mapping->identifier, family_name(mapping->family), property_name(mapping->properties),
+            smoothness_name(mapping->smooth_face), edge != NULL ? edge : "-", mapping->name);
     if (mapping->aliases[0] != '\0')
     {
         write_word_row(stream, "    also       ", mapping->aliases);
+    }
+    if (mapping->parts != NULL)
+    {
+        fprintf(stream, "    parts      %s:AZIMUTHAL,SQUARE[,PARAMETER=VALUE,...], default %s\n",
+                mapping->identifier, mapping->parts);
     }
     if (mapping->presets != NULL)
     {
@@ -123,11 +170,18 @@ static void write_mapping_rows(FILE *stream, const cm_mapping_info *mapping)
 void listing_write_table(FILE *stream)
 {
     write_heading(stream);
-    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    for (int kind = 0; kind < KIND_COUNT; kind++)
     {
-        write_mapping_rows(stream, cm_catalogue_at(i));
+        write_kind_heading(stream, (cm_kind)kind);
+        for (size_t i = 0; i < cm_catalogue_count(); i++)
+        {
+            if ((int)cm_catalogue_at(i)->kind == kind)
+            {
+                write_mapping_rows(stream, cm_catalogue_at(i));
+            }
+        }
     }
-    fprintf(stream, "\nThe frames that --frame takes:\n");
+    fprintf(stream, "\nThe frames that --frame takes, with the faces of a cube:\n");
     for (size_t i = 0; i < cm_frame_count(); i++)
     {
         const cm_frame *const frame = cm_frame_at(i);
@@ -161,11 +215,18 @@ static void write_text(FILE *stream, const char *text, size_t length)
     putc('"', stream);
 }
 
-/* "key": "text" and what follows it. */
+/* "key": "text", or null for NULL, and what follows it. */
 static void write_member(FILE *stream, const char *key, const char *text, const char *after)
 {
     fprintf(stream, "\"%s\": ", key);
-    write_text(stream, text, strlen(text));
+    if (text == NULL)
+    {
+        fputs("null", stream);
+    }
+    else
+    {
+        write_text(stream, text, strlen(text));
+    }
     fputs(after, stream);
 }
 
@@ -229,6 +290,17 @@ static void write_bounds(FILE *stream, const cm_bounds *bounds)
 /* In which directions there is the tier fast, by the bits. */
 static const char *const fast_directions[] = {"", "forward", "inverse", "forward inverse"};
 
+static void write_parameters(FILE *stream, const cm_mapping_info *mapping)
+{
+    fputs("\"parameters\": [", stream);
+    for (size_t i = 0; i < mapping->parameter_count; i++)
+    {
+        fputs(i == 0 ? "" : ",", stream);
+        write_parameter_object(stream, &mapping->parameter[i]);
+    }
+    fputs(mapping->parameter_count > 0 ? "\n      ]" : "]", stream);
+}
+
 static void write_mapping_object(FILE *stream, const cm_mapping_info *mapping)
 {
     const char *const next = ",\n      ";
@@ -238,24 +310,20 @@ static void write_mapping_object(FILE *stream, const cm_mapping_info *mapping)
     fputs(next, stream);
     write_member(stream, "name", mapping->name, next);
     write_member(stream, "source", mapping->source, next);
+    write_member(stream, "kind", kinds[mapping->kind].word, next);
+    write_member(stream, "parts", mapping->parts, next);
     write_member(stream, "family", family_name(mapping->family), next);
     fprintf(stream, "\"equal_area\": %s,\n      \"conformal\": %s%s",
             truth((mapping->properties & CM_EQUAL_AREA) != 0),
             truth((mapping->properties & CM_CONFORMAL) != 0), next);
     write_member(stream, "smooth_face", smoothness_name(mapping->smooth_face), next);
-    write_member(stream, "smooth_edge", smoothness_name(mapping->smooth_edge), next);
+    write_member(stream, "smooth_edge", edge_name(mapping), next);
     write_bounds(stream, &mapping->bounds);
     fputs(next, stream);
     fputs("\"fast\": ", stream);
     write_words(stream, fast_directions[mapping->fast & (CM_FAST_FORWARD | CM_FAST_INVERSE)]);
     fputs(next, stream);
-    fputs("\"parameters\": [", stream);
-    for (size_t i = 0; i < mapping->parameter_count; i++)
-    {
-        fputs(i == 0 ? "" : ",", stream);
-        write_parameter_object(stream, &mapping->parameter[i]);
-    }
-    fputs(mapping->parameter_count > 0 ? "\n      ]" : "]", stream);
+    write_parameters(stream, mapping);
     fputs(next, stream);
     fputs("\"presets\": ", stream);
     write_words(stream, mapping->presets == NULL ? "" : mapping->presets);

@@ -114,7 +114,7 @@ Overlay::Overlay(const OverlayOptions &wanted, const std::string &mapping, const
     }
     if (options.grid)
     {
-        const bool own = target.planes() == 6;
+        const bool own = !target.wraps();
         grid.emplace(*cube, *options.grid, own ? target.width() : 0);
     }
     if (options.indicatrices)
@@ -163,6 +163,10 @@ void Overlay::add_lines_of_batch(std::size_t count, const PointBatch &batch,
     }
     for (std::size_t i = 0; graticule && i < count; ++i)
     {
+        if (std::isnan(batch.direction_x[i]))
+        {
+            continue;
+        }
         const auto &by_x = derivatives.by_x;
         const auto &by_y = derivatives.by_y;
         const MovingDirection point = {

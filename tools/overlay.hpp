@@ -53,8 +53,8 @@ class Overlay
 {
 public:
     // In pictures of the target, which must outlive the overlay. The grid and the points of the
-    // ellipses are those of the cube with this mapping and frame, which must be the target's if that is a
-    // cube. UsageFailure if ellipses of the radius would overlap.
+    // ellipses are those of the faces of this mapping and frame, which must be the target's unless that is
+    // equirectangular. UsageFailure if ellipses of the radius would overlap.
     Overlay(const OverlayOptions &wanted, const std::string &mapping, const cm_frame &frame,
             const Projection &target);
 

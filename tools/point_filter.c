@@ -31,6 +31,26 @@ enum
     BATCH_LINES = 1024
 };
 
+/* What the numbers of a line are. */
+typedef enum form
+{
+    FORM_LONLAT,
+    FORM_XYZ,
+    FORM_FACE,
+    FORM_DISC,
+    FORM_SQUARE
+} form;
+
+static const struct
+{
+    const char *text;
+    int count; /* of numbers */
+} forms[] = {[FORM_LONLAT] = {"LON LAT in degrees", 2},
+             [FORM_XYZ] = {"X Y Z", 3},
+             [FORM_FACE] = {"FACE U V", 3},
+             [FORM_DISC] = {"U V", 2},
+             [FORM_SQUARE] = {"X Y", 2}};
+
 /* What becomes of a line. */
 typedef enum line_kind
 {
@@ -49,7 +69,7 @@ struct line
 
 /* Lines that are worked off together. Point i is in place i of every array, which holds some point
  * that is harmless where line i is no point. Forward: a, b, c are x, y, z and become u, v; inverse:
- * a, b are u, v, and a, b, c become x, y, z. */
+ * a, b are u, v, and a, b, c become x, y, z. Between disc and square a, b stay in the plane. */
 struct batch
 {
     size_t count;
@@ -68,6 +88,8 @@ struct filter
 {
     const struct filter_options *options;
     const cm_mapping *mapping;
+    form from;
+    form to;
     const char *name; /* of the input, for messages */
     int descriptor;
     bool any_bad;
@@ -162,30 +184,35 @@ static void put_number(struct filter *filter, double value, bool first)
         number_write(value, filter->options->digits, at + !first) + (size_t)!first;
 }
 
+static void put_lonlat(struct filter *filter, size_t index)
+{
+    const struct batch *const batch = &filter->batch;
+    const double direction[3] = {batch->a[index], batch->b[index], batch->c[index]};
+    double longitude;
+    double latitude;
+    degrees_from_direction(direction, &longitude, &latitude);
+    put_number(filter, longitude, true);
+    put_number(filter, latitude, false);
+}
+
 static void put_result(struct filter *filter, size_t index)
 {
     const struct batch *const batch = &filter->batch;
-    if (!filter->options->inverse)
+    if (filter->to == FORM_LONLAT)
+    {
+        put_lonlat(filter, index);
+        return;
+    }
+    if (filter->to == FORM_FACE)
     {
         const char face[2] = {(char)('0' + batch->face[index]), ' '};
         put_bytes(filter, face, 2);
-        put_number(filter, batch->a[index], true);
-        put_number(filter, batch->b[index], false);
     }
-    else if (filter->options->xyz)
+    put_number(filter, batch->a[index], true);
+    put_number(filter, batch->b[index], false);
+    if (filter->to == FORM_XYZ)
     {
-        put_number(filter, batch->a[index], true);
-        put_number(filter, batch->b[index], false);
         put_number(filter, batch->c[index], false);
-    }
-    else
-    {
-        const double direction[3] = {batch->a[index], batch->b[index], batch->c[index]};
-        double longitude;
-        double latitude;
-        degrees_from_direction(direction, &longitude, &latitude);
-        put_number(filter, longitude, true);
-        put_number(filter, latitude, false);
     }
 }
 
@@ -202,8 +229,7 @@ static void put_line(struct filter *filter, size_t index)
     }
     else if (line->kind == LINE_BAD)
     {
-        const bool three = !filter->options->inverse || filter->options->xyz;
-        put_bytes(filter, "nan nan nan", three ? 11 : 7);
+        put_bytes(filter, "nan nan nan", forms[filter->to].count == 3 ? 11 : 7);
     }
     put_bytes(filter, line->rest, line->rest_length);
     put_bytes(filter, line->carriage_return ? "\r\n" : "\n", line->carriage_return ? 2 : 1);
@@ -224,49 +250,87 @@ static void narrow_direction(struct batch *batch, size_t index)
     batch->single_c[index] = (float)ldexp(batch->c[index], -exponent);
 }
 
+/* The batch's numbers in float. */
+static void narrow_batch(struct batch *batch, bool directions)
+{
+    for (size_t i = 0; i < batch->count; i++)
+    {
+        if (directions)
+        {
+            narrow_direction(batch, i);
+        }
+        else
+        {
+            batch->single_a[i] = (float)batch->a[i];
+            batch->single_b[i] = (float)batch->b[i];
+            batch->single_c[i] = 0;
+        }
+    }
+}
+
+static void widen_batch(struct batch *batch)
+{
+    for (size_t i = 0; i < batch->count; i++)
+    {
+        batch->a[i] = (double)batch->single_a[i];
+        batch->b[i] = (double)batch->single_b[i];
+        batch->c[i] = (double)batch->single_c[i];
+    }
+}
+
 static void compute_single(const cm_mapping *mapping, struct batch *batch, bool inverse)
 {
-    const size_t count = batch->count;
+    const size_t n = batch->count;
     float *const a = batch->single_a;
     float *const b = batch->single_b;
     float *const c = batch->single_c;
-    for (size_t i = 0; i < count && !inverse; i++)
+    if (cm_mapping_describe(mapping)->kind == CM_KIND_DISC_SQUARE)
     {
-        narrow_direction(batch, i);
+        (inverse ? cm_unwarp_array_f32 : cm_warp_array_f32)(mapping, n, a, b, a, b);
     }
-    for (size_t i = 0; i < count && inverse; i++)
+    else if (inverse)
     {
-        a[i] = (float)batch->a[i];
-        b[i] = (float)batch->b[i];
-        c[i] = 0;
-    }
-    if (inverse)
-    {
-        cm_inverse_array_f32(mapping, count, batch->face, a, b, a, b, c);
+        cm_inverse_array_f32(mapping, n, batch->face, a, b, a, b, c);
     }
     else
     {
-        cm_forward_array_f32(mapping, count, a, b, c, batch->face, a, b);
-    }
-    for (size_t i = 0; i < count; i++)
-    {
-        batch->a[i] = (double)a[i];
-        batch->b[i] = (double)b[i];
-        batch->c[i] = (double)c[i];
+        cm_forward_array_f32(mapping, n, a, b, c, batch->face, a, b);
     }
 }
 
 static void compute_double(const cm_mapping *mapping, struct batch *batch, bool inverse)
 {
-    if (inverse)
+    const size_t n = batch->count;
+    double *const a = batch->a;
+    double *const b = batch->b;
+    double *const c = batch->c;
+    if (cm_mapping_describe(mapping)->kind == CM_KIND_DISC_SQUARE)
     {
-        cm_inverse_array(mapping, batch->count, batch->face, batch->a, batch->b, batch->a, batch->b,
-                         batch->c);
+        (inverse ? cm_unwarp_array : cm_warp_array)(mapping, n, a, b, a, b);
+    }
+    else if (inverse)
+    {
+        cm_inverse_array(mapping, n, batch->face, a, b, a, b, c);
     }
     else
     {
-        cm_forward_array(mapping, batch->count, batch->a, batch->b, batch->c, batch->face, batch->a,
-                         batch->b);
+        cm_forward_array(mapping, n, a, b, c, batch->face, a, b);
+    }
+}
+
+static void compute(struct filter *filter)
+{
+    struct batch *const batch = &filter->batch;
+    const bool inverse = filter->options->inverse;
+    if (filter->options->single)
+    {
+        narrow_batch(batch, filter->from == FORM_LONLAT || filter->from == FORM_XYZ);
+        compute_single(filter->mapping, batch, inverse);
+        widen_batch(batch);
+    }
+    else
+    {
+        compute_double(filter->mapping, batch, inverse);
     }
 }
 
@@ -276,23 +340,43 @@ static bool has_result(const struct batch *batch, size_t index)
     return batch->face[index] != CM_NO_FACE && !isnan(batch->a[index]) && !isnan(batch->b[index]);
 }
 
+static double parameter_called(const cm_mapping *mapping, const char *name)
+{
+    const cm_mapping_info *const info = cm_mapping_describe(mapping);
+    size_t index = 0;
+    while (index < info->parameter_count && strcmp(info->parameter[index].name, name) != 0)
+    {
+        index++;
+    }
+    return cm_mapping_parameter(mapping, index);
+}
+
+/* Of a point that is one, but not on the map. */
+static void complain_of_result(struct filter *filter, size_t index)
+{
+    if (filter->to == FORM_DISC && cm_mapping_describe(filter->mapping)->kind == CM_KIND_AZIMUTHAL)
+    {
+        complain(filter, index, "the direction is not in the field of view of %g degrees",
+                 parameter_called(filter->mapping, "full") == 1
+                     ? 360
+                     : parameter_called(filter->mapping, "fov"));
+    }
+    else
+    {
+        complain(filter, index, "the mapping gives no result here");
+    }
+}
+
 /* Work the batch off and empty it. */
 static void finish_batch(struct filter *filter)
 {
     struct batch *const batch = &filter->batch;
-    if (filter->options->single)
-    {
-        compute_single(filter->mapping, batch, filter->options->inverse);
-    }
-    else
-    {
-        compute_double(filter->mapping, batch, filter->options->inverse);
-    }
+    compute(filter);
     for (size_t i = 0; i < batch->count; i++)
     {
         if (batch->line[i].kind == LINE_POINT && !has_result(batch, i))
         {
-            complain(filter, i, "the mapping gives no result here");
+            complain_of_result(filter, i);
             batch->line[i].kind = LINE_BAD;
         }
         put_line(filter, i);
@@ -312,18 +396,13 @@ static const char *skip_blanks(const char *text, const char *end)
     return text;
 }
 
-static const char *form_of_line(const struct filter_options *options)
-{
-    return options->inverse ? "FACE U V" : options->xyz ? "X Y Z" : "LON LAT in degrees";
-}
-
 /* Read the numbers of a line, apart by blanks or by one comma with or without blanks. Returns what
  * follows them, or NULL after a complaint. */
 static const char *read_numbers(struct filter *filter, size_t index, const char *text,
                                 const char *end, double value[3])
 {
-    const int count = filter->options->inverse || filter->options->xyz ? 3 : 2;
-    const char *const form = form_of_line(filter->options);
+    const int count = forms[filter->from].count;
+    const char *const wanted = forms[filter->from].text;
     for (int i = 0; i < count; i++)
     {
         text = skip_blanks(text, end);
@@ -333,14 +412,14 @@ static const char *read_numbers(struct filter *filter, size_t index, const char 
         }
         if (text == end)
         {
-            complain(filter, index, "%d of %d numbers: a line is %s", i, count, form);
+            complain(filter, index, "%d of %d numbers: a line is %s", i, count, wanted);
             return NULL;
         }
         const char *const next = number_read(text, end, &value[i]);
         if (next == NULL || (next < end && !is_blank(*next) && *next != ','))
         {
             complain(filter, index, "'%s' is not a number: a line is %s",
-                     quote_word(text, end).text, form);
+                     quote_word(text, end).text, wanted);
             return NULL;
         }
         text = next;
@@ -389,6 +468,37 @@ static bool take_xyz(struct filter *filter, size_t index, const double value[3])
     return true;
 }
 
+/* Two coordinates, whose names are the letters of a text of two. */
+static bool take_square(struct filter *filter, size_t index, const double value[2],
+                        const char *names)
+{
+    for (int i = 0; i < 2; i++)
+    {
+        if (!(fabs(value[i]) <= 1 + 1e-9))
+        {
+            complain(filter, index, "%c, %.17g, is not in [-1, 1]", names[i], value[i]);
+            return false;
+        }
+    }
+    filter->batch.a[index] = value[0];
+    filter->batch.b[index] = value[1];
+    return true;
+}
+
+/* What is written in float may be outside by its rounding. */
+static bool take_disc(struct filter *filter, size_t index, const double value[2])
+{
+    const double tolerance = filter->options->single ? 1e-6 : 1e-9;
+    if (!(hypot(value[0], value[1]) <= 1 + tolerance))
+    {
+        complain(filter, index, "the point %.17g %.17g is outside the disc", value[0], value[1]);
+        return false;
+    }
+    filter->batch.a[index] = value[0];
+    filter->batch.b[index] = value[1];
+    return true;
+}
+
 static bool take_face(struct filter *filter, size_t index, const double value[3])
 {
     if (!(value[0] >= 0 && value[0] <= 5) || value[0] != floor(value[0]))
@@ -396,28 +506,34 @@ static bool take_face(struct filter *filter, size_t index, const double value[3]
         complain(filter, index, "the face, %.17g, is not a whole number from 0 to 5", value[0]);
         return false;
     }
-    for (int i = 1; i <= 2; i++)
-    {
-        if (!(fabs(value[i]) <= 1 + 1e-9))
-        {
-            complain(filter, index, "%c, %.17g, is not in [-1, 1]", i == 1 ? 'u' : 'v', value[i]);
-            return false;
-        }
-    }
     filter->batch.face[index] = (uint8_t)value[0];
-    filter->batch.a[index] = value[1];
-    filter->batch.b[index] = value[2];
-    return true;
+    return take_square(filter, index, value + 1, "uv");
+}
+
+static bool take_point(struct filter *filter, size_t index, const double value[3])
+{
+    switch (filter->from)
+    {
+    case FORM_LONLAT:
+        return take_lonlat(filter, index, value);
+    case FORM_XYZ:
+        return take_xyz(filter, index, value);
+    case FORM_FACE:
+        return take_face(filter, index, value);
+    case FORM_DISC:
+        return take_disc(filter, index, value);
+    case FORM_SQUARE:
+        return take_square(filter, index, value, "xy");
+    }
+    return false;
 }
 
 /* What becomes of the line between text and end? Its rest and, if it is a point, the place index of
  * the batch are filled in. */
 static line_kind take_line(struct filter *filter, size_t index, const char *text, const char *end)
 {
-    const struct filter_options *const options = filter->options;
     struct line *const line = &filter->batch.line[index];
     double value[3] = {0, 0, 0};
-    bool taken;
 
     line->rest = text;
     line->rest_length = 0;
@@ -439,15 +555,7 @@ static line_kind take_line(struct filter *filter, size_t index, const char *text
     }
     line->rest = rest;
     line->rest_length = (size_t)(end - rest);
-    if (options->inverse)
-    {
-        taken = take_face(filter, index, value);
-    }
-    else
-    {
-        taken = options->xyz ? take_xyz(filter, index, value) : take_lonlat(filter, index, value);
-    }
-    return taken ? LINE_POINT : LINE_BAD;
+    return take_point(filter, index, value) ? LINE_POINT : LINE_BAD;
 }
 
 /* Add a line, without its line feed, to the batch. */
@@ -540,6 +648,31 @@ static void read_input(struct filter *filter)
     }
 }
 
+/* What is read and what is written, by the kind of the mapping. */
+static void choose_forms(struct filter *filter)
+{
+    const form sphere = filter->options->xyz ? FORM_XYZ : FORM_LONLAT;
+    form from = sphere;
+    form to = FORM_FACE;
+    switch (cm_mapping_describe(filter->mapping)->kind)
+    {
+    case CM_KIND_CUBE:
+        break;
+    case CM_KIND_DISC_SQUARE:
+        from = FORM_DISC;
+        to = FORM_SQUARE;
+        break;
+    case CM_KIND_AZIMUTHAL:
+        to = FORM_DISC;
+        break;
+    case CM_KIND_LAYOUT:
+        to = FORM_SQUARE;
+        break;
+    }
+    filter->from = filter->options->inverse ? to : from;
+    filter->to = filter->options->inverse ? from : to;
+}
+
 bool filter_points(const struct filter_options *options, const cm_mapping *mapping, int descriptor,
                    const char *name)
 {
@@ -553,6 +686,7 @@ bool filter_points(const struct filter_options *options, const cm_mapping *mappi
     filter->name = name;
     filter->descriptor = descriptor;
     filter->batch.first_line = 1;
+    choose_forms(filter);
     while (!filter->at_end)
     {
         read_input(filter);

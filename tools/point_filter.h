@@ -12,7 +12,7 @@
 struct filter_options
 {
     int digits;   /* significant ones to write, 1 to 17 */
-    bool inverse; /* from faces to the sphere */
+    bool inverse; /* from faces, disc or square */
     bool single;  /* compute in float */
     bool xyz;     /* directions are x y z, not lon lat */
 };

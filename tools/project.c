@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * cubemap-project: a filter for points. Reads lon lat or x y z, writes face u v; -I inverts.
+ * cubemap-project: a filter for points. Reads lon lat or x y z, writes face u v, or for mappings of one
+ * face u v or x y; -I inverts.
  */
 #define _POSIX_C_SOURCE 200809L
 
@@ -31,8 +32,8 @@ typedef enum listing
 struct settings
 {
     const char *mapping;
-    const char *frame;
-    const char *file; /* NULL for standard input */
+    const char *frame; /* NULL if none is given */
+    const char *file;  /* NULL for standard input */
     const char *input;
     const char *output;
     struct filter_options filter; /* digits is 0 until known */
@@ -43,17 +44,20 @@ struct settings
 
 static const char usage_text[] =
     "Usage: " PROGRAM " [OPTION...] [FILE]\n"
-    "Project points from the sphere to the six faces of a cube, or back.\n"
+    "Project points from the sphere to the six faces of a cube, to a disc or to a square, or "
+    "back.\n"
     "\n"
     "Reads lines 'LON LAT' in degrees and writes lines 'FACE U V', FACE from 0 to 5, U and V\n"
-    "from -1 to 1; with -I reads 'FACE U V' and writes 'LON LAT'. What follows the numbers of a\n"
-    "line, empty lines and lines that begin with # pass through. Without FILE, or when FILE\n"
-    "is -, it reads standard input.\n"
+    "from -1 to 1; with -I reads 'FACE U V' and writes 'LON LAT'. Mappings of one face have none\n"
+    "to write: what is on the plane is 'U V' for azimuthal ones, which map to the unit disc, and\n"
+    "'X Y' for layouts, which map to one square; square:NAME maps the disc's 'U V' to the\n"
+    "square's 'X Y'. What follows the numbers of a line, empty lines and lines that begin with #\n"
+    "pass through. Without FILE, or when FILE is -, it reads standard input.\n"
     "\n"
     "  -m, --mapping MAPPING   NAME, NAME:PRESET or NAME:PARAMETER=VALUE[,...]; "
     "default: " CM_MAPPING_RECOMMENDED "\n"
     "      --frame FRAME       numbering and axes of the faces: geo, gl or fits; default: geo\n"
-    "  -I, --inverse           from faces to the sphere\n"
+    "  -I, --inverse           from faces, disc or square to the sphere, or from square to disc\n"
     "      --input FORM        what to read: lonlat (the default) or xyz, of any length\n"
     "      --output FORM       what -I writes: lonlat (the default) or xyz, of length 1\n"
     "      --float             compute in single precision\n"
@@ -62,12 +66,14 @@ static const char usage_text[] =
     "  -h, --help              print this help\n"
     "      --version           print the version\n"
     "\n"
-    "A line that is no point gives 'nan nan nan' ('nan nan' for LON LAT), a message that names\n"
-    "the line, and exit status 1 at the end. Wrong usage gives exit status 2.\n"
+    "A line that is no point, or none of the map, gives 'nan' for each number, a message that\n"
+    "names the line, and exit status 1 at the end. Wrong usage gives exit status 2.\n"
     "\n"
     "Examples:\n"
     "  echo 12.5 41.9 Rome | " PROGRAM "\n"
-    "  " PROGRAM " -m tangent:c=1.1823 --frame gl points.txt >faces.txt\n";
+    "  " PROGRAM " -m tangent:c=1.1823 --frame gl points.txt >faces.txt\n"
+    "  " PROGRAM " -m azimuthal:equidistant:fov=220,lon=10,lat=50 points.txt\n"
+    "  " PROGRAM " -m quincuncial:stereographic,conformal points.txt\n";
 
 static const struct option long_options[] = {
     {"mapping", required_argument, NULL, 'm'},
@@ -219,7 +225,7 @@ static void take_operands(struct settings *settings, int count, char **operand)
 
 static struct settings parse_arguments(int argc, char **argv)
 {
-    struct settings settings = {.mapping = CM_MAPPING_RECOMMENDED, .frame = "geo"};
+    struct settings settings = {.mapping = CM_MAPPING_RECOMMENDED};
     int option;
     opterr = 0;
     while ((option = getopt_long(argc, argv, ":m:Ih", long_options, NULL)) != -1)
@@ -233,11 +239,11 @@ static struct settings parse_arguments(int argc, char **argv)
     take_operands(&settings, argc - optind, argv + optind);
     if (settings.filter.inverse && settings.input != NULL)
     {
-        die(EXIT_USAGE, "--input has no meaning with -I, which reads FACE U V");
+        die(EXIT_USAGE, "--input has no meaning with -I, which reads points of the plane");
     }
     if (!settings.filter.inverse && settings.output != NULL)
     {
-        die(EXIT_USAGE, "--output has no meaning without -I: FACE U V is written");
+        die(EXIT_USAGE, "--output has no meaning without -I: points of the plane are written");
     }
     settings.filter.xyz =
         parse_form("--input", settings.input) || parse_form("--output", settings.output);
@@ -284,7 +290,7 @@ static cm_mapping *create_mapping(const struct settings *settings)
 {
     char message[256];
     cm_mapping *mapping = NULL;
-    const cm_frame *const frame = find_frame(settings->frame);
+    const cm_frame *const frame = find_frame(settings->frame != NULL ? settings->frame : "geo");
     if (cm_specification_check(settings->mapping, message, sizeof message) != CM_OK)
     {
         die(EXIT_USAGE, "-m %s: %s; see --list", settings->mapping, message);
@@ -301,6 +307,26 @@ static cm_mapping *create_mapping(const struct settings *settings)
     return mapping;
 }
 
+/* Options that mean nothing for mappings of this kind. */
+static void check_options(const struct settings *settings, cm_mapping *mapping)
+{
+    const cm_kind kind = cm_mapping_describe(mapping)->kind;
+    const char *const form = settings->input != NULL    ? "--input"
+                             : settings->output != NULL ? "--output"
+                                                        : NULL;
+    if (kind != CM_KIND_CUBE && settings->frame != NULL)
+    {
+        cm_mapping_destroy(mapping);
+        die(EXIT_USAGE, "--frame has no meaning with -m %s, which has one face", settings->mapping);
+    }
+    if (kind == CM_KIND_DISC_SQUARE && form != NULL)
+    {
+        cm_mapping_destroy(mapping);
+        die(EXIT_USAGE, "%s has no meaning with -m %s, which joins disc and square, not the sphere",
+            form, settings->mapping);
+    }
+}
+
 int main(int argc, char **argv)
 {
     const struct settings settings = parse_arguments(argc, argv);
@@ -309,6 +335,7 @@ int main(int argc, char **argv)
         print_listing(settings.list);
     }
     cm_mapping *const mapping = create_mapping(&settings);
+    check_options(&settings, mapping);
     const char *const name = settings.file != NULL ? settings.file : "<stdin>";
     const int descriptor = settings.file != NULL ? open(settings.file, O_RDONLY) : STDIN_FILENO;
     if (descriptor < 0)

@@ -30,7 +30,7 @@ const std::vector<Quantity> &quantities()
          "", &Arrays::isotropy, 1, 0, 1, {1, 2}, sequential},
         {"deformation", "omega", "the most by which an angle can differ",
          " degrees", &Arrays::deformation, 180 / pi, 0, 0, {0, 40}, sequential},
-        {"scale", "s", "as area, in units of u and v; 6/pi is the mean",
+        {"scale", "s", "as area, in units of u and v; 6/pi is a cube's mean",
          "", &Arrays::scale, 1, 6 / pi, none, {1.5 / pi, 24 / pi}, diverging},
         {"texel-aspect", "L_x / L_y", "width over height of a texel on the sphere",
          "", &Arrays::texel_aspect, 1, 1, none, {0.5, 2}, diverging},
@@ -38,6 +38,27 @@ const std::vector<Quantity> &quantities()
          "", &Arrays::texel_area, 6 / pi, 1, none, {0.25, 4}, diverging}};
     // clang-format on
     return list;
+}
+
+Quantity with_mean_scale(const Quantity &quantity, double mean)
+{
+    Quantity changed = quantity;
+    if (quantity.values == &cm_distortion_arrays::area)
+    {
+        changed.values = &cm_distortion_arrays::scale;
+        changed.factor = 1 / mean;
+    }
+    else if (quantity.values == &cm_distortion_arrays::texel_area)
+    {
+        changed.factor = mean;
+    }
+    else if (quantity.values == &cm_distortion_arrays::scale)
+    {
+        const double part = mean / quantity.middle;
+        changed.middle = mean;
+        changed.range = {quantity.range.low * part, quantity.range.high * part};
+    }
+    return changed;
 }
 
 ColorScale::ColorScale(const Quantity &quantity, const ValueRange &value_range, bool turned_round)

@@ -34,7 +34,11 @@ struct Quantity
     const char *colors;
 };
 
+// Those of maps on the six faces of a cube, whose mean scale is 6 / pi.
 const std::vector<Quantity> &quantities();
+
+// The same of a map with this mean scale.
+Quantity with_mean_scale(const Quantity &quantity, double mean);
 
 // Where values lie on a colour map. A diverging map has its middle at the quantity's, and both its
 // halves belong to equal ratios, though the range may not reach as far on one side. A sequential map is

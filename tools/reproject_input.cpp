@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_input.hpp"
+#include "chart_image.hpp"
 #include "equirect.hpp"
 #include "parallel.hpp"
 #include "program.hpp"
@@ -41,6 +42,7 @@ void multiply_by_alpha(SphereGrid &grid, int plane, int alpha)
 
 Input::Input(const Options &options)
 {
+    chart = options.from == Kind::chart;
     open(options);
     find_kind(options);
     make_projection(options);
@@ -52,12 +54,13 @@ Input::Input(const Options &options)
 
 void Input::open(const Options &options)
 {
-    const bool cube = options.from != Kind::equirect;
+    const bool cube = options.from.value_or(Kind::cube) == Kind::cube;
     const bool faces = cube && (options.from_layout == CubeLayout::faces ||
                                 (!options.from_layout && names_faces(options.input)));
     if (!cube && options.from_layout)
     {
-        throw UsageFailure("--from-layout is for a cube, but --from says equirect");
+        throw UsageFailure("--from-layout is for a cube, but --from says " +
+                           (chart ? options.from_mapping : "equirect"));
     }
     const std::vector<std::string> names =
         faces ? face_names(options.input) : std::vector<std::string>{options.input};
@@ -92,12 +95,27 @@ void Input::check_faces() const
     }
 }
 
+void Input::check_chart(const Options &options) const
+{
+    const ImageFile &image = images.front();
+    if (image.width() != image.height())
+    {
+        throw Failure(in_quotes(image.path()) + " is " + size_text(image) + "; an image in " +
+                      options.from_mapping + " must be square");
+    }
+}
+
 // Sets the layout, unless the image is equirectangular or its layout is known.
 void Input::find_kind(const Options &options)
 {
     const ImageFile &image = images.front();
     const bool may_be_cube = options.from != Kind::equirect;
     const bool may_be_equirect = options.from != Kind::cube && !options.from_layout;
+    if (chart)
+    {
+        check_chart(options);
+        return;
+    }
     if (layout || !may_be_cube || (may_be_equirect && has_shape(image, 2, 1)))
     {
         return;
@@ -129,9 +147,14 @@ void Input::make_projection(const Options &options)
     {
         sphere = std::make_unique<Equirect>(image.width(), image.height());
     }
+    else if (kind() == Kind::chart)
+    {
+        sphere = std::make_unique<ChartImage>(options.from_mapping, image.width());
+    }
     else
     {
-        sphere = std::make_unique<CubeImage>(options.from_mapping, *options.from_frame,
+        sphere = std::make_unique<CubeImage>(options.from_mapping,
+                                             turn_poles(*options.from_frame, options.from_columns),
                                              face_size_in_picture());
     }
 }
@@ -151,7 +174,8 @@ SphereGrid Input::read(const Options &options, bool multiply_alpha, int threads)
     SphereGrid grid(sphere->planes(), sphere->width(), sphere->height(), first.channels());
     if (layout == CubeLayout::strip || layout == CubeLayout::cross)
     {
-        const std::vector<PictureLayout> pictures = cube_pictures(*layout, *options.from_frame);
+        const std::vector<PictureLayout> pictures =
+            cube_pictures(*layout, *options.from_frame, options.from_columns);
         read_parts(grid, pictures.front(), finite);
     }
     else
@@ -198,7 +222,7 @@ void Input::read_parts(SphereGrid &grid, const PictureLayout &picture, Finite fi
 std::string Input::description(const Options &options) const
 {
     const ImageFile &first = images.front();
-    std::string text = "equirect ";
+    std::string text = chart ? options.from_mapping + " " : "equirect ";
     if (layout)
     {
         text = "cube:" + options.from_mapping + ", frame " + options.from_frame->identifier + ", ";

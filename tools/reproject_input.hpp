@@ -22,7 +22,7 @@ public:
 
     Kind kind() const noexcept
     {
-        return layout ? Kind::cube : Kind::equirect;
+        return layout ? Kind::cube : chart ? Kind::chart : Kind::equirect;
     }
     const Projection &projection() const noexcept
     {
@@ -44,11 +44,13 @@ private:
     void find_kind(const Options &options);
     void make_projection(const Options &options);
     void check_faces() const;
+    void check_chart(const Options &options) const;
     int face_size_in_picture() const;
     void read_parts(SphereGrid &grid, const PictureLayout &picture, Finite finite);
 
     std::vector<ImageFile> images;
     std::optional<CubeLayout> layout; // of a cube
+    bool chart = false;
     std::unique_ptr<Projection> sphere;
 };
 

@@ -11,6 +11,25 @@
 namespace
 {
 
+// A mapping of six faces follows "cube:", one of one face stands alone.
+cm_kind read_kind(const std::string &option, const std::string &text, const std::string &mapping)
+{
+    char message[400];
+    const bool cube = mapping.size() < text.size();
+    const cm_status status = cm_specification_check(mapping.c_str(), message, sizeof message);
+    if (status != CM_OK)
+    {
+        const bool unknown = !cube && status == CM_ERROR_MAPPING;
+        throw UsageFailure(option + ": " + in_quotes(text) +
+                           (unknown ? " is not equirect, cube or cube:MAPPING, nor a mapping of "
+                                      "one face: "
+                                    : ": ") +
+                           message);
+    }
+    const MappingPointer made = make_mapping(mapping, *cm_frame_find("geo"));
+    return cm_mapping_describe(made.get())->kind;
+}
+
 void read_projection(ArgumentReader &reader, std::optional<Kind> &kind, std::string &mapping)
 {
     const std::string option = reader.text();
@@ -20,17 +39,21 @@ void read_projection(ArgumentReader &reader, std::optional<Kind> &kind, std::str
         kind = Kind::equirect;
         return;
     }
-    if (text != "cube" && text.compare(0, 5, "cube:") != 0)
+    const bool cube = text == "cube" || text.compare(0, 5, "cube:") == 0;
+    mapping = text == "cube" ? CM_MAPPING_RECOMMENDED : cube ? text.substr(5) : text;
+    const cm_kind found = text == "cube" ? CM_KIND_CUBE : read_kind(option, text, mapping);
+    kind = cube ? Kind::cube : Kind::chart;
+    if (found == CM_KIND_DISC_SQUARE)
     {
         throw UsageFailure(option + ": " + in_quotes(text) +
-                           " is not equirect, cube or cube:MAPPING");
+                           ": it joins disc and square, not the sphere; a layout has it as a part, "
+                           "as in quincuncial:lambert,shirley");
     }
-    kind = Kind::cube;
-    mapping = text == "cube" ? CM_MAPPING_RECOMMENDED : text.substr(5);
-    char message[400];
-    if (cm_specification_check(mapping.c_str(), message, sizeof message) != CM_OK)
+    if (cube != (found == CM_KIND_CUBE))
     {
-        throw UsageFailure(option + ": " + in_quotes(text) + ": " + message);
+        throw UsageFailure(option + ": " + in_quotes(text) + ": " + mapping +
+                           (cube ? " has one face; say " + mapping
+                                 : " is a mapping of the cube; say cube:" + mapping));
     }
 }
 
@@ -46,9 +69,9 @@ const std::map<std::string, OptionAction> &option_actions()
         {"--size", [](ArgumentReader &reader, Options &options)
          { options.size = static_cast<int>(reader.whole_number(1, largest_equirect)); }},
         {"--from-layout", [](ArgumentReader &reader, Options &options)
-         { options.from_layout = read_layout(reader); }},
-        {"--layout",
-         [](ArgumentReader &reader, Options &options) { options.layout = read_layout(reader); }},
+         { options.from_layout = read_layout(reader, options.from_columns); }},
+        {"--layout", [](ArgumentReader &reader, Options &options)
+         { options.layout = read_layout(reader, options.columns); }},
         {"--from-frame",
          [](ArgumentReader &reader, Options &options) { options.from_frame = read_frame(reader); }},
         {"--frame",
@@ -132,8 +155,8 @@ std::string help_text()
 {
     return R"(Usage: cubemap-reproject [OPTION]... INPUT OUTPUT
 
-Resamples an image of the whole sphere from one projection to another: from an
-equirectangular image to the six faces of a cube, back, or from cube to cube.
+Resamples an image of the sphere from one projection to another: equirectangular,
+the six faces of a cube, a disc, as a fisheye lens makes it, or one square.
 PNG, JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel.
 
   --from SPEC           what INPUT is; without it, its shape tells: 2:1 equirect,
@@ -141,11 +164,17 @@ PNG, JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel.
   --to SPEC             what OUTPUT is to be; without it, the other of the two
                         SPEC is equirect, cube, or cube:MAPPING, such as
                         cube:tangent:c=1.1823; cube alone is cube:)" CM_MAPPING_RECOMMENDED R"(
+                        or azimuthal:NAME, such as azimuthal:equidistant:fov=200,
+                        a disc in a square image; or a square of the whole sphere,
+                        peirce, quincuncial:AZIMUTHAL,SQUARE,
+                        border:AZIMUTHAL,SQUARE, octahedral,
+                        octahedral:clarberg or rhealpix
   --size N              pixels along the edge of a face (to )" +
            std::to_string(largest_face) + R"(), or across an
                         equirectangular image (even, to )" +
            std::to_string(largest_equirect) + R"(); without it,
-                        the resolution at the equator stays the same
+                        the resolution stays the same: at the equator, and of
+                        discs and squares in the mean
   --layout LAYOUT       how OUTPUT holds the faces of a cube; without it, faces
   --from-layout LAYOUT  how INPUT does
   --frame FRAME         how the faces sit on the axes; without it, geo
@@ -161,6 +190,9 @@ Layouts:
                         NAME.EXT stands for NAME_0.EXT to NAME_5.EXT
   strip                 6N x N, the faces in their order
   cross                 4N x 3N, the cube unfolded
+  cross:north=N,south=N the same with the uppermost and the lowest face in columns
+                        0 to 3 instead of 1, turned; of cube:healpix that is
+                        rHEALPix as PROJ has it with lon_0=45
 
 Frames:
   geo                   front right back left top bottom: lon 0, lon 90 E, lon 180,
@@ -181,5 +213,7 @@ Examples:
   cubemap-reproject --size 2048 face_%f.png earth-again.png
   cubemap-reproject --from cube --to cube:gnomonic --from-frame geo --frame gl \
       --layout strip face_%f.png sky.exr
+  cubemap-reproject --from azimuthal:equidistant:fov=185,lat=0 fisheye.jpg world.jpg
+  cubemap-reproject --to peirce --size 1024 earth.jpg peirce.png
 )";
 }

@@ -14,7 +14,8 @@
 enum class Kind
 {
     equirect,
-    cube
+    cube,
+    chart // a mapping of one face
 };
 
 struct Options
@@ -26,6 +27,8 @@ struct Options
     std::optional<int> size;
     std::optional<CubeLayout> from_layout;
     std::optional<CubeLayout> layout;
+    PolarColumns from_columns; // of crosses
+    PolarColumns columns;
     const cm_frame *from_frame = nullptr;
     const cm_frame *frame = nullptr;
     Filter filter = Filter::bilinear;
@@ -38,7 +41,7 @@ struct Options
     std::string output;
 };
 
-// The largest --size, for a cube and for an equirectangular image.
+// The largest --size, for a cube or a chart, and for an equirectangular image.
 inline constexpr int largest_face = 65536;
 inline constexpr int largest_equirect = 262144;
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
+#include "chart_image.hpp"
 #include "equirect.hpp"
 #include "parallel.hpp"
 #include "program.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace
@@ -18,30 +20,49 @@ constexpr int band_rows_least = 16;
 // How opaque ellipses are inside: what is below must still be seen.
 constexpr double ellipse_fill = 0.35;
 
-// The width of an equirectangular image, or the edge of a face, with the same resolution at the
-// equator as the input.
-int natural_size(Kind kind, const Input &input)
+constexpr double pi = 3.14159265358979323846;
+
+// The edge of a square of the unit sphere that has as many pixels as the projection has along its width: at
+// the equator, and of a chart in the mean.
+double span(Kind kind, const std::string &mapping)
 {
-    const int width = input.projection().width();
-    if (kind == input.kind())
+    switch (kind)
     {
-        return kind == Kind::equirect ? std::min(width + width % 2, largest_equirect)
-                                      : std::min(width, largest_face);
+    case Kind::equirect:
+        return 2 * pi;
+    case Kind::cube:
+        return pi / 2;
+    case Kind::chart:
+        break;
     }
-    return kind == Kind::equirect ? std::min(4 * width, largest_equirect)
-                                  : std::clamp((width + 2) / 4, 1, largest_face);
+    return 2 / std::sqrt(ChartImage(mapping, 1).mean_scale());
+}
+
+int largest_size(Kind kind)
+{
+    return kind == Kind::equirect ? largest_equirect : largest_face;
+}
+
+// With the same resolution as the input.
+int natural_size(Kind kind, const Options &options, const Input &input)
+{
+    const double radian = input.projection().width() / span(input.kind(), options.from_mapping);
+    const double width = std::round(radian * span(kind, options.to_mapping));
+    const int size =
+        static_cast<int>(std::clamp(width, 1.0, static_cast<double>(largest_size(kind))));
+    return kind == Kind::equirect ? size + size % 2 : size;
 }
 
 int output_size(Kind kind, const Options &options, const Input &input)
 {
-    const int size = options.size ? *options.size : natural_size(kind, input);
-    const int largest = kind == Kind::cube ? largest_face : largest_equirect;
-    if (size > largest)
+    const int size = options.size ? *options.size : natural_size(kind, options, input);
+    if (size > largest_size(kind))
     {
-        throw UsageFailure(
-            "--size: " + std::to_string(size) + " is too large; " +
-            (kind == Kind::cube ? "the edge of a face" : "the width of an equirectangular image") +
-            " may be " + std::to_string(largest) + " at most");
+        throw UsageFailure("--size: " + std::to_string(size) + " is too large; the " +
+                           (kind == Kind::cube    ? "edge of a face"
+                            : kind == Kind::chart ? "edge of a square image"
+                                                  : "width of an equirectangular image") +
+                           " may be " + std::to_string(largest_size(kind)) + " at most");
     }
     if (kind == Kind::equirect && size % 2 != 0)
     {
@@ -148,12 +169,13 @@ Output::Output(const Options &options, const Input &input)
 
 void Output::choose_projection(const Options &options, const Input &input)
 {
-    const Kind other = input.kind() == Kind::cube ? Kind::equirect : Kind::cube;
-    const Kind kind = options.to.value_or(other);
-    if (kind == Kind::equirect && options.layout)
+    const Kind other = input.kind() == Kind::equirect ? Kind::cube : Kind::equirect;
+    kind = options.to.value_or(other);
+    if (kind != Kind::cube && options.layout)
     {
-        throw UsageFailure("--layout is for a cube, but OUTPUT is equirectangular" +
-                           std::string(options.to ? "" : "; say --to cube if it is to be a cube"));
+        throw UsageFailure("--layout is for a cube, but OUTPUT is " +
+                           (kind == Kind::chart ? options.to_mapping : "equirectangular") +
+                           (options.to ? "" : "; say --to cube if it is to be a cube"));
     }
     const int size = output_size(kind, options, input);
     if (kind == Kind::equirect)
@@ -162,9 +184,16 @@ void Output::choose_projection(const Options &options, const Input &input)
         pictures = {{1, 1, {{0, 0, 0}}}};
         return;
     }
+    if (kind == Kind::chart)
+    {
+        sphere = std::make_unique<ChartImage>(options.to_mapping, size);
+        pictures = {{1, 1, {{0, 0, 0}}}};
+        return;
+    }
     layout = options.layout.value_or(CubeLayout::faces);
-    sphere = std::make_unique<CubeImage>(options.to_mapping, *options.frame, size);
-    pictures = cube_pictures(*layout, *options.frame);
+    sphere = std::make_unique<CubeImage>(options.to_mapping,
+                                         turn_poles(*options.frame, options.columns), size);
+    pictures = cube_pictures(*layout, *options.frame, options.columns);
 }
 
 // The pixels are those of the source, multiplied by alpha if the format wants it so.
@@ -174,9 +203,11 @@ void Output::choose_overlay(const Options &options, const OIIO::ImageSpec &sourc
     {
         return;
     }
-    overlay = std::make_unique<Overlay>(options.overlay,
-                                        layout ? options.to_mapping : options.from_mapping,
-                                        layout ? *options.frame : *options.from_frame, *sphere);
+    const bool own = kind != Kind::equirect;
+    const cm_frame frame = own ? turn_poles(*options.frame, options.columns)
+                               : turn_poles(*options.from_frame, options.from_columns);
+    overlay = std::make_unique<Overlay>(
+        options.overlay, own ? options.to_mapping : options.from_mapping, frame, *sphere);
     line_style = {options.overlay.line_width, options.overlay.line_color, ellipse_fill};
     const bool divided = source.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
     line_channels = {source.nchannels, source.alpha_channel, !divided || plan.multiply_alpha};
@@ -262,7 +293,8 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
 
 std::string Output::description(const Options &options) const
 {
-    std::string text = name_list(names) + " (equirect ";
+    std::string text =
+        name_list(names) + " (" + (kind == Kind::chart ? options.to_mapping : "equirect") + " ";
     if (layout)
     {
         text = name_list(names) + " (cube:" + options.to_mapping + ", frame " +

@@ -40,6 +40,7 @@ private:
     std::function<void(int plane, int row, float *pixels)> line_drawer() const;
     void write_picture(const Render &render, std::size_t index, int threads);
 
+    Kind kind = Kind::cube;
     std::unique_ptr<Projection> sphere;
     std::optional<CubeLayout> layout; // of a cube
     std::vector<PictureLayout> pictures;

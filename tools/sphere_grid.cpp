@@ -24,6 +24,11 @@ void sample_nearest(const SphereGrid &grid, const PointBatch &batch, std::size_t
     const std::size_t channels = static_cast<std::size_t>(grid.channels());
     for (std::size_t i = 0; i < count; ++i)
     {
+        if (batch.plane[i] == no_plane)
+        {
+            std::fill_n(output + i * channels, channels, 0.0f);
+            continue;
+        }
         const int column = std::min(static_cast<int>(batch.x[i]), grid.width() - 1);
         const int row = std::min(static_cast<int>(batch.y[i]), grid.height() - 1);
         const float *const pixel = grid.pixel(batch.plane[i], column, row);
@@ -46,6 +51,12 @@ void sample_bilinear(const SphereGrid &grid, const PointBatch &batch, std::size_
     const std::size_t stride = grid.row_stride();
     for (std::size_t i = 0; i < count; ++i)
     {
+        float *const pixel = output + i * channels;
+        if (batch.plane[i] == no_plane)
+        {
+            std::fill_n(pixel, channels, 0.0f);
+            continue;
+        }
         // Counted from the centre of the border's first pixel, so never negative.
         const double x = batch.x[i] + 0.5;
         const double y = batch.y[i] + 0.5;
@@ -55,7 +66,6 @@ void sample_bilinear(const SphereGrid &grid, const PointBatch &batch, std::size_
         const float weight_y = static_cast<float>(y - row);
         const float *const upper = grid.pixel(batch.plane[i], column - 1, row - 1);
         const float *const lower = upper + stride;
-        float *const pixel = output + i * channels;
         for (std::size_t c = 0; c < channels; ++c)
         {
             const float above = mix(upper[c], upper[c + channels], weight_x);

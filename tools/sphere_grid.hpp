@@ -75,7 +75,10 @@ private:
 
 // Points that are computed together: first their directions, then where they lie on a grid. x and y
 // of a position count pixels from the plane's upper left corner: the first pixel's centre is at
-// (0.5, 0.5).
+// (0.5, 0.5). Where there is no direction, its numbers are NaN; where there is no position, plane is
+// no_plane.
+constexpr std::uint8_t no_plane = 255;
+
 struct PointBatch
 {
     static constexpr std::size_t capacity = 4096;
@@ -92,7 +95,8 @@ struct DerivativeBatch
     std::array<Numbers, 3> by_x, by_y;
 };
 
-// Writes the values at the first count positions of a batch, channel by channel, pixel by pixel.
+// Writes the values at the first count positions of a batch, channel by channel, pixel by pixel; 0 where there
+// is no position.
 void sample(const SphereGrid &grid, Filter filter, const PointBatch &batch, std::size_t count,
             float *output);
 
@@ -110,7 +114,7 @@ public:
     virtual void directions(int plane, int row, int first_column, std::size_t count,
                             PointBatch &batch) const = 0;
 
-    // Sets the positions of the first count directions.
+    // Sets the positions of the first count directions, as far as they are on the planes.
     virtual void positions(std::size_t count, PointBatch &batch) const = 0;
 
     // Sets the derivatives at the first count positions, whose directions, of unit length, are in the

@@ -43,6 +43,38 @@ static void add(suite *all, const char *specification)
     all->subjects[all->subject_count++] = made;
 }
 
+/* Do two specifications of a mapping come to the same parameters? */
+static int is_same(const char *one, const char *other)
+{
+    cm_mapping *made[2] = {NULL, NULL};
+    int same = cm_mapping_create(one, NULL, &made[0]) == CM_OK &&
+               cm_mapping_create(other, NULL, &made[1]) == CM_OK;
+    for (size_t i = 0; same && i < cm_mapping_describe(made[0])->parameter_count; i++)
+    {
+        same = cm_mapping_parameter(made[0], i) == cm_mapping_parameter(made[1], i);
+    }
+    cm_mapping_destroy(made[0]);
+    cm_mapping_destroy(made[1]);
+    return same;
+}
+
+/* The presets that are not the standard parameters. */
+static void add_presets(suite *all, const cm_mapping_info *info)
+{
+    for (const char *word = info->presets == NULL ? "" : info->presets; *word != '\0';)
+    {
+        char specification[sizeof all->subjects[0].specification];
+        snprintf(specification, sizeof specification, "%s:%.*s", info->identifier,
+                 (int)strcspn(word, ":"), word);
+        if (!is_same(info->identifier, specification))
+        {
+            add(all, specification);
+        }
+        word += strcspn(word, " ");
+        word += strspn(word, " ");
+    }
+}
+
 static int add_pattern(suite *all, const char *pattern)
 {
     int found = 0;
@@ -52,6 +84,7 @@ static int add_pattern(suite *all, const char *pattern)
         if (fnmatch(pattern, identifier, 0) == 0)
         {
             add(all, identifier);
+            add_presets(all, cm_catalogue_at(i));
             found = 1;
         }
     }
@@ -60,6 +93,15 @@ static int add_pattern(suite *all, const char *pattern)
         usage("no mapping matches ", pattern);
     }
     return found;
+}
+
+static int has_six_faces(const char *specification)
+{
+    cm_mapping *mapping = NULL;
+    int cube = cm_mapping_create(specification, NULL, &mapping) == CM_OK &&
+               cm_mapping_describe(mapping)->kind == CM_KIND_CUBE;
+    cm_mapping_destroy(mapping);
+    return cube;
 }
 
 int suite_add(suite *all, const char *word)
@@ -72,6 +114,11 @@ int suite_add(suite *all, const char *word)
     if (cm_specification_check(word, why, sizeof why) != CM_OK)
     {
         usage(why, "");
+        return 0;
+    }
+    if (!has_six_faces(word))
+    {
+        usage("it has not six faces: ", word);
         return 0;
     }
     if (strlen(word) >= sizeof all->subjects[0].specification)

@@ -7,13 +7,18 @@
  * results, overlaps, threads):
  *   units       lengths of the map are those of u and v, a face being 2 wide; lengths of the sphere are
  *               radians; angles are radians
+ *   one face    the mean scale is 6/pi of a cube, 1/pi of a layout (of rhealpix 3/(8 pi)), and for an azimuthal
+ *               projection 1/4 of the whole sphere, 1/2 of a hemisphere; area is relative to that.
+ *               Mappings between disc and square give NaN: cm_warp_jacobian has their derivatives
  *   creases     where derivatives jump (the diagonals of qsc, borders within healpix's faces, and the
  *               edges of faces) the values are those of one side: of the face and the piece of it that
  *               forward, or the face given, counts the point to (mapping.h). A point on an edge has others
  *               on the other face
  *   singular    smoothstep:c=1 stands still on its edges: there the forward functions give scale = minor = 0,
  *               an infinite isotropy and NaN for texel_area, in corners NaN for more, and the inverse ones NaN
- *               for all. No other mapping is singular within its range of parameters
+ *               for all. On one face the corners of the middle square of a layout are singular, the border of
+ *               border:..., the rim of orthographic and that of projections of the whole sphere: values there
+ *               are infinite, 0 or NaN. No other mapping is singular within its range of parameters
  *   accuracy    in double, of the truth at the given arguments, with the standard parameters: major,
  *               minor, scale, area, isotropy, texel_aspect and texel_area within 1e-14 relative;
  *               deformation within 1e-14 rad, so that its relative error grows as the map gets isotropic;
@@ -49,10 +54,10 @@ typedef struct cm_distortion
     double minor; /* b */
     double
         orientation; /* of the major axis on the map: the angle from +u towards +v, (-pi/2, pi/2] */
-    double scale;    /* s = a b: area on the map per area of the sphere; its mean is 6/pi */
+    double scale;    /* s = a b: area on the map per area of the sphere; its mean is above */
     double
         deformation; /* omega = 2 asin((a - b) / (a + b)): by how much an angle can differ, [0, pi) */
-    double area;     /* D_A = s / (6/pi): 1 where the map has its mean scale */
+    double area;     /* D_A = s over its mean: 1 where the map has its mean scale */
     double isotropy;     /* D_I = a / b >= 1 */
     double texel_aspect; /* width over height of a texel on the sphere: Lambda_x / Lambda_y */
     double

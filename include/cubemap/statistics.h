@@ -92,7 +92,8 @@ CM_API int cm_quantity_find(const char *name);
 /* options NULL: over all faces, by quadrature. Where the map is singular extremes are infinite or those of
  * points beside it, and the errors large. Infinite values count in extremes, NaN in nothing.
  * Errors: CM_ERROR_ARGUMENT if a pointer other than options is NULL, a size is none, or quantity, measure,
- * faces, pixels or tolerance is outside its range. */
+ * faces, pixels or tolerance is outside its range; CM_ERROR_UNSUPPORTED, with nothing written, if the mapping
+ * has not six faces (its kind is not CM_KIND_CUBE). */
 CM_API cm_status cm_distortion_statistics(const cm_mapping *mapping, cm_quantity quantity,
                                           const cm_statistics_options *options,
                                           cm_statistics *statistics);

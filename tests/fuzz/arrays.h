@@ -372,7 +372,8 @@ static void expect_jacobian(const subject *made, const REAL value[3], const REAL
 {
     for (int k = 0; k < 6; k++)
     {
-        EXPECT(good ? isfinite(jacobian[k]) || !made->standard : isnan(jacobian[k]),
+        EXPECT(good ? isfinite(jacobian[k]) || !made->standard || is_one_face(made)
+                    : isnan(jacobian[k]),
                "%s: %a %a %a: %d of the Jacobian is %a", made->specification, (double)value[0],
                (double)value[1], (double)value[2], k, (double)jacobian[k]);
     }
@@ -444,7 +445,8 @@ static void check_distortion(const subject *made, supply *from, const points *in
         {
             FORWARD_DISTORTION(made->mapping, value, &d);
         }
-        EXPECT(good ? (d.isotropy >= 1 && isfinite(d.texel_area)) || !made->standard
+        EXPECT(good ? (d.isotropy >= 1 && isfinite(d.texel_area)) || !made->standard ||
+                          is_one_face(made)
                     : isnan(d.isotropy) && isnan(d.major) && isnan(d.orientation),
                "%s: %a %a %a: isotropy %a", made->specification, (double)value[0], (double)value[1],
                (double)value[2], (double)d.isotropy);
@@ -455,6 +457,51 @@ static void check_distortion(const subject *made, supply *from, const points *in
     }
     expect_guards(&into);
     drop_points(&into);
+}
+
+/* ---- Warps ---- */
+
+/* Into columns of their own, equal to single points to the bit; nothing where there is no warp. */
+static void check_warps(const subject *made, supply *from, const points *input)
+{
+    points warped = make_points(input->count, take_byte(from) % OFFSETS);
+    points first = make_points(input->count, take_byte(from) % OFFSETS);
+    points second = make_points(input->count, 0);
+    REAL *const to[4] = {first.column[0], first.column[1], second.column[0], second.column[1]};
+    size_t n = input->count;
+    cm_status expected = is_hybrid(made) ? CM_ERROR_UNSUPPORTED : CM_OK;
+    EXPECT(WARP_ARRAY(made->mapping, n, input->column[0], input->column[1], warped.column[0],
+                      warped.column[1]) == expected &&
+               UNWARP_ARRAY(made->mapping, n, input->column[0], input->column[1], first.column[2],
+                            second.column[2]) == expected &&
+               WARP_JACOBIAN_ARRAY(made->mapping, n, input->column[0], input->column[1], to) ==
+                   expected,
+           "%s: a warp, or none", made->specification);
+    for (size_t i = 0; i < n; i++)
+    {
+        const REAL pq[2] = {input->column[0][i], input->column[1][i]};
+        REAL uv[2] = {GUARD, GUARD};
+        REAL back[2] = {GUARD, GUARD};
+        REAL jacobian[4] = {GUARD, GUARD, GUARD, GUARD};
+        EXPECT(WARP(made->mapping, pq, uv) == expected &&
+                   UNWARP(made->mapping, pq, back) == expected &&
+                   WARP_JACOBIAN(made->mapping, pq, jacobian) == expected,
+               "%s: alone another status", made->specification);
+        int same = memcmp(&uv[0], &warped.column[0][i], sizeof(REAL)) == 0 &&
+                   memcmp(&uv[1], &warped.column[1][i], sizeof(REAL)) == 0 &&
+                   memcmp(&back[0], &first.column[2][i], sizeof(REAL)) == 0 &&
+                   memcmp(&back[1], &second.column[2][i], sizeof(REAL)) == 0;
+        for (int k = 0; k < 4; k++)
+        {
+            same &= memcmp(&jacobian[k], &to[k][i], sizeof(REAL)) == 0;
+        }
+        EXPECT(same, "%s: warp %zu of %zu is another alone", made->specification, i, n);
+    }
+    expect_guards(&warped);
+    expect_guards(&first);
+    drop_points(&second);
+    drop_points(&first);
+    drop_points(&warped);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -479,6 +526,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     check_jacobians(&made, &from, &input, inverse);
     check_distortion(&made, &from, &input, inverse);
+    check_warps(&made, &from, &input);
     drop_points(&expected);
     drop_points(&input);
     drop_subject(&made);

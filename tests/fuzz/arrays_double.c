@@ -23,4 +23,10 @@
 #define INVERSE_DISTORTION cm_inverse_distortion
 #define FORWARD_DISTORTION_ARRAY cm_forward_distortion_array
 #define INVERSE_DISTORTION_ARRAY cm_inverse_distortion_array
+#define WARP cm_warp
+#define UNWARP cm_unwarp
+#define WARP_ARRAY cm_warp_array
+#define UNWARP_ARRAY cm_unwarp_array
+#define WARP_JACOBIAN cm_warp_jacobian
+#define WARP_JACOBIAN_ARRAY cm_warp_jacobian_array
 #include "arrays.h"

@@ -23,4 +23,10 @@
 #define INVERSE_DISTORTION cm_inverse_distortion_f32
 #define FORWARD_DISTORTION_ARRAY cm_forward_distortion_array_f32
 #define INVERSE_DISTORTION_ARRAY cm_inverse_distortion_array_f32
+#define WARP cm_warp_f32
+#define UNWARP cm_unwarp_f32
+#define WARP_ARRAY cm_warp_array_f32
+#define UNWARP_ARRAY cm_unwarp_array_f32
+#define WARP_JACOBIAN cm_warp_jacobian_f32
+#define WARP_JACOBIAN_ARRAY cm_warp_jacobian_array_f32
 #include "arrays.h"

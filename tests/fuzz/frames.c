@@ -102,15 +102,16 @@ static void check_direction(const subject *made, const cm_frame *frame, const do
     double back[3];
     double warped[2];
     uint8_t face = cm_forward(made->mapping, direction, uv);
-    EXPECT((face < 6) == is_direction(direction), "%s: face %d", made->specification, face);
+    EXPECT((face < 6) == is_direction(direction) || is_partial(made), "%s: face %d",
+           made->specification, face);
     if (face > 5)
     {
         return;
     }
     cm_inverse(made->mapping, face, uv, back);
-    EXPECT(angle_of(direction, back) <= made->bound, "%s: %a %a %a: %d %a %a: %g rad",
-           made->specification, direction[0], direction[1], direction[2], face, uv[0], uv[1],
-           angle_of(direction, back));
+    EXPECT(angle_of(direction, back) <= made->bound + (is_partial(made) ? 8e-9 : 0.0),
+           "%s: %a %a %a: %d %a %a: %g rad", made->specification, direction[0], direction[1],
+           direction[2], face, uv[0], uv[1], angle_of(direction, back));
     if (!is_hybrid(made))
     {
         const cm_frame_face *axes = &frame->face[face];

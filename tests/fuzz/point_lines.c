@@ -61,6 +61,13 @@ static size_t filter(const struct filter_options *options, const cm_mapping *map
     return bad;
 }
 
+/* Can rounding take what the filter writes off the map? Beyond the rim of a disc, or of a field of view. */
+static bool has_rim(const cm_mapping *mapping, bool inverse)
+{
+    cm_kind kind = cm_mapping_describe(mapping)->kind;
+    return kind == CM_KIND_AZIMUTHAL || (kind == CM_KIND_DISC_SQUARE && inverse);
+}
+
 /* What the filter writes it reads, but for the lines that it has complained of. */
 static void check_back(const struct filter_options *options, const cm_mapping *mapping,
                        const talk *first, size_t bad)
@@ -69,7 +76,8 @@ static void check_back(const struct filter_options *options, const cm_mapping *m
     talk second;
     back.inverse = !options->inverse;
     size_t still_bad = filter(&back, mapping, first->output, first->output_size, &second);
-    EXPECT(bad == still_bad, "%zu bad lines, and back %zu:\n%s%s%s", bad, still_bad, first->output,
+    bool good = has_rim(mapping, options->inverse) ? bad <= still_bad : bad == still_bad;
+    EXPECT(good, "%zu bad lines, and back %zu:\n%s%s%s", bad, still_bad, first->output,
            second.messages, second.output);
     drop_talk(&second);
 }

@@ -40,7 +40,10 @@ static void check_statistics(const cm_mapping *mapping, int quantity,
     cm_status status = cm_distortion_statistics(mapping, (cm_quantity)quantity, options, &s);
     if (status != CM_OK)
     {
-        EXPECT(status == CM_ERROR_ARGUMENT && s.mean == 77.0, "status %d", (int)status);
+        int other = cm_mapping_describe(mapping)->kind != CM_KIND_CUBE;
+        EXPECT((status == CM_ERROR_ARGUMENT || (other && status == CM_ERROR_UNSUPPORTED)) &&
+                   s.mean == 77.0,
+               "status %d", (int)status);
         return;
     }
     double slack = 1e-9 * fabs(s.maximum) + s.mean_error;

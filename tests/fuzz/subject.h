@@ -61,17 +61,37 @@ static inline void set_bounds(subject *made)
     const cm_mapping_info *info = cm_mapping_describe(made->mapping);
     made->bound = info->bounds.round_trip * 0x1p-53;
     made->bound_f32 = info->bounds.round_trip * 0x1p-24;
-    if (strcmp(made->specification, "cobe:legacy=1") == 0) /* the published inverse is none */
+    if (info->kind != CM_KIND_CUBE && (!made->standard || info->bounds.round_trip == 0.0))
+    {
+        /* beside the antipode, or the rim of a view from afar, half of the digits are left; far off it 500 nm */
+        made->bound = 64.0 * sqrt(0x1p-53);
+        made->bound_f32 = 64.0 * sqrt(0x1p-24);
+    }
+    else if (strcmp(made->specification, "cobe:legacy=1") == 0) /* the published inverse is none */
     {
         made->bound = made->bound_f32 = 1400.0 / EARTH_RADIUS;
     }
-    else if (!made->standard)
+    else if (!made->standard && info->kind == CM_KIND_CUBE)
     {
         double slope = slope_at_edge(made->mapping);
         /* without a slope (smoothstep:c=1) only half of the digits are left */
         made->bound = (slope < 0.01 ? sqrt(0x1p-53) : fmax(5e-9, 1e-9 / slope) / EARTH_RADIUS);
         made->bound_f32 = slope < 0.01 ? 4.0 * sqrt(0x1p-24) : fmax(1e-6, 3.0 * 0x1p-24 / slope);
     }
+}
+
+/* Whether a parameter is left out: one of full and fov, beta, which is of few parts, and fields of view so narrow
+ * or so wide that a round trip cannot be told from none. */
+static inline int is_left_out(const cm_mapping_info *info, const cm_parameter_info *parameter,
+                              uint8_t choice)
+{
+    if (info->kind == CM_KIND_CUBE)
+    {
+        return 0;
+    }
+    return strcmp(parameter->name, "beta") == 0 || strcmp(parameter->name, "fov") == 0
+               ? 1
+               : strcmp(parameter->name, "full") == 0 && choice % 2 == 0;
 }
 
 /* frame NULL lets the input choose one of the library's. To be given to drop_subject. */
@@ -84,11 +104,22 @@ static inline subject take_subject(supply *from, const cm_frame *frame)
     const cm_frame *known = cm_frame_at(choice % cm_frame_count());
     subject made = {.standard = choice < 128 || info->parameter_count == 0};
     int length = snprintf(made.specification, sizeof made.specification, "%s", info->identifier);
-    for (size_t i = 0; i < info->parameter_count && !made.standard; i++)
+    /* a layout's parts come first */
+    int given = info->parts != NULL && !made.standard;
+    if (given)
     {
         length += snprintf(made.specification + length, sizeof made.specification - (size_t)length,
-                           "%c%s=%.17g", i == 0 ? ':' : ',', info->parameter[i].name,
-                           take_parameter(from, &info->parameter[i]));
+                           ":%s", info->parts);
+    }
+    for (size_t i = 0; i < info->parameter_count && !made.standard; i++)
+    {
+        double value = take_parameter(from, &info->parameter[i]);
+        if (!is_left_out(info, &info->parameter[i], choice))
+        {
+            length +=
+                snprintf(made.specification + length, sizeof made.specification - (size_t)length,
+                         "%c%s=%.17g", given++ ? ',' : ':', info->parameter[i].name, value);
+        }
     }
     cm_status status = cm_mapping_create_with(made.specification, frame != NULL ? frame : known,
                                               &options, &made.mapping);
@@ -100,6 +131,18 @@ static inline subject take_subject(supply *from, const cm_frame *frame)
 static inline void drop_subject(const subject *made)
 {
     cm_mapping_destroy(made->mapping);
+}
+
+/* Has it one face, or none, and so no point for some directions? */
+static inline int is_partial(const subject *made)
+{
+    cm_kind kind = cm_mapping_describe(made->mapping)->kind;
+    return kind == CM_KIND_AZIMUTHAL || kind == CM_KIND_DISC_SQUARE;
+}
+
+static inline int is_one_face(const subject *made)
+{
+    return cm_mapping_describe(made->mapping)->kind != CM_KIND_CUBE;
 }
 
 static inline int is_hybrid(const subject *made)

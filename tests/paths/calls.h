@@ -314,7 +314,7 @@ static const char *inverse_distortion_single(const cm_mapping *mapping, size_t n
     return NULL;
 }
 
-/* ---- The warp alone, which has no arrays ---- */
+/* ---- The warp alone ---- */
 
 #define WARP_SINGLE(name)                                                                          \
     static const char *name##_single(const cm_mapping *mapping, size_t n, void *const *in,         \
@@ -336,6 +336,52 @@ static const char *inverse_distortion_single(const cm_mapping *mapping, size_t n
 WARP_SINGLE(warp)
 WARP_SINGLE(unwarp)
 
+static const char *said(cm_status status)
+{
+    return status == CM_OK ? NULL : "not CM_OK";
+}
+
+static const char *warp_array(const cm_mapping *mapping, size_t n, void *const *in,
+                              void *const *out, int argument)
+{
+    (void)argument;
+    return said(PUBLIC(cm_warp_array)(mapping, n, in[0], in[1], out[0], out[1]));
+}
+
+static const char *unwarp_array(const cm_mapping *mapping, size_t n, void *const *in,
+                                void *const *out, int argument)
+{
+    (void)argument;
+    return said(PUBLIC(cm_unwarp_array)(mapping, n, in[0], in[1], out[0], out[1]));
+}
+
+static const char *warp_jacobian_array(const cm_mapping *mapping, size_t n, void *const *in,
+                                       void *const *out, int argument)
+{
+    REAL *const jacobian[4] = {out[0], out[1], out[2], out[3]};
+    (void)argument;
+    return said(PUBLIC(cm_warp_jacobian_array)(mapping, n, in[0], in[1], jacobian));
+}
+
+static const char *warp_jacobian_single(const cm_mapping *mapping, size_t n, void *const *in,
+                                        void *const *out, int argument)
+{
+    const char *wrong = NULL;
+    (void)argument;
+    for (size_t i = 0; i < n; i++)
+    {
+        const REAL pq[2] = {((REAL *)in[0])[i], ((REAL *)in[1])[i]};
+        REAL jacobian[4];
+        cm_status status = PUBLIC(cm_warp_jacobian)(mapping, pq, jacobian);
+        wrong = status == CM_OK ? wrong : "not CM_OK";
+        for (int k = 0; k < 4; k++)
+        {
+            ((REAL *)out[k])[i] = jacobian[k];
+        }
+    }
+    return wrong;
+}
+
 /* ---- The table ---- */
 
 #define FORMS_OF(way)                                                                              \
@@ -353,84 +399,98 @@ WARP_SINGLE(unwarp)
 #define EPS_OF_1 "eps"
 #define EPS_OF_MATRIX "eps of the largest entry"
 
-const path_table TABLE = {.in = {REAL_NAME, sizeof(REAL) == sizeof(float), EPS, LEAST},
-                          .paths = {
-                              {"forward", DIRECTIONS, "rrr", "brr", EPS_OF_1, judge_map, NULL,
-                               CM_FAST_FORWARD, 1, 1, FORMS_OF(forward)},
-                              {"inverse", POINTS, "brr", "rrr", EPS_OF_1, judge_direction, NULL,
-                               CM_FAST_INVERSE, 1, 1, FORMS_OF(inverse)},
-                              {"forward Jacobian",
-                               DIRECTIONS,
-                               "rrr",
-                               "rrrrrr",
-                               EPS_OF_MATRIX,
-                               judge_jacobian,
-                               NULL,
-                               0,
-                               1,
-                               1,
-                               {{"array", forward_jacobian_array, 0, 0},
-                                {"single points", forward_jacobian_single, 0, 600},
-                                {"threads", forward_jacobian_threads, 3, POINTS_FOR_THREADS}}},
-                              {"inverse Jacobian",
-                               POINTS,
-                               "brr",
-                               "rrrrrr",
-                               EPS_OF_MATRIX,
-                               judge_jacobian,
-                               NULL,
-                               0,
-                               1,
-                               1,
-                               {{"array", inverse_jacobian_array, 0, 0},
-                                {"single points", inverse_jacobian_single, 0, 600},
-                                {"threads", inverse_jacobian_threads, 3, POINTS_FOR_THREADS}}},
-                              {"forward distortion",
-                               DIRECTIONS,
-                               "rrr",
-                               "rrrrrr",
-                               "of its bound",
-                               judge_distortion,
-                               NULL,
-                               0,
-                               1,
-                               1,
-                               {{"array", forward_distortion_array, 0, 0},
-                                {"single points", forward_distortion_single, 0, 600}}},
-                              {"inverse distortion",
-                               POINTS,
-                               "brr",
-                               "rrrrrr",
-                               "of its bound",
-                               judge_distortion,
-                               NULL,
-                               0,
-                               1,
-                               1,
-                               {{"array", inverse_distortion_array, 0, 0},
-                                {"single points", inverse_distortion_single, 0, 600}}},
-                              {"warp",
-                               PLANE,
-                               "rr",
-                               "rr",
-                               EPS_OF_1,
-                               judge_warped,
-                               has_warp,
-                               0,
-                               1,
-                               0,
-                               {{"single points", warp_single, 0, 0},
-                                {"single points, over the argument", warp_single, 1, 600}}},
-                              {"unwarp",
-                               PLANE,
-                               "rr",
-                               "rr",
-                               EPS_OF_1,
-                               judge_unwarped,
-                               has_warp,
-                               0,
-                               1,
-                               0,
-                               {{"single points", unwarp_single, 0, 0},
-                                {"single points, over the argument", unwarp_single, 1, 600}}},
-                          }};
+const path_table TABLE = {
+    .in = {REAL_NAME, sizeof(REAL) == sizeof(float), EPS, LEAST},
+    .paths = {
+        {"forward", DIRECTIONS, "rrr", "brr", EPS_OF_1, judge_map, NULL, CM_FAST_FORWARD, 1, 1,
+         FORMS_OF(forward)},
+        {"inverse", POINTS, "brr", "rrr", EPS_OF_1, judge_direction, NULL, CM_FAST_INVERSE, 1, 1,
+         FORMS_OF(inverse)},
+        {"forward Jacobian",
+         DIRECTIONS,
+         "rrr",
+         "rrrrrr",
+         EPS_OF_MATRIX,
+         judge_jacobian,
+         NULL,
+         0,
+         1,
+         1,
+         {{"array", forward_jacobian_array, 0, 0},
+          {"single points", forward_jacobian_single, 0, 600},
+          {"threads", forward_jacobian_threads, 3, POINTS_FOR_THREADS}}},
+        {"inverse Jacobian",
+         POINTS,
+         "brr",
+         "rrrrrr",
+         EPS_OF_MATRIX,
+         judge_jacobian,
+         NULL,
+         0,
+         1,
+         1,
+         {{"array", inverse_jacobian_array, 0, 0},
+          {"single points", inverse_jacobian_single, 0, 600},
+          {"threads", inverse_jacobian_threads, 3, POINTS_FOR_THREADS}}},
+        {"forward distortion",
+         DIRECTIONS,
+         "rrr",
+         "rrrrrr",
+         "of its bound",
+         judge_distortion,
+         NULL,
+         0,
+         1,
+         1,
+         {{"array", forward_distortion_array, 0, 0},
+          {"single points", forward_distortion_single, 0, 600}}},
+        {"inverse distortion",
+         POINTS,
+         "brr",
+         "rrrrrr",
+         "of its bound",
+         judge_distortion,
+         NULL,
+         0,
+         1,
+         1,
+         {{"array", inverse_distortion_array, 0, 0},
+          {"single points", inverse_distortion_single, 0, 600}}},
+        {"warp",
+         PLANE,
+         "rr",
+         "rr",
+         EPS_OF_1,
+         judge_warped,
+         has_warp,
+         0,
+         1,
+         1,
+         {{"array", warp_array, 0, 0},
+          {"single points", warp_single, 0, 600},
+          {"single points, over the argument", warp_single, 1, 600}}},
+        {"unwarp",
+         PLANE,
+         "rr",
+         "rr",
+         EPS_OF_1,
+         judge_unwarped,
+         has_warp,
+         0,
+         1,
+         1,
+         {{"array", unwarp_array, 0, 0},
+          {"single points", unwarp_single, 0, 600},
+          {"single points, over the argument", unwarp_single, 1, 600}}},
+        {"warp Jacobian",
+         PLANE,
+         "rr",
+         "rrrr",
+         EPS_OF_MATRIX,
+         judge_jacobian,
+         has_warp,
+         0,
+         1,
+         1,
+         {{"array", warp_jacobian_array, 0, 0}, {"single points", warp_jacobian_single, 0, 600}}},
+    }};

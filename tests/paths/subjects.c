@@ -9,9 +9,36 @@
 
 /* Ends of the ranges of parameters, or near them, and known values: those of scripts/certificate. */
 static const char *const others[] = {
-    "tangent:c=0.25",   "tangent:c=1.1823",  "tangent:c=4",       "everitt:c=0.5", "everitt:c=1.8",
-    "algebraic:c=0.25", "algebraic:c=2",     "tanh:c=0.1",        "tanh:c=2",      "logistic:c=0.5",
-    "logistic:c=4",     "smoothstep:c=0.25", "smoothstep:c=0.95", "cobe:legacy=1",
+    "tangent:c=0.25",
+    "tangent:c=1.1823",
+    "tangent:c=4",
+    "everitt:c=0.5",
+    "everitt:c=1.8",
+    "algebraic:c=0.25",
+    "algebraic:c=2",
+    "tanh:c=0.1",
+    "tanh:c=2",
+    "logistic:c=0.5",
+    "logistic:c=4",
+    "smoothstep:c=0.25",
+    "smoothstep:c=0.95",
+    "cobe:legacy=1",
+    "azimuthal:lambert:full=1",
+    "azimuthal:equidistant:full=1",
+    "azimuthal:breusing:fov=220",
+    "azimuthal:stereographic:fov=220",
+    "azimuthal:orthographic:fov=60",
+    "azimuthal:mixture:beta=0",
+    "azimuthal:mixture:beta=1",
+    "azimuthal:lambert:lon=30,lat=-40",
+    "border:equidistant,squircle",
+    "border:breusing,radial",
+    "border:mixture,elliptical",
+    "border:lambert,conformal,lon=20,lat=30",
+    "quincuncial:lambert,shirley",
+    "quincuncial:mixture,squircle",
+    "quincuncial:breusing,elliptical",
+    "quincuncial:orthographic,radial,lon=-70,lat=10",
 };
 
 /* Every turn and mirroring of a face, and a face of geo at the number of another. */
@@ -145,8 +172,15 @@ double inverse_bound(const subject *s)
     return 2.0 * fmin(bounds_of(s)->inverse * s->widening, 8.0);
 }
 
+/* 0 is none that is stated. A turned direction has the rounding of its other components in each, and what is
+ * 0 about the centre is not in a wider or narrower field of view. */
 double relative_bound(const subject *s)
 {
+    int is_other = !s->standard && cm_mapping_describe(s->reference)->kind != CM_KIND_CUBE;
+    if (bounds_of(s)->relative == 0.0 || is_other)
+    {
+        return (double)INFINITY;
+    }
     return 2.0 * fmin(bounds_of(s)->relative * s->widening, 16.0);
 }
 
@@ -157,6 +191,10 @@ double jacobian_bound(const subject *s)
 
 double angle_bound(const subject *s, const precision *in)
 {
+    if (cm_mapping_describe(s->reference)->kind == CM_KIND_LAYOUT)
+    {
+        return 32.0 * sqrt(in->eps); /* at the antipode of a flat law */
+    }
     return 2.0 * bounds_of(s)->round_trip * s->widening * in->eps;
 }
 

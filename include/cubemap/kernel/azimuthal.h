@@ -78,10 +78,10 @@ CM_STRUCT_END(cm_bearing)
 #define CM_AZIMUTHAL_UP CM_LIT(1.237940039285380e27)     /* 2^90 */
 #define CM_AZIMUTHAL_DOWN CM_LIT(8.077935669463161e-28)  /* 2^-90 */
 #else
-#define CM_AZIMUTHAL_SMALL CM_LIT(3.872591914849318e-121) /* 2^-400 */
-#define CM_AZIMUTHAL_LARGE CM_LIT(2.582249878086909e120)  /* 2^400 */
-#define CM_AZIMUTHAL_UP CM_LIT(5.260135901548374e210)     /* 2^700 */
-#define CM_AZIMUTHAL_DOWN CM_LIT(1.901091739019009e-211)  /* 2^-700 */
+#define CM_AZIMUTHAL_SMALL CM_LIT(3.8725919148493182728180306332863518475702e-121) /* 2^-400 */
+#define CM_AZIMUTHAL_LARGE CM_LIT(2.5822498780869085896559191720030118743297e120)  /* 2^400 */
+#define CM_AZIMUTHAL_UP CM_LIT(5.2601359015483735072409898828801286655503e210)     /* 2^700 */
+#define CM_AZIMUTHAL_DOWN CM_LIT(1.9010915662951598235150724058351031092649e-211)  /* 2^-700 */
 #endif
 
 /* The power of two for a magnitude. */
@@ -137,16 +137,20 @@ CM_FN CM_NAME(cm_bearing)
     return r;
 }
 
-/* The disc's point for a bearing and its radius. What is beyond the rim is put on it. */
+/* The disc's point for a bearing and its radius. What is beyond the rim is put on it. In the outer part of the
+ * disc the radius is taken from the rim, which is the more accurate: an error of it moves a direction by as
+ * much more as the law is flat there. */
 CM_FN CM_NAME(cm_disc_point)
     CM_NAME(cm_azimuthal_point)(CM_NAME(cm_bearing) b, CM_NAME(cm_radius) r)
 {
     CM_BOOL beyond = cm_less(b.t.margin, CM_LIT(0.0));
     CM_REAL ratio = CM_SELECT(beyond, CM_LIT(1.0) / b.t.half_sine, r.ratio);
     CM_NAME(cm_disc_point) d;
-    d.u = b.east * ratio;
-    d.v = -(b.south * ratio);
     d.rim = CM_SELECT(beyond, CM_LIT(0.0), cm_max(r.rim, CM_LIT(0.0)));
+    CM_BOOL outer = cm_less(d.rim, CM_LIT(0.5));
+    CM_REAL radius = cm_sqrt(CM_LIT(1.0) - CM_SELECT(outer, d.rim, CM_LIT(0.0)));
+    d.u = CM_SELECT(outer, b.unit_east * radius, b.east * ratio);
+    d.v = -CM_SELECT(outer, b.unit_south * radius, b.south * ratio);
     d.gap = b.gap * ratio;
     return d;
 }

@@ -15,14 +15,14 @@ CM_AZIMUTHAL(breusing,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 4,
              .parameter = {{.name = "fov", .meaning = "field of view in degrees", .standard = 180.0,
-                            .high = 360.0, .low_excluded = 1},
+                            .low = 1e-6, .high = 360.0},
                            {.name = "full", .meaning = "1 for the whole sphere, fov=360", .high = 1.0,
                             .whole = 1},
                            {.name = "lon", .meaning = "longitude of the centre in degrees", .low = -360.0,
                             .high = 360.0},
                            {.name = "lat", .meaning = "latitude of the centre in degrees", .standard = 90.0,
                             .low = -90.0, .high = 90.0}},
-             .bounds = {.round_trip = 8, .plane_round_trip = 8, .forward = 8, .inverse = 8, .relative = 16})
+             .bounds = {.round_trip = 7, .plane_round_trip = 5, .forward = 4, .inverse = 7, .relative = 8})
 /* clang-format on */
 #else
 
@@ -60,11 +60,12 @@ CM_FN CM_NAME(cm_angle)
     CM_REAL sine_ratio = (CM_LIT(2.0) * k.k3) * over;             /* sin(t / 2) / r */
     CM_REAL apart = (k.k4 * rim) * ((CM_LIT(1.0) + k.k1) * over); /* cos(t / 2) - cos(t0 / 2) */
     CM_REAL sine_square = (sine_ratio * sine_ratio) * square;
+    /* beyond the equator both ways end alike; up to it the second has the digits of the cosine */
+    CM_REAL most = CM_SELECT(cm_less(k.k2, CM_LIT(0.0)), CM_LIT(0.5), CM_LIT(0.25));
     CM_NAME(cm_angle) r;
     r.ratio = CM_LIT(2.0) * (sine_ratio * half_cosine);
-    r.cosine =
-        CM_SELECT(cm_less(sine_square, CM_LIT(0.25)), CM_LIT(1.0) - CM_LIT(2.0) * sine_square,
-                  k.k2 + CM_LIT(2.0) * (apart * (half_cosine + k.k1)));
+    r.cosine = CM_SELECT(cm_less(sine_square, most), CM_LIT(1.0) - CM_LIT(2.0) * sine_square,
+                         k.k2 + CM_LIT(2.0) * (apart * (half_cosine + k.k1)));
     r.slope = CM_LIT(2.0) * sine_ratio;
     return r;
 }

@@ -15,12 +15,12 @@ CM_AZIMUTHAL(gnomonic,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 3,
              .parameter = {{.name = "fov", .meaning = "field of view in degrees", .standard = 90.0,
-                            .high = 179.0, .low_excluded = 1},
+                            .low = 1e-6, .high = 179.0},
                            {.name = "lon", .meaning = "longitude of the centre in degrees", .low = -360.0,
                             .high = 360.0},
                            {.name = "lat", .meaning = "latitude of the centre in degrees", .standard = 90.0,
                             .low = -90.0, .high = 90.0}},
-             .bounds = {.round_trip = 8, .plane_round_trip = 8, .forward = 8, .inverse = 8, .relative = 16})
+             .bounds = {.round_trip = 6, .plane_round_trip = 7, .forward = 5, .inverse = 3, .relative = 8})
 /* clang-format on */
 #else
 
@@ -39,7 +39,7 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_azimuthal_gnomonic_prepare)(CM_NAME(cm_co
 CM_FN CM_NAME(cm_radius)
     CM_NAME(cm_azimuthal_gnomonic_radius)(CM_NAME(cm_colatitude) t, CM_NAME(cm_constants) k)
 {
-    CM_REAL cosine = CM_SELECT(cm_less(CM_LIT(0.0), t.margin), t.cosine, CM_LIT(1.0));
+    CM_REAL cosine = CM_SELECT(cm_less(t.margin, CM_LIT(0.0)), CM_LIT(1.0), t.cosine);
     CM_REAL over = CM_LIT(1.0) / cosine;
     CM_NAME(cm_radius) r;
     r.ratio = (CM_LIT(2.0) * t.half_cosine) * (over / k.k3);

@@ -47,7 +47,14 @@ CM_FN CM_REAL CM_NAME(cm_disc_rim)(CM_REAL u, CM_REAL v)
     CM_REAL d = s - b;
     CM_REAL part = d - s;
     CM_REAL d_rest = (s - (d - part)) - (b + part);
-    return d + (((d_rest + s_rest) - a_rest) - b_rest);
+    /* d and the rests may cancel, so that the rests' sum has its own */
+    CM_REAL first = (d_rest + s_rest) - a_rest;
+    CM_REAL first_part = first - (d_rest + s_rest);
+    CM_REAL first_rest = ((d_rest + s_rest) - (first - first_part)) - (a_rest + first_part);
+    CM_REAL sum = first - b_rest;
+    CM_REAL sum_part = sum - first;
+    CM_REAL sum_rest = (first - (sum - sum_part)) - (b_rest + sum_part);
+    return (d + sum) + (first_rest + sum_rest);
 }
 
 /* A point given by its coordinates; one outside is put on the rim, to which it is moved. */

@@ -23,7 +23,7 @@ CM_LAYOUT(border,
                          .low = -90.0, .high = 90.0},
                         {.name = "beta", .meaning = "that of the mixture", .standard = 0.4, .high = 1.0}},
           .parts = "lambert,shirley",
-          .bounds = {.round_trip = 8, .plane_round_trip = 8, .forward = 8, .inverse = 8, .relative = 16})
+          .bounds = {.round_trip = 0, .plane_round_trip = 5, .forward = 4, .inverse = 4, .relative = 0})
 CM_LAYOUT(quincuncial,
           .identifier = "quincuncial",
           .aliases = "peirce:stereographic,conformal",
@@ -39,7 +39,7 @@ CM_LAYOUT(quincuncial,
                          .low = -90.0, .high = 90.0},
                         {.name = "beta", .meaning = "that of the mixture", .standard = 0.4, .high = 1.0}},
           .parts = "stereographic,conformal",
-          .bounds = {.round_trip = 8, .plane_round_trip = 8, .forward = 8, .inverse = 8, .relative = 16})
+          .bounds = {.round_trip = 7.5, .plane_round_trip = 6, .forward = 5, .inverse = 5, .relative = 0})
 /* clang-format on */
 #else
 

@@ -14,7 +14,7 @@ CM_SPHERE(octahedral,
           .kind = CM_KIND_LAYOUT,
           .family = CM_FAMILY_HYBRID,
           .smooth_face = CM_SMOOTH_C0,
-          .bounds = {.round_trip = 4, .plane_round_trip = 8, .forward = 4, .inverse = 4, .relative = 8})
+          .bounds = {.round_trip = 7, .plane_round_trip = 3, .forward = 3, .inverse = 3, .relative = 5})
 /* clang-format on */
 #else
 
@@ -36,6 +36,17 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_octahedral_fold)(CM_BOOL lower, CM_REAL u, CM_RE
         cm_copysign(CM_SELECT(lower, CM_LIT(1.0) - cm_abs(u), cm_abs(v)), v));
 }
 
+/* |u| of |x| as part and |y| as other, or |v| the other way round: part / sum, and of the lower half
+ * 1 - other / sum. */
+CM_FN CM_REAL CM_NAME(cm_octahedral_place)(CM_BOOL lower, CM_REAL part, CM_REAL other,
+                                           CM_REAL height, CM_REAL sum)
+{
+    /* 1 - other / sum is the more accurate where that is not small */
+    CM_BOOL mirrored = cm_both(lower, cm_less(other + other, sum));
+    CM_REAL q = CM_SELECT(mirrored, other, CM_SELECT(lower, part + height, part)) / sum;
+    return cm_min(CM_LIT(1.0), CM_SELECT(mirrored, CM_LIT(1.0) - q, q));
+}
+
 /* (a, b) of the result is (u, v). */
 CM_FN CM_NAME(cm_face_point) CM_NAME(cm_octahedral_project)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
@@ -43,12 +54,19 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_octahedral_project)(CM_REAL x, CM_REAL y
     CM_REAL ax = cm_abs(x * scale);
     CM_REAL ay = cm_abs(y * scale);
     CM_REAL az = cm_abs(z * scale);
-    CM_REAL sum = (ax + ay) + az;
+    /* the sum as if rounded once: each coordinate has the error of it */
+    CM_REAL first = ax + ay;
+    CM_REAL y_part = first - ax;
+    CM_REAL first_rest = (ax - (first - y_part)) + (ay - y_part);
+    CM_REAL whole = first + az;
+    CM_REAL z_part = whole - first;
+    CM_REAL whole_rest = (first - (whole - z_part)) + (az - z_part);
+    CM_REAL sum = whole + (first_rest + whole_rest);
     CM_BOOL lower = cm_less(z, CM_LIT(0.0));
     CM_NAME(cm_face_point) r;
     r.face = CM_LIT(0.0);
-    r.a = cm_copysign(cm_min(CM_LIT(1.0), CM_SELECT(lower, ax + az, ax) / sum), x);
-    r.b = cm_copysign(cm_min(CM_LIT(1.0), CM_SELECT(lower, ay + az, ay) / sum), y);
+    r.a = cm_copysign(CM_NAME(cm_octahedral_place)(lower, ax, ay, az, sum), x);
+    r.b = cm_copysign(CM_NAME(cm_octahedral_place)(lower, ay, ax, az, sum), y);
     return r;
 }
 

@@ -15,7 +15,7 @@ CM_SPHERE(clarberg,
           .family = CM_FAMILY_HYBRID,
           .properties = CM_EQUAL_AREA,
           .smooth_face = CM_SMOOTH_C0,
-          .bounds = {.round_trip = 6, .plane_round_trip = 8, .forward = 5, .inverse = 5, .relative = 8})
+          .bounds = {.round_trip = 7, .plane_round_trip = 5, .forward = 6, .inverse = 4, .relative = 8})
 /* clang-format on */
 #else
 
@@ -49,15 +49,21 @@ CM_FN CM_NAME(cm_clarberg_place) CM_NAME(cm_clarberg_locate)(CM_REAL x, CM_REAL 
 CM_FN CM_NAME(cm_face_point) CM_NAME(cm_clarberg_project)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
     CM_NAME(cm_clarberg_place) at = CM_NAME(cm_clarberg_locate)(x, y, z);
-    CM_REAL radius = CM_LIT(1.41421356237309504880168872420969807857) * at.sine;
+    /* 1 - radius is height / (1 + radius), from which the outer radii are more accurate */
+    CM_REAL near_centre = CM_LIT(1.41421356237309504880168872420969807857) * at.sine;
+    CM_REAL rest = at.height / (CM_LIT(1.0) + near_centre);
+    CM_BOOL outer = cm_less(CM_LIT(0.625), near_centre);
+    CM_REAL radius = CM_SELECT(outer, CM_LIT(1.0) - rest, near_centre);
     CM_REAL part = CM_LIT(0.5) * CM_NAME(cm_eighth_turns)(at.slope);
     CM_REAL minor = radius * part;
     CM_REAL major = radius - minor;
-    /* of the lower half: 1 - minor and 1 - major, where 1 - radius is height / (1 + radius) */
-    CM_REAL rest =
-        CM_SELECT(cm_less(z, CM_LIT(0.0)), at.height / (CM_LIT(1.0) + radius), CM_LIT(0.0));
-    CM_NAME(cm_uv) uv = CM_NAME(cm_disc_unfold)(at.x_wins, cm_min(CM_LIT(1.0), rest + major),
-                                                cm_min(CM_LIT(1.0), rest + minor), x, y);
+    /* of the lower half: 1 - minor and 1 - major */
+    CM_BOOL lower = cm_less(z, CM_LIT(0.0));
+    CM_REAL far_major = CM_SELECT(outer, rest + major, CM_LIT(1.0) - minor);
+    CM_REAL far_minor = CM_SELECT(outer, rest + minor, CM_LIT(1.0) - major);
+    CM_NAME(cm_uv) uv = CM_NAME(cm_disc_unfold)(
+        at.x_wins, cm_min(CM_LIT(1.0), CM_SELECT(lower, far_major, major)),
+        cm_min(CM_LIT(1.0), CM_SELECT(lower, far_minor, minor)), x, y);
     CM_NAME(cm_face_point) r;
     r.face = CM_LIT(0.0);
     r.a = uv.u;

@@ -122,8 +122,12 @@ CM_FN CM_NAME(cm_face_point)
                                   CM_SELECT(cm_less(u, CM_LIT(-0.5)), CM_LIT(0.0), CM_LIT(1.0)),
                                   CM_SELECT(cm_less(u, CM_LIT(0.5)), CM_LIT(2.0), CM_LIT(3.0)));
     CM_NAME(cm_face_point) r;
-    r.face = CM_SELECT(cm_less(quarter, v), four,
-                       CM_SELECT(cm_less(v, -quarter), CM_LIT(5.0), belt_face));
+    /* where no cap is, the belt has the tolerance of an edge */
+    CM_REAL beyond = CM_LIT(0.250000001);
+    CM_REAL north = CM_SELECT(cm_less(beyond, cm_abs(u - k.k0)), beyond, quarter);
+    CM_REAL south = CM_SELECT(cm_less(beyond, cm_abs(u - k.k3)), beyond, quarter);
+    r.face =
+        CM_SELECT(cm_less(north, v), four, CM_SELECT(cm_less(v, -south), CM_LIT(5.0), belt_face));
     CM_NAME(cm_rhealpix_square) at = CM_NAME(cm_rhealpix_place)(r.face, k);
     CM_REAL a = four * (u - at.u);
     CM_REAL b = four * (v - at.v);
@@ -139,9 +143,9 @@ CM_FN CM_NAME(cm_xyz)
     CM_REAL none = CM_LIT(0.0);
     CM_REAL one = CM_LIT(1.0);
     CM_NAME(cm_face_point) p = CM_NAME(cm_rhealpix_find)(u, v, k);
-    /* 0, or NaN beside the caps */
+    /* 0, or NaN beside the caps and for NaN */
     CM_REAL outside = cm_max(cm_abs(p.a), cm_abs(p.b));
-    CM_REAL nothing = none / CM_SELECT(cm_less(CM_LIT(1.000000004), outside), none, one);
+    CM_REAL nothing = none / CM_SELECT(cm_at_least(CM_LIT(1.000000004), outside), one, none);
     CM_REAL a = cm_min(cm_max(p.a, -one), one);
     CM_REAL b = cm_min(cm_max(p.b, -one), one);
     CM_NAME(cm_xyz) d = CM_NAME(cm_healpix_unproject)(p.face, a, b);

@@ -27,7 +27,7 @@ CM_SQUARE(conformal,
           .family = CM_FAMILY_BIVARIATE,
           .properties = CM_CONFORMAL,
           .smooth_face = CM_SMOOTH_ANALYTIC,
-          .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 6, .inverse = 4, .relative = 16})
+          .bounds = {.round_trip = 6, .plane_round_trip = 6, .forward = 4, .inverse = 6, .relative = 16})
 /* clang-format on */
 #else
 
@@ -43,12 +43,12 @@ CM_SQUARE(conformal,
     b2 = b1;                                                                                       \
     b1 = b0;
 
-/* F(x), or G(x) at an edge. */
+/* F(x) - 1, or G(x) - 1 at an edge. */
 CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_series)(CM_BOOL edge, CM_NAME(cm_complex) x)
 {
 #if CM_REAL_BITS == 128
     CM_NAME(cm_complex) power = CM_NAME(cm_make_complex)(CM_LIT(1.0), CM_LIT(0.0));
-    CM_NAME(cm_complex) sum = power;
+    CM_NAME(cm_complex) sum = CM_NAME(cm_make_complex)(CM_LIT(0.0), CM_LIT(0.0));
     CM_REAL binomial = CM_LIT(1.0);
     CM_REAL before = CM_LIT(0.0);
     CM_REAL legendre = CM_LIT(1.0);
@@ -99,8 +99,16 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_series)(CM_BOOL edge, CM_NAME(cm_
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-9.0), CM_LIT(-0.0240384615384615385)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(2.6), CM_LIT(0.0416666666666666667)))
     CM_CONFORMAL_STEP(CM_SELECT(edge, CM_LIT(-1.0), CM_LIT(-0.1)))
-    return CM_NAME(cm_make_complex)(CM_LIT(1.0) + cm_mad(x.re, b1, minus * b2), b1 * x.im);
+    return CM_NAME(cm_make_complex)(cm_mad(x.re, b1, minus * b2), b1 * x.im);
 #endif
+}
+
+/* factor (1 + rest), with one rounding of what is nearly factor. */
+CM_FN CM_NAME(cm_complex)
+    CM_NAME(cm_conformal_grow)(CM_NAME(cm_complex) factor, CM_NAME(cm_complex) rest)
+{
+    CM_NAME(cm_complex) more = CM_NAME(cm_complex_multiply)(factor, rest);
+    return CM_NAME(cm_make_complex)(factor.re + more.re, factor.im + more.im);
 }
 
 /* The point of expansion, and the variable there, in the octant 0 <= v <= u. */
@@ -130,9 +138,12 @@ CM_FN CM_NAME(cm_conformal_place)
                                      w.re / CM_SELECT(cm_less(CM_LIT(0.0), s_sum), s_sum, one));
 
     CM_NAME(cm_conformal_place) r;
-    r.centre = cm_at_least(length, one - rim);
-    CM_BOOL narrow = cm_less(v, CM_LIT(0.1875) * u);
-    r.edge = cm_both(cm_less(length, one - rim), narrow);
+    /* beside the axis the edge's series is the slower one up to |W|^2 = 0.5, and that of the centre not yet */
+    CM_BOOL narrow = cm_less(v, CM_LIT(0.25) * u);
+    CM_REAL square = one - rim;
+    CM_REAL reach = CM_SELECT(narrow, CM_LIT(0.5), length);
+    r.centre = cm_at_least(reach, square);
+    r.edge = cm_both(cm_less(reach, square), narrow);
     CM_REAL edge_over = one / ((one + u) * (one + u) + v * v);
     CM_NAME(cm_complex) s =
         CM_NAME(cm_make_complex)(rim * edge_over, CM_LIT(-2.0) * (v * edge_over));
@@ -151,7 +162,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_square_conformal_forward)(CM_NAME(cm_disc_point)
     CM_NAME(cm_conformal_place) at = CM_NAME(cm_conformal_locate)(u, v, d.rim, cm_abs(d.gap));
     CM_NAME(cm_complex) series =
         CM_NAME(cm_conformal_series)(at.edge, CM_NAME(cm_complex_square)(at.base));
-    CM_NAME(cm_complex) z = CM_NAME(cm_complex_multiply)(at.factor, series);
+    CM_NAME(cm_complex) z = CM_NAME(cm_conformal_grow)(at.factor, series);
     CM_REAL scale = CM_SELECT(at.edge, CM_CONFORMAL_2R_K, CM_CONFORMAL_2_K);
     CM_REAL x = scale * z.re;
     CM_REAL y = scale * z.im;
@@ -162,7 +173,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_square_conformal_forward)(CM_NAME(cm_disc_point)
     return CM_NAME(cm_disc_unfold)(u_wins, x, cm_max(CM_LIT(0.0), cm_min(y, x)), d.u, d.v);
 }
 
-/* The same of the reversions: W of (K / 2) z by its fourth power, s and w by their squares. */
+/* The same of the reversions, less 1: W of (K / 2) z by its fourth power, s and w by their squares. */
 CM_FN CM_NAME(cm_complex)
     CM_NAME(cm_conformal_reversion)(CM_BOOL centre, CM_BOOL edge, CM_NAME(cm_complex) x)
 {
@@ -195,7 +206,7 @@ CM_FN CM_NAME(cm_complex)
     CM_CONFORMAL_STEP(CM_CONFORMAL_PICK(7.05128205128205128e-4, 0.2, 3.07692307692307692e-3))
     CM_CONFORMAL_STEP(CM_CONFORMAL_PICK(8.33333333333333333e-3, 0.4, 0.0266666666666666667))
     CM_CONFORMAL_STEP(CM_CONFORMAL_PICK(0.1, 1.0, 0.2))
-    return CM_NAME(cm_make_complex)(CM_LIT(1.0) + cm_mad(x.re, b1, minus * b2), b1 * x.im);
+    return CM_NAME(cm_make_complex)(cm_mad(x.re, b1, minus * b2), b1 * x.im);
 #undef CM_CONFORMAL_PICK
 }
 
@@ -208,6 +219,7 @@ CM_FN CM_NAME(cm_complex)
     CM_NAME(cm_complex) square = CM_NAME(cm_complex_square)(value);
     CM_NAME(cm_complex) fourth = CM_NAME(cm_complex_square)(square);
     CM_NAME(cm_complex) f = CM_NAME(cm_conformal_series)(edge, centre ? fourth : square);
+    f.re = f.re + CM_LIT(1.0);
     CM_NAME(cm_complex) of_value = CM_NAME(cm_complex_multiply)(value, f);
     CM_NAME(cm_complex) radicand = CM_NAME(cm_make_complex)(CM_LIT(1.0) + square.re, square.im);
     if (centre || edge)
@@ -255,7 +267,7 @@ CM_FN CM_NAME(cm_disc_point) CM_NAME(cm_square_conformal_inverse)(CM_REAL x, CM_
                                                         CM_SELECT(centre, t2.im, target.im));
     target.re = CM_SELECT(centre, t.re, target.re);
     target.im = CM_SELECT(centre, t.im, target.im);
-    CM_NAME(cm_complex) w = CM_NAME(cm_complex_multiply)(
+    CM_NAME(cm_complex) w = CM_NAME(cm_conformal_grow)(
         target, CM_NAME(cm_conformal_reversion)(centre, edge, CM_NAME(cm_complex_square)(base)));
 #if CM_REAL_BITS > 64
     w = CM_NAME(cm_conformal_step)(centre, edge, target, w);

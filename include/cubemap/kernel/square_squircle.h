@@ -12,8 +12,8 @@ CM_SQUARE(squircle,
           .source = "Fong 2015; Lambers 2016, section 2.3 (reformulated)",
           .kind = CM_KIND_DISC_SQUARE,
           .family = CM_FAMILY_BIVARIATE,
-          .smooth_face = CM_SMOOTH_ANALYTIC,
-          .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 6, .inverse = 4, .relative = 8})
+          .smooth_face = CM_SMOOTH_C1,
+          .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 4, .inverse = 3, .relative = 5})
 /* clang-format on */
 #else
 
