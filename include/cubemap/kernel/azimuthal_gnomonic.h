@@ -39,7 +39,7 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_azimuthal_gnomonic_prepare)(CM_NAME(cm_co
 CM_FN CM_NAME(cm_radius)
     CM_NAME(cm_azimuthal_gnomonic_radius)(CM_NAME(cm_colatitude) t, CM_NAME(cm_constants) k)
 {
-    CM_REAL cosine = CM_SELECT(cm_less(t.margin, CM_LIT(0.0)), CM_LIT(1.0), t.cosine);
+    CM_REAL cosine = cm_max(t.cosine, CM_LIT(0.5) * k.k2);
     CM_REAL over = CM_LIT(1.0) / cosine;
     CM_NAME(cm_radius) r;
     r.ratio = (CM_LIT(2.0) * t.half_cosine) * (over / k.k3);
