@@ -209,8 +209,8 @@ struct cm_mapping
     size_t azimuthal; /* in the catalogue: the parts of a map that is made of parts */
     size_t square;
     double area_scale; /* 6 / pi over the area of the map per area of what it shows of the sphere */
-    int is_folded; /* both hemispheres go to the disc */
-    int is_turned; /* the centre is not the north pole in longitude 0 */
+    int is_folded;     /* both hemispheres go to the disc */
+    int is_turned;     /* the centre is not the north pole in longitude 0 */
     double axes_f64
         [9]; /* then the axes about the centre, by rows: south, east and outwards at a north pole */
     float axes_f32[9];

@@ -59,7 +59,8 @@ START_TEST(bounds_keep_the_promise)
         ck_assert(bounds->plane_round_trip > 0.0);
         ck_assert(bounds->forward > 0.0 && bounds->forward <= 8.0);
         ck_assert(bounds->inverse > 0.0 && bounds->inverse <= 8.0);
-        ck_assert((bounds->relative > 0.0 || at(i)->kind == CM_KIND_LAYOUT) && bounds->relative <= 16.0);
+        ck_assert((bounds->relative > 0.0 || at(i)->kind == CM_KIND_LAYOUT) &&
+                  bounds->relative <= 16.0);
     }
 }
 END_TEST

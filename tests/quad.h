@@ -346,10 +346,10 @@ static inline int quad_forward(const quad_mapping *mapping, const quad direction
         return quad_forward_parts(mapping, direction, uv);
     }
     const quad_kernels *kernels = mapping->kernels;
-    cm_face_point_f128 r =
-        kernels->project_constants != NULL
-            ? kernels->project_constants(direction[0], direction[1], direction[2], mapping->constants)
-            : kernels->project(direction[0], direction[1], direction[2]);
+    cm_face_point_f128 r = kernels->project_constants != NULL
+                               ? kernels->project_constants(direction[0], direction[1],
+                                                            direction[2], mapping->constants)
+                               : kernels->project(direction[0], direction[1], direction[2]);
     uv[0] = r.a;
     uv[1] = r.b;
     if (mapping->kernels->warp != NULL)
@@ -374,10 +374,9 @@ static inline void quad_inverse(const quad_mapping *mapping, int face, const qua
         quad_unwarp(mapping, uv, pq);
     }
     const quad_kernels *kernels = mapping->kernels;
-    cm_xyz_f128 r =
-        kernels->unproject_constants != NULL
-            ? kernels->unproject_constants((quad)face, pq[0], pq[1], mapping->constants)
-            : kernels->unproject((quad)face, pq[0], pq[1]);
+    cm_xyz_f128 r = kernels->unproject_constants != NULL
+                        ? kernels->unproject_constants((quad)face, pq[0], pq[1], mapping->constants)
+                        : kernels->unproject((quad)face, pq[0], pq[1]);
     direction[0] = r.x;
     direction[1] = r.y;
     direction[2] = r.z;

@@ -70,15 +70,13 @@ template <typename constants> constants with_parameters(constants k, const float
     {#id, nullptr, nullptr,                                                                        \
      [](float x, float y, float z) -> kernel_result                                                \
      {                                                                                             \
-         auto k =                                                                                  \
-             KERNEL(cm_azimuthal_##id##_prepare)(KERNEL(cm_make_parameters)(178.0f, 0.4f));        \
+         auto k = KERNEL(cm_azimuthal_##id##_prepare)(KERNEL(cm_make_parameters)(178.0f, 0.4f));   \
          auto r = KERNEL(cm_azimuthal_##id##_project)(x, y, z < 0.0f ? -z : z, k);                 \
          return {{r.u, r.v, r.rim}};                                                               \
      },                                                                                            \
      [](float u, float v, float) -> kernel_result                                                  \
      {                                                                                             \
-         auto k =                                                                                  \
-             KERNEL(cm_azimuthal_##id##_prepare)(KERNEL(cm_make_parameters)(178.0f, 0.4f));        \
+         auto k = KERNEL(cm_azimuthal_##id##_prepare)(KERNEL(cm_make_parameters)(178.0f, 0.4f));   \
          auto r = KERNEL(cm_azimuthal_##id##_unproject)(KERNEL(cm_make_disc_point)(u, v), k);      \
          return {{r.x, r.y, r.z}};                                                                 \
      }},
@@ -87,7 +85,7 @@ template <typename constants> constants with_parameters(constants k, const float
      [](float u, float v, const float *) -> kernel_result                                          \
      {                                                                                             \
          auto r = KERNEL(cm_square_##id##_forward)(KERNEL(cm_make_disc_point)(u, v));              \
-         auto p = KERNEL(cm_quincuncial_place)(r.u, r.v, 1.0f);                                      \
+         auto p = KERNEL(cm_quincuncial_place)(r.u, r.v, 1.0f);                                    \
          return {{p.u, p.v, r.u}};                                                                 \
      },                                                                                            \
      [](float x, float y, const float *) -> kernel_result                                          \

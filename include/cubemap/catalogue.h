@@ -100,7 +100,8 @@ typedef struct cm_mapping_info
                             "mild:kappa=0.54,l1=0.17 ...", to be given as NAME:PRESET; a parameter that
                             one does not name has its standard value; NULL for none */
     cm_kind kind;
-    const char *parts; /* of a layout that joins an azimuthal projection and a mapping between disc and
+    const char
+        *parts; /* of a layout that joins an azimuthal projection and a mapping between disc and
                           square, those it has when none are given, "lambert,shirley"; else NULL */
 } cm_mapping_info;
 

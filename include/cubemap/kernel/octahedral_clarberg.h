@@ -61,9 +61,9 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_clarberg_project)(CM_REAL x, CM_REAL y, 
     CM_BOOL lower = cm_less(z, CM_LIT(0.0));
     CM_REAL far_major = CM_SELECT(outer, rest + major, CM_LIT(1.0) - minor);
     CM_REAL far_minor = CM_SELECT(outer, rest + minor, CM_LIT(1.0) - major);
-    CM_NAME(cm_uv) uv = CM_NAME(cm_disc_unfold)(
-        at.x_wins, cm_min(CM_LIT(1.0), CM_SELECT(lower, far_major, major)),
-        cm_min(CM_LIT(1.0), CM_SELECT(lower, far_minor, minor)), x, y);
+    CM_NAME(cm_uv) uv =
+        CM_NAME(cm_disc_unfold)(at.x_wins, cm_min(CM_LIT(1.0), CM_SELECT(lower, far_major, major)),
+                                cm_min(CM_LIT(1.0), CM_SELECT(lower, far_minor, minor)), x, y);
     CM_NAME(cm_face_point) r;
     r.face = CM_LIT(0.0);
     r.a = uv.u;
