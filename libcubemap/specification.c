@@ -142,10 +142,20 @@ enum
     NAMES_SIZE = 96 /* of a list of names in a message */
 };
 
-static void append_name(char names[NAMES_SIZE], const char *name, size_t length)
+/* Cut where the list is full. */
+static void append(char names[NAMES_SIZE], const char *text, size_t length)
 {
     size_t used = strlen(names);
-    snprintf(names + used, NAMES_SIZE - used, "%s%.*s", used == 0 ? "" : ", ", (int)length, name);
+    size_t room = NAMES_SIZE - 1 - used;
+    size_t taken = length < room ? length : room;
+    memcpy(names + used, text, taken);
+    names[used + taken] = '\0';
+}
+
+static void append_name(char names[NAMES_SIZE], const char *name, size_t length)
+{
+    append(names, ", ", names[0] == '\0' ? 0 : 2);
+    append(names, name, length);
 }
 
 /* "kappa, l1, l2" */
