@@ -685,7 +685,8 @@ static void measure_plane(subject *s, double round_trip_count, double truth_coun
     }
 }
 
-/* stride: of the hard directions, one in so many is compared with the truth */
+/* stride: of the hard directions, one block in so many is compared with the truth; above 1 a block of hard points
+ * of a face is compared on one face, each in turn, else on all */
 static void measure(subject *s, double round_trip_count, double truth_count, uint64_t stride)
 {
     static double d[3][BLOCK], uv[2][BLOCK];
@@ -722,14 +723,17 @@ static void measure(subject *s, double round_trip_count, double truth_count, uin
         }
     }
     index = 0;
-    while ((n = hard_face_points(s, &index, uv)) > 0)
+    for (int block = 0; (n = hard_face_points(s, &index, uv)) > 0; block++)
     {
         face_round_trips(s, n, uv);
         compare_warps(s, n, uv);
         for (int f = 0; f < s->faces; f++)
         {
-            memset(face, f, sizeof face);
-            compare_inverse(s, n, face, uv);
+            if (stride == 1 || block % s->faces == f)
+            {
+                memset(face, f, sizeof face);
+                compare_inverse(s, n, face, uv);
+            }
         }
     }
 }
@@ -890,7 +894,8 @@ static int usage(void)
         "[-p double|float|fast] [-i INSTRUCTIONS] [SPECIFICATION...]\n"
         "  -r  random round trips a mapping (1000000)\n"
         "  -t  random comparisons with the truth, forward, inverse and warp (100000)\n"
-        "  -s  compare one block of hard directions in so many with the truth (1: all)\n"
+        "  -s  compare one block of hard directions in so many with the truth, and\n"
+        "      above 1 hard points of one face at a time, each in turn (1: all)\n"
         "  -p  only that precision, or the fast tier\n"
         "  Without a specification the mappings to six faces.\n"
         "  -i  scalar, sse2, avx2, avx512, neon; 77 is the exit status if this machine cannot\n");

@@ -116,21 +116,6 @@ BATCH_FN CM_NAME(cm_tangents) BATCH_NAME(batch_turn_tangents)(const cm_turn *t, 
     return d;
 }
 
-BATCH_FN CM_NAME(cm_constants) BATCH_NAME(batch_constants)(const cm_mapping *mapping)
-{
-    const CM_SCALAR_NAME(cm_constants) *k = &mapping->CM_SCALAR_NAME(constants);
-    CM_NAME(cm_constants) r;
-    r.k0 = lanes_all(k->k0);
-    r.k1 = lanes_all(k->k1);
-    r.k2 = lanes_all(k->k2);
-    r.k3 = lanes_all(k->k3);
-    r.k4 = lanes_all(k->k4);
-    r.k5 = lanes_all(k->k5);
-    r.k6 = lanes_all(k->k6);
-    r.variant = lanes_all(k->variant);
-    return r;
-}
-
 /* Faces have numbers below this. */
 BATCH_FN CM_REAL BATCH_NAME(batch_last_face)(const cm_mapping *mapping)
 {
@@ -176,7 +161,7 @@ BATCH_FN void BATCH_NAME(batch_forward)(BATCH_NAME(batch_project) project,
                                         const LANES_IO *y, const LANES_IO *z, uint8_t *face,
                                         LANES_IO *u, LANES_IO *v)
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
@@ -201,7 +186,7 @@ BATCH_FN void BATCH_NAME(batch_inverse)(BATCH_NAME(batch_unproject) unproject,
                                         const LANES_IO *u, const LANES_IO *v, LANES_IO *x,
                                         LANES_IO *y, LANES_IO *z)
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     k.variant = variant;
     CM_REAL last = BATCH_NAME(batch_last_face)(mapping);
     for (size_t i = 0; i < n; i += LANES)
@@ -236,7 +221,7 @@ BATCH_FN void BATCH_NAME(batch_forward_jacobian)(BATCH_NAME(batch_project) proje
                                                  size_t n, const LANES_IO *x, const LANES_IO *y,
                                                  const LANES_IO *z, LANES_IO *const to[6])
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
@@ -269,7 +254,7 @@ BATCH_FN void BATCH_NAME(batch_inverse_jacobian)(BATCH_NAME(batch_tangents) tang
                                                  size_t n, const uint8_t *face, const LANES_IO *u,
                                                  const LANES_IO *v, LANES_IO *const to[6])
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     k.variant = variant;
     CM_REAL last = BATCH_NAME(batch_last_face)(mapping);
     for (size_t i = 0; i < n; i += LANES)
@@ -306,7 +291,7 @@ BATCH_FN void BATCH_NAME(batch_warp_only)(BATCH_NAME(batch_warp) warp,
                                           const cm_mapping *mapping, size_t n, LANES_IO *a,
                                           LANES_IO *b)
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
@@ -336,7 +321,7 @@ BATCH_FN void BATCH_NAME(batch_warp_jacobian)(BATCH_NAME(batch_warp) warp,
                                               const LANES_IO *p, const LANES_IO *q,
                                               LANES_IO *const to[4])
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(batch_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     k.variant = variant;
     for (size_t i = 0; i < n; i += LANES)
     {
@@ -494,7 +479,7 @@ BATCH_PROJECTION_SLOPES(cube, BATCH_NONE)
                               .unwarp = BATCH_NAME(unwarp_##name),                                 \
                               .warp_jacobian = BATCH_NAME(warp_jacobian_##name)
 #endif
-#define CM_CHART(...) {{{NULL}}},
+#define CM_CHART(...) {{{.forward = NULL}}},
 #define CM_SPHERE(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0)}}},
 #define CM_SPHERE_CONSTANTS(id, ...) {{{BATCH_SPHERE_ENTRY(id##_0)}}},
 #define CM_WARP(id, ...) {{{BATCH_ENTRY(id##_0)}}},

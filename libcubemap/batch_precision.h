@@ -23,6 +23,22 @@ enum
     BATCH_NAME(lanes) = LANES
 };
 
+/* A mapping's numbers, in every lane. */
+CM_FN CM_NAME(cm_constants) CM_NAME(lanes_constants)(const cm_mapping *mapping)
+{
+    const CM_SCALAR_NAME(cm_constants) *k = &mapping->CM_SCALAR_NAME(constants);
+    CM_NAME(cm_constants) r;
+    r.k0 = lanes_all(k->k0);
+    r.k1 = lanes_all(k->k1);
+    r.k2 = lanes_all(k->k2);
+    r.k3 = lanes_all(k->k3);
+    r.k4 = lanes_all(k->k4);
+    r.k5 = lanes_all(k->k5);
+    r.k6 = lanes_all(k->k6);
+    r.variant = lanes_all(k->variant);
+    return r;
+}
+
 static void BATCH_NAME(rest)(LANES_IO *to, const LANES_IO *from, size_t n)
 {
     lanes_store(to, n == 1 ? lanes_all(*from) : lanes_some(from, n));

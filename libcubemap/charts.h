@@ -32,21 +32,6 @@ typedef CM_NAME(cm_disc_point) (*BATCH_NAME(chart_to_disc))(CM_REAL x, CM_REAL y
 typedef CM_NAME(cm_jacobian) (*BATCH_NAME(chart_slopes))(CM_NAME(cm_disc_point) d, CM_REAL x,
                                                          CM_REAL y);
 
-CHART_FN CM_NAME(cm_constants) BATCH_NAME(chart_constants)(const cm_mapping *mapping)
-{
-    const CM_SCALAR_NAME(cm_constants) *k = &mapping->CM_SCALAR_NAME(constants);
-    CM_NAME(cm_constants) r;
-    r.k0 = lanes_all(k->k0);
-    r.k1 = lanes_all(k->k1);
-    r.k2 = lanes_all(k->k2);
-    r.k3 = lanes_all(k->k3);
-    r.k4 = lanes_all(k->k4);
-    r.k5 = lanes_all(k->k5);
-    r.k6 = lanes_all(k->k6);
-    r.variant = lanes_all(k->variant);
-    return r;
-}
-
 /* The columns of a disc's points. */
 CHART_FN CM_NAME(cm_disc_point) BATCH_NAME(chart_load)(LANES_IO *const disc[CM_DISC_COLUMNS],
                                                        size_t i)
@@ -135,7 +120,7 @@ CHART_FN void BATCH_NAME(chart_azimuthal_forward)(BATCH_NAME(chart_project) proj
                                                   const LANES_IO *z,
                                                   LANES_IO *const disc[CM_DISC_COLUMNS])
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(chart_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     CM_REAL least = -((k.k0 * k.k0) * lanes_all((LANES_SCALAR)CHART_TOLERANCE));
     for (size_t i = 0; i < n; i += LANES)
     {
@@ -154,7 +139,7 @@ CHART_FN void BATCH_NAME(chart_azimuthal_inverse)(BATCH_NAME(chart_unproject) un
                                                   LANES_IO *const disc[CM_DISC_COLUMNS],
                                                   LANES_IO *x, LANES_IO *y, LANES_IO *z)
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(chart_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     for (size_t i = 0; i < n; i += LANES)
     {
         CM_NAME(cm_xyz) d = unproject(BATCH_NAME(chart_load)(disc, i), k);
@@ -171,7 +156,7 @@ CHART_FN void BATCH_NAME(chart_azimuthal_gradients)(BATCH_NAME(chart_gradients) 
                                                     const LANES_IO *x, const LANES_IO *y,
                                                     const LANES_IO *z, LANES_IO *const to[6])
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(chart_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     for (size_t i = 0; i < n; i += LANES)
     {
         BATCH_NAME(chart_direction)
@@ -196,7 +181,7 @@ CHART_FN void BATCH_NAME(chart_azimuthal_tangents)(BATCH_NAME(chart_tangents) ta
                                                    LANES_IO *const disc[CM_DISC_COLUMNS],
                                                    LANES_IO *const to[6])
 {
-    CM_NAME(cm_constants) k = BATCH_NAME(chart_constants)(mapping);
+    CM_NAME(cm_constants) k = CM_NAME(lanes_constants)(mapping);
     for (size_t i = 0; i < n; i += LANES)
     {
         CM_NAME(cm_tangents) t = tangents(BATCH_NAME(chart_load)(disc, i), k);

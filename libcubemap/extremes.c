@@ -154,6 +154,44 @@ static void search_piece(const cm_survey *survey, int piece, cm_statistics *s)
     }
 }
 
+/* Faces meet at a corner of the cube in 270 degrees, on the sphere in 360: a mapping that keeps angles there
+ * grows as a power of the distance. From such distances 2^-20 to 2^-35 the factor is the same again and
+ * again, where there is a limit it is near 1. */
+static void extend_to_corner(const cm_survey *survey, uint8_t face, double u, double v,
+                             cm_statistics *s)
+{
+    cm_piece_points points;
+    points.count = 4;
+    for (int i = 0; i < 4; i++)
+    {
+        double distance = ldexp(1.0, -20 - 5 * i);
+        points.face[i] = face;
+        points.u[i] = u - u * distance;
+        points.v[i] = v - v * (1.5 * distance); /* the diagonal may be a crease */
+    }
+    cm_survey_evaluate(survey, &points);
+    s->evaluations += points.count;
+    double first = points.value[1] / points.value[0];
+    double second = points.value[2] / points.value[1];
+    double third = points.value[3] / points.value[2];
+    if (fabs(first - 1.0) > 0.5 && fabs(second - first) < 1e-3 * first &&
+        fabs(third - second) < 1e-3 * second)
+    {
+        cm_survey_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, face, u, v);
+    }
+}
+
+static void extend_to_corners(const cm_survey *survey, cm_statistics *s)
+{
+    for (uint8_t face = 0; face < 6; face++)
+    {
+        for (int corner = 0; corner < 4 && cm_survey_has(survey, 8 * face); corner++)
+        {
+            extend_to_corner(survey, face, corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, s);
+        }
+    }
+}
+
 void cm_survey_search(const cm_survey *survey, cm_statistics *statistics)
 {
     for (int piece = 0; piece < CM_PIECES; piece++)
@@ -163,4 +201,5 @@ void cm_survey_search(const cm_survey *survey, cm_statistics *statistics)
             search_piece(survey, piece, statistics);
         }
     }
+    extend_to_corners(survey, statistics);
 }

@@ -89,8 +89,9 @@ typedef struct cm_statistics
 CM_API const char *cm_quantity_name(size_t index);
 CM_API int cm_quantity_find(const char *name);
 
-/* options NULL: over all faces, by quadrature. Where the map is singular extremes are infinite or those of
- * points beside it, and the errors large. Infinite values count in extremes, NaN in nothing.
+/* options NULL: over all faces, by quadrature. Where values grow as a power of the distance to a corner of
+ * the cube, extremes are their limits, infinite or 0; where the map is singular otherwise, infinite or those
+ * of points beside it; the errors there are large. Infinite values count in extremes, NaN in nothing.
  * Errors: CM_ERROR_ARGUMENT if a pointer other than options is NULL, a size is none, or quantity, measure,
  * faces, pixels or tolerance is outside its range; CM_ERROR_UNSUPPORTED, with nothing written, if the mapping
  * has not six faces (its kind is not CM_KIND_CUBE). */

@@ -14,14 +14,7 @@ CM_AZIMUTHAL(breusing,
              .family = CM_FAMILY_HYBRID,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 4,
-             .parameter = {{.name = "fov", .meaning = "field of view in degrees", .standard = 180.0,
-                            .low = 1e-6, .high = 360.0},
-                           {.name = "full", .meaning = "1 for the whole sphere, fov=360", .high = 1.0,
-                            .whole = 1},
-                           {.name = "lon", .meaning = "longitude of the centre in degrees", .low = -360.0,
-                            .high = 360.0},
-                           {.name = "lat", .meaning = "latitude of the centre in degrees", .standard = 90.0,
-                            .low = -90.0, .high = 90.0}},
+             .parameter = {CM_PARAMETER_FOV(180.0, 360.0), CM_PARAMETER_FULL, CM_PARAMETERS_CENTRE},
              .bounds = {.round_trip = 7, .plane_round_trip = 5, .forward = 4, .inverse = 7, .relative = 8})
 /* clang-format on */
 #else

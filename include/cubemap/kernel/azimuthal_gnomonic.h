@@ -14,12 +14,7 @@ CM_AZIMUTHAL(gnomonic,
              .family = CM_FAMILY_HYBRID,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 3,
-             .parameter = {{.name = "fov", .meaning = "field of view in degrees", .standard = 90.0,
-                            .low = 1e-6, .high = 179.0},
-                           {.name = "lon", .meaning = "longitude of the centre in degrees", .low = -360.0,
-                            .high = 360.0},
-                           {.name = "lat", .meaning = "latitude of the centre in degrees", .standard = 90.0,
-                            .low = -90.0, .high = 90.0}},
+             .parameter = {CM_PARAMETER_FOV(90.0, 179.0), CM_PARAMETERS_CENTRE},
              .bounds = {.round_trip = 6, .plane_round_trip = 7, .forward = 5, .inverse = 3, .relative = 8})
 /* clang-format on */
 #else

@@ -13,12 +13,7 @@ CM_AZIMUTHAL(orthographic,
              .family = CM_FAMILY_HYBRID,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 3,
-             .parameter = {{.name = "fov", .meaning = "field of view in degrees", .standard = 180.0,
-                            .low = 1e-6, .high = 180.0},
-                           {.name = "lon", .meaning = "longitude of the centre in degrees", .low = -360.0,
-                            .high = 360.0},
-                           {.name = "lat", .meaning = "latitude of the centre in degrees", .standard = 90.0,
-                            .low = -90.0, .high = 90.0}},
+             .parameter = {CM_PARAMETER_FOV(180.0, 180.0), CM_PARAMETERS_CENTRE},
              .bounds = {.round_trip = 0, .plane_round_trip = 5, .forward = 5, .inverse = 2, .relative = 7})
 /* clang-format on */
 #else

@@ -18,6 +18,28 @@
 #define CM_SQUARE(...) CM_CHART(__VA_ARGS__)
 #define CM_LAYOUT(...) CM_CHART(__VA_ARGS__)
 #endif
+#if defined(CM_DESCRIPTORS) && !defined(CM_PARAMETER_FOV)
+/* Parameters of several mappings */
+/* clang-format off */
+#define CM_PARAMETER_FOV(usual, highest)                                                           \
+    {.name = "fov", .meaning = "field of view in degrees", .standard = (usual), .low = 1e-6,       \
+     .high = (highest)}
+#define CM_PARAMETER_FULL                                                                          \
+    {.name = "full", .meaning = "1 for the whole sphere, fov=360", .high = 1.0, .whole = 1}
+#define CM_PARAMETER_BETA(of_what)                                                                 \
+    {.name = "beta", .meaning = of_what, .standard = 0.4, .high = 1.0}
+#define CM_PARAMETERS_CENTRE                                                                       \
+    {.name = "lon", .meaning = "longitude of the centre in degrees", .low = -360.0,                \
+     .high = 360.0},                                                                               \
+    {.name = "lat", .meaning = "latitude of the centre in degrees", .standard = 90.0,              \
+     .low = -90.0, .high = 90.0}
+#define CM_PARAMETER_FORWARD                                                                       \
+    {.name = "forward",                                                                            \
+     .meaning = "which polynomial is exact: 0 from the map to the sphere, "                         \
+                "1 from the sphere to the map",                                                    \
+     .high = 1.0, .whole = 1}
+/* clang-format on */
+#endif
 #include "gnomonic.h"
 #include "tangent.h"
 #include "outerra.h"

@@ -44,7 +44,7 @@ CM_SQUARE(conformal,
     b1 = b0;
 
 /* F(x) - 1, or G(x) - 1 at an edge. */
-CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_series)(CM_BOOL edge, CM_NAME(cm_complex) x)
+CM_FN CM_NAME(cm_complex) CM_NAME(cm_square_conformal_series)(CM_BOOL edge, CM_NAME(cm_complex) x)
 {
 #if CM_REAL_BITS == 128
     CM_NAME(cm_complex) power = CM_NAME(cm_make_complex)(CM_LIT(1.0), CM_LIT(0.0));
@@ -105,25 +105,25 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_series)(CM_BOOL edge, CM_NAME(cm_
 
 /* factor (1 + rest), with one rounding of what is nearly factor. */
 CM_FN CM_NAME(cm_complex)
-    CM_NAME(cm_conformal_grow)(CM_NAME(cm_complex) factor, CM_NAME(cm_complex) rest)
+    CM_NAME(cm_square_conformal_grow)(CM_NAME(cm_complex) factor, CM_NAME(cm_complex) rest)
 {
     CM_NAME(cm_complex) more = CM_NAME(cm_complex_multiply)(factor, rest);
     return CM_NAME(cm_make_complex)(factor.re + more.re, factor.im + more.im);
 }
 
 /* The point of expansion, and the variable there, in the octant 0 <= v <= u. */
-CM_STRUCT(cm_conformal_place)
+CM_STRUCT(cm_square_conformal_place)
 {
     CM_BOOL centre;
     CM_BOOL edge;               /* neither: corner */
     CM_NAME(cm_complex) base;   /* W^2, s or w: the series' argument is its square */
     CM_NAME(cm_complex) factor; /* W, s or (1 + i) sqrt(w) */
 }
-CM_STRUCT_END(cm_conformal_place)
+CM_STRUCT_END(cm_square_conformal_place)
 
 /* u, v, and the point's rim and |gap| */
-CM_FN CM_NAME(cm_conformal_place)
-    CM_NAME(cm_conformal_locate)(CM_REAL u, CM_REAL v, CM_REAL rim, CM_REAL gap)
+CM_FN CM_NAME(cm_square_conformal_place)
+    CM_NAME(cm_square_conformal_locate)(CM_REAL u, CM_REAL v, CM_REAL rim, CM_REAL gap)
 {
     CM_REAL root2 = CM_LIT(1.41421356237309504880168872420969807857);
     CM_REAL one = CM_LIT(1.0);
@@ -137,7 +137,7 @@ CM_FN CM_NAME(cm_conformal_place)
     CM_REAL s_difference = CM_SELECT(cm_less(w.im, w.re * CM_LIT(1.0e-40)), s_sum,
                                      w.re / CM_SELECT(cm_less(CM_LIT(0.0), s_sum), s_sum, one));
 
-    CM_NAME(cm_conformal_place) r;
+    CM_NAME(cm_square_conformal_place) r;
     /* beside the axis the edge's series is the slower one up to |W|^2 = 0.5, and that of the centre not yet */
     CM_BOOL narrow = cm_less(v, CM_LIT(0.25) * u);
     CM_REAL square = one - rim;
@@ -159,10 +159,11 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_square_conformal_forward)(CM_NAME(cm_disc_point)
     CM_BOOL u_wins = cm_at_least(d.gap, CM_LIT(0.0));
     CM_REAL u = CM_SELECT(u_wins, cm_abs(d.u), cm_abs(d.v));
     CM_REAL v = CM_SELECT(u_wins, cm_abs(d.v), cm_abs(d.u));
-    CM_NAME(cm_conformal_place) at = CM_NAME(cm_conformal_locate)(u, v, d.rim, cm_abs(d.gap));
+    CM_NAME(cm_square_conformal_place) at =
+        CM_NAME(cm_square_conformal_locate)(u, v, d.rim, cm_abs(d.gap));
     CM_NAME(cm_complex) series =
-        CM_NAME(cm_conformal_series)(at.edge, CM_NAME(cm_complex_square)(at.base));
-    CM_NAME(cm_complex) z = CM_NAME(cm_conformal_grow)(at.factor, series);
+        CM_NAME(cm_square_conformal_series)(at.edge, CM_NAME(cm_complex_square)(at.base));
+    CM_NAME(cm_complex) z = CM_NAME(cm_square_conformal_grow)(at.factor, series);
     CM_REAL scale = CM_SELECT(at.edge, CM_CONFORMAL_2R_K, CM_CONFORMAL_2_K);
     CM_REAL x = scale * z.re;
     CM_REAL y = scale * z.im;
@@ -175,7 +176,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_square_conformal_forward)(CM_NAME(cm_disc_point)
 
 /* The same of the reversions, less 1: W of (K / 2) z by its fourth power, s and w by their squares. */
 CM_FN CM_NAME(cm_complex)
-    CM_NAME(cm_conformal_reversion)(CM_BOOL centre, CM_BOOL edge, CM_NAME(cm_complex) x)
+    CM_NAME(cm_square_conformal_reversion)(CM_BOOL centre, CM_BOOL edge, CM_NAME(cm_complex) x)
 {
     CM_REAL twice = CM_LIT(2.0) * x.re;
     CM_REAL minus = -(x.re * x.re + x.im * x.im);
@@ -213,12 +214,12 @@ CM_FN CM_NAME(cm_complex)
 #if CM_REAL_BITS > 64
 /* A Newton step of the reversion, by the series of forward: value is W, s or w, target what it is of. */
 CM_FN CM_NAME(cm_complex)
-    CM_NAME(cm_conformal_step)(CM_BOOL centre, CM_BOOL edge, CM_NAME(cm_complex) target,
-                               CM_NAME(cm_complex) value)
+    CM_NAME(cm_square_conformal_step)(CM_BOOL centre, CM_BOOL edge, CM_NAME(cm_complex) target,
+                                      CM_NAME(cm_complex) value)
 {
     CM_NAME(cm_complex) square = CM_NAME(cm_complex_square)(value);
     CM_NAME(cm_complex) fourth = CM_NAME(cm_complex_square)(square);
-    CM_NAME(cm_complex) f = CM_NAME(cm_conformal_series)(edge, centre ? fourth : square);
+    CM_NAME(cm_complex) f = CM_NAME(cm_square_conformal_series)(edge, centre ? fourth : square);
     f.re = f.re + CM_LIT(1.0);
     CM_NAME(cm_complex) of_value = CM_NAME(cm_complex_multiply)(value, f);
     CM_NAME(cm_complex) radicand = CM_NAME(cm_make_complex)(CM_LIT(1.0) + square.re, square.im);
@@ -267,10 +268,11 @@ CM_FN CM_NAME(cm_disc_point) CM_NAME(cm_square_conformal_inverse)(CM_REAL x, CM_
                                                         CM_SELECT(centre, t2.im, target.im));
     target.re = CM_SELECT(centre, t.re, target.re);
     target.im = CM_SELECT(centre, t.im, target.im);
-    CM_NAME(cm_complex) w = CM_NAME(cm_conformal_grow)(
-        target, CM_NAME(cm_conformal_reversion)(centre, edge, CM_NAME(cm_complex_square)(base)));
+    CM_NAME(cm_complex) w = CM_NAME(cm_square_conformal_grow)(
+        target,
+        CM_NAME(cm_square_conformal_reversion)(centre, edge, CM_NAME(cm_complex_square)(base)));
 #if CM_REAL_BITS > 64
-    w = CM_NAME(cm_conformal_step)(centre, edge, target, w);
+    w = CM_NAME(cm_square_conformal_step)(centre, edge, target, w);
 #endif
 
     /* w is W, s or w; o and W follow from the last two in the same way */
