@@ -91,10 +91,13 @@ typedef struct subject
     precision_kind precision;
     int narrow; /* the functions for float */
     int faces;
-    int is_disc;  /* are u and v a point of the disc? */
-    int is_other; /* are parts or parameters of one face not the standard ones? */
-    int is_flat;  /* a map of the whole sphere, whose antipode has no bound */
-    int is_plane; /* between disc and square, without a sphere */
+    int is_disc;       /* are u and v a point of the disc? */
+    int has_gaps;      /* of six squares in a rectangle: rhealpix */
+    int is_other;      /* are parts or parameters of one face not the standard ones? */
+    int is_flat;       /* a map of the whole sphere, whose antipode has no bound */
+    int is_plane;      /* between disc and square, without a sphere */
+    double centre[3];  /* of the field of view */
+    double rim_cosine; /* of the angle from there to the rim */
     double eps;
     double least; /* where relative errors begin */
     double condition;
@@ -423,7 +426,8 @@ static int is_beside_singularity(const cm_mapping *mapping, double u, double v)
 /* Beside where the border of a single square meets itself: is it the other end of a fold? */
 static int is_across(const subject *s, const long double *truth, const double *got)
 {
-    if (s->faces != 1 || s->is_disc || fmax(fabs(got[0]), fabs(got[1])) < 1.0 - 1e-6)
+    if (s->faces != 1 || s->is_disc ||
+        (!s->has_gaps && fmax(fabs(got[0]), fabs(got[1])) < 1.0 - 1e-6))
     {
         return 0;
     }
@@ -503,21 +507,57 @@ static void compare_warps(subject *s, size_t n, double (*from)[BLOCK])
 
 /* ---- Points ---- */
 
+/* Onto rhealpix' belt of four squares, or, one point in three each, its caps. */
+static void put_into_squares(const subject *s, size_t i, double *a, double *b)
+{
+    *b *= 0.25;
+    if (i % 3 != 0)
+    {
+        double square = cm_mapping_parameter(s->exact, i % 3 - 1);
+        *a = 0.25 * *a + (0.5 * square - 0.75);
+        *b += i % 3 == 1 ? 0.5 : -0.5;
+    }
+}
+
 /* In the subject's precision. What is outside the disc is moved to its rim, or beside it. */
 static void put_point(const subject *s, const double point[2], size_t i, double (*uv)[BLOCK])
 {
     double length = s->is_disc ? hypot(point[0], point[1]) : 0.0;
     double a = length > 1.0 ? point[0] / length : point[0];
     double b = length > 1.0 ? point[1] / length : point[1];
+    if (s->has_gaps)
+    {
+        put_into_squares(s, i, &a, &b);
+    }
     uv[0][i] = s->narrow ? (double)(float)a : a;
     uv[1][i] = s->narrow ? (double)(float)b : b;
 }
 
-/* Is the direction in the field of view? */
+static void find_view(subject *s)
+{
+    const quad middle[2] = {(quad)0, (quad)0};
+    quad centre[3];
+    quad_inverse(&s->truth, 0, middle, centre);
+    for (int k = 0; k < 3; k++)
+    {
+        s->centre[k] = (double)centre[k];
+    }
+    s->rim_cosine = 1.0 - 2.0 * (double)(s->truth.constants.k0 * s->truth.constants.k0);
+}
+
+/* Is the direction in the field of view? Quadruple precision is for what is near its rim. */
 static int is_seen(const subject *s, double x, double y, double z)
 {
+    double scale = 1.0 / fmax(fabs(x), fmax(fabs(y), fabs(z)));
+    double a = x * scale, b = y * scale, c = z * scale;
+    double cosine =
+        (a * s->centre[0] + b * s->centre[1] + c * s->centre[2]) / sqrt(a * a + b * b + c * c);
+    if (fabs(cosine - s->rim_cosine) > 1e-6)
+    {
+        return cosine > s->rim_cosine;
+    }
     const quad direction[3] = {(quad)x, (quad)y, (quad)z};
-    return s->truth.azimuthal == NULL || quad_inside(&s->truth, direction) >= 0;
+    return quad_inside(&s->truth, direction) >= 0;
 }
 
 /* Of n directions those that are in it; returns how many. */
@@ -590,8 +630,14 @@ static size_t hard_directions(const subject *s, uint64_t *index, double (*d)[BLO
     {
         double direction[3];
         float narrow[3];
-        hard_direction(*index, direction);
-        hard_direction_f32(*index, narrow);
+        if (s->narrow)
+        {
+            hard_direction_f32(*index, narrow);
+        }
+        else
+        {
+            hard_direction(*index, direction);
+        }
         ++*index;
         for (int k = 0; k < 3; k++)
         {
@@ -872,9 +918,14 @@ static int certify(const char *specification, const char *instructions, precisio
         s.truth = quad_from_text(s.exact, specification);
         s.faces = s.truth.kind == CM_KIND_CUBE ? 6 : 1;
         s.is_disc = s.truth.kind == CM_KIND_AZIMUTHAL;
+        s.has_gaps = strncmp(specification, "rhealpix", 8) == 0;
         s.is_other = s.faces == 1 && cm_catalogue_find(specification) == NULL;
         s.is_flat = strstr(specification, "full=1") != NULL;
         s.is_plane = s.truth.kind == CM_KIND_DISC_SQUARE;
+        if (s.is_disc)
+        {
+            find_view(&s);
+        }
         s.condition = condition_of(s.exact, &s.truth);
         s.widening = fmax(1.0, s.condition / standard_condition(s.exact));
         measure(&s, of->round_trips, of->comparisons, (uint64_t)of->stride);

@@ -155,16 +155,16 @@ static void search_piece(const cm_survey *survey, int piece, cm_statistics *s)
 }
 
 /* Faces meet at a corner of the cube in 270 degrees, on the sphere in 360: a mapping that keeps angles there
- * grows as a power of the distance. From such distances 2^-20 to 2^-35 the factor is the same again and
- * again, where there is a limit it is near 1. */
+ * grows as a power of the distance. From a distance of 2^-20 to 2^-27 and on to 2^-34 the factor is the
+ * same; where there is a limit it is near 1. */
 static void extend_to_corner(const cm_survey *survey, uint8_t face, double u, double v,
                              cm_statistics *s)
 {
     cm_piece_points points;
-    points.count = 4;
-    for (int i = 0; i < 4; i++)
+    points.count = 3;
+    for (int i = 0; i < 3; i++)
     {
-        double distance = ldexp(1.0, -20 - 5 * i);
+        double distance = ldexp(1.0, -20 - 7 * i);
         points.face[i] = face;
         points.u[i] = u - u * distance;
         points.v[i] = v - v * (1.5 * distance); /* the diagonal may be a crease */
@@ -173,9 +173,7 @@ static void extend_to_corner(const cm_survey *survey, uint8_t face, double u, do
     s->evaluations += points.count;
     double first = points.value[1] / points.value[0];
     double second = points.value[2] / points.value[1];
-    double third = points.value[3] / points.value[2];
-    if (fabs(first - 1.0) > 0.5 && fabs(second - first) < 1e-3 * first &&
-        fabs(third - second) < 1e-3 * second)
+    if (fabs(first - 1.0) > 0.5 && fabs(second - first) < 1e-3 * first)
     {
         cm_survey_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, face, u, v);
     }

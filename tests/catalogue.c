@@ -200,6 +200,45 @@ START_TEST(specifications)
 }
 END_TEST
 
+START_TEST(layouts_name_two_parts)
+{
+    expect("border", CM_OK, "");
+    expect("border:lon=10", CM_OK, "");
+    expect("quincuncial:mixture,shirley,beta=0", CM_OK, "");
+    expect("border:lambert", CM_ERROR_SYNTAX, "needs two: border:AZIMUTHAL,SQUARE");
+    expect("border:lambert,shirley,radial", CM_ERROR_SYNTAX, "one part too many");
+    expect("border:", CM_ERROR_MAPPING, "there is no azimuthal:;");
+    expect("border:lamberd,shirley", CM_ERROR_MAPPING, "there is no azimuthal:lamberd;");
+    expect("border:lambert,shirly", CM_ERROR_MAPPING, "as in border:lambert,shirley");
+    expect("border:lambert,a-word-that-is-longer-than-anything-that-could-be-the-name-of-a-part",
+           CM_ERROR_MAPPING, "there is no square:a-word");
+    expect("border:stereographic,shirley", CM_ERROR_PARAMETER, "no map of the whole sphere");
+    expect("quincuncial:gnomonic,shirley", CM_ERROR_PARAMETER, "no map of a hemisphere");
+    expect("border:lambert,shirley,beta=1", CM_ERROR_PARAMETER, "no parameter 'beta'");
+    expect("border:mixture,shirley,beta=0", CM_ERROR_RANGE, "(0, 1]");
+    expect("border:lambert,shirley,lon=1,lon=2", CM_ERROR_PARAMETER, "twice");
+    expect("border:lambert,shirley,fov=90", CM_ERROR_PARAMETER, "it has lon, lat, beta");
+    expect("peirce:lon=10", CM_ERROR_PARAMETER, "quincuncial:stereographic,conformal");
+}
+END_TEST
+
+START_TEST(azimuthal_projections_show_one_field)
+{
+    expect("azimuthal:lambert:full=1", CM_OK, "");
+    expect("azimuthal:lambert:fov=360", CM_OK, "");
+    expect("azimuthal:lambert:fov=90,full=1", CM_ERROR_PARAMETER, "either fov or full");
+    expect("azimuthal:lambert:fov=360.1", CM_ERROR_RANGE, "360]");
+    expect("azimuthal:stereographic:fov=360", CM_ERROR_RANGE, "359]");
+    expect("azimuthal:mixture:beta=0", CM_OK, "");
+    expect("azimuthal:mixture:beta=0,full=1", CM_ERROR_RANGE, "(0, 1]");
+    expect("azimuthal:mixture:beta=0,fov=360", CM_ERROR_RANGE, "(0, 1]");
+    expect("azimuthal:lambird", CM_ERROR_MAPPING, "comes one of lambert, stereographic, ");
+    expect("azimuthal", CM_ERROR_MAPPING, "comes one of lambert");
+    expect("Square:round", CM_ERROR_MAPPING, "comes one of radial, shirley, ");
+    expect("square:shirley:c=1", CM_ERROR_PARAMETER, "takes none");
+}
+END_TEST
+
 /* In upper case, and with another end. */
 static void expect_loud(const char *specification, const char *end, cm_status status,
                         const char *part)
@@ -458,6 +497,8 @@ int main(void)
     const TTest *tests[] = {descriptors_are_complete,
                             bounds_keep_the_promise,
                             names_are_unique_and_found,
+                            layouts_name_two_parts,
+                            azimuthal_projections_show_one_field,
                             the_mappings_of_the_plan_are_there,
                             aliases_of_other_formulas,
                             specifications,

@@ -466,13 +466,36 @@ START_TEST(test_singular)
 }
 END_TEST
 
+/* At a corner of the cube the area of the conformal mapping grows without bound, but its integral is finite. */
+START_TEST(test_infinite_extremes)
+{
+    cm_mapping *mapping = make_mapping("conformal", NULL);
+    cm_statistics s = statistics_of(mapping, CM_QUANTITY_AREA, NULL);
+    REQUIRE(isinf(s.maximum) && fabs(s.maximum_uv[0]) == 1.0 && fabs(s.maximum_uv[1]) == 1.0 &&
+                isinf(s.maximum_error) && isfinite(s.rmse) && s.minimum > 0.5,
+            "area %g to %g at %g, %g, RMSE %g", s.minimum, s.maximum, s.maximum_uv[0],
+            s.maximum_uv[1], s.rmse);
+    s = statistics_of(mapping, CM_QUANTITY_TEXEL_AREA, NULL);
+    REQUIRE(s.minimum == 0.0 && is_near(s.maximum, 1.0, 1e-12), "texels %g to %g", s.minimum,
+            s.maximum);
+    cm_mapping_destroy(mapping);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {test_closed_forms,  test_means_over_the_sphere,
-                                  test_stated_errors, test_samples,
-                                  test_suprema,       test_pixels,
-                                  test_faces,         test_names,
-                                  test_bad_arguments, test_other_kinds,
-                                  test_singular,      NULL};
+    const TTest *const tests[] = {test_closed_forms,
+                                  test_means_over_the_sphere,
+                                  test_stated_errors,
+                                  test_samples,
+                                  test_suprema,
+                                  test_pixels,
+                                  test_faces,
+                                  test_names,
+                                  test_bad_arguments,
+                                  test_other_kinds,
+                                  test_singular,
+                                  test_infinite_extremes,
+                                  NULL};
     return run_suite("statistics", tests);
 }

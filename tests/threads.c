@@ -161,7 +161,7 @@ static void check_subject(const subject *s, const cm_mapping *mapping, size_t n)
     }
 }
 
-/* Every mapping, each in one of the frames. */
+/* Every mapping, each in one of the frames; long arrays with two of the functions. */
 START_TEST(same_bits_for_any_number_of_threads)
 {
     for (size_t i = 0; i < cm_catalogue_count(); i++)
@@ -172,7 +172,10 @@ START_TEST(same_bits_for_any_number_of_threads)
         {
             for (size_t l = 0; l < LENGTH_OF(lengths); l++)
             {
-                check_subject(&subjects[s], mapping, lengths[l]);
+                if (lengths[l] <= 1000 || (i + s) % 5 == 0)
+                {
+                    check_subject(&subjects[s], mapping, lengths[l]);
+                }
             }
         }
         cm_mapping_destroy(mapping);

@@ -8,13 +8,26 @@
 
 #include "fuzz.h"
 
-/* Is name one of the words, of which each ends at a blank or a colon? */
+/* The length of a word without the parameters or parts that it stands for: "azimuthal:harmonic-mean" is all name,
+ * "asc:c=1" and "peirce:stereographic,conformal" are it up to the colon. */
+static size_t name_length(const char *word)
+{
+    size_t whole = strcspn(word, " ");
+    size_t more = strcspn(word, "=,");
+    size_t length = strcspn(word, ":");
+    while (more < whole && length + 1 + strcspn(word + length + 1, ":") < more)
+    {
+        length += 1 + strcspn(word + length + 1, ":");
+    }
+    return more < whole ? length : whole;
+}
+
 static int has_word(const char *words, const char *name)
 {
     size_t length = strlen(name);
     for (words += strspn(words, " "); *words != '\0'; words += strspn(words, " "))
     {
-        if (strcspn(words, " :") == length && strncasecmp(words, name, length) == 0)
+        if (name_length(words) == length && strncasecmp(words, name, length) == 0)
         {
             return 1;
         }

@@ -62,7 +62,7 @@ static void check_point(const subject *made, uint8_t face, const REAL uv[2])
     REAL direction[3];
     INVERSE(made->mapping, face, uv, direction);
     if (face >= (is_one_face(made) ? 1 : 6) || !is_point(uv) ||
-        (is_partial(made) && isnan(direction[0])))
+        (has_gaps(made) && isnan(direction[0])))
     {
         EXPECT(isnan(direction[0]) && isnan(direction[1]) && isnan(direction[2]),
                "%s: %d %a %a has a direction", made->specification, face, (double)uv[0],

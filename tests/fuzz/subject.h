@@ -133,11 +133,18 @@ static inline void drop_subject(const subject *made)
     cm_mapping_destroy(made->mapping);
 }
 
-/* Has it one face, or none, and so no point for some directions? */
+/* Has it no point for some directions? */
 static inline int is_partial(const subject *made)
 {
     cm_kind kind = cm_mapping_describe(made->mapping)->kind;
     return kind == CM_KIND_AZIMUTHAL || kind == CM_KIND_DISC_SQUARE;
+}
+
+/* Is there nothing at some points of its square? */
+static inline int has_gaps(const subject *made)
+{
+    return is_partial(made) ||
+           strcmp(cm_mapping_describe(made->mapping)->identifier, "rhealpix") == 0;
 }
 
 static inline int is_one_face(const subject *made)

@@ -15,7 +15,8 @@ static const char usage[] =
     "usage: check-paths [OPTION...]\n"
     "Compares each fast path with the scalar reference at hard points and random ones.\n"
     "  --set NAME               that instruction set (default: each that this machine has)\n"
-    "  --mapping SPECIFICATION  that mapping only, as --list writes it\n"
+    "  --mapping SPECIFICATION  that mapping only, as --list writes it; with more such options "
+    "those\n"
     "  --tier exact|fast        that tier of accuracy only\n"
     "  --one-in N               one in N of the 2.5 million hard directions (default: 61)\n"
     "  --thorough               all of them\n"
@@ -24,10 +25,16 @@ static const char usage[] =
     "  --list                   list instruction sets, mappings and paths\n"
     "  --help                   write this\n";
 
+enum
+{
+    MAPPINGS_MAX = 16 /* that can be chosen by name */
+};
+
 typedef struct settings
 {
     const char *set;
-    const char *mapping;
+    const char *mapping[MAPPINGS_MAX];
+    size_t mapping_count; /* 0 for all */
     size_t one_in;
     int tiers[2]; /* by cm_tier */
     int quick;
@@ -69,14 +76,21 @@ static int is_chosen(const subject *s)
     {
         return 0;
     }
-    return chosen.mapping == NULL || strcmp(chosen.mapping, s->specification) == 0;
+    for (size_t i = 0; i < chosen.mapping_count; i++)
+    {
+        if (strcmp(chosen.mapping[i], s->specification) == 0)
+        {
+            return 1;
+        }
+    }
+    return chosen.mapping_count == 0;
 }
 
 /* Times do not depend on the frame, or hardly. */
 static int is_timed(const subject *s)
 {
     return is_chosen(s) && strcmp(s->frame->identifier, "geo") == 0 &&
-           (s->standard || chosen.mapping != NULL);
+           (s->standard || chosen.mapping_count > 0);
 }
 
 static void check_subject(const subject *s, extreme (*worst)[PATHS_MAX])
@@ -257,9 +271,10 @@ static int read_options(int argc, char **argv)
         {
             chosen.set = argv[++i];
         }
-        else if (strcmp(argv[i], "--mapping") == 0 && value != NULL && is_mapping(value))
+        else if (strcmp(argv[i], "--mapping") == 0 && value != NULL &&
+                 chosen.mapping_count < MAPPINGS_MAX && is_mapping(value))
         {
-            chosen.mapping = argv[++i];
+            chosen.mapping[chosen.mapping_count++] = argv[++i];
         }
         else if (strcmp(argv[i], "--tier") == 0 && value != NULL && is_tier(value))
         {
