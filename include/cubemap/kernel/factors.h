@@ -13,11 +13,12 @@ CM_FN CM_REAL CM_NAME(cm_stretch)(CM_REAL w, CM_REAL d)
 }
 
 /* The same for a d that vanishes at |w| = 1 but for rounding errors, which differ between compilers:
- * exact there nevertheless. */
+ * exact there nevertheless, and never beyond 1. */
 CM_FN CM_REAL CM_NAME(cm_stretch_inside)(CM_REAL w, CM_REAL d)
 {
-    return cm_copysign(
-        CM_SELECT(cm_equal(cm_abs(w), CM_LIT(1.0)), CM_LIT(1.0), cm_abs(cm_mad(w, d, w))), w);
+    return cm_copysign(CM_SELECT(cm_equal(cm_abs(w), CM_LIT(1.0)), CM_LIT(1.0),
+                                 cm_min(CM_LIT(1.0), cm_abs(cm_mad(w, d, w)))),
+                       w);
 }
 
 /* 1 / sqrt(1 + h) - 1; h > -1. Where the dialect has CM_ROUGH_INVERSE_ROOT(x), 1 / sqrt(x) to half the
