@@ -108,7 +108,7 @@ closed_forms()
 differences()
 {
     local mapping frame quantity turn=0
-    for mapping in $("$helper" mappings); do
+    for mapping in $("$helper" mappings | awk 'NR % 3 == 2 || /^(arvo|conformal|healpix)$/'); do
         frame=$(printf 'geo\ngl\nfits\n' | sed -n $((turn % 3 + 1))p)
         turn=$((turn + 1))
         for quantity in area isotropy texel-aspect texel-area; do # the others follow from these

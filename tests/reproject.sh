@@ -82,11 +82,17 @@ in_fresh_folder()
 # An image that holds its own directions must hold them after each conversion, up to the error of
 # bilinear interpolation: h^2/4 for a grid of h radians, 1e-5 here. From a cube it is larger near
 # the edges, where the grids of two faces meet at an angle: a fifth of a pixel at the corners.
-every_mapping()
+# some_mappings: one in three, and those that are like no other: torn, singular, of twelve squares.
+some_mappings()
+{
+    "$helper" mappings | awk 'NR % 3 == 1 || /^(arvo|conformal|healpix|coupled)$/'
+}
+
+several_mappings()
 {
     "$helper" make equirect - - 1024 equirect.tif
     local mapping frame layout name turn=0
-    for mapping in $("$helper" mappings); do
+    for mapping in $(some_mappings); do
         frame=$(printf 'geo\ngl\nfits\n' | sed -n $((turn % 3 + 1))p)
         layout=$(printf 'cross\nstrip\n' | sed -n $((turn % 2 + 1))p)
         turn=$((turn + 1))
@@ -220,7 +226,9 @@ P
         reproject --quiet --from "$chart" --to "$chart" --size 45 turned.ppm turned.png
         passes "$chart, half a turn" compare --max 1 half.png turned.png
     done
-    local size
+    local size=0
+    "$helper" constant 5 5 1 float 0.7 wanted.tif
+    reproject --quiet --from peirce --to azimuthal:lambert:fov=80 --size 5 wanted.tif disc.tif
     for chart in $("$helper" charts); do
         for filter in nearest bilinear; do
             reproject --quiet --filter $filter --from "$chart" --to "$chart" noise.ppm same.tif
@@ -228,13 +236,10 @@ P
             passes "$chart to the same, $filter: the same pixels" compare --max 0 same.tif again.tif
         done
         [ "$chart" != rhealpix ] || continue # no pixel of so few is on each of its squares
-        for size in 1 2 3; do
-            "$helper" constant $size $size 1 float 0.7 small.tif
-            reproject --quiet --from "$chart" --to azimuthal:lambert:fov=80 --size 5 small.tif out.tif
-            "$helper" constant 5 5 1 float 0.7 wanted.tif
-            reproject --quiet --from peirce --to azimuthal:lambert:fov=80 --size 5 wanted.tif disc.tif
-            passes "$chart of $size pixels" compare --max 0 out.tif disc.tif
-        done
+        size=$((size % 3 + 1))
+        "$helper" constant $size $size 1 float 0.7 small.tif
+        reproject --quiet --from "$chart" --to azimuthal:lambert:fov=80 --size 5 small.tif out.tif
+        passes "$chart of $size pixels" compare --max 0 out.tif disc.tif
     done
 }
 
@@ -702,7 +707,7 @@ P
     done
 }
 
-subjects="every_mapping every_frame odd_sizes cube_to_cube charts chart_borders chart_background exactness constants formats metadata
+subjects="several_mappings every_frame odd_sizes cube_to_cube charts chart_borders chart_background exactness constants formats metadata
     golden talk comparison bad_arguments bad_input bad_output signals"
 if [ $# -gt 3 ]; then
     shift 3

@@ -117,7 +117,8 @@ def check_advise(program, folder):
     check({"coupled", "algebraic", "qsc", "unicube"} <= names, names)
     check(not {"gnomonic", "s2", "everitt", "healpix"} & names, names)
     for each in candidates:
-        within = each["area_error"] <= 0.2 and each["isotropy"] <= 1.8
+        error = each["area_error"] # null: infinite
+        within = error is not None and error <= 0.2 and each["isotropy"] <= 1.8
         check(within == each["qualifies"], each)
     lines = text.splitlines()
     listed = [line.split()[0] for line in lines if line.split()[:1] and line.split()[0] in names]

@@ -16,9 +16,11 @@ CM_FN CM_REAL CM_NAME(cm_stretch)(CM_REAL w, CM_REAL d)
  * exact there nevertheless, and never beyond 1. */
 CM_FN CM_REAL CM_NAME(cm_stretch_inside)(CM_REAL w, CM_REAL d)
 {
-    return cm_copysign(CM_SELECT(cm_equal(cm_abs(w), CM_LIT(1.0)), CM_LIT(1.0),
-                                 cm_min(CM_LIT(1.0), cm_abs(cm_mad(w, d, w)))),
-                       w);
+    CM_REAL stretched = cm_abs(cm_mad(w, d, w));
+#if CM_REAL_BITS <= 64 /* more digits are for differences, whose steps go beyond */
+    stretched = cm_min(CM_LIT(1.0), stretched);
+#endif
+    return cm_copysign(CM_SELECT(cm_equal(cm_abs(w), CM_LIT(1.0)), CM_LIT(1.0), stretched), w);
 }
 
 /* 1 / sqrt(1 + h) - 1; h > -1. Where the dialect has CM_ROUGH_INVERSE_ROOT(x), 1 / sqrt(x) to half the
