@@ -76,6 +76,8 @@ static uint64_t hash_double(const cm_mapping *mapping)
         double *const of_warp[4] = {jacobian[0], jacobian[1], jacobian[2], jacobian[3]};
         (void)cm_warp_array(mapping, COUNT, d[0], d[1], uv[0], uv[1]);
         (void)cm_unwarp_array(mapping, COUNT, d[0], d[1], back[0], back[1]);
+        settle(uv[0], 2 * (size_t)COUNT);
+        settle(back[0], 2 * (size_t)COUNT);
         (void)cm_warp_jacobian_array(mapping, COUNT, d[0], d[1], of_warp);
         settle(jacobian[0], 4 * (size_t)COUNT);
         return hash(hash(hash(14695981039346656037u, uv, sizeof uv), back, 2 * sizeof back[0]),
@@ -84,6 +86,8 @@ static uint64_t hash_double(const cm_mapping *mapping)
     cm_forward_array(mapping, COUNT, d[0], d[1], d[2], face, uv[0], uv[1]);
     cm_inverse_array(mapping, COUNT, face, uv[0], uv[1], back[0], back[1], back[2]);
     uint64_t state = hash(14695981039346656037u, face, sizeof face);
+    settle(uv[0], 2 * (size_t)COUNT);
+    settle(back[0], 3 * (size_t)COUNT);
     state = hash(hash(state, uv, sizeof uv), back, sizeof back);
     cm_forward_jacobian_array(mapping, COUNT, d[0], d[1], d[2], to);
     settle(jacobian[0], 6 * (size_t)COUNT);
@@ -103,6 +107,8 @@ static uint64_t hash_float(const cm_mapping *mapping)
                                    jacobian_f32[3]};
         (void)cm_warp_array_f32(mapping, COUNT, d_f32[0], d_f32[1], uv_f32[0], uv_f32[1]);
         (void)cm_unwarp_array_f32(mapping, COUNT, d_f32[0], d_f32[1], back_f32[0], back_f32[1]);
+        settle_float(uv_f32[0], 2 * (size_t)COUNT);
+        settle_float(back_f32[0], 2 * (size_t)COUNT);
         (void)cm_warp_jacobian_array_f32(mapping, COUNT, d_f32[0], d_f32[1], of_warp);
         settle_float(jacobian_f32[0], 4 * (size_t)COUNT);
         return hash(hash(hash(14695981039346656037u, uv_f32, sizeof uv_f32), back_f32,
@@ -113,6 +119,8 @@ static uint64_t hash_float(const cm_mapping *mapping)
     cm_inverse_array_f32(mapping, COUNT, face, uv_f32[0], uv_f32[1], back_f32[0], back_f32[1],
                          back_f32[2]);
     uint64_t state = hash(14695981039346656037u, face, sizeof face);
+    settle_float(uv_f32[0], 2 * (size_t)COUNT);
+    settle_float(back_f32[0], 3 * (size_t)COUNT);
     state = hash(hash(state, uv_f32, sizeof uv_f32), back_f32, sizeof back_f32);
     cm_forward_jacobian_array_f32(mapping, COUNT, d_f32[0], d_f32[1], d_f32[2], to);
     settle_float(jacobian_f32[0], 6 * (size_t)COUNT);

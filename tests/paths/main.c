@@ -15,8 +15,8 @@ static const char usage[] =
     "usage: check-paths [OPTION...]\n"
     "Compares each fast path with the scalar reference at hard points and random ones.\n"
     "  --set NAME               that instruction set (default: each that this machine has)\n"
-    "  --mapping SPECIFICATION  that mapping only, as --list writes it; with more such options "
-    "those\n"
+    "  --mapping SPECIFICATION  that mapping only, as --list writes it\n"
+    "  --kinds                  of the mappings only some of each kind: loops are a kind's\n"
     "  --tier exact|fast        that tier of accuracy only\n"
     "  --one-in N               one in N of the 2.5 million hard directions (default: 61)\n"
     "  --thorough               all of them\n"
@@ -25,16 +25,25 @@ static const char usage[] =
     "  --list                   list instruction sets, mappings and paths\n"
     "  --help                   write this\n";
 
-enum
-{
-    MAPPINGS_MAX = 16 /* that can be chosen by name */
-};
+static const char *const of_each_kind[] = {"gnomonic",
+                                           "qsc",
+                                           "cobe:legacy=1",
+                                           "zucker-cobe:forward=1",
+                                           "zucker-quintic:forward=1",
+                                           "healpix",
+                                           "octahedral",
+                                           "rhealpix",
+                                           "square:elliptical",
+                                           "azimuthal:mixture:beta=1",
+                                           "border:lambert,conformal,lon=20,lat=30",
+                                           "quincuncial",
+                                           NULL};
 
 typedef struct settings
 {
     const char *set;
-    const char *mapping[MAPPINGS_MAX];
-    size_t mapping_count; /* 0 for all */
+    const char *mapping;
+    int kinds;
     size_t one_in;
     int tiers[2]; /* by cm_tier */
     int quick;
@@ -76,21 +85,19 @@ static int is_chosen(const subject *s)
     {
         return 0;
     }
-    for (size_t i = 0; i < chosen.mapping_count; i++)
+    int is_of_kinds = !chosen.kinds;
+    for (size_t i = 0; of_each_kind[i] != NULL; i++)
     {
-        if (strcmp(chosen.mapping[i], s->specification) == 0)
-        {
-            return 1;
-        }
+        is_of_kinds |= strcmp(of_each_kind[i], s->specification) == 0;
     }
-    return chosen.mapping_count == 0;
+    return is_of_kinds && (chosen.mapping == NULL || strcmp(chosen.mapping, s->specification) == 0);
 }
 
 /* Times do not depend on the frame, or hardly. */
 static int is_timed(const subject *s)
 {
     return is_chosen(s) && strcmp(s->frame->identifier, "geo") == 0 &&
-           (s->standard || chosen.mapping_count > 0);
+           (s->standard || chosen.mapping != NULL);
 }
 
 static void check_subject(const subject *s, extreme (*worst)[PATHS_MAX])
@@ -262,6 +269,10 @@ static int read_options(int argc, char **argv)
         {
             chosen.one_in = 1;
         }
+        else if (strcmp(argv[i], "--kinds") == 0)
+        {
+            chosen.kinds = 1;
+        }
         else if (strcmp(argv[i], "--quick") == 0)
         {
             chosen.quick = 1;
@@ -271,10 +282,9 @@ static int read_options(int argc, char **argv)
         {
             chosen.set = argv[++i];
         }
-        else if (strcmp(argv[i], "--mapping") == 0 && value != NULL &&
-                 chosen.mapping_count < MAPPINGS_MAX && is_mapping(value))
+        else if (strcmp(argv[i], "--mapping") == 0 && value != NULL && is_mapping(value))
         {
-            chosen.mapping[chosen.mapping_count++] = argv[++i];
+            chosen.mapping = argv[++i];
         }
         else if (strcmp(argv[i], "--tier") == 0 && value != NULL && is_tier(value))
         {
