@@ -390,19 +390,23 @@ static cm_status parse_parts(const cm_mapping_info *info, const char *text, size
         more = stop < end;
         text = stop + 1;
     }
-    if (status == CM_OK && count == 1)
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    if (count == 1)
     {
         return cm_fail(CM_ERROR_SYNTAX, message, size,
                        "%s has one part, and needs two: %s:AZIMUTHAL,SQUARE, as in %s:%s",
                        info->identifier, info->identifier, info->identifier, info->parts);
     }
-    if (status == CM_OK && is_given(info, "beta", given) &&
+    if (is_given(info, "beta", given) &&
         value_of(cm_catalogue_at(made->azimuthal), "beta", made->parameter) == NULL)
     {
         return cm_fail(CM_ERROR_PARAMETER, message, size, "%s has no parameter 'beta'; mixture has",
                        cm_catalogue_at(made->azimuthal)->identifier);
     }
-    if (status == CM_OK && !cm_is_folded(info) &&
+    if (!cm_is_folded(info) &&
         value_of(cm_catalogue_at(made->azimuthal), "beta", made->parameter) != NULL &&
         *value_of(info, "beta", made->parameter) == 0.0)
     {
@@ -410,7 +414,7 @@ static cm_status parse_parts(const cm_mapping_info *info, const char *text, size
             CM_ERROR_RANGE, message, size,
             "with beta=0 mixture has no map of the whole sphere; beta must be in (0, 1]");
     }
-    return status;
+    return CM_OK;
 }
 
 /* ---- Specifications ---- */

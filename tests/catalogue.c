@@ -204,6 +204,7 @@ START_TEST(layouts_name_two_parts)
 {
     expect("border", CM_OK, "");
     expect("border:lon=10", CM_OK, "");
+    expect("border:lambert:shirley", CM_OK, "");
     expect("quincuncial:mixture,shirley,beta=0", CM_OK, "");
     expect("border:lambert", CM_ERROR_SYNTAX, "needs two: border:AZIMUTHAL,SQUARE");
     expect("border:lambert,shirley,radial", CM_ERROR_SYNTAX, "one part too many");
