@@ -82,22 +82,30 @@ in_fresh_folder()
 # An image that holds its own directions must hold them after each conversion, up to the error of
 # bilinear interpolation: h^2/4 for a grid of h radians, 1e-5 here. From a cube it is larger near
 # the edges, where the grids of two faces meet at an angle: a fifth of a pixel at the corners.
-# some_mappings: one in three, and those that are like no other: torn, singular, of twelve squares.
-some_mappings()
+every_mapping()
 {
-    "$helper" mappings | awk 'NR % 3 == 1 || /^(arvo|conformal|healpix|coupled)$/'
+    "$helper" mappings >mappings.txt
+    mappings_of_list
 }
 
+# One in three, and those that are like no other: torn, singular, of twelve squares. The whole list, by the
+# name above, takes three times as long and asks the library more than the programs.
 several_mappings()
+{
+    "$helper" mappings | awk 'NR % 3 == 1 || /^(arvo|conformal|healpix|coupled)$/' >mappings.txt
+    mappings_of_list
+}
+
+mappings_of_list()
 {
     "$helper" make equirect - - 1024 equirect.tif
     local mapping frame layout name turn=0
-    for mapping in $(some_mappings); do
+    while read -r mapping; do
         frame=$(printf 'geo\ngl\nfits\n' | sed -n $((turn % 3 + 1))p)
         layout=$(printf 'cross\nstrip\n' | sed -n $((turn % 2 + 1))p)
         turn=$((turn + 1))
         there_and_back
-    done
+    done <mappings.txt
 }
 
 every_frame()
