@@ -18,7 +18,7 @@
  *   - directions outside the field of view, and points outside the disc, are none and are left out;
  *   - where forward is on another side of a fold than the truth, that is as with another face;
  *   - a bound of 0 is none that is stated; with other than the standard parts or parameters the bounds are
- *     those of mapping.h: 14 eps for round trips, 8 forward and inverse, and none relative to the truth.
+ *     those of mapping.h: 21 eps for round trips, 8 forward and inverse, and none relative to the truth.
  *
  * With other than the standard parameters the bounds are greater by the factor by which the condition
  * is: how much the warp, or its inverse, stretches a small difference at most; but those of forward and
@@ -91,10 +91,11 @@ typedef struct subject
     precision_kind precision;
     int narrow; /* the functions for float */
     int faces;
-    int is_disc;       /* are u and v a point of the disc? */
-    int has_gaps;      /* of six squares in a rectangle: rhealpix */
-    int is_other;      /* are parts or parameters of one face not the standard ones? */
-    int is_flat;       /* a map of the whole sphere, whose antipode has no bound */
+    int is_disc;  /* are u and v a point of the disc? */
+    int has_gaps; /* of six squares in a rectangle: rhealpix */
+    int is_other; /* are parts or parameters of one face not the standard ones? */
+    int is_flat;  /* does the radius stop to grow with the angle, so that no bound holds there? */
+    int is_drawn_out;  /* is the azimuth at the antipode drawn out to the square's corners? */
     int is_plane;      /* between disc and square, without a sphere */
     double centre[3];  /* of the field of view */
     double rim_cosine; /* of the angle from there to the rim */
@@ -846,13 +847,14 @@ static double bound_of(const subject *s, kind which)
     const double most[KINDS] = {INFINITY, INFINITY, 8.0, 16.0, 8.0, 16.0};
     int is_round_trip = which == ROUND_TRIP || which == PLANE_ROUND_TRIP;
     /* what mapping.h promises of them; relative to the truth nothing */
-    const double of_other[KINDS] = {14.0, 16.0, 8.0, 0.0, 8.0, 0.0};
-    if (s->is_other && of[which] > 0.0)
+    const double of_other[KINDS] = {21.0, 16.0, 8.0, 0.0, 8.0, 0.0};
+    int is_open =
+        (s->is_flat && which == ROUND_TRIP) || (s->is_drawn_out && which == PLANE_ROUND_TRIP);
+    if (s->is_other && !is_open && of_other[which] > 0.0)
     {
-        int is_open = of_other[which] == 0.0 || (s->is_flat && which == ROUND_TRIP);
-        return is_open ? (double)INFINITY : of_other[which];
+        return of_other[which];
     }
-    if (of[which] == 0.0)
+    if (s->is_other || of[which] == 0.0)
     {
         return (double)INFINITY;
     }
@@ -892,6 +894,17 @@ static double standard_condition(const cm_mapping *mapping)
     return condition;
 }
 
+/* As mapping.h tells it. */
+static void note_where_it_is_flat(subject *s, const char *specification)
+{
+    int is_border = strncmp(specification, "border:", 7) == 0;
+    int is_whole = is_border || strstr(specification, "full=1") != NULL;
+    s->is_flat = strstr(specification, "orthographic") != NULL ||
+                 (is_whole && (strstr(specification, "lambert") != NULL ||
+                               strstr(specification, "mixture") != NULL));
+    s->is_drawn_out = is_border && strstr(specification, "conformal") != NULL;
+}
+
 /* What is asked for. */
 typedef struct amounts
 {
@@ -927,7 +940,7 @@ static int certify(const char *specification, const char *instructions, precisio
         s.is_disc = s.truth.kind == CM_KIND_AZIMUTHAL;
         s.has_gaps = strncmp(specification, "rhealpix", 8) == 0;
         s.is_other = s.faces == 1 && cm_catalogue_find(specification) == NULL;
-        s.is_flat = strstr(specification, "full=1") != NULL;
+        note_where_it_is_flat(&s, specification);
         s.is_plane = s.truth.kind == CM_KIND_DISC_SQUARE;
         if (s.is_disc)
         {

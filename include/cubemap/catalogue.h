@@ -69,7 +69,8 @@ typedef struct cm_parameter_info
  * is far more on the sphere (orthographic at its rim, border:lambert,... at its antipode: up to half a metre);
  * relative of layouts, whose coordinates are sums of others' or whose z passes 0 inside the map. Of what is
  * between disc and square the round trips are disc -> square -> disc and from the square, both measured on
- * the disc, where 1 eps is of the radius; of one square a plane round trip is the angle where that is less. */
+ * the disc, where 1 eps is of the radius; of one square a plane round trip is the angle where that is less.
+ * Bounds of a layout that has parts are those of its standard ones. */
 typedef struct cm_bounds
 {
     double round_trip;       /* direction -> face, u, v -> direction: the angle in rad / eps;

@@ -29,13 +29,16 @@
  *   accuracy    with the standard parameters u, v and the components of a direction are within 8 eps
  *               of the truth, eps = 2^-53 in double, 2^-24 in float, and 16 eps of their own size; a
  *               direction comes back from a round trip within 5 nm on Earth in double, 1e-6 rad in
- *               float (quincuncial: 5.5 nm; maps of the whole sphere and other pairs of parts: 15 nm);
+ *               float (quincuncial, azimuthal:breusing, azimuthal:equidistant: 5.7 nm; maps of the whole sphere
+ *               and other pairs of parts: 15 nm);
  *               the tier fast is less accurate (options.h). cm_mapping_info.bounds has the bounds of
  *               each mapping, docs/certificate.md the errors themselves, and those of other parameters
  *   flat laws   where the radius of an azimuthal projection hardly grows with the angle, a rounding of u and v
  *               is far more on the sphere: beside the rim of a hemisphere of orthographic (up to 0.15 m
  *               in double), beside the antipode of whole spheres of lambert and mixture (0.3 m), so of
- *               border:... with these (0.1 m); quincuncial:orthographic,... has z there to sqrt(eps).
+ *               border:... with these (0.1 m); quincuncial:orthographic,... has z there to sqrt(eps). About
+ *               the antipode border:...,conformal draws the azimuth of 45 degrees out into the corners, so
+ *               that a rounding of the direction is up to sqrt(eps) of u and v there
  *               Components of a direction that is turned to another centre, z of maps that go beyond
  *               the equator, and u and v of layouts are not relatively accurate where they pass 0
  *   cost        no allocation; a few square roots and divisions, and for some mappings polynomials,

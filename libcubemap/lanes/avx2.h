@@ -36,6 +36,7 @@
     _mm256_or_ps(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), m),                                       \
                  _mm256_and_ps(_mm256_set1_ps(-0.0f), s))
 #endif
+#define CM_FUSED 1
 #define CM_BOOL __m256i
 #define cm_both(a, b) _mm256_and_si256(a, b)
 #define cm_less(a, b) ((__m256i)((a) < (b)))

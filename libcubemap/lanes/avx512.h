@@ -3,6 +3,7 @@
  * Vectors of 64 bytes: x86-64 with AVX-512 F, DQ, BW and VL. A condition is a mask, one bit a lane.
  */
 #define LANES_BYTES 64
+#define CM_FUSED 1
 #if CM_LANES_BITS == 64
 #define LANES 8
 #define CM_REAL __m512d

@@ -3,6 +3,7 @@
  * Vectors of 16 bytes: every AArch64. A condition is all ones or all zeros in each lane.
  */
 #define LANES_BYTES 16
+#define CM_FUSED 1
 #if CM_LANES_BITS == 64
 #define LANES 2
 #define CM_REAL float64x2_t

@@ -147,12 +147,21 @@ static double matrix_apart(const comparison *c, const number *expected)
 /* Digits of base 3, one for each column of the input. */
 #define STEPS 27
 
+/* A power of two by which a direction has normal numbers, that can be moved by some eps. */
+static double to_normal_length(const comparison *c)
+{
+    double most =
+        fmax(fabs(c->input[0].real), fmax(fabs(c->input[1].real), fabs(c->input[2].real)));
+    return strncmp(c->path->inputs, "rrr", 3) == 0 && most > 0.0 ? ldexp(1.0, -ilogb(most)) : 1.0;
+}
+
 /* What the reference has at a point that is some eps beside the input. */
 static void reference_beside(const comparison *c, int step, number beside[COLUMNS_MAX])
 {
     double input[COLUMNS_MAX] = {0.0}, output[COLUMNS_MAX] = {0.0};
     void *in[COLUMNS_MAX], *out[COLUMNS_MAX];
     const path *p = c->path;
+    double scale = to_normal_length(c);
     for (size_t k = 0; k < COLUMNS_MAX; k++, step /= 3)
     {
         in[k] = &input[k];
@@ -160,7 +169,8 @@ static void reference_beside(const comparison *c, int step, number beside[COLUMN
         if (k < strlen(p->inputs))
         {
             number moved = c->input[k];
-            moved.real *= p->inputs[k] == 'r' ? 1.0 + (step % 3 - 1) * 8.0 * c->in->eps : 1.0;
+            moved.real *=
+                p->inputs[k] == 'r' ? scale + (step % 3 - 1) * 8.0 * c->in->eps * scale : 1.0;
             put_value(p->inputs[k], c->in, in[k], 0, moved);
         }
     }

@@ -24,11 +24,21 @@ CM_STRUCT_END(cm_colatitude)
 /* What a law makes of it. */
 CM_STRUCT(cm_radius)
 {
-    CM_REAL ratio; /* r / sin(t / 2) */
-    CM_REAL rim;   /* 1 - r^2 */
-    CM_REAL slope; /* dr / dt */
+    CM_REAL ratio;  /* r / sin(t / 2) */
+    CM_REAL radius; /* r where it is more accurate so than by ratio, else 0 */
+    CM_REAL rim;    /* 1 - r^2 */
+    CM_REAL slope;  /* dr / dt */
 }
 CM_STRUCT_END(cm_radius)
+
+/* The radius of most laws. In the outer part of the disc it is taken from the rim, which is the more accurate: an
+ * error of it moves a direction by as much more as the law is flat there. */
+CM_FN CM_REAL CM_NAME(cm_azimuthal_radius)(CM_REAL rim)
+{
+    CM_BOOL outer = cm_less(rim, CM_LIT(0.5));
+    CM_REAL from_rim = cm_sqrt(CM_LIT(1.0) - CM_SELECT(outer, rim, CM_LIT(0.0)));
+    return CM_SELECT(outer, from_rim, CM_LIT(0.0));
+}
 
 /* What a law makes of r and of 1 - r^2. */
 CM_STRUCT(cm_angle)
@@ -113,6 +123,10 @@ CM_FN CM_NAME(cm_bearing)
     CM_REAL over = CM_NAME(cm_inverse_root)(CM_LIT(2.0) * (length * sum));
     CM_REAL greater = sum * over;
     CM_REAL smaller = distance * over;
+    CM_REAL lacking = CM_LIT(0.5) * CM_NAME(cm_disc_rim)(greater, smaller);
+    over = over + over * lacking;
+    greater = greater + greater * lacking;
+    smaller = smaller + smaller * lacking;
 
     CM_NAME(cm_bearing) r;
     CM_BOOL is_far = cm_less(z, none);
@@ -137,32 +151,37 @@ CM_FN CM_NAME(cm_bearing)
     return r;
 }
 
-/* The disc's point for a bearing and its radius. What is beyond the rim is put on it. In the outer part of the
- * disc the radius is taken from the rim, which is the more accurate: an error of it moves a direction by as
- * much more as the law is flat there. */
+/* The disc's point for a bearing and its radius. What is beyond the rim is put on it. */
 CM_FN CM_NAME(cm_disc_point)
     CM_NAME(cm_azimuthal_point)(CM_NAME(cm_bearing) b, CM_NAME(cm_radius) r)
 {
     CM_BOOL beyond = cm_less(b.t.margin, CM_LIT(0.0));
-    CM_REAL ratio = CM_SELECT(beyond, CM_LIT(1.0) / b.t.half_sine, r.ratio);
+    /* by as much longer as the unit vector is too short */
+    CM_REAL lacking = CM_LIT(0.5) * CM_NAME(cm_disc_rim)(b.unit_east, b.unit_south);
+    CM_REAL radius = CM_SELECT(beyond, CM_LIT(1.0), r.radius);
+    CM_BOOL by_ratio = cm_equal(radius, CM_LIT(0.0));
+    radius = radius + radius * lacking;
     CM_NAME(cm_disc_point) d;
     d.rim = CM_SELECT(beyond, CM_LIT(0.0), cm_max(r.rim, CM_LIT(0.0)));
-    CM_BOOL outer = cm_less(d.rim, CM_LIT(0.5));
-    CM_REAL radius = cm_sqrt(CM_LIT(1.0) - CM_SELECT(outer, d.rim, CM_LIT(0.0)));
-    d.u = CM_SELECT(outer, b.unit_east * radius, b.east * ratio);
-    d.v = -CM_SELECT(outer, b.unit_south * radius, b.south * ratio);
-    d.gap = b.gap * ratio;
+    d.u = CM_SELECT(by_ratio, b.east * r.ratio, b.unit_east * radius);
+    d.v = -CM_SELECT(by_ratio, b.south * r.ratio, b.unit_south * radius);
+    d.gap = b.gap * CM_SELECT(beyond, CM_LIT(1.0) / b.t.half_sine, r.ratio);
     return d;
 }
 
-/* The unit direction of a disc's point whose angle is known. */
+/* The unit direction of a disc's point whose angle is known. Its sine and cosine have errors of their own, and
+ * what these have in common is the length's. A zero keeps its sign. */
 CM_FN CM_NAME(cm_xyz)
     CM_NAME(cm_azimuthal_direction)(CM_NAME(cm_disc_point) d, CM_NAME(cm_angle) angle)
 {
+    CM_REAL x = -(d.v * angle.ratio);
+    CM_REAL y = d.u * angle.ratio;
+    CM_REAL z = angle.cosine;
+    CM_REAL lacking = CM_LIT(0.5) * ((CM_LIT(1.0) - z * z) - (x * x + y * y));
     CM_NAME(cm_xyz) r;
-    r.x = -(d.v * angle.ratio);
-    r.y = d.u * angle.ratio;
-    r.z = angle.cosine;
+    r.x = cm_copysign(x + x * lacking, x);
+    r.y = cm_copysign(y + y * lacking, y);
+    r.z = cm_copysign(z + z * lacking, z);
     return r;
 }
 

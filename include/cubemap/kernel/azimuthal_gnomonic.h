@@ -15,16 +15,23 @@ CM_AZIMUTHAL(gnomonic,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 3,
              .parameter = {CM_PARAMETER_FOV(90.0, 179.0), CM_PARAMETERS_CENTRE},
-             .bounds = {.round_trip = 6, .plane_round_trip = 7, .forward = 5, .inverse = 3, .relative = 8})
+             .bounds = {.round_trip = 3, .plane_round_trip = 3.25, .forward = 3.5, .inverse = 2, .relative = 5})
 /* clang-format on */
 #else
 
 /* k3 = tan t0, k4 = tan^2 t0, k5 = sin^2 t0 / 2 */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_azimuthal_gnomonic_prepare)(CM_NAME(cm_constants) k)
 {
+    CM_REAL part = k.k0 / CM_LIT(180.0); /* of a quarter turn, t0 */
+    CM_BOOL wide = cm_less(CM_LIT(0.5), part);
+    CM_REAL angle = CM_LIT(1.570796326794896619231321691639751442099) *
+                    CM_SELECT(wide, CM_LIT(1.0) - part, part);
+    CM_REAL tangent =
+        CM_NAME(cm_sin_quarter)(angle) / (CM_LIT(1.0) - CM_NAME(cm_versine_quarter)(angle));
+    tangent = CM_SELECT(cm_equal(part, CM_LIT(0.5)), CM_LIT(1.0), tangent);
     k = CM_NAME(cm_azimuthal_prepare)(k);
     CM_REAL sine = CM_LIT(2.0) * (k.k0 * k.k1);
-    k.k3 = sine / k.k2;
+    k.k3 = CM_SELECT(wide, CM_LIT(1.0) / tangent, tangent);
     k.k4 = k.k3 * k.k3;
     k.k5 = CM_LIT(0.5) * (sine * sine);
     return k;
@@ -40,6 +47,7 @@ CM_FN CM_NAME(cm_radius)
     r.ratio = (CM_LIT(2.0) * t.half_cosine) * (over / k.k3);
     r.rim = (t.margin * (cosine + k.k2)) * ((over * over) / k.k5);
     r.slope = (over * over) / k.k3;
+    r.radius = CM_LIT(0.0);
     return r;
 }
 

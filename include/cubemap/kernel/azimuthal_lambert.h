@@ -16,7 +16,7 @@ CM_AZIMUTHAL(lambert,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 4,
              .parameter = {CM_PARAMETER_FOV(180.0, 360.0), CM_PARAMETER_FULL, CM_PARAMETERS_CENTRE},
-             .bounds = {.round_trip = 7, .plane_round_trip = 4, .forward = 4, .inverse = 5, .relative = 6})
+             .bounds = {.round_trip = 6, .plane_round_trip = 4, .forward = 3, .inverse = 2.5, .relative = 6})
 /* clang-format on */
 #else
 
@@ -35,6 +35,7 @@ CM_FN CM_NAME(cm_radius)
     r.ratio = CM_LIT(1.0) / k.k0;
     r.rim = t.margin / k.k3;
     r.slope = (CM_LIT(0.5) * t.half_cosine) * r.ratio;
+    r.radius = CM_NAME(cm_azimuthal_radius)(r.rim);
     return r;
 }
 

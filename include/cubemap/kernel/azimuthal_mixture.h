@@ -18,29 +18,32 @@ CM_AZIMUTHAL(mixture,
              .parameter = {CM_PARAMETER_FOV(180.0, 360.0),
                            CM_PARAMETER_BETA("0 for stereographic, 1 for Lambert's"), CM_PARAMETER_FULL,
                            CM_PARAMETERS_CENTRE},
-             .bounds = {.round_trip = 7, .plane_round_trip = 5, .forward = 5, .inverse = 5, .relative = 8})
+             .bounds = {.round_trip = 7, .plane_round_trip = 5, .forward = 4, .inverse = 3, .relative = 8.5})
 /* clang-format on */
 #else
 
-/* k3 = beta, k4 = K^2, k5 = K, k6 = sin^2(t0 / 2) */
+/* k3 = beta, k4 = K^2, k5 = 1 / K^2, k6 = sin^2(t0 / 2) */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_azimuthal_mixture_prepare)(CM_NAME(cm_constants) k)
 {
     k.k3 = k.k1;
     k = CM_NAME(cm_azimuthal_prepare)(k);
-    k.k6 = CM_SELECT(cm_equal(k.k2, CM_LIT(0.0)), CM_LIT(0.5), k.k0 * k.k0);
-    k.k4 = (k.k1 * k.k1) / k.k6 + k.k3;
-    k.k5 = cm_sqrt(k.k4);
+    CM_BOOL hemisphere = cm_equal(k.k2, CM_LIT(0.0));
+    k.k6 = CM_SELECT(hemisphere, CM_LIT(0.5), k.k0 * k.k0);
+    k.k4 = CM_SELECT(hemisphere, CM_LIT(1.0), (k.k1 * k.k1) / k.k6) + k.k3;
+    k.k5 = CM_LIT(1.0) / k.k4;
     return k;
 }
 
 CM_FN CM_NAME(cm_radius)
     CM_NAME(cm_azimuthal_mixture_radius)(CM_NAME(cm_colatitude) t, CM_NAME(cm_constants) k)
 {
-    CM_REAL radicand = t.half_cosine * t.half_cosine + k.k3 * (t.half_sine * t.half_sine);
+    CM_REAL radicand =
+        k.k5 * (t.half_cosine * t.half_cosine) + (k.k5 * k.k3) * (t.half_sine * t.half_sine);
     CM_NAME(cm_radius) r;
-    r.ratio = k.k5 * CM_NAME(cm_inverse_root)(radicand);
-    r.rim = t.margin / (radicand * k.k6);
-    r.slope = CM_LIT(0.5) * ((t.half_cosine * r.ratio) / radicand);
+    r.ratio = CM_NAME(cm_inverse_root)(radicand);
+    r.rim = t.margin / (radicand * (k.k4 * k.k6));
+    r.slope = CM_LIT(0.5) * ((k.k5 * t.half_cosine) * (r.ratio / radicand));
+    r.radius = CM_NAME(cm_azimuthal_radius)(r.rim);
     return r;
 }
 

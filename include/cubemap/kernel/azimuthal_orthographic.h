@@ -14,7 +14,7 @@ CM_AZIMUTHAL(orthographic,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 3,
              .parameter = {CM_PARAMETER_FOV(180.0, 180.0), CM_PARAMETERS_CENTRE},
-             .bounds = {.round_trip = 0, .plane_round_trip = 5, .forward = 5, .inverse = 2, .relative = 7})
+             .bounds = {.round_trip = 0, .plane_round_trip = 4.5, .forward = 3.5, .inverse = 1.5, .relative = 5.5})
 /* clang-format on */
 #else
 
@@ -35,6 +35,7 @@ CM_FN CM_NAME(cm_radius)
     r.ratio = (CM_LIT(2.0) * t.half_cosine) / k.k3;
     r.rim = (CM_LIT(2.0) * t.margin) * ((t.cosine + k.k2) / k.k4);
     r.slope = t.cosine / k.k3;
+    r.radius = CM_NAME(cm_azimuthal_radius)(r.rim);
     return r;
 }
 

@@ -15,7 +15,7 @@ CM_AZIMUTHAL(stereographic,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 3,
              .parameter = {CM_PARAMETER_FOV(180.0, 359.0), CM_PARAMETERS_CENTRE},
-             .bounds = {.round_trip = 5, .plane_round_trip = 4, .forward = 4, .inverse = 3, .relative = 5})
+             .bounds = {.round_trip = 6, .plane_round_trip = 4.5, .forward = 3.25, .inverse = 2, .relative = 5.5})
 /* clang-format on */
 #else
 
@@ -37,6 +37,7 @@ CM_FN CM_NAME(cm_radius)
     r.ratio = CM_LIT(1.0) / (k.k3 * t.half_cosine);
     r.rim = t.margin / (k.k4 * square);
     r.slope = CM_LIT(0.5) / (k.k3 * square);
+    r.radius = CM_NAME(cm_azimuthal_radius)(r.rim);
     return r;
 }
 

@@ -101,7 +101,8 @@
 #endif
 
 #if CM_BACKEND != CM_BACKEND_LANES
-/* a b + c: rounded once where that is as fast (some vectors), else twice. Exact if the product is */
+/* a b + c: rounded once where that is as fast (some vectors, which say so by CM_FUSED), else twice. Exact if
+ * the product is */
 #define cm_mad(a, b, c) ((a) * (b) + (c))
 #define cm_less(a, b) ((a) < (b))
 #define cm_at_least(a, b) ((a) >= (b))

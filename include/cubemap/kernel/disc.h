@@ -22,6 +22,9 @@ CM_STRUCT_END(cm_disc_point)
 /* x^2 - s for s = x^2 rounded: the rest, exact (Dekker 1971). If the compiler contracts, it stays exact. */
 CM_FN CM_REAL CM_NAME(cm_square_rest)(CM_REAL x, CM_REAL s)
 {
+#ifdef CM_FUSED
+    return cm_mad(x, x, -s);
+#else
 #if CM_REAL_BITS == 64
     CM_REAL wide = CM_LIT(134217729.0) * x; /* 2^27 + 1 */
 #elif CM_REAL_BITS == 32
@@ -32,6 +35,7 @@ CM_FN CM_REAL CM_NAME(cm_square_rest)(CM_REAL x, CM_REAL s)
     CM_REAL head = wide - (wide - x);
     CM_REAL tail = x - head;
     return ((head * head - s) + CM_LIT(2.0) * (head * tail)) + tail * tail;
+#endif
 }
 
 /* 1 - u^2 - v^2 for a point that is inside the disc, or outside by little, as if rounded once: the squares

@@ -19,7 +19,7 @@ CM_LAYOUT(border,
           .parameter_count = 3,
           .parameter = {CM_PARAMETERS_CENTRE, CM_PARAMETER_BETA("that of the mixture")},
           .parts = "lambert,shirley",
-          .bounds = {.round_trip = 0, .plane_round_trip = 5, .forward = 4, .inverse = 4, .relative = 0})
+          .bounds = {.round_trip = 0, .plane_round_trip = 5.5, .forward = 3.5, .inverse = 3, .relative = 0})
 CM_LAYOUT(quincuncial,
           .identifier = "quincuncial",
           .aliases = "peirce:stereographic,conformal",
@@ -31,7 +31,7 @@ CM_LAYOUT(quincuncial,
           .parameter_count = 3,
           .parameter = {CM_PARAMETERS_CENTRE, CM_PARAMETER_BETA("that of the mixture")},
           .parts = "stereographic,conformal",
-          .bounds = {.round_trip = 7.5, .plane_round_trip = 6, .forward = 5, .inverse = 5, .relative = 0})
+          .bounds = {.round_trip = 7.4, .plane_round_trip = 5, .forward = 3.5, .inverse = 3.25, .relative = 0})
 /* clang-format on */
 #else
 

@@ -27,15 +27,19 @@ CM_SQUARE(conformal,
           .family = CM_FAMILY_BIVARIATE,
           .properties = CM_CONFORMAL,
           .smooth_face = CM_SMOOTH_ANALYTIC,
-          .bounds = {.round_trip = 6, .plane_round_trip = 6, .forward = 4, .inverse = 6, .relative = 16})
+          .bounds = {.round_trip = 4.5, .plane_round_trip = 4.5, .forward = 3.25, .inverse = 2.25, .relative = 16})
 /* clang-format on */
 #else
 
-#define CM_CONFORMAL_2_K CM_LIT(1.078705202376758713335871444711105465532)     /* 2 / K */
-#define CM_CONFORMAL_2R_K CM_LIT(1.525519527003626376124651961927231586585)    /* 2 sqrt(2) / K */
+#define CM_CONFORMAL_2_K CM_LIT(1.078705202376758713335871444711105465532)   /* 2 / K */
+#define CM_CONFORMAL_2_K_1 CM_LIT(0.078705202376758713335871444711105465532) /* 2 / K - 1 */
+#define CM_CONFORMAL_2R_K_1                                                                        \
+    CM_LIT(0.525519527003626376124651961927231586585) /* 2 sqrt(2) / K - 1 */
 #define CM_CONFORMAL_HALF_K CM_LIT(0.9270373386506859592169251735976300231088) /* K / 2 */
-#define CM_CONFORMAL_K2_8 CM_LIT(0.4296991136262733017181309862381598248688)   /* K^2 / 8 */
-#define CM_CONFORMAL_K_2R CM_LIT(0.6555143885730299526162098974727798534207)   /* K / (2 sqrt(2)) */
+#define CM_CONFORMAL_HALF_K_1 CM_LIT(-0.0729626613493140407830748264023699768912)
+#define CM_CONFORMAL_K2_8 CM_LIT(0.4296991136262733017181309862381598248688) /* K^2 / 8 */
+#define CM_CONFORMAL_K_2R CM_LIT(0.6555143885730299526162098974727798534207) /* K / (2 sqrt(2)) */
+#define CM_CONFORMAL_K_2R_1 CM_LIT(-0.3444856114269700473837901027525201465793)
 
 /* One step of the recurrence b_k = a_k + 2 Re(x) b_(k+1) - |x|^2 b_(k+2). */
 #define CM_CONFORMAL_STEP(a)                                                                       \
@@ -103,12 +107,15 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_square_conformal_series)(CM_BOOL edge, CM_N
 #endif
 }
 
-/* factor (1 + rest), with one rounding of what is nearly factor. */
-CM_FN CM_NAME(cm_complex)
-    CM_NAME(cm_square_conformal_grow)(CM_NAME(cm_complex) factor, CM_NAME(cm_complex) rest)
+/* scale factor (1 + rest), with one rounding of what is nearly factor; more is scale - 1. */
+CM_FN CM_NAME(cm_complex) CM_NAME(cm_square_conformal_grow)(CM_NAME(cm_complex) factor,
+                                                            CM_NAME(cm_complex) rest, CM_REAL more)
 {
-    CM_NAME(cm_complex) more = CM_NAME(cm_complex_multiply)(factor, rest);
-    return CM_NAME(cm_make_complex)(factor.re + more.re, factor.im + more.im);
+    CM_REAL scale = CM_LIT(1.0) + more;
+    rest.re = cm_mad(scale, rest.re, more);
+    rest.im = scale * rest.im;
+    CM_NAME(cm_complex) product = CM_NAME(cm_complex_multiply)(factor, rest);
+    return CM_NAME(cm_make_complex)(factor.re + product.re, factor.im + product.im);
 }
 
 /* The point of expansion, and the variable there, in the octant 0 <= v <= u. */
@@ -138,12 +145,8 @@ CM_FN CM_NAME(cm_square_conformal_place)
                                      w.re / CM_SELECT(cm_less(CM_LIT(0.0), s_sum), s_sum, one));
 
     CM_NAME(cm_square_conformal_place) r;
-    /* beside the axis the edge's series is the slower one up to |W|^2 = 0.5, and that of the centre not yet */
-    CM_BOOL narrow = cm_less(v, CM_LIT(0.25) * u);
-    CM_REAL square = one - rim;
-    CM_REAL reach = CM_SELECT(narrow, CM_LIT(0.5), length);
-    r.centre = cm_at_least(reach, square);
-    r.edge = cm_both(cm_less(reach, square), narrow);
+    r.centre = cm_at_least(rim, CM_LIT(0.5));
+    r.edge = cm_both(cm_less(rim, CM_LIT(0.5)), cm_less(v, CM_LIT(0.25) * u));
     CM_REAL edge_over = one / ((one + u) * (one + u) + v * v);
     CM_NAME(cm_complex) s =
         CM_NAME(cm_make_complex)(rim * edge_over, CM_LIT(-2.0) * (v * edge_over));
@@ -163,12 +166,10 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_square_conformal_forward)(CM_NAME(cm_disc_point)
         CM_NAME(cm_square_conformal_locate)(u, v, d.rim, cm_abs(d.gap));
     CM_NAME(cm_complex) series =
         CM_NAME(cm_square_conformal_series)(at.edge, CM_NAME(cm_complex_square)(at.base));
-    CM_NAME(cm_complex) z = CM_NAME(cm_square_conformal_grow)(at.factor, series);
-    CM_REAL scale = CM_SELECT(at.edge, CM_CONFORMAL_2R_K, CM_CONFORMAL_2_K);
-    CM_REAL x = scale * z.re;
-    CM_REAL y = scale * z.im;
-    x = CM_SELECT(at.centre, x, CM_LIT(1.0) - x);
-    y = CM_SELECT(at.centre, y, CM_SELECT(at.edge, -y, CM_LIT(1.0) - y));
+    CM_NAME(cm_complex) z = CM_NAME(cm_square_conformal_grow)(
+        at.factor, series, CM_SELECT(at.edge, CM_CONFORMAL_2R_K_1, CM_CONFORMAL_2_K_1));
+    CM_REAL x = CM_SELECT(at.centre, z.re, CM_LIT(1.0) - z.re);
+    CM_REAL y = CM_SELECT(at.centre, z.im, CM_SELECT(at.edge, -z.im, CM_LIT(1.0) - z.im));
     /* rounding may not lead out of the octant */
     x = cm_min(x, CM_LIT(1.0));
     return CM_NAME(cm_disc_unfold)(u_wins, x, cm_max(CM_LIT(0.0), cm_min(y, x)), d.u, d.v);
@@ -266,12 +267,17 @@ CM_FN CM_NAME(cm_disc_point) CM_NAME(cm_square_conformal_inverse)(CM_REAL x, CM_
         CM_SELECT(edge, -(CM_CONFORMAL_K_2R * b), CM_CONFORMAL_K2_8 * ((a - b) * (a1 + b1)));
     CM_NAME(cm_complex) base = CM_NAME(cm_make_complex)(CM_SELECT(centre, t2.re, target.re),
                                                         CM_SELECT(centre, t2.im, target.im));
+    CM_NAME(cm_complex) factor;
+    factor.re = CM_SELECT(centre, a, CM_SELECT(edge, a1, target.re));
+    factor.im = CM_SELECT(centre, b, CM_SELECT(edge, -b, target.im));
+    CM_NAME(cm_complex) w = CM_NAME(cm_square_conformal_grow)(
+        factor,
+        CM_NAME(cm_square_conformal_reversion)(centre, edge, CM_NAME(cm_complex_square)(base)),
+        CM_SELECT(centre, CM_CONFORMAL_HALF_K_1,
+                  CM_SELECT(edge, CM_CONFORMAL_K_2R_1, CM_LIT(0.0))));
+#if CM_REAL_BITS > 64
     target.re = CM_SELECT(centre, t.re, target.re);
     target.im = CM_SELECT(centre, t.im, target.im);
-    CM_NAME(cm_complex) w = CM_NAME(cm_square_conformal_grow)(
-        target,
-        CM_NAME(cm_square_conformal_reversion)(centre, edge, CM_NAME(cm_complex_square)(base)));
-#if CM_REAL_BITS > 64
     w = CM_NAME(cm_square_conformal_step)(centre, edge, target, w);
 #endif
 
@@ -284,6 +290,11 @@ CM_FN CM_NAME(cm_disc_point) CM_NAME(cm_square_conformal_inverse)(CM_REAL x, CM_
     CM_REAL u = CM_SELECT(centre, w.re, CM_SELECT(edge, along, half_root2 * (along + across)));
     CM_REAL v = CM_SELECT(centre, w.im, CM_SELECT(edge, -across, half_root2 * (along - across)));
     CM_REAL rim = CM_SELECT(centre, one - square, CM_LIT(4.0) * (w.re * over));
+    /* the rim is the more accurate there */
+    CM_REAL excess = CM_NAME(cm_disc_rim)(u, v) - rim;
+    CM_REAL longer = CM_SELECT(centre, CM_LIT(0.0), CM_LIT(0.5) * (excess + excess * rim));
+    u = u + u * longer;
+    v = v + v * longer;
     CM_REAL gap = CM_SELECT(
         centre, u - v,
         CM_SELECT(edge, u - v, CM_LIT(1.41421356237309504880168872420969807857) * across));

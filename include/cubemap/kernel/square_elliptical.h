@@ -13,7 +13,7 @@ CM_SQUARE(elliptical,
           .kind = CM_KIND_DISC_SQUARE,
           .family = CM_FAMILY_BIVARIATE,
           .smooth_face = CM_SMOOTH_ANALYTIC,
-          .bounds = {.round_trip = 5, .plane_round_trip = 5, .forward = 5, .inverse = 2, .relative = 5})
+          .bounds = {.round_trip = 6, .plane_round_trip = 6, .forward = 6, .inverse = 2, .relative = 6})
 /* clang-format on */
 #else
 

@@ -13,7 +13,7 @@ CM_SQUARE(radial,
           .kind = CM_KIND_DISC_SQUARE,
           .family = CM_FAMILY_BIVARIATE,
           .smooth_face = CM_SMOOTH_C0,
-          .bounds = {.round_trip = 3, .plane_round_trip = 3, .forward = 3, .inverse = 2, .relative = 5})
+          .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 2.25, .inverse = 2.75, .relative = 5})
 /* clang-format on */
 #else
 

@@ -14,7 +14,7 @@ CM_SQUARE(shirley,
           .family = CM_FAMILY_BIVARIATE,
           .properties = CM_EQUAL_AREA,
           .smooth_face = CM_SMOOTH_C0,
-          .bounds = {.round_trip = 3, .plane_round_trip = 3, .forward = 3, .inverse = 3, .relative = 5})
+          .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 2.5, .inverse = 3, .relative = 5.5})
 /* clang-format on */
 #else
 

@@ -13,7 +13,7 @@ CM_SQUARE(squircle,
           .kind = CM_KIND_DISC_SQUARE,
           .family = CM_FAMILY_BIVARIATE,
           .smooth_face = CM_SMOOTH_C1,
-          .bounds = {.round_trip = 4, .plane_round_trip = 4, .forward = 4, .inverse = 3, .relative = 5})
+          .bounds = {.round_trip = 5, .plane_round_trip = 5, .forward = 3, .inverse = 2.5, .relative = 4})
 /* clang-format on */
 #else
 

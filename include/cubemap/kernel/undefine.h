@@ -18,6 +18,7 @@
 #undef cm_min
 #undef cm_max
 #undef cm_mad
+#undef CM_FUSED
 #undef cm_less
 #undef CM_ROUGH_INVERSE
 #undef CM_ROUGH_INVERSE_ROOT
@@ -37,8 +38,11 @@
 #undef CM_AZIMUTHAL_DOWN
 #undef CM_LAW_KERNELS
 #undef CM_CONFORMAL_2_K
-#undef CM_CONFORMAL_2R_K
+#undef CM_CONFORMAL_2_K_1
+#undef CM_CONFORMAL_2R_K_1
 #undef CM_CONFORMAL_HALF_K
+#undef CM_CONFORMAL_HALF_K_1
+#undef CM_CONFORMAL_K_2R_1
 #undef CM_CONFORMAL_K2_8
 #undef CM_CONFORMAL_K_2R
 #undef CM_CONFORMAL_STEP
