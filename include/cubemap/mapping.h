@@ -138,8 +138,10 @@ CM_API void cm_inverse_strided_f32(const cm_mapping *mapping, size_t n, const ui
  * the point to; the diagonals of qsc belong to |p| >= |q|. smoothstep with c = 1 has a
  * singular Jacobian on the edges, where the inverse's is infinite or NaN. cobe:legacy=1 has that of the
  * forward direction, or its inverse, though the published inverse differs from it by 0.7 % at most.
- * Accuracy: each element within 20 eps of the truth relative to the largest of its matrix, with other
- * than the standard parameters 64. Bad input gives NaN. */
+ * Accuracy: each element within 20 eps of the truth relative to the largest of its matrix (quincuncial 40), with
+ * other than the standard parameters 64. Where derivatives grow without limit, beside the corners of a square with
+ * squircle or elliptical, of border:...,conformal, and beside the antipode in turned maps of the whole sphere, it is
+ * what the rounding of the point makes of them. Bad input gives NaN. */
 CM_API void cm_forward_jacobian(const cm_mapping *mapping, const double direction[3],
                                 double jacobian[6]);
 CM_API void cm_forward_jacobian_f32(const cm_mapping *mapping, const float direction[3],
