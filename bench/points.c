@@ -2,7 +2,7 @@
  *
  * Speed and accuracy of every mapping in one run: nanoseconds a point of the array functions (the best
  * of interleaved repetitions over arrays that stay in cache) and the worst round trip of random and of
- * hard directions, direction to face, u, v and back. bench/certificate.c measures accuracy in full.
+ * hard directions, direction to face, u, v and back. bench/certificate measures accuracy in full.
  *
  * Usage: points [FRAME [ROUND_TRIPS]]
  */

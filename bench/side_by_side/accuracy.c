@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Worst errors of round trips, direction to plane and back, in metres on Earth: the angle between
- * what a contestant was given and what it gives back, as tests/peers and bench/certificate.c have
+ * what a contestant was given and what it gives back, as tests/peers and bench/certificate have
  * it. A point that it refuses, or answers with NaN, counts as refused.
  */
 #include "side_by_side.h"

@@ -91,7 +91,7 @@ static cm_mapping *make(const char *specification, const cm_frame *frame, cm_tie
 }
 
 /* The largest stretch of a small difference, by the warp or by its inverse, over a grid that comes
- * close to the edges; 1 for a mapping that is no warp. As in bench/certificate.c, in double. */
+ * close to the edges; 1 for a mapping that is no warp. As in bench/certificate, in double. */
 static double condition_of(const cm_mapping *mapping)
 {
     enum
