@@ -15,7 +15,7 @@ CM_AZIMUTHAL(breusing,
              .smooth_face = CM_SMOOTH_ANALYTIC,
              .parameter_count = 4,
              .parameter = {CM_PARAMETER_FOV(180.0, 360.0), CM_PARAMETER_FULL, CM_PARAMETERS_CENTRE},
-             .bounds = {.round_trip = 7.6, .plane_round_trip = 5.5, .forward = 3.5, .inverse = 2.75, .relative = 8.5})
+             .bounds = {.round_trip = 7.6, .plane_round_trip = 5.5, .forward = 3.75, .inverse = 2.75, .relative = 8.5})
 /* clang-format on */
 #else
 

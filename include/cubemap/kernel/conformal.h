@@ -31,7 +31,7 @@ CM_WARP(conformal,
         .properties = CM_CONFORMAL,
         .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_ANALYTIC,
-        .bounds = {.round_trip = 4.2, .plane_round_trip = 8192, .forward = 4.5, .inverse = 4,
+        .bounds = {.round_trip = 5.5, .plane_round_trip = 8192, .forward = 4.5, .inverse = 4,
                    .relative = 16},
         .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)
 /* clang-format on */

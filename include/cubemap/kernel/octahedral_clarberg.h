@@ -15,7 +15,7 @@ CM_SPHERE(clarberg,
           .family = CM_FAMILY_HYBRID,
           .properties = CM_EQUAL_AREA,
           .smooth_face = CM_SMOOTH_C0,
-          .bounds = {.round_trip = 7, .plane_round_trip = 5, .forward = 6, .inverse = 4, .relative = 8})
+          .bounds = {.round_trip = 7, .plane_round_trip = 5, .forward = 6, .inverse = 4.5, .relative = 8})
 /* clang-format on */
 #else
 

@@ -26,7 +26,7 @@ CM_SPHERE_CONSTANTS(rhealpix,
                                    .meaning = "square of the belt that the south cap is at",
                                    .high = 3.0,
                                    .whole = 1}},
-                    .bounds = {.round_trip = 7, .plane_round_trip = 8, .forward = 4, .inverse = 5})
+                    .bounds = {.round_trip = 7.5, .plane_round_trip = 8, .forward = 4.75, .inverse = 5})
 /* clang-format on */
 #else
 
