@@ -34,7 +34,7 @@ typedef struct options
 static const char help[] =
     "Usage: side-by-side [OPTION]... [MAPPING]...\n"
     "\n"
-    "Time this library's mappings, all of the catalogue or those named, by every path that this\n"
+    "Time this library's mappings, all to the cube or those named, by every path that this\n"
     "machine can run, beside the other libraries that the program was built with, on the same "
     "points\n"
     "in one interleaved run on one core; and print each one's worst error beside its time.\n"

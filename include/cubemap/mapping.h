@@ -42,8 +42,9 @@
  *               Components of a direction that is turned to another centre, z of maps that go beyond
  *               the equator, and u and v of layouts are not relatively accurate where they pass 0
  *   cost        no allocation; a few square roots and divisions, and for some mappings polynomials,
- *               a point. Arrays are computed by vectors (options.h): 1 to 15 ns a point with AVX2, and
- *               single points cost 20 to 90 ns; docs/speed.md has them all, beside the accuracy
+ *               a point. Arrays are computed by vectors (options.h): 1 to 20 ns a point with AVX2 (the
+ *               inverse of seamless 40), and single points cost 25 to 120 ns (200); docs/speed.md has
+ *               them all, beside the accuracy
  *   sources     of each mapping are in its descriptor (catalogue.h) and in its kernel
  *   threads     a mapping is constant after its creation: any number of threads may use one
  *   results     the same input gives the same bits in every function of one precision, whatever n,
