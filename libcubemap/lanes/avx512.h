@@ -54,8 +54,9 @@
  * for a point as with vectors of 32 bytes, while the multiply-adds of two units take half. So what is
  * made of both is made of multiply-adds here.
  *
- * 1 / sqrt(x) to half the digits and then zeros, so that its square is exact; x from 2^-60 to 2^60. The
- * processor's approximation is good to 14 bits; in double one Newton step doubles them. */
+ * 1 / sqrt(x) to half the digits and then zeros, so that its square is exact; x from 2^-60 to 2^60 in float, from
+ * 2^-900 to 2^900 in double. The processor's approximation is good to 14 bits; in double one Newton step doubles
+ * them. */
 #if CM_LANES_BITS == 64
 static inline __m512d lanes_rough_inverse_root_f64(__m512d x)
 {

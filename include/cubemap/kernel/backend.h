@@ -15,4 +15,5 @@
 #include "disc.h"
 #include "complex.h"
 #include "azimuthal.h"
+#include "latitude.h"
 #include "catalogue.h"
