@@ -78,20 +78,40 @@ CM_FN CM_NAME(cm_healpix_place) CM_NAME(cm_healpix_locate)(CM_REAL x, CM_REAL y,
     return p;
 }
 
-/* x, y, z finite and not all zero. (a, b) of the result is (u, v). */
-CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z)
+/* How far in its sector a direction is: what faces and pixels (libcubemap/healpix_lattice.h) are made of. */
+CM_STRUCT(cm_healpix_reach)
 {
-    CM_NAME(cm_healpix_place) at = CM_NAME(cm_healpix_locate)(x, y, z);
-    CM_REAL f = CM_NAME(cm_eighth_turns)(at.t);
+    CM_REAL sector; /* 0 to 3: the one whose middle is on +x, +y, -x, -y */
+    CM_REAL f;      /* -1..1 through it, towards greater longitudes */
+    CM_REAL sigma;  /* sqrt(3 (1 - |sin lat|)), in a cap */
+    CM_REAL belt;   /* (3 / 2) |sin lat|, on the belt */
+}
+CM_STRUCT_END(cm_healpix_reach)
+
+CM_FN CM_NAME(cm_healpix_reach) CM_NAME(cm_healpix_measure)(CM_NAME(cm_healpix_place) at)
+{
+    CM_NAME(cm_healpix_reach) reach;
+    reach.sector = CM_SELECT(at.x_wins, CM_LIT(1.0) - at.sign, CM_LIT(2.0) - at.sign);
+    reach.f = CM_NAME(cm_eighth_turns)(at.t);
 
     /* polar: with n = sqrt(1 + r^2), 1 - |sin lat| is r^2 / (n (n + 1)); on the belt |sin lat| is r / n
      * with the part of z to major */
     CM_REAL n2 = cm_mad(at.r, at.r, CM_SELECT(at.polar, CM_LIT(1.0), at.square));
     CM_REAL over_n = CM_NAME(cm_inverse_root)(n2);
     CM_REAL over_nn = CM_NAME(cm_inverse_root)(cm_mad(n2, over_n, n2)); /* 1 / sqrt(n (n + 1)) */
-    CM_REAL sigma =
+    reach.sigma =
         cm_min(CM_LIT(1.0), at.r * (over_nn * CM_LIT(1.73205080756887729352744634150587236694)));
-    CM_REAL belt = cm_min(CM_LIT(1.0), CM_LIT(1.5) * (at.r * over_n));
+    reach.belt = cm_min(CM_LIT(1.0), CM_LIT(1.5) * (at.r * over_n));
+    return reach;
+}
+
+/* x, y, z finite and not all zero. (a, b) of the result is (u, v). */
+CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    CM_NAME(cm_healpix_place) at = CM_NAME(cm_healpix_locate)(x, y, z);
+    CM_NAME(cm_healpix_reach) reach = CM_NAME(cm_healpix_measure)(at);
+    CM_REAL f = reach.f;
+    CM_REAL sigma = reach.sigma;
     CM_REAL along = sigma * f;
     /* the triangle of sector k is that of sector 0 turned by k right angles; the south is the north
      * mirrored */
@@ -99,13 +119,12 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, C
     CM_REAL signed_sigma = at.sign * sigma;
     CM_REAL cap_a = CM_SELECT(at.x_wins, signed_along, signed_sigma);
     CM_REAL cap_b = CM_SELECT(at.x_wins, -signed_sigma, signed_along);
-    CM_REAL sector = CM_SELECT(at.x_wins, CM_LIT(1.0) - at.sign, CM_LIT(2.0) - at.sign);
     CM_BOOL south = cm_less(z, CM_LIT(0.0));
 
     CM_NAME(cm_face_point) point;
-    point.face = CM_SELECT(at.polar, CM_SELECT(south, CM_LIT(5.0), CM_LIT(4.0)), sector);
+    point.face = CM_SELECT(at.polar, CM_SELECT(south, CM_LIT(5.0), CM_LIT(4.0)), reach.sector);
     point.a = CM_SELECT(at.polar, cap_a, f);
-    point.b = CM_SELECT(at.polar, CM_SELECT(south, -cap_b, cap_b), cm_copysign(belt, z));
+    point.b = CM_SELECT(at.polar, CM_SELECT(south, -cap_b, cap_b), cm_copysign(reach.belt, z));
     return point;
 }
 
@@ -145,26 +164,33 @@ CM_FN CM_NAME(cm_healpix_spot) CM_NAME(cm_healpix_find)(CM_REAL face, CM_REAL u,
     return p;
 }
 
-/* The unit direction of (u, v) on a face. */
-CM_FN CM_NAME(cm_xyz) CM_NAME(cm_healpix_unproject)(CM_REAL face, CM_REAL u, CM_REAL v)
+/* The unit direction at the longitude of a spot, at distance rho from the axis and height z. */
+CM_FN CM_NAME(cm_xyz)
+    CM_NAME(cm_healpix_around)(CM_NAME(cm_healpix_spot) at, CM_REAL rho, CM_REAL z)
 {
-    CM_NAME(cm_healpix_spot) at = CM_NAME(cm_healpix_find)(face, u, v);
     CM_REAL lon = at.f * CM_LIT(0.78539816339744830961566084581987572105); /* pi / 4 */
     CM_REAL sine = CM_NAME(cm_sin_quarter)(lon);
     CM_REAL cosine = CM_LIT(1.0) - CM_NAME(cm_versine_quarter)(lon);
-
-    CM_REAL s2 = at.sigma * at.sigma;
-    CM_REAL belt_z = v * CM_LIT(2.0) / CM_LIT(3.0);
-    CM_REAL cap_z = CM_LIT(1.0) - s2 / CM_LIT(3.0);
-    CM_REAL rho = CM_SELECT(at.polar, at.sigma * (cm_sqrt(CM_LIT(6.0) - s2) / CM_LIT(3.0)),
-                            cm_sqrt((CM_LIT(1.0) - belt_z) * (CM_LIT(1.0) + belt_z)));
     CM_REAL major = at.sign * (rho * cosine);
     CM_REAL minor = at.sign * (rho * sine);
     CM_NAME(cm_xyz) r;
     r.x = CM_SELECT(at.x_wins, major, -minor);
     r.y = CM_SELECT(at.x_wins, minor, major);
-    r.z = CM_SELECT(at.polar, CM_SELECT(at.south, -cap_z, cap_z), belt_z);
+    r.z = z;
     return r;
+}
+
+/* The unit direction of (u, v) on a face. */
+CM_FN CM_NAME(cm_xyz) CM_NAME(cm_healpix_unproject)(CM_REAL face, CM_REAL u, CM_REAL v)
+{
+    CM_NAME(cm_healpix_spot) at = CM_NAME(cm_healpix_find)(face, u, v);
+    CM_REAL s2 = at.sigma * at.sigma;
+    CM_REAL belt_z = v * CM_LIT(2.0) / CM_LIT(3.0);
+    CM_REAL cap_z = CM_LIT(1.0) - s2 / CM_LIT(3.0);
+    CM_REAL rho = CM_SELECT(at.polar, at.sigma * (cm_sqrt(CM_LIT(6.0) - s2) / CM_LIT(3.0)),
+                            cm_sqrt((CM_LIT(1.0) - belt_z) * (CM_LIT(1.0) + belt_z)));
+    CM_REAL z = CM_SELECT(at.polar, CM_SELECT(at.south, -cap_z, cap_z), belt_z);
+    return CM_NAME(cm_healpix_around)(at, rho, z);
 }
 
 /* The derivatives of (u, v) or by (u, v), which stand as a and b, from those by or of two coordinates of
