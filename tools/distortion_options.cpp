@@ -230,7 +230,7 @@ JPEG and TIFF; with --values TIFF and EXR.
 
   -m, --mapping MAPPING NAME, NAME:PRESET or NAME:PARAMETER=VALUE[,...]; without it, )" CM_MAPPING_RECOMMENDED
            R"(
-  --frame FRAME         how the faces sit on the axes: geo (without it), gl or fits
+  --frame FRAME         how the faces sit on the axes: geo (without it), gl, fits or s2
   --quantity QUANTITY   what to draw; without it, area
   --layout LAYOUT       faces: six files, %f in the name stands for 0 to 5; strip:
                         6N x N; cross (without it): 4N x 3N, the cube unfolded

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * How cubemap-project says what is wrong, and ends when it cannot go on.
+ * How the filters say what is wrong, and end when they cannot go on.
  */
 #ifndef CUBEMAP_TOOLS_FAILURE_H
 #define CUBEMAP_TOOLS_FAILURE_H
 
+/* cubemap-project, but for what is built with another name */
+#ifndef PROGRAM
 #define PROGRAM "cubemap-project"
+#endif
 
 /* the exit status of wrong usage; everything else is EXIT_FAILURE */
 #define EXIT_USAGE 2

@@ -187,6 +187,35 @@ void listing_write_table(FILE *stream)
         const cm_frame *const frame = cm_frame_at(i);
         fprintf(stream, "%-12s %s\n", frame->identifier, frame->name);
     }
+    listing_write_ellipsoids(stream);
+    listing_write_latitudes(stream);
+    fprintf(stream, "\nThe orientations that --rotate takes by name, LON,LAT,ROLL:\n");
+    for (size_t i = 0; i < cm_orientation_count(); i++)
+    {
+        const cm_orientation *const orientation = cm_orientation_at(i);
+        fprintf(stream, "%-22s %8.2f %7.2f %8.2f  %s\n", orientation->identifier, orientation->lon,
+                orientation->lat, orientation->roll, orientation->name);
+    }
+}
+
+void listing_write_ellipsoids(FILE *stream)
+{
+    fprintf(stream, "\nThe ellipsoids that --ellipsoid takes by name, A in metres and 1/F:\n");
+    for (size_t i = 0; i < cm_ellipsoid_count(); i++)
+    {
+        const cm_ellipsoid *const ellipsoid = cm_ellipsoid_at(i);
+        fprintf(stream, "%-20s %14.3f %14.12g  %s\n", ellipsoid->identifier, ellipsoid->a,
+                ellipsoid->f == 0 ? 0 : 1 / ellipsoid->f, ellipsoid->name);
+    }
+}
+
+void listing_write_latitudes(FILE *stream)
+{
+    fprintf(stream, "\nThe latitudes:\n");
+    for (int i = 0; i < CM_LATITUDE_COUNT; i++)
+    {
+        fprintf(stream, "%s\n", cm_latitude_name((cm_latitude)i));
+    }
 }
 
 /* ------------------------------------------------------------------------------- JSON */
@@ -355,6 +384,27 @@ static void write_frame_object(FILE *stream, const cm_frame *frame)
     fputs("\n      ]\n    }", stream);
 }
 
+static void write_ellipsoid_members(FILE *stream, const cm_ellipsoid *ellipsoid)
+{
+    write_member(stream, "identifier", ellipsoid->identifier, ", ");
+    write_member(stream, "name", ellipsoid->name, ", ");
+    fprintf(stream, "\"a\": %.17g, \"f\": %.17g, ", ellipsoid->a, ellipsoid->f);
+    write_member(stream, "source", ellipsoid->source, "}");
+}
+
+static void write_orientation_members(FILE *stream, const cm_orientation *orientation)
+{
+    write_member(stream, "identifier", orientation->identifier, ", ");
+    write_member(stream, "name", orientation->name, ", ");
+    write_member(stream, "mapping", orientation->mapping, ", ");
+    write_member(stream, "measure", orientation->measure, ", ");
+    fprintf(stream,
+            "\"lon\": %.17g, \"lat\": %.17g, \"roll\": %.17g, \"before\": %.17g, "
+            "\"after\": %.17g}",
+            orientation->lon, orientation->lat, orientation->roll, orientation->before,
+            orientation->after);
+}
+
 void listing_write_json(FILE *stream)
 {
     fputs("{\n  ", stream);
@@ -370,6 +420,25 @@ void listing_write_json(FILE *stream)
     {
         fputs(i == 0 ? "" : ",\n", stream);
         write_frame_object(stream, cm_frame_at(i));
+    }
+    fputs("\n  ],\n  \"ellipsoids\": [\n", stream);
+    for (size_t i = 0; i < cm_ellipsoid_count(); i++)
+    {
+        fputs(i == 0 ? "    {" : ",\n    {", stream);
+        write_ellipsoid_members(stream, cm_ellipsoid_at(i));
+    }
+    fputs("\n  ],\n  \"latitudes\": [", stream);
+    for (int i = 0; i < CM_LATITUDE_COUNT; i++)
+    {
+        const char *const name = cm_latitude_name((cm_latitude)i);
+        fputs(i == 0 ? "" : ", ", stream);
+        write_text(stream, name, strlen(name));
+    }
+    fputs("],\n  \"orientations\": [\n", stream);
+    for (size_t i = 0; i < cm_orientation_count(); i++)
+    {
+        fputs(i == 0 ? "    {" : ",\n    {", stream);
+        write_orientation_members(stream, cm_orientation_at(i));
     }
     fputs("\n  ]\n}\n", stream);
 }

@@ -1,35 +1,16 @@
-/* SPDX-License-Identifier: MIT
- *
- * Memory is constant: one buffer of input, one batch of lines in it, one buffer of output. A batch
- * ends where the input that has already arrived ends, so that someone who types, or a program that
- * waits for an answer, gets it at once, and a file is worked off in array calls.
- */
-#define _POSIX_C_SOURCE 200809L
-
+/* SPDX-License-Identifier: MIT */
 #include "point_filter.h"
 
-#include <errno.h>
+#include <inttypes.h>
 #include <math.h>
-#include <poll.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "degrees.h"
 #include "failure.h"
-#include "number.h"
-
-enum
-{
-    LINE_BYTES_MAX = 4096, /* a longer line is an error */
-    INPUT_BYTES = 1 << 16,
-    OUTPUT_BYTES = 1 << 16,
-    RESULT_BYTES_MAX = 3 * NUMBER_WRITE_MAX, /* of one line, besides its rest */
-    BATCH_LINES = 1024
-};
+#include "line_filter.h"
 
 /* What the numbers of a line are. */
 typedef enum form
@@ -38,7 +19,9 @@ typedef enum form
     FORM_XYZ,
     FORM_FACE,
     FORM_DISC,
-    FORM_SQUARE
+    FORM_SQUARE,
+    FORM_CELL,
+    FORM_PIXEL
 } form;
 
 static const struct
@@ -49,33 +32,20 @@ static const struct
              [FORM_XYZ] = {"X Y Z", 3},
              [FORM_FACE] = {"FACE U V", 3},
              [FORM_DISC] = {"U V", 2},
-             [FORM_SQUARE] = {"X Y", 2}};
-
-/* What becomes of a line. */
-typedef enum line_kind
-{
-    LINE_THROUGH, /* a comment or a blank line: rest is all of it */
-    LINE_POINT,   /* rest is what follows its numbers */
-    LINE_BAD      /* it has no result; rest as for a point, or empty */
-} line_kind;
-
-struct line
-{
-    line_kind kind;
-    const char *rest;
-    size_t rest_length;
-    bool carriage_return; /* does it end with CR LF? */
-};
+             [FORM_SQUARE] = {"X Y", 2},
+             [FORM_CELL] = {"CELL", 1},
+             [FORM_PIXEL] = {"PIXEL", 1}};
 
 /* Lines that are worked off together. Point i is in place i of every array, which holds some point
  * that is harmless where line i is no point. Forward: a, b, c are x, y, z and become u, v; inverse:
- * a, b are u, v, and a, b, c become x, y, z. Between disc and square a, b stay in the plane. */
+ * a, b are u, v, and a, b, c become x, y, z. Between disc and square a, b stay in the plane. Cells and
+ * pixels stand for faces and u, v. */
 struct batch
 {
     size_t count;
-    uint64_t first_line; /* the number of line[0] */
-    struct line line[BATCH_LINES];
     uint8_t face[BATCH_LINES];
+    cm_cell cell[BATCH_LINES];
+    int64_t pixel[BATCH_LINES];
     double a[BATCH_LINES];
     double b[BATCH_LINES];
     double c[BATCH_LINES];
@@ -90,98 +60,18 @@ struct filter
     const cm_mapping *mapping;
     form from;
     form to;
-    const char *name; /* of the input, for messages */
-    int descriptor;
-    bool any_bad;
-    bool skipping; /* inside a line that is too long, up to its end */
-    bool at_end;
-    size_t input_start; /* input[input_start .. input_end) is still to be worked off */
-    size_t input_end;
-    size_t output_length;
+    struct line_filter lines;
     struct batch batch;
-    char input[INPUT_BYTES];
-    char output[OUTPUT_BYTES];
 };
 
-/* ------------------------------------------------------------------------------- messages */
-
 /* Say what is wrong with the line that has place index of the batch. */
-PRINTF_LIKE(3, 4) static void complain(struct filter *filter, size_t index, const char *format, ...)
-{
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    say("%s:%llu: %s", filter->name, (unsigned long long)(filter->batch.first_line + index), text);
-    filter->any_bad = true;
-}
-
-/* The first bytes of what stands between text and the next separator, fit to be printed. */
-typedef struct excerpt
-{
-    char text[44];
-} excerpt;
-
-static bool is_blank(char character)
-{
-    return character == ' ' || character == '\t';
-}
-
-static excerpt quote_word(const char *text, const char *end)
-{
-    const size_t most = 36;
-    excerpt quoted;
-    size_t length = 0;
-    while (text < end && !is_blank(*text) && *text != ',' && length < most)
-    {
-        const unsigned char character = (unsigned char)*text++;
-        quoted.text[length++] = character < ' ' || character == 127 ? '?' : (char)character;
-    }
-    const bool cut = text < end && !is_blank(*text) && *text != ',';
-    memcpy(quoted.text + length, cut ? "..." : "", cut ? 4 : 1);
-    return quoted;
-}
+#define complain(filter, ...) line_complain(&(filter)->lines, __VA_ARGS__)
 
 /* ------------------------------------------------------------------------------- output */
 
-static void flush_output(struct filter *filter)
-{
-    size_t written = 0;
-    while (written < filter->output_length)
-    {
-        const ssize_t count =
-            write(STDOUT_FILENO, filter->output + written, filter->output_length - written);
-        if (count >= 0)
-        {
-            written += (size_t)count;
-        }
-        else if (errno == EAGAIN)
-        {
-            struct pollfd ready = {STDOUT_FILENO, POLLOUT, 0};
-            poll(&ready, 1, -1);
-        }
-        else if (errno != EINTR)
-        {
-            die(EXIT_FAILURE, "cannot write to standard output: %s", strerror(errno));
-        }
-    }
-    filter->output_length = 0;
-}
-
-static void put_bytes(struct filter *filter, const char *text, size_t length)
-{
-    memcpy(filter->output + filter->output_length, text, length);
-    filter->output_length += length;
-}
-
-/* A number and, if it is not the first of its line, a blank before it. */
 static void put_number(struct filter *filter, double value, bool first)
 {
-    char *const at = filter->output + filter->output_length;
-    *at = ' ';
-    filter->output_length +=
-        number_write(value, filter->options->digits, at + !first) + (size_t)!first;
+    line_put_number(&filter->lines, value, first);
 }
 
 static void put_lonlat(struct filter *filter, size_t index)
@@ -195,18 +85,42 @@ static void put_lonlat(struct filter *filter, size_t index)
     put_number(filter, latitude, false);
 }
 
-static void put_result(struct filter *filter, size_t index)
+static void put_cell(struct filter *filter, size_t index)
 {
+    char token[CM_CELL_TOKEN_SIZE] = "";
+    cm_cell_token(filter->batch.cell[index], token, sizeof token);
+    line_put_bytes(&filter->lines, token, strlen(token));
+}
+
+static void put_pixel(struct filter *filter, size_t index)
+{
+    char text[24];
+    const int length = snprintf(text, sizeof text, "%" PRId64, filter->batch.pixel[index]);
+    line_put_bytes(&filter->lines, text, (size_t)length);
+}
+
+static void put_result(void *user, size_t index)
+{
+    struct filter *const filter = user;
     const struct batch *const batch = &filter->batch;
-    if (filter->to == FORM_LONLAT)
+    switch (filter->to)
     {
+    case FORM_LONLAT:
         put_lonlat(filter, index);
         return;
+    case FORM_CELL:
+        put_cell(filter, index);
+        return;
+    case FORM_PIXEL:
+        put_pixel(filter, index);
+        return;
+    default:
+        break;
     }
     if (filter->to == FORM_FACE)
     {
         const char face[2] = {(char)('0' + batch->face[index]), ' '};
-        put_bytes(filter, face, 2);
+        line_put_bytes(&filter->lines, face, 2);
     }
     put_number(filter, batch->a[index], true);
     put_number(filter, batch->b[index], false);
@@ -214,25 +128,6 @@ static void put_result(struct filter *filter, size_t index)
     {
         put_number(filter, batch->c[index], false);
     }
-}
-
-static void put_line(struct filter *filter, size_t index)
-{
-    const struct line *const line = &filter->batch.line[index];
-    if (filter->output_length > OUTPUT_BYTES - RESULT_BYTES_MAX - LINE_BYTES_MAX - 2)
-    {
-        flush_output(filter);
-    }
-    if (line->kind == LINE_POINT)
-    {
-        put_result(filter, index);
-    }
-    else if (line->kind == LINE_BAD)
-    {
-        put_bytes(filter, "nan nan nan", forms[filter->to].count == 3 ? 11 : 7);
-    }
-    put_bytes(filter, line->rest, line->rest_length);
-    put_bytes(filter, line->carriage_return ? "\r\n" : "\n", line->carriage_return ? 2 : 1);
 }
 
 /* ------------------------------------------------------------------------------- computing */
@@ -318,9 +213,48 @@ static void compute_double(const cm_mapping *mapping, struct batch *batch, bool 
     }
 }
 
-static void compute(struct filter *filter)
+/* Between the normals of the ellipsoid and the directions of the mapping's sphere. */
+static void compute_grid(const struct filter *filter, struct batch *batch, bool back)
 {
-    struct batch *const batch = &filter->batch;
+    if (filter->options->grid != NULL && filter->options->cells == NULL)
+    {
+        (back ? cm_grid_from_sphere_array
+              : cm_grid_to_sphere_array)(filter->options->grid, batch->count, batch->a, batch->b,
+                                         batch->c, batch->a, batch->b, batch->c);
+    }
+}
+
+static void compute_cells(const struct filter_options *options, struct batch *batch)
+{
+    const size_t n = batch->count;
+    if (options->inverse)
+    {
+        cm_cell_centre_array(options->cells, n, batch->cell, batch->a, batch->b, batch->c);
+    }
+    else
+    {
+        cm_cell_forward_array(options->cells, options->level, n, batch->a, batch->b, batch->c,
+                              batch->cell);
+    }
+}
+
+static void compute_pixels(const struct filter_options *options, struct batch *batch)
+{
+    const size_t n = batch->count;
+    if (options->inverse)
+    {
+        cm_healpix_direction_from_pixel_array(options->pixels, n, batch->pixel, batch->a, batch->b,
+                                              batch->c);
+    }
+    else
+    {
+        cm_healpix_pixel_from_direction_array(options->pixels, n, batch->a, batch->b, batch->c,
+                                              batch->pixel);
+    }
+}
+
+static void compute_mapping(const struct filter *filter, struct batch *batch)
+{
     const bool inverse = filter->options->inverse;
     if (filter->options->single)
     {
@@ -334,10 +268,48 @@ static void compute(struct filter *filter)
     }
 }
 
-/* By contract a point that passed our checks has one; if a mapping breaks it, nobody is misled. */
-static bool has_result(const struct batch *batch, size_t index)
+static void compute(void *user, size_t count)
 {
-    return batch->face[index] != CM_NO_FACE && !isnan(batch->a[index]) && !isnan(batch->b[index]);
+    struct filter *const filter = user;
+    const struct filter_options *const options = filter->options;
+    struct batch *const batch = &filter->batch;
+    batch->count = count;
+    if (!options->inverse)
+    {
+        compute_grid(filter, batch, false);
+    }
+    if (options->cells != NULL)
+    {
+        compute_cells(options, batch);
+    }
+    else if (options->pixels != NULL)
+    {
+        compute_pixels(options, batch);
+    }
+    else
+    {
+        compute_mapping(filter, batch);
+    }
+    if (options->inverse)
+    {
+        compute_grid(filter, batch, true);
+    }
+}
+
+/* By contract a point that passed our checks has one; if a mapping breaks it, nobody is misled. */
+static bool has_result(const struct filter *filter, size_t index)
+{
+    const struct batch *const batch = &filter->batch;
+    switch (filter->to)
+    {
+    case FORM_CELL:
+        return batch->cell[index] != CM_NO_CELL;
+    case FORM_PIXEL:
+        return batch->pixel[index] != CM_HEALPIX_NO_PIXEL;
+    default:
+        return batch->face[index] != CM_NO_FACE && !isnan(batch->a[index]) &&
+               !isnan(batch->b[index]);
+    }
 }
 
 static double parameter_called(const cm_mapping *mapping, const char *name)
@@ -367,65 +339,18 @@ static void complain_of_result(struct filter *filter, size_t index)
     }
 }
 
-/* Work the batch off and empty it. */
-static void finish_batch(struct filter *filter)
+static bool check_result(void *user, size_t index)
 {
-    struct batch *const batch = &filter->batch;
-    compute(filter);
-    for (size_t i = 0; i < batch->count; i++)
+    struct filter *const filter = user;
+    if (!has_result(filter, index))
     {
-        if (batch->line[i].kind == LINE_POINT && !has_result(batch, i))
-        {
-            complain_of_result(filter, i);
-            batch->line[i].kind = LINE_BAD;
-        }
-        put_line(filter, i);
+        complain_of_result(filter, index);
+        return false;
     }
-    batch->first_line += batch->count;
-    batch->count = 0;
+    return true;
 }
 
 /* ------------------------------------------------------------------------------- parsing */
-
-static const char *skip_blanks(const char *text, const char *end)
-{
-    while (text < end && is_blank(*text))
-    {
-        text++;
-    }
-    return text;
-}
-
-/* Read the numbers of a line, apart by blanks or by one comma with or without blanks. Returns what
- * follows them, or NULL after a complaint. */
-static const char *read_numbers(struct filter *filter, size_t index, const char *text,
-                                const char *end, double value[3])
-{
-    const int count = forms[filter->from].count;
-    const char *const wanted = forms[filter->from].text;
-    for (int i = 0; i < count; i++)
-    {
-        text = skip_blanks(text, end);
-        if (i > 0 && text < end && *text == ',')
-        {
-            text = skip_blanks(text + 1, end);
-        }
-        if (text == end)
-        {
-            complain(filter, index, "%d of %d numbers: a line is %s", i, count, wanted);
-            return NULL;
-        }
-        const char *const next = number_read(text, end, &value[i]);
-        if (next == NULL || (next < end && !is_blank(*next) && *next != ','))
-        {
-            complain(filter, index, "'%s' is not a number: a line is %s",
-                     quote_word(text, end).text, wanted);
-            return NULL;
-        }
-        text = next;
-    }
-    return text;
-}
 
 /* The functions that take the numbers of a line into place index of the batch; false after a
  * complaint. */
@@ -510,8 +435,67 @@ static bool take_face(struct filter *filter, size_t index, const double value[3]
     return take_square(filter, index, value + 1, "uv");
 }
 
-static bool take_point(struct filter *filter, size_t index, const double value[3])
+static bool take_cell(struct filter *filter, size_t index, const char *word, size_t length)
 {
+    char token[CM_CELL_TOKEN_SIZE + 1];
+    char message[200];
+    /* what is too long stays too long */
+    const size_t kept = length < sizeof token - 1 ? length : sizeof token - 1;
+    memcpy(token, word, kept);
+    token[kept] = '\0';
+    if (cm_cell_parse(token, &filter->batch.cell[index], message, sizeof message) != CM_OK)
+    {
+        complain(filter, index, "%s", message);
+        return false;
+    }
+    if (filter->batch.cell[index] == CM_NO_CELL)
+    {
+        complain(filter, index, "'%s' means no cell", token);
+        return false;
+    }
+    return true;
+}
+
+static bool take_pixel(struct filter *filter, size_t index, const char *word, size_t length)
+{
+    const int64_t count = cm_healpix_pixel_count(filter->options->pixels);
+    int64_t pixel = 0;
+    size_t digits = 0;
+    while (digits < length && word[digits] >= '0' && word[digits] <= '9' && pixel < count)
+    {
+        pixel = 10 * pixel + (word[digits++] - '0');
+    }
+    if (length == 0 || digits < length || pixel >= count)
+    {
+        complain(filter, index, "'%.*s' is not a pixel, from 0 to %" PRId64,
+                 (int)(length < 40 ? length : 40), word, count - 1);
+        return false;
+    }
+    filter->batch.pixel[index] = pixel;
+    return true;
+}
+
+static bool take_word(void *user, size_t index, const char *word, size_t length)
+{
+    struct filter *const filter = user;
+    return filter->from == FORM_CELL ? take_cell(filter, index, word, length)
+                                     : take_pixel(filter, index, word, length);
+}
+
+static void clear_point(void *user, size_t index)
+{
+    struct batch *const batch = &((struct filter *)user)->batch;
+    batch->face[index] = 0;
+    batch->cell[index] = CM_NO_CELL;
+    batch->pixel[index] = 0;
+    batch->a[index] = 1;
+    batch->b[index] = 0;
+    batch->c[index] = 0;
+}
+
+static bool take_point(void *user, size_t index, const double value[LINE_NUMBERS_MAX])
+{
+    struct filter *const filter = user;
     switch (filter->from)
     {
     case FORM_LONLAT:
@@ -524,128 +508,11 @@ static bool take_point(struct filter *filter, size_t index, const double value[3
         return take_disc(filter, index, value);
     case FORM_SQUARE:
         return take_square(filter, index, value, "xy");
+    case FORM_CELL:
+    case FORM_PIXEL:
+        break;
     }
     return false;
-}
-
-/* What becomes of the line between text and end? Its rest and, if it is a point, the place index of
- * the batch are filled in. */
-static line_kind take_line(struct filter *filter, size_t index, const char *text, const char *end)
-{
-    struct line *const line = &filter->batch.line[index];
-    double value[3] = {0, 0, 0};
-
-    line->rest = text;
-    line->rest_length = 0;
-    if (memchr(text, '\0', (size_t)(end - text)) != NULL)
-    {
-        complain(filter, index, "a zero byte: the input is no text");
-        return LINE_BAD;
-    }
-    const char *const word = skip_blanks(text, end);
-    if (word == end || *word == '#')
-    {
-        line->rest_length = (size_t)(end - text);
-        return LINE_THROUGH;
-    }
-    const char *const rest = read_numbers(filter, index, word, end, value);
-    if (rest == NULL)
-    {
-        return LINE_BAD;
-    }
-    line->rest = rest;
-    line->rest_length = (size_t)(end - rest);
-    return take_point(filter, index, value) ? LINE_POINT : LINE_BAD;
-}
-
-/* Add a line, without its line feed, to the batch. */
-static void add_line(struct filter *filter, const char *text, const char *end)
-{
-    struct batch *const batch = &filter->batch;
-    const size_t index = batch->count;
-    struct line *const line = &batch->line[index];
-
-    batch->face[index] = 0;
-    batch->a[index] = 1;
-    batch->b[index] = 0;
-    batch->c[index] = 0;
-    line->carriage_return = end > text && end[-1] == '\r';
-    end -= line->carriage_return;
-    if (end - text > LINE_BYTES_MAX)
-    {
-        line->carriage_return = false; /* its end may not be here yet */
-        complain(filter, index, "a line of more than %d bytes", LINE_BYTES_MAX);
-        line->kind = LINE_BAD;
-        line->rest_length = 0;
-        line->rest = text;
-    }
-    else
-    {
-        line->kind = take_line(filter, index, text, end);
-    }
-    if (++batch->count == BATCH_LINES)
-    {
-        finish_batch(filter);
-    }
-}
-
-/* ------------------------------------------------------------------------------- input */
-
-/* Take the line that begins at input_start, as far as it is there. False if the rest of it must be
- * read first. */
-static bool take_next_line(struct filter *filter)
-{
-    const char *const text = filter->input + filter->input_start;
-    const size_t present = filter->input_end - filter->input_start;
-    const char *const line_feed = memchr(text, '\n', present);
-    const size_t length = line_feed != NULL ? (size_t)(line_feed - text) : present;
-    const bool too_long = length > LINE_BYTES_MAX + 1; /* one for a carriage return */
-
-    if (line_feed == NULL && !too_long && !filter->skipping && !(filter->at_end && present > 0))
-    {
-        return false;
-    }
-    if (!filter->skipping)
-    {
-        add_line(filter, text, text + length);
-    }
-    /* whatever comes before the next line feed still belongs to this line */
-    filter->skipping = line_feed == NULL;
-    filter->input_start += length + (size_t)(line_feed != NULL);
-    return filter->input_start < filter->input_end;
-}
-
-/* Read what there is, after the input that is still to be worked off. */
-static void read_input(struct filter *filter)
-{
-    const size_t present = filter->input_end - filter->input_start;
-    memmove(filter->input, filter->input + filter->input_start, present);
-    filter->input_start = 0;
-    filter->input_end = present;
-
-    struct pollfd ready = {filter->descriptor, POLLIN, 0};
-    if (filter->output_length > 0 && poll(&ready, 1, 0) <= 0)
-    {
-        flush_output(filter);
-    }
-    const ssize_t count =
-        read(filter->descriptor, filter->input + present, sizeof filter->input - present);
-    if (count >= 0)
-    {
-        filter->input_end += (size_t)count;
-        filter->at_end = count == 0;
-    }
-    else if (errno == EAGAIN)
-    {
-        poll(&ready, 1, -1);
-    }
-    else if (errno != EINTR)
-    {
-        /* strerror's text must survive the flush */
-        const int reason = errno;
-        flush_output(filter);
-        die(EXIT_FAILURE, "cannot read %s: %s", filter->name, strerror(reason));
-    }
 }
 
 /* What is read and what is written, by the kind of the mapping. */
@@ -669,9 +536,27 @@ static void choose_forms(struct filter *filter)
         to = FORM_SQUARE;
         break;
     }
+    to = filter->options->cells != NULL    ? FORM_CELL
+         : filter->options->pixels != NULL ? FORM_PIXEL
+                                           : to;
     filter->from = filter->options->inverse ? to : from;
     filter->to = filter->options->inverse ? from : to;
 }
+
+static const struct line_work work_on_numbers = {.clear = clear_point,
+                                                 .take = take_point,
+                                                 .compute = compute,
+                                                 .check = check_result,
+                                                 .put = put_result};
+
+static const struct line_work work_on_words = {.clear = clear_point,
+                                               .take_word = take_word,
+                                               .compute = compute,
+                                               .check = check_result,
+                                               .put = put_result};
+
+/* So many nan. */
+static const char *const no_numbers[] = {"", "nan", "nan nan", "nan nan nan"};
 
 bool filter_points(const struct filter_options *options, const cm_mapping *mapping, int descriptor,
                    const char *name)
@@ -683,21 +568,17 @@ bool filter_points(const struct filter_options *options, const cm_mapping *mappi
     }
     filter->options = options;
     filter->mapping = mapping;
-    filter->name = name;
-    filter->descriptor = descriptor;
-    filter->batch.first_line = 1;
     choose_forms(filter);
-    while (!filter->at_end)
-    {
-        read_input(filter);
-        while (take_next_line(filter))
-        {
-        }
-        /* the lines of a batch are in the buffer, which the next reading moves */
-        finish_batch(filter);
-    }
-    flush_output(filter);
-    const bool all_good = !filter->any_bad;
+    const bool words = filter->from == FORM_CELL || filter->from == FORM_PIXEL;
+    filter->lines.work = words ? &work_on_words : &work_on_numbers;
+    filter->lines.user = filter;
+    filter->lines.name = name;
+    filter->lines.descriptor = descriptor;
+    filter->lines.digits = options->digits;
+    filter->lines.count = forms[filter->from].count;
+    filter->lines.wanted = forms[filter->from].text;
+    filter->lines.bad = no_numbers[forms[filter->to].count];
+    const bool all_good = line_filter_run(&filter->lines);
     free(filter);
     return all_good;
 }

@@ -7,14 +7,22 @@
 
 #include <stdbool.h>
 
+#include <cubemap/cell_grid.h>
+#include <cubemap/grid.h>
+#include <cubemap/healpix.h>
 #include <cubemap/mapping.h>
 
 struct filter_options
 {
-    int digits;   /* significant ones to write, 1 to 17 */
-    bool inverse; /* from faces, disc or square */
-    bool single;  /* compute in float */
-    bool xyz;     /* directions are x y z, not lon lat */
+    int digits;          /* significant ones to write, 1 to 17 */
+    bool inverse;        /* from faces, disc or square */
+    bool single;         /* compute in float */
+    bool xyz;            /* directions are x y z, not lon lat; on an ellipsoid those of normals */
+    const cm_grid *grid; /* ellipsoid and rotation; NULL for none */
+    /* Instead of places on the plane, if not NULL: */
+    const cm_cell_grid *cells; /* of the grid */
+    int level;                 /* of the cells that are written */
+    const cm_healpix *pixels;
 };
 
 /* Read the descriptor to its end and write to standard output. What is wrong with a line is told on

@@ -8,7 +8,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <getopt.h>
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +16,8 @@
 
 #include <cubemap/cubemap.h>
 
+#include "chain.h"
+#include "command.h"
 #include "failure.h"
 #include "listing.h"
 #include "number.h"
@@ -31,9 +32,8 @@ typedef enum listing
 
 struct settings
 {
-    const char *mapping;
-    const char *frame; /* NULL if none is given */
-    const char *file;  /* NULL for standard input */
+    struct chain_words words;
+    const char *file; /* NULL for standard input */
     const char *input;
     const char *output;
     struct filter_options filter; /* digits is 0 until known */
@@ -56,13 +56,35 @@ static const char usage_text[] =
     "\n"
     "  -m, --mapping MAPPING   NAME, NAME:PRESET or NAME:PARAMETER=VALUE[,...]; "
     "default: " CM_MAPPING_RECOMMENDED "\n"
-    "      --frame FRAME       numbering and axes of the faces: geo, gl or fits; default: geo\n"
+    "      --frame FRAME       numbering and axes of the faces: geo, gl, fits or s2; default: geo\n"
+    "      --ellipsoid E       LON LAT are geographic on it: WGS84, Moon... or A,1/F, the radius "
+    "of\n"
+    "                          the equator in metres and the inverse flattening; default: a "
+    "sphere\n"
+    "      --latitude NAME     of the mapping's sphere: geographic, geocentric, parametric,\n"
+    "                          authalic, conformal, rectifying or authalic-approximation; "
+    "default:\n"
+    "                          conformal if the mapping is conformal, else authalic\n"
+    "      --rotate LON,LAT[,ROLL]\n"
+    "                          turn the cube, so that its front looks to LON,LAT in degrees, and "
+    "by\n"
+    "                          ROLL about that; or the name of an orientation, see --list\n"
+    "      --cell LEVEL[:CURVE]\n"
+    "                          instead of FACE U V the token of the cell of level 0 to 30, in the\n"
+    "                          order of the curve hilbert (the default) or morton; -I gives "
+    "centres\n"
+    "      --healpix NSIDE[:ORDER]\n"
+    "                          instead of FACE U V the HEALPix pixel, in the order ring (the "
+    "default)\n"
+    "                          or nest; -I gives centres\n"
     "  -I, --inverse           from faces, disc or square to the sphere, or from square to disc\n"
     "      --input FORM        what to read: lonlat (the default) or xyz, of any length\n"
     "      --output FORM       what -I writes: lonlat (the default) or xyz, of length 1\n"
     "      --float             compute in single precision\n"
     "      --digits N          write N significant digits, 1 to 17; default: 17, with --float 9\n"
-    "      --list[=json]       print the mappings and frames, for people or for programs\n"
+    "      --list[=json]       print the mappings, frames, ellipsoids, latitudes and orientations, "
+    "for\n"
+    "                          people or for programs\n"
     "  -h, --help              print this help\n"
     "      --version           print the version\n"
     "\n"
@@ -73,81 +95,20 @@ static const char usage_text[] =
     "  echo 12.5 41.9 Rome | " PROGRAM "\n"
     "  " PROGRAM " -m tangent:c=1.1823 --frame gl points.txt >faces.txt\n"
     "  " PROGRAM " -m azimuthal:equidistant:fov=220,lon=10,lat=50 points.txt\n"
-    "  " PROGRAM " -m quincuncial:stereographic,conformal points.txt\n";
+    "  " PROGRAM " -m quincuncial:stereographic,conformal points.txt\n"
+    "  " PROGRAM " -m qsc --ellipsoid WGS84 --rotate land-edges --cell 12 points.txt\n"
+    "  " PROGRAM " --healpix 1024:nest stars.txt\n";
 
 static const struct option long_options[] = {
-    {"mapping", required_argument, NULL, 'm'},
-    {"frame", required_argument, NULL, 'f'},
-    {"inverse", no_argument, NULL, 'I'},
-    {"input", required_argument, NULL, 'i'},
-    {"output", required_argument, NULL, 'o'},
-    {"float", no_argument, NULL, 's'},
-    {"digits", required_argument, NULL, 'd'},
-    {"list", optional_argument, NULL, 'l'},
-    {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},
-    {NULL, 0, NULL, 0},
+    {"mapping", required_argument, NULL, 'm'},  {"frame", required_argument, NULL, 'f'},
+    {"inverse", no_argument, NULL, 'I'},        {"input", required_argument, NULL, 'i'},
+    {"output", required_argument, NULL, 'o'},   {"float", no_argument, NULL, 's'},
+    {"digits", required_argument, NULL, 'd'},   {"ellipsoid", required_argument, NULL, 'E'},
+    {"latitude", required_argument, NULL, 'L'}, {"rotate", required_argument, NULL, 'R'},
+    {"cell", required_argument, NULL, 'C'},     {"healpix", required_argument, NULL, 'H'},
+    {"list", optional_argument, NULL, 'l'},     {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},        {NULL, 0, NULL, 0},
 };
-
-static const char *long_name(int value)
-{
-    for (const struct option *option = long_options; option->name != NULL; option++)
-    {
-        if (option->val == value)
-        {
-            return option->name;
-        }
-    }
-    return "?";
-}
-
-/* What getopt_long reports without words: result is '?' or ':', optopt and optind are its own. */
-_Noreturn static void die_of_option(int result, char **argv)
-{
-    const char *const argument = argv[optind - 1];
-    const char *const help = "; see " PROGRAM " --help";
-    if (result == ':')
-    {
-        die(EXIT_USAGE, "--%s needs an argument%s", long_name(optopt), help);
-    }
-    if (optopt != 0 && strncmp(argument, "--", 2) == 0)
-    {
-        die(EXIT_USAGE, "--%s takes no argument%s", long_name(optopt), help);
-    }
-    if (optopt != 0)
-    {
-        die(EXIT_USAGE, "there is no option -%c%s", optopt, help);
-    }
-    die(EXIT_USAGE, "there is no option %s, or it is short for several%s", argument, help);
-}
-
-static void close_standard_output(void)
-{
-    if (fflush(stdout) != 0 || ferror(stdout) != 0 || close(STDOUT_FILENO) != 0)
-    {
-        die(EXIT_FAILURE, "cannot write to standard output: %s", strerror(errno));
-    }
-}
-
-_Noreturn static void print_and_exit(const char *text)
-{
-    fputs(text, stdout);
-    close_standard_output();
-    exit(EXIT_SUCCESS);
-}
-
-static int parse_digits(const char *text)
-{
-    double value;
-    const char *const end = text + strlen(text);
-    if (number_read(text, end, &value) != end || !(value >= 1 && value <= NUMBER_DIGITS_MAX) ||
-        value != floor(value))
-    {
-        die(EXIT_USAGE, "--digits is '%s', not a whole number from 1 to %d", text,
-            NUMBER_DIGITS_MAX);
-    }
-    return (int)value;
-}
 
 static listing parse_listing(const char *form)
 {
@@ -163,10 +124,10 @@ static void take_option(struct settings *settings, int option)
     switch (option)
     {
     case 'm':
-        settings->mapping = optarg;
+        settings->words.mapping = optarg;
         break;
     case 'f':
-        settings->frame = optarg;
+        settings->words.frame = optarg;
         break;
     case 'I':
         settings->filter.inverse = true;
@@ -182,6 +143,21 @@ static void take_option(struct settings *settings, int option)
         break;
     case 'd':
         settings->filter.digits = parse_digits(optarg);
+        break;
+    case 'E':
+        settings->words.ellipsoid = optarg;
+        break;
+    case 'L':
+        settings->words.latitude = optarg;
+        break;
+    case 'R':
+        settings->words.rotation = optarg;
+        break;
+    case 'C':
+        settings->words.cell = optarg;
+        break;
+    case 'H':
+        settings->words.healpix = optarg;
         break;
     case 'l':
         settings->list = parse_listing(optarg);
@@ -225,14 +201,14 @@ static void take_operands(struct settings *settings, int count, char **operand)
 
 static struct settings parse_arguments(int argc, char **argv)
 {
-    struct settings settings = {.mapping = CM_MAPPING_RECOMMENDED};
+    struct settings settings = {.list = LISTING_NONE};
     int option;
     opterr = 0;
     while ((option = getopt_long(argc, argv, ":m:Ih", long_options, NULL)) != -1)
     {
         if (option == '?' || option == ':')
         {
-            die_of_option(option, argv);
+            die_of_option(long_options, option, argv);
         }
         take_option(&settings, option);
     }
@@ -245,6 +221,9 @@ static struct settings parse_arguments(int argc, char **argv)
     {
         die(EXIT_USAGE, "--output has no meaning without -I: points of the plane are written");
     }
+    settings.words.form = settings.input != NULL    ? "--input"
+                          : settings.output != NULL ? "--output"
+                                                    : NULL;
     settings.filter.xyz =
         parse_form("--input", settings.input) || parse_form("--output", settings.output);
     if (settings.filter.digits == 0)
@@ -269,81 +248,26 @@ _Noreturn static void print_listing(listing form)
     print_and_exit("");
 }
 
-static const cm_frame *find_frame(const char *identifier)
-{
-    const cm_frame *const frame = cm_frame_find(identifier);
-    if (frame == NULL)
-    {
-        char known[256] = "";
-        for (size_t i = 0; i < cm_frame_count(); i++)
-        {
-            const size_t length = strlen(known);
-            snprintf(known + length, sizeof known - length, "%s%s", i == 0 ? "" : ", ",
-                     cm_frame_at(i)->identifier);
-        }
-        die(EXIT_USAGE, "--frame is '%s', not one of %s", identifier, known);
-    }
-    return frame;
-}
-
-static cm_mapping *create_mapping(const struct settings *settings)
-{
-    char message[256];
-    cm_mapping *mapping = NULL;
-    const cm_frame *const frame = find_frame(settings->frame != NULL ? settings->frame : "geo");
-    if (cm_specification_check(settings->mapping, message, sizeof message) != CM_OK)
-    {
-        die(EXIT_USAGE, "-m %s: %s; see --list", settings->mapping, message);
-    }
-    if (cm_instructions_check(NULL, message, sizeof message) != CM_OK)
-    {
-        die(EXIT_FAILURE, "%s", message);
-    }
-    const cm_status status = cm_mapping_create(settings->mapping, frame, &mapping);
-    if (status != CM_OK)
-    {
-        die(EXIT_FAILURE, "-m %s: %s", settings->mapping, cm_status_text(status));
-    }
-    return mapping;
-}
-
-/* Options that mean nothing for mappings of this kind. */
-static void check_options(const struct settings *settings, cm_mapping *mapping)
-{
-    const cm_kind kind = cm_mapping_describe(mapping)->kind;
-    const char *const form = settings->input != NULL    ? "--input"
-                             : settings->output != NULL ? "--output"
-                                                        : NULL;
-    if (kind != CM_KIND_CUBE && settings->frame != NULL)
-    {
-        cm_mapping_destroy(mapping);
-        die(EXIT_USAGE, "--frame has no meaning with -m %s, which has one face", settings->mapping);
-    }
-    if (kind == CM_KIND_DISC_SQUARE && form != NULL)
-    {
-        cm_mapping_destroy(mapping);
-        die(EXIT_USAGE, "%s has no meaning with -m %s, which joins disc and square, not the sphere",
-            form, settings->mapping);
-    }
-}
-
 int main(int argc, char **argv)
 {
-    const struct settings settings = parse_arguments(argc, argv);
+    struct settings settings = parse_arguments(argc, argv);
     if (settings.list != LISTING_NONE)
     {
         print_listing(settings.list);
     }
-    cm_mapping *const mapping = create_mapping(&settings);
-    check_options(&settings, mapping);
+    struct chain chain = chain_create(&settings.words, settings.filter.single);
+    settings.filter.grid = chain.grid;
+    settings.filter.cells = chain.cells;
+    settings.filter.level = chain.level;
+    settings.filter.pixels = chain.pixels;
     const char *const name = settings.file != NULL ? settings.file : "<stdin>";
     const int descriptor = settings.file != NULL ? open(settings.file, O_RDONLY) : STDIN_FILENO;
     if (descriptor < 0)
     {
         die(EXIT_FAILURE, "cannot open %s: %s", name, strerror(errno));
     }
-    const bool all_good = filter_points(&settings.filter, mapping, descriptor, name);
+    const bool all_good = filter_points(&settings.filter, chain.mapping, descriptor, name);
     close_standard_output();
-    cm_mapping_destroy(mapping);
+    chain_destroy(&chain);
     return all_good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -200,6 +200,8 @@ Frames:
   gl                    +x -x +y -y +z -z, turned as OpenGL, Vulkan and Direct3D
                         store cube maps; +x is lon 0, +y is lon 90 E, +z is north
   fits                  as geo, in the order top front right back left bottom
+  s2                    the faces of the S2 library: lon 0, lon 90 E, north, lon 180,
+                        lon 90 W, south; no cross
 
 Lines:
   Meridians and parallels, grid and ellipses lie over the resampled image. The cube

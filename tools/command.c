@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+
+#include "command.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "failure.h"
+#include "number.h"
+
+static const char *long_name(const struct option *option, int value)
+{
+    for (; option->name != NULL; option++)
+    {
+        if (option->val == value)
+        {
+            return option->name;
+        }
+    }
+    return "?";
+}
+
+_Noreturn void die_of_option(const struct option *long_options, int result, char **argv)
+{
+    const char *const argument = argv[optind - 1];
+    const char *const help = "; see " PROGRAM " --help";
+    if (result == ':')
+    {
+        die(EXIT_USAGE, "--%s needs an argument%s", long_name(long_options, optopt), help);
+    }
+    if (optopt != 0 && strncmp(argument, "--", 2) == 0)
+    {
+        die(EXIT_USAGE, "--%s takes no argument%s", long_name(long_options, optopt), help);
+    }
+    if (optopt != 0)
+    {
+        die(EXIT_USAGE, "there is no option -%c%s", optopt, help);
+    }
+    die(EXIT_USAGE, "there is no option %s, or it is short for several%s", argument, help);
+}
+
+void close_standard_output(void)
+{
+    if (fflush(stdout) != 0 || ferror(stdout) != 0 || close(STDOUT_FILENO) != 0)
+    {
+        die(EXIT_FAILURE, "cannot write to standard output: %s", strerror(errno));
+    }
+}
+
+_Noreturn void print_and_exit(const char *text)
+{
+    fputs(text, stdout);
+    close_standard_output();
+    exit(EXIT_SUCCESS);
+}
+
+int parse_digits(const char *text)
+{
+    double value;
+    const char *const end = text + strlen(text);
+    if (number_read(text, end, &value) != end || !(value >= 1 && value <= NUMBER_DIGITS_MAX) ||
+        value != floor(value))
+    {
+        die(EXIT_USAGE, "--digits is '%s', not a whole number from 1 to %d", text,
+            NUMBER_DIGITS_MAX);
+    }
+    return (int)value;
+}
