@@ -92,6 +92,67 @@ static void check_mapping(const subject *made, double lon, double lat, const dou
            made->specification, face, point[0], point[1]);
 }
 
+/* In arrays: one point as many, and what a direction gives but for rounding. */
+static void check_forward(const subject *made, double lon, double lat)
+{
+    const double lons[3] = {0.5, lon, lon};
+    const double lats[3] = {0.25, lat, lat};
+    double direction[3], back[3], uv[2], u[3], v[3];
+    uint8_t faces[3];
+    uint8_t face;
+    cm_forward_lonlat_array(made->mapping, 1, &lon, &lat, &face, &uv[0], &uv[1]);
+    cm_forward_lonlat_array(made->mapping, 3, lons, lats, faces, u, v);
+    for (int i = 1; i < 3; i++)
+    {
+        EXPECT(faces[i] == face && memcmp(&u[i], &uv[0], sizeof u[i]) == 0 &&
+                   memcmp(&v[i], &uv[1], sizeof v[i]) == 0,
+               "%s: %a %a", made->specification, lon, lat);
+    }
+    EXPECT(is_lonlat(lon, lat) || face == CM_NO_FACE, "%s: %a %a", made->specification, lon, lat);
+    if (face != CM_NO_FACE)
+    {
+        cm_direction_from_lonlat(lon, lat, direction);
+        cm_inverse(made->mapping, face, uv, back);
+        /* what is up to 1e-9 of a radius beyond the rim of a field of view is put on it */
+        double rim = is_partial(made) ? 4e-9 : 0.0;
+        EXPECT(angle_between(direction, back) <= made->bound + 8 * 0x1p-53 + rim, "%s: %a %a",
+               made->specification, lon, lat);
+    }
+    else
+    {
+        EXPECT(isnan(uv[0]) && isnan(uv[1]) && (!is_lonlat(lon, lat) || is_partial(made)),
+               "%s: %a %a", made->specification, lon, lat);
+    }
+}
+
+static void check_inverse(const subject *made, uint8_t face, const double point[2])
+{
+    const uint8_t faces[3] = {0, face, face};
+    const double u[3] = {0.0, point[0], point[0]};
+    const double v[3] = {0.0, point[1], point[1]};
+    double direction[3], through[2], lonlat[2], lon[3], lat[3];
+    cm_inverse_lonlat_array(made->mapping, 1, &face, &point[0], &point[1], &lonlat[0], &lonlat[1]);
+    cm_inverse_lonlat_array(made->mapping, 3, faces, u, v, lon, lat);
+    for (int i = 1; i < 3; i++)
+    {
+        EXPECT(memcmp(&lon[i], &lonlat[0], sizeof lon[i]) == 0 &&
+                   memcmp(&lat[i], &lonlat[1], sizeof lat[i]) == 0,
+               "%s: %d %a %a", made->specification, face, point[0], point[1]);
+    }
+    cm_inverse(made->mapping, face, point, direction);
+    cm_lonlat_from_direction(direction, through);
+    for (int k = 0; k < 2; k++)
+    {
+        EXPECT(isnan(through[k])
+                   ? isnan(lonlat[k])
+                   : fabs(lonlat[k] - through[k]) <= 8 * 0x1p-53 * fabs(through[k]) + 0x1p-1060,
+               "%s: %d %a %a: %a, not %a", made->specification, face, point[0], point[1], lonlat[k],
+               through[k]);
+    }
+    EXPECT(isnan(lonlat[0]) == !(face < 6 && is_point(point)) || is_one_face(made), "%s: %d %a %a",
+           made->specification, face, point[0], point[1]);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     supply from = {data, size};
@@ -107,6 +168,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_direction_from(lon, lat);
         check_lonlat_from(direction);
         check_mapping(&made, lon, lat, point);
+        check_forward(&made, lon, lat);
+        check_inverse(&made, (uint8_t)(take_byte(&from) % 7), point);
     }
     drop_subject(&made);
     return 0;

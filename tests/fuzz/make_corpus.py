@@ -111,8 +111,39 @@ def lonlat_inputs():
     ]
     both = [lon + lat for lon in angles for lat in angles]
     steps = zip(both, 3 * directions("d"), 3 * points("d"))
-    body = b"".join(angle + direction + point for angle, direction, point in steps)
+    body = b"".join(angle + direction + point + bytes([3]) for angle, direction, point in steps)
     return {"coupled": subject(COUPLED) + body, "healpix": subject(HEALPIX) + body}
+
+
+def grid_inputs():
+    """A mapping, an ellipsoid, a latitude, a rotation, and points of both sides."""
+    ellipsoids = [bytes([0, 3]), bytes([0, 0]) + number("d", 0.1), bytes([0, 0]) + number("d", -9.0),
+                  bytes([0, 2]) + fractions(0.9)]
+    steps = zip(directions("d"), points("d"))
+    body = b"".join(direction + point + bytes([2, 0]) + fractions(0.3, 0.4) for direction, point in steps)
+    return {
+        "grid-%d" % i: subject(mapping) + ellipsoid + bytes([3 + i]) + fractions(0.2, 0.1, -0.3) + bytes([i]) + body
+        for i, (mapping, ellipsoid) in enumerate(zip([COUPLED, QSC, HEALPIX, TANGENT], ellipsoids))
+    }
+
+
+def healpix_inputs():
+    def resolution(kind, nside, order):
+        return bytes([kind]) + number("q", nside) + bytes([order, 3])
+
+    points = b"".join(bytes([0]) + word(977 * i) for i in range(7))
+    points += b"".join(bytes([1]) + number("d", 0.5 * i, 0.1, -0.7) for i in range(6))
+    points += b"".join(bytes([2]) + fractions(0.1 * i, 0.5, -0.9) for i in range(6))
+    pixels = b"".join(bytes([i % 4]) + number("Q", 2**40 * i + i) for i in range(19))
+    maps = bytes([2]) + bytes([3, 1, 7, 0, 0, 1]) + fractions(-0.5)
+    maps += number("d", *[0.5 * i for i in range(20)], float("nan"), -1.6375e30)
+    return {
+        "nested": resolution(0, 29, 1) + points + pixels + maps,
+        "ring": resolution(0, 29, 0) + points + pixels + maps,
+        "seven": resolution(100, 7, 0) + points + pixels + maps,
+        "one": resolution(0, 0, 1) + points + pixels + maps,
+        "none": resolution(200, -1, 0) + maps,
+    }
 
 
 def frames_inputs():
@@ -142,6 +173,55 @@ def degrees_inputs():
     return inputs
 
 
+def rotation_inputs():
+    """A direction, three angles, an element to change, one of the table, a text."""
+    def one(direction, angles, text):
+        return direction + angles + bytes([4]) + number("d", 0.5) + bytes([0]) + text
+    turned = b"".join(bytes([0]) + number("d", angle) for angle in (17.0, -10.0, 32.0))
+    quarters = b"".join(bytes([1 + 3 * turn, 8]) for turn in (5, 4, 2))
+    texts = [b"17,-10,32", b"0,90", b"land-coupled", b"1,91,0", b"1,2,3,4"]
+    return {
+        "one-%d" % i: one(direction, quarters if i % 2 else turned, text)
+        for i, (direction, text) in enumerate(zip(directions("d"), texts))
+    }
+
+
+def cells_inputs():
+    """A grid, a number, a level and steps, a place, room for a token, points, a region, cells, a text."""
+    def one(grid, cell, region, kind, text):
+        body = bytes([grid, 1 + 4 * (7 + grid)]) + number("Q", cell) + bytes([5]) + number("q", -77)
+        body += bytes([3, 9, 0, 0]) + word(100) + word(300) + bytes([17, 12])
+        body += b"".join(9 * directions("d")[:1])
+        for angle in region:
+            body += number("d", angle) + bytes([0])
+        body += bytes([kind]) + (bytes([1, 0]) if kind == 3 else b"")
+        body += bytes([0, 12, 20, 0]) + directions("d")[0]
+        return body + bytes([2, 5]) + number("Q", 1) + bytes([5]) + number("Q", 2) + text
+    corner = (1.0, 2.5, 1.0, 0.1) + 12 * (0.0,)
+    box = (0.1, 0.5, 0.7, 1.5) + 12 * (0.0,)
+    triangle = (0.1, 0.25, 0.5, 0.3, 0.3, 1.5, 0.2, 1.0) + 8 * (0.0,)
+    return {
+        "cap": one(0, 1 << 40, corner, 0, b"89c25"),
+        "metres": one(2, 12345, (0.3, 0.1, 0.5, 0.0) + 12 * (0.0,), 1, b"X"),
+        "box": one(1, 999999, box, 2, b"morton"),
+        "polygon": one(3, 31, triangle, 3, b"123g"),
+    }
+
+
+def orient_inputs():
+    """Patience, mapping, measure, over, resolution, width, height, twelve values, a name."""
+    def one(patience, mapping, measure, over, values, name):
+        return bytes([patience, mapping, measure, over, 3, 4, 3]) + bytes(values) + name
+    land = [0, 1, 0, 2, 1, 1, 0, 0, 0, 4, 0, 0]
+    return {
+        "deformation": one(0, TANGENT, 0, 1, land, b"deformation"),
+        "edges": one(0, COUPLED, 4, 1, land, b"edges"),
+        "over-face": one(0, GNOMONIC, 2, 0, land, b"area"),
+        "stopped": one(2, QSC, 1, 1, land, b""),
+        "no-mask": one(0, TANGENT, 0, 1, [8] * 12, b"none"),
+    }
+
+
 def number_inputs():
     values = [0.1, -1.0, 2.0 / 3.0, 1e22, 1e-7, 123456.789, 5e-324, 1.7976931348623157e308]
     return {
@@ -152,6 +232,20 @@ def number_inputs():
 def point_lines_inputs():
     """Here only what is long."""
     return {"long-line": b"\x08\x80" + 1200 * b"1 2 " + b"\n3 4\n"}
+
+
+def latitudes_inputs():
+    """An ellipsoid, two latitudes, a tolerance, an instruction set, latitudes and directions."""
+    inputs = {}
+    for first in range(7):
+        second = (first + 3) % 7
+        inputs["pair-%d" % first] = (
+            bytes([first]) + bytes([1]) + fractions(0.067) + bytes([first, second, 2, 3])
+            + b"".join(bytes([1]) + fractions(0.1 * i) + one
+                       for i, one in enumerate(directions("d")[:4])))
+    inputs["far"] = bytes([0]) + bytes([2 + 3 * 4]) + bytes([3, 4, 2, 3]) + bytes([2, 3])
+    inputs["wrong"] = bytes([254, 2, 0, 7])
+    return inputs
 
 
 def png_chunk(name, content):
@@ -172,10 +266,16 @@ INPUTS = {
     "arrays_double": arrays_inputs("d"),
     "arrays_float": arrays_inputs("f"),
     "threads": threads_inputs(),
+    "latitudes": latitudes_inputs(),
+    "healpix": healpix_inputs(),
     "lonlat": lonlat_inputs(),
     "frames": frames_inputs(),
     "degrees": degrees_inputs(),
+    "cells": cells_inputs(),
     "number": number_inputs(),
+    "grid": grid_inputs(),
+    "rotation": rotation_inputs(),
+    "orient": orient_inputs(),
     "point_lines": point_lines_inputs(),
     "whole_png": whole_png_inputs(),
 }
