@@ -82,7 +82,17 @@ static void BATCH_NAME(indicatrices)(int of_tangents, size_t n, LANES_IO *const 
 }
 
 #include "charts.h"
+#if CM_LANES_BITS == 64
+#include "lanes/words.h"
+#include "lonlat.h"
+
+#include "latitudes.h"
+#include "healpix_loops.h"
+#endif
 
 #define lanes_read(p) lanes_load(p)
 #define lanes_write(p, x) lanes_store(p, x)
 #include "batch.h"
+#if CM_LANES_BITS == 64
+#include "cell_loops.h"
+#endif

@@ -47,6 +47,8 @@
 #endif
 #include "lanes/undefine.h"
 
+#include "orient_loops.h"
+
 const cm_batch_set BATCH_JOINED(cm_batch_, CM_SET) = {.name = BATCH_NAME_TEXT(CM_SET),
                                                       .lanes_f64 = lanes_in_f64,
                                                       .lanes_f32 = lanes_in_f32,
@@ -58,4 +60,9 @@ const cm_batch_set BATCH_JOINED(cm_batch_, CM_SET) = {.name = BATCH_NAME_TEXT(CM
                                                       .f32 = batch_table_in_f32,
                                                       .fast = BATCH_FAST,
                                                       .charts_f64 = &chart_loops_in_f64,
-                                                      .charts_f32 = &chart_loops_in_f32};
+                                                      .charts_f32 = &chart_loops_in_f32,
+                                                      .lonlat = &lonlat_loops_in_f64,
+                                                      .latitudes = &latitude_loops,
+                                                      .healpix = &healpix_loops,
+                                                      .cells = &cell_loops,
+                                                      .orient_sum = orient_sum};

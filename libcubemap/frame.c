@@ -54,6 +54,20 @@ static const cm_frame frames[] = {
             {"bottom", -Z, +Y, +X},
         },
     },
+    {
+        sizeof(cm_frame),
+        "s2",
+        "S2 geometry library: +x +y +z -x -y -z, each turned so that a curve runs through all six",
+        +1,
+        {
+            {"0", +X, +Y, +Z},
+            {"1", +Y, -X, +Z},
+            {"2", +Z, -X, -Y},
+            {"3", -X, -Z, -Y},
+            {"4", -Y, -Z, +X},
+            {"5", -Z, +Y, +X},
+        },
+    },
 };
 
 #undef X

@@ -162,8 +162,54 @@ typedef struct cm_chart_loops_f32
 extern const cm_batch_f64 cm_chart_batches_f64[];
 extern const cm_batch_f32 cm_chart_batches_f32[];
 
+/* Longitudes and latitudes (lonlat.h), in double. */
+typedef struct cm_lonlat_loops
+{
+    void (*directions)(size_t n, const double *lon, const double *lat, double *x, double *y,
+                       double *z);
+    void (*lonlats)(size_t n, const double *x, const double *y, const double *z, double *lon,
+                    double *lat);
+} cm_lonlat_loops;
+
+/* Longitudes up to here are reduced by vectors, those beyond by the C library. */
+#define CM_LONLAT_WHOLE 1.0e6
+/* How the loops of latitudes.h convert: by series of so many terms at most, or by a ratio of tangents that is
+ * near 1 or is not. */
+typedef enum cm_latitude_way
+{
+    CM_LATITUDE_SERIES_3,
+    CM_LATITUDE_SERIES_6,
+    CM_LATITUDE_SERIES_12,
+    CM_LATITUDE_TANGENT_NEAR,
+    CM_LATITUDE_TANGENT_FAR,
+    CM_LATITUDE_WAYS
+} cm_latitude_way;
+
+/* The loops over whole vectors; angles and directions that are none become NaN. By way. */
+typedef struct cm_latitude_loops
+{
+    void (*angles[CM_LATITUDE_WAYS])(const cm_latitude_constants_f64 *constants, size_t n,
+                                     const double *from, double *to);
+    void (*directions[CM_LATITUDE_WAYS])(const cm_latitude_constants_f64 *constants, size_t n,
+                                         const double *x, const double *y, const double *z,
+                                         double *to_x, double *to_y, double *to_z);
+} cm_latitude_loops;
+
 /* what distortion.h has for a point */
 #define CM_DISTORTION_COLUMNS 9
+
+/* The loops of cells (cell_loops.h), over whole vectors: from faces, u and v to the cells of a level, and from
+ * cells, which must be valid, to the middles of theirs. A face above 5 gives CM_NO_CELL. */
+typedef struct cm_cell_loops
+{
+    void (*forward)(cm_curve curve, int level, size_t n, const uint8_t *face, const double *u,
+                    const double *v, cm_cell *cell);
+    void (*centre)(cm_curve curve, size_t n, const cm_cell *cell, uint8_t *face, double *u,
+                   double *v);
+} cm_cell_loops;
+
+struct cm_orient_points; /* orient.h */
+struct cm_orient_table;
 
 /* All loops for one instruction set; tables by index in the catalogue. */
 typedef struct cm_batch_set
@@ -188,6 +234,14 @@ typedef struct cm_batch_set
     const cm_batch_variants_f64 *fast;
     const cm_chart_loops_f64 *charts_f64;
     const cm_chart_loops_f32 *charts_f32;
+    const cm_lonlat_loops *lonlat;
+    const cm_latitude_loops *latitudes;
+    const struct cm_healpix_loops *healpix; /* healpix.h */
+    const cm_cell_loops *cells;
+    /* over points of what the table says, and unless that is NULL the torque (orient_bound.c) */
+    double (*orient_sum)(const struct cm_orient_points *points,
+                         const struct cm_orient_table *table, const float turn[9],
+                         double torque[3]);
 } cm_batch_set;
 
 #define CM_LANES_MAX 16
@@ -226,6 +280,17 @@ struct cm_mapping
     size_t lanes_f32;
 };
 
+struct cm_grid
+{
+    cm_mapping *mapping;
+    cm_ellipsoid ellipsoid;
+    cm_latitude latitude;
+    cm_latitude_conversion *there; /* from geographic; NULL where nothing changes */
+    cm_latitude_conversion *back;
+    cm_rotation rotation;
+    int is_rotated;
+};
+
 /* Is it computed by charts.h? */
 static inline int cm_mapping_has_parts(const cm_mapping *mapping)
 {
@@ -253,8 +318,46 @@ size_t cm_alias_length(const char *word, size_t whole);
 /* Does the layout put one hemisphere on the disc, and the other one on the same disc? */
 int cm_is_folded(const cm_mapping_info *info);
 
+/* Of any finite angle in degrees, which is reduced exactly, so that multiples of 90 give 0 and 1; else to
+ * 2 eps. */
+void cm_sine_cosine_degrees(double degrees, double *sine, double *cosine);
+
+/* n <= CM_BLOCK longitudes and latitudes to directions of length 1 (NaN for what is none), in arrays that have
+ * room for whole vectors; and back from such arrays, whose rest is overwritten. Results may overwrite
+ * arguments. */
+void cm_block_of_lonlats(const cm_batch_set *set, size_t n, const double *lon, const double *lat,
+                         double *x, double *y, double *z);
+void cm_block_to_lonlats(const cm_batch_set *set, size_t n, double *x, double *y, double *z,
+                         double *lon, double *lat);
+
 /* Equality of two ASCII words of given lengths, without upper and lower case. */
 int cm_word_equal(const char *a, size_t a_length, const char *b, size_t b_length);
+
+/* One ellipsoid, for the closed forms (latitude_exact.c). */
+typedef struct cm_latitude_shape
+{
+    double axes;                     /* b / a = 1 - f */
+    double ratio;                    /* a / b */
+    double m;                        /* (a / b)^2 - 1: above 0 for oblate ones */
+    double root_m;                   /* sqrt |m| */
+    double e;                        /* sqrt |e^2|, e^2 = f (2 - f) */
+    double e_rest;                   /* what e lacks */
+    double zone;                     /* from the equator to the pole, for the authalic latitude */
+    double quadrant;                 /* of the meridian over b, for the rectifying one */
+    double least[CM_LATITUDE_COUNT]; /* of tan(latitude) / tan(parametric latitude) */
+    double greatest[CM_LATITUDE_COUNT];
+} cm_latitude_shape;
+
+/* f is not 0. */
+void cm_latitude_shape_make(double f, cm_latitude_shape *shape);
+
+/* tan(to) / tan(from) where tan(from) = sine / cosine, both not below 0 and not both 0; relatively accurate. */
+double cm_latitude_ratio(const cm_latitude_shape *shape, cm_latitude from, cm_latitude to,
+                         double sine, double cosine);
+
+/* A decimal number that fills its text, *value; 0 if it is not one. Correctly rounded for up to 15 digits and
+ * powers of ten to 22, else within an ulp; beyond the range of double infinite or 0. */
+int cm_number_parse(const char *text, size_t length, double *value);
 
 /* A specification that has been read. */
 typedef struct cm_specification

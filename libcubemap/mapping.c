@@ -43,25 +43,14 @@ static cm_constants_f64 azimuthal_parameters(const cm_mapping *mapping)
     return cm_make_parameters_f64(fov, parameter_called(mapping, "beta", 0.0));
 }
 
-/* Exact at multiples of 90 degrees. */
-static void sine_cosine(double degrees, double *sine, double *cosine)
-{
-    int quadrant;
-    double angle = remquo(degrees, 90.0, &quadrant) * (3.14159265358979323846 / 180.0);
-    double s = quadrant & 1 ? cos(angle) : sin(angle);
-    double c = quadrant & 1 ? sin(angle) : cos(angle);
-    *sine = quadrant & 2 ? -s : s;
-    *cosine = (quadrant & 1) != (quadrant >> 1 & 1) ? -c : c;
-}
-
 /* The axes about the centre: those that the north pole has are turned there along the centre's meridian. */
 static void turn_axes(cm_mapping *mapping)
 {
     double sine_lon, cosine_lon, sine_lat, cosine_lat;
     double lon = parameter_called(mapping, "lon", 0.0);
     double lat = parameter_called(mapping, "lat", 90.0);
-    sine_cosine(lon, &sine_lon, &cosine_lon);
-    sine_cosine(lat, &sine_lat, &cosine_lat);
+    cm_sine_cosine_degrees(lon, &sine_lon, &cosine_lon);
+    cm_sine_cosine_degrees(lat, &sine_lat, &cosine_lat);
     const double axes[9] = {sine_lat * cosine_lon,
                             sine_lat * sine_lon,
                             -cosine_lat, /* south */

@@ -28,6 +28,20 @@ const char *cm_status_text(cm_status status)
         return "out of memory";
     case CM_ERROR_INSTRUCTIONS:
         return "this machine or this build does not have that instruction set";
+    case CM_ERROR_ELLIPSOID:
+        return "no ellipsoid has this name, or these axes";
+    case CM_ERROR_LATITUDE:
+        return "no latitude has this name";
+    case CM_ERROR_ORIENTATION:
+        return "no orientation has this name, or these angles";
+    case CM_ERROR_CELL:
+        return "no cell has this number, text, level or place";
+    case CM_ERROR_PIXEL:
+        return "HEALPix has no such resolution or pixel";
+    case CM_ERROR_SPACE:
+        return "there are more results than there is room for";
+    case CM_ERROR_STOPPED:
+        return "stopped by the caller's callback";
     }
     return "unknown status";
 }

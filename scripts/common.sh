@@ -21,6 +21,11 @@ needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographicl
 # A compiler for AArch64 and an emulator of it, for tests/neon.sh.
 needs_for_neon="gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user"
 
+# How clang builds what is fuzzed, and what the tests run with sanitizers: arguments to meson, and flags of C and C++.
+sanitized_by_clang="-Dbuildtype=debugoptimized -Doptimization=1 -Db_sanitize=address,undefined -Db_lundef=false
+    -Dfuzzers=enabled"
+sanitized_flags="-g1 -fsanitize=fuzzer-no-link -fno-sanitize-recover=all"
+
 die()
 {
     printf '%s: %s\n' "${0##*/}" "$*" >&2
@@ -121,4 +126,28 @@ require()
     *' meson '*) die "missing: meson 1.0 or newer; apt-get installed $(meson --version)" ;;
     *) die "still missing after apt-get installed it: $wanted" ;;
     esac
+}
+
+# clang's runtime libraries are a package of their own, and its name has clang's version.
+links_fuzzers()
+{
+    echo 'int LLVMFuzzerTestOneInput(void); int LLVMFuzzerTestOneInput(void) { return 0; }' |
+        clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null 2>/dev/null
+}
+
+# What a build as sanitized_by_clang says needs.
+require_fuzzers()
+{
+    # shellcheck disable=SC2086
+    require $needs_to_build clang # a list of words
+    if ! links_fuzzers; then
+        version=$(clang -dumpversion)
+        (
+            has()
+            {
+                links_fuzzers
+            }
+            require "libclang-rt-${version%%.*}-dev"
+        )
+    fi
 }

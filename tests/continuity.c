@@ -385,23 +385,39 @@ START_TEST(faces_meet_at_their_edges)
 }
 END_TEST
 
-/* arvo: the edges along one axis, which is the one that its room names */
+/* Is the signed axis, or its opposite, that of u on the face? */
+static int is_along_u(const cm_frame *frame, int face, int axis)
+{
+    return abs(frame->face[face].u) == abs(axis);
+}
+
+/* arvo: the edges along which u goes on one side and v on the other; those along one axis, which is the one
+ * that its room names, or in s2 six of them */
 START_TEST(tears_of_arvo)
 {
     static const struct
     {
         const char *frame;
         int axis;
-    } known[] = {{"geo", CM_AXIS_X}, {"fits", CM_AXIS_X}, {"gl", CM_AXIS_Z}};
-    for (size_t n = 0; n < COUNT(known) * EDGES; n++)
+        int tears;
+    } known[] = {{"geo", CM_AXIS_X, 4}, {"fits", CM_AXIS_X, 4}, {"gl", CM_AXIS_Z, 4}, {"s2", 0, 6}};
+    for (size_t i = 0; i < COUNT(known); i++)
     {
-        const cm_frame *frame = cm_frame_find(known[n / EDGES].frame);
+        const cm_frame *frame = cm_frame_find(known[i].frame);
         cm_mapping *mapping = make_mapping("arvo", frame);
-        edge e = edge_of(frame, (int)(n % EDGES));
-        meeting found = {{0.0, 0.0}, 0};
-        meet(mapping, &e, 0.5, &found);
-        ck_assert_msg((found.tears > 0) == (abs(e.beside) == known[n / EDGES].axis),
-                      "%s: edge of face %d with face %d", frame->identifier, e.face, e.other);
+        int sides = 0;
+        for (size_t n = 0; n < EDGES; n++)
+        {
+            edge e = edge_of(frame, (int)n);
+            meeting found = {{0.0, 0.0}, 0};
+            meet(mapping, &e, 0.5, &found);
+            int torn = is_along_u(frame, e.face, e.beside) != is_along_u(frame, e.other, e.beside);
+            ck_assert_msg((found.tears > 0) == torn &&
+                              (!torn || known[i].axis == 0 || abs(e.beside) == known[i].axis),
+                          "%s: edge of face %d with face %d", frame->identifier, e.face, e.other);
+            sides += torn;
+        }
+        ck_assert_int_eq(sides * 12, known[i].tears * (int)EDGES);
         cm_mapping_destroy(mapping);
     }
 }

@@ -109,7 +109,7 @@ differences()
 {
     local mapping frame quantity turn=0
     for mapping in $("$helper" mappings | awk 'NR % 3 == 2 || /^(arvo|conformal|healpix)$/'); do
-        frame=$(printf 'geo\ngl\nfits\n' | sed -n $((turn % 3 + 1))p)
+        frame=$(printf 'geo\ngl\nfits\ns2\n' | sed -n $((turn % 4 + 1))p)
         turn=$((turn + 1))
         for quantity in area isotropy texel-aspect texel-area; do # the others follow from these
             distortion --quiet -m "$mapping" --frame "$frame" --quantity "$quantity" --values \
@@ -355,7 +355,7 @@ bad_arguments()
     fails 'no sphere' 2 'joins disc and square' distortion -m square:radial made/a.png
     fails 'unknown mapping' 2 '-m: .*nonesuch' distortion -m nonesuch made/a.png
     fails 'parameter out of range' 2 '--mapping: ' distortion --mapping tangent:c=5 made/a.png
-    fails 'unknown frame' 2 'geo, gl or fits' distortion --frame east made/a.png
+    fails 'unknown frame' 2 'geo, gl, fits or s2' distortion --frame east made/a.png
     fails 'unknown quantity' 2 'area, isotropy, .* or texel-area' distortion --quantity shape made/a.png
     fails 'unknown layout' 2 'faces, strip or cross' distortion --layout row made/a.png
     fails 'face that is none' 2 '--face: .* 0 to 5' distortion --face 6 made/a.png

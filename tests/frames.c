@@ -22,10 +22,10 @@ static void add_axis(double direction[3], signed char axis, double length)
 
 START_TEST(tables_are_frames)
 {
-    static const char *const names[] = {"geo", "gl", "fits"};
-    ck_assert_uint_eq(cm_frame_count(), 3);
-    ck_assert_ptr_null(cm_frame_at(3));
-    for (size_t i = 0; i < 3; i++)
+    static const char *const names[] = {"geo", "gl", "fits", "s2"};
+    ck_assert_uint_eq(cm_frame_count(), 4);
+    ck_assert_ptr_null(cm_frame_at(4));
+    for (size_t i = 0; i < 4; i++)
     {
         const cm_frame *frame = cm_frame_find(names[i]);
         ck_assert_ptr_nonnull(frame);

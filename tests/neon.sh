@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The library, check-paths and the test of bits for AArch64, on whatever machine this is:
+# The library, check-paths, and the tests of bits and of sets for AArch64, on whatever machine this is:
 # cross-compiled, and run by an emulator. Without them (apt: gcc-aarch64-linux-gnu qemu-user) it ends with 77 and is skipped.
 # Usage: neon.sh REPOSITORY [ARGUMENT OF check-paths...]
 set -eu
@@ -37,16 +37,17 @@ compile()
 }
 
 running=()
-for source in "${sources[@]}" "$root"/tests/paths/*.c "$root"/tests/bits.c; do
+for source in "${sources[@]}" "$root"/tests/paths/*.c "$root"/tests/bits.c "$root"/tests/sets.c; do
     compile "$source" &
     running+=($!)
 done
 for process in "${running[@]}"; do
     wait "$process"
 done
-for program in tests-paths tests-bits; do
+for program in tests-paths tests-bits tests-sets; do
     "$compiler" -static "$folder"/libcubemap-*.o "$folder/$program"*.o -lm -lpthread \
         -o "$folder/$program"
 done
 "$emulator" "$folder/tests-bits" "$root/tests/bits.txt"
+"$emulator" "$folder/tests-sets" 5000
 "$emulator" "$folder/tests-paths" --set neon "$@"

@@ -6,75 +6,10 @@
 # usage: project.sh PROGRAMS [SOURCE]
 #   PROGRAMS  folder with the built programs
 #   SOURCE    top of the source tree
-set -u
-LC_ALL=C
-export LC_ALL
-
-programs=$(cd "${1:?usage: project.sh PROGRAMS [SOURCE]}" && pwd)
-root=$(cd "${2:-$(dirname "$0")/..}" && pwd)
-program=$programs/cubemap-project
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-cases=0
-failures=0
-
-ok()
-{
-    cases=$((cases + 1))
-    echo "ok $cases - $1"
-}
-
-# not_ok NAME [WHAT WAS SEEN]
-not_ok()
-{
-    cases=$((cases + 1))
-    failures=$((failures + 1))
-    echo "not ok $cases - $1"
-    [ $# -lt 2 ] || printf '%s\n' "$2" | sed 's/^/# /'
-}
-
-# verdict NAME: the status of the command before decides.
-verdict()
-{
-    if [ "$?" -eq 0 ]; then ok "$1"; else not_ok "$1"; fi
-}
-
-# expect NAME STATUS INPUT OUTPUT MESSAGE [ARGUMENT...]: INPUT and OUTPUT are as printf %b has them;
-# MESSAGE is an extended regular expression that all of standard error, a single line, must match,
-# or empty for silence.
-expect()
-{
-    local name=$1 status=$2 input=$3 output=$4 message=$5 got good=yes
-    shift 5
-    printf '%b' "$input" >input
-    printf '%b' "$output" >wanted
-    "$program" "$@" <input >output 2>errors
-    got=$?
-    [ "$got" -eq "$status" ] || good=no
-    cmp -s wanted output || good=no
-    if [ -z "$message" ]; then
-        [ ! -s errors ] || good=no
-    else
-        [ "$(wc -l <errors)" -eq 1 ] && grep -Eq -- "^$message\$" errors || good=no
-    fi
-    if [ "$good" = yes ]; then
-        ok "$name"
-    else
-        not_ok "$name" "$(printf 'status %s, wanted %s\n' "$got" "$status"
-            diff wanted output
-            printf 'messages (wanted: %s):\n' "$message"
-            cat errors)"
-    fi
-}
-
-# usage_error NAME MESSAGE ARGUMENT...: status 2, nothing on standard output.
-usage_error()
-{
-    local name=$1 message=$2
-    shift 2
-    expect "$name" 2 '0 0\n' '' "cubemap-project: $message" "$@"
-}
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "${2:-$here/..}" && pwd)
+# shellcheck source-path=SCRIPTDIR source=filter.sh
+. "$here/filter.sh" cubemap-project "${1:?usage: project.sh PROGRAMS [SOURCE]}"
 
 # bad_line NAME INPUT MESSAGE [ARGUMENT...]: the third of five lines is bad, the others are not.
 bad_line()
@@ -109,6 +44,7 @@ bad_pair()
 axes='0 0\n90 0\n180 0\n-90 0\n0 90\n0 -90\n'
 expect 'axes in geo' 0 "$axes" '0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n5 0 0\n' ''
 expect 'axes in fits' 0 "$axes" '1 0 0\n2 0 0\n3 0 0\n4 0 0\n0 0 0\n5 0 0\n' '' --frame fits
+expect 'axes in s2' 0 "$axes" '0 0 0\n1 0 0\n3 0 0\n4 0 0\n2 0 0\n5 0 0\n' '' --frame s2
 expect 'axes in gl' 0 "$axes" '0 0 0\n2 0 0\n1 0 0\n3 0 0\n4 0 0\n5 0 0\n' '' --frame gl
 expect 'axes of faces in geo' 0 '0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n5 0 0\n' "$axes" '' -I
 expect 'axes as directions' 0 '0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n5 0 0\n' \
@@ -370,7 +306,7 @@ usage_error 'unknown mapping' '-m nothing: .*' -m nothing
 usage_error 'unknown parameter' '-m tangent:d=1: .*' -m tangent:d=1
 usage_error 'parameter out of range' '-m tangent:c=9: .*' -m tangent:c=9
 usage_error 'empty mapping' '-m : .*' -m ''
-usage_error 'unknown frame' "--frame is 'earth', not one of geo, gl, fits" --frame earth
+usage_error 'unknown frame' "--frame is 'earth', not one of geo, gl, fits, s2" --frame earth
 usage_error 'digits 0' "--digits is '0', .* 1 to 17" --digits 0
 usage_error 'digits 18' "--digits is '18', .*" --digits=18
 usage_error 'digits 2.5' "--digits is '2.5', .*" --digits 2.5
@@ -421,11 +357,101 @@ if [ -f "$root/tools/man/cubemap-project.1" ]; then
     verdict 'the man page has the options of --help'
 fi
 
+# ---------------------------------------------------------------------------- the Earth
+
+expect 'a round ellipsoid is the sphere' 0 '12.5 41.9\n' \
+    "$(echo 12.5 41.9 | "$program")\n" '' --ellipsoid 6378137,0
+expect 'with the geographic latitude an ellipsoid is a sphere' 0 '12.5 41.9\n' \
+    "$(echo 12.5 41.9 | "$program")\n" '' --ellipsoid WGS84 --latitude geographic
+# authalic, conformal, rectifying latitude of 45 degrees: tests/vectors/latitudes; on face 0 in longitude 0 v of
+# gnomonic is its tangent
+for pair in geocentric:0.99330562001 parametric:0.996647189335 authalic:0.995531583683 \
+    conformal:0.993309339535 rectifying:0.994974997545; do
+    expect "${pair%:*} latitude" 0 '0 45\n' "0 0 ${pair#*:}\n" '' -m gnomonic --ellipsoid wgs84 \
+        --latitude "${pair%:*}" --digits 12
+done
+expect 'a conformal mapping takes the conformal latitude' 0 '10 40\n' \
+    "$(echo 10 40 | "$program" -m conformal --ellipsoid WGS84 --latitude conformal)\n" '' -m conformal --ellipsoid WGS84
+expect 'other mappings take the authalic one' 0 '10 40\n' \
+    "$(echo 10 40 | "$program" -m qsc --ellipsoid WGS84 --latitude authalic)\n" '' -m qsc --ellipsoid WGS84
+"$program" --help | tr -s ' \n' '  ' | grep -q 'default: conformal if the mapping is conformal, else authalic '
+verdict 'the help says so'
+expect 'a latitude alone is one of WGS84' 0 '10 40\n' \
+    "$(echo 10 40 | "$program" --ellipsoid WGS84 --latitude parametric)\n" '' --latitude parametric
+expect 'x y z are normals' 0 '0 0 2\n1 0 1\n' "4 0 0\n$(echo 0 45 | "$program" --digits 14 --ellipsoid Mars)\n" '' \
+    --digits 14 --ellipsoid Mars --input xyz
+expect 'in float' 0 '0 40\n' '0 0 0.902708352\n' '' --float --ellipsoid WGS84
+expect 'a cube that looks east' 0 '90 0\n0 0\n' '0 0 0\n3 0 0\n' '' --rotate 90,0 --ellipsoid WGS84
+expect 'a cube on its edge' 0 '0 0\n' '0 0 0\n' '' --rotate 0,0,45
+expect 'and back' 0 '0 0 0\n4 0 0\n' '-20 30\n160 60\n' '' --rotate -20,30 -I --digits 15
+expect 'a disc is turned, too' 0 '270 0\n180 0 rim\n10 90 centre\n' '0 1\n1 0 rim\n0 0 centre\n' '' -m azimuthal:lambert --rotate 90,0
+
+# cells and pixels that the S2 library and HEALPix's programs give
+expect 'the cells of S2' 0 '11.770681595 49.703498679 Weiden\n12.588490937 55.685376759\n-93.449700022 45.486546517\n' \
+    '47a1cbd595522b39 Weiden\n46525318b63be0f9\n52b30b71698e729d\n' '' -m s2 --frame s2 --cell 30
+expect 'cells of all levels have centres' 0 '1\n47a1cbd595522b39 Weiden\n' '0 0\n11.7706815947 49.7034986791 Weiden\n' '' \
+    --cell 0 -m s2 --frame s2 -I --digits 12
+expect 'the cell of a point that is none' 1 '0 91\n' 'nan\n' '<stdin>:1: .*' --cell 3
+expect 'what is no cell' 1 '89c25z\n' 'nan nan\n' "<stdin>:1: '89c25z' is no cell: .*" --cell 3 -I
+expect 'the token of no cell' 1 'X\n' 'nan nan\n' "<stdin>:1: 'X' means no cell" --cell 3 -I
+expect 'a token that is far too long' 1 '0000000000000000000000000000000000000000000000000001\n' 'nan nan\n' \
+    '<stdin>:1: .* is no cell: .*' --cell 3 -I
+expect 'the pixels of HEALPix' 0 '0 0\n45 80\n-90 -45\n' '4\n0\n11\n' '' --healpix 1
+expect 'pixels of 1 mm, nested' 0 '0 0\n' '1273017494670060202\n' '' --healpix 536870912:nest
+expect 'pixels have centres' 0 '3458764513820540927 last\n' '-45 -89.9999999 last\n' '' --healpix 536870912 -I --digits 9
+expect 'a pixel that there is not' 1 '12\n' 'nan nan\n' "<stdin>:1: '12' is not a pixel, from 0 to 11" --healpix 1 -I
+expect 'a pixel that is no number' 1 '1x\n' 'nan nan\n' "<stdin>:1: '1x' is not a pixel, from 0 to 11" --healpix 1 -I
+
+# there and back, on ellipsoids, rotated, by places, by cells and by pixels
+awk 'BEGIN { for (i = 0; i < 4000; i++) printf "%.13g %.13g\n", i * 0.0899 - 179.7, 179.9 * ((i * 0.61803398875) % 1) - 89.95 }' >places
+# back NAME DEGREES ARGUMENT...: longitudes by their length there
+back()
+{
+    local name=$1 limit=$2
+    shift 2
+    "$program" "$@" places >there 2>errors && "$program" "$@" -I there >output 2>>errors && [ ! -s errors ] &&
+        paste -d ' ' places output | awk -v limit="$limit" '
+            { d = $1 - $3; d -= 360 * int(d / 360 + (d > 0 ? 0.5 : -0.5))
+              east = d * cos($2 * 0.017453292519943295); north = $2 - $4
+              if (!(east * east + north * north <= limit * limit)) { print "# " $0; bad++ } }
+            END { exit NR != 4000 || bad > 0 }'
+    verdict "$name"
+}
+back 'places on WGS84' 1e-13 --ellipsoid WGS84
+back 'on Saturn, rotated' 2e-13 -m slice --ellipsoid Saturn --rotate 12,34,56
+back 'on a prolate ellipsoid, conformal' 2e-13 -m conformal --ellipsoid 1,-40 --rotate 12,34,56
+back 'a layout, rotated' 2e-13 -m quincuncial --ellipsoid WGS84 --rotate 12,34,56
+back 'cells' 2e-7 --ellipsoid WGS84 --rotate 12,34,56 --cell 30
+back 'cells on the curve of Morton' 1e-3 -m healpix --ellipsoid WGS84 --cell 18:morton
+back 'pixels' 2e-7 --ellipsoid WGS84 --healpix 536870912
+back 'nested pixels' 0.1 --rotate 1,2,3 --healpix 1024:nest
+
+usage_error 'no such ellipsoid' "--ellipsoid Nowhere: .* is no ellipsoid: .*" --ellipsoid Nowhere
+usage_error 'an ellipsoid without a size' '--ellipsoid 0,300: .*' --ellipsoid 0,300
+usage_error 'no such latitude' "--latitude is 'x', not one of geographic, .*" --latitude x
+usage_error 'no such orientation' "--rotate 1: no orientation is called '1'.*" --rotate 1
+usage_error 'angles that are none' '--rotate 1,91: .*' --rotate 1,91
+usage_error 'no such level' "--cell is '31': .* from 0 to 30" --cell 31
+usage_error 'no such curve' "--cell is '3:peano': the curve is hilbert or morton" --cell 3:peano
+usage_error 'half a level' "--cell is '2.5': .*" --cell 2.5
+usage_error 'cells of one face' '--cell has no meaning with -m rhealpix, .*' --cell 3 -m rhealpix
+usage_error 'no such nside' "--healpix is '536870913': .*" --healpix 536870913
+usage_error 'no such order' "--healpix is '4:x': the order is ring or nest" --healpix 4:x
+usage_error 'nested, but no power of two' '--healpix 3:nest: .*power of two.*' --healpix 3:nest
+usage_error 'pixels and cells' '--cell has no meaning with --healpix, .*' --healpix 4 --cell 4
+usage_error 'pixels and a mapping' '-m has no meaning with --healpix, .*' --healpix 4 -m qsc
+usage_error 'pixels in float' '--float has no meaning with --healpix, .*' --healpix 4 --float
+usage_error 'cells in float' '--float has no meaning with --cell, .*' --cell 4 --float
+usage_error 'a disc without a sphere, on an ellipsoid' '--ellipsoid has no meaning with -m square:radial, .*' \
+    -m square:radial --ellipsoid WGS84
+usage_error 'a disc without a sphere, rotated' '--rotate has no meaning with -m square:radial, .*' -m square:radial \
+    --rotate 1,2
+
 # ---------------------------------------------------------------------------- catalogue
 
 "$program" --list >output && grep -q '^coupled ' output && grep -q '^geo ' output
 verdict '--list'
-[ "$(grep -c ':$' output)" -eq 6 ] && grep -q '^    also       peirce (stereographic,conformal)$' output &&
+[ "$(grep -c ':$' output)" -eq 9 ] && grep -q '^    also       peirce (stereographic,conformal)$' output &&
     grep -q '^    also       square:concentric$' output && grep -q '^    parts      border:AZ' output &&
     grep -q '^octahedral .* -  *octahedron' output
 verdict '--list by kinds'
@@ -435,7 +461,7 @@ import json
 catalogue = json.load(open("catalogue.json"))
 identifiers = [mapping["identifier"] for mapping in catalogue["mappings"]]
 assert catalogue["recommended"] in identifiers
-assert [frame["identifier"] for frame in catalogue["frames"]] == ["geo", "gl", "fits"]
+assert [frame["identifier"] for frame in catalogue["frames"]] == ["geo", "gl", "fits", "s2"]
 for frame in catalogue["frames"]:
     assert len(frame["faces"]) == 6 and abs(frame["first_row_v"]) == 1
 for mapping in catalogue["mappings"]:
@@ -484,5 +510,4 @@ PYTHON
     verdict 'every name of the catalogue can be given'
 fi
 
-echo "$cases cases, $failures failed"
-[ "$failures" -eq 0 ]
+finish

@@ -54,11 +54,12 @@ diff "$work/expected" "$work/got"
 echo "ok: static"
 # everything a user expects is there
 for file in bin/cubemap-project bin/cubemap-reproject bin/cubemap-bench bin/cubemap-distortion \
-    bin/cubemap-colormap include/cubemap/cubemap.h include/cubemap/distortion.h \
+    bin/cubemap-colormap bin/cubemap-latitude bin/cubemap-orient include/cubemap/cubemap.h include/cubemap/distortion.h \
     include/cubemap/statistics.h include/cubemap/colormap.h include/cubemap/kernels.h \
     include/cubemap/kernel/backend.h share/man/man1/cubemap-project.1 \
     share/man/man1/cubemap-reproject.1 share/man/man1/cubemap-bench.1 \
-    share/man/man1/cubemap-distortion.1 share/man/man1/cubemap-colormap.1; do
+    share/man/man1/cubemap-distortion.1 share/man/man1/cubemap-colormap.1 share/man/man1/cubemap-latitude.1 \
+    share/man/man1/cubemap-orient.1; do
     if [ -z "$(find "$work/root" -path "*/$file")" ]; then
         echo "not ok: $file is not installed"
         exit 1

@@ -117,6 +117,12 @@ every_frame()
             there_and_back
         done
     done
+    frame=s2
+    for layout in faces strip; do
+        there_and_back
+    done
+    fails 's2 as a cross' 1 'no cross without turned faces' reproject --to "cube:$mapping" --frame s2 \
+        --layout cross equirect.tif made/a.png
 }
 
 # Uses the variables mapping, frame and layout of its caller.
@@ -178,7 +184,7 @@ cube_to_cube()
     reproject --quiet --to cube:healpix --layout cross:north=3,south=0 --size 8 grey.tif cross.tif
     "$helper" describe cross.tif | grep -q '32 x 24, 1 channels'
     result $? 'size of a cross with turned faces'
-    for frame in gl fits; do
+    for frame in gl fits s2; do
         reproject --quiet --filter nearest --from cube:qsc --to cube:qsc --from-frame gl \
             --frame $frame --layout strip first.tif there.tif
         reproject --quiet --filter nearest --from cube:qsc --to cube:qsc --from-frame $frame \
@@ -523,7 +529,7 @@ bad_arguments()
         reproject --layout cross:north=4,south=0 noise.ppm made/a.png
     fails 'columns of a strip' 2 'faces, strip or cross' \
         reproject --layout strip:north=1,south=0 noise.ppm made/a.png
-    fails 'unknown frame' 2 'geo, gl or fits' reproject --frame east noise.ppm made/a.png
+    fails 'unknown frame' 2 'geo, gl, fits or s2' reproject --frame east noise.ppm made/a.png
     fails 'unknown filter' 2 'nearest or bilinear' reproject --filter cubic noise.ppm made/a.png
     fails 'negative threads' 2 '--threads' reproject --threads -1 noise.ppm made/a.png
     fails 'layout of no cube' 2 '--layout is for a cube' \

@@ -63,6 +63,16 @@ main() { # the body of a shader that uses everything
     echo "    uv = cm_quincuncial_place(place.x, place.y, place.z); sum += vec4(uv.u, uv.v, 0.0, 0.0);"
     echo "    f = cm_quincuncial_unplace(uv.u, uv.v); sum += vec4(f.face, f.a, f.b, 0.0);"
     echo "    j = cm_quincuncial_jacobian(f.a, f.b, f.face); sum.x += cm_jacobian_determinant(j);"
+    echo '    cm_latitude_constants l;'
+    for coefficient in p0 p1 p2 p3 p4 p5 p6 p7 p8 p9 p10 p11 ratio; do
+        echo "    l.$coefficient = place.z;"
+    done
+    for terms in 3 6 12; do
+        echo "    sum.x += cm_latitude_series_angle(place.x, $terms, l);"
+        echo "    d = cm_latitude_series_direction(place.x, place.y, place.z, $terms, l); sum.xyz += vec3(d.x, d.y, d.z);"
+    done
+    echo '    sum.x += cm_latitude_tangent_angle(place.x, 0, l) + cm_latitude_tangent_angle(place.x, 1, l);'
+    echo '    d = cm_latitude_tangent_direction(place.x, place.y, place.z, l); sum.xyz += vec3(d.x, d.y, d.z);'
     echo '    colour = sum;'
     echo '}'
 }

@@ -27,6 +27,12 @@
         }                                                                                          \
     } while (0)
 
+/* Are only the lines to be run, as for their coverage, in a program that is slow? */
+static inline int is_quick(void)
+{
+    return getenv("CUBEMAP_QUICK_TESTS") != NULL;
+}
+
 static inline int run_suite(const char *name, const TTest *const *tests)
 {
     Suite *suite = suite_create(name);

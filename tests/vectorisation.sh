@@ -3,7 +3,7 @@
 # The machine code of the batch loops: every mapping has its four loops (forward, inverse and their
 # Jacobians) in every instruction set, in double and in float, and forward and inverse in the fast tier;
 # they work on vectors of the set's width, and nothing in them is a call (which would be a kernel that was
-# not inlined, or a function of libm). Writes how many divisions and square roots each has for a vector.
+# not inlined, or a function of libm); and so with latitudes. Writes how many divisions and square roots each has for a vector.
 # Usage: vectorisation.sh BUILD_FOLDER INCLUDE_FOLDER SET...
 set -eu
 build=$1 include=$2
@@ -70,5 +70,19 @@ for set in "$@"; do
                     found_parts != expected_parts
             }' || status=1
     done
+
+    # the loops of latitudes, in double only: five of angles and four of directions
+    objdump -d --no-show-raw-insn "$object" | awk -v set="$set" -v register="$register" -v packed="$packed" '
+        function finish() {
+            if (name != "" && vectors < 10) { print set ": " name " has no loop of vectors"; bad = 1 }
+            name = ""
+        }
+        /^[0-9a-f]+ <.*>:$/ {
+            finish()
+            if ($2 ~ "^<latitude_(angles|directions)_[a-z0-9_]*>:$") { name = $2; vectors = 0; found++ }
+        }
+        name != "" && /call|\tbl / { print set ": " name " calls: " $0; bad = 1 }
+        name != "" && $0 ~ packed && $0 ~ register { vectors++ }
+        END { finish(); print set ": " found " loops of latitudes, 9 expected"; exit bad || found != 9 }' || status=1
 done
 exit $status

@@ -8,62 +8,30 @@
  */
 #include "papers.h"
 
-#include <cubemap/kernels.h>
-
 #include <math.h>
 #include <stdlib.h>
 
 typedef struct surface
 {
     const char *name;
-    double e2; /* squared eccentricity */
-    double k;  /* tangent of the sphere's latitude over that of the geodetic one */
+    const char *ellipsoid;
+    cm_latitude latitude;
 } surface;
 
-/* Of the sphere's tangent plane by the ellipsoid's, to the east and to the north, at a latitude of the
- * sphere. With the geodetic latitude's cosine c and sine s, m = c^2 + k^2 s^2 and W^2 = 1 - e^2 s^2 the radii
- * of curvature are 1 / W and (1 - e^2) / W^3, and the latitude changes by k / m. */
-static void stretches(const surface *of, double cosine, double sine, double *east, double *north)
+static cm_grid *make_grid(const surface *of)
 {
-    double size = hypot(of->k * cosine, sine);
-    double c = of->k * cosine / size;
-    double s = sine / size;
-    double m = c * c + of->k * of->k * s * s;
-    double w2 = 1.0 - of->e2 * s * s;
-    *east = sqrt(w2 / m);
-    *north = of->k / m * w2 * sqrt(w2) / (1.0 - of->e2);
-}
-
-static cm_indicatrix_f64 indicatrix_on(const surface *of, const cm_mapping *mapping, uint8_t face,
-                                       const double uv[2])
-{
-    double d[3];
-    double j[6];
-    double g[2][2];
-    cm_inverse(mapping, face, uv, d);
-    cm_inverse_jacobian(mapping, face, uv, j);
-    /* the derivative of (u, v) by the tangent plane, from that of the direction, of the side of this face */
-    cm_tangents_f64 t = {
-        .x_a = j[0], .x_b = j[1], .y_a = j[2], .y_b = j[3], .z_a = j[4], .z_b = j[5]};
-    double rho = hypot(d[0], d[1]);
-    const double east[3] = {rho > 0.0 ? -d[1] / rho : 0.0, rho > 0.0 ? d[0] / rho : 1.0, 0.0};
-    const double north[3] = {-d[2] * east[1], d[2] * east[0], rho};
-    double a = t.x_a * east[0] + t.y_a * east[1];
-    double b = t.x_b * east[0] + t.y_b * east[1];
-    double c = t.x_a * north[0] + t.y_a * north[1] + t.z_a * north[2];
-    double e = t.x_b * north[0] + t.y_b * north[1] + t.z_b * north[2];
-    double scale = 1.0 / (a * e - b * c);
-    double to_east;
-    double to_north;
-    stretches(of, rho, d[2], &to_east, &to_north);
-    g[0][0] = e * scale * to_east;
-    g[0][1] = -b * scale * to_north;
-    g[1][0] = -c * scale * to_east;
-    g[1][1] = a * scale * to_north;
-    double area = fabs(g[0][0] * g[1][1] - g[0][1] * g[1][0]);
-    return cm_make_indicatrix_f64(g[0][0] * g[0][0] + g[0][1] * g[0][1],
-                                  g[0][0] * g[1][0] + g[0][1] * g[1][1],
-                                  g[1][0] * g[1][0] + g[1][1] * g[1][1], area, 1.0 / area);
+    cm_grid_options options = {.size = sizeof options,
+                               .mapping = "tangent",
+                               .ellipsoid = cm_ellipsoid_find(of->ellipsoid),
+                               .latitude = &of->latitude};
+    cm_grid *grid = NULL;
+    cm_status status = cm_grid_create(&options, &grid);
+    if (status != CM_OK)
+    {
+        fprintf(stderr, "%s: %s: %s\n", program_name, of->name, cm_status_text(status));
+        exit(EXIT_FAILURE);
+    }
+    return grid;
 }
 
 typedef struct face_figures
@@ -75,8 +43,7 @@ typedef struct face_figures
     double mean_area;
 } face_figures;
 
-static face_figures survey_face(const surface *of, const cm_mapping *mapping, uint8_t face,
-                                size_t pixels)
+static face_figures survey_face(const cm_grid *grid, uint8_t face, size_t pixels)
 {
     face_figures f = {0.0, 0.0, (double)INFINITY, 0.0, 0.0};
     size_t vertices = 2 * (pixels / 2) + 1; /* the centre is one */
@@ -84,7 +51,8 @@ static face_figures survey_face(const surface *of, const cm_mapping *mapping, ui
     {
         const double uv[2] = {(2.0 * (double)(i % pixels) + 1.0) / (double)pixels - 1.0,
                               (2.0 * (double)(i / pixels) + 1.0) / (double)pixels - 1.0};
-        cm_indicatrix_f64 at = indicatrix_on(of, mapping, face, uv);
+        cm_distortion at;
+        cm_grid_inverse_distortion(grid, face, uv, &at);
         f.mean_angle += at.deformation;
         f.mean_area += at.scale;
     }
@@ -92,7 +60,8 @@ static face_figures survey_face(const surface *of, const cm_mapping *mapping, ui
     {
         const double uv[2] = {2.0 * (double)(i % vertices) / (double)(vertices - 1) - 1.0,
                               2.0 * (double)(i / vertices) / (double)(vertices - 1) - 1.0};
-        cm_indicatrix_f64 at = indicatrix_on(of, mapping, face, uv);
+        cm_distortion at;
+        cm_grid_inverse_distortion(grid, face, uv, &at);
         f.most_angle = fmax(f.most_angle, at.deformation);
         f.least_area = fmin(f.least_area, at.scale);
         f.most_area = fmax(f.most_area, at.scale);
@@ -119,12 +88,11 @@ static void add_face(table *t, const surface *of, const char *face, const face_f
 
 void compute_grid(table *t, resolution r)
 {
-    const double f = 1.0 / 298.257223563; /* WGS 84 */
-    const double e2 = f * (2.0 - f);
-    const surface surfaces[] = {{"sphere", 0.0, 1.0},
-                                {"geodetic", e2, 1.0},
-                                {"geocentric", e2, 1.0 - e2},
-                                {"authalic, approx.", e2, pow(1.0 - e2, 2.0 / 3.0)}};
+    static const surface surfaces[] = {
+        {"sphere", "sphere", CM_LATITUDE_GEOGRAPHIC},
+        {"geodetic", "WGS84", CM_LATITUDE_GEOGRAPHIC},
+        {"geocentric", "WGS84", CM_LATITUDE_GEOCENTRIC},
+        {"authalic, approx.", "WGS84", CM_LATITUDE_AUTHALIC_APPROXIMATION}};
     static const char *const printed[4][3][6] = {
         {{"31.085", "11.569", "1.621", "2.293", "1.414", "1.925"},
          {"31.085", "11.569", "1.621", "2.293", "1.414", "1.925"},
@@ -138,11 +106,11 @@ void compute_grid(table *t, resolution r)
         {{"31.044", "11.567", "1.625", "2.298", "1.414", "1.929"},
          {"31.167", "11.575", "1.625", "2.298", "1.414", "1.929"},
          {"31.167", "11.570", "1.625", "2.298", "1.414", "1.929"}}};
-    cm_mapping *mapping = paper_mapping("tangent");
     for (int i = 0; i < 4; i++)
     {
-        face_figures side = survey_face(&surfaces[i], mapping, 0, r.pixels);
-        face_figures top = survey_face(&surfaces[i], mapping, 4, r.pixels);
+        cm_grid *grid = make_grid(&surfaces[i]);
+        face_figures side = survey_face(grid, 0, r.pixels);
+        face_figures top = survey_face(grid, 4, r.pixels);
         face_figures all = {fmax(side.most_angle, top.most_angle),
                             (4.0 * side.mean_angle + 2.0 * top.mean_angle) / 6.0,
                             fmin(side.least_area, top.least_area),
@@ -151,8 +119,8 @@ void compute_grid(table *t, resolution r)
         add_face(t, &surfaces[i], "side", &side, printed[i][0]);
         add_face(t, &surfaces[i], "top", &top, printed[i][1]);
         add_face(t, &surfaces[i], "all", &all, printed[i][2]);
+        cm_grid_destroy(grid);
     }
-    cm_mapping_destroy(mapping);
 }
 
 /* ---- s2geometry ---- */

@@ -10,9 +10,12 @@
  *         paper II, Calabretta & Greisen 2002, section 5.6).
  *   gl    the cube-map table of OpenGL, Vulkan and Direct3D: +x -x +y -y +z -z, u along s, v along
  *         t (OpenGL 4.6 core, table 8.19). There v grows *down* a stored face.
+ *   s2    the axes of geo, the faces of the S2 library: +x +y +z -x -y -z (s2geometry, s2coords.h). Each
+ *         face is turned so that a Hilbert curve goes on from each to the next (cell.h). It has no picture
+ *         as a cross in which no face is turned.
  *
  * Inside and outside: if the axes are right-handed, as those of a globe are, the pictures of the
- * faces show the sphere from outside in all three frames; if they are left-handed, as in Direct3D or
+ * faces show the sphere from outside in all four frames; if they are left-handed, as in Direct3D or
  * in a panorama whose longitude grows to the right of somebody inside it, the same pictures show it
  * from inside. Seen from the other side each picture is its mirror image. docs/frames.md has the
  * pictures.
@@ -52,7 +55,7 @@ typedef struct cm_frame
 } cm_frame;
 
 /* The number of frames that the library knows, and the frame at an index below it (else NULL), in a
- * fixed order: geo, gl, fits. The tables are constant and live as long as the program. */
+ * fixed order: geo, gl, fits, s2. The tables are constant and live as long as the program. */
 CM_API size_t cm_frame_count(void);
 CM_API const cm_frame *cm_frame_at(size_t index);
 

@@ -102,10 +102,22 @@ CM_API void cm_inverse(const cm_mapping *mapping, uint8_t face, const double uv[
 CM_API void cm_inverse_f32(const cm_mapping *mapping, uint8_t face, const float uv[2],
                            float direction[3]);
 
-/* One point in lon/lat, radians, as in direction.h, whose accuracy they share. */
+/* One point in lon/lat, radians, as in direction.h, whose accuracy they share: the bits are those of its functions
+ * and of cm_forward and cm_inverse in a row. */
 CM_API uint8_t cm_forward_lonlat(const cm_mapping *mapping, double lon, double lat, double uv[2]);
 CM_API void cm_inverse_lonlat(const cm_mapping *mapping, uint8_t face, const double uv[2],
                               double lonlat[2]);
+
+/* n points in lon/lat, radians, in separate arrays, by vectors: not the bits of the two functions above, which ask the C
+ * library, but the same ones whatever n and the position. lon is any finite number (beyond 1e6 it takes the C
+ * library's time), lat in [-pi/2, pi/2], up to 1e-9 beyond which is taken as the pole; inverse gives lon in [-pi, pi].
+ * Error besides the mapping's own: 1.8 eps in each component of the direction, 3 eps of the size of lon and of
+ * lat. Cost with AVX2 besides the mapping's own: 7 ns a point. Arrays may be NULL if n is 0; an output may be
+ * the same array as an input. */
+CM_API void cm_forward_lonlat_array(const cm_mapping *mapping, size_t n, const double *lon,
+                                    const double *lat, uint8_t *face, double *u, double *v);
+CM_API void cm_inverse_lonlat_array(const cm_mapping *mapping, size_t n, const uint8_t *face,
+                                    const double *u, const double *v, double *lon, double *lat);
 
 /* n points in separate arrays of n elements each. Arrays may be NULL if n is 0. An output array may
  * be the same as an input array (x and u, say); other overlaps are not allowed. No alignment beyond

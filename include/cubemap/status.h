@@ -22,7 +22,15 @@ typedef enum cm_status
     CM_ERROR_FRAME = 6,     /* a table that is not a frame */
     CM_ERROR_UNSUPPORTED = 7, /* the mapping has no such operation */
     CM_ERROR_MEMORY = 8,      /* no memory */
-    CM_ERROR_INSTRUCTIONS = 9 /* an instruction set that this machine or this build does not have */
+    CM_ERROR_INSTRUCTIONS =
+        9,                   /* an instruction set that this machine or this build does not have */
+    CM_ERROR_ELLIPSOID = 10, /* no ellipsoid of that name, or axes that are none */
+    CM_ERROR_LATITUDE = 11,  /* no latitude of that name */
+    CM_ERROR_ORIENTATION = 12, /* no orientation of that name, or angles that are none */
+    CM_ERROR_CELL = 13,   /* a number or a text that is no cell, a level or a place that is none */
+    CM_ERROR_PIXEL = 14,  /* an nside or a pixel that HEALPix does not have, or no point */
+    CM_ERROR_SPACE = 15,  /* more results than there is room for */
+    CM_ERROR_STOPPED = 16 /* the caller's callback ended the work */
 } cm_status;
 
 /* One sentence without a full stop for each status, in English; never NULL, whatever the argument. */

@@ -119,17 +119,6 @@ void peer_direction(const peer_subject *subject, const double sphere[3], double 
 const double peer_geo_centre[6][2] = {{0.0, 0.0},   {90.0, 0.0}, {180.0, 0.0},
                                       {-90.0, 0.0}, {0.0, 90.0}, {0.0, -90.0}};
 
-const cm_frame peer_s2_frame = {sizeof(cm_frame),
-                                "s2",
-                                "S2 geometry library",
-                                1,
-                                {{"0", CM_AXIS_X, CM_AXIS_Y, CM_AXIS_Z},
-                                 {"1", CM_AXIS_Y, -CM_AXIS_X, CM_AXIS_Z},
-                                 {"2", CM_AXIS_Z, -CM_AXIS_X, -CM_AXIS_Y},
-                                 {"3", -CM_AXIS_X, -CM_AXIS_Z, -CM_AXIS_Y},
-                                 {"4", -CM_AXIS_Y, -CM_AXIS_Z, CM_AXIS_X},
-                                 {"5", -CM_AXIS_Z, CM_AXIS_Y, CM_AXIS_X}}};
-
 /* The sector of a cap by the larger coordinate, and along and sigma in it, as the mapping's kernel
  * has them. */
 void peer_healpix_plane(const peer_face_place *from, long double *x, long double *y)

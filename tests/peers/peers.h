@@ -193,9 +193,6 @@ double *peer_hard_places(size_t *count);
 /* Longitude and latitude in degrees of the centres of the faces of the frame geo. */
 extern const double peer_geo_centre[6][2];
 
-/* The faces of the S2 library, as docs/frames.md has them. */
-extern const cm_frame peer_s2_frame;
-
 /* HEALPix's plane, x the longitude in eighths of a turn from -4 to 4, y from -2 to 2, from and to
  * the six faces of the mapping healpix. */
 void peer_healpix_plane(const peer_face_place *from, long double *x, long double *y);

@@ -105,7 +105,7 @@ static void healpix_from_plane(const peer_subject *subject, const peer_place *pl
 typedef struct projection
 {
     const char *name; /* PROJ's and ours */
-    const cm_frame *frame;
+    const char *frame;
     int healpix;
     void (*to_plane)(const peer_subject *, const peer_face_place *, peer_place *);
     void (*from_plane)(const peer_subject *, const peer_place *, peer_face_place *);
@@ -141,7 +141,7 @@ static int open_planes(const projection *p, const cm_frame *frame, planes *opene
 
 static int compare(const projection *p, int failures)
 {
-    const cm_frame *frame = p->frame != NULL ? p->frame : cm_frame_find("geo");
+    const cm_frame *frame = cm_frame_find(p->frame);
     planes opened;
     if (!open_planes(p, frame, &opened))
     {
@@ -202,7 +202,7 @@ static const peer_failure healpix_failures[] = {
 
 static const projection projections[] = {
     {"qsc",
-     NULL,
+     "geo",
      0,
      qsc_to_plane,
      qsc_from_plane,
@@ -211,14 +211,14 @@ static const projection projections[] = {
        {PEER_AWAY_FROM_CENTRES, 20.0}},
       FAILURES(qsc_failures)}},
     {"s2",
-     &peer_s2_frame,
+     "s2",
      0,
      s2_to_plane,
      s2_from_plane,
      {{{PEER_EVERYWHERE, 8.0}, {PEER_AWAY_FROM_POLES, 15.0}, {PEER_AWAY_FROM_POLES, 15.0}},
       FAILURES(s2_failures)}},
     {"healpix",
-     NULL,
+     "geo",
      1,
      healpix_to_plane,
      healpix_from_plane,

@@ -64,9 +64,9 @@ void to_lonlat(const double direction[3], double lonlat[2])
 
 int main()
 {
-    const peer_subject quadratic = {"S2",           PEER_VERSION, "quadratic", "s2",   nullptr,
-                                    &peer_s2_frame, 0.0,          0,           0,      forward,
-                                    inverse,        to_plane,     from_plane,  nullptr};
+    const peer_subject quadratic = {
+        "S2",    PEER_VERSION, "quadratic", "s2",       nullptr, cm_frame_find("s2"), 0.0, 0, 0,
+        forward, inverse,      to_plane,    from_plane, nullptr};
     const peer_record record = {
         {{PEER_EVERYWHERE, 4.0}, {PEER_EVERYWHERE, 4.0}, {PEER_EVERYWHERE, 4.0}},
         PEER_VERSION,

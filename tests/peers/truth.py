@@ -28,7 +28,6 @@ EARTH_RADIUS = mpf("6371007.2")
 UNITS = {"nm": "1e-9", "um": "1e-6", "mm": "1e-3", "cm": "1e-2", "m": "1", "km": "1e3"}
 
 # S2's faces: docs/frames.md
-vectors.FRAMES["s2"] = [(1, 2, 3), (2, -1, 3), (3, -1, -2), (-1, -3, -2), (-2, -3, 1), (-3, 2, 1)]
 
 
 def direction(lon, lat):

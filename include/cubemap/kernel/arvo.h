@@ -8,7 +8,7 @@
  * the three directions of edges, each of which both of its neighbours must agree about, no two may be
  * alike. So it is for sampling, not for images. Which four is a matter of the frame, as u and v are the
  * frame's: in geo and fits those of top and bottom with right and left, parallel to the x axis; in gl
- * those of +y and -y with +x and -x, parallel to the z axis.
+ * those of +y and -y with +x and -x, parallel to the z axis. In s2 there are six.
  *
  * With sin(pi u / 6) = p / sqrt(2 + 2 p^2) the printed inverse's cos(pi u / 3) is 1 / (1 + p^2).
  */
