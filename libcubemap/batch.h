@@ -16,13 +16,6 @@
 #define BATCH_FN static inline
 #endif
 
-BATCH_FN CM_BOOL BATCH_NAME(batch_is_direction)(CM_REAL x, CM_REAL y, CM_REAL z)
-{
-    /* zero, or NaN, which is not less than anything */
-    CM_REAL zero = CM_LIT(0.0);
-    return cm_less(cm_mad(x, zero, cm_mad(y, zero, z * zero)), CM_NAME(cm_magnitude)(x, y, z));
-}
-
 BATCH_FN CM_BOOL BATCH_NAME(batch_is_near_face)(CM_REAL a, CM_REAL b)
 {
     CM_REAL limit = CM_LIT(1.0) + CM_LIT(1.0e-9);
@@ -168,7 +161,7 @@ BATCH_FN void BATCH_NAME(batch_forward)(BATCH_NAME(batch_project) project,
         CM_REAL dx = lanes_read(x + i);
         CM_REAL dy = lanes_read(y + i);
         CM_REAL dz = lanes_read(z + i);
-        CM_BOOL good = BATCH_NAME(batch_is_direction)(dx, dy, dz);
+        CM_BOOL good = CM_NAME(lanes_is_direction)(dx, dy, dz);
         CM_NAME(cm_face_point) p = BATCH_NAME(batch_turn)(&mapping->turn, project(dx, dy, dz, k));
         if (warp != NULL)
         {
@@ -228,7 +221,7 @@ BATCH_FN void BATCH_NAME(batch_forward_jacobian)(BATCH_NAME(batch_project) proje
         CM_REAL dx = lanes_read(x + i);
         CM_REAL dy = lanes_read(y + i);
         CM_REAL dz = lanes_read(z + i);
-        CM_BOOL good = BATCH_NAME(batch_is_direction)(dx, dy, dz);
+        CM_BOOL good = CM_NAME(lanes_is_direction)(dx, dy, dz);
         CM_NAME(cm_face_point) geo = project(dx, dy, dz, k);
         CM_NAME(cm_gradients) g = gradients(dx, dy, dz, k);
         g = BATCH_NAME(batch_turn_gradients)(&mapping->turn, geo.face, g);

@@ -39,6 +39,14 @@ CM_FN CM_NAME(cm_constants) CM_NAME(lanes_constants)(const cm_mapping *mapping)
     return r;
 }
 
+/* Has it a direction: is it not zero, and are its components finite? */
+CM_FN CM_BOOL CM_NAME(lanes_is_direction)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    /* infinities times zero are NaN, which is not less than anything */
+    CM_REAL zero = CM_LIT(0.0);
+    return cm_less(cm_mad(x, zero, cm_mad(y, zero, z * zero)), CM_NAME(cm_magnitude)(x, y, z));
+}
+
 static void BATCH_NAME(rest)(LANES_IO *to, const LANES_IO *from, size_t n)
 {
     lanes_store(to, n == 1 ? lanes_all(*from) : lanes_some(from, n));

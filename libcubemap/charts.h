@@ -97,7 +97,7 @@ CHART_FN BATCH_NAME(chart_direction)
 {
     CM_REAL zero = CM_LIT(0.0);
     BATCH_NAME(chart_direction) d;
-    d.good = cm_less(cm_mad(x, zero, cm_mad(y, zero, z * zero)), CM_NAME(cm_magnitude)(x, y, z));
+    d.good = CM_NAME(lanes_is_direction)(x, y, z);
     CM_REAL scale = CM_NAME(cm_azimuthal_scale)(CM_NAME(cm_magnitude)(x, y, z));
     d.x = x * scale;
     d.y = y * scale;

@@ -42,15 +42,12 @@ CM_FN void pixels_from_directions(const cm_healpix *healpix, size_t n, const dou
                                   const double *y, const double *z, int64_t *pixel)
 {
     pixels_grid g = pixels_grid_of(healpix->nside, healpix->shift, 1);
-    CM_REAL zero = lanes_all(0.0);
     for (size_t i = 0; i < n; i += LANES)
     {
         CM_REAL dx = lanes_load(x + i);
         CM_REAL dy = lanes_load(y + i);
         CM_REAL dz = lanes_load(z + i);
-        /* zero, or NaN, which is not less than anything */
-        CM_BOOL good = cm_less(cm_mad(dx, zero, cm_mad(dy, zero, dz * zero)),
-                               CM_NAME(cm_magnitude)(dx, dy, dz));
+        CM_BOOL good = CM_NAME(lanes_is_direction)(dx, dy, dz);
         pixels_lattice at = pixels_lattice_of_direction(g, dx, dy, dz);
         pixels_store(pixel + i, good, pixels_number_of_lattice(healpix, g, at));
     }

@@ -239,9 +239,8 @@ typedef struct cm_batch_set
     const struct cm_healpix_loops *healpix; /* healpix.h */
     const cm_cell_loops *cells;
     /* over points of what the table says, and unless that is NULL the torque (orient_bound.c) */
-    double (*orient_sum)(const struct cm_orient_points *points,
-                         const struct cm_orient_table *table, const float turn[9],
-                         double torque[3]);
+    double (*orient_sum)(const struct cm_orient_points *points, const struct cm_orient_table *table,
+                         const float turn[9], double torque[3]);
 } cm_batch_set;
 
 #define CM_LANES_MAX 16

@@ -158,58 +158,55 @@ static value conformal(const cm_latitude_shape *shape, place p)
  * until a series of order 7 has full double precision. No argument is below 0, and one at most is 0. */
 #define CARLSON_STEPS 40 /* some six are taken */
 
+typedef struct carlson
+{
+    double x, y, z;
+    double mean; /* with weights */
+    double part; /* of the first distances from the mean, those that are left */
+    double over; /* the sum of R_D's terms outside the series */
+} carlson;
+
+/* mean is that of x, y and z with weights. */
+static carlson carlson_duplicate(double x, double y, double z, double mean)
+{
+    carlson at = {x, y, z, mean, 1.0, 0.0};
+    const double wide = fmax(fabs(mean - x), fmax(fabs(mean - y), fabs(mean - z))) * 150.0;
+    for (int i = 0; i < CARLSON_STEPS && wide * at.part > at.mean; i++)
+    {
+        const double a = sqrt(at.x);
+        const double b = sqrt(at.y);
+        const double c = sqrt(at.z);
+        const double lambda = a * b + a * c + b * c;
+        at.over += at.part / (c * (at.z + lambda));
+        at.mean = 0.25 * (at.mean + lambda);
+        at.x = 0.25 * (at.x + lambda);
+        at.y = 0.25 * (at.y + lambda);
+        at.z = 0.25 * (at.z + lambda);
+        at.part *= 0.25;
+    }
+    return at;
+}
+
 static double carlson_f(double x, double y, double z)
 {
-    double mean = (x + y + z) / 3.0;
-    double wide = fmax(fabs(mean - x), fmax(fabs(mean - y), fabs(mean - z))) * 150.0;
-    double dx = mean - x;
-    double dy = mean - y;
-    double part = 1.0;
-    for (int i = 0; i < CARLSON_STEPS && wide * part > mean; i++)
-    {
-        double a = sqrt(x);
-        double b = sqrt(y);
-        double c = sqrt(z);
-        double lambda = a * b + a * c + b * c;
-        mean = 0.25 * (mean + lambda);
-        x = 0.25 * (x + lambda);
-        y = 0.25 * (y + lambda);
-        z = 0.25 * (z + lambda);
-        part *= 0.25;
-    }
-    double u = dx * part / mean;
-    double v = dy * part / mean;
+    const double mean = (x + y + z) / 3.0;
+    const carlson at = carlson_duplicate(x, y, z, mean);
+    const double u = (mean - x) * at.part / at.mean;
+    const double v = (mean - y) * at.part / at.mean;
     double w = -(u + v);
     double e2 = u * v - w * w;
     double e3 = u * v * w;
     double series = 1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0 -
                     5.0 * e2 * e2 * e2 / 208.0 + 3.0 * e3 * e3 / 104.0 + e2 * e2 * e3 / 16.0;
-    return series / sqrt(mean);
+    return series / sqrt(at.mean);
 }
 
 static double carlson_d(double x, double y, double z)
 {
-    double mean = (x + y + 3.0 * z) / 5.0;
-    double wide = fmax(fabs(mean - x), fmax(fabs(mean - y), fabs(mean - z))) * 150.0;
-    double dx = mean - x;
-    double dy = mean - y;
-    double part = 1.0;
-    double sum = 0.0;
-    for (int i = 0; i < CARLSON_STEPS && wide * part > mean; i++)
-    {
-        double a = sqrt(x);
-        double b = sqrt(y);
-        double c = sqrt(z);
-        double lambda = a * b + a * c + b * c;
-        sum += part / (c * (z + lambda));
-        mean = 0.25 * (mean + lambda);
-        x = 0.25 * (x + lambda);
-        y = 0.25 * (y + lambda);
-        z = 0.25 * (z + lambda);
-        part *= 0.25;
-    }
-    double u = dx * part / mean;
-    double v = dy * part / mean;
+    const double mean = (x + y + 3.0 * z) / 5.0;
+    const carlson at = carlson_duplicate(x, y, z, mean);
+    const double u = (mean - x) * at.part / at.mean;
+    const double v = (mean - y) * at.part / at.mean;
     double w = -(u + v) / 3.0;
     double e2 = u * v - 6.0 * w * w;
     double e3 = (3.0 * u * v - 8.0 * w * w) * w;
@@ -219,7 +216,7 @@ static double carlson_d(double x, double y, double z)
                     9.0 * e2 * e3 / 52.0 + 3.0 * e5 / 26.0 - e2 * e2 * e2 / 16.0 +
                     3.0 * e3 * e3 / 40.0 + 3.0 * e2 * e4 / 20.0 + 45.0 * e2 * e2 * e3 / 272.0 -
                     9.0 * (e3 * e4 + e2 * e5) / 68.0;
-    return 3.0 * sum + part * series / (mean * sqrt(mean));
+    return 3.0 * at.over + at.part * series / (at.mean * sqrt(at.mean));
 }
 
 /* The integral of sqrt(cos^2 t + r^2 sin^2 t) from 0 to the angle of this sine and cosine; m = r^2 - 1. */

@@ -51,15 +51,12 @@ LATITUDE_FN void latitude_directions(int terms, const cm_latitude_constants_f64 
                                      double *to_x, double *to_y, double *to_z)
 {
     CM_NAME(cm_latitude_constants) k = latitude_constants(constants);
-    CM_REAL zero = CM_LIT(0.0);
     for (size_t i = 0; i < n; i += LANES)
     {
         CM_REAL dx = lanes_load(x + i);
         CM_REAL dy = lanes_load(y + i);
         CM_REAL dz = lanes_load(z + i);
-        /* NaN is not less than anything, and infinities times zero are NaN */
-        CM_BOOL good = cm_less(cm_mad(dx, zero, cm_mad(dy, zero, dz * zero)),
-                               CM_NAME(cm_magnitude)(dx, dy, dz));
+        CM_BOOL good = CM_NAME(lanes_is_direction)(dx, dy, dz);
         CM_NAME(cm_xyz) r = terms > 0 ? CM_NAME(cm_latitude_series_direction)(dx, dy, dz, terms, k)
                                       : CM_NAME(cm_latitude_tangent_direction)(dx, dy, dz, k);
         lanes_store(to_x + i, lanes_or_nan(good, r.x));

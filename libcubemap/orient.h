@@ -136,6 +136,9 @@ static inline double cm_table_tangent(double u)
 /* The unit direction of (u, v) on a face of the table. */
 void cm_table_direction(unsigned face, double u, double v, double direction[3]);
 
+/* That of the middle of a piece, by its number. */
+void cm_table_middle(unsigned side, unsigned piece, double direction[3]);
+
 /* The number of the piece that a direction is in. */
 int cm_table_locate(const double direction[3], unsigned side);
 

@@ -81,6 +81,14 @@ void cm_table_direction(unsigned face, double u, double v, double direction[3])
     direction[(axis + 2) % 3] = q / length;
 }
 
+void cm_table_middle(unsigned side, unsigned piece, double direction[3])
+{
+    const double row = piece / side % side;
+    const double column = piece % side;
+    cm_table_direction(piece / side / side, (2.0 * row + 1.0) / side - 1.0,
+                       (2.0 * column + 1.0) / side - 1.0, direction);
+}
+
 int cm_table_locate(const double d[3], unsigned side)
 {
     int axis = 0;

@@ -224,19 +224,15 @@ static int find_model(const cm_symmetries *symmetries, unsigned face, cm_rotatio
 static void copy_face(cm_orient_table *table, unsigned face, const cm_rotation *turn)
 {
     const unsigned side = table->side;
-    for (unsigned i = 0; i < side * side; i++)
+    for (unsigned i = face * side * side; i < (face + 1) * side * side; i++)
     {
         double d[3];
-        const double row = i / side;
-        const double column = i % side;
-        cm_table_direction(face, (2.0 * row + 1.0) / side - 1.0, (2.0 * column + 1.0) / side - 1.0,
-                           d);
+        cm_table_middle(side, i, d);
         cm_rotate_back(turn, d, d);
         const cm_orient_piece model = table->piece[cm_table_locate(d, side)];
         double g[3] = {(double)model.x, (double)model.y, (double)model.z};
         cm_rotate(turn, g, g);
-        table->piece[face * side * side + i] =
-            (cm_orient_piece){model.base, (float)g[0], (float)g[1], (float)g[2]};
+        table->piece[i] = (cm_orient_piece){model.base, (float)g[0], (float)g[1], (float)g[2]};
     }
 }
 

@@ -456,10 +456,7 @@ static void find_places(const cm_orient_table *table, place *places)
     for (unsigned i = 0; i < 6 * side * side; i++)
     {
         double d[3];
-        const double row = i / side % side;
-        const double column = i % side;
-        cm_table_direction(i / side / side, (2.0 * row + 1.0) / side - 1.0,
-                           (2.0 * column + 1.0) / side - 1.0, d);
+        cm_table_middle(side, i, d);
         places[i] = (place){(float)(atan2(d[1], d[0]) + PI),
                             (float)atan2(d[2], sqrt(d[0] * d[0] + d[1] * d[1])), (float)INFINITY};
     }
@@ -507,10 +504,7 @@ void cm_plain_table(const cm_orient_task *task, cm_orient_table *table)
     for (unsigned i = 0; i < 6 * side * side; i++)
     {
         double d[3];
-        const double row = i / side % side;
-        const double column = i % side;
-        cm_table_direction(i / side / side, (2.0 * row + 1.0) / side - 1.0,
-                           (2.0 * column + 1.0) / side - 1.0, d);
+        cm_table_middle(side, i, d);
         table->piece[i].base = (float)(cm_mask_at(task->mask, d) / task->largest);
         table->piece[i].x = table->piece[i].y = table->piece[i].z = 0.0f;
     }

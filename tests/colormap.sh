@@ -6,36 +6,16 @@
 # usage: colormap.sh PROGRAMS [SOURCE]
 #   PROGRAMS  folder with the built programs
 #   SOURCE    top of the source tree
-set -u
-LC_ALL=C
-export LC_ALL
-
-programs=$(cd "${1:?usage: colormap.sh PROGRAMS [SOURCE]}" && pwd)
-root=$(cd "${2:-$(dirname "$0")/..}" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-cases=0
-failures=0
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "${2:-$here/..}" && pwd)
+# shellcheck source-path=SCRIPTDIR source=cases.sh
+. "$here/cases.sh" "${1:?usage: colormap.sh PROGRAMS [SOURCE]}"
 models='sequential-single sequential-rainbow sequential-custom sequential-saturation
     diverging-lightness diverging-saturation qualitative'
 
 colormap()
 {
     "$programs/cubemap-colormap" "$@"
-}
-
-# result STATUS NAME [WHAT WAS SEEN]
-result()
-{
-    cases=$((cases + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $cases - $2"
-    else
-        failures=$((failures + 1))
-        echo "not ok $cases - $2"
-        [ $# -lt 3 ] || printf '%s\n' "$3" | sed 's/^/# /'
-    fi
 }
 
 # fails NAME STATUS MESSAGE ARGUMENT...: exits with STATUS and one line on standard error that has MESSAGE,
@@ -394,5 +374,4 @@ if [ -e "$library" ]; then
     result $? 'the library exports what its header declares' "$(diff declared exported)"
 fi
 
-echo "$cases cases, $failures failures"
-[ "$failures" -eq 0 ]
+finish

@@ -200,7 +200,7 @@ START_TEST(caps)
     for (size_t m = 0; m < cube_count(); m++)
     {
         subject made = make_turn(m);
-        for (int n = 0; n < 60; n++)
+        for (int n = 0; n < 60; n += (int)step_of(7))
         {
             double middle[3];
             double radius = n % 10 == 0 ? 0.0 : pow(10.0, -4.5 + 4.9 * next_real(&state));
@@ -425,7 +425,7 @@ START_TEST(polygons)
     for (size_t m = 0; m < cube_count(); m++)
     {
         subject made = make_turn(m);
-        for (int n = 0; n < 24; n++)
+        for (int n = 0; n < 24; n += (int)step_of(5))
         {
             double middle[3];
             double radius = pow(10.0, -3.0 + 3.1 * next_real(&state));

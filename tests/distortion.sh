@@ -4,33 +4,17 @@
 # distortion.sh PROGRAMS ROOT DIRECTION_IMAGE PICTURE_PIXELS [SUBJECT...]: tests cubemap-distortion, and
 # the lines of cubemap-reproject, in the folder PROGRAMS from the outside. ROOT is the top of the source
 # tree, then come the programs made of direction_image.cpp and picture_pixels.cpp; the subjects are
-# those at the end of this file (without them, all). A line a case, "ok NAME" or "not ok NAME"; exit
+# those at the end of this file (without them, all). A line a case, "ok N - NAME" or "not ok N - NAME"; exit
 # status 1 if any is not.
 
 set -u
+here=$(cd "$(dirname "$0")" && pwd)
 programs=$(cd "$1" && pwd)
 root=$(cd "$2" && pwd)
 helper=$(cd "$(dirname "$3")" && pwd)/$(basename "$3")
 pixels=$(cd "$(dirname "$4")" && pwd)/$(basename "$4")
-work=$(mktemp -d)
-trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-
-failures=0
-count=0
-
-# result STATUS NAME [DETAIL]
-result()
-{
-    count=$((count + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $2"
-    else
-        failures=$((failures + 1))
-        echo "not ok $2"
-        [ -z "${3-}" ] || printf '%s\n' "$3" | sed 's/^/    /'
-    fi
-}
+# shellcheck source-path=SCRIPTDIR source=cases.sh
+. "$here/cases.sh" "$programs"
 
 distortion()
 {
@@ -451,5 +435,4 @@ fi
 for subject in $subjects; do
     in_fresh_folder "$subject"
 done
-echo "$((count - failures)) passed, $failures failed"
-[ "$count" -gt 0 ] && [ "$failures" -eq 0 ]
+finish

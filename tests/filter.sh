@@ -1,44 +1,21 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: MIT
 #
-# What the tests of filters, cubemap-project and cubemap-latitude, have in common: a folder to work in, cases, and a
-# filter's input, output and messages.
+# What the tests of filters, cubemap-project and cubemap-latitude, have in common: what those of all programs have,
+# and a filter's input, output and messages.
 #
 # usage: . filter.sh NAME PROGRAMS
 #   NAME      of the program
 #   PROGRAMS  folder with the built programs
-set -u
-LC_ALL=C
-export LC_ALL
-
+# shellcheck source-path=SCRIPTDIR source=cases.sh
+. "$(dirname "${BASH_SOURCE[0]}")/cases.sh" "$2"
 filter=$1
-programs=$(cd "$2" && pwd) || exit 1
 program=$programs/$filter
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-cases=0
-failures=0
-
-ok()
-{
-    cases=$((cases + 1))
-    echo "ok $cases - $1"
-}
-
-# not_ok NAME [WHAT WAS SEEN]
-not_ok()
-{
-    cases=$((cases + 1))
-    failures=$((failures + 1))
-    echo "not ok $cases - $1"
-    [ $# -lt 2 ] || printf '%s\n' "$2" | sed 's/^/# /'
-}
 
 # verdict NAME: the status of the command before decides.
 verdict()
 {
-    if [ "$?" -eq 0 ]; then ok "$1"; else not_ok "$1"; fi
+    result "$?" "$1"
 }
 
 # expect NAME STATUS INPUT OUTPUT MESSAGE [ARGUMENT...]: INPUT and OUTPUT are as printf %b has them;
@@ -60,9 +37,9 @@ expect()
         { [ "$(wc -l <errors)" -eq 1 ] && grep -Eq -- "^$message\$" errors; } || good=no
     fi
     if [ "$good" = yes ]; then
-        ok "$name"
+        result 0 "$name"
     else
-        not_ok "$name" "$(printf 'status %s, wanted %s\n' "$got" "$status"
+        result 1 "$name" "$(printf 'status %s, wanted %s\n' "$got" "$status"
             diff wanted output
             printf 'messages (wanted: %s):\n' "$message"
             cat errors)"
@@ -75,11 +52,4 @@ usage_error()
     local name=$1 message=$2
     shift 2
     expect "$name" 2 '0 0\n' '' "$filter: $message" "$@"
-}
-
-# The end of a test.
-finish()
-{
-    echo "$cases cases, $failures failed"
-    [ "$failures" -eq 0 ]
 }

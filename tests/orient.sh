@@ -2,29 +2,15 @@
 # SPDX-License-Identifier: MIT
 #
 # orient.sh PROGRAMS ROOT: tests cubemap-orient in the folder PROGRAMS from the outside. ROOT is the top of the
-# source tree. A line a case, "ok NAME" or "not ok NAME"; exit status 1 if any is not.
+# source tree. A line a case, "ok N - NAME" or "not ok N - NAME"; exit status 1 if any is not.
 
 set -u
+here=$(cd "$(dirname "$0")" && pwd)
 programs=$(cd "$1" && pwd)
 root=$(cd "$2" && pwd)
-work=$(mktemp -d)
-trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-
-failures=0
+# shellcheck source-path=SCRIPTDIR source=cases.sh
+. "$here/cases.sh" "$programs"
 land=$root/data/land-1440.png
-
-# result STATUS NAME [DETAIL]
-result()
-{
-    if [ "$1" -eq 0 ]; then
-        echo "ok $2"
-    else
-        failures=$((failures + 1))
-        echo "not ok $2"
-        [ -z "${3-}" ] || printf '%s\n' "$3" | sed 's/^/    /'
-    fi
-}
 
 orient()
 {
@@ -146,4 +132,4 @@ result $? 'picture of an image'
 "$root/scripts/orientations" "$programs/cubemap-orient" "$land" land-coupled land-tangent land-slice land-edges --check >out.txt 2>&1
 result $? 'named orientations' "$(cat out.txt)"
 
-exit $((failures > 0))
+finish

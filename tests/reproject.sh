@@ -4,33 +4,17 @@
 # reproject.sh PROGRAMS ROOT [HELPER [SUBJECT...]]: tests cubemap-reproject and cubemap-compare in the
 # folder PROGRAMS from the outside. ROOT is the top of the source tree; HELPER is the program made of
 # direction_image.cpp (without it, PROGRAMS/direction_image); the subjects are those at the end of
-# this file (without them, all). A line a case, "ok NAME" or "not ok NAME"; exit status 1 if any is
+# this file (without them, all). A line a case, "ok N - NAME" or "not ok N - NAME"; exit status 1 if any is
 # not.
 
 set -u
+here=$(cd "$(dirname "$0")" && pwd)
 programs=$(cd "$1" && pwd)
 root=$(cd "$2" && pwd)
 helper=${3:-$programs/direction_image}
 helper=$(cd "$(dirname "$helper")" && pwd)/$(basename "$helper")
-work=$(mktemp -d)
-trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-
-failures=0
-count=0
-
-# result STATUS NAME [DETAIL]
-result()
-{
-    count=$((count + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $2"
-    else
-        failures=$((failures + 1))
-        echo "not ok $2"
-        [ -z "${3-}" ] || printf '%s\n' "$3" | sed 's/^/    /'
-    fi
-}
+# shellcheck source-path=SCRIPTDIR source=cases.sh
+. "$here/cases.sh" "$programs"
 
 reproject()
 {
@@ -730,5 +714,4 @@ fi
 for subject in $subjects; do
     in_fresh_folder "$subject"
 done
-echo "$((count - failures)) passed, $failures failed"
-[ "$count" -gt 0 ] && [ "$failures" -eq 0 ]
+finish

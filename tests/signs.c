@@ -382,11 +382,12 @@ static cm_frame exchanged_frame(void)
 static void for_every_variant(void (*check)(const cm_mapping *))
 {
     const cm_frame exchanged = exchanged_frame();
+    const size_t frames = cm_frame_count() + 1;
     for (size_t i = 0; i < cube_count() + COUNT(variants); i++)
     {
         const char *specification =
             i < COUNT(variants) ? variants[i] : cm_catalogue_at(i - COUNT(variants))->identifier;
-        for (size_t f = 0; f <= cm_frame_count(); f++)
+        for (size_t f = is_quick() ? i % frames : 0; f < frames; f += step_of(frames))
         {
             cm_mapping *mapping =
                 make_mapping(specification, f < cm_frame_count() ? cm_frame_at(f) : &exchanged);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "command.h"
 #include "failure.h"
 #include "number.h"
 
@@ -79,23 +80,6 @@ static const cm_frame *find_frame(const char *identifier)
     return frame;
 }
 
-static cm_latitude find_latitude(const char *name)
-{
-    cm_latitude latitude;
-    if (cm_latitude_find(name, &latitude) != CM_OK)
-    {
-        char known[256] = "";
-        for (int i = 0; i < CM_LATITUDE_COUNT; i++)
-        {
-            const size_t length = strlen(known);
-            snprintf(known + length, sizeof known - length, "%s%s", i == 0 ? "" : ", ",
-                     cm_latitude_name((cm_latitude)i));
-        }
-        die(EXIT_USAGE, "--latitude is '%s', not one of %s", name, known);
-    }
-    return latitude;
-}
-
 /* What is before the first colon, a whole number in a range; what is behind it, or NULL. */
 static const char *parse_count(const char *option, const char *text, double least, double most,
                                int64_t *count)
@@ -138,7 +122,7 @@ static cm_grid *create_grid(const struct chain_words *words, const cm_frame *fra
     }
     if (words->latitude != NULL)
     {
-        latitude = find_latitude(words->latitude);
+        latitude = parse_latitude("--latitude", words->latitude);
     }
     if (words->rotation != NULL &&
         cm_rotation_parse(words->rotation, &rotation, message, sizeof message) != CM_OK)

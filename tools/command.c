@@ -71,3 +71,29 @@ int parse_digits(const char *text)
     }
     return (int)value;
 }
+
+const char *parse_file(int count, char **operand)
+{
+    if (count > 1)
+    {
+        die(EXIT_USAGE, "one FILE at most, but '%s' follows '%s'", operand[1], operand[0]);
+    }
+    return count == 1 && strcmp(operand[0], "-") != 0 ? operand[0] : NULL;
+}
+
+cm_latitude parse_latitude(const char *option, const char *name)
+{
+    cm_latitude latitude = CM_LATITUDE_GEOGRAPHIC;
+    if (cm_latitude_find(name, &latitude) != CM_OK)
+    {
+        char known[256] = "";
+        for (int i = 0; i < CM_LATITUDE_COUNT; i++)
+        {
+            const size_t length = strlen(known);
+            snprintf(known + length, sizeof known - length, "%s%s", i == 0 ? "" : ", ",
+                     cm_latitude_name((cm_latitude)i));
+        }
+        die(EXIT_USAGE, "%s is '%s', not one of %s", option, name, known);
+    }
+    return latitude;
+}

@@ -123,14 +123,7 @@ static void take_operands(struct settings *settings, int count, char **operand)
     {
         die(EXIT_USAGE, "--list reads no file, but '%s' is given", operand[0]);
     }
-    if (count > 1)
-    {
-        die(EXIT_USAGE, "one FILE at most, but '%s' follows '%s'", operand[1], operand[0]);
-    }
-    if (count == 1 && strcmp(operand[0], "-") != 0)
-    {
-        settings->file = operand[0];
-    }
+    settings->file = parse_file(count, operand);
 }
 
 static struct settings parse_arguments(int argc, char **argv)
@@ -195,23 +188,6 @@ _Noreturn static void print_list(void)
 
 /* ------------------------------------------------------------------------------- main */
 
-static cm_latitude find_latitude(const char *option, const char *name)
-{
-    cm_latitude latitude = CM_LATITUDE_GEOGRAPHIC;
-    if (cm_latitude_find(name, &latitude) != CM_OK)
-    {
-        char known[256] = "";
-        for (int i = 0; i < CM_LATITUDE_COUNT; i++)
-        {
-            const size_t length = strlen(known);
-            snprintf(known + length, sizeof known - length, "%s%s", i == 0 ? "" : ", ",
-                     cm_latitude_name((cm_latitude)i));
-        }
-        die(EXIT_USAGE, "%s is '%s', not one of %s", option, name, known);
-    }
-    return latitude;
-}
-
 /* In radians; 0 for none. */
 static double find_tolerance(const struct settings *settings)
 {
@@ -235,8 +211,8 @@ static cm_latitude_conversion *create_conversion(const struct settings *settings
     char message[256];
     const cm_latitude_options options = {
         .size = sizeof options, .tolerance = find_tolerance(settings), .exact = settings->exact};
-    const cm_latitude from = find_latitude("--from", settings->from);
-    const cm_latitude to = find_latitude("--to", settings->to);
+    const cm_latitude from = parse_latitude("--from", settings->from);
+    const cm_latitude to = parse_latitude("--to", settings->to);
     cm_latitude_conversion *conversion = NULL;
     if (cm_instructions_check(NULL, message, sizeof message) != CM_OK)
     {

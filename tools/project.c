@@ -189,14 +189,7 @@ static void take_operands(struct settings *settings, int count, char **operand)
         die(EXIT_USAGE, "--list reads no file, but '%s' is given (--list=json has no blank)",
             operand[0]);
     }
-    if (count > 1)
-    {
-        die(EXIT_USAGE, "one FILE at most, but '%s' follows '%s'", operand[1], operand[0]);
-    }
-    if (count == 1 && strcmp(operand[0], "-") != 0)
-    {
-        settings->file = operand[0];
-    }
+    settings->file = parse_file(count, operand);
 }
 
 static struct settings parse_arguments(int argc, char **argv)
