@@ -138,10 +138,13 @@ CM_FN pixels_row pixels_row_of_lattice(pixels_grid g, pixels_lattice at)
 
 CM_FN pixels_lattice pixels_lattice_of_row(pixels_grid g, pixels_row row)
 {
-    /* a quotient that is not whole is not within rounding of it, either */
+    CM_REAL zero = CM_LIT(0.0);
     CM_REAL one = CM_LIT(1.0);
+    CM_REAL twice = row.quarter + row.quarter;
     pixels_lattice at;
-    at.quarter = pixels_floor(row.index / row.quarter);
+    at.quarter = CM_SELECT(cm_less(row.index, row.quarter), zero, one) +
+                 CM_SELECT(cm_less(row.index, twice), zero, one) +
+                 CM_SELECT(cm_less(row.index, twice + row.quarter), zero, one);
     CM_REAL cap = cm_mad(-at.quarter, row.quarter, row.index);
     CM_REAL after = row.ring - g.n;
     CM_REAL belt = cap + pixels_floor(CM_LIT(0.5) * after);

@@ -398,6 +398,7 @@ expect 'a token that is far too long' 1 '000000000000000000000000000000000000000
     '<stdin>:1: .* is no cell: .*' --cell 3 -I
 expect 'the pixels of HEALPix' 0 '0 0\n45 80\n-90 -45\n' '4\n0\n11\n' '' --healpix 1
 expect 'pixels of 1 mm, nested' 0 '0 0\n' '1273017494670060202\n' '' --healpix 536870912:nest
+expect 'NEST and NESTED are the same word' 0 '0 0\n' '282\n' '' --healpix 8:NESTED
 expect 'pixels have centres' 0 '3458764513820540927 last\n' '-45 -89.9999999 last\n' '' --healpix 536870912 -I --digits 9
 expect 'a pixel that there is not' 1 '12\n' 'nan nan\n' "<stdin>:1: '12' is not a pixel, from 0 to 11" --healpix 1 -I
 expect 'a pixel that is no number' 1 '1x\n' 'nan nan\n' "<stdin>:1: '1x' is not a pixel, from 0 to 11" --healpix 1 -I

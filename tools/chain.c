@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+
 #include "chain.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "command.h"
 #include "failure.h"
@@ -180,8 +183,8 @@ static void create_pixels(struct chain *chain, const char *text)
     const char *const name = parse_count("--healpix", text, 1, CM_HEALPIX_NSIDE_MAX, &nside);
     if (name != NULL)
     {
-        const bool nested = strcmp(name, "nest") == 0 || strcmp(name, "nested") == 0;
-        if (!nested && strcmp(name, "ring") != 0)
+        const bool nested = strcasecmp(name, "nest") == 0 || strcasecmp(name, "nested") == 0;
+        if (!nested && strcasecmp(name, "ring") != 0)
         {
             die(EXIT_USAGE, "--healpix is '%s': the order is ring or nest", text);
         }

@@ -117,13 +117,28 @@ size_t count_apart(const Points &p, const std::vector<cm_cell> &cells)
     return apart;
 }
 
+// 0 if the text is no number of points or repetitions.
+size_t number(const char *text)
+{
+    char *end;
+    const long value = std::strtol(text, &end, 10);
+    return end != text && *end == '\0' && value > 0 && value <= 100000000
+               ? static_cast<size_t>(value)
+               : 0;
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
     const bool counts = argc == 3 && std::strcmp(argv[1], "count") == 0;
-    const size_t count = counts ? 65536 : argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 65536;
-    const int repetitions = counts ? 1 : argc > 2 ? std::atoi(argv[2]) : 200;
+    const size_t count = counts || argc < 2 ? 65536 : number(argv[1]);
+    const size_t repetitions = counts || argc < 3 ? 200 : number(argv[2]);
+    if (argc > 3 || count == 0 || repetitions == 0)
+    {
+        std::fprintf(stderr, "usage: cells [POINTS [REPETITIONS]]\n       cells count OPERATION\n");
+        return 2;
+    }
     cm_ellipsoid sphere = *cm_ellipsoid_find("WGS84");
     sphere.f = 0.0;
     const Grid s2 = make_grid("s2", "s2", &sphere, CM_CURVE_HILBERT);
@@ -234,14 +249,14 @@ int main(int argc, char **argv)
         std::fprintf(stderr, "cells: no operation is called %s\n", argv[2]);
         return 2;
     }
-    for (int k = 0; k < repetitions; k++)
+    for (size_t k = 0; k < repetitions; k++)
     {
         for (Operation &o : operations)
         {
             set_best(&o);
         }
     }
-    std::printf("%zu random points, %d repetitions, %s\n\n| | ns a point | other than S2's "
+    std::printf("%zu random points, %zu repetitions, %s\n\n| | ns a point | other than S2's "
                 "|\n|---|---|---|\n",
                 count, repetitions, cm_mapping_instructions(cm_grid_mapping(s2.grid)));
     for (Operation &o : operations)
