@@ -38,18 +38,49 @@ CM_FN pixels_centre pixels_centre_of_number(const cm_healpix *healpix, pixels_gr
     return pixels_centre_of_row(g, pixels_row_of_ring(g, pixel));
 }
 
+/* A point's way is long, and each step of it waits for the one before; so that a processor finds enough to do, so
+ * many vectors take a part of the way before any takes the next. */
+enum
+{
+    BATCH_NAME(pixels_stage) = 64 / LANES
+};
+
+/* How many of the vectors from i on are in a stage. */
+CM_FN size_t pixels_of_stage(size_t n, size_t i)
+{
+    const size_t left = (n - i) / LANES;
+    return left < BATCH_NAME(pixels_stage) ? left : BATCH_NAME(pixels_stage);
+}
+
 CM_FN void pixels_from_directions(const cm_healpix *healpix, size_t n, const double *x,
                                   const double *y, const double *z, int64_t *pixel)
 {
     pixels_grid g = pixels_grid_of(healpix->nside, healpix->shift, 1);
-    for (size_t i = 0; i < n; i += LANES)
+    for (size_t i = 0; i < n; i += 64)
     {
-        CM_REAL dx = lanes_load(x + i);
-        CM_REAL dy = lanes_load(y + i);
-        CM_REAL dz = lanes_load(z + i);
-        CM_BOOL good = CM_NAME(lanes_is_direction)(dx, dy, dz);
-        pixels_lattice at = pixels_lattice_of_direction(g, dx, dy, dz);
-        pixels_store(pixel + i, good, pixels_number_of_lattice(healpix, g, at));
+        const size_t count = pixels_of_stage(n, i);
+        CM_BOOL good[BATCH_NAME(pixels_stage)];
+        CM_NAME(cm_healpix_place) places[BATCH_NAME(pixels_stage)];
+        CM_NAME(cm_healpix_reach) reach[BATCH_NAME(pixels_stage)];
+        for (size_t k = 0; k < count; k++)
+        {
+            CM_REAL dx = lanes_load(x + i + k * LANES);
+            CM_REAL dy = lanes_load(y + i + k * LANES);
+            CM_REAL dz = lanes_load(z + i + k * LANES);
+            good[k] = CM_NAME(lanes_is_direction)(dx, dy, dz);
+            places[k] = CM_NAME(cm_healpix_locate)(dx, dy, dz);
+        }
+        for (size_t k = 0; k < count; k++)
+        {
+            reach[k] = CM_NAME(cm_healpix_measure)(places[k]);
+        }
+        for (size_t k = 0; k < count; k++)
+        {
+            const size_t to = i + k * LANES;
+            pixels_lattice at =
+                pixels_lattice_of_reach(g, places[k].polar, reach[k], lanes_load(z + to));
+            pixels_store(pixel + to, good[k], pixels_number_of_lattice(healpix, g, at));
+        }
     }
 }
 
@@ -60,14 +91,33 @@ CM_FN void pixels_from_angles(const cm_healpix *healpix, int latitudes, size_t n
     CM_REAL least = lanes_all(latitudes ? -0.5 * PIXELS_PI : 0.0);
     CM_REAL greatest = lanes_all(latitudes ? 0.5 * PIXELS_PI : PIXELS_PI);
     CM_REAL zero = lanes_all(0.0);
-    for (size_t i = 0; i < n; i += LANES)
+    for (size_t i = 0; i < n; i += 64)
     {
-        CM_REAL t = lanes_load(theta + i);
-        CM_REAL p = lanes_load(phi + i);
-        CM_BOOL good = cm_both(cm_equal(p * zero, zero),
-                               cm_both(cm_at_least(t, least), cm_at_least(greatest, t)));
-        pixels_lattice at = pixels_lattice_of_angles(g, latitudes, t, p);
-        pixels_store(pixel + i, good, pixels_number_of_lattice(healpix, g, at));
+        const size_t count = pixels_of_stage(n, i);
+        pixels_lattice at[BATCH_NAME(pixels_stage)];
+        for (size_t k = 0; k < count; k++)
+        {
+            at[k] = pixels_lattice_of_angles(g, latitudes, lanes_load(theta + i + k * LANES),
+                                             lanes_load(phi + i + k * LANES));
+        }
+        for (size_t k = 0; k < count; k++)
+        {
+            CM_REAL t = lanes_load(theta + i + k * LANES);
+            CM_REAL p = lanes_load(phi + i + k * LANES);
+            CM_BOOL good = cm_both(cm_equal(p * zero, zero),
+                                   cm_both(cm_at_least(t, least), cm_at_least(greatest, t)));
+            pixels_store(pixel + i + k * LANES, good, pixels_number_of_lattice(healpix, g, at[k]));
+        }
+    }
+}
+
+/* The centres of the pixels of a stage. */
+CM_FN void pixels_find_centres(const cm_healpix *healpix, pixels_grid g, size_t count,
+                               const int64_t *pixel, pixels_centre *centre)
+{
+    for (size_t k = 0; k < count; k++)
+    {
+        centre[k] = pixels_centre_of_number(healpix, g, pixels_load(pixel + k * LANES));
     }
 }
 
@@ -76,15 +126,20 @@ CM_FN void pixels_to_directions(const cm_healpix *healpix, size_t n, const int64
 {
     pixels_grid g = pixels_grid_of(healpix->nside, healpix->shift, 1);
     CM_REAL nothing = lanes_all((double)NAN);
-    for (size_t i = 0; i < n; i += LANES)
+    for (size_t i = 0; i < n; i += 64)
     {
-        lanes_words number = pixels_load(pixel + i);
-        CM_BOOL none = pixels_is_none(g, number);
-        CM_NAME(cm_xyz)
-        d = pixels_direction_of_centre(g, pixels_centre_of_number(healpix, g, number));
-        lanes_store(x + i, CM_SELECT(none, nothing, d.x));
-        lanes_store(y + i, CM_SELECT(none, nothing, d.y));
-        lanes_store(z + i, CM_SELECT(none, nothing, d.z));
+        const size_t count = pixels_of_stage(n, i);
+        pixels_centre centre[BATCH_NAME(pixels_stage)];
+        pixels_find_centres(healpix, g, count, pixel + i, centre);
+        for (size_t k = 0; k < count; k++)
+        {
+            const size_t to = i + k * LANES;
+            CM_BOOL none = pixels_is_none(g, pixels_load(pixel + to));
+            CM_NAME(cm_xyz) d = pixels_direction_of_centre(g, centre[k]);
+            lanes_store(x + to, CM_SELECT(none, nothing, d.x));
+            lanes_store(y + to, CM_SELECT(none, nothing, d.y));
+            lanes_store(z + to, CM_SELECT(none, nothing, d.z));
+        }
     }
 }
 
@@ -93,13 +148,19 @@ CM_FN void pixels_to_angles(const cm_healpix *healpix, int latitudes, size_t n,
 {
     pixels_grid g = pixels_grid_of(healpix->nside, healpix->shift, 1);
     CM_REAL nothing = lanes_all((double)NAN);
-    for (size_t i = 0; i < n; i += LANES)
+    for (size_t i = 0; i < n; i += 64)
     {
-        lanes_words number = pixels_load(pixel + i);
-        CM_BOOL none = pixels_is_none(g, number);
-        pixels_angles a = pixels_angles_of_centre(g, pixels_centre_of_number(healpix, g, number));
-        lanes_store(theta + i, CM_SELECT(none, nothing, latitudes ? a.latitude : a.theta));
-        lanes_store(phi + i, CM_SELECT(none, nothing, latitudes ? a.lon : a.phi));
+        const size_t count = pixels_of_stage(n, i);
+        pixels_centre centre[BATCH_NAME(pixels_stage)];
+        pixels_find_centres(healpix, g, count, pixel + i, centre);
+        for (size_t k = 0; k < count; k++)
+        {
+            const size_t to = i + k * LANES;
+            CM_BOOL none = pixels_is_none(g, pixels_load(pixel + to));
+            pixels_angles a = pixels_angles_of_centre(g, centre[k]);
+            lanes_store(theta + to, CM_SELECT(none, nothing, latitudes ? a.latitude : a.theta));
+            lanes_store(phi + to, CM_SELECT(none, nothing, latitudes ? a.lon : a.phi));
+        }
     }
 }
 
@@ -164,13 +225,22 @@ static void healpix_to_nested(const cm_healpix *healpix, size_t n, const int64_t
 {
     pixels_grid g = pixels_grid_of(healpix->nside, healpix->shift, 1);
     lanes_words bad = lanes_words_all(UINT64_MAX);
-    for (size_t i = 0; i < n; i += LANES)
+    for (size_t i = 0; i < n; i += 64)
     {
-        lanes_words number = pixels_load(ring + i);
-        pixels_lattice at = pixels_lattice_of_row(g, pixels_row_of_ring(g, number));
-        lanes_words made = pixels_nested_of_square(g, pixels_square_of_lattice(g, at));
-        lanes_words_store((uint64_t *)(nested + i),
-                          lanes_words_select(pixels_is_none(g, number), bad, made));
+        const size_t count = pixels_of_stage(n, i);
+        pixels_row row[BATCH_NAME(pixels_stage)];
+        for (size_t k = 0; k < count; k++)
+        {
+            row[k] = pixels_row_of_ring(g, pixels_load(ring + i + k * LANES));
+        }
+        for (size_t k = 0; k < count; k++)
+        {
+            const size_t to = i + k * LANES;
+            CM_BOOL none = pixels_is_none(g, pixels_load(ring + to));
+            pixels_square square = pixels_square_of_lattice(g, pixels_lattice_of_row(g, row[k]));
+            lanes_words made = pixels_nested_of_square(g, square);
+            lanes_words_store((uint64_t *)(nested + to), lanes_words_select(none, bad, made));
+        }
     }
 }
 

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #define PI 3.14159265358979323846
+#define SAME 1e-13 /* corners that are so near each other are one */
 
 typedef enum shape
 {
@@ -269,6 +270,50 @@ static int make_edge(edge *e)
     return dot(sum, sum) > 1e-4;
 }
 
+static int is_same(const double a[3], const double b[3])
+{
+    return !(cm_angle(a, b) > SAME);
+}
+
+/* Does the way from a to c turn back in b, onto itself? */
+static int is_spike(const double a[3], const double b[3], const double c[3])
+{
+    double to_a[3], to_c[3], across[3];
+    cross(b, a, to_a);
+    cross(b, c, to_c);
+    cross(to_a, to_c, across);
+    double turn = atan2(sqrt(dot(across, across)), dot(to_a, to_c));
+    double least = fmin(cm_angle(b, a), cm_angle(b, c));
+    double most = fmax(cm_angle(b, a), cm_angle(b, c));
+    /* where corners are opposite each other there is no way */
+    return most < PI - 0.01 && turn * least <= SAME;
+}
+
+/* Leaves the tips of spikes out until there is none; what is left of a flat ring is none. Returns the number of
+ * corners. */
+static size_t drop_spikes(edge *edges, size_t count)
+{
+    size_t i = 0;
+    for (size_t good = 0; good < count && count >= 3; good++)
+    {
+        i %= count;
+        const size_t before = (i + count - 1) % count;
+        const size_t after = (i + 1) % count;
+        if (!is_same(edges[before].a, edges[i].a) &&
+            !is_spike(edges[before].a, edges[i].a, edges[after].a))
+        {
+            i++;
+            continue;
+        }
+        count--;
+        memmove(&edges[i], &edges[i + 1], (count - i) * sizeof *edges);
+        /* the two beside it have new neighbours */
+        i = (i + count - 1) % count;
+        good = (size_t)-1;
+    }
+    return count;
+}
+
 /* The edges of one ring, behind those that there are; 0 if it is none. */
 static int add_ring(cm_region *region, size_t length, const double *lonlat)
 {
@@ -283,15 +328,16 @@ static int add_ring(cm_region *region, size_t length, const double *lonlat)
         {
             return 0;
         }
-        if (count == 0 || cm_angle(edges[count - 1].a, at) > 1e-13)
+        if (count == 0 || !is_same(edges[count - 1].a, at))
         {
             memcpy(edges[count++].a, at, sizeof at);
         }
     }
-    while (count > 1 && !(cm_angle(edges[count - 1].a, edges[0].a) > 1e-13))
+    while (count > 1 && is_same(edges[count - 1].a, edges[0].a))
     {
         count--;
     }
+    count = drop_spikes(edges, count);
     if (count < 3)
     {
         return 0;

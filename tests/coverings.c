@@ -526,6 +526,45 @@ START_TEST(rings)
 }
 END_TEST
 
+/* A spike is left out, and so is a spike of a spike. */
+START_TEST(spikes_of_rings)
+{
+    static const double spike[] = {0.0, -0.1, 0.3, -0.1, 0.3, 0.2, 0.0,
+                                   0.2, 0.0,  0.0, -0.2, 0.0, 0.0, 0.0};
+    static const double spikes[] = {0.0, 0.0, 0.5, 0.0, -0.3, 0.0, 0.2, 0.0, 0.2, 0.2, 0.0, 0.2};
+    static const struct
+    {
+        const double *lonlat;
+        size_t corners;
+        double lon; /* on the spike */
+    } made_of[] = {
+        {spike, 7, -0.1}, {spike, 7, -0.2}, {spikes, 6, 0.4}, {spikes, 6, 0.5}, {spikes, 6, -0.2}};
+    subject made = make_turn(3);
+    for (size_t i = 0; i < sizeof made_of / sizeof made_of[0]; i++)
+    {
+        cm_region *region;
+        double at[3];
+        uint64_t state = 97;
+        ck_assert_int_eq(cm_region_polygon(1, &made_of[i].corners, made_of[i].lonlat, &region),
+                         CM_OK);
+        cover(&made, region, (cm_cover_options){.level_max = 30, .cells_most = 200});
+        cm_direction_from_lonlat(0.1, 0.1, at);
+        must_cover(&made, at, "the ring");
+        ck_assert(cm_region_contains(region, at));
+        for (int k = 0; k < 400; k++)
+        {
+            const double far = pow(10.0, -16.0 + 1.5 * (k / 40)) * (1.0 + 0.1 * next_real(&state));
+            cm_direction_from_lonlat(made_of[i].lon + far * cos(k * PI / 20.0),
+                                     far * sin(k * PI / 20.0), at);
+            REQUIRE(!cm_region_contains(region, at), "%zu: %g from %g", i, far, made_of[i].lon);
+            must_not_be_inner(&made, at, "beside a spike");
+        }
+        cm_region_destroy(region);
+    }
+    drop_subject(&made);
+}
+END_TEST
+
 /* ---- Room, and what is refused ---- */
 
 START_TEST(room)
@@ -669,7 +708,10 @@ START_TEST(what_is_no_region)
     const double twice[] = {0.0, 0.0, 0.1, 0.0, 0.1, 0.0};
     const double once[] = {0.3, 0.2, 0.3, 0.2, 0.3, 0.2};
     const double there_and_back[] = {0.3, 0.2, 0.4, 0.2, 0.3, 0.2};
+    const double flat[] = {0.94, 0.0, 0.0, 2e-315, 2.28, 6e-315};
     const double far[] = {0.0, 0.0, PI, 0.0, 0.1, 0.1};
+    const double opposite[] = {0.0, 0.0, PI, 0.0, 0.1, 0.0, 0.2, 0.2};
+    const size_t four = 4;
     const double high[] = {0.0, 0.0, 0.1, 2.0, 0.1, 0.1};
     cm_region *const before = (cm_region *)(uintptr_t)8;
     cm_region *region = before;
@@ -708,7 +750,9 @@ START_TEST(what_is_no_region)
     ck_assert_int_eq(cm_region_polygon(1, &three, twice, &region), CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_region_polygon(1, &three, once, &region), CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_region_polygon(1, &three, there_and_back, &region), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_region_polygon(1, &three, flat, &region), CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_region_polygon(1, &three, far, &region), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_region_polygon(1, &four, opposite, &region), CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_region_polygon(1, &three, high, &region), CM_ERROR_ARGUMENT);
     ck_assert_ptr_eq(region, before);
     cm_region_destroy(NULL);
@@ -758,6 +802,7 @@ int main(void)
                             boxes,
                             polygons,
                             rings,
+                            spikes_of_rings,
                             room,
                             levels_beyond_a_budget,
                             borders_are_wide,

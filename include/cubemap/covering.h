@@ -57,10 +57,11 @@ CM_API cm_status cm_region_box(double west, double south, double east, double no
 
 /* A polygon of rings: ring k has ring_length[k] corners, each lon, lat, the first of which comes after the last
  * by itself (it may be given again). The region is to the left of the edges, seen from outside: outer rings go
- * anticlockwise, holes clockwise, and a ring the other way round is all but what it encloses. Edges may not
- * cross; if they do, what is covered is not defined, but it ends. Corners within 1e-13 of the one before count
- * as the same.
- * CM_OK; CM_ERROR_ARGUMENT (NULL, no ring, a ring with less than three different corners, what is no point, two
+ * anticlockwise, holes clockwise, and a ring the other way round is all but what it encloses. Edges may
+ * not cross or lie on each other; if they do, what is covered is not defined, but it ends. Corners within 1e-13 of
+ * the one before count as the same, and where a ring turns back onto itself, as near, what is there and back is left
+ * out.
+ * CM_OK; CM_ERROR_ARGUMENT (NULL, no ring, a ring of which less than three corners are left, what is no point, two
  * neighbours that are opposite each other to 0.01), CM_ERROR_MEMORY. */
 CM_API cm_status cm_region_polygon(size_t ring_count, const size_t *ring_length,
                                    const double *lonlat, cm_region **region);

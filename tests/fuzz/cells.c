@@ -247,7 +247,7 @@ static double take_angle(supply *from)
     return take_byte(from) % 4 == 0 ? angle : 4.0 * take_fraction(from);
 }
 
-static cm_region *take_region(supply *from)
+static cm_region *take_region(supply *from, size_t *rings)
 {
     double angle[2 * 8];
     size_t length[2];
@@ -271,7 +271,8 @@ static cm_region *take_region(supply *from)
     default:
         length[0] = 3 + take_byte(from) % 3;
         length[1] = 3;
-        cm_region_polygon(1 + take_byte(from) % 2, length, angle, &region);
+        *rings = 1 + take_byte(from) % 2;
+        cm_region_polygon(*rings, length, angle, &region);
         break;
     }
     return region;
@@ -281,7 +282,8 @@ static void check_covering(const cm_cell_grid *cells, supply *from)
 {
     cm_cell found[LIST];
     size_t count = 0;
-    cm_region *region = take_region(from);
+    size_t rings = 0;
+    cm_region *region = take_region(from, &rings);
     const cm_cover_options options = {.size = sizeof options,
                                       .level_min = take_byte(from) % 4,
                                       .level_max = take_byte(from) % 32,
@@ -305,7 +307,9 @@ static void check_covering(const cm_cell_grid *cells, supply *from)
     }
     double normal[3];
     take_direction(from, normal);
-    if (status == CM_OK && options.kind == CM_COVER_OUTER && cm_region_contains(region, normal))
+    /* two rings that share an edge are undefined */
+    if (status == CM_OK && options.kind == CM_COVER_OUTER && rings < 2 &&
+        cm_region_contains(region, normal))
     {
         EXPECT(cm_cell_union_contains(count, found, cm_cell_forward(cells, 30, normal)),
                "%a %a %a is missed", normal[0], normal[1], normal[2]);

@@ -98,7 +98,8 @@ CM_FN CM_NAME(cm_healpix_reach) CM_NAME(cm_healpix_measure)(CM_NAME(cm_healpix_p
      * with the part of z to major */
     CM_REAL n2 = cm_mad(at.r, at.r, CM_SELECT(at.polar, CM_LIT(1.0), at.square));
     CM_REAL over_n = CM_NAME(cm_inverse_root)(n2);
-    CM_REAL over_nn = CM_NAME(cm_inverse_root)(cm_mad(n2, over_n, n2)); /* 1 / sqrt(n (n + 1)) */
+    /* by the divider, where the other one is made of multiplications: both have work then */
+    CM_REAL over_nn = CM_LIT(1.0) / cm_sqrt(cm_mad(n2, over_n, n2)); /* 1 / sqrt(n (n + 1)) */
     reach.sigma =
         cm_min(CM_LIT(1.0), at.r * (over_nn * CM_LIT(1.73205080756887729352744634150587236694)));
     reach.belt = cm_min(CM_LIT(1.0), CM_LIT(1.5) * (at.r * over_n));
