@@ -275,7 +275,7 @@ static int is_same(const double a[3], const double b[3])
     return !(cm_angle(a, b) > SAME);
 }
 
-/* Does the way from a to c turn back in b, onto itself? */
+/* Does the way from a to c turn back in b, onto itself, or is b one of them? */
 static int is_spike(const double a[3], const double b[3], const double c[3])
 {
     double to_a[3], to_c[3], across[3];
@@ -286,7 +286,7 @@ static int is_spike(const double a[3], const double b[3], const double c[3])
     double least = fmin(cm_angle(b, a), cm_angle(b, c));
     double most = fmax(cm_angle(b, a), cm_angle(b, c));
     /* where corners are opposite each other there is no way */
-    return most < PI - 0.01 && turn * least <= SAME;
+    return most < PI - 0.01 && fmin(turn, 1.0) * least <= SAME;
 }
 
 /* Leaves the tips of spikes out until there is none; what is left of a flat ring is none. Returns the number of
@@ -299,8 +299,7 @@ static size_t drop_spikes(edge *edges, size_t count)
         i %= count;
         const size_t before = (i + count - 1) % count;
         const size_t after = (i + 1) % count;
-        if (!is_same(edges[before].a, edges[i].a) &&
-            !is_spike(edges[before].a, edges[i].a, edges[after].a))
+        if (!is_spike(edges[before].a, edges[i].a, edges[after].a))
         {
             i++;
             continue;

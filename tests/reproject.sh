@@ -299,12 +299,16 @@ exactness()
     passes 'cube to the same cube: the same pixels' compare --max 0 strip.png strip-again.png
 }
 
-# A constant image stays constant, to the last bit, in every type and number of channels.
+# A constant image stays constant, to the last bit, in every type and number of channels:
+# twelve of the twenty pairs, in which each is twice at least.
 constants()
 {
     local channels type extension
     for channels in 1 2 3 4 5; do
         for type in uint8 uint16 half float; do
+            case $channels-$type in
+            1-half | 1-float | 2-float | 3-uint8 | 3-float | 4-uint16 | 5-uint8 | 5-half) continue ;;
+            esac
             extension=tif
             [ $type != half ] || extension=exr
             "$helper" constant 64 32 $channels $type 0.3 source.$extension
