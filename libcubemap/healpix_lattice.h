@@ -325,30 +325,39 @@ CM_FN pixels_centre pixels_centre_of_square(pixels_grid g, pixels_square square)
 
 /* ---- Centres on the sphere ---- */
 
-/* How high a centre is: as in the mapping, but that sigma is a whole number over nside, so that nothing is
- * divided. */
+/* The sine of the latitude, on the belt. */
+CM_FN CM_REAL pixels_sine_on_belt(pixels_grid g, pixels_centre c)
+{
+    CM_REAL over = CM_LIT(0.666666666666666666667) * g.over_n;
+    return (CM_LIT(2.0) * g.n - c.ring) * over;
+}
+
+/* The same as sigma of the mapping, in a cap: a whole number over nside, so that nothing is divided. */
+CM_FN CM_REAL pixels_sigma(pixels_grid g, pixels_centre c)
+{
+    return c.quarter * g.over_n;
+}
+
+/* How high a centre is, and how far from the axis. */
 typedef struct pixels_height
 {
-    CM_REAL sigma; /* in a cap */
     CM_REAL z;
-    CM_REAL root; /* the distance from the axis, in a cap times 3 / sigma */
-    CM_REAL rho;  /* the distance from the axis */
+    CM_REAL rho;
 } pixels_height;
 
 CM_FN pixels_height pixels_height_of_centre(pixels_grid g, pixels_centre c)
 {
     CM_REAL one = CM_LIT(1.0);
     CM_REAL third = CM_LIT(0.333333333333333333333);
-    CM_REAL over = CM_LIT(0.666666666666666666667) * g.over_n;
-    CM_REAL belt = (CM_LIT(2.0) * g.n - c.ring) * over;
-    pixels_height h;
-    h.sigma = c.quarter * g.over_n;
-    CM_REAL square = h.sigma * h.sigma;
+    CM_REAL belt = pixels_sine_on_belt(g, c);
+    CM_REAL sigma = pixels_sigma(g, c);
+    CM_REAL square = sigma * sigma;
     CM_REAL cap = one - third * square;
-    h.z = CM_SELECT(c.polar, CM_SELECT(c.south, -cap, cap), belt);
-    h.root =
+    CM_REAL root =
         CM_NAME(cm_root)(CM_SELECT(c.polar, CM_LIT(6.0) - square, (one - belt) * (one + belt)));
-    h.rho = CM_SELECT(c.polar, third * h.sigma, one) * h.root;
+    pixels_height h;
+    h.z = CM_SELECT(c.polar, CM_SELECT(c.south, -cap, cap), belt);
+    h.rho = CM_SELECT(c.polar, third * sigma, one) * root;
     return h;
 }
 
@@ -367,7 +376,7 @@ CM_FN CM_NAME(cm_xyz) pixels_direction_of_centre(pixels_grid g, pixels_centre c)
         CM_SELECT(cm_less(cm_abs(sector - CM_LIT(2.5)), CM_LIT(1.0)), CM_LIT(-1.0), CM_LIT(1.0));
     at.f = pixels_quotient(cm_mad(CM_LIT(-2.0) * sector, quarter, c.eighths), quarter);
     pixels_height h = pixels_height_of_centre(g, c);
-    at.sigma = h.sigma;
+    at.sigma = pixels_sigma(g, c);
     return CM_NAME(cm_healpix_around)(at, h.rho, h.z);
 }
 
@@ -409,10 +418,9 @@ CM_FN CM_REAL pixels_arc_sine(CM_REAL x)
 /* From the pole, in a cap, twice the arc whose sine is sin(theta / 2) = sigma / sqrt 6; or from the equator. */
 CM_FN pixels_angles pixels_angles_of_centre(pixels_grid g, pixels_centre c)
 {
-    CM_REAL over = CM_LIT(0.666666666666666666667) * g.over_n;
-    CM_REAL belt = (CM_LIT(2.0) * g.n - c.ring) * over;
-    CM_REAL cap = CM_LIT(0.408248290463863016366) * (c.quarter * g.over_n);
-    CM_REAL half = pixels_arc_sine(CM_SELECT(c.polar, cap, belt));
+    CM_REAL over_root = CM_LIT(0.408248290463863016366); /* 1 / sqrt 6 */
+    CM_REAL half = pixels_arc_sine(
+        CM_SELECT(c.polar, over_root * pixels_sigma(g, c), pixels_sine_on_belt(g, c)));
     CM_REAL arc = CM_SELECT(c.polar, half + half, half);
     CM_REAL half_pi = CM_LIT(0.5 * PIXELS_PI);
     CM_REAL half_pi_rest = CM_LIT(0.5 * PIXELS_PI_REST);
@@ -460,8 +468,8 @@ CM_FN CM_REAL pixels_product_rest(CM_REAL a, CM_REAL b, CM_REAL product)
  *
  * Quarters of a turn in two doubles. Where they are a multiple of 2^-30, where pixels have borders, to within an
  * ulp and one turn, phi is what a program makes of that longitude, and counts as it; so does theta where it is
- * the nearest double to pi / 2, but at longitude 0, as with chealpix. In a cap sigma is sqrt 6 sin(theta / 2), and where |sin lat| is below 2 / 3 the latitude is
- * below pi / 4, so that one sine serves both. */
+ * the nearest double to pi / 2, but at longitude 0, as with chealpix. In a cap sigma is sqrt 6 sin(theta / 2), and
+ * where |sin lat| is below 2 / 3 the latitude is below pi / 4, so that one sine serves both. */
 CM_FN pixels_lattice pixels_lattice_of_angles(pixels_grid g, int latitudes, CM_REAL theta,
                                               CM_REAL phi)
 {

@@ -42,7 +42,8 @@ CM_FN pixels_centre pixels_centre_of_number(const cm_healpix *healpix, pixels_gr
  * many vectors take a part of the way before any takes the next. */
 enum
 {
-    BATCH_NAME(pixels_stage) = 64 / LANES
+    BATCH_NAME(pixels_points) = 64, /* of a part, and vectors */
+    BATCH_NAME(pixels_stage) = BATCH_NAME(pixels_points) / LANES
 };
 
 /* How many of the vectors from i on are in a stage. */
@@ -56,7 +57,7 @@ CM_FN void pixels_from_directions(const cm_healpix *healpix, size_t n, const dou
                                   const double *y, const double *z, int64_t *pixel)
 {
     pixels_grid g = pixels_grid_of(healpix->nside, healpix->shift, 1);
-    for (size_t i = 0; i < n; i += 64)
+    for (size_t i = 0; i < n; i += BATCH_NAME(pixels_points))
     {
         const size_t count = pixels_of_stage(n, i);
         CM_BOOL good[BATCH_NAME(pixels_stage)];
@@ -91,7 +92,7 @@ CM_FN void pixels_from_angles(const cm_healpix *healpix, int latitudes, size_t n
     CM_REAL least = lanes_all(latitudes ? -0.5 * PIXELS_PI : 0.0);
     CM_REAL greatest = lanes_all(latitudes ? 0.5 * PIXELS_PI : PIXELS_PI);
     CM_REAL zero = lanes_all(0.0);
-    for (size_t i = 0; i < n; i += 64)
+    for (size_t i = 0; i < n; i += BATCH_NAME(pixels_points))
     {
         const size_t count = pixels_of_stage(n, i);
         pixels_lattice at[BATCH_NAME(pixels_stage)];
@@ -126,7 +127,7 @@ CM_FN void pixels_to_directions(const cm_healpix *healpix, size_t n, const int64
 {
     pixels_grid g = pixels_grid_of(healpix->nside, healpix->shift, 1);
     CM_REAL nothing = lanes_all((double)NAN);
-    for (size_t i = 0; i < n; i += 64)
+    for (size_t i = 0; i < n; i += BATCH_NAME(pixels_points))
     {
         const size_t count = pixels_of_stage(n, i);
         pixels_centre centre[BATCH_NAME(pixels_stage)];
@@ -148,7 +149,7 @@ CM_FN void pixels_to_angles(const cm_healpix *healpix, int latitudes, size_t n,
 {
     pixels_grid g = pixels_grid_of(healpix->nside, healpix->shift, 1);
     CM_REAL nothing = lanes_all((double)NAN);
-    for (size_t i = 0; i < n; i += 64)
+    for (size_t i = 0; i < n; i += BATCH_NAME(pixels_points))
     {
         const size_t count = pixels_of_stage(n, i);
         pixels_centre centre[BATCH_NAME(pixels_stage)];
@@ -225,7 +226,7 @@ static void healpix_to_nested(const cm_healpix *healpix, size_t n, const int64_t
 {
     pixels_grid g = pixels_grid_of(healpix->nside, healpix->shift, 1);
     lanes_words bad = lanes_words_all(UINT64_MAX);
-    for (size_t i = 0; i < n; i += 64)
+    for (size_t i = 0; i < n; i += BATCH_NAME(pixels_points))
     {
         const size_t count = pixels_of_stage(n, i);
         pixels_row row[BATCH_NAME(pixels_stage)];
