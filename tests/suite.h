@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cubes.h"
-#include "sphere.h"
+#include "truth/cubes.h"
+#include "truth/sphere.h"
 
 /* ck_assert_msg without the note that it writes on every success: there are millions of them. */
 #define REQUIRE(condition, ...)                                                                    \

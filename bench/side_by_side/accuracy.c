@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * Worst errors of round trips, direction to plane and back, in metres on Earth: the angle between
- * what a contestant was given and what it gives back, as tests/peers and bench/certificate have
+ * what a contestant was given and what it gives back, as tests/peers and truth/certificate have
  * it. A point that it refuses, or answers with NaN, counts as refused.
  */
 #include "side_by_side.h"
 
-#include "../../tests/peers/peers.h"
-#include "../../tests/sphere.h"
+#include "truth/peers/peers.h"
+#include "truth/sphere.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
  */
 #include "side_by_side.h"
 
-#include "../../tests/sphere.h"
+#include "truth/sphere.h"
 
 #include <stdlib.h>
 #include <string.h>

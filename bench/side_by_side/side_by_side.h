@@ -16,8 +16,8 @@
 
 #include <cubemap/cubemap.h>
 
-#include "../common/batch.h"
-#include "../common/bench.h"
+#include "bench/harness/columns.h"
+#include "bench/harness/harness.h"
 
 #ifdef __cplusplus
 extern "C" {

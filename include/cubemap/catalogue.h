@@ -63,8 +63,8 @@ typedef struct cm_parameter_info
 } cm_parameter_info;
 
 /* Upper bounds on a mapping's errors with its standard parameters, everywhere on the sphere: in eps,
- * which is 2^-53 in double and 2^-24 in float. bench/certificate measures the errors and says what
- * exactly they are, docs/certificate.md has the figures and those of other parameters.
+ * which is 2^-53 in double and 2^-24 in float. truth/certificate measures the errors and says what
+ * exactly they are, docs/measured/certificate.md has the figures and those of other parameters.
  * 0 where none is stated, which is: round_trip where the map is flat somewhere, so that a rounding of u and v
  * is far more on the sphere (orthographic at its rim, border:lambert,... at its antipode: up to half a metre);
  * relative of layouts, whose coordinates are sums of others' or whose z passes 0 inside the map. Of what is

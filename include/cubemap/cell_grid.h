@@ -11,7 +11,7 @@
  *   accuracy    as that of the grid: the cell is the one of the u and v that the grid finds, so that points
  *               within its error of a cell's edge may be on the other side of it
  *   cost        the cell of a point: what the point costs the grid, and in arrays with AVX2 some 5 ns more, alone
- *               some 30 ns; docs/cells.md has figures
+ *               some 30 ns; docs/guide/cells.md has figures
  *   threads     a cell grid is constant after its creation: any number of threads may use one
  *   results     the same input gives the same bits whatever n, the position in the array and the thread
  */

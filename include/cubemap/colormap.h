@@ -29,7 +29,7 @@
  * Short Papers 2020, section 3. Their paths through CIELUV are kept: lightness linear along the path, chroma
  * linear between its anchors, hue as given. There t is the parameter of the path, and steps are equal
  * where there is one hue, and nearly so where there are several. Here t is the length of the path, in
- * closed form, and they are equal everywhere. docs/colormaps.md shows the maps.
+ * closed form, and they are equal everywhere. docs/guide/colormaps.md shows the maps.
  */
 #ifndef CUBEMAP_COLORMAP_H
 #define CUBEMAP_COLORMAP_H

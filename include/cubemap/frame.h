@@ -17,7 +17,7 @@
  * Inside and outside: if the axes are right-handed, as those of a globe are, the pictures of the
  * faces show the sphere from outside in all four frames; if they are left-handed, as in Direct3D or
  * in a panorama whose longitude grows to the right of somebody inside it, the same pictures show it
- * from inside. Seen from the other side each picture is its mirror image. docs/frames.md has the
+ * from inside. Seen from the other side each picture is its mirror image. docs/guide/frames.md has the
  * pictures.
  */
 #ifndef CUBEMAP_FRAME_H

@@ -14,7 +14,7 @@
  * theta is the colatitude, from 0 at the north pole to pi, phi the longitude, lon and lat are longitude and
  * latitude; radians. Directions have any length.
  *
- * Accuracy, measured by tests/healpix_truth.c against quadruple precision: a point is in the true pixel if it is
+ * Accuracy, measured by tests/healpix/test_healpix_truth.c against quadruple precision: a point is in the true pixel if it is
  * 5 nm on Earth or more from its border, whatever nside is and however near the pole. A point on a border
  * that doubles can name (multiples of pi/4 in longitude or what a power of two divides it to, the equator, the
  * poles) belongs to the pixel of which HEALPix's own programs say so: a double within an ulp of such a longitude,
@@ -27,7 +27,7 @@
  * angles, theta outside [0, pi], lat outside [-pi/2, pi/2], and numbers of no pixel. Pointers must not be NULL
  * unless it says so.
  *
- * Cost: docs/healpix.md. Functions for one point cost as much as a vector of them; nothing allocates but
+ * Cost: docs/guide/healpix.md. Functions for one point cost as much as a vector of them; nothing allocates but
  * cm_healpix_create. An object is constant, and any number of threads may use it.
  */
 #ifndef CUBEMAP_HEALPIX_H

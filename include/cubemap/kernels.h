@@ -20,7 +20,7 @@
  * they are those of the side to which the point counts.
  *
  * Arguments must be inside their ranges: [-1, 1] for coordinates, a finite non-zero
- * direction; nothing is checked. The bounds on error that docs/mappings.md gives hold if the
+ * direction; nothing is checked. The bounds on error that docs/guide/mappings.md gives hold if the
  * compiler keeps IEEE arithmetic; under -ffast-math, in float, the edges of a face are no longer exact
  * for every mapping.
  *

@@ -27,8 +27,8 @@
  *               A ratio is what tangents of geographic, geocentric, parametric and approximate latitude have. With a
  *               tolerance, the error that cm_latitude_conversion_error states is added. Where one latitude changes
  *               faster than the other, as conformal ones of prolate ellipsoids of b / a = 100 do, the bound for
- *               directions counts times that condition. tests/latitude_accuracy.c holds them to it, against quadruple
- *               precision, at poles, equator and beside them; docs/latitudes.md has what was measured
+ *               directions counts times that condition. tests/earth/test_latitude_accuracy.c holds them to it, against quadruple
+ *               precision, at poles, equator and beside them; docs/guide/latitudes.md has what was measured
  *   cost        by series 1.5 to 2.1 ns an angle and 2.3 ns a direction in arrays with AVX-512, by ratios 3.2 and 1.4 ns;
  *               by closed forms 0.1 to 0.6 us. No allocation but for the conversion itself
  *   threads     a conversion is constant after its creation: any number of threads may use one
@@ -36,10 +36,10 @@
  *               than the bounds. Outputs may be inputs
  *
  * Series are those of C. F. F. Karney, On auxiliary latitudes, Survey Review 56 (2024), anew derived by
- * scripts/latitude-series: a sum of C_k sin 2k phi, each C_k a power series of the third flattening n = f / (2 - f).
+ * research/earth/latitude-series: a sum of C_k sin 2k phi, each C_k a power series of the third flattening n = f / (2 - f).
  * Definitions and closed forms: O. S. Adams, Latitude developments connected with geodesy and cartography, USC&GS
  * Special Publication 67 (1921); J. P. Snyder, Map projections: a working manual, USGS Professional Paper 1395
- * (1987), section 3; B. C. Carlson's elliptic integrals. libcubemap/latitude_exact.c has them in forms without
+ * (1987), section 3; B. C. Carlson's elliptic integrals. libcubemap/earth/latitude_exact.c has them in forms without
  * cancellation. Shaders have kernel/latitude.h.
  */
 #ifndef CUBEMAP_LATITUDE_H

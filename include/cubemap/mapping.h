@@ -32,7 +32,7 @@
  *               float (quincuncial, azimuthal:breusing, azimuthal:equidistant: 5.7 nm; maps of the whole sphere
  *               and other pairs of parts: 15 nm);
  *               the tier fast is less accurate (options.h). cm_mapping_info.bounds has the bounds of
- *               each mapping, docs/certificate.md the errors themselves, and those of other parameters
+ *               each mapping, docs/measured/certificate.md the errors themselves, and those of other parameters
  *   flat laws   where the radius of an azimuthal projection hardly grows with the angle, a rounding of u and v
  *               is far more on the sphere: beside the rim of a hemisphere of orthographic (up to 0.15 m
  *               in double), beside the antipode of whole spheres of lambert and mixture (0.3 m), so of
@@ -43,7 +43,7 @@
  *               the equator, and u and v of layouts are not relatively accurate where they pass 0
  *   cost        no allocation; a few square roots and divisions, and for some mappings polynomials,
  *               a point. Arrays are computed by vectors (options.h): 1 to 20 ns a point with AVX2 (the
- *               inverse of seamless 40), and single points cost 25 to 120 ns (200); docs/speed.md has
+ *               inverse of seamless 40), and single points cost 25 to 120 ns (200); docs/measured/speed.md has
  *               them all, beside the accuracy
  *   sources     of each mapping are in its descriptor (catalogue.h) and in its kernel
  *   threads     a mapping is constant after its creation: any number of threads may use one

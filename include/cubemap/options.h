@@ -19,7 +19,7 @@ extern "C" {
  *   exact   the bounds of cm_mapping_info.bounds with eps = 2^-53: a round trip within 5 nm on Earth
  *   fast    arrays of double, computed in float: the same bounds with eps = 2^-24, and what the rounding
  *           of the arguments adds: an eps for round trips; for forward and inverse, also relative to the
- *           result, an eps, and one more times the mapping's condition (docs/certificate.md has it). A
+ *           result, an eps, and one more times the mapping's condition (docs/measured/certificate.md has it). A
  *           round trip is within 1e-6 rad, 6 m on Earth. Beside an edge the face may be the other one.
  *           A direction should be of a length from 1e-30 to 1e38: shorter ones lose digits, and what is
  *           zero or infinite in float is no direction; u and v are on the face up to 6e-8 beyond its

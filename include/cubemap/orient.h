@@ -29,7 +29,7 @@
  * interval arithmetic.
  *
  * Source of the task: Dimitrijevic, Strobl, Lambers, Milosavljevic, Rancic, Distortion optimized spherical cube
- * mapping for discrete global grid systems, 2020, section III C. docs/orientation.md has what we find
+ * mapping for discrete global grid systems, 2020, section III C. docs/guide/orientation.md has what we find
  * for land, beside their figures.
  */
 #ifndef CUBEMAP_ORIENT_H

@@ -9,8 +9,8 @@
 #include <getopt.h>
 #include <setjmp.h>
 
-#include "arguments.h"
-#include "streams.h"
+#include "fuzz_arguments.h"
+#include "fuzz_streams.h"
 
 /* A program that ends leaves its memory to the system; where it is a function that is no leak. What it loses before it
  * ends well the shell tests of a sanitized build find. */

@@ -31,6 +31,7 @@ done
 
 while read -r function harness; do
     name=${harness%.*}
+    name=${name#fuzz_}
     if [[ $function == cm_* ]] && ! grep -qx "$function" <<<"$exported"; then
         complain "$function is in the table, but not in the library"
     elif [[ ! -f $fuzz/$harness ]]; then
@@ -39,12 +40,12 @@ while read -r function harness; do
         complain "$harness does not call $function"
     elif [[ -z $(find "$fuzz/corpus/$name" -type f 2>/dev/null) ]]; then
         complain "$harness has no first inputs in corpus/$name"
-    elif ! grep -qE "'(fuzz-)?$name'" "$fuzz/meson.build"; then
+    elif ! grep -qE "'(fuzz-|fuzz_)?$name(\.c)?'" "$fuzz/meson.build"; then
         complain "$harness is not built by meson.build"
     fi
 done <<<"$rows"
 
-for file in "$fuzz"/*.c "$fuzz"/*.cpp; do
+for file in "$fuzz"/fuzz_*.c "$fuzz"/fuzz_*.cpp; do
     grep -q " ${file##*/}$" <<<"$rows" || complain "${file##*/} is in no row of the table"
 done
 

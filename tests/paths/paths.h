@@ -4,13 +4,13 @@
  * timed on the same data:
  *
  *   a path      a function of the library from columns of numbers to columns of numbers, in one
- *               precision; one entry of the tables in calls.h, with all forms that it has (arrays,
+ *               precision; one entry of the tables in path_calls.inc, with all forms that it has (arrays,
  *               single points, strides, threads), which must give the same bits
  *   a subject   a mapping in a frame and a tier of accuracy, made twice: scalar, and with the
  *               instruction set under test
  *
  * A new family of functions is one more entry of the table: the letters of its columns, its callers,
- * and the judge of its results. compare.c, shapes.c and speed.c know nothing else of it.
+ * and the judge of its results. path_compare.c, path_shapes.c and path_speed.c know nothing else of it.
  */
 #ifndef TESTS_PATHS_H
 #define TESTS_PATHS_H
@@ -40,7 +40,7 @@ typedef struct precision
     double least; /* where relative bounds begin */
 } precision;
 
-/* The kinds of points that a path takes (inputs.c); each has three columns at most. */
+/* The kinds of points that a path takes (path_inputs.c); each has three columns at most. */
 typedef enum input_kind
 {
     DIRECTIONS, /* x y z */
@@ -56,7 +56,7 @@ typedef union number
     uint64_t word;
 } number;
 
-/* ---- Subjects (subjects.c) ---- */
+/* ---- Subjects (path_subjects.c) ---- */
 
 typedef struct subject
 {
@@ -85,7 +85,7 @@ double jacobian_bound(const subject *s);
 /* Radians, between what two results of forward stand for. */
 double angle_bound(const subject *s, const precision *in);
 
-/* ---- Paths (calls.h, judges.c) ---- */
+/* ---- Paths (path_calls.inc, path_judges.c) ---- */
 
 /* All calls have one signature: columns as pointers. argument is the stride or the number of threads.
  * Returns what went wrong besides the results, or NULL. */
@@ -214,7 +214,7 @@ static inline void *need(void *memory)
     return memory;
 }
 
-/* ---- Points to try (inputs.c) ---- */
+/* ---- Points to try (path_inputs.c) ---- */
 
 /* one_in: of the hard points, one in so many. */
 size_t input_count(input_kind kind, size_t one_in);
@@ -238,11 +238,11 @@ typedef struct extreme
     char where[256];
 } extreme;
 
-/* What is right (compare.c): the first form of the path by the scalar set; in the fast tier, that of float
+/* What is right (path_compare.c): the first form of the path by the scalar set; in the fast tier, that of float
  * from the same numbers in float. */
 void call_reference(const subject *s, const path *p, size_t n, void *const *in, void *const *out);
 
-/* Tested against reference at all inputs (compare.c). */
+/* Tested against reference at all inputs (path_compare.c). */
 void compare_inputs(const subject *s, const precision *in, const path *p, size_t one_in,
                     extreme *worst);
 
@@ -250,10 +250,10 @@ void compare_inputs(const subject *s, const precision *in, const path *p, size_t
 void compare_points(const subject *s, const precision *in, const path *p, size_t n,
                     void *const *input, extreme *worst);
 
-/* Every length, misalignment, overlap and form gives the same bits and writes nothing else (shapes.c). */
+/* Every length, misalignment, overlap and form gives the same bits and writes nothing else (path_shapes.c). */
 void check_shapes(const subject *s, const precision *in, const path *p);
 
-/* The table of times of one path (speed.c), for the subjects that are chosen. */
+/* The table of times of one path (path_speed.c), for the subjects that are chosen. */
 typedef int (*choice)(const subject *s);
 void time_path(const path_table *const tables[2], size_t which, const char *set, choice chosen);
 

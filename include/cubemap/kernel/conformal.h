@@ -14,7 +14,7 @@
  * and elsewhere. The papers halve the way to the corner; here the middle of the edge counts as centre, so
  * that the whole axis q = 0 does, on which v then vanishes without a difference. What that costs in
  * convergence, a variable of forward's series that is no power gives back, and coefficients that are made
- * for the zones alone (scripts/conformal-series). As a point is in one zone, its coefficients are selected
+ * for the zones alone (research/mappings/conformal-series). As a point is in one zone, its coefficients are selected
  * and there is one evaluation.
  *
  * Of forward, the rounding of p and q beside a corner comes out magnified without bound, as w^(3/4):

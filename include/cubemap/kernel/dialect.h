@@ -23,10 +23,10 @@
  *   CM_BACKEND_GLSL     GLSL 3.30 and later, GLSL ES 3.00 and later: highp float, names as they are
  *   CM_BACKEND_QUAD     gcc's __float128, names end in _f128: the truth that the tests measure the
  *                       others against. The includer supplies <quadmath.h> and what elementary.h
- *                       holds (tests/quad.h does)
+ *                       holds (truth/quad.h does)
  *   CM_BACKEND_LANES    vectors of several points: a CM_REAL is as many numbers as a register holds.
  *                       The includer supplies all words, in a file that CM_LANES names
- *                       (libcubemap/lanes/)
+ *                       (libcubemap/batch/lanes/)
  */
 #define CM_BACKEND_DOUBLE 1
 #define CM_BACKEND_FLOAT 2

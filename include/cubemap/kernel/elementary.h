@@ -3,8 +3,8 @@
  * The elementary functions of the kernels, on the narrow domains that cube mappings need.
  *
  * Read once per backend, after dialect.h, so without an include guard; one text for double and for
- * float, with coefficients for each. scripts/elementary/minimax.sollya derives the coefficients,
- * tests/elementary_accuracy.c measures the errors. Those stated here are the worst that it finds,
+ * float, with coefficients for each. research/elementary/minimax.sollya derives the coefficients,
+ * tests/batch/test_elementary_accuracy.c measures the errors. Those stated here are the worst that it finds,
  * run with "full" and without contraction; fused multiply-adds lower nearly all of them.
  *
  * Common to all of them:

@@ -78,7 +78,7 @@ CM_FN CM_NAME(cm_healpix_place) CM_NAME(cm_healpix_locate)(CM_REAL x, CM_REAL y,
     return p;
 }
 
-/* How far in its sector a direction is: what faces and pixels (libcubemap/healpix_lattice.h) are made of. */
+/* How far in its sector a direction is: what faces and pixels (libcubemap/batch/healpix_lattice.inc) are made of. */
 CM_STRUCT(cm_healpix_reach)
 {
     CM_REAL sector; /* 0 to 3: the one whose middle is on +x, +y, -x, -y */

@@ -7,7 +7,7 @@
  *
  *     d = sum C_k sin 2k phi = sin 2phi P(cos 2phi)
  *
- * P a polynomial, which scripts/latitude-series has the coefficients for (Karney, On auxiliary latitudes,
+ * P a polynomial, which research/earth/latitude-series has the coefficients for (Karney, On auxiliary latitudes,
  * Survey Review 56, 2024). And a ratio of tangents, for any flattening. The number of terms, or whether the
  * ratio is near 1, is the same for all points, so that the branches on it are none.
  *

@@ -10,7 +10,7 @@
  * give as t = sin a / (cos a - 1/sqrt 2), which by half angles is
  *     tan(a / 2) = t (sqrt 2 - 1) / (r + sqrt 2).
  * Both directions of that are one polynomial, w = t + t (1 - t^2) G(t^2) and t = w - w (1 - w^2) H(w^2)
- * with G and H about 0.1, exact on the diagonal. scripts/elementary derives the coefficients.
+ * with G and H about 0.1, exact on the diagonal. research/elementary derives the coefficients.
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
  * seamless: exactly equal-area and without a crease, twice continuously differentiable on a face.
- * docs/new-mappings.md derives it: on the octant 0 <= q <= p, with a function S(p, v),
+ * docs/guide/new-mappings.md derives it: on the octant 0 <= q <= p, with a function S(p, v),
  *     S_p(p, v) = the derivative by p of the area between the lines 0, p and 0, q,   u = S_v(p, v),
  *     S = d^2 (alpha x + beta x^5 + gamma x^7),   x = v / d,
  *     d = p M(p^2), which is v on the diagonal.
  *
  * alpha, beta and gamma are functions of X = p^2 alone. What is left of the arc tangent in them is small and
  * smooth, so that beta and gamma, and what S_p needs, are polynomials here, times what vanishes at the centre
- * and on the edge; scripts/elementary/seamless derives them. Either direction is Newton's method in one
+ * and on the edge; research/elementary/seamless derives them. Either direction is Newton's method in one
  * unknown, for a small number that vanishes where u = p and v = q or where u = v: forward
  * x = t (1 + delta) with t = q / p, inverse p = u (1 + epsilon). In quadruple precision the functions
  * are those of the page.
@@ -19,7 +19,7 @@ CM_WARP(seamless,
         .identifier = "seamless",
         .aliases = "",
         .name = "equal-area without a crease",
-        .source = "libcubemap 2026, docs/new-mappings.md",
+        .source = "libcubemap 2026, docs/guide/new-mappings.md",
         .family = CM_FAMILY_BIVARIATE,
         .properties = CM_EQUAL_AREA,
         .smooth_face = CM_SMOOTH_C1,

@@ -18,7 +18,7 @@
  * x = g - g (1 - g^2) H(g^2), exact on the edge and on the diagonal; and so are 1 - g = (1 - x)(...) and
  * 1 - x, which are what is small at the axes. With n = sqrt(1 + p^2 + q^2), k = 1 / sqrt 3,
  *     t = s sqrt(mu (mu + k) / (n (n + (1 + p + q) k))),
- * and 1 - t^2 is q times a sum of positive terms. scripts/elementary derives the coefficients.
+ * and 1 - t^2 is q times a sum of positive terms. research/elementary derives the coefficients.
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */

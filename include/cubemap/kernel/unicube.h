@@ -4,7 +4,7 @@
  *
  * It has no parameter, so one polynomial serves for the whole of it: u = p + p (1 - p^2) G(p^2) and
  * p = u - u (1 - u^2) H(u^2), with G between 0.22 and 0.35 and H between 0.26 and 0.41. The edge is
- * exact and only the last addition rounds by more than a third of a unit. scripts/elementary derives
+ * exact and only the last addition rounds by more than a third of a unit. research/elementary derives
  * the coefficients.
  */
 #ifdef CM_DESCRIPTORS

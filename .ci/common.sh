@@ -1,0 +1,153 @@
+# shellcheck shell=sh disable=SC2034,SC2154 # variables that are set or used by the scripts
+# SPDX-License-Identifier: MIT
+#
+# What the scripts of this folder share. To be sourced, after "set -eu", by a script that has set
+# root to the top of the source tree.
+#
+# CUBEMAP_BUILD   folder to build in, absolute or from the top of the source tree; default: build
+
+build=${CUBEMAP_BUILD:-build}
+case $build in
+/*) ;;
+*) build=$root/$build ;;
+esac
+
+# What each job needs, by the names of Debian's and Ubuntu's packages.
+needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev check"
+needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath"
+# The libraries that tests/peers and bench/side_by_side compare with are used where they are; .ci/run
+# and scripts/speed have them all.
+needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographiclib-dev"
+# A compiler for AArch64 and an emulator of it, for tests/batch/neon.sh.
+needs_for_neon="gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user"
+
+# How clang builds what is fuzzed, and what the tests run with sanitizers: arguments to meson, and flags of C and C++.
+sanitized_by_clang="-Dbuildtype=debugoptimized -Doptimization=1 -Db_sanitize=address,undefined -Db_lundef=false
+    -Dfuzzers=enabled"
+sanitized_flags="-g1 -fsanitize=fuzzer-no-link -fno-sanitize-recover=all"
+
+die()
+{
+    printf '%s: %s\n' "${0##*/}" "$*" >&2
+    exit 1
+}
+
+# compiles COMPILER LANGUAGE HEADER: whether the compiler is there and has its library's headers.
+compiles()
+{
+    # unquoted: CC may be a command with arguments, as in CC="ccache gcc"
+    # shellcheck disable=SC2086
+    echo "#include <$3>" | $1 -x "$2" -fsyntax-only - 2>/dev/null
+}
+
+# has PACKAGE: whether what we want of the package is there, wherever it came from.
+has()
+{
+    case $1 in
+    build-essential)
+        compiles "${CC:-cc}" c math.h && compiles "${CXX:-c++}" c++ cmath ;;
+    clang)
+        compiles clang c math.h && compiles clang++ c++ cmath ;;
+    meson)
+        case $(meson --version 2>/dev/null) in
+        '' | 0.*) false ;;
+        esac ;;
+    ninja-build) command -v ninja >/dev/null ;;
+    pkg-config) command -v pkg-config >/dev/null ;;
+    libopenimageio-dev) pkg-config --exists OpenImageIO 2>/dev/null ;;
+    check) pkg-config --exists check 2>/dev/null ;;
+    glslang-tools) command -v glslangValidator >/dev/null ;;
+    python3) command -v python3 >/dev/null ;;
+    wcslib-dev) pkg-config --exists wcslib 2>/dev/null ;;
+    libproj-dev) pkg-config --exists proj 2>/dev/null ;;
+    libchealpix-dev) pkg-config --exists chealpix 2>/dev/null ;;
+    libs2-dev) compiles "${CXX:-c++} -std=c++17" c++ s2/s2coords.h ;;
+    libgeographiclib-dev) pkg-config --exists geographiclib 2>/dev/null ;;
+    gcc-aarch64-linux-gnu) command -v aarch64-linux-gnu-gcc >/dev/null ;;
+    libc6-dev-arm64-cross) compiles aarch64-linux-gnu-gcc c stdio.h ;;
+    qemu-user) command -v qemu-aarch64 >/dev/null || command -v qemu-aarch64-static >/dev/null ;;
+    gcovr) command -v gcovr >/dev/null ;;
+    valgrind) command -v valgrind >/dev/null && compiles "${CC:-cc}" c valgrind/callgrind.h ;;
+    python3-matplotlib)
+        python3 -c 'import matplotlib' 2>/dev/null ||
+            /usr/bin/python3 -c 'import matplotlib' 2>/dev/null ;;
+    python3-mpmath)
+        python3 -c 'import mpmath' 2>/dev/null || /usr/bin/python3 -c 'import mpmath' 2>/dev/null ;;
+    *) die "has: no rule for $1" ;;
+    esac
+}
+
+# missing PACKAGE...: those of the packages that are not there, on one line.
+missing()
+{
+    lacking=
+    for package in "$@"; do
+        has "$package" || lacking="$lacking $package"
+    done
+    echo "${lacking# }"
+}
+
+# require PACKAGE...: installs those that are missing. Where that cannot be done, says in one line
+# what is missing and stops.
+require()
+{
+    wanted=$(missing "$@")
+    [ -n "$wanted" ] || return 0
+
+    command -v apt-get >/dev/null ||
+        die "missing: $wanted (Debian's names; there is no apt-get here, so please install them)"
+    if [ "$(id -u)" -eq 0 ]; then
+        as_root=
+    elif sudo -n true 2>/dev/null; then
+        as_root='sudo -n'
+    else
+        die "missing: $wanted; please run: sudo apt-get update && sudo apt-get install $wanted"
+    fi
+
+    echo "Installing $wanted"
+    log=$(mktemp)
+    # apt-get update may fail for some other source than ours: whether that matters, install knows.
+    # unquoted: lists of words
+    # shellcheck disable=SC2086
+    if ! {
+        $as_root apt-get update
+        $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
+            -o DPkg::Lock::Timeout=300 $wanted
+    } </dev/null >"$log" 2>&1; then
+        tail -n 20 "$log" >&2
+        die "could not install $wanted: the end of apt-get's output is above, all of it in $log"
+    fi
+    rm -f "$log"
+
+    # shellcheck disable=SC2086
+    wanted=$(missing $wanted)
+    case " $wanted " in
+    '  ') ;;
+    *' meson '*) die "missing: meson 1.0 or newer; apt-get installed $(meson --version)" ;;
+    *) die "still missing after apt-get installed it: $wanted" ;;
+    esac
+}
+
+# clang's runtime libraries are a package of their own, and its name has clang's version.
+links_fuzzers()
+{
+    echo 'int LLVMFuzzerTestOneInput(void); int LLVMFuzzerTestOneInput(void) { return 0; }' |
+        clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null 2>/dev/null
+}
+
+# What a build as sanitized_by_clang says needs.
+require_fuzzers()
+{
+    # shellcheck disable=SC2086
+    require $needs_to_build clang # a list of words
+    if ! links_fuzzers; then
+        version=$(clang -dumpversion)
+        (
+            has()
+            {
+                links_fuzzers
+            }
+            require "libclang-rt-${version%%.*}-dev"
+        )
+    fi
+}

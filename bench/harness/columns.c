@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT */
+#include "columns.h"
+
+#include "harness.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void batch_allocate(batch *b, size_t room)
+{
+    memset(b, 0, sizeof *b);
+    for (int k = 0; k < 3; k++)
+    {
+        b->from[k] = allocate(room, sizeof(double));
+        b->back[k] = allocate(room, sizeof(double));
+        b->from_f32[k] = allocate(room, sizeof(float));
+        b->back_f32[k] = allocate(room, sizeof(float));
+    }
+    for (int k = 0; k < 2; k++)
+    {
+        b->plane[k] = allocate(room, sizeof(double));
+        b->plane_f32[k] = allocate(room, sizeof(float));
+        b->status[k] = allocate(room, sizeof(int));
+    }
+    b->face = allocate(room, 1);
+    b->pixel = allocate(room, sizeof(int64_t));
+}
+
+void batch_free(batch *b)
+{
+    for (int k = 0; k < 3; k++)
+    {
+        free(b->from[k]);
+        free(b->back[k]);
+        free(b->from_f32[k]);
+        free(b->back_f32[k]);
+    }
+    for (int k = 0; k < 2; k++)
+    {
+        free(b->plane[k]);
+        free(b->plane_f32[k]);
+        free(b->status[k]);
+    }
+    free(b->face);
+    free(b->pixel);
+}
+
+void batch_put(batch *b, size_t at, const double point[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        b->from[k][at] = point[k];
+        b->from_f32[k][at] = (float)point[k];
+    }
+}
+
+void run_arrays(const cm_mapping *mapping, int narrow, batch *b, int direction)
+{
+    if (narrow && direction == FORWARD)
+    {
+        cm_forward_array_f32(mapping, b->count, b->from_f32[0], b->from_f32[1], b->from_f32[2],
+                             b->face, b->plane_f32[0], b->plane_f32[1]);
+    }
+    else if (narrow)
+    {
+        cm_inverse_array_f32(mapping, b->count, b->face, b->plane_f32[0], b->plane_f32[1],
+                             b->back_f32[0], b->back_f32[1], b->back_f32[2]);
+    }
+    else if (direction == FORWARD)
+    {
+        cm_forward_array(mapping, b->count, b->from[0], b->from[1], b->from[2], b->face,
+                         b->plane[0], b->plane[1]);
+    }
+    else
+    {
+        cm_inverse_array(mapping, b->count, b->face, b->plane[0], b->plane[1], b->back[0],
+                         b->back[1], b->back[2]);
+    }
+}
+
+static void forward_points(const cm_mapping *mapping, batch *b)
+{
+    for (size_t i = 0; i < b->count; i++)
+    {
+        const double direction[3] = {b->from[0][i], b->from[1][i], b->from[2][i]};
+        double uv[2];
+        b->face[i] = cm_forward(mapping, direction, uv);
+        b->plane[0][i] = uv[0];
+        b->plane[1][i] = uv[1];
+    }
+}
+
+static void inverse_points(const cm_mapping *mapping, batch *b)
+{
+    for (size_t i = 0; i < b->count; i++)
+    {
+        const double uv[2] = {b->plane[0][i], b->plane[1][i]};
+        double direction[3];
+        cm_inverse(mapping, b->face[i], uv, direction);
+        b->back[0][i] = direction[0];
+        b->back[1][i] = direction[1];
+        b->back[2][i] = direction[2];
+    }
+}
+
+static void forward_points_f32(const cm_mapping *mapping, batch *b)
+{
+    for (size_t i = 0; i < b->count; i++)
+    {
+        const float direction[3] = {b->from_f32[0][i], b->from_f32[1][i], b->from_f32[2][i]};
+        float uv[2];
+        b->face[i] = cm_forward_f32(mapping, direction, uv);
+        b->plane_f32[0][i] = uv[0];
+        b->plane_f32[1][i] = uv[1];
+    }
+}
+
+static void inverse_points_f32(const cm_mapping *mapping, batch *b)
+{
+    for (size_t i = 0; i < b->count; i++)
+    {
+        const float uv[2] = {b->plane_f32[0][i], b->plane_f32[1][i]};
+        float direction[3];
+        cm_inverse_f32(mapping, b->face[i], uv, direction);
+        b->back_f32[0][i] = direction[0];
+        b->back_f32[1][i] = direction[1];
+        b->back_f32[2][i] = direction[2];
+    }
+}
+
+void run_points(const cm_mapping *mapping, int narrow, batch *b, int direction)
+{
+    static void (*const one_by_one[DIRECTIONS][2])(const cm_mapping *, batch *) = {
+        {forward_points, forward_points_f32}, {inverse_points, inverse_points_f32}};
+    one_by_one[direction][narrow](mapping, b);
+}

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+
+#include "harness.h"
+
+#include <stdarg.h>
+#include <unistd.h>
+
+enum
+{
+    BAR_WIDTH = 30
+};
+
+/* Is it time for another line? */
+static int is_due(int must)
+{
+    static double last;
+    if (!isatty(STDERR_FILENO) || (!must && seconds() - last < 0.1))
+    {
+        return 0;
+    }
+    last = seconds();
+    return 1;
+}
+
+void progress(const char *format, ...)
+{
+    va_list arguments;
+    if (!is_due(format == NULL))
+    {
+        return;
+    }
+    fputs("\r\033[K", stderr);
+    if (format != NULL)
+    {
+        va_start(arguments, format);
+        vfprintf(stderr, format, arguments);
+        va_end(arguments);
+    }
+    fflush(stderr);
+}
+
+void progress_bar(double done, double total, const char *text)
+{
+    char bar[BAR_WIDTH + 1];
+    double part = total > 0.0 ? done / total : 0.0;
+    if (!is_due(0))
+    {
+        return;
+    }
+    for (int i = 0; i < BAR_WIDTH; i++)
+    {
+        bar[i] = (i + 0.5) / BAR_WIDTH < part ? '#' : '.';
+    }
+    bar[BAR_WIDTH] = '\0';
+    fprintf(stderr, "\r\033[K[%s] %3.0f %%  %s", bar, 100.0 * part, text);
+    fflush(stderr);
+}

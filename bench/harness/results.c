@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Files of results, and the words of JSON.
+ */
+#define _XOPEN_SOURCE 700
+
+#include "harness.h"
+
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Temporary files that are not yet what they shall be, for a signal that ends the program. */
+static char pending[2][OUTPUT_NAME_MAX];
+
+static void remove_pending(void)
+{
+    for (size_t i = 0; i < sizeof pending / sizeof pending[0]; i++)
+    {
+        if (pending[i][0] != '\0')
+        {
+            (void)unlink(pending[i]);
+        }
+    }
+}
+
+static void end_by_signal(int number)
+{
+    remove_pending();
+    (void)signal(number, SIG_DFL);
+    (void)raise(number);
+}
+
+/* However the program ends. */
+static void watch_end(void)
+{
+    static int watched;
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+    {
+        struct sigaction old;
+        struct sigaction action = {.sa_handler = end_by_signal};
+        if (sigaction(numbers[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
+        {
+            (void)sigaction(numbers[i], &action, NULL);
+        }
+    }
+    if (!watched)
+    {
+        watched = atexit(remove_pending) == 0;
+    }
+}
+
+static int fail(const char *name, const char *why)
+{
+    fprintf(stderr, "%s: cannot write %s: %s\n", program_name, name, why);
+    return 0;
+}
+
+static void set_pending(const char *part)
+{
+    for (size_t i = 0; i < sizeof pending / sizeof pending[0]; i++)
+    {
+        if (pending[i][0] == '\0')
+        {
+            memcpy(pending[i], part, strlen(part) + 1);
+            return;
+        }
+    }
+}
+
+static void forget_pending(const char *part)
+{
+    for (size_t i = 0; i < sizeof pending / sizeof pending[0]; i++)
+    {
+        if (strcmp(pending[i], part) == 0)
+        {
+            pending[i][0] = '\0';
+        }
+    }
+}
+
+/* A device, a pipe: written as it is. */
+static int open_directly(output *o)
+{
+    o->part[0] = '\0';
+    o->file = fopen(o->name, "w");
+    return o->file != NULL || fail(o->name, strerror(errno));
+}
+
+/* A temporary file beside the target, which a link may name. */
+static int open_part(output *o)
+{
+    if (realpath(o->name, o->target) == NULL &&
+        snprintf(o->target, sizeof o->target, "%s", o->name) >= (int)sizeof o->target)
+    {
+        return fail(o->name, strerror(ENAMETOOLONG));
+    }
+    if (snprintf(o->part, sizeof o->part, "%s.XXXXXX", o->target) >= (int)sizeof o->part)
+    {
+        return fail(o->name, strerror(ENAMETOOLONG));
+    }
+    int descriptor = mkstemp(o->part);
+    if (descriptor < 0 || (o->file = fdopen(descriptor, "w")) == NULL)
+    {
+        return fail(o->name, strerror(errno));
+    }
+    mode_t mask = umask(0);
+    (void)umask(mask);
+    (void)fchmod(descriptor, 0666 & ~mask);
+    set_pending(o->part);
+    watch_end();
+    return 1;
+}
+
+int output_open(output *o, const char *name)
+{
+    struct stat there;
+    o->name = name;
+    o->file = NULL;
+    o->part[0] = '\0';
+    if (name == NULL || strcmp(name, "-") == 0)
+    {
+        o->file = name == NULL ? NULL : stdout;
+        return 1;
+    }
+    if (stat(name, &there) == 0 && S_ISDIR(there.st_mode))
+    {
+        return fail(name, strerror(EISDIR));
+    }
+    return stat(name, &there) == 0 && !S_ISREG(there.st_mode) ? open_directly(o) : open_part(o);
+}
+
+int output_close(output *o)
+{
+    if (o->file == NULL || o->file == stdout)
+    {
+        return 1;
+    }
+    int bad = ferror(o->file);
+    bad |= fclose(o->file);
+    o->file = NULL;
+    if (o->part[0] == '\0')
+    {
+        return !bad || fail(o->name, strerror(errno));
+    }
+    if (bad || rename(o->part, o->target) != 0)
+    {
+        int reason = errno;
+        (void)remove(o->part);
+        forget_pending(o->part);
+        return fail(o->name, strerror(reason));
+    }
+    forget_pending(o->part);
+    return 1;
+}
+
+void output_drop(output *o)
+{
+    if (o->file != NULL && o->file != stdout)
+    {
+        fclose(o->file);
+        o->file = NULL;
+        if (o->part[0] != '\0')
+        {
+            (void)remove(o->part);
+            forget_pending(o->part);
+        }
+    }
+}
+
+int outputs_differ(const char *a, const char *b)
+{
+    struct stat at_a;
+    struct stat at_b;
+    if (a == NULL || b == NULL)
+    {
+        return 1;
+    }
+    return strcmp(a, b) != 0 &&
+           (stat(a, &at_a) != 0 || stat(b, &at_b) != 0 || !S_ISREG(at_a.st_mode) ||
+            at_a.st_dev != at_b.st_dev || at_a.st_ino != at_b.st_ino);
+}
+
+int close_standard_output(void)
+{
+    if (fflush(stdout) != 0 || ferror(stdout))
+    {
+        fprintf(stderr, "%s: cannot write to standard output: %s\n", program_name, strerror(errno));
+        return 1;
+    }
+    return 0;
+}
+
+void json_text(FILE *out, const char *key, const char *text)
+{
+    fprintf(out, "\"%s\": \"", key);
+    for (; *text != '\0'; text++)
+    {
+        if ((unsigned char)*text < 0x20)
+        {
+            fprintf(out, "\\u%04x", (unsigned)*text);
+            continue;
+        }
+        if (*text == '"' || *text == '\\')
+        {
+            fputc('\\', out);
+        }
+        fputc(*text, out);
+    }
+    fprintf(out, "\", ");
+}
+
+void json_number(FILE *out, const char *key, double value)
+{
+    if (isfinite(value))
+    {
+        fprintf(out, "\"%s\": %.6g, ", key, value);
+    }
+    else
+    {
+        fprintf(out, "\"%s\": null, ", key);
+    }
+}
+
+void json_machine(FILE *out)
+{
+    json_text(out, "cpu", system_cpu());
+    json_text(out, "system", system_name());
+    json_text(out, "compiler", system_compiler());
+    json_text(out, "flags", system_flags());
+}

@@ -1,7 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "internal.h"
-
-#define CM_BACKEND 1
-#define CM_PUBLIC(name) name
-#include "chart.h"
-#include "precision.h"

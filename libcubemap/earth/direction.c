@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+#include "libcubemap/mapping/internal.h"
+
+static const double half_pi = 1.5707963267948966;
+
+void cm_direction_from_lonlat(double lon, double lat, double direction[3])
+{
+    double height = fabs(lat) > half_pi ? copysign(half_pi, lat) : lat;
+    if (!isfinite(lon) || !(fabs(lat) <= half_pi + 1e-9))
+    {
+        direction[0] = direction[1] = direction[2] = (double)NAN;
+        return;
+    }
+    double radius = cos(height);
+    direction[0] = radius * cos(lon);
+    direction[1] = radius * sin(lon);
+    direction[2] = sin(height);
+}
+
+void cm_lonlat_from_direction(const double direction[3], double lonlat[2])
+{
+    double magnitude = cm_magnitude_f64(direction[0], direction[1], direction[2]);
+    if (!(magnitude > 0.0) || !isfinite(direction[0]) || !isfinite(direction[1]) ||
+        !isfinite(direction[2]))
+    {
+        lonlat[0] = lonlat[1] = (double)NAN;
+        return;
+    }
+    /* scaled by a power of two, so that hypot neither overflows nor loses subnormals */
+    int exponent;
+    frexp(magnitude, &exponent);
+    double x = ldexp(direction[0], -exponent);
+    double y = ldexp(direction[1], -exponent);
+    double z = ldexp(direction[2], -exponent);
+    lonlat[0] = atan2(direction[1], direction[0]);
+    lonlat[1] = atan2(z, hypot(x, y));
+}
+
+void cm_sine_cosine_degrees(double degrees, double *sine, double *cosine)
+{
+    int quarters = 0;
+    double angle = remquo(degrees, 90.0, &quarters) * (3.14159265358979323846 / 180.0);
+    double s = sin(angle);
+    double c = cos(angle);
+    int odd = ((unsigned)quarters & 1u) != 0;
+    int half_turn = ((unsigned)quarters & 2u) != 0;
+    double turned_sine = odd ? c : s;
+    double turned_cosine = odd ? -s : c;
+    /* adding zero turns -0 into 0 */
+    *sine = (half_turn ? -turned_sine : turned_sine) + 0.0;
+    *cosine = (half_turn ? -turned_cosine : turned_cosine) + 0.0;
+}

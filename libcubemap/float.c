@@ -1,7 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "internal.h"
-
-#define CM_BACKEND 2
-#define CM_PUBLIC(name) name##_f32
-#include "chart.h"
-#include "precision.h"

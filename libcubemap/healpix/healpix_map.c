@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * HEALPix: maps of another resolution or order. A map of any size is made in blocks, through numbers in
+ * NESTED, in which the parts of a pixel stand in a row.
+ */
+#include "healpix_object.h"
+
+/* A map of either precision. */
+typedef struct map_values
+{
+    const void *values;
+    int is_narrow; /* float, else double */
+} map_values;
+
+static double value_at(map_values map, int64_t pixel)
+{
+    return map.is_narrow ? (double)((const float *)map.values)[pixel]
+                         : ((const double *)map.values)[pixel];
+}
+
+static void put_value(void *map, int is_narrow, int64_t pixel, double value)
+{
+    if (is_narrow)
+    {
+        ((float *)map)[pixel] = (float)value;
+    }
+    else
+    {
+        ((double *)map)[pixel] = value;
+    }
+}
+
+static int is_good(double value)
+{
+    return isfinite(value) && !(fabs(value - CM_HEALPIX_UNSEEN) <= -1e-5 * CM_HEALPIX_UNSEEN);
+}
+
+/* What is common to the pixels of a result. */
+typedef struct regrading
+{
+    const cm_healpix *from;
+    const cm_healpix *to;
+    map_values map;
+    int is_pessimistic;
+    double bad;
+    double divisor;
+    int coarser;    /* two to this is the number of parts of a pixel of the result */
+    int finer;      /* or of one of the map */
+    int is_ordered; /* the numbers are the same in both: neither resolution nor order differs */
+} regrading;
+
+typedef int64_t pixels[CM_BLOCK];
+typedef double values[CM_BLOCK];
+
+/* From NESTED to the map's order. */
+static void to_map_order(const regrading *r, size_t n, int64_t *pixel)
+{
+    if (r->from->order == CM_HEALPIX_RING)
+    {
+        cm_healpix_ring_from_nested_array(r->from, n, pixel, pixel);
+    }
+}
+
+/* pixel: of the result, in NESTED. */
+static void give_to_parts(const regrading *r, size_t n, const int64_t *pixel, double *result)
+{
+    pixels whole;
+    for (size_t i = 0; i < n; i++)
+    {
+        whole[i] = pixel[i] >> r->finer;
+    }
+    to_map_order(r, n, whole);
+    for (size_t i = 0; i < n; i++)
+    {
+        double value = value_at(r->map, whole[i]);
+        result[i] = is_good(value) ? value / r->divisor : r->bad;
+    }
+}
+
+/* A sum and what rounding took from it (Neumaier). */
+typedef struct exact_sum
+{
+    double sum;
+    double rest;
+    int64_t count;
+} exact_sum;
+
+static void add_to(exact_sum *to, double value)
+{
+    double sum = to->sum + value;
+    to->rest += fabs(to->sum) >= fabs(value) ? (to->sum - sum) + value : (value - sum) + to->sum;
+    to->sum = sum;
+    to->count++;
+}
+
+static double mean_of(const regrading *r, const exact_sum *sum)
+{
+    int64_t parts = (int64_t)1 << r->coarser;
+    if (sum->count == 0 || (r->is_pessimistic && sum->count < parts))
+    {
+        return r->bad;
+    }
+    double total = sum->sum + sum->rest;
+    /* sums beyond all numbers have no rest */
+    return (isfinite(total) ? total : sum->sum) / (double)sum->count / r->divisor;
+}
+
+/* pixel: of the result, in NESTED. The parts of all of them are one row, which is taken in blocks. */
+static void gather_parts(const regrading *r, size_t n, const int64_t *pixel, double *result)
+{
+    exact_sum sums[CM_BLOCK] = {{0.0, 0.0, 0}};
+    pixels part;
+    int64_t parts = (int64_t)1 << r->coarser;
+    int64_t total = (int64_t)n << r->coarser;
+    for (int64_t done = 0; done < total; done += CM_BLOCK)
+    {
+        size_t count = total - done < CM_BLOCK ? (size_t)(total - done) : CM_BLOCK;
+        for (size_t i = 0; i < count; i++)
+        {
+            int64_t at = done + (int64_t)i;
+            part[i] = (pixel[at >> r->coarser] << r->coarser) + (at & (parts - 1));
+        }
+        to_map_order(r, count, part);
+        for (size_t i = 0; i < count; i++)
+        {
+            double value = value_at(r->map, part[i]);
+            if (is_good(value))
+            {
+                add_to(&sums[(done + (int64_t)i) >> r->coarser], value);
+            }
+        }
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        result[i] = mean_of(r, &sums[i]);
+    }
+}
+
+/* The same pixels. */
+static void copy_values(const regrading *r, size_t n, int64_t first, double *result)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        double value = value_at(r->map, first + (int64_t)i);
+        result[i] = is_good(value) ? value / r->divisor : r->bad;
+    }
+}
+
+static void regrade_block(const regrading *r, size_t n, int64_t first, double *result)
+{
+    pixels pixel;
+    if (r->is_ordered)
+    {
+        copy_values(r, n, first, result);
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        pixel[i] = first + (int64_t)i;
+    }
+    if (r->to->order == CM_HEALPIX_RING)
+    {
+        cm_healpix_nested_from_ring_array(r->to, n, pixel, pixel);
+    }
+    if (r->coarser > 0)
+    {
+        gather_parts(r, n, pixel, result);
+    }
+    else
+    {
+        give_to_parts(r, n, pixel, result);
+    }
+}
+
+static cm_status regrade(const cm_healpix *from, map_values map, const cm_healpix *to, void *result,
+                         const cm_healpix_regrade_options *options)
+{
+    static const cm_healpix_regrade_options none = {.size = sizeof none};
+    const cm_healpix_regrade_options *o = options == NULL ? &none : options;
+    if (from == NULL || to == NULL || map.values == NULL || result == NULL ||
+        o->size != sizeof *o || !isfinite(o->power))
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    int is_same = from->nside == to->nside;
+    /* what is no power of two is in RING */
+    if (!(from->is_power && to->is_power) && !is_same)
+    {
+        return CM_ERROR_PIXEL;
+    }
+    int shift = 2 * ((int)from->shift - (int)to->shift);
+    const regrading r = {
+        .from = from,
+        .to = to,
+        .map = map,
+        .is_pessimistic = o->is_pessimistic,
+        .bad = o->bad_is_nan ? (double)NAN : CM_HEALPIX_UNSEEN,
+        .divisor = o->power == 0.0 ? 1.0 : pow((double)from->nside / (double)to->nside, o->power),
+        .coarser = shift > 0 ? shift : 0,
+        .finer = shift < 0 ? -shift : 0,
+        .is_ordered = is_same && from->order == to->order};
+    for (int64_t done = 0; done < to->count; done += CM_BLOCK)
+    {
+        values made;
+        size_t n = to->count - done < CM_BLOCK ? (size_t)(to->count - done) : CM_BLOCK;
+        regrade_block(&r, n, done, made);
+        for (size_t i = 0; i < n; i++)
+        {
+            put_value(result, map.is_narrow, done + (int64_t)i, made[i]);
+        }
+    }
+    return CM_OK;
+}
+
+cm_status cm_healpix_regrade(const cm_healpix *from, const double *map, const cm_healpix *to,
+                             double *result, const cm_healpix_regrade_options *options)
+{
+    return regrade(from, (map_values){map, 0}, to, result, options);
+}
+
+cm_status cm_healpix_regrade_f32(const cm_healpix *from, const float *map, const cm_healpix *to,
+                                 float *result, const cm_healpix_regrade_options *options)
+{
+    return regrade(from, (map_values){map, 1}, to, result, options);
+}

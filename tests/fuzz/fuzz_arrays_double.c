@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+#include "in_double.inc"
+
+#define FORWARD cm_forward
+#define INVERSE cm_inverse
+#define FORWARD_ARRAY cm_forward_array
+#define INVERSE_ARRAY cm_inverse_array
+#define FORWARD_STRIDED cm_forward_strided
+#define INVERSE_STRIDED cm_inverse_strided
+#define FORWARD_ARRAY_THREADS cm_forward_array_threads
+#define INVERSE_ARRAY_THREADS cm_inverse_array_threads
+#define FORWARD_STRIDED_THREADS cm_forward_strided_threads
+#define INVERSE_STRIDED_THREADS cm_inverse_strided_threads
+#define FORWARD_JACOBIAN cm_forward_jacobian
+#define INVERSE_JACOBIAN cm_inverse_jacobian
+#define FORWARD_JACOBIAN_ARRAY cm_forward_jacobian_array
+#define INVERSE_JACOBIAN_ARRAY cm_inverse_jacobian_array
+#define FORWARD_JACOBIAN_ARRAY_THREADS cm_forward_jacobian_array_threads
+#define INVERSE_JACOBIAN_ARRAY_THREADS cm_inverse_jacobian_array_threads
+#define DISTORTION cm_distortion
+#define DISTORTION_ARRAYS cm_distortion_arrays
+#define FORWARD_DISTORTION cm_forward_distortion
+#define INVERSE_DISTORTION cm_inverse_distortion
+#define FORWARD_DISTORTION_ARRAY cm_forward_distortion_array
+#define INVERSE_DISTORTION_ARRAY cm_inverse_distortion_array
+#define WARP cm_warp
+#define UNWARP cm_unwarp
+#define WARP_ARRAY cm_warp_array
+#define UNWARP_ARRAY cm_unwarp_array
+#define WARP_JACOBIAN cm_warp_jacobian
+#define WARP_JACOBIAN_ARRAY cm_warp_jacobian_array
+#include "fuzz_arrays.inc"

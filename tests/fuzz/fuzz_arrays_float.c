@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+#include "in_float.inc"
+
+#define FORWARD cm_forward_f32
+#define INVERSE cm_inverse_f32
+#define FORWARD_ARRAY cm_forward_array_f32
+#define INVERSE_ARRAY cm_inverse_array_f32
+#define FORWARD_STRIDED cm_forward_strided_f32
+#define INVERSE_STRIDED cm_inverse_strided_f32
+#define FORWARD_ARRAY_THREADS cm_forward_array_threads_f32
+#define INVERSE_ARRAY_THREADS cm_inverse_array_threads_f32
+#define FORWARD_STRIDED_THREADS cm_forward_strided_threads_f32
+#define INVERSE_STRIDED_THREADS cm_inverse_strided_threads_f32
+#define FORWARD_JACOBIAN cm_forward_jacobian_f32
+#define INVERSE_JACOBIAN cm_inverse_jacobian_f32
+#define FORWARD_JACOBIAN_ARRAY cm_forward_jacobian_array_f32
+#define INVERSE_JACOBIAN_ARRAY cm_inverse_jacobian_array_f32
+#define FORWARD_JACOBIAN_ARRAY_THREADS cm_forward_jacobian_array_threads_f32
+#define INVERSE_JACOBIAN_ARRAY_THREADS cm_inverse_jacobian_array_threads_f32
+#define DISTORTION cm_distortion_f32
+#define DISTORTION_ARRAYS cm_distortion_arrays_f32
+#define FORWARD_DISTORTION cm_forward_distortion_f32
+#define INVERSE_DISTORTION cm_inverse_distortion_f32
+#define FORWARD_DISTORTION_ARRAY cm_forward_distortion_array_f32
+#define INVERSE_DISTORTION_ARRAY cm_inverse_distortion_array_f32
+#define WARP cm_warp_f32
+#define UNWARP cm_unwarp_f32
+#define WARP_ARRAY cm_warp_array_f32
+#define UNWARP_ARRAY cm_unwarp_array_f32
+#define WARP_JACOBIAN cm_warp_jacobian_f32
+#define WARP_JACOBIAN_ARRAY cm_warp_jacobian_array_f32
+#include "fuzz_arrays.inc"

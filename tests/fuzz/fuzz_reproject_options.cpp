@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+//
+// The command line of cubemap-reproject, and the names that it makes of its operands. Input: an
+// argument a line.
+
+#include "tools/cli/image_writer.hpp"
+#include "tools/cli/program.hpp"
+#include "tools/reproject/reproject_input.hpp"
+#include "tools/reproject/reproject_options.hpp"
+
+#include <set>
+
+#include "fuzz_arguments.h"
+
+namespace
+{
+
+void check_usage_message(const UsageFailure &failure)
+{
+    EXPECT(failure.exit_status() == exit_usage && is_one_line(failure.what()) &&
+               *failure.what() != '\0',
+           "'%s'", failure.what());
+}
+
+void check_names(const std::string &name)
+{
+    const std::vector<std::string> names = face_names(name);
+    EXPECT(names.size() == 6 && std::set<std::string>(names.begin(), names.end()).size() == 6,
+           "the six names of '%s' are not different", name.c_str());
+    for (const std::string &one : names)
+    {
+        EXPECT(!names_faces(one), "'%s'", one.c_str());
+    }
+    EXPECT(!name_list(names).empty(), "no list of names");
+}
+
+void check_format(const std::string &name)
+{
+    try
+    {
+        const std::string format = output_format(name);
+        EXPECT(std::set<std::string>({"png", "jpeg", "tiff", "openexr", "hdr"}).count(format) == 1,
+               "'%s'", format.c_str());
+    }
+    catch (const UsageFailure &failure)
+    {
+        check_usage_message(failure);
+    }
+}
+
+void check_layout(CubeLayout layout, const cm_frame &frame)
+{
+    std::size_t placed = 0;
+    for (const PictureLayout &picture : cube_pictures(layout, frame))
+    {
+        placed += picture.placements.size();
+    }
+    EXPECT(placed == 6, "%s of %s has %zu faces", layout_name(layout), frame.identifier, placed);
+}
+
+void check_options(const Options &options)
+{
+    EXPECT(options.frame != nullptr && options.from_frame != nullptr, "no frame");
+    for (const std::string &mapping : {options.from_mapping, options.to_mapping})
+    {
+        EXPECT(cm_specification_check(mapping.c_str(), nullptr, 0) == CM_OK, "mapping '%s'",
+               mapping.c_str());
+    }
+    EXPECT(!options.size || (*options.size >= 1 && *options.size <= largest_equirect), "size %d",
+           *options.size);
+    const OverlayOptions &lines = options.overlay;
+    EXPECT(lines.indicatrices || !lines.indicatrices_radius || options.help || options.version,
+           "a radius alone");
+    EXPECT(!lines.graticule || (*lines.graticule >= 0.0099 && *lines.graticule <= 180),
+           "%g degrees", *lines.graticule);
+    EXPECT(!lines.grid || *lines.grid >= 1, "grid %d", *lines.grid);
+    EXPECT(lines.line_width >= 0.1 && lines.line_width <= 100, "line width %g", lines.line_width);
+    EXPECT(options.threads >= 0 && options.threads <= 1024, "%d threads", options.threads);
+    check_layout(options.layout.value_or(CubeLayout::cross), *options.frame);
+    check_layout(options.from_layout.value_or(CubeLayout::cross), *options.from_frame);
+    check_names(options.input);
+    check_names(options.output);
+    check_format(options.output);
+}
+
+} // namespace
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    arguments given = read_arguments("cubemap-reproject", data, size);
+    try
+    {
+        check_options(parse_options(given.count, given.argument));
+    }
+    catch (const UsageFailure &failure)
+    {
+        check_usage_message(failure);
+    }
+    drop_arguments(&given);
+    return 0;
+}

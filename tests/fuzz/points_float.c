@@ -1,8 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "in_float.h"
-
-#define FORWARD cm_forward_f32
-#define INVERSE cm_inverse_f32
-#define WARP cm_warp_f32
-#define UNWARP cm_unwarp_f32
-#include "points.h"

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * cubemap-bench: speed, accuracy and distortion of mappings, measured in one run.
+ *
+ * A subject is a mapping with its parameters; it has distortion. A way is one of computing it: in double, in
+ * float, or in double by the fast tier; by arrays or point by point; it has times and errors.
+ */
+#ifndef BENCH_SUITE_SUITE_H
+#define BENCH_SUITE_SUITE_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cubemap/cubemap.h>
+
+#include "bench/harness/columns.h"
+#include "bench/harness/harness.h"
+
+enum
+{
+    PRECISION_DOUBLE,
+    PRECISION_FLOAT,
+    PRECISION_FAST, /* double, by the fast tier */
+    PRECISIONS
+};
+
+enum
+{
+    FORM_ARRAY,
+    FORM_SINGLE,
+    FORMS
+};
+
+enum
+{
+    QUANTITIES = 6,
+    MEASURES = 2,
+    PERCENTILES = 5
+};
+
+extern const char *const direction_names[DIRECTIONS];     /* "forward", "inverse" */
+extern const char *const precision_names[PRECISIONS + 1]; /* "double", "float", "fast", NULL */
+extern const char *const form_names[FORMS + 1];           /* "array", "single", NULL */
+extern const char *const measure_names[MEASURES];         /* "face", "sphere" */
+extern const double percentiles[PERCENTILES];
+
+/* Angles between what should come out and what does, in metres on Earth; NaN if not measured. */
+typedef struct errors
+{
+    double worst_random;
+    double rms_random;
+    double worst_hard;
+    double rms_hard;
+} errors;
+
+typedef struct way
+{
+    size_t subject;
+    int precision;
+    int form;
+    int offered[DIRECTIONS]; /* the fast tier may lack one */
+    cm_mapping *mapping;
+    double *samples[DIRECTIONS]; /* ns a point */
+    timing time[DIRECTIONS];
+    errors error[DIRECTIONS];
+} way;
+
+typedef struct distortion
+{
+    cm_statistics of[QUANTITIES][MEASURES];
+    double percentile[QUANTITIES][MEASURES][PERCENTILES];
+} distortion;
+
+typedef struct length_row
+{
+    size_t points;
+    int precision;
+    double ns[DIRECTIONS];
+} length_row;
+
+typedef struct subject
+{
+    char specification[128];
+    cm_mapping *mapping;
+    distortion distortion;
+    size_t length_count;
+    length_row *lengths;           /* NULL if not measured */
+    double *error_map[DIRECTIONS]; /* pixels x pixels, the first row v = +1; NULL if not measured */
+} subject;
+
+typedef struct settings
+{
+    size_t points;      /* of an array */
+    size_t repetitions; /* interleaved */
+    size_t random;      /* points for errors */
+    size_t hard;
+    size_t largest;    /* longest array for the cost against n; 0 for none */
+    size_t map_pixels; /* of the map of errors; 0 for none */
+    double tolerance;  /* of distortion */
+    int precision;     /* only this one; -1 for all */
+    int form;
+    const char *instructions;
+    int all_tiers; /* keep mappings without a fast tier among the fast ways: their exact one */
+} settings;
+
+typedef struct suite
+{
+    settings set;
+    size_t subject_count;
+    subject *subjects;
+    size_t way_count;
+    way *ways;
+} suite;
+
+/* Adds the mappings that a word names: a specification, or a pattern like "tan*" of identifiers. 0 if there
+ * is none or it is no good, which has been said. */
+int suite_add(suite *all, const char *word);
+
+/* All ways of all subjects. 0 if the machine cannot, which has been said. */
+int suite_prepare(suite *all);
+void suite_close(suite *all);
+
+/* What part of the whole run a stage is, for the bar. */
+typedef struct stage
+{
+    double begin;
+    double end;
+} stage;
+
+void measure_times(suite *all, stage part);
+void measure_lengths(suite *all, stage part);
+void measure_errors(suite *all, stage part); /* leaves NaN where this build has no truth */
+void measure_distortion(suite *all, stage part);
+
+/* Distortion of one mapping, with percentiles or without. */
+void distort(const cm_mapping *mapping, double tolerance, int with_percentiles, distortion *d);
+
+void stage_progress(stage part, size_t done, size_t total, const char *text);
+
+void write_table(FILE *out, const suite *all);
+void write_csv(FILE *out, const suite *all);
+void write_json(FILE *out, const suite *all);
+
+/* Programs of their own behind the first argument; they return exit statuses. */
+int advise(int argc, char **argv);
+int papers(int argc, char **argv);
+
+/* The exit status 2, after a line that says what is wrong. */
+int usage(const char *what, const char *text);
+
+/* The same of an option and its argument. */
+int usage_of(const char *option, const char *argument, const char *right);
+int read_number(const char *text, double low, double high, double *value);
+
+/* The index of a text among words that end with NULL, -1 if it is none of them. */
+int find_word(const char *text, const char *const *words);
+
+struct option;
+/* The long name of an option. */
+const char *option_name(const struct option *options, int value);
+
+/* Degrees in a radian's unit: what an angle is divided by to be written. */
+#define DEGREE (3.14159265358979324 / 180.0)
+
+#endif

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+//
+// cubemap-compare: how far two images of the same size are from each other.
+
+#include "tools/cli/image_file.hpp"
+#include "tools/cli/program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+#include <cubemap/version.h>
+
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr const char *help_text =
+    R"(Usage: cubemap-compare [OPTION]... A B
+
+Prints how far image B is from image A, over all pixels and channels: the mean
+absolute error, the root of the mean square error, the largest error and where it
+is, and the peak signal-to-noise ratio. Both must be of the same size and have the
+same number of channels.
+
+If both hold integers, errors are in grey levels of 8 bits (0 to 255) and the peak
+is 255; otherwise errors are in the images' own unit and the peak is 1. Where both
+hold the same infinity, or both a NaN, there is no error; where one holds what is
+not a finite number, the error is infinite.
+
+  --max-mean X   exit status 1 if the mean absolute error is above X
+  --max-rmse X   exit status 1 if the root of the mean square error is above X
+  --max X        exit status 1 if the largest error is above X
+  --quiet        print nothing but errors
+  --help, --version
+
+Example:
+  cubemap-compare --max-rmse 2.5 earth.png earth-again.png
+)";
+
+struct Options
+{
+    std::optional<double> max_mean;
+    std::optional<double> max_rmse;
+    std::optional<double> max;
+    bool quiet = false;
+    bool help = false;
+    bool version = false;
+    std::vector<std::string> names;
+};
+
+void read_option(ArgumentReader &reader, Options &options)
+{
+    const std::string &name = reader.text();
+    if (name == "--max-mean")
+    {
+        options.max_mean = reader.not_negative_number();
+    }
+    else if (name == "--max-rmse")
+    {
+        options.max_rmse = reader.not_negative_number();
+    }
+    else if (name == "--max")
+    {
+        options.max = reader.not_negative_number();
+    }
+    else if (name == "--quiet" || name == "--help" || name == "--version")
+    {
+        (name == "--quiet"  ? options.quiet
+         : name == "--help" ? options.help
+                            : options.version) = true;
+    }
+    else
+    {
+        throw UsageFailure("there is no option " + in_quotes(name) + "; see --help");
+    }
+}
+
+Options parse_options(int argc, char **argv)
+{
+    Options options;
+    ArgumentReader reader(argc, argv);
+    while (reader.next())
+    {
+        if (reader.is_option())
+        {
+            read_option(reader, options);
+        }
+        else
+        {
+            options.names.push_back(reader.text());
+        }
+    }
+    if (!options.help && !options.version && options.names.size() != 2)
+    {
+        throw UsageFailure("two images are needed, " + std::to_string(options.names.size()) +
+                           (options.names.size() == 1 ? " is" : " are") + " given; see --help");
+    }
+    return options;
+}
+
+struct Difference
+{
+    double mean = 0;
+    double rmse = 0;
+    double largest = 0;
+    std::size_t where = 0; // index of the largest among all values
+};
+
+double error_of(float a, float b)
+{
+    if (std::isfinite(a) && std::isfinite(b))
+    {
+        return std::fabs(static_cast<double>(a) - static_cast<double>(b));
+    }
+    return a == b || (std::isnan(a) && std::isnan(b)) ? 0 : infinity;
+}
+
+Difference difference(const std::vector<float> &a, const std::vector<float> &b, double scale)
+{
+    Difference result;
+    double sum = 0;
+    double sum_of_squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+        const double error = scale * error_of(a[i], b[i]);
+        sum += error;
+        sum_of_squares += error * error;
+        if (error > result.largest)
+        {
+            result.largest = error;
+            result.where = i;
+        }
+    }
+    result.mean = sum / static_cast<double>(a.size());
+    result.rmse = std::sqrt(sum_of_squares / static_cast<double>(a.size()));
+    return result;
+}
+
+std::string size_text(const ImageFile &image)
+{
+    return in_quotes(image.path()) + " is " + std::to_string(image.width()) + " x " +
+           std::to_string(image.height()) + " with " + std::to_string(image.channels()) +
+           " channels";
+}
+
+std::vector<float> pixels_of(ImageFile &image)
+{
+    const std::int64_t count = std::int64_t{image.width()} * image.height();
+    check_memory(in_quotes(image.path()), count, image.channels());
+    const std::size_t stride =
+        static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.channels());
+    std::vector<float> pixels(stride * static_cast<std::size_t>(image.height()));
+    image.read(pixels.data(), stride, Finite::any);
+    return pixels;
+}
+
+void print_difference(const Difference &found, const ImageFile &image, bool integers)
+{
+    const char *const unit = integers ? " grey levels of 8 bits" : "";
+    const double peak = integers ? 255 : 1;
+    const std::size_t channels = static_cast<std::size_t>(image.channels());
+    const std::size_t pixel = found.where / channels;
+    const std::size_t width = static_cast<std::size_t>(image.width());
+    const std::string channel(image.spec().channel_name(static_cast<int>(found.where % channels)));
+    char text[500];
+    std::snprintf(text, sizeof text,
+                  "mean absolute error  %.6g%s\nRMSE                 %.6g%s\n"
+                  "maximum              %.6g%s",
+                  found.mean, unit, found.rmse, unit, found.largest, unit);
+    std::string lines = text;
+    if (found.largest > 0)
+    {
+        lines += " at x = " + std::to_string(pixel % width) +
+                 ", y = " + std::to_string(pixel / width) + ", channel " + channel;
+    }
+    std::snprintf(text, sizeof text, "\nPSNR                 %.4g dB\n",
+                  20 * std::log10(peak / found.rmse));
+    print(lines + text);
+}
+
+void check_limit(const char *what, double value, const std::optional<double> &limit)
+{
+    if (limit && !(value <= *limit))
+    {
+        char text[200];
+        std::snprintf(text, sizeof text, "the %s is %.6g, above the limit of %.6g", what, value,
+                      *limit);
+        throw Failure(text);
+    }
+}
+
+int compare(int argc, char **argv)
+{
+    const Options options = parse_options(argc, argv);
+    if (options.help || options.version)
+    {
+        print(options.help ? help_text : "cubemap-compare " + std::string(cm_version()) + "\n");
+        return 0;
+    }
+    ImageFile a(options.names[0]);
+    ImageFile b(options.names[1]);
+    if (a.width() != b.width() || a.height() != b.height() || a.channels() != b.channels())
+    {
+        throw Failure(size_text(a) + ", " + size_text(b) + "; they must be alike");
+    }
+    const bool integers =
+        !a.spec().format.is_floating_point() && !b.spec().format.is_floating_point();
+    const Difference found = difference(pixels_of(a), pixels_of(b), integers ? 255 : 1);
+    if (!options.quiet)
+    {
+        print_difference(found, a, integers);
+    }
+    check_limit("mean absolute error", found.mean, options.max_mean);
+    check_limit("root of the mean square error", found.rmse, options.max_rmse);
+    check_limit("largest error", found.largest, options.max);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    return run_program("cubemap-compare", [argc, argv] { return compare(argc, argv); });
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// The command line of cubemap-distortion.
+
+#ifndef CUBEMAP_TOOLS_DISTORTION_OPTIONS_HPP
+#define CUBEMAP_TOOLS_DISTORTION_OPTIONS_HPP
+
+#include "tools/image/cube_options.hpp"
+#include "tools/image/overlay_options.hpp"
+#include "quantity.hpp"
+
+#include <optional>
+#include <string>
+
+struct DistortionOptions
+{
+    std::string mapping;   // a specification that the library takes
+    bool one_face = false; // has the mapping one?
+    const cm_frame *frame = nullptr;
+    const Quantity *quantity = nullptr;
+    std::optional<CubeLayout> layout;
+    std::optional<int> face; // this one alone
+    int size = 256;
+    std::string colors; // a specification that the library takes
+    bool reverse = false;
+    std::optional<ValueRange> range;
+    std::optional<double> isolines;
+    bool values = false;
+    std::optional<std::string> legend;
+    OverlayOptions overlay = dark_lines(); // as the colours are light where there is no distortion
+    int threads = 0;
+    bool quiet = false;
+    bool help = false;
+    bool version = false;
+    std::string output;
+};
+
+inline constexpr int largest_distortion_face = 65536;
+
+// UsageFailure if the command line is not one.
+DistortionOptions parse_distortion_options(int argc, char **argv);
+
+std::string distortion_help_text();
+
+#endif

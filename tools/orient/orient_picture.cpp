@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+
+#include "orient_picture.hpp"
+#include "tools/image/cube_image.hpp"
+#include "tools/image/equirect.hpp"
+#include "tools/cli/image_file.hpp"
+#include "tools/cli/image_writer.hpp"
+#include "tools/cli/parallel.hpp"
+#include "tools/cli/program.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <cubemap/distortion.h>
+
+namespace
+{
+
+using Color = std::array<float, 3>;
+
+constexpr Color paper = {1.0f, 1.0f, 1.0f};
+constexpr Color outline = {0.15f, 0.15f, 0.2f};
+constexpr Color sea = {0.80f, 0.86f, 0.91f};
+// of the mask, from where nothing is deformed to 31 degrees, the corners of most mappings
+constexpr std::array<Color, 4> land = {
+    {{0.98f, 0.93f, 0.70f}, {0.95f, 0.69f, 0.29f}, {0.84f, 0.33f, 0.17f}, {0.45f, 0.04f, 0.15f}}};
+constexpr double most_deformation = 31.0 / 180.0 * 3.14159265358979;
+
+float mix(float a, float b, float part)
+{
+    return a + (b - a) * part;
+}
+
+Color land_color(double deformation)
+{
+    const double last = static_cast<double>(land.size() - 1);
+    const double at = std::clamp(deformation / most_deformation, 0.0, 1.0) * last;
+    const std::size_t k = std::min(static_cast<std::size_t>(at), land.size() - 2);
+    const float part = static_cast<float>(at - static_cast<double>(k));
+    Color color{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        color[i] = mix(land[k][i], land[k + 1][i], part);
+    }
+    return color;
+}
+
+void check_shape(const ImageFile &file)
+{
+    if (file.width() != 2 * file.height())
+    {
+        throw Failure(in_quotes(file.path()) + " is " + std::to_string(file.width()) + " x " +
+                      std::to_string(file.height()) +
+                      ", but an equirectangular image is twice as wide as high");
+    }
+}
+
+// The luminance of linear Rec. 709, of which files that hold grey have no need.
+float gray_of(const float *pixel, int channels)
+{
+    return channels < 3 ? pixel[0] : 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
+}
+
+} // namespace
+
+SphereGrid read_equirect(const std::string &path, bool gray)
+{
+    ImageFile file(path);
+    check_shape(file);
+    check_memory(in_quotes(path), std::int64_t{file.width()} * file.height(), file.channels() + 3);
+    SphereGrid whole(1, file.width(), file.height(), file.channels());
+    file.read(whole.pixel(0, 0, 0), whole.row_stride(), Finite::all);
+    SphereGrid grid(1, file.width(), file.height(), gray ? 1 : 3);
+    for (int row = 0; row < file.height(); ++row)
+    {
+        for (int column = 0; column < file.width(); ++column)
+        {
+            const float *from = whole.pixel(0, column, row);
+            float *to = grid.pixel(0, column, row);
+            for (int i = 0; i < grid.channels(); ++i)
+            {
+                to[i] = gray ? gray_of(from, file.channels()) : from[file.channels() < 3 ? 0 : i];
+            }
+        }
+    }
+    return grid;
+}
+
+struct OrientPicture::Parts
+{
+    Parts(const OrientOptions &options, const SphereGrid &mask_grid)
+        : mask(mask_grid), sphere(mask.width(), mask.height()),
+          cube(options.mapping, *cm_frame_find("geo"), options.size),
+          mapping(make_mapping(options.mapping, *cm_frame_find("geo"))), size(options.size),
+          name(options.picture)
+    {
+        format = output_format(name);
+        if (!options.image.empty())
+        {
+            image = std::make_unique<SphereGrid>(read_equirect(options.image, false));
+            image_sphere = std::make_unique<Equirect>(image->width(), image->height());
+            image_sphere->fill_border(*image);
+        }
+        files.push_back(std::make_unique<AtomicFile>(name));
+    }
+
+    int gap() const
+    {
+        return std::max(size / 16, 2);
+    }
+    int width() const
+    {
+        return 4 * size + 2 * gap();
+    }
+    int height() const
+    {
+        return 6 * size + 3 * gap();
+    }
+
+    void draw_row(const cm_rotation &turn, int face, int row, float *pixels) const;
+    void color(const PointBatch &earth, const double *deformation, std::size_t count,
+               const PointBatch &place, float *pixels) const;
+
+    const SphereGrid &mask;
+    Equirect sphere;
+    CubeImage cube;
+    MappingPointer mapping;
+    int size;
+    std::string name;
+    std::string format;
+    std::unique_ptr<SphereGrid> image;
+    std::unique_ptr<Equirect> image_sphere;
+    std::vector<std::unique_ptr<AtomicFile>> files;
+};
+
+void OrientPicture::Parts::color(const PointBatch &earth, const double *deformation,
+                                 std::size_t count, const PointBatch &place, float *pixels) const
+{
+    std::vector<float> value(count);
+    std::vector<float> shown(3 * count);
+    sample(mask, Filter::bilinear, place, count, value.data());
+    if (image)
+    {
+        PointBatch at = earth;
+        image_sphere->positions(count, at);
+        sample(*image, Filter::bilinear, at, count, shown.data());
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Color full = land_color(deformation[i]);
+        const float part = std::clamp(value[i], 0.0f, 1.0f);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            pixels[3 * i + k] = image ? shown[3 * i + k] : mix(sea[k], full[k], part);
+        }
+    }
+}
+
+// A row of a face: where its pixels are on Earth is where they are on the cube, turned back.
+void OrientPicture::Parts::draw_row(const cm_rotation &turn, int face, int row, float *pixels) const
+{
+    thread_local PointBatch batch;
+    thread_local std::array<double, PointBatch::capacity> deformation;
+    for (int column = 0; column < size;)
+    {
+        const std::size_t count =
+            std::min(PointBatch::capacity, static_cast<std::size_t>(size - column));
+        cube.directions(face, row, column, count, batch);
+        cm_distortion_arrays arrays{};
+        arrays.deformation = deformation.data();
+        cm_forward_distortion_array(mapping.get(), count, batch.direction_x.data(),
+                                    batch.direction_y.data(), batch.direction_z.data(), &arrays);
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            double d[3] = {batch.direction_x[i], batch.direction_y[i], batch.direction_z[i]};
+            cm_rotate_back(&turn, d, d);
+            batch.direction_x[i] = d[0];
+            batch.direction_y[i] = d[1];
+            batch.direction_z[i] = d[2];
+        }
+        sphere.positions(count, batch);
+        color(batch, deformation.data(), count, batch, pixels + 3 * column);
+        column += static_cast<int>(count);
+    }
+    for (int column = 0; column < size; ++column)
+    {
+        if (row == 0 || row == size - 1 || column == 0 || column == size - 1)
+        {
+            std::copy(outline.begin(), outline.end(), pixels + 3 * column);
+        }
+    }
+}
+
+OrientPicture::OrientPicture(const OrientOptions &options, const SphereGrid &mask)
+    : parts(std::make_unique<Parts>(options, mask))
+{
+}
+
+OrientPicture::~OrientPicture() = default;
+
+void OrientPicture::write(const cm_rotation &after, int threads)
+{
+    const cm_rotation before = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const std::size_t row_floats = 3 * static_cast<std::size_t>(parts->width());
+    std::vector<float> pixels(row_floats * static_cast<std::size_t>(parts->height()));
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+    {
+        pixels[i] = paper[i % 3];
+    }
+    const PictureLayout cross = cube_pictures(CubeLayout::cross, *cm_frame_find("geo")).front();
+    const int size = parts->size;
+    parallel_for(2 * 6 * size, threads,
+                 [&](int job)
+                 {
+                     const Placement &place =
+                         cross.placements[static_cast<std::size_t>(job / size % 6)];
+                     const int half = job / size / 6;
+                     const int row = job % size;
+                     const int y =
+                         parts->gap() + half * (3 * size + parts->gap()) + place.row * size + row;
+                     const int x = parts->gap() + place.column * size;
+                     parts->draw_row(half == 0 ? before : after, place.plane, row,
+                                     pixels.data() + static_cast<std::size_t>(y) * row_floats +
+                                         3 * static_cast<std::size_t>(x));
+                 });
+    const std::string &format = parts->format;
+    const OIIO::ImageSpec spec(parts->width(), parts->height(), 3, OIIO::TypeDesc::UINT8);
+    ImageWriter writer(plan_image(format, spec, format, parts->name), parts->width(),
+                       parts->height(), parts->name, *parts->files.back());
+    writer.write(0, parts->height(), pixels.data(), 3);
+    writer.close();
+    parts->files.back()->finish();
+    appear_together(parts->files);
+}

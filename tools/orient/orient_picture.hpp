@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// The picture of cubemap-orient: the faces of a cube before and after it is turned.
+
+#ifndef CUBEMAP_TOOLS_ORIENT_PICTURE_HPP
+#define CUBEMAP_TOOLS_ORIENT_PICTURE_HPP
+
+#include "orient_options.hpp"
+#include "tools/image/sphere_grid.hpp"
+
+#include <memory>
+#include <vector>
+
+// An equirectangular image in memory. Failure if it cannot be read or is not twice as wide as high; with
+// gray its channels are made one, the luminance.
+SphereGrid read_equirect(const std::string &path, bool gray);
+
+class OrientPicture
+{
+public:
+    // Opens the output, and the image that is to be shown if there is one. mask must outlive it.
+    OrientPicture(const OrientOptions &options, const SphereGrid &mask);
+    ~OrientPicture();
+
+    // Above the cube as it is, below as it is turned.
+    void write(const cm_rotation &after, int threads);
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts;
+};
+
+#endif
