@@ -82,10 +82,8 @@ typedef struct quad_kernels
     cm_constants_f128 (*prepare)(cm_constants_f128 parameters);
     cm_uv_f128 (*warp)(quad p, quad q, cm_constants_f128 k);
     cm_pq_f128 (*unwarp)(quad u, quad v, cm_constants_f128 k);
-    cm_face_point_f128 (*project)(quad x, quad y, quad z);
-    cm_xyz_f128 (*unproject)(quad face, quad a, quad b);
-    cm_face_point_f128 (*project_constants)(quad x, quad y, quad z, cm_constants_f128 k);
-    cm_xyz_f128 (*unproject_constants)(quad face, quad a, quad b, cm_constants_f128 k);
+    cm_face_point_f128 (*project)(quad x, quad y, quad z, cm_constants_f128 k);
+    cm_xyz_f128 (*unproject)(quad face, quad a, quad b, cm_constants_f128 k);
     cm_jacobian_f128 (*jacobian)(quad p, quad q, quad u, quad v, cm_constants_f128 k);
     cm_disc_point_f128 (*to_disc)(quad x, quad y, quad z, cm_constants_f128 k);
     cm_xyz_f128 (*from_disc)(cm_disc_point_f128 d, cm_constants_f128 k);
@@ -93,10 +91,25 @@ typedef struct quad_kernels
     cm_disc_point_f128 (*from_square)(quad x, quad y);
 } quad_kernels;
 
+/* the faces of the cube, which take no constants */
+static inline cm_face_point_f128 quad_cube_project(quad x, quad y, quad z, cm_constants_f128 k)
+{
+    (void)k;
+    return cm_cube_project_f128(x, y, z);
+}
+
+static inline cm_xyz_f128 quad_cube_unproject(quad face, quad a, quad b, cm_constants_f128 k)
+{
+    (void)k;
+    return cm_cube_unproject_f128(face, a, b);
+}
+
 /* By index in the catalogue. */
 #define CM_DESCRIPTORS
 #define CM_SPHERE(id, ...)                                                                         \
-    {.project = cm_##id##_project_f128, .unproject = cm_##id##_unproject_f128},
+    {.prepare = cm_##id##_prepare_f128,                                                            \
+     .project = cm_##id##_project_f128,                                                            \
+     .unproject = cm_##id##_unproject_f128},
 #define CM_LAYOUT(id, ...) {0},
 #define CM_AZIMUTHAL(id, ...)                                                                      \
     {.prepare = cm_azimuthal_##id##_prepare_f128,                                                  \
@@ -104,16 +117,12 @@ typedef struct quad_kernels
      .from_disc = cm_azimuthal_##id##_unproject_f128},
 #define CM_SQUARE(id, ...)                                                                         \
     {.to_square = cm_square_##id##_forward_f128, .from_square = cm_square_##id##_inverse_f128},
-#define CM_SPHERE_CONSTANTS(id, ...)                                                               \
-    {.prepare = cm_##id##_prepare_f128,                                                            \
-     .project_constants = cm_##id##_project_f128,                                                  \
-     .unproject_constants = cm_##id##_unproject_f128},
 #define CM_WARP(id, ...)                                                                           \
     {.prepare = cm_##id##_prepare_f128,                                                            \
      .warp = cm_##id##_forward_f128,                                                               \
      .unwarp = cm_##id##_inverse_f128,                                                             \
-     .project = cm_cube_project_f128,                                                              \
-     .unproject = cm_cube_unproject_f128,                                                          \
+     .project = quad_cube_project,                                                                 \
+     .unproject = quad_cube_unproject,                                                             \
      .jacobian = cm_##id##_jacobian_f128},
 static const quad_kernels quad_table[] = {
 #include <cubemap/kernel/catalogue.h>
@@ -121,7 +130,6 @@ static const quad_kernels quad_table[] = {
 #undef CM_LAYOUT
 #undef CM_AZIMUTHAL
 #undef CM_SQUARE
-#undef CM_SPHERE_CONSTANTS
 #undef CM_SPHERE
 #undef CM_WARP
 #undef CM_DESCRIPTORS
@@ -345,11 +353,8 @@ static inline int quad_forward(const quad_mapping *mapping, const quad direction
     {
         return quad_forward_parts(mapping, direction, uv);
     }
-    const quad_kernels *kernels = mapping->kernels;
-    cm_face_point_f128 r = kernels->project_constants != NULL
-                               ? kernels->project_constants(direction[0], direction[1],
-                                                            direction[2], mapping->constants)
-                               : kernels->project(direction[0], direction[1], direction[2]);
+    cm_face_point_f128 r = mapping->kernels->project(direction[0], direction[1], direction[2],
+                                                     mapping->constants);
     uv[0] = r.a;
     uv[1] = r.b;
     if (mapping->kernels->warp != NULL)
@@ -373,10 +378,7 @@ static inline void quad_inverse(const quad_mapping *mapping, int face, const qua
     {
         quad_unwarp(mapping, uv, pq);
     }
-    const quad_kernels *kernels = mapping->kernels;
-    cm_xyz_f128 r = kernels->unproject_constants != NULL
-                        ? kernels->unproject_constants((quad)face, pq[0], pq[1], mapping->constants)
-                        : kernels->unproject((quad)face, pq[0], pq[1]);
+    cm_xyz_f128 r = mapping->kernels->unproject((quad)face, pq[0], pq[1], mapping->constants);
     direction[0] = r.x;
     direction[1] = r.y;
     direction[2] = r.z;

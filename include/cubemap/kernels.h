@@ -9,14 +9,14 @@
  * The parameters are those of the descriptor, in its order.
  *
  * A mapping called M has cm_M_prepare, and if it warps a face cm_M_forward (p, q to u, v) and
- * cm_M_inverse; if its family is CM_FAMILY_HYBRID it has cm_M_project (direction to face, u, v) and
- * cm_M_unproject instead. cm_cube_project and cm_cube_unproject go between directions and (p, q), in
+ * cm_M_inverse; if it maps directions itself (healpix, rhealpix, octahedral, clarberg) cm_M_project (direction to face, u,
+ * v) and cm_M_unproject instead. All take the prepared constants last. cm_cube_project and cm_cube_unproject go between directions and (p, q), in
  * the frame geo.
  *
  * Derivatives: cm_M_jacobian takes a point as (p, q) and as the (u, v) that cm_M_forward makes of it, and
  * gives those of (u, v) by (p, q); cm_cube_tangents and cm_cube_gradients give those of the unit direction
  * by (p, q) and of (p, q) by the direction, cm_jacobian_tangents and cm_jacobian_gradients make of both
- * those by and of (u, v). For a hybrid they are cm_M_tangents and cm_M_gradients. Where a map has a crease
+ * those by and of (u, v). For a map of directions they are cm_M_tangents and cm_M_gradients. Where a map has a crease
  * they are those of the side to which the point counts.
  *
  * Arguments must be inside their ranges: [-1, 1] for coordinates, a finite non-zero

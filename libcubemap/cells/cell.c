@@ -3,6 +3,8 @@
  * The numbers of cells: what follows from their bits, their places on a face, and their texts.
  */
 #include "cell_shape.h"
+#include "libcubemap/mapping/catalogue_words.h"
+#include "libcubemap/mapping/message.h"
 
 #include <string.h>
 

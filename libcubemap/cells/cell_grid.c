@@ -3,6 +3,7 @@
  * Cell grids: points to cells, and where cells are.
  */
 #include "cell_shape.h"
+#include "libcubemap/batch/mapping_object.h"
 
 #include <stdlib.h>
 #include <string.h>

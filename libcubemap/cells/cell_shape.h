@@ -2,10 +2,13 @@
  *
  * What the files about cells share.
  */
-#ifndef LIBCUBEMAP_CELLS_H
-#define LIBCUBEMAP_CELLS_H
+#ifndef LIBCUBEMAP_CELLS_CELL_SHAPE_H
+#define LIBCUBEMAP_CELLS_CELL_SHAPE_H
 
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/batch/batch_set.h"
 
 #define CM_CELL_BULGES 5
 

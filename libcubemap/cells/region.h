@@ -2,8 +2,8 @@
  *
  * Regions, as coverings ask them.
  */
-#ifndef LIBCUBEMAP_REGION_H
-#define LIBCUBEMAP_REGION_H
+#ifndef LIBCUBEMAP_CELLS_REGION_H
+#define LIBCUBEMAP_CELLS_REGION_H
 
 #include <cubemap/covering.h>
 

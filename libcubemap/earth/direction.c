@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include <math.h>
 
 static const double half_pi = 1.5707963267948966;
 
@@ -34,19 +37,4 @@ void cm_lonlat_from_direction(const double direction[3], double lonlat[2])
     double z = ldexp(direction[2], -exponent);
     lonlat[0] = atan2(direction[1], direction[0]);
     lonlat[1] = atan2(z, hypot(x, y));
-}
-
-void cm_sine_cosine_degrees(double degrees, double *sine, double *cosine)
-{
-    int quarters = 0;
-    double angle = remquo(degrees, 90.0, &quarters) * (3.14159265358979323846 / 180.0);
-    double s = sin(angle);
-    double c = cos(angle);
-    int odd = ((unsigned)quarters & 1u) != 0;
-    int half_turn = ((unsigned)quarters & 2u) != 0;
-    double turned_sine = odd ? c : s;
-    double turned_cosine = odd ? -s : c;
-    /* adding zero turns -0 into 0 */
-    *sine = (half_turn ? -turned_sine : turned_sine) + 0.0;
-    *cosine = (half_turn ? -turned_cosine : turned_cosine) + 0.0;
 }

@@ -2,7 +2,12 @@
  *
  * The table of ellipsoids, and others from a text.
  */
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/mapping/catalogue_words.h"
+#include "libcubemap/mapping/number_text.h"
+#include "libcubemap/mapping/message.h"
 
 #include <string.h>
 

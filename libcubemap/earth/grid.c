@@ -2,7 +2,11 @@
  *
  * Grids: ellipsoid, auxiliary latitude, rotation and mapping in a row.
  */
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "lonlat_block.h"
+#include "grid_object.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,10 @@
  *
  * Lengths and areas of the ellipsoid on the sphere that a grid makes of it, and so on its faces.
  */
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "grid_object.h"
 
 #include <string.h>
 

@@ -3,7 +3,12 @@
  * Conversions between latitudes: which way one takes, and the public functions, which give any number of
  * points to the loops of the instruction set (latitude_loops.inc), or one by one to the closed forms.
  */
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/mapping/set_choice.h"
+#include "libcubemap/mapping/catalogue_words.h"
+#include "latitude_shape.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -15,7 +15,10 @@
  *
  * Back by Newton's method on the logarithms of the tangents, whose slope is 1 at both ends, in a bracket.
  */
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "latitude_shape.h"
 
 static const double half_pi = 1.5707963267948966;
 static const double half_pi_rest = 6.123233995736766e-17;

@@ -2,7 +2,11 @@
  *
  * Longitude and latitude to direction and back for any number of points, and what mapping.h offers in them.
  */
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/batch/mapping_object.h"
+#include "lonlat_block.h"
 
 #include <string.h>
 
@@ -56,6 +60,21 @@ void cm_block_to_lonlats(const cm_batch_set *set, size_t n, double *x, double *y
 }
 
 /* ---- Public functions, documented in <cubemap/mapping.h> ---- */
+
+uint8_t cm_forward_lonlat(const cm_mapping *mapping, double lon, double lat, double uv[2])
+{
+    double direction[3];
+    cm_direction_from_lonlat(lon, lat, direction);
+    return cm_forward(mapping, direction, uv);
+}
+
+void cm_inverse_lonlat(const cm_mapping *mapping, uint8_t face, const double uv[2],
+                       double lonlat[2])
+{
+    double direction[3];
+    cm_inverse(mapping, face, uv, direction);
+    cm_lonlat_from_direction(direction, lonlat);
+}
 
 void cm_forward_lonlat_array(const cm_mapping *mapping, size_t n, const double *lon,
                              const double *lat, uint8_t *face, double *u, double *v)

@@ -2,7 +2,12 @@
  *
  * Rotations of the base cube.
  */
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/mapping/number_text.h"
+#include "libcubemap/mapping/message.h"
+#include "libcubemap/mapping/angle.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,6 +4,8 @@
  * instruction set, what is left over of whole vectors and single points in a vector of their own.
  */
 #include "healpix_object.h"
+#include "libcubemap/mapping/message.h"
+#include "libcubemap/mapping/set_choice.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

@@ -2,14 +2,16 @@
  *
  * The table of descriptors, and names.
  */
-#include "internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "catalogue_words.h"
 
 #include <string.h>
 
 #define CM_DESCRIPTORS
 #define CM_WARP(id, ...) {__VA_ARGS__},
 #define CM_SPHERE(id, ...) {__VA_ARGS__},
-#define CM_SPHERE_CONSTANTS(id, ...) {__VA_ARGS__},
 #define CM_CHART(id, ...) {__VA_ARGS__},
 
 static const cm_mapping_info catalogue[] = {

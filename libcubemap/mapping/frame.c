@@ -2,7 +2,11 @@
  *
  * The frames, and what follows from their tables.
  */
-#include "internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/batch/turn.h"
+#include "catalogue_words.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,12 @@
  *
  * The instruction sets of this build, and which of them this machine can run.
  */
-#include "internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "set_choice.h"
+#include "catalogue_words.h"
+#include "message.h"
 
 #include <stdio.h>
 #include <stdlib.h>

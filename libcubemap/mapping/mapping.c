@@ -1,24 +1,26 @@
 /* SPDX-License-Identifier: MIT
  *
- * The life of a mapping, and the thin wrappers in lon/lat.
+ * The life of a mapping.
  */
-#include "internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/batch/mapping_object.h"
+#include "parts.h"
+#include "set_choice.h"
+#include "specification.h"
+#include "angle.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* What derives a mapping's constants from its parameters, by index in the catalogue; NULL if it has
- * none. */
-#define CM_DESCRIPTORS
-#define CM_SPHERE(id, ...) NULL,
-#define CM_SPHERE_CONSTANTS(id, ...) cm_##id##_prepare_f64,
-#define CM_LAYOUT(id, ...) NULL,
-#define CM_SQUARE(id, ...) NULL,
-#define CM_AZIMUTHAL(id, ...) cm_azimuthal_##id##_prepare_f64,
-#define CM_WARP(id, ...) cm_##id##_prepare_f64,
-static cm_constants_f64 (*const prepare_table[])(cm_constants_f64 parameters) = {
-#include <cubemap/kernel/catalogue.h>
-};
+/* Derives a mapping's constants from its parameters: in double and by plain C for every set, so that all compute
+ * with the same. */
+static cm_constants_f64 derive(size_t index, cm_constants_f64 parameters)
+{
+    cm_constants_f64 (*make)(cm_constants_f64) = cm_batch_scalar.f64[index].prepare;
+    return make == NULL ? parameters : make(parameters);
+}
 
 /* A parameter by its name, or what it is if there is none. */
 static double parameter_called(const cm_mapping *mapping, const char *name, double otherwise)
@@ -79,12 +81,12 @@ static void prepare(cm_mapping *mapping)
     k.k5 = parameter[5];
     if (cm_mapping_has_parts(mapping) && mapping->info->kind != CM_KIND_DISC_SQUARE)
     {
-        k = prepare_table[mapping->azimuthal](azimuthal_parameters(mapping));
+        k = derive(mapping->azimuthal, azimuthal_parameters(mapping));
         turn_axes(mapping);
     }
-    else if (prepare_table[mapping->index] != NULL)
+    else
     {
-        k = prepare_table[mapping->index](k);
+        k = derive(mapping->index, k);
     }
     mapping->constants_f64 = k;
     mapping->constants_f32 = (cm_constants_f32){.k0 = (float)k.k0,
@@ -228,19 +230,4 @@ const cm_frame *cm_mapping_frame(const cm_mapping *mapping)
 double cm_mapping_parameter(const cm_mapping *mapping, size_t index)
 {
     return index < mapping->info->parameter_count ? mapping->parameter[index] : (double)NAN;
-}
-
-uint8_t cm_forward_lonlat(const cm_mapping *mapping, double lon, double lat, double uv[2])
-{
-    double direction[3];
-    cm_direction_from_lonlat(lon, lat, direction);
-    return cm_forward(mapping, direction, uv);
-}
-
-void cm_inverse_lonlat(const cm_mapping *mapping, uint8_t face, const double uv[2],
-                       double lonlat[2])
-{
-    double direction[3];
-    cm_inverse(mapping, face, uv, direction);
-    cm_lonlat_from_direction(direction, lonlat);
 }

@@ -3,7 +3,10 @@
  * Decimal numbers in the texts that the library reads. Not strtod, which reads a comma where the locale of
  * the program has one.
  */
-#include "internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "number_text.h"
 
 #include <stdlib.h>
 

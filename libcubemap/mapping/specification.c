@@ -3,7 +3,13 @@
  * Specifications: NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]], NAME:PRESET, and
  * LAYOUT[:AZIMUTHAL,SQUARE[,PARAMETER=VALUE...]].
  */
-#include "internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "catalogue_words.h"
+#include "specification.h"
+#include "number_text.h"
+#include "message.h"
 
 #include <stdio.h>
 #include <string.h>

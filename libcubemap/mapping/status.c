@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "message.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -17,7 +17,7 @@ enum
 static const double inset_t = 0x1p-50;
 static const double inset_r = 0x1p-40;
 
-void cm_survey_extreme(cm_statistics *s, double value, uint8_t face, double u, double v)
+void cm_quadrature_extreme(cm_statistics *s, double value, uint8_t face, double u, double v)
 {
     if (value < s->minimum)
     {
@@ -45,18 +45,19 @@ static void add_point(cm_piece_points *points, int piece, double r, double t)
     cm_piece_point(points, piece, clamp(r, inset_r, 1.0), clamp(t, inset_t, 1.0 - inset_t));
 }
 
-static void evaluate(const cm_survey *survey, cm_piece_points *points, cm_statistics *s)
+static void evaluate(const cm_quadrature *quadrature, cm_piece_points *points, cm_statistics *s)
 {
-    cm_survey_evaluate(survey, points);
+    cm_quadrature_evaluate(quadrature, points);
     s->evaluations += points->count;
     for (size_t i = 0; i < points->count; i++)
     {
-        cm_survey_extreme(s, points->value[i], points->face[i], points->u[i], points->v[i]);
+        cm_quadrature_extreme(s, points->value[i], points->face[i], points->u[i], points->v[i]);
     }
 }
 
 /* value[i * GRID + j] is that at r = i / (GRID - 1), t = j / (GRID - 1). */
-static void evaluate_grid(const cm_survey *survey, int piece, double *value, cm_statistics *s)
+static void evaluate_grid(const cm_quadrature *quadrature, int piece, double *value,
+                          cm_statistics *s)
 {
     for (int i = 0; i < GRID; i++)
     {
@@ -66,7 +67,7 @@ static void evaluate_grid(const cm_survey *survey, int piece, double *value, cm_
         {
             add_point(&points, piece, (double)i / (GRID - 1), (double)j / (GRID - 1));
         }
-        evaluate(survey, &points, s);
+        evaluate(quadrature, &points, s);
         for (int j = 0; j < GRID; j++)
         {
             value[i * GRID + j] = points.value[j];
@@ -74,8 +75,8 @@ static void evaluate_grid(const cm_survey *survey, int piece, double *value, cm_
     }
 }
 
-static void search_from(const cm_survey *survey, int piece, double r, double t, double value,
-                        double sign, cm_statistics *s)
+static void search_from(const cm_quadrature *quadrature, int piece, double r, double t,
+                        double value, double sign, cm_statistics *s)
 {
     double step = 0.5 / (GRID - 1);
     for (int halvings = 0; halvings < HALVINGS;)
@@ -88,7 +89,7 @@ static void search_from(const cm_survey *survey, int piece, double r, double t, 
         {
             add_point(&points, piece, r + step * along[k], t + step * along[(k + 6) % NEIGHBOURS]);
         }
-        evaluate(survey, &points, s);
+        evaluate(quadrature, &points, s);
         for (int k = 0; k < NEIGHBOURS; k++)
         {
             if (sign * points.value[k] > sign * value)
@@ -131,10 +132,10 @@ static int may_lead(const double *value, int i, int j, double sign, double extre
     return here + 2.0 * (here - least) >= sign * extreme && here - least > flat;
 }
 
-static void search_piece(const cm_survey *survey, int piece, cm_statistics *s)
+static void search_piece(const cm_quadrature *quadrature, int piece, cm_statistics *s)
 {
     double value[GRID * GRID];
-    evaluate_grid(survey, piece, value, s);
+    evaluate_grid(quadrature, piece, value, s);
     for (int i = 0; i < GRID; i++)
     {
         for (int j = 0; j < GRID; j++)
@@ -144,11 +145,11 @@ static void search_piece(const cm_survey *survey, int piece, cm_statistics *s)
             double here = value[i * GRID + j];
             if (may_lead(value, i, j, 1.0, s->maximum))
             {
-                search_from(survey, piece, r, t, here, 1.0, s);
+                search_from(quadrature, piece, r, t, here, 1.0, s);
             }
             if (may_lead(value, i, j, -1.0, s->minimum))
             {
-                search_from(survey, piece, r, t, here, -1.0, s);
+                search_from(quadrature, piece, r, t, here, -1.0, s);
             }
         }
     }
@@ -157,7 +158,7 @@ static void search_piece(const cm_survey *survey, int piece, cm_statistics *s)
 /* Faces meet at a corner of the cube in 270 degrees, on the sphere in 360: a mapping that keeps angles there
  * grows as a power of the distance. From a distance of 2^-20 to 2^-27 and on to 2^-34 the factor is the
  * same; where there is a limit it is near 1. */
-static void extend_to_corner(const cm_survey *survey, uint8_t face, double u, double v,
+static void extend_to_corner(const cm_quadrature *quadrature, uint8_t face, double u, double v,
                              cm_statistics *s)
 {
     cm_piece_points points;
@@ -169,35 +170,35 @@ static void extend_to_corner(const cm_survey *survey, uint8_t face, double u, do
         points.u[i] = u - u * distance;
         points.v[i] = v - v * (1.5 * distance); /* the diagonal may be a crease */
     }
-    cm_survey_evaluate(survey, &points);
+    cm_quadrature_evaluate(quadrature, &points);
     s->evaluations += points.count;
     double first = points.value[1] / points.value[0];
     double second = points.value[2] / points.value[1];
     if (fabs(first - 1.0) > 0.5 && fabs(second - first) < 1e-3 * first)
     {
-        cm_survey_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, face, u, v);
+        cm_quadrature_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, face, u, v);
     }
 }
 
-static void extend_to_corners(const cm_survey *survey, cm_statistics *s)
+static void extend_to_corners(const cm_quadrature *quadrature, cm_statistics *s)
 {
     for (uint8_t face = 0; face < 6; face++)
     {
-        for (int corner = 0; corner < 4 && cm_survey_has(survey, 8 * face); corner++)
+        for (int corner = 0; corner < 4 && cm_quadrature_has(quadrature, 8 * face); corner++)
         {
-            extend_to_corner(survey, face, corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, s);
+            extend_to_corner(quadrature, face, corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, s);
         }
     }
 }
 
-void cm_survey_search(const cm_survey *survey, cm_statistics *statistics)
+void cm_quadrature_search(const cm_quadrature *quadrature, cm_statistics *statistics)
 {
     for (int piece = 0; piece < CM_PIECES; piece++)
     {
-        if (cm_survey_has(survey, piece))
+        if (cm_quadrature_has(quadrature, piece))
         {
-            search_piece(survey, piece, statistics);
+            search_piece(quadrature, piece, statistics);
         }
     }
-    extend_to_corners(survey, statistics);
+    extend_to_corners(quadrature, statistics);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "pieces.h"
+#include "libcubemap/mapping/catalogue_words.h"
 
 #include <string.h>
 
@@ -39,14 +40,15 @@ int cm_quantity_find(const char *name)
 }
 
 /* The area of a texel at the centre of each face is the unit of the others. */
-static void find_units(cm_survey *survey)
+static void find_units(cm_quadrature *quadrature)
 {
     for (uint8_t face = 0; face < 6; face++)
     {
         static const double centre[2] = {0.0, 0.0};
         cm_distortion d;
-        cm_inverse_distortion(survey->mapping, face, centre, &d);
-        survey->unit[face] = survey->quantity == CM_QUANTITY_TEXEL_AREA ? d.texel_area : 1.0;
+        cm_inverse_distortion(quadrature->mapping, face, centre, &d);
+        quadrature->unit[face] =
+            quadrature->quantity == CM_QUANTITY_TEXEL_AREA ? d.texel_area : 1.0;
     }
 }
 
@@ -57,8 +59,8 @@ static int are_good(const cm_statistics_options *o)
            (o->tolerance == 0.0 || (o->tolerance >= 1e-13 && o->tolerance <= 1e-2));
 }
 
-cm_status cm_survey_make(const cm_mapping *mapping, cm_quantity quantity,
-                         const cm_statistics_options *options, cm_survey *survey)
+cm_status cm_quadrature_make(const cm_mapping *mapping, cm_quantity quantity,
+                             const cm_statistics_options *options, cm_quadrature *quadrature)
 {
     static const cm_statistics_options none = {.size = sizeof none};
     const cm_statistics_options *o = options == NULL ? &none : options;
@@ -70,28 +72,28 @@ cm_status cm_survey_make(const cm_mapping *mapping, cm_quantity quantity,
     {
         return CM_ERROR_UNSUPPORTED;
     }
-    survey->mapping = mapping;
-    survey->quantity = quantity;
-    survey->measure = o->measure;
-    survey->faces = o->faces == 0 ? 63 : o->faces;
-    survey->ideal = quantities[quantity].ideal;
-    find_units(survey);
+    quadrature->mapping = mapping;
+    quadrature->quantity = quantity;
+    quadrature->measure = o->measure;
+    quadrature->faces = o->faces == 0 ? 63 : o->faces;
+    quadrature->ideal = quantities[quantity].ideal;
+    find_units(quadrature);
     return CM_OK;
 }
 
-void cm_survey_evaluate(const cm_survey *survey, cm_piece_points *points)
+void cm_quadrature_evaluate(const cm_quadrature *quadrature, cm_piece_points *points)
 {
     cm_distortion_arrays to = {0};
     double *value = points->value;
-    memcpy((char *)&to + quantities[survey->quantity].offset, &value, sizeof value);
+    memcpy((char *)&to + quantities[quadrature->quantity].offset, &value, sizeof value);
     /* an area on the sphere is one of the map over the scale */
-    to.scale = survey->quantity == CM_QUANTITY_SCALE ? to.scale : points->weight;
-    cm_inverse_distortion_array(survey->mapping, points->count, points->face, points->u, points->v,
-                                &to);
+    to.scale = quadrature->quantity == CM_QUANTITY_SCALE ? to.scale : points->weight;
+    cm_inverse_distortion_array(quadrature->mapping, points->count, points->face, points->u,
+                                points->v, &to);
     for (size_t i = 0; i < points->count; i++)
     {
         double scale = to.scale[i];
-        points->weight[i] = survey->measure == CM_OVER_SPHERE ? 1.0 / scale : 1.0;
-        points->value[i] /= survey->unit[points->face[i]];
+        points->weight[i] = quadrature->measure == CM_OVER_SPHERE ? 1.0 / scale : 1.0;
+        points->value[i] /= quadrature->unit[points->face[i]];
     }
 }

@@ -7,17 +7,18 @@
  * in the first piece u = r, v = r t, so that du dv = r dr dt. The centre has a value for every t, which is
  * what maps with creases there need.
  */
-#ifndef LIBCUBEMAP_PIECES_H
-#define LIBCUBEMAP_PIECES_H
+#ifndef LIBCUBEMAP_MEASURE_PIECES_H
+#define LIBCUBEMAP_MEASURE_PIECES_H
 
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
 
 #define CM_PIECES 48
 
 /* points that are evaluated at once */
 #define CM_PIECE_POINTS 128
 
-typedef struct cm_survey
+typedef struct cm_quadrature
 {
     const cm_mapping *mapping;
     cm_quantity quantity;
@@ -25,7 +26,7 @@ typedef struct cm_survey
     unsigned faces;
     double ideal;
     double unit[6]; /* what the quantity is divided by on each face */
-} cm_survey;
+} cm_quadrature;
 
 typedef struct cm_piece_points
 {
@@ -38,12 +39,12 @@ typedef struct cm_piece_points
 } cm_piece_points;
 
 /* CM_OK, CM_ERROR_ARGUMENT, or CM_ERROR_UNSUPPORTED. options may be NULL. */
-cm_status cm_survey_make(const cm_mapping *mapping, cm_quantity quantity,
-                         const cm_statistics_options *options, cm_survey *survey);
+cm_status cm_quadrature_make(const cm_mapping *mapping, cm_quantity quantity,
+                             const cm_statistics_options *options, cm_quadrature *quadrature);
 
-static inline int cm_survey_has(const cm_survey *survey, int piece)
+static inline int cm_quadrature_has(const cm_quadrature *quadrature, int piece)
 {
-    return (survey->faces >> (piece / 8) & 1u) != 0;
+    return (quadrature->faces >> (piece / 8) & 1u) != 0;
 }
 
 /* Appends the point of a piece at (r, t). */
@@ -58,15 +59,17 @@ static inline void cm_piece_point(cm_piece_points *points, int piece, double r, 
 }
 
 /* Fills in value and weight. */
-void cm_survey_evaluate(const cm_survey *survey, cm_piece_points *points);
+void cm_quadrature_evaluate(const cm_quadrature *quadrature, cm_piece_points *points);
 
 /* Mean, RMSE and their errors into statistics, and how many points that took. */
-void cm_survey_integrate(const cm_survey *survey, double tolerance, cm_statistics *statistics);
+void cm_quadrature_integrate(const cm_quadrature *quadrature, double tolerance,
+                             cm_statistics *statistics);
 
 /* Extremes and where they are. */
-void cm_survey_search(const cm_survey *survey, cm_statistics *statistics);
+void cm_quadrature_search(const cm_quadrature *quadrature, cm_statistics *statistics);
 
 /* Counts one more value. */
-void cm_survey_extreme(cm_statistics *statistics, double value, uint8_t face, double u, double v);
+void cm_quadrature_extreme(cm_statistics *statistics, double value, uint8_t face, double u,
+                           double v);
 
 #endif

@@ -41,7 +41,7 @@ typedef struct cell
 
 typedef struct integral
 {
-    const cm_survey *survey;
+    const cm_quadrature *quadrature;
     double tolerance[MOMENTS]; /* of the integral over all pieces */
     double sum[MOMENTS];
     double apart[MOMENTS];
@@ -57,14 +57,14 @@ static void integrate_cell(integral *in, const cell *c, double moment[MOMENTS])
         cm_piece_point(&points, c->piece, c->r + c->size * node[i / NODES],
                        c->t + c->size * node[i % NODES]);
     }
-    cm_survey_evaluate(in->survey, &points);
+    cm_quadrature_evaluate(in->quadrature, &points);
     in->evaluations += points.count;
     memset(moment, 0, MOMENTS * sizeof moment[0]);
     for (int i = 0; i < NODES * NODES; i++)
     {
         double r = c->r + c->size * node[i / NODES];
         double weight = points.weight[i] * r * node_weight[i / NODES] * node_weight[i % NODES];
-        double difference = points.value[i] - in->survey->ideal;
+        double difference = points.value[i] - in->quadrature->ideal;
         if (isfinite(weight) && isfinite(difference))
         {
             moment[0] += weight;
@@ -112,15 +112,16 @@ static cell whole_of(int piece)
     return (cell){piece, 0.0, 0.0, 1.0};
 }
 
-void cm_survey_integrate(const cm_survey *survey, double tolerance, cm_statistics *statistics)
+void cm_quadrature_integrate(const cm_quadrature *quadrature, double tolerance,
+                             cm_statistics *statistics)
 {
-    integral in = {.survey = survey};
+    integral in = {.quadrature = quadrature};
     double whole[CM_PIECES][MOMENTS];
     double first[MOMENTS] = {0};
     for (int piece = 0; piece < CM_PIECES; piece++)
     {
         cell c = whole_of(piece);
-        if (cm_survey_has(survey, piece))
+        if (cm_quadrature_has(quadrature, piece))
         {
             integrate_cell(&in, &c, whole[piece]);
             for (int k = 0; k < MOMENTS; k++)
@@ -138,7 +139,7 @@ void cm_survey_integrate(const cm_survey *survey, double tolerance, cm_statistic
     for (int piece = 0; piece < CM_PIECES; piece++)
     {
         cell c = whole_of(piece);
-        if (cm_survey_has(survey, piece))
+        if (cm_quadrature_has(quadrature, piece))
         {
             integrate(&in, &c, whole[piece], 0);
         }

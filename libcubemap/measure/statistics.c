@@ -13,8 +13,8 @@ typedef struct pixel_sums
 } pixel_sums;
 
 /* One row of a face's pixels, summed apart, so that the sums are as accurate as they are short. */
-static pixel_sums sum_row(const cm_survey *survey, uint8_t face, unsigned row, unsigned pixels,
-                          cm_statistics *s)
+static pixel_sums sum_row(const cm_quadrature *quadrature, uint8_t face, unsigned row,
+                          unsigned pixels, cm_statistics *s)
 {
     pixel_sums sums = {0};
     for (unsigned done = 0; done < pixels;)
@@ -26,12 +26,12 @@ static pixel_sums sum_row(const cm_survey *survey, uint8_t face, unsigned row, u
             points.u[points.count] = (2.0 * done + 1.0) / pixels - 1.0;
             points.v[points.count++] = (2.0 * row + 1.0) / pixels - 1.0;
         }
-        cm_survey_evaluate(survey, &points);
+        cm_quadrature_evaluate(quadrature, &points);
         s->evaluations += points.count;
         for (size_t i = 0; i < points.count; i++)
         {
-            double difference = points.value[i] - survey->ideal;
-            cm_survey_extreme(s, points.value[i], face, points.u[i], points.v[i]);
+            double difference = points.value[i] - quadrature->ideal;
+            cm_quadrature_extreme(s, points.value[i], face, points.u[i], points.v[i]);
             sums.count += 1.0;
             sums.value += points.value[i];
             sums.square += difference * difference;
@@ -40,14 +40,14 @@ static pixel_sums sum_row(const cm_survey *survey, uint8_t face, unsigned row, u
     return sums;
 }
 
-static void sum_pixels(const cm_survey *survey, unsigned pixels, cm_statistics *s)
+static void sum_pixels(const cm_quadrature *quadrature, unsigned pixels, cm_statistics *s)
 {
     pixel_sums sums = {0};
     for (uint8_t face = 0; face < 6; face++)
     {
-        for (unsigned row = 0; row < pixels && (survey->faces >> face & 1u) != 0; row++)
+        for (unsigned row = 0; row < pixels && (quadrature->faces >> face & 1u) != 0; row++)
         {
-            pixel_sums of_row = sum_row(survey, face, row, pixels, s);
+            pixel_sums of_row = sum_row(quadrature, face, row, pixels, s);
             sums.count += of_row.count;
             sums.value += of_row.value;
             sums.square += of_row.square;
@@ -62,29 +62,29 @@ static void sum_pixels(const cm_survey *survey, unsigned pixels, cm_statistics *
 cm_status cm_distortion_statistics(const cm_mapping *mapping, cm_quantity quantity,
                                    const cm_statistics_options *options, cm_statistics *statistics)
 {
-    cm_survey survey;
+    cm_quadrature quadrature;
     if (statistics == NULL || statistics->size != sizeof *statistics)
     {
         return CM_ERROR_ARGUMENT;
     }
-    cm_status status = cm_survey_make(mapping, quantity, options, &survey);
+    cm_status status = cm_quadrature_make(mapping, quantity, options, &quadrature);
     if (status != CM_OK)
     {
         return status;
     }
     cm_statistics s = {.size = sizeof s,
-                       .ideal = survey.ideal,
+                       .ideal = quadrature.ideal,
                        .minimum = (double)INFINITY,
                        .maximum = -(double)INFINITY};
     if (options != NULL && options->pixels > 0)
     {
-        sum_pixels(&survey, options->pixels, &s);
+        sum_pixels(&quadrature, options->pixels, &s);
     }
     else
     {
         double tolerance = options == NULL ? 0.0 : options->tolerance;
-        cm_survey_integrate(&survey, tolerance == 0.0 ? 1e-9 : tolerance, &s);
-        cm_survey_search(&survey, &s);
+        cm_quadrature_integrate(&quadrature, tolerance == 0.0 ? 1e-9 : tolerance, &s);
+        cm_quadrature_search(&quadrature, &s);
     }
     s.maximum_error = fmax(s.maximum - s.ideal, s.ideal - s.minimum);
     s.ratio = s.maximum / s.minimum;
@@ -121,12 +121,12 @@ static double offset_of(int piece, double step)
 }
 
 /* One point in each of so many cells along r and t of every piece, sorted; returns how many. */
-static size_t take_samples(const cm_survey *survey, int along, sample *samples)
+static size_t take_samples(const cm_quadrature *quadrature, int along, sample *samples)
 {
     size_t count = 0;
     for (int piece = 0; piece < CM_PIECES; piece++)
     {
-        for (int i = 0; i < along && cm_survey_has(survey, piece); i++)
+        for (int i = 0; i < along && cm_quadrature_has(quadrature, piece); i++)
         {
             double r = (i + offset_of(piece, 0.7548776662466927)) / along;
             double t = offset_of(piece, 0.5698402909980532);
@@ -136,7 +136,7 @@ static size_t take_samples(const cm_survey *survey, int along, sample *samples)
             {
                 cm_piece_point(&points, piece, r, (j + t) / along);
             }
-            cm_survey_evaluate(survey, &points);
+            cm_quadrature_evaluate(quadrature, &points);
             for (int j = 0; j < along; j++)
             {
                 double weight = points.weight[j] * r;
@@ -172,10 +172,10 @@ static double percentile_of(const sample *samples, size_t count, double total, d
     return samples[count - 1].value;
 }
 
-static void find_percentiles(const cm_survey *survey, int along, sample *samples, size_t count,
-                             const double *percent, double *value)
+static void find_percentiles(const cm_quadrature *quadrature, int along, sample *samples,
+                             size_t count, const double *percent, double *value)
 {
-    size_t n = take_samples(survey, along, samples);
+    size_t n = take_samples(quadrature, along, samples);
     double total = 0.0;
     for (size_t i = 0; i < n; i++)
     {
@@ -191,7 +191,7 @@ cm_status cm_distortion_percentiles(const cm_mapping *mapping, cm_quantity quant
                                     const cm_statistics_options *options, size_t count,
                                     const double *percent, double *value, double *doubt)
 {
-    cm_survey survey;
+    cm_quadrature quadrature;
     if ((options != NULL && options->pixels != 0) ||
         (count > 0 && (percent == NULL || value == NULL)))
     {
@@ -204,7 +204,7 @@ cm_status cm_distortion_percentiles(const cm_mapping *mapping, cm_quantity quant
             return CM_ERROR_ARGUMENT;
         }
     }
-    cm_status status = cm_survey_make(mapping, quantity, options, &survey);
+    cm_status status = cm_quadrature_make(mapping, quantity, options, &quadrature);
     if (status != CM_OK)
     {
         return status;
@@ -216,9 +216,9 @@ cm_status cm_distortion_percentiles(const cm_mapping *mapping, cm_quantity quant
     }
     if (doubt != NULL)
     {
-        find_percentiles(&survey, SAMPLES / 2, samples, count, percent, doubt);
+        find_percentiles(&quadrature, SAMPLES / 2, samples, count, percent, doubt);
     }
-    find_percentiles(&survey, SAMPLES, samples, count, percent, value);
+    find_percentiles(&quadrature, SAMPLES, samples, count, percent, value);
     for (size_t k = 0; k < count && doubt != NULL; k++)
     {
         doubt[k] = fabs(doubt[k] - value[k]);

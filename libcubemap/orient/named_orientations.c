@@ -3,7 +3,10 @@
  * Orientations that have a name: what cubemap-orient finds for data/land-1440.png. research/earth/orientations finds them
  * again, and checks them.
  */
-#include "libcubemap/mapping/internal.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/mapping/catalogue_words.h"
 
 #include <string.h>
 

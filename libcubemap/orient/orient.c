@@ -4,7 +4,14 @@
  * level, says what all others can be. All boxes of a level are bounded before any is left out, so that the result
  * does not depend on how threads share them.
  */
-#include "orient_task.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/mapping/catalogue_words.h"
+#include "orient_mask.h"
+#include "orient_field.h"
+#include "orient_value.h"
+#include "orient_survey.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -149,7 +156,19 @@ cm_status cm_orient_value(const cm_mapping *mapping, const cm_mask *mask,
 
 /* Clusters and pieces half as large as boxes: finer ones cost more than the boxes that they leave out. With the
  * finest boxes, which are few, it is the points that cost. */
-int cm_level_make(const cm_orient_task *task, double radius, double best, cm_orient_level *level)
+/* What is below the best value in a level's terms: fields are less best where that is over the sphere. */
+typedef struct cm_orient_level
+{
+    cm_orient_points points;
+    cm_orient_table table;
+    int back;
+    double least_scale; /* by which a bound below 0 is divided to be one of the value */
+} cm_orient_level;
+
+/* Points and table for boxes of a radius, relative to the best value (normalised as cm_task_value). 0 if there
+ * is no memory. */
+static int level_make(const cm_orient_task *task, double radius, double best,
+                      cm_orient_level *level)
 {
     const int edges = task->measure == CM_ORIENT_EDGES;
     const unsigned clusters = (unsigned)((radius > 0.015 ? 1.6 : 0.9) / radius);
@@ -171,7 +190,7 @@ int cm_level_make(const cm_orient_task *task, double radius, double best, cm_ori
     return cm_mask_table(task, reach, best, &level->table);
 }
 
-void cm_level_free(cm_orient_level *level)
+static void level_free(cm_orient_level *level)
 {
     cm_points_free(&level->points);
     cm_table_free(&level->table);
@@ -231,10 +250,9 @@ static cm_status bound_level(search *s, int index, double *gap)
     cm_orient_level level = {.points = {.count = 0}};
     free(s->bound);
     s->bound = malloc(count * sizeof *s->bound);
-    cm_status status =
-        s->bound != NULL && cm_level_make(s->task, largest_radius(s), s->best, &level)
-            ? CM_OK
-            : CM_ERROR_MEMORY;
+    cm_status status = s->bound != NULL && level_make(s->task, largest_radius(s), s->best, &level)
+                           ? CM_OK
+                           : CM_ERROR_MEMORY;
     s->level = &level;
     for (s->begin = 0; s->begin < count && status == CM_OK; s->begin += BLOCK)
     {
@@ -255,7 +273,7 @@ static cm_status bound_level(search *s, int index, double *gap)
         }
     }
     s->boxes.count = status == CM_OK ? kept : count;
-    cm_level_free(&level);
+    level_free(&level);
     return status;
 }
 
@@ -430,9 +448,10 @@ static cm_status survey_and_bound(search *s, double *gap)
     const size_t usual = s->task->measure == CM_ORIENT_EDGES ? 600000 : 100000;
     const size_t most = s->options->boxes_max == 0 ? usual : s->options->boxes_max;
     const double resolution = s->options->resolution == 0.0 ? 0.1 : s->options->resolution;
-    const cm_survey_progress progress = {s->options->progress, s->options->user, SURVEY_PART};
+    const cm_orient_survey_progress progress = {s->options->progress, s->options->user,
+                                                SURVEY_PART};
     cm_status status =
-        cm_survey_run(s->task, s->mask, resolution * DEGREE, most, &progress, &s->survey);
+        cm_orient_survey_run(s->task, s->mask, resolution * DEGREE, most, &progress, &s->survey);
     if (status == CM_OK)
     {
         const cm_valley *first = &s->survey.valley[0];
@@ -468,7 +487,7 @@ static cm_status search_all(cm_orient_task *task, const cm_orient_options *optio
         status = fill_result(&s, before, gap, result);
         result->radius = status == CM_OK && flat ? 180.0 : result->radius;
     }
-    cm_survey_free(&s.survey);
+    cm_orient_survey_free(&s.survey);
     free(s.boxes.box);
     free(s.bound);
     return status;

@@ -8,7 +8,10 @@
  * the sums of base + G . V and of V x G are all that is needed, and sin t n . g over the box is no less than
  * twice the least T . g over its corners T = tan(t/2) n, or 0.
  */
-#include "orient_task.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "orient_bound.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,10 @@
  * coordinates is a convex body of the sphere of quaternions, so what is farthest in it from anywhere is a
  * corner, and on which side of a great sphere all of it lies, its corners say.
  */
-#include "orient_task.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "orient_boxes.h"
 
 #include <math.h>
 #include <stdlib.h>

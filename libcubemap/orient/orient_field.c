@@ -2,7 +2,10 @@
  *
  * Distortion as a field on the sphere, and the linear pieces that it is never below.
  */
-#include "orient_task.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "orient_field.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,10 @@
  * The mask: its pixels as points, in as many clusters as a level needs; what lies under edges, and what does so
  * at the least within some reach.
  */
-#include "orient_task.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "orient_mask.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,13 @@
  * followed downhill, and the valleys that could be the best followed by the whole mask. What it computes at a node
  * or from a node on depends on nothing else, so that threads may share them.
  */
-#include "orient_task.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "orient_mask.h"
+#include "orient_field.h"
+#include "orient_value.h"
+#include "orient_survey.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -82,7 +88,7 @@ typedef struct survey
 {
     const cm_orient_task *task;
     const cm_orient_sketch *sketch;
-    const cm_survey_progress *progress;
+    const cm_orient_survey_progress *progress;
     cm_boxes nodes;
     double spacing; /* of the farthest neighbours along an axis, radians */
     float *value;   /* of each node */
@@ -160,7 +166,7 @@ static cm_status run_blocks(survey *s, cm_job job, size_t count, double from, do
         const size_t block = left < BLOCK ? left : BLOCK;
         cm_run_threads(s->task->threads, block, 64, job, s);
         const double part = (double)(s->begin + block) / (double)count;
-        if (cm_survey_stopped(s->progress, from + (to - from) * part))
+        if (cm_orient_survey_stopped(s->progress, from + (to - from) * part))
         {
             return CM_ERROR_STOPPED;
         }
@@ -328,8 +334,8 @@ static int follow_one(const whole *w, double resolution, cm_valley *v, doubt *d)
     return !isnan(v->value);
 }
 
-static cm_status follow_whole(const whole *w, double resolution, const cm_survey_progress *progress,
-                              cm_orient_survey *r)
+static cm_status follow_whole(const whole *w, double resolution,
+                              const cm_orient_survey_progress *progress, cm_orient_survey *r)
 {
     doubt d = {(double)INFINITY, -(double)INFINITY, 0.0};
     for (size_t i = 0; i < r->valley_count && i < FOLLOWED_MAX; i++)
@@ -343,7 +349,7 @@ static cm_status follow_whole(const whole *w, double resolution, const cm_survey
             return CM_ERROR_MEMORY;
         }
         r->followed = i + 1;
-        if (cm_survey_stopped(progress, 0.7 + 0.3 * (double)(i + 1) / (FOLLOWED_MAX + 1)))
+        if (cm_orient_survey_stopped(progress, 0.7 + 0.3 * (double)(i + 1) / (FOLLOWED_MAX + 1)))
         {
             return CM_ERROR_STOPPED;
         }
@@ -376,9 +382,9 @@ static cm_status follow_best(const whole *w, double resolution, cm_valley *v)
     return isnan(v->value) ? CM_ERROR_MEMORY : CM_OK;
 }
 
-cm_status cm_survey_run(const cm_orient_task *task, const cm_orient_points *mask, double resolution,
-                        size_t boxes_max, const cm_survey_progress *progress,
-                        cm_orient_survey *result)
+cm_status cm_orient_survey_run(const cm_orient_task *task, const cm_orient_points *mask,
+                               double resolution, size_t boxes_max,
+                               const cm_orient_survey_progress *progress, cm_orient_survey *result)
 {
     cm_orient_sketch sketch;
     survey s = {.task = task, .sketch = &sketch, .progress = progress};
@@ -403,7 +409,7 @@ cm_status cm_survey_run(const cm_orient_task *task, const cm_orient_points *mask
     return status;
 }
 
-void cm_survey_free(cm_orient_survey *result)
+void cm_orient_survey_free(cm_orient_survey *result)
 {
     free(result->valley);
     result->valley = NULL;

@@ -2,7 +2,13 @@
  *
  * The measure itself, over points or along edges, and following it downhill.
  */
-#include "orient_task.h"
+#include <cubemap/cubemap.h>
+#include <cubemap/kernels.h>
+
+#include "libcubemap/earth/lonlat_block.h"
+#include "orient_mask.h"
+#include "orient_field.h"
+#include "orient_value.h"
 
 #include <math.h>
 #include <stdlib.h>

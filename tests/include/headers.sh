@@ -29,7 +29,7 @@ use='#include <cubemap/kernels.h>
 extern float p, q;
 int main(void) {
     '"$example"'
-    cm_face_point_f64 f = cm_healpix_project_f64(1.0, 2.0, 3.0);
+    cm_face_point_f64 f = cm_healpix_project_f64(1.0, 2.0, 3.0, cm_make_parameters_f64(0.0, 0.0));
     return uv.u > 0.0f && f.face < 6.0 ? 0 : 1;
 }'
 # shellcheck disable=SC2086

@@ -24,8 +24,7 @@ using std::sqrt;
 #define CM_AZIMUTHAL(id, ...) KERNEL_TABLE_AZIMUTHAL(id)
 #define CM_SQUARE(id, ...) KERNEL_TABLE_SQUARE(id)
 #define CM_LAYOUT(id, ...) KERNEL_TABLE_LAYOUT(id)
-#define CM_SPHERE_CONSTANTS(id, ...) KERNEL_TABLE_CONSTANTS(id)
 
 const kernel_row shader_table[] = {
 #include <cubemap/kernel/catalogue.h>
-    CM_SPHERE(cube, ){nullptr, nullptr, nullptr, nullptr, nullptr}};
+    KERNEL_TABLE_CUBE{nullptr, nullptr, nullptr, nullptr, nullptr}};

@@ -39,12 +39,14 @@ template <typename constants> constants with_parameters(constants k, const float
     {#id, nullptr, nullptr,                                                                        \
      [](float x, float y, float z) -> kernel_result                                                \
      {                                                                                             \
-         auto r = KERNEL(cm_##id##_project)(x, y, z);                                              \
+         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(1.0f, 3.0f));               \
+         auto r = KERNEL(cm_##id##_project)(x, y, z, k);                                           \
          return {{r.face, r.a, r.b}};                                                              \
      },                                                                                            \
      [](float face, float a, float b) -> kernel_result                                             \
      {                                                                                             \
-         auto r = KERNEL(cm_##id##_unproject)(face, a, b);                                         \
+         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(1.0f, 3.0f));               \
+         auto r = KERNEL(cm_##id##_unproject)(face, a, b, k);                                      \
          return {{r.x, r.y, r.z}};                                                                 \
      }},
 #define KERNEL_TABLE_WARP(id)                                                                      \
@@ -95,18 +97,17 @@ template <typename constants> constants with_parameters(constants k, const float
          return {{r.u, r.v, r.rim}};                                                               \
      },                                                                                            \
      nullptr, nullptr},
-#define KERNEL_TABLE_CONSTANTS(id)                                                                 \
-    {#id, nullptr, nullptr,                                                                        \
+/* the faces of the cube, which take no constants */
+#define KERNEL_TABLE_CUBE                                                                          \
+    {"cube", nullptr, nullptr,                                                                        \
      [](float x, float y, float z) -> kernel_result                                                \
      {                                                                                             \
-         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(1.0f, 3.0f));               \
-         auto r = KERNEL(cm_##id##_project)(x, y, z, k);                                           \
+         auto r = KERNEL(cm_cube_project)(x, y, z);                                              \
          return {{r.face, r.a, r.b}};                                                              \
      },                                                                                            \
      [](float face, float a, float b) -> kernel_result                                             \
      {                                                                                             \
-         auto k = KERNEL(cm_##id##_prepare)(KERNEL(cm_make_parameters)(1.0f, 3.0f));               \
-         auto r = KERNEL(cm_##id##_unproject)(face, a, b, k);                                      \
+         auto r = KERNEL(cm_cube_unproject)(face, a, b);                                         \
          return {{r.x, r.y, r.z}};                                                                 \
      }},
 #define KERNEL_TABLE_LAYOUT(id) {#id, nullptr, nullptr, nullptr, nullptr},

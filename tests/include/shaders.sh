@@ -32,15 +32,13 @@ main() { # the body of a shader that uses everything
         echo "    j = cm_${id}_jacobian(place.x, place.y, uv.u, uv.v, k);"
         echo "    sum += vec4(j.u_p, j.u_q, j.v_p, j.v_q);"
     done
-    for id in cube $(rooms CM_SPHERE); do
-        echo "    f = cm_${id}_project(place.x, place.y, place.z); sum += vec4(f.face, f.a, f.b, 0.0);"
-        echo "    d = cm_${id}_unproject(f.face, f.a, f.b); sum += vec4(d.x, d.y, d.z, 0.0);"
-        echo "    t = cm_jacobian_tangents(j, cm_${id}_tangents(f.face, f.a, f.b));"
-        echo "    g = cm_jacobian_gradients(j, cm_${id}_gradients(d.x, d.y, d.z));"
-        echo "    sum += vec4(t.x_a, t.y_a, t.z_a, t.x_b) + vec4(t.y_b, t.z_b, g.a_x, g.a_y);"
-        echo "    sum += vec4(g.a_z, g.b_x, g.b_y, g.b_z);"
-    done
-    for id in $(rooms CM_SPHERE_CONSTANTS); do
+    echo "    f = cm_cube_project(place.x, place.y, place.z); sum += vec4(f.face, f.a, f.b, 0.0);"
+    echo "    d = cm_cube_unproject(f.face, f.a, f.b); sum += vec4(d.x, d.y, d.z, 0.0);"
+    echo "    t = cm_jacobian_tangents(j, cm_cube_tangents(f.face, f.a, f.b));"
+    echo "    g = cm_jacobian_gradients(j, cm_cube_gradients(d.x, d.y, d.z));"
+    echo "    sum += vec4(t.x_a, t.y_a, t.z_a, t.x_b) + vec4(t.y_b, t.z_b, g.a_x, g.a_y);"
+    echo "    sum += vec4(g.a_z, g.b_x, g.b_y, g.b_z);"
+    for id in $(rooms CM_SPHERE); do
         echo "    k = cm_${id}_prepare(cm_make_parameters(place.z, place.y));"
         echo "    f = cm_${id}_project(place.x, place.y, place.z, k); sum += vec4(f.face, f.a, f.b, 0.0);"
         echo "    d = cm_${id}_unproject(f.face, f.a, f.b, k); sum += vec4(d.x, d.y, d.z, 0.0);"

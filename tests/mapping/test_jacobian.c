@@ -162,9 +162,8 @@ typedef struct warp_kernels
 
 /* By index in the catalogue. */
 #define CM_DESCRIPTORS
-#define CM_SPHERE(id, ...) {NULL, NULL, NULL, NULL, NULL, NULL},
+#define CM_SPHERE(id, ...) {0},
 #define CM_CHART(id, ...) {0},
-#define CM_SPHERE_CONSTANTS(id, ...) {0},
 #define CM_WARP(id, ...)                                                                           \
     {cm_##id##_prepare_f64,  cm_##id##_forward_f64, cm_##id##_inverse_f64,                         \
      cm_##id##_jacobian_f64, cm_##id##_forward_f32, cm_##id##_jacobian_f32},
@@ -172,7 +171,6 @@ static const warp_kernels kernel_table[] = {
 #include <cubemap/kernel/catalogue.h>
 };
 #undef CM_CHART
-#undef CM_SPHERE_CONSTANTS
 #undef CM_SPHERE
 #undef CM_WARP
 #undef CM_DESCRIPTORS
@@ -355,19 +353,25 @@ static void warp_jacobian(const subject *s, const precision *in, const double pq
         (got)[5] = (double)(g).b_z;                                                                \
     } while (0)
 
+/* healpix has no parameters */
+static const cm_constants_f32 none_f32;
+static const cm_constants_f64 none_f64;
+
 /* of cube, or of healpix */
 static void tangents_of(int healpix, const precision *in, int face, const double ab[2],
                         double got[6])
 {
     if (in->narrow)
     {
-        cm_tangents_f32 t = (healpix ? cm_healpix_tangents_f32 : cm_cube_tangents_f32)(
-            (float)face, (float)ab[0], (float)ab[1]);
+        const float a = (float)ab[0];
+        const float b = (float)ab[1];
+        cm_tangents_f32 t = healpix ? cm_healpix_tangents_f32((float)face, a, b, none_f32)
+                                    : cm_cube_tangents_f32((float)face, a, b);
         TAKE_TANGENTS(t, got);
         return;
     }
-    cm_tangents_f64 t =
-        (healpix ? cm_healpix_tangents_f64 : cm_cube_tangents_f64)((double)face, ab[0], ab[1]);
+    cm_tangents_f64 t = healpix ? cm_healpix_tangents_f64((double)face, ab[0], ab[1], none_f64)
+                                : cm_cube_tangents_f64((double)face, ab[0], ab[1]);
     TAKE_TANGENTS(t, got);
 }
 
@@ -378,14 +382,19 @@ static int gradients_of(int healpix, const precision *in, const double d[3], dou
         float x = (float)d[0];
         float y = (float)d[1];
         float z = (float)d[2];
-        cm_gradients_f32 g = (healpix ? cm_healpix_gradients_f32 : cm_cube_gradients_f32)(x, y, z);
+        cm_gradients_f32 g = healpix ? cm_healpix_gradients_f32(x, y, z, none_f32)
+                                     : cm_cube_gradients_f32(x, y, z);
         TAKE_GRADIENTS(g, got);
-        return (int)(healpix ? cm_healpix_project_f32 : cm_cube_project_f32)(x, y, z).face;
+        return (int)(healpix ? cm_healpix_project_f32(x, y, z, none_f32)
+                             : cm_cube_project_f32(x, y, z))
+            .face;
     }
-    cm_gradients_f64 g =
-        (healpix ? cm_healpix_gradients_f64 : cm_cube_gradients_f64)(d[0], d[1], d[2]);
+    cm_gradients_f64 g = healpix ? cm_healpix_gradients_f64(d[0], d[1], d[2], none_f64)
+                                 : cm_cube_gradients_f64(d[0], d[1], d[2]);
     TAKE_GRADIENTS(g, got);
-    return (int)(healpix ? cm_healpix_project_f64 : cm_cube_project_f64)(d[0], d[1], d[2]).face;
+    return (int)(healpix ? cm_healpix_project_f64(d[0], d[1], d[2], none_f64)
+                         : cm_cube_project_f64(d[0], d[1], d[2]))
+        .face;
 }
 
 /* ---- Points ---- */
@@ -799,7 +808,7 @@ static void healpix_tangent_truth(int face, const double uv[2], quad truth[6])
     quad size = piece.polar ? 0.02Q * fmaxq(fabsq(at[0]), fabsq(at[1])) : 0.02Q;
     quad steps[2] = {size, size};
     region_direction(&piece, at, value);
-    cm_xyz_f128 d = cm_healpix_unproject_f128((quad)face, at[0], at[1]);
+    cm_xyz_f128 d = cm_healpix_unproject_f128((quad)face, at[0], at[1], (cm_constants_f128){0});
     REQUIRE(fabsq(value[0] - d.x) + fabsq(value[1] - d.y) < 1e-30Q, "%d %g %g is elsewhere", face,
             uv[0], uv[1]);
     differentiate_all(region_direction, &piece, 2, 3, 1, at, steps, truth);
@@ -819,7 +828,7 @@ static void healpix_gradient_truth(int face, const double d[3], quad unit[3], qu
     quad size = 0.02Q * fabsq(unit[piece.x_wins ? 0 : 1]);
     quad steps[3] = {size, size, 0.02Q};
     region_value(&piece, unit, value);
-    cm_face_point_f128 point = cm_healpix_project_f128(unit[0], unit[1], unit[2]);
+    cm_face_point_f128 point = cm_healpix_project_f128(unit[0], unit[1], unit[2], (cm_constants_f128){0});
     expected[0] = point.a;
     expected[1] = point.b;
     for (int k = 0; k < 2 && (int)point.face == face; k++)

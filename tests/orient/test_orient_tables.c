@@ -5,7 +5,11 @@
  */
 #include "tests/suite.h"
 
-#include "libcubemap/orient/orient_task.h"
+#include "libcubemap/mapping/set_choice.h"
+#include "libcubemap/orient/orient_field.h"
+#include "libcubemap/orient/orient_mask.h"
+#include "libcubemap/orient/orient_survey.h"
+#include "libcubemap/orient/orient_value.h"
 
 #define PI 3.14159265358979324
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))

@@ -20,8 +20,8 @@
  * version that docs/measured/peers.md names they must be what it says, in any other the program says what
  * has become of them.
  */
-#ifndef TESTS_PEERS_H
-#define TESTS_PEERS_H
+#ifndef TRUTH_PEERS_H
+#define TRUTH_PEERS_H
 
 #include <stddef.h>
 

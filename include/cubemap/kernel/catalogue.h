@@ -5,7 +5,7 @@
  *
  * A descriptor is CM_WARP(NAME, fields...), NAME being that of its kernel's functions, CM_WARP_VARIANTS if
  * the kernel has two variants (types.h), or CM_SPHERE if it is no warp of the cube's faces but maps
- * directions to them, or to a square, itself, CM_SPHERE_CONSTANTS if that takes parameters. What maps only part of the way is a CM_AZIMUTHAL (sphere to
+ * directions to them, or to a square, itself. What maps only part of the way is a CM_AZIMUTHAL (sphere to
  * disc), a CM_SQUARE (disc to square) or a CM_LAYOUT, which joins the two; who does not tell those
  * three apart defines CM_CHART for all of them.
  */

@@ -26,6 +26,12 @@ CM_SPHERE(healpix,
 /* clang-format on */
 #else
 
+/* no parameters */
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_healpix_prepare)(CM_NAME(cm_constants) k)
+{
+    return k;
+}
+
 /* A direction is polar if |z| is above 2 / sqrt 5 of its distance from the axis, which is 2/3 of its
  * length. What rounding leaves beside that belongs to the belt, so that a point of the boundary that
  * has been a direction comes back as a point of the belt's edge: the factor is greater by a few eps.
@@ -107,8 +113,10 @@ CM_FN CM_NAME(cm_healpix_reach) CM_NAME(cm_healpix_measure)(CM_NAME(cm_healpix_p
 }
 
 /* x, y, z finite and not all zero. (a, b) of the result is (u, v). */
-CM_FN CM_NAME(cm_face_point) CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z)
+CM_FN CM_NAME(cm_face_point)
+    CM_NAME(cm_healpix_project)(CM_REAL x, CM_REAL y, CM_REAL z, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_NAME(cm_healpix_place) at = CM_NAME(cm_healpix_locate)(x, y, z);
     CM_NAME(cm_healpix_reach) reach = CM_NAME(cm_healpix_measure)(at);
     CM_REAL f = reach.f;
@@ -182,8 +190,10 @@ CM_FN CM_NAME(cm_xyz)
 }
 
 /* The unit direction of (u, v) on a face. */
-CM_FN CM_NAME(cm_xyz) CM_NAME(cm_healpix_unproject)(CM_REAL face, CM_REAL u, CM_REAL v)
+CM_FN CM_NAME(cm_xyz)
+    CM_NAME(cm_healpix_unproject)(CM_REAL face, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_NAME(cm_healpix_spot) at = CM_NAME(cm_healpix_find)(face, u, v);
     CM_REAL s2 = at.sigma * at.sigma;
     CM_REAL belt_z = v * CM_LIT(2.0) / CM_LIT(3.0);
@@ -225,8 +235,10 @@ CM_FN CM_NAME(cm_tangents)
 /* The derivatives of cm_healpix_unproject by (u, v), which stand as a and b. On a border of two sectors
  * they are those of the sector that unproject chooses. At a pole, where four sectors meet and the map
  * has no derivatives, they are those of the sector of v's axis at its middle. */
-CM_FN CM_NAME(cm_tangents) CM_NAME(cm_healpix_tangents)(CM_REAL face, CM_REAL u, CM_REAL v)
+CM_FN CM_NAME(cm_tangents)
+    CM_NAME(cm_healpix_tangents)(CM_REAL face, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_NAME(cm_healpix_spot) at = CM_NAME(cm_healpix_find)(face, u, v);
     CM_REAL quarter = CM_LIT(0.78539816339744830961566084581987572105); /* pi / 4 */
     CM_REAL third = CM_LIT(0.33333333333333333333333333333333333333);
@@ -265,8 +277,10 @@ CM_FN CM_NAME(cm_tangents) CM_NAME(cm_healpix_tangents)(CM_REAL face, CM_REAL u,
  *     grad sigma = (3 / 2) h (s along major, -rho along z)
  *     grad along = f grad sigma + (4 / pi) / h along minor,
  * in which nothing vanishes towards the pole. */
-CM_FN CM_NAME(cm_gradients) CM_NAME(cm_healpix_gradients)(CM_REAL x, CM_REAL y, CM_REAL z)
+CM_FN CM_NAME(cm_gradients)
+    CM_NAME(cm_healpix_gradients)(CM_REAL x, CM_REAL y, CM_REAL z, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_NAME(cm_healpix_place) at = CM_NAME(cm_healpix_locate)(x, y, z);
     CM_REAL n = cm_sqrt(CM_SELECT(at.polar, CM_LIT(1.0), at.square) + at.r * at.r);
 

@@ -18,6 +18,12 @@ CM_SPHERE(octahedral,
 /* clang-format on */
 #else
 
+/* no parameters */
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_octahedral_prepare)(CM_NAME(cm_constants) k)
+{
+    return k;
+}
+
 /* 1 - |u| - |v|, exact but for one rounding. */
 CM_FN CM_REAL CM_NAME(cm_octahedral_height)(CM_REAL u, CM_REAL v)
 {
@@ -48,8 +54,10 @@ CM_FN CM_REAL CM_NAME(cm_octahedral_place)(CM_BOOL lower, CM_REAL part, CM_REAL 
 }
 
 /* (a, b) of the result is (u, v). */
-CM_FN CM_NAME(cm_face_point) CM_NAME(cm_octahedral_project)(CM_REAL x, CM_REAL y, CM_REAL z)
+CM_FN CM_NAME(cm_face_point)
+    CM_NAME(cm_octahedral_project)(CM_REAL x, CM_REAL y, CM_REAL z, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_REAL scale = CM_NAME(cm_azimuthal_scale)(CM_NAME(cm_magnitude)(x, y, z));
     CM_REAL ax = cm_abs(x * scale);
     CM_REAL ay = cm_abs(y * scale);
@@ -70,8 +78,10 @@ CM_FN CM_NAME(cm_face_point) CM_NAME(cm_octahedral_project)(CM_REAL x, CM_REAL y
     return r;
 }
 
-CM_FN CM_NAME(cm_xyz) CM_NAME(cm_octahedral_unproject)(CM_REAL face, CM_REAL u, CM_REAL v)
+CM_FN CM_NAME(cm_xyz)
+    CM_NAME(cm_octahedral_unproject)(CM_REAL face, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_UNUSED(face);
     CM_REAL z = CM_NAME(cm_octahedral_height)(u, v);
     CM_NAME(cm_uv) p = CM_NAME(cm_octahedral_fold)(cm_less(z, CM_LIT(0.0)), u, v);
@@ -91,8 +101,10 @@ CM_FN CM_NAME(cm_uv)
 }
 
 /* Of |x| / s and |y| / s with s = |x| + |y| + |z|, at unit length. */
-CM_FN CM_NAME(cm_gradients) CM_NAME(cm_octahedral_gradients)(CM_REAL x, CM_REAL y, CM_REAL z)
+CM_FN CM_NAME(cm_gradients)
+    CM_NAME(cm_octahedral_gradients)(CM_REAL x, CM_REAL y, CM_REAL z, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_REAL scale = CM_NAME(cm_azimuthal_scale)(CM_NAME(cm_magnitude)(x, y, z));
     x = x * scale;
     y = y * scale;
@@ -136,14 +148,15 @@ CM_FN CM_NAME(cm_xyz)
     return r;
 }
 
-CM_FN CM_NAME(cm_tangents) CM_NAME(cm_octahedral_tangents)(CM_REAL face, CM_REAL u, CM_REAL v)
+CM_FN CM_NAME(cm_tangents)
+    CM_NAME(cm_octahedral_tangents)(CM_REAL face, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
     CM_REAL none = CM_LIT(0.0);
     CM_REAL z = CM_NAME(cm_octahedral_height)(u, v);
     CM_BOOL lower = cm_less(z, none);
     CM_NAME(cm_uv) p = CM_NAME(cm_octahedral_fold)(lower, u, v);
     CM_REAL scale = CM_NAME(cm_inverse_root)((p.u * p.u + p.v * p.v) + z * z);
-    CM_NAME(cm_xyz) d = CM_NAME(cm_octahedral_unproject)(face, u, v);
+    CM_NAME(cm_xyz) d = CM_NAME(cm_octahedral_unproject)(face, u, v, k);
     CM_REAL sign_u = cm_copysign(CM_LIT(1.0), u);
     CM_REAL sign_v = cm_copysign(CM_LIT(1.0), v);
     CM_REAL turn = -(sign_u * sign_v);

@@ -19,6 +19,12 @@ CM_SPHERE(clarberg,
 /* clang-format on */
 #else
 
+/* no parameters */
+CM_FN CM_NAME(cm_constants) CM_NAME(cm_clarberg_prepare)(CM_NAME(cm_constants) k)
+{
+    return k;
+}
+
 /* A direction by its octant: x and y as major and minor, and the angle from the nearer pole. */
 CM_STRUCT(cm_clarberg_place)
 {
@@ -46,8 +52,10 @@ CM_FN CM_NAME(cm_clarberg_place) CM_NAME(cm_clarberg_locate)(CM_REAL x, CM_REAL 
 }
 
 /* (a, b) of the result is (u, v). */
-CM_FN CM_NAME(cm_face_point) CM_NAME(cm_clarberg_project)(CM_REAL x, CM_REAL y, CM_REAL z)
+CM_FN CM_NAME(cm_face_point)
+    CM_NAME(cm_clarberg_project)(CM_REAL x, CM_REAL y, CM_REAL z, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_NAME(cm_clarberg_place) at = CM_NAME(cm_clarberg_locate)(x, y, z);
     /* 1 - radius is height / (1 + radius), from which the outer radii are more accurate */
     CM_REAL near_centre = CM_LIT(1.41421356237309504880168872420969807857) * at.sine;
@@ -95,8 +103,10 @@ CM_FN CM_NAME(cm_clarberg_spot) CM_NAME(cm_clarberg_find)(CM_REAL u, CM_REAL v)
     return r;
 }
 
-CM_FN CM_NAME(cm_xyz) CM_NAME(cm_clarberg_unproject)(CM_REAL face, CM_REAL u, CM_REAL v)
+CM_FN CM_NAME(cm_xyz)
+    CM_NAME(cm_clarberg_unproject)(CM_REAL face, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_UNUSED(face);
     CM_NAME(cm_clarberg_spot) at = CM_NAME(cm_clarberg_find)(u, v);
     CM_REAL major = (at.radius * cm_sqrt(CM_LIT(2.0) - at.radius * at.radius)) *
@@ -111,8 +121,10 @@ CM_FN CM_NAME(cm_xyz) CM_NAME(cm_clarberg_unproject)(CM_REAL face, CM_REAL u, CM
 
 /* Of major and minor by (x_major, x_minor, |z|), with t the angle from the pole: the radius grows with t by
  * slope, minor is (2 / pi) radius angle. */
-CM_FN CM_NAME(cm_gradients) CM_NAME(cm_clarberg_gradients)(CM_REAL x, CM_REAL y, CM_REAL z)
+CM_FN CM_NAME(cm_gradients)
+    CM_NAME(cm_clarberg_gradients)(CM_REAL x, CM_REAL y, CM_REAL z, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_NAME(cm_clarberg_place) at = CM_NAME(cm_clarberg_locate)(x, y, z);
     CM_REAL half_root2 = CM_LIT(0.7071067811865475244008443621048490392848);
     CM_REAL slope = half_root2 * at.cosine;
@@ -156,8 +168,10 @@ CM_FN CM_NAME(cm_gradients) CM_NAME(cm_clarberg_gradients)(CM_REAL x, CM_REAL y,
 
 /* With t the angle from the pole and f that from the major axis, radius = major + minor and
  * f = (pi / 2) minor / radius; half_cosine is cos(t / 2), sin t = sqrt(2) radius half_cosine. */
-CM_FN CM_NAME(cm_tangents) CM_NAME(cm_clarberg_tangents)(CM_REAL face, CM_REAL u, CM_REAL v)
+CM_FN CM_NAME(cm_tangents)
+    CM_NAME(cm_clarberg_tangents)(CM_REAL face, CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)
 {
+    CM_UNUSED(k);
     CM_UNUSED(face);
     CM_NAME(cm_clarberg_spot) at = CM_NAME(cm_clarberg_find)(u, v);
     CM_REAL root2 = CM_LIT(1.41421356237309504880168872420969807857);

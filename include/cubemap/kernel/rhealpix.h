@@ -8,7 +8,7 @@
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
-CM_SPHERE_CONSTANTS(rhealpix,
+CM_SPHERE(rhealpix,
                     .identifier = "rhealpix",
                     .aliases = "",
                     .name = "HEALPix rearranged on one picture",
@@ -103,7 +103,7 @@ CM_FN CM_NAME(cm_face_point)
 {
     CM_REAL quarter = CM_LIT(0.25);
     CM_NAME(cm_xyz) d = CM_NAME(cm_rhealpix_turn)(x, y, z);
-    CM_NAME(cm_face_point) p = CM_NAME(cm_healpix_project)(d.x, d.y, d.z);
+    CM_NAME(cm_face_point) p = CM_NAME(cm_healpix_project)(d.x, d.y, d.z, k);
     CM_NAME(cm_rhealpix_square) at = CM_NAME(cm_rhealpix_place)(p.face, k);
     CM_NAME(cm_face_point) r;
     r.face = CM_LIT(0.0);
@@ -148,7 +148,7 @@ CM_FN CM_NAME(cm_xyz)
     CM_REAL nothing = none / CM_SELECT(cm_at_least(CM_LIT(1.000000004), outside), one, none);
     CM_REAL a = cm_min(cm_max(p.a, -one), one);
     CM_REAL b = cm_min(cm_max(p.b, -one), one);
-    CM_NAME(cm_xyz) d = CM_NAME(cm_healpix_unproject)(p.face, a, b);
+    CM_NAME(cm_xyz) d = CM_NAME(cm_healpix_unproject)(p.face, a, b, k);
     return CM_NAME(cm_rhealpix_turn_back)(d.x + nothing, d.y + nothing, d.z + nothing);
 }
 
@@ -157,9 +157,9 @@ CM_FN CM_NAME(cm_gradients)
 {
     CM_REAL quarter = CM_LIT(0.25);
     CM_NAME(cm_xyz) d = CM_NAME(cm_rhealpix_turn)(x, y, z);
-    CM_REAL face = CM_NAME(cm_healpix_project)(d.x, d.y, d.z).face;
+    CM_REAL face = CM_NAME(cm_healpix_project)(d.x, d.y, d.z, k).face;
     CM_NAME(cm_rhealpix_square) at = CM_NAME(cm_rhealpix_place)(face, k);
-    CM_NAME(cm_gradients) g = CM_NAME(cm_healpix_gradients)(d.x, d.y, d.z);
+    CM_NAME(cm_gradients) g = CM_NAME(cm_healpix_gradients)(d.x, d.y, d.z, k);
     CM_NAME(cm_xyz) a = CM_NAME(cm_rhealpix_turn_back)(g.a_x, g.a_y, g.a_z);
     CM_NAME(cm_xyz) b = CM_NAME(cm_rhealpix_turn_back)(g.b_x, g.b_y, g.b_z);
     g.a_x = quarter * (at.cosine * a.x + at.sine * b.x);
@@ -177,7 +177,7 @@ CM_FN CM_NAME(cm_tangents)
     CM_REAL four = CM_LIT(4.0);
     CM_NAME(cm_face_point) p = CM_NAME(cm_rhealpix_find)(u, v, k);
     CM_NAME(cm_rhealpix_square) at = CM_NAME(cm_rhealpix_place)(p.face, k);
-    CM_NAME(cm_tangents) t = CM_NAME(cm_healpix_tangents)(p.face, p.a, p.b);
+    CM_NAME(cm_tangents) t = CM_NAME(cm_healpix_tangents)(p.face, p.a, p.b, k);
     CM_REAL nothing = CM_NAME(cm_rhealpix_unproject)(face, u, v, k).x * CM_LIT(0.0);
     CM_NAME(cm_xyz) by_a =
         CM_NAME(cm_rhealpix_turn_back)(t.x_a + nothing, t.y_a + nothing, t.z_a + nothing);
