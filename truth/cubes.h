@@ -2,8 +2,8 @@
  *
  * The mappings to six faces, which are the first of the catalogue.
  */
-#ifndef TESTS_CUBES_H
-#define TESTS_CUBES_H
+#ifndef TRUTH_CUBES_H
+#define TRUTH_CUBES_H
 
 #include <cubemap/catalogue.h>
 

@@ -18,8 +18,8 @@
  * In float the steps and sizes are those of a float: 1e-7 and 1e-6 for 1e-15 and 1e-12, 1e-38 and 1e38
  * for 1e-300 and 1e300.
  */
-#ifndef TESTS_HARD_POINTS_H
-#define TESTS_HARD_POINTS_H
+#ifndef TRUTH_HARD_POINTS_H
+#define TRUTH_HARD_POINTS_H
 
 #include <float.h>
 #include <math.h>

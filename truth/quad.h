@@ -7,8 +7,8 @@
  * Needs gcc's libquadmath. Directions and faces are those of the frame geo. What is made of parts is put
  * together here, as libcubemap/mapping/parts.inc does.
  */
-#ifndef TESTS_QUAD_H
-#define TESTS_QUAD_H
+#ifndef TRUTH_QUAD_H
+#define TRUTH_QUAD_H
 
 #include <cubemap/cubemap.h>
 #include <quadmath.h>

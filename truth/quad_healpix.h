@@ -4,8 +4,8 @@
  * 5, and the numbering of NESTED), by no text of this library: the truth about where a point is, and where a
  * centre. nside is a power of two. Needs gcc's libquadmath.
  */
-#ifndef TESTS_HEALPIX_QUAD_H
-#define TESTS_HEALPIX_QUAD_H
+#ifndef TRUTH_QUAD_HEALPIX_H
+#define TRUTH_QUAD_HEALPIX_H
 
 #include "sphere.h"
 

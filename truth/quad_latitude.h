@@ -4,8 +4,8 @@
  * ones as Snyder (1987) has them, from the geographic latitude, and the rectifying one by quadrature. Where they
  * cancel they lose eight digits at most of 34, for flattenings from -99 to 0.99.
  */
-#ifndef TESTS_LATITUDE_QUAD_H
-#define TESTS_LATITUDE_QUAD_H
+#ifndef TRUTH_QUAD_LATITUDE_H
+#define TRUTH_QUAD_LATITUDE_H
 
 #include <cubemap/cubemap.h>
 #include <quadmath.h>

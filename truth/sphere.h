@@ -2,8 +2,8 @@
  *
  * Random directions, and angles on the sphere: what tests and benchmarks share.
  */
-#ifndef TESTS_SPHERE_H
-#define TESTS_SPHERE_H
+#ifndef TRUTH_SPHERE_H
+#define TRUTH_SPHERE_H
 
 #include <math.h>
 #include <stdint.h>

@@ -3,8 +3,8 @@
  * Points on the sphere, what forward makes of them, and what inverse makes of that; and this library's
  * functions run over them.
  */
-#ifndef BENCH_COMMON_BATCH_H
-#define BENCH_COMMON_BATCH_H
+#ifndef BENCH_HARNESS_COLUMNS_H
+#define BENCH_HARNESS_COLUMNS_H
 
 #include <stddef.h>
 #include <stdint.h>

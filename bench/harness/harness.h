@@ -2,8 +2,8 @@
  *
  * What the programs that measure share: the machine, the clock, samples, progress, and files of results.
  */
-#ifndef BENCH_COMMON_BENCH_H
-#define BENCH_COMMON_BENCH_H
+#ifndef BENCH_HARNESS_HARNESS_H
+#define BENCH_HARNESS_HARNESS_H
 
 #include <stddef.h>
 #include <stdio.h>

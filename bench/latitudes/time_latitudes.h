@@ -2,8 +2,8 @@
  *
  * GeographicLib's conversions between the geographic latitude and others, one by one; they take degrees.
  */
-#ifndef BENCH_LATITUDES_PEER_H
-#define BENCH_LATITUDES_PEER_H
+#ifndef BENCH_TIME_LATITUDES_H
+#define BENCH_TIME_LATITUDES_H
 
 #include <stddef.h>
 

@@ -2,8 +2,8 @@
  *
  * What the suites about HEALPix's pixels share.
  */
-#ifndef TESTS_HEALPIX_COMMON_H
-#define TESTS_HEALPIX_COMMON_H
+#ifndef TESTS_HEALPIX_SUITE_H
+#define TESTS_HEALPIX_SUITE_H
 
 #include "tests/suite.h"
 

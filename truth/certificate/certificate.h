@@ -2,8 +2,8 @@
  *
  * What the files of the certificate (certificate.c) share.
  */
-#ifndef BENCH_CERTIFICATE_H
-#define BENCH_CERTIFICATE_H
+#ifndef TRUTH_CERTIFICATE_H
+#define TRUTH_CERTIFICATE_H
 
 #include "truth/quad.h"
 
