@@ -125,7 +125,7 @@ static inline cm_xyz_f128 quad_cube_unproject(quad face, quad a, quad b, cm_cons
      .unproject = quad_cube_unproject,                                                             \
      .jacobian = cm_##id##_jacobian_f128},
 static const quad_kernels quad_table[] = {
-#include <cubemap/kernel/catalogue.h>
+#include <cubemap/kernel/kernel_catalogue.h>
 };
 #undef CM_LAYOUT
 #undef CM_AZIMUTHAL

@@ -40,7 +40,7 @@
  * Definitions and closed forms: O. S. Adams, Latitude developments connected with geodesy and cartography, USC&GS
  * Special Publication 67 (1921); J. P. Snyder, Map projections: a working manual, USGS Professional Paper 1395
  * (1987), section 3; B. C. Carlson's elliptic integrals. libcubemap/earth/latitude_exact.c has them in forms without
- * cancellation. Shaders have kernel/latitude.h.
+ * cancellation. Shaders have kernel/auxiliary_latitude.h.
  */
 #ifndef CUBEMAP_LATITUDE_H
 #define CUBEMAP_LATITUDE_H
@@ -107,7 +107,7 @@ CM_API double cm_latitude_conversion_error(const cm_latitude_conversion *convers
 
 #define CM_LATITUDE_CONSTANTS 13
 
-/* What the kernels take that shaders and programs inline (kernel/latitude.h): p0 to p11 and ratio of
+/* What the kernels take that shaders and programs inline (kernel/auxiliary_latitude.h): p0 to p11 and ratio of
  * cm_latitude_constants, in that order, and for which number of terms, 3, 6 or 12; 0 for a ratio of tangents.
  * CM_OK; with constants and terms untouched CM_ERROR_ARGUMENT (NULL), or CM_ERROR_UNSUPPORTED for what takes iterations. */
 CM_API cm_status cm_latitude_conversion_constants(const cm_latitude_conversion *conversion,

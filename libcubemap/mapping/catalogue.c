@@ -15,7 +15,7 @@
 #define CM_CHART(id, ...) {__VA_ARGS__},
 
 static const cm_mapping_info catalogue[] = {
-#include <cubemap/kernel/catalogue.h>
+#include <cubemap/kernel/kernel_catalogue.h>
 };
 
 size_t cm_catalogue_count(void)

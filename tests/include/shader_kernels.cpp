@@ -26,5 +26,5 @@ using std::sqrt;
 #define CM_LAYOUT(id, ...) KERNEL_TABLE_LAYOUT(id)
 
 const kernel_row shader_table[] = {
-#include <cubemap/kernel/catalogue.h>
+#include <cubemap/kernel/kernel_catalogue.h>
     KERNEL_TABLE_CUBE{nullptr, nullptr, nullptr, nullptr, nullptr}};

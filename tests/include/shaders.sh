@@ -13,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 rooms() { # rooms KIND: the identifiers of the catalogue's rooms whose descriptor begins so
-    sed -n 's/^#include "\(.*\)"$/\1/p' "$include/cubemap/kernel/catalogue.h" |
+    sed -n 's/^#include "\(.*\)"$/\1/p' "$include/cubemap/kernel/kernel_catalogue.h" |
         while read -r file; do
             sed -n "s/^$1\(_VARIANTS\)\?(\([a-z0-9_]*\),.*/\2/p" "$include/cubemap/kernel/$file"
         done

@@ -23,7 +23,7 @@
 #define CM_LAYOUT(id, ...) KERNEL_TABLE_LAYOUT(id)
 
 static const kernel_row float_table[] = {
-#include <cubemap/kernel/catalogue.h>
+#include <cubemap/kernel/kernel_catalogue.h>
     KERNEL_TABLE_CUBE{nullptr, nullptr, nullptr, nullptr, nullptr}};
 
 static long compared;

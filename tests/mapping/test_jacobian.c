@@ -168,7 +168,7 @@ typedef struct warp_kernels
     {cm_##id##_prepare_f64,  cm_##id##_forward_f64, cm_##id##_inverse_f64,                         \
      cm_##id##_jacobian_f64, cm_##id##_forward_f32, cm_##id##_jacobian_f32},
 static const warp_kernels kernel_table[] = {
-#include <cubemap/kernel/catalogue.h>
+#include <cubemap/kernel/kernel_catalogue.h>
 };
 #undef CM_CHART
 #undef CM_SPHERE

@@ -15,5 +15,5 @@
 #include "disc.h"
 #include "complex.h"
 #include "azimuthal.h"
-#include "latitude.h"
-#include "catalogue.h"
+#include "auxiliary_latitude.h"
+#include "kernel_catalogue.h"

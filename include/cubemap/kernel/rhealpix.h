@@ -4,7 +4,7 @@
  * 180, and each cap is a square at one of them. u and v are PROJ's x and y on the unit sphere over pi, so that
  * u is in [-1, 1], v in [-3/4, 3/4]; what is neither belt nor cap is no point of the map.
  *
- * It is healpix (healpix.h) in longitudes from the middle of the first square, its faces put side by side.
+ * It is healpix (healpix_faces.h) in longitudes from the middle of the first square, its faces put side by side.
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */

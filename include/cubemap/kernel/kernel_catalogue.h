@@ -65,7 +65,7 @@
 #include "smoothstep.h"
 #include "s2.h"
 #include "conformal.h"
-#include "healpix.h"
+#include "healpix_faces.h"
 
 #include "square_radial.h"
 #include "square_shirley.h"
