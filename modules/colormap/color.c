@@ -2,7 +2,9 @@
  *
  * CIELUV and sRGB, and how much chroma sRGB has.
  */
-#include "colormap_object.h"
+#include "color.h"
+
+#include <cubemap/colormap.h>
 
 #include <math.h>
 

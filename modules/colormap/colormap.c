@@ -2,23 +2,12 @@
  *
  * The life of a map, what it was made from, and its samples.
  */
-#include "colormap_object.h"
+#include "colormap_specification.h"
+#include "path.h"
+#include "plan.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-cm_status cm_colormap_make(const cm_colormap_parameters *parameters, cm_colormap **map)
-{
-    cm_colormap *made = malloc(sizeof *made);
-    if (made == NULL)
-    {
-        return CM_ERROR_MEMORY;
-    }
-    *made = (cm_colormap){.parameters = *parameters};
-    cm_colormap_build(made);
-    *map = made;
-    return CM_OK;
-}
 
 cm_status cm_colormap_create(const char *specification, cm_colormap **map)
 {
@@ -72,6 +61,11 @@ size_t cm_colormap_corner_count(const cm_colormap *map)
 double cm_colormap_corner(const cm_colormap *map, size_t index)
 {
     return index < map->corner_count ? map->corner[index] : (double)NAN;
+}
+
+size_t cm_colormap_specification(const cm_colormap *map, char *text, size_t size)
+{
+    return cm_colormap_write(&map->parameters, text, size);
 }
 
 /* ---- samples ---- */

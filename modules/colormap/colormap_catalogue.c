@@ -2,7 +2,7 @@
  *
  * The table of models. The standard values are inside sRGB, which a test checks.
  */
-#include "colormap_object.h"
+#include "colormap_catalogue.h"
 
 #include <math.h>
 #include <string.h>

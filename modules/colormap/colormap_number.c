@@ -3,7 +3,7 @@
  * Decimal numbers in specifications. strtod and snprintf round correctly, but write and read the point as
  * the locale of the program has it; so it is put in and taken out here.
  */
-#include "colormap_object.h"
+#include "colormap_number.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,9 @@
  *
  * Specifications: NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]].
  */
-#include "colormap_object.h"
+#include "colormap_specification.h"
+
+#include "colormap_number.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -313,9 +315,9 @@ static void add_stops(growing *to, const cm_colormap_parameters *parameters)
     }
 }
 
-size_t cm_colormap_specification(const cm_colormap *map, char *text, size_t size)
+size_t cm_colormap_write(const cm_colormap_parameters *parameters, char *text, size_t size)
 {
-    const cm_colormap_info *info = cm_colormap_describe(map);
+    const cm_colormap_info *info = cm_colormap_at(parameters->index);
     growing to = {text, size, 0};
     add(&to, info->identifier);
     for (size_t i = 0; i < info->parameter_count; i++)
@@ -325,11 +327,11 @@ size_t cm_colormap_specification(const cm_colormap *map, char *text, size_t size
         add(&to, "=");
         if (info->parameter[i].stops != NULL)
         {
-            add_stops(&to, &map->parameters);
+            add_stops(&to, parameters);
         }
         else
         {
-            add_number(&to, map->parameters.value[i]);
+            add_number(&to, parameters->value[i]);
         }
     }
     if (size > 0)

@@ -6,9 +6,13 @@
  * in a projective map of it) and have grey among them. So a colour is inside if its chroma is no more than
  * the largest, and what is inside stays so with less chroma.
  */
-#include "colormap_object.h"
+#include "path.h"
 
 #include <math.h>
+
+/* Chroma that is beyond the gamut by no more than this is rounding; it moves a linear channel by much less
+ * than the 1e-9 that count as inside there. */
+#define CM_COLORMAP_CHROMA_ROUNDING 1e-9
 
 /* A number of a place of the path, of which the least is looked for; infinite where it does not matter. */
 typedef double measure(const cm_colormap *map, const cm_colormap_piece *piece, double x);

@@ -11,9 +11,12 @@
  * With several hues no C satisfies both conditions, and the paper takes the one that fails least. Here C
  * stays linear, and what the path's parameter s lacks in evenness is mended by its length.
  */
-#include "colormap_object.h"
+#include "path.h"
+
+#include "color.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* ---- the length of a piece ---- */
 
@@ -355,4 +358,17 @@ void cm_colormap_build(cm_colormap *map)
         model == CM_COLORMAP_DIVERGING_LIGHTNESS || model == CM_COLORMAP_DIVERGING_SATURATION;
     set_places(map);
     find_corners(map);
+}
+
+cm_status cm_colormap_make(const cm_colormap_parameters *parameters, cm_colormap **map)
+{
+    cm_colormap *made = malloc(sizeof *made);
+    if (made == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    *made = (cm_colormap){.parameters = *parameters};
+    cm_colormap_build(made);
+    *map = made;
+    return CM_OK;
 }

@@ -33,7 +33,7 @@
  * Pieces with several hues are curved. So the length of the line is then taken from the path itself, s
  * corrected by what it lacks, and the equations are solved again.
  */
-#include "colormap_object.h"
+#include "plan.h"
 
 #include <math.h>
 
