@@ -21,8 +21,6 @@
 
 #include "truth/sphere.h"
 
-const char program_name[] = "grids";
-
 enum
 {
     POINTS = 10000,
@@ -251,6 +249,7 @@ static void print_speed(void)
 
 int main(int argc, char **argv)
 {
+    name_program("grids");
     const char *what = argc == 2 ? argv[1] : "";
     if (strcmp(what, "areas") == 0)
     {

@@ -12,8 +12,9 @@
 extern "C" {
 #endif
 
-/* Of the program, for messages; every program defines it. */
-extern const char program_name[];
+/* The name of the program, for messages: every program says it first of all. The text must stay. */
+void name_program(const char *name);
+const char *program_name(void);
 
 /* What the figures are of; texts are static. */
 const char *system_cpu(void);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the figures are of: the machine, the system, the compiler.
+ * What the figures are of: the program, the machine, the system, the compiler.
  */
 #define _POSIX_C_SOURCE 200809L
 
@@ -10,6 +10,18 @@
 #include <string.h>
 #include <sys/utsname.h>
 #include <unistd.h>
+
+static const char *name_of_program = "";
+
+void name_program(const char *name)
+{
+    name_of_program = name;
+}
+
+const char *program_name(void)
+{
+    return name_of_program;
+}
 
 /* The rest of the line of a file that begins with a key, or "". */
 static void line_of(const char *file, const char *key, char *text, size_t size)

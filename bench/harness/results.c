@@ -57,7 +57,7 @@ static void watch_end(void)
 
 static int fail(const char *name, const char *why)
 {
-    fprintf(stderr, "%s: cannot write %s: %s\n", program_name, name, why);
+    fprintf(stderr, "%s: cannot write %s: %s\n", program_name(), name, why);
     return 0;
 }
 
@@ -190,7 +190,8 @@ int close_standard_output(void)
 {
     if (fflush(stdout) != 0 || ferror(stdout))
     {
-        fprintf(stderr, "%s: cannot write to standard output: %s\n", program_name, strerror(errno));
+        fprintf(stderr, "%s: cannot write to standard output: %s\n", program_name(),
+                strerror(errno));
         return 1;
     }
     return 0;

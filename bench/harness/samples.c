@@ -44,7 +44,7 @@ void *allocate(size_t count, size_t size)
     void *memory = calloc(count == 0 ? 1 : count, size);
     if (memory == NULL)
     {
-        perror(program_name);
+        perror(program_name());
         exit(1);
     }
     return memory;
@@ -60,7 +60,7 @@ void *grow(void *list, size_t count, size_t size)
     void *more = realloc(list, (count == 0 ? 1 : 2 * count) * size);
     if (more == NULL)
     {
-        perror(program_name);
+        perror(program_name());
         exit(1);
     }
     return more;

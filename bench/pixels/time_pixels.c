@@ -26,8 +26,6 @@
 #include <valgrind/callgrind.h>
 #endif
 
-const char program_name[] = "pixels";
-
 typedef struct settings
 {
     int64_t nside;
@@ -398,6 +396,7 @@ static int read_settings(settings *s, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    name_program("pixels");
     settings s = {.nside = CM_HEALPIX_NSIDE_MAX, .points = 8192, .repetitions = 100};
     int status = read_settings(&s, argc, argv);
     if (status != 0)

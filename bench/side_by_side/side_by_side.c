@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char program_name[] = "side-by-side";
-
 enum
 {
     GROUPS_MAX = 64
@@ -252,6 +250,7 @@ static int measure(const options *o, roster *all)
 
 int main(int argc, char **argv)
 {
+    name_program("side-by-side");
     static options o = {.set = {8192, 30, 100000, 1}, .largest = 100000000};
     int status = read_options(&o, argc, argv);
     if (status >= 0)

@@ -16,8 +16,6 @@
 
 #include <chealpix.h>
 
-const char program_name[] = "peer-chealpix-pixels";
-
 static const double pi = 3.14159265358979323846;
 
 /* Both, in NESTED; chealpix ends the process where theta is none, so that nobody asks it. */
@@ -229,6 +227,7 @@ static int compare_ties(const comparison *c, int64_t nside)
 
 int main(void)
 {
+    name_program("peer-chealpix-pixels");
     static const int64_t nsides[] = {1, 2, 64, 8192, (int64_t)1 << 20, (int64_t)1 << 29};
     int broken = 0;
     for (size_t i = 0; i < sizeof comparisons / sizeof *comparisons; i++)

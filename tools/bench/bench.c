@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char program_name[] = "cubemap-bench";
-
 static const char help[] =
     "Usage: cubemap-bench [OPTION]... [MAPPING]...\n"
     "       cubemap-bench advise [OPTION]... [MAPPING]...\n"
@@ -50,52 +48,6 @@ static const char help[] =
     "  cubemap-bench --quick\n"
     "  cubemap-bench --json results.json coupled qsc 'tangent:c=1.1823'\n"
     "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5\n";
-
-int usage(const char *what, const char *text)
-{
-    fprintf(stderr, "%s: %s%s; see --help\n", program_name, what, text);
-    return 2;
-}
-
-int usage_of(const char *option, const char *argument, const char *right)
-{
-    fprintf(stderr, "%s: --%s cannot be '%s', but %s; see --help\n", program_name, option, argument,
-            right);
-    return 2;
-}
-
-int read_number(const char *text, double low, double high, double *value)
-{
-    char *end;
-    double read = strtod(text, &end);
-    if (end == text || *end != '\0' || !(read >= low && read <= high))
-    {
-        return 0;
-    }
-    *value = read;
-    return 1;
-}
-
-int find_word(const char *text, const char *const *words)
-{
-    for (int i = 0; words[i] != NULL; i++)
-    {
-        if (strcmp(text, words[i]) == 0)
-        {
-            return i;
-        }
-    }
-    return -1;
-}
-
-const char *option_name(const struct option *options, int value)
-{
-    while (options->name != NULL && options->val != value)
-    {
-        options++;
-    }
-    return options->name;
-}
 
 enum
 {
@@ -373,6 +325,7 @@ static int bench(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    name_program("cubemap-bench");
     if (argc > 1 && strcmp(argv[1], "advise") == 0)
     {
         argv[1] = argv[0]; /* for messages */

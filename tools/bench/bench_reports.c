@@ -423,7 +423,7 @@ void write_json(FILE *out, const suite *all)
 {
     const settings *set = &all->set;
     fprintf(out, "{\n  ");
-    json_text(out, "program", program_name);
+    json_text(out, "program", program_name());
     json_text(out, "version", cm_version());
     fprintf(out, "\"format\": 1,\n  \"machine\": {");
     json_machine(out);

@@ -140,7 +140,7 @@ static int make(const suite *all, const char *specification, int fast, cm_mappin
     {
         char why[200] = "";
         (void)cm_instructions_check(all->set.instructions, why, sizeof why);
-        fprintf(stderr, "%s: %s: %s\n", program_name, specification,
+        fprintf(stderr, "%s: %s: %s\n", program_name(), specification,
                 why[0] != '\0' ? why : cm_status_text(status));
     }
     return status == CM_OK;

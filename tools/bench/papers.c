@@ -51,7 +51,7 @@ cm_mapping *paper_mapping(const char *specification)
     cm_status status = cm_mapping_create(specification, cm_frame_find("geo"), &mapping);
     if (status != CM_OK)
     {
-        fprintf(stderr, "%s: %s: %s\n", program_name, specification, cm_status_text(status));
+        fprintf(stderr, "%s: %s: %s\n", program_name(), specification, cm_status_text(status));
         exit(1);
     }
     return mapping;
@@ -256,7 +256,8 @@ int papers(int argc, char **argv)
     }
     if (bad > 0 && o.check)
     {
-        fprintf(stderr, "%s: %zu figures are not what they were found to be\n", program_name, bad);
+        fprintf(stderr, "%s: %zu figures are not what they were found to be\n", program_name(),
+                bad);
     }
     return close_standard_output() != 0 || (o.check && bad > 0);
 }

@@ -28,7 +28,7 @@ static cm_grid *make_grid(const surface *of)
     cm_status status = cm_grid_create(&options, &grid);
     if (status != CM_OK)
     {
-        fprintf(stderr, "%s: %s: %s\n", program_name, of->name, cm_status_text(status));
+        fprintf(stderr, "%s: %s: %s\n", program_name(), of->name, cm_status_text(status));
         exit(EXIT_FAILURE);
     }
     return grid;
