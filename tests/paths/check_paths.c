@@ -9,8 +9,6 @@
  */
 #include "paths.h"
 
-#include <stdarg.h>
-
 static const char usage[] =
     "usage: check-paths [OPTION...]\n"
     "Compares each fast path with the scalar reference at hard points and random ones.\n"
@@ -52,30 +50,6 @@ typedef struct settings
 
 static settings chosen = {.one_in = 61, .tiers = {1, 1}};
 static const path_table *const tables[2] = {&paths_double, &paths_float};
-
-/* ---- Complaints ---- */
-
-static size_t complaints;
-
-enum
-{
-    COMPLAINTS_WRITTEN = 40
-};
-
-void complain(const subject *s, const precision *in, const path *p, const char *format, ...)
-{
-    va_list arguments;
-    if (complaints++ >= COMPLAINTS_WRITTEN)
-    {
-        return;
-    }
-    printf("not ok: %s, %s, %s, %s, %s: ", cm_mapping_instructions(s->tested), s->specification,
-           s->frame->identifier, in->name, p->name);
-    va_start(arguments, format);
-    vprintf(format, arguments);
-    va_end(arguments);
-    printf("\n");
-}
 
 /* ---- The checks ---- */
 
@@ -323,9 +297,10 @@ int main(int argc, char **argv)
             (chosen.bench ? time_set : check_set)(set);
         }
     }
-    if (complaints > 0)
+    if (complaint_count() > 0)
     {
-        printf("%zu complaints, of which the first %d are above\n", complaints, COMPLAINTS_WRITTEN);
+        printf("%zu complaints, of which the first %d are above\n", complaint_count(),
+               COMPLAINTS_WRITTEN);
     }
-    return complaints > 0;
+    return complaint_count() > 0;
 }

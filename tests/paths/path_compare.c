@@ -4,11 +4,35 @@
  */
 #include "paths.h"
 
+#include <stdarg.h>
+
 enum
 {
     BLOCK = 2048,
     NUMBER_SIZE = 32
 };
+
+static size_t complaints;
+
+void complain(const subject *s, const precision *in, const path *p, const char *format, ...)
+{
+    va_list arguments;
+    if (complaints++ >= COMPLAINTS_WRITTEN)
+    {
+        return;
+    }
+    printf("not ok: %s, %s, %s, %s, %s: ", cm_mapping_instructions(s->tested), s->specification,
+           s->frame->identifier, in->name, p->name);
+    va_start(arguments, format);
+    vprintf(format, arguments);
+    va_end(arguments);
+    printf("\n");
+}
+
+size_t complaint_count(void)
+{
+    return complaints;
+}
 
 static size_t write_number(char *text, size_t size, char letter, number v)
 {

@@ -226,9 +226,15 @@ void random_input(input_kind kind, uint64_t index, int ordinary, number *point);
 
 /* ---- The checks ---- */
 
-/* A line on what is wrong; counts it, and after some writes no more. */
+enum
+{
+    COMPLAINTS_WRITTEN = 40
+};
+
+/* A line on what is wrong; counts it, and after some writes no more (path_compare.c). */
 __attribute__((format(printf, 4, 5))) void complain(const subject *s, const precision *in,
                                                     const path *p, const char *format, ...);
+size_t complaint_count(void);
 
 /* The worst difference of a path and precision over all subjects. */
 typedef struct extreme
