@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "truth/cubes.h"
+#include "truth/cube_count.h"
 #include "truth/sphere.h"
 
 /* ck_assert_msg without the note that it writes on every success: there are millions of them. */

@@ -8,7 +8,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "truth/cubes.h"
+#include "truth/cube_count.h"
 #include "truth/hard_points.h"
 #include "truth/sphere.h"
 

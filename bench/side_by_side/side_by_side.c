@@ -2,7 +2,7 @@
  *
  * Speed and accuracy of this library beside others': what to run and where to write it.
  */
-#include "truth/cubes.h"
+#include "truth/cube_count.h"
 
 #include "side_by_side.h"
 

@@ -3,7 +3,7 @@
  * The life of a map, what it was made from, and its samples.
  */
 #include "colormap_specification.h"
-#include "path.h"
+#include "colormap_path.h"
 #include "plan.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
  * in a projective map of it) and have grey among them. So a colour is inside if its chroma is no more than
  * the largest, and what is inside stays so with less chroma.
  */
-#include "path.h"
+#include "colormap_path.h"
 
 #include <math.h>
 

@@ -2,10 +2,10 @@
  *
  * Where the samples of a map are.
  */
-#ifndef PLAN_H
-#define PLAN_H
+#ifndef COLORMAP_PLAN_H
+#define COLORMAP_PLAN_H
 
-#include "path.h"
+#include "colormap_path.h"
 
 /* Each run of samples goes on in equal steps from its first one, which is the first
  * behind a corner. */

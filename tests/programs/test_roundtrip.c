@@ -20,7 +20,7 @@
 
 #include "tools/cli/degrees.h"
 #include "tools/cli/number.h"
-#include "truth/cubes.h"
+#include "truth/cube_count.h"
 
 #define BOUND_NANOMETRES 5.0
 #define EARTH_NANOMETRES 6371007.2e9

@@ -4,7 +4,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "truth/cubes.h"
+#include "truth/cube_count.h"
 
 #include "bench.h"
 

@@ -35,7 +35,7 @@
 
 #include "certificate.h"
 
-#include "truth/cubes.h"
+#include "truth/cube_count.h"
 #include "truth/hard_points.h"
 #include "truth/sphere.h"
 

@@ -4,7 +4,7 @@
  */
 #include "certificate.h"
 
-#include "truth/cubes.h"
+#include "truth/cube_count.h"
 #include "truth/sphere.h"
 
 #include <math.h>

@@ -11,9 +11,9 @@
  * With several hues no C satisfies both conditions, and the paper takes the one that fails least. Here C
  * stays linear, and what the path's parameter s lacks in evenness is mended by its length.
  */
-#include "path.h"
+#include "colormap_path.h"
 
-#include "color.h"
+#include "color_spaces.h"
 
 #include <math.h>
 #include <stdlib.h>

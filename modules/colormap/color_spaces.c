@@ -2,7 +2,7 @@
  *
  * CIELUV and sRGB, and how much chroma sRGB has.
  */
-#include "color.h"
+#include "color_spaces.h"
 
 #include <cubemap/colormap.h>
 

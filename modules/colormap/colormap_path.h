@@ -2,8 +2,8 @@
  *
  * A map: its parameters and its path through CIELUV, in pieces.
  */
-#ifndef PATH_H
-#define PATH_H
+#ifndef COLORMAP_PATH_H
+#define COLORMAP_PATH_H
 
 #include "colormap_catalogue.h"
 

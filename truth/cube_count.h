@@ -2,8 +2,8 @@
  *
  * The mappings to six faces, which are the first of the catalogue.
  */
-#ifndef TRUTH_CUBES_H
-#define TRUTH_CUBES_H
+#ifndef TRUTH_CUBE_COUNT_H
+#define TRUTH_CUBE_COUNT_H
 
 #include <cubemap/catalogue.h>
 

@@ -2,8 +2,8 @@
  *
  * What whoever computes with hues in degrees needs.
  */
-#ifndef COLOR_H
-#define COLOR_H
+#ifndef COLORMAP_COLOR_SPACES_H
+#define COLORMAP_COLOR_SPACES_H
 
 #define CM_COLORMAP_PI 3.14159265358979323846264338327950288
 
