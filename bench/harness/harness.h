@@ -55,10 +55,6 @@ void *allocate(size_t count, size_t size);
 /* A list of count elements, NULL if there is none, made long enough for one more, or the end of the program. */
 void *grow(void *list, size_t count, size_t size);
 
-/* A length in the unit that people read, "0.12 m"; INFINITY is "refused". The text is valid until the fourth
- * call after. */
-const char *length_text(double metres);
-
 /* "key": "text" and "key": number (null if it is not finite), each followed by a comma and a blank. */
 void json_text(FILE *out, const char *key, const char *text);
 void json_number(FILE *out, const char *key, double value);

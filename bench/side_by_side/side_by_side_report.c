@@ -4,6 +4,8 @@
  */
 #include "side_by_side.h"
 
+#include "truth/length_text.h"
+
 #include <math.h>
 #include <string.h>
 

@@ -7,7 +7,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "bench/harness/harness.h"
+#include "truth/length_text.h"
 #include "truth/peers/peers.h"
 
 #include "truth/sphere.h"

@@ -8,6 +8,7 @@
 #include "truth/peers/peers.h"
 
 #include "truth/hard_points.h"
+#include "truth/length_text.h"
 #include "truth/quad_healpix.h"
 
 #include <inttypes.h>

@@ -5,6 +5,7 @@
  */
 #include "bench.h"
 
+#include "truth/length_text.h"
 #include "truth/sphere.h"
 
 #include <getopt.h>

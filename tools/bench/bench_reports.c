@@ -4,6 +4,8 @@
  */
 #include "bench.h"
 
+#include "truth/length_text.h"
+
 #include <math.h>
 #include <string.h>
 

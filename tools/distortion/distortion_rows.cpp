@@ -2,6 +2,8 @@
 
 #include "distortion_rows.hpp"
 
+#include "tools/image/face_image_choice.hpp"
+
 #include <algorithm>
 #include <cmath>
 

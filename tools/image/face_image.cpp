@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 
 #include "face_image.hpp"
-#include "chart_image.hpp"
-#include "cube_image.hpp"
 #include "tools/cli/program.hpp"
 
 #include <cubemap/options.h>
@@ -26,16 +24,6 @@ MappingPointer make_mapping(const std::string &specification, const cm_frame &fr
 int face_count(const cm_mapping &mapping)
 {
     return cm_mapping_describe(&mapping)->kind == CM_KIND_CUBE ? 6 : 1;
-}
-
-std::unique_ptr<FaceImage> make_face_image(const std::string &specification, const cm_frame &frame,
-                                           int size)
-{
-    if (face_count(*make_mapping(specification, frame)) == 1)
-    {
-        return std::make_unique<ChartImage>(specification, size);
-    }
-    return std::make_unique<CubeImage>(specification, frame, size);
 }
 
 FaceImage::FaceImage(const std::string &specification, const cm_frame &faces_frame, int face_size)

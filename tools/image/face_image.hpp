@@ -71,8 +71,4 @@ protected:
     const int size;
 };
 
-// A cube or a chart, as the specification says; the frame is that of a cube.
-std::unique_ptr<FaceImage> make_face_image(const std::string &specification, const cm_frame &frame,
-                                           int size);
-
 #endif

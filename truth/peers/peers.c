@@ -4,7 +4,7 @@
  */
 #include "peers.h"
 
-#include "bench/harness/harness.h"
+#include "truth/length_text.h"
 
 #include "truth/sphere.h"
 

@@ -1,9 +1,17 @@
-/* SPDX-License-Identifier: MIT */
-#include "harness.h"
+/* SPDX-License-Identifier: MIT
+ *
+ * Errors as people read them.
+ */
+#ifndef TRUTH_LENGTH_TEXT_H
+#define TRUTH_LENGTH_TEXT_H
 
 #include <math.h>
+#include <stddef.h>
+#include <stdio.h>
 
-const char *length_text(double metres)
+/* A length in the unit that people read, "0.12 m"; INFINITY is "refused". The text is valid until the fourth
+ * call after. */
+static inline const char *length_text(double metres)
 {
     static char texts[4][32];
     static int next = 0;
@@ -27,3 +35,5 @@ const char *length_text(double metres)
     }
     return text;
 }
+
+#endif
