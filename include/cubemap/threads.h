@@ -41,7 +41,7 @@ extern "C" {
 /* With so many points each, two threads take from 1.7 times (gnomonic in float, the quickest mapping) to
  * 0.6 times as long as one: the second thread costs 60 to 80 microseconds in all, a point 1 to 5 ns in
  * double and 0.5 to 2 ns in float. On two cores of a Xeon with AVX-512 in a virtual machine with Linux;
- * `build/tests/test-threads cost` measures it. */
+ * `build/tests/mapping/test-threads cost` measures it. */
 #define CM_POINTS_PER_THREAD 65536
 
 /* The processors that the calling thread may run on, where the system tells (as nproc counts them),

@@ -14,6 +14,7 @@ import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.dont_write_bytecode = True
 import house
 
 # A room: its folder, and the rooms whose files its own may include, beside its own. What is true of every folder
@@ -230,13 +231,18 @@ DECLARED = re.compile(r"^(?!typedef|static|return)[A-Za-z][\w *]*?[ *](\w+)\([^;
 DEFINED = re.compile(r"^(?!.*\bstatic\b|typedef)[A-Za-z][\w *]*?[ *](\w+)\([^;{}]*\)\n\{", re.M)
 
 
-def check_homes(tree, complaints):
-    """What a room's own header declares, that room defines; or a header hides an arrow that points up."""
+def homes_of(tree):
+    """{function: the rooms that define one of that name}"""
     homes = collections.defaultdict(set)
     for path, text in tree.items():
         if path.endswith(SOURCES + TEXTS) and room_of(path) is not None:
             for match in DEFINED.finditer(text):
                 homes[match[1]].add(room_of(path).folder)
+    return homes
+
+
+def check_homes(tree, homes, complaints):
+    """What a room's own header declares, that room defines; or a header hides an arrow that points up."""
     for path, text in sorted(tree.items()):
         if not path.endswith(HEADERS) or path.startswith("include/") or room_of(path) is None:
             continue
@@ -244,6 +250,19 @@ def check_homes(tree, complaints):
             if homes[match[1]] and room_of(path).folder not in homes[match[1]]:
                 complaints.append(f"{path}:{line_of(text, match.start())}: {match[1]} is declared here, but is of "
                                   f"{', '.join(sorted(homes[match[1]]))}")
+
+
+def check_calls(tree, homes, complaints):
+    """Within the library public headers hide who is called: so functions are looked for, too."""
+    for path, text in sorted(tree.items()):
+        if not path.startswith("libcubemap/") or not path.endswith(SOURCES + TEXTS) or room_of(path) is None:
+            continue
+        code = re.sub(r"/\*.*?\*/", lambda match: re.sub(r"[^\n]", " ", match[0]), text, flags=re.S)
+        for match in re.finditer(r"\b(cm_\w+)\(", code):
+            rooms = homes.get(match[1], set())
+            if rooms and not any(may_use(room_of(path), Room(room, [])) for room in rooms):
+                complaints.append(f"{path}:{line_of(text, match.start())}: calls {match[1]} of {', '.join(sorted(rooms))}, "
+                                  f"which {room_of(path).folder} may not use")
 
 
 def check_build(path, text, complaints):
@@ -292,7 +311,9 @@ def check(tree):
         if path.endswith(TEXTS):
             check_text(path, text, readers[path], tree, complaints)
     check_circles(includes, complaints)
-    check_homes(tree, complaints)
+    homes = homes_of(tree)
+    check_homes(tree, homes, complaints)
+    check_calls(tree, homes, complaints)
     return complaints, len(includes)
 
 
@@ -367,6 +388,9 @@ FAULTS = [
     ("libcubemap/mapping/x.h", guarded("X", "void cm_cell_area(double *area);"), None),
     ("libcubemap/cells/cell.c", "void cm_cell_area(double *area)\n{\n}\n",
      "libcubemap/mapping/x.h:4: cm_cell_area is declared here, but is of libcubemap/cells"),
+    ("libcubemap/cells/cell.c", "void cm_cell_area(double *area)\n{\n}\n", None),
+    ("libcubemap/mapping/x.c", "/* not cm_cell_area() */\nint x = cm_cell_area(NULL);\n",
+     "libcubemap/mapping/x.c:2: calls cm_cell_area of libcubemap/cells, which libcubemap/mapping may not use"),
     ("tools/meson.build", "files('a.c',\n  'b.inc')\n", "tools/meson.build:2: 'b.inc' is compiled"),
 ]
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The kernels of one backend as a table, for shader_backend.cpp to compare. shader_kernels.cpp makes
+ * The kernels of one backend as a table, for test_shader_backend.cpp to compare. shader_kernels.cpp makes
  * that of the shaders' text.
  */
 #ifndef TESTS_SHADER_KERNELS_H

@@ -50,7 +50,7 @@ typedef struct subject
 static subject subjects[SUBJECTS_MOST];
 static size_t subject_count;
 
-/* The descriptor's bounds are those of the standard parameters. For others, as in mappings.c, 5 nm on
+/* The descriptor's bounds are those of the standard parameters. For others, as in test_mappings.c, 5 nm on
  * Earth, or 1 nm over the slope at the edge, by which a round trip magnifies rounding; 1 nm is 1.42
  * eps. */
 static void bound_variant(subject *s)

@@ -68,7 +68,7 @@ typedef struct subject
     extreme worst[KINDS];
 } subject;
 
-/* library.c: the mapping and its truth, of blocks and of points */
+/* certificate_library.c: the mapping and its truth, of blocks and of points */
 void forward_block(const subject *s, size_t n, double (*d)[BLOCK], uint8_t *face,
                    double (*uv)[BLOCK]);
 void inverse_block(const subject *s, size_t n, const uint8_t *face, double (*uv)[BLOCK],

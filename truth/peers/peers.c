@@ -456,7 +456,7 @@ int peer_failure_line(const peer_row *row, const char *documented_version, doubl
     return wrong;
 }
 
-/* What the peer is given, what it answers and what is right, in the form that truth.py reads. */
+/* What the peer is given, what it answers and what is right, in the form that peer_truth.py reads. */
 static void print_question(const comparison *c, const peer_failure *f, const answer *a, char *text,
                            size_t size)
 {

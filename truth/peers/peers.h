@@ -13,7 +13,7 @@
  *
  * The points that a peer is given are exact numbers in its own units, and long double turns them
  * into directions; what this library adds to a distance is its own error, 8 eps or some 5 nm. The
- * failures are checked with 60 digits by truth.py.
+ * failures are checked with 60 digits by peer_truth.py.
  *
  * Two kinds of claims come out of it. Agreement, where a peer is right: within a bound, or the
  * program fails. And failures of the peer at single points, as docs/measured/peers.md has them: in the
