@@ -22,9 +22,6 @@ EVERYWHERE = ["meson.build", "README.md"]
 # Data, which is called as what it is of, and what documents are made from.
 NOT_NAMED_HERE = ["tests/vectors/*", "tests/fuzz/corpus/*", "docs/*", "data/*", "*.png", "*.txt"]
 
-# A kernel is called as its mapping is, and that mapping may be a subject with a header of its own.
-SAME_NAME = [("include/cubemap/healpix.h", "include/cubemap/kernel/healpix.h")]
-
 # What is read side by side: a source and a script of one name are in different languages.
 LANGUAGES = {".c": "C", ".h": "C", ".cpp": "C", ".hpp": "C", ".inc": "C", "": "script", ".sh": "script",
              ".py": "script"}
@@ -46,7 +43,7 @@ def check_once(paths, complaints):
     for path in paths:
         places[os.path.basename(path)].append(path)
     for name, where in sorted(places.items()):
-        if len(where) > 1 and name not in EVERYWHERE and tuple(where) not in SAME_NAME:
+        if len(where) > 1 and name not in EVERYWHERE:
             complaints.append(f"{where[1]}: there is {where[0]} too")
 
 
@@ -70,7 +67,7 @@ def check(paths):
     return complaints, len(named)
 
 
-GOOD = ["meson.build", "tests/meson.build", "include/cubemap/healpix.h", "include/cubemap/kernel/healpix.h",
+GOOD = ["meson.build", "tests/meson.build", "include/cubemap/healpix.h",
         "libcubemap/cells/cell.c", "tests/cells/test_cells.c", "libcubemap/cells/region.h", "libcubemap/cells/region.c",
         "research/vectors/vectors", "libcubemap/batch/lanes/vector.inc", "tests/vectors/a/cell.c",
         "libcubemap/batch/alias.h"]
