@@ -4,7 +4,9 @@
  * compiler: a hash of many of them for each mapping, set, precision and tier, compared with the ones of
  * tests/bits.txt. Not for avx512, which starts from an approximation of the processor's own.
  *
- * Usage: bits FILE         compares; ends with 1 if a line differs or is missing
+ * Usage: bits FILE         compares; ends with 1 if a line differs or is missing, or names what is no mapping any
+ *                          more; of a mapping that the file does not name at all, which is new, it only says so
+ *        bits --strict FILE  the same, but new ones fail too: before a release
  *        bits --print      prints the lines of such a file, for the sets that this machine can run
  * A change of formulas changes the hashes; the file is then made anew, on x86-64 and AArch64:
  *        for the sets of one machine, bits --print | sort; lines of other sets stay.
@@ -169,6 +171,62 @@ static int is_in(const char *text, const char *line)
     return 0;
 }
 
+/* The words of a line are the set, the name, and more. The next line, or NULL at the end. */
+static const char *name_in(const char *line, char *name)
+{
+    if (sscanf(line, "%*s %63s", name) != 1)
+    {
+        return NULL;
+    }
+    const char *end = strchr(line, '\n');
+    return end == NULL ? line + strlen(line) : end + 1;
+}
+
+static int is_named(const char *text, const char *wanted)
+{
+    char name[64];
+    for (const char *line = text; (line = name_in(line, name)) != NULL;)
+    {
+        if (strcmp(name, wanted) == 0)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* How many lines are of what the catalogue has no more. */
+static int count_gone(const char *text)
+{
+    char name[64];
+    int gone = 0;
+    for (const char *line = text; (line = name_in(line, name)) != NULL;)
+    {
+        if (cm_catalogue_find(name) == NULL)
+        {
+            printf("in the file, but no mapping: %s\n", name);
+            gone++;
+        }
+    }
+    return gone;
+}
+
+/* How many mappings the file does not know. */
+static int count_new(const char *text)
+{
+    int count = 0;
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        const char *name = cm_catalogue_at(i)->identifier;
+        if (!is_named(text, name))
+        {
+            printf("new: %s is not yet in the file\n", name);
+            count++;
+        }
+    }
+    return count;
+}
+
 static int is_big_endian(void)
 {
     const uint16_t one = 1;
@@ -177,56 +235,92 @@ static int is_big_endian(void)
     return first == 0;
 }
 
-int main(int argc, char **argv)
+typedef struct tally
 {
-    static char text[1 << 20];
-    if (is_big_endian())
+    int compared;
+    int different;
+} tally;
+
+/* One result: printed if there is no text, else looked for in it. 0 if it cannot be made. */
+static int take(const char *text, const char *set, const char *name, int which, tally *t)
+{
+    char line[128];
+    if (!line_of(line, sizeof line, set, name, which))
     {
-        printf("the hashes are of numbers with the lowest byte first\n");
-        return 77;
+        return 0;
     }
-    int print = argc == 2 && strcmp(argv[1], "--print") == 0;
-    if (argc != 2)
+    if (line[0] != '\0')
     {
-        fprintf(stderr, "usage: bits FILE | bits --print\n");
-        return 2;
+        int good = text == NULL || is_in(text, line);
+        t->different += !good;
+        t->compared++;
+        if (text == NULL || !good)
+        {
+            printf("%s%s\n", text == NULL ? "" : "not in the file: ", line);
+        }
     }
-    FILE *file = print ? NULL : fopen(argv[1], "r");
-    if (!print && (file == NULL || fread(text, 1, sizeof text - 1, file) == 0))
-    {
-        perror(argv[1]);
-        return 2;
-    }
+    return 1;
+}
+
+/* All results of the sets of this machine; new mappings are in no text. 0 if one cannot be made. */
+static int take_all(const char *text, tally *t)
+{
     fill();
-    int different = 0;
-    int compared = 0;
     for (size_t s = 0; s < cm_instructions_count(); s++)
     {
         const char *set = cm_instructions_at(s);
         for (size_t i = 0; i < 3 * cm_catalogue_count() && strcmp(set, "avx512") != 0; i++)
         {
-            char line[128];
-            if (!line_of(line, sizeof line, set, cm_catalogue_at(i / 3)->identifier, (int)(i % 3)))
+            const char *name = cm_catalogue_at(i / 3)->identifier;
+            if ((text == NULL || is_named(text, name)) && !take(text, set, name, (int)(i % 3), t))
             {
-                return 2;
-            }
-            if (line[0] == '\0')
-            {
-                continue;
-            }
-            int good = print || is_in(text, line);
-            different += !good;
-            compared++;
-            if (print || !good)
-            {
-                printf("%s%s\n", print ? "" : "not in the file: ", line);
+                return 0;
             }
         }
     }
-    if (file != NULL)
+    return 1;
+}
+
+static int compare_with(const char *name, int strict)
+{
+    static char text[1 << 20];
+    tally t = {0, 0};
+    FILE *file = fopen(name, "r");
+    if (file == NULL || fread(text, 1, sizeof text - 1, file) == 0)
     {
-        fclose(file);
-        printf("%d results of many points compared, %d different\n", compared, different);
+        perror(name);
+        return 2;
     }
-    return different != 0;
+    fclose(file);
+    if (!take_all(text, &t))
+    {
+        return 2;
+    }
+    int fresh = count_new(text);
+    int gone = count_gone(text);
+    printf("%d results of many points compared, %d different, %d lines of no mapping, %d new "
+           "mappings\n",
+           t.compared, t.different, gone, fresh);
+    return t.compared == 0 || t.different > 0 || gone > 0 || (strict && fresh > 0);
+}
+
+int main(int argc, char **argv)
+{
+    int strict = argc == 3 && strcmp(argv[1], "--strict") == 0;
+    if (is_big_endian())
+    {
+        printf("the hashes are of numbers with the lowest byte first\n");
+        return 77;
+    }
+    if (argc != 2 + strict)
+    {
+        fprintf(stderr, "usage: bits [--strict] FILE | bits --print\n");
+        return 2;
+    }
+    if (strcmp(argv[1], "--print") == 0)
+    {
+        tally t = {0, 0};
+        return take_all(NULL, &t) ? 0 : 2;
+    }
+    return compare_with(argv[1 + strict], strict);
 }

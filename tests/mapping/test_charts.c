@@ -402,14 +402,37 @@ END_TEST
 
 /* ---- Between disc and square ---- */
 
-static const char *const squares[] = {"square:radial", "square:shirley", "square:squircle",
-                                      "square:elliptical", "square:conformal"};
+/* Those of the catalogue of one kind, which main has gathered. */
+enum
+{
+    OF_KIND_MAX = 64
+};
+
+typedef struct gathered
+{
+    size_t count;
+    const char *name[OF_KIND_MAX];
+} gathered;
+
+static gathered squares;
+static gathered azimuthal;
+
+static void gather(cm_kind kind, gathered *all)
+{
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        if (cm_catalogue_at(i)->kind == kind && all->count < OF_KIND_MAX)
+        {
+            all->name[all->count++] = cm_catalogue_at(i)->identifier;
+        }
+    }
+}
 
 START_TEST(discs_and_squares_come_back)
 {
-    for (size_t i = 0; i < COUNT(squares); i++)
+    for (size_t i = 0; i < squares.count; i++)
     {
-        cm_mapping *mapping = make_mapping(squares[i], NULL);
+        cm_mapping *mapping = make_mapping(squares.name[i], NULL);
         uint64_t state = 8;
         for (int n = 0; n < 40000; n++)
         {
@@ -422,10 +445,11 @@ START_TEST(discs_and_squares_come_back)
             pq[1] /= length > 1.0 || n % 8 == 0 ? length : 1.0;
             ck_assert_int_eq(cm_warp(mapping, pq, uv), CM_OK);
             ck_assert_int_eq(cm_unwarp(mapping, uv, back), CM_OK);
-            REQUIRE(fabs(uv[0]) <= 1.0 && fabs(uv[1]) <= 1.0, "%s: %.17g %.17g", squares[i], uv[0],
-                    uv[1]);
+            REQUIRE(fabs(uv[0]) <= 1.0 && fabs(uv[1]) <= 1.0, "%s: %.17g %.17g", squares.name[i],
+                    uv[0], uv[1]);
             REQUIRE(fabs(back[0] - pq[0]) <= BOUND * EPS && fabs(back[1] - pq[1]) <= BOUND * EPS,
-                    "%s: %.17g %.17g: %.17g %.17g", squares[i], pq[0], pq[1], back[0], back[1]);
+                    "%s: %.17g %.17g: %.17g %.17g", squares.name[i], pq[0], pq[1], back[0],
+                    back[1]);
             /* away from the corners the square comes back, too */
             const double square[2] = {next_real(&state), next_real(&state)};
             ck_assert_int_eq(cm_unwarp(mapping, square, back), CM_OK);
@@ -433,7 +457,7 @@ START_TEST(discs_and_squares_come_back)
             double corner = 2.0 - fabs(square[0]) - fabs(square[1]);
             double bound = 16.0 * EPS / fmin(1.0, corner);
             REQUIRE(fabs(again[0] - square[0]) <= bound && fabs(again[1] - square[1]) <= bound,
-                    "%s: %.17g %.17g: %.17g %.17g", squares[i], square[0], square[1], again[0],
+                    "%s: %.17g %.17g: %.17g %.17g", squares.name[i], square[0], square[1], again[0],
                     again[1]);
         }
         cm_mapping_destroy(mapping);
@@ -451,10 +475,10 @@ START_TEST(squares_are_symmetric)
 {
     static cm_status (*const ways[2])(const cm_mapping *, const double *, double *) = {cm_warp,
                                                                                        cm_unwarp};
-    for (size_t i = 0; i < COUNT(squares) * cm_instructions_count(); i++)
+    for (size_t i = 0; i < squares.count * cm_instructions_count(); i++)
     {
         cm_mapping *mapping =
-            make_with(squares[i % COUNT(squares)], cm_instructions_at(i / COUNT(squares)));
+            make_with(squares.name[i % squares.count], cm_instructions_at(i / squares.count));
         uint64_t state = 9;
         for (int n = 0; n < 4000; n++)
         {
@@ -469,14 +493,14 @@ START_TEST(squares_are_symmetric)
             (void)way(mapping, from, to);
             (void)way(mapping, mirrored, other);
             other[0] = -other[0];
-            REQUIRE(same_bits(to, other), "%s: %.17g %.17g mirrored", squares[i % COUNT(squares)],
-                    from[0], from[1]);
+            REQUIRE(same_bits(to, other), "%s: %.17g %.17g mirrored",
+                    squares.name[i % squares.count], from[0], from[1]);
             (void)way(mapping, swapped, other);
             REQUIRE(to[0] == other[1] && to[1] == other[0], "%s: %.17g %.17g swapped",
-                    squares[i % COUNT(squares)], from[0], from[1]);
+                    squares.name[i % squares.count], from[0], from[1]);
             (void)way(mapping, diagonal, other);
-            REQUIRE(other[0] == -other[1], "%s: %.17g on the diagonal", squares[i % COUNT(squares)],
-                    from[0]);
+            REQUIRE(other[0] == -other[1], "%s: %.17g on the diagonal",
+                    squares.name[i % squares.count], from[0]);
         }
         cm_mapping_destroy(mapping);
     }
@@ -541,16 +565,17 @@ START_TEST(what_is_no_point)
         expect_no_direction(mapping, 0, 1e300, 0.0);
         cm_mapping_destroy(mapping);
     }
-    for (size_t i = 0; i < COUNT(squares); i++)
+    for (size_t i = 0; i < squares.count; i++)
     {
-        cm_mapping *mapping = make_mapping(squares[i], NULL);
+        cm_mapping *mapping = make_mapping(squares.name[i], NULL);
         const double off[][2] = {
             {0.8, 0.7}, {1.0 + 1e-8, 0.0}, {(double)NAN, 0.0}, {0.0, (double)INFINITY}};
         for (size_t k = 0; k < COUNT(off); k++)
         {
             double to[2] = {7.0, 7.0};
             ck_assert_int_eq(cm_warp(mapping, off[k], to), CM_OK);
-            REQUIRE(isnan(to[0]) && isnan(to[1]), "%s: %g %g", squares[i], off[k][0], off[k][1]);
+            REQUIRE(isnan(to[0]) && isnan(to[1]), "%s: %g %g", squares.name[i], off[k][0],
+                    off[k][1]);
         }
         const double beside[2] = {0.6 * (1.0 + 9e-10), 0.8 * (1.0 + 9e-10)};
         const double rim[2] = {0.6, 0.8};
@@ -559,23 +584,20 @@ START_TEST(what_is_no_point)
         cm_warp(mapping, beside, to);
         cm_warp(mapping, rim, of_rim);
         REQUIRE(fabs(to[0] - of_rim[0]) < 4e-15 && fabs(to[1] - of_rim[1]) < 4e-15, "%s: rim",
-                squares[i]);
+                squares.name[i]);
         cm_mapping_destroy(mapping);
     }
 }
 END_TEST
 
-static const char *const azimuthal[] = {"lambert",     "stereographic", "breusing", "mixture",
-                                        "equidistant", "orthographic",  "gnomonic"};
-
 /* Half a field of view ends at 30 degrees, in every direction from the centre; what is beyond by 1e-9 of the
  * radius, 1e-6 in float, is on the rim. */
 START_TEST(fields_of_view)
 {
-    for (size_t i = 0; i < COUNT(azimuthal); i++)
+    for (size_t i = 0; i < azimuthal.count; i++)
     {
         char text[64];
-        snprintf(text, sizeof text, "azimuthal:%s:fov=60", azimuthal[i]);
+        snprintf(text, sizeof text, "%s:fov=60", azimuthal.name[i]);
         cm_mapping *mapping = make_mapping(text, NULL);
         for (int n = 0; n < 720; n++)
         {
@@ -617,10 +639,10 @@ END_TEST
 /* u = r sin lon, v = -r cos lon */
 START_TEST(orientation)
 {
-    for (size_t i = 0; i < COUNT(azimuthal); i++)
+    for (size_t i = 0; i < azimuthal.count; i++)
     {
         char text[64];
-        snprintf(text, sizeof text, "azimuthal:%s", azimuthal[i]);
+        snprintf(text, sizeof text, "%s", azimuthal.name[i]);
         cm_mapping *mapping = make_mapping(text, NULL);
         for (int n = 0; n < 360; n += 5)
         {
@@ -699,11 +721,11 @@ END_TEST
 START_TEST(border_is_a_pole)
 {
     static const char *const laws[] = {"lambert", "equidistant", "breusing", "mixture"};
-    for (size_t i = 0; i < COUNT(laws) * COUNT(squares); i++)
+    for (size_t i = 0; i < COUNT(laws) * squares.count; i++)
     {
         char text[64];
         snprintf(text, sizeof text, "border:%s,%s", laws[i % COUNT(laws)],
-                 strchr(squares[i / COUNT(laws)], ':') + 1);
+                 strchr(squares.name[i / COUNT(laws)], ':') + 1);
         for (size_t set = 0; set < cm_instructions_count(); set++)
         {
             cm_mapping *mapping = make_with(text, cm_instructions_at(set));
@@ -1179,6 +1201,8 @@ int main(int argc, char **argv)
                             derivatives_of_warps,
                             figures_of_the_paper,
                             NULL};
+    gather(CM_KIND_DISC_SQUARE, &squares);
+    gather(CM_KIND_AZIMUTHAL, &azimuthal);
     if (argc != 2)
     {
         fprintf(stderr, "usage: test-charts FOLDER\n");
