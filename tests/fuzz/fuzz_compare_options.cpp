@@ -8,8 +8,9 @@
 #include <filesystem>
 #include <string>
 
+#include "tools/compare/compare_main.h"
+
 #include "fuzz_arguments.h"
-#include "compare_as_function.hpp"
 #include "fuzz_streams.h"
 
 namespace
@@ -77,12 +78,6 @@ bool names_elsewhere(const arguments &given)
 
 } // namespace
 
-int LLVMFuzzerInitialize(int *, char ***)
-{
-    replace_descriptors();
-    return 0;
-}
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static const Folder folder;
@@ -90,12 +85,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!names_elsewhere(given))
     {
         talk with = {};
-        set_input("", 0);
+        std::FILE *const output = open_memstream(&with.output, &with.output_size);
+        std::FILE *const messages = open_memstream(&with.messages, &with.messages_size);
+        EXPECT(output != nullptr && messages != nullptr, "no memory");
+        const cm_streams streams = {stdin, output, messages};
         folder.enter();
-        begin_talk(&with);
-        const int status = compare_main(given.count, given.argument);
-        end_talk(&with);
+        const int status = cm_compare_main(given.count, given.argument, &streams);
         folder.leave();
+        EXPECT(std::fclose(output) == 0 && std::fclose(messages) == 0, "no memory");
         EXPECT(status >= 0 && status <= 2, "exit status %d", status);
         EXPECT(status == 0 ? with.messages_size == 0
                            : is_one_message(with.messages, "cubemap-compare: "),

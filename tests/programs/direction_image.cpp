@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
-//
-// Test images that tell where they should be: each pixel of a direction image holds x, y and z of
-// the direction of its centre. Makes them, and checks images that were resampled from one. Besides
-// that, a few small things that the shell tests need. See usage() below.
-//
-// The geometry here is written down independently of cubemap-reproject: point by point, with the
-// crosses as tables.
+
+#include "direction_image.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,14 +25,6 @@ struct Image
     int width = 0;
     int height = 0;
     std::vector<float> pixels; // three channels
-};
-
-// What the arguments SPEC FRAME LAYOUT say.
-struct Shape
-{
-    std::string specification; // "equirect", or a mapping
-    std::string frame;
-    std::string layout; // faces, strip, cross; "-" for a mapping of one face
 };
 
 // Where each face stands in the cross, {column, row}.
@@ -163,35 +150,6 @@ private:
     cm_mapping *mapping = nullptr;
 };
 
-void make(const Shape &shape, int size, const std::string &name)
-{
-    const Sphere sphere(shape);
-    const bool equirect = shape.specification == "equirect";
-    const int columns = shape.layout == "cross" ? 4 : shape.layout == "strip" ? 6 : 1;
-    const int rows = shape.layout == "cross" ? 3 : 1;
-    for (int file = 0; file < (sphere.in_files() ? 6 : 1); ++file)
-    {
-        Image image;
-        image.width = equirect ? size : columns * size;
-        image.height = equirect ? size / 2 : rows * size;
-        image.pixels.resize(std::size_t(image.width) * std::size_t(image.height) * 3);
-        for (std::size_t i = 0; i < image.pixels.size() / 3; ++i)
-        {
-            const int column = static_cast<int>(i % std::size_t(image.width));
-            const int row = static_cast<int>(i / std::size_t(image.width));
-            double direction[3];
-            const bool there = sphere.direction(file, image, column, row, direction);
-            for (std::size_t c = 0; c < 3; ++c)
-            {
-                image.pixels[3 * i + c] = there ? static_cast<float>(direction[c]) : 0.0f;
-            }
-        }
-        write_image(face_name(name, file),
-                    OIIO::ImageSpec(image.width, image.height, 3, OIIO::TypeFloat),
-                    image.pixels.data());
-    }
-}
-
 struct Errors
 {
     double largest = 0;
@@ -226,7 +184,38 @@ void add_errors(const Sphere &sphere, int file, const std::string &name, Errors 
     }
 }
 
-int check(const Shape &shape, const std::string &name, double largest, double mean)
+} // namespace
+
+void make_direction_image(const Shape &shape, int size, const std::string &name)
+{
+    const Sphere sphere(shape);
+    const bool equirect = shape.specification == "equirect";
+    const int columns = shape.layout == "cross" ? 4 : shape.layout == "strip" ? 6 : 1;
+    const int rows = shape.layout == "cross" ? 3 : 1;
+    for (int file = 0; file < (sphere.in_files() ? 6 : 1); ++file)
+    {
+        Image image;
+        image.width = equirect ? size : columns * size;
+        image.height = equirect ? size / 2 : rows * size;
+        image.pixels.resize(std::size_t(image.width) * std::size_t(image.height) * 3);
+        for (std::size_t i = 0; i < image.pixels.size() / 3; ++i)
+        {
+            const int column = static_cast<int>(i % std::size_t(image.width));
+            const int row = static_cast<int>(i / std::size_t(image.width));
+            double direction[3];
+            const bool there = sphere.direction(file, image, column, row, direction);
+            for (std::size_t c = 0; c < 3; ++c)
+            {
+                image.pixels[3 * i + c] = there ? static_cast<float>(direction[c]) : 0.0f;
+            }
+        }
+        write_image(face_name(name, file),
+                    OIIO::ImageSpec(image.width, image.height, 3, OIIO::TypeFloat),
+                    image.pixels.data());
+    }
+}
+
+void check_direction_image(const Shape &shape, const std::string &name, double largest, double mean)
 {
     const Sphere sphere(shape);
     Errors errors;
@@ -235,122 +224,65 @@ int check(const Shape &shape, const std::string &name, double largest, double me
         add_errors(sphere, file, face_name(name, file), errors);
     }
     const double found_mean = errors.sum / errors.count;
-    std::printf("largest error %.3g at %s, mean %.3g\n", errors.largest, errors.where.c_str(),
-                found_mean);
-    return errors.largest <= largest && found_mean <= mean ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (!(errors.largest <= largest && found_mean <= mean))
+    {
+        char text[400];
+        std::snprintf(text, sizeof text, "largest error %.3g at %s, mean %.3g", errors.largest,
+                      errors.where.c_str(), found_mean);
+        throw std::runtime_error(text);
+    }
 }
 
-// The arguments after the fixed ones are metadata, NAME=VALUE; a whole number is stored as one.
-void make_constant(char **arguments, int extra_count, char **extra)
+void make_constant(int width, int height, int channels, const std::string &type, float value,
+                   const std::string &name, const std::vector<std::string> &metadata)
 {
-    const int width = std::atoi(arguments[0]);
-    const int height = std::atoi(arguments[1]);
-    const int channels = std::atoi(arguments[2]);
-    const OIIO::TypeDesc type(arguments[3]);
-    OIIO::ImageSpec spec(width, height, channels, type);
-    for (int i = 0; i < extra_count; ++i)
+    OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc(type));
+    for (const std::string &text : metadata)
     {
-        const std::string text = extra[i];
         const std::size_t equals = text.find('=');
-        const std::string value = text.substr(equals + 1);
-        if (value.find_first_not_of("0123456789") == std::string::npos)
+        const std::string words = text.substr(equals + 1);
+        if (words.find_first_not_of("0123456789") == std::string::npos)
         {
-            spec.attribute(text.substr(0, equals), std::atoi(value.c_str()));
+            spec.attribute(text.substr(0, equals), std::atoi(words.c_str()));
         }
         else
         {
-            spec.attribute(text.substr(0, equals), value);
+            spec.attribute(text.substr(0, equals), words);
         }
     }
-    const std::vector<float> pixels(std::size_t(width) * std::size_t(height) *
-                                        std::size_t(channels),
-                                    static_cast<float>(std::atof(arguments[4])));
-    write_image(arguments[5], spec, pixels.data());
+    const std::vector<float> pixels(
+        std::size_t(width) * std::size_t(height) * std::size_t(channels), value);
+    write_image(name, spec, pixels.data());
 }
 
-int describe(const std::string &name)
+std::string describe_image(const std::string &name)
 {
     const auto input = OIIO::ImageInput::open(name);
     if (!input)
     {
-        throw std::runtime_error(name + ": " + OIIO::geterror());
+        return name + ": " + OIIO::geterror();
     }
     const OIIO::ImageSpec &spec = input->spec();
-    std::printf("%d x %d, %d channels, %s\n", spec.width, spec.height, spec.nchannels,
-                spec.format.c_str());
+    std::string text = std::to_string(spec.width) + " x " + std::to_string(spec.height) + ", " +
+                       std::to_string(spec.nchannels) + " channels, " + spec.format.c_str() + "\n";
     for (const OIIO::ParamValue &value : spec.extra_attribs)
     {
-        std::printf("%s=%s\n", value.name().c_str(), value.get_string().c_str());
+        text += value.name().string() + "=" + value.get_string() + "\n";
     }
-    return EXIT_SUCCESS;
+    return text;
 }
 
-// Those of six faces, or of one.
-int list_mappings(bool charts)
+std::vector<std::string> catalogue_names(bool charts)
 {
+    std::vector<std::string> names;
     for (std::size_t i = 0; i < cm_catalogue_count(); ++i)
     {
         const cm_mapping_info *const info = cm_catalogue_at(i);
         const bool chart = info->kind == CM_KIND_AZIMUTHAL || info->kind == CM_KIND_LAYOUT;
         if (charts ? chart : info->kind == CM_KIND_CUBE)
         {
-            std::puts(info->identifier);
+            names.emplace_back(info->identifier);
         }
     }
-    return EXIT_SUCCESS;
-}
-
-int usage()
-{
-    std::fputs("direction_image make SPEC FRAME LAYOUT SIZE FILE\n"
-               "direction_image check SPEC FRAME LAYOUT FILE LARGEST MEAN\n"
-               "    SPEC is equirect or a mapping of one face (then FRAME and LAYOUT are -), or\n"
-               "    a mapping of the cube; %f in FILE stands for the face; check fails if an\n"
-               "    error is above LARGEST or their mean above MEAN\n"
-               "direction_image constant WIDTH HEIGHT CHANNELS TYPE VALUE FILE [NAME=TEXT]...\n"
-               "direction_image describe FILE\n"
-               "direction_image mappings\n"
-               "direction_image charts\n",
-               stderr);
-    return 2;
-}
-
-int run(int argc, char **argv)
-{
-    const std::string command = argc > 1 ? argv[1] : "";
-    if (command == "make" && argc == 7)
-    {
-        make({argv[2], argv[3], argv[4]}, std::atoi(argv[5]), argv[6]);
-        return EXIT_SUCCESS;
-    }
-    if (command == "check" && argc == 8)
-    {
-        return check({argv[2], argv[3], argv[4]}, argv[5], std::atof(argv[6]), std::atof(argv[7]));
-    }
-    if (command == "constant" && argc >= 8)
-    {
-        make_constant(argv + 2, argc - 8, argv + 8);
-        return EXIT_SUCCESS;
-    }
-    if (command == "describe" && argc == 3)
-    {
-        return describe(argv[2]);
-    }
-    const bool charts = command == "charts";
-    return (charts || command == "mappings") && argc == 2 ? list_mappings(charts) : usage();
-}
-
-} // namespace
-
-int main(int argc, char **argv)
-{
-    try
-    {
-        return run(argc, argv);
-    }
-    catch (const std::exception &exception)
-    {
-        std::fprintf(stderr, "direction_image: %s\n", exception.what());
-        return EXIT_FAILURE;
-    }
+    return names;
 }

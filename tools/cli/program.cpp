@@ -133,15 +133,17 @@ std::string first_line(const std::string &text)
     return line;
 }
 
-void print(const std::string &text)
+void print(const cm_streams &streams, const std::string &text)
 {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    if (std::fwrite(text.data(), 1, text.size(), streams.out) != text.size() ||
+        std::fflush(streams.out) != 0)
     {
         throw Failure(std::string("standard output: ") + std::strerror(errno));
     }
 }
 
-int run_program(const std::string &name, const std::function<int()> &body)
+int run_program(const std::string &name, const cm_streams &streams,
+                const std::function<int()> &body)
 {
     std::string text;
     int status = exit_failure;
@@ -165,6 +167,6 @@ int run_program(const std::string &name, const std::function<int()> &body)
     // whatever words of a user are in it: nothing that ends the line or that a terminal acts upon
     const auto is_control = [](unsigned char byte) { return byte < ' ' || byte == 0x7f; };
     std::replace_if(text.begin(), text.end(), is_control, '?');
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), text.c_str());
+    std::fprintf(streams.err, "%s: %s\n", name.c_str(), text.c_str());
     return status;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What the image programs share: failures with their exit status, reading arguments, the last
-// resort around main.
+// resort around all.
 
 #ifndef CUBEMAP_TOOLS_PROGRAM_HPP
 #define CUBEMAP_TOOLS_PROGRAM_HPP
+
+#include "tools/cli/streams.h"
 
 #include <cstdint>
 #include <functional>
@@ -96,10 +98,12 @@ std::string in_quotes(const std::string &text);
 // The first line of a library's message, without a full stop at its end.
 std::string first_line(const std::string &text);
 
-// Writes to stdout and flushes; Failure if that cannot be done.
-void print(const std::string &text);
+// Writes to standard output and flushes; Failure if that cannot be done.
+void print(const cm_streams &streams, const std::string &text);
 
-// Runs body; an exception becomes a line "NAME: TEXT" on stderr. Returns the exit status.
-int run_program(const std::string &name, const std::function<int()> &body);
+// Runs body; an exception becomes a line "NAME: TEXT" on standard error. Returns the
+// exit status.
+int run_program(const std::string &name, const cm_streams &streams,
+                const std::function<int()> &body);
 
 #endif

@@ -15,8 +15,9 @@ constexpr std::chrono::milliseconds interval(50);
 
 } // namespace
 
-Progress::Progress(std::int64_t steps, bool wanted)
-    : total(steps > 0 ? steps : 1), shown(wanted && isatty(STDERR_FILENO) != 0),
+Progress::Progress(std::int64_t steps, bool wanted, std::FILE *terminal)
+    : stream(terminal), total(steps > 0 ? steps : 1),
+      shown(wanted && fileno(terminal) >= 0 && isatty(fileno(terminal)) != 0),
       last(std::chrono::steady_clock::now())
 {
     if (shown)
@@ -29,8 +30,8 @@ Progress::~Progress()
 {
     if (shown)
     {
-        std::fputs("\r\033[K", stderr);
-        std::fflush(stderr);
+        std::fputs("\r\033[K", stream);
+        std::fflush(stream);
     }
 }
 
@@ -55,6 +56,6 @@ void Progress::draw() const
     const int filled = static_cast<int>(done * bar_width / total);
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                             std::string(static_cast<std::size_t>(bar_width - filled), '.');
-    std::fprintf(stderr, "\r[%s] %3d %%", bar.c_str(), static_cast<int>(done * 100 / total));
-    std::fflush(stderr);
+    std::fprintf(stream, "\r[%s] %3d %%", bar.c_str(), static_cast<int>(done * 100 / total));
+    std::fflush(stream);
 }

@@ -7,13 +7,14 @@
 
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <mutex>
 
-// Draws a bar on stderr if that is a terminal and the bar is wanted; takes it away at its end.
+// Draws a bar on a stream if that is a terminal and the bar is wanted; takes it away at its end.
 class Progress
 {
 public:
-    Progress(std::int64_t steps, bool wanted);
+    Progress(std::int64_t steps, bool wanted, std::FILE *terminal);
     ~Progress();
     Progress(const Progress &) = delete;
     Progress &operator=(const Progress &) = delete;
@@ -24,6 +25,7 @@ public:
 private:
     void draw() const;
 
+    std::FILE *const stream;
     const std::int64_t total;
     const bool shown;
     std::int64_t done = 0;

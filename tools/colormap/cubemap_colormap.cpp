@@ -3,6 +3,7 @@
 // cubemap-colormap: perceptually uniform colour maps as tables, as code and as pictures.
 
 #include "tools/cli/atomic_file.hpp"
+#include "colormap_main.h"
 #include "colormap_output.hpp"
 #include "tools/cli/program.hpp"
 
@@ -239,9 +240,9 @@ Options parse_options(int argc, char **argv)
 // ---- the map
 
 // A line that does not end the program.
-void note(const std::string &text)
+void note(const cm_streams &streams, const std::string &text)
 {
-    std::fprintf(stderr, "cubemap-colormap: %s\n", text.c_str());
+    std::fprintf(streams.err, "cubemap-colormap: %s\n", text.c_str());
 }
 
 ColormapPointer make_map(const std::string &specification)
@@ -288,7 +289,7 @@ std::string changes_between(const cm_colormap *before, const cm_colormap *after)
     return text;
 }
 
-ColormapPointer fitted(const ColormapPointer &map)
+ColormapPointer fitted(const cm_streams &streams, const ColormapPointer &map)
 {
     cm_colormap *result = nullptr;
     const cm_status status = cm_colormap_fit(map.get(), &result);
@@ -298,7 +299,8 @@ ColormapPointer fitted(const ColormapPointer &map)
     }
     ColormapPointer fit(result);
     const std::string changes = changes_between(map.get(), fit.get());
-    note(changes.empty() ? "the map is inside sRGB as it is" : "fitted into sRGB: " + changes);
+    note(streams,
+         changes.empty() ? "the map is inside sRGB as it is" : "fitted into sRGB: " + changes);
     return fit;
 }
 
@@ -311,7 +313,7 @@ std::string remedy(const cm_colormap *map)
 }
 
 // Says what is cut, or refuses it.
-void report_clipping(const SampledMap &sampled, const Options &options)
+void report_clipping(const cm_streams &streams, const SampledMap &sampled, const Options &options)
 {
     const cm_colormap_clipping &clipping = sampled.clipping;
     const bool outside =
@@ -330,7 +332,7 @@ void report_clipping(const SampledMap &sampled, const Options &options)
     {
         throw Failure(what + advice);
     }
-    note("warning: " + what + advice + "; they are cut");
+    note(streams, "warning: " + what + advice + "; they are cut");
 }
 
 std::size_t sample_count(const Options &options, const cm_colormap *map, Format format,
@@ -352,11 +354,11 @@ std::size_t sample_count(const Options &options, const cm_colormap *map, Format 
     return family == CM_COLORMAP_DIVERGING ? 257 : 256;
 }
 
-void write_text(const std::string &text, const std::string &path)
+void write_text(const cm_streams &streams, const std::string &text, const std::string &path)
 {
     if (path.empty())
     {
-        print(text);
+        print(streams, text);
         return;
     }
     std::vector<std::unique_ptr<AtomicFile>> files;
@@ -381,14 +383,14 @@ std::string text_of(const SampledMap &sampled, Format format)
     }
 }
 
-int colormap(int argc, char **argv)
+int colormap(int argc, char **argv, const cm_streams &streams)
 {
     const Options options = parse_options(argc, argv);
     if (options.help || options.version || options.list)
     {
-        print(options.help      ? help_text
-              : options.version ? "cubemap-colormap " + std::string(cm_version()) + "\n"
-                                : listing_text());
+        print(streams, options.help      ? help_text
+                       : options.version ? "cubemap-colormap " + std::string(cm_version()) + "\n"
+                                         : listing_text());
         return 0;
     }
     const Format format = format_of(options);
@@ -396,7 +398,7 @@ int colormap(int argc, char **argv)
     ColormapPointer map = make_map(options.maps[0]);
     if (options.fit)
     {
-        map = fitted(map);
+        map = fitted(streams, map);
     }
     const PictureSize size = options.size.value_or(PictureSize());
     const std::string name =
@@ -404,22 +406,22 @@ int colormap(int argc, char **argv)
                              : options.name;
     const SampledMap sampled = sample_map(
         map.get(), name, sample_count(options, map.get(), format, size), options.reverse);
-    report_clipping(sampled, options);
-    guard_temporary_files();
+    report_clipping(streams, sampled, options);
     if (format == Format::png)
     {
         write_picture(sampled, size, options.test_pattern, options.output);
     }
     else
     {
-        write_text(text_of(sampled, format), options.output);
+        write_text(streams, text_of(sampled, format), options.output);
     }
     return 0;
 }
 
 } // namespace
 
-int main(int argc, char **argv)
+int cm_colormap_main(int argc, char **argv, const cm_streams *streams)
 {
-    return run_program("cubemap-colormap", [argc, argv] { return colormap(argc, argv); });
+    return run_program("cubemap-colormap", *streams,
+                       [argc, argv, streams] { return colormap(argc, argv, *streams); });
 }

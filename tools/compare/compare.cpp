@@ -2,6 +2,7 @@
 //
 // cubemap-compare: how far two images of the same size are from each other.
 
+#include "compare_main.h"
 #include "tools/cli/image_file.hpp"
 #include "tools/cli/program.hpp"
 
@@ -158,7 +159,8 @@ std::vector<float> pixels_of(ImageFile &image)
     return pixels;
 }
 
-void print_difference(const Difference &found, const ImageFile &image, bool integers)
+void print_difference(const cm_streams &streams, const Difference &found, const ImageFile &image,
+                      bool integers)
 {
     const char *const unit = integers ? " grey levels of 8 bits" : "";
     const double peak = integers ? 255 : 1;
@@ -179,7 +181,7 @@ void print_difference(const Difference &found, const ImageFile &image, bool inte
     }
     std::snprintf(text, sizeof text, "\nPSNR                 %.4g dB\n",
                   20 * std::log10(peak / found.rmse));
-    print(lines + text);
+    print(streams, lines + text);
 }
 
 void check_limit(const char *what, double value, const std::optional<double> &limit)
@@ -193,12 +195,13 @@ void check_limit(const char *what, double value, const std::optional<double> &li
     }
 }
 
-int compare(int argc, char **argv)
+int compare(int argc, char **argv, const cm_streams &streams)
 {
     const Options options = parse_options(argc, argv);
     if (options.help || options.version)
     {
-        print(options.help ? help_text : "cubemap-compare " + std::string(cm_version()) + "\n");
+        print(streams,
+              options.help ? help_text : "cubemap-compare " + std::string(cm_version()) + "\n");
         return 0;
     }
     ImageFile a(options.names[0]);
@@ -212,7 +215,7 @@ int compare(int argc, char **argv)
     const Difference found = difference(pixels_of(a), pixels_of(b), integers ? 255 : 1);
     if (!options.quiet)
     {
-        print_difference(found, a, integers);
+        print_difference(streams, found, a, integers);
     }
     check_limit("mean absolute error", found.mean, options.max_mean);
     check_limit("root of the mean square error", found.rmse, options.max_rmse);
@@ -222,7 +225,8 @@ int compare(int argc, char **argv)
 
 } // namespace
 
-int main(int argc, char **argv)
+int cm_compare_main(int argc, char **argv, const cm_streams *streams)
 {
-    return run_program("cubemap-compare", [argc, argv] { return compare(argc, argv); });
+    return run_program("cubemap-compare", *streams,
+                       [argc, argv, streams] { return compare(argc, argv, *streams); });
 }

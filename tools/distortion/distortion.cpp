@@ -2,8 +2,10 @@
 //
 // cubemap-distortion: pictures of what a mapping does to areas, shapes and angles.
 
+#include "distortion_main.h"
 #include "distortion_options.hpp"
 #include "distortion_picture.hpp"
+#include "tools/cli/image_threads.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 
@@ -12,32 +14,31 @@
 namespace
 {
 
-int draw_distortion(int argc, char **argv)
+int draw_distortion(int argc, char **argv, const cm_streams &streams)
 {
     const DistortionOptions options = parse_distortion_options(argc, argv);
     if (options.help || options.version)
     {
-        print(options.help ? distortion_help_text()
-                           : "cubemap-distortion " + std::string(cm_version()) + "\n");
+        print(streams, options.help ? distortion_help_text()
+                                    : "cubemap-distortion " + std::string(cm_version()) + "\n");
         return 0;
     }
-    guard_temporary_files();
     const int threads = thread_count(options.threads);
-    OIIO::attribute("threads", threads);
-    OIIO::attribute("exr_threads", threads > 1 ? threads : -1);
+    const ImageThreads image_threads(threads);
 
     DistortionPicture picture(options);
-    picture.write(threads);
+    picture.write(threads, streams.err);
     if (!options.quiet)
     {
-        print(picture.report());
+        print(streams, picture.report());
     }
     return 0;
 }
 
 } // namespace
 
-int main(int argc, char **argv)
+int cm_distortion_main(int argc, char **argv, const cm_streams *streams)
 {
-    return run_program("cubemap-distortion", [argc, argv] { return draw_distortion(argc, argv); });
+    return run_program("cubemap-distortion", *streams,
+                       [argc, argv, streams] { return draw_distortion(argc, argv, *streams); });
 }

@@ -103,7 +103,7 @@ void DistortionPicture::choose_names()
     names.push_back(*options.legend);
 }
 
-void DistortionPicture::write(int threads)
+void DistortionPicture::write(int threads, std::FILE *terminal)
 {
     std::int64_t faces = 0;
     for (const PictureLayout &picture : pictures)
@@ -112,7 +112,7 @@ void DistortionPicture::write(int threads)
     }
     {
         // All rows twice: the extremes stand before the pixels in a file.
-        Progress progress(2 * faces * options.size, !options.quiet);
+        Progress progress(2 * faces * options.size, !options.quiet, terminal);
         survey(threads, progress);
         for (std::size_t i = 0; i < pictures.size(); ++i)
         {

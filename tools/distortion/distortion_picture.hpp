@@ -22,8 +22,9 @@ public:
     // cannot be done.
     explicit DistortionPicture(const DistortionOptions &wanted);
 
-    // Computes and writes the files, and lets them appear.
-    void write(int threads);
+    // Computes and writes the files, and lets them appear. The progress is shown on terminal, if it
+    // is one.
+    void write(int threads, std::FILE *terminal);
 
     // What the pictures are, as in their metadata: "tangent, frame geo, area (D_A): 0.74 to 1.37 ..."
     std::string description() const;

@@ -2,9 +2,10 @@
 //
 // cubemap-orient: the best orientation of the base cube for a mask.
 
+#include "orient_main.h"
 #include "orient_options.hpp"
 #include "orient_picture.hpp"
-#include "tools/cli/atomic_file.hpp"
+#include "tools/cli/image_threads.hpp"
 #include "tools/image/equirect.hpp"
 #include "tools/image/face_image.hpp"
 #include "tools/cli/parallel.hpp"
@@ -15,8 +16,6 @@
 #include <cstdio>
 
 #include <cubemap/version.h>
-
-#include <OpenImageIO/imageio.h>
 
 namespace
 {
@@ -254,30 +253,29 @@ std::string evaluate(const OrientOptions &options, const cm_mapping *mapping, co
 }
 
 cm_orient_result search(const OrientOptions &options, const cm_mapping *mapping,
-                        const cm_mask &mask, cm_orient_options wanted)
+                        const cm_mask &mask, cm_orient_options wanted, std::FILE *terminal)
 {
     cm_orient_result found{};
     found.size = sizeof found;
-    Bar bar{Progress(progress_steps, !options.quiet)};
+    Bar bar{Progress(progress_steps, !options.quiet, terminal)};
     wanted.progress = advance;
     wanted.user = &bar;
     check(cm_orient(mapping, &mask, &wanted, &found), options);
     return found;
 }
 
-int orient(int argc, char **argv)
+int orient(int argc, char **argv, const cm_streams &streams)
 {
     const OrientOptions options = parse_orient_options(argc, argv);
     if (options.help || options.version || options.list)
     {
-        print(options.help   ? orient_help_text()
-              : options.list ? list_text()
-                             : "cubemap-orient " + std::string(cm_version()) + "\n");
+        print(streams, options.help   ? orient_help_text()
+                       : options.list ? list_text()
+                                      : "cubemap-orient " + std::string(cm_version()) + "\n");
         return 0;
     }
-    guard_temporary_files();
     const int threads = thread_count(options.threads);
-    OIIO::attribute("threads", threads);
+    const ImageThreads image_threads(threads);
     SphereGrid grid = read_equirect(options.mask, true);
     weigh(options, grid);
     Equirect(grid.width(), grid.height()).fill_border(grid);
@@ -305,7 +303,7 @@ int orient(int argc, char **argv)
     }
     else
     {
-        const cm_orient_result found = search(options, mapping.get(), mask, wanted);
+        const cm_orient_result found = search(options, mapping.get(), mask, wanted, streams.err);
         rotation = found.rotation;
         text = options.json ? json_report(options, found) : report(options, found);
     }
@@ -313,13 +311,14 @@ int orient(int argc, char **argv)
     {
         picture->write(rotation, threads);
     }
-    print(text);
+    print(streams, text);
     return 0;
 }
 
 } // namespace
 
-int main(int argc, char **argv)
+int cm_orient_main(int argc, char **argv, const cm_streams *streams)
 {
-    return run_program("cubemap-orient", [argc, argv] { return orient(argc, argv); });
+    return run_program("cubemap-orient", *streams,
+                       [argc, argv, streams] { return orient(argc, argv, *streams); });
 }

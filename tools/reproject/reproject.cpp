@@ -2,9 +2,11 @@
 //
 // cubemap-reproject: an image of the sphere from one projection to another.
 
+#include "tools/cli/image_threads.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "reproject_options.hpp"
+#include "reproject_main.h"
 #include "reproject_output.hpp"
 
 #include <cubemap/version.h>
@@ -12,23 +14,22 @@
 namespace
 {
 
-int reproject(int argc, char **argv)
+int reproject(int argc, char **argv, const cm_streams &streams)
 {
     const Options options = parse_options(argc, argv);
     if (options.help || options.version)
     {
-        print(options.help ? help_text() : "cubemap-reproject " + std::string(cm_version()) + "\n");
+        print(streams,
+              options.help ? help_text() : "cubemap-reproject " + std::string(cm_version()) + "\n");
         return 0;
     }
-    guard_temporary_files();
     const int threads = thread_count(options.threads);
-    OIIO::attribute("threads", threads);
-    OIIO::attribute("exr_threads", threads > 1 ? threads : -1);
+    const ImageThreads image_threads(threads);
 
     Input input(options);
     Output output(options, input);
     const SphereGrid grid = input.read(options, output.multiply_alpha(), threads);
-    output.write(options, input, grid, threads);
+    output.write(options, input, grid, threads, streams.err);
     if (!options.quiet)
     {
         std::vector<std::string> names;
@@ -36,15 +37,16 @@ int reproject(int argc, char **argv)
         {
             names.push_back(file.path());
         }
-        print(name_list(names) + " (" + input.description(options) + ") -> " +
-              output.description(options) + "\n");
+        print(streams, name_list(names) + " (" + input.description(options) + ") -> " +
+                           output.description(options) + "\n");
     }
     return 0;
 }
 
 } // namespace
 
-int main(int argc, char **argv)
+int cm_reproject_main(int argc, char **argv, const cm_streams *streams)
 {
-    return run_program("cubemap-reproject", [argc, argv] { return reproject(argc, argv); });
+    return run_program("cubemap-reproject", *streams,
+                       [argc, argv, streams] { return reproject(argc, argv, *streams); });
 }

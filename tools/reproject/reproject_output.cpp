@@ -235,12 +235,13 @@ void Output::choose_names(const Options &options, const Input &input)
     }
 }
 
-void Output::write(const Options &options, const Input &input, const SphereGrid &grid, int threads)
+void Output::write(const Options &options, const Input &input, const SphereGrid &grid, int threads,
+                   std::FILE *terminal)
 {
     const std::int64_t rows =
         std::int64_t{pictures.front().rows} * sphere->height() * std::int64_t(pictures.size());
     {
-        Progress progress(rows, !options.quiet);
+        Progress progress(rows, !options.quiet, terminal);
         const Render render = {input.projection(), grid, options.filter, progress};
         const int count = static_cast<int>(pictures.size());
         const int threads_each = std::max(1, threads / count);

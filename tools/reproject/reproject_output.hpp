@@ -25,8 +25,10 @@ public:
         return plan.multiply_alpha;
     }
 
-    // Computes and writes the files, and lets them appear.
-    void write(const Options &options, const Input &input, const SphereGrid &grid, int threads);
+    // Computes and writes the files, and lets them appear. The progress is shown on terminal, if it
+    // is one.
+    void write(const Options &options, const Input &input, const SphereGrid &grid, int threads,
+               std::FILE *terminal);
 
     // "face_0.png .. face_5.png (cube:coupled, frame geo, 512x512, uint8)"
     std::string description(const Options &options) const;

@@ -1,0 +1,169 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+#
+# image_programs.sh PROGRAMS ROOT: what of the image programs in the folder PROGRAMS needs a process of its own: exit
+# statuses, streams that are full, terminals, signals, limits. What they make of images is asked by image_cases, in
+# one process. ROOT is the top of the source tree. A line a case, "ok N - NAME" or "not ok N - NAME"; exit status 1
+# if any is not.
+
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$2" && pwd)
+# shellcheck source-path=SCRIPTDIR source=cases.sh
+. "$here/cases.sh" "$1"
+earth=$root/tests/programs/golden/earth-64.png
+
+# ends NAME STATUS WORDS COMMAND...: the command must end with that status and one line on stderr that matches the
+# words, write nothing to stdout, and leave nothing in the folder "made".
+ends()
+{
+    local name=$1 wanted=$2 words=$3 status=0
+    shift 3
+    mkdir -p made
+    "$@" >out.txt 2>err.txt || status=$?
+    [ "$status" -eq "$wanted" ] && [ "$(wc -l <err.txt)" -eq 1 ] && [ ! -s out.txt ] &&
+        grep -q -E -e "^cubemap-[a-z]*: .*($words)" err.txt && [ -z "$(ls -A made)" ]
+    result $? "$name" "status $status; $(cat out.txt err.txt); left: $(ls -A made)"
+    rm -rf made
+}
+
+# starts PROGRAM WORDS-OF-WRONG-USAGE WORDS-OF-A-FAILURE ARGUMENT...: success, wrong usage, and what fails with the
+# arguments.
+starts()
+{
+    local name=$1 usage=$2 failure=$3 program=$programs/cubemap-$1
+    shift 3
+    "$program" --version >out.txt 2>err.txt && [ ! -s err.txt ] &&
+        grep -q -x -E "cubemap-$name [0-9]+\.[0-9]+\.[0-9]+" out.txt
+    result $? "$name: its version" "$(cat out.txt err.txt)"
+    ends "$name: wrong usage" 2 "$usage" "$program"
+    ends "$name: what fails" 1 "$failure" "$program" "$@"
+}
+
+# keeps_old_file NAME COMMAND...: the command writes kept/a.png and may not write so much.
+keeps_old_file()
+{
+    local name=$1 status=0
+    shift
+    mkdir kept
+    echo old >kept/a.png
+    (
+        ulimit -f 4
+        exec "$@" >out.txt 2>err.txt
+    ) || status=$?
+    [ "$status" -eq 1 ] && grep -q 'File too large' err.txt && [ "$(cat kept/a.png)" = old ] &&
+        [ "$(ls -A kept)" = a.png ]
+    result $? "$name: an older file is kept when the new one fails" "status $status; $(cat err.txt); $(ls -A kept)"
+    rm -rf kept
+}
+
+# full NAME COMMAND...: standard output takes nothing.
+full()
+{
+    local name=$1 status=0
+    shift
+    "$@" >/dev/full 2>err.txt || status=$?
+    [ "$status" -eq 1 ] && grep -q 'standard output' err.txt
+    result $? "$name" "status $status; $(cat err.txt)"
+}
+
+link_and_permissions()
+{
+    echo old >old.png
+    chmod 640 old.png
+    ln -s old.png link.png
+    "$programs/cubemap-reproject" --quiet --layout strip "$earth" link.png
+    [ -L link.png ] && [ "$(stat -c %a old.png)" = 640 ] && [ "$(head -c 4 old.png | tail -c 3)" = PNG ]
+    result $? 'a link is followed, permissions are kept'
+}
+
+progress_bar()
+{
+    python3 - "$programs/cubemap-reproject" "$earth" >pty.txt <<'P'
+import os, pty, sys
+try:
+    os.close(pty.openpty()[0])
+except OSError:  # as in a change-root without devpts
+    print("none")
+    sys.exit()
+for arguments in ([], ["--quiet"]):
+    output = b""
+    child, terminal = pty.fork()
+    if child == 0:
+        os.execv(sys.argv[1], [sys.argv[1], sys.argv[2], "face_%f.png"] + arguments)
+    try:
+        while True:
+            data = os.read(terminal, 4096)
+            if not data:
+                break
+            output += data
+    except OSError:
+        pass
+    os.waitpid(child, 0)
+    print("bar" if b"%" in output.replace(b"%f", b"") else "no bar")
+P
+    if [ "$(cat pty.txt)" = none ]; then
+        echo "skipped: there is no terminal to be had for the progress bar"
+    else
+        [ "$(cat pty.txt)" = $'bar\nno bar' ]
+        result $? 'a progress bar on a terminal, unless --quiet' "$(cat pty.txt)"
+    fi
+}
+
+signals()
+{
+    local signal status
+    for signal in INT TERM HUP; do
+        mkdir made
+        # From Python, as a shell starts what runs in its background with SIGINT ignored.
+        python3 - "$signal" "$programs/cubemap-reproject" "$earth" <<'P'
+import os, signal, subprocess, sys, time
+number = getattr(signal, "SIG" + sys.argv[1])
+child = subprocess.Popen([sys.argv[2], "--size", "6000", sys.argv[3], "made/%f.tif"],
+                         preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
+for _ in range(1000):
+    if len(os.listdir("made")) == 6 or child.poll() is not None:
+        break
+    time.sleep(0.01)
+time.sleep(0.2)
+running = child.poll() is None
+child.send_signal(number)
+sys.exit(0 if child.wait() == -number and running else 1)
+P
+        status=$?
+        [ $status -eq 0 ] && [ -z "$(ls -A made)" ]
+        result $? "SIG$signal leaves nothing behind" "status $status; left: $(ls -A made)"
+        rm -rf made
+    done
+}
+
+exported_names()
+{
+    local library=$programs/../modules/colormap/libcubemap-colormap.so
+    [ -e "$library" ] || return
+    nm -D --defined-only "$library" | awk '{ print $3 }' | grep '^cm_' | sort >exported
+    tr '\n' ' ' <"$root/include/cubemap/colormap.h" | sed 's/CM_API/\n&/g' |
+        sed -n 's/^CM_API[^(;]*[ *]\(cm_[a-z0-9_]*\)(.*/\1/p' | sort >declared
+    [ -s declared ] && cmp -s declared exported
+    result $? 'the library of colour maps exports what its header declares' "$(diff declared exported)"
+}
+
+starts reproject 'INPUT and OUTPUT' 'No such file' none.png made/a.png
+starts compare 'two images' 'above the limit of 0.1' --quiet --max 0.1 "$earth" "$root/tests/programs/golden/earth-back-64.png"
+starts distortion 'OUTPUT is needed' "'nowhere.*No such file" nowhere/a.png
+starts orient 'one mask is needed' 'twice as wide as high' "$root/tests/programs/golden/earth-cross-16.png"
+starts colormap 'one MAP is needed' 'cannot be written' single -o made/none/a.json
+ends 'reproject: instruction set that is none' 1 "'abacus', but here it can be scalar" \
+    env CUBEMAP_INSTRUCTIONS=abacus "$programs/cubemap-reproject" "$earth" made/a.png
+ends 'distortion: instruction set that is none' 1 "'abacus', but here it can be scalar" \
+    env CUBEMAP_INSTRUCTIONS=abacus "$programs/cubemap-distortion" made/a.png
+keeps_old_file reproject "$programs/cubemap-reproject" --layout strip --size 200 "$earth" kept/a.png
+keeps_old_file distortion "$programs/cubemap-distortion" --size 400 --legend kept/l.png kept/a.png
+keeps_old_file colormap "$programs/cubemap-colormap" rainbow --samples 60000 --format csv -o kept/a.png
+full 'help to a full device' "$programs/cubemap-reproject" --help
+full 'standard output is full' "$programs/cubemap-colormap" single
+link_and_permissions
+progress_bar
+signals
+exported_names
+finish

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// The start of each image program. PROGRAM_MAIN is the function that the program is.
+
+#include "tools/cli/atomic_file.hpp"
+#include "tools/cli/streams.h"
+
+extern "C" int PROGRAM_MAIN(int argc, char **argv, const cm_streams *streams);
+
+int main(int argc, char **argv)
+{
+    guard_temporary_files();
+    const cm_streams streams = {stdin, stdout, stderr};
+    return PROGRAM_MAIN(argc, argv, &streams);
+}
