@@ -9,6 +9,10 @@
  */
 #include "paths.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 static const char usage[] =
     "usage: check-paths [OPTION...]\n"
     "Compares each fast path with the scalar reference at hard points and random ones.\n"
@@ -277,9 +281,20 @@ static int read_options(int argc, char **argv)
     return -1;
 }
 
+/* Thousands of arrays are made and dropped, each to end where its memory ends; most of the time would go to the system,
+ * which gives pages and takes them back. */
+static void keep_memory(void)
+{
+#ifdef __GLIBC__
+    (void)mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    (void)mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
+}
+
 int main(int argc, char **argv)
 {
     int status = read_options(argc, argv);
+    keep_memory();
     if (status >= 0)
     {
         return status;

@@ -94,8 +94,18 @@ static int has_same_bits(const char *letters, const precision *in, void *const *
     int same = 1;
     for (size_t k = 0; letters[k] != '\0' && same; k++)
     {
-        size_t size = element_size(letters[k], in);
-        same = memcmp((char *)a[k] + i * size, (char *)b[k] + i * size, size) == 0;
+        switch (element_size(letters[k], in))
+        {
+        case 8:
+            same = memcmp((uint64_t *)a[k] + i, (uint64_t *)b[k] + i, 8) == 0;
+            break;
+        case 4:
+            same = memcmp((uint32_t *)a[k] + i, (uint32_t *)b[k] + i, 4) == 0;
+            break;
+        default:
+            same = ((uint8_t *)a[k])[i] == ((uint8_t *)b[k])[i];
+            break;
+        }
     }
     return same;
 }
@@ -186,28 +196,42 @@ void compare_points(const subject *s, const precision *in, const path *p, size_t
     }
 }
 
+/* All inputs of a kind, in columns, which are the same for every subject. */
+typedef struct inputs
+{
+    size_t one_in;
+    size_t count;
+    void *column[COLUMNS_MAX];
+} inputs;
+
+static void make_inputs(inputs *made, const precision *in, const path *p, size_t one_in)
+{
+    made->one_in = one_in;
+    made->count = input_count(p->kind, one_in);
+    for (size_t k = 0; p->inputs[k] != '\0'; k++)
+    {
+        free(made->column[k]);
+        made->column[k] = need(malloc(made->count * element_size(p->inputs[k], in)));
+    }
+    for (size_t i = 0; i < made->count; i++)
+    {
+        number point[COLUMNS_MAX];
+        input_at(p->kind, in, one_in, i, point);
+        for (size_t k = 0; p->inputs[k] != '\0'; k++)
+        {
+            put_value(p->inputs[k], in, made->column[k], i, point[k]);
+        }
+    }
+}
+
 void compare_inputs(const subject *s, const precision *in, const path *p, size_t one_in,
                     extreme *worst)
 {
-    static double input[COLUMNS_MAX][BLOCK];
-    void *columns[COLUMNS_MAX];
-    for (size_t k = 0; k < COLUMNS_MAX; k++)
+    static inputs kept[INPUT_KINDS][2];
+    inputs *all = &kept[p->kind][in->narrow];
+    if (all->one_in != one_in)
     {
-        columns[k] = input[k];
+        make_inputs(all, in, p, one_in);
     }
-    size_t count = input_count(p->kind, one_in);
-    for (size_t done = 0; done < count; done += BLOCK)
-    {
-        size_t n = count - done < BLOCK ? count - done : BLOCK;
-        for (size_t i = 0; i < n; i++)
-        {
-            number point[COLUMNS_MAX];
-            input_at(p->kind, in, one_in, done + i, point);
-            for (size_t k = 0; p->inputs[k] != '\0'; k++)
-            {
-                put_value(p->inputs[k], in, columns[k], i, point[k]);
-            }
-        }
-        compare_block(s, in, p, n, columns, worst);
-    }
+    compare_points(s, in, p, all->count, all->column, worst);
 }

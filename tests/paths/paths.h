@@ -48,6 +48,11 @@ typedef enum input_kind
     PLANE       /* p q, or u v, of the warp alone */
 } input_kind;
 
+enum
+{
+    INPUT_KINDS = PLANE + 1
+};
+
 /* The letters of columns: b for bytes, r for reals of the precision, w for words of 64 bits. A value of
  * b and w is a word, one of r is real whatever the precision. */
 typedef union number
