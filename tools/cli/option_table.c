@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "nearest.h"
-#include "number.h"
+#include "number_word.h"
 #include "option_text.h"
 
 /* ------------------------------------------------------------------------------- the table */
@@ -165,7 +165,7 @@ static int take_number(cm_option_reader *reader)
     const bool whole = option->kind == CM_OPTION_WHOLE;
     double value = (double)NAN;
     char range[OPTION_RANGE_MAX];
-    if (number_read(reader->text, end, &value) != end)
+    if (number_or_word(reader->text, end, &value) != end)
     {
         value = (double)NAN;
     }

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "number.h"
+#include <cubemap/number.h>
 
 enum
 {
@@ -57,11 +57,11 @@ static void append(char *text, size_t size, const char *format, ...)
 
 void option_range(const cm_option *option, char text[OPTION_RANGE_MAX])
 {
-    char low[NUMBER_WRITE_MAX];
-    char high[NUMBER_WRITE_MAX];
+    char low[CM_NUMBER_SIZE];
+    char high[CM_NUMBER_SIZE];
     const bool above = (option->flags & CM_OPTION_ABOVE) != 0;
-    number_write_shortest(option->low, low);
-    number_write_shortest(option->high, high);
+    cm_number_write_shortest(option->low, low);
+    cm_number_write_shortest(option->high, high);
     text[0] = '\0';
     append(text, OPTION_RANGE_MAX, option->kind == CM_OPTION_WHOLE ? "a whole number" : "a number");
     if (isinf(option->high))
@@ -77,10 +77,10 @@ void option_range(const cm_option *option, char text[OPTION_RANGE_MAX])
 /* ", 1 to 17": of a limit that is no more than a sign nothing is said. */
 static void append_range(const cm_option *option, char text[OPTION_TEXT_MAX])
 {
-    char low[NUMBER_WRITE_MAX];
-    char high[NUMBER_WRITE_MAX];
-    number_write_shortest(option->low, low);
-    number_write_shortest(option->high, high);
+    char low[CM_NUMBER_SIZE];
+    char high[CM_NUMBER_SIZE];
+    cm_number_write_shortest(option->low, low);
+    cm_number_write_shortest(option->high, high);
     if (!isinf(option->high))
     {
         append(text, OPTION_TEXT_MAX, ", %s to %s", low, high);
