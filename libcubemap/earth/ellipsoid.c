@@ -6,7 +6,6 @@
 #include <cubemap/kernels.h>
 
 #include "libcubemap/mapping/catalogue_words.h"
-#include "libcubemap/mapping/number_text.h"
 #include "libcubemap/mapping/message.h"
 
 #include <string.h>

@@ -5,7 +5,6 @@
 #include <cubemap/cubemap.h>
 #include <cubemap/kernels.h>
 
-#include "libcubemap/mapping/number_text.h"
 #include "libcubemap/mapping/message.h"
 #include "libcubemap/mapping/angle.h"
 

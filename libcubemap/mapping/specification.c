@@ -8,7 +8,6 @@
 
 #include "catalogue_words.h"
 #include "specification.h"
-#include "number_text.h"
 #include "message.h"
 
 #include <stdio.h>
