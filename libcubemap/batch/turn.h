@@ -26,7 +26,4 @@ typedef struct cm_turn
     uint64_t geo_face_digits;
 } cm_turn;
 
-/* frame must have passed cm_frame_check. */
-void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn);
-
 #endif

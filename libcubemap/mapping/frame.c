@@ -5,7 +5,7 @@
 #include <cubemap/cubemap.h>
 #include <cubemap/kernels.h>
 
-#include "libcubemap/batch/turn.h"
+#include "frame_turn.h"
 #include "catalogue_words.h"
 
 #include <stdlib.h>

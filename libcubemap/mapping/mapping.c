@@ -6,6 +6,7 @@
 #include <cubemap/kernels.h>
 
 #include "libcubemap/batch/mapping_object.h"
+#include "frame_turn.h"
 #include "parts.h"
 #include "set_choice.h"
 #include "specification.h"
