@@ -30,7 +30,9 @@ NOT_READ = ["LICENSE", "tests/vectors/*.txt", "tests/fuzz/corpus/*", "data/*.txt
 
 # Paths that are no files here: what the list of changes says of the past, what others have, and what comes later.
 ELSEWHERE = {
-    "CHANGELOG.md": ["scripts/bench", "scripts/certificate", "scripts/vectors", "scripts/series", "tools/project/build"],
+    "CHANGELOG.md": ["scripts/bench", "scripts/certificate", "scripts/pictures", "scripts/projection-pictures",
+                     "scripts/colormap-pictures", "scripts/catalogue-table", "scripts/vectors", "scripts/fit-mapping",
+                     "scripts/latitude-series"],
 }
 
 

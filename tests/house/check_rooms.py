@@ -284,6 +284,20 @@ def check_table(complaints):
         complaints.append("the table: a circle: " + " -> ".join(i.text for i in ring))
 
 
+def check_document(path, text, complaints):
+    """The table of the core's own document is that of this file."""
+    said = {match[1]: set(re.findall(r"\w+", match[2]))
+            for match in re.finditer(r"^\| `(\w+)/` \|[^|]*\| ([\w, ]+) \|$", text, re.M)}
+    for room in ROOMS:
+        parent, name = os.path.split(room.folder)
+        if parent != os.path.dirname(path):
+            continue
+        uses = {"kernels" if use == "public" else os.path.basename(use) for use in room.uses}
+        uses = uses - {"kernels"} or uses
+        if said.get(name) != uses:
+            complaints.append(f"{path}:1: {name} may use {', '.join(sorted(uses))}, which is not what is said here")
+
+
 def check(tree):
     """Complaints about a tree {path: text}, and how many includes there are."""
     complaints = []
@@ -305,6 +319,8 @@ def check(tree):
             check_guard(path, text, guards, complaints)
         if path.endswith(".c"):
             check_main(path, text, complaints)
+        if path == "libcubemap/README.md":
+            check_document(path, text, complaints)
         if path.endswith("meson.build"):
             check_build(path, text, complaints)
     for path, text in sorted(tree.items()):
@@ -391,6 +407,8 @@ FAULTS = [
     ("libcubemap/cells/cell.c", "void cm_cell_area(double *area)\n{\n}\n", None),
     ("libcubemap/mapping/x.c", "/* not cm_cell_area() */\nint x = cm_cell_area(NULL);\n",
      "libcubemap/mapping/x.c:2: calls cm_cell_area of libcubemap/cells, which libcubemap/mapping may not use"),
+    ("libcubemap/README.md", "| `orient/` | where | measure, earth, mapping, batch |\n| `batch/` | loops | cells |\n",
+     "libcubemap/README.md:1: batch may use kernels"),
     ("tools/meson.build", "files('a.c',\n  'b.inc')\n", "tools/meson.build:2: 'b.inc' is compiled"),
 ]
 
@@ -420,7 +438,7 @@ def main(arguments):
             print(f"{room.folder:24} {', '.join(room.uses)}")
         return 0
     root = arguments[0] if arguments else "."
-    tree = {path: house.read(root, path) if path.endswith(SOURCES + HEADERS + TEXTS + ("meson.build",)) else ""
+    tree = {path: house.read(root, path) if path.endswith(SOURCES + HEADERS + TEXTS + ("meson.build", "libcubemap/README.md")) else ""
             for path in house.paths_of(root)}
     complaints, count = check(tree)
     return house.end("rooms", complaints, f"{count} includes") if count > 100 else "no tree is here"
