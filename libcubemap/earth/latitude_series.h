@@ -5,6 +5,9 @@
  * C_k sin(2 k other); C_1, C_2, ... stand one after the other, each by its coefficients of n^k,
  * n^(k+1), ... up to the order, with n = f / (2 - f).
  */
+#ifndef LIBCUBEMAP_EARTH_LATITUDE_SERIES_H
+#define LIBCUBEMAP_EARTH_LATITUDE_SERIES_H
+
 /* clang-format off */
 #define LATITUDE_SERIES_ORDER 12
 #define LATITUDE_SERIES_NUMBERS 78
@@ -575,3 +578,5 @@ static const double latitude_series[30][LATITUDE_SERIES_NUMBERS] = {
     },
 };
 /* clang-format on */
+
+#endif
