@@ -467,7 +467,7 @@ static void check_set(size_t n, const cm_cell *cells, const char painted[SET_CEL
             size_t inside = 0;
             for (size_t i = 0; i < size; i++)
             {
-                inside += (size_t)painted[k * size + i];
+                inside += painted[k * size + i] != 0 ? 1u : 0u;
             }
             cm_cell cell = cm_cell_at_index(level, k);
             REQUIRE(cm_cell_union_contains(n, cells, cell) == (inside == size) &&
@@ -485,7 +485,7 @@ START_TEST(sets)
         cm_cell cells[400];
         char before[SET_CELLS];
         char after[SET_CELLS];
-        size_t count = 1 + next_bits(&state) % 400;
+        size_t count = 1 + (size_t)(next_bits(&state) % 400);
         for (size_t i = 0; i < count; i++)
         {
             int level = SET_LEVEL - (next_bits(&state) % 8 == 0) - (next_bits(&state) % 32 == 0);

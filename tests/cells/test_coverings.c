@@ -149,7 +149,7 @@ static cm_cover_options some_options(uint64_t *state, double radius)
         break;
     case 1:
         o.level_max = 30;
-        o.cells_most = 1 + next_bits(state) % 100;
+        o.cells_most = 1 + (size_t)(next_bits(state) % 100);
         break;
     case 2:
         o.level_min = fitting > 2 ? fitting - 2 : 0;
@@ -429,7 +429,7 @@ START_TEST(polygons)
         {
             double middle[3];
             double radius = pow(10.0, -3.0 + 3.1 * next_real(&state));
-            size_t corners = 4 + 2 * (next_bits(&state) % 18);
+            size_t corners = 4 + 2 * (size_t)(next_bits(&state) % 18);
             double notch = n % 3 == 0 ? 1.0 : 0.35;
             cm_region *region;
             some_place(&state, n + (int)m, middle);

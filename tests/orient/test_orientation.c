@@ -202,7 +202,7 @@ START_TEST(test_simple_masks)
     cm_mapping *mapping = make_mapping("tangent", NULL);
     for (int i = 0; i < 300; i++)
     {
-        const size_t at = next_bits(&state) % (WIDTH * HEIGHT);
+        const size_t at = (size_t)(next_bits(&state) % (WIDTH * HEIGHT));
         const cm_rotation rotation = any_rotation(&state);
         double d[3];
         cm_distortion there;

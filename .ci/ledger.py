@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""How long the tests of a build took, suite by suite and room by room, beside their budgets.
+
+Usage: ledger.py LOG             writes the ledger of a run, of which LOG is BUILD/meson-logs/testlog.json
+       ledger.py --check LOG     writes only which suite or room broke its budget; the exit status is 1 if one did
+
+The budgets are those of tests/budgets.txt. A build with a sanitizer has the budget for that.
+"""
+
+import collections
+import json
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BUDGETS = ROOT / "tests" / "budgets.txt"
+SUITES = ("unit", "truth", "programs", "measure")
+LONGEST = 5  # tests that the ledger names
+
+
+def is_sanitized(build):
+    options = json.loads((build / "meson-info" / "intro-buildoptions.json").read_text(encoding="utf-8"))
+    return any(each["name"] == "b_sanitize" and each["value"] not in ("none", []) for each in options)
+
+
+def budgets(sanitized):
+    """{suite or room: seconds}"""
+    found = {}
+    for line in BUDGETS.read_text(encoding="utf-8").splitlines():
+        if line and not line.startswith("#"):
+            name, *seconds = line.split()
+            found[name] = float(seconds[sanitized])
+    return found
+
+
+def durations(log):
+    """(test, its suites and rooms, seconds). A name is "cubemap:unit+earth / grid"."""
+    tests = []
+    for line in log.read_text(encoding="utf-8").splitlines():
+        record = json.loads(line)
+        found = re.fullmatch(r"(?:[^:/]*:)?([^/]*) / (.*)", record["name"])
+        suites, name = (found[1].split("+"), found[2]) if found else ([], record["name"])
+        tests.append((name, suites, record["duration"]))
+    return tests
+
+
+def sums_of(tests):
+    """{suite or room: seconds}; the suites first."""
+    sums = collections.Counter()
+    for _, suites, seconds in tests:
+        for suite in suites:
+            sums[suite] += seconds
+    return {name: sums[name] for name in sorted(sums, key=lambda name: (name not in SUITES, -sums[name]))}
+
+
+def broken_of(sums, limits):
+    return [f"{name} took {seconds:.0f} s of {limits[name]:.0f} s" for name, seconds in sums.items()
+            if seconds > limits.get(name, float("inf"))]
+
+
+def write(tests, sums, limits):
+    print(f"{'suite or room':24} {'seconds':>8} {'budget':>7}")
+    for name, seconds in sums.items():
+        limit = f"{limits[name]:7.0f}" if name in limits else " " * 7
+        print(f"{name:24} {seconds:8.1f} {limit}")
+    print(f"{'all tests':24} {sum(each[2] for each in tests):8.1f}")
+    longest = sorted(tests, key=lambda each: -each[2])[:LONGEST]
+    print("longest:", ", ".join(f"{name} {seconds:.0f}" for name, _, seconds in longest))
+
+
+def main(arguments):
+    check = arguments[:1] == ["--check"]
+    if len(arguments) != 1 + check:
+        print(__doc__.strip(), file=sys.stderr)
+        return 2
+    log = pathlib.Path(arguments[-1])
+    tests = durations(log)
+    sums = sums_of(tests)
+    limits = budgets(is_sanitized(log.parent.parent))
+    if not check:
+        write(tests, sums, limits)
+        return 0
+    broken = broken_of(sums, limits)
+    for each in broken:
+        print("broke its budget:", each)
+    return 1 if broken else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

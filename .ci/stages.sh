@@ -1,0 +1,105 @@
+# shellcheck shell=bash disable=SC2154 # root is set by who sources this
+# SPDX-License-Identifier: MIT
+#
+# The stages of .ci/run and .ci/long: what each is, what it counts for, and how long it took. To be sourced by a script of
+# bash that has set root and sourced common.sh.
+
+passed=0
+failed=0
+output=$(mktemp)
+ledger=$(mktemp) # what ends the output
+trap 'rm -f "$output" "$ledger"' EXIT
+
+# begin NAME: the head of a stage.
+begin()
+{
+    stage=$1
+    stage_begun=$SECONDS
+    printf '\n== %s\n' "$stage"
+}
+
+# end: its line of the ledger.
+end()
+{
+    printf '%-56s %5d s\n' "$stage" "$((SECONDS - stage_begun))" >>"$ledger"
+}
+
+# count GOOD BAD: added to the total.
+count()
+{
+    passed=$((passed + $1))
+    failed=$((failed + $2))
+}
+
+# note_suites BUILD: into the ledger what its suites took; each budget that one broke is a failure.
+note_suites()
+{
+    local log broken line
+    log=$(find "$root/$1/meson-logs" -name 'testlog*.json' 2>/dev/null || true)
+    [[ -f $log ]] || return 0
+    "$root/.ci/ledger.py" "$log" | sed 's/^/    /' >>"$ledger"
+    [[ $keeps_budgets -eq 1 ]] || return 0
+    broken=$("$root/.ci/ledger.py" --check "$log") || while read -r line; do
+        echo "$stage: $line" | tee -a "$ledger"
+        count 0 1
+    done <<<"$broken"
+}
+
+# check NAME BUILD VARIABLE=VALUE... [-- ARGUMENT...]: scripts/test into that folder with those variables, added to the total.
+check()
+{
+    begin "$1"
+    local folder=$2 variables=("CUBEMAP_BUILD=$2")
+    shift 2
+    while [[ $# -gt 0 && $1 != -- ]]; do
+        variables+=("$1")
+        shift
+    done
+    [[ $# -eq 0 ]] || shift
+    env "${variables[@]}" "$root/scripts/test" --timeout-multiplier 4 "$@" 2>&1 | tee "$output" || true
+    if [[ $(tail -n 1 "$output") =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed$ ]]; then
+        count "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}"
+    else
+        echo "== $stage: no build, no tests"
+        count 0 1
+    fi
+    end
+    note_suites "$folder"
+}
+
+# fuzz SECONDS: all harnesses in that time together.
+fuzz()
+{
+    begin "fuzzers, $1 seconds in all"
+    CUBEMAP_MESON_ARGS='-Dwerror=true -Dpeers=disabled' "$root/scripts/fuzz" "$1" 2>&1 | tee "$output" || true
+    if [[ $(tail -n 1 "$output") =~ ^([0-9]+)\ harnesses,\ ([0-9]+)\ findings$ ]]; then
+        count $((BASH_REMATCH[1] - BASH_REMATCH[2])) "${BASH_REMATCH[2]}"
+    else
+        echo '== fuzzers: no build, no runs'
+        count 0 1
+    fi
+    end
+}
+
+# one NAME COMMAND...: what counts for one.
+one()
+{
+    begin "$1"
+    shift
+    if "$@"; then
+        count 1 0
+    else
+        count 0 1
+    fi
+    end
+}
+
+# finish: the ledger, the total, and the exit status.
+finish()
+{
+    printf '\n== ledger\n'
+    cat "$ledger"
+    printf '%-56s %5d s\n\n' 'all' "$SECONDS"
+    echo "$passed passed, $failed failed"
+    [[ $failed -eq 0 ]]
+}

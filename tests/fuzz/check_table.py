@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The table of tests/fuzz/README.md: every function that the library exports is in it, every harness in it calls its
+function, and every harness is built, has first inputs and is in it.
+
+Usage: check_table.py REPOSITORY
+"""
+
+import functools
+import pathlib
+import re
+import sys
+
+LEAST_FUNCTIONS = 30  # fewer would mean that the headers are not read as they are written
+
+
+def exported(headers):
+    """The functions that are declared with CM_API: the word before the first parenthesis, on whichever line."""
+    text = "\n".join(header.read_text(encoding="utf-8") for header in sorted(headers.glob("*.h")))
+    return set(re.findall(r"CM_API[^(;]*[ *\n](cm_[a-z0-9_]*)\(", text))
+
+
+def rows_of(readme):
+    """(function, harness) for each harness of each row."""
+    rows = []
+    for line in readme.read_text(encoding="utf-8").splitlines():
+        found = re.fullmatch(r"\| `([a-z0-9_]*)`[^|]* \| (`.*`) \|", line)
+        if found:
+            rows += [(found[1], harness) for harness in re.findall(r"[^`, ]+", found[2])]
+    return rows
+
+
+@functools.lru_cache(maxsize=None)
+def words_of(harness):
+    """Those of its text without comments."""
+    text = harness.read_text(encoding="utf-8")
+    text = re.sub(r"/\*.*?\*/|//[^\n]*", " ", text, flags=re.DOTALL)
+    return set(re.findall(r"\w+", text))
+
+
+def wrong_of(row, fuzz, functions, built):
+    """What is wrong with a row, or None."""
+    function, harness = row
+    name = re.sub(r"^fuzz_", "", pathlib.PurePath(harness).stem)
+    corpus = fuzz / "corpus" / name
+    if function.startswith("cm_") and function not in functions:
+        return f"{function} is in the table, but not in the library"
+    if not (fuzz / harness).is_file():
+        return f"{harness} is in the table, but there is no such file"
+    if function not in words_of(fuzz / harness):
+        return f"{harness} does not call {function}"
+    if not (corpus.is_dir() and any(each.is_file() for each in corpus.rglob("*"))):
+        return f"{harness} has no first inputs in corpus/{name}"
+    if not re.search(rf"'(fuzz-|fuzz_)?{re.escape(name)}(\.c)?'", built):
+        return f"{harness} is not built by meson.build"
+    return None
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    fuzz = root / "tests" / "fuzz"
+    functions = exported(root / "include" / "cubemap")
+    rows = rows_of(fuzz / "README.md")
+    built = (fuzz / "meson.build").read_text(encoding="utf-8")
+    named = {harness for _, harness in rows}
+    complaints = [f"{function} is in no row of the table"
+                  for function in sorted(functions - {function for function, _ in rows})]
+    complaints += filter(None, (wrong_of(row, fuzz, functions, built) for row in rows))
+    complaints += [f"{file.name} is in no row of the table"
+                   for file in sorted([*fuzz.glob("fuzz_*.c"), *fuzz.glob("fuzz_*.cpp")]) if file.name not in named]
+    for complaint in complaints:
+        print("not ok:", complaint)
+    print(f"{len(functions)} functions of the library\n{len(named)} harnesses")
+    return 1 if complaints or len(functions) < LEAST_FUNCTIONS else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
