@@ -507,12 +507,13 @@ static void warp_truth(const subject *s, const double pq[2], quad truth[4])
 
 static void check_warp(const subject *s)
 {
+    const long points = is_long() ? 1000 : is_quick() ? 100 : 400;
     for (size_t n = 0; n < COUNT(precisions); n++)
     {
         const precision *in = &precisions[n];
         worst w = {0};
         uint64_t state = 17;
-        for (long i = 0; i < 1000; i++)
+        for (long i = 0; i < points; i++)
         {
             double pq[2];
             double got[4];
