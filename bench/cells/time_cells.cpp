@@ -120,9 +120,8 @@ size_t count_apart(const Points &p, const std::vector<cm_cell> &cells)
 // 0 if the text is no number of points or repetitions.
 size_t number(const char *text)
 {
-    char *end;
-    const long value = std::strtol(text, &end, 10);
-    return end != text && *end == '\0' && value > 0 && value <= 100000000
+    double value = 0;
+    return cm_number_parse(text, std::strlen(text), &value) != 0 && value >= 1 && value <= 1e8
                ? static_cast<size_t>(value)
                : 0;
 }

@@ -271,12 +271,16 @@ static void print_approximation(void)
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "speed";
-    int repetitions = argc > 2 ? atoi(argv[2]) : 200;
+    double repetitions = 200.0;
+    if (argc > 2 && !cm_number_parse(argv[2], strlen(argv[2]), &repetitions))
+    {
+        repetitions = 0.0;
+    }
     gauss_prepare();
     fill();
-    if (strcmp(what, "speed") == 0 && repetitions > 0)
+    if (strcmp(what, "speed") == 0 && repetitions >= 1.0 && repetitions <= 1e9)
     {
-        print_speed(repetitions);
+        print_speed((int)repetitions);
     }
     else if (strcmp(what, "accuracy") == 0)
     {

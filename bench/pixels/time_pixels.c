@@ -366,9 +366,10 @@ static int read_settings(settings *s, int argc, char **argv)
         {
             return usage(argv[i]);
         }
-        char *end = argv[i + 1];
-        long value = strtol(argv[i + 1], &end, 10);
-        int is_number = *end == '\0' && value > 0;
+        double number = 0.0;
+        int is_number = cm_number_parse(argv[i + 1], strlen(argv[i + 1]), &number) &&
+                        number >= 1.0 && number <= 1e9 && number == floor(number);
+        long value = is_number ? (long)number : 0;
         if (strcmp(argv[i], "--set") == 0)
         {
             s->set = argv[i + 1];

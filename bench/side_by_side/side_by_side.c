@@ -6,7 +6,6 @@
 
 #include "side_by_side.h"
 
-#include <errno.h>
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,10 +57,8 @@ static int usage(const char *what, const char *text)
 
 static int read_count(const char *text, size_t *count)
 {
-    char *end;
-    errno = 0;
-    double value = strtod(text, &end);
-    if (end == text || *end != '\0' || !(value >= 1.0) || !(value <= 1e9))
+    double value;
+    if (!cm_number_parse(text, strlen(text), &value) || !(value >= 1.0) || !(value <= 1e9))
     {
         return 0;
     }

@@ -59,11 +59,10 @@ static word split(word whole, char stop, word *rest)
     return (word){whole.text, found == NULL ? whole.length : (size_t)(found - whole.text)};
 }
 
-/* -0 is 0 here, and what is longer than any number that somebody means is none. */
+/* -0 is 0 here. */
 static int read_decimal(word text, double *value)
 {
-    const size_t most = 100;
-    if (text.length > most || !cm_number_parse(text.text, text.length, value))
+    if (!cm_number_parse(text.text, text.length, value))
     {
         return 0;
     }

@@ -59,7 +59,9 @@ for file in bin/cubemap-project bin/cubemap-reproject bin/cubemap-bench bin/cube
     include/cubemap/kernel/backend.h share/man/man1/cubemap-project.1 \
     share/man/man1/cubemap-reproject.1 share/man/man1/cubemap-bench.1 \
     share/man/man1/cubemap-distortion.1 share/man/man1/cubemap-colormap.1 share/man/man1/cubemap-latitude.1 \
-    share/man/man1/cubemap-orient.1; do
+    share/man/man1/cubemap-orient.1 \
+    share/bash-completion/completions/cubemap-project share/zsh/site-functions/_cubemap-project \
+    share/fish/vendor_completions.d/cubemap-project.fish; do
     if [ -z "$(find "$work/root" -path "*/$file")" ]; then
         echo "not ok: $file is not installed"
         exit 1

@@ -12,7 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/cli/catalogue_name.h"
 #include "tools/cli/failure.h"
 
 typedef struct limits
@@ -153,7 +152,7 @@ const cm_command advise_command = {
              "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5 \\\n"
              "      --equal-area no\n",
     .operand = CM_OPTION_TEXT,
-    .choice_at = mapping_name_at};
+    .choice_at = subject_name_at};
 
 static void take_option(advice *a, const cm_option_reader *reader, int id)
 {

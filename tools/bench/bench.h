@@ -122,6 +122,9 @@ int suite_add(suite *all, const char *word);
 /* The same of some words; without any, of the catalogue. */
 int suite_add_all(suite *all, int count, char **words);
 
+/* The mappings that can be measured, for tables of options; NULL behind the last. */
+const char *subject_name_at(size_t index);
+
 /* All ways of all subjects. 0 if the machine cannot, which has been said. */
 int suite_prepare(suite *all);
 void suite_close(suite *all);

@@ -20,6 +20,11 @@ const char *const form_names[FORMS + 1] = {"array", "single", NULL};
 const char *const measure_names[MEASURES] = {"face", "sphere"};
 const double percentiles[PERCENTILES] = {5.0, 25.0, 50.0, 75.0, 95.0};
 
+const char *subject_name_at(size_t index)
+{
+    return index < cube_count() ? cm_catalogue_at(index)->identifier : NULL;
+}
+
 static int is_there(const suite *all, const char *specification)
 {
     for (size_t i = 0; i < all->subject_count; i++)

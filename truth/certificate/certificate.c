@@ -361,6 +361,14 @@ static int is_runnable(const char *instructions)
     return found;
 }
 
+/* NaN, which no amount can be, if the text is none */
+static double number_of(const char *text)
+{
+    double value = (double)NAN;
+    (void)cm_number_parse(text, strlen(text), &value);
+    return value;
+}
+
 int main(int argc, char **argv)
 {
     amounts of = {1e6, 1e5, 1.0};
@@ -373,13 +381,13 @@ int main(int argc, char **argv)
         switch (argv[first][1])
         {
         case 'r':
-            of.round_trips = atof(value);
+            of.round_trips = number_of(value);
             break;
         case 't':
-            of.comparisons = atof(value);
+            of.comparisons = number_of(value);
             break;
         case 's':
-            of.stride = atof(value);
+            of.stride = number_of(value);
             break;
         case 'p':
             only = value;
