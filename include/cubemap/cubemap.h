@@ -19,6 +19,7 @@
 #include <cubemap/latitude.h>
 #include <cubemap/healpix.h>
 #include <cubemap/mapping.h>
+#include <cubemap/number.h>
 #include <cubemap/options.h>
 #include <cubemap/orient.h>
 #include <cubemap/orientation.h>

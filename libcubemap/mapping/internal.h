@@ -354,10 +354,6 @@ void cm_latitude_shape_make(double f, cm_latitude_shape *shape);
 double cm_latitude_ratio(const cm_latitude_shape *shape, cm_latitude from, cm_latitude to,
                          double sine, double cosine);
 
-/* A decimal number that fills its text, *value; 0 if it is not one. Correctly rounded for up to 15 digits and
- * powers of ten to 22, else within an ulp; beyond the range of double infinite or 0. */
-int cm_number_parse(const char *text, size_t length, double *value);
-
 /* A specification that has been read. */
 typedef struct cm_specification
 {

@@ -78,12 +78,6 @@ struct cm_colormap
 cm_status cm_colormap_parse(const char *specification, cm_colormap_parameters *parameters,
                             char *message, size_t message_size);
 
-/* number.c: a decimal number that fills its text, 0 if it is not one; and one with as few digits as bring
- * back the same double. With a point in every locale. */
-#define CM_COLORMAP_NUMBER_MAX 32
-int cm_colormap_number_read(const char *text, size_t length, double *value);
-void cm_colormap_number_write(double value, char text[CM_COLORMAP_NUMBER_MAX]);
-
 /* catalogue.c: the value of the parameter of that name, absent if the model has none. */
 double cm_colormap_value(const cm_colormap_parameters *parameters, const char *name, double absent);
 void cm_colormap_set_value(cm_colormap_parameters *parameters, const char *name, double value);

@@ -4,6 +4,8 @@
  */
 #include "colormap_object.h"
 
+#include <cubemap/number.h>
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -57,11 +59,23 @@ static word split(word whole, char stop, word *rest)
     return (word){whole.text, found == NULL ? whole.length : (size_t)(found - whole.text)};
 }
 
+/* -0 is 0 here, and what is longer than any number that somebody means is none. */
+static int read_decimal(word text, double *value)
+{
+    const size_t most = 100;
+    if (text.length > most || !cm_number_parse(text.text, text.length, value))
+    {
+        return 0;
+    }
+    *value += 0.0;
+    return 1;
+}
+
 /* subject says what of the parameter is read: "", or "a place in ". */
 static cm_status read_number(const cm_colormap_info *info, const cm_colormap_parameter_info *what,
                              const char *subject, word text, double *value, complaint to)
 {
-    if (!cm_colormap_number_read(text.text, text.length, value))
+    if (!read_decimal(text, value))
     {
         return fail(to, CM_ERROR_SYNTAX, "'%.*s' is not a number for %sparameter %s of %s",
                     shown(text), text.text, subject, what->name, info->identifier);
@@ -69,10 +83,10 @@ static cm_status read_number(const cm_colormap_info *info, const cm_colormap_par
     if (!(*value >= what->low && *value <= what->high) ||
         (what->low_excluded && *value == what->low))
     {
-        char low[CM_COLORMAP_NUMBER_MAX];
-        char high[CM_COLORMAP_NUMBER_MAX];
-        cm_colormap_number_write(what->low, low);
-        cm_colormap_number_write(what->high, high);
+        char low[CM_NUMBER_SIZE];
+        char high[CM_NUMBER_SIZE];
+        cm_number_write_shortest(what->low, low);
+        cm_number_write_shortest(what->high, high);
         return fail(to, CM_ERROR_RANGE, "%sparameter %s of %s is %.*s; it must be in %s%s, %s]",
                     subject, what->name, info->identifier, shown(text), text.text,
                     what->low_excluded ? "(" : "[", low, high);
@@ -297,8 +311,8 @@ static void add(growing *to, const char *text)
 
 static void add_number(growing *to, double value)
 {
-    char text[CM_COLORMAP_NUMBER_MAX];
-    cm_colormap_number_write(value, text);
+    char text[CM_NUMBER_SIZE];
+    cm_number_write_shortest(value, text);
     add(to, text);
 }
 

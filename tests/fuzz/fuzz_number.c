@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * The tools' decimal numbers against the C library's: the input as text, and its bytes as doubles.
+ * Decimal numbers against the C library's: the input as text, and its bytes as doubles.
  */
-#include "tools/cli/number.h"
+#include "tools/cli/number_word.h"
+
+#include <cubemap/number.h>
 
 #include <ctype.h>
 #include <math.h>
@@ -23,7 +25,7 @@ static int same(double a, double b)
     return memcmp(&a, &b, sizeof a) == 0 || (isnan(a) && isnan(b));
 }
 
-/* Does strtod read something here that is no number to number_read? */
+/* Does strtod read something here that is no number here? */
 static int is_foreign(const char *text)
 {
     size_t sign = *text == '-' || *text == '+' ? 1 : 0;
@@ -37,15 +39,19 @@ static void check_read(const char *bytes, size_t size, const char *text)
 {
     double value = 77.0;
     char *end;
-    const char *after = number_read(bytes, bytes + size, &value);
+    const char *after = number_or_word(bytes, bytes + size, &value);
+    double digits = 77.0;
+    size_t count = cm_number_read(bytes, size, &digits);
     double expected = strtod(text, &end);
     if (after == NULL)
     {
         EXPECT(same(value, 77.0), "no number, but a value");
-        EXPECT(end == text || end - text > NUMBER_READ_MAX || is_foreign(text), "'%s' is %g", text,
-               expected);
+        EXPECT(end == text || is_foreign(text), "'%s' is %g", text, expected);
+        EXPECT(count == 0 && same(digits, 77.0), "no number, but a value");
         return;
     }
+    EXPECT(count == 0 || (bytes + count == after && same(digits, value)), "%zu bytes", count);
+    EXPECT(cm_number_parse(bytes, size, &digits) == (count > 0 && count == size), "the whole text");
     if (!is_foreign(text))
     {
         EXPECT(after - bytes == end - text, "%td characters of '%s', not %td", after - bytes, text,
@@ -56,20 +62,20 @@ static void check_read(const char *bytes, size_t size, const char *text)
 
 static void check_write(double value, int digits)
 {
-    char text[NUMBER_WRITE_MAX];
+    char text[CM_NUMBER_SIZE];
     char expected[64];
-    double again;
-    size_t length = number_write(value, digits, text);
+    double again = 0.0;
+    size_t length = cm_number_write(value, digits, text);
     snprintf(expected, sizeof expected, "%.*g", digits, value == 0.0 ? 0.0 : value);
     EXPECT(strlen(text) == length, "%a to %d digits: length %zu of '%s'", value, digits, length,
            text);
     EXPECT(strcmp(text, isnan(value) ? "nan" : expected) == 0, "%a to %d digits: '%s', not '%s'",
            value, digits, text, expected);
-    EXPECT(number_read(text, text + length, &again) == text + length, "'%s' is not read", text);
-    EXPECT(digits < NUMBER_DIGITS_MAX || same(again, value + 0.0), "%a comes back as %a", value,
-           again);
-    length = number_write_shortest(value, text);
-    EXPECT(number_read(text, text + length, &again) == text + length && same(again, value + 0.0),
+    EXPECT(cm_number_parse(text, length, &again) || !isfinite(value), "'%s' is not read", text);
+    EXPECT(!isfinite(value) || digits < CM_NUMBER_DIGITS || same(again, value + 0.0),
+           "%a comes back as %a", value, again);
+    length = cm_number_write_shortest(value, text);
+    EXPECT(!isfinite(value) || (cm_number_parse(text, length, &again) && same(again, value + 0.0)),
            "%a comes back from '%s' as %a", value, text, again);
 }
 
@@ -95,7 +101,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     free(text);
     while (again.left > 0)
     {
-        int digits = 1 + take_byte(&again) % NUMBER_DIGITS_MAX;
+        int digits = 1 + take_byte(&again) % CM_NUMBER_DIGITS;
         double value = take_double(&again);
         check_write(value, digits);
         check_write(middling(value), digits);

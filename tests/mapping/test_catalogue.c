@@ -434,7 +434,7 @@ static double parsed(const char *number)
     return value;
 }
 
-/* the last bit of strtod's in the C locale up to 15 digits, and one ulp beyond */
+/* as strtod reads them in the C locale */
 START_TEST(numbers_are_exact)
 {
     static const char *const odd[] = {"1",
@@ -461,7 +461,7 @@ START_TEST(numbers_are_exact)
                                       "0.12345678901234567891"};
     for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++)
     {
-        ck_assert_msg(fabs(parsed(odd[i]) - strtod(odd[i], NULL)) < 1e-299, "%s", odd[i]);
+        ck_assert_msg(parsed(odd[i]) == strtod(odd[i], NULL), "%s", odd[i]);
     }
     uint64_t state = 21;
     for (int i = 0; i < 20000; i++)
@@ -471,7 +471,7 @@ START_TEST(numbers_are_exact)
         snprintf(number, sizeof number, "%.15g", value);
         ck_assert_msg(parsed(number) == strtod(number, NULL), "%s", number);
         snprintf(number, sizeof number, "%.17g", value);
-        ck_assert_msg(fabs(parsed(number) - value) <= 0x1p-52, "%s", number);
+        ck_assert_msg(parsed(number) == value, "%s", number);
     }
 }
 END_TEST

@@ -19,7 +19,7 @@
 #include <cubemap/cubemap.h>
 
 #include "tools/cli/degrees.h"
-#include "tools/cli/number.h"
+#include "tools/cli/number_word.h"
 #include "truth/cubes.h"
 
 #define BOUND_NANOMETRES 5.0
@@ -114,10 +114,10 @@ static double distance_between(lonlat a, lonlat b)
 /* The value after it has been text. */
 static double as_text(double value)
 {
-    char text[NUMBER_WRITE_MAX];
+    char text[CM_NUMBER_SIZE];
     double again = (double)NAN;
-    const size_t length = number_write(value, NUMBER_DIGITS_MAX, text);
-    return number_read(text, text + length, &again) == text + length ? again : (double)NAN;
+    const size_t length = cm_number_write(value, CM_NUMBER_DIGITS, text);
+    return cm_number_parse(text, length, &again) ? again : (double)NAN;
 }
 
 static void note(extreme *worst, double distance, lonlat where)
@@ -243,16 +243,16 @@ static double random_number(uint64_t *state)
     }
 }
 
-/* Is number.c in agreement with the C library about this text? */
+/* Is our reader in agreement with the C library about this text? */
 static bool reads_alike(const char *text)
 {
     double ours = 0;
     char *their_end;
     const double theirs = strtod(text, &their_end);
-    const char *const our_end = number_read(text, text + strlen(text), &ours);
+    const char *const our_end = number_or_word(text, text + strlen(text), &ours);
     if (our_end != their_end || (memcmp(&ours, &theirs, sizeof ours) != 0 && !isnan(theirs)))
     {
-        printf("number_read: '%s' is %a, not %a\n", text, theirs, ours);
+        printf("number_or_word: '%s' is %a, not %a\n", text, theirs, ours);
         return false;
     }
     return true;
@@ -260,13 +260,13 @@ static bool reads_alike(const char *text)
 
 static bool check_number(double value, int digits)
 {
-    char ours[NUMBER_WRITE_MAX];
+    char ours[CM_NUMBER_SIZE];
     char theirs[64];
-    const size_t length = number_write(value, digits, ours);
+    const size_t length = cm_number_write(value, digits, ours);
     snprintf(theirs, sizeof theirs, "%.*g", digits, value == 0 ? 0 : value);
     if (!isnan(value) && (strcmp(ours, theirs) != 0 || length != strlen(ours)))
     {
-        printf("number_write: %a with %d digits is %s, not %s\n", value, digits, theirs, ours);
+        printf("cm_number_write: %a with %d digits is %s, not %s\n", value, digits, theirs, ours);
         return false;
     }
     return reads_alike(theirs);
@@ -308,7 +308,7 @@ static bool check_powers(void)
             double down = centre[i];
             for (int step = 0; step < 5 && good; step++)
             {
-                for (int digits = 1; digits <= NUMBER_DIGITS_MAX; digits++)
+                for (int digits = 1; digits <= CM_NUMBER_DIGITS; digits++)
                 {
                     good = good && check_number(up, digits) && check_number(-down, digits);
                 }
@@ -357,7 +357,7 @@ static bool check_numbers(uint64_t count, uint64_t seed)
     for (uint64_t i = 0; i < count && good; i++)
     {
         good = check_number(random_number(&seed), (int)(next_random(&seed) % 17) + 1) &&
-               check_number(random_number(&seed), NUMBER_DIGITS_MAX) && check_text(&seed);
+               check_number(random_number(&seed), CM_NUMBER_DIGITS) && check_text(&seed);
     }
     printf("numbers: %s\n", good ? "as the C library reads and writes them" : "WRONG");
     return good;
@@ -455,11 +455,11 @@ static int print_points(uint64_t count, uint64_t seed)
 {
     for (uint64_t i = 0; i < count; i++)
     {
-        char line[2 * NUMBER_WRITE_MAX];
+        char line[2 * CM_NUMBER_SIZE];
         const lonlat point = random_point(&seed);
-        size_t length = number_write(point.longitude, NUMBER_DIGITS_MAX, line);
+        size_t length = cm_number_write(point.longitude, CM_NUMBER_DIGITS, line);
         line[length++] = ' ';
-        length += number_write(point.latitude, NUMBER_DIGITS_MAX, line + length);
+        length += cm_number_write(point.latitude, CM_NUMBER_DIGITS, line + length);
         line[length++] = '\n';
         if (fwrite(line, 1, length, stdout) != length)
         {

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "failure.h"
-#include "number.h"
+#include <cubemap/number.h>
 
 static const char *long_name(const struct option *option, int value)
 {
@@ -62,12 +62,11 @@ _Noreturn void print_and_exit(const char *text)
 int parse_digits(const char *text)
 {
     double value;
-    const char *const end = text + strlen(text);
-    if (number_read(text, end, &value) != end || !(value >= 1 && value <= NUMBER_DIGITS_MAX) ||
-        value != floor(value))
+    if (!cm_number_parse(text, strlen(text), &value) ||
+        !(value >= 1 && value <= CM_NUMBER_DIGITS) || value != floor(value))
     {
         die(EXIT_USAGE, "--digits is '%s', not a whole number from 1 to %d", text,
-            NUMBER_DIGITS_MAX);
+            CM_NUMBER_DIGITS);
     }
     return (int)value;
 }

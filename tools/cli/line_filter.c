@@ -16,7 +16,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "number.h"
+#include <cubemap/number.h>
+
+#include "number_word.h"
 
 /* ------------------------------------------------------------------------------- messages */
 
@@ -93,7 +95,7 @@ void line_put_number(struct line_filter *filter, double value, bool first)
 {
     char *const at = filter->output + filter->output_length;
     *at = ' ';
-    filter->output_length += number_write(value, filter->digits, at + !first) + (size_t)!first;
+    filter->output_length += cm_number_write(value, filter->digits, at + !first) + (size_t)!first;
 }
 
 static void put_line(struct line_filter *filter, size_t index)
@@ -161,7 +163,7 @@ static const char *read_numbers(struct line_filter *filter, size_t index, const 
             line_complain(filter, index, "%d of %d numbers: a line is %s", i, count, wanted);
             return NULL;
         }
-        const char *const next = number_read(text, end, &value[i]);
+        const char *const next = number_or_word(text, end, &value[i]);
         if (next == NULL || (next < end && !is_blank(*next) && *next != ','))
         {
             line_complain(filter, index, "'%s' is not a number: a line is %s",

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <locale>
 #include <new>
-#include <sstream>
+
+#include <cubemap/number.h>
 
 ArgumentReader::ArgumentReader(int argc, char **argv) : arguments(argv + (argc > 0), argv + argc)
 {
@@ -99,11 +99,8 @@ std::size_t ArgumentReader::word(const std::vector<std::string> &words)
 
 std::optional<double> read_number(const std::string &text)
 {
-    std::istringstream stream(text);
-    stream.imbue(std::locale::classic());
     double number = 0;
-    if (!(stream >> number) || stream.peek() != std::istringstream::traits_type::eof() ||
-        !std::isfinite(number))
+    if (cm_number_parse(text.data(), text.size(), &number) == 0 || !std::isfinite(number))
     {
         return std::nullopt;
     }

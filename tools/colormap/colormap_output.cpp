@@ -3,8 +3,9 @@
 #include "colormap_output.hpp"
 
 #include "tools/cli/image_writer.hpp"
-#include "tools/cli/number.h"
 #include "tools/cli/program.hpp"
+
+#include <cubemap/number.h>
 
 #include <algorithm>
 #include <cmath>
@@ -208,7 +209,7 @@ std::string json_parameters(const cm_colormap *map)
         text += (i == 0 ? "" : ", ") + json_string(info->parameter[i].name) + ": ";
         if (info->parameter[i].stops == nullptr)
         {
-            text += number_text(cm_colormap_parameter(map, i), NUMBER_DIGITS_MAX);
+            text += number_text(cm_colormap_parameter(map, i), CM_NUMBER_DIGITS);
             continue;
         }
         for (std::size_t k = 0; k < cm_colormap_stop_count(map); ++k)
@@ -332,9 +333,9 @@ std::string range_text(const cm_colormap_parameter_info &parameter)
 
 std::string number_text(double value, int digits)
 {
-    char text[NUMBER_WRITE_MAX];
-    const std::size_t length = digits == NUMBER_DIGITS_MAX ? number_write_shortest(value, text)
-                                                           : number_write(value, digits, text);
+    char text[CM_NUMBER_SIZE];
+    const std::size_t length = digits == CM_NUMBER_DIGITS ? cm_number_write_shortest(value, text)
+                                                          : cm_number_write(value, digits, text);
     return std::string(text, length);
 }
 

@@ -19,7 +19,6 @@
 #include "tools/cli/command.h"
 #include "tools/cli/failure.h"
 #include "latitude_filter.h"
-#include "tools/cli/number.h"
 
 struct settings
 {
@@ -129,7 +128,7 @@ static void take_operands(struct settings *settings, int count, char **operand)
 static struct settings parse_arguments(int argc, char **argv)
 {
     struct settings settings = {
-        .ellipsoid = "WGS84", .from = "geographic", .filter = {.digits = NUMBER_DIGITS_MAX}};
+        .ellipsoid = "WGS84", .from = "geographic", .filter = {.digits = CM_NUMBER_DIGITS}};
     int option;
     opterr = 0;
     while ((option = getopt_long(argc, argv, ":e:f:t:h", long_options, NULL)) != -1)
@@ -156,16 +155,16 @@ static struct settings parse_arguments(int argc, char **argv)
 
 static void print_ellipsoid(const cm_ellipsoid *ellipsoid)
 {
-    char inverse[NUMBER_WRITE_MAX] = "";
-    char radius[NUMBER_WRITE_MAX];
-    number_write(ellipsoid->a, NUMBER_DIGITS_MAX - 4, radius);
+    char inverse[CM_NUMBER_SIZE] = "";
+    char radius[CM_NUMBER_SIZE];
+    cm_number_write(ellipsoid->a, CM_NUMBER_DIGITS - 4, radius);
     if (ellipsoid->f == 0.0)
     {
         snprintf(inverse, sizeof inverse, "sphere");
     }
     else
     {
-        number_write(1.0 / ellipsoid->f, 12, inverse);
+        cm_number_write(1.0 / ellipsoid->f, 12, inverse);
     }
     printf("%-20s %12s  %-14s %s; %s\n", ellipsoid->identifier, radius, inverse, ellipsoid->name,
            ellipsoid->source);
@@ -197,8 +196,7 @@ static double find_tolerance(const struct settings *settings)
     {
         return 0.0;
     }
-    const char *const end = settings->tolerance + strlen(settings->tolerance);
-    if (number_read(settings->tolerance, end, &value) != end || !(value > 0.0) || isinf(value))
+    if (!cm_number_parse(settings->tolerance, strlen(settings->tolerance), &value) || !(value > 0.0) || isinf(value))
     {
         die(EXIT_USAGE, "--tolerance is '%s', not a number above 0", settings->tolerance);
     }

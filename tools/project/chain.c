@@ -8,9 +8,10 @@
 #include <string.h>
 #include <strings.h>
 
+#include <cubemap/number.h>
+
 #include "tools/cli/command.h"
 #include "tools/cli/failure.h"
-#include "tools/cli/number.h"
 
 /* ------------------------------------------------------------------------------- what fits together */
 
@@ -89,8 +90,8 @@ static const char *parse_count(const char *option, const char *text, double leas
 {
     double value;
     const char *const colon = strchr(text, ':');
-    const char *const end = colon != NULL ? colon : text + strlen(text);
-    if (end == text || number_read(text, end, &value) != end ||
+    const size_t length = colon != NULL ? (size_t)(colon - text) : strlen(text);
+    if (!cm_number_parse(text, length, &value) ||
         !(value >= least && value <= most) || value != (double)(int64_t)value)
     {
         die(EXIT_USAGE, "%s is '%s': it begins with a whole number from %.0f to %.0f", option, text,

@@ -8,7 +8,6 @@
 
 #include <cubemap/cubemap.h>
 
-#include "tools/cli/number.h"
 
 /* What a mapping maps: a word for programs, a heading, and the room that names need. */
 static const struct
@@ -99,12 +98,12 @@ static void write_kind_heading(FILE *stream, cm_kind kind)
 
 static void write_parameter_row(FILE *stream, const cm_parameter_info *parameter)
 {
-    char standard[NUMBER_WRITE_MAX];
-    char low[NUMBER_WRITE_MAX];
-    char high[NUMBER_WRITE_MAX];
-    number_write_shortest(parameter->standard, standard);
-    number_write_shortest(parameter->low, low);
-    number_write_shortest(parameter->high, high);
+    char standard[CM_NUMBER_SIZE];
+    char low[CM_NUMBER_SIZE];
+    char high[CM_NUMBER_SIZE];
+    cm_number_write_shortest(parameter->standard, standard);
+    cm_number_write_shortest(parameter->low, low);
+    cm_number_write_shortest(parameter->high, high);
     fprintf(stream, "    parameter  %s, %s%c%s, %s], default %s: %s\n", parameter->name,
             parameter->whole ? "whole, in " : "in ", parameter->low_excluded ? '(' : '[', low, high,
             standard, parameter->meaning);
@@ -262,10 +261,10 @@ static void write_member(FILE *stream, const char *key, const char *text, const 
 /* JSON has no infinity and no NaN: null stands for them. */
 static void write_number_member(FILE *stream, const char *key, double value)
 {
-    char text[NUMBER_WRITE_MAX] = "null";
+    char text[CM_NUMBER_SIZE] = "null";
     if (isfinite(value))
     {
-        number_write_shortest(value, text);
+        cm_number_write_shortest(value, text);
     }
     fprintf(stream, "\"%s\": %s, ", key, text);
 }
@@ -311,8 +310,8 @@ static void write_bounds(FILE *stream, const cm_bounds *bounds)
     write_number_member(stream, "plane_round_trip", bounds->plane_round_trip);
     write_number_member(stream, "forward", bounds->forward);
     write_number_member(stream, "inverse", bounds->inverse);
-    char relative[NUMBER_WRITE_MAX];
-    number_write_shortest(bounds->relative, relative);
+    char relative[CM_NUMBER_SIZE];
+    cm_number_write_shortest(bounds->relative, relative);
     fprintf(stream, "\"relative\": %s}", relative);
 }
 

@@ -20,7 +20,6 @@
 #include "tools/cli/command.h"
 #include "tools/cli/failure.h"
 #include "listing.h"
-#include "tools/cli/number.h"
 #include "point_filter.h"
 
 typedef enum listing
@@ -221,7 +220,7 @@ static struct settings parse_arguments(int argc, char **argv)
         parse_form("--input", settings.input) || parse_form("--output", settings.output);
     if (settings.filter.digits == 0)
     {
-        settings.filter.digits = settings.filter.single ? 9 : NUMBER_DIGITS_MAX;
+        settings.filter.digits = settings.filter.single ? 9 : CM_NUMBER_DIGITS;
     }
     return settings;
 }
