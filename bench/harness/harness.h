@@ -5,6 +5,7 @@
 #ifndef BENCH_COMMON_BENCH_H
 #define BENCH_COMMON_BENCH_H
 
+#include <setjmp.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -14,6 +15,18 @@ extern "C" {
 
 /* Of the program, for messages; every program defines it. */
 extern const char program_name[];
+
+/* A program that is a function says where its results and its messages go, instead of to stdout and stderr, and where
+ * it goes on when there is no memory, instead of ending. All NULL: as at the beginning. */
+void harness_begin(FILE *out, FILE *err, jmp_buf *end);
+FILE *harness_out(void);
+FILE *harness_err(void);
+
+/* The end of the work, after something has been said. */
+#if defined(__GNUC__)
+__attribute__((noreturn))
+#endif
+void harness_end(void);
 
 /* What the figures are of; texts are static. */
 const char *system_cpu(void);
@@ -38,7 +51,7 @@ timing summary(const double *samples, size_t count);
 /* Half the distance of the quartiles, in per cent of the median. */
 double spread(const timing *t);
 
-/* A line that the next one overwrites, on stderr if that is a terminal. NULL clears it. */
+/* A line that the next one overwrites, where messages go if that is a terminal. NULL clears it. */
 void progress(const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 1, 2)))
@@ -82,6 +95,9 @@ typedef struct output
 int output_open(output *o, const char *name);
 int output_close(output *o);
 void output_drop(output *o);
+
+/* What is left of all of them goes, after harness_end. */
+void outputs_abandon(void);
 
 /* Are they two files, as far as one can tell before they are there? NULL is none. */
 int outputs_differ(const char *a, const char *b);

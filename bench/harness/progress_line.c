@@ -15,7 +15,7 @@ enum
 static int is_due(int must)
 {
     static double last;
-    if (!isatty(STDERR_FILENO) || (!must && seconds() - last < 0.1))
+    if (!isatty(fileno(harness_err())) || (!must && seconds() - last < 0.1))
     {
         return 0;
     }
@@ -30,14 +30,14 @@ void progress(const char *format, ...)
     {
         return;
     }
-    fputs("\r\033[K", stderr);
+    fputs("\r\033[K", harness_err());
     if (format != NULL)
     {
         va_start(arguments, format);
-        vfprintf(stderr, format, arguments);
+        vfprintf(harness_err(), format, arguments);
         va_end(arguments);
     }
-    fflush(stderr);
+    fflush(harness_err());
 }
 
 void progress_bar(double done, double total, const char *text)
@@ -53,6 +53,6 @@ void progress_bar(double done, double total, const char *text)
         bar[i] = (i + 0.5) / BAR_WIDTH < part ? '#' : '.';
     }
     bar[BAR_WIDTH] = '\0';
-    fprintf(stderr, "\r\033[K[%s] %3.0f %%  %s", bar, 100.0 * part, text);
-    fflush(stderr);
+    fprintf(harness_err(), "\r\033[K[%s] %3.0f %%  %s", bar, 100.0 * part, text);
+    fflush(harness_err());
 }

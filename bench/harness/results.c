@@ -35,29 +35,42 @@ static void end_by_signal(int number)
     (void)raise(number);
 }
 
+static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+static struct sigaction before[sizeof numbers / sizeof numbers[0]]; /* what they did */
+static int watching;
+
 /* However the program ends. */
 static void watch_end(void)
 {
-    static int watched;
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+    static int at_exit;
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0] && !watching; i++)
     {
-        struct sigaction old;
-        struct sigaction action = {.sa_handler = end_by_signal};
-        if (sigaction(numbers[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
+        const struct sigaction action = {.sa_handler = end_by_signal};
+        if (sigaction(numbers[i], NULL, &before[i]) == 0 && before[i].sa_handler != SIG_IGN)
         {
             (void)sigaction(numbers[i], &action, NULL);
         }
     }
-    if (!watched)
+    watching = 1;
+    if (!at_exit)
     {
-        watched = atexit(remove_pending) == 0;
+        at_exit = atexit(remove_pending) == 0;
     }
+}
+
+/* Signals do again what they did. */
+static void stop_watching(void)
+{
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0] && watching; i++)
+    {
+        (void)sigaction(numbers[i], &before[i], NULL);
+    }
+    watching = 0;
 }
 
 static int fail(const char *name, const char *why)
 {
-    fprintf(stderr, "%s: cannot write %s: %s\n", program_name, name, why);
+    fprintf(harness_err(), "%s: cannot write %s: %s\n", program_name, name, why);
     return 0;
 }
 
@@ -75,12 +88,18 @@ static void set_pending(const char *part)
 
 static void forget_pending(const char *part)
 {
+    int any = 0;
     for (size_t i = 0; i < sizeof pending / sizeof pending[0]; i++)
     {
         if (strcmp(pending[i], part) == 0)
         {
             pending[i][0] = '\0';
         }
+        any = any || pending[i][0] != '\0';
+    }
+    if (!any)
+    {
+        stop_watching();
     }
 }
 
@@ -125,7 +144,7 @@ int output_open(output *o, const char *name)
     o->part[0] = '\0';
     if (name == NULL || strcmp(name, "-") == 0)
     {
-        o->file = name == NULL ? NULL : stdout;
+        o->file = name == NULL ? NULL : harness_out();
         return 1;
     }
     if (stat(name, &there) == 0 && S_ISDIR(there.st_mode))
@@ -137,7 +156,7 @@ int output_open(output *o, const char *name)
 
 int output_close(output *o)
 {
-    if (o->file == NULL || o->file == stdout)
+    if (o->file == NULL || o->file == harness_out())
     {
         return 1;
     }
@@ -161,7 +180,7 @@ int output_close(output *o)
 
 void output_drop(output *o)
 {
-    if (o->file != NULL && o->file != stdout)
+    if (o->file != NULL && o->file != harness_out())
     {
         fclose(o->file);
         o->file = NULL;
@@ -171,6 +190,13 @@ void output_drop(output *o)
             forget_pending(o->part);
         }
     }
+}
+
+void outputs_abandon(void)
+{
+    remove_pending();
+    memset(pending, 0, sizeof pending);
+    stop_watching();
 }
 
 int outputs_differ(const char *a, const char *b)
@@ -188,9 +214,10 @@ int outputs_differ(const char *a, const char *b)
 
 int close_standard_output(void)
 {
-    if (fflush(stdout) != 0 || ferror(stdout))
+    if (fflush(harness_out()) != 0 || ferror(harness_out()))
     {
-        fprintf(stderr, "%s: cannot write to standard output: %s\n", program_name, strerror(errno));
+        fprintf(harness_err(), "%s: cannot write to standard output: %s\n", program_name,
+                strerror(errno));
         return 1;
     }
     return 0;

@@ -44,8 +44,8 @@ void *allocate(size_t count, size_t size)
     void *memory = calloc(count == 0 ? 1 : count, size);
     if (memory == NULL)
     {
-        perror(program_name);
-        exit(1);
+        fprintf(harness_err(), "%s: no memory\n", program_name);
+        harness_end();
     }
     return memory;
 }
@@ -60,8 +60,8 @@ void *grow(void *list, size_t count, size_t size)
     void *more = realloc(list, (count == 0 ? 1 : 2 * count) * size);
     if (more == NULL)
     {
-        perror(program_name);
-        exit(1);
+        fprintf(harness_err(), "%s: no memory\n", program_name);
+        harness_end();
     }
     return more;
 }

@@ -4,12 +4,12 @@
  */
 #define _GNU_SOURCE
 
-#include "filter_program.h"
+#include "tools/latitude/cubemap_latitude.h"
 
-int latitude_main(int argc, char **argv);
+#include "filter_program.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    check_filter("cubemap-latitude", latitude_main, data, size);
+    check_filter("cubemap-latitude", cm_latitude_main, data, size);
     return 0;
 }

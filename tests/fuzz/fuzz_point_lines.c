@@ -9,15 +9,7 @@
 
 #include <cubemap/cubemap.h>
 
-#include "fuzz_streams.h"
-
-int LLVMFuzzerInitialize(int *argc, char ***argv)
-{
-    (void)argc;
-    (void)argv;
-    replace_descriptors();
-    return 0;
-}
+#include "fuzz_talk.h"
 
 static size_t count_lines(const char *text, size_t size)
 {
@@ -48,10 +40,11 @@ static int has_long_line(const char *text, size_t size)
 static size_t filter(const struct filter_options *options, const cm_mapping *mapping,
                      const char *text, size_t size, talk *with)
 {
-    set_input(text, size);
-    begin_talk(with);
-    bool all_good = filter_points(options, mapping, 0, "lines");
-    end_talk(with);
+    cm_failure failure = {.status = 0};
+    const cm_streams streams = open_streams(with, text, size);
+    bool all_good = filter_points(options, mapping, &streams, "lines", &failure);
+    close_streams(&streams);
+    EXPECT(failure.status == 0, "%s", failure.text);
     size_t bad = count_lines(with->messages, with->messages_size);
     EXPECT(strlen(with->messages) == with->messages_size, "a zero byte in a message");
     EXPECT(all_good == (bad == 0), "%zu complaints, but the result is %d", bad, all_good);

@@ -4,12 +4,12 @@
  */
 #define _GNU_SOURCE
 
-#include "filter_program.h"
+#include "tools/project/project.h"
 
-int project_main(int argc, char **argv);
+#include "filter_program.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    check_filter("cubemap-project", project_main, data, size);
+    check_filter("cubemap-project", cm_project_main, data, size);
     return 0;
 }

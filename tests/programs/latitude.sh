@@ -80,7 +80,7 @@ verdict 'rests of bad lines stay'
 usage_error 'no --to' '--to is missing: the latitude to write; see --list'
 usage_error 'no such latitude' "--to is 'geodetic', not one of geographic, .*" --to geodetic
 usage_error 'no such source' "--from is '', not one of geographic, .*" --from '' --to authalic
-usage_error 'no such ellipsoid' "--ellipsoid: 'WGS85' is no ellipsoid: .*; see --list" --to authalic -e WGS85
+usage_error 'no such ellipsoid' "--ellipsoid: 'WGS85' is no ellipsoid: .*; did you mean WGS84[?]" --to authalic -e WGS85
 usage_error 'a flattening of 1' '--ellipsoid: the inverse flattening 1 is out of range: .*' --to authalic -e 1,1
 usage_error 'a tolerance of nothing' "--tolerance is '0', not a number above 0" --to authalic --tolerance 0
 usage_error 'a tolerance that is none' "--tolerance is '1m', not a number above 0" --to authalic --tolerance 1m

@@ -306,6 +306,8 @@ usage_error 'unknown mapping' '-m nothing: .*' -m nothing
 usage_error 'unknown parameter' '-m tangent:d=1: .*' -m tangent:d=1
 usage_error 'parameter out of range' '-m tangent:c=9: .*' -m tangent:c=9
 usage_error 'empty mapping' '-m : .*' -m ''
+usage_error 'a name that is nearly one' '-m tangnt: .*; did you mean tangent[?]' -m tangnt
+usage_error 'an option that is nearly one' 'there is no option --mapings; did you mean --mapping[?]' --mapings
 usage_error 'unknown frame' "--frame is 'earth', not one of geo, gl, fits, s2" --frame earth
 usage_error 'digits 0' "--digits is '0', .* 1 to 17" --digits 0
 usage_error 'digits 18' "--digits is '18', .*" --digits=18
@@ -326,8 +328,8 @@ usage_error 'square of what' "-m square:round: after 'square:' comes one of radi
 usage_error 'azimuthal of what' "-m azimuthal: after 'azimuthal:' comes one of lambert.*" -m azimuthal
 usage_error 'no layout of that' '-m border:gnomonic,radial: .*whole sphere.*' -m border:gnomonic,radial
 usage_error 'unknown short option' 'there is no option -x; .*' -x
-usage_error 'unknown long option' 'there is no option --nothing, .*' --nothing
-usage_error 'ambiguous option' 'there is no option --in, or it is short for several.*' --in
+usage_error 'unknown long option' 'there is no option --nothing; see .*' --nothing
+usage_error 'ambiguous option' '--in is short for several options: --inverse, --input' --in
 usage_error 'missing argument, short' '--mapping needs an argument.*' -m
 usage_error 'missing argument, long' '--digits needs an argument.*' --digits
 usage_error 'argument too many' '--float takes no argument.*' --float=1
@@ -350,9 +352,9 @@ verdict '--help'
 verdict '--version'
 
 # Every option of the help stands in the man page, and the other way round.
-if [ -f "$root/tools/project/cubemap-project.1" ]; then
+if [ -f "$programs/cubemap-project.1" ]; then
     "$program" --help | grep -Eo -- '--[a-z]+' | sort -u >output
-    sed 's/\\-/-/g' "$root/tools/project/cubemap-project.1" | grep -Eo -- '--[a-z]+' | sort -u >wanted
+    sed 's/\\-/-/g' "$programs/cubemap-project.1" | grep -Eo -- '--[a-z]+' | sort -u >wanted
     cmp -s output wanted
     verdict 'the man page has the options of --help'
 fi

@@ -7,40 +7,12 @@
 
 #include "truth/sphere.h"
 
-#include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char help[] =
-    "Usage: cubemap-bench advise [OPTION]... [MAPPING]...\n"
-    "\n"
-    "List the mappings that keep every limit, the cheapest first; then those that are cheaper and "
-    "do\n"
-    "not, with what they exceed: no more than needed. The cost is the time a point of the slower "
-    "of\n"
-    "the directions that are asked for, in arrays, measured now. Without limits all are listed.\n"
-    "MAPPING is as for cubemap-bench; default: the catalogue with its standard parameters.\n"
-    "\n"
-    "      --max-area-error E    greatest |D_A - 1|, D_A the area scale relative to its mean\n"
-    "      --max-isotropy R      greatest D_I = a / b, 1 or more\n"
-    "      --max-deformation W   greatest angular deformation in degrees\n"
-    "      --max-ns T            nanoseconds a point\n"
-    "      --max-error M         promised bound of a round trip, in metres on Earth\n"
-    "      --equal-area yes|no   only those that are exactly equal-area; no: all (the default)\n"
-    "      --smooth S            at least so smooth on a face: c0, c1 or analytic\n"
-    "      --direction D         forward, inverse or both (the default)\n"
-    "      --precision P         double (the default), float or fast\n"
-    "      --quick               fewer repetitions\n"
-    "      --json FILE           write the candidates there as JSON; - is standard output instead "
-    "of\n"
-    "                            the table\n"
-    "  -h, --help                print this and stop\n"
-    "\n"
-    "Exit status: 0 if a mapping qualifies, 1 if none does, 2 for wrong usage.\n"
-    "\n"
-    "Example:\n"
-    "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5 --equal-area no\n";
+#include "tools/cli/catalogue_name.h"
+#include "tools/cli/failure.h"
 
 typedef struct limits
 {
@@ -73,9 +45,11 @@ typedef struct advice
     candidate *list;
 } advice;
 
+/* ---- Options ---- */
+
 enum
 {
-    AREA = 256,
+    AREA = 1,
     ISOTROPY,
     DEFORMATION,
     NS,
@@ -88,124 +62,149 @@ enum
     JSON
 };
 
-static const struct option long_options[] = {
-    {"max-area-error", required_argument, NULL, AREA},
-    {"max-isotropy", required_argument, NULL, ISOTROPY},
-    {"max-deformation", required_argument, NULL, DEFORMATION},
-    {"max-ns", required_argument, NULL, NS},
-    {"max-error", required_argument, NULL, ERROR},
-    {"equal-area", required_argument, NULL, EQUAL},
-    {"smooth", required_argument, NULL, SMOOTH},
-    {"direction", required_argument, NULL, DIRECTION},
-    {"precision", required_argument, NULL, PRECISION},
-    {"quick", no_argument, NULL, QUICK},
-    {"json", required_argument, NULL, JSON},
-    {"help", no_argument, NULL, 'h'},
-    {NULL, 0, NULL, 0},
+static const char *const no_yes[] = {"no", "yes", NULL};
+static const char *const smooth_names[] = {"torn", "c0", "c1", "analytic", NULL};
+static const char *const both_directions[] = {"forward", "inverse", "both", NULL};
+
+static const cm_option table[] = {
+    {.id = AREA,
+     .name = "max-area-error",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "E",
+     .help = "greatest |D_A - 1|, D_A the area scale relative to its mean",
+     .high = HUGE_VAL},
+    {.id = ISOTROPY,
+     .name = "max-isotropy",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "R",
+     .help = "greatest D_I = a / b",
+     .low = 1.0,
+     .high = HUGE_VAL},
+    {.id = DEFORMATION,
+     .name = "max-deformation",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "W",
+     .help = "greatest angular deformation in degrees",
+     .high = 180.0},
+    {.id = NS,
+     .name = "max-ns",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "T",
+     .help = "nanoseconds a point",
+     .high = HUGE_VAL},
+    {.id = ERROR,
+     .name = "max-error",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "M",
+     .help = "promised bound of a round trip, in metres on Earth",
+     .high = HUGE_VAL},
+    {.id = EQUAL,
+     .name = "equal-area",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "yes|no",
+     .help = "only those that are exactly equal-area; `no`: all",
+     .standard = "`no`",
+     .choices = no_yes,
+     .flags = CM_OPTION_TOLD},
+    {.id = SMOOTH,
+     .name = "smooth",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "S",
+     .help = "at least so smooth on a face",
+     .choices = smooth_names},
+    {.id = DIRECTION,
+     .name = "direction",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "D",
+     .help = "which directions are asked for",
+     .standard = "`both`",
+     .choices = both_directions},
+    {.id = PRECISION,
+     .name = "precision",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "P",
+     .help = "how it computes",
+     .standard = "`double`",
+     .choices = precision_names},
+    {.id = QUICK, .name = "quick", .help = "fewer repetitions"},
+    {.id = JSON,
+     .name = "json",
+     .kind = CM_OPTION_FILE,
+     .argument = "FILE",
+     .help = "write the candidates there as JSON; - is standard output instead of the table"},
 };
 
-/* 0 if the argument is no good */
-static int take_word(advice *a, int option)
-{
-    static const char *const no_yes[] = {"no", "yes", NULL};
-    static const char *const smooth[] = {"torn", "c0", "c1", "analytic", NULL};
-    static const char *const directions[] = {"", "forward", "inverse", "both", NULL};
-    int *to = option == EQUAL       ? &a->limit.equal_area
-              : option == SMOOTH    ? &a->limit.smooth
-              : option == DIRECTION ? &a->limit.directions
-                                    : &a->precision;
-    const char *const *words = option == EQUAL       ? no_yes
-                               : option == SMOOTH    ? smooth
-                               : option == DIRECTION ? directions
-                                                     : precision_names;
-    int index = find_word(optarg, words);
-    if (index < 0 || (option == DIRECTION && index == 0))
-    {
-        return 0;
-    }
-    *to = index;
-    return 1;
-}
+static const cm_option_group groups[] = {{NULL, table, sizeof table / sizeof *table}};
 
-static int take_option(advice *a, int option)
-{
-    switch (option)
-    {
-    case AREA:
-        return read_number(optarg, 0.0, HUGE_VAL, &a->limit.area_error);
-    case ISOTROPY:
-        return read_number(optarg, 1.0, HUGE_VAL, &a->limit.isotropy);
-    case DEFORMATION:
-        return read_number(optarg, 0.0, 180.0, &a->limit.deformation);
-    case NS:
-        return read_number(optarg, 0.0, HUGE_VAL, &a->limit.ns);
-    case ERROR:
-        return read_number(optarg, 0.0, HUGE_VAL, &a->limit.error);
-    case QUICK:
-        a->all.set.repetitions = 9;
-        return 1;
-    case JSON:
-        a->json = optarg;
-        return 1;
-    default:
-        return take_word(a, option);
-    }
-}
+const cm_command advise_command = {
+    .name = "cubemap-bench advise",
+    .usage = "[OPTION]... [MAPPING]...",
+    .summary =
+        "List the mappings that keep every limit, the cheapest first; then those that are cheaper "
+        "and do not, with what they exceed: no more than needed. The cost is the time a point of "
+        "the slower of the directions that are asked for, in arrays, measured now. Without limits "
+        "all are listed. MAPPING is as for cubemap-bench; default: the catalogue with its standard "
+        "parameters.",
+    .groups = groups,
+    .group_count = 1,
+    .notes = "Exit status: 0 if a mapping qualifies, 1 if none does, 2 for wrong usage.\n\n"
+             "Example:\n"
+             "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5 \\\n"
+             "      --equal-area no\n",
+    .operand = CM_OPTION_TEXT,
+    .choice_at = mapping_name_at};
 
-static const char *right_for(int option)
+static void take_option(advice *a, const cm_option_reader *reader, int id)
 {
-    switch (option)
+    limits *limit = &a->limit;
+    const struct
     {
-    case ISOTROPY:
-        return "a number from 1 on";
-    case DEFORMATION:
-        return "a number from 0 to 180";
-    case EQUAL:
-        return "yes or no";
-    case SMOOTH:
-        return "c0, c1 or analytic";
-    case DIRECTION:
-        return "forward, inverse or both";
-    case PRECISION:
-        return "double, float or fast";
-    default:
-        return "a number from 0 on";
+        int id;
+        double *number;
+        int *choice;
+    } places[] = {{AREA, &limit->area_error, NULL},
+                  {ISOTROPY, &limit->isotropy, NULL},
+                  {DEFORMATION, &limit->deformation, NULL},
+                  {NS, &limit->ns, NULL},
+                  {ERROR, &limit->error, NULL},
+                  {EQUAL, NULL, &limit->equal_area},
+                  {SMOOTH, NULL, &limit->smooth},
+                  {PRECISION, NULL, &a->precision}};
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+    {
+        if (places[i].id == id && places[i].number != NULL)
+        {
+            *places[i].number = reader->number;
+        }
+        else if (places[i].id == id)
+        {
+            *places[i].choice = (int)reader->choice;
+        }
     }
+    limit->directions = id == DIRECTION ? (int)reader->choice + 1 : limit->directions;
+    a->all.set.repetitions = id == QUICK ? 9 : a->all.set.repetitions;
+    a->json = id == JSON ? reader->text : a->json;
 }
 
 /* -1 to go on, or the exit status */
-static int read_options(advice *a, int argc, char **argv)
+static int read_options(advice *a, int argc, char **argv, const cm_streams *streams)
 {
-    int option;
-    while ((option = getopt_long(argc, argv, "h", long_options, NULL)) != -1)
+    cm_option_reader reader = cm_options_begin(&advise_command, argc, argv, streams);
+    int id;
+    while ((id = cm_options_next(&reader)) > 0)
     {
-        if (option == 'h')
-        {
-            fputs(help, stdout);
-            return close_standard_output();
-        }
-        if (option == '?')
-        {
-            return 2; /* getopt_long has said why */
-        }
-        if (!take_option(a, option))
-        {
-            return usage_of(option_name(long_options, option), optarg, right_for(option));
-        }
+        take_option(a, &reader, id);
+    }
+    if (id != CM_OPTIONS_END)
+    {
+        return id == CM_OPTIONS_WRONG ? complain(&reader) : close_standard_output();
     }
     char why[200];
     if (cm_instructions_check(NULL, why, sizeof why) != CM_OK)
     {
         return usage(why, "");
     }
-    for (int i = optind; i < argc; i++)
-    {
-        if (!suite_add(&a->all, argv[i]))
-        {
-            return 2;
-        }
-    }
-    return optind < argc || suite_add(&a->all, "*") ? -1 : 2;
+    return suite_add_all(&a->all, reader.operand_count, reader.operands) ? -1 : EXIT_USAGE;
 }
 
 /* ---- Candidates ---- */
@@ -282,10 +281,10 @@ static void find_candidates(advice *a)
 static void print_candidate(const candidate *c)
 {
     const timing *t = c->way->time;
-    printf("%-20s %6.2f %6.2f %3.0f%%  %10.4g %9.4f %11.2f   %s\n", c->subject->specification,
-           t[FORWARD].median, t[INVERSE].median, fmax(spread(&t[FORWARD]), spread(&t[INVERSE])),
-           c->value[0] < 1e-12 ? 0.0 : c->value[0], c->value[1], c->value[2],
-           isnan(c->value[4]) ? "-" : length_text(c->value[4]));
+    fprintf(harness_out(), "%-20s %6.2f %6.2f %3.0f%%  %10.4g %9.4f %11.2f   %s\n",
+            c->subject->specification, t[FORWARD].median, t[INVERSE].median,
+            fmax(spread(&t[FORWARD]), spread(&t[INVERSE])), c->value[0] < 1e-12 ? 0.0 : c->value[0],
+            c->value[1], c->value[2], isnan(c->value[4]) ? "-" : length_text(c->value[4]));
 }
 
 /* What a candidate exceeds, as a sentence's end. */
@@ -300,26 +299,26 @@ static void print_excess(const advice *a, const candidate *c)
     {
         if (isnan(c->value[k]) && !isinf(limit[k]))
         {
-            printf("%sno promise of its %s with these parameters", before, what[k]);
+            fprintf(harness_out(), "%sno promise of its %s with these parameters", before, what[k]);
             before = "; ";
         }
         else if (c->value[k] > limit[k])
         {
-            printf("%s%s %.4g, %.3g more than %g", before, what[k], c->value[k],
-                   c->value[k] - limit[k], limit[k]);
+            fprintf(harness_out(), "%s%s %.4g, %.3g more than %g", before, what[k], c->value[k],
+                    c->value[k] - limit[k], limit[k]);
             before = "; ";
         }
     }
     if (a->limit.equal_area && (info->properties & CM_EQUAL_AREA) == 0)
     {
-        printf("%snot equal-area, area error %.4g", before, c->value[0]);
+        fprintf(harness_out(), "%snot equal-area, area error %.4g", before, c->value[0]);
         before = "; ";
     }
     if ((int)info->smooth_face < a->limit.smooth)
     {
-        printf("%snot so smooth", before);
+        fprintf(harness_out(), "%snot so smooth", before);
     }
-    printf("\n");
+    fprintf(harness_out(), "\n");
 }
 
 /* From the next cheaper one down. */
@@ -328,36 +327,36 @@ static void print_cheaper(const advice *a, size_t first_good)
     const candidate *good = &a->list[first_good];
     if (first_good == 0)
     {
-        printf("\nNone is cheaper than %s.\n", good->subject->specification);
+        fprintf(harness_out(), "\nNone is cheaper than %s.\n", good->subject->specification);
         return;
     }
-    printf("\nCheaper than %s, but:\n", good->subject->specification);
+    fprintf(harness_out(), "\nCheaper than %s, but:\n", good->subject->specification);
     for (size_t i = first_good; i-- > 0;)
     {
         const candidate *c = &a->list[i];
-        printf("%-20s %6.2f ns, %.0f %% less:", c->subject->specification, c->cost,
-               100.0 * (1.0 - c->cost / good->cost));
+        fprintf(harness_out(), "%-20s %6.2f ns, %.0f %% less:", c->subject->specification, c->cost,
+                100.0 * (1.0 - c->cost / good->cost));
         print_excess(a, c);
     }
 }
 
 static void print_failures(const advice *a)
 {
-    printf("\nNo mapping qualifies. What each exceeds:\n");
+    fprintf(harness_out(), "\nNo mapping qualifies. What each exceeds:\n");
     for (size_t i = 0; i < a->count; i++)
     {
-        printf("%-20s", a->list[i].subject->specification);
+        fprintf(harness_out(), "%-20s", a->list[i].subject->specification);
         print_excess(a, &a->list[i]);
     }
 }
 
 static void print_advice(const advice *a, size_t first_good)
 {
-    printf("%s, arrays of %zu points, %s; %s\n\n", precision_names[a->precision], a->all.set.points,
-           cm_mapping_instructions(a->all.ways[0].mapping), system_cpu());
-    printf("%-20s %13s   %10s %9s %11s   %s\n%-20s %6s %6s   %10s %9s %11s   %s\n", "",
-           "ns a point", "area error", "isotropy", "deformation", "round trip", "mapping", "fwd",
-           "inv", "|D_A - 1|", "D_I", "degrees", "at most");
+    fprintf(harness_out(), "%s, arrays of %zu points, %s; %s\n\n", precision_names[a->precision],
+            a->all.set.points, cm_mapping_instructions(a->all.ways[0].mapping), system_cpu());
+    fprintf(harness_out(), "%-20s %13s   %10s %9s %11s   %s\n%-20s %6s %6s   %10s %9s %11s   %s\n",
+            "", "ns a point", "area error", "isotropy", "deformation", "round trip", "mapping",
+            "fwd", "inv", "|D_A - 1|", "D_I", "degrees", "at most");
     for (size_t i = 0; i < a->count; i++)
     {
         if (a->list[i].good)
@@ -436,7 +435,7 @@ static int run(advice *a)
     {
         first_good++;
     }
-    if (json.file != stdout)
+    if (json.file != harness_out())
     {
         print_advice(a, first_good);
     }
@@ -449,11 +448,11 @@ static int run(advice *a)
     return !good || first_good == a->count;
 }
 
-int advise(int argc, char **argv)
+int advise(int argc, char **argv, const cm_streams *streams)
 {
     advice a = {.limit = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, 0, 0, 3},
                 .all = {.set = {.points = 8192, .repetitions = 30, .form = FORM_ARRAY}}};
-    int status = read_options(&a, argc, argv);
+    int status = read_options(&a, argc, argv, streams);
     if (status < 0)
     {
         a.all.set.precision = a.precision;

@@ -4,102 +4,20 @@
  */
 #include "bench.h"
 
-#include <getopt.h>
-#include <math.h>
+#include <setjmp.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/cli/catalogue_name.h"
+#include "tools/cli/failure.h"
+
 const char program_name[] = "cubemap-bench";
 
-static const char help[] =
-    "Usage: cubemap-bench [OPTION]... [MAPPING]...\n"
-    "       cubemap-bench advise [OPTION]... [MAPPING]...\n"
-    "       cubemap-bench papers [OPTION]... [TABLE]...\n"
-    "\n"
-    "Measure speed, accuracy and distortion of mappings in one run and print them as tables. "
-    "MAPPING\n"
-    "is NAME[:PARAMETER=VALUE,...], NAME:PRESET, or a pattern of names such as 'tan*'; default: "
-    "the\n"
-    "catalogue.\n"
-    "advise lists the mappings that are good enough, the cheapest first; papers computes the "
-    "tables\n"
-    "that papers have printed; each has a --help of its own.\n"
-    "\n"
-    "      --quick            in some seconds: fewer points and repetitions, no maps, no lengths;\n"
-    "                         wherever it stands, other options count before it\n"
-    "      --json FILE        write all results there as JSON; - is standard output, without "
-    "tables\n"
-    "      --csv FILE         one line for each way and direction; - as before\n"
-    "      --precision P      only double, float or fast (double, computed in float)\n"
-    "      --form F           only array or single (point by point)\n"
-    "      --instructions I   scalar, sse2, avx2, avx512 or neon; default: what "
-    "CUBEMAP_INSTRUCTIONS\n"
-    "                         says, else the best there is\n"
-    "      --points N         points an array (8192)\n"
-    "      --repetitions N    of everything (30)\n"
-    "      --random N         random points for the errors (20000)\n"
-    "      --hard N           hard points for the errors (20000)\n"
-    "      --largest N        longest array for the cost against its length (1000000; 0 for none)\n"
-    "      --map N            map of the errors over a face, N by N (64; 0 for none)\n"
-    "      --tolerance T      of means of distortion, relative (1e-9)\n"
-    "      --list             print the mappings that would be measured and stop\n"
-    "  -h, --help             print this and stop\n"
-    "      --version          print the version and stop\n"
-    "\n"
-    "Examples:\n"
-    "  cubemap-bench --quick\n"
-    "  cubemap-bench --json results.json coupled qsc 'tangent:c=1.1823'\n"
-    "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5\n";
-
-int usage(const char *what, const char *text)
-{
-    fprintf(stderr, "%s: %s%s; see --help\n", program_name, what, text);
-    return 2;
-}
-
-int usage_of(const char *option, const char *argument, const char *right)
-{
-    fprintf(stderr, "%s: --%s cannot be '%s', but %s; see --help\n", program_name, option, argument,
-            right);
-    return 2;
-}
-
-int read_number(const char *text, double low, double high, double *value)
-{
-    char *end;
-    double read = strtod(text, &end);
-    if (end == text || *end != '\0' || !(read >= low && read <= high))
-    {
-        return 0;
-    }
-    *value = read;
-    return 1;
-}
-
-int find_word(const char *text, const char *const *words)
-{
-    for (int i = 0; words[i] != NULL; i++)
-    {
-        if (strcmp(text, words[i]) == 0)
-        {
-            return i;
-        }
-    }
-    return -1;
-}
-
-const char *option_name(const struct option *options, int value)
-{
-    while (options->name != NULL && options->val != value)
-    {
-        options++;
-    }
-    return options->name;
-}
+/* ---- Options ---- */
 
 enum
 {
-    QUICK = 256,
+    QUICK = 1,
     JSON,
     CSV,
     PRECISION,
@@ -112,29 +30,160 @@ enum
     LARGEST,
     MAP,
     TOLERANCE,
-    LIST,
-    VERSION
+    LIST
 };
 
-static const struct option long_options[] = {
-    {"quick", no_argument, NULL, QUICK},
-    {"json", required_argument, NULL, JSON},
-    {"csv", required_argument, NULL, CSV},
-    {"precision", required_argument, NULL, PRECISION},
-    {"form", required_argument, NULL, FORM},
-    {"instructions", required_argument, NULL, INSTRUCTIONS},
-    {"points", required_argument, NULL, POINTS},
-    {"repetitions", required_argument, NULL, REPETITIONS},
-    {"random", required_argument, NULL, RANDOM},
-    {"hard", required_argument, NULL, HARD},
-    {"largest", required_argument, NULL, LARGEST},
-    {"map", required_argument, NULL, MAP},
-    {"tolerance", required_argument, NULL, TOLERANCE},
-    {"list", no_argument, NULL, LIST},
-    {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, VERSION},
-    {NULL, 0, NULL, 0},
+static const char *instructions_at(size_t index)
+{
+    static const char *const names[] = {"scalar", "sse2", "avx2", "avx512", "neon"};
+    return index < sizeof names / sizeof *names ? names[index] : NULL;
+}
+
+static const cm_option table[] = {
+    {.id = QUICK,
+     .name = "quick",
+     .help =
+         "in some seconds: fewer points and repetitions, no maps, no lengths; wherever it stands, "
+         "other options count before it"},
+    {.id = JSON,
+     .name = "json",
+     .kind = CM_OPTION_FILE,
+     .argument = "FILE",
+     .help = "write all results there as JSON; - is standard output, without tables",
+     .more = "Machine, compiler, flags and version are in it."},
+    {.id = CSV,
+     .name = "csv",
+     .kind = CM_OPTION_FILE,
+     .argument = "FILE",
+     .help = "one line for each way and direction; - as before",
+     .more = "Each has the distortion of its mapping."},
+    {.id = PRECISION,
+     .name = "precision",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "P",
+     .help = "only `double`, `float` or `fast` (double, computed in float)",
+     .choices = precision_names,
+     .flags = CM_OPTION_TOLD},
+    {.id = FORM,
+     .name = "form",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "F",
+     .help = "only `array` or `single` (point by point)",
+     .choices = form_names,
+     .flags = CM_OPTION_TOLD},
+    {.id = INSTRUCTIONS,
+     .name = "instructions",
+     .kind = CM_OPTION_TEXT,
+     .argument = "I",
+     .help = "`scalar`, `sse2`, `avx2`, `avx512` or `neon`",
+     .standard = "what CUBEMAP_INSTRUCTIONS says, else the best there is",
+     .choice_at = instructions_at},
+    {.id = POINTS,
+     .name = "points",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "points an array",
+     .standard = "8192",
+     .low = 1,
+     .high = 1e8},
+    {.id = REPETITIONS,
+     .name = "repetitions",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "repetitions of everything",
+     .standard = "30",
+     .low = 1,
+     .high = 1e6},
+    {.id = RANDOM,
+     .name = "random",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "random points for the errors",
+     .standard = "20000",
+     .low = 1,
+     .high = 1e8},
+    {.id = HARD,
+     .name = "hard",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "hard points for the errors",
+     .standard = "20000",
+     .low = 1,
+     .high = 1e8},
+    {.id = LARGEST,
+     .name = "largest",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "longest array for the cost against its length",
+     .standard = "1000000; 0 for none",
+     .high = 1e8},
+    {.id = MAP,
+     .name = "map",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "map of the errors over a face, N by N",
+     .more = "It is in the JSON.",
+     .standard = "64; 0 for none",
+     .high = 4096},
+    {.id = TOLERANCE,
+     .name = "tolerance",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "T",
+     .help = "of means of distortion, relative",
+     .standard = "1e-9",
+     .low = 1e-13,
+     .high = 1e-2},
+    {.id = LIST, .name = "list", .help = "print the mappings that would be measured and stop"},
 };
+
+static const cm_option_group groups[] = {{NULL, table, sizeof table / sizeof *table}};
+static const cm_command *const commands[] = {&advise_command, &papers_command, NULL};
+
+const cm_command cm_bench_command = {
+    .name = program_name,
+    .usage = "[OPTION]... [MAPPING]...\n"
+             "advise [OPTION]... [MAPPING]...\n"
+             "papers [OPTION]... [TABLE]...",
+    .summary =
+        "Measure speed, accuracy and distortion of mappings in one run and print them as tables. "
+        "MAPPING is NAME[:PARAMETER=VALUE,...], NAME:PRESET, or a pattern of names such as 'tan*'; "
+        "default: the catalogue.\n\n"
+        "advise lists the mappings that are good enough, the cheapest first; papers computes the "
+        "tables that papers have printed; each has a --help of its own.",
+    .groups = groups,
+    .group_count = 1,
+    .notes = "Examples:\n"
+             "  cubemap-bench --quick\n"
+             "  cubemap-bench --json results.json coupled qsc 'tangent:c=1.1823'\n"
+             "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5\n",
+    .operand = CM_OPTION_TEXT,
+    .choice_at = mapping_name_at,
+    .commands = commands};
+
+int usage(const char *what, const char *text)
+{
+    say(harness_err(), "%s: %s%s; see --help", program_name, what, text);
+    return EXIT_USAGE;
+}
+
+int usage_of_name(const char *what, const char *name, const cm_nearest *nearest)
+{
+    char message[FAILURE_TEXT_MAX];
+    snprintf(message, sizeof message, "%s%s", what, name);
+    if (nearest->best == NULL)
+    {
+        return usage(message, "");
+    }
+    cm_nearest_append(nearest, message, sizeof message);
+    say(harness_err(), "%s: %s", program_name, message);
+    return EXIT_USAGE;
+}
+
+int complain(const cm_option_reader *reader)
+{
+    say(harness_err(), "%s: %s", program_name, reader->message);
+    return EXIT_USAGE;
+}
 
 typedef struct options
 {
@@ -142,139 +191,102 @@ typedef struct options
     const char *json;
     const char *csv;
     int list;
+    unsigned given; /* bits of options */
 } options;
 
-/* A whole number; 0 if the text is none. */
-static int take_count(const char *text, double low, double high, size_t *count)
+/* Other options count before it. */
+static void be_quick(settings *set, unsigned given)
 {
-    double value;
-    if (!read_number(text, low, high, &value) || value != floor(value))
+    const struct
     {
-        return 0;
+        int id;
+        size_t *count;
+        size_t quick;
+    } counts[] = {{POINTS, &set->points, 4096}, {REPETITIONS, &set->repetitions, 9},
+                  {RANDOM, &set->random, 1000}, {HARD, &set->hard, 1000},
+                  {LARGEST, &set->largest, 0},  {MAP, &set->map_pixels, 0}};
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
+    {
+        *counts[i].count = given >> counts[i].id & 1u ? *counts[i].count : counts[i].quick;
     }
-    *count = (size_t)value;
-    return 1;
+    set->tolerance = given >> TOLERANCE & 1u ? set->tolerance : 1e-6;
 }
 
-static int take_word(const char *text, const char *const *words, int *index)
+/* Where the whole number of an option goes. */
+static size_t *count_of(settings *set, int id)
 {
-    int found = find_word(text, words);
-    *index = found < 0 ? *index : found;
-    return found >= 0;
-}
-
-static void be_quick(settings *set)
-{
-    set->points = 4096;
-    set->repetitions = 9;
-    set->random = 1000;
-    set->hard = 1000;
-    set->largest = 0;
-    set->map_pixels = 0;
-    set->tolerance = 1e-6;
-}
-
-/* What an option's argument can be. */
-static const char *right_for(int option)
-{
-    switch (option)
+    switch (id)
     {
-    case PRECISION:
-        return "double, float or fast";
-    case FORM:
-        return "array or single";
-    case TOLERANCE:
-        return "a number from 1e-13 to 1e-2";
-    case LARGEST:
-        return "a whole number from 0 to 100000000";
-    case MAP:
-        return "a whole number from 0 to 4096";
+    case POINTS:
+        return &set->points;
     case REPETITIONS:
-        return "a whole number from 1 to 1000000";
+        return &set->repetitions;
+    case RANDOM:
+        return &set->random;
+    case HARD:
+        return &set->hard;
+    case LARGEST:
+        return &set->largest;
     default:
-        return "a whole number from 1 to 100000000";
+        return &set->map_pixels;
     }
 }
 
-/* 0 if the option's argument is no good */
-static int take_option(options *o, int option)
+static void take_option(options *o, const cm_option_reader *reader, int id)
 {
     settings *set = &o->all.set;
-    switch (option)
+    o->given |= 1u << id;
+    switch (id)
     {
+    case QUICK:
+        break; /* when all is known */
     case JSON:
-        o->json = optarg;
-        return 1;
+        o->json = reader->text;
+        break;
     case CSV:
-        o->csv = optarg;
-        return 1;
+        o->csv = reader->text;
+        break;
     case PRECISION:
-        return take_word(optarg, precision_names, &set->precision);
+        set->precision = (int)reader->choice;
+        break;
     case FORM:
-        return take_word(optarg, form_names, &set->form);
+        set->form = (int)reader->choice;
+        break;
     case INSTRUCTIONS:
-        set->instructions = optarg;
-        return 1;
-    case POINTS:
-        return take_count(optarg, 1.0, 1e8, &set->points);
-    case REPETITIONS:
-        return take_count(optarg, 1.0, 1e6, &set->repetitions);
-    case RANDOM:
-        return take_count(optarg, 1.0, 1e8, &set->random);
-    case HARD:
-        return take_count(optarg, 1.0, 1e8, &set->hard);
-    case LARGEST:
-        return take_count(optarg, 0.0, 1e8, &set->largest);
-    case MAP:
-        return take_count(optarg, 0.0, 4096.0, &set->map_pixels);
+        set->instructions = reader->text;
+        break;
     case TOLERANCE:
-        return read_number(optarg, 1e-13, 1e-2, &set->tolerance);
+        set->tolerance = reader->number;
+        break;
     case LIST:
         o->list = 1;
-        return 1;
+        break;
     default:
-        return 1; /* QUICK has been taken before */
+        *count_of(set, id) = (size_t)reader->number;
+        break;
     }
-}
-
-/* First of all, so that other options count wherever it stands. */
-static void take_quick(options *o, int argc, char **argv)
-{
-    int option;
-    opterr = 0;
-    while ((option = getopt_long(argc, argv, "h", long_options, NULL)) != -1)
-    {
-        if (option == QUICK)
-        {
-            be_quick(&o->all.set);
-        }
-    }
-    opterr = 1;
-    optind = 1;
 }
 
 /* -1 to go on, or the exit status */
-static int read_options(options *o, int argc, char **argv)
+static int read_options(options *o, int argc, char **argv, const cm_streams *streams)
 {
-    int option;
-    take_quick(o, argc, argv);
-    while ((option = getopt_long(argc, argv, "h", long_options, NULL)) != -1)
+    cm_option_reader reader = cm_options_begin(&cm_bench_command, argc, argv, streams);
+    int id;
+    while ((id = cm_options_next(&reader)) > 0)
     {
-        if (option == 'h' || option == VERSION)
-        {
-            printf("%s", option == 'h' ? help : "cubemap-bench (libcubemap) ");
-            printf("%s", option == 'h' ? "" : cm_version());
-            printf("%s", option == 'h' ? "" : "\n");
-            return close_standard_output();
-        }
-        if (option == '?')
-        {
-            return 2; /* getopt_long has said why */
-        }
-        if (!take_option(o, option))
-        {
-            return usage_of(option_name(long_options, option), optarg, right_for(option));
-        }
+        take_option(o, &reader, id);
+    }
+    if (id == CM_OPTIONS_PRINTED)
+    {
+        return close_standard_output();
+    }
+    if (id == CM_OPTIONS_WRONG)
+    {
+        return complain(&reader);
+    }
+    if (o->given >> QUICK & 1u)
+    {
+        be_quick(&o->all.set, o->given);
     }
     char why[200];
     if (cm_instructions_check(o->all.set.instructions, why, sizeof why) != CM_OK)
@@ -285,15 +297,10 @@ static int read_options(options *o, int argc, char **argv)
     {
         return usage("--json and --csv name the same file: ", o->json);
     }
-    for (int i = optind; i < argc; i++)
-    {
-        if (!suite_add(&o->all, argv[i]))
-        {
-            return 2;
-        }
-    }
-    return optind < argc || suite_add(&o->all, "*") ? -1 : 2;
+    return suite_add_all(&o->all, reader.operand_count, reader.operands) ? -1 : EXIT_USAGE;
 }
+
+/* ---- Program ---- */
 
 static void measure(suite *all)
 {
@@ -320,9 +327,9 @@ static int run(options *o)
         return 1;
     }
     measure(&o->all);
-    if (json.file != stdout && csv.file != stdout)
+    if (json.file != harness_out() && csv.file != harness_out())
     {
-        write_table(stdout, &o->all);
+        write_table(harness_out(), &o->all);
     }
     if (json.file != NULL)
     {
@@ -338,7 +345,7 @@ static int run(options *o)
     return !good;
 }
 
-static int bench(int argc, char **argv)
+static int bench(int argc, char **argv, const cm_streams *streams)
 {
     options o = {.all = {.set = {.points = 8192,
                                  .repetitions = 30,
@@ -349,12 +356,12 @@ static int bench(int argc, char **argv)
                                  .tolerance = 1e-9,
                                  .precision = -1,
                                  .form = -1}}};
-    int status = read_options(&o, argc, argv);
+    int status = read_options(&o, argc, argv, streams);
     if (status < 0 && o.list)
     {
         for (size_t i = 0; i < o.all.subject_count; i++)
         {
-            printf("%s\n", o.all.subjects[i].specification);
+            fprintf(harness_out(), "%s\n", o.all.subjects[i].specification);
         }
         status = close_standard_output();
     }
@@ -371,17 +378,36 @@ static int bench(int argc, char **argv)
     return status;
 }
 
-int main(int argc, char **argv)
+static int choose(int argc, char **argv, const cm_streams *streams)
 {
-    if (argc > 1 && strcmp(argv[1], "advise") == 0)
+    static const struct
     {
-        argv[1] = argv[0]; /* for messages */
-        return advise(argc - 1, argv + 1);
-    }
-    if (argc > 1 && strcmp(argv[1], "papers") == 0)
+        const char *word;
+        int (*run)(int argc, char **argv, const cm_streams *streams);
+    } parts[] = {{"advise", advise}, {"papers", papers}};
+    for (size_t i = 0; argc > 1 && i < sizeof parts / sizeof *parts; i++)
     {
-        argv[1] = argv[0];
-        return papers(argc - 1, argv + 1);
+        if (strcmp(argv[1], parts[i].word) == 0)
+        {
+            return parts[i].run(argc - 1, argv + 1, streams);
+        }
     }
-    return bench(argc, argv);
+    return bench(argc, argv, streams);
+}
+
+int cm_bench_main(int argc, char **argv, const cm_streams *streams)
+{
+    jmp_buf end;
+    volatile int status = EXIT_FAILURE;
+    harness_begin(streams->out, streams->err, &end);
+    if (setjmp(end) == 0)
+    {
+        status = choose(argc, argv, streams);
+    }
+    else
+    {
+        outputs_abandon();
+    }
+    harness_begin(NULL, NULL, NULL);
+    return status;
 }

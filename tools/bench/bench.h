@@ -16,6 +16,8 @@
 
 #include "bench/harness/columns.h"
 #include "bench/harness/harness.h"
+#include "bench_command.h"
+#include "tools/cli/nearest.h"
 
 enum
 {
@@ -117,6 +119,9 @@ typedef struct suite
  * is none or it is no good, which has been said. */
 int suite_add(suite *all, const char *word);
 
+/* The same of some words; without any, of the catalogue. */
+int suite_add_all(suite *all, int count, char **words);
+
 /* All ways of all subjects. 0 if the machine cannot, which has been said. */
 int suite_prepare(suite *all);
 void suite_close(suite *all);
@@ -143,22 +148,19 @@ void write_csv(FILE *out, const suite *all);
 void write_json(FILE *out, const suite *all);
 
 /* Programs of their own behind the first argument; they return exit statuses. */
-int advise(int argc, char **argv);
-int papers(int argc, char **argv);
+int advise(int argc, char **argv, const cm_streams *streams);
+int papers(int argc, char **argv, const cm_streams *streams);
+extern const cm_command advise_command;
+extern const cm_command papers_command;
 
 /* The exit status 2, after a line that says what is wrong. */
 int usage(const char *what, const char *text);
 
-/* The same of an option and its argument. */
-int usage_of(const char *option, const char *argument, const char *right);
-int read_number(const char *text, double low, double high, double *value);
+/* The same for what the table of options refuses. */
+int complain(const cm_option_reader *reader);
 
-/* The index of a text among words that end with NULL, -1 if it is none of them. */
-int find_word(const char *text, const char *const *words);
-
-struct option;
-/* The long name of an option. */
-const char *option_name(const struct option *options, int value);
+/* The same of a name, with that of several that was meant, if there is one. */
+int usage_of_name(const char *what, const char *name, const cm_nearest *nearest);
 
 /* Degrees in a radian's unit: what an angle is divided by to be written. */
 #define DEGREE (3.14159265358979324 / 180.0)

@@ -24,8 +24,8 @@ void distort(const cm_mapping *mapping, double tolerance, int with_percentiles, 
         }
         if (status != CM_OK)
         {
-            fprintf(stderr, "%s: distortion: %s\n", program_name, cm_status_text(status));
-            exit(1);
+            fprintf(harness_err(), "%s: distortion: %s\n", program_name, cm_status_text(status));
+            harness_end();
         }
     }
 }

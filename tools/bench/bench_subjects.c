@@ -7,6 +7,7 @@
 #include "truth/cubes.h"
 
 #include "bench.h"
+#include "tools/cli/catalogue_name.h"
 
 #include <fnmatch.h>
 #include <math.h>
@@ -104,6 +105,19 @@ static int has_six_faces(const char *specification)
     return cube;
 }
 
+/* The mapping that was meant, or else the command. */
+static cm_nearest nearest_mapping_or_command(const char *word)
+{
+    cm_nearest nearest = nearest_mapping(word);
+    if (nearest.best == NULL)
+    {
+        nearest = cm_nearest_to(word, strlen(word));
+        cm_nearest_try(&nearest, "advise", 6);
+        cm_nearest_try(&nearest, "papers", 6);
+    }
+    return nearest;
+}
+
 int suite_add(suite *all, const char *word)
 {
     char why[200];
@@ -113,7 +127,8 @@ int suite_add(suite *all, const char *word)
     }
     if (cm_specification_check(word, why, sizeof why) != CM_OK)
     {
-        usage(why, "");
+        const cm_nearest nearest = nearest_mapping_or_command(word);
+        usage_of_name(why, "", &nearest);
         return 0;
     }
     if (!has_six_faces(word))
@@ -130,6 +145,18 @@ int suite_add(suite *all, const char *word)
     return 1;
 }
 
+int suite_add_all(suite *all, int count, char **words)
+{
+    for (int i = 0; i < count; i++)
+    {
+        if (!suite_add(all, words[i]))
+        {
+            return 0;
+        }
+    }
+    return count > 0 || suite_add(all, "*");
+}
+
 static int make(const suite *all, const char *specification, int fast, cm_mapping **mapping)
 {
     const cm_options options = {.size = sizeof options,
@@ -140,7 +167,7 @@ static int make(const suite *all, const char *specification, int fast, cm_mappin
     {
         char why[200] = "";
         (void)cm_instructions_check(all->set.instructions, why, sizeof why);
-        fprintf(stderr, "%s: %s: %s\n", program_name, specification,
+        fprintf(harness_err(), "%s: %s: %s\n", program_name, specification,
                 why[0] != '\0' ? why : cm_status_text(status));
     }
     return status == CM_OK;

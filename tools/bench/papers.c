@@ -4,30 +4,11 @@
  */
 #include "papers.h"
 
-#include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char help[] =
-    "Usage: cubemap-bench papers [OPTION]... [TABLE]...\n"
-    "\n"
-    "Compute the tables that papers have printed, and print each figure as it is there, as it is\n"
-    "computed, the difference, and whether the two agree in the digits that are printed. Where "
-    "they\n"
-    "do not, a note says why.\n"
-    "\n"
-    "  survey    Lambers 2020, survey of cube mappings, table 1\n"
-    "  optima    the same, the parameters that it calls optimal\n"
-    "  terrain   Dimitrijevic, Lambers, Rancic 2016, planet-sized terrain, table 5.1\n"
-    "  grid      Dimitrijevic et al. 2020, discrete global grids, table I\n"
-    "  s2        s2geometry, s2coords.h, the table of projections\n"
-    "\n"
-    "      --fine       finer grids for optima and terrain, a minute instead of ten seconds\n"
-    "      --markdown   as a table for documents\n"
-    "      --check      exit status 1 if a figure that should agree does not, or one agrees that\n"
-    "                   should not\n"
-    "  -h, --help       print this and stop\n";
+#include "tools/cli/catalogue_name.h"
 
 static const struct
 {
@@ -45,14 +26,60 @@ static const struct
 
 #define TABLES (sizeof tables / sizeof tables[0])
 
+/* ---- Options ---- */
+
+enum
+{
+    FINE = 1,
+    MARKDOWN,
+    CHECK
+};
+
+static const char *table_name_at(size_t index)
+{
+    return index < TABLES ? tables[index].name : NULL;
+}
+
+static const cm_option option_table[] = {
+    {.id = FINE,
+     .name = "fine",
+     .help = "finer grids for optima and terrain, a minute instead of ten seconds"},
+    {.id = MARKDOWN, .name = "markdown", .help = "as a table for documents"},
+    {.id = CHECK,
+     .name = "check",
+     .help = "exit status 1 if a figure that should agree does not, or one agrees that should not"},
+};
+
+static const cm_option_group groups[] = {
+    {NULL, option_table, sizeof option_table / sizeof *option_table}};
+
+const cm_command papers_command = {
+    .name = "cubemap-bench papers",
+    .usage = "[OPTION]... [TABLE]...",
+    .summary =
+        "Compute the tables that papers have printed, and print each figure as it is there, as it "
+        "is computed, the difference, and whether the two agree in the digits that are printed. "
+        "Where they do not, a note says why.\n\n"
+        "  survey    Lambers 2020, survey of cube mappings, table 1\n"
+        "  optima    the same, the parameters that it calls optimal\n"
+        "  terrain   Dimitrijevic, Lambers, Rancic 2016, planet-sized terrain, table 5.1\n"
+        "  grid      Dimitrijevic et al. 2020, discrete global grids, table I\n"
+        "  s2        s2geometry, s2coords.h, the table of projections\n",
+    .groups = groups,
+    .group_count = 1,
+    .operand = CM_OPTION_TEXT,
+    .choice_at = table_name_at};
+
+/* ---- Figures ---- */
+
 cm_mapping *paper_mapping(const char *specification)
 {
     cm_mapping *mapping = NULL;
     cm_status status = cm_mapping_create(specification, cm_frame_find("geo"), &mapping);
     if (status != CM_OK)
     {
-        fprintf(stderr, "%s: %s: %s\n", program_name, specification, cm_status_text(status));
-        exit(1);
+        fprintf(harness_err(), "%s: %s: %s\n", program_name, specification, cm_status_text(status));
+        harness_end();
     }
     return mapping;
 }
@@ -76,11 +103,18 @@ static int digits_of(const char *printed)
     return point == NULL ? 0 : (int)strlen(point + 1);
 }
 
+static double printed_value(const figure *f)
+{
+    double value = (double)NAN;
+    (void)cm_number_read(f->printed, strlen(f->printed), &value);
+    return value;
+}
+
 /* The difference in units of the last digit that is printed. */
 static double units_apart(const figure *f)
 {
     double last = pow(10.0, -digits_of(f->printed));
-    return fabs(f->computed - strtod(f->printed, NULL)) / last;
+    return fabs(f->computed - printed_value(f)) / last;
 }
 
 /* Does it round to what is printed, or did the paper cut, or round twice? */
@@ -116,13 +150,14 @@ static void print_figure(const figure *f, int markdown)
     int digits = is_legible(f) ? digits_of(f->printed) + 1 : 4;
     if (is_legible(f))
     {
-        double apart = f->computed - strtod(f->printed, NULL);
+        double apart = f->computed - printed_value(f);
         double least = 0.5 * pow(10.0, -digits - 1);
         snprintf(difference, sizeof difference, "%+.*f", digits + 1,
                  fabs(apart) < least ? 0.0 : apart);
     }
-    printf(markdown ? "| %s | %s | %s | %.*f | %s | %s |\n" : "%-22s %-18s %8s %10.*f %9s  %s\n",
-           f->row, f->column, f->printed, digits, f->computed, difference, verdict(f));
+    fprintf(harness_out(),
+            markdown ? "| %s | %s | %s | %.*f | %s | %s |\n" : "%-22s %-18s %8s %10.*f %9s  %s\n",
+            f->row, f->column, f->printed, digits, f->computed, difference, verdict(f));
 }
 
 /* Each note once, with a number of its own. */
@@ -137,8 +172,8 @@ static void print_notes(const table *t, int markdown)
         }
         if (j == i && t->figures[i].note != NULL)
         {
-            printf(markdown ? "\n%s, %s: %s\n" : "  %s, %s: %s\n", t->figures[i].row,
-                   t->figures[i].column, t->figures[i].note);
+            fprintf(harness_out(), markdown ? "\n%s, %s: %s\n" : "  %s, %s: %s\n",
+                    t->figures[i].row, t->figures[i].column, t->figures[i].note);
         }
     }
 }
@@ -153,10 +188,12 @@ static size_t print_table(size_t index, resolution r, int markdown)
     progress("%s", tables[index].title);
     tables[index].compute(&t, r);
     progress(NULL);
-    printf(markdown
-               ? "\n## %s\n\n| | | printed | computed | difference | |\n|---|---|---|---|---|---|\n"
-               : "\n%s\n\n%-22.0s %-18.0s  printed   computed difference\n",
-           tables[index].title, "", "");
+    fprintf(
+        harness_out(),
+        markdown
+            ? "\n## %s\n\n| | | printed | computed | difference | |\n|---|---|---|---|---|---|\n"
+            : "\n%s\n\n%-22.0s %-18.0s  printed   computed difference\n",
+        tables[index].title, "", "");
     for (size_t i = 0; i < t.count; i++)
     {
         print_figure(&t.figures[i], markdown);
@@ -164,7 +201,8 @@ static size_t print_table(size_t index, resolution r, int markdown)
         agreeing += is_legible(&t.figures[i]) && agrees(&t.figures[i]);
         bad += !is_as_expected(&t.figures[i]);
     }
-    printf("%s%zu of %zu legible figures agree.\n", markdown ? "\n" : "  ", agreeing, legible);
+    fprintf(harness_out(), "%s%zu of %zu legible figures agree.\n", markdown ? "\n" : "  ",
+            agreeing, legible);
     print_notes(&t, markdown);
     free(t.figures);
     return bad;
@@ -193,40 +231,41 @@ static int take_table(options *o, const char *name)
     return 0;
 }
 
-/* -1 to go on, or the exit status */
-static int read_options(options *o, int argc, char **argv)
+static void take_option(options *o, int id)
 {
-    static const struct option long_options[] = {{"fine", no_argument, NULL, 'f'},
-                                                 {"markdown", no_argument, NULL, 'm'},
-                                                 {"check", no_argument, NULL, 'c'},
-                                                 {"help", no_argument, NULL, 'h'},
-                                                 {NULL, 0, NULL, 0}};
-    int option;
-    while ((option = getopt_long(argc, argv, "h", long_options, NULL)) != -1)
+    switch (id)
     {
-        switch (option)
-        {
-        case 'h':
-            fputs(help, stdout);
-            return close_standard_output();
-        case 'f':
-            o->resolution = (resolution){512, 512, 8000};
-            break;
-        case 'm':
-            o->markdown = 1;
-            break;
-        case 'c':
-            o->check = 1;
-            break;
-        default:
-            return 2; /* getopt_long has said why */
-        }
+    case FINE:
+        o->resolution = (resolution){512, 512, 8000};
+        break;
+    case MARKDOWN:
+        o->markdown = 1;
+        break;
+    default:
+        o->check = 1;
+        break;
     }
-    for (int i = optind; i < argc; i++)
+}
+
+/* -1 to go on, or the exit status */
+static int read_options(options *o, int argc, char **argv, const cm_streams *streams)
+{
+    cm_option_reader reader = cm_options_begin(&papers_command, argc, argv, streams);
+    int id;
+    while ((id = cm_options_next(&reader)) > 0)
     {
-        if (!take_table(o, argv[i]))
+        take_option(o, id);
+    }
+    if (id != CM_OPTIONS_END)
+    {
+        return id == CM_OPTIONS_WRONG ? complain(&reader) : close_standard_output();
+    }
+    for (int i = 0; i < reader.operand_count; i++)
+    {
+        if (!take_table(o, reader.operands[i]))
         {
-            return usage("no table is called ", argv[i]);
+            const cm_nearest nearest = nearest_name(reader.operands[i], table_name_at);
+            return usage_of_name("no table is called ", reader.operands[i], &nearest);
         }
     }
     char why[200];
@@ -238,10 +277,10 @@ static int read_options(options *o, int argc, char **argv)
     return -1;
 }
 
-int papers(int argc, char **argv)
+int papers(int argc, char **argv, const cm_streams *streams)
 {
     options o = {.resolution = {512, 128, 4000}};
-    int status = read_options(&o, argc, argv);
+    int status = read_options(&o, argc, argv, streams);
     size_t bad = 0;
     if (status >= 0)
     {
@@ -256,7 +295,8 @@ int papers(int argc, char **argv)
     }
     if (bad > 0 && o.check)
     {
-        fprintf(stderr, "%s: %zu figures are not what they were found to be\n", program_name, bad);
+        fprintf(harness_err(), "%s: %zu figures are not what they were found to be\n", program_name,
+                bad);
     }
     return close_standard_output() != 0 || (o.check && bad > 0);
 }

@@ -1,24 +1,40 @@
 /* SPDX-License-Identifier: MIT
  *
- * How the filters say what is wrong, and end when they cannot go on.
+ * How a program says what is wrong. What ends the work is kept as a value, and said once, where the program ends.
  */
-#ifndef CUBEMAP_TOOLS_FAILURE_H
-#define CUBEMAP_TOOLS_FAILURE_H
+#ifndef TOOLS_CLI_FAILURE_H
+#define TOOLS_CLI_FAILURE_H
 
-/* cubemap-project, but for what is built with another name */
-#ifndef PROGRAM
-#define PROGRAM "cubemap-project"
-#endif
+#include <stdbool.h>
+
+#include "streams.h"
 
 /* the exit status of wrong usage; everything else is EXIT_FAILURE */
 #define EXIT_USAGE 2
 
 #define PRINTF_LIKE(position, first) __attribute__((format(printf, position, first)))
 
-/* One line to stderr; control characters in it become question marks. */
-PRINTF_LIKE(1, 2) void say(const char *format, ...);
+enum
+{
+    FAILURE_TEXT_MAX = 8192
+};
 
-/* Such a line, the program's name before it, and the end. */
-PRINTF_LIKE(2, 3) _Noreturn void die(int status, const char *format, ...);
+/* status is 0 as long as nothing is wrong. */
+typedef struct cm_failure
+{
+    int status;
+    char text[FAILURE_TEXT_MAX];
+} cm_failure;
+
+/* Keeps what is wrong, and returns false; the first failure stays. */
+PRINTF_LIKE(3, 4) bool fail(cm_failure *failure, int status, const char *format, ...);
+
+/* One line; control characters in it become question marks. */
+PRINTF_LIKE(2, 3) void say(FILE *stream, const char *format, ...);
+
+/* The end of a program: what was wrong is said, or what was written is flushed, which can fail. Returns the exit
+ * status, which is the given one where nothing was wrong. */
+int end_program(const char *program, const cm_streams *streams, const cm_failure *failure,
+                int status);
 
 #endif

@@ -29,7 +29,8 @@ void line_complain(struct line_filter *filter, size_t index, const char *format,
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    say("%s:%llu: %s", filter->name, (unsigned long long)(filter->first_line + index), text);
+    say(filter->err, "%s:%llu: %s", filter->name, (unsigned long long)(filter->first_line + index),
+        text);
     filter->any_bad = true;
 }
 
@@ -61,25 +62,33 @@ static excerpt quote_word(const char *text, const char *end)
 
 /* ------------------------------------------------------------------------------- output */
 
+/* Written by its descriptor a stream that does not wait is waited for; what has none is memory. */
 static void flush_output(struct line_filter *filter)
 {
+    const int descriptor = fileno(filter->out);
     size_t written = 0;
-    while (written < filter->output_length)
+    if (descriptor < 0)
+    {
+        fwrite(filter->output, 1, filter->output_length, filter->out);
+        written = filter->output_length;
+    }
+    while (written < filter->output_length && filter->failure->status == 0)
     {
         const ssize_t count =
-            write(STDOUT_FILENO, filter->output + written, filter->output_length - written);
+            write(descriptor, filter->output + written, filter->output_length - written);
         if (count >= 0)
         {
             written += (size_t)count;
         }
         else if (errno == EAGAIN)
         {
-            struct pollfd ready = {STDOUT_FILENO, POLLOUT, 0};
+            struct pollfd ready = {descriptor, POLLOUT, 0};
             poll(&ready, 1, -1);
         }
         else if (errno != EINTR)
         {
-            die(EXIT_FAILURE, "cannot write to standard output: %s", strerror(errno));
+            fail(filter->failure, EXIT_FAILURE, "cannot write to standard output: %s",
+                 strerror(errno));
         }
     }
     filter->output_length = 0;
@@ -281,13 +290,15 @@ static void read_input(struct line_filter *filter)
     filter->input_start = 0;
     filter->input_end = present;
 
-    struct pollfd ready = {filter->descriptor, POLLIN, 0};
-    if (filter->output_length > 0 && poll(&ready, 1, 0) <= 0)
+    struct pollfd ready = {fileno(filter->in), POLLIN, 0};
+    char *const to = filter->input + present;
+    const size_t room = sizeof filter->input - present;
+    if (filter->output_length > 0 && ready.fd >= 0 && poll(&ready, 1, 0) <= 0)
     {
         flush_output(filter);
     }
     const ssize_t count =
-        read(filter->descriptor, filter->input + present, sizeof filter->input - present);
+        ready.fd >= 0 ? read(ready.fd, to, room) : (ssize_t)fread(to, 1, room, filter->in);
     if (count >= 0)
     {
         filter->input_end += (size_t)count;
@@ -302,14 +313,15 @@ static void read_input(struct line_filter *filter)
         /* strerror's text must survive the flush */
         const int reason = errno;
         flush_output(filter);
-        die(EXIT_FAILURE, "cannot read %s: %s", filter->name, strerror(reason));
+        fail(filter->failure, EXIT_FAILURE, "cannot read %s: %s", filter->name, strerror(reason));
     }
 }
 
 bool line_filter_run(struct line_filter *filter)
 {
+    fflush(filter->out); /* what was written by the stream comes first */
     filter->first_line = 1;
-    while (!filter->at_end)
+    while (!filter->at_end && filter->failure->status == 0)
     {
         read_input(filter);
         while (take_next_line(filter))
@@ -319,5 +331,5 @@ bool line_filter_run(struct line_filter *filter)
         finish_batch(filter);
     }
     flush_output(filter);
-    return !filter->any_bad;
+    return !filter->any_bad && filter->failure->status == 0;
 }

@@ -63,11 +63,14 @@ struct line_filter
     const struct line_work *work;
     void *user;
     const char *name; /* of the input, for messages */
-    int descriptor;
-    int digits;         /* significant ones to write, 1 to 17 */
-    int count;          /* of the numbers of a line, LINE_NUMBERS_MAX at most */
-    const char *wanted; /* what they are, for messages */
-    const char *bad;    /* what stands for the result of a line that has none */
+    FILE *in; /* by whose descriptor it reads, if it has one: nothing may be in its buffer */
+    FILE *out;
+    FILE *err;
+    cm_failure *failure; /* where reading or writing fails */
+    int digits;          /* significant ones to write, 1 to 17 */
+    int count;           /* of the numbers of a line, LINE_NUMBERS_MAX at most */
+    const char *wanted;  /* what they are, for messages */
+    const char *bad;     /* what stands for the result of a line that has none */
     /* the filter's own */
     bool any_bad;
     bool skipping; /* inside a line that is too long, up to its end */
@@ -82,8 +85,8 @@ struct line_filter
     char output[OUTPUT_BYTES];
 };
 
-/* Read the descriptor to its end and write to standard output. What is wrong with a line is told on
- * stderr, with the input's name; false if any was wrong. Ends the program if input or output fail. */
+/* Read the input to its end and write the results. What is wrong with a line is told at once, with the
+ * input's name; false if any was wrong, or input or output failed. */
 bool line_filter_run(struct line_filter *filter);
 
 /* Say what is wrong with the line that has place index of the batch. */

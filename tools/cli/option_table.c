@@ -179,29 +179,9 @@ static int take_number(cm_option_reader *reader)
     return option->id;
 }
 
-/* "geo, gl or s2"; "one of" before it if there are many. */
-static void list_choices(const cm_option *option, char *text, size_t size)
-{
-    size_t count = 0;
-    size_t used = 0;
-    while (cm_option_choice_at(option, count) != NULL)
-    {
-        count++;
-    }
-    text[0] = '\0';
-    for (size_t i = 0; i < count && used < size; i++)
-    {
-        const char *const before = i == 0                       ? (count > 3 ? "one of " : "")
-                                   : i + 1 < count || count > 3 ? ", "
-                                                                : " or ";
-        used += (size_t)snprintf(text + used, size - used, "%s%s", before,
-                                 cm_option_choice_at(option, i));
-    }
-}
-
 static int take_choice(cm_option_reader *reader)
 {
-    char known[CM_OPTIONS_MESSAGE / 2];
+    char known[OPTION_TEXT_MAX];
     cm_nearest nearest = cm_nearest_to(reader->text, strlen(reader->text));
     const char *choice;
     for (size_t i = 0; (choice = cm_option_choice_at(reader->option, i)) != NULL; i++)
@@ -213,7 +193,7 @@ static int take_choice(cm_option_reader *reader)
         }
         cm_nearest_try(&nearest, choice, strlen(choice));
     }
-    list_choices(reader->option, known, sizeof known);
+    option_choices(reader->option->choices, reader->option->choice_at, known);
     cm_options_refuse(reader, known);
     cm_nearest_append(&nearest, reader->message, sizeof reader->message);
     return CM_OPTIONS_WRONG;

@@ -74,6 +74,24 @@ void option_range(const cm_option *option, char text[OPTION_RANGE_MAX])
     }
 }
 
+void option_choices(const char *const *choices, const char *(*choice_at)(size_t),
+                    char text[OPTION_TEXT_MAX])
+{
+    size_t count = 0;
+    while (option_choice(choices, choice_at, count) != NULL)
+    {
+        count++;
+    }
+    text[0] = '\0';
+    append(text, OPTION_TEXT_MAX, "%s", count > 3 ? "one of " : "");
+    const char *choice;
+    for (size_t i = 0; (choice = option_choice(choices, choice_at, i)) != NULL; i++)
+    {
+        const char *const before = i == 0 ? "" : i + 1 < count || count > 3 ? ", " : " or ";
+        append(text, OPTION_TEXT_MAX, "%s%s", before, choice);
+    }
+}
+
 /* ", 1 to 17": of a limit that is no more than a sign nothing is said. */
 static void append_range(const cm_option *option, char text[OPTION_TEXT_MAX])
 {

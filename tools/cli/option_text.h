@@ -27,6 +27,10 @@ size_t option_count(const cm_command *command);
 /* "a whole number from 1 to 17" */
 void option_range(const cm_option *option, char text[OPTION_RANGE_MAX]);
 
+/* "geo, gl or s2", "one of geo, gl, fits, s2" */
+void option_choices(const char *const *choices, const char *(*choice_at)(size_t),
+                    char text[OPTION_TEXT_MAX]);
+
 /* Help, and what the table knows: the range, the choices. The default follows, too, if that is wanted. */
 void option_help(const cm_option *option, int with_default, char text[OPTION_TEXT_MAX]);
 

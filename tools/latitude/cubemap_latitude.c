@@ -2,158 +2,217 @@
  *
  * cubemap-latitude: a filter for latitudes. Reads one of an ellipsoid's latitudes a line, writes another.
  */
-#define _POSIX_C_SOURCE 200809L
+#include "cubemap_latitude.h"
 
-#include <errno.h>
-#include <fcntl.h>
-#include <getopt.h>
 #include <math.h>
 #include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cubemap/cubemap.h>
 
-#include "tools/cli/command.h"
-#include "tools/cli/failure.h"
 #include "latitude_filter.h"
+#include "tools/cli/catalogue_name.h"
+#include "tools/cli/command.h"
+#include "tools/cli/input_file.h"
+
+static const char program[] = "cubemap-latitude";
 
 struct settings
 {
     const char *ellipsoid;
     const char *from;
-    const char *to;        /* NULL until given */
-    const char *tolerance; /* NULL for none */
-    const char *file;      /* NULL for standard input */
+    const char *to;   /* NULL until given */
+    double tolerance; /* 0 for none */
+    const char *file; /* NULL for standard input */
     bool exact;
     bool list;
+    bool printed; /* is there nothing left to do? */
     struct latitude_options filter;
 };
 
-static const char usage_text[] =
-    "Usage: " PROGRAM " [OPTION...] --to LATITUDE [FILE]\n"
-    "Convert between the latitudes of an ellipsoid: geographic, geocentric, parametric, authalic,\n"
-    "conformal, rectifying, and authalic-approximation.\n"
-    "\n"
-    "Reads one latitude a line, in degrees, and writes another. What follows the number of a "
-    "line,\n"
-    "empty lines and lines that begin with # pass through. Without FILE, or when FILE is -, it\n"
-    "reads standard input.\n"
-    "\n"
-    "  -e, --ellipsoid ELLIPSOID  a name, as WGS84 or Mars, or A,1/F, as 6378137,298.257223563,\n"
-    "                             the radius and the inverse flattening; default: WGS84\n"
-    "  -f, --from LATITUDE        what is read; default: geographic\n"
-    "  -t, --to LATITUDE          what is written\n"
-    "      --radians              read and write radians\n"
-    "      --tolerance T          take no more terms of the series than an error of T needs, in "
-    "the\n"
-    "                             unit of the latitudes; default: full double precision\n"
-    "      --exact                take closed forms, no series\n"
-    "      --digits N             write N significant digits, 1 to 17; default: 17\n"
-    "      --list                 print the ellipsoids and the latitudes\n"
-    "  -h, --help                 print this help\n"
-    "      --version              print the version\n"
-    "\n"
-    "A line that is no latitude gives 'nan', a message that names the line, and exit status 1 at\n"
-    "the end. Wrong usage gives exit status 2.\n"
-    "\n"
-    "Examples:\n"
-    "  echo 41.9 Rome | " PROGRAM " --to authalic\n"
-    "  " PROGRAM " --ellipsoid Mars --from geocentric --to geographic <latitudes.txt\n"
-    "  " PROGRAM " --ellipsoid 6378137,298.257223563 --to conformal --radians latitudes.txt\n";
+/* ------------------------------------------------------------------------------- options */
 
-static const struct option long_options[] = {
-    {"ellipsoid", required_argument, NULL, 'e'},
-    {"from", required_argument, NULL, 'f'},
-    {"to", required_argument, NULL, 't'},
-    {"radians", no_argument, NULL, 'r'},
-    {"tolerance", required_argument, NULL, 'T'},
-    {"exact", no_argument, NULL, 'x'},
-    {"digits", required_argument, NULL, 'd'},
-    {"list", no_argument, NULL, 'l'},
-    {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},
-    {NULL, 0, NULL, 0},
+enum
+{
+    ELLIPSOID = 1,
+    FROM,
+    TO,
+    RADIANS,
+    TOLERANCE,
+    EXACT,
+    DIGITS,
+    LIST
 };
 
-static void take_option(struct settings *settings, int option)
+static const cm_option options[] = {
+    {.id = ELLIPSOID,
+     .letter = 'e',
+     .name = "ellipsoid",
+     .kind = CM_OPTION_TEXT,
+     .argument = "ELLIPSOID",
+     .help =
+         "a name, as `WGS84` or `Mars`, or A,1/F, as `6378137,298.257223563`, the radius of the "
+         "equator in metres and the inverse flattening",
+     .more =
+         "`6378137,1/298.257223563` is the same, and an inverse flattening of 0 a sphere. --list "
+         "prints the names.",
+     .standard = "`WGS84`",
+     .choice_at = ellipsoid_name_at},
+    {.id = FROM,
+     .letter = 'f',
+     .name = "from",
+     .kind = CM_OPTION_TEXT,
+     .argument = "LATITUDE",
+     .help = "what is read",
+     .standard = "`geographic`",
+     .choice_at = latitude_name_at},
+    {.id = TO,
+     .letter = 't',
+     .name = "to",
+     .kind = CM_OPTION_TEXT,
+     .argument = "LATITUDE",
+     .help = "what is written",
+     .choice_at = latitude_name_at},
+    {.id = RADIANS, .name = "radians", .help = "read and write radians, not degrees"},
+    {.id = TOLERANCE,
+     .name = "tolerance",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "T",
+     .help =
+         "take no more terms of the series than an error of T needs, in the unit of the latitudes",
+     .more = "Double precision needs six on the Earth.",
+     .standard = "full double precision",
+     .low = 0.0,
+     .high = HUGE_VAL,
+     .flags = CM_OPTION_ABOVE},
+    {.id = EXACT,
+     .name = "exact",
+     .help = "take closed forms, no series",
+     .more =
+         "They are taken anyway where the flattening is beyond 1/50, and are some hundred times "
+         "slower."},
+    {.id = DIGITS,
+     .name = "digits",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "write N significant digits",
+     .more = "17 bring back every number unchanged.",
+     .standard = "17",
+     .low = 1,
+     .high = CM_NUMBER_DIGITS},
+    {.id = LIST,
+     .name = "list",
+     .help = "print the latitudes, and the ellipsoids with their sources"},
+};
+
+static const cm_option_group groups[] = {{NULL, options, sizeof options / sizeof *options}};
+
+const cm_command cm_latitude_command = {
+    .name = program,
+    .usage = "[OPTION]... --to LATITUDE [FILE]",
+    .summary =
+        "Convert between the latitudes of an ellipsoid: geographic, geocentric, parametric, "
+        "authalic, conformal, rectifying, and authalic-approximation.\n\n"
+        "Reads one latitude a line, in degrees, and writes another. What follows the number of a "
+        "line, empty lines and lines that begin with # pass through. Without FILE, or when FILE is "
+        "-, it reads standard input.",
+    .groups = groups,
+    .group_count = 1,
+    .notes =
+        "A line that is no latitude gives 'nan', a message that names the line, and exit status 1 "
+        "at the end. Wrong usage gives exit status 2.\n\n"
+        "Examples:\n"
+        "  echo 41.9 Rome | cubemap-latitude --to authalic\n"
+        "  cubemap-latitude --ellipsoid Mars --from geocentric --to geographic \\\n"
+        "      <latitudes.txt\n"
+        "  cubemap-latitude --ellipsoid 6378137,298.257223563 --to conformal --radians \\\n"
+        "      latitudes.txt\n",
+    .words = "A F",
+    .operand = CM_OPTION_FILE};
+
+static bool take_option(struct settings *settings, cm_option_reader *reader, int id,
+                        cm_failure *failure)
 {
-    switch (option)
+    switch (id)
     {
-    case 'e':
-        settings->ellipsoid = optarg;
+    case ELLIPSOID:
+        settings->ellipsoid = reader->text;
         break;
-    case 'f':
-        settings->from = optarg;
+    case FROM:
+        settings->from = reader->text;
         break;
-    case 't':
-        settings->to = optarg;
+    case TO:
+        settings->to = reader->text;
         break;
-    case 'r':
+    case RADIANS:
         settings->filter.radians = true;
         break;
-    case 'T':
-        settings->tolerance = optarg;
-        break;
-    case 'x':
+    case TOLERANCE:
+        settings->tolerance = reader->number;
+        return !isinf(reader->number) ||
+               check_usage(reader, cm_options_refuse(reader, "a number above 0"), failure);
+    case EXACT:
         settings->exact = true;
         break;
-    case 'd':
-        settings->filter.digits = parse_digits(optarg);
+    case DIGITS:
+        settings->filter.digits = (int)reader->number;
         break;
-    case 'l':
+    case LIST:
         settings->list = true;
         break;
-    case 'h':
-        print_and_exit(usage_text);
-    case 'V':
-        printf(PROGRAM " (libcubemap) %s\n", cm_version());
-        print_and_exit("");
     default:
         break;
     }
+    return true;
 }
 
-static void take_operands(struct settings *settings, int count, char **operand)
+static bool take_operands(struct settings *settings, int count, char **operand, cm_failure *failure)
 {
     if (count > 0 && settings->list)
     {
-        die(EXIT_USAGE, "--list reads no file, but '%s' is given", operand[0]);
+        return fail(failure, EXIT_USAGE, "--list reads no file, but '%s' is given", operand[0]);
     }
-    settings->file = parse_file(count, operand);
+    return take_file(count, operand, &settings->file, failure);
 }
 
-static struct settings parse_arguments(int argc, char **argv)
+/* What the options mean together. */
+static bool check_settings(const struct settings *settings, cm_failure *failure)
 {
-    struct settings settings = {
-        .ellipsoid = "WGS84", .from = "geographic", .filter = {.digits = CM_NUMBER_DIGITS}};
-    int option;
-    opterr = 0;
-    while ((option = getopt_long(argc, argv, ":e:f:t:h", long_options, NULL)) != -1)
+    if (settings->to == NULL && !settings->list)
     {
-        if (option == '?' || option == ':')
+        return fail(failure, EXIT_USAGE, "--to is missing: the latitude to write; see --list");
+    }
+    if (settings->exact && settings->tolerance != 0.0)
+    {
+        return fail(failure, EXIT_USAGE,
+                    "--tolerance has no meaning with --exact, which cuts nothing off");
+    }
+    return true;
+}
+
+static bool parse_arguments(struct settings *settings, int argc, char **argv,
+                            const cm_streams *streams, cm_failure *failure)
+{
+    cm_option_reader reader = cm_options_begin(&cm_latitude_command, argc, argv, streams);
+    int id;
+    while ((id = cm_options_next(&reader)) > 0)
+    {
+        if (!take_option(settings, &reader, id, failure))
         {
-            die_of_option(long_options, option, argv);
+            return false;
         }
-        take_option(&settings, option);
     }
-    take_operands(&settings, argc - optind, argv + optind);
-    if (settings.to == NULL && !settings.list)
-    {
-        die(EXIT_USAGE, "--to is missing: the latitude to write; see --list");
-    }
-    if (settings.exact && settings.tolerance != NULL)
-    {
-        die(EXIT_USAGE, "--tolerance has no meaning with --exact, which cuts nothing off");
-    }
-    return settings;
+    settings->printed = id == CM_OPTIONS_PRINTED;
+    return settings->printed ||
+           (check_usage(&reader, id, failure) &&
+            take_operands(settings, reader.operand_count, reader.operands, failure) &&
+            check_settings(settings, failure));
 }
 
 /* ------------------------------------------------------------------------------- the list */
 
-static void print_ellipsoid(const cm_ellipsoid *ellipsoid)
+static void print_ellipsoid(FILE *stream, const cm_ellipsoid *ellipsoid)
 {
     char inverse[CM_NUMBER_SIZE] = "";
     char radius[CM_NUMBER_SIZE];
@@ -166,88 +225,109 @@ static void print_ellipsoid(const cm_ellipsoid *ellipsoid)
     {
         cm_number_write(1.0 / ellipsoid->f, 12, inverse);
     }
-    printf("%-20s %12s  %-14s %s; %s\n", ellipsoid->identifier, radius, inverse, ellipsoid->name,
-           ellipsoid->source);
+    fprintf(stream, "%-20s %12s  %-14s %s; %s\n", ellipsoid->identifier, radius, inverse,
+            ellipsoid->name, ellipsoid->source);
 }
 
-_Noreturn static void print_list(void)
+static void print_list(FILE *stream)
 {
-    printf("Latitudes:\n");
+    fprintf(stream, "Latitudes:\n");
     for (int i = 0; i < CM_LATITUDE_COUNT; i++)
     {
-        printf("%s\n", cm_latitude_name((cm_latitude)i));
+        fprintf(stream, "%s\n", cm_latitude_name((cm_latitude)i));
     }
-    printf("\nEllipsoids: name, equatorial radius in metres, inverse flattening; source\n");
+    fprintf(stream,
+            "\nEllipsoids: name, equatorial radius in metres, inverse flattening; source\n");
     for (size_t i = 0; i < cm_ellipsoid_count(); i++)
     {
-        print_ellipsoid(cm_ellipsoid_at(i));
+        print_ellipsoid(stream, cm_ellipsoid_at(i));
     }
-    print_and_exit("");
 }
 
-/* ------------------------------------------------------------------------------- main */
+/* ------------------------------------------------------------------------------- program */
 
-/* In radians; 0 for none. */
-static double find_tolerance(const struct settings *settings)
+static bool take_ellipsoid(const char *text, cm_ellipsoid *ellipsoid, cm_failure *failure)
+{
+    char message[256];
+    const cm_nearest nearest = nearest_name(text, ellipsoid_name_at);
+    if (cm_ellipsoid_parse(text, ellipsoid, message, sizeof message) == CM_OK)
+    {
+        return true;
+    }
+    if (nearest.best == NULL)
+    {
+        return fail(failure, EXIT_USAGE, "--ellipsoid: %s; see --list", message);
+    }
+    return fail_nearest(failure, &nearest, "--ellipsoid: %s", message);
+}
+
+static bool create_conversion(const struct settings *settings, const cm_ellipsoid *ellipsoid,
+                              cm_latitude_conversion **conversion, cm_failure *failure)
 {
     const double degree = 0.017453292519943295;
-    double value;
-    if (settings->tolerance == NULL)
-    {
-        return 0.0;
-    }
-    if (!cm_number_parse(settings->tolerance, strlen(settings->tolerance), &value) || !(value > 0.0) || isinf(value))
-    {
-        die(EXIT_USAGE, "--tolerance is '%s', not a number above 0", settings->tolerance);
-    }
-    return settings->filter.radians ? value : value * degree;
-}
-
-static cm_latitude_conversion *create_conversion(const struct settings *settings,
-                                                 const cm_ellipsoid *ellipsoid)
-{
     char message[256];
-    const cm_latitude_options options = {
-        .size = sizeof options, .tolerance = find_tolerance(settings), .exact = settings->exact};
-    const cm_latitude from = parse_latitude("--from", settings->from);
-    const cm_latitude to = parse_latitude("--to", settings->to);
-    cm_latitude_conversion *conversion = NULL;
+    const double unit = settings->filter.radians ? 1.0 : degree;
+    const cm_latitude_options series = {
+        .size = sizeof series, .tolerance = settings->tolerance * unit, .exact = settings->exact};
+    cm_latitude from;
+    cm_latitude to;
+    if (!take_latitude("--from", settings->from, &from, failure) ||
+        !take_latitude("--to", settings->to, &to, failure))
+    {
+        return false;
+    }
     if (cm_instructions_check(NULL, message, sizeof message) != CM_OK)
     {
-        die(EXIT_FAILURE, "%s", message);
+        return fail(failure, EXIT_FAILURE, "%s", message);
     }
     const cm_status status =
-        cm_latitude_conversion_create(ellipsoid, from, to, &options, &conversion);
-    if (status != CM_OK)
-    {
-        die(EXIT_FAILURE, "%s to %s: %s", settings->from, settings->to, cm_status_text(status));
-    }
-    return conversion;
+        cm_latitude_conversion_create(ellipsoid, from, to, &series, conversion);
+    return status == CM_OK || fail(failure, EXIT_FAILURE, "%s to %s: %s", settings->from,
+                                   settings->to, cm_status_text(status));
 }
 
-int main(int argc, char **argv)
+static bool convert(const struct settings *settings, const cm_streams *streams, cm_failure *failure)
 {
-    const struct settings settings = parse_arguments(argc, argv);
-    char message[256];
     cm_ellipsoid ellipsoid;
-    if (settings.list)
+    cm_latitude_conversion *conversion = NULL;
+    bool all_good = false;
+    if (take_ellipsoid(settings->ellipsoid, &ellipsoid, failure) &&
+        create_conversion(settings, &ellipsoid, &conversion, failure))
     {
-        print_list();
+        const bool has_file = settings->file != NULL;
+        FILE *const in = has_file ? open_input(settings->file, failure) : streams->in;
+        const cm_streams files = {in, streams->out, streams->err};
+        all_good = in != NULL && filter_latitudes(&settings->filter, &ellipsoid, conversion, &files,
+                                                  has_file ? settings->file : "<stdin>", failure);
+        if (has_file && in != NULL)
+        {
+            fclose(in);
+        }
     }
-    if (cm_ellipsoid_parse(settings.ellipsoid, &ellipsoid, message, sizeof message) != CM_OK)
-    {
-        die(EXIT_USAGE, "--ellipsoid: %s; see --list", message);
-    }
-    cm_latitude_conversion *const conversion = create_conversion(&settings, &ellipsoid);
-    const char *const name = settings.file != NULL ? settings.file : "<stdin>";
-    const int descriptor = settings.file != NULL ? open(settings.file, O_RDONLY) : STDIN_FILENO;
-    if (descriptor < 0)
-    {
-        die(EXIT_FAILURE, "cannot open %s: %s", name, strerror(errno));
-    }
-    const bool all_good =
-        filter_latitudes(&settings.filter, &ellipsoid, conversion, descriptor, name);
-    close_standard_output();
     cm_latitude_conversion_destroy(conversion);
-    return all_good ? EXIT_SUCCESS : EXIT_FAILURE;
+    return all_good;
+}
+
+static bool run(const struct settings *settings, const cm_streams *streams, cm_failure *failure)
+{
+    if (settings->printed)
+    {
+        return true;
+    }
+    if (settings->list)
+    {
+        print_list(streams->out);
+        return true;
+    }
+    return convert(settings, streams, failure);
+}
+
+int cm_latitude_main(int argc, char **argv, const cm_streams *streams)
+{
+    struct settings settings = {
+        .ellipsoid = "WGS84", .from = "geographic", .filter = {.digits = CM_NUMBER_DIGITS}};
+    cm_failure failure = {.status = 0};
+    const bool good = parse_arguments(&settings, argc, argv, streams, &failure) &&
+                      run(&settings, streams, &failure);
+    return end_program(program, streams, &failure, good ? EXIT_SUCCESS : EXIT_FAILURE);
 }

@@ -122,12 +122,13 @@ static const struct line_work work = {.clear = clear_latitude,
                                       .put = put_latitude};
 
 bool filter_latitudes(const struct latitude_options *options, const cm_ellipsoid *ellipsoid,
-                      const cm_latitude_conversion *conversion, int descriptor, const char *name)
+                      const cm_latitude_conversion *conversion, const cm_streams *streams,
+                      const char *name, cm_failure *failure)
 {
     struct filter *const filter = calloc(1, sizeof *filter);
     if (filter == NULL)
     {
-        die(EXIT_FAILURE, "no memory");
+        return fail(failure, EXIT_FAILURE, "no memory");
     }
     filter->options = options;
     filter->conversion = conversion;
@@ -135,7 +136,10 @@ bool filter_latitudes(const struct latitude_options *options, const cm_ellipsoid
     filter->lines.work = &work;
     filter->lines.user = filter;
     filter->lines.name = name;
-    filter->lines.descriptor = descriptor;
+    filter->lines.in = streams->in;
+    filter->lines.out = streams->out;
+    filter->lines.err = streams->err;
+    filter->lines.failure = failure;
     filter->lines.digits = options->digits;
     filter->lines.count = 1;
     filter->lines.wanted = options->radians ? "a LATITUDE in radians" : "a LATITUDE in degrees";

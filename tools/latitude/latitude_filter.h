@@ -9,6 +9,8 @@
 
 #include <cubemap/latitude.h>
 
+#include "tools/cli/failure.h"
+
 struct latitude_options
 {
     int digits;   /* significant ones to write, 1 to 17 */
@@ -20,9 +22,10 @@ struct latitude_options
 void latitude_degrees(const cm_latitude_conversion *conversion, double flattening, size_t n,
                       double *latitude);
 
-/* Read the descriptor to its end and write to standard output. What is wrong with a line is told on
- * stderr, with the input's name; false if any was wrong. Ends the program if input or output fail. */
+/* Read the input to its end and write the results. What is wrong with a line is told at once, with the
+ * input's name; false if any was wrong, or after a failure. */
 bool filter_latitudes(const struct latitude_options *options, const cm_ellipsoid *ellipsoid,
-                      const cm_latitude_conversion *conversion, int descriptor, const char *name);
+                      const cm_latitude_conversion *conversion, const cm_streams *streams,
+                      const char *name, cm_failure *failure);
 
 #endif

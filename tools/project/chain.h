@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 #include "point_filter.h"
+#include "tools/cli/failure.h"
 
 /* The options' arguments, NULL for those that are not given. */
 struct chain_words
@@ -32,8 +33,10 @@ struct chain
     int level; /* of cells */
 };
 
-/* Ends the program with a message if the words are wrong or do not fit together. */
-struct chain chain_create(const struct chain_words *words, bool single);
+/* False after a failure, if the words are wrong or do not fit together. In either case the chain, which is zeros at
+ * first, is to be destroyed. */
+bool chain_create(const struct chain_words *words, bool single, struct chain *chain,
+                  cm_failure *failure);
 
 void chain_destroy(struct chain *chain);
 

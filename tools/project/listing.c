@@ -8,7 +8,6 @@
 
 #include <cubemap/cubemap.h>
 
-
 /* What a mapping maps: a word for programs, a heading, and the room that names need. */
 static const struct
 {

@@ -558,13 +558,13 @@ static const struct line_work work_on_words = {.clear = clear_point,
 /* So many nan. */
 static const char *const no_numbers[] = {"", "nan", "nan nan", "nan nan nan"};
 
-bool filter_points(const struct filter_options *options, const cm_mapping *mapping, int descriptor,
-                   const char *name)
+bool filter_points(const struct filter_options *options, const cm_mapping *mapping,
+                   const cm_streams *streams, const char *name, cm_failure *failure)
 {
     struct filter *const filter = calloc(1, sizeof *filter);
     if (filter == NULL)
     {
-        die(EXIT_FAILURE, "no memory");
+        return fail(failure, EXIT_FAILURE, "no memory");
     }
     filter->options = options;
     filter->mapping = mapping;
@@ -573,7 +573,10 @@ bool filter_points(const struct filter_options *options, const cm_mapping *mappi
     filter->lines.work = words ? &work_on_words : &work_on_numbers;
     filter->lines.user = filter;
     filter->lines.name = name;
-    filter->lines.descriptor = descriptor;
+    filter->lines.in = streams->in;
+    filter->lines.out = streams->out;
+    filter->lines.err = streams->err;
+    filter->lines.failure = failure;
     filter->lines.digits = options->digits;
     filter->lines.count = forms[filter->from].count;
     filter->lines.wanted = forms[filter->from].text;

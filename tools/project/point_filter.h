@@ -12,6 +12,8 @@
 #include <cubemap/healpix.h>
 #include <cubemap/mapping.h>
 
+#include "tools/cli/failure.h"
+
 struct filter_options
 {
     int digits;          /* significant ones to write, 1 to 17 */
@@ -25,9 +27,9 @@ struct filter_options
     const cm_healpix *pixels;
 };
 
-/* Read the descriptor to its end and write to standard output. What is wrong with a line is told on
- * stderr, with the input's name; false if any was wrong. Ends the program if input or output fail. */
-bool filter_points(const struct filter_options *options, const cm_mapping *mapping, int descriptor,
-                   const char *name);
+/* Read the input to its end and write the results. What is wrong with a line is told at once, with the
+ * input's name; false if any was wrong, or after a failure. */
+bool filter_points(const struct filter_options *options, const cm_mapping *mapping,
+                   const cm_streams *streams, const char *name, cm_failure *failure);
 
 #endif

@@ -3,24 +3,22 @@
  * cubemap-project: a filter for points. Reads lon lat or x y z, writes face u v, or for mappings of one
  * face u v or x y; -I inverts.
  */
-#define _POSIX_C_SOURCE 200809L
+#include "project.h"
 
-#include <errno.h>
-#include <fcntl.h>
-#include <getopt.h>
 #include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cubemap/cubemap.h>
 
 #include "chain.h"
+#include "tools/cli/catalogue_name.h"
 #include "tools/cli/command.h"
-#include "tools/cli/failure.h"
+#include "tools/cli/input_file.h"
 #include "listing.h"
 #include "point_filter.h"
+
+static const char program[] = "cubemap-project";
 
 typedef enum listing
 {
@@ -37,229 +35,354 @@ struct settings
     const char *output;
     struct filter_options filter; /* digits is 0 until known */
     listing list;
+    bool printed; /* is there nothing left to do? */
 };
 
 /* ------------------------------------------------------------------------------- options */
 
-static const char usage_text[] =
-    "Usage: " PROGRAM " [OPTION...] [FILE]\n"
-    "Project points from the sphere to the six faces of a cube, to a disc or to a square, or "
-    "back.\n"
-    "\n"
-    "Reads lines 'LON LAT' in degrees and writes lines 'FACE U V', FACE from 0 to 5, U and V\n"
-    "from -1 to 1; with -I reads 'FACE U V' and writes 'LON LAT'. Mappings of one face have none\n"
-    "to write: what is on the plane is 'U V' for azimuthal ones, which map to the unit disc, and\n"
-    "'X Y' for layouts, which map to one square; square:NAME maps the disc's 'U V' to the\n"
-    "square's 'X Y'. What follows the numbers of a line, empty lines and lines that begin with #\n"
-    "pass through. Without FILE, or when FILE is -, it reads standard input.\n"
-    "\n"
-    "  -m, --mapping MAPPING   NAME, NAME:PRESET or NAME:PARAMETER=VALUE[,...]; "
-    "default: " CM_MAPPING_RECOMMENDED "\n"
-    "      --frame FRAME       numbering and axes of the faces: geo, gl, fits or s2; default: geo\n"
-    "      --ellipsoid E       LON LAT are geographic on it: WGS84, Moon... or A,1/F, the radius "
-    "of\n"
-    "                          the equator in metres and the inverse flattening; default: a "
-    "sphere\n"
-    "      --latitude NAME     of the mapping's sphere: geographic, geocentric, parametric,\n"
-    "                          authalic, conformal, rectifying or authalic-approximation; "
-    "default:\n"
-    "                          conformal if the mapping is conformal, else authalic\n"
-    "      --rotate LON,LAT[,ROLL]\n"
-    "                          turn the cube, so that its front looks to LON,LAT in degrees, and "
-    "by\n"
-    "                          ROLL about that; or the name of an orientation, see --list\n"
-    "      --cell LEVEL[:CURVE]\n"
-    "                          instead of FACE U V the token of the cell of level 0 to 30, in the\n"
-    "                          order of the curve hilbert (the default) or morton; -I gives "
-    "centres\n"
-    "      --healpix NSIDE[:ORDER]\n"
-    "                          instead of FACE U V the HEALPix pixel, in the order ring (the "
-    "default)\n"
-    "                          or nest; -I gives centres\n"
-    "  -I, --inverse           from faces, disc or square to the sphere, or from square to disc\n"
-    "      --input FORM        what to read: lonlat (the default) or xyz, of any length\n"
-    "      --output FORM       what -I writes: lonlat (the default) or xyz, of length 1\n"
-    "      --float             compute in single precision\n"
-    "      --digits N          write N significant digits, 1 to 17; default: 17, with --float 9\n"
-    "      --list[=json]       print the mappings, frames, ellipsoids, latitudes and orientations, "
-    "for\n"
-    "                          people or for programs\n"
-    "  -h, --help              print this help\n"
-    "      --version           print the version\n"
-    "\n"
-    "A line that is no point, or none of the map, gives 'nan' for each number, a message that\n"
-    "names the line, and exit status 1 at the end. Wrong usage gives exit status 2.\n"
-    "\n"
-    "Examples:\n"
-    "  echo 12.5 41.9 Rome | " PROGRAM "\n"
-    "  " PROGRAM " -m tangent:c=1.1823 --frame gl points.txt >faces.txt\n"
-    "  " PROGRAM " -m azimuthal:equidistant:fov=220,lon=10,lat=50 points.txt\n"
-    "  " PROGRAM " -m quincuncial:stereographic,conformal points.txt\n"
-    "  " PROGRAM " -m qsc --ellipsoid WGS84 --rotate land-edges --cell 12 points.txt\n"
-    "  " PROGRAM " --healpix 1024:nest stars.txt\n";
-
-static const struct option long_options[] = {
-    {"mapping", required_argument, NULL, 'm'},  {"frame", required_argument, NULL, 'f'},
-    {"inverse", no_argument, NULL, 'I'},        {"input", required_argument, NULL, 'i'},
-    {"output", required_argument, NULL, 'o'},   {"float", no_argument, NULL, 's'},
-    {"digits", required_argument, NULL, 'd'},   {"ellipsoid", required_argument, NULL, 'E'},
-    {"latitude", required_argument, NULL, 'L'}, {"rotate", required_argument, NULL, 'R'},
-    {"cell", required_argument, NULL, 'C'},     {"healpix", required_argument, NULL, 'H'},
-    {"list", optional_argument, NULL, 'l'},     {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},        {NULL, 0, NULL, 0},
+enum
+{
+    MAPPING = 1,
+    FRAME,
+    ELLIPSOID,
+    LATITUDE,
+    ROTATE,
+    CELL,
+    HEALPIX,
+    INVERSE,
+    INPUT,
+    OUTPUT,
+    FLOAT,
+    DIGITS,
+    LIST
 };
 
-static listing parse_listing(const char *form)
+static const char *const direction_forms[] = {"lonlat", "xyz", NULL};
+static const char *const list_forms[] = {"json", NULL};
+
+static const cm_option options[] = {
+    {.id = MAPPING,
+     .letter = 'm',
+     .name = "mapping",
+     .kind = CM_OPTION_TEXT,
+     .argument = "MAPPING",
+     .help = "the mapping between sphere and faces, disc or square, as NAME, NAME:PRESET or "
+             "NAME:PARAMETER=VALUE[,...]",
+     .more =
+         "For example `algebraic`, `difference:mild`, `tangent:c=1.1823` or "
+         "`azimuthal:equidistant:fov=220,lon=10,lat=50`. A preset is a name for values of all the "
+         "parameters. --list prints the names, of which `" CM_MAPPING_RECOMMENDED
+         "` is the recommended one.",
+     .standard = "`" CM_MAPPING_RECOMMENDED "`",
+     .choice_at = mapping_name_at},
+    {.id = FRAME,
+     .name = "frame",
+     .kind = CM_OPTION_TEXT,
+     .argument = "FRAME",
+     .help = "numbering and axes of the faces: `geo`, `gl`, `fits` or `s2`",
+     .more =
+         "`geo` is front, right, back, left, top, bottom; `gl` the cube map of OpenGL, Vulkan "
+         "and Direct3D; `fits` that of FITS WCS paper II; `s2` has the faces of the S2 library. "
+         "Only for mappings to six faces.",
+     .standard = "`geo`",
+     .choice_at = frame_name_at},
+    {.id = ELLIPSOID,
+     .name = "ellipsoid",
+     .kind = CM_OPTION_TEXT,
+     .argument = "ELLIPSOID",
+     .help = "LON LAT are geographic coordinates on this ellipsoid, X Y Z its normals: `WGS84`, "
+             "`Moon` or another name of --list, or A,1/F, the radius of the equator in metres and "
+             "the inverse flattening",
+     .more = "As `6378137,298.257223563`; an inverse flattening of 0 is a sphere.",
+     .standard = "a sphere",
+     .choice_at = ellipsoid_name_at},
+    {.id = LATITUDE,
+     .name = "latitude",
+     .kind = CM_OPTION_TEXT,
+     .argument = "LATITUDE",
+     .help = "the auxiliary latitude that makes a sphere of the ellipsoid: `geographic`, "
+             "`geocentric`, `parametric`, `authalic`, `conformal`, `rectifying` or "
+             "`authalic-approximation`",
+     .more =
+         "With the conformal one a conformal mapping stays conformal on the ellipsoid; with the "
+         "authalic one equal-area mappings keep areas. Without --ellipsoid it is one of WGS84.",
+     .standard = "conformal if the mapping is conformal, else authalic",
+     .choice_at = latitude_name_at},
+    {.id = ROTATE,
+     .name = "rotate",
+     .kind = CM_OPTION_TEXT,
+     .argument = "LON,LAT[,ROLL]",
+     .help = "turn the cube, disc or square, so that its front looks to LON,LAT in degrees, and by "
+             "ROLL about that; or the name of an orientation, see --list",
+     .more =
+         "LON and LAT are in the mapping's sphere, where the front is +x; ROLL is anticlockwise "
+         "seen from outside. The orientations that have a name suit the land; `cubemap-orient` "
+         "finds others.",
+     .choice_at = orientation_name_at},
+    {.id = CELL,
+     .name = "cell",
+     .kind = CM_OPTION_TEXT,
+     .argument = "LEVEL[:CURVE]",
+     .help =
+         "instead of FACE U V the token of the cell of level 0 to 30, in the order of the curve "
+         "`hilbert` (the default) or `morton`; -I gives centres",
+     .more =
+         "Level 0 is a face, level 30 some 9 mm. With -I it reads tokens, of any level. With `-m "
+         "s2 --frame s2` the tokens are those of the S2 library."},
+    {.id = HEALPIX,
+     .name = "healpix",
+     .kind = CM_OPTION_TEXT,
+     .argument = "NSIDE[:ORDER]",
+     .help = "instead of FACE U V the number of the HEALPix pixel, in the order `ring` (the "
+             "default) or `nest`; -I gives centres",
+     .more =
+         "NSIDE is from 1 to 536870912, in the order `nest` a power of two. LON is HEALPix's: 0 "
+         "is on the edge of its base pixels."},
+    {.id = INVERSE,
+     .letter = 'I',
+     .name = "inverse",
+     .help = "from faces, disc or square to the sphere, or from square to disc"},
+    {.id = INPUT,
+     .name = "input",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "FORM",
+     .help = "what to read: `lonlat`, in degrees, or `xyz`, of any length",
+     .more = "Neither with -I nor with `square:`.",
+     .standard = "`lonlat`",
+     .choices = direction_forms,
+     .flags = CM_OPTION_TOLD},
+    {.id = OUTPUT,
+     .name = "output",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "FORM",
+     .help = "what to write with -I: `lonlat`, in degrees, or `xyz`, of length 1",
+     .more = "Not with `square:`.",
+     .standard = "`lonlat`",
+     .choices = direction_forms,
+     .flags = CM_OPTION_TOLD},
+    {.id = FLOAT,
+     .name = "float",
+     .help = "compute in single precision",
+     .more = "Longitudes and latitudes are still converted in double precision."},
+    {.id = DIGITS,
+     .name = "digits",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "write N significant digits",
+     .more = "17 bring back every number unchanged; 9 do so for single precision.",
+     .standard = "17, with --float 9",
+     .low = 1,
+     .high = CM_NUMBER_DIGITS},
+    {.id = LIST,
+     .name = "list",
+     .kind = CM_OPTION_TEXT,
+     .argument = "json",
+     .help =
+         "print the mappings, frames, ellipsoids, latitudes and orientations, for people or for "
+         "programs",
+     .more =
+         "Mappings come with their properties, parameters and sources; as JSON, with the bounds "
+         "on their errors, too.",
+     .choices = list_forms,
+     .flags = CM_OPTION_OPTIONAL},
+};
+
+static const cm_option_group groups[] = {{NULL, options, sizeof options / sizeof *options}};
+
+const cm_command cm_project_command = {
+    .name = program,
+    .usage = "[OPTION]... [FILE]",
+    .summary =
+        "Project points from the sphere to the six faces of a cube, to a disc or to a square, or "
+        "back.\n\n"
+        "Reads lines 'LON LAT' in degrees and writes lines 'FACE U V', FACE from 0 to 5, U and V "
+        "from -1 to 1; with -I reads 'FACE U V' and writes 'LON LAT'. Mappings of one face have "
+        "none to write: what is on the plane is 'U V' for azimuthal ones, which map to the unit "
+        "disc, and 'X Y' for layouts, which map to one square; square:NAME maps the disc's 'U V' "
+        "to the square's 'X Y'. What follows the numbers of a line, empty lines and lines that "
+        "begin with # pass through. Without FILE, or when FILE is -, it reads standard input.",
+    .groups = groups,
+    .group_count = 1,
+    .notes =
+        "A line that is no point, or none of the map, gives 'nan' for each number, a message that "
+        "names the line, and exit status 1 at the end. Wrong usage gives exit status 2.\n\n"
+        "Examples:\n"
+        "  echo 12.5 41.9 Rome | cubemap-project\n"
+        "  cubemap-project -m tangent:c=1.1823 --frame gl points.txt >faces.txt\n"
+        "  cubemap-project -m azimuthal:equidistant:fov=220,lon=10,lat=50 points.txt\n"
+        "  cubemap-project -m quincuncial:stereographic,conformal points.txt\n"
+        "  cubemap-project -m qsc --ellipsoid WGS84 --rotate land-edges --cell 12 \\\n"
+        "      points.txt\n"
+        "  cubemap-project --healpix 1024:nest stars.txt\n",
+    .words = "LON LAT X Y Z FACE U V NAME PRESET PARAMETER VALUE A F",
+    .operand = CM_OPTION_FILE};
+
+static bool take_listing(const char *form, listing *list, cm_failure *failure)
 {
     if (form != NULL && strcmp(form, "json") != 0)
     {
-        die(EXIT_USAGE, "--list is '%s': it is --list or --list=json", form);
+        return fail(failure, EXIT_USAGE, "--list is '%s': it is --list or --list=json", form);
     }
-    return form != NULL ? LISTING_JSON : LISTING_TABLE;
+    *list = form != NULL ? LISTING_JSON : LISTING_TABLE;
+    return true;
 }
 
-static void take_option(struct settings *settings, int option)
+/* Where the text of an option goes that is looked at later. */
+static const char **word_of(struct settings *settings, int id)
 {
-    switch (option)
+    struct chain_words *const words = &settings->words;
+    switch (id)
     {
-    case 'm':
-        settings->words.mapping = optarg;
-        break;
-    case 'f':
-        settings->words.frame = optarg;
-        break;
-    case 'I':
-        settings->filter.inverse = true;
-        break;
-    case 'i':
-        settings->input = optarg;
-        break;
-    case 'o':
-        settings->output = optarg;
-        break;
-    case 's':
-        settings->filter.single = true;
-        break;
-    case 'd':
-        settings->filter.digits = parse_digits(optarg);
-        break;
-    case 'E':
-        settings->words.ellipsoid = optarg;
-        break;
-    case 'L':
-        settings->words.latitude = optarg;
-        break;
-    case 'R':
-        settings->words.rotation = optarg;
-        break;
-    case 'C':
-        settings->words.cell = optarg;
-        break;
-    case 'H':
-        settings->words.healpix = optarg;
-        break;
-    case 'l':
-        settings->list = parse_listing(optarg);
-        break;
-    case 'h':
-        print_and_exit(usage_text);
-    case 'V':
-        printf(PROGRAM " (libcubemap) %s\n", cm_version());
-        print_and_exit("");
+    case MAPPING:
+        return &words->mapping;
+    case FRAME:
+        return &words->frame;
+    case ELLIPSOID:
+        return &words->ellipsoid;
+    case LATITUDE:
+        return &words->latitude;
+    case ROTATE:
+        return &words->rotation;
+    case CELL:
+        return &words->cell;
+    case HEALPIX:
+        return &words->healpix;
+    case INPUT:
+        return &settings->input;
+    case OUTPUT:
+        return &settings->output;
     default:
-        break;
+        return NULL;
     }
 }
 
-/* lonlat or xyz? */
-static bool parse_form(const char *option, const char *form)
+static bool take_option(struct settings *settings, const cm_option_reader *reader, int id,
+                        cm_failure *failure)
 {
-    if (form != NULL && strcmp(form, "lonlat") != 0 && strcmp(form, "xyz") != 0)
+    switch (id)
     {
-        die(EXIT_USAGE, "%s is '%s', not lonlat or xyz", option, form);
+    case INVERSE:
+        settings->filter.inverse = true;
+        return true;
+    case FLOAT:
+        settings->filter.single = true;
+        return true;
+    case DIGITS:
+        settings->filter.digits = (int)reader->number;
+        return true;
+    case LIST:
+        return take_listing(reader->text, &settings->list, failure);
+    default:
+        *word_of(settings, id) = reader->text;
+        return true;
     }
-    return form != NULL && strcmp(form, "xyz") == 0;
 }
 
-static void take_operands(struct settings *settings, int count, char **operand)
+static bool take_operands(struct settings *settings, int count, char **operand, cm_failure *failure)
 {
     if (count > 0 && settings->list != LISTING_NONE)
     {
-        die(EXIT_USAGE, "--list reads no file, but '%s' is given (--list=json has no blank)",
-            operand[0]);
+        return fail(failure, EXIT_USAGE,
+                    "--list reads no file, but '%s' is given (--list=json has no blank)",
+                    operand[0]);
     }
-    settings->file = parse_file(count, operand);
+    return take_file(count, operand, &settings->file, failure);
 }
 
-static struct settings parse_arguments(int argc, char **argv)
+/* What the options mean together. */
+static bool complete_settings(struct settings *settings, cm_failure *failure)
+{
+    if (settings->filter.inverse && settings->input != NULL)
+    {
+        return fail(failure, EXIT_USAGE,
+                    "--input has no meaning with -I, which reads points of the plane");
+    }
+    if (!settings->filter.inverse && settings->output != NULL)
+    {
+        return fail(failure, EXIT_USAGE,
+                    "--output has no meaning without -I: points of the plane are written");
+    }
+    const char *const form = settings->input != NULL ? settings->input : settings->output;
+    settings->words.form = settings->input != NULL    ? "--input"
+                           : settings->output != NULL ? "--output"
+                                                      : NULL;
+    settings->filter.xyz = form != NULL && strcmp(form, "xyz") == 0;
+    if (settings->filter.digits == 0)
+    {
+        settings->filter.digits = settings->filter.single ? 9 : CM_NUMBER_DIGITS;
+    }
+    return true;
+}
+
+static bool parse_arguments(struct settings *settings, int argc, char **argv,
+                            const cm_streams *streams, cm_failure *failure)
+{
+    cm_option_reader reader = cm_options_begin(&cm_project_command, argc, argv, streams);
+    int id;
+    while ((id = cm_options_next(&reader)) > 0)
+    {
+        if (!take_option(settings, &reader, id, failure))
+        {
+            return false;
+        }
+    }
+    settings->printed = id == CM_OPTIONS_PRINTED;
+    return settings->printed ||
+           (check_usage(&reader, id, failure) &&
+            take_operands(settings, reader.operand_count, reader.operands, failure) &&
+            complete_settings(settings, failure));
+}
+
+/* ------------------------------------------------------------------------------- program */
+
+static bool project(struct settings *settings, const cm_streams *streams, cm_failure *failure)
+{
+    struct chain chain = {.mapping = NULL};
+    bool all_good = false;
+    if (chain_create(&settings->words, settings->filter.single, &chain, failure))
+    {
+        settings->filter.grid = chain.grid;
+        settings->filter.cells = chain.cells;
+        settings->filter.level = chain.level;
+        settings->filter.pixels = chain.pixels;
+        const bool has_file = settings->file != NULL;
+        FILE *const in = has_file ? open_input(settings->file, failure) : streams->in;
+        const cm_streams files = {in, streams->out, streams->err};
+        all_good = in != NULL && filter_points(&settings->filter, chain.mapping, &files,
+                                               has_file ? settings->file : "<stdin>", failure);
+        if (has_file && in != NULL)
+        {
+            fclose(in);
+        }
+    }
+    chain_destroy(&chain);
+    return all_good;
+}
+
+static bool run(struct settings *settings, const cm_streams *streams, cm_failure *failure)
+{
+    if (settings->printed)
+    {
+        return true;
+    }
+    switch (settings->list)
+    {
+    case LISTING_TABLE:
+        listing_write_table(streams->out);
+        return true;
+    case LISTING_JSON:
+        listing_write_json(streams->out);
+        return true;
+    default:
+        return project(settings, streams, failure);
+    }
+}
+
+int cm_project_main(int argc, char **argv, const cm_streams *streams)
 {
     struct settings settings = {.list = LISTING_NONE};
-    int option;
-    opterr = 0;
-    while ((option = getopt_long(argc, argv, ":m:Ih", long_options, NULL)) != -1)
-    {
-        if (option == '?' || option == ':')
-        {
-            die_of_option(long_options, option, argv);
-        }
-        take_option(&settings, option);
-    }
-    take_operands(&settings, argc - optind, argv + optind);
-    if (settings.filter.inverse && settings.input != NULL)
-    {
-        die(EXIT_USAGE, "--input has no meaning with -I, which reads points of the plane");
-    }
-    if (!settings.filter.inverse && settings.output != NULL)
-    {
-        die(EXIT_USAGE, "--output has no meaning without -I: points of the plane are written");
-    }
-    settings.words.form = settings.input != NULL    ? "--input"
-                          : settings.output != NULL ? "--output"
-                                                    : NULL;
-    settings.filter.xyz =
-        parse_form("--input", settings.input) || parse_form("--output", settings.output);
-    if (settings.filter.digits == 0)
-    {
-        settings.filter.digits = settings.filter.single ? 9 : CM_NUMBER_DIGITS;
-    }
-    return settings;
-}
-
-/* ------------------------------------------------------------------------------- main */
-
-_Noreturn static void print_listing(listing form)
-{
-    if (form == LISTING_JSON)
-    {
-        listing_write_json(stdout);
-    }
-    else
-    {
-        listing_write_table(stdout);
-    }
-    print_and_exit("");
-}
-
-int main(int argc, char **argv)
-{
-    struct settings settings = parse_arguments(argc, argv);
-    if (settings.list != LISTING_NONE)
-    {
-        print_listing(settings.list);
-    }
-    struct chain chain = chain_create(&settings.words, settings.filter.single);
-    settings.filter.grid = chain.grid;
-    settings.filter.cells = chain.cells;
-    settings.filter.level = chain.level;
-    settings.filter.pixels = chain.pixels;
-    const char *const name = settings.file != NULL ? settings.file : "<stdin>";
-    const int descriptor = settings.file != NULL ? open(settings.file, O_RDONLY) : STDIN_FILENO;
-    if (descriptor < 0)
-    {
-        die(EXIT_FAILURE, "cannot open %s: %s", name, strerror(errno));
-    }
-    const bool all_good = filter_points(&settings.filter, chain.mapping, descriptor, name);
-    close_standard_output();
-    chain_destroy(&chain);
-    return all_good ? EXIT_SUCCESS : EXIT_FAILURE;
+    cm_failure failure = {.status = 0};
+    const bool good = parse_arguments(&settings, argc, argv, streams, &failure) &&
+                      run(&settings, streams, &failure);
+    return end_program(program, streams, &failure, good ? EXIT_SUCCESS : EXIT_FAILURE);
 }
