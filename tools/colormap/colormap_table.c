@@ -82,4 +82,5 @@ const cm_command cm_colormap_command = {
              "  cubemap-colormap diverging --test-pattern --size 768x160 -o diverging.png\n"
              "  cubemap-colormap qualitative --samples 6 --format gimp",
     .operand = CM_OPTION_TEXT,
-    .choice_at = colormap_name_at};
+    .choice_at = colormap_name_at,
+    .bare_version = 1};

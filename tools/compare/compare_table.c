@@ -44,4 +44,5 @@ const cm_command cm_compare_command = {
     .group_count = 1,
     .notes = "Example:\n"
              "  cubemap-compare --max-rmse 2.5 earth.png earth-again.png",
-    .operand = CM_OPTION_FILE};
+    .operand = CM_OPTION_FILE,
+    .bare_version = 1};

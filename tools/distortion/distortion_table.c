@@ -146,4 +146,5 @@ const cm_command cm_distortion_command = {
              "  cubemap-distortion -m tangent --values --layout strip area.exr\n"
              "  cubemap-distortion -m peirce --size 512 --graticule 15 peirce.png",
     .words = "LOW HIGH",
-    .operand = CM_OPTION_FILE};
+    .operand = CM_OPTION_FILE,
+    .bare_version = 1};

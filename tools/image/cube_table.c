@@ -8,9 +8,9 @@ const cm_option cm_overlay_options[] = {
      .name = "graticule",
      .kind = CM_OPTION_NUMBER,
      .argument = "DEGREES",
-     .help = "meridians and parallels, so many degrees apart; DEGREES divides 360. Towards the "
-             "poles there are fewer meridians",
-     .more = "Meridians end at the parallel where they come too close to each other, and at the "
+     .help = "meridians and parallels, so many degrees apart, of which 360 is a multiple",
+     .more = "Towards the poles there are fewer meridians. Meridians end at the parallel where "
+             "they come too close to each other, and at the "
              "last parallel but for a few that reach the pole, 90 degrees apart or a little more.",
      .low = 0.01,
      .high = 180},
@@ -46,8 +46,8 @@ const cm_option cm_overlay_options[] = {
 #define LINE_WIDTH(usual)                                                                          \
     {                                                                                              \
         .id = OVERLAY_LINE_WIDTH, .name = "line-width", .kind = CM_OPTION_NUMBER,                  \
-        .argument = "PIXELS", .help = "how wide lines are; a thin casing is beside each",          \
-        .standard = usual, .low = 0.1, .high = 100                                                 \
+        .argument = "PIXELS", .help = "how wide lines are",                                        \
+        .more = "A thin casing is beside each.", .standard = usual, .low = 0.1, .high = 100        \
     }
 #define LINE_COLOR(usual)                                                                          \
     {                                                                                              \

@@ -139,4 +139,5 @@ const cm_command cm_orient_command = {
         "Example:\n"
         "  cubemap-orient --picture before-after.png data/land-1440.png",
     .words = "LON LAT ROLL",
-    .operand = CM_OPTION_FILE};
+    .operand = CM_OPTION_FILE,
+    .bare_version = 1};
