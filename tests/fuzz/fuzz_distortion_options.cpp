@@ -5,6 +5,7 @@
 
 #include "tools/distortion/colors.hpp"
 #include "tools/distortion/distortion_options.hpp"
+#include "tools/distortion/distortion_table.h"
 #include "tools/image/graticule.hpp"
 
 #include "fuzz_arguments.h"
@@ -55,12 +56,12 @@ void check_options(const DistortionOptions &options)
     EXPECT(options.frame != nullptr && options.quantity != nullptr, "no frame or quantity");
     EXPECT(cm_specification_check(options.mapping.c_str(), nullptr, 0) == CM_OK, "mapping '%s'",
            options.mapping.c_str());
-    EXPECT(options.size >= 1 && options.size <= largest_distortion_face, "size %d", options.size);
+    EXPECT(options.size >= 1 && options.size <= DISTORTION_FACE_MAX, "size %d", options.size);
     EXPECT(!options.face || (*options.face >= 0 && *options.face <= 5), "no such face");
     EXPECT(!(options.face && options.layout), "face and layout");
     EXPECT(!options.isolines || *options.isolines > 0, "isolines");
     EXPECT(options.threads >= 0 && options.threads <= 1024, "%d threads", options.threads);
-    if (options.help || options.version)
+    if (options.printed)
     {
         return;
     }
@@ -81,10 +82,12 @@ void check_options(const DistortionOptions &options)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
+    static std::FILE *const null = std::fopen("/dev/null", "w");
+    const cm_streams nowhere = {stdin, null, null};
     arguments given = read_arguments("cubemap-distortion", data, size);
     try
     {
-        check_options(parse_distortion_options(given.count, given.argument));
+        check_options(parse_distortion_options(given.count, given.argument, nowhere));
     }
     catch (const UsageFailure &failure)
     {

@@ -7,6 +7,7 @@
 #include "tools/cli/program.hpp"
 #include "tools/reproject/reproject_input.hpp"
 #include "tools/reproject/reproject_options.hpp"
+#include "tools/reproject/reproject_table.h"
 
 #include <set>
 
@@ -66,11 +67,10 @@ void check_options(const Options &options)
         EXPECT(cm_specification_check(mapping.c_str(), nullptr, 0) == CM_OK, "mapping '%s'",
                mapping.c_str());
     }
-    EXPECT(!options.size || (*options.size >= 1 && *options.size <= largest_equirect), "size %d",
-           *options.size);
+    EXPECT(!options.size || (*options.size >= 1 && *options.size <= REPROJECT_EQUIRECT_MAX),
+           "size %d", *options.size);
     const OverlayOptions &lines = options.overlay;
-    EXPECT(lines.indicatrices || !lines.indicatrices_radius || options.help || options.version,
-           "a radius alone");
+    EXPECT(lines.indicatrices || !lines.indicatrices_radius || options.printed, "a radius alone");
     EXPECT(!lines.graticule || (*lines.graticule >= 0.0099 && *lines.graticule <= 180),
            "%g degrees", *lines.graticule);
     EXPECT(!lines.grid || *lines.grid >= 1, "grid %d", *lines.grid);
@@ -87,10 +87,12 @@ void check_options(const Options &options)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
+    static std::FILE *const null = std::fopen("/dev/null", "w");
+    const cm_streams nowhere = {stdin, null, null};
     arguments given = read_arguments("cubemap-reproject", data, size);
     try
     {
-        check_options(parse_options(given.count, given.argument));
+        check_options(parse_options(given.count, given.argument, nowhere));
     }
     catch (const UsageFailure &failure)
     {

@@ -317,13 +317,14 @@ constexpr Wrong wrong_usage[] = {
     {"no map", "one MAP is needed, 0 are given", ""},
     {"two maps", "one MAP is needed, 2 are given", "single rainbow -o made/a.json"},
     {"unknown map", "no colour map is called 'viridis'.*see --list", "viridis -o made/a.json"},
+    {"nearly a map", "did you mean sequential-rainbow\\?", "sequential-rainbwo -o made/a.json"},
     {"control characters", "called 'a\\?b'", "'a\nb' -o made/a.json"},
     {"unknown parameter", "sequential-single has no parameter 'hug'", "single:hug=1"},
     {"range", "must be in \\[0, 360\\]", "single:hue=400"},
-    {"unknown option", "no option '--sample'", "single --sample 3"},
-    {"missing value", "--samples needs a value", "single --samples"},
-    {"value too many", "--fit takes no value", "single --fit=1"},
-    {"unknown format", "'gif' is not json, csv, matplotlib, gimp or png", "single --format gif"},
+    {"unknown option", "no option --sampels; did you mean --samples", "single --sampels 3"},
+    {"missing value", "--samples needs an argument", "single --samples"},
+    {"value too many", "--fit takes no argument", "single --fit=1"},
+    {"unknown format", "'gif', not one of json, csv, matplotlib, gimp, png", "single --format gif"},
     {"unknown suffix", "must end in .json, .csv, .py, .gpl or .png", "single -o made/a.gif"},
     {"no name of a file", "needs the name of a file", "single -o ''"},
     {"png to standard output", "a png goes to a file", "single --format png"},
@@ -333,7 +334,7 @@ constexpr Wrong wrong_usage[] = {
     {"samples of a test pattern", "--samples has no meaning",
      "single --test-pattern --samples 5 -o made/a.png"},
     {"name of csv", "--name is for matplotlib and gimp", "single --name a"},
-    {"a name that is no word", "'a\"b' is not a word", "single --format gimp --name a\"b"},
+    {"a name that is no word", "'a\"b', not a word", "single --format gimp --name a\"b"},
 };
 
 void bad_arguments()
@@ -344,12 +345,12 @@ void bad_arguments()
     }
     for (const std::string number : {"0", "-1", "65537", "1.5", "x", ""})
     {
-        fails("samples '" + number + "'", 2, "--samples: .* is not a whole number from 1 to 65536",
+        fails("samples '" + number + "'", 2, "--samples is .*, not a whole number from 1 to 65536",
               Words{"colormap", "single", "--samples", number});
     }
     for (const std::string size : {"5", "5x", "0x5", "5x0", "x5", "5x5x", "40000x1", "", "5X5"})
     {
-        fails("size '" + size + "'", 2, "--size: .* is not WIDTHxHEIGHT",
+        fails("size '" + size + "'", 2, "--size is .*, not WIDTHxHEIGHT",
               Words{"colormap", "single", "--size", size, "-o", "made/a.png"});
     }
 }

@@ -351,25 +351,29 @@ struct Wrong
 constexpr Wrong wrong_usage[] = {
     {"no name", "OUTPUT is needed", ""},
     {"two names", "OUTPUT is needed, 2", "made/a.png made/b.png"},
-    {"unknown option", "'--sise'", "--sise 5 made/a.png"},
-    {"missing value", "--size needs a value", "made/a.png --size"},
-    {"value too many", "--values takes no value", "--values=1 made/a.tif"},
+    {"unknown option", "no option --sise; did you mean --size", "--sise 5 made/a.png"},
+    {"missing value", "--size needs an argument", "made/a.png --size"},
+    {"value too many", "--values takes no argument", "--values=1 made/a.tif"},
     {"layout of one face", "--layout is for the six faces", "-m peirce --layout cross made/a.png"},
     {"frame of one face", "--frame is for the six faces", "-m peirce --frame gl made/a.png"},
     {"face 1 of one", "--face is for the six faces", "-m peirce --face 1 made/a.png"},
     {"no sphere", "joins disc and square", "-m square:radial made/a.png"},
-    {"unknown mapping", "-m: .*nonesuch", "-m nonesuch made/a.png"},
+    {"unknown mapping", "--mapping: .*nonesuch", "-m nonesuch made/a.png"},
     {"parameter out of range", "--mapping: ", "--mapping tangent:c=5 made/a.png"},
-    {"unknown frame", "geo, gl, fits or s2", "--frame east made/a.png"},
-    {"unknown quantity", "area, isotropy, .* or texel-area", "--quantity shape made/a.png"},
+    {"unknown frame", "geo, gl, fits, s2", "--frame east made/a.png"},
+    {"unknown quantity", "area, isotropy, .*, texel-area", "--quantity shape made/a.png"},
     {"unknown layout", "faces, strip or cross", "--layout row made/a.png"},
-    {"face that is none", "--face: .* 0 to 5", "--face 6 made/a.png"},
+    {"face that is none", "--face is .* 0 to 5", "--face 6 made/a.png"},
     {"face and layout", "--face is for", "--face 1 --layout cross made/a.png"},
     {"range from 0 on a logarithmic scale", "LOW must be above 0", "--range 0:2 made/a.png"},
     {"unknown colours", "--colors: 'nonesuch'", "--colors nonesuch made/a.png"},
     {"colours out of range", "--colors: ", "--colors sequential-single:hue=999 made/a.png"},
     {"values in PNG", "ends in .tif or .exr", "--values made/a.png"},
     {"colours in EXR", "ends in .png, .jpg or .tif", "made/a.exr"},
+    {"nearly a mapping", "did you mean gnomonic\\?", "-m gnomnic made/a.png"},
+    {"nearly a quantity", "did you mean isotropy\\?", "--quantity istropy made/a.png"},
+    {"nearly a colour map", "did you mean diverging-lightness\\?",
+     "--colors diverging-lightnes made/a.png"},
     {"no extension", "must end in", "made/a"},
     {"values and colours", "--values writes numbers", "--values --colors rainbow made/a.tif"},
     {"values and lines", "--values writes numbers", "--values --grid 2 made/a.tif"},
@@ -383,7 +387,7 @@ void bad_values(const std::string &option, const std::string &words, const Words
 {
     for (const std::string &value : values)
     {
-        fails(option + " '" + value + "'", 2, "--" + option + ": " + words,
+        fails(option + " '" + value + "'", 2, "--" + option + " is '" + words,
               Words{"distortion", "--" + option, value, "made/a.png"});
     }
 }
@@ -400,18 +404,18 @@ void bad_lines(const Words &program)
     };
     for (const std::string value : {"0", "-1", "7", "181", "x", "", "nan", "0.001"})
     {
-        wrong("graticule '" + value + "'", "--graticule: ", {"--graticule", value});
+        wrong("graticule '" + value + "'", "--graticule is '", {"--graticule", value});
     }
-    wrong("grid 0", "--grid: .* from 1 to", {"--grid", "0"});
-    wrong("indicatrices 0", "--indicatrices: ", {"--indicatrices", "0"});
+    wrong("grid 0", "--grid is .* from 1 to", {"--grid", "0"});
+    wrong("indicatrices 0", "--indicatrices is ", {"--indicatrices", "0"});
     wrong("a radius alone", "say --indicatrices N", {"--indicatrices-radius", "3"});
     wrong("a radius too large", "overlap; with 5 x 5 a face, [0-9.]* at most",
           {"--indicatrices", "5", "--indicatrices-radius", "12"});
     wrong("a line's look alone", "there are none", {"--line-width", "2"});
-    wrong("line width", "--line-width: .* from 0.1 to 100", {"--grid", "2", "--line-width", "0"});
+    wrong("line width", "--line-width is .* from 0.1 to 100", {"--grid", "2", "--line-width", "0"});
     for (const std::string value : {"red", "fff", "#ffffff", "gggggg", "1234567", ""})
     {
-        wrong("line colour '" + value + "'", "--line-color: .* RRGGBB",
+        wrong("line colour '" + value + "'", "--line-color is .* RRGGBB",
               {"--grid", "2", "--line-color", value});
     }
 }
@@ -422,11 +426,12 @@ void bad_arguments()
     {
         fails(wrong.name, 2, wrong.words, std::string("distortion ") + wrong.arguments);
     }
-    bad_values("size", ".* from 1 to 65536", {"0", "-1", "65537", "1e3", ""});
+    bad_values("size", ".*', not a whole number from 1 to 65536", {"0", "-1", "65537", "1e3", ""});
     bad_values(
-        "range", ".* is not LOW:HIGH",
+        "range", ".*', not LOW:HIGH",
         {"", "1", "1:", ":1", "2:1", "1:1", "nan:2", "1:inf", "-1:2", "1:2:3", "0x1:2", "a:b"});
-    bad_values("isolines", "", {"0", "-1", "x", "", "nan", "1e-7"});
+    bad_values("isolines", ".*', not a number of 1e-06 or more",
+               {"0", "-1", "x", "", "nan", "1e-7"});
     make_constant(64, 32, 3, "uint8", 0.5f, "grey.png");
     bad_lines({"distortion"});
     bad_lines({"reproject", "grey.png"});

@@ -64,10 +64,14 @@ void talk()
     prints("list", "^land-coupled coupled deformation 17\\.15 9\\.09 31\\.98 ", "orient --list");
     fails("no mask", 2, "one mask is needed, 0 are given", "orient");
     fails("two masks", 2, "one mask is needed, 2 are given", "orient a b");
-    fails("unknown option", 2, "no option '--best'", "orient --best disc.pgm");
+    fails("unknown option", 2, "no option --best", "orient --best disc.pgm");
     fails("wrong mapping", 2, "no mapping is called 'cube'", "orient -m cube disc.pgm");
     fails("one face", 2, "has one face", "orient -m octahedral disc.pgm");
-    fails("wrong measure", 2, "'size' is not deformation", "orient --measure size disc.pgm");
+    fails("nearly a mapping", 2, "did you mean coupled\\?", "orient -m coupld disc.pgm");
+    fails("nearly an orientation", 2, "did you mean land-coupled\\?",
+          "orient --evaluate land-coupeld disc.pgm");
+    fails("nearly a measure", 2, "did you mean edges\\?", "orient --measure edgse disc.pgm");
+    fails("wrong measure", 2, "'size', not one of deformation", "orient --measure size disc.pgm");
     fails("wrong orientation", 2, "LAT must be in", "orient --evaluate 1,91 disc.pgm");
     fails("unknown orientation", 2, "no orientation is called 'sea'",
           "orient --evaluate sea disc.pgm");

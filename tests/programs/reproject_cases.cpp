@@ -524,9 +524,9 @@ constexpr Wrong wrong_usage[] = {
     {"no names", "INPUT and OUTPUT", ""},
     {"one name", "INPUT and OUTPUT", "noise.ppm"},
     {"three names", "INPUT and OUTPUT", "noise.ppm made/a.png made/b.png"},
-    {"unknown option", "'--sise'", "--sise 5 noise.ppm made/a.png"},
-    {"missing value", "--size needs a value", "noise.ppm made/a.png --size"},
-    {"value too many", "--quiet takes no value", "--quiet=1 noise.ppm made/a.png"},
+    {"unknown option", "no option --sise; did you mean --size", "--sise 5 noise.ppm made/a.png"},
+    {"missing value", "--size needs an argument", "noise.ppm made/a.png --size"},
+    {"value too many", "--quiet takes no argument", "--quiet=1 noise.ppm made/a.png"},
     {"size of a face too large", "may be 65536 at most", "--size 65537 noise.ppm made/a.png"},
     {"odd width", "must be even", "--to equirect --size 7 noise.ppm made/a.png"},
     {"unknown projection", "not equirect, cube or cube:MAPPING",
@@ -553,7 +553,7 @@ constexpr Wrong wrong_usage[] = {
      "--layout cross:north=4,south=0 noise.ppm made/a.png"},
     {"columns of a strip", "faces, strip or cross",
      "--layout strip:north=1,south=0 noise.ppm made/a.png"},
-    {"unknown frame", "geo, gl, fits or s2", "--frame east noise.ppm made/a.png"},
+    {"unknown frame", "geo, gl, fits, s2", "--frame east noise.ppm made/a.png"},
     {"unknown filter", "nearest or bilinear", "--filter cubic noise.ppm made/a.png"},
     {"negative threads", "--threads", "--threads -1 noise.ppm made/a.png"},
     {"layout of no cube", "--layout is for a cube",
@@ -563,6 +563,11 @@ constexpr Wrong wrong_usage[] = {
     {"six names for one picture", "%f", "--layout strip noise.ppm made/%f.png"},
     {"no extension", "must end in", "noise.ppm made/a"},
     {"unknown extension", "must end in", "noise.ppm made/a.docx"},
+    {"nearly a mapping", "did you mean tangent\\?", "--to cube:tangnt:c=1 noise.ppm made/a.png"},
+    {"nearly a chart", "did you mean octahedral", "--to octahedrl noise.ppm made/a.png"},
+    {"nearly a layout", "did you mean cross\\?", "--layout corss noise.ppm made/a.png"},
+    {"nearly a frame", "did you mean geo\\?", "--frame goe noise.ppm made/a.png"},
+    {"nearly a filter", "did you mean nearest\\?", "--filter neares noise.ppm made/a.png"},
     {"an extension that is no format", "must end in", "noise.ppm made/a.null"},
     {"output is input", "same file", "--from equirect --to equirect noise.ppm ./noise.ppm"},
 };
@@ -596,7 +601,7 @@ void bad_arguments()
     for (const std::string size : {"0", "-1", "-999999999999", "1e3", "0x10", "", " 5", "5x",
                                    "99999999999999999999", "262145"})
     {
-        fails("size '" + size + "'", 2, "--size: .* is not a whole number from 1 to",
+        fails("size '" + size + "'", 2, "--size is '.*', not a whole number from 1 to",
               Words{"reproject", "--size", size, "noise.ppm", "made/a.png"});
     }
     std::filesystem::copy_file("noise.ppm", "a.png");
@@ -605,7 +610,7 @@ void bad_arguments()
     fails("compare: one name", 2, "two images", "compare noise.ppm");
     fails("compare: bad limit", 2, "not a number of 0 or more",
           "compare --max-rmse nan noise.ppm noise.ppm");
-    fails("compare: unknown option", 2, "'--rmse'", "compare --rmse 1 noise.ppm noise.ppm");
+    fails("compare: unknown option", 2, "no option --rmse", "compare --rmse 1 noise.ppm noise.ppm");
     fails("compare: sizes", 1, "must be alike", "compare noise.ppm other.ppm");
     fails("compare: no such file", 1, "No such file", "compare noise.ppm none.ppm");
 }

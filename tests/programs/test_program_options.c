@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The options of the programs in C, which are called as functions: each option of each table is parsed, told by --help,
+ * The options of the programs, which are called as functions: each option of each table is parsed, told by --help,
  * the man page and completion, and refused with the one that was meant where it is misspelt.
  */
 #define _POSIX_C_SOURCE 200809L
@@ -11,6 +11,13 @@
 #include "tools/cli/option_table.h"
 #include "tools/latitude/cubemap_latitude.h"
 #include "tools/project/project.h"
+#ifdef IMAGE_PROGRAMS
+#include "tools/colormap/colormap_main.h"
+#include "tools/compare/compare_main.h"
+#include "tools/distortion/distortion_main.h"
+#include "tools/orient/orient_main.h"
+#include "tools/reproject/reproject_main.h"
+#endif
 
 enum
 {
@@ -24,9 +31,18 @@ static const struct
     const char *name;
     program_main call;
     const cm_command *command;
-} programs[] = {{"cubemap-project", cm_project_main, &cm_project_command},
-                {"cubemap-latitude", cm_latitude_main, &cm_latitude_command},
-                {"cubemap-bench", cm_bench_main, &cm_bench_command}};
+} programs[] = {
+    {"cubemap-project", cm_project_main, &cm_project_command},
+    {"cubemap-latitude", cm_latitude_main, &cm_latitude_command},
+    {"cubemap-bench", cm_bench_main, &cm_bench_command},
+#ifdef IMAGE_PROGRAMS
+    {"cubemap-reproject", cm_reproject_main, &cm_reproject_command},
+    {"cubemap-compare", cm_compare_main, &cm_compare_command},
+    {"cubemap-distortion", cm_distortion_main, &cm_distortion_command},
+    {"cubemap-orient", cm_orient_main, &cm_orient_command},
+    {"cubemap-colormap", cm_colormap_main, &cm_colormap_command},
+#endif
+};
 
 enum
 {

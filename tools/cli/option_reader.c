@@ -209,8 +209,8 @@ static int print_common(cm_option_reader *reader)
         cm_options_write_help(out, reader->command);
         break;
     case ID_VERSION:
-        fprintf(out, "%.*s (libcubemap) %s\n", program_length(reader->command),
-                reader->command->name, cm_version());
+        fprintf(out, "%.*s%s %s\n", program_length(reader->command), reader->command->name,
+                reader->command->bare_version != 0 ? "" : " (libcubemap)", cm_version());
         break;
     case ID_COMPLETION:
         cm_options_write_completion(out, reader->command, reader->text);

@@ -93,7 +93,8 @@ typedef struct cm_command
     const char *const *choices; /* those; or */
     const char *(*choice_at)(size_t index);
     const struct cm_command *const
-        *commands; /* that the first operand can name, up to NULL; NULL for none */
+        *commands;    /* that the first operand can name, up to NULL; NULL for none */
+    int bare_version; /* --version does not name the library, as the image programs never did */
 } cm_command;
 
 enum

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 #include "program.hpp"
+#include "option_text.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -12,89 +12,70 @@
 
 #include <cubemap/number.h>
 
-ArgumentReader::ArgumentReader(int argc, char **argv) : arguments(argv + (argc > 0), argv + argc)
+OptionReader::OptionReader(const cm_command &command, int argc, char **argv,
+                           const cm_streams &streams)
+    : reader(cm_options_begin(&command, argc, argv, &streams)), output(streams)
 {
 }
 
-bool ArgumentReader::next()
+int OptionReader::next()
 {
-    if (has_attached)
+    const int id = cm_options_next(&reader);
+    if (id == CM_OPTIONS_WRONG)
     {
-        throw UsageFailure(current + " takes no value; see --help");
+        throw UsageFailure(reader.message);
     }
-    if (!only_operands && position < arguments.size() && arguments[position] == "--")
+    if (id == CM_OPTIONS_PRINTED)
     {
-        only_operands = true;
-        ++position;
+        print(output, "");
+        nothing_else = true;
     }
-    if (position == arguments.size())
+    if (id <= 0)
     {
-        return false;
+        return 0;
     }
-    current = arguments[position++];
-    option = !only_operands && current.size() > 1 && current[0] == '-';
-    const std::size_t equals = current.find('=');
-    if (option && equals != std::string::npos)
-    {
-        attached = current.substr(equals + 1);
-        current.erase(equals);
-        has_attached = true;
-    }
-    return true;
+    check_number();
+    return id;
 }
 
-std::string ArgumentReader::value()
+void OptionReader::check_number()
 {
-    if (has_attached)
+    const bool whole = reader.option->kind == CM_OPTION_WHOLE;
+    if (!whole && reader.option->kind != CM_OPTION_NUMBER)
     {
-        has_attached = false;
-        return attached;
+        return;
     }
-    if (position == arguments.size())
+    const std::string digits = text();
+    if (whole ? digits.find_first_not_of("0123456789") != std::string::npos
+              : !std::isfinite(reader.number))
     {
-        throw UsageFailure(current + " needs a value; see --help");
+        char range[OPTION_RANGE_MAX];
+        option_range(reader.option, range);
+        refuse(range);
     }
-    return arguments[position++];
 }
 
-std::int64_t ArgumentReader::whole_number(std::int64_t low, std::int64_t high)
+std::string OptionReader::name() const
 {
-    const std::string text = value();
-    std::int64_t number = 0;
-    const char *const end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, number);
-    if (result.ec != std::errc() || result.ptr != end || number < low || number > high)
-    {
-        throw UsageFailure(current + ": " + in_quotes(text) + " is not a whole number from " +
-                           std::to_string(low) + " to " + std::to_string(high));
-    }
-    return number;
+    return std::string("--") + reader.option->name;
 }
 
-double ArgumentReader::not_negative_number()
+void OptionReader::refuse(const std::string &what)
 {
-    const std::string text = value();
-    const std::optional<double> number = read_number(text);
-    if (!number || *number < 0)
-    {
-        throw UsageFailure(current + ": " + in_quotes(text) + " is not a number of 0 or more");
-    }
-    return *number;
+    cm_options_refuse(&reader, what.c_str());
+    throw UsageFailure(reader.message);
 }
 
-std::size_t ArgumentReader::word(const std::vector<std::string> &words)
+std::vector<std::string> OptionReader::operands() const
 {
-    const std::string text = value();
-    std::string list;
-    for (std::size_t i = 0; i < words.size(); ++i)
-    {
-        if (words[i] == text)
-        {
-            return i;
-        }
-        list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
-    }
-    throw UsageFailure(current + ": " + in_quotes(text) + " is not " + list);
+    return std::vector<std::string>(reader.operands, reader.operands + reader.operand_count);
+}
+
+std::string suggestion(const cm_nearest &nearest)
+{
+    char text[200] = "";
+    cm_nearest_append(&nearest, text, sizeof text);
+    return text;
 }
 
 std::optional<double> read_number(const std::string &text)
@@ -133,7 +114,7 @@ std::string first_line(const std::string &text)
 void print(const cm_streams &streams, const std::string &text)
 {
     if (std::fwrite(text.data(), 1, text.size(), streams.out) != text.size() ||
-        std::fflush(streams.out) != 0)
+        std::fflush(streams.out) != 0 || std::ferror(streams.out) != 0)
     {
         throw Failure(std::string("standard output: ") + std::strerror(errno));
     }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// What the image programs share: failures with their exit status, reading arguments, the last
+// What the image programs share: failures with their exit status, reading options, the last
 // resort around all.
 
 #ifndef CUBEMAP_TOOLS_PROGRAM_HPP
 #define CUBEMAP_TOOLS_PROGRAM_HPP
 
-#include "tools/cli/streams.h"
+#include "nearest.h"
+#include "option_table.h"
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -45,49 +45,60 @@ public:
     }
 };
 
-// Goes through a command line: "--name value", "--name=value", operands, and "--" after which all
-// are operands.
-class ArgumentReader
+// Goes through a command line by the program's table of options.
+class OptionReader
 {
 public:
-    ArgumentReader(int argc, char **argv);
+    // All of these must outlive the reader.
+    OptionReader(const cm_command &command, int argc, char **argv, const cm_streams &streams);
 
-    // Goes to the next option or operand; false after the last. UsageFailure if the option before
-    // was given a value that nobody asked for.
-    bool next();
+    // Goes to the next option: its id; 0 behind the last, and where --help or the like was printed.
+    // UsageFailure if it is wrong. A whole number must be written in digits, any number be finite.
+    int next();
 
-    bool is_option() const noexcept
+    // Was something printed, so that nothing else is to be done?
+    bool printed() const noexcept
     {
-        return option;
+        return nothing_else;
     }
 
-    // The option's name with its dashes, or the operand.
-    const std::string &text() const noexcept
+    // The option's argument, and what it stands for.
+    std::string text() const
     {
-        return current;
+        return reader.text;
+    }
+    double number() const noexcept
+    {
+        return reader.number;
+    }
+    int whole_number() const noexcept
+    {
+        return static_cast<int>(reader.number);
+    }
+    std::size_t choice() const noexcept
+    {
+        return reader.choice;
     }
 
-    // The option's value; UsageFailure if there is none.
-    std::string value();
+    // The option as a user writes it: --NAME.
+    std::string name() const;
 
-    // The option's value as a whole number from low to high; UsageFailure if it is not one.
-    std::int64_t whole_number(std::int64_t low, std::int64_t high);
+    // UsageFailure: "--NAME is 'TEXT', not WHAT".
+    [[noreturn]] void refuse(const std::string &what);
 
-    // The option's value as a finite number that is not negative; UsageFailure if it is not one.
-    double not_negative_number();
-
-    // The index of the option's value among these words; UsageFailure if it is none of them.
-    std::size_t word(const std::vector<std::string> &words);
+    // Behind the last option.
+    std::vector<std::string> operands() const;
 
 private:
-    std::vector<std::string> arguments;
-    std::size_t position = 0;
-    std::string current;
-    std::string attached; // VALUE of --name=VALUE
-    bool option = false;
-    bool has_attached = false;
-    bool only_operands = false;
+    void check_number();
+
+    cm_option_reader reader;
+    const cm_streams &output;
+    bool nothing_else = false;
 };
+
+// "; did you mean WORD?"; "" if no word is like what was written.
+std::string suggestion(const cm_nearest &nearest);
 
 // The finite number that the whole text is, with a point in every locale.
 std::optional<double> read_number(const std::string &text);

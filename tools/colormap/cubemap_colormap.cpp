@@ -5,6 +5,8 @@
 #include "tools/cli/atomic_file.hpp"
 #include "colormap_main.h"
 #include "colormap_output.hpp"
+#include "colormap_table.h"
+#include "tools/cli/colormap_name.h"
 #include "tools/cli/program.hpp"
 
 #include <algorithm>
@@ -14,42 +16,10 @@
 #include <optional>
 
 #include <cubemap/status.h>
-#include <cubemap/version.h>
 
 namespace
 {
 
-constexpr const char *help_text =
-    R"(Usage: cubemap-colormap [OPTION]... MAP
-
-Makes a perceptually uniform colour map: equal steps of the data are equal steps
-of CIELUV. MAP is NAME or NAME:PARAMETER=VALUE[,...]; --list prints them.
-
-  -o, --output FILE  what to write; default: standard output
-  --format FORMAT    json, csv, matplotlib (a Python file that registers the map),
-                     gimp (a palette) or png; default: by the end of FILE's name,
-                     .json, .csv, .py, .gpl or .png, and csv for standard output
-  --samples N        number of colours, 1 to 65536; default: 256; 257 for diverging
-                     maps, so that their middle is one; 8 for qualitative ones; for
-                     png otherwise one for each column
-  --reverse          the last colour first
-  --fit              lower the saturation until no colour is outside sRGB
-  --strict           refuse a map with colours outside sRGB; without it they are cut,
-                     and a warning says so
-  --name NAME        for matplotlib and gimp; default: cubemap-MODEL
-  --size WxH         of the png; default: 512x64
-  --test-pattern     for png: Kovesi's sine wave, fading from top to bottom, over a
-                     ramp; where it is hard to see, the map is flat
-  --list             print the maps and their parameters
-  --help, --version
-
-Examples:
-  cubemap-colormap rainbow:saturation=1.5 -o rainbow.json
-  cubemap-colormap diverging --test-pattern --size 768x160 -o diverging.png
-  cubemap-colormap qualitative --samples 6 --format gimp
-)";
-
-constexpr std::int64_t samples_max = 65536;
 constexpr int side_max = 32768;
 
 enum class Format
@@ -61,7 +31,6 @@ enum class Format
     png
 };
 
-const std::vector<std::string> format_names = {"json", "csv", "matplotlib", "gimp", "png"};
 const std::vector<std::string> format_suffixes = {".json", ".csv", ".py", ".gpl", ".png"};
 
 struct Options
@@ -77,15 +46,14 @@ struct Options
     bool strict = false;
     bool test_pattern = false;
     bool list = false;
-    bool help = false;
-    bool version = false;
+    bool printed = false; // is there nothing left to do?
 };
 
 // ---- the command line
 
-PictureSize read_size(ArgumentReader &reader)
+PictureSize read_size(OptionReader &reader)
 {
-    const std::string text = reader.value();
+    const std::string text = reader.text();
     PictureSize size;
     const char *const end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.width);
@@ -96,17 +64,15 @@ PictureSize read_size(ArgumentReader &reader)
                       size.height >= 1 && size.width <= side_max && size.height <= side_max;
     if (!good)
     {
-        throw UsageFailure("--size: " + in_quotes(text) +
-                           " is not WIDTHxHEIGHT, two whole numbers from 1 to " +
-                           std::to_string(side_max));
+        reader.refuse("WIDTHxHEIGHT, two whole numbers from 1 to " + std::to_string(side_max));
     }
     return size;
 }
 
 // What goes into files as it is: nothing that ends a line or a quoted text.
-std::string read_name(ArgumentReader &reader)
+std::string read_name(OptionReader &reader)
 {
-    const std::string name = reader.value();
+    const std::string name = reader.text();
     const auto is_allowed = [](char letter)
     {
         return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
@@ -114,59 +80,54 @@ std::string read_name(ArgumentReader &reader)
     };
     if (name.empty() || !std::all_of(name.begin(), name.end(), is_allowed))
     {
-        throw UsageFailure("--name: " + in_quotes(name) +
-                           " is not a word of letters, digits, '-', '_' and '.'");
+        reader.refuse("a word of letters, digits, '-', '_' and '.'");
     }
     return name;
 }
 
-bool *switch_called(const std::string &name, Options &options)
+std::string read_output(const OptionReader &reader)
 {
-    return name == "--reverse"        ? &options.reverse
-           : name == "--fit"          ? &options.fit
-           : name == "--strict"       ? &options.strict
-           : name == "--test-pattern" ? &options.test_pattern
-           : name == "--list"         ? &options.list
-           : name == "--help"         ? &options.help
-           : name == "--version"      ? &options.version
-                                      : nullptr;
+    if (reader.text().empty())
+    {
+        throw UsageFailure(reader.name() + " needs the name of a file");
+    }
+    return reader.text();
 }
 
-void read_option(ArgumentReader &reader, Options &options)
+void read_option(int id, OptionReader &reader, Options &options)
 {
-    const std::string name = reader.text();
-    bool *const is_set = switch_called(name, options);
-    if (is_set != nullptr)
+    switch (id)
     {
-        *is_set = true;
-    }
-    else if (name == "-o" || name == "--output")
-    {
-        options.output = reader.value();
-        if (options.output.empty())
-        {
-            throw UsageFailure(name + " needs the name of a file");
-        }
-    }
-    else if (name == "--format")
-    {
-        options.format = static_cast<Format>(reader.word(format_names));
-    }
-    else if (name == "--samples")
-    {
-        options.samples = static_cast<std::size_t>(reader.whole_number(1, samples_max));
-    }
-    else if (name == "--size")
-    {
-        options.size = read_size(reader);
-    }
-    else if (name == "--name")
-    {
+    case COLORMAP_OUTPUT:
+        options.output = read_output(reader);
+        break;
+    case COLORMAP_FORMAT:
+        options.format = static_cast<Format>(reader.choice());
+        break;
+    case COLORMAP_SAMPLES:
+        options.samples = static_cast<std::size_t>(reader.whole_number());
+        break;
+    case COLORMAP_REVERSE:
+        options.reverse = true;
+        break;
+    case COLORMAP_FIT:
+        options.fit = true;
+        break;
+    case COLORMAP_STRICT:
+        options.strict = true;
+        break;
+    case COLORMAP_NAME:
         options.name = read_name(reader);
-    }
-    else
-    {
-        throw UsageFailure("there is no option " + in_quotes(name) + "; see --help");
+        break;
+    case COLORMAP_SIZE:
+        options.size = read_size(reader);
+        break;
+    case COLORMAP_TEST_PATTERN:
+        options.test_pattern = true;
+        break;
+    default:
+        options.list = true;
+        break;
     }
 }
 
@@ -206,7 +167,7 @@ void check_options(const Options &options, Format format)
     {
         throw UsageFailure(std::string(options.size ? "--size" : "--test-pattern") +
                            " is for png only, not for " +
-                           format_names[static_cast<std::size_t>(format)]);
+                           cm_colormap_formats[static_cast<std::size_t>(format)]);
     }
     if (options.test_pattern && options.samples)
     {
@@ -219,20 +180,18 @@ void check_options(const Options &options, Format format)
     }
 }
 
-Options parse_options(int argc, char **argv)
+Options parse_options(int argc, char **argv, const cm_streams &streams)
 {
     Options options;
-    ArgumentReader reader(argc, argv);
-    while (reader.next())
+    OptionReader reader(cm_colormap_command, argc, argv, streams);
+    while (const int id = reader.next())
     {
-        if (reader.is_option())
-        {
-            read_option(reader, options);
-        }
-        else
-        {
-            options.maps.push_back(reader.text());
-        }
+        read_option(id, reader, options);
+    }
+    options.printed = reader.printed();
+    if (!options.printed)
+    {
+        options.maps = reader.operands();
     }
     return options;
 }
@@ -250,7 +209,8 @@ ColormapPointer make_map(const std::string &specification)
     char message[400];
     if (cm_colormap_check(specification.c_str(), message, sizeof message) != CM_OK)
     {
-        throw UsageFailure(std::string(message) + "; see --list");
+        const std::string meant = suggestion(nearest_colormap(specification.c_str()));
+        throw UsageFailure(message + (meant.empty() ? "; see --list" : meant));
     }
     cm_colormap *map = nullptr;
     const cm_status status = cm_colormap_create(specification.c_str(), &map);
@@ -385,12 +345,14 @@ std::string text_of(const SampledMap &sampled, Format format)
 
 int colormap(int argc, char **argv, const cm_streams &streams)
 {
-    const Options options = parse_options(argc, argv);
-    if (options.help || options.version || options.list)
+    const Options options = parse_options(argc, argv, streams);
+    if (options.printed)
     {
-        print(streams, options.help      ? help_text
-                       : options.version ? "cubemap-colormap " + std::string(cm_version()) + "\n"
-                                         : listing_text());
+        return 0;
+    }
+    if (options.list)
+    {
+        print(streams, listing_text());
         return 0;
     }
     const Format format = format_of(options);

@@ -3,6 +3,7 @@
 // cubemap-compare: how far two images of the same size are from each other.
 
 #include "compare_main.h"
+#include "compare_table.h"
 #include "tools/cli/image_file.hpp"
 #include "tools/cli/program.hpp"
 
@@ -12,35 +13,10 @@
 #include <limits>
 #include <optional>
 
-#include <cubemap/version.h>
-
 namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-constexpr const char *help_text =
-    R"(Usage: cubemap-compare [OPTION]... A B
-
-Prints how far image B is from image A, over all pixels and channels: the mean
-absolute error, the root of the mean square error, the largest error and where it
-is, and the peak signal-to-noise ratio. Both must be of the same size and have the
-same number of channels.
-
-If both hold integers, errors are in grey levels of 8 bits (0 to 255) and the peak
-is 255; otherwise errors are in the images' own unit and the peak is 1. Where both
-hold the same infinity, or both a NaN, there is no error; where one holds what is
-not a finite number, the error is infinite.
-
-  --max-mean X   exit status 1 if the mean absolute error is above X
-  --max-rmse X   exit status 1 if the root of the mean square error is above X
-  --max X        exit status 1 if the largest error is above X
-  --quiet        print nothing but errors
-  --help, --version
-
-Example:
-  cubemap-compare --max-rmse 2.5 earth.png earth-again.png
-)";
 
 struct Options
 {
@@ -48,54 +24,38 @@ struct Options
     std::optional<double> max_rmse;
     std::optional<double> max;
     bool quiet = false;
-    bool help = false;
-    bool version = false;
+    bool printed = false; // is there nothing left to do?
     std::vector<std::string> names;
 };
 
-void read_option(ArgumentReader &reader, Options &options)
-{
-    const std::string &name = reader.text();
-    if (name == "--max-mean")
-    {
-        options.max_mean = reader.not_negative_number();
-    }
-    else if (name == "--max-rmse")
-    {
-        options.max_rmse = reader.not_negative_number();
-    }
-    else if (name == "--max")
-    {
-        options.max = reader.not_negative_number();
-    }
-    else if (name == "--quiet" || name == "--help" || name == "--version")
-    {
-        (name == "--quiet"  ? options.quiet
-         : name == "--help" ? options.help
-                            : options.version) = true;
-    }
-    else
-    {
-        throw UsageFailure("there is no option " + in_quotes(name) + "; see --help");
-    }
-}
-
-Options parse_options(int argc, char **argv)
+Options parse_options(int argc, char **argv, const cm_streams &streams)
 {
     Options options;
-    ArgumentReader reader(argc, argv);
-    while (reader.next())
+    OptionReader reader(cm_compare_command, argc, argv, streams);
+    while (const int id = reader.next())
     {
-        if (reader.is_option())
+        switch (id)
         {
-            read_option(reader, options);
-        }
-        else
-        {
-            options.names.push_back(reader.text());
+        case COMPARE_MAX_MEAN:
+            options.max_mean = reader.number();
+            break;
+        case COMPARE_MAX_RMSE:
+            options.max_rmse = reader.number();
+            break;
+        case COMPARE_MAX:
+            options.max = reader.number();
+            break;
+        default:
+            options.quiet = true;
+            break;
         }
     }
-    if (!options.help && !options.version && options.names.size() != 2)
+    options.printed = reader.printed();
+    if (!options.printed)
+    {
+        options.names = reader.operands();
+    }
+    if (!options.printed && options.names.size() != 2)
     {
         throw UsageFailure("two images are needed, " + std::to_string(options.names.size()) +
                            (options.names.size() == 1 ? " is" : " are") + " given; see --help");
@@ -197,11 +157,9 @@ void check_limit(const char *what, double value, const std::optional<double> &li
 
 int compare(int argc, char **argv, const cm_streams &streams)
 {
-    const Options options = parse_options(argc, argv);
-    if (options.help || options.version)
+    const Options options = parse_options(argc, argv, streams);
+    if (options.printed)
     {
-        print(streams,
-              options.help ? help_text : "cubemap-compare " + std::string(cm_version()) + "\n");
         return 0;
     }
     ImageFile a(options.names[0]);

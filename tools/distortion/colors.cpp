@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "colors.hpp"
+#include "tools/cli/colormap_name.h"
 
 #include <cubemap/colormap.h>
 
@@ -68,6 +69,7 @@ void check_colors(const std::string &option, const std::string &specification)
     char message[400];
     if (cm_colormap_check(specification.c_str(), message, sizeof message) != CM_OK)
     {
-        throw UsageFailure(option + ": " + in_quotes(specification) + ": " + message);
+        throw UsageFailure(option + ": " + in_quotes(specification) + ": " + message +
+                           suggestion(nearest_colormap(specification.c_str())));
     }
 }

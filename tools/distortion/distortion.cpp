@@ -9,18 +9,14 @@
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 
-#include <cubemap/version.h>
-
 namespace
 {
 
 int draw_distortion(int argc, char **argv, const cm_streams &streams)
 {
-    const DistortionOptions options = parse_distortion_options(argc, argv);
-    if (options.help || options.version)
+    const DistortionOptions options = parse_distortion_options(argc, argv, streams);
+    if (options.printed)
     {
-        print(streams, options.help ? distortion_help_text()
-                                    : "cubemap-distortion " + std::string(cm_version()) + "\n");
         return 0;
     }
     const int threads = thread_count(options.threads);

@@ -30,16 +30,11 @@ struct DistortionOptions
     OverlayOptions overlay = dark_lines(); // as the colours are light where there is no distortion
     int threads = 0;
     bool quiet = false;
-    bool help = false;
-    bool version = false;
+    bool printed = false; // is there nothing left to do?
     std::string output;
 };
 
-inline constexpr int largest_distortion_face = 65536;
-
 // UsageFailure if the command line is not one.
-DistortionOptions parse_distortion_options(int argc, char **argv);
-
-std::string distortion_help_text();
+DistortionOptions parse_distortion_options(int argc, char **argv, const cm_streams &streams);
 
 #endif

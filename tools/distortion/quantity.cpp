@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "quantity.hpp"
+#include "distortion_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,20 +25,19 @@ const std::vector<Quantity> &quantities()
     using Arrays = cm_distortion_arrays;
     // clang-format off
     static const std::vector<Quantity> list = {
-        {"area", "D_A", "areas on the map over those of the sphere; 1 is the mean",
-         "", &Arrays::area, 1, 1, none, {0.25, 4}, diverging},
-        {"isotropy", "D_I", "axes of Tissot's ellipse, longer over shorter",
-         "", &Arrays::isotropy, 1, 0, 1, {1, 2}, sequential},
-        {"deformation", "omega", "the most by which an angle can differ",
-         " degrees", &Arrays::deformation, 180 / pi, 0, 0, {0, 40}, sequential},
-        {"scale", "s", "as area, in units of u and v; 6/pi is a cube's mean",
-         "", &Arrays::scale, 1, 6 / pi, none, {1.5 / pi, 24 / pi}, diverging},
-        {"texel-aspect", "L_x / L_y", "width over height of a texel on the sphere",
-         "", &Arrays::texel_aspect, 1, 1, none, {0.5, 2}, diverging},
-        {"texel-area", "L_x L_y", "width times height, over a texel's mean area",
-         "", &Arrays::texel_area, 6 / pi, 1, none, {0.25, 4}, diverging}};
+        {"area", "D_A", "", &Arrays::area, 1, 1, none, {0.25, 4}, diverging},
+        {"isotropy", "D_I", "", &Arrays::isotropy, 1, 0, 1, {1, 2}, sequential},
+        {"deformation", "omega", " degrees", &Arrays::deformation, 180 / pi, 0, 0, {0, 40}, sequential},
+        {"scale", "s", "", &Arrays::scale, 1, 6 / pi, none, {1.5 / pi, 24 / pi}, diverging},
+        {"texel-aspect", "L_x / L_y", "", &Arrays::texel_aspect, 1, 1, none, {0.5, 2}, diverging},
+        {"texel-area", "L_x L_y", "", &Arrays::texel_area, 6 / pi, 1, none, {0.25, 4}, diverging}};
     // clang-format on
     return list;
+}
+
+const char *quantity_name_at(std::size_t index)
+{
+    return index < quantities().size() ? quantities()[index].name : nullptr;
 }
 
 Quantity with_mean_scale(const Quantity &quantity, double mean)

@@ -22,8 +22,7 @@ struct Quantity
 {
     const char *name;
     const char *symbol; // "D_A"
-    const char *meaning;
-    const char *unit; // "", or with a blank before it
+    const char *unit;   // "", or with a blank before it
     double *cm_distortion_arrays::*values;
     double factor; // from the library's unit to this one
     double

@@ -2,29 +2,20 @@
 
 #include "cube_options.hpp"
 
-#include <algorithm>
+#include "cube_table.h"
 
-namespace
+#include <cstring>
+
+CubeLayout read_layout(OptionReader &reader, PolarColumns &columns)
 {
-
-const std::vector<std::string> layout_words = {"faces", "strip", "cross"};
-
-} // namespace
-
-CubeLayout read_layout(ArgumentReader &reader)
-{
-    return static_cast<CubeLayout>(reader.word(layout_words));
-}
-
-CubeLayout read_layout(ArgumentReader &reader, PolarColumns &columns)
-{
-    const std::string option = reader.text();
-    const std::string text = reader.value();
-    const auto word = std::find(layout_words.begin(), layout_words.end(), text);
+    const std::string text = reader.text();
     columns = {};
-    if (word != layout_words.end())
+    for (std::size_t i = 0; cm_layout_names[i] != nullptr; ++i)
     {
-        return static_cast<CubeLayout>(word - layout_words.begin());
+        if (text == cm_layout_names[i])
+        {
+            return static_cast<CubeLayout>(i);
+        }
     }
     const std::string form = "cross:north=?,south=?";
     bool good = text.size() == form.size();
@@ -34,25 +25,19 @@ CubeLayout read_layout(ArgumentReader &reader, PolarColumns &columns)
     }
     if (!good)
     {
-        throw UsageFailure(option + ": " + in_quotes(text) +
-                           " is not faces, strip or cross, or cross:north=N,south=N with columns "
-                           "from 0 to 3");
+        cm_nearest nearest = cm_nearest_to(text.c_str(), text.size());
+        for (const char *const *name = cm_layout_names; *name != nullptr; ++name)
+        {
+            cm_nearest_try(&nearest, *name, std::strlen(*name));
+        }
+        reader.refuse("faces, strip or cross, or cross:north=N,south=N with columns from 0 to 3" +
+                      suggestion(nearest));
     }
     columns = {text[form.find('?')] - '0', text[form.rfind('?')] - '0'};
     return CubeLayout::cross;
 }
 
-const cm_frame *read_frame(ArgumentReader &reader)
-{
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < cm_frame_count(); ++i)
-    {
-        names.emplace_back(cm_frame_at(i)->identifier);
-    }
-    return cm_frame_at(reader.word(names));
-}
-
 const char *layout_name(CubeLayout layout)
 {
-    return layout_words[static_cast<std::size_t>(layout)].c_str();
+    return cm_layout_names[static_cast<std::size_t>(layout)];
 }

@@ -8,10 +8,8 @@
 #include "cube_image.hpp"
 #include "tools/cli/program.hpp"
 
-// The values of options; UsageFailure if they are none.
-CubeLayout read_layout(ArgumentReader &reader);
-CubeLayout read_layout(ArgumentReader &reader, PolarColumns &columns); // cross:north=N,south=N, too
-const cm_frame *read_frame(ArgumentReader &reader);
+// The value of an option: faces, strip, cross, or cross:north=N,south=N. UsageFailure if it is none.
+CubeLayout read_layout(OptionReader &reader, PolarColumns &columns);
 
 // "faces", "strip", "cross"
 const char *layout_name(CubeLayout layout);

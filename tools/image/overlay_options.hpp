@@ -8,7 +8,6 @@
 #include "tools/cli/program.hpp"
 
 #include <array>
-#include <map>
 #include <optional>
 
 // Red, green and blue, 0 to 1, as the image stores them.
@@ -33,16 +32,11 @@ struct OverlayOptions
 // Thin and black, for light pictures.
 OverlayOptions dark_lines();
 
-using OverlayOptionAction = void (*)(ArgumentReader &, OverlayOptions &);
-
-// What to do at each of these options. UsageFailure if a value is wrong.
-const std::map<std::string, OverlayOptionAction> &overlay_option_actions();
+// Takes the reader's option if it is one of these; else false. UsageFailure if its value is wrong.
+bool read_overlay_option(int id, OptionReader &reader, OverlayOptions &options);
 
 // UsageFailure if there are options that do nothing without others. Has the picture lines besides
 // these?
 void check_overlay_options(const OverlayOptions &options, bool other_lines);
-
-// The lines of a help text that explain them, with these as what holds without them.
-std::string overlay_help_text(const OverlayOptions &standard);
 
 #endif

@@ -15,8 +15,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include <cubemap/version.h>
-
 namespace
 {
 
@@ -266,12 +264,14 @@ cm_orient_result search(const OrientOptions &options, const cm_mapping *mapping,
 
 int orient(int argc, char **argv, const cm_streams &streams)
 {
-    const OrientOptions options = parse_orient_options(argc, argv);
-    if (options.help || options.version || options.list)
+    const OrientOptions options = parse_orient_options(argc, argv, streams);
+    if (options.printed)
     {
-        print(streams, options.help   ? orient_help_text()
-                       : options.list ? list_text()
-                                      : "cubemap-orient " + std::string(cm_version()) + "\n");
+        return 0;
+    }
+    if (options.list)
+    {
+        print(streams, list_text());
         return 0;
     }
     const int threads = thread_count(options.threads);

@@ -1,181 +1,114 @@
 // SPDX-License-Identifier: MIT
 
 #include "orient_options.hpp"
+#include "orient_main.h"
+#include "orient_table.h"
+#include "tools/cli/catalogue_name.h"
 #include "tools/cli/program.hpp"
-
-#include <map>
 
 namespace
 {
 
-constexpr int largest_picture_face = 4096;
-
-constexpr const char *help_text =
-    R"(Usage: cubemap-orient [OPTION]... MASK
-
-Finds how the base cube is best turned so that what the mask shows suffers least
-from a mapping, over all rotations, and prints the orientation and what it gains.
-MASK is an equirectangular image, longitude -180 at its left edge, north at the
-top, twice as wide as high; how bright a pixel is says how much it counts.
-
-  -m, --mapping SPEC   mapping of the faces (coupled), as cubemap-project --list
-                       names them
-  --measure WHAT       what is to be least: deformation (the mean of omega, in
-                       degrees; the default), isotropy (the mean of D_I), area
-                       (the mean of |ln D_A|), scale (the mean of s = a b), edges
-                       (the length of the edges of faces over the mask, in km)
-  --over WHAT          equal areas of what count alike in means: sphere (the
-                       default) or face
-  --threshold T        pixels of T or more, of 0 to 1, count fully, others not
-  --invert             dark pixels count, bright ones do not
-  --resolution DEG     how finely the best is followed, 0.01 to 10 (0.1)
-  --boxes N            rotations, in boxes, that the proof may look at (100000, of
-                       edges 600000); with more the grid is finer, too
-  --evaluate LON,LAT[,ROLL]|NAME
-                       do not search: print the measure in this orientation
-  --picture FILE       write a picture of the faces: above as they are without
-                       rotation, below in the best orientation
-  --image FILE         an equirectangular image to be shown in it; else the mask,
-                       coloured by the deformation
-  --size N             pixels along a face in it (256)
-  --threads N          threads to work; 0 (default) takes all processors
-  --json               print the result as JSON
-  -q, --quiet, --no-progress
-                       no progress bar
-  --list               print the orientations that have a name
-  --help, --version
-
-The orientation is printed as "LON LAT ROLL", in degrees: the middle of the cube's
-front is at LON and LAT, and the cube is turned by ROLL about it, anticlockwise
-seen from outside.
-
-Example:
-  cubemap-orient --picture before-after.png data/land-1440.png
-)";
-
-std::string read_mapping(ArgumentReader &reader)
+std::string read_mapping(const OptionReader &reader)
 {
-    const std::string option = reader.text();
-    const std::string specification = reader.value();
+    const std::string specification = reader.text();
     char message[400];
     if (cm_specification_check(specification.c_str(), message, sizeof message) != CM_OK)
     {
-        throw UsageFailure(option + ": " + message);
+        throw UsageFailure(reader.name() + ": " + message +
+                           suggestion(nearest_mapping(specification.c_str())));
     }
-    if (cm_catalogue_find(specification.substr(0, specification.find(':')).c_str()) != nullptr &&
-        cm_catalogue_find(specification.substr(0, specification.find(':')).c_str())->kind !=
-            CM_KIND_CUBE)
+    const cm_mapping_info *const info =
+        cm_catalogue_find(specification.substr(0, specification.find(':')).c_str());
+    if (info != nullptr && info->kind != CM_KIND_CUBE)
     {
-        throw UsageFailure(option + ": " + in_quotes(specification) +
+        throw UsageFailure(reader.name() + ": " + in_quotes(specification) +
                            " has one face; only a cube can be turned");
     }
     return specification;
 }
 
-std::string read_orientation(ArgumentReader &reader)
+std::string read_orientation(const OptionReader &reader)
 {
-    const std::string option = reader.text();
-    const std::string text = reader.value();
+    const std::string text = reader.text();
     char message[400];
     cm_rotation rotation;
     if (cm_rotation_parse(text.c_str(), &rotation, message, sizeof message) != CM_OK)
     {
-        throw UsageFailure(option + ": " + message);
+        throw UsageFailure(reader.name() + ": " + message +
+                           suggestion(nearest_name(text.c_str(), orientation_name_at)));
     }
     return text;
 }
 
-double read_between(ArgumentReader &reader, double low, double high, const char *range)
+void read_option(int id, const OptionReader &reader, OrientOptions &options)
 {
-    const std::string option = reader.text();
-    const double number = reader.not_negative_number();
-    if (number < low || number > high)
+    switch (id)
     {
-        throw UsageFailure(option + ": it must be " + range);
+    case ORIENT_MAPPING:
+        options.mapping = read_mapping(reader);
+        break;
+    case ORIENT_MEASURE:
+        options.measure = static_cast<cm_orient_measure>(reader.choice());
+        break;
+    case ORIENT_OVER:
+        options.over = static_cast<cm_measure>(reader.choice());
+        break;
+    case ORIENT_THRESHOLD:
+        options.threshold = reader.number();
+        break;
+    case ORIENT_INVERT:
+        options.invert = true;
+        break;
+    case ORIENT_RESOLUTION:
+        options.resolution = reader.number();
+        break;
+    case ORIENT_BOXES:
+        options.boxes = reader.whole_number();
+        break;
+    case ORIENT_EVALUATE:
+        options.evaluate = read_orientation(reader);
+        break;
+    case ORIENT_PICTURE:
+        options.picture = reader.text();
+        break;
+    case ORIENT_IMAGE:
+        options.image = reader.text();
+        break;
+    case ORIENT_SIZE:
+        options.size = reader.whole_number();
+        break;
+    case ORIENT_THREADS:
+        options.threads = reader.whole_number();
+        break;
+    case ORIENT_JSON:
+        options.json = true;
+        break;
+    case ORIENT_QUIET:
+        options.quiet = true;
+        break;
+    default:
+        options.list = true;
+        break;
     }
-    return number;
-}
-
-using OptionAction = void (*)(ArgumentReader &, OrientOptions &);
-
-const std::map<std::string, OptionAction> &option_actions()
-{
-    static const OptionAction mapping = [](ArgumentReader &reader, OrientOptions &options)
-    { options.mapping = read_mapping(reader); };
-    static const OptionAction quiet = [](ArgumentReader &, OrientOptions &options)
-    { options.quiet = true; };
-    static const std::map<std::string, OptionAction> actions = {
-        {"-m", mapping},
-        {"--mapping", mapping},
-        {"--measure",
-         [](ArgumentReader &reader, OrientOptions &options)
-         {
-             options.measure = static_cast<cm_orient_measure>(
-                 reader.word({"deformation", "isotropy", "area", "scale", "edges"}));
-         }},
-        {"--over",
-         [](ArgumentReader &reader, OrientOptions &options) {
-             options.over = static_cast<cm_measure>(reader.word({"face", "sphere"}));
-         }},
-        {"--threshold", [](ArgumentReader &reader, OrientOptions &options)
-         { options.threshold = read_between(reader, 0, 1, "from 0 to 1"); }},
-        {"--invert", [](ArgumentReader &, OrientOptions &options) { options.invert = true; }},
-        {"--resolution", [](ArgumentReader &reader, OrientOptions &options)
-         { options.resolution = read_between(reader, 0.01, 10, "from 0.01 to 10 degrees"); }},
-        {"--boxes", [](ArgumentReader &reader, OrientOptions &options)
-         { options.boxes = static_cast<int>(reader.whole_number(1, 100000000)); }},
-        {"--evaluate", [](ArgumentReader &reader, OrientOptions &options)
-         { options.evaluate = read_orientation(reader); }},
-        {"--picture",
-         [](ArgumentReader &reader, OrientOptions &options) { options.picture = reader.value(); }},
-        {"--image",
-         [](ArgumentReader &reader, OrientOptions &options) { options.image = reader.value(); }},
-        {"--size", [](ArgumentReader &reader, OrientOptions &options)
-         { options.size = static_cast<int>(reader.whole_number(8, largest_picture_face)); }},
-        {"--threads", [](ArgumentReader &reader, OrientOptions &options)
-         { options.threads = static_cast<int>(reader.whole_number(0, 1024)); }},
-        {"--json", [](ArgumentReader &, OrientOptions &options) { options.json = true; }},
-        {"-q", quiet},
-        {"--quiet", quiet},
-        {"--no-progress", quiet},
-        {"--list", [](ArgumentReader &, OrientOptions &options) { options.list = true; }},
-        {"--help", [](ArgumentReader &, OrientOptions &options) { options.help = true; }},
-        {"--version", [](ArgumentReader &, OrientOptions &options) { options.version = true; }}};
-    return actions;
 }
 
 } // namespace
 
-const char *orient_help_text()
-{
-    return help_text;
-}
-
-OrientOptions parse_orient_options(int argc, char **argv)
+OrientOptions parse_orient_options(int argc, char **argv, const cm_streams &streams)
 {
     OrientOptions options;
-    std::vector<std::string> names;
-    ArgumentReader reader(argc, argv);
-    while (reader.next())
+    OptionReader reader(cm_orient_command, argc, argv, streams);
+    while (const int id = reader.next())
     {
-        const auto action = option_actions().find(reader.text());
-        if (!reader.is_option())
-        {
-            names.push_back(reader.text());
-        }
-        else if (action != option_actions().end())
-        {
-            action->second(reader, options);
-        }
-        else
-        {
-            throw UsageFailure("there is no option " + in_quotes(reader.text()) + "; see --help");
-        }
+        read_option(id, reader, options);
     }
-    if (options.help || options.version || options.list)
+    options.printed = reader.printed();
+    if (options.printed || options.list)
     {
         return options;
     }
+    const std::vector<std::string> names = reader.operands();
     if (names.size() != 1)
     {
         throw UsageFailure("one mask is needed, " + std::to_string(names.size()) +

@@ -10,6 +10,8 @@
 
 #include <cubemap/orient.h>
 
+#include "tools/cli/streams.h"
+
 struct OrientOptions
 {
     std::string mask;
@@ -28,13 +30,10 @@ struct OrientOptions
     bool json = false;
     bool quiet = false;
     bool list = false;
-    bool help = false;
-    bool version = false;
+    bool printed = false; // is there nothing left to do?
 };
 
 // UsageFailure if they are wrong.
-OrientOptions parse_orient_options(int argc, char **argv);
-
-const char *orient_help_text();
+OrientOptions parse_orient_options(int argc, char **argv, const cm_streams &streams);
 
 #endif

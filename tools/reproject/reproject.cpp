@@ -9,18 +9,14 @@
 #include "reproject_main.h"
 #include "reproject_output.hpp"
 
-#include <cubemap/version.h>
-
 namespace
 {
 
 int reproject(int argc, char **argv, const cm_streams &streams)
 {
-    const Options options = parse_options(argc, argv);
-    if (options.help || options.version)
+    const Options options = parse_options(argc, argv, streams);
+    if (options.printed)
     {
-        print(streams,
-              options.help ? help_text() : "cubemap-reproject " + std::string(cm_version()) + "\n");
         return 0;
     }
     const int threads = thread_count(options.threads);

@@ -35,19 +35,12 @@ struct Options
     OverlayOptions overlay;
     int threads = 0;
     bool quiet = false;
-    bool help = false;
-    bool version = false;
+    bool printed = false; // is there nothing left to do?
     std::string input;
     std::string output;
 };
 
-// The largest --size, for a cube or a chart, and for an equirectangular image.
-inline constexpr int largest_face = 65536;
-inline constexpr int largest_equirect = 262144;
-
 // UsageFailure if the command line is not one.
-Options parse_options(int argc, char **argv);
-
-std::string help_text();
+Options parse_options(int argc, char **argv, const cm_streams &streams);
 
 #endif

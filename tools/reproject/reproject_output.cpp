@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
+#include "reproject_table.h"
 #include "tools/image/chart_image.hpp"
 #include "tools/image/equirect.hpp"
 #include "tools/cli/parallel.hpp"
@@ -40,7 +41,7 @@ double span(Kind kind, const std::string &mapping)
 
 int largest_size(Kind kind)
 {
-    return kind == Kind::equirect ? largest_equirect : largest_face;
+    return kind == Kind::equirect ? REPROJECT_EQUIRECT_MAX : REPROJECT_FACE_MAX;
 }
 
 // With the same resolution as the input.
