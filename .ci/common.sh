@@ -20,8 +20,8 @@ needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath"
 needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographiclib-dev"
 # A compiler for AArch64 and an emulator of it, for tests/batch/neon.sh.
 needs_for_neon="gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user"
-# A compiler's libraries in 32 bits, for .ci/long.
-needs_for_long="gcc-multilib g++-multilib"
+# A compiler for a processor of 32 bits, for .ci/long; the emulator is that of AArch64.
+needs_for_long="gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user"
 
 # How clang builds what is fuzzed, and what the tests run with sanitizers: arguments to meson, and flags of C and C++.
 sanitized_by_clang="-Dbuildtype=debugoptimized -Doptimization=1 -Db_sanitize=address,undefined -Db_lundef=false
@@ -68,8 +68,8 @@ has()
     gcc-aarch64-linux-gnu) command -v aarch64-linux-gnu-gcc >/dev/null ;;
     libc6-dev-arm64-cross) compiles aarch64-linux-gnu-gcc c stdio.h ;;
     qemu-user) command -v qemu-aarch64 >/dev/null || command -v qemu-aarch64-static >/dev/null ;;
-    gcc-multilib) compiles "gcc -m32" c math.h ;;
-    g++-multilib) compiles "g++ -m32" c++ cmath ;;
+    gcc-arm-linux-gnueabihf) command -v arm-linux-gnueabihf-gcc >/dev/null ;;
+    libc6-dev-armhf-cross) compiles arm-linux-gnueabihf-gcc c stdio.h ;;
     gcovr) command -v gcovr >/dev/null ;;
     valgrind) command -v valgrind >/dev/null && compiles "${CC:-cc}" c valgrind/callgrind.h ;;
     python3-matplotlib)

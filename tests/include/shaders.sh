@@ -87,7 +87,9 @@ check() { # check NAME OPTIONS...: compile $work/NAME.frag
     fi
 }
 
-flat=$("$cc" -E -P -x c -DCM_BACKEND=3 -I "$include" "$include/cubemap/kernel/backend.h")
+# unquoted: a command with arguments, as in "ccache gcc"
+# shellcheck disable=SC2086
+flat=$($cc -E -P -x c -DCM_BACKEND=3 -I "$include" "$include/cubemap/kernel/backend.h")
 io_vulkan='layout(location = 0) in vec3 place; layout(location = 0) out vec4 colour;'
 io_plain='in vec3 place; out vec4 colour;'
 

@@ -378,7 +378,8 @@ static cm_frame exchanged_frame(void)
     return frame;
 }
 
-/* Call check for every mapping and every variant, in every frame and in that one. */
+/* Call check for every mapping and every variant, in every frame and in that one; unless it is the long run, in every
+ * second of them, others for the next. */
 static void for_every_variant(void (*check)(const cm_mapping *))
 {
     const cm_frame exchanged = exchanged_frame();
@@ -387,7 +388,8 @@ static void for_every_variant(void (*check)(const cm_mapping *))
     {
         const char *specification =
             i < COUNT(variants) ? variants[i] : cm_catalogue_at(i - COUNT(variants))->identifier;
-        for (size_t f = is_quick() ? i % frames : 0; f < frames; f += step_of(frames))
+        const size_t step = long_step_of(2, frames);
+        for (size_t f = i % step; f < frames; f += step)
         {
             cm_mapping *mapping =
                 make_mapping(specification, f < cm_frame_count() ? cm_frame_at(f) : &exchanged);

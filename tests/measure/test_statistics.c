@@ -174,7 +174,7 @@ START_TEST(test_samples)
     };
     static const double percent[] = {5.0, 50.0, 95.0};
     static const double origin[2] = {0.0, 0.0};
-    for (size_t m = 0; m < cube_count(); m += step_of(7))
+    for (size_t m = 0; m < cube_count(); m += long_step_of(2, 7))
     {
         cm_mapping *mapping = make_mapping(cm_catalogue_at(m)->identifier, NULL);
         cm_statistics s[QUANTITIES];
