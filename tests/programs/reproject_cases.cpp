@@ -4,6 +4,7 @@
 
 #include "direction_image.hpp"
 #include "image_cases.hpp"
+#include "picture_checks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -377,6 +378,12 @@ void formats()
     passes("alpha from PNG to EXR", "reproject alpha.png half.exr --to equirect");
     const std::string description = describe_image("half.exr");
     result(matches(description, "4 channels, half"), "is kept", description);
+    make_constant(64, 32, 4, "uint8", 0.2f, "alpha.png", {"oiio:UnassociatedAlpha=1"});
+    does("reproject --quiet alpha.png half.exr --to equirect");
+    holds("and the colours are multiplied by it",
+          [] {
+              check_pixel("half.exr", 8, 8, {0.04, 0.04, 0.04, 0.2});
+          });
 }
 
 // A TIFF file with the orientation that turns its 32 x 16 pixels by 180 degrees.
