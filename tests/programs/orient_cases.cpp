@@ -125,7 +125,8 @@ double from_middle_of_face(const std::string &json, const Vector &point)
 void discs()
 {
     draw_masks();
-    const std::string coarse = "orient -q --boxes 6000 "; // asked is not how sure the result is
+    // asked is not how sure the result is
+    const std::string coarse = "orient -q --boxes " + std::to_string(6000 / one_in(6)) + " ";
     prints("a disc", "^mean angular deformation: 22.*-> 0?\\.?[0-9.]+ degrees$",
            coarse + "disc.pgm");
     const std::string bright = does(coarse + "--json --threshold 0.5 disc.pgm").out;
