@@ -70,7 +70,7 @@ static const cm_option options[] = {
              "NAME:PARAMETER=VALUE[,...]",
      .more =
          "For example `algebraic`, `difference:mild`, `tangent:c=1.1823` or "
-         "`azimuthal:equidistant:fov=220,lon=10,lat=50`. A preset is a name for values of all the "
+         "`azimuthal:equidistant:fov=220,lon=10,lat=50`. Presets are names for values of all the "
          "parameters. --list prints the names, of which `" CM_MAPPING_RECOMMENDED
          "` is the recommended one.",
      .standard = "`" CM_MAPPING_RECOMMENDED "`",
