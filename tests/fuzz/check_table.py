@@ -38,13 +38,19 @@ def words_of(harness):
     return set(re.findall(r"\w+", text))
 
 
+def programs_of(tools):
+    """The programs as functions, cm_NAME_main."""
+    return {name for header in tools.glob("*/*.h")
+            for name in re.findall(r"\bint (cm_\w+_main)\(", header.read_text(encoding="utf-8"))}
+
+
 def wrong_of(row, fuzz, functions, built):
-    """What is wrong with a row, or None."""
+    """What is wrong with a row, or None; functions are those that may begin with cm_."""
     function, harness = row
     name = re.sub(r"^fuzz_", "", pathlib.PurePath(harness).stem)
     corpus = fuzz / "corpus" / name
     if function.startswith("cm_") and function not in functions:
-        return f"{function} is in the table, but not in the library"
+        return f"{function} is in the table, but neither in the library nor in the tools"
     if not (fuzz / harness).is_file():
         return f"{harness} is in the table, but there is no such file"
     if function not in words_of(fuzz / harness):
@@ -65,7 +71,8 @@ def main():
     named = {harness for _, harness in rows}
     complaints = [f"{function} is in no row of the table"
                   for function in sorted(functions - {function for function, _ in rows})]
-    complaints += filter(None, (wrong_of(row, fuzz, functions, built) for row in rows))
+    known = functions | programs_of(root / "tools")
+    complaints += filter(None, (wrong_of(row, fuzz, known, built) for row in rows))
     complaints += [f"{file.name} is in no row of the table"
                    for file in sorted([*fuzz.glob("fuzz_*.c"), *fuzz.glob("fuzz_*.cpp")]) if file.name not in named]
     for complaint in complaints:
