@@ -89,6 +89,7 @@ const char *cm_option_choice_at(const cm_option *option, size_t index)
 
 /* ------------------------------------------------------------------------------- messages */
 
+/* The message is one line, whatever was typed. */
 static int refuse(cm_option_reader *reader, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -98,6 +99,13 @@ static int refuse(cm_option_reader *reader, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(reader->message, sizeof reader->message, format, arguments);
     va_end(arguments);
+    for (char *at = reader->message; *at != '\0'; at++)
+    {
+        if ((unsigned char)*at < ' ' || *at == 0x7f)
+        {
+            *at = '?';
+        }
+    }
     return CM_OPTIONS_WRONG;
 }
 

@@ -114,7 +114,7 @@ typedef struct cm_option_reader
     size_t choice;           /* its index among the choices, if it is one */
     int operand_count;       /* known at the end */
     char **operands;
-    char message[CM_OPTIONS_MESSAGE]; /* what is wrong, without the program's name */
+    char message[CM_OPTIONS_MESSAGE]; /* what is wrong, one line, without the program's name */
     /* the reader's own */
     const cm_command *command;
     const cm_streams *streams;
