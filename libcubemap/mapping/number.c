@@ -44,8 +44,7 @@ static const char *take_digits(const char *text, const char *end, int scale, dec
         {
             number->digits = number->digits * 10 + digit;
             number->digit_count += number->digits != 0;
-            number->first =
-                number->digit_count == 1 && number->first == NULL ? text : number->first;
+            number->first = number->digit_count == 1 ? text : number->first;
             number->exponent += scale;
         }
         else

@@ -239,6 +239,22 @@ START_TEST(writing)
 }
 END_TEST
 
+/* Halfway between two numbers of so many digits: to the even one, unless anything follows. */
+START_TEST(writing_halfway)
+{
+    static const double whole[] = {15.0,  25.0,  35.0,  85.0,  95.0,   105.0,  115.0, 245.0,
+                                   250.0, 251.0, 350.0, 950.0, 9950.0, 9951.0, 25e20, 35e20};
+    for (size_t i = 0; i < sizeof whole / sizeof *whole; i++)
+    {
+        for (int digits = 1; digits < 5; digits++)
+        {
+            check_write(whole[i], digits);
+            check_write(whole[i] + 0.5, digits);
+        }
+    }
+}
+END_TEST
+
 START_TEST(shortest)
 {
     uint64_t state = 7;
@@ -259,7 +275,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {forms,      ends,    known_hard_numbers, halfway, all_magnitudes,
-                                  huge_texts, writing, shortest,           NULL};
+    const TTest *const tests[] = {forms,      ends,    known_hard_numbers, halfway,  all_magnitudes,
+                                  huge_texts, writing, writing_halfway,    shortest, NULL};
     return run_suite("number", tests);
 }
