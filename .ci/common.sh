@@ -13,15 +13,23 @@ case $build in
 esac
 
 # What each job needs, by the names of Debian's and Ubuntu's packages.
-needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev check"
-needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath"
+needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev libjansson-dev check"
+needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath doxygen"
 # The libraries that tests/peers and bench/side_by_side compare with are used where they are; .ci/run
 # and scripts/speed have them all.
-needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographiclib-dev"
+needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographiclib-dev
+    libhealpix-cxx-dev"
+# The programs that bench/image compares with, each where it is; scripts/renew image has them all.
+needs_for_images="ffmpeg hugin-tools gdal-bin"
 # A compiler for AArch64 and an emulator of it, for tests/batch/neon.sh.
 needs_for_neon="gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user"
 # A compiler for a processor of 32 bits, for .ci/long; the emulator is that of AArch64.
 needs_for_long="gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user"
+
+# CMake, for tests/programs/cmake.sh, and a compiler for Windows, for tests/include/dll.sh; to run what it makes, .ci/long
+# has Wine.
+needs_for_users="cmake gcc-mingw-w64-x86-64"
+needs_for_windows="gcc-mingw-w64-x86-64 g++-mingw-w64-x86-64 wine64 wine"
 
 # How clang builds what is fuzzed, and what the tests run with sanitizers: arguments to meson, and flags of C and C++.
 sanitized_by_clang="-Dbuildtype=debugoptimized -Doptimization=1 -Db_sanitize=address,undefined -Db_lundef=false
@@ -57,7 +65,9 @@ has()
     ninja-build) command -v ninja >/dev/null ;;
     pkg-config) command -v pkg-config >/dev/null ;;
     libopenimageio-dev) pkg-config --exists OpenImageIO 2>/dev/null ;;
+    libjansson-dev) pkg-config --exists jansson 2>/dev/null ;;
     check) pkg-config --exists check 2>/dev/null ;;
+    doxygen) command -v doxygen >/dev/null ;;
     glslang-tools) command -v glslangValidator >/dev/null ;;
     python3) command -v python3 >/dev/null ;;
     wcslib-dev) pkg-config --exists wcslib 2>/dev/null ;;
@@ -65,11 +75,20 @@ has()
     libchealpix-dev) pkg-config --exists chealpix 2>/dev/null ;;
     libs2-dev) compiles "${CXX:-c++} -std=c++17" c++ s2/s2coords.h ;;
     libgeographiclib-dev) pkg-config --exists geographiclib 2>/dev/null ;;
+    libhealpix-cxx-dev) pkg-config --exists healpix_cxx 2>/dev/null ;;
+    ffmpeg) command -v ffmpeg >/dev/null ;;
+    hugin-tools) command -v nona >/dev/null ;;
+    gdal-bin) command -v gdalwarp >/dev/null ;;
     gcc-aarch64-linux-gnu) command -v aarch64-linux-gnu-gcc >/dev/null ;;
     libc6-dev-arm64-cross) compiles aarch64-linux-gnu-gcc c stdio.h ;;
     qemu-user) command -v qemu-aarch64 >/dev/null || command -v qemu-aarch64-static >/dev/null ;;
     gcc-arm-linux-gnueabihf) command -v arm-linux-gnueabihf-gcc >/dev/null ;;
     libc6-dev-armhf-cross) compiles arm-linux-gnueabihf-gcc c stdio.h ;;
+    cmake) command -v cmake >/dev/null ;;
+    gcc-mingw-w64-x86-64) compiles x86_64-w64-mingw32-gcc c stdio.h ;;
+    g++-mingw-w64-x86-64) compiles x86_64-w64-mingw32-g++ c++ cmath ;;
+    wine64) [ -x /usr/lib/wine/wine64 ] || command -v wine64 >/dev/null ;;
+    wine) command -v wine >/dev/null ;;
     gcovr) command -v gcovr >/dev/null ;;
     valgrind) command -v valgrind >/dev/null && compiles "${CC:-cc}" c valgrind/callgrind.h ;;
     python3-matplotlib)

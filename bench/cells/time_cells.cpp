@@ -2,8 +2,8 @@
 //
 // Cells, this library's arrays beside S2's functions, on the same random points in one interleaved run on
 // one core: nanoseconds a point, the least of the repetitions, and beside them how many results differ from
-// S2's. With the mapping s2 in the frame s2 on a sphere all do the same; then equal-area cells on WGS84,
-// which S2 does not have.
+// S2's. With the mapping s2 in the frame s2 on a sphere all do the same, "to the bit" where cm_cell_grid_create_s2
+// made the cells; then equal-area cells on WGS84, which S2 does not have.
 //
 // Usage: cells [POINTS [REPETITIONS]]; cells count OPERATION for callgrind (--collect-atstart=no), whose
 // instructions are then those of 65536 points.
@@ -141,6 +141,13 @@ int main(int argc, char **argv)
     cm_ellipsoid sphere = *cm_ellipsoid_find("WGS84");
     sphere.f = 0.0;
     const Grid s2 = make_grid("s2", "s2", &sphere, CM_CURVE_HILBERT);
+    Grid bits = make_grid("s2", "s2", &sphere, CM_CURVE_HILBERT);
+    cm_cell_grid_destroy(bits.cells);
+    if (cm_cell_grid_create_s2(bits.grid, &bits.cells) != CM_OK)
+    {
+        std::fprintf(stderr, "cells: no cells as S2's\n");
+        return 1;
+    }
     const Grid morton = make_grid("s2", "s2", &sphere, CM_CURVE_MORTON);
     const Grid earth = make_grid("slice", "geo", nullptr, CM_CURVE_HILBERT);
     const Grid coupled = make_grid("coupled", "geo", nullptr, CM_CURVE_HILBERT);
@@ -163,6 +170,18 @@ int main(int argc, char **argv)
          },
          false, 1e9},
         {"forward", "s2 on a sphere: cm_cell_forward_array", [&] { forward(s2); }, true, 1e9},
+        {"forward-bits", "the same to the bit: cm_cell_forward_array", [&] { forward(bits); }, true,
+         1e9},
+        {"forward-bits-single", "to the bit: cm_cell_forward",
+         [&]
+         {
+             for (size_t i = 0; i < count; i++)
+             {
+                 const double normal[3] = {p.x[i], p.y[i], p.z[i]};
+                 p.cell[i] = cm_cell_forward(bits.cells, 30, normal);
+             }
+         },
+         true, 1e9},
         {"forward-morton", "the same along Morton's curve", [&] { forward(morton); }, false, 1e9},
         {"forward-single", "s2 on a sphere: cm_cell_forward",
          [&]
@@ -189,6 +208,8 @@ int main(int argc, char **argv)
          false, 1e9},
         {"lonlat", "s2 on a sphere: cm_cell_forward_lonlat_array", [&] { from_lonlat(s2); }, false,
          1e9},
+        {"lonlat-bits", "to the bit: cm_cell_forward_lonlat_array", [&] { from_lonlat(bits); },
+         false, 1e9},
         {"lonlat-earth", "slice on WGS84: cm_cell_forward_lonlat_array",
          [&] { from_lonlat(earth); }, false, 1e9},
         {"s2-centre", "S2: S2CellId::ToPoint",
@@ -207,6 +228,13 @@ int main(int argc, char **argv)
          [&]
          {
              cm_cell_centre_array(s2.cells, count, p.leaf.data(), p.made[0].data(),
+                                  p.made[1].data(), p.made[2].data());
+         },
+         false, 1e9},
+        {"centre-bits", "to the bit: cm_cell_centre_array",
+         [&]
+         {
+             cm_cell_centre_array(bits.cells, count, p.leaf.data(), p.made[0].data(),
                                   p.made[1].data(), p.made[2].data());
          },
          false, 1e9},
@@ -265,7 +293,7 @@ int main(int argc, char **argv)
             o.makes_leaves ? std::to_string(count_apart(p, p.cell)) : std::string();
         std::printf("| %s | %.1f | %s |\n", o.what, o.seconds / double(count) * 1e9, apart.c_str());
     }
-    for (const Grid &g : {s2, morton, earth, coupled})
+    for (const Grid &g : {s2, bits, morton, earth, coupled})
     {
         cm_cell_grid_destroy(g.cells);
         cm_grid_destroy(g.grid);

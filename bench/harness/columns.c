@@ -3,46 +3,62 @@
 
 #include "harness.h"
 
+#include "truth/sphere.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-void batch_allocate(batch *b, size_t room)
+enum
 {
+    ARRAYS = 20,
+    PAGE =
+        4096, /* addresses that are as many bytes apart, or twice as many, are in each other's way */
+    LINE = 64,
+    HEADER = 16 /* large blocks of malloc begin so far behind a page */
+};
+
+/* A part of a batch's memory, behind a gap of less than a page. */
+static void *part_of(unsigned char **at, size_t bytes, uint64_t *state)
+{
+    unsigned char *const begin = *at + next_bits(state) % (PAGE / LINE) * LINE;
+    *at = begin + (bytes + LINE - 1) / LINE * LINE;
+    return begin;
+}
+
+void batch_scatter(batch *b, size_t room, uint64_t *state)
+{
+    const size_t bytes_a_point =
+        9 * sizeof(double) + 8 * sizeof(float) + DIRECTIONS * sizeof(int) + 1;
     memset(b, 0, sizeof *b);
+    b->memory = allocate(room * bytes_a_point + (ARRAYS + 1) * (PAGE + LINE), 1);
+    unsigned char *at = b->memory;
+    at += HEADER + PAGE - (uintptr_t)at % PAGE;
     for (int k = 0; k < 3; k++)
     {
-        b->from[k] = allocate(room, sizeof(double));
-        b->back[k] = allocate(room, sizeof(double));
-        b->from_f32[k] = allocate(room, sizeof(float));
-        b->back_f32[k] = allocate(room, sizeof(float));
+        b->from[k] = part_of(&at, room * sizeof(double), state);
+        b->back[k] = part_of(&at, room * sizeof(double), state);
+        b->from_f32[k] = part_of(&at, room * sizeof(float), state);
+        b->back_f32[k] = part_of(&at, room * sizeof(float), state);
     }
     for (int k = 0; k < 2; k++)
     {
-        b->plane[k] = allocate(room, sizeof(double));
-        b->plane_f32[k] = allocate(room, sizeof(float));
-        b->status[k] = allocate(room, sizeof(int));
+        b->plane[k] = part_of(&at, room * sizeof(double), state);
+        b->plane_f32[k] = part_of(&at, room * sizeof(float), state);
+        b->status[k] = part_of(&at, room * sizeof(int), state);
     }
-    b->face = allocate(room, 1);
-    b->pixel = allocate(room, sizeof(int64_t));
+    b->face = part_of(&at, room, state);
+    b->pixel = part_of(&at, room * sizeof(int64_t), state);
+}
+
+void batch_allocate(batch *b, size_t room)
+{
+    uint64_t state = 1;
+    batch_scatter(b, room, &state);
 }
 
 void batch_free(batch *b)
 {
-    for (int k = 0; k < 3; k++)
-    {
-        free(b->from[k]);
-        free(b->back[k]);
-        free(b->from_f32[k]);
-        free(b->back_f32[k]);
-    }
-    for (int k = 0; k < 2; k++)
-    {
-        free(b->plane[k]);
-        free(b->plane_f32[k]);
-        free(b->status[k]);
-    }
-    free(b->face);
-    free(b->pixel);
+    free(b->memory);
 }
 
 void batch_put(batch *b, size_t at, const double point[3])

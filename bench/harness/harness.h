@@ -34,9 +34,39 @@ const char *system_cpu(void);
 const char *system_name(void);
 const char *system_compiler(void);
 const char *system_flags(void);
+const char *system_commit(
+    void); /* what git calls the sources, "-dirty" if they were changed; "unknown" without git */
 double system_free_memory(void); /* bytes; 0 if unknown */
 
 double seconds(void);
+
+enum
+{
+    DATE_SIZE = 24
+};
+
+/* ISO 8601, the date and time now, UTC. */
+void date_now(char text[DATE_SIZE]);
+
+/* What the clock can tell apart, in seconds: its tick, or the time of reading it where that is longer. Measured once. */
+double clock_tick(void);
+
+/* So many calls took so many seconds: as many again if that is a thousand ticks or more, else how many should be tried
+ * next. */
+size_t calls_for_sample(size_t calls, double took);
+
+/* The seconds that so many calls of something take. */
+typedef double (*calls_timer)(void *user, size_t calls);
+
+/* How many calls a sample is of, so that it is a thousand ticks long. Of each number the least of three times counts: what
+ * interrupts one, or the first call's pages, would otherwise pass for work. */
+size_t calls_a_sample(calls_timer timer, void *user);
+
+/* Increasing, to be freed. */
+double *sorted_copy(const double *samples, size_t count);
+
+/* Of one or more; of an even count the mean of the two in the middle. */
+double sorted_median(const double *sorted, size_t count);
 
 /* Nanoseconds a point. */
 typedef struct timing
@@ -74,6 +104,12 @@ void json_number(FILE *out, const char *key, double value);
 
 /* The machine, system, compiler and flags, as four of those. */
 void json_machine(FILE *out);
+
+/* The date, the commit, and the clock's tick in nanoseconds, as three of those. */
+void json_run(FILE *out, const char *date);
+
+/* "key": [numbers], followed by a comma and a blank. */
+void json_numbers(FILE *out, const char *key, const double *values, size_t count);
 
 #define OUTPUT_NAME_MAX 4200
 

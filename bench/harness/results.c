@@ -254,6 +254,23 @@ void json_number(FILE *out, const char *key, double value)
     }
 }
 
+void json_numbers(FILE *out, const char *key, const double *values, size_t count)
+{
+    fprintf(out, "\"%s\": [", key);
+    for (size_t i = 0; i < count; i++)
+    {
+        fprintf(out, "%s%.9g", i == 0 ? "" : ", ", values[i]);
+    }
+    fprintf(out, "], ");
+}
+
+void json_run(FILE *out, const char *date)
+{
+    json_text(out, "date", date);
+    json_text(out, "commit", system_commit());
+    json_number(out, "clock_tick_ns", clock_tick() * 1e9);
+}
+
 void json_machine(FILE *out)
 {
     json_text(out, "cpu", system_cpu());

@@ -6,6 +6,7 @@
 
 #include "harness.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -17,6 +18,71 @@ double seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+void date_now(char text[DATE_SIZE])
+{
+    const time_t now = time(NULL);
+    struct tm parts;
+    if (gmtime_r(&now, &parts) == NULL ||
+        strftime(text, DATE_SIZE, "%Y-%m-%dT%H:%M:%SZ", &parts) == 0)
+    {
+        memcpy(text, "unknown", sizeof "unknown");
+    }
+}
+
+/* A thousandth of a sample is within a tick. */
+static const double ticks_a_sample = 1000.0;
+
+enum
+{
+    TICKS = 101
+};
+
+double clock_tick(void)
+{
+    static double tick;
+    double steps[TICKS];
+    for (size_t i = 0; i < TICKS && tick == 0.0; i++)
+    {
+        const double start = seconds();
+        double now = start;
+        while (now <= start)
+        {
+            now = seconds();
+        }
+        steps[i] = now - start;
+    }
+    tick = tick == 0.0 ? summary(steps, TICKS).median : tick;
+    return tick;
+}
+
+size_t calls_for_sample(size_t calls, double took)
+{
+    const double wanted = ticks_a_sample * clock_tick();
+    if (took >= wanted)
+    {
+        return calls;
+    }
+    /* somewhat more, for the next time may be shorter; not all at once, for the first times are uncertain */
+    const double more = 1.1 * (double)calls * fmin(wanted / took, 100.0);
+    return (size_t)fmax(more, (double)calls + 1.0);
+}
+
+size_t calls_a_sample(calls_timer timer, void *user)
+{
+    size_t calls = 0;
+    for (size_t next = 1; next != calls;)
+    {
+        calls = next;
+        double least = timer(user, calls);
+        for (int again = 0; again < 2; again++)
+        {
+            least = fmin(least, timer(user, calls));
+        }
+        next = calls_for_sample(calls, least);
+    }
+    return calls;
+}
+
 static int compare(const void *a, const void *b)
 {
     double x = *(const double *)a;
@@ -24,12 +90,24 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-timing summary(const double *samples, size_t count)
+double *sorted_copy(const double *samples, size_t count)
 {
     double *sorted = allocate(count, sizeof sorted[0]);
     memcpy(sorted, samples, count * sizeof sorted[0]);
     qsort(sorted, count, sizeof sorted[0], compare);
-    timing t = {sorted[0], sorted[count / 4], sorted[count / 2], sorted[3 * count / 4]};
+    return sorted;
+}
+
+double sorted_median(const double *sorted, size_t count)
+{
+    return count % 2 == 1 ? sorted[count / 2]
+                          : 0.5 * sorted[count / 2 - 1] + 0.5 * sorted[count / 2];
+}
+
+timing summary(const double *samples, size_t count)
+{
+    double *sorted = sorted_copy(samples, count);
+    timing t = {sorted[0], sorted[count / 4], sorted_median(sorted, count), sorted[3 * count / 4]};
     free(sorted);
     return t;
 }

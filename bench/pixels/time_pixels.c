@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * HEALPix pixels, this library's arrays beside chealpix (Gorski, Reinecke et al.), on the same points in one
- * interleaved run on one core: nanoseconds a point, and beside them how many of the points each puts into a
- * pixel that they are not in, or how far its centres are from the true ones, by quadruple precision
- * (truth/quad_healpix.h).
+ * HEALPix pixels, this library's arrays and its functions for one point beside chealpix and healpix_cxx (Gorski, Reinecke
+ * et al.), on the same points in one interleaved run on one core: nanoseconds a point, and beside them how many of the
+ * points the arrays and chealpix put into a pixel that they are not in, or how far their centres are from the true ones,
+ * by quadruple precision (truth/quad_healpix.h). That of a point alone is the arrays' to the bit, and
+ * neighbours are healpix_cxx's: how many are not is said.
  *
  * Usage: pixels [--nside N] [--points N] [--repetitions N] [--set NAME] [--count]
  */
 #include "bench/harness/harness.h"
+#include "healpix_cxx.h"
 
 #include "truth/quad_healpix.h"
 #include "truth/sphere.h"
@@ -47,9 +49,10 @@ typedef struct batch
     int64_t *number[2];
     double *made[3];
     int64_t *pixel;
+    int64_t (*around)[8];
 } batch;
 
-/* ---- What is measured: ours, then chealpix's, for each order ---- */
+/* ---- What is measured: ours, then that of a point alone, then chealpix's, for each order ---- */
 
 typedef void (*function)(batch *b, int order);
 
@@ -57,6 +60,15 @@ static void our_from_direction(batch *b, int order)
 {
     cm_healpix_pixel_from_direction_array(b->healpix[order], b->n, b->direction[0], b->direction[1],
                                           b->direction[2], b->pixel);
+}
+
+static void alone_from_direction(batch *b, int order)
+{
+    for (size_t i = 0; i < b->n; i++)
+    {
+        const double v[3] = {b->direction[0][i], b->direction[1][i], b->direction[2][i]};
+        (void)cm_healpix_pixel_from_direction(b->healpix[order], v, &b->pixel[i]);
+    }
 }
 
 static void their_from_direction(batch *b, int order)
@@ -73,6 +85,14 @@ static void our_from_angles(batch *b, int order)
     cm_healpix_pixel_from_angles_array(b->healpix[order], b->n, b->theta, b->phi, b->pixel);
 }
 
+static void alone_from_angles(batch *b, int order)
+{
+    for (size_t i = 0; i < b->n; i++)
+    {
+        (void)cm_healpix_pixel_from_angles(b->healpix[order], b->theta[i], b->phi[i], &b->pixel[i]);
+    }
+}
+
 static void their_from_angles(batch *b, int order)
 {
     for (size_t i = 0; i < b->n; i++)
@@ -86,6 +106,18 @@ static void our_to_direction(batch *b, int order)
 {
     cm_healpix_direction_from_pixel_array(b->healpix[order], b->n, b->number[order], b->made[0],
                                           b->made[1], b->made[2]);
+}
+
+static void alone_to_direction(batch *b, int order)
+{
+    for (size_t i = 0; i < b->n; i++)
+    {
+        double v[3];
+        (void)cm_healpix_direction_from_pixel(b->healpix[order], b->number[order][i], v);
+        b->made[0][i] = v[0];
+        b->made[1][i] = v[1];
+        b->made[2][i] = v[2];
+    }
 }
 
 static void their_to_direction(batch *b, int order)
@@ -105,6 +137,15 @@ static void our_to_angles(batch *b, int order)
 {
     cm_healpix_angles_from_pixel_array(b->healpix[order], b->n, b->number[order], b->made[0],
                                        b->made[1]);
+}
+
+static void alone_to_angles(batch *b, int order)
+{
+    for (size_t i = 0; i < b->n; i++)
+    {
+        (void)cm_healpix_angles_from_pixel(b->healpix[order], b->number[order][i], &b->made[0][i],
+                                           &b->made[1][i]);
+    }
 }
 
 static void their_to_angles(batch *b, int order)
@@ -128,6 +169,16 @@ static void our_renumber(batch *b, int order)
     }
 }
 
+static void alone_renumber(batch *b, int order)
+{
+    for (size_t i = 0; i < b->n; i++)
+    {
+        (void)(order == CM_HEALPIX_RING
+                   ? cm_healpix_nested_from_ring
+                   : cm_healpix_ring_from_nested)(b->healpix[0], b->number[order][i], &b->pixel[i]);
+    }
+}
+
 static void their_renumber(batch *b, int order)
 {
     for (size_t i = 0; i < b->n; i++)
@@ -136,6 +187,49 @@ static void their_renumber(batch *b, int order)
                                                                &b->pixel[i]);
     }
 }
+
+static void alone_neighbours(batch *b, int order)
+{
+    for (size_t i = 0; i < b->n; i++)
+    {
+        (void)cm_healpix_neighbours(b->healpix[order], b->number[order][i], b->around[i]);
+    }
+}
+
+#ifdef HAVE_HEALPIX_CXX
+static void cxx_from_direction(batch *b, int order)
+{
+    healpix_cxx_from_directions(order, b->n, b->direction, b->pixel);
+}
+
+static void cxx_from_angles(batch *b, int order)
+{
+    healpix_cxx_from_angles(order, b->n, b->theta, b->phi, b->pixel);
+}
+
+static void cxx_to_direction(batch *b, int order)
+{
+    healpix_cxx_to_directions(order, b->n, b->number[order], b->made);
+}
+
+static void cxx_to_angles(batch *b, int order)
+{
+    healpix_cxx_to_angles(order, b->n, b->number[order], b->made[0], b->made[1]);
+}
+
+static void cxx_renumber(batch *b, int order)
+{
+    healpix_cxx_renumber(order, b->n, b->number[order], b->pixel);
+}
+
+static void cxx_neighbours(batch *b, int order)
+{
+    healpix_cxx_neighbours(order, b->n, b->number[order], b->around);
+}
+#define CXX(function) function
+#else
+#define CXX(function) NULL
+#endif
 
 /* ---- Errors ---- */
 
@@ -196,21 +290,45 @@ enum
     OF_ANGLES,
     TO_DIRECTIONS,
     TO_ANGLES,
-    OF_NUMBERS
+    OF_NUMBERS,
+    NEIGHBOURS
 };
+
+enum
+{
+    ARRAYS,
+    ALONE,
+    CHEALPIX,
+    HEALPIX_CXX,
+    CONTESTANTS
+};
+
+static const char *const contestants[CONTESTANTS] = {"arrays", "alone", "chealpix", "healpix_cxx"};
 
 static const struct
 {
-    const char *name[2]; /* as chealpix calls it, by order */
-    function ours;
-    function theirs;
+    const char *name[2];       /* as chealpix calls it, by order */
+    function run[CONTESTANTS]; /* NULL: it has none */
     int kind;
 } rows[] = {
-    {{"vec2pix_ring", "vec2pix_nest"}, our_from_direction, their_from_direction, OF_DIRECTIONS},
-    {{"ang2pix_ring", "ang2pix_nest"}, our_from_angles, their_from_angles, OF_ANGLES},
-    {{"pix2vec_ring", "pix2vec_nest"}, our_to_direction, their_to_direction, TO_DIRECTIONS},
-    {{"pix2ang_ring", "pix2ang_nest"}, our_to_angles, their_to_angles, TO_ANGLES},
-    {{"ring2nest", "nest2ring"}, our_renumber, their_renumber, OF_NUMBERS},
+    {{"vec2pix_ring", "vec2pix_nest"},
+     {our_from_direction, alone_from_direction, their_from_direction, CXX(cxx_from_direction)},
+     OF_DIRECTIONS},
+    {{"ang2pix_ring", "ang2pix_nest"},
+     {our_from_angles, alone_from_angles, their_from_angles, CXX(cxx_from_angles)},
+     OF_ANGLES},
+    {{"pix2vec_ring", "pix2vec_nest"},
+     {our_to_direction, alone_to_direction, their_to_direction, CXX(cxx_to_direction)},
+     TO_DIRECTIONS},
+    {{"pix2ang_ring", "pix2ang_nest"},
+     {our_to_angles, alone_to_angles, their_to_angles, CXX(cxx_to_angles)},
+     TO_ANGLES},
+    {{"ring2nest", "nest2ring"},
+     {our_renumber, alone_renumber, their_renumber, CXX(cxx_renumber)},
+     OF_NUMBERS},
+    {{"neighbors_ring", "neighbors_nest"},
+     {NULL, alone_neighbours, NULL, CXX(cxx_neighbours)},
+     NEIGHBOURS},
 };
 
 enum
@@ -255,6 +373,7 @@ static void fill(batch *b)
     b->theta = allocate(b->n, sizeof(double));
     b->phi = allocate(b->n, sizeof(double));
     b->pixel = allocate(b->n, sizeof(int64_t));
+    b->around = allocate(b->n, sizeof *b->around);
     b->number[0] = allocate(b->n, sizeof(int64_t));
     b->number[1] = allocate(b->n, sizeof(int64_t));
     for (size_t i = 0; i < b->n; i++)
@@ -274,40 +393,100 @@ static void fill(batch *b)
 }
 
 /* The best of interleaved repetitions. */
-static void time_row(batch *b, size_t row, int order, size_t repetitions, double best[2])
+static void time_row(batch *b, size_t row, int order, size_t repetitions, double best[CONTESTANTS])
 {
-    best[0] = best[1] = INFINITY;
+    for (int c = 0; c < CONTESTANTS; c++)
+    {
+        best[c] = (double)INFINITY;
+    }
     for (size_t r = 0; r < repetitions; r++)
     {
-        best[0] = fmin(best[0], time_once(b, rows[row].ours, order));
-        best[1] = fmin(best[1], time_once(b, rows[row].theirs, order));
+        for (int c = 0; c < CONTESTANTS; c++)
+        {
+            if (rows[row].run[c] != NULL)
+            {
+                best[c] = fmin(best[c], time_once(b, rows[row].run[c], order));
+            }
+        }
     }
+}
+
+/* How many of the results are another's, to the bit. */
+static size_t count_apart(batch *b, size_t row, int order, int one, int other)
+{
+    const size_t bytes = b->n * sizeof(int64_t);
+    const function runs[2] = {rows[row].run[one], rows[row].run[other]};
+    int64_t *kept[2];
+    size_t apart = 0;
+    for (int k = 0; k < 2; k++)
+    {
+        kept[k] = allocate(12 * b->n, sizeof(int64_t));
+        runs[k](b, order);
+        memcpy(kept[k], b->pixel, bytes);
+        for (size_t c = 0; c < 3; c++)
+        {
+            memcpy(kept[k] + (c + 1) * b->n, b->made[c], bytes);
+        }
+        memcpy(kept[k] + 4 * b->n, b->around, 8 * bytes);
+    }
+    for (size_t i = 0; i < 12 * b->n; i++)
+    {
+        apart += kept[0][i] != kept[1][i];
+    }
+    free(kept[0]);
+    free(kept[1]);
+    return apart;
+}
+
+static void print_row(batch *b, size_t row, int order, const double best[CONTESTANTS])
+{
+    printf("%-14s", rows[row].name[order]);
+    for (int c = 0; c < CONTESTANTS; c++)
+    {
+        char text[32] = "";
+        if (isfinite(best[c]))
+        {
+            (void)snprintf(text, sizeof text, "%.2f", best[c]);
+        }
+        printf(" %11s", text);
+    }
+    for (int c = ARRAYS; c <= CHEALPIX; c += CHEALPIX)
+    {
+        char text[32] = "";
+        if (rows[row].run[c] != NULL)
+        {
+            rows[row].run[c](b, order);
+            error_text(b, rows[row].kind, order, text, sizeof text);
+        }
+        printf("   %-12s", text);
+    }
+    const int other = rows[row].run[ARRAYS] != NULL ? ARRAYS : HEALPIX_CXX;
+    if (rows[row].run[other] != NULL)
+    {
+        printf("   %zu", count_apart(b, row, order, ALONE, other));
+    }
+    printf("\n");
 }
 
 static int measure(batch *b, const settings *s)
 {
-    int slow = 0;
     printf("nside %" PRId64 ", %zu points, %s, %s\n", b->nside, b->n,
            cm_healpix_instructions(b->healpix[0]), system_cpu());
-    printf("%-14s %9s %9s %7s   %-14s %s\n", "", "ours, ns", "chealpix", "ratio", "ours",
-           "chealpix");
+    printf("%-14s", "ns a point");
+    for (int c = 0; c < CONTESTANTS; c++)
+    {
+        printf(" %11s", contestants[c]);
+    }
+    printf("   %-12s   %-12s   %s\n", "arrays", "chealpix", "alone is other");
     for (size_t i = 0; i < ROWS; i++)
     {
         for (int order = 0; order < 2; order++)
         {
-            double best[2];
-            char error[2][32];
+            double best[CONTESTANTS];
             time_row(b, i, order, s->repetitions, best);
-            rows[i].ours(b, order);
-            error_text(b, rows[i].kind, order, error[0], sizeof error[0]);
-            rows[i].theirs(b, order);
-            error_text(b, rows[i].kind, order, error[1], sizeof error[1]);
-            printf("%-14s %9.2f %9.2f %7.1f   %-14s %s\n", rows[i].name[order], best[0], best[1],
-                   best[1] / best[0], error[0], error[1]);
-            slow += best[1] < 5.0 * best[0];
+            print_row(b, i, order, best);
         }
     }
-    printf("%d of %d below five times\n", slow, 2 * ROWS);
     return 0;
 }
 
@@ -318,18 +497,20 @@ static int count_all(batch *b)
     CALLGRIND_START_INSTRUMENTATION;
     for (size_t i = 0; i < ROWS; i++)
     {
-        for (int order = 0; order < 2; order++)
+        for (int k = 0; k < 2 * CONTESTANTS; k++)
         {
             char name[64];
-            rows[i].ours(b, order);
-            rows[i].theirs(b, order);
+            const int order = k / CONTESTANTS;
+            const function run = rows[i].run[k % CONTESTANTS];
+            if (run == NULL)
+            {
+                continue;
+            }
+            run(b, order);
             CALLGRIND_ZERO_STATS;
-            rows[i].ours(b, order);
-            (void)snprintf(name, sizeof name, "%s ours", rows[i].name[order]);
-            CALLGRIND_DUMP_STATS_AT(name);
-            CALLGRIND_ZERO_STATS;
-            rows[i].theirs(b, order);
-            (void)snprintf(name, sizeof name, "%s chealpix", rows[i].name[order]);
+            run(b, order);
+            (void)snprintf(name, sizeof name, "%s %s", rows[i].name[order],
+                           contestants[k % CONTESTANTS]);
             CALLGRIND_DUMP_STATS_AT(name);
         }
     }
@@ -414,6 +595,9 @@ int main(int argc, char **argv)
         }
     }
     batch b = {.nside = s.nside, .n = s.points, .healpix = {made[0], made[1]}};
+#ifdef HAVE_HEALPIX_CXX
+    healpix_cxx_prepare(s.nside);
+#endif
     fill(&b);
     status = s.count ? count_all(&b) : measure(&b, &s);
     cm_healpix_destroy(made[0]);
@@ -426,6 +610,7 @@ int main(int argc, char **argv)
     free(b.theta);
     free(b.phi);
     free(b.pixel);
+    free(b.around);
     free(b.number[0]);
     free(b.number[1]);
     return status;

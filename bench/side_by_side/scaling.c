@@ -3,6 +3,9 @@
  * Cost against the length of the array: from one point, where the call itself counts, to more than
  * any cache holds. The arrays of the longest are allocated once; inverse overwrites what forward
  * has read, with the same points but for rounding.
+ *
+ * Lengths of up to TOGETHER points are timed in turn, again and again, as contestants are: one after the
+ * other, a minute in which the machine is slower would be a step at some length, alike in all contestants.
  */
 #include "side_by_side.h"
 
@@ -14,7 +17,8 @@
 enum
 {
     EACH_UP_TO = 64,
-    AT_ONCE = 4096 /* points that are timed together where the array is shorter */
+    AT_ONCE = 4096,  /* points that are timed together where the array is shorter */
+    TOGETHER = 10000 /* the longest of the lengths that are timed in turn */
 };
 
 static const char *const mappings[] = {"gnomonic", "coupled", "tangent"};
@@ -139,22 +143,26 @@ static void time_row(scaling_row *row, batch *b)
     }
 }
 
-/* All contestants at one length, interleaved. */
-static void time_length(const roster *all, int narrow, batch *b, size_t repetitions,
-                        scaling *result)
+/* Rows of all contestants at one length. */
+static void add_length(const roster *all, int narrow, size_t n, scaling *result)
 {
-    size_t first = result->count;
     for (size_t i = 0; i < all->count; i++)
     {
         if (is_measured(&all->list[i], narrow))
         {
-            add_row(result, &all->list[i], b->count);
+            add_row(result, &all->list[i], n);
         }
     }
+}
+
+/* The rows from the first on, interleaved. */
+static void time_rows(size_t first, batch *b, size_t repetitions, scaling *result)
+{
     for (size_t r = 0; r < repetitions; r++)
     {
         for (size_t i = first; i < result->count; i++)
         {
+            b->count = result->rows[i].points;
             time_row(&result->rows[i], b);
         }
     }
@@ -176,11 +184,20 @@ void measure_scaling(const roster *all, size_t largest, size_t repetitions, scal
         size_t longest = longest_that_fits(largest, narrow);
         progress("scaling: making %zu points", longest);
         allocate_arrays(&b, longest, narrow);
-        for (size_t n = 1; n <= longest; n = next_length(n))
+        size_t n = 1;
+        size_t first = result->count;
+        for (; n <= longest && n <= TOGETHER; n = next_length(n))
+        {
+            add_length(all, narrow, n, result);
+        }
+        progress("scaling: %s, short arrays", narrow ? "float" : "double");
+        time_rows(first, &b, repetitions, result);
+        for (; n <= longest; n = next_length(n))
         {
             progress("scaling: %s, arrays of %zu points", narrow ? "float" : "double", n);
-            b.count = n;
-            time_length(all, narrow, &b, repetitions_of(n, repetitions), result);
+            first = result->count;
+            add_length(all, narrow, n, result);
+            time_rows(first, &b, repetitions_of(n, repetitions), result);
         }
         free_arrays(&b);
     }

@@ -248,7 +248,7 @@ static int measure(const options *o, roster *all)
 int main(int argc, char **argv)
 {
     name_program("side-by-side");
-    static options o = {.set = {8192, 30, 100000, 1}, .largest = 100000000};
+    static options o = {.set = {8192, 30, 100000, 1, ""}, .largest = 100000000};
     int status = read_options(&o, argc, argv);
     if (status >= 0)
     {
@@ -276,6 +276,7 @@ int main(int argc, char **argv)
     }
     else
     {
+        date_now(o.set.date);
         status = measure(&o, &all);
     }
     roster_close(&all);

@@ -126,6 +126,7 @@ typedef struct settings
     size_t repetitions;
     size_t random_count;
     size_t hard_step;
+    char date[DATE_SIZE]; /* when the run began */
 } settings;
 
 void print_table(FILE *out, const roster *all, const settings *set);

@@ -229,7 +229,7 @@ static void json_who(FILE *out, const contestant *c)
     json_text(out, "tier", c->tier);
 }
 
-static void json_contestant(FILE *out, const contestant *c, int direction)
+static void json_contestant(FILE *out, const contestant *c, int direction, size_t repetitions)
 {
     const timing *t = &c->time[direction];
     fprintf(out, "    {");
@@ -241,6 +241,7 @@ static void json_contestant(FILE *out, const contestant *c, int direction)
     json_number(out, "ns_lower_quartile", t->lower_quartile);
     json_number(out, "ns_median", t->median);
     json_number(out, "ns_upper_quartile", t->upper_quartile);
+    json_numbers(out, "ns_samples", c->samples[direction], repetitions);
     json_number(out, "ratio", c->ratio[direction]);
     json_number(out, "worst_random_m", c->worst_random);
     json_number(out, "worst_hard_m", c->worst_hard);
@@ -264,6 +265,7 @@ static void json_head(FILE *out, const settings *set)
     fprintf(out, "{\n  ");
     json_text(out, "program", "side-by-side");
     json_text(out, "version", cm_version());
+    json_run(out, set->date);
     fprintf(out, "\n  \"machine\": {");
     json_machine(out);
     fprintf(out, "\"cores_used\": 1},\n");
@@ -280,7 +282,7 @@ void print_json(FILE *out, const roster *all, const settings *set, const scaling
     for (size_t i = 0; i < DIRECTIONS * all->count; i++)
     {
         fprintf(out, i == 0 ? "\n" : ",\n");
-        json_contestant(out, &all->list[i / DIRECTIONS], (int)(i % DIRECTIONS));
+        json_contestant(out, &all->list[i / DIRECTIONS], (int)(i % DIRECTIONS), set->repetitions);
     }
     fprintf(out, "\n  ],\n  \"scaling\": [");
     for (size_t i = 0; i < DIRECTIONS * rows->count; i++)

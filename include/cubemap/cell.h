@@ -1,26 +1,22 @@
 /* SPDX-License-Identifier: MIT
  *
- * Cells: the squares that a face falls into when it is halved both ways again and again, as numbers of 64
- * bits. Level 0 are the six faces, level L has 6 4^L cells, level 30 the leaves, whose edges on Earth are
- * some 9 mm long.
+ * Cells: the squares that a face falls into when it is halved both ways again and again, as numbers of 64 bits. Level
+ * 0 are the six faces, level L has 6 4^L cells, level 30 the leaves, whose edges on Earth are some 9 mm long.
  *
- * A cell's number is, from the highest bit: the face in 3 bits, 2 bits for each level that say which
- * quarter, a bit that is 1, and zeros. So the number alone tells its level; the cells of a level are in the
- * order of a curve through the faces; and what lies in a cell is one range of numbers. Parents, children,
- * ranges and tokens need nothing but the number.
+ * A cell's number is, from the highest bit: the face in 3 bits, 2 bits for each level that say which quarter, a bit
+ * that is 1, and zeros. So the number alone tells its level; the cells of a level are in the order of a curve through
+ * the faces; and what lies in a cell is one range of numbers.
  *
- * Which quarter the 2 bits mean is a matter of the curve, which a cell's number does not tell. Hilbert's: each
- * cell shares an edge with the one before it, on a face, and in the frame s2 from each face to the next and
- * from the last to the first. It is that of the S2 library (s2geometry, s2cell_id.h), so that with the frame s2
- * and the mapping s2 on a sphere the numbers and the tokens are S2's. Morton's: the digit is 2 j + i.
+ * Which quarter the 2 bits mean is a matter of the curve, which a number does not tell. Hilbert's is that of the S2
+ * library (s2geometry, s2cell_id.h): each cell shares an edge with the one before it. With the frame and the mapping s2
+ * numbers of cells are S2's, and those of points with cm_cell_grid_create_s2. Morton's digit is 2 j + i.
  *
- * A cell's place is its face, its level and the column i along u and the row j along v, both from 0 to 2^level
- * - 1. It is what is between 2 i / 2^level - 1 and 2 (i + 1) / 2^level - 1 in u, its lower edges included, the
- * upper ones only at u = 1 and v = 1.
+ * A cell's place is its face, its level and the column i along u and the row j along v, both from 0 to 2^level - 1. It
+ * is what is between 2 i / 2^level - 1 and 2 (i + 1) / 2^level - 1 in u, its lower edges included, the upper ones only
+ * at u = 1 and v = 1.
  *
- * What is no cell is answered with CM_NO_CELL or what is said below. Nothing here has a state, and nothing
- * allocates but what the C library's qsort takes in cm_cell_union_normalise. Cost: 1 to 10 ns; from and to a place
- * and a text some 20 ns. Points, neighbours on other faces, areas: cell_grid.h.
+ * What is no cell is answered with CM_NO_CELL or what is said below. Nothing here has a state, and nothing allocates
+ * but what the C library's qsort takes in cm_cell_union_normalise. Points, neighbours on other faces: cell_grid.h.
  */
 #ifndef CUBEMAP_CELL_H
 #define CUBEMAP_CELL_H
@@ -35,15 +31,20 @@
 extern "C" {
 #endif
 
+/* A cell's number. */
 typedef uint64_t cm_cell;
 
+/* The number of no cell. */
 #define CM_NO_CELL 0
+
+/* The level of leaves. */
 #define CM_CELL_LEVEL_MAX 30
 
+/* The order of a cell's quarters. */
 typedef enum cm_curve
 {
-    CM_CURVE_HILBERT = 0,
-    CM_CURVE_MORTON = 1
+    CM_CURVE_HILBERT = 0, /* S2's */
+    CM_CURVE_MORTON = 1   /* 2 j + i */
 } cm_curve;
 
 /* "hilbert", "morton"; NULL for what is none. find takes upper and lower case as the same: CM_OK,
@@ -89,12 +90,13 @@ CM_API cm_cell cm_cell_at_index(int level, uint64_t index);
  * first. */
 CM_API cm_cell cm_cell_advance(cm_cell cell, int64_t steps);
 
+/* Where a cell is on its face. */
 typedef struct cm_cell_place
 {
-    uint8_t face;
-    uint8_t level;
-    uint32_t i; /* along u, from 0 to 2^level - 1 */
-    uint32_t j; /* along v */
+    uint8_t face;  /* 0 to 5 */
+    uint8_t level; /* 0 to CM_CELL_LEVEL_MAX */
+    uint32_t i;    /* along u, from 0 to 2^level - 1 */
+    uint32_t j;    /* along v */
 } cm_cell_place;
 
 /* CM_NO_CELL for a curve, a face, a level, i or j out of range, or NULL. */
@@ -126,11 +128,11 @@ CM_API cm_status cm_cell_parse(const char *text, cm_cell *cell, char *message, s
 /* ---- Sets of cells ---- */
 
 /* Sorts n cells in place, takes out those that are none or in others, and puts a cell in the place of its
- * four quarters as often as there are all four. The number that is left. Cost: that of the C library's qsort. */
+ * four quarters as often as there are all four. The number that is left. */
 CM_API size_t cm_cell_union_normalise(size_t n, cm_cell *cells);
 
 /* Of n cells as cm_cell_union_normalise leaves them: is the whole cell in one of them, does it have
- * anything in common with one? Cost: log2 n steps. */
+ * anything in common with one? By halving. */
 CM_API int cm_cell_union_contains(size_t n, const cm_cell *cells, cm_cell cell);
 CM_API int cm_cell_union_intersects(size_t n, const cm_cell *cells, cm_cell cell);
 

@@ -1,19 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * Cells on the Earth: which cell a point is in, where a cell is, its neighbours, its area. A grid (grid.h) says
- * where the faces are, a curve (cell.h) how their cells are numbered.
+ * Cells on the Earth: which cell a point is in, where a cell is, its neighbours, its area. A grid (grid.h) says where
+ * the faces are, a curve (cell.h) how their cells are numbered.
  *
  *   point       the normal of the ellipsoid, of any length, or geographic longitude and latitude in
  *               radians, as in grid.h. What is no point is in CM_NO_CELL, and what is no cell has the centre
  *               NaN, NaN, NaN
  *   ties        a point goes to the face, u and v that the grid finds. On a face i is the whole part of
  *               2^level (u + 1) / 2, computed without rounding, and 2^level - 1 where u = 1; j and v likewise
- *   accuracy    as that of the grid: the cell is the one of the u and v that the grid finds, so that points
- *               within its error of a cell's edge may be on the other side of it
- *   cost        the cell of a point: what the point costs the grid, and in arrays with AVX2 some 5 ns more, alone
- *               some 30 ns; docs/guide/cells.md has figures
  *   threads     a cell grid is constant after its creation: any number of threads may use one
  *   results     the same input gives the same bits whatever n, the position in the array and the thread
+ *
+ * docs/guide/cells.md shows their use, docs/measured/accuracy.md and costs.md have bounds and times.
  */
 #ifndef CUBEMAP_CELL_GRID_H
 #define CUBEMAP_CELL_GRID_H
@@ -30,19 +28,32 @@
 extern "C" {
 #endif
 
+/* The cells of a grid, from cm_cell_grid_create to cm_cell_grid_destroy. */
 typedef struct cm_cell_grid cm_cell_grid;
 
-/* The grid is not copied and must live as long. Some 80 000 points are computed to learn how round the grid's
- * cells are (cm_cell_bounding_cap): 1 to 3 ms.
+/* The grid is not copied and must live as long. Some 30 000 points are computed to learn how round the grid's
+ * cells are (cm_cell_bounding_cap).
  * CM_OK; CM_ERROR_ARGUMENT (NULL, or no curve), CM_ERROR_UNSUPPORTED (a mapping that does not have six faces),
  * CM_ERROR_MEMORY. */
 CM_API cm_status cm_cell_grid_create(const cm_grid *grid, cm_curve curve, cm_cell_grid **cells);
 
+/* Cells of the S2 library, to the bit: a point is in the cell that S2CellId gives it, centres and corners are those of
+ * S2Cell, and what is given in longitude and latitude is S2LatLng's, as far as the C library's sines are the same. So
+ * at a tie the last of x, y, z wins a face and not the first, and a point within rounding of an edge is where S2's
+ * rounding has it. What makes no cell here, NaN or the zero vector, makes none.
+ * The grid has the mapping s2 in the frame s2, on a sphere or with geographic latitude, and is not rotated.
+ * CM_OK; CM_ERROR_ARGUMENT (NULL), CM_ERROR_UNSUPPORTED (another grid), CM_ERROR_MEMORY. */
+CM_API cm_status cm_cell_grid_create_s2(const cm_grid *grid, cm_cell_grid **cells);
+
 /* NULL is allowed. */
 CM_API void cm_cell_grid_destroy(cm_cell_grid *cells);
 
+/* What it was made from. */
 CM_API const cm_grid *cm_cell_grid_of(const cm_cell_grid *cells);
 CM_API cm_curve cm_cell_grid_curve(const cm_cell_grid *cells);
+
+/* Was it made by cm_cell_grid_create_s2? 1 or 0. */
+CM_API int cm_cell_grid_is_s2(const cm_cell_grid *cells);
 
 /* ---- Points and cells; cells must not be NULL here and below ---- */
 
@@ -50,8 +61,8 @@ CM_API cm_curve cm_cell_grid_curve(const cm_cell_grid *cells);
 CM_API cm_cell cm_cell_forward(const cm_cell_grid *cells, int level, const double normal[3]);
 CM_API cm_cell cm_cell_forward_lonlat(const cm_cell_grid *cells, int level, double lon, double lat);
 
-/* The same of n points, by vectors. Arrays may be NULL if n is 0; the output may be one of the inputs. Some 12
- * kB of stack. */
+/* The same of n points, by vectors. Arrays may be NULL if n is 0; the output may be one of the
+ * inputs. */
 CM_API void cm_cell_forward_array(const cm_cell_grid *cells, int level, size_t n, const double *x,
                                   const double *y, const double *z, cm_cell *cell);
 CM_API void cm_cell_forward_lonlat_array(const cm_cell_grid *cells, int level, size_t n,
@@ -79,11 +90,7 @@ CM_API void cm_cell_bounding_cap(const cm_cell_grid *cells, cm_cell cell, double
 
 /* The surface of the cell on the ellipsoid, in square metres; NaN for none. If the mapping is equal-area and
  * the grid's latitude authalic, it is the ellipsoid's surface divided by 6 4^level. Else it is integrated
- * from cm_grid_area_element, within 1e-12 of its size: some 30 microseconds, for cells of the first
- * levels and mappings that are not smooth tens of milliseconds. Beside a corner of a face, where the mapping
- * conformal is singular, the error is up to 2^-49 over the distance of the cell's outer side from the corner, in u and
- * v, if that is more. smoothstep:c=1, singular along all edges, has errors of 1e-3 in the cells there, and takes a
- * second for one. */
+ * from cm_grid_area_element, adaptively. */
 CM_API double cm_cell_area(const cm_cell_grid *cells, cm_cell cell);
 
 /* ---- Neighbours, across the edges and corners of faces too. The frame says which they are ---- */

@@ -1,35 +1,22 @@
 /* SPDX-License-Identifier: MIT
  *
- * Perceptually uniform colour maps: from a number t in [0, 1] to a colour, so that equal steps of t are
- * equal steps for the eye, as far as CIELUV knows it. A library of its own, cubemap-colormap, which needs
- * no other; the text of a cm_status comes from cm_status_text of libcubemap.
+ * Perceptually uniform colour maps: from a number t in [0, 1] to a colour, so that equal steps of t are equal steps for
+ * the eye, as far as CIELUV knows it, or, for uniform maps, CAM16-UCS. A library of its own, cubemap-colormap, which
+ * needs no other; the text of a cm_status comes from cm_status_text of libcubemap.
  *
- * Conventions of every function here:
- *   lch, luv    CIELUV of CIE 15:2004 with the exact constants 216/24389 and 24389/27; L in [0, 100],
- *               chroma C >= 0, hue H in degrees in [0, 360), u = C cos H, v = C sin H. The white is that of
- *               sRGB, x = 0.3127, y = 0.3290 (D65)
- *   linear      sRGB before its transfer function, each channel in [0, 1] where the colour is inside the
- *               gamut. The matrices follow from the chromaticities of IEC 61966-2-1, without rounding
- *   srgb        after the transfer function of IEC 61966-2-1, whose two branches are joined where they
- *               meet, at 0.0031306684, so that it has an inverse; with the standard's rounded 0.0031308
- *               there is a step of 3e-8. Negative channels are mirrored
- *   inside      a colour is inside sRGB if each linear channel is in [0, 1], or outside by 1e-9 at most,
- *               which is rounding
- *   clipping    never silent: what writes colours that are cut to [0, 1] says how many it has cut. One
- *               colour, cm_colormap_color_at, is not cut
- *   bad input   a NaN or an infinity gives NaN. Nothing traps, nothing is read or written beyond the
- *               arguments
- *   accuracy    along the map |dLUV / dt| is the same within 1e-9 of itself between two corners
- *               (cm_colormap_corner); LUV to sRGB and back is within 1e-10
- *   cost        no allocation but for the map itself; a colour takes up to about 1 us
- *   threads     a map is constant after its creation: any number of threads may use one
- *   results     the same input gives the same bits
+ *   lch, luv    CIELUV of CIE 15:2004; L in [0, 100], chroma C >= 0, hue H in degrees in [0, 360), u = C cos H,
+ *               v = C sin H. The white is that of sRGB, x = 0.3127, y = 0.3290 (D65)
+ *   ucs         J', a', b' of CAM16-UCS (C. Li et al., Color Research and Application 42, 2017) with that white,
+ *               L_A = 64 / pi / 5 cd/m^2, Y_b = 20, average surround. J' is 100 for white
+ *   lab         CIELAB of CIE 15:2004 with the same white
+ *   linear      sRGB before its transfer function, each channel in [0, 1] where the colour is inside the gamut
+ *   srgb        after the transfer function of IEC 61966-2-1, joined where its branches meet; negative ones mirrored
+ *   inside      a colour is inside sRGB if each linear channel is in [0, 1], or outside by 1e-9 at most
+ *   clipping    never silent: what writes colours that are cut to [0, 1] says how many it has cut
+ *   bad input   a NaN or an infinity gives NaN. Nothing traps
+ *   threads     a map is constant after its creation: any number of threads may use one. Only creation allocates
  *
- * The models are those of M. Lambers, Interactive Creation of Perceptually Uniform Color Maps, EuroVis
- * Short Papers 2020, section 3. Their paths through CIELUV are kept: lightness linear along the path, chroma
- * linear between its anchors, hue as given. There t is the parameter of the path, and steps are equal
- * where there is one hue, and nearly so where there are several. Here t is the length of the path, in
- * closed form, and they are equal everywhere. docs/guide/colormaps.md shows the maps.
+ * docs/guide/colormaps.md has the sources, tells what differs from them, and shows all maps.
  */
 #ifndef CUBEMAP_COLORMAP_H
 #define CUBEMAP_COLORMAP_H
@@ -48,10 +35,18 @@ extern "C" {
 
 typedef enum cm_colormap_family
 {
-    CM_COLORMAP_SEQUENTIAL = 0, /* ordered values from low to high */
-    CM_COLORMAP_DIVERGING = 1,  /* values to both sides of a neutral middle */
-    CM_COLORMAP_QUALITATIVE = 2 /* classes without an order */
+    CM_COLORMAP_SEQUENTIAL = 0,  /* ordered values from low to high */
+    CM_COLORMAP_DIVERGING = 1,   /* values to both sides of a neutral middle */
+    CM_COLORMAP_QUALITATIVE = 2, /* classes without an order */
+    CM_COLORMAP_CYCLIC = 3       /* directions and phases: t = 1 is t = 0 */
 } cm_colormap_family;
+
+/* The space in which a map has constant speed: its own space. */
+typedef enum cm_colormap_space
+{
+    CM_COLORMAP_CIELUV = 0,
+    CM_COLORMAP_CAM16_UCS = 1
+} cm_colormap_space;
 
 #define CM_COLORMAP_PARAMETERS_MAX 5
 
@@ -75,13 +70,14 @@ typedef struct cm_colormap_parameter_info
 /* Read through pointers that the library gives out; it may grow at its end. */
 typedef struct cm_colormap_info
 {
-    const char *identifier; /* "sequential-single" */
-    const char *aliases;    /* other names, apart by blanks; "" for none */
-    const char *name;       /* one line for people */
-    const char *source;     /* author, year, section */
-    cm_colormap_family family;
-    size_t parameter_count;
-    cm_colormap_parameter_info parameter[CM_COLORMAP_PARAMETERS_MAX];
+    const char *identifier;    /* "sequential-single" */
+    const char *aliases;       /* other names, apart by blanks; "" for none */
+    const char *name;          /* one line for people */
+    const char *source;        /* author, year, section */
+    cm_colormap_family family; /* what it is for */
+    size_t parameter_count;    /* 0 to CM_COLORMAP_PARAMETERS_MAX */
+    cm_colormap_parameter_info parameter[CM_COLORMAP_PARAMETERS_MAX]; /* by index */
+    cm_colormap_space space;                                          /* in which steps are equal */
 } cm_colormap_info;
 
 /* The number of models, and the model at an index below it (else NULL). The tables are constant and
@@ -137,8 +133,8 @@ CM_API size_t cm_colormap_specification(const cm_colormap *map, char *text, size
 
 typedef struct cm_colormap_color
 {
-    double lch[3];
-    double luv[3];
+    double lch[3];    /* lightness, chroma, hue in degrees */
+    double luv[3];    /* CIELUV */
     double linear[3]; /* outside [0, 1] where the colour is outside the gamut */
     double srgb[3];   /* the same */
     int inside;       /* is the colour inside sRGB? */
@@ -146,11 +142,11 @@ typedef struct cm_colormap_color
 
 /* The colour at t in [0, 1]; t outside by at most 1e-9 is taken as the end, further outside, or no
  * number, all numbers of the colour are NaN and inside is 0. t = 0 and t = 1 are exactly the ends of the path;
- * the middle of a diverging map, t = 0.5, is exactly neutral, and both its halves are of the same length
- * whatever the hues. Of a colour without chroma the hue is that of the path there. */
+ * the middle of a diverging map, t = 0.5, is exactly neutral (of a uniform one within 1e-9), and both its halves are of
+ * the same length whatever the hues. Of a colour without chroma the hue is that of the path there. */
 CM_API void cm_colormap_color_at(const cm_colormap *map, double t, cm_colormap_color *color);
 
-/* The place of sample index of n. Neighbours are equally far apart in CIELUV, corners between them or not: t
+/* The place of sample index of n. Neighbours are equally far apart in the map's space, corners between them or not: t
  * grows by the same step everywhere but across a corner (cm_colormap_corner), where it grows by more, so much
  * that the straight line from colour to colour is as long as the others. The first sample is at 0, the last at
  * 1; t grows strictly; the middle of an odd number of samples of a diverging map is at 0.5.
@@ -168,9 +164,8 @@ CM_API void cm_colormap_color_at(const cm_colormap *map, double t, cm_colormap_c
  * The standard maps are within 2 % from n = 20 on, within 0.5 % from n = 28 on, and within 0.1 % from n = 64 on.
  * A qualitative map has no corner, and its samples are at i / (n - 1), or, where its hues go round so far that
  * the last would be closer to the first than to its neighbour, at i / n of the circle, so that the full circle
- * does not repeat its first colour. 0 if n is 1; NaN if index is not below n.
- * Cost: without corners, nothing; with 1 to 3 of them 1 to 20 us, with 7 about 0.1 ms, with 15 sharp ones up
- * to 10 ms, whatever n is, at each call, which plans all places anew. cm_colormap_samples plans them once. */
+ * does not repeat its first colour. Those of a cyclic map are at i / n. 0 if n is 1; NaN if index is not below n.
+ * Each call plans all places anew; cm_colormap_samples plans them once. */
 CM_API double cm_colormap_position(const cm_colormap *map, size_t n, size_t index);
 
 /* What has been cut to [0, 1]. */
@@ -190,7 +185,7 @@ CM_API void cm_colormap_samples(const cm_colormap *map, size_t n, double *srgb,
 CM_API void cm_colormap_samples_u8(const cm_colormap *map, size_t n, uint8_t *srgb,
                                    cm_colormap_clipping *clipping);
 
-/* The length of the path in CIELUV: |dLUV / dt| everywhere. */
+/* The length of the path in the map's space: |dLUV / dt|, or |ducs / dt|, everywhere. */
 CM_API double cm_colormap_length(const cm_colormap *map);
 
 /* The places inside (0, 1), growing, where the path changes its direction: equal steps of t across one are
@@ -203,8 +198,8 @@ CM_API double cm_colormap_corner(const cm_colormap *map, size_t index);
 /* ---- the gamut ---- */
 
 /* Is every colour of the map, not only of some samples, inside sRGB? The limit of the gamut is
- * cm_colormap_largest_chroma; its distance is looked at in 1024 places between two corners, and
- * searched for its minimum between those. */
+ * cm_colormap_largest_chroma, that of a uniform map the walls of linear sRGB; its distance is looked at in 1024
+ * places of each piece of the path, and searched for its minimum between those. */
 CM_API int cm_colormap_inside(const cm_colormap *map);
 
 /* The largest chroma that sRGB has with this lightness and hue (degrees), in closed form: with both fixed
@@ -212,8 +207,8 @@ CM_API int cm_colormap_inside(const cm_colormap *map);
 CM_API double cm_colormap_largest_chroma(double lightness, double hue);
 
 /* The largest saturation with which the whole map, its other parameters unchanged, is inside sRGB;
- * infinite if the saturation changes nothing; NaN if even 0 is too much, because the ends, whose
- * saturation is 1 - saturation-range, stick out. It may be beyond the parameter's range. */
+ * infinite if the saturation changes nothing, as there is none in uniform maps; NaN if even 0 is too much,
+ * because the ends, whose saturation is 1 - saturation-range, stick out. It may be beyond the parameter's range. */
 CM_API double cm_colormap_largest_saturation(const cm_colormap *map);
 
 /* This map made to fit into sRGB: a copy, if it is inside; else with its saturation lowered to
@@ -235,6 +230,41 @@ CM_API void cm_colormap_luv_from_linear(const double linear[3], double luv[3]);
 
 CM_API void cm_colormap_srgb_from_linear(const double linear[3], double srgb[3]);
 CM_API void cm_colormap_linear_from_srgb(const double srgb[3], double linear[3]);
+
+CM_API void cm_colormap_ucs_from_linear(const double linear[3], double ucs[3]);
+
+/* NaN where no light looks so: J' outside [0, 242.8], or chroma that is too large. J' = 0 is black. */
+CM_API void cm_colormap_linear_from_ucs(const double ucs[3], double linear[3]);
+
+CM_API void cm_colormap_lab_from_linear(const double linear[3], double lab[3]);
+
+/* ---- how different colours look ---- */
+
+/* The difference of two colours of CIELAB by CIEDE2000 with k_L = k_C = k_H = 1 (G. Sharma et al., Color
+ * Research and Application 30, 2005): about 1 is just seen in large fields. The mean of exactly opposite hues,
+ * where the formula jumps, is that of the paper. */
+CM_API double cm_colormap_ciede2000(const double one[3], const double other[3]);
+
+/* Conditions under which colours are seen, with average surround. */
+typedef struct cm_colormap_viewing
+{
+    double white[3];   /* XYZ, in the scale of the colours: Y = 100 */
+    double luminance;  /* of what the eye adapts to, L_A, in cd/m^2 */
+    double background; /* its Y, Y_b, in the same scale */
+} cm_colormap_viewing;
+
+typedef struct cm_colormap_appearance
+{
+    double lightness;    /* J */
+    double chroma;       /* C */
+    double hue;          /* h, degrees in [0, 360) */
+    double colorfulness; /* M */
+} cm_colormap_appearance;
+
+/* CAM16 of a colour XYZ. viewing may be NULL: those of sRGB, as above. All numbers are NaN for a colour of negative
+ * lightness, and for viewing conditions that are not all positive. */
+CM_API void cm_colormap_cam16(const double xyz[3], const cm_colormap_viewing *viewing,
+                              cm_colormap_appearance *appearance);
 
 #ifdef __cplusplus
 }

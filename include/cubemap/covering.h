@@ -1,22 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * Coverings: the cells that a region of the Earth takes, all of one level or as many of all levels as are
- * allowed.
+ * Coverings: the cells that a region of the Earth takes, all of one level or as many of all levels as are allowed.
  *
- * Regions lie on the sphere of normals: a point is the normal of the ellipsoid there, which is geographic
- * longitude and latitude on a sphere of radius 1. Angles are in radians. A cap is what is within an angle of a
- * normal (cm_cap_radius makes the angle from metres), a box what is between two meridians and two parallels,
- * and a polygon has edges that are great circles of that sphere. On the ellipsoid these edges are not
- * geodesics: on WGS84 one of 100 km departs from the geodesic by up to 0.66 m, one of 1000 km by 66 m.
+ * Regions lie on the sphere of normals: a point is the normal of the ellipsoid there, which is geographic longitude
+ * and latitude on a sphere of radius 1. Angles are in radians. A cap is what is within an angle of a normal
+ * (cm_cap_radius makes the angle from metres), a box what is between two meridians and two parallels, and a polygon
+ * has edges that are great circles of that sphere, which on the ellipsoid are not geodesics (docs/guide/cells.md).
  *
- * An outer covering has the whole region in it, and its border too; each cell of it comes within a quarter of
- * the radius of its bounding cap (cell_grid.h) of the region, a leaf within the radius. Of the cells of an
- * inner covering each is wholly in the region. Both rest on bounding caps: see there on what their radius
- * rests.
+ * An outer covering has the whole region in it, and its border too; each cell of it comes within a quarter of the
+ * radius of its bounding cap (cell_grid.h) of the region, a leaf within the radius. Of the cells of an inner covering
+ * each is wholly in the region. Both rest on bounding caps: see there on what their radius rests. Borders are taken
+ * to be 1e-14 rad wider, meridians of boxes twice that.
  *
- *   accuracy    borders are taken to be 1e-14 rad, 64 nm on Earth, wider, meridians of boxes twice that
- *   cost        some 1 microsecond for a cell that is looked at, of which there are about ten for each of the
- *               result; of a polygon 10 ns more for each edge
  *   memory      coverings allocate as much as their result takes, and up to 16 MB more; nothing is kept
  *   threads     regions are constant after their creation: any number of threads may use one
  */
@@ -34,6 +29,7 @@
 extern "C" {
 #endif
 
+/* A region, from cm_region_cap and the like to cm_region_destroy. */
 typedef struct cm_region cm_region;
 
 /* The cap about a normal of any length, or about a place. radius: from 0, which is one point, to pi and more,
@@ -43,8 +39,7 @@ CM_API cm_status cm_region_cap(const double normal[3], double radius, cm_region 
 CM_API cm_status cm_region_cap_lonlat(double lon, double lat, double radius, cm_region **region);
 
 /* The least angle of a cap that contains what is so many metres, along geodesics, from its middle, wherever that
- * is: metres divided by the least radius of curvature of the ellipsoid. On WGS84 at most 1.0 % more than is
- * needed, and on a sphere exact. NaN for a bad ellipsoid, or metres that are negative or NaN. */
+ * is: metres divided by the least radius of curvature of the ellipsoid, which on a sphere is exact. NaN for a bad ellipsoid, or metres that are negative or NaN. */
 CM_API double cm_cap_radius(const cm_ellipsoid *ellipsoid, double metres);
 
 /* From the meridian of west eastward to that of east, and from the parallel of south to that of north. east may
@@ -72,22 +67,23 @@ CM_API void cm_region_destroy(cm_region *region);
 /* Is a point in the region, or on its border? 1 or 0, which is for what is no point, too. */
 CM_API int cm_region_contains(const cm_region *region, const double normal[3]);
 
+/* Which cells a covering has. */
 typedef enum cm_cover_kind
 {
-    CM_COVER_OUTER = 0,
-    CM_COVER_INNER = 1
+    CM_COVER_OUTER = 0, /* all that the region needs */
+    CM_COVER_INNER = 1  /* those wholly in it */
 } cm_cover_kind;
 
 /* To be filled with zeros but for size, which is sizeof(cm_cover_options), and for what is wanted. */
 typedef struct cm_cover_options
 {
-    size_t size;
+    size_t size;   /* sizeof(cm_cover_options) */
     int level_min; /* cells are of these levels; of one if both are the same */
-    int level_max;
+    int level_max; /* at most CM_CELL_LEVEL_MAX */
     size_t
         cells_most; /* 0: as many as there are; else the largest cells are divided as long as there are no more,
                           and more than that only if level_min asks for them, or up to six for the faces */
-    cm_cover_kind kind;
+    cm_cover_kind kind; /* outer or inner */
 } cm_cover_options;
 
 /* The covering of a region, sorted, none in another, and without four quarters of a cell that level_min allows.

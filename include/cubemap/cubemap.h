@@ -6,6 +6,7 @@
 #ifndef CUBEMAP_CUBEMAP_H
 #define CUBEMAP_CUBEMAP_H
 
+#include <cubemap/advise.h>
 #include <cubemap/catalogue.h>
 #include <cubemap/cell.h>
 #include <cubemap/cell_grid.h>

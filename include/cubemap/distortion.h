@@ -1,38 +1,20 @@
 /* SPDX-License-Identifier: MIT
  *
- * Distortion at a point of a map: Tissot's indicatrix, what cartographers and renderers derive from it,
- * and the shape of a texel. From the Jacobians of mapping.h in closed form, no finite differences.
+ * Distortion at a point of a map: Tissot's indicatrix, what cartographers and renderers derive from it, and the
+ * shape of a texel. From the Jacobians of mapping.h in closed form, no finite differences.
  *
- * Conventions of every function here, beside those of mapping.h (directions, faces, u and v, bad input,
- * results, overlaps, threads):
- *   units       lengths of the map are those of u and v, a face being 2 wide; lengths of the sphere are
- *               radians; angles are radians
+ * Conventions beside those of mapping.h (directions, faces, u and v, bad input, results, overlaps, threads):
+ *   units       lengths of the map are those of u and v, a face being 2 wide; lengths of the sphere and angles are
+ *               radians
  *   one face    the mean scale is 6/pi of a cube, 1/pi of a layout (of rhealpix 3/(8 pi)), and for an azimuthal
  *               projection 1/4 of the whole sphere, 1/2 of a hemisphere; area is relative to that.
  *               Mappings between disc and square give NaN: cm_warp_jacobian has their derivatives
- *   creases     where derivatives jump (the diagonals of qsc, borders within healpix's faces, and the
- *               edges of faces) the values are those of one side: of the face and the piece of it that
- *               forward, or the face given, counts the point to (mapping.h). A point on an edge has others
- *               on the other face
- *   singular    smoothstep:c=1 stands still on its edges: there the forward functions give scale = minor = 0,
- *               an infinite isotropy and NaN for texel_area, in corners NaN for more, and the inverse ones NaN
- *               for all. On one face the corners of the middle square of a layout are singular, the border of
- *               border:..., the rim of orthographic and that of projections of the whole sphere: values there
- *               are infinite, 0 or NaN. No other mapping is singular within its range of parameters
- *   accuracy    in double, of the truth at the given arguments, with the standard parameters: major,
- *               minor, scale, area, isotropy, texel_aspect and texel_area within 1e-14 relative;
- *               deformation within 1e-14 rad, so that its relative error grows as the map gets isotropic;
- *               orientation within 1e-14 rad / (isotropy - 1): it has no direction where the map is
- *               isotropic, and is 0 where a = b in floating point. In float 5e-6 in place of 1e-14. With
- *               other parameters those errors times isotropy squared, but for smoothstep with c above
- *               0.99: beside its edges it loses as much as its slope is small
- *   cost        that of a Jacobian and 6 roots and 6 divisions: 15 to 30 ns a point in double and 6 to 12 in
- *               float by vectors of AVX2 or AVX-512; a single point some 200 ns, or 110 ns with the set
- *               scalar (options.h); some 32 kB of stack
- *   sources     Tissot 1881 by Snyder, Map projections: a working manual, 1987, pp. 20-26 (a, b, s, omega);
- *               Lambers, Mappings between sphere, disc, and square, 2016, section 5.1 (D_A, D_I);
- *               Dimitrijevic, Lambers, Rancic, Comparison of spherical cube map projections, 2016,
- *               eqs. 3.4 to 3.7 (texels); kernel/tissot.h has the formulas
+ *   creases     where derivatives jump the values are those of the face and the side that the point counts to
+ *   singular    where a map stands still or a law ends, values are infinite, 0 or NaN; docs/guide/conventions.md
+ *               says where
+ *   sources     Tissot 1881 by Snyder, Map projections: a working manual, 1987, pp. 20-26 (a, b, s, omega); Lambers,
+ *               Mappings between sphere, disc, and square, 2016, section 5.1 (D_A, D_I); Dimitrijevic, Lambers,
+ *               Rancic, Comparison of spherical cube map projections, 2016, eqs. 3.4 to 3.7 (texels)
  */
 #ifndef CUBEMAP_DISTORTION_H
 #define CUBEMAP_DISTORTION_H
@@ -65,44 +47,46 @@ typedef struct cm_distortion
                             between them; the paper's is this over its value at the centre of the face */
 } cm_distortion;
 
+/* The same in float. */
 typedef struct cm_distortion_f32
 {
-    float major;
-    float minor;
-    float orientation;
-    float scale;
-    float deformation;
-    float area;
-    float isotropy;
-    float texel_aspect;
-    float texel_area;
+    float major;        /* a */
+    float minor;        /* b */
+    float orientation;  /* of the major axis */
+    float scale;        /* s */
+    float deformation;  /* omega */
+    float area;         /* D_A */
+    float isotropy;     /* D_I */
+    float texel_aspect; /* width over height of a texel */
+    float texel_area;   /* width times height of a texel */
 } cm_distortion_f32;
 
 /* Where n of each go; NULL for what is not wanted. An array may be one of the inputs' arrays. */
 typedef struct cm_distortion_arrays
 {
-    double *major;
-    double *minor;
-    double *orientation;
-    double *scale;
-    double *deformation;
-    double *area;
-    double *isotropy;
-    double *texel_aspect;
-    double *texel_area;
+    double *major;        /* a */
+    double *minor;        /* b */
+    double *orientation;  /* of the major axis */
+    double *scale;        /* s */
+    double *deformation;  /* omega */
+    double *area;         /* D_A */
+    double *isotropy;     /* D_I */
+    double *texel_aspect; /* width over height of a texel */
+    double *texel_area;   /* width times height of a texel */
 } cm_distortion_arrays;
 
+/* The same in float. */
 typedef struct cm_distortion_arrays_f32
 {
-    float *major;
-    float *minor;
-    float *orientation;
-    float *scale;
-    float *deformation;
-    float *area;
-    float *isotropy;
-    float *texel_aspect;
-    float *texel_area;
+    float *major;        /* a */
+    float *minor;        /* b */
+    float *orientation;  /* of the major axis */
+    float *scale;        /* s */
+    float *deformation;  /* omega */
+    float *area;         /* D_A */
+    float *isotropy;     /* D_I */
+    float *texel_aspect; /* width over height of a texel */
+    float *texel_area;   /* width times height of a texel */
 } cm_distortion_arrays_f32;
 
 /* At a direction, which cm_forward counts to its face and side; at a point of a face. Bad input gives

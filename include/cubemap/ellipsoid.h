@@ -50,8 +50,7 @@ CM_API cm_status cm_ellipsoid_parse(const char *text, cm_ellipsoid *ellipsoid, c
 CM_API cm_status cm_ellipsoid_check(const cm_ellipsoid *ellipsoid);
 
 /* The surface, in square metres, and the radius of the sphere of that surface, in metres; NaN for what is no
- * ellipsoid (NULL too). Relatively within 4 units of 2^-53 of the truth for the axes as they stand; beyond the range of
- * double a surface is infinite or 0. */
+ * ellipsoid (NULL too). Beyond the range of double a surface is infinite or 0. */
 CM_API double cm_ellipsoid_area(const cm_ellipsoid *ellipsoid);
 CM_API double cm_ellipsoid_authalic_radius(const cm_ellipsoid *ellipsoid);
 

@@ -11,14 +11,10 @@
  *   gl    the cube-map table of OpenGL, Vulkan and Direct3D: +x -x +y -y +z -z, u along s, v along
  *         t (OpenGL 4.6 core, table 8.19). There v grows *down* a stored face.
  *   s2    the axes of geo, the faces of the S2 library: +x +y +z -x -y -z (s2geometry, s2coords.h). Each
- *         face is turned so that a Hilbert curve goes on from each to the next (cell.h). It has no picture
- *         as a cross in which no face is turned.
+ *         face is turned so that a Hilbert curve goes on from each to the next (cell.h).
  *
- * Inside and outside: if the axes are right-handed, as those of a globe are, the pictures of the
- * faces show the sphere from outside in all four frames; if they are left-handed, as in Direct3D or
- * in a panorama whose longitude grows to the right of somebody inside it, the same pictures show it
- * from inside. Seen from the other side each picture is its mirror image. docs/guide/frames.md has the
- * pictures.
+ * If the axes are right-handed, as those of a globe are, the pictures of the faces show the sphere from outside;
+ * if they are left-handed, as in Direct3D, from inside. docs/guide/frames.md has the pictures.
  */
 #ifndef CUBEMAP_FRAME_H
 #define CUBEMAP_FRAME_H
@@ -37,6 +33,7 @@ extern "C" {
 #define CM_AXIS_Y 2
 #define CM_AXIS_Z 3
 
+/* How one face sits. */
 typedef struct cm_frame_face
 {
     const char *name;    /* "front", "+x" */
@@ -45,13 +42,14 @@ typedef struct cm_frame_face
     signed char v;       /* the signed axis along which v grows */
 } cm_frame_face;
 
+/* A frame's table. */
 typedef struct cm_frame
 {
     size_t size;            /* sizeof(cm_frame), which tells the table's version */
     const char *identifier; /* "geo" */
     const char *name;       /* one line for people */
     int first_row_v;        /* +1 or -1: the value of v at the first row of a face's picture */
-    cm_frame_face face[6];
+    cm_frame_face face[6];  /* by number */
 } cm_frame;
 
 /* The number of frames that the library knows, and the frame at an index below it (else NULL), in a

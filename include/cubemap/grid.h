@@ -1,29 +1,21 @@
 /* SPDX-License-Identifier: MIT
  *
- * Grids: a mapping on an ellipsoid, as one object. A point goes from geographic longitude and latitude, or
- * from the normal there, to an auxiliary latitude, which makes it a point of a sphere; that is rotated into the
- * base cube, or whatever the mapping has, and mapped to a face; and back.
+ * Grids: a mapping on an ellipsoid, as one object. A point goes from geographic longitude and latitude, or from the
+ * normal there, to an auxiliary latitude, which makes it a point of a sphere; that is rotated into the base cube, or
+ * whatever the mapping has, and mapped to a face; and back.
  *
- * With the authalic latitude and an equal-area mapping, equal areas on a face are equal areas on the
- * ellipsoid; with the conformal latitude and a conformal mapping the whole is conformal. (PROJ's qsc and s2
- * take the geocentric latitude, so that their areas differ by 0.7 % on WGS84.)
+ * With the authalic latitude and an equal-area mapping, equal areas on a face are equal areas on the ellipsoid; with
+ * the conformal latitude and a conformal mapping the whole is conformal.
  *
  * Conventions of every function here, besides those of mapping.h:
  *   normal      the direction of the ellipsoid's normal at a point, (cos lat cos lon, cos lat sin lon,
  *               sin lat) with geographic latitude: three finite numbers, not all zero, of any length
  *   lon, lat    geographic, radians; lon any finite number, lat in [-pi/2, pi/2], up to 1e-9 beyond which is
  *               taken as the pole. Inverse gives lon in [-pi, pi]
- *   bad input   CM_NO_FACE and NaN, as in mapping.h
- *   accuracy    besides the mapping's own, for flattenings from -1/50 to 1/50: 4 eps in each component of a
- *               direction (5 with a rotation), eps = 2^-53; a round trip is within 7 nm on Earth. Beyond, the
- *               latitude has the bounds of latitude.h, and where one latitude changes faster than the other,
- *               errors of a rotation grow as much. Components of a normal are relatively accurate to the
- *               poles and to the equator, but for rotated grids where they pass 0
- *   cost        with AVX2 some 5 ns a point more than the mapping, and 7 more from or to lon and lat; no
- *               allocation but in create
- *   results     the same bits in every function here, whatever n and the position in the array
- *   threads     a grid is constant after its creation: any number of threads may use one
  *   arrays      may be NULL if n is 0; an output may be the same array as an input
+ *   threads     a grid is constant after its creation: any number of threads may use one. Only creation allocates
+ *
+ * docs/guide/grids.md shows their use, docs/measured/accuracy.md and costs.md have bounds and times.
  */
 #ifndef CUBEMAP_GRID_H
 #define CUBEMAP_GRID_H
@@ -44,13 +36,14 @@
 extern "C" {
 #endif
 
+/* A grid, from cm_grid_create to cm_grid_destroy. */
 typedef struct cm_grid cm_grid;
 
 /* To be filled with zeros but for size, which is sizeof(cm_grid_options), and for what is wanted. All is
  * copied. */
 typedef struct cm_grid_options
 {
-    size_t size;
+    size_t size;                   /* sizeof(cm_grid_options) */
     const char *mapping;           /* a specification; NULL: CM_MAPPING_RECOMMENDED */
     const cm_frame *frame;         /* NULL: geo */
     const cm_ellipsoid *ellipsoid; /* NULL: WGS84 */
@@ -107,8 +100,8 @@ CM_API void cm_grid_from_sphere_array(const cm_grid *grid, size_t n, const doubl
                                       double *to_z);
 
 /* Square metres of the ellipsoid per du dv at a point of a face, for one point and for n; NaN where the inverse is,
- * and infinite, 0 or NaN where the mapping is singular (distortion.h). Within 40 eps of its size, beside what the
- * mapping's Jacobian adds to that. Its integral over all faces is the ellipsoid's surface. */
+ * and infinite, 0 or NaN where the mapping is singular (distortion.h). Its integral over all faces is the
+ * ellipsoid's surface. */
 CM_API double cm_grid_area_element(const cm_grid *grid, uint8_t face, const double uv[2]);
 CM_API void cm_grid_area_element_array(const cm_grid *grid, size_t n, const uint8_t *face,
                                        const double *u, const double *v, double *area);

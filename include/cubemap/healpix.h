@@ -1,34 +1,22 @@
 /* SPDX-License-Identifier: MIT
  *
- * HEALPix pixels (Gorski et al. 2005): which one a point is in, where its centre, corners and neighbours are;
- * both numberings, and maps of other resolutions.
+ * HEALPix pixels (Gorski et al. 2005): which one a point is in, where its centre, corners and neighbours are; both
+ * numberings, and maps of other resolutions.
  *
- * The sphere is 12 squares, the base pixels, of nside by nside pixels of equal area: 12 nside^2 pixels, whose
- * centres lie on 4 nside - 1 rings of constant latitude. In the order RING pixels are numbered from ring to
- * ring, from north to south, and in a ring towards greater longitudes, from longitude 0 on; nside is any number
- * from 1 to 2^29. In the order NESTED, where nside is a power of two, they are numbered in each base pixel by
- * the bits of its two coordinates in turn, so that the four parts of pixel p are 4 p to 4 p + 3 of 2 nside.
- * Numbers are those of all HEALPix software. Longitude is that of HEALPix: 0 is where the base pixels 0 and 3
- * meet; the mapping "healpix" of this library is the same projection 45 degrees further.
+ * The sphere is 12 squares, the base pixels, of nside by nside pixels of equal area, whose centres lie on 4 nside - 1
+ * rings of constant latitude. In the order RING pixels are numbered from ring to ring, from north to south, and in a
+ * ring towards greater longitudes, from longitude 0 on; nside is any number from 1 to 2^29. In the order NESTED, where
+ * nside is a power of two, they are numbered in each base pixel by the bits of its two coordinates in turn, so that the
+ * four parts of pixel p are 4 p to 4 p + 3 of 2 nside. Numbers are those of all HEALPix software, and so is longitude:
+ * 0 is where the base pixels 0 and 3 meet; the mapping "healpix" is the same projection 45 degrees further.
  *
- * theta is the colatitude, from 0 at the north pole to pi, phi the longitude, lon and lat are longitude and
- * latitude; radians. Directions have any length.
+ * theta is the colatitude, from 0 at the north pole to pi, phi the longitude, lon and lat are longitude and latitude;
+ * radians. Directions have any length. Bad are NaN, infinite and zero directions, NaN and infinite angles, theta outside
+ * [0, pi], lat outside [-pi/2, pi/2], and numbers of no pixel: a function for one returns CM_ERROR_PIXEL and leaves its
+ * output as it is; in arrays they give CM_HEALPIX_NO_PIXEL or NaN. Pointers must not be NULL unless it says so.
  *
- * Accuracy, measured by tests/healpix/test_healpix_truth.c against quadruple precision: a point is in the true pixel if it is
- * 5 nm on Earth or more from its border, whatever nside is and however near the pole. A point on a border
- * that doubles can name (multiples of pi/4 in longitude or what a power of two divides it to, the equator, the
- * poles) belongs to the pixel of which HEALPix's own programs say so: a double within an ulp of such a longitude,
- * up to one turn, counts as that. Centres and boundaries are within 2 nm on
- * Earth as directions, and within 6 nm as angles, of which the rounding of phi alone can make 2.8 nm;
- * theta is relatively accurate, to 5e-16.
- *
- * Bad points and pixels: a function for one returns CM_ERROR_PIXEL and leaves its output as it is; in arrays
- * they give the pixel CM_HEALPIX_NO_PIXEL or NaN. Bad are NaN, infinite and zero directions, NaN and infinite
- * angles, theta outside [0, pi], lat outside [-pi/2, pi/2], and numbers of no pixel. Pointers must not be NULL
- * unless it says so.
- *
- * Cost: docs/guide/healpix.md. Functions for one point cost as much as a vector of them; nothing allocates but
- * cm_healpix_create. An object is constant, and any number of threads may use it.
+ * An object is constant, and any number of threads may use it; nothing allocates but cm_healpix_create.
+ * docs/guide/healpix.md tells of borders and orders, docs/measured/accuracy.md and costs.md of bounds and times.
  */
 #ifndef CUBEMAP_HEALPIX_H
 #define CUBEMAP_HEALPIX_H
@@ -45,13 +33,14 @@ extern "C" {
 #endif
 
 #define CM_HEALPIX_NSIDE_MAX 536870912 /* 2^29 */
-#define CM_HEALPIX_NO_PIXEL (-1)
+#define CM_HEALPIX_NO_PIXEL (-1)       /* the number of no pixel */
 #define CM_HEALPIX_UNSEEN (-1.6375e30) /* what maps of HEALPix have where they know nothing */
 
+/* How pixels are numbered. */
 typedef enum cm_healpix_order
 {
-    CM_HEALPIX_RING = 0,
-    CM_HEALPIX_NESTED = 1
+    CM_HEALPIX_RING = 0,  /* from ring to ring */
+    CM_HEALPIX_NESTED = 1 /* by quarters of base pixels */
 } cm_healpix_order;
 
 /* A resolution and an order. */
@@ -70,6 +59,7 @@ CM_API cm_status cm_healpix_create(int64_t nside, cm_healpix_order order, const 
                                    cm_healpix **healpix);
 CM_API void cm_healpix_destroy(cm_healpix *healpix);
 
+/* What it was made from, the instruction set that it computes with, and how many pixels and rings there are. */
 CM_API int64_t cm_healpix_nside(const cm_healpix *healpix);
 CM_API cm_healpix_order cm_healpix_order_of(const cm_healpix *healpix);
 CM_API const char *cm_healpix_instructions(const cm_healpix *healpix);
@@ -147,7 +137,7 @@ CM_API cm_status cm_healpix_boundary(const cm_healpix *healpix, int64_t pixel, s
 /* size must be sizeof(cm_healpix_ring) before the call. */
 typedef struct cm_healpix_ring
 {
-    size_t size;
+    size_t size;    /* sizeof(cm_healpix_ring) */
     int64_t ring;   /* 1 at the north pole to 4 nside - 1 */
     int64_t first;  /* the RING number of its first pixel */
     int64_t count;  /* of its pixels */
@@ -171,7 +161,7 @@ CM_API cm_status cm_healpix_ring_from_pixel(const cm_healpix *healpix, int64_t p
  * wanted. */
 typedef struct cm_healpix_regrade_options
 {
-    size_t size;
+    size_t size;        /* sizeof(cm_healpix_regrade_options) */
     int is_pessimistic; /* is a pixel with any bad part bad, instead of one with only bad parts? */
     double
         power; /* the result is divided by (nside of from / nside of to)^power: 0 for means, -2 for
@@ -184,9 +174,7 @@ typedef struct cm_healpix_regrade_options
  * to has; they must not overlap. Bad are NaN, infinities and what is within 1e-5, relative, of
  * CM_HEALPIX_UNSEEN. Sums are made in double. options NULL: none.
  * Both nside must be powers of two, or the same (then in any order that it has). CM_OK; CM_ERROR_ARGUMENT if a
- * pointer other than options is NULL, size is none or power is not finite; CM_ERROR_PIXEL (nside).
- * Cost: that of cm_healpix_nested_from_ring_array for each pixel of the greater map that is in RING, and some
- * 2 ns. */
+ * pointer other than options is NULL, size is none or power is not finite; CM_ERROR_PIXEL (nside). */
 CM_API cm_status cm_healpix_regrade(const cm_healpix *from, const double *map, const cm_healpix *to,
                                     double *result, const cm_healpix_regrade_options *options);
 CM_API cm_status cm_healpix_regrade_f32(const cm_healpix *from, const float *map,

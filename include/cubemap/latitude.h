@@ -8,39 +8,15 @@
  *   authalic      xi     areas on a sphere are as those on the ellipsoid
  *   conformal     chi    angles are
  *   rectifying    mu     lengths along a meridian are
- *   authalic-approximation  tan = (1 - f)^(4/3) tan phi (Dimitrijevic et al. 2020); on WGS 84 it is up to
- *                        0.1159 arc seconds, 3.58 m, from the authalic latitude (at 25.6 degrees)
+ *   authalic-approximation  tan = (1 - f)^(4/3) tan phi (Dimitrijevic et al. 2020)
  *
- * Conventions of every function here:
- *   angles      radians, in [-pi/2, pi/2]; beyond that by 1e-9 at most they are taken as the pole, which is the double
- *               nearest to pi/2. Poles, the equator and the sign of zero stay what they are
- *   directions  (x, y, z) of any finite length but zero, z north; the result has length 1. They keep what an angle
- *               loses: a distance from the pole of 1e-300 is relatively as accurate as any other
- *   bad input   angles beyond, NaN, infinities and a direction without length give NaN. Nothing traps, nothing is read or
- *               written beyond the arguments, for any n
- *   accuracy    in units of 2^-53, 1.1e-16, of angles in radians (beside the equator also relative to them), of directions
- *               relative to the component along z and to the distance from the axis:
- *                                                       angle   direction
- *                   flattenings from -1/50 to 1/50       2       4.5
- *                   beyond, between those of a ratio     3       6
- *                   beyond, others; options.exact        8      12
- *               A ratio is what tangents of geographic, geocentric, parametric and approximate latitude have. With a
- *               tolerance, the error that cm_latitude_conversion_error states is added. Where one latitude changes
- *               faster than the other, as conformal ones of prolate ellipsoids of b / a = 100 do, the bound for
- *               directions counts times that condition. tests/earth/test_latitude_accuracy.c holds them to it, against quadruple
- *               precision, at poles, equator and beside them; docs/guide/latitudes.md has what was measured
- *   cost        by series 1.5 to 2.1 ns an angle and 2.3 ns a direction in arrays with AVX-512, by ratios 3.2 and 1.4 ns;
- *               by closed forms 0.1 to 0.6 us. No allocation but for the conversion itself
+ *   angles      radians, in [-pi/2, pi/2], up to 1e-9 beyond which is taken as the pole
+ *   directions  (x, y, z) of any finite length but zero, z north; the result has length 1
+ *   bad input   gives NaN. Nothing traps; nothing is read or written beyond the arguments
+ *   results     the same input gives the same bits, alone or anywhere in an array. Outputs may be inputs
  *   threads     a conversion is constant after its creation: any number of threads may use one
- *   results     the same input gives the same bits, alone or anywhere in an array; instruction sets differ by no more
- *               than the bounds. Outputs may be inputs
  *
- * Series are those of C. F. F. Karney, On auxiliary latitudes, Survey Review 56 (2024), anew derived by
- * research/earth/latitude-series: a sum of C_k sin 2k phi, each C_k a power series of the third flattening n = f / (2 - f).
- * Definitions and closed forms: O. S. Adams, Latitude developments connected with geodesy and cartography, USC&GS
- * Special Publication 67 (1921); J. P. Snyder, Map projections: a working manual, USGS Professional Paper 1395
- * (1987), section 3; B. C. Carlson's elliptic integrals. libcubemap/earth/latitude_exact.c has them in forms without
- * cancellation. Shaders have kernel/auxiliary_latitude.h.
+ * docs/guide/latitudes.md has definitions and sources, docs/measured/accuracy.md and costs.md bounds and times.
  */
 #ifndef CUBEMAP_LATITUDE_H
 #define CUBEMAP_LATITUDE_H
@@ -55,17 +31,19 @@
 extern "C" {
 #endif
 
+/* The latitudes of above. */
 typedef enum cm_latitude
 {
-    CM_LATITUDE_GEOGRAPHIC = 0,
-    CM_LATITUDE_GEOCENTRIC = 1,
-    CM_LATITUDE_PARAMETRIC = 2,
-    CM_LATITUDE_AUTHALIC = 3,
-    CM_LATITUDE_CONFORMAL = 4,
-    CM_LATITUDE_RECTIFYING = 5,
-    CM_LATITUDE_AUTHALIC_APPROXIMATION = 6
+    CM_LATITUDE_GEOGRAPHIC = 0,            /* phi */
+    CM_LATITUDE_GEOCENTRIC = 1,            /* theta */
+    CM_LATITUDE_PARAMETRIC = 2,            /* beta */
+    CM_LATITUDE_AUTHALIC = 3,              /* xi */
+    CM_LATITUDE_CONFORMAL = 4,             /* chi */
+    CM_LATITUDE_RECTIFYING = 5,            /* mu */
+    CM_LATITUDE_AUTHALIC_APPROXIMATION = 6 /* nearly xi */
 } cm_latitude;
 
+/* How many latitudes there are. */
 #define CM_LATITUDE_COUNT 7
 
 /* "geographic"...; NULL for what is none. find takes upper and lower case as the same:
@@ -83,7 +61,7 @@ typedef struct cm_latitude_conversion cm_latitude_conversion;
 /* To be filled with zeros but for size, which is sizeof(cm_latitude_options), and for what is wanted. */
 typedef struct cm_latitude_options
 {
-    size_t size;
+    size_t size; /* sizeof(cm_latitude_options) */
     double
         tolerance; /* radians, not below 0: the series has the least terms that keep it; 0: full double */
     int exact;                /* closed forms and iterations whatever the flattening */
@@ -100,11 +78,11 @@ CM_API void
 cm_latitude_conversion_destroy(cm_latitude_conversion *conversion); /* NULL is allowed */
 
 /* The terms of the series, 1 to 12; 0 for closed forms, which ratios of tangents are, too. And what is cut off, in
- * radians: a bound that holds at every latitude, 0 for closed forms. On WGS 84 full double takes six terms at most,
- * a millimetre three, a metre two. */
+ * radians: a bound that holds at every latitude, 0 for closed forms. */
 CM_API int cm_latitude_conversion_order(const cm_latitude_conversion *conversion);
 CM_API double cm_latitude_conversion_error(const cm_latitude_conversion *conversion);
 
+/* The numbers of cm_latitude_conversion_constants. */
 #define CM_LATITUDE_CONSTANTS 13
 
 /* What the kernels take that shaders and programs inline (kernel/auxiliary_latitude.h): p0 to p11 and ratio of

@@ -16,30 +16,25 @@ extern "C" {
 
 /* How accurate forward and inverse are in double, single points too; the functions for float, the warp
  * alone and derivatives are the same in both tiers.
- *   exact   the bounds of cm_mapping_info.bounds with eps = 2^-53: a round trip within 5 nm on Earth
- *   fast    arrays of double, computed in float: the same bounds with eps = 2^-24, and what the rounding
- *           of the arguments adds: an eps for round trips; for forward and inverse, also relative to the
- *           result, an eps, and one more times the mapping's condition (docs/measured/certificate.md has it). A
- *           round trip is within 1e-6 rad, 6 m on Earth. Beside an edge the face may be the other one.
- *           A direction should be of a length from 1e-30 to 1e38: shorter ones lose digits, and what is
- *           zero or infinite in float is no direction; u and v are on the face up to 6e-8 beyond its
- *           edge
- * A tier says what is accurate enough: where fast is not 1.5 times as fast with AVX2 and AVX-512,
- * cm_mapping_info.fast lacks that direction, and exact is taken; as it is with the set scalar, which gains
- * nothing. With SSE2 the gain is from 1.45. Single points gain little. */
+ *   exact   double throughout
+ *   fast    arrays of double, computed in float. Beside an edge the face may be the other one. A direction
+ *           should be of a length from 1e-30 to 1e38: shorter ones lose digits, and what is zero or infinite in
+ *           float is no direction; u and v are on the face up to 6e-8 beyond its edge
+ * A tier says what is accurate enough: where fast is not much faster, cm_mapping_info.fast lacks that direction,
+ * and exact is taken, as with the set scalar. docs/measured/accuracy.md has the bounds of both. */
 typedef enum cm_tier
 {
-    CM_TIER_EXACT = 0,
-    CM_TIER_FAST = 1
+    CM_TIER_EXACT = 0, /* the default */
+    CM_TIER_FAST = 1   /* arrays of double in float */
 } cm_tier;
 
 /* To be filled with zeros but for size, which is sizeof(cm_options), and for what is wanted. */
 typedef struct cm_options
 {
-    size_t size;
+    size_t size;              /* sizeof(cm_options) */
     const char *instructions; /* one of cm_instructions_at; NULL for what the environment variable
                                  CUBEMAP_INSTRUCTIONS says, and without it for the best of them */
-    cm_tier tier;
+    cm_tier tier;             /* how accurate */
 } cm_options;
 
 /* As cm_mapping_create, with options; NULL for none.

@@ -9,16 +9,8 @@
  *                     weights, extremes among these as well: what papers have tables of
  * RMSE and maximum error are of the difference from the ideal value, which each quantity has.
  *
- * Accuracy: the quadrature is adaptive, of Gauss and Legendre's rule with 10 x 10 nodes, on the eight
- * triangles between a face's middle lines and diagonals, on which the derivatives of most mappings are
- * smooth; mean_error and rmse_error are eight times the sums of the differences between each cell and its
- * four quarters: nearly always more than the true errors, but for what rounding adds (some 1e-15), and
- * never found to be less than a fifth of them (a kink where a map turns isotropic can hide from a rough
- * tolerance). Extremes are those of the limits towards edges, diagonals and middle lines from each side, to
- * within some 1e-12 relative, found by search from a grid of 33 x 33 points a triangle: a peak that is
- * narrower can be missed.
- * Cost: from 3 ms, where all is smooth, to half a second, where derivatives jump within triangles; less than
- * 64 kB of stack, and for percentiles 4 MB of memory.
+ * The quadrature is adaptive and estimates its own errors; extremes come from a grid that is then searched, so that
+ * a peak narrower than its cells can be missed. docs/measured/accuracy.md says how far estimates were right.
  */
 #ifndef CUBEMAP_STATISTICS_H
 #define CUBEMAP_STATISTICS_H
@@ -46,18 +38,19 @@ typedef enum cm_quantity
     CM_QUANTITY_TEXEL_AREA = 5    /* relative to the centre of the same face: 1 */
 } cm_quantity;
 
+/* What counts alike in a mean. */
 typedef enum cm_measure
 {
-    CM_OVER_FACE = 0,
-    CM_OVER_SPHERE = 1
+    CM_OVER_FACE = 0,  /* equal areas of the map */
+    CM_OVER_SPHERE = 1 /* equal areas of the sphere */
 } cm_measure;
 
 /* To be filled with zeros but for size, which is sizeof(cm_statistics_options), and for what is wanted. */
 typedef struct cm_statistics_options
 {
-    size_t size;
-    cm_measure measure;
-    unsigned faces;  /* bit k for face k, 63 at most; 0 for all six */
+    size_t size;        /* sizeof(cm_statistics_options) */
+    cm_measure measure; /* what counts alike */
+    unsigned faces;     /* bit k for face k, 63 at most; 0 for all six */
     unsigned pixels; /* along a face's edge, 16384 at most; 0 for quadrature. Only over the face */
     double
         tolerance; /* of mean and RMSE, relative: where the quadrature stops, 1e-13 to 1e-2; 0 for
@@ -67,21 +60,21 @@ typedef struct cm_statistics_options
 /* size must be sizeof(cm_statistics) before the call. */
 typedef struct cm_statistics
 {
-    size_t size;
-    double ideal;
-    double mean;
-    double mean_error; /* of the quadrature; 0 with pixels */
-    double rmse;       /* root of the mean square of the difference from the ideal value */
-    double rmse_error;
-    double minimum;
-    double maximum;
+    size_t size;          /* sizeof(cm_statistics) */
+    double ideal;         /* the value of the quantity where nothing is distorted */
+    double mean;          /* of the quantity */
+    double mean_error;    /* of the quadrature; 0 with pixels */
+    double rmse;          /* root of the mean square of the difference from the ideal value */
+    double rmse_error;    /* of the quadrature; 0 with pixels */
+    double minimum;       /* of the quantity */
+    double maximum;       /* of the quantity; may be infinite */
     double maximum_error; /* the greatest difference from the ideal value */
     double ratio;         /* maximum over minimum */
     uint8_t minimum_face; /* where; one of several places */
-    uint8_t maximum_face;
-    double minimum_uv[2];
-    double maximum_uv[2];
-    size_t evaluations;
+    uint8_t maximum_face; /* where; one of several places */
+    double minimum_uv[2]; /* u and v there */
+    double maximum_uv[2]; /* u and v there */
+    size_t evaluations;   /* points at which the quantity was computed */
 } cm_statistics;
 
 /* "area", "isotropy", "deformation", "scale", "texel-aspect", "texel-area" at 0 to 5, NULL at others; and

@@ -11,9 +11,10 @@
 extern "C" {
 #endif
 
+/* What went wrong, or that nothing did. */
 typedef enum cm_status
 {
-    CM_OK = 0,
+    CM_OK = 0,              /* all is well */
     CM_ERROR_ARGUMENT = 1,  /* a pointer that must not be NULL is NULL, an index is out of range */
     CM_ERROR_SYNTAX = 2,    /* a specification is not NAME[:PARAMETER=VALUE[,...]], NAME:PRESET */
     CM_ERROR_MAPPING = 3,   /* no mapping of that name */

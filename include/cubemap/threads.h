@@ -2,26 +2,17 @@
  *
  * The array functions of mapping.h over several threads, and the helper that splits such work.
  *
- * Conventions of every function here:
- *   threads     the most threads to work, the calling one among them; 0 means
- *               cm_threads_available(). Never more than CM_THREADS_MAX, nor more than the work is
- *               worth: see cost
- *   results     the same bits for any number of threads, and those of the function of mapping.h.
- *               All else is as there too: shapes, ranges, bad input, what may overlap
- *   chunks      each thread has one contiguous chunk, all equally long to within 128 elements, that
- *               begins at a multiple of 64, so that threads do not share cache lines but for one at
- *               a border where an array is not aligned
+ *   threads     the most threads to work, the calling one among them; 0 means cm_threads_available(). Never more
+ *               than CM_THREADS_MAX, nor more than one for each CM_POINTS_PER_THREAD points
+ *   results     the same bits for any number of threads, and those of the function of mapping.h, as all else is
+ *   chunks      each thread has one contiguous chunk, all equally long to within 128 elements, that begins at a
+ *               multiple of 64, so that threads hardly share cache lines
  *   errors      none: what the system gives no thread for, the calling thread does itself
- *   life        threads are made for the call and gone when it returns. They have the platform's
- *               default stack, all signals blocked but those of faults in the work itself (SIGSEGV,
- *               SIGBUS and the like), and the caller's floating-point environment. A cancellation of
- *               the calling thread waits for the end of the call. The library keeps no pool and no
- *               state: any number of threads may call
- *   cost        no allocation but the stacks that the system gives to threads, and some 8 kB more
- *               of the caller's stack; 60 to 80 microseconds a thread, which is why none is made
- *               for less than CM_POINTS_PER_THREAD points
- *   platforms   POSIX threads. Where the library was built without them the calling thread does it
- *               all
+ *   life        threads are made for the call and gone when it returns. They have the platform's default stack, all
+ *               signals blocked but those of faults in the work itself (SIGSEGV, SIGBUS and the like), and the
+ *               caller's floating-point environment. A cancellation of the calling thread waits for the end of the
+ *               call. The library keeps no pool and no state: any number of threads may call
+ *   platforms   POSIX threads. Where the library was built without them the calling thread does it all
  */
 #ifndef CUBEMAP_THREADS_H
 #define CUBEMAP_THREADS_H
@@ -36,17 +27,16 @@
 extern "C" {
 #endif
 
+/* No function here has more threads work. */
 #define CM_THREADS_MAX 256
 
-/* With so many points each, two threads take from 1.7 times (gnomonic in float, the quickest mapping) to
- * 0.6 times as long as one: the second thread costs 60 to 80 microseconds in all, a point 1 to 5 ns in
- * double and 0.5 to 2 ns in float. On two cores of a Xeon with AVX-512 in a virtual machine with Linux;
- * `build/tests/mapping/test-threads cost` measures it. */
+/* No thread is made for fewer points than these: below, its making takes longer than what it saves
+ * (docs/measured/costs.md). */
 #define CM_POINTS_PER_THREAD 65536
 
 /* The processors that the calling thread may run on, where the system tells (as nproc counts them),
  * else those that are online; at least 1, and 1 where the library was built without threads. Limits
- * on time rather than on processors, as containers have, are not counted. Cost: a system call. */
+ * on time rather than on processors, as containers have, are not counted. */
 CM_API unsigned cm_threads_available(void);
 
 /* Does the elements begin to end - 1 of some work; begin < end. */

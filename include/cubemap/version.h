@@ -8,6 +8,7 @@
 
 #include <cubemap/export.h>
 
+/* The version of the headers, as numbers and as a text. */
 #define CM_VERSION_MAJOR 0
 #define CM_VERSION_MINOR 1
 #define CM_VERSION_PATCH 0

@@ -22,9 +22,9 @@ typedef struct cm_batch_set
     const char *name;
     size_t lanes_f64; /* powers of two, CM_LANES_MAX at most */
     size_t lanes_f32;
-    /* n numbers, no more than the lanes, to a vector, with zeros for what is missing; one number to all
-     * lanes. By one store, because the reading of a vector from several would wait for them all, and one
-     * call for the other. */
+    /* n numbers, at least one and no more than the lanes, to a vector, with the first of them for what is
+     * missing. By one store, because the reading of a vector from several would wait for them all, and one call
+     * for the other. */
     void (*rest_f64)(double *to, const double *from, size_t n);
     void (*rest_f32)(float *to, const float *from, size_t n);
     /* The nine columns of distortion.h from the six of forward Jacobians, or with of_tangents of inverse
@@ -42,6 +42,7 @@ typedef struct cm_batch_set
     const cm_lonlat_loops *lonlat;
     const cm_latitude_loops *latitudes;
     const cm_healpix_loops *healpix;
+    const cm_healpix_lone *healpix_lone;
     const cm_cell_loops *cells;
     /* over points of what the table says, and unless that is NULL the torque (orient_bound.c) */
     double (*orient_sum)(const cm_orient_points *points, const cm_orient_table *table,

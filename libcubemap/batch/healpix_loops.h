@@ -39,4 +39,23 @@ typedef struct cm_healpix_loops
     void (*to_ring)(const cm_healpix *healpix, size_t n, const int64_t *nested, int64_t *ring);
 } cm_healpix_loops;
 
+/* The same of one point or pixel alone (lone.inc), to the bit. A pixel must be one; what is no point gives
+ * CM_HEALPIX_NO_PIXEL. */
+typedef struct cm_healpix_lone
+{
+    int64_t (*from_direction)(const cm_healpix *healpix, const double direction[3]);
+    int64_t (*from_angles)(const cm_healpix *healpix, int latitudes, double theta, double phi);
+    void (*to_direction)(const cm_healpix *healpix, int64_t pixel, double direction[3]);
+    void (*to_angles)(const cm_healpix *healpix, int latitudes, int64_t pixel, double *theta,
+                      double *phi);
+    int64_t (*to_nested)(const cm_healpix *healpix, int64_t ring);
+    int64_t (*to_ring)(const cm_healpix *healpix, int64_t nested);
+} cm_healpix_lone;
+
+extern const cm_healpix_lone cm_healpix_lone_scalar;
+extern const cm_healpix_lone cm_healpix_lone_sse2;
+extern const cm_healpix_lone cm_healpix_lone_avx2;
+extern const cm_healpix_lone cm_healpix_lone_avx512;
+extern const cm_healpix_lone cm_healpix_lone_neon;
+
 #endif

@@ -4,6 +4,7 @@
  */
 #include "cell_shape.h"
 #include "libcubemap/batch/mapping_object.h"
+#include "libcubemap/mapping/exception_flags.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +21,7 @@ static size_t up_to_whole(const cm_cell_grid *cells, size_t n)
 static void cells_of_block(const cm_cell_grid *cells, int level, size_t n, uint8_t *face, double *u,
                            double *v, cm_cell *cell)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     cm_cell block[CM_BLOCK];
     size_t whole = up_to_whole(cells, n);
     for (size_t i = n; i < whole; i++)
@@ -29,6 +31,7 @@ static void cells_of_block(const cm_cell_grid *cells, int level, size_t n, uint8
     }
     cells->set->cells->forward(cells->curve, level, whole, face, u, v, block);
     memcpy(cell, block, n * sizeof *cell);
+    cm_exceptions_restore(held);
 }
 
 static void no_cells(size_t n, cm_cell *cell)
@@ -59,12 +62,35 @@ void cm_cell_forward_array(const cm_cell_grid *cells, int level, size_t n, const
     }
     for (size_t done = 0; done < n; done += CM_BLOCK)
     {
-        uint8_t face[CM_BLOCK];
-        double u[CM_BLOCK], v[CM_BLOCK];
         size_t count = block_of(n, done);
-        cm_grid_forward_array(cells->grid, count, x + done, y + done, z + done, face, u, v);
-        cells_of_block(cells, level, count, face, u, v, cell + done);
+        if (cells->is_s2)
+        {
+            cm_s2_cells_of_block(cells, level, count, x + done, y + done, z + done, cell + done);
+        }
+        else
+        {
+            uint8_t face[CM_BLOCK];
+            double u[CM_BLOCK], v[CM_BLOCK];
+            cm_grid_forward_array(cells->grid, count, x + done, y + done, z + done, face, u, v);
+            cells_of_block(cells, level, count, face, u, v, cell + done);
+        }
     }
+}
+
+/* By the C library's sines and cosines, as S2LatLng::ToPoint. */
+static void s2_cells_of_lonlats(const cm_cell_grid *cells, int level, size_t n, const double *lon,
+                                const double *lat, cm_cell *cell)
+{
+    double x[CM_BLOCK], y[CM_BLOCK], z[CM_BLOCK];
+    for (size_t i = 0; i < n; i++)
+    {
+        double direction[3];
+        cm_direction_from_lonlat(lon[i], lat[i], direction);
+        x[i] = direction[0];
+        y[i] = direction[1];
+        z[i] = direction[2];
+    }
+    cm_s2_cells_of_block(cells, level, n, x, y, z, cell);
 }
 
 void cm_cell_forward_lonlat_array(const cm_cell_grid *cells, int level, size_t n, const double *lon,
@@ -77,11 +103,18 @@ void cm_cell_forward_lonlat_array(const cm_cell_grid *cells, int level, size_t n
     }
     for (size_t done = 0; done < n; done += CM_BLOCK)
     {
-        uint8_t face[CM_BLOCK];
-        double u[CM_BLOCK], v[CM_BLOCK];
         size_t count = block_of(n, done);
-        cm_grid_forward_lonlat_array(cells->grid, count, lon + done, lat + done, face, u, v);
-        cells_of_block(cells, level, count, face, u, v, cell + done);
+        if (cells->is_s2)
+        {
+            s2_cells_of_lonlats(cells, level, count, lon + done, lat + done, cell + done);
+        }
+        else
+        {
+            uint8_t face[CM_BLOCK];
+            double u[CM_BLOCK], v[CM_BLOCK];
+            cm_grid_forward_lonlat_array(cells->grid, count, lon + done, lat + done, face, u, v);
+            cells_of_block(cells, level, count, face, u, v, cell + done);
+        }
     }
 }
 
@@ -91,7 +124,22 @@ static cm_cell cell_of_place(const cm_cell_grid *cells, int level, uint8_t face,
     cm_cell cell = CM_NO_CELL;
     if (is_level(level))
     {
+        const cm_exceptions held = cm_exceptions_hold();
         cm_batch_scalar.cells->forward(cells->curve, level, 1, &face, &uv[0], &uv[1], &cell);
+        cm_exceptions_restore(held);
+    }
+    return cell;
+}
+
+/* It rounds alike in every set. */
+static cm_cell s2_cell_of(int level, const double d[3])
+{
+    cm_cell cell = CM_NO_CELL;
+    if (is_level(level))
+    {
+        const cm_exceptions held = cm_exceptions_hold();
+        cm_batch_scalar.cells->s2_forward(level, 1, &d[0], &d[1], &d[2], &cell);
+        cm_exceptions_restore(held);
     }
     return cell;
 }
@@ -99,6 +147,10 @@ static cm_cell cell_of_place(const cm_cell_grid *cells, int level, uint8_t face,
 cm_cell cm_cell_forward(const cm_cell_grid *cells, int level, const double normal[3])
 {
     double uv[2];
+    if (cells->is_s2)
+    {
+        return s2_cell_of(level, normal);
+    }
     uint8_t face = cm_grid_forward(cells->grid, normal, uv);
     return cell_of_place(cells, level, face, uv);
 }
@@ -106,6 +158,12 @@ cm_cell cm_cell_forward(const cm_cell_grid *cells, int level, const double norma
 cm_cell cm_cell_forward_lonlat(const cm_cell_grid *cells, int level, double lon, double lat)
 {
     double uv[2];
+    if (cells->is_s2)
+    {
+        double direction[3];
+        cm_direction_from_lonlat(lon, lat, direction);
+        return s2_cell_of(level, direction);
+    }
     uint8_t face = cm_grid_forward_lonlat(cells->grid, lon, lat, uv);
     return cell_of_place(cells, level, face, uv);
 }
@@ -116,6 +174,7 @@ cm_cell cm_cell_forward_lonlat(const cm_cell_grid *cells, int level, double lon,
 static void middles_of_block(const cm_cell_grid *cells, size_t n, const cm_cell *cell,
                              uint8_t *face, double *u, double *v)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     cm_cell block[CM_BLOCK];
     size_t whole = up_to_whole(cells, n);
     for (size_t i = 0; i < whole; i++)
@@ -131,6 +190,20 @@ static void middles_of_block(const cm_cell_grid *cells, size_t n, const cm_cell 
             u[i] = v[i] = (double)NAN;
         }
     }
+    cm_exceptions_restore(held);
+}
+
+void cm_cell_normals_at(const cm_cell_grid *cells, size_t n, const uint8_t *face, const double *u,
+                        const double *v, double *x, double *y, double *z)
+{
+    if (cells->is_s2)
+    {
+        cm_s2_normals_of_block(cells, n, face, u, v, x, y, z);
+    }
+    else
+    {
+        cm_grid_inverse_array(cells->grid, n, face, u, v, x, y, z);
+    }
 }
 
 void cm_cell_centre_array(const cm_cell_grid *cells, size_t n, const cm_cell *cell, double *x,
@@ -142,7 +215,19 @@ void cm_cell_centre_array(const cm_cell_grid *cells, size_t n, const cm_cell *ce
         double u[CM_BLOCK], v[CM_BLOCK];
         size_t count = block_of(n, done);
         middles_of_block(cells, count, cell + done, face, u, v);
-        cm_grid_inverse_array(cells->grid, count, face, u, v, x + done, y + done, z + done);
+        cm_cell_normals_at(cells, count, face, u, v, x + done, y + done, z + done);
+    }
+}
+
+static void s2_lonlats_of_places(size_t n, const uint8_t *face, const double *u, const double *v,
+                                 double *lon, double *lat)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        double lonlat[2];
+        cm_s2_lonlat(face[i], (const double[2]){u[i], v[i]}, lonlat);
+        lon[i] = lonlat[0];
+        lat[i] = lonlat[1];
     }
 }
 
@@ -155,7 +240,14 @@ void cm_cell_centre_lonlat_array(const cm_cell_grid *cells, size_t n, const cm_c
         double u[CM_BLOCK], v[CM_BLOCK];
         size_t count = block_of(n, done);
         middles_of_block(cells, count, cell + done, face, u, v);
-        cm_grid_inverse_lonlat_array(cells->grid, count, face, u, v, lon + done, lat + done);
+        if (cells->is_s2)
+        {
+            s2_lonlats_of_places(count, face, u, v, lon + done, lat + done);
+        }
+        else
+        {
+            cm_grid_inverse_lonlat_array(cells->grid, count, face, u, v, lon + done, lat + done);
+        }
     }
 }
 
@@ -165,7 +257,9 @@ static uint8_t middle_of(const cm_cell_grid *cells, cm_cell cell, double uv[2])
     uv[0] = uv[1] = (double)NAN;
     if (cm_cell_is_valid(cell))
     {
+        const cm_exceptions held = cm_exceptions_hold();
         cm_batch_scalar.cells->centre(cells->curve, 1, &cell, &face, &uv[0], &uv[1]);
+        cm_exceptions_restore(held);
     }
     return face;
 }
@@ -174,14 +268,21 @@ void cm_cell_centre(const cm_cell_grid *cells, cm_cell cell, double normal[3])
 {
     double uv[2];
     uint8_t face = middle_of(cells, cell, uv);
-    cm_grid_inverse(cells->grid, face, uv, normal);
+    cm_cell_normals_at(cells, 1, &face, &uv[0], &uv[1], &normal[0], &normal[1], &normal[2]);
 }
 
 void cm_cell_centre_lonlat(const cm_cell_grid *cells, cm_cell cell, double lonlat[2])
 {
     double uv[2];
     uint8_t face = middle_of(cells, cell, uv);
-    cm_grid_inverse_lonlat(cells->grid, face, uv, lonlat);
+    if (cells->is_s2)
+    {
+        cm_s2_lonlat(face, uv, lonlat);
+    }
+    else
+    {
+        cm_grid_inverse_lonlat(cells->grid, face, uv, lonlat);
+    }
 }
 
 /* ---- Corners ---- */
@@ -207,7 +308,7 @@ void cm_cell_normals(const cm_cell_grid *cells, cm_cell cell, double normal[5][3
     uint8_t face[5];
     double u[5], v[5], x[5], y[5], z[5];
     places_of(cells, cell, face, u, v);
-    cm_grid_inverse_array(cells->grid, 5, face, u, v, x, y, z);
+    cm_cell_normals_at(cells, 5, face, u, v, x, y, z);
     for (int k = 0; k < 5; k++)
     {
         normal[k][0] = x[k];
@@ -227,6 +328,16 @@ void cm_cell_corners_lonlat(const cm_cell_grid *cells, cm_cell cell, double lonl
 {
     uint8_t face[5];
     double u[5], v[5], lon[4], lat[4];
+    if (cells->is_s2)
+    {
+        double normal[4][3];
+        cm_cell_corners(cells, cell, normal);
+        for (int k = 0; k < 4; k++)
+        {
+            cm_s2_lonlat_of(normal[k], lonlat[k]);
+        }
+        return;
+    }
     places_of(cells, cell, face, u, v);
     cm_grid_inverse_lonlat_array(cells->grid, 4, face, u, v, lon, lat);
     for (int k = 0; k < 4; k++)
@@ -236,99 +347,10 @@ void cm_cell_corners_lonlat(const cm_cell_grid *cells, cm_cell cell, double lonl
     }
 }
 
-/* ---- Caps ---- */
-
-static double chord_squared(const double a[3], const double b[3])
-{
-    double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-}
-
-/* The largest angle from the centre to a corner. */
-static double reach_of(double normal[5][3])
-{
-    int at = 0;
-    double most = 0.0;
-    for (int k = 0; k < 4; k++)
-    {
-        double square = chord_squared(normal[k], normal[4]);
-        at = square > most ? k : at;
-        most = fmax(most, square);
-    }
-    return cm_angle(normal[at], normal[4]);
-}
-
-double cm_cell_cap(const cm_cell_grid *cells, cm_cell cell, double normal[5][3])
-{
-    int level = cm_cell_level(cell);
-    int row = level < CM_CELL_BULGES ? level : CM_CELL_BULGES - 1;
-    cm_cell_normals(cells, cell, normal);
-    return level < 0 ? (double)NAN : reach_of(normal) * cells->bulge[row] + CM_CELL_SLACK;
-}
-
-void cm_cell_bounding_cap(const cm_cell_grid *cells, cm_cell cell, double normal[3], double *radius)
-{
-    double all[5][3];
-    *radius = cm_cell_cap(cells, cell, all);
-    memcpy(normal, all[4], sizeof all[4]);
-}
-
-/* Points along an edge; fewer where cells are more. */
-static const int points_along[CM_CELL_BULGES] = {64, 32, 16, 8, 8};
-
-/* By what factor the edges of a cell, at so many points of each, are further from the centre than its
- * corners. */
-static double bulge_of(const cm_cell_grid *cells, cm_cell cell, int steps)
-{
-    double normal[5][3];
-    uint8_t face[CM_BLOCK];
-    double u[CM_BLOCK], v[CM_BLOCK], x[CM_BLOCK], y[CM_BLOCK], z[CM_BLOCK];
-    double low[2], high[2];
-    double most = 0.0;
-    int at = 0;
-    uint8_t on = 0;
-    cm_cell_normals(cells, cell, normal);
-    cm_cell_square(cells->curve, cell, &on, low, high);
-    for (int k = 0; k < 4 * steps; k++)
-    {
-        int side = k / steps;
-        double t = (k % steps + 0.5) / steps;
-        face[k] = on;
-        u[k] = side == 1 ? high[0] : side == 3 ? low[0] : low[0] + t * (high[0] - low[0]);
-        v[k] = side == 0 ? low[1] : side == 2 ? high[1] : low[1] + t * (high[1] - low[1]);
-    }
-    cm_grid_inverse_array(cells->grid, 4 * (size_t)steps, face, u, v, x, y, z);
-    for (int k = 0; k < 4 * steps; k++)
-    {
-        double square = chord_squared((const double[3]){x[k], y[k], z[k]}, normal[4]);
-        at = square > most ? k : at;
-        most = fmax(most, square);
-    }
-    return cm_angle((const double[3]){x[at], y[at], z[at]}, normal[4]) / reach_of(normal);
-}
-
-/* What is missed between the points, and on finer levels, is less than the quarter that is added. */
-static void measure_bulges(cm_cell_grid *cells)
-{
-    for (int level = 0; level < CM_CELL_BULGES; level++)
-    {
-        double most = 1.0;
-        for (uint64_t index = 0; index < 6ull << (2 * level); index++)
-        {
-            most = fmax(most, bulge_of(cells, cm_cell_at_index(level, index), points_along[level]));
-        }
-        cells->bulge[level] = 1.0 + 1.25 * (most - 1.0) + 1e-3;
-    }
-}
-
 /* ---- Life ---- */
 
-cm_status cm_cell_grid_create(const cm_grid *grid, cm_curve curve, cm_cell_grid **cells)
+static cm_status create(const cm_grid *grid, cm_curve curve, int is_s2, cm_cell_grid **cells)
 {
-    if (grid == NULL || cells == NULL || !cm_curve_is_valid(curve))
-    {
-        return CM_ERROR_ARGUMENT;
-    }
     const cm_mapping *mapping = cm_grid_mapping(grid);
     if (cm_mapping_describe(mapping)->kind != CM_KIND_CUBE)
     {
@@ -341,10 +363,35 @@ cm_status cm_cell_grid_create(const cm_grid *grid, cm_curve curve, cm_cell_grid 
     }
     made->grid = grid;
     made->curve = curve;
+    made->is_s2 = is_s2;
     made->set = mapping->set;
-    measure_bulges(made);
+    cm_status status = cm_cell_measure_bulges(made);
+    if (status != CM_OK)
+    {
+        free(made);
+        return status;
+    }
     *cells = made;
     return CM_OK;
+}
+
+cm_status cm_cell_grid_create(const cm_grid *grid, cm_curve curve, cm_cell_grid **cells)
+{
+    if (grid == NULL || cells == NULL || !cm_curve_is_valid(curve))
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    return create(grid, curve, 0, cells);
+}
+
+cm_status cm_cell_grid_create_s2(const cm_grid *grid, cm_cell_grid **cells)
+{
+    if (grid == NULL || cells == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    return cm_grid_has_s2_cells(grid) ? create(grid, CM_CURVE_HILBERT, 1, cells)
+                                      : CM_ERROR_UNSUPPORTED;
 }
 
 void cm_cell_grid_destroy(cm_cell_grid *cells)
@@ -360,4 +407,9 @@ const cm_grid *cm_cell_grid_of(const cm_cell_grid *cells)
 cm_curve cm_cell_grid_curve(const cm_cell_grid *cells)
 {
     return cells->curve;
+}
+
+int cm_cell_grid_is_s2(const cm_cell_grid *cells)
+{
+    return cells->is_s2;
 }

@@ -16,6 +16,7 @@ struct cm_cell_grid
 {
     const cm_grid *grid;
     cm_curve curve;
+    int is_s2; /* points are placed as the S2 library rounds */
     const cm_batch_set *set;
     /* By what factor the points of a cell of level k may be further from its centre than its corners are; the
      * last is of finer ones, too. */
@@ -43,6 +44,31 @@ static inline double cm_angle(const double a[3], const double b[3])
 int cm_cell_are_quarters(const cm_cell *four);
 
 int cm_cell_compare(const void *a, const void *b);
+
+/* ---- As the S2 library rounds, CM_BLOCK points at most ---- */
+
+/* Are the grid's cells S2's, but for rounding? */
+int cm_grid_has_s2_cells(const cm_grid *grid);
+
+void cm_s2_cells_of_block(const cm_cell_grid *cells, int level, size_t n, const double *x,
+                          const double *y, const double *z, cm_cell *cell);
+
+/* The normals at places of faces, which are multiples of 2^-30; NaN where u or v is. */
+void cm_s2_normals_of_block(const cm_cell_grid *cells, size_t n, const uint8_t *face,
+                            const double *u, const double *v, double *x, double *y, double *z);
+
+/* Longitude and latitude of a place, as of a cell's centre. */
+void cm_s2_lonlat(uint8_t face, const double uv[2], double lonlat[2]);
+
+/* Those of a direction. */
+void cm_s2_lonlat_of(const double direction[3], double lonlat[2]);
+
+/* The normals at places of faces, CM_BLOCK at most. */
+void cm_cell_normals_at(const cm_cell_grid *cells, size_t n, const uint8_t *face, const double *u,
+                        const double *v, double *x, double *y, double *z);
+
+/* By what factor edges of the grid's cells bulge. CM_OK or CM_ERROR_MEMORY. */
+cm_status cm_cell_measure_bulges(cm_cell_grid *cells);
 
 /* The normals at the corners of a cell, and at its centre; NaN for none. */
 void cm_cell_normals(const cm_cell_grid *cells, cm_cell cell, double normal[5][3]);

@@ -2,11 +2,13 @@
 #include <cubemap/cubemap.h>
 #include <cubemap/kernels.h>
 
+#include "libcubemap/mapping/exception_flags.h"
+
 #include <math.h>
 
 static const double half_pi = 1.5707963267948966;
 
-void cm_direction_from_lonlat(double lon, double lat, double direction[3])
+static void direction_of(double lon, double lat, double direction[3])
 {
     double height = fabs(lat) > half_pi ? copysign(half_pi, lat) : lat;
     if (!isfinite(lon) || !(fabs(lat) <= half_pi + 1e-9))
@@ -20,7 +22,7 @@ void cm_direction_from_lonlat(double lon, double lat, double direction[3])
     direction[2] = sin(height);
 }
 
-void cm_lonlat_from_direction(const double direction[3], double lonlat[2])
+static void lonlat_of(const double direction[3], double lonlat[2])
 {
     double magnitude = cm_magnitude_f64(direction[0], direction[1], direction[2]);
     if (!(magnitude > 0.0) || !isfinite(direction[0]) || !isfinite(direction[1]) ||
@@ -37,4 +39,18 @@ void cm_lonlat_from_direction(const double direction[3], double lonlat[2])
     double z = ldexp(direction[2], -exponent);
     lonlat[0] = atan2(direction[1], direction[0]);
     lonlat[1] = atan2(z, hypot(x, y));
+}
+
+void cm_direction_from_lonlat(double lon, double lat, double direction[3])
+{
+    const cm_exceptions held = cm_exceptions_hold();
+    direction_of(lon, lat, direction);
+    cm_exceptions_restore(held);
+}
+
+void cm_lonlat_from_direction(const double direction[3], double lonlat[2])
+{
+    const cm_exceptions held = cm_exceptions_hold();
+    lonlat_of(direction, lonlat);
+    cm_exceptions_restore(held);
 }

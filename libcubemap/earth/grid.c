@@ -7,6 +7,7 @@
 
 #include "lonlat_block.h"
 #include "grid_object.h"
+#include "libcubemap/mapping/exception_flags.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -250,6 +251,7 @@ static void move_blocks(const cm_grid *grid,
                                      double *z),
                         size_t n, const double *const from[3], double *const to[3])
 {
+    const cm_exceptions held = cm_exceptions_hold();
     for (size_t done = 0; done < n; done += CM_BLOCK)
     {
         double at[3][CM_BLOCK];
@@ -264,6 +266,7 @@ static void move_blocks(const cm_grid *grid,
             memcpy(to[i] + done, at[i], count * sizeof at[i][0]);
         }
     }
+    cm_exceptions_restore(held);
 }
 
 void cm_grid_to_sphere_array(const cm_grid *grid, size_t n, const double *x, const double *y,
@@ -283,6 +286,7 @@ void cm_grid_from_sphere_array(const cm_grid *grid, size_t n, const double *x, c
 void cm_grid_forward_array(const cm_grid *grid, size_t n, const double *x, const double *y,
                            const double *z, uint8_t *face, double *u, double *v)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     for (size_t done = 0; done < n; done += CM_BLOCK)
     {
         double a[CM_BLOCK], b[CM_BLOCK], c[CM_BLOCK];
@@ -292,21 +296,25 @@ void cm_grid_forward_array(const cm_grid *grid, size_t n, const double *x, const
         memcpy(c, z + done, count * sizeof *c);
         forward_block(grid, count, a, b, c, face + done, u + done, v + done);
     }
+    cm_exceptions_restore(held);
 }
 
 void cm_grid_inverse_array(const cm_grid *grid, size_t n, const uint8_t *face, const double *u,
                            const double *v, double *x, double *y, double *z)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     for (size_t done = 0; done < n; done += CM_BLOCK)
     {
         inverse_block(grid, block_of(n, done), face + done, u + done, v + done, x + done, y + done,
                       z + done);
     }
+    cm_exceptions_restore(held);
 }
 
 void cm_grid_forward_lonlat_array(const cm_grid *grid, size_t n, const double *lon,
                                   const double *lat, uint8_t *face, double *u, double *v)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     for (size_t done = 0; done < n; done += CM_BLOCK)
     {
         double x[CM_BLOCK], y[CM_BLOCK], z[CM_BLOCK];
@@ -314,11 +322,13 @@ void cm_grid_forward_lonlat_array(const cm_grid *grid, size_t n, const double *l
         cm_block_of_lonlats(grid->mapping->set, count, lon + done, lat + done, x, y, z);
         forward_block(grid, count, x, y, z, face + done, u + done, v + done);
     }
+    cm_exceptions_restore(held);
 }
 
 void cm_grid_inverse_lonlat_array(const cm_grid *grid, size_t n, const uint8_t *face,
                                   const double *u, const double *v, double *lon, double *lat)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     for (size_t done = 0; done < n; done += CM_BLOCK)
     {
         double x[CM_BLOCK], y[CM_BLOCK], z[CM_BLOCK];
@@ -326,36 +336,45 @@ void cm_grid_inverse_lonlat_array(const cm_grid *grid, size_t n, const uint8_t *
         inverse_block(grid, count, face + done, u + done, v + done, x, y, z);
         cm_block_to_lonlats(grid->mapping->set, count, x, y, z, lon + done, lat + done);
     }
+    cm_exceptions_restore(held);
 }
 
 /* ---- Single points: the same instructions ---- */
 
 void cm_grid_to_sphere(const cm_grid *grid, const double normal[3], double direction[3])
 {
+    const cm_exceptions held = cm_exceptions_hold();
     double d[3] = {normal[0], normal[1], normal[2]};
     to_sphere(grid, 1, &d[0], &d[1], &d[2]);
     memcpy(direction, d, sizeof d);
+    cm_exceptions_restore(held);
 }
 
 void cm_grid_from_sphere(const cm_grid *grid, const double direction[3], double normal[3])
 {
+    const cm_exceptions held = cm_exceptions_hold();
     double d[3] = {direction[0], direction[1], direction[2]};
     from_sphere(grid, 1, &d[0], &d[1], &d[2]);
     memcpy(normal, d, sizeof d);
+    cm_exceptions_restore(held);
 }
 
 uint8_t cm_grid_forward(const cm_grid *grid, const double normal[3], double uv[2])
 {
+    const cm_exceptions held = cm_exceptions_hold();
     uint8_t face;
     double d[3] = {normal[0], normal[1], normal[2]};
     forward_block(grid, 1, &d[0], &d[1], &d[2], &face, &uv[0], &uv[1]);
+    cm_exceptions_restore(held);
     return face;
 }
 
 void cm_grid_inverse(const cm_grid *grid, uint8_t face, const double uv[2], double normal[3])
 {
+    const cm_exceptions held = cm_exceptions_hold();
     double at[2] = {uv[0], uv[1]};
     inverse_block(grid, 1, &face, &at[0], &at[1], &normal[0], &normal[1], &normal[2]);
+    cm_exceptions_restore(held);
 }
 
 uint8_t cm_grid_forward_lonlat(const cm_grid *grid, double lon, double lat, double uv[2])

@@ -6,6 +6,7 @@
 #include <cubemap/kernels.h>
 
 #include "grid_object.h"
+#include "libcubemap/mapping/exception_flags.h"
 
 #include <string.h>
 
@@ -35,51 +36,57 @@ static void convert(const cm_grid *grid, double cosine, double sine, double to[3
     }
 }
 
-static place place_of(const cm_grid *grid, const double normal[3])
+/* Sine and cosine of a normal's latitude; what the latitude becomes is left. */
+static place latitude_of(const double normal[3])
 {
-    place p;
-    double to[3];
+    place p = {0};
     double across = hypot(normal[0], normal[1]);
     double length = hypot(across, normal[2]);
     p.sine = normal[2] / length;
     p.cosine = fmax(across / length, SMALL);
-    convert(grid, p.cosine, p.sine, to);
-    p.widening = to[0] / p.cosine;
-    double polar = (1.0 - grid->ellipsoid.f) * p.sine;
-    p.curvature = p.cosine * p.cosine + polar * polar;
     return p;
 }
 
-/* d xi / d phi. */
-static double slope_at(const cm_grid *grid, const place *p)
+/* to: the cosine of the auxiliary latitude. */
+static void complete(const cm_grid *grid, place *p, double to)
+{
+    p->widening = to / p->cosine;
+    double polar = (1.0 - grid->ellipsoid.f) * p->sine;
+    p->curvature = p->cosine * p->cosine + polar * polar;
+}
+
+static place place_of(const cm_grid *grid, const double normal[3])
+{
+    double to[3];
+    place p = latitude_of(normal);
+    convert(grid, p.cosine, p.sine, to);
+    complete(grid, &p, to[0]);
+    return p;
+}
+
+/* What is the same everywhere in d xi / d phi. */
+static double slope_constant(const cm_grid *grid)
 {
     double flat = 1.0 - grid->ellipsoid.f;
     switch (grid->latitude)
     {
+    /* a tangent that is multiplied by k: the cosine is divided by sqrt(cos^2 + k^2 sin^2) */
     case CM_LATITUDE_GEOCENTRIC:
+        return flat * flat;
     case CM_LATITUDE_PARAMETRIC:
+        return flat;
     case CM_LATITUDE_AUTHALIC_APPROXIMATION:
-    {
-        /* a tangent that is multiplied by k: the cosine is divided by sqrt(cos^2 + k^2 sin^2) */
-        double k = grid->latitude == CM_LATITUDE_GEOCENTRIC   ? flat * flat
-                   : grid->latitude == CM_LATITUDE_PARAMETRIC ? flat
-                                                              : cbrt(flat * flat * flat * flat);
-        return k * p->widening * p->widening;
-    }
+        return cbrt(flat * flat * flat * flat);
     case CM_LATITUDE_AUTHALIC:
-    {
-        double radius = cm_ellipsoid_authalic_radius(&grid->ellipsoid) / grid->ellipsoid.a;
-        double ratio = flat / radius / p->curvature;
-        return ratio * ratio / p->widening;
-    }
+        return flat / (cm_ellipsoid_authalic_radius(&grid->ellipsoid) / grid->ellipsoid.a);
     case CM_LATITUDE_CONFORMAL:
-        return flat * flat / p->curvature * p->widening;
+        return flat * flat;
     case CM_LATITUDE_RECTIFYING:
     {
         /* in proportion to the radius of curvature, which is flat^2 on the equator */
         double to[3];
         convert(grid, 1.0, SMALL, to);
-        return to[2] / SMALL / (p->curvature * sqrt(p->curvature));
+        return to[2] / SMALL;
     }
     case CM_LATITUDE_GEOGRAPHIC:
         break;
@@ -87,38 +94,101 @@ static double slope_at(const cm_grid *grid, const place *p)
     return 1.0;
 }
 
-/* Lengths on the unit sphere per length on the ellipsoid with equatorial radius 1. */
-static void scales_at(const cm_grid *grid, const double normal[3], double *east, double *north)
+/* d xi / d phi. */
+static double slope_at(const cm_grid *grid, double constant, const place *p)
 {
-    place p = place_of(grid, normal);
+    switch (grid->latitude)
+    {
+    case CM_LATITUDE_GEOCENTRIC:
+    case CM_LATITUDE_PARAMETRIC:
+    case CM_LATITUDE_AUTHALIC_APPROXIMATION:
+        return constant * p->widening * p->widening;
+    case CM_LATITUDE_AUTHALIC:
+    {
+        double ratio = constant / p->curvature;
+        return ratio * ratio / p->widening;
+    }
+    case CM_LATITUDE_CONFORMAL:
+        return constant / p->curvature * p->widening;
+    case CM_LATITUDE_RECTIFYING:
+        return constant / (p->curvature * sqrt(p->curvature));
+    case CM_LATITUDE_GEOGRAPHIC:
+        break;
+    }
+    return constant;
+}
+
+/* Lengths on the unit sphere per length on the ellipsoid with equatorial radius 1. */
+static void scales_at(const cm_grid *grid, double constant, const place *p, double *east,
+                      double *north)
+{
     double flat = 1.0 - grid->ellipsoid.f;
-    double root = sqrt(p.curvature);
-    *east = p.widening * root;
-    *north = slope_at(grid, &p) * p.curvature * root / (flat * flat);
+    double root = sqrt(p->curvature);
+    *east = p->widening * root;
+    *north = slope_at(grid, constant, p) * p->curvature * root / (flat * flat);
+}
+
+/* The cosines of the auxiliary latitudes of n places. */
+static void convert_places(const cm_grid *grid, size_t n, const place *p, double *cosine)
+{
+    double zero[CM_BLOCK], sine[CM_BLOCK], none[CM_BLOCK];
+    for (size_t i = 0; i < n; i++)
+    {
+        cosine[i] = p[i].cosine;
+        sine[i] = p[i].sine;
+        zero[i] = 0.0;
+    }
+    if (grid->there != NULL)
+    {
+        cm_latitude_convert_direction_array(grid->there, n, cosine, zero, sine, cosine, none, none);
+    }
+}
+
+static void area_elements_of_block(const cm_grid *grid, double constant, size_t n,
+                                   const uint8_t *face, const double *u, const double *v,
+                                   double *area)
+{
+    double x[CM_BLOCK], y[CM_BLOCK], z[CM_BLOCK], scale[CM_BLOCK], cosine[CM_BLOCK];
+    place p[CM_BLOCK];
+    double a = grid->ellipsoid.a;
+    cm_inverse_distortion_array(grid->mapping, n, face, u, v,
+                                &(cm_distortion_arrays){.scale = scale});
+    cm_inverse_array(grid->mapping, n, face, u, v, x, y, z);
+    cm_grid_from_sphere_array(grid, n, x, y, z, x, y, z);
+    for (size_t i = 0; i < n; i++)
+    {
+        p[i] = latitude_of((const double[3]){x[i], y[i], z[i]});
+    }
+    convert_places(grid, n, p, cosine);
+    for (size_t i = 0; i < n; i++)
+    {
+        double east, north;
+        complete(grid, &p[i], cosine[i]);
+        scales_at(grid, constant, &p[i], &east, &north);
+        area[i] = a * a / (east * north * scale[i]);
+    }
 }
 
 /* ---- Public functions, documented in <cubemap/grid.h> ---- */
 
-double cm_grid_area_element(const cm_grid *grid, uint8_t face, const double uv[2])
-{
-    double direction[3], normal[3], east, north;
-    cm_distortion sphere;
-    cm_inverse_distortion(grid->mapping, face, uv, &sphere);
-    cm_inverse(grid->mapping, face, uv, direction);
-    cm_grid_from_sphere(grid, direction, normal);
-    scales_at(grid, normal, &east, &north);
-    double a = grid->ellipsoid.a;
-    return a * a / (east * north * sphere.scale);
-}
-
 void cm_grid_area_element_array(const cm_grid *grid, size_t n, const uint8_t *face, const double *u,
                                 const double *v, double *area)
 {
-    for (size_t i = 0; i < n; i++)
+    const cm_exceptions held = cm_exceptions_hold();
+    double constant = slope_constant(grid);
+    for (size_t done = 0; done < n; done += CM_BLOCK)
     {
-        const double uv[2] = {u[i], v[i]};
-        area[i] = cm_grid_area_element(grid, face[i], uv);
+        size_t count = n - done < CM_BLOCK ? n - done : CM_BLOCK;
+        area_elements_of_block(grid, constant, count, face + done, u + done, v + done, area + done);
     }
+    cm_exceptions_restore(held);
+}
+
+double cm_grid_area_element(const cm_grid *grid, uint8_t face, const double uv[2])
+{
+    double area;
+    cm_grid_area_element_array(grid, 1, &face, &uv[0], &uv[1], &area);
+    return area;
 }
 
 /* Two directions of the mapping's sphere, and lengths there per length on the ellipsoid with a = 1. */
@@ -133,7 +203,8 @@ typedef struct axes
 static axes axes_at(const cm_grid *grid, const double normal[3], const double direction[3])
 {
     axes a;
-    scales_at(grid, normal, &a.east_scale, &a.north_scale);
+    place p = place_of(grid, normal);
+    scales_at(grid, slope_constant(grid), &p, &a.east_scale, &a.north_scale);
     /* at a pole any direction is east */
     double across = hypot(normal[0], normal[1]);
     const double east[3] = {across > 0.0 ? -normal[1] / across : 0.0,
@@ -182,6 +253,7 @@ static cm_distortion distortion_of(const cm_grid *grid, cm_indicatrix_f64 r)
 void cm_grid_forward_distortion(const cm_grid *grid, const double normal[3],
                                 cm_distortion *distortion)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     double direction[3], j[6];
     cm_grid_to_sphere(grid, normal, direction);
     cm_forward_jacobian(grid->mapping, direction, j);
@@ -191,11 +263,13 @@ void cm_grid_forward_distortion(const cm_grid *grid, const double normal[3],
     const cm_gradients_f64 gradients = {
         .a_x = j[0], .a_y = j[1], .a_z = j[2], .b_x = j[3], .b_y = j[4], .b_z = j[5]};
     *distortion = distortion_of(grid, cm_indicatrix_of_gradients_f64(gradients));
+    cm_exceptions_restore(held);
 }
 
 void cm_grid_inverse_distortion(const cm_grid *grid, uint8_t face, const double uv[2],
                                 cm_distortion *distortion)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     double direction[3], normal[3], j[6];
     cm_inverse(grid->mapping, face, uv, direction);
     cm_inverse_jacobian(grid->mapping, face, uv, j);
@@ -206,4 +280,5 @@ void cm_grid_inverse_distortion(const cm_grid *grid, uint8_t face, const double 
     const cm_tangents_f64 tangents = {
         .x_a = j[0], .x_b = j[1], .y_a = j[2], .y_b = j[3], .z_a = j[4], .z_b = j[5]};
     *distortion = distortion_of(grid, cm_indicatrix_of_tangents_f64(tangents));
+    cm_exceptions_restore(held);
 }

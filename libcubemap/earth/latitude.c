@@ -9,6 +9,7 @@
 #include "libcubemap/mapping/set_choice.h"
 #include "libcubemap/mapping/catalogue_words.h"
 #include "latitude_shape.h"
+#include "libcubemap/mapping/exception_flags.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -318,12 +319,14 @@ typedef double rest[CM_LANES_MAX];
 void cm_latitude_convert_array(const cm_latitude_conversion *conversion, size_t n,
                                const double *from, double *to)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     if (conversion->exact)
     {
         for (size_t i = 0; i < n; i++)
         {
             to[i] = exact_angle(conversion, from[i]);
         }
+        cm_exceptions_restore(held);
         return;
     }
     const cm_batch_set *set = conversion->set;
@@ -340,12 +343,14 @@ void cm_latitude_convert_array(const cm_latitude_conversion *conversion, size_t 
         set->latitudes->angles[conversion->way](&conversion->constants, set->lanes_f64, a, a);
         memcpy(to + whole, a, left * sizeof *to);
     }
+    cm_exceptions_restore(held);
 }
 
 void cm_latitude_convert_direction_array(const cm_latitude_conversion *conversion, size_t n,
                                          const double *x, const double *y, const double *z,
                                          double *to_x, double *to_y, double *to_z)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     if (conversion->exact)
     {
         for (size_t i = 0; i < n; i++)
@@ -356,6 +361,7 @@ void cm_latitude_convert_direction_array(const cm_latitude_conversion *conversio
             to_y[i] = to[1];
             to_z[i] = to[2];
         }
+        cm_exceptions_restore(held);
         return;
     }
     const cm_batch_set *set = conversion->set;
@@ -378,6 +384,7 @@ void cm_latitude_convert_direction_array(const cm_latitude_conversion *conversio
         memcpy(to_y + whole, b, left * sizeof *to_y);
         memcpy(to_z + whole, c, left * sizeof *to_z);
     }
+    cm_exceptions_restore(held);
 }
 
 double cm_latitude_convert(const cm_latitude_conversion *conversion, double latitude)

@@ -13,7 +13,8 @@
 #define DEGREES(x) ((x)*0.017453292519943295769)
 #define KILOMETRES(x) ((x) / 6371.0072)
 
-/* The measures are those at the angles, which are rounded. */
+/* The measures are those at the angles, which are rounded, of edges to less: a hundredth of a degree is kilometres there.
+ * land-edges is 0.02 km better than what the search finds, by random steps along the crease where that ends. */
 static const cm_orientation orientations[] = {
     {sizeof(cm_orientation), "land-coupled", "land least deformed by coupled", "coupled",
      "deformation", 17.15, 9.09, 31.98, DEGREES(12.1204297), DEGREES(9.3319979)},
@@ -33,7 +34,7 @@ static const cm_orientation orientations[] = {
     {sizeof(cm_orientation), "land-qsc", "land least deformed by qsc", "qsc", "deformation", 12.60,
      21.43, 16.81, DEGREES(16.0326711), DEGREES(15.0375119)},
     {sizeof(cm_orientation), "land-edges", "land least cut by the edges of any cube", "coupled",
-     "edges", 23.52, -1.32, 33.33, KILOMETRES(26118.2626), KILOMETRES(9691.2203)},
+     "edges", 23.5516, -1.4491, 33.3335, KILOMETRES(26092.1834), KILOMETRES(9531.5719)},
 };
 
 size_t cm_orientation_count(void)

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * HEALPix: resolutions, and points to pixels and back: any number of them is given to the loops of the
- * instruction set, what is left over of whole vectors and single points in a vector of their own.
+ * instruction set, what is left over of whole vectors in a vector of its own. A point alone takes a way without loops.
  */
 #include "healpix_object.h"
+#include "libcubemap/mapping/exception_flags.h"
 #include "libcubemap/mapping/message.h"
 #include "libcubemap/mapping/set_choice.h"
 
@@ -130,6 +131,7 @@ static void fill_pixels(const cm_healpix *healpix, pixels to, const int64_t *fro
 void cm_healpix_pixel_from_direction_array(const cm_healpix *healpix, size_t n, const double *x,
                                            const double *y, const double *z, int64_t *pixel)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     const cm_healpix_loops *loops = healpix->set->healpix;
     size_t lanes = healpix->set->lanes_f64;
     size_t left = n % lanes;
@@ -145,6 +147,7 @@ void cm_healpix_pixel_from_direction_array(const cm_healpix *healpix, size_t n, 
         loops->from_directions(healpix, lanes, a, b, c, p);
         memcpy(pixel + whole, p, left * sizeof *pixel);
     }
+    cm_exceptions_restore(held);
 }
 
 static void pixels_of_angles(const cm_healpix *healpix, int latitudes, size_t n,
@@ -169,9 +172,16 @@ static void pixels_of_angles(const cm_healpix *healpix, int latitudes, size_t n,
 /* The loops bring longitudes up to this to one turn, further ones the C library does. */
 static const double far_longitude = 0x1p50;
 
+/* Within one turn, if it is that far. */
+static double near_longitude(double phi)
+{
+    return fabs(phi) > far_longitude && isfinite(phi) ? atan2(sin(phi), cos(phi)) : phi;
+}
+
 static void pixels_of_any_angles(const cm_healpix *healpix, int latitudes, size_t n,
                                  const double *theta, const double *phi, int64_t *pixel)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     pixels_of_angles(healpix, latitudes, n, theta, phi, pixel);
     int far = 0;
     for (size_t i = 0; i < n; i++)
@@ -180,12 +190,13 @@ static void pixels_of_any_angles(const cm_healpix *healpix, int latitudes, size_
     }
     for (size_t i = 0; far && i < n; i++)
     {
-        if (fabs(phi[i]) > far_longitude && isfinite(phi[i]))
+        if (fabs(phi[i]) > far_longitude)
         {
-            const double near = atan2(sin(phi[i]), cos(phi[i]));
-            pixels_of_angles(healpix, latitudes, 1, &theta[i], &near, &pixel[i]);
+            pixel[i] = healpix->set->healpix_lone->from_angles(healpix, latitudes, theta[i],
+                                                               near_longitude(phi[i]));
         }
     }
+    cm_exceptions_restore(held);
 }
 
 void cm_healpix_pixel_from_angles_array(const cm_healpix *healpix, size_t n, const double *theta,
@@ -203,6 +214,7 @@ void cm_healpix_pixel_from_lonlat_array(const cm_healpix *healpix, size_t n, con
 void cm_healpix_direction_from_pixel_array(const cm_healpix *healpix, size_t n,
                                            const int64_t *pixel, double *x, double *y, double *z)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     const cm_healpix_loops *loops = healpix->set->healpix;
     size_t lanes = healpix->set->lanes_f64;
     size_t left = n % lanes;
@@ -218,11 +230,13 @@ void cm_healpix_direction_from_pixel_array(const cm_healpix *healpix, size_t n,
         memcpy(y + whole, b, left * sizeof *y);
         memcpy(z + whole, c, left * sizeof *z);
     }
+    cm_exceptions_restore(held);
 }
 
 static void angles_of_pixels(const cm_healpix *healpix, int latitudes, size_t n,
                              const int64_t *pixel, double *theta, double *phi)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     const cm_healpix_loops *loops = healpix->set->healpix;
     size_t lanes = healpix->set->lanes_f64;
     size_t left = n % lanes;
@@ -237,6 +251,7 @@ static void angles_of_pixels(const cm_healpix *healpix, int latitudes, size_t n,
         memcpy(theta + whole, a, left * sizeof *theta);
         memcpy(phi + whole, b, left * sizeof *phi);
     }
+    cm_exceptions_restore(held);
 }
 
 void cm_healpix_angles_from_pixel_array(const cm_healpix *healpix, size_t n, const int64_t *pixel,
@@ -259,6 +274,7 @@ static cm_status renumber(const cm_healpix *healpix,
     {
         return CM_ERROR_PIXEL;
     }
+    const cm_exceptions held = cm_exceptions_hold();
     size_t lanes = healpix->set->lanes_f64;
     size_t left = n % lanes;
     size_t whole = n - left;
@@ -270,6 +286,7 @@ static cm_status renumber(const cm_healpix *healpix,
         loop(healpix, lanes, p, p);
         memcpy(to + whole, p, left * sizeof *to);
     }
+    cm_exceptions_restore(held);
     return CM_OK;
 }
 
@@ -301,26 +318,32 @@ static cm_status give(int64_t made, int64_t *pixel)
 cm_status cm_healpix_pixel_from_direction(const cm_healpix *healpix, const double direction[3],
                                           int64_t *pixel)
 {
-    int64_t made;
-    cm_healpix_pixel_from_direction_array(healpix, 1, &direction[0], &direction[1], &direction[2],
-                                          &made);
+    const cm_exceptions held = cm_exceptions_hold();
+    const int64_t made = healpix->set->healpix_lone->from_direction(healpix, direction);
+    cm_exceptions_restore(held);
+    return give(made, pixel);
+}
+
+static cm_status pixel_from_angles(const cm_healpix *healpix, int latitudes, double theta,
+                                   double phi, int64_t *pixel)
+{
+    const cm_exceptions held = cm_exceptions_hold();
+    const int64_t made =
+        healpix->set->healpix_lone->from_angles(healpix, latitudes, theta, near_longitude(phi));
+    cm_exceptions_restore(held);
     return give(made, pixel);
 }
 
 cm_status cm_healpix_pixel_from_angles(const cm_healpix *healpix, double theta, double phi,
                                        int64_t *pixel)
 {
-    int64_t made;
-    cm_healpix_pixel_from_angles_array(healpix, 1, &theta, &phi, &made);
-    return give(made, pixel);
+    return pixel_from_angles(healpix, 0, theta, phi, pixel);
 }
 
 cm_status cm_healpix_pixel_from_lonlat(const cm_healpix *healpix, double lon, double lat,
                                        int64_t *pixel)
 {
-    int64_t made;
-    cm_healpix_pixel_from_lonlat_array(healpix, 1, &lon, &lat, &made);
-    return give(made, pixel);
+    return pixel_from_angles(healpix, 1, lat, lon, pixel);
 }
 
 cm_status cm_healpix_direction_from_pixel(const cm_healpix *healpix, int64_t pixel,
@@ -330,8 +353,9 @@ cm_status cm_healpix_direction_from_pixel(const cm_healpix *healpix, int64_t pix
     {
         return CM_ERROR_PIXEL;
     }
-    cm_healpix_direction_from_pixel_array(healpix, 1, &pixel, &direction[0], &direction[1],
-                                          &direction[2]);
+    const cm_exceptions held = cm_exceptions_hold();
+    healpix->set->healpix_lone->to_direction(healpix, pixel, direction);
+    cm_exceptions_restore(held);
     return CM_OK;
 }
 
@@ -342,7 +366,9 @@ cm_status cm_healpix_angles_from_pixel(const cm_healpix *healpix, int64_t pixel,
     {
         return CM_ERROR_PIXEL;
     }
-    cm_healpix_angles_from_pixel_array(healpix, 1, &pixel, theta, phi);
+    const cm_exceptions held = cm_exceptions_hold();
+    healpix->set->healpix_lone->to_angles(healpix, 0, pixel, theta, phi);
+    cm_exceptions_restore(held);
     return CM_OK;
 }
 
@@ -352,27 +378,32 @@ cm_status cm_healpix_lonlat_from_pixel(const cm_healpix *healpix, int64_t pixel,
     {
         return CM_ERROR_PIXEL;
     }
-    cm_healpix_lonlat_from_pixel_array(healpix, 1, &pixel, &lonlat[0], &lonlat[1]);
+    const cm_exceptions held = cm_exceptions_hold();
+    healpix->set->healpix_lone->to_angles(healpix, 1, pixel, &lonlat[1], &lonlat[0]);
+    cm_exceptions_restore(held);
     return CM_OK;
-}
-
-static cm_status renumber_one(const cm_healpix *healpix,
-                              void (*loop)(const cm_healpix *, size_t, const int64_t *, int64_t *),
-                              int64_t from, int64_t *to)
-{
-    if (!cm_healpix_has(healpix, from))
-    {
-        return CM_ERROR_PIXEL;
-    }
-    return renumber(healpix, loop, 1, &from, to);
 }
 
 cm_status cm_healpix_nested_from_ring(const cm_healpix *healpix, int64_t ring, int64_t *nested)
 {
-    return renumber_one(healpix, healpix->set->healpix->to_nested, ring, nested);
+    if (!cm_healpix_has(healpix, ring) || !healpix->is_power)
+    {
+        return CM_ERROR_PIXEL;
+    }
+    const cm_exceptions held = cm_exceptions_hold();
+    *nested = healpix->set->healpix_lone->to_nested(healpix, ring);
+    cm_exceptions_restore(held);
+    return CM_OK;
 }
 
 cm_status cm_healpix_ring_from_nested(const cm_healpix *healpix, int64_t nested, int64_t *ring)
 {
-    return renumber_one(healpix, healpix->set->healpix->to_ring, nested, ring);
+    if (!cm_healpix_has(healpix, nested) || !healpix->is_power)
+    {
+        return CM_ERROR_PIXEL;
+    }
+    const cm_exceptions held = cm_exceptions_hold();
+    *ring = healpix->set->healpix_lone->to_ring(healpix, nested);
+    cm_exceptions_restore(held);
+    return CM_OK;
 }

@@ -4,6 +4,7 @@
  * same text as the loops.
  */
 #include "healpix_object.h"
+#include "libcubemap/batch/healpix_rings.h"
 
 #include <string.h>
 
@@ -113,21 +114,137 @@ static int settle(place *at, int64_t last)
     return over->exists;
 }
 
-cm_status cm_healpix_neighbours(const cm_healpix *healpix, int64_t pixel, int64_t neighbour[8])
+/* Any pixel, by its place. */
+static void neighbours_of_place(const cm_healpix *healpix, int64_t pixel, int64_t neighbour[8])
 {
     /* south-west, west, ... south */
     static const int step_x[8] = {-1, -1, 0, 1, 1, 1, 0, -1};
     static const int step_y[8] = {0, 1, 1, 1, 0, -1, -1, -1};
-    if (!cm_healpix_has(healpix, pixel))
-    {
-        return CM_ERROR_PIXEL;
-    }
     place at = place_of_pixel(healpix, pixel);
     for (int i = 0; i < 8; i++)
     {
         place beside = {at.base, at.x + step_x[i], at.y + step_y[i]};
         int exists = settle(&beside, healpix->nside - 1);
         neighbour[i] = exists ? pixel_of_place(healpix, beside) : CM_HEALPIX_NO_PIXEL;
+    }
+}
+
+/* In NESTED: of a pixel whose neighbours are all in its base pixel, by sums of the bits of x and y where they stand.
+ * 1; 0 for others. */
+static int neighbours_in_base(const cm_healpix *healpix, int64_t pixel, int64_t neighbour[8])
+{
+    uint64_t number = (uint64_t)pixel;
+    uint64_t inside = ((uint64_t)1 << (2 * healpix->shift)) - 1;
+    uint64_t all_x = inside & 0x5555555555555555u;
+    uint64_t all_y = inside & 0xaaaaaaaaaaaaaaaau;
+    uint64_t x = number & all_x;
+    uint64_t y = number & all_y;
+    if (x == 0 || x == all_x || y == 0 || y == all_y)
+    {
+        return 0;
+    }
+    uint64_t base = number & ~inside;
+    uint64_t x_low = base | ((x - 1) & all_x);
+    uint64_t x_high = base | ((x - all_x) & all_x);
+    uint64_t y_low = (y - 1) & all_y;
+    uint64_t y_high = (y - all_y) & all_y;
+    x |= base;
+    neighbour[0] = (int64_t)(x_low | y);
+    neighbour[1] = (int64_t)(x_low | y_high);
+    neighbour[2] = (int64_t)(x | y_high);
+    neighbour[3] = (int64_t)(x_high | y_high);
+    neighbour[4] = (int64_t)(x_high | y);
+    neighbour[5] = (int64_t)(x_high | y_low);
+    neighbour[6] = (int64_t)(x | y_low);
+    neighbour[7] = (int64_t)(x_low | y_low);
+    return 1;
+}
+
+/* In RING, of a pixel of the northern cap whose neighbours are in its base pixel and in the cap, or on the first ring
+ * of the belt: the k-th of a quarter is beside the k-1-th and the k-th of the ring above. turn: 4 for a pixel of the
+ * southern cap that is numbered backwards from last. */
+static int neighbours_in_cap(int64_t nside, int64_t number, int turn, int64_t last,
+                             int64_t neighbour[8])
+{
+    int64_t i = cm_ring_in_cap(number);
+    int64_t index = number - cm_pixels_before_ring(i);
+    int64_t quarter = (int64_t)(index >= i) + (index >= 2 * i) + (index >= 3 * i);
+    int64_t k = index - quarter * i;
+    if (k < 1 || k > i - 2 || i + 2 > nside)
+    {
+        return 0;
+    }
+    /* a ring more has 4 i pixels more before it, and one more in each quarter */
+    int64_t above = number - 4 * (i - 1) - quarter;
+    int64_t below = number + 4 * i + quarter;
+    int64_t found[8];
+    found[0] = below;
+    found[1] = number - 1;
+    found[2] = above - 1;
+    found[3] = above - 4 * (i - 2) - quarter - 1;
+    found[4] = above;
+    found[5] = number + 1;
+    found[6] = below + 1;
+    found[7] = below + 4 * (i + 1) + quarter + 1;
+    for (int j = 0; j < 8; j++)
+    {
+        neighbour[j ^ turn] = turn ? last - found[j] : found[j];
+    }
+    return 1;
+}
+
+/* In RING, of a pixel of the belt with two rings of the belt on either side. Rings are shifted by half a pixel in
+ * turn, the first one towards the east. */
+static int neighbours_on_belt(const cm_healpix *healpix, int64_t pixel, int64_t neighbour[8])
+{
+    int64_t nside = healpix->nside;
+    int64_t count = 4 * nside;
+    int64_t left = pixel - cm_pixels_before_ring(nside);
+    int64_t after = healpix->is_power ? left >> (healpix->shift + 2) : left / count;
+    if (after < 2 || after > 2 * nside - 2)
+    {
+        return 0;
+    }
+    int64_t index = left - after * count;
+    int64_t west = index == 0 ? pixel + count - 1 : pixel - 1;
+    int64_t east = index == count - 1 ? pixel - count + 1 : pixel + 1;
+    int is_shifted = (after & 1) == 0;
+    int64_t half_west = is_shifted ? pixel : west;
+    int64_t half_east = is_shifted ? east : pixel;
+    neighbour[0] = half_west + count;
+    neighbour[1] = west;
+    neighbour[2] = half_west - count;
+    neighbour[3] = pixel - 2 * count;
+    neighbour[4] = half_east - count;
+    neighbour[5] = east;
+    neighbour[6] = half_east + count;
+    neighbour[7] = pixel + 2 * count;
+    return 1;
+}
+
+/* In RING, of most pixels: those beside a border of base pixels in a cap, and of four rings, are left to the others. */
+static int neighbours_in_rings(const cm_healpix *healpix, int64_t pixel, int64_t neighbour[8])
+{
+    int64_t nside = healpix->nside;
+    int64_t cap = cm_pixels_before_ring(nside);
+    int64_t last = healpix->count - 1;
+    return pixel < cap          ? neighbours_in_cap(nside, pixel, 0, last, neighbour)
+           : last - pixel < cap ? neighbours_in_cap(nside, last - pixel, 4, last, neighbour)
+                                : neighbours_on_belt(healpix, pixel, neighbour);
+}
+
+cm_status cm_healpix_neighbours(const cm_healpix *healpix, int64_t pixel, int64_t neighbour[8])
+{
+    if (!cm_healpix_has(healpix, pixel))
+    {
+        return CM_ERROR_PIXEL;
+    }
+    int is_done = healpix->order == CM_HEALPIX_NESTED
+                      ? neighbours_in_base(healpix, pixel, neighbour)
+                      : neighbours_in_rings(healpix, pixel, neighbour);
+    if (!is_done)
+    {
+        neighbours_of_place(healpix, pixel, neighbour);
     }
     return CM_OK;
 }

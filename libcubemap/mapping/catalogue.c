@@ -28,6 +28,12 @@ const cm_mapping_info *cm_catalogue_at(size_t index)
     return index < cm_catalogue_count() ? &catalogue[index] : NULL;
 }
 
+const char *cm_smoothness_name(cm_smoothness smoothness)
+{
+    static const char *const names[] = {"torn", "C0", "C1", "C2", "analytic"};
+    return (size_t)smoothness < sizeof names / sizeof names[0] ? names[smoothness] : NULL;
+}
+
 static char lower(char c)
 {
     return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;

@@ -6,6 +6,7 @@
 #include <cubemap/cubemap.h>
 #include <cubemap/kernels.h>
 
+#include "libcubemap/batch/mapping_object.h"
 #include "catalogue_words.h"
 #include "specification.h"
 #include "message.h"
@@ -435,4 +436,32 @@ cm_status cm_specification_check(const char *specification, char *message, size_
         return cm_fail(CM_ERROR_ARGUMENT, message, message_size, "no mapping is given");
     }
     return cm_specification_parse(specification, &made, message, message_size);
+}
+
+static int is_as_read(const cm_mapping *mapping, const char *specification)
+{
+    cm_specification read;
+    int same = cm_specification_parse(specification, &read, NULL, 0) == CM_OK &&
+               mapping->azimuthal == read.azimuthal && mapping->square == read.square;
+    for (size_t i = 0; same && i < mapping->info->parameter_count; i++)
+    {
+        same = mapping->parameter[i] == read.parameter[i];
+    }
+    return same;
+}
+
+int cm_mapping_has_bounds(const cm_mapping *mapping)
+{
+    const cm_mapping_info *info = mapping->info;
+    char specification[128];
+    int has = is_as_read(mapping, info->identifier);
+    for (const char *preset = info->presets; preset != NULL && *preset != '\0' && !has;)
+    {
+        snprintf(specification, sizeof specification, "%s:%.*s", info->identifier,
+                 (int)strcspn(preset, ":"), preset);
+        has = is_as_read(mapping, specification);
+        preset += strcspn(preset, " ");
+        preset += strspn(preset, " ");
+    }
+    return has;
 }

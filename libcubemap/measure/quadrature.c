@@ -2,6 +2,12 @@
  *
  * Means of a quantity by adaptive quadrature: each cell of (r, t) by Gauss and Legendre's rule, and again
  * by its four quarters; where the two are apart, the quarters are cells.
+ *
+ * The corner of a face is another matter: there the area of a conformal mapping grows as the power -2/3 of the
+ * distance, and what `difference` has depends on where one comes from. A cell at the corner that halving does not
+ * settle is cut in two triangles with Duffy's coordinates, 1 - r = h x^3 and 1 - t = h x^3 y, or t and r swapped
+ * (Duffy, Quadrature over a pyramid or cube of integrands with a singularity at a vertex, 1982). Of either kind
+ * the integrands are analytic in x and y.
  */
 #include "pieces.h"
 
@@ -12,7 +18,8 @@ enum
     NODES = 10,
     MOMENTS =
         3, /* the integrals of 1, of the value, of the square of its difference from the ideal */
-    DEPTH_MOST = 8
+    DEPTH_MOST = 8,
+    DEPTH_OF_CORNER = 2 /* a cell there that is not settled is cut otherwise */
 };
 
 /* The difference of a cell from its quarters times this is taken as the quarters' error: beside a kink or a
@@ -31,11 +38,20 @@ static const double node_weight[NODES] = {0.033335672154344068797, 0.07472567457
                                           0.13463335965499817755,  0.10954318125799102200,
                                           0.074725674575290296573, 0.033335672154344068797};
 
+typedef enum cell_kind
+{
+    CELL_PLAIN,    /* of r and t */
+    CELL_CORNER_R, /* of x and y, with 1 - t = (1 - r) y */
+    CELL_CORNER_T  /* of x and y, with 1 - r = (1 - t) y */
+} cell_kind;
+
 typedef struct cell
 {
     int piece;
-    double r;
-    double t;
+    cell_kind kind;
+    double corner; /* h, unless it is plain */
+    double r;      /* or x */
+    double t;      /* or y */
     double size;
 } cell;
 
@@ -48,22 +64,41 @@ typedef struct integral
     size_t evaluations;
 } integral;
 
+/* Appends the point of a cell's node, and returns du dv over what the cell's coordinates are. */
+static double add_node(cm_piece_points *points, const cell *c, int i)
+{
+    double r = c->r + c->size * node[i / NODES];
+    double t = c->t + c->size * node[i % NODES];
+    double stretch = 1.0;
+    if (c->kind != CELL_PLAIN)
+    {
+        double x = r;
+        double distance = c->corner * x * x * x;
+        double other = 1.0 - distance * t;
+        r = c->kind == CELL_CORNER_R ? 1.0 - distance : other;
+        t = c->kind == CELL_CORNER_R ? other : 1.0 - distance;
+        stretch = 3.0 * c->corner * x * x * distance;
+    }
+    cm_piece_point(points, c->piece, r, t);
+    return r * stretch;
+}
+
 static void integrate_cell(integral *in, const cell *c, double moment[MOMENTS])
 {
     cm_piece_points points;
+    double area[NODES * NODES];
     points.count = 0;
     for (int i = 0; i < NODES * NODES; i++)
     {
-        cm_piece_point(&points, c->piece, c->r + c->size * node[i / NODES],
-                       c->t + c->size * node[i % NODES]);
+        area[i] = add_node(&points, c, i);
     }
     cm_quadrature_evaluate(in->quadrature, &points);
     in->evaluations += points.count;
     memset(moment, 0, MOMENTS * sizeof moment[0]);
     for (int i = 0; i < NODES * NODES; i++)
     {
-        double r = c->r + c->size * node[i / NODES];
-        double weight = points.weight[i] * r * node_weight[i / NODES] * node_weight[i % NODES];
+        double weight =
+            points.weight[i] * area[i] * node_weight[i / NODES] * node_weight[i % NODES];
         double difference = points.value[i] - in->quadrature->ideal;
         if (isfinite(weight) && isfinite(difference))
         {
@@ -78,7 +113,33 @@ static void integrate_cell(integral *in, const cell *c, double moment[MOMENTS])
     }
 }
 
-/* whole: the cell's moments by one application of the rule. */
+/* The part of the piece's tolerance that a cell may use. */
+static double share_of(const cell *c)
+{
+    double size = c->kind == CELL_PLAIN ? c->size : c->corner * c->size;
+    return size * size;
+}
+
+static int is_corner(const cell *c)
+{
+    return c->kind == CELL_PLAIN && c->r + c->size == 1.0 && c->t + c->size == 1.0;
+}
+
+/* whole: the cell's moments by one application of the rule. The cell is replaced by its quarters, or at a corner by
+ * two triangles. */
+static void integrate(integral *in, const cell *c, const double whole[MOMENTS], int depth);
+
+static void integrate_corner(integral *in, const cell *c)
+{
+    for (int kind = CELL_CORNER_R; kind <= CELL_CORNER_T; kind++)
+    {
+        double whole[MOMENTS];
+        const cell triangle = {c->piece, (cell_kind)kind, c->size, 0.0, 0.0, 1.0};
+        integrate_cell(in, &triangle, whole);
+        integrate(in, &triangle, whole, 0);
+    }
+}
+
 static void integrate(integral *in, const cell *c, const double whole[MOMENTS], int depth)
 {
     double part[4][MOMENTS];
@@ -88,13 +149,21 @@ static void integrate(integral *in, const cell *c, const double whole[MOMENTS], 
     for (int i = 0; i < 4; i++)
     {
         double half = c->size / 2.0;
-        quarter[i] = (cell){c->piece, c->r + (i / 2) * half, c->t + (i % 2) * half, half};
+        quarter[i] = *c;
+        quarter[i].r += (i / 2) * half;
+        quarter[i].t += (i % 2) * half;
+        quarter[i].size = half;
         integrate_cell(in, &quarter[i], part[i]);
     }
     for (int k = 0; k < MOMENTS; k++)
     {
         apart[k] = fabs(part[0][k] + part[1][k] + part[2][k] + part[3][k] - whole[k]);
-        good &= apart[k] <= in->tolerance[k] * c->size * c->size;
+        good &= apart[k] <= in->tolerance[k] * share_of(c);
+    }
+    if (!good && depth == DEPTH_OF_CORNER && is_corner(c))
+    {
+        integrate_corner(in, c);
+        return;
     }
     for (int i = 0; i < 4 && !good && depth < DEPTH_MOST; i++)
     {
@@ -109,7 +178,7 @@ static void integrate(integral *in, const cell *c, const double whole[MOMENTS], 
 
 static cell whole_of(int piece)
 {
-    return (cell){piece, 0.0, 0.0, 1.0};
+    return (cell){piece, CELL_PLAIN, 0.0, 0.0, 0.0, 1.0};
 }
 
 void cm_quadrature_integrate(const cm_quadrature *quadrature, double tolerance,

@@ -10,6 +10,7 @@
 #include "libcubemap/mapping/catalogue_words.h"
 #include "orient_mask.h"
 #include "orient_field.h"
+#include "orient_edges.h"
 #include "orient_value.h"
 #include "orient_survey.h"
 
@@ -78,13 +79,6 @@ static int are_good(const cm_orient_options *o)
            (o->resolution == 0.0 || (o->resolution >= 0.01 && o->resolution <= 10.0));
 }
 
-/* A fifth of a pixel, radians: between pixels the mask is bilinear. */
-static double piece_of_edges(const cm_mask *mask)
-{
-    const double pixel = fmin(360.0 / (double)mask->width, 180.0 / (double)mask->height);
-    return fmin(fmax(0.2 * pixel, 0.02), 0.2) * DEGREE;
-}
-
 static cm_status make_task(const cm_mapping *mapping, const cm_mask *mask,
                            const cm_orient_options *options, cm_orient_task *task)
 {
@@ -100,12 +94,7 @@ static cm_status make_task(const cm_mapping *mapping, const cm_mask *mask,
     task->measure = options->measure;
     task->over = options->measure == CM_ORIENT_EDGES ? CM_OVER_SPHERE : options->over;
     task->threads = options->threads;
-    if (task->measure == CM_ORIENT_EDGES &&
-        !cm_edge_points(mapping, piece_of_edges(mask), &task->edges, &task->edges_length))
-    {
-        return CM_ERROR_MEMORY;
-    }
-    return CM_OK;
+    return task->measure != CM_ORIENT_EDGES || cm_edges_make(task) ? CM_OK : CM_ERROR_MEMORY;
 }
 
 /* From a mean of normalised values to what is documented. */
@@ -148,7 +137,7 @@ cm_status cm_orient_value(const cm_mapping *mapping, const cm_mask *mask,
         *value = status == CM_OK ? found * unit_of(&task) : *value;
         cm_points_free(&points);
     }
-    cm_points_free(&task.edges);
+    cm_edges_free(&task);
     return status;
 }
 
@@ -509,6 +498,6 @@ cm_status cm_orient(const cm_mapping *mapping, const cm_mask *mask,
                                                 : CM_ERROR_MEMORY;
         cm_points_free(&whole);
     }
-    cm_points_free(&task.edges);
+    cm_edges_free(&task);
     return status;
 }

@@ -325,14 +325,18 @@ static int is_distortion_kept(const cm_orient_task *task, const cm_rotation *tur
 /* Does the turn put edges on edges? */
 static int are_edges_kept(const cm_orient_task *task, const cm_rotation *turn)
 {
-    const cm_orient_points *edges = &task->edges;
-    for (size_t i = 0; i < edges->count; i += 7)
+    for (size_t i = 0; i < 8 * task->arc_count; i++)
     {
-        double d[3] = {(double)edges->x[i], (double)edges->y[i], (double)edges->z[i]};
-        double uv[2];
+        const cm_edge_arc *arc = &task->arc[i / 8];
+        const double t = arc->length * ((double)(i % 8) + 0.37) / 8.0;
+        double d[3], uv[2];
+        for (int k = 0; k < 3; k++)
+        {
+            d[k] = arc->from[k] * cos(t) + arc->along[k] * sin(t);
+        }
         cm_rotate(turn, d, d);
         cm_forward(task->mapping, d, uv);
-        if (!(fmax(fabs(uv[0]), fabs(uv[1])) > 1.0 - 1e-5)) /* they are floats */
+        if (!(fmax(fabs(uv[0]), fabs(uv[1])) > 1.0 - 1e-5)) /* some are chords */
         {
             return 0;
         }

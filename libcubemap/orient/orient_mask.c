@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The mask: its pixels as points, in as many clusters as a level needs; what lies under edges, and what does so
- * at the least within some reach.
+ * The mask: its pixels as points, in as many clusters as a level needs; and for edges a table of what it is, and of what
+ * it is at the least within some reach.
  */
 #include <cubemap/cubemap.h>
 #include <cubemap/kernels.h>
@@ -179,143 +179,13 @@ int cm_mask_points(const cm_orient_task *task, unsigned per_face, cm_orient_poin
     return for_pixels(task->mask, add_pixel, &all);
 }
 
-/* ---- Edges ---- */
-
-static double angle_between(const double a[3], const double b[3])
-{
-    double square = 0.0;
-    for (int i = 0; i < 3; i++)
-    {
-        square += (a[i] - b[i]) * (a[i] - b[i]);
-    }
-    return 2.0 * asin(fmin(1.0, 0.5 * sqrt(square)));
-}
-
-/* A point of a face's side: 0 left, 1 right, 2 below, 3 above. */
-static void side_point(const cm_mapping *mapping, uint8_t face, int side, double along,
-                       double direction[3])
-{
-    const double across = side % 2 == 0 ? -1.0 : 1.0;
-    const double uv[2] = {side < 2 ? across : along, side < 2 ? along : across};
-    cm_inverse(mapping, face, uv, direction);
-}
-
-/* The side before this one that is the same curve, itself if there is none: of a cube each edge is two faces'. */
-static int twin_of(const cm_mapping *mapping, int side)
-{
-    double end[2][3], other[2][3];
-    for (int i = 0; i < 2; i++)
-    {
-        side_point(mapping, (uint8_t)(side / 4), side % 4, i == 0 ? -0.37 : 0.37, end[i]);
-    }
-    for (int twin = 0; twin < side; twin++)
-    {
-        for (int i = 0; i < 2; i++)
-        {
-            side_point(mapping, (uint8_t)(twin / 4), twin % 4, i == 0 ? -0.37 : 0.37, other[i]);
-        }
-        const double along = angle_between(end[0], other[0]) + angle_between(end[1], other[1]);
-        const double back = angle_between(end[0], other[1]) + angle_between(end[1], other[0]);
-        if (fmin(along, back) < 1e-6)
-        {
-            return twin;
-        }
-    }
-    return side;
-}
-
-/* Pieces of one side, behind those that there are; its length. */
-static double add_side(const cm_mapping *mapping, int side, size_t pieces, cm_orient_points *points)
-{
-    const uint8_t face = (uint8_t)(side / 4);
-    const double step = 2.0 / (double)pieces;
-    double length = 0.0;
-    for (size_t i = 0; i < pieces; i++)
-    {
-        const double along = (double)i * step - 1.0;
-        double begin[3], middle[3], end[3];
-        side_point(mapping, face, side % 4, along, begin);
-        side_point(mapping, face, side % 4, along + 0.5 * step, middle);
-        side_point(mapping, face, side % 4, fmin(along + step, 1.0), end);
-        const double first = angle_between(begin, middle);
-        const double second = angle_between(middle, end);
-        const double half = fmax(first, second);
-        const size_t k = points->count++;
-        points->x[k] = (float)middle[0];
-        points->y[k] = (float)middle[1];
-        points->z[k] = (float)middle[2];
-        points->weight[k] = (float)(first + second);
-        points->reach = half > points->reach ? half : points->reach;
-        length += first + second;
-    }
-    return length;
-}
-
-int cm_edge_points(const cm_mapping *mapping, double length, cm_orient_points *points,
-                   double *whole)
-{
-    const size_t pieces = (size_t)ceil(2.0 / length); /* the longest are some 1.6 / pieces */
-    size_t begin[24];
-    double total = 0.0;
-    if (!cm_points_make(points, 24 * pieces))
-    {
-        return 0;
-    }
-    points->count = 0;
-    for (int side = 0; side < 24; side++)
-    {
-        const int twin = twin_of(mapping, side);
-        begin[side] = points->count;
-        if (twin == side)
-        {
-            total += add_side(mapping, side, pieces, points);
-            continue;
-        }
-        for (size_t i = begin[twin]; i < begin[twin] + pieces; i++)
-        {
-            total += (double)points->weight[i];
-            points->weight[i] *= 2.0f;
-        }
-    }
-    for (size_t i = 0; i < points->count; i++)
-    {
-        points->weight[i] = (float)((double)points->weight[i] / total);
-    }
-    *whole = 0.5 * total; /* each edge is the side of two faces */
-    return 1;
-}
-
-double cm_mask_at(const cm_mask *mask, const double d[3])
-{
-    return cm_mask_at_lonlat(mask, atan2(d[1], d[0]), atan2(d[2], sqrt(d[0] * d[0] + d[1] * d[1])));
-}
-
-double cm_mask_at_lonlat(const cm_mask *mask, double lon, double lat)
-{
-    const double width = (double)mask->width;
-    const double height = (double)mask->height;
-    double x = (lon / (2.0 * PI) + 0.5) * width - 0.5;
-    const double y = fmin(fmax((0.5 - lat / PI) * height - 0.5, 0.0), height - 1.0);
-    x = x < 0.0 ? x + width : x;
-    const size_t column = (size_t)x < mask->width ? (size_t)x : mask->width - 1;
-    const size_t row = (size_t)y;
-    const size_t next_column = column + 1 < mask->width ? column + 1 : 0;
-    const size_t next_row = row + 1 < mask->height ? row + 1 : row;
-    const double right = x - (double)column;
-    const double down = y - (double)row;
-    const float *upper = mask->value + row * mask->width;
-    const float *lower = mask->value + next_row * mask->width;
-    return (1.0 - down) *
-               ((1.0 - right) * (double)upper[column] + right * (double)upper[next_column]) +
-           down * ((1.0 - right) * (double)lower[column] + right * (double)lower[next_column]);
-}
-
 /* ---- Erosion ---- */
 
 enum
 {
     ERODED_WIDTH = 1440,
-    LOGS = 17
+    LOGS = 17,
+    PLACES = 4 /* along a piece of a table, at which it looks */
 };
 
 /* The least values of blocks of pixels: what erosion does not need in detail. */
@@ -480,8 +350,8 @@ int cm_mask_table(const cm_orient_task *task, double reach, double best, cm_orie
     const int made = places != NULL && order != NULL && start != NULL && windows != NULL;
     if (made)
     {
-        /* from a point to the pixels that it is between, and from a pixel to its block's middle */
-        const double pixel = hypot(from.column, from.row) / (double)from.pixels;
+        /* from a point to its pixel's middle, and from there to its block's */
+        const double pixel = 0.5 * hypot(from.column, from.row) / (double)from.pixels;
         const double block = from.pixels > 1 ? 0.5 * hypot(from.column, from.row) : 0.0;
         find_places(table, places);
         sort_places(&from, places, count, start, order);
@@ -501,14 +371,35 @@ int cm_mask_table(const cm_orient_task *task, double reach, double best, cm_orie
     return made;
 }
 
+/* The mask's pixel that a direction is in. */
+static double mask_at(const cm_mask *mask, const double d[3])
+{
+    const double width = (double)mask->width;
+    const double height = (double)mask->height;
+    const double lat = atan2(d[2], sqrt(d[0] * d[0] + d[1] * d[1]));
+    const double column = (atan2(d[1], d[0]) / (2.0 * PI) + 0.5) * width;
+    const double row = (0.5 - lat / PI) * height;
+    return (double)mask
+        ->value[(size_t)fmin(row, height - 1.0) * mask->width + (size_t)fmin(column, width - 1.0)];
+}
+
 void cm_plain_table(const cm_orient_task *task, cm_orient_table *table)
 {
     const unsigned side = table->side;
+    const double fine = PLACES * side;
     for (unsigned i = 0; i < 6 * side * side; i++)
     {
-        double d[3];
-        cm_table_middle(side, i, d);
-        table->piece[i].base = (float)(cm_mask_at(task->mask, d) / task->largest);
+        double sum = 0.0;
+        for (unsigned k = 0; k < PLACES * PLACES; k++)
+        {
+            const double row = PLACES * (i / side % side) + k / PLACES;
+            const double column = PLACES * (i % side) + k % PLACES;
+            double d[3];
+            cm_table_direction(i / side / side, (2.0 * row + 1.0) / fine - 1.0,
+                               (2.0 * column + 1.0) / fine - 1.0, d);
+            sum += mask_at(task->mask, d);
+        }
+        table->piece[i].base = (float)(sum / (PLACES * PLACES) / task->largest);
         table->piece[i].x = table->piece[i].y = table->piece[i].z = 0.0f;
     }
 }

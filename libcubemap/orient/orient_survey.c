@@ -9,6 +9,7 @@
 
 #include "orient_mask.h"
 #include "orient_field.h"
+#include "orient_edges.h"
 #include "orient_value.h"
 #include "orient_survey.h"
 
@@ -27,7 +28,8 @@ enum
     NODES_PER_BOX = 4,  /* as many as may be for each of boxes_max */
     FIRST_FOLLOWED = 3, /* valleys, before it is said how far the sketch is off */
     FOLLOWED_MAX = 24,
-    ABOUT = 6 /* steps of 0.1 degrees */
+    ABOUT = 12, /* steps of a fifth of a pixel */
+    BOTTOMS = 8
 };
 
 #define DISTINCT (2.0 * DEGREE)    /* ends nearer than this are one */
@@ -368,18 +370,42 @@ static int compare_values(const void *a, const void *b)
     return first->value < second->value ? -1 : first->value > second->value;
 }
 
-/* To a tenth of the resolution at least. Coasts make many small bottoms of a valley of edges: there all about is looked
- * at. */
+/* To a tenth of the resolution at least. */
 static cm_status follow_best(const whole *w, double resolution, cm_valley *v)
 {
-    if (w->task->measure == CM_ORIENT_EDGES)
-    {
-        v->value = cm_look_about(whole_value, w, 0.1 * DEGREE, ABOUT, &v->turn);
-    }
-    v->value = isnan(v->value)
-                   ? v->value
-                   : cm_descend(whole_value, w, 0.5 * resolution, 0.05 * resolution, &v->turn);
+    v->value = cm_descend(whole_value, w, 0.5 * resolution, 0.05 * resolution, &v->turn);
     return isnan(v->value) ? CM_ERROR_MEMORY : CM_OK;
+}
+
+/* A valley of edges has many small bottoms, as wide as a pixel, whose sides are creases: there all about is looked at,
+ * and followed to a thousandth of the resolution. */
+static cm_status follow_edges(const whole *w, double resolution,
+                              const cm_orient_survey_progress *progress, cm_orient_survey *r)
+{
+    const cm_mask *mask = w->task->mask;
+    const double pixel = fmin(360.0 / (double)mask->width, 180.0 / (double)mask->height);
+    const cm_orient_grid grid = {.step = fmin(fmax(0.2 * pixel, 0.02), 0.2) * DEGREE,
+                                 .steps = ABOUT,
+                                 .bottoms = BOTTOMS,
+                                 .least = 0.001 * resolution};
+    for (size_t i = 0; i < r->followed && i < FIRST_FOLLOWED; i++)
+    {
+        cm_valley *v = &r->valley[i];
+        /* nothing is less than no edge over the mask */
+        v->value = v->value > 0.0 ? cm_look_about(whole_value, w, w->task->threads, &grid, &v->turn)
+                                  : v->value;
+        if (isnan(v->value))
+        {
+            return CM_ERROR_MEMORY;
+        }
+        const double part = (double)(FOLLOWED_MAX * FIRST_FOLLOWED + i + 1) / FIRST_FOLLOWED;
+        if (cm_orient_survey_stopped(progress, 0.7 + 0.3 * part / (FOLLOWED_MAX + 1)))
+        {
+            return CM_ERROR_STOPPED;
+        }
+    }
+    qsort(r->valley, r->followed, sizeof *r->valley, compare_values);
+    return CM_OK;
 }
 
 cm_status cm_orient_survey_run(const cm_orient_task *task, const cm_orient_points *mask,
@@ -399,7 +425,8 @@ cm_status cm_orient_survey_run(const cm_orient_task *task, const cm_orient_point
     if (status == CM_OK)
     {
         qsort(result->valley, result->followed, sizeof *result->valley, compare_values);
-        status = follow_best(&w, resolution, &result->valley[0]);
+        status = task->measure == CM_ORIENT_EDGES ? follow_edges(&w, resolution, progress, result)
+                                                  : follow_best(&w, resolution, &result->valley[0]);
     }
     cm_sketch_free(&sketch);
     free(s.nodes.box);

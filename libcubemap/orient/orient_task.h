@@ -7,7 +7,8 @@
  * orient_boxes.c    boxes of rotations, and the rotations that exchange faces that look alike
  * orient_bound.c    the bound of a box: the sum over points of linear pieces that a table has
  * orient_field.c    distortion as a field on the sphere, and its table
- * orient_mask.c     the mask as points, as few as a level needs; the edges' mask and its erosion
+ * orient_mask.c     the mask as points, as few as a level needs; as a table, and eroded
+ * orient_edges.c    the edges of faces, and their length over the mask
  * orient_value.c    the measure itself, and following it downhill
  */
 #ifndef LIBCUBEMAP_ORIENT_TASK_H
@@ -19,6 +20,15 @@
 #include "orient_bound.h"
 #include "orient_boxes.h"
 
+/* An arc of a great circle: the directions from cos t + along sin t, t from 0 to length; how often it counts. */
+typedef struct cm_edge_arc
+{
+    double from[3];
+    double along[3];
+    double length;
+    double weight;
+} cm_edge_arc;
+
 /* A raster as it is used: of binary fractions of its largest value, at most 1. */
 typedef struct cm_orient_task
 {
@@ -29,9 +39,12 @@ typedef struct cm_orient_task
     const cm_mask *mask;
     double largest; /* of the mask's values */
     cm_symmetries symmetries;
-    cm_orient_points
-        edges;           /* measure edges: pieces of edges, their weights the parts of all of it */
-    double edges_length; /* radians */
+    /* of the measure edges (orient_edges.c): */
+    cm_edge_arc *arc;
+    size_t arc_count;
+    double edges_length; /* of them all, radians */
+    double *column;      /* the mask's borders of columns and of rows */
+    double *row;
 } cm_orient_task;
 
 #endif

@@ -5,9 +5,9 @@
 #include <cubemap/cubemap.h>
 #include <cubemap/kernels.h>
 
-#include "libcubemap/earth/lonlat_block.h"
 #include "orient_mask.h"
 #include "orient_field.h"
+#include "orient_edges.h"
 #include "orient_value.h"
 
 #include <math.h>
@@ -61,27 +61,6 @@ static void sum_field(const survey *s, size_t begin, size_t count, sums *to)
     }
 }
 
-static void sum_edges(const survey *s, size_t begin, size_t count, sums *to)
-{
-    double x[BLOCK], y[BLOCK], z[BLOCK], lon[BLOCK], lat[BLOCK];
-    for (size_t i = 0; i < count; i++)
-    {
-        const size_t k = begin + i;
-        double d[3] = {(double)s->points->x[k], (double)s->points->y[k], (double)s->points->z[k]};
-        cm_rotate_back(s->rotation, d, d);
-        x[i] = d[0];
-        y[i] = d[1];
-        z[i] = d[2];
-    }
-    cm_block_to_lonlats(s->task->mapping->set, count, x, y, z, lon, lat);
-    for (size_t i = 0; i < count; i++)
-    {
-        const double weight = (double)s->points->weight[begin + i];
-        to->value += weight * (cm_mask_at_lonlat(s->task->mask, lon[i], lat[i]) / s->task->largest);
-        to->weight += weight;
-    }
-}
-
 static void sum_blocks(size_t begin, size_t end, void *user)
 {
     const survey *s = user;
@@ -91,7 +70,7 @@ static void sum_blocks(size_t begin, size_t end, void *user)
         const size_t left = s->points->count - first;
         const size_t count = left < BLOCK ? left : BLOCK;
         sums sum = {0.0, 0.0};
-        (s->task->measure == CM_ORIENT_EDGES ? sum_edges : sum_field)(s, first, count, &sum);
+        sum_field(s, first, count, &sum);
         s->block[block] = sum;
     }
 }
@@ -99,9 +78,12 @@ static void sum_blocks(size_t begin, size_t end, void *user)
 double cm_task_value(const cm_orient_task *task, const cm_orient_points *points,
                      const cm_rotation *rotation)
 {
-    const cm_orient_points *of = task->measure == CM_ORIENT_EDGES ? &task->edges : points;
-    const size_t blocks = (of->count + BLOCK - 1) / BLOCK;
-    survey s = {task, of, rotation, malloc(blocks * sizeof(sums))};
+    if (task->measure == CM_ORIENT_EDGES)
+    {
+        return cm_edges_over_mask(task, rotation) / (task->largest * task->edges_length);
+    }
+    const size_t blocks = (points->count + BLOCK - 1) / BLOCK;
+    survey s = {task, points, rotation, malloc(blocks * sizeof(sums))};
     sums whole = {0.0, 0.0};
     if (s.block == NULL)
     {
@@ -215,24 +197,107 @@ double cm_descend(cm_orient_function function, const void *of, double step, doub
     return d.value;
 }
 
-double cm_look_about(cm_orient_function function, const void *of, double step, int steps,
-                     cm_quaternion *rotation)
+/* ---- All about ---- */
+
+typedef struct surroundings
 {
-    const cm_quaternion middle = *rotation;
-    const int side = 2 * steps + 1;
-    double value = function(of, rotation);
-    for (int k = 0; k < side * side * side && !isnan(value); k++)
+    cm_orient_function function;
+    const void *of;
+    cm_quaternion middle;
+    double step;
+    int steps;
+    double *value; /* at the nodes of a grid of 2 steps + 1 along each axis */
+} surroundings;
+
+static cm_quaternion node_about(const surroundings *s, int node)
+{
+    const int side = 2 * s->steps + 1;
+    const double d[3] = {node % side - s->steps, node / side % side - s->steps,
+                         node / side / side - s->steps};
+    const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double least = fmax(length, 1.0); /* of the middle there is no axis */
+    const double axis[3] = {d[0] / least, d[1] / least, d[2] / least};
+    return turned(&s->middle, axis, length * s->step);
+}
+
+static void value_about(size_t begin, size_t end, void *user)
+{
+    const surroundings *s = user;
+    for (size_t i = begin; i < end; i++)
     {
-        const double d[3] = {k % side - steps, k / side % side - steps, k / side / side - steps};
-        const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-        if (length > 0.0)
+        const cm_quaternion at = node_about(s, (int)i);
+        s->value[i] = s->function(s->of, &at);
+    }
+}
+
+/* Of equal nodes the first is less. */
+static int is_bottom(const surroundings *s, int node)
+{
+    const int side = 2 * s->steps + 1;
+    const int at[3] = {node % side, node / side % side, node / side / side};
+    for (int k = 0; k < 27; k++)
+    {
+        const int to[3] = {at[0] + k % 3 - 1, at[1] + k / 3 % 3 - 1, at[2] + k / 9 - 1};
+        int inside = 1;
+        for (int i = 0; i < 3; i++)
         {
-            const double axis[3] = {d[0] / length, d[1] / length, d[2] / length};
-            const cm_quaternion next = turned(&middle, axis, length * step);
-            const double there = function(of, &next);
-            *rotation = there < value ? next : *rotation;
-            value = there < value || isnan(there) ? there : value;
+            inside = inside && to[i] >= 0 && to[i] < side;
+        }
+        const int other = (to[2] * side + to[1]) * side + to[0];
+        if (inside && (s->value[other] < s->value[node] ||
+                       (s->value[other] == s->value[node] && other < node)))
+        {
+            return 0;
         }
     }
+    return 1;
+}
+
+/* The bottom that is next in value, -1 if there is none; it is taken out. */
+static int take_bottom(const surroundings *s, char *bottom, int count)
+{
+    int best = -1;
+    for (int i = 0; i < count; i++)
+    {
+        best = bottom[i] && (best < 0 || s->value[i] < s->value[best]) ? i : best;
+    }
+    if (best >= 0)
+    {
+        bottom[best] = 0;
+    }
+    return best;
+}
+
+double cm_look_about(cm_orient_function function, const void *of, unsigned threads,
+                     const cm_orient_grid *grid, cm_quaternion *rotation)
+{
+    const int side = 2 * grid->steps + 1;
+    const int count = side * side * side;
+    double value = function(of, rotation);
+    surroundings s = {function,   of,          *rotation,
+                      grid->step, grid->steps, malloc((size_t)count * (sizeof *s.value + 1))};
+    if (s.value == NULL)
+    {
+        return (double)NAN;
+    }
+    char *bottom = (char *)(s.value + count);
+    cm_run_threads(threads, (size_t)count, 64, value_about, &s);
+    for (int i = 0; i < count; i++)
+    {
+        bottom[i] = (char)is_bottom(&s, i);
+    }
+    for (int k = 0; k < grid->bottoms && !isnan(value); k++)
+    {
+        const int next = take_bottom(&s, bottom, count);
+        if (next < 0)
+        {
+            break;
+        }
+        cm_quaternion at = node_about(&s, next);
+        const double there = cm_descend(function, of, 0.5 * grid->step, grid->least, &at);
+        *rotation = there < value ? at : *rotation;
+        value = there < value || isnan(there) ? there : value;
+    }
+    free(s.value);
     return value;
 }

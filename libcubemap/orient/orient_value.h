@@ -17,8 +17,19 @@ double cm_task_value(const cm_orient_task *task, const cm_orient_points *points,
 typedef double (*cm_orient_function)(const void *of, const cm_quaternion *at);
 double cm_descend(cm_orient_function function, const void *of, double step, double least,
                   cm_quaternion *rotation);
-/* The least of all rotations that are up to so many steps from one, along each of three axes. */
-double cm_look_about(cm_orient_function function, const void *of, double step, int steps,
-                     cm_quaternion *rotation);
+
+/* All rotations that are up to so many steps from one, along each of three axes: of those that are no more than their
+ * neighbours the best ones are followed downhill, in steps from half of step to least, radians. */
+typedef struct cm_orient_grid
+{
+    double step;
+    int steps;
+    int bottoms; /* that are followed */
+    double least;
+} cm_orient_grid;
+
+/* The least that is found so, or at the rotation itself. NaN as cm_descend. The function is called from threads. */
+double cm_look_about(cm_orient_function function, const void *of, unsigned threads,
+                     const cm_orient_grid *grid, cm_quaternion *rotation);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * CIELUV and sRGB, and how much chroma sRGB has.
+ * XYZ, CIELUV and sRGB, and how much chroma sRGB has.
  */
 #include "color_spaces.h"
 
@@ -13,8 +13,8 @@
 #define WHITE_V (14805.0 / 31613.0)
 
 /* From the chromaticities of IEC 61966-2-1, red 0.64, 0.33, green 0.30, 0.60, blue 0.15, 0.06 and that
- * white, in exact fractions; tests/colormap/test_colormap.c derives them again. The standard prints them rounded to four
- * digits. */
+ * white, in exact fractions; tests/colormap/own_colors.c derives them again. The standard prints them rounded to
+ * four digits. */
 static const double xyz_from_linear[3][3] = {
     {506752.0 / 1228815.0, 87881.0 / 245763.0, 12673.0 / 70218.0},
     {87098.0 / 409605.0, 175762.0 / 245763.0, 12673.0 / 175545.0},
@@ -29,6 +29,25 @@ static const double linear_from_xyz[3][3] = {
 static double product(const double row[3], double x, double y, double z)
 {
     return row[0] * x + row[1] * y + row[2] * z;
+}
+
+void cm_colormap_multiply(const double matrix[3][3], const double vector[3], double result[3])
+{
+    const double x = vector[0], y = vector[1], z = vector[2];
+    for (int i = 0; i < 3; i++)
+    {
+        result[i] = product(matrix[i], x, y, z);
+    }
+}
+
+void cm_colormap_xyz_from_linear(const double linear[3], double xyz[3])
+{
+    cm_colormap_multiply(xyz_from_linear, linear, xyz);
+}
+
+void cm_colormap_linear_from_xyz(const double xyz[3], double linear[3])
+{
+    cm_colormap_multiply(linear_from_xyz, xyz, linear);
 }
 
 static void set_all(double to[3], double value)
@@ -105,10 +124,9 @@ void cm_colormap_linear_from_luv(const double luv[3], double linear[3])
 
 void cm_colormap_luv_from_linear(const double linear[3], double luv[3])
 {
-    const double r = linear[0], g = linear[1], b = linear[2];
-    const double x = product(xyz_from_linear[0], r, g, b);
-    const double y = product(xyz_from_linear[1], r, g, b);
-    const double z = product(xyz_from_linear[2], r, g, b);
+    double xyz[3];
+    cm_colormap_xyz_from_linear(linear, xyz);
+    const double x = xyz[0], y = xyz[1], z = xyz[2];
     const double sum = x + 15.0 * y + 3.0 * z;
     if (y == 0.0 && isfinite(sum))
     {

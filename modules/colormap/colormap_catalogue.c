@@ -40,6 +40,13 @@
 #define HUES(standard_value) DIVERGENCE("the range of hues", standard_value)
 #define SECTION(number) "Lambers 2020, section " number
 
+#define UNIFORM(word, what, text)                                                                  \
+    {                                                                                              \
+        .identifier = word, .aliases = "", .name = text,                                           \
+        .source = "this project, CAM16-UCS of Li et al. 2017", .family = what,                     \
+        .parameter_count = 0, .space = CM_COLORMAP_CAM16_UCS                                       \
+    }
+
 static const cm_colormap_info catalogue[] = {
     [CM_COLORMAP_SINGLE] = {.identifier = "sequential-single",
                             .aliases = "sequential single",
@@ -107,6 +114,21 @@ static const cm_colormap_info catalogue[] = {
                           .parameter_count = 4,
                           .parameter = {HUE("the first hue", 0.0), HUES(360.0), LIGHTNESS(70.0),
                                         SATURATION(0.75)}},
+    [CM_COLORMAP_UNIFORM_PURPLE_YELLOW] = UNIFORM("uniform-purple-yellow", CM_COLORMAP_SEQUENTIAL,
+                                                  "dark purple through blue and green to yellow"),
+    [CM_COLORMAP_UNIFORM_RED_YELLOW] = UNIFORM("uniform-red-yellow", CM_COLORMAP_SEQUENTIAL,
+                                               "nearly black through red and orange to yellow"),
+    [CM_COLORMAP_UNIFORM_BLUE] =
+        UNIFORM("uniform-blue", CM_COLORMAP_SEQUENTIAL, "dark blue to nearly white"),
+    [CM_COLORMAP_UNIFORM_GREEN] =
+        UNIFORM("uniform-green", CM_COLORMAP_SEQUENTIAL, "dark green to pale yellow"),
+    [CM_COLORMAP_UNIFORM_BLUE_RED] = UNIFORM("uniform-blue-red", CM_COLORMAP_DIVERGING,
+                                             "dark blue through light grey to dark red"),
+    [CM_COLORMAP_UNIFORM_PURPLE_GREEN] = UNIFORM("uniform-purple-green", CM_COLORMAP_DIVERGING,
+                                                 "dark purple through light grey to dark green"),
+    [CM_COLORMAP_UNIFORM_CYCLIC] =
+        UNIFORM("uniform-cyclic", CM_COLORMAP_CYCLIC,
+                "pale green through blue to dark purple, and through red back"),
 };
 
 size_t cm_colormap_count(void)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The paths of the models through CIELUV, and their lengths.
+ * The paths of the models through CIELUV, and their lengths; those through CAM16-UCS are made in uniform_path.
  *
  * Why chroma is linear. The paper asks of the colour at s between two anchors A and B, whose distance is D,
  *     d(s, A) = s D,    d(s, B) = (1 - s) D.
@@ -99,8 +99,16 @@ void cm_colormap_lch_in_piece(const cm_colormap_piece *piece, double x, double l
     }
 }
 
-/* t must be in [0, 1]; beyond that the last piece goes on. */
-static void lch_at(const cm_colormap *map, double t, double lch[3])
+void cm_colormap_linear_in_piece(const cm_colormap *map, const cm_colormap_piece *piece, double x,
+                                 double linear[3])
+{
+    double ucs[3];
+    cm_uniform_point(&piece->uniform, x, ucs);
+    cm_cam16_linear_from_ucs(&map->seen, ucs, linear);
+}
+
+/* Of t in [0, 1] the piece, and in *x the part of the way on it; beyond that the last piece goes on. */
+static const cm_colormap_piece *piece_at(const cm_colormap *map, double t, double *x)
 {
     const cm_colormap_piece *piece = map->piece;
     while (t > piece->t_to && piece < map->piece + map->piece_count - 1)
@@ -109,7 +117,15 @@ static void lch_at(const cm_colormap *map, double t, double lch[3])
     }
     const double width = piece->t_to - piece->t_from;
     const double part = width > 0.0 ? (t - piece->t_from) / width : 0.0;
-    cm_colormap_lch_in_piece(piece, place_of_length(piece, part), lch);
+    *x = map->is_uniform ? cm_uniform_place(&piece->uniform, part) : place_of_length(piece, part);
+    return piece;
+}
+
+static void lch_at(const cm_colormap *map, double t, double lch[3])
+{
+    double x;
+    const cm_colormap_piece *piece = piece_at(map, t, &x);
+    cm_colormap_lch_in_piece(piece, x, lch);
 }
 
 void cm_colormap_luv_at(const cm_colormap *map, double t, double luv[3])
@@ -117,6 +133,23 @@ void cm_colormap_luv_at(const cm_colormap *map, double t, double luv[3])
     double lch[3];
     lch_at(map, t, lch);
     cm_colormap_luv_from_lch(lch, luv);
+}
+
+/* lch, luv and linear of the colour at t in [0, 1]. */
+static void take_color(const cm_colormap *map, double t, cm_colormap_color *color)
+{
+    if (map->is_uniform)
+    {
+        double x;
+        const cm_colormap_piece *piece = piece_at(map, t, &x);
+        cm_colormap_linear_in_piece(map, piece, x, color->linear);
+        cm_colormap_luv_from_linear(color->linear, color->luv);
+        cm_colormap_lch_from_luv(color->luv, color->lch);
+        return;
+    }
+    lch_at(map, t, color->lch);
+    cm_colormap_luv_from_lch(color->lch, color->luv);
+    cm_colormap_linear_from_luv(color->luv, color->linear);
 }
 
 void cm_colormap_color_at(const cm_colormap *map, double t, cm_colormap_color *color)
@@ -131,9 +164,7 @@ void cm_colormap_color_at(const cm_colormap *map, double t, cm_colormap_color *c
         color->inside = 0;
         return;
     }
-    lch_at(map, fmin(fmax(t, 0.0), 1.0), color->lch);
-    cm_colormap_luv_from_lch(color->lch, color->luv);
-    cm_colormap_linear_from_luv(color->luv, color->linear);
+    take_color(map, fmin(fmax(t, 0.0), 1.0), color);
     cm_colormap_srgb_from_linear(color->linear, color->srgb);
     color->inside = 1;
     for (int i = 0; i < 3; i++)
@@ -259,9 +290,23 @@ static void build_constant_lightness(cm_colormap *map, cm_colormap_model model)
     }
 }
 
+/* The lengths of both halves of a diverging one are equal but for rounding. */
+static void build_uniform(cm_colormap *map, cm_colormap_model model)
+{
+    cm_uniform_piece piece[CM_UNIFORM_PIECES_MAX];
+    map->piece_count = cm_uniform_pieces(model, piece);
+    for (size_t i = 0; i < map->piece_count; i++)
+    {
+        map->piece[i] =
+            (cm_colormap_piece){.uniform = piece[i], .length = cm_uniform_length(&piece[i], 1.0)};
+    }
+    cm_cam16_prepare_srgb(&map->seen);
+}
+
 /* ---- t along the path ---- */
 
-/* t by length. A diverging map is its own mirror image, and gets the same bits on both sides. */
+/* t by length. A diverging map is its own mirror image, and gets the same bits on both sides; of a uniform one only the
+ * lengths of the halves are the same, not those of their pieces. */
 static void set_places(cm_colormap *map)
 {
     const size_t count = map->piece_count;
@@ -286,7 +331,7 @@ static void set_places(cm_colormap *map)
         {
             piece->t_to = 0.5;
         }
-        else if (map->mirrored && 2 * (i + 1) > count)
+        else if (map->mirrored && !map->is_uniform && 2 * (i + 1) > count)
         {
             piece->t_to = 1.0 - map->piece[count - i - 2].t_to;
         }
@@ -294,8 +339,24 @@ static void set_places(cm_colormap *map)
 }
 
 /* The direction of a piece at its beginning or its end. */
-static void tangent(const cm_colormap_piece *piece, int at_end, double direction[3])
+static void uniform_tangent(const cm_uniform_piece *piece, int at_end, double direction[3])
 {
+    cm_uniform_velocity(piece, at_end ? 1.0 : 0.0, direction);
+    const double speed = hypot(direction[0], hypot(direction[1], direction[2]));
+    for (int i = 0; i < 3; i++)
+    {
+        direction[i] /= speed;
+    }
+}
+
+static void tangent(const cm_colormap *map, const cm_colormap_piece *piece, int at_end,
+                    double direction[3])
+{
+    if (map->is_uniform)
+    {
+        uniform_tangent(&piece->uniform, at_end, direction);
+        return;
+    }
     const cm_colormap_anchor *at = at_end ? &piece->to : &piece->from;
     const double angle = at->hue * (CM_COLORMAP_PI / 180.0);
     const double turn = (piece->to.hue - piece->from.hue) * (CM_COLORMAP_PI / 180.0);
@@ -315,8 +376,8 @@ static void find_corners(cm_colormap *map)
         const double straight = 1e-9;
         double before[3];
         double behind[3];
-        tangent(&map->piece[i], 1, before);
-        tangent(&map->piece[i + 1], 0, behind);
+        tangent(map, &map->piece[i], 1, before);
+        tangent(map, &map->piece[i + 1], 0, behind);
         const double turn =
             hypot(before[0] - behind[0], hypot(before[1] - behind[1], before[2] - behind[2]));
         if (turn > straight)
@@ -336,6 +397,7 @@ void cm_colormap_build(cm_colormap *map)
     const double range = cm_colormap_value(p, "saturation-range", 1.0);
     map->strength = range * cm_colormap_value(p, "saturation", 0.0);
     map->ends = 1.0 - range;
+    map->is_uniform = cm_colormap_at(p->index)->space == CM_COLORMAP_CAM16_UCS;
     map->piece_count = 0;
     map->corner_count = 0;
     switch (model)
@@ -353,9 +415,11 @@ void cm_colormap_build(cm_colormap *map)
     case CM_COLORMAP_HUES:
         build_constant_lightness(map, model);
         break;
+    default:
+        build_uniform(map, model);
+        break;
     }
-    map->mirrored =
-        model == CM_COLORMAP_DIVERGING_LIGHTNESS || model == CM_COLORMAP_DIVERGING_SATURATION;
+    map->mirrored = cm_colormap_at(p->index)->family == CM_COLORMAP_DIVERGING;
     set_places(map);
     find_corners(map);
 }

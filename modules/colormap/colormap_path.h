@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * A map: its parameters and its path through CIELUV, in pieces.
+ * A map: its parameters and its path through CIELUV, or CAM16-UCS, in pieces.
  */
 #ifndef COLORMAP_PATH_H
 #define COLORMAP_PATH_H
 
+#include "cam16.h"
 #include "colormap_catalogue.h"
+#include "uniform_path.h"
 
 /* A point of the path. Its chroma is strength * vivid + ends * base, where strength is the product of
  * saturation and saturation range, and ends is the saturation of the ends. */
@@ -17,7 +19,8 @@ typedef struct cm_colormap_anchor
     double base;
 } cm_colormap_anchor;
 
-/* Between two anchors lightness, chroma and hue are linear. */
+/* Between two anchors lightness, chroma and hue are linear. The path of a uniform map has no anchors, but
+ * polynomials. */
 typedef struct cm_colormap_piece
 {
     cm_colormap_anchor from;
@@ -27,6 +30,7 @@ typedef struct cm_colormap_piece
     double t_from;
     double t_to;
     double length;
+    cm_uniform_piece uniform;
 } cm_colormap_piece;
 
 /* The two ends, the middle, and the stops, give one piece less. */
@@ -43,6 +47,8 @@ struct cm_colormap
     size_t corner_count;
     double corner[CM_COLORMAP_PIECES_MAX];
     double corner_sine[CM_COLORMAP_PIECES_MAX]; /* of half the angle inside the corner */
+    int is_uniform;                             /* in CAM16-UCS */
+    cm_cam16_conditions seen;
     int mirrored; /* is t the mirror image of 1 - t but for the hue? */
 };
 
@@ -56,7 +62,11 @@ void cm_colormap_build(cm_colormap *map);
  * gone. */
 void cm_colormap_lch_in_piece(const cm_colormap_piece *piece, double x, double lch[3]);
 
-/* The same for t in [0, 1] of the whole path. */
+/* The colour of a uniform map there, not cut. */
+void cm_colormap_linear_in_piece(const cm_colormap *map, const cm_colormap_piece *piece, double x,
+                                 double linear[3]);
+
+/* Where the path is at t in [0, 1], of a map in CIELUV. */
 void cm_colormap_luv_at(const cm_colormap *map, double t, double luv[3]);
 
 /* Exactly from and to at 0 and 1, and between them where both are the same. */

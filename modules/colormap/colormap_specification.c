@@ -198,10 +198,15 @@ static void list_models(char *text, size_t size)
 static cm_status read_assignment(const cm_colormap_info *info, word text, unsigned *given,
                                  cm_colormap_parameters *parameters, complaint to)
 {
-    char known[200];
+    char known[400];
     word value;
     const word name = split(text, '=', &value);
     list_parameters(info, known, sizeof known);
+    if (info->parameter_count == 0)
+    {
+        return fail(to, CM_ERROR_PARAMETER, "%s has no parameters, so '%.*s' is too much",
+                    info->identifier, shown(text), text.text);
+    }
     if (value.text == NULL)
     {
         return fail(to, CM_ERROR_SYNTAX, "'%.*s' is not PARAMETER=VALUE; %s has %s", shown(text),
@@ -255,7 +260,7 @@ cm_status cm_colormap_parse(const char *specification, cm_colormap_parameters *p
     const cm_colormap_info *info = cm_colormap_find_word(name.text, name.length);
     if (info == NULL)
     {
-        char known[200];
+        char known[400];
         list_models(known, sizeof known);
         return fail(to, name.length == 0 ? CM_ERROR_SYNTAX : CM_ERROR_MAPPING,
                     "no colour map is called '%.*s'; there are %s", shown(name), name.text, known);

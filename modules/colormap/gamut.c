@@ -131,13 +131,34 @@ static double least_on_path(const cm_colormap *map, measure *of)
     return least;
 }
 
+/* Of a uniform map: how far inside the cube of linear sRGB a colour is. */
+static double room(const cm_colormap *map, const cm_colormap_piece *piece, double x)
+{
+    double linear[3];
+    cm_colormap_linear_in_piece(map, piece, x, linear);
+    double least = (double)INFINITY;
+    for (int i = 0; i < 3; i++)
+    {
+        least = fmin(least, fmin(linear[i], 1.0 - linear[i]));
+    }
+    return least;
+}
+
 int cm_colormap_inside(const cm_colormap *map)
 {
+    if (map->is_uniform)
+    {
+        return least_on_path(map, room) >= 0.0;
+    }
     return least_on_path(map, margin) >= -CM_COLORMAP_CHROMA_ROUNDING;
 }
 
 double cm_colormap_largest_saturation(const cm_colormap *map)
 {
+    if (map->is_uniform)
+    {
+        return (double)INFINITY;
+    }
     if (least_on_path(map, margin_of_base) < -CM_COLORMAP_CHROMA_ROUNDING)
     {
         return (double)NAN;

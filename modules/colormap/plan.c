@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Where n samples are, so that neighbours are equally far apart in CIELUV, across corners too.
+ * Where n samples are, so that neighbours are equally far apart in the map's space, across corners too.
  *
  * Between two corners the path is smooth, and equal steps of its length are equal distances. Across a corner
  * the straight line from sample to sample is a shortcut, so these two must be further apart along the path,
@@ -390,7 +390,8 @@ static double step_of(const way *w)
     return w->end / steps;
 }
 
-/* The length of the line between two places, in steps. */
+/* The length of the line between two places, in steps. Only maps in CIELUV have corners to ask about: that of a uniform map
+ * is its middle, about which it is the same both ways. */
 static double line_between(const cm_colormap *map, double step, double from, double to)
 {
     double one[3];
@@ -550,20 +551,30 @@ void cm_colormap_make_plan(const cm_colormap *map, size_t n, cm_colormap_plan *p
     }
 }
 
+/* How many steps it is from t = 0 to t = 1 where all are equal. What goes round does not come to its first
+ * colour again, nor closer to it than a step. */
+static double steps_of(const cm_colormap *map, size_t n)
+{
+    const double circle = cm_colormap_value(&map->parameters, "divergence", 0.0) / 360.0;
+    if (cm_colormap_at(map->parameters.index)->family == CM_COLORMAP_CYCLIC)
+    {
+        return (double)n;
+    }
+    return map->parameters.index == CM_COLORMAP_HUES && circle * (double)n > (double)(n - 1)
+               ? (double)n * circle
+               : (double)(n - 1);
+}
+
 double cm_colormap_place(const cm_colormap *map, const cm_colormap_plan *plan, size_t index)
 {
     const size_t n = plan->n;
-    const double last = (double)(n - 1);
     if (n == 1)
     {
         return 0.0;
     }
     if (!plan->is_even)
     {
-        const double circle = cm_colormap_value(&map->parameters, "divergence", 0.0) / 360.0;
-        const int goes_round =
-            map->parameters.index == CM_COLORMAP_HUES && circle * (double)n > last;
-        return (double)index / (goes_round ? (double)n * circle : last);
+        return (double)index / steps_of(map, n);
     }
     if (plan->mirrored && index >= n - 1 - index)
     {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The library, check-paths, and the tests of bits and of sets for AArch64, on whatever machine this is:
+# The library, check-paths, and the tests of bits, of sets and of loops over pixels for AArch64, on any machine:
 # cross-compiled, and run by an emulator. Without them (apt: gcc-aarch64-linux-gnu qemu-user) it ends with 77 and is skipped.
 # Usage: neon.sh REPOSITORY [ARGUMENT OF check-paths...]
 set -eu
@@ -20,14 +20,16 @@ trap 'rm -rf "$folder"' EXIT
 
 # as meson.build has them
 flags=(-std=c11 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off
-    -fno-math-errno -fno-trapping-math -DCM_HAVE_NEON -DCM_HAVE_PTHREADS)
+    -fno-math-errno -fno-trapping-math -DCM_HAVE_NEON -DCM_HAVE_PTHREADS -DWITHOUT_CHECK)
 sources=()
 for source in "$root"/libcubemap/*/*.c; do
     case ${source##*/} in
-    set_sse2.c | set_avx2.c | set_avx512.c) ;;
+    set_sse2.c | set_avx2.c | set_avx512.c | lone_sse2.c | lone_avx2.c | lone_avx512.c) ;;
     *) sources+=("$source") ;;
     esac
 done
+
+sampling=("$root"/modules/image/{filter_weights,sample_set,sample_set_scalar,sample_set_neon}.c)
 
 # compile SOURCE: an object whose name says which folder it is of
 compile()
@@ -38,7 +40,7 @@ compile()
 
 running=()
 for source in "${sources[@]}" "$root"/tests/paths/*.c "$root"/tests/mapping/test_bits.c \
-    "$root"/tests/batch/test_sets.c; do
+    "$root"/tests/batch/test_sets.c "${sampling[@]}" "$root"/tests/image/test_sample_set.c; do
     compile "$source" &
     running+=($!)
 done
@@ -49,6 +51,9 @@ for program in tests-paths tests-mapping-test_bits tests-batch-test_sets; do
     "$compiler" -static "$folder"/libcubemap-*.o "$folder/$program"*.o -lm -lpthread \
         -o "$folder/$program"
 done
+"$compiler" -static "$folder"/{libcubemap,modules-image}-*.o "$folder"/tests-image-test_sample_set*.o -lm -lpthread \
+    -o "$folder/test-sample-set"
 "$emulator" "$folder/tests-mapping-test_bits" "$root/tests/bits.txt"
 "$emulator" "$folder/tests-batch-test_sets" 5000
+"$emulator" "$folder/test-sample-set"
 "$emulator" "$folder/tests-paths" --set neon "$@"

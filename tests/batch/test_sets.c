@@ -260,6 +260,38 @@ static void check_cells(const inputs *in, const char *set, cm_curve curve, int l
     }
 }
 
+/* As S2 rounds: the same bits in every set. */
+static void check_s2_cells(const inputs *in, const char *set, int level)
+{
+    static cm_cell cell[2][LENGTH];
+    static double x[2][LENGTH], y[2][LENGTH], z[2][LENGTH];
+    const cm_latitude geographic = CM_LATITUDE_GEOGRAPHIC;
+    for (int k = 0; k < 2; k++)
+    {
+        cm_grid *grid = NULL;
+        cm_cell_grid *cells = NULL;
+        cm_options options = with(k == 0 ? "scalar" : set);
+        cm_grid_options how = {.size = sizeof how,
+                               .mapping = "s2",
+                               .frame = cm_frame_find("s2"),
+                               .latitude = &geographic,
+                               .options = &options};
+        need(cm_grid_create(&how, &grid));
+        need(cm_cell_grid_create_s2(grid, &cells));
+        cm_cell_forward_array(cells, level, LENGTH, in->x, in->y, in->z, cell[k]);
+        cm_cell_centre_array(cells, LENGTH, cell[0], x[k], y[k], z[k]);
+        cm_cell_grid_destroy(cells);
+        cm_grid_destroy(grid);
+    }
+    if (memcmp(cell[0], cell[1], sizeof cell[0]) != 0)
+    {
+        complain("S2's cells that are others", 0, 0.0, 0.0);
+    }
+    compare("x of S2's cell", x[1], x[0], 0.0, 0.0);
+    compare("y of S2's cell", y[1], y[0], 0.0, 0.0);
+    compare("z of S2's cell", z[1], z[0], 0.0, 0.0);
+}
+
 int main(int argc, char **argv)
 {
     long points = argc > 1 ? strtol(argv[1], NULL, 10) : 20000;
@@ -281,6 +313,7 @@ int main(int argc, char **argv)
             check_cells(&in, set_name, CM_CURVE_HILBERT, 30);
             check_cells(&in, set_name, CM_CURVE_MORTON, 30);
             check_cells(&in, set_name, CM_CURVE_HILBERT, 3);
+            check_s2_cells(&in, set_name, 30);
         }
     }
     printf("%zu sets compared with scalar, %d failures\n", cm_instructions_count() - 1, failures);

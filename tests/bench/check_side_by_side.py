@@ -36,6 +36,7 @@ def check_contestant(each):
     check(0.0 < each["ns_best"] <= each["ns_median"] <= each["ns_upper_quartile"], each)
     check(each["direction"] in ("forward", "inverse") and each["mapping"] in MAPPINGS, each)
     check(each["refused"] <= each["tried"], each)
+    check(len(each["ns_samples"]) == 10 and math.isclose(min(each["ns_samples"]), each["ns_best"], rel_tol=1e-5), each)
     if each["library"] == "libcubemap" and each["tier"] == "exact":
         # the bounds of mapping.h; longitude and latitude add the roundings of two conversions
         bound = 6.4 if each["precision"] == "float" else 5e-9 if each["array"] else 10e-9
@@ -45,6 +46,7 @@ def check_contestant(each):
 
 def check_json(results):
     contestants, scaling = results["contestants"], results["scaling"]
+    check(len(results["date"]) == 20 and results["commit"] and results["clock_tick_ns"] > 0.0, "what the run is of")
     for each in contestants:
         check_contestant(each)
     for mapping in MAPPINGS:

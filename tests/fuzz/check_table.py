@@ -44,13 +44,19 @@ def programs_of(tools):
             for name in re.findall(r"\bint (cm_\w+_main)\(", header.read_text(encoding="utf-8"))}
 
 
+def functions_of_files(modules):
+    """What the modules have for files, which is the programs' own."""
+    return {name for header in modules.glob("*/io/*.h")
+            for name in re.findall(r"^[a-z][\w *]*\b(cm_\w+)\(", header.read_text(encoding="utf-8"), re.M)}
+
+
 def wrong_of(row, fuzz, functions, built):
     """What is wrong with a row, or None; functions are those that may begin with cm_."""
     function, harness = row
     name = re.sub(r"^fuzz_", "", pathlib.PurePath(harness).stem)
     corpus = fuzz / "corpus" / name
     if function.startswith("cm_") and function not in functions:
-        return f"{function} is in the table, but neither in the library nor in the tools"
+        return f"{function} is in the table, but neither in the library, nor in the tools, nor for files"
     if not (fuzz / harness).is_file():
         return f"{harness} is in the table, but there is no such file"
     if function not in words_of(fuzz / harness):
@@ -71,7 +77,7 @@ def main():
     named = {harness for _, harness in rows}
     complaints = [f"{function} is in no row of the table"
                   for function in sorted(functions - {function for function, _ in rows})]
-    known = functions | programs_of(root / "tools")
+    known = functions | programs_of(root / "tools") | functions_of_files(root / "modules")
     complaints += filter(None, (wrong_of(row, fuzz, known, built) for row in rows))
     complaints += [f"{file.name} is in no row of the table"
                    for file in sorted([*fuzz.glob("fuzz_*.c"), *fuzz.glob("fuzz_*.cpp")]) if file.name not in named]

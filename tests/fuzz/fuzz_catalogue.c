@@ -52,6 +52,8 @@ static void check_name(const char *name)
     }
     EXPECT(cm_catalogue_find(name) == expected, "mapping '%s'", name);
     EXPECT(cm_frame_find(name) == frame, "frame '%s'", name);
+    EXPECT(expected == NULL || cm_smoothness_name(expected->smooth_face) != NULL,
+           "smoothness of '%s'", name);
     if (strchr(name, ':') == NULL)
     {
         EXPECT((cm_specification_check(name, NULL, 0) == CM_OK) == (expected != NULL), "'%s'",

@@ -7,14 +7,16 @@
 
 enum
 {
-    GRIDS = 8,
+    GRIDS = 9,
     LIST = 64
 };
 
 static cm_cell_grid *grid_at(size_t index)
 {
-    static const char *const mappings[GRIDS] = {"s2",       "slice",     "healpix",    "coupled",
-                                                "gnomonic", "conformal", "difference", "arvo"};
+    static const char *const mappings[GRIDS] = {
+        "s2", "slice", "healpix", "coupled", "gnomonic", "conformal", "difference", "arvo", "s2"};
+    const cm_latitude geographic = CM_LATITUDE_GEOGRAPHIC;
+    const int is_s2 = index == GRIDS - 1; /* as S2 rounds */
     static cm_cell_grid *made[GRIDS];
     if (made[index] == NULL)
     {
@@ -23,13 +25,17 @@ static cm_cell_grid *grid_at(size_t index)
         EXPECT(cm_rotation_from_angles(17.0, -10.0, 32.0, &rotation) == CM_OK, "no rotation");
         const cm_grid_options options = {.size = sizeof options,
                                          .mapping = mappings[index],
-                                         .frame = cm_frame_at(index % cm_frame_count()),
+                                         .frame = is_s2 ? cm_frame_find("s2")
+                                                        : cm_frame_at(index % cm_frame_count()),
+                                         .latitude = is_s2 ? &geographic : NULL,
                                          .rotation = index % 3 == 1 ? &rotation : NULL};
+        const cm_curve curve = (cm_curve)(index / 2 % 2);
         EXPECT(cm_grid_create(&options, &grid) == CM_OK, "no grid");
-        EXPECT(cm_cell_grid_create(grid, (cm_curve)(index / 2 % 2), &made[index]) == CM_OK,
+        EXPECT((is_s2 ? cm_cell_grid_create_s2(grid, &made[index])
+                      : cm_cell_grid_create(grid, curve, &made[index])) == CM_OK,
                "no cell grid");
-        EXPECT(cm_cell_grid_of(made[index]) == grid &&
-                   cm_cell_grid_curve(made[index]) == (cm_curve)(index / 2 % 2),
+        EXPECT(cm_cell_grid_of(made[index]) == grid && cm_cell_grid_curve(made[index]) == curve &&
+                   cm_cell_grid_is_s2(made[index]) == is_s2,
                "another grid");
     }
     return made[index];

@@ -126,15 +126,23 @@ static void check_color(const cm_colormap *map, double t)
            "sRGB at %.17g", t);
 }
 
-/* Two places are no further apart in CIELUV than along the path. */
+/* Two places are no further apart in the map's space than along the path. */
 static void check_distance(const cm_colormap *map, double from, double to)
 {
     const double length = cm_colormap_length(map);
     cm_colormap_color a, b;
     cm_colormap_color_at(map, from, &a);
     cm_colormap_color_at(map, to, &b);
-    double distance = sqrt(pow(a.luv[0] - b.luv[0], 2.0) + pow(a.luv[1] - b.luv[1], 2.0) +
-                           pow(a.luv[2] - b.luv[2], 2.0));
+    double one[3], other[3];
+    memcpy(one, a.luv, sizeof one);
+    memcpy(other, b.luv, sizeof other);
+    if (cm_colormap_describe(map)->space == CM_COLORMAP_CAM16_UCS)
+    {
+        cm_colormap_ucs_from_linear(a.linear, one);
+        cm_colormap_ucs_from_linear(b.linear, other);
+    }
+    double distance = sqrt(pow(one[0] - other[0], 2.0) + pow(one[1] - other[1], 2.0) +
+                           pow(one[2] - other[2], 2.0));
     EXPECT(distance <= length * fabs(to - from) * (1.0 + 1e-9) + 1e-9,
            "from %.17g to %.17g: %.17g of %.17g", from, to, distance, length);
 }
@@ -160,8 +168,9 @@ static void check_places(const cm_colormap *map, const double *places, size_t n)
         EXPECT(i == 0 ? places[0] == 0.0 : places[i] > places[i - 1], "%zu of %zu at %.17g", i, n,
                places[i]);
     }
-    EXPECT(n < 2 || family == CM_COLORMAP_QUALITATIVE || places[n - 1] == 1.0, "the last of %zu",
-           n);
+    EXPECT(n < 2 || family == CM_COLORMAP_QUALITATIVE || family == CM_COLORMAP_CYCLIC ||
+               places[n - 1] == 1.0,
+           "the last of %zu", n);
     EXPECT(n < 2 || n % 2 == 0 || family != CM_COLORMAP_DIVERGING || places[n / 2] == 0.5,
            "the middle of %zu", n);
 }
@@ -246,6 +255,40 @@ static char *take_line(supply *from)
     return take_text(&line);
 }
 
+/* Appearances and differences of numbers of the supply, and of colours of sRGB. */
+static void check_appearance(supply *from)
+{
+    double srgb[2][3], linear[3], ucs[3], again[3], lab[2][3], any[3];
+    cm_colormap_viewing viewing;
+    cm_colormap_appearance seen;
+    for (int i = 0; i < 3; i++)
+    {
+        srgb[0][i] = 0.5 * take_fraction(from) + 0.5;
+        srgb[1][i] = 0.5 * take_fraction(from) + 0.5;
+        any[i] = take_double(from);
+        viewing.white[i] = take_double(from);
+    }
+    viewing.luminance = take_double(from);
+    viewing.background = take_double(from);
+    cm_colormap_cam16(any, &viewing, &seen); /* whatever they are */
+    EXPECT(isnan(seen.hue) || (seen.hue >= 0.0 && seen.hue < 360.0), "hue %.17g", seen.hue);
+    cm_colormap_linear_from_ucs(any, linear);
+    EXPECT(isnan(linear[0]) == isnan(linear[2]), "%.17g %.17g", linear[0], linear[2]);
+    EXPECT(!(cm_colormap_ciede2000(any, viewing.white) < 0.0), "negative");
+    for (int i = 0; i < 2; i++)
+    {
+        cm_colormap_linear_from_srgb(srgb[i], linear);
+        cm_colormap_lab_from_linear(linear, lab[i]);
+        cm_colormap_ucs_from_linear(linear, ucs);
+        cm_colormap_linear_from_ucs(ucs, again);
+        EXPECT(fabs(again[0] - linear[0]) < 1e-12 && fabs(again[1] - linear[1]) < 1e-12 &&
+                   fabs(again[2] - linear[2]) < 1e-12,
+               "%.17g is %.17g", linear[0], again[0]);
+    }
+    double difference = cm_colormap_ciede2000(lab[0], lab[1]);
+    EXPECT(difference >= 0.0 && difference < 200.0, "%.17g", difference);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     supply from = {data, size};
@@ -270,6 +313,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_gamut(map);
     }
     check_conversions(&from);
+    check_appearance(&from);
     cm_colormap_destroy(map);
     free(text);
     EXPECT(cm_colormap_create(NULL, &map) == CM_ERROR_ARGUMENT, "no specification");

@@ -8,6 +8,7 @@
 #include <cubemap/cubemap.h>
 #include <cubemap/options.h>
 
+#include <math.h>
 #include <strings.h>
 
 #include "fuzz.h"
@@ -79,6 +80,15 @@ static void check_size(size_t size)
     cm_mapping_destroy(mapping);
 }
 
+/* What makes no mapping takes the best set where the environment names none that there is. */
+static void check_lonlat(void)
+{
+    const double x = 0.0, y = 2.0, z = 0.0;
+    double lon, lat;
+    cm_lonlat_from_direction_array(1, &x, &y, &z, &lon, &lat);
+    EXPECT(fabs(lon - 1.5707963267948966) < 1e-15 && lat == 0.0, "%a %a", lon, lat);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     supply from = {data, size};
@@ -97,6 +107,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     EXPECT(setenv("CUBEMAP_INSTRUCTIONS", name, 1) == 0, "no memory");
     check_made(&none, *name == '\0' ? best : set_called(name));
     check_message(NULL, *name == '\0' || set_called(name) != NULL, size % 300);
+    check_lonlat();
     options.instructions = "scalar";
     check_made(&options, "scalar");
     free(name);

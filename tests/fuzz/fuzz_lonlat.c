@@ -71,6 +71,41 @@ static void check_lonlat_from(const double direction[3])
            lonlat[1]);
 }
 
+/* Half a unit in the last place, which does not get smaller where numbers are subnormal. */
+static double rounding(double value)
+{
+    return fmax(0x1p-53 * fabs(value), 0x1p-1074);
+}
+
+/* In arrays: one point as many, and what the C library gives but for rounding. */
+static void check_direction_arrays(double lon, double lat, const double direction[3])
+{
+    const double lons[3] = {0.5, lon, lon};
+    const double lats[3] = {0.25, lat, lat};
+    const double xs[3] = {1.0, direction[0], direction[0]};
+    const double ys[3] = {0.5, direction[1], direction[1]};
+    const double zs[3] = {0.25, direction[2], direction[2]};
+    double truth[3], found[3][3], through[2], longitudes[3], latitudes[3];
+    cm_direction_from_lonlat_array(3, lons, lats, found[0], found[1], found[2]);
+    cm_direction_from_lonlat(lon, lat, truth);
+    cm_lonlat_from_direction_array(3, xs, ys, zs, longitudes, latitudes);
+    cm_lonlat_from_direction(direction, through);
+    for (int k = 0; k < 3; k++)
+    {
+        EXPECT(memcmp(&found[k][1], &found[k][2], sizeof(double)) == 0, "%a %a", lon, lat);
+        EXPECT(isnan(truth[k]) ? isnan(found[k][1]) : fabs(found[k][1] - truth[k]) <= 8 * 0x1p-53,
+               "%a %a: component %d is %a, not %a", lon, lat, k, found[k][1], truth[k]);
+    }
+    EXPECT(memcmp(&longitudes[1], &longitudes[2], sizeof(double)) == 0 &&
+               memcmp(&latitudes[1], &latitudes[2], sizeof(double)) == 0,
+           "%a %a %a", direction[0], direction[1], direction[2]);
+    EXPECT(isnan(through[0]) ? isnan(longitudes[1]) && isnan(latitudes[1])
+                             : fabs(longitudes[1] - through[0]) <= 8 * rounding(through[0]) &&
+                                   fabs(latitudes[1] - through[1]) <= 8 * rounding(through[1]),
+           "%a %a %a: %a %a, not %a %a", direction[0], direction[1], direction[2], longitudes[1],
+           latitudes[1], through[0], through[1]);
+}
+
 /* The functions of a mapping are those of a direction, to the bit. */
 static void check_mapping(const subject *made, double lon, double lat, const double point[2])
 {
@@ -167,6 +202,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         take_point(&from, point);
         check_direction_from(lon, lat);
         check_lonlat_from(direction);
+        check_direction_arrays(lon, lat, direction);
         check_mapping(&made, lon, lat, point);
         check_forward(&made, lon, lat);
         check_inverse(&made, (uint8_t)(take_byte(&from) % 7), point);

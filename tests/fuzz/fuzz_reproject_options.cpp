@@ -8,6 +8,7 @@
 #include "tools/reproject/reproject_input.hpp"
 #include "tools/reproject/reproject_options.hpp"
 #include "tools/reproject/reproject_table.h"
+#include "tools/image/face_names.hpp"
 
 #include <set>
 
@@ -49,24 +50,29 @@ void check_format(const std::string &name)
     }
 }
 
-void check_layout(CubeLayout layout, const cm_frame &frame)
+// What the command line says of a surface is one, or nothing.
+void check_surface(const SurfaceOptions &surface)
 {
-    std::size_t placed = 0;
-    for (const PictureLayout &picture : cube_pictures(layout, frame))
-    {
-        placed += picture.placements.size();
-    }
-    EXPECT(placed == 6, "%s of %s has %zu faces", layout_name(layout), frame.identifier, placed);
+    const std::string &text = surface.specification;
+    EXPECT(text.empty() || cm_surface_check(text.c_str(), nullptr, nullptr, 0) == CM_OK,
+           "surface '%s'", text.c_str());
+    EXPECT(surface.frame.empty() || cm_frame_find(surface.frame.c_str()) != nullptr, "frame '%s'",
+           surface.frame.c_str());
+    const std::string cube = "cube;layout=" + surface.layout;
+    EXPECT(surface.layout.empty() || cm_surface_check(cube.c_str(), nullptr, nullptr, 0) == CM_OK,
+           "layout '%s'", surface.layout.c_str());
+    EXPECT(!surface.rotation || cm_rotation_check(&*surface.rotation) == CM_OK, "a rotation");
+    const std::string head = head_of(text);
+    EXPECT(text.compare(0, head.size(), head) == 0 &&
+               without_key(text, "size").size() <= text.size(),
+           "'%s'", text.c_str());
 }
 
 void check_options(const Options &options)
 {
-    EXPECT(options.frame != nullptr && options.from_frame != nullptr, "no frame");
-    for (const std::string &mapping : {options.from_mapping, options.to_mapping})
-    {
-        EXPECT(cm_specification_check(mapping.c_str(), nullptr, 0) == CM_OK, "mapping '%s'",
-               mapping.c_str());
-    }
+    check_surface(options.from);
+    check_surface(options.to);
+    EXPECT(cm_filter_name(options.filter) != nullptr, "no filter");
     EXPECT(!options.size || (*options.size >= 1 && *options.size <= REPROJECT_EQUIRECT_MAX),
            "size %d", *options.size);
     const OverlayOptions &lines = options.overlay;
@@ -76,8 +82,6 @@ void check_options(const Options &options)
     EXPECT(!lines.grid || *lines.grid >= 1, "grid %d", *lines.grid);
     EXPECT(lines.line_width >= 0.1 && lines.line_width <= 100, "line width %g", lines.line_width);
     EXPECT(options.threads >= 0 && options.threads <= 1024, "%d threads", options.threads);
-    check_layout(options.layout.value_or(CubeLayout::cross), *options.frame);
-    check_layout(options.from_layout.value_or(CubeLayout::cross), *options.from_frame);
     check_names(options.input);
     check_names(options.output);
     check_format(options.output);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The check of the image programs that a PNG file has its end. The input is the file.
+// The check that a PNG file has its end, before it is read. The input is the file.
 
-#include "tools/cli/program.hpp"
-#include "tools/cli/whole_png.hpp"
+#include "modules/image/io/whole_png.h"
 
 #include "fuzz_streams.h"
 
@@ -13,16 +12,7 @@ namespace
 bool is_whole(const uint8_t *data, size_t size)
 {
     set_input(data, size);
-    try
-    {
-        check_whole_png("/proc/self/fd/0");
-        return true;
-    }
-    catch (const Failure &failure)
-    {
-        EXPECT(is_one_line(failure.what()), "'%s'", failure.what());
-        return false;
-    }
+    return cm_png_is_whole("/proc/self/fd/0");
 }
 
 // Is one of the chunks its end, and whole?

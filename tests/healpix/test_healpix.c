@@ -378,6 +378,21 @@ START_TEST(bad_pixels)
 }
 END_TEST
 
+/* There is no NESTED where nside is no power of two. */
+START_TEST(no_nested_numbers)
+{
+    for (size_t s = 0; s < cm_instructions_count(); s++)
+    {
+        cm_healpix *healpix = make_healpix(3, CM_HEALPIX_RING, cm_instructions_at(s));
+        int64_t made = -7;
+        ck_assert_int_eq(cm_healpix_nested_from_ring(healpix, 5, &made), CM_ERROR_PIXEL);
+        ck_assert_int_eq(cm_healpix_ring_from_nested(healpix, 5, &made), CM_ERROR_PIXEL);
+        ck_assert_int_eq(made, -7);
+        cm_healpix_destroy(healpix);
+    }
+}
+END_TEST
+
 /* ---- Arrays: as single points, to the bit, wherever a point stands ---- */
 
 enum
@@ -542,6 +557,7 @@ int main(void)
                             longitudes_of_all_kinds,
                             bad_points,
                             bad_pixels,
+                            no_nested_numbers,
                             arrays_are_single_points,
                             NULL};
     return run_suite("healpix", tests);

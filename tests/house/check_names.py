@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The names of files: each once, and none that differs from another by a plural.
+"""The names of files: each once, none that differs from another by a plural, and at the top those that belong there.
 
 check_names.py [ROOT]        check the tree
-check_names.py --self-test   check that both are found
+check_names.py --self-test   check that each is found
 """
 
 import collections
@@ -15,6 +15,10 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
 import house
+
+# What stands at the top, where a slip of a shell would leave its files.
+AT_THE_TOP = {".clang-format", ".editorconfig", ".gitignore", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "README.md",
+              "meson.build", "meson_options.txt"}
 
 # Each folder has one of its own.
 EVERYWHERE = ["meson.build", "README.md"]
@@ -36,6 +40,12 @@ def singulars(stem):
         yield stem[:-2]
     if stem.endswith("s") and not stem.endswith("ss"):
         yield stem[:-1]
+
+
+def check_top(paths, complaints):
+    for path in paths:
+        if "/" not in path and path not in AT_THE_TOP:
+            complaints.append(f"{path}: does not belong at the top of the tree")
 
 
 def check_once(paths, complaints):
@@ -62,6 +72,7 @@ def check_plurals(paths, complaints):
 def check(paths):
     complaints = []
     named = [path for path in paths if not any(fnmatch.fnmatchcase(path, pattern) for pattern in NOT_NAMED_HERE)]
+    check_top(paths, complaints)
     check_once(named, complaints)
     check_plurals(named, complaints)
     return complaints, len(named)
@@ -71,7 +82,8 @@ GOOD = ["meson.build", "tests/meson.build", "include/cubemap/healpix.h",
         "libcubemap/cells/cell.c", "tests/cells/test_cells.c", "libcubemap/cells/region.h", "libcubemap/cells/region.c",
         "research/vectors/vectors", "libcubemap/batch/lanes/vector.inc", "tests/vectors/a/cell.c",
         "libcubemap/batch/alias.h"]
-FAULTS = [("tools/cli/region.c", "there is libcubemap/cells/region.c too"),
+FAULTS = [("140", "does not belong at the top"),
+          ("tools/cli/region.c", "there is libcubemap/cells/region.c too"),
           ("include/cubemap/kernel/region.h", "there is include/cubemap/kernel/region.h too"),
           ("tools/cli/cells.h", "differs from libcubemap/cells/cell.c by a plural"),
           ("tools/cli/aliases.c", "differs from libcubemap/batch/alias.h by a plural"),

@@ -18,7 +18,8 @@ sys.dont_write_bytecode = True
 import house
 
 # A room: its folder, and the rooms whose files its own may include, beside its own. What is true of every folder
-# below another is said once, with a star. "public" is include/cubemap with its kernels, which everybody may use.
+# below another is said once, with a star. "public" is include/cubemap with its kernels, which everybody may use, ".." the
+# folder that a room is in.
 Room = collections.namedtuple("Room", "folder uses")
 ROOMS = [
     # the core, from the bottom up
@@ -30,17 +31,20 @@ ROOMS = [
     Room("libcubemap/cells", ["public", "libcubemap/batch", "libcubemap/mapping", "libcubemap/earth"]),
     Room("libcubemap/healpix", ["public", "libcubemap/batch", "libcubemap/mapping", "libcubemap/earth"]),
     Room("libcubemap/measure", ["public", "libcubemap/batch", "libcubemap/mapping", "libcubemap/earth"]),
+    Room("libcubemap/advise", ["public", "libcubemap/batch", "libcubemap/mapping", "libcubemap/earth",
+                               "libcubemap/measure"]),
     Room("libcubemap/orient", ["public", "libcubemap/batch", "libcubemap/mapping", "libcubemap/earth",
                                "libcubemap/measure"]),
     # who uses it
     Room("modules/*", ["public"]),
+    Room("modules/*/io", ["public", ".."]),
     Room("truth", ["public"]),
     Room("bench/harness", ["public", "truth"]),
-    Room("bench/*", ["public", "truth", "bench/harness"]),
-    Room("tools/cli", ["public"]),
-    Room("tools/image", ["public", "tools/cli"]),
+    Room("bench/*", ["public", "modules/*", "truth", "bench/harness"]),
+    Room("tools/cli", ["public", "modules/*/io"]),
+    Room("tools/image", ["public", "modules/*/io", "tools/cli"]),
     Room("tools/bench", ["public", "tools/cli", "truth", "bench/harness"]),
-    Room("tools/*", ["public", "tools/cli", "tools/image"]),
+    Room("tools/*", ["public", "modules/*/io", "tools/cli", "tools/image"]),
     Room("bindings/*", ["public"]),
     Room("web", ["public"]),
     # who judges it: a folder of tests may look into everything below, and into what all tests share
@@ -48,6 +52,9 @@ ROOMS = [
     Room("tests/*", ["public", "libcubemap/*", "modules/*", "truth", "bench/*", "tools/*", "tests"]),
 ]
 PUBLIC = ["include/cubemap", "include/cubemap/kernel"]
+
+# What is not ours, and slow to compile and to load: only these rooms include it.
+KEPT = {"OpenImageIO/": ["modules/image/io"]}
 
 SOURCES = (".c", ".cpp")
 HEADERS = (".h", ".hpp")
@@ -66,6 +73,12 @@ def line_of(text, position):
     return text.count("\n", 0, position) + 1
 
 
+def is_folder_of(folder, pattern):
+    """Does a star of the pattern stand for one folder?"""
+    parts, wanted = folder.split("/"), pattern.split("/")
+    return len(parts) == len(wanted) and all(map(fnmatch.fnmatchcase, parts, wanted))
+
+
 def room_of(path):
     """The room of a file: the longest folder of the table that it is in. A star is one folder."""
     folder = os.path.dirname(path)
@@ -74,8 +87,8 @@ def room_of(path):
             if folder == room.folder:
                 return Room(folder, room.uses)
         for room in ROOMS:
-            if room.folder.endswith("/*") and os.path.dirname(folder) == room.folder[:-2]:
-                return Room(folder, room.uses)
+            if is_folder_of(folder, room.folder):
+                return Room(folder, [os.path.dirname(folder) if use == ".." else use for use in room.uses])
         folder = os.path.dirname(folder)
     return None
 
@@ -104,6 +117,14 @@ def target_of(include, tree):
         if path in tree:
             return path
     return None
+
+
+def check_kept(path, text, complaints):
+    """What others made that is for one room alone."""
+    for match in re.finditer(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)', text, re.M):
+        for begin, folders in KEPT.items():
+            if match[1].startswith(begin) and os.path.dirname(path) not in folders:
+                complaints.append(f"{path}:{line_of(text, match.start())}: {match[1]} is for {', '.join(folders)} alone")
 
 
 def check_include(include, target, complaints):
@@ -276,7 +297,7 @@ def check_table(complaints):
     edges = collections.defaultdict(dict)
     for room in ROOMS:
         for use in room.uses:
-            for name in PUBLIC if use == "public" else [use]:
+            for name in PUBLIC if use == "public" else [os.path.dirname(room.folder) if use == ".." else use]:
                 if not any(fnmatch.fnmatchcase(other, name) or other == name for other in names):
                     complaints.append(f"the table: {room.folder} may use {name}, which is no room")
                 edges[room.folder][name] = Include(f"the table, {room.folder}", 0, name, True, False)
@@ -315,6 +336,7 @@ def check(tree):
                 if target is not None:
                     includes.append((include, target))
                     readers[target].add(path)
+            check_kept(path, text, complaints)
         if path.endswith(HEADERS):
             check_guard(path, text, guards, complaints)
         if path.endswith(".c"):
@@ -352,6 +374,9 @@ GOOD = {
     "libcubemap/cells/cell.c": "#include <cubemap/mapping.h>\n",
     "modules/colormap/plan.h": guarded("P", "#include <cubemap/colormap.h>"),
     "modules/scene/view.h": guarded("V", ""),
+    "modules/scene/io/scene_file.h": guarded("SF", '#include "modules/scene/view.h"'),
+    "modules/image/io/image_io.cpp": "#include <OpenImageIO/imageio.h>\n",
+    "tools/cli/scene_reader.h": guarded("SR", '#include "modules/scene/io/scene_file.h"'),
     "truth/sphere.h": guarded("S", ""),
     "bench/harness/harness.h": guarded("H", ""),
     "bench/grids/time_grids.c": '#include "bench/harness/harness.h"\n#include "truth/sphere.h"\n'
@@ -375,6 +400,11 @@ FAULTS = [
     ("libcubemap/mapping/x.c", '#include "libcubemap/cells/cell.h"\n', "libcubemap/mapping may not use libcubemap/cells"),
     ("modules/colormap/x.c", '#include "libcubemap/batch/batch.h"\n', "modules/colormap may not use libcubemap/batch"),
     ("modules/colormap/x.c", '#include "modules/scene/view.h"\n', "modules/colormap may not use modules/scene"),
+    ("modules/colormap/io/x.c", '#include "modules/scene/view.h"\n', "modules/colormap/io may not use modules/scene"),
+    ("modules/scene/x.c", '#include "modules/scene/io/scene_file.h"\n', "modules/scene may not use modules/scene/io"),
+    ("tools/cli/x.c", '#include "modules/scene/view.h"\n', "tools/cli may not use modules/scene"),
+    ("tools/cli/x.cpp", "\n#include <OpenImageIO/imageio.h>\n",
+     "tools/cli/x.cpp:2: OpenImageIO/imageio.h is for modules/image/io alone"),
     ("tools/cli/x.c", '#include "tools/image/face.hpp"\n', "tools/cli may not use tools/image"),
     ("tools/reproject/x.cpp", '#include "tools/project/chain.h"\n', "tools/reproject may not use tools/project"),
     ("tools/project/x.c", '#include "truth/sphere.h"\n', "tools/project may not use truth"),

@@ -21,6 +21,7 @@ START_TEST(descriptors_are_complete)
         ck_assert_ptr_nonnull(at(i)->aliases);
         ck_assert_uint_le(at(i)->parameter_count, CM_PARAMETERS_MAX);
         ck_assert_int_ge((int)at(i)->smooth_face, (int)CM_SMOOTH_C0);
+        ck_assert(at(i)->kind != CM_KIND_CUBE || at(i)->smooth_corner >= CM_SMOOTH_C0);
         for (size_t k = 0; k < at(i)->parameter_count; k++)
         {
             const cm_parameter_info *p = &at(i)->parameter[k];
@@ -31,6 +32,17 @@ START_TEST(descriptors_are_complete)
             ck_assert(!(p->low_excluded && p->standard == p->low));
         }
     }
+}
+END_TEST
+
+START_TEST(smoothness_has_names)
+{
+    ck_assert_str_eq(cm_smoothness_name(CM_SMOOTH_TORN), "torn");
+    ck_assert_str_eq(cm_smoothness_name(CM_SMOOTH_C0), "C0");
+    ck_assert_str_eq(cm_smoothness_name(CM_SMOOTH_C1), "C1");
+    ck_assert_str_eq(cm_smoothness_name(CM_SMOOTH_C2), "C2");
+    ck_assert_str_eq(cm_smoothness_name(CM_SMOOTH_ANALYTIC), "analytic");
+    ck_assert_ptr_null(cm_smoothness_name((cm_smoothness)(CM_SMOOTH_ANALYTIC + 1)));
 }
 END_TEST
 
@@ -493,12 +505,53 @@ START_TEST(statuses_have_texts)
 }
 END_TEST
 
+/* Bounds are those of standard parameters, presets and standard parts, however these are written. */
+START_TEST(bounds_belong_to_parameters)
+{
+    static const struct
+    {
+        const char *specification;
+        int has;
+    } rows[] = {{"tangent", 1},
+                {"tangent:c=1", 1},
+                {"equi-edge", 0},
+                {"tangent:c=1.0000001", 0},
+                {"cobe:legacy=1", 0},
+                {"coupled-cubic:low", 1},
+                {"coupled-cubic:low=1", 1},
+                {"difference:mild", 1},
+                {"difference:balanced", 1},
+                {"difference:isotropic", 1},
+                {"difference:kappa=0.6", 0},
+                {"qsc", 1},
+                {"border", 1},
+                {"border:lambert,shirley", 1},
+                {"border:lambert,conformal", 0},
+                {"quincuncial:mixture,squircle", 0},
+                {"azimuthal:lambert:fov=90", 0}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
+    {
+        cm_mapping *mapping = make_mapping(rows[i].specification, NULL);
+        ck_assert_msg(cm_mapping_has_bounds(mapping) == rows[i].has, "%s", rows[i].specification);
+        cm_mapping_destroy(mapping);
+    }
+    for (size_t i = 0; i < cm_catalogue_count(); i++)
+    {
+        cm_mapping *mapping = make_mapping(at(i)->identifier, NULL);
+        ck_assert_msg(cm_mapping_has_bounds(mapping), "%s", at(i)->identifier);
+        cm_mapping_destroy(mapping);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *tests[] = {descriptors_are_complete,
+                            smoothness_has_names,
                             bounds_keep_the_promise,
                             names_are_unique_and_found,
                             layouts_name_two_parts,
+                            bounds_belong_to_parameters,
                             azimuthal_projections_show_one_field,
                             the_mappings_of_the_plan_are_there,
                             aliases_of_other_formulas,

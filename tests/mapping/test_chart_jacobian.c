@@ -23,7 +23,7 @@ typedef struct subject
     double bound; /* of an element over the largest, in eps */
 } subject;
 
-/* What mapping.h promises; steep is where it says that rounding of the point itself is more. */
+/* What docs/measured/accuracy.md promises; steep is where docs/guide/conventions.md says that rounding of the point itself is more. */
 #define STEEP 1e5
 static const subject subjects[] = {
     {"azimuthal:lambert", 20.0},

@@ -8,10 +8,9 @@
  * truth in float is the library in double for the rounded input.
  */
 #include "tests/suite.h"
+#include "tests/text_files.h"
 
 #include <cubemap/options.h>
-
-#include <glob.h>
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 #define EPS 0x1p-53
@@ -235,15 +234,16 @@ static void check_file(const char *path)
 
 START_TEST(vectors_hold)
 {
-    char pattern[512];
-    glob_t found;
-    snprintf(pattern, sizeof pattern, "%s/charts/*.txt", folder);
-    REQUIRE(glob(pattern, 0, NULL, &found) == 0 && found.gl_pathc >= 40, "%s", pattern);
-    for (size_t i = 0; i < found.gl_pathc; i++)
+    char charts[512];
+    text_files found = {0};
+    snprintf(charts, sizeof charts, "%s/charts", folder);
+    text_files_add(&found, charts);
+    REQUIRE(found.count >= 40, "%s has %zu files", charts, found.count);
+    for (size_t i = 0; i < found.count; i++)
     {
-        check_file(found.gl_pathv[i]);
+        check_file(found.path[i]);
     }
-    globfree(&found);
+    free(found.path);
 }
 END_TEST
 

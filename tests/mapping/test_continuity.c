@@ -9,6 +9,7 @@
  */
 #include "tests/suite.h"
 
+#include "truth/parameter_ends.h"
 #ifdef HAVE_QUADMATH
 #include "truth/quad.h"
 #endif
@@ -93,23 +94,6 @@ static void add_subject(const char *specification, const cm_mapping_info *standa
     s->plane_round_trip = legacy ? (double)INFINITY : s->plane_round_trip;
 }
 
-static void add_parameter_ends(const cm_mapping_info *info)
-{
-    for (size_t k = 0; k < info->parameter_count; k++)
-    {
-        const cm_parameter_info *p = &info->parameter[k];
-        char text[64];
-        double low = p->low_excluded ? p->low + 1e-200 : p->low;
-        snprintf(text, sizeof text, "%s:%s=%.17g", info->identifier, p->name, p->high);
-        add_subject(text, NULL);
-        if (low != p->standard)
-        {
-            snprintf(text, sizeof text, "%s:%s=%.17g", info->identifier, p->name, low);
-            add_subject(text, NULL);
-        }
-    }
-}
-
 static void list_subjects(void)
 {
     subject_count = 0;
@@ -117,7 +101,11 @@ static void list_subjects(void)
     {
         const cm_mapping_info *info = cm_catalogue_at(i);
         add_subject(info->identifier, info);
-        add_parameter_ends(info);
+    }
+    const parameter_ends ends = list_parameter_ends();
+    for (size_t i = 0; i < ends.count; i++)
+    {
+        add_subject(ends.specification[i], NULL);
     }
     for (size_t i = 0; i < COUNT(variants); i++)
     {
@@ -1005,13 +993,12 @@ static void measure_jumps(const path *p, double jump[ORDERS])
     }
 }
 
-/* What the jumps say. A crease of the third or fourth derivative only is C1 too, as there is no other
- * word for it. */
+/* What the jumps say. A crease of the fourth derivative only is C2 too, as there is no other word for it. */
 static cm_smoothness smoothness_of(const double jump[ORDERS], const char *specification,
                                    const char *where)
 {
     static const cm_smoothness found[ORDERS] = {CM_SMOOTH_TORN, CM_SMOOTH_C0, CM_SMOOTH_C1,
-                                                CM_SMOOTH_C1, CM_SMOOTH_C1};
+                                                CM_SMOOTH_C2, CM_SMOOTH_C2};
     for (int d = 0; d < ORDERS; d++)
     {
         REQUIRE(jump[d] <= quiet[d] || jump[d] >= CREASE,
@@ -1097,7 +1084,8 @@ static cm_smoothness claim_for_face(const char *specification, const cm_mapping_
 }
 
 /* A crease of the first derivative is on the diagonals of a face, and of slice on its axes as well, one
- * of the second on its axes, and of seamless one of the third on the diagonals; docs/guide/mappings.md says so of those that have them. */
+ * of the second on its axes, and of seamless one of the third on the diagonals; docs/guide/mappings.md says so of
+ * those that have them. */
 static void check_where(const char *specification, double jump[LINES][ORDERS])
 {
     int sliced = strcmp(specification, "slice") == 0;
@@ -1108,7 +1096,7 @@ static void check_where(const char *specification, double jump[LINES][ORDERS])
         REQUIRE(found == CM_SMOOTH_ANALYTIC || (found == CM_SMOOTH_C0 && line == DIAGONALS) ||
                     (found == CM_SMOOTH_C0 && line == AXES && sliced) ||
                     (found == CM_SMOOTH_C1 && line == AXES) ||
-                    (found == CM_SMOOTH_C1 && line == DIAGONALS && seamless),
+                    (found == CM_SMOOTH_C2 && line == DIAGONALS && seamless),
                 "%s: smoothness %d on the %s", specification, (int)found, line_names[line]);
     }
 }
@@ -1156,6 +1144,139 @@ START_TEST(smoothness_on_a_face)
 }
 END_TEST
 
+/* ---- At the corners and at the centre of a face ---- */
+
+/* There lines meet, and what is not smooth may depend on where one comes from. Along the ray from the point to
+ * (x, y) the derivative d of a smooth map is a form of degree d in x and y, so of rays to x + y = 1 it is a polynomial
+ * of degree d in x: its differences of order d + 1 vanish. That of derivative 0 is by how much the rays do
+ * not end together, from values so near that a power of the distance with exponent 3/4 is little there. */
+enum
+{
+    RAYS = 8
+};
+#define NEAR 0x1p-60
+#define TOGETHER 1e-13
+#define RAY_STEP (STEP / 8) /* a singularity of everitt:c=1.8 is near the corner */
+
+typedef struct fan
+{
+    double from[2];
+    double inwards[2]; /* signs */
+    double first;      /* x of the rays */
+    double between;
+} fan;
+
+static void differentiate_ray(path *p, const fan *f, int ray, quad derivative[ORDERS][3])
+{
+    quad x = (quad)f->first + ray * (quad)f->between;
+    memset(derivative, 0, ORDERS * sizeof derivative[0]);
+    for (int k = 0; k < 2; k++)
+    {
+        p->from[k] = (quad)f->from[k];
+        p->step[k] = (quad)f->inwards[k] * (k == 0 ? x : 1 - x);
+    }
+    differentiate_path(p, (quad)RAY_STEP, derivative);
+    follow(p, (quad)NEAR, derivative[0]);
+}
+
+static void measure_fan(path *p, const fan *f, double jump[ORDERS])
+{
+    quad derivative[RAYS][ORDERS][3];
+    for (int ray = 0; ray < RAYS; ray++)
+    {
+        differentiate_ray(p, f, ray, derivative[ray]);
+    }
+    for (int n = 0; n < ORDERS * 3; n++)
+    {
+        quad difference[RAYS];
+        int d = n / 3;
+        for (int ray = 0; ray < RAYS; ray++)
+        {
+            difference[ray] = derivative[ray][d][n % 3];
+        }
+        for (int order = 0; order <= d; order++)
+        {
+            for (int ray = 0; ray + 1 < RAYS - order; ray++)
+            {
+                difference[ray] = difference[ray + 1] - difference[ray];
+            }
+        }
+        for (int ray = 0; ray + 1 < RAYS - d; ray++)
+        {
+            REQUIRE(isfinite((double)difference[ray]), "a ray meets what is no number");
+            jump[d] = fmax(jump[d], (double)fabsq(difference[ray]));
+        }
+    }
+}
+
+/* How many derivatives are continuous. */
+static int order_of(cm_smoothness smoothness)
+{
+    static const int orders[] = {-1, 0, 1, 2, ORDERS - 1};
+    return orders[smoothness];
+}
+
+static void check_point(const char *specification, const char *where, const double jump[ORDERS],
+                        cm_smoothness claim)
+{
+    print_jumps(specification, where, jump);
+    for (int d = 0; d <= order_of(claim); d++)
+    {
+        /* differences of up to five orders make 32 of one rounding */
+        REQUIRE(jump[d] <= (d == 0 ? TOGETHER : 32.0 * quiet[d]),
+                "%s at the %s: claimed is %s, but derivative %d jumps by %g", specification, where,
+                cm_smoothness_name(claim), d, jump[d]);
+    }
+}
+
+static void check_smooth_points(const char *specification)
+{
+    cm_mapping *mapping = make_mapping(specification, NULL);
+    const cm_mapping_info *info = cm_mapping_describe(mapping);
+    cm_smoothness claim = info->smooth_corner;
+    double corner[ORDERS] = {0.0};
+    double centre[ORDERS] = {0.0};
+    for (int n = 0; n < 2 * 4 * 2; n++) /* a face of the belt and one of the caps */
+    {
+        path p = {.mapping = mapping,
+                  .truth = quad_from(mapping),
+                  .kind = n & 1 ? PATH_FORWARD : PATH_INVERSE,
+                  .face = n & 2 ? 4 : 0};
+        double signs[2] = {n & 4 ? -1.0 : 1.0, n & 8 ? -1.0 : 1.0};
+        /* none along an edge, an axis or a diagonal */
+        const fan at_corner = {{signs[0], signs[1]}, {-signs[0], -signs[1]}, 0.0625, 0.125};
+        const fan at_centre = {{0.0, 0.0}, {signs[0], signs[1]}, -0.9, 0.4};
+        if (p.kind == PATH_INVERSE || !is_hybrid(mapping)) /* whose corners are not the cube's */
+        {
+            measure_fan(&p, &at_corner, corner);
+        }
+        measure_fan(&p, &at_centre, centre);
+    }
+    check_point(specification, "corner", corner, claim);
+    check_point(specification, "centre", centre, claim_for_face(specification, info));
+    int next = order_of(claim) + 1;
+    /* with l1 = 0.4 difference is nearly algebraic */
+    REQUIRE(next == ORDERS || corner[next] >= CREASE / 2.0,
+            "%s is smoother at its corners than %s: derivative %d jumps by %g", specification,
+            cm_smoothness_name(claim), next, next == ORDERS ? 0.0 : corner[next]);
+    cm_mapping_destroy(mapping);
+}
+
+START_TEST(smoothness_at_points)
+{
+    prepare_weights();
+    list_subjects();
+    for (size_t i = 0; i < subject_count; i++)
+    {
+        /* the edges of this one are flat, so that its inverse is a square root there */
+        if (strcmp(subjects[i].specification, "smoothstep:c=1") != 0)
+        {
+            check_smooth_points(subjects[i].specification);
+        }
+    }
+}
+END_TEST
+
 /* ---- Across the edges ---- */
 
 /* As direction_of_edge, and exactly on it. */
@@ -1178,7 +1299,7 @@ static void quad_direction_of_edge(const cm_mapping *mapping, const edge *e, dou
 static void measure_edge(path *p, double jump[ORDERS])
 {
     uint64_t state = 19;
-    /* difference is not smooth at the cube's corners: these are to stay as far away as singularities must */
+    /* where the map is not smooth at the corners these are to stay as far away as singularities must */
     int cornered = strcmp(cm_mapping_describe(p->mapping)->identifier, "difference") == 0;
     double most = cornered ? 0.6 : 0.9;
     for (int n = 0; n < 15; n++)
@@ -1323,6 +1444,11 @@ START_TEST(kinks_of_equal_area_mappings)
 }
 END_TEST
 
+START_TEST(smoothness_at_points)
+{
+}
+END_TEST
+
 #endif
 
 int main(void)
@@ -1337,6 +1463,7 @@ int main(void)
                             exact_ties_of_healpix,
                             ties_of_lonlat,
                             smoothness_on_a_face,
+                            smoothness_at_points,
                             smoothness_across_edges,
                             kinks_of_equal_area_mappings,
                             NULL};

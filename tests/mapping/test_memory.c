@@ -108,6 +108,7 @@ typedef union given
     void *made;
     double number[4];
     cm_orient_result oriented;
+    cm_advice_terms terms;
     struct
     {
         size_t count;
@@ -246,6 +247,35 @@ static void drop_healpix(given *to)
     cm_healpix_destroy(to->made);
 }
 
+static cm_status make_advice(given *to)
+{
+    static const cm_advice_cost rows[] = {{"gnomonic", CM_PRECISION_DOUBLE, {1.0, 1.0}, {1.0, 1.0}},
+                                          {"gnomonic", CM_PRECISION_FAST, {1.0, 1.0}, {1.0, 1.0}}};
+    const cm_advice_costs costs = {.size = sizeof costs, .count = 2, .cost = rows};
+    const cm_advice_request request = {.size = sizeof request, .ellipsoid = earth()};
+    cm_advice *made = to->made;
+    const cm_status status = cm_advise(&request, &costs, &made);
+    to->made = made;
+    return status;
+}
+
+static void drop_advice(given *to)
+{
+    cm_advice_destroy(to->made);
+}
+
+static cm_status find_terms(given *to)
+{
+    cm_advice_terms made = {.size = sizeof made};
+    const cm_status status =
+        cm_advise_terms(earth(), CM_LATITUDE_GEOGRAPHIC, CM_LATITUDE_AUTHALIC, 1.0, &made);
+    if (status == CM_OK)
+    {
+        to->terms = made;
+    }
+    return status;
+}
+
 /* So many pixels count that their sums need more room than those of their clusters. */
 static float values[180][360];
 static const cm_mask mask = {sizeof mask, 360, 180, &values[0][0]};
@@ -268,8 +298,8 @@ static int stop(double done, void *user)
     return done > 0.69;
 }
 
-static cm_status orient(given *to, const char *of, cm_orient_measure measure, cm_measure over,
-                        size_t boxes_max)
+static cm_status orient_for(given *to, const cm_mask *on, const char *of, cm_orient_measure measure,
+                            cm_measure over, size_t boxes_max)
 {
     cm_mapping *subject = NULL;
     const long kept = left;
@@ -285,10 +315,23 @@ static cm_status orient(given *to, const char *of, cm_orient_measure measure, cm
                                        .boxes_max = boxes_max,
                                        .progress = boxes_max > 1 ? stop : NULL};
     to->oriented.size = sizeof to->oriented;
-    const cm_status status =
-        made == CM_OK ? cm_orient(subject, &mask, &options, &to->oriented) : made;
+    const cm_status status = made == CM_OK ? cm_orient(subject, on, &options, &to->oriented) : made;
     cm_mapping_destroy(subject);
     return status;
+}
+
+static cm_status orient(given *to, const char *of, cm_orient_measure measure, cm_measure over,
+                        size_t boxes_max)
+{
+    return orient_for(to, &mask, of, measure, over, boxes_max);
+}
+
+/* No rotation has no edge over this mask, so that all about the best ones is looked at. */
+static cm_status orient_by_edges(given *to)
+{
+    static const float everywhere[8] = {1.0f, 2.0f, 1.0f, 3.0f, 1.0f, 2.0f, 1.0f, 1.0f};
+    const cm_mask whole = {sizeof whole, 4, 2, everywhere};
+    return orient_for(to, &whole, "coupled", CM_ORIENT_EDGES, CM_OVER_SPHERE, 1);
 }
 
 static cm_status orient_by_deformation(given *to)
@@ -304,11 +347,6 @@ static cm_status orient_by_levels(given *to)
 static cm_status orient_over_faces(given *to)
 {
     return orient(to, "coupled", CM_ORIENT_DEFORMATION, CM_OVER_FACE, 1);
-}
-
-static cm_status orient_by_edges(given *to)
-{
-    return orient(to, "coupled", CM_ORIENT_EDGES, CM_OVER_SPHERE, 1);
 }
 
 static cm_status orient_without_need(given *to)
@@ -431,7 +469,7 @@ static void starve_some(const subject *of, long all, size_t known, const long us
             starve_of_size(of, seen[i], but);
         }
     }
-    starve_of_blocks(of, 0, FEW);
+    starve_of_blocks(of, 0, all < FEW ? all : FEW);
     starve_of_blocks(of, all / 2, all / 2 + 1);
     starve_of_blocks(of, all - of->last, all);
 }
@@ -493,6 +531,8 @@ int main(int argc, char **argv)
         {"a covering of some cells", cover_by_some, NULL, 0, 0, CM_OK},
         {"cells inside", cover_inside, NULL, 0, 0, CM_OK},
         {"HEALPix", make_healpix, drop_healpix, 0, 0, CM_OK},
+        {"an advice", make_advice, drop_advice, 0, 0, CM_OK},
+        {"terms of a latitude", find_terms, NULL, 0, 0, CM_OK},
         {"deformation in an orientation", value_deformation, NULL, 0, 0, CM_OK},
         {"edges in an orientation", value_edges, NULL, 0, 0, CM_OK},
         {"no orientation", orient_without_need, NULL, 0, 0, CM_OK}};

@@ -10,6 +10,16 @@
 
 static const char variable[] = "CUBEMAP_INSTRUCTIONS";
 
+/* NULL: no value. */
+static void set_variable(const char *value)
+{
+#ifdef _WIN32
+    (void)_putenv_s(variable, value == NULL ? "" : value);
+#else
+    (void)(value == NULL ? unsetenv(variable) : setenv(variable, value, 1));
+#endif
+}
+
 static const char *best(void)
 {
     return cm_instructions_at(cm_instructions_count() - 1);
@@ -67,7 +77,7 @@ static const char *refusal(const char *subject, const char *name)
 
 START_TEST(sets_have_names)
 {
-    unsetenv(variable);
+    set_variable(NULL);
     ck_assert_uint_ge(cm_instructions_count(), 1);
     ck_assert_str_eq(cm_instructions_at(0), "scalar");
     ck_assert_ptr_null(cm_instructions_at(cm_instructions_count()));
@@ -85,12 +95,12 @@ END_TEST
 
 START_TEST(the_best_set_is_the_default)
 {
-    unsetenv(variable);
+    set_variable(NULL);
     expect_set(NULL, best());
     expect_set("", best());
-    setenv(variable, "", 1);
+    set_variable("");
     expect_set(NULL, best());
-    unsetenv(variable);
+    set_variable(NULL);
 }
 END_TEST
 
@@ -98,20 +108,20 @@ START_TEST(the_environment_chooses)
 {
     for (size_t i = 0; i < cm_instructions_count(); i++)
     {
-        setenv(variable, cm_instructions_at(i), 1);
+        set_variable(cm_instructions_at(i));
         expect_set(NULL, cm_instructions_at(i));
         expect_set("scalar", "scalar"); /* what the program says goes before */
     }
-    setenv(variable, "abacus", 1);
+    set_variable("abacus");
     expect_no_set(NULL, refusal(variable, "abacus"));
     expect_set("scalar", "scalar");
-    unsetenv(variable);
+    set_variable(NULL);
 }
 END_TEST
 
 START_TEST(other_sets_are_refused)
 {
-    unsetenv(variable);
+    set_variable(NULL);
     expect_no_set("abacus", refusal("the instruction set", "abacus"));
     expect_no_set("scala", refusal("the instruction set", "scala"));
     expect_no_set("avx\n2", refusal("the instruction set", "avx?2"));
@@ -129,7 +139,7 @@ static int is_offered(const cm_mapping_info *info)
 
 START_TEST(tiers)
 {
-    unsetenv(variable);
+    set_variable(NULL);
     for (size_t i = 0; i < cm_catalogue_count(); i++)
     {
         const cm_mapping_info *info = cm_catalogue_at(i);
@@ -157,7 +167,7 @@ END_TEST
  * it is not; derivatives have the same. */
 START_TEST(the_fast_tier_is_where_it_is_offered)
 {
-    unsetenv(variable);
+    set_variable(NULL);
     for (size_t i = 0; i < cm_catalogue_count(); i++)
     {
         const cm_mapping_info *info = cm_catalogue_at(i);

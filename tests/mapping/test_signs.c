@@ -8,6 +8,8 @@
  */
 #include "tests/suite.h"
 
+#include "truth/parameter_ends.h"
+
 #include <float.h>
 
 #define HALF_PI 1.5707963267948966 /* and PI are the doubles below the true values */
@@ -346,24 +348,8 @@ static double as_seen(int is_float, double value)
 
 /* ---- Mappings and frames ---- */
 
-/* the parameters where a formula changes, and the ends of their ranges */
-static const char *const variants[] = {"tangent:c=0.5",
-                                       "tangent:c=4",
-                                       "tangent:c=1e-200",
-                                       "tanh:c=0.5",
-                                       "tanh:c=2",
-                                       "tanh:c=1e-200",
-                                       "logistic:c=1",
-                                       "logistic:c=4",
-                                       "everitt:c=0.5",
-                                       "everitt:c=1.8",
-                                       "algebraic:c=0",
-                                       "algebraic:c=2",
-                                       "smoothstep:c=1",
-                                       "smoothstep:c=1e-200",
-                                       "cobe:legacy=1",
-                                       "zucker-cobe:forward=1",
-                                       "zucker-quintic:forward=1"};
+/* the parameters where a formula changes */
+static const char *const variants[] = {"tangent:c=0.5", "tanh:c=0.5", "logistic:c=1"};
 
 /* a frame of one's own: geo with u and v exchanged, counted backwards */
 static cm_frame exchanged_frame(void)
@@ -378,16 +364,20 @@ static cm_frame exchanged_frame(void)
     return frame;
 }
 
-/* Call check for every mapping and every variant, in every frame and in that one; unless it is the long run, in every
- * second of them, others for the next. */
+/* Call check for every mapping, every variant and every end of a parameter, in every frame and in that one; unless it is
+ * the long run, in every second of them, others for the next. */
 static void for_every_variant(void (*check)(const cm_mapping *))
 {
     const cm_frame exchanged = exchanged_frame();
     const size_t frames = cm_frame_count() + 1;
-    for (size_t i = 0; i < cube_count() + COUNT(variants); i++)
+    const parameter_ends ends = list_parameter_ends();
+    for (size_t i = 0; i < COUNT(variants) + ends.count + cube_count(); i++)
     {
-        const char *specification =
-            i < COUNT(variants) ? variants[i] : cm_catalogue_at(i - COUNT(variants))->identifier;
+        const size_t end = i - COUNT(variants);
+        const char *specification = i < COUNT(variants) ? variants[i]
+                                    : end < ends.count
+                                        ? ends.specification[end]
+                                        : cm_catalogue_at(end - ends.count)->identifier;
         const size_t step = long_step_of(2, frames);
         for (size_t f = i % step; f < frames; f += step)
         {

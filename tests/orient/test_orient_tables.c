@@ -5,13 +5,15 @@
  */
 #include "tests/suite.h"
 
+#include "mask_pixel.h"
+
 #include "libcubemap/mapping/set_choice.h"
+#include "libcubemap/orient/orient_edges.h"
 #include "libcubemap/orient/orient_field.h"
 #include "libcubemap/orient/orient_mask.h"
 #include "libcubemap/orient/orient_survey.h"
 #include "libcubemap/orient/orient_value.h"
 
-#define PI 3.14159265358979324
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 /* A mask with values from 0 to 1, so that most of its neighbours differ. */
@@ -33,77 +35,41 @@ static void drop_mask(cm_mask *mask)
     free((float *)mask->value);
 }
 
-/* ---- A mask between its pixels ---- */
+/* ---- A mask's pixels ---- */
 
-/* Bilinear, from its definition: all pixels count by how near they are, as tents of a pixel's size. */
-static double tents(const cm_mask *mask, double lon, double lat)
+/* A piece of the table is the mean of what its parts are in, which a search of edges begins with. */
+START_TEST(masks_as_tables)
 {
-    const double x = (lon / (2.0 * PI) + 0.5) * (double)mask->width - 0.5;
-    const double y =
-        fmin(fmax((0.5 - lat / PI) * (double)mask->height - 0.5, 0.0), (double)mask->height - 1.0);
-    double sum = 0.0;
-    for (size_t row = 0; row < mask->height; row++)
+    static const size_t sizes[][2] = {{1, 1}, {1, 7}, {2, 1}, {37, 19}, {1441, 5}};
+    enum
     {
-        const double down = fmax(0.0, 1.0 - fabs(y - (double)row));
-        for (size_t column = 0; column < mask->width && down > 0.0; column++)
-        {
-            /* a mask of one column is its own neighbour twice */
-            for (int turn = -1; turn <= 1; turn++)
-            {
-                const double off = x - (double)column + turn * (double)mask->width;
-                sum += down * fmax(0.0, 1.0 - fabs(off)) *
-                       (double)mask->value[row * mask->width + column];
-            }
-        }
-    }
-    return sum;
-}
-
-START_TEST(masks_between_pixels)
-{
-    static const size_t sizes[][2] = {{1, 1},   {1, 7},     {2, 1},    {3, 2},
-                                      {37, 19}, {1024, 16}, {1441, 5}, {1000, 3}};
-    uint64_t state = 5;
+        SIDE = 9
+    };
     for (size_t n = 0; n < COUNT(sizes); n++)
     {
         cm_mask mask = make_mask(sizes[n][0], sizes[n][1]);
-        for (int i = 0; i < 300; i++)
+        const cm_orient_task task = {.mask = &mask, .largest = 2.0};
+        cm_orient_table table;
+        ck_assert(cm_table_make(&table, SIDE));
+        cm_plain_table(&task, &table);
+        for (unsigned i = 0; i < 6 * SIDE * SIDE; i++)
         {
-            double d[3];
-            const double lon = i == 0 ? PI : i == 1 ? -PI : PI * next_real(&state);
-            const double lat = i % 9 == 2   ? 0.5 * PI
-                               : i % 9 == 3 ? -0.5 * PI
-                                            : 0.5 * PI * next_real(&state);
-            cm_direction_from_lonlat(lon, lat, d);
-            REQUIRE(fabs(cm_mask_at(&mask, d) - tents(&mask, lon, lat)) < 1e-9,
-                    "%zu x %zu at %.17g %.17g", mask.width, mask.height, lon, lat);
+            double sum = 0.0;
+            for (int k = 0; k < 16; k++)
+            {
+                const double u = (i / SIDE % SIDE + (k / 4 + 0.5) / 4.0) * 2.0 / SIDE - 1.0;
+                const double v = (i % SIDE + (k % 4 + 0.5) / 4.0) * 2.0 / SIDE - 1.0;
+                double d[3];
+                cm_table_direction(i / SIDE / SIDE, u, v, d);
+                sum += pixel_at(&mask, d);
+            }
+            REQUIRE(fabs((double)table.piece[i].base - sum / 32.0) < 1e-6,
+                    "%zu x %zu, piece %u: %g, not %g", mask.width, mask.height, i,
+                    (double)table.piece[i].base, sum / 32.0);
         }
+        cm_table_free(&table);
         drop_mask(&mask);
     }
-}
-END_TEST
-
-/* By so little to the west of the first column's middle that the last column's number rounds up to the width. */
-START_TEST(masks_at_the_seam)
-{
-    static const size_t widths[] = {1, 2, 3, 64, 100, 1000, 1024, 1440, 1441, 65536};
-    int before = 0;
-    for (size_t n = 0; n < COUNT(widths); n++)
-    {
-        cm_mask mask = make_mask(widths[n], 2);
-        const double middle = 2.0 * PI * (0.5 / (double)mask.width - 0.5);
-        for (int i = -4; i <= 4; i++)
-        {
-            const double lon = middle + i * 4.4e-16;
-            const double d[3] = {0.5 * cos(lon), 0.5 * sin(lon), 10.0};
-            const double x = (atan2(d[1], d[0]) / (2.0 * PI) + 0.5) * (double)mask.width - 0.5;
-            before += x < 0.0 && x + (double)mask.width == (double)mask.width;
-            REQUIRE(fabs(cm_mask_at(&mask, d) - (double)mask.value[0]) < 1e-9,
-                    "%zu columns, %d steps", mask.width, i);
-        }
-        drop_mask(&mask);
-    }
-    REQUIRE(before >= 3, "%d", before);
 }
 END_TEST
 
@@ -157,34 +123,41 @@ END_TEST
 
 START_TEST(edges)
 {
-    static const struct
+    const struct
     {
         const char *mapping;
         int kept;
         double length; /* 0: not known */
-    } cases[] = {{"coupled", 24, 14.771511}, {"conformal", 24, 14.771511}, {"healpix", 8, 0.0}};
+    } cases[] = {{"coupled", 24, 12.0 * acos(1.0 / 3.0)},
+                 {"conformal", 24, 12.0 * acos(1.0 / 3.0)},
+                 {"healpix", 8, 0.0}};
     for (size_t n = 0; n < COUNT(cases); n++)
     {
         cm_mapping *mapping = make_mapping(cases[n].mapping, NULL);
-        cm_orient_task task = {.mapping = mapping, .measure = CM_ORIENT_EDGES};
+        cm_mask mask = make_mask(4, 2);
+        cm_orient_task task = {.mapping = mapping, .measure = CM_ORIENT_EDGES, .mask = &mask};
+        cm_orient_points points;
         cm_symmetries all;
+        double whole;
         double weight = 0.0;
         int kept = 0;
-        ck_assert(cm_edge_points(mapping, 0.01, &task.edges, &task.edges_length));
-        for (size_t i = 0; i < task.edges.count; i++)
+        ck_assert(cm_edge_points(mapping, 0.01, &points, &whole));
+        for (size_t i = 0; i < points.count; i++)
         {
-            const double d[3] = {(double)task.edges.x[i], (double)task.edges.y[i],
-                                 (double)task.edges.z[i]};
+            const double d[3] = {(double)points.x[i], (double)points.y[i], (double)points.z[i]};
             double uv[2];
             cm_forward(mapping, d, uv);
             REQUIRE(fmax(fabs(uv[0]), fabs(uv[1])) > 1.0 - 1e-5, "%s: %g %g is on no edge",
                     cases[n].mapping, uv[0], uv[1]);
-            weight += (double)task.edges.weight[i];
+            weight += (double)points.weight[i];
         }
-        REQUIRE(fabs(weight - 1.0) < 1e-5 && task.edges.reach <= 0.01, "%g, %g", weight,
-                task.edges.reach);
-        REQUIRE(cases[n].length == 0.0 || fabs(task.edges_length - cases[n].length) < 1e-4,
-                "%s: %.9g", cases[n].mapping, task.edges_length);
+        REQUIRE(fabs(weight - 1.0) < 1e-5 && points.reach <= 0.01, "%g, %g", weight, points.reach);
+        ck_assert(cm_edges_make(&task));
+        REQUIRE(fabs(task.edges_length - whole) < 1e-5, "%s: %.9g, not %.9g", cases[n].mapping,
+                task.edges_length, whole);
+        REQUIRE(cases[n].length == 0.0 ||
+                    (fabs(task.edges_length - cases[n].length) < 1e-12 && task.arc_count == 12),
+                "%s: %.15g", cases[n].mapping, task.edges_length);
         cm_all_symmetries(&all);
         ck_assert_uint_eq(all.count, 24);
         for (unsigned i = 0; i < all.count; i++)
@@ -192,7 +165,9 @@ START_TEST(edges)
             kept += cm_field_is_kept(&task, &all.turn[i]);
         }
         ck_assert_int_eq(kept, cases[n].kept);
-        cm_points_free(&task.edges);
+        cm_edges_free(&task);
+        cm_points_free(&points);
+        drop_mask(&mask);
         cm_mapping_destroy(mapping);
     }
 }
@@ -234,10 +209,10 @@ static void check_eroded(const cm_mask *mask, double largest, unsigned side, dou
         {
             const double share = k % 3 == 0 ? 0.5 + 0.5 * next_real(&state) : 1.0;
             beside(&state, centre, share * reach, at);
-            REQUIRE((double)table.piece[i].base <= cm_mask_at(mask, at) / largest - best,
+            REQUIRE((double)table.piece[i].base <= pixel_at(mask, at) / largest - best,
                     "%zu x %zu, side %u, reach %g: piece %zu is %g above the mask", mask->width,
                     mask->height, side, reach, i,
-                    (double)table.piece[i].base - cm_mask_at(mask, at) / largest + best);
+                    (double)table.piece[i].base - pixel_at(mask, at) / largest + best);
         }
         REQUIRE(table.piece[i].x == 0.0f && table.piece[i].y == 0.0f && table.piece[i].z == 0.0f,
                 "a slope");
@@ -596,6 +571,20 @@ static well make_well(double x, double y, double z, double roughness)
     return w;
 }
 
+static double flat(const void *of, const cm_quaternion *at)
+{
+    (void)of;
+    (void)at;
+    return 1.0;
+}
+
+static double none(const void *of, const cm_quaternion *at)
+{
+    (void)of;
+    (void)at;
+    return (double)NAN;
+}
+
 START_TEST(ways_down)
 {
     well smooth = make_well(0.02, -0.05, 0.03, 0.0);
@@ -605,13 +594,26 @@ START_TEST(ways_down)
             value);
     REQUIRE(smooth.calls < 3000, "%d calls", smooth.calls);
 
-    /* where a way down ends at once, looking about finds the bottom's neighbour */
+    /* where a way down ends at once, looking about finds the bottom's neighbour, and follows it and others */
     well rough = make_well(0.003, -0.002, 0.001, 0.002);
+    const cm_orient_grid grid = {.step = 0.001, .steps = 8, .bottoms = 1, .least = 1.0};
     at = rough.none.turn[0];
-    const double about = cm_look_about(depth, &rough, 0.001, 8, &at);
-    REQUIRE(rough.calls == 1 + 17 * 17 * 17 - 1, "%d calls", rough.calls);
+    const double about = cm_look_about(depth, &rough, 1, &grid, &at);
+    REQUIRE(rough.calls >= 17 * 17 * 17 && rough.calls < 17 * 17 * 17 + 100, "%d calls",
+            rough.calls);
     const double far = cm_rotations_apart(&at, &rough.bottom, &rough.none);
     REQUIRE(far < 0.0045 && about == depth(&rough, &at), "%g, value %g", far, about);
+    const cm_orient_grid fine = {.step = 0.001, .steps = 8, .bottoms = 20000, .least = 1e-6};
+    at = rough.none.turn[0];
+    const double followed = cm_look_about(depth, &rough, 1, &fine, &at);
+    REQUIRE(followed < about && followed == depth(&rough, &at), "%g, not less than %g", followed,
+            about);
+
+    /* of what is the same everywhere the middle stays */
+    well level = make_well(0.0, 0.0, 0.0, 0.0);
+    at = rough.none.turn[0];
+    REQUIRE(cm_look_about(flat, &level, 1, &fine, &at) == 1.0 && at.q[0] == 1.0, "%g", at.q[0]);
+    REQUIRE(isnan(cm_look_about(none, &level, 1, &fine, &at)), "no memory");
 }
 END_TEST
 
@@ -619,8 +621,7 @@ int main(void)
 {
     const TTest *tests[] = {ways_down,
                             sums,
-                            masks_between_pixels,
-                            masks_at_the_seam,
+                            masks_as_tables,
                             pieces,
                             edges,
                             masks_are_eroded,

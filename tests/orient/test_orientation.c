@@ -5,8 +5,9 @@
  */
 #include "tests/suite.h"
 
+#include "mask_pixel.h"
+
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
-#define PI 3.14159265358979324
 #define DEGREE (PI / 180.0)
 
 enum
@@ -159,7 +160,7 @@ START_TEST(test_whole_sphere)
     {
         const cm_rotation rotation = any_rotation(&state);
         const double value = value_of(mapping, &whole, &edges, &rotation);
-        REQUIRE(fabs(value / 3.0 - 12.0 * acos(1.0 / 3.0)) < 1e-5, "%.9g", value / 3.0);
+        REQUIRE(fabs(value / 3.0 - 12.0 * acos(1.0 / 3.0)) < 1e-12, "%.17g", value / 3.0);
     }
     cm_mapping_destroy(mapping);
 }
@@ -229,8 +230,100 @@ START_TEST(test_simple_masks)
     {
         const cm_rotation rotation = any_rotation(&state);
         const double value = value_of(mapping, &half, &edges, &rotation);
-        REQUIRE(fabs(value - 12.0 * acos(1.0 / 3.0)) < 1e-2, "%g", value);
+        REQUIRE(fabs(value - 12.0 * acos(1.0 / 3.0)) < 1e-12, "%.17g", value);
     }
+    cm_mapping_destroy(mapping);
+}
+END_TEST
+
+/* The length of the turned edges over the pixels, by so many samples of each side of a face. */
+static double sampled_edges(const cm_mapping *mapping, const cm_mask *mask,
+                            const cm_rotation *rotation, int samples)
+{
+    double sum = 0.0;
+    for (int side = 0; side < 24; side++)
+    {
+        double before[3] = {0.0, 0.0, 0.0};
+        double value = 0.0;
+        for (int i = 0; i <= 2 * samples; i++)
+        {
+            const double along = (double)i / samples - 1.0;
+            const double across = side % 2 == 0 ? -1.0 : 1.0;
+            const double uv[2] = {side % 4 < 2 ? across : along, side % 4 < 2 ? along : across};
+            double d[3];
+            cm_inverse(mapping, (uint8_t)(side / 4), uv, d);
+            cm_rotate_back(rotation, d, d);
+            /* from one even number to the next, over the pixel of the odd one between */
+            if (i % 2 == 1)
+            {
+                value = pixel_at(mask, d);
+                continue;
+            }
+            sum += i > 0 ? 0.5 * angle_between(before, d) * value : 0.0;
+            memcpy(before, d, sizeof before);
+        }
+    }
+    return sum;
+}
+
+/* Each point of an edge has the value of its pixel: so say many samples, of masks whose neighbours differ. */
+START_TEST(test_edges_by_samples)
+{
+    static const size_t sizes[][2] = {{240, 120}, {1, 1},  {1, 5},  {3, 2},
+                                      {7, 1},     {2, 90}, {61, 33}};
+    static const char *const mappings[] = {"tangent", "healpix"};
+    static float value[WIDTH * HEIGHT];
+    uint64_t state = 17;
+    for (size_t n = 0; n < 2 * COUNT(sizes); n++)
+    {
+        const cm_mask mask = {sizeof mask, sizes[n / 2][0], sizes[n / 2][1], value};
+        cm_mapping *mapping = make_mapping(mappings[n % 2], NULL);
+        const cm_orient_options options = options_of(CM_ORIENT_EDGES);
+        for (size_t i = 0; i < mask.width * mask.height; i++)
+        {
+            value[i] = (float)(1.0 + next_real(&state));
+        }
+        for (int i = 0; i < 6; i++)
+        {
+            /* and nearly not turned, when edges are nearly meridians and pass by the poles */
+            const double little = i < 4 ? 0.0 : i == 4 ? 1e-7 : 1e-9;
+            cm_rotation rotation = any_rotation(&state);
+            if (little > 0.0)
+            {
+                cm_rotation_from_angles(10.0 + little, 45.0 + little, 3.0 * little, &rotation);
+            }
+            const int samples = 2000;
+            const double truth = sampled_edges(mapping, &mask, &rotation, samples);
+            double found = 0.0;
+            ck_assert_int_eq(cm_orient_value(mapping, &mask, &options, &rotation, &found), CM_OK);
+            REQUIRE(fabs(found - truth) < 40.0 / samples, "%s, %zu x %zu, %d: %.9g, not %.9g",
+                    mappings[n % 2], mask.width, mask.height, i, found, truth);
+        }
+        cm_mapping_destroy(mapping);
+    }
+}
+END_TEST
+
+/* Of an edge along a border of pixels half is on either side. The cube's upright edges are there at longitudes of 45
+ * and 135 degrees; turned by 45 degrees of latitude it has two edges on the equator. */
+START_TEST(test_edges_along_borders)
+{
+    static const float east[] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};
+    static const float north[] = {1.0f, 1.0f, 0.0f, 0.0f};
+    const double edge = acos(1.0 / 3.0);
+    const cm_mask columns = {sizeof columns, 8, 1, east}; /* the column from 45 to 90 degrees */
+    const cm_mask rows = {sizeof rows, 2, 2, north};
+    const cm_orient_options options = options_of(CM_ORIENT_EDGES);
+    cm_mapping *mapping = make_mapping("tangent", NULL);
+    cm_rotation rotation;
+    double value = 0.0;
+    cm_rotation_from_angles(0.0, 0.0, 0.0, &rotation);
+    ck_assert_int_eq(cm_orient_value(mapping, &columns, &options, &rotation, &value), CM_OK);
+    /* half of the upright edge, and half of an edge above and of one below */
+    REQUIRE(fabs(value - (0.5 + 1.0) * edge) < 1e-12, "%.17g", value / edge);
+    cm_rotation_from_angles(0.0, 45.0, 0.0, &rotation);
+    ck_assert_int_eq(cm_orient_value(mapping, &rows, &options, &rotation, &value), CM_OK);
+    REQUIRE(fabs(value - 6.0 * edge) < 1e-12, "%.17g", value / edge);
     cm_mapping_destroy(mapping);
 }
 END_TEST
@@ -393,6 +486,11 @@ START_TEST(test_claims)
     check_claims("coupled", &r, &options);
     options = options_of(CM_ORIENT_EDGES);
     check_claims("coupled", &r, &options);
+    raster wide; /* more than a face, so that some edge is always over it */
+    begin(&wide);
+    add_cap(&wide, 30.0, 20.0, 70.0, NULL);
+    options.threads = 2;
+    check_claims("coupled", &wide, &options);
     options = options_of(CM_ORIENT_DEFORMATION);
     check_claims("healpix", &r, &options);
 }
@@ -543,6 +641,30 @@ static int count_calls(double done, void *user)
     c->last = done;
     return ++c->count == c->stop_at;
 }
+
+/* When the grid about the first valley of edges has been looked at, before the first bound. */
+static int stop_about(double done, void *user)
+{
+    *(double *)user = done;
+    return done > 0.594;
+}
+
+START_TEST(test_progress_of_edges)
+{
+    raster r;
+    begin(&r);
+    add_cap(&r, 30.0, 40.0, 70.0, NULL);
+    double last = 0.0;
+    cm_orient_options options = options_of(CM_ORIENT_EDGES);
+    options.progress = stop_about;
+    options.user = &last;
+    cm_mapping *mapping = make_mapping("tangent", NULL);
+    cm_orient_result result = {.size = sizeof result};
+    ck_assert_int_eq(cm_orient(mapping, &r.mask, &options, &result), CM_ERROR_STOPPED);
+    REQUIRE(last < 0.6, "%g", last);
+    cm_mapping_destroy(mapping);
+}
+END_TEST
 
 START_TEST(test_progress)
 {
@@ -708,6 +830,11 @@ int main(void)
     const TTest *const tests[] = {test_whole_sphere,
                                   test_many_pixels,
                                   test_simple_masks,
+                                  test_edges_by_samples,
+                                  test_edges_along_borders,
+                                  test_progress_of_edges,
+                                  test_edges_by_samples,
+                                  test_edges_along_borders,
                                   test_symmetry_of_values,
                                   test_one_cap,
                                   test_turned_mask,

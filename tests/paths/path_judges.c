@@ -182,9 +182,9 @@ static void reference_beside(const comparison *c, int step, number beside[COLUMN
 }
 
 /* Are there lines within a face, or points, where derivatives jump or have no bound? */
-static int has_folds(const cm_mapping *mapping)
+static int has_folds(const subject *s)
 {
-    return cm_mapping_describe(mapping)->kind != CM_KIND_CUBE || !has_warp(mapping);
+    return is_steep(s) || !has_warp(s->reference);
 }
 
 /* Beside an edge of a hybrid's face rounding decides which face's coordinates have the derivatives, as in
@@ -193,17 +193,16 @@ static double least_apart(const comparison *c, double bound,
                           double (*measure)(const comparison *c, const number *expected))
 {
     double apart = measure(c, c->expected);
-    for (int step = 0; step < STEPS && apart > bound && has_folds(c->subject->reference); step++)
+    for (int step = 0; step < STEPS && apart > bound && has_folds(c->subject); step++)
     {
         number beside[COLUMNS_MAX];
         reference_beside(c, step, beside);
         apart = fmin(apart, measure(c, beside));
-        /* beside a corner or a pole of one face: does the reference itself change as much? */
+        /* beside a corner or a pole of one face, or an edge without slope: does the reference itself change as much? */
         comparison moved = *c;
         memcpy(moved.got, beside, sizeof beside);
-        int is_steep = cm_mapping_describe(c->subject->reference)->kind != CM_KIND_CUBE &&
-                       measure(&moved, c->expected) >= apart;
-        apart = is_steep ? fmin(apart, bound) : apart;
+        int changes = is_steep(c->subject) && measure(&moved, c->expected) >= apart;
+        apart = changes ? fmin(apart, bound) : apart;
     }
     return apart;
 }

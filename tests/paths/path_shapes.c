@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
  * The shapes of a call: whatever n, the alignment of the arrays, what lies over what and the form of
- * the function, a point has the same bits, and nothing but the results is written.
+ * the function, a point has the same bits, and nothing but the results is written; nor are the flags of
+ * floating-point exceptions, by good points or bad ones.
  *
  * The points are those of a pool, which has been computed at once; point i of a call is point
  * start + i of the pool, so that it stands at another place of a vector. Inputs end where their memory
  * ends, so that the address sanitizer sees what is read behind them; outputs have guards on both sides.
  */
 #include "paths.h"
+
+#include <fenv.h>
 
 enum
 {
@@ -186,10 +189,18 @@ static void run_trial(const trial *t)
         in[k] = k < strlen(p->inputs) ? input[k].first : NULL;
         out[k] = k < strlen(p->outputs) ? output[k].first : NULL;
     }
+    /* none or all of them raised before */
+    const int raised = t->n % 2 == 0 ? 0 : FE_ALL_EXCEPT;
+    feclearexcept(FE_ALL_EXCEPT);
+    feraiseexcept(raised);
     const char *wrong = t->form->call(t->pool->subject->tested, t->n, in, out, t->form->argument);
     if (wrong != NULL)
     {
         complain_of(t, wrong, 0, 0);
+    }
+    if (fetestexcept(FE_ALL_EXCEPT) != raised)
+    {
+        complain_of(t, "other exception flags than before", 0, 0);
     }
     check_results(t, input, output);
     for (size_t k = 0; p->outputs[k] != '\0'; k++)

@@ -87,6 +87,9 @@ double inverse_bound(const subject *s);
 double relative_bound(const subject *s);
 double jacobian_bound(const subject *s);
 
+/* Is there where derivatives have no bound: at a pole or corner of one face, or at an edge where the warp has no slope? */
+int is_steep(const subject *s);
+
 /* Radians, between what two results of forward stand for. */
 double angle_bound(const subject *s, const precision *in);
 

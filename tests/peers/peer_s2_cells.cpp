@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// S2 (Google): its cells, bit by bit. With the mapping s2 in the frame s2 on a sphere the numbers of cells,
-// tokens, parents and neighbours here are S2's, for random points and hard ones; at hard points on an edge of
-// a cell the two may round to either side, which is counted. Areas are compared with S2Cell::ExactArea, and
+// S2 (Google): its cells, bit by bit. Numbers of cells, tokens, parents and neighbours are S2's. Of a cell grid that
+// cm_cell_grid_create_s2 made, so are the cells of all points, and their centres and corners. Of another one points on
+// an edge of a cell may be on the other side, which is counted. Areas are compared with S2Cell::ExactArea, and
 // coverings of caps by how much they cover.
+//
+// With --vectors it prints tests/vectors/cells/s2.txt instead.
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -16,8 +18,10 @@
 #include <s2/s2cell.h>
 #include <s2/s2cell_id.h>
 #include <s2/s2cell_union.h>
+#include <s2/s2latlng.h>
 #include <s2/s2region_coverer.h>
 
+#include "tests/amount.h"
 #include "truth/hard_points.h"
 #include "truth/sphere.h"
 
@@ -38,6 +42,7 @@ struct Grid
 {
     cm_grid *grid = nullptr;
     cm_cell_grid *cells = nullptr;
+    cm_cell_grid *s2 = nullptr; // as S2 rounds
 };
 
 // S2's sphere, of radius 1.
@@ -54,7 +59,8 @@ Grid make_grid()
     options.frame = cm_frame_find("s2");
     options.ellipsoid = &sphere;
     if (cm_grid_create(&options, &made.grid) != CM_OK ||
-        cm_cell_grid_create(made.grid, CM_CURVE_HILBERT, &made.cells) != CM_OK)
+        cm_cell_grid_create(made.grid, CM_CURVE_HILBERT, &made.cells) != CM_OK ||
+        cm_cell_grid_create_s2(made.grid, &made.s2) != CM_OK)
     {
         std::fprintf(stderr, "no grid\n");
         std::exit(1);
@@ -119,6 +125,274 @@ void compare_points(const Grid &g)
     std::printf("leaves of %zu random points: %zu differ; of %zu hard points: %zu, all on edges\n",
                 random, random_apart, hard, hard_apart);
     require(random_apart <= 2, "random points", random_apart);
+}
+
+// ---- To the bit ----
+
+bool same_bits(const double *ours, const double *theirs, size_t count)
+{
+    return std::memcmp(ours, theirs, count * sizeof *ours) == 0;
+}
+
+S2CellId random_id(uint64_t *state)
+{
+    const int level = static_cast<int>(next_bits(state) % 31);
+    return S2CellId::FromFaceIJ(static_cast<int>(next_bits(state) % 6),
+                                static_cast<int>(next_bits(state) >> 34),
+                                static_cast<int>(next_bits(state) >> 34))
+        .parent(level);
+}
+
+// Points, in arrays and then one of many alone.
+struct List
+{
+    const char *name;
+    std::vector<double> x, y, z;
+
+    void add(const S2Point &p)
+    {
+        x.push_back(p[0]);
+        y.push_back(p[1]);
+        z.push_back(p[2]);
+    }
+};
+
+// How many are in other leaves than S2's, or, at that level, in other cells.
+size_t count_apart(const List &list, const cm_cell_grid *cells, int level)
+{
+    std::vector<cm_cell> ours(list.x.size());
+    size_t apart = 0;
+    cm_cell_forward_array(cells, level, ours.size(), list.x.data(), list.y.data(), list.z.data(),
+                          ours.data());
+    for (size_t i = 0; i < ours.size(); i++)
+    {
+        const S2Point p(list.x[i], list.y[i], list.z[i]);
+        const bool none = p == S2Point(0, 0, 0);
+        apart += ours[i] != (none ? CM_NO_CELL : S2CellId(p).parent(level).id());
+        if (i % 7 == 0)
+        {
+            const double normal[3] = {p[0], p[1], p[2]};
+            require(cm_cell_forward(cells, level, normal) == ours[i], "a point alone", ours[i]);
+        }
+    }
+    return apart;
+}
+
+void compare_list(const Grid &g, const List &list)
+{
+    const size_t apart = count_apart(list, g.s2, 30) + count_apart(list, g.s2, 1);
+    std::printf("%s: of %zu points %zu are in other cells than S2's; without its rounding %zu at "
+                "level 1, %zu of the leaves\n",
+                list.name, list.x.size(), apart, count_apart(list, g.cells, 1),
+                count_apart(list, g.cells, 30));
+    require(apart == 0, list.name, apart);
+}
+
+List random_points(size_t count)
+{
+    List list = {"random points", {}, {}, {}};
+    uint64_t state = 113;
+    for (size_t n = 0; n < count; n++)
+    {
+        double p[3];
+        next_direction(&state, p);
+        list.add(S2Point(p[0], p[1], p[2]));
+    }
+    return list;
+}
+
+List hard_points(uint64_t step)
+{
+    List list = {"hard points, subnormal ones too", {}, {}, {}};
+    for (uint64_t n = 0; n < HARD_DIRECTIONS; n += step)
+    {
+        double p[3];
+        hard_direction(n, p);
+        list.add(S2Point(p[0], p[1], p[2]));
+    }
+    return list;
+}
+
+List whole_degrees()
+{
+    List list = {"whole degrees, with both ends", {}, {}, {}};
+    for (int lat = -90; lat <= 90; lat++)
+    {
+        for (int lon = -180; lon <= 180; lon++)
+        {
+            list.add(S2LatLng::FromDegrees(lat, lon).ToPoint());
+        }
+    }
+    return list;
+}
+
+List cell_centres(size_t count)
+{
+    List list = {"centres of S2's cells", {}, {}, {}};
+    uint64_t state = 127;
+    for (size_t n = 0; n < count; n++)
+    {
+        list.add(random_id(&state).ToPoint());
+    }
+    return list;
+}
+
+List cell_corners(size_t count)
+{
+    List list = {"corners of S2's cells", {}, {}, {}};
+    uint64_t state = 131;
+    for (size_t n = 0; n < count; n++)
+    {
+        list.add(S2Cell(random_id(&state)).GetVertex(static_cast<int>(n % 4)));
+    }
+    return list;
+}
+
+// On edges and corners of faces, and an ulp beside.
+List edges_of_faces(size_t count)
+{
+    List list = {"edges of faces and beside them", {}, {}, {}};
+    uint64_t state = 137;
+    for (size_t n = 0; n < count; n++)
+    {
+        const double size =
+            std::ldexp(1.5 + 0.5 * next_real(&state), static_cast<int>(n % 5) * 250 - 500);
+        double p[3] = {size, size, n % 3 == 0 ? size : size * next_real(&state)};
+        p[n % 3] = n % 4 == 0 ? std::nextafter(p[n % 3], 0.0) : p[n % 3];
+        for (double &w : p)
+        {
+            w = next_bits(&state) >> 63 != 0 ? w : -w;
+        }
+        const size_t first = next_bits(&state) % 3;
+        list.add(S2Point(p[first], p[(first + 1) % 3], p[(first + 2) % 3]));
+    }
+    return list;
+}
+
+void compare_lonlats(const Grid &g, size_t count)
+{
+    uint64_t state = 139;
+    size_t apart = 0;
+    for (size_t n = 0; n < 361 * 181 + count; n++)
+    {
+        const bool whole = n < 361 * 181;
+        const double lon = whole ? static_cast<double>(n % 361) - 180.0 : 180.0 * next_real(&state);
+        const double lat = whole ? static_cast<double>(n / 361) - 90.0 : 90.0 * next_real(&state);
+        const S2LatLng at = S2LatLng::FromDegrees(lat, lon);
+        apart += cm_cell_forward_lonlat(g.s2, 30, at.lng().radians(), at.lat().radians()) !=
+                 S2CellId(at).id();
+    }
+    std::printf("%zu longitudes and latitudes: %zu are in other cells than S2's\n",
+                361 * 181 + count, apart);
+    require(apart == 0, "longitudes and latitudes", apart);
+}
+
+void compare_places(const Grid &g, size_t count)
+{
+    uint64_t state = 149;
+    std::vector<cm_cell> cells;
+    for (size_t n = 0; n < count; n++)
+    {
+        cells.push_back(random_id(&state).id());
+    }
+    std::vector<double> made[5];
+    for (std::vector<double> &column : made)
+    {
+        column.resize(count);
+    }
+    cm_cell_centre_array(g.s2, count, cells.data(), made[0].data(), made[1].data(), made[2].data());
+    cm_cell_centre_lonlat_array(g.s2, count, cells.data(), made[3].data(), made[4].data());
+    for (size_t n = 0; n < count; n++)
+    {
+        const S2CellId id(cells[n]);
+        const S2Point centre = id.ToPoint();
+        const S2LatLng at = id.ToLatLng();
+        const double theirs[5] = {centre[0], centre[1], centre[2], at.lng().radians(),
+                                  at.lat().radians()};
+        const double ours[5] = {made[0][n], made[1][n], made[2][n], made[3][n], made[4][n]};
+        double alone[5];
+        double corners[4][3];
+        double lonlats[4][2];
+        cm_cell_centre(g.s2, cells[n], alone);
+        cm_cell_centre_lonlat(g.s2, cells[n], alone + 3);
+        cm_cell_corners(g.s2, cells[n], corners);
+        cm_cell_corners_lonlat(g.s2, cells[n], lonlats);
+        require(same_bits(ours, theirs, 5) && same_bits(alone, theirs, 5), "a centre", cells[n]);
+        for (int k = 0; k < 4; k++)
+        {
+            const S2Point corner = S2Cell(id).GetVertex(k);
+            const S2LatLng there(corner);
+            const double lonlat[2] = {there.lng().radians(), there.lat().radians()};
+            require(same_bits(corners[k], corner.Data(), 3) && same_bits(lonlats[k], lonlat, 2),
+                    "a corner", cells[n]);
+        }
+    }
+    std::printf("%zu centres and their corners: bit by bit S2's\n", count);
+}
+
+void compare_to_the_bit(const Grid &g)
+{
+    const size_t many = is_long() ? 10000000 : is_quick() ? 10000 : 1000000;
+    compare_list(g, random_points(many));
+    compare_list(g, hard_points(is_long() ? 1 : is_quick() ? 101 : 7));
+    compare_list(g, whole_degrees());
+    compare_list(g, cell_centres(many / 5));
+    compare_list(g, cell_corners(many / 5));
+    compare_list(g, edges_of_faces(many / 5));
+    compare_lonlats(g, many / 5);
+    compare_places(g, many / 20);
+}
+
+void print_point(const S2Point &p, uint64_t id)
+{
+    std::printf("P %a %a %a %016llx\n", p[0], p[1], p[2], static_cast<unsigned long long>(id));
+}
+
+// A part of each list, and cells.
+int print_vectors()
+{
+    std::printf(
+        "# S2 0.10.0: the leaf of a point, and the centre and the corners of a cell, to the bit.\n"
+        "# Made by peer-s2-cells --vectors.\n"
+        "# P x y z leaf\n# C cell x y z, of its centre and of its corners in their order\n");
+    for (const List &list : {random_points(40), hard_points(23011), cell_centres(60),
+                             cell_corners(40), edges_of_faces(80)})
+    {
+        for (size_t i = 0; i < list.x.size(); i++)
+        {
+            const S2Point p(list.x[i], list.y[i], list.z[i]);
+            if (p != S2Point(0, 0, 0))
+            {
+                print_point(p, S2CellId(p).id());
+            }
+        }
+    }
+    const List degrees = whole_degrees();
+    for (size_t i = 0; i < degrees.x.size(); i++)
+    {
+        const int lat = static_cast<int>(i / 361) - 90;
+        const int lon = static_cast<int>(i % 361) - 180;
+        if (lat % 45 == 0 && lon % 45 == 0 && (std::abs(lat) < 90 || lon % 90 == 0))
+        {
+            const S2Point p(degrees.x[i], degrees.y[i], degrees.z[i]);
+            print_point(p, S2CellId(p).id());
+        }
+    }
+    uint64_t state = 151;
+    for (int n = 0; n < 60; n++)
+    {
+        const S2CellId id = random_id(&state);
+        const S2Point centre = id.ToPoint();
+        std::printf("C %016llx %a %a %a", static_cast<unsigned long long>(id.id()), centre[0],
+                    centre[1], centre[2]);
+        for (int k = 0; k < 4; k++)
+        {
+            const S2Point corner = S2Cell(id).GetVertex(k);
+            std::printf(" %a %a %a", corner[0], corner[1], corner[2]);
+        }
+        std::printf("\n");
+    }
+    return 0;
 }
 
 bool is_same(const std::vector<S2CellId> &theirs, const cm_cell *ours, size_t count)
@@ -292,14 +566,20 @@ void compare_coverings(const Grid &g)
 
 } // namespace
 
-int main()
+int main(int argc, char **argv)
 {
+    if (argc == 2 && std::strcmp(argv[1], "--vectors") == 0)
+    {
+        return print_vectors();
+    }
     const Grid g = make_grid();
     compare_points(g);
+    compare_to_the_bit(g);
     compare_cells(g);
     compare_areas(g);
     compare_coverings(g);
     cm_cell_grid_destroy(g.cells);
+    cm_cell_grid_destroy(g.s2);
     cm_grid_destroy(g.grid);
     return failures == 0 ? 0 : 1;
 }

@@ -7,17 +7,21 @@ Usage: check.py CUBEMAP-BENCH
 """
 
 import csv
+import datetime
 import json
 import math
 import os
 import pathlib
+import re
 import signal
+import statistics
 import subprocess
 import sys
 import tempfile
 import time
 
-FEW = ["--quick", "--repetitions", "3", "--points", "500", "--random", "200", "--hard", "200"]
+COUNTS = ["--repetitions", "3", "--points", "500", "--random", "200", "--hard", "200"]
+FEW = ["--quick", *COUNTS]
 QUANTITIES = ["area", "isotropy", "deformation", "scale", "texel-aspect", "texel-area"]
 
 
@@ -52,6 +56,10 @@ def check_quantity(name, of):
 def check_speed(row, has_errors):
     check(0.0 < row["ns_best"] <= row["ns_lower_quartile"] <= row["ns_median"]
           <= row["ns_upper_quartile"], row)
+    samples = row["ns_samples"]
+    check(len(samples) == 3 and row["calls_a_sample"] >= 1, row)
+    check(math.isclose(statistics.median(samples), row["ns_median"], rel_tol=1e-5)
+          and math.isclose(min(samples), row["ns_best"], rel_tol=1e-5), row)
     bound = 5e-9 if row["precision"] == "double" else 6.4
     for key in ("worst_random_m", "rms_random_m", "worst_hard_m", "rms_hard_m"):
         check((row[key] is not None) == has_errors, row)
@@ -61,6 +69,12 @@ def check_speed(row, has_errors):
 
 def check_json(results, mappings):
     check(results["program"] == "cubemap-bench" and results["machine"]["cpu"], results["machine"])
+    check(results["machine"]["compiler"] and "-O" in results["machine"]["flags"], results["machine"])
+    date = datetime.datetime.strptime(results["date"], "%Y-%m-%dT%H:%M:%SZ")
+    age = datetime.datetime.now(datetime.timezone.utc).replace(tzinfo=None) - date
+    check(0.0 <= age.total_seconds() < 3600.0, results["date"], age)
+    check(re.fullmatch("[0-9a-f]{7,40}(-dirty)?|unknown", results["commit"]), results["commit"])
+    check(0.0 < results["clock_tick_ns"] < 1e7 and results["seconds"] > 0.0, results["clock_tick_ns"])
     check([m["specification"] for m in results["mappings"]] == mappings, "mappings")
     has_errors = results["mappings"][0]["speed"][0]["worst_random_m"] is not None
     for mapping in results["mappings"]:
@@ -88,8 +102,8 @@ def check_csv(text, count):
 def check_results(program, folder):
     mappings = ["gnomonic", "qsc", "tangent:c=1.1823"]
     files = [folder / name for name in ("results.json", "results.csv")]
-    table = run(program, *FEW, "--largest", "300", "--map", "5", "--json", str(files[0]), "--csv",
-                str(files[1]), "gnom*", *mappings[1:])
+    table = run(program, *COUNTS, "--tolerance", "1e-6", "--largest", "300", "--map", "5", "--json", str(files[0]),
+                "--csv", str(files[1]), "gnom*", *mappings[1:])
     results = json.loads(files[0].read_text())
     count, has_errors = check_json(results, mappings)
     check_csv(files[1].read_text(), count)
@@ -103,6 +117,40 @@ def check_results(program, folder):
     only = json.loads(run(program, *FEW, "--precision", "float", "--form", "single", "--json", "-", "s2"))
     check({(r["precision"], r["form"]) for r in only["mappings"][0]["speed"]} == {("float", "single")},
           "filters")
+
+
+def check_quick(program, folder):
+    """Everything in some seconds, and what is left out is null; of a mapping all of whose faces are alike one is enough."""
+    began = time.process_time() + os.times().children_user
+    table = run(program, "--quick")
+    took = time.process_time() + os.times().children_user - began
+    check(took < 10.0, "--quick needs", took, "s of a processor") # 2 to 3 on an idle one
+    told = re.search(r"; \d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ, (\d+\.\d) s\n", table)
+    check(told and float(told[1]) > 0.8 * took, "--quick says", table.splitlines()[0], took)
+    words = ["--random", "50", "--hard", "50", "--repetitions", "2", "--json", "-", "gnomonic", "healpix", "difference:mild"]
+    quick = json.loads(run(program, "--quick", *words))
+    whole = json.loads(run(program, "--tolerance", "1e-4", "--largest", "0", "--map", "0", "--points", "99", *words))
+    for one, other in zip(quick["mappings"], whole["mappings"]):
+        for name, of in one["distortion"].items():
+            for measure in ("over_face", "over_sphere"):
+                full = other["distortion"][name][measure]
+                check(set(of[measure]["percentiles"].values()) == {None}, name, of)
+                check(None not in full["percentiles"].values(), name, full)
+                # each is rounded to digits that its error leaves: to five of it at most
+                slack = 6 * (of[measure]["mean_error"] + full["mean_error"]) + 1e-9
+                check(abs(of[measure]["mean"] - full["mean"]) <= slack, name, of, full)
+            for key in ("minimum", "maximum"):
+                check(math.isclose(of[key], other["distortion"][name][key], rel_tol=1e-9, abs_tol=1e-9),
+                      name, key, of)
+
+
+def check_short(program, _folder):
+    """Arrays of one point take their time, not the clock's ticks: samples are of many calls, and of many values."""
+    results = json.loads(run(program, "--quick", "--points", "1", "--repetitions", "30", "--json", "-", "gnomonic"))
+    tick = results["clock_tick_ns"]
+    for row in results["mappings"][0]["speed"]:
+        check(row["calls_a_sample"] * row["ns_median"] > 500.0 * tick, tick, row)
+        check(len({round(sample, 6) for sample in row["ns_samples"]}) > 3, "ticks", row)
 
 
 def check_advise(program, folder):
@@ -129,6 +177,100 @@ def check_advise(program, folder):
     check({"qsc", "healpix", "slice", "arvo"} <= names and "coupled" not in names, names)
     none = call(program, "advise", "--quick", "--max-area-error", "0.001", "--max-isotropy", "1.1")
     check(none.returncode == 1 and "No mapping qualifies" in none.stdout and none.stderr == "", none)
+    for each in (check_torn, check_limits, check_precisions, check_sizes, check_uses):
+        each(program, folder)
+
+
+def advised(program, *options):
+    """Rows of the table: specification, precision and edges of each that qualifies, in its order."""
+    done = call(program, "advise", "--quick", *options)
+    check(done.returncode in (0, 1) and done.stderr == "", options, done)
+    head, _, rest = done.stdout.partition("edges\n")
+    check(rest, done.stdout)
+    rows = [line.split() for line in rest.split("\n\n")[0].splitlines() if not rest.startswith("\n")]
+    return [(row[0], row[-2], row[-1]) for row in rows], done.stdout
+
+
+def check_torn(program, folder):
+    """A torn map is never the first, unless it is all there is, and says what it is."""
+    rows, text = advised(program, "--equal-area", "yes", "arvo", "qsc", "slice")
+    check([row[0] for row in rows][-1] == "arvo" and len(rows) == 3 and "arvo is torn" in text, text)
+    check({row[0]: row[2] for row in rows} == {"arvo": "torn", "qsc": "continuous", "slice": "smooth"}, rows)
+    rows, text = advised(program, "--equal-area", "yes", "--edge", "continuous", "arvo", "qsc", "slice")
+    check({row[0] for row in rows} == {"qsc", "slice"} and "torn across edges" in text, text)
+    rows, _ = advised(program, "--edge", "smooth", "arvo", "qsc", "slice", "conformal")
+    check({row[0] for row in rows} == {"slice", "conformal"}, rows)
+    rows, text = advised(program, "--smooth", "c1", "arvo", "qsc", "coupled")
+    check([row[0] for row in rows] == ["coupled"] and "torn across edges" in text, text)
+
+
+def check_limits(program, folder):
+    """Exact mappings keep the limits 0 and 1; means have limits and columns; presets do not vanish."""
+    for options, exact in ((["--max-deformation", "0"], "conformal"), (["--max-isotropy", "1"], "conformal"),
+                           (["--max-area-error", "0"], "qsc"), (["--max-area-rmse", "0"], "qsc")):
+        rows, text = advised(program, *options, "conformal", "qsc", "coupled")
+        check([row[0] for row in rows] == [exact], options, text)
+    rows, text = advised(program, "--max-isotropy-mean", "1.2", "--max-deformation-rmse", "9", "--max-area-rmse",
+                         "0.2", "--max-isotropy-rmse", "0.2", "--max-deformation-mean", "8", "difference", "s2")
+    check([row[0] for row in rows] == ["difference"] and "mean isotropy 1.256, 0.0563 more than 1.2" in text, text)
+    check("D_I mean" in text and "area RMSE" in text and "deg RMSE" in text, text)
+    rows, text = advised(program, "--max-error", "1e-8", "difference*", "tangent:c=1.5")
+    check({row[0] for row in rows} >= {"difference", "difference:mild", "difference:isotropic"}, text)
+    rows, text = advised(program, "--max-isotropy", "1.5", "slice", "seamless", "difference:mild")
+    check([row[0] for row in rows] == ["slice"] and "seamless" in text and "difference:mild" in text, text)
+
+
+def check_precisions(program, folder):
+    """Float is proposed where it is accurate enough, and double where float is not."""
+    rows, text = advised(program, "--max-error", "2", "algebraic", "slice")
+    check({row[:2] for row in rows} >= {("algebraic", "float"), ("algebraic", "fast"), ("slice", "double")}, text)
+    check(("slice", "float") not in {row[:2] for row in rows} and "error 2.089 m" in text, text)
+    check("Precision, for 2.00 m: float, 1.03 m at most\n" in text, text)
+    rows, text = advised(program, "--max-error", "1", "algebraic")
+    check({row[1] for row in rows} == {"double"} and "double, 1.9 nm at most; float instead: 1.03 m" in text, text)
+    rows, _ = advised(program, "algebraic")
+    check([row[1] for row in rows] == ["double"], rows)
+    rows, text = advised(program, "--precision", "float", "--max-error", "1e-6", "algebraic", "slice")
+    check(not rows and "But double would do: " in text, text)
+
+
+def check_sizes(program, folder):
+    """How big: the size is that of the closed form, whatever the unit; and what less would lose is said."""
+    for options, pixels in ((["--source", "8192"], 2608), (["--resolution", "0.5deg"], 230),
+                            (["--resolution", "30arcmin"], 230), (["--resolution", "30arcsec"], 13751),
+                            (["--resolution", "1e-3rad"], 2000), (["--resolution", "6.3710072km"], 2000),
+                            (["--resolution", "6371007.2m"], 2)):
+        _, text = advised(program, *options, "gnomonic")
+        check(f"faces of {pixels} pixels" in text, options, text)
+    _, text = advised(program, "--source", "8192", "gnomonic", "tangent")
+    check("4096 as a power of two" in text and "2048 instead: the coarsest 3.357 arcmin, 1.27 times" in text, text)
+    check("fewer are enough with tangent: 2365" in text and "in float is off by" in text, text)
+    _, text = advised(program, "--source", "100", "smoothstep:c=1")
+    check("no size is enough" in text, text)
+    file = folder / "advice.json"
+    run(program, "advise", "--quick", "--source", "8192", "--json", str(file), "gnomonic", "tangent")
+    pixels = {each["specification"]: each["face_pixels"] for each in json.loads(file.read_text())["candidates"]}
+    check(pixels == {"gnomonic": 2608, "tangent": 2365}, pixels)
+
+
+def check_uses(program, folder):
+    """Single points cost more than those of arrays; on an ellipsoid the latitude costs time, shape and accuracy."""
+    def cost(*options):
+        return {(each["specification"], each["precision"]): each for each in json.loads(run(
+            program, "advise", "--quick", *options, "--json", "-", "qsc", "conformal"))["candidates"]}
+    plain, single = cost(), cost("--form", "single")
+    check(all(single[key]["cost_ns"] > plain[key]["cost_ns"] for key in plain), plain, single)
+    earth = cost("--ellipsoid", "WGS84")
+    for key, latitude in ((("qsc", "double"), "authalic"), (("conformal", "double"), "conformal")):
+        check(earth[key]["latitude"] == latitude and plain[key]["latitude"] == "geographic", earth[key])
+        check(earth[key]["round_trip_bound_m"] > plain[key]["round_trip_bound_m"], earth[key])
+    check(1.0 < earth["qsc", "double"]["isotropy"] / plain["qsc", "double"]["isotropy"] < 1.004, earth)
+    check(earth["qsc", "double"]["area_error"] < 1e-12 and earth["conformal", "double"]["isotropy"] < 1.0 + 1e-12,
+          earth)
+    _, text = advised(program, "--ellipsoid", "WGS84", "--max-error", "0.01", "qsc")
+    check("Latitude: authalic, 3 terms of its series, 21.6 um cut off" in text and "; with 2 1.6 cm" in text, text)
+    single = cost("--ellipsoid", "WGS84", "--form", "single")
+    check(all(single[key]["cost_ns"] > earth[key]["cost_ns"] for key in earth), earth, single)
 
 
 def check_options(program, folder):
@@ -168,10 +310,18 @@ def check_files(program, folder):
 
 def check_wrong_usage(program, folder):
     for wrong in (["--points", "0"], ["--points", "many"], ["--nothing"], ["no_such_mapping"],
+                  ["advise", "--edge", "torn"], ["advise", "--max-area-rmse", "-1"],
+                  ["advise", "--resolution", "30"], ["advise", "--resolution", "-1deg"],
+                  ["advise", "--resolution", "arcsec"], ["advise", "--resolution", "nandeg"],
+                  ["advise", "--resolution", "181deg"], ["advise", "--source", "0"],
+                  ["advise", "--ellipsoid", "WGS48"], ["advise", "--form", "both"],
+                  ["advise", "--form", "single", "--precision", "fast"],
                   ["no_such_*"], ["--precision", "half"], ["--tolerance", "1"], ["tangent:c=-1"],
                   ["--instructions", "mmx"], ["--map", "1.5"], ["advise", "--max-isotropy", "0.5"],
                   ["advise", "--equal-area", "maybe"], ["advise", "--direction", "up"],
-                  ["advise", "nothing"], ["papers", "no_such_table"], ["papers", "--wrong"]):
+                  ["advise", "nothing"], ["papers", "no_such_table"], ["papers", "--wrong"],
+                  ["compare"], ["compare", "one.json"], ["compare", "1", "2", "3"], ["compare", "-", "-"],
+                  ["compare", "--gate", "-1", "1", "2"], ["compare", "--alpha", "0", "1", "2"]):
         done = call(program, *wrong)
         check(done.returncode == 2 and done.stdout == "" and done.stderr.count("\n") == 1, wrong, done)
     for wrong in (["--json", str(folder / "no" / "file")], ["--csv", str(folder / "no" / "file")],
@@ -180,7 +330,8 @@ def check_wrong_usage(program, folder):
         check(done.returncode == 1 and "cannot write" in done.stderr, wrong, done)
     check(not list(folder.iterdir()), list(folder.iterdir()))
     if pathlib.Path("/dev/full").is_char_device():
-        for wanted in ([*FEW, "s2"], ["--help"], ["--list"], ["advise", "--help"], ["papers", "s2"]):
+        for wanted in ([*FEW, "s2"], ["--help"], ["--list"], ["advise", "--help"], ["compare", "--help"],
+                       ["papers", "s2"]):
             with open("/dev/full", "w", encoding="ascii") as full:
                 done = subprocess.run([program, *wanted], stdout=full, stderr=subprocess.PIPE, check=False)
             check(done.returncode == 1 and b"standard output" in done.stderr, wanted, done)
@@ -191,12 +342,13 @@ def check_wrong_usage(program, folder):
 
 def check_words(program):
     check(run(program, "--version").startswith("cubemap-bench (libcubemap) "), "version")
-    for command in ([], ["advise"], ["papers"]):
+    for command in ([], ["advise"], ["compare"], ["papers"]):
         text = run(program, *command, "--help")
         check(text.startswith("Usage: cubemap-bench") and max(map(len, text.splitlines())) <= 100, text)
     listed = run(program, "--list").splitlines()
     check(len(listed) >= 16 and "coupled" in listed, listed)
-    check(run(program, "--list", "t*").split() == ["tangent", "tanh"], "patterns")
+    starting_so = [name for name in listed if name.startswith("t")]
+    check(run(program, "--list", "t*").split() == starting_so and "tanh" in starting_so, "patterns")
     environment = {**os.environ, "CUBEMAP_INSTRUCTIONS": "mmx"}
     done = call(program, "--list", env=environment)
     check(done.returncode == 2 and "mmx" in done.stderr, done)
@@ -207,7 +359,7 @@ def main():
         sys.exit(__doc__.strip())
     program = sys.argv[1]
     check_words(program)
-    for each in (check_results, check_advise, check_options, check_files, check_wrong_usage):
+    for each in (check_results, check_quick, check_short, check_advise, check_options, check_files, check_wrong_usage):
         with tempfile.TemporaryDirectory() as folder:
             each(program, pathlib.Path(folder))
 

@@ -21,6 +21,10 @@ const Words models = {
     "sequential-single",   "sequential-rainbow",   "sequential-custom", "sequential-saturation",
     "diverging-lightness", "diverging-saturation", "qualitative"};
 
+const Words uniform_models = {"uniform-purple-yellow", "uniform-red-yellow", "uniform-blue",
+                              "uniform-green",         "uniform-blue-red",   "uniform-purple-green",
+                              "uniform-cyclic"};
+
 std::string seen(const Ran &ran)
 {
     return "status " + std::to_string(ran.status) + ": " + ran.err;
@@ -60,12 +64,13 @@ void talk()
            "version");
     const std::string list = output_of("--list");
     const Words lines = lines_of(list);
-    const bool all =
-        std::all_of(models.begin(), models.end(),
-                    [&](const std::string &model) { return matches(list, "^" + model + " "); });
+    const auto is_listed = [&](const std::string &model)
+    { return matches(list, "^" + model + " "); };
+    const bool all = std::all_of(models.begin(), models.end(), is_listed) &&
+                     std::all_of(uniform_models.begin(), uniform_models.end(), is_listed);
     result(all && std::count_if(lines.begin(), lines.end(),
                                 [](const std::string &line)
-                                { return matches(line, "^    source "); }) == 7,
+                                { return matches(line, "^    source "); }) == 14,
            "the list has all maps", list);
 }
 
@@ -290,6 +295,10 @@ void json()
         output_of(model + " --samples 256 --format json -o " + model + ".256.json");
         output_of(model + " --samples 256 --format csv -o " + model + ".256.csv");
     }
+    for (const std::string &model : uniform_models)
+    {
+        write_file(model + ".json", says(model + " as json", "", model + " --format json").out);
+    }
     // the colour in the middle of a fold, where two samples beside it are the same, is the only short step
     write_file("fold.json", output_of("diverging:divergence=0 --samples 256 --format json"));
     write_file("one.json", output_of("rainbow --samples 1 --format json"));
@@ -320,6 +329,8 @@ constexpr Wrong wrong_usage[] = {
     {"nearly a map", "did you mean sequential-rainbow\\?", "sequential-rainbwo -o made/a.json"},
     {"control characters", "called 'a\\?b'", "'a\nb' -o made/a.json"},
     {"unknown parameter", "sequential-single has no parameter 'hug'", "single:hug=1"},
+    {"a parameter of a map that has none", "uniform-blue has no parameters, so 'hue=1' is too much",
+     "uniform-blue:hue=1"},
     {"range", "must be in \\[0, 360\\]", "single:hue=400"},
     {"unknown option", "no option --sampels; did you mean --samples", "single --sampels 3"},
     {"missing value", "--samples needs an argument", "single --samples"},

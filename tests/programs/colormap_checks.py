@@ -7,12 +7,16 @@ A line each: "ok NAME" or "not ok NAME: not true: WHAT".
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 import traceback
 
 MODELS = ["sequential-single", "sequential-rainbow", "sequential-custom", "sequential-saturation",
           "diverging-lightness", "diverging-saturation", "qualitative"]
+UNIFORM = ["uniform-purple-yellow", "uniform-red-yellow", "uniform-blue", "uniform-green", "uniform-blue-red",
+           "uniform-purple-green", "uniform-cyclic"]
+GUIDE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/guide/colormaps.md")
 
 
 def load(name):
@@ -67,22 +71,25 @@ def worst_step(colors):
 # ---- the checks
 
 def what_the_map_is():
-    for name in MODELS:
+    for name in MODELS + UNIFORM:
         data = load(name + ".json")
+        uniform = name in UNIFORM
         assert data["model"] == name and data["inside"] and data["clipped"]["count"] == 0, name
-        assert data["specification"].startswith(name + ":")
-        assert set(data["parameters"]) == {word.split("=")[0] for word in
-                                           data["specification"].split(":")[1].split(",")}
+        assert data["space"] == ("CAM16-UCS" if uniform else "CIELUV"), data["space"]
+        assert data["specification"].split(":")[0] == name and (":" in data["specification"]) != uniform
+        assert uniform or set(data["parameters"]) == {word.split("=")[0] for word in
+                                                      data["specification"].split(":")[1].split(",")}
         count = {"qualitative": 8, "diverging": 257}.get(data["family"], 256)
         assert len(data["samples"]) == count, len(data["samples"])
         assert data["step"]["max_deviation_percent"] < 0.01, data["step"]
         assert data["step"]["max_deviation_without_corners_percent"] < 0.01, data["step"]
-        assert data["largest_saturation"] > data["parameters"]["saturation"]
+        assert (data["largest_saturation"] is None if uniform else
+                data["largest_saturation"] > data["parameters"]["saturation"])
         for sample in data["samples"]:
             assert sample["inside"] and all(0 <= value <= 1 for value in sample["srgb"])
             assert sample["hex"] == "#" + "".join("%02x" % int(v * 255 + 0.5) for v in sample["srgb"])
         middle = [s["lch"][1] for s in data["samples"] if s["t"] == 0.5]
-        assert data["family"] != "diverging" or middle == [0], middle
+        assert data["family"] != "diverging" or len(middle) == 1 and middle[0] < (1e-9 if uniform else 1e-99), middle
 
 
 def steps_are_even():
@@ -100,6 +107,19 @@ def steps_are_even():
             assert worst < 0.0001, (name, worst)
             assert abs(mean - data["step"]["mean"]) < 1e-6 * mean, (name, mean, data["step"])
             assert abs(100 * worst - data["step"]["max_deviation_percent"]) < 1e-5, (name, worst)
+
+
+def unevenness_is_documented():
+    """The guide's rows "| `NAME` ... | CAM16-UCS | CIEDE2000 |", in per cent, are what json says."""
+    with open(GUIDE, encoding="utf-8") as file:
+        rows = {match[1]: (float(match[2]), float(match[3])) for match in
+                re.finditer(r"^\| `([\w-]+)`[^|]*\| ([\d.]+) \| ([\d.]+) \|$", file.read(), re.M)}
+    assert set(rows) == set(MODELS + UNIFORM), rows
+    for name, (own, other) in rows.items():
+        measured = load(name + ".json")["step"]["unevenness_percent"]
+        assert abs(measured["CAM16-UCS"] - own) < 0.0501, (name, measured, own)
+        assert abs(measured["CIEDE2000"] - other) < 0.0501, (name, measured, other)
+        assert name not in UNIFORM or measured["CIEDE2000"] < 9 and measured["CAM16-UCS"] < 0.01, measured
 
 
 def steps_are_not_even():
@@ -163,6 +183,7 @@ def check(name, function):
 def main():
     check("json: colours, steps and what the map is", what_the_map_is)
     check("steps of 256 colours are even, corners included, and json says so", steps_are_even)
+    check("json's unevenness is that of the guide", unevenness_is_documented)
     check("json says where steps are not even", steps_are_not_even)
     check("one sample", one_sample)
     check("json says what is cut", what_is_cut)

@@ -2,16 +2,18 @@
 
 #include "direction_image.hpp"
 
+#include "modules/image/io/image_io.h"
+#include "picture.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
+#include <list>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
-
-#include <OpenImageIO/imageio.h>
 
 #include <cubemap/cubemap.h>
 
@@ -19,6 +21,13 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
+
+struct Tag
+{
+    std::string key;
+    std::string text;
+    int number;
+};
 
 struct Image
 {
@@ -61,30 +70,58 @@ std::string face_name(const std::string &pattern, int face)
 
 Image read_image(const std::string &name)
 {
-    auto input = OIIO::ImageInput::open(name);
-    if (!input || input->spec().nchannels != 3)
+    Picture picture(name);
+    if (picture.channels != 3)
     {
         throw std::runtime_error(name + ": not an image of three channels");
     }
-    Image image;
-    image.width = input->spec().width;
-    image.height = input->spec().height;
-    image.pixels.resize(std::size_t(image.width) * std::size_t(image.height) * 3);
-    if (!input->read_image(0, 0, 0, 3, OIIO::TypeFloat, image.pixels.data()))
-    {
-        throw std::runtime_error(name + ": " + input->geterror());
-    }
-    return image;
+    return {picture.width, picture.height, std::move(picture.values)};
 }
 
-void write_image(const std::string &name, const OIIO::ImageSpec &spec, const float *pixels)
+// The format that the name's extension stands for.
+const char *format_of(const std::string &name)
 {
-    auto output = OIIO::ImageOutput::create(name);
-    if (!output || !output->open(name, spec) || !output->write_image(OIIO::TypeFloat, pixels) ||
-        !output->close())
+    const std::string extension = name.substr(name.rfind('.') + 1);
+    return extension == "jpg"   ? "jpeg"
+           : extension == "tif" ? "tiff"
+           : extension == "exr" ? "openexr"
+           : extension == "ppm" ? "pnm"
+           : extension == "hdr" ? "hdr"
+                                : "png";
+}
+
+void write_image(const std::string &name, const cm_image_description &description,
+                 const float *pixels)
+{
+    char message[CM_IMAGE_MESSAGE] = "";
+    const cm_image_io *const io = cm_image_io_get(message);
+    cm_image_writer *writer = nullptr;
+    const bool good =
+        io != nullptr &&
+        io->create(name.c_str(), nullptr, &description, &writer, message) == CM_OK &&
+        io->write(writer, 0, description.height, CM_PIXEL_FLOAT, pixels, 0, 0, message) == CM_OK &&
+        io->finish(writer, message) == CM_OK;
+    if (writer != nullptr)
     {
-        throw std::runtime_error(name + ": cannot be written");
+        io->drop(writer);
     }
+    if (!good)
+    {
+        throw std::runtime_error(name + ": " + message);
+    }
+}
+
+cm_image_description describe(const std::string &name, int width, int height, int channels)
+{
+    cm_image_description description = {};
+    description.format = format_of(name);
+    description.width = static_cast<std::uint32_t>(width);
+    description.height = static_cast<std::uint32_t>(height);
+    description.channels = static_cast<std::uint32_t>(channels);
+    description.type = CM_PIXEL_FLOAT;
+    description.alpha = channels > 3 ? 3 : -1;
+    description.alpha_multiplied = true;
+    return description;
 }
 
 class Sphere
@@ -209,8 +246,7 @@ void make_direction_image(const Shape &shape, int size, const std::string &name)
                 image.pixels[3 * i + c] = there ? static_cast<float>(direction[c]) : 0.0f;
             }
         }
-        write_image(face_name(name, file),
-                    OIIO::ImageSpec(image.width, image.height, 3, OIIO::TypeFloat),
+        write_image(face_name(name, file), describe(name, image.width, image.height, 3),
                     image.pixels.data());
     }
 }
@@ -236,39 +272,49 @@ void check_direction_image(const Shape &shape, const std::string &name, double l
 void make_constant(int width, int height, int channels, const std::string &type, float value,
                    const std::string &name, const std::vector<std::string> &metadata)
 {
-    OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc(type));
+    cm_image_description description = describe(name, width, height, channels);
+    description.stored_type = type.c_str();
+    std::list<Tag> tags;
+    std::vector<cm_image_tag> given;
     for (const std::string &text : metadata)
     {
         const std::size_t equals = text.find('=');
-        const std::string words = text.substr(equals + 1);
-        if (words.find_first_not_of("0123456789") == std::string::npos)
+        tags.push_back({text.substr(0, equals), text.substr(equals + 1), 0});
+        Tag &tag = tags.back();
+        tag.number = std::atoi(tag.text.c_str());
+        const bool whole = tag.text.find_first_not_of("0123456789") == std::string::npos;
+        if (tag.key == "oiio:UnassociatedAlpha")
         {
-            spec.attribute(text.substr(0, equals), std::atoi(words.c_str()));
+            description.alpha_multiplied = tag.number == 0;
+            continue;
         }
-        else
-        {
-            spec.attribute(text.substr(0, equals), words);
-        }
+        given.push_back({tag.key.c_str(), tag.text.c_str(), whole ? "int" : nullptr, &tag.number,
+                         sizeof tag.number});
     }
+    description.tags = given.data();
+    description.tag_count = given.size();
     const std::vector<float> pixels(
         std::size_t(width) * std::size_t(height) * std::size_t(channels), value);
-    write_image(name, spec, pixels.data());
+    write_image(name, description, pixels.data());
 }
 
 std::string describe_image(const std::string &name)
 {
-    const auto input = OIIO::ImageInput::open(name);
-    if (!input)
+    char message[CM_IMAGE_MESSAGE] = "";
+    const cm_image_io *const io = cm_image_io_get(message);
+    cm_image_reader *reader = nullptr;
+    if (io == nullptr || io->open(name.c_str(), 0, &reader, message) != CM_OK)
     {
-        return name + ": " + OIIO::geterror();
+        return name + ": " + message;
     }
-    const OIIO::ImageSpec &spec = input->spec();
-    std::string text = std::to_string(spec.width) + " x " + std::to_string(spec.height) + ", " +
-                       std::to_string(spec.nchannels) + " channels, " + spec.format.c_str() + "\n";
-    for (const OIIO::ParamValue &value : spec.extra_attribs)
+    const cm_image_description &stored = *io->describe(reader);
+    std::string text = std::to_string(stored.width) + " x " + std::to_string(stored.height) + ", " +
+                       std::to_string(stored.channels) + " channels, " + stored.stored_type + "\n";
+    for (std::size_t i = 0; i < stored.tag_count; ++i)
     {
-        text += value.name().string() + "=" + value.get_string() + "\n";
+        text += std::string(stored.tags[i].key) + "=" + stored.tags[i].text + "\n";
     }
+    io->close(reader);
     return text;
 }
 

@@ -178,7 +178,7 @@ void files_and_metadata()
            "are six files", ran.out);
     passes("a legend", "distortion --size 8 --legend legend.png area.png");
     const std::string legend = describe_image("legend.png");
-    result(matches(legend, "^520 x 62, 3 channels"), "has its size", legend);
+    result(matches(legend, "^520 x 84, 3 channels"), "has its size", legend);
     does(
         "distortion --quiet --size 8 --range 1:4 --colors diverging-saturation --legend legend.tif "
         "area.png");
@@ -187,7 +187,9 @@ void files_and_metadata()
     {
         end.push_back(std::round(255 * value) / 255); // as 8 bits hold it
     }
-    holds("the left end of the strip", [&] { check_pixel("legend.tif", 36, 15, end); });
+    // the uppermost dots of the a of "area D_A, a ratio"
+    holds("the legend's title", [] { check_pixel("legend.tif", 38, 10, {0, 0, 0}); });
+    holds("the left end of the strip", [&] { check_pixel("legend.tif", 36, 37, end); });
     const std::string lines = "distortion --quiet --size 100 --isolines 0.1 --graticule 15 ";
     does(lines + "--threads 1 one.png");
     for (const std::string threads : {"2", "7"})

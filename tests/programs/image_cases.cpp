@@ -179,7 +179,9 @@ void run_subject(const Subject &subject, const std::filesystem::path &folder)
 std::vector<Subject> chosen_subjects(std::set<std::string> names)
 {
     const std::map<std::string, const std::vector<Subject> &> all = {
+        {"compare", compare_subjects()},
         {"reproject", reproject_subjects()},
+        {"surfaces", reproject_surface_subjects()},
         {"distortion", distortion_subjects()},
         {"orient", orient_subjects()},
         {"colormap", colormap_subjects()}};

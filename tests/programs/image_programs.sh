@@ -137,6 +137,60 @@ P
     done
 }
 
+# What was killed leaves its temporary files to the next that writes into the folder; files of who lives, and of who is no
+# program of ours, stay.
+left_over()
+{
+    mkdir made
+    python3 - "$programs/cubemap-reproject" "$earth" <<'P'
+import os, signal, subprocess, sys, time
+child = subprocess.Popen([sys.argv[1], "--size", "6000", sys.argv[2], "made/%f.tif"])
+for _ in range(1000):
+    if len(os.listdir("made")) == 6 or child.poll() is not None:
+        break
+    time.sleep(0.01)
+child.send_signal(signal.SIGKILL)
+sys.exit(0 if child.wait() == -signal.SIGKILL else 1)
+P
+    local status=$? count
+    count=$(find made -name '.cubemap-*' | wc -l)
+    echo mine >"made/.cubemap-$$-0.png"
+    echo other >made/.cubemap-notes.png
+    mkdir made/.cubemap-999999999-0
+    "$programs/cubemap-reproject" --quiet --layout strip "$earth" made/a.png
+    [ $status -eq 0 ] && [ "$count" -eq 6 ] &&
+        [ "$(find made -mindepth 1 | sort)" = "$(printf 'made/.cubemap-%s\n' "$$-0.png" 999999999-0 notes.png | sort
+            echo made/a.png)" ]
+    result $? 'what was killed leaves nothing for long' "status $status, $count files; then: $(ls -A made)"
+    rm -rf made
+}
+
+# What reads and writes images is opened when a file is.
+library()
+{
+    local program words
+    for program in reproject compare distortion orient colormap; do
+        env CUBEMAP_IMAGE_IO=/none.so "$programs/cubemap-$program" --help >out.txt 2>err.txt && [ ! -s err.txt ] &&
+            env CUBEMAP_IMAGE_IO=/none.so "$programs/cubemap-$program" --completion bash >out.txt 2>err.txt &&
+            [ ! -s err.txt ]
+        result $? "$program: help and completion without what reads images" "$(cat err.txt)"
+        ends "$program: a wrong option without what reads images" 2 'no option --nonesuch' \
+            env CUBEMAP_IMAGE_IO=/none.so "$programs/cubemap-$program" --nonesuch
+    done
+    words="the library for image files, '/none.so', cannot be opened: .*No such file"
+    ends 'reproject: without what reads images' 1 "$words" \
+        env CUBEMAP_IMAGE_IO=/none.so "$programs/cubemap-reproject" "$earth" made/a.png
+    ends 'distortion: without what writes images' 1 "$words" \
+        env CUBEMAP_IMAGE_IO=/none.so "$programs/cubemap-distortion" made/a.png
+    # a program in a folder of its own, where there is no library beside it: that of the installed one, or a line
+    mkdir alone made
+    cp "$programs/cubemap-compare" alone
+    LD_LIBRARY_PATH=$programs/../libcubemap:$programs/../modules/colormap:$programs/../modules/image alone/cubemap-compare "$earth" "$earth" >out.txt 2>err.txt ||
+        grep -q -E "^cubemap-compare: there is no library for image files, neither '/.*cubemap-image-io.so' nor .*CUBEMAP_IMAGE_IO" err.txt
+    result $? 'a program alone says what it looked for' "$(cat out.txt err.txt)"
+    rm -rf alone made
+}
+
 exported_names()
 {
     local library=$programs/../modules/colormap/libcubemap-colormap.so
@@ -165,5 +219,7 @@ full 'standard output is full' "$programs/cubemap-colormap" single
 link_and_permissions
 progress_bar
 signals
+left_over
+library
 exported_names
 finish

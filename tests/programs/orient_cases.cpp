@@ -3,6 +3,7 @@
 // What cubemap-orient finds, says and draws.
 
 #include "image_cases.hpp"
+#include "picture_checks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -157,6 +158,16 @@ void pictures()
     does(turned + "one.png disc.pgm");
     does(turned + "two.png --threads 1 disc.pgm");
     passes("picture", "compare --max 0 --quiet one.png two.png");
+    does("orient --evaluate 10,20,30 --size 96 --picture words.png disc.pgm");
+    // the uppermost dot of the c of "coupled, as it is", and of "coupled, turned"; the bar of a face's width
+    holds("a title", [] { check_pixel("words.png", 205, 14, {0, 0, 0}); });
+    holds("the title below", [] { check_pixel("words.png", 205, 14 + 3 * 96 + 6, {0, 0, 0}); });
+    holds("a blank beside the title", [] { check_pixel("words.png", 204, 11, {1, 1, 1}); });
+    holds(
+        "the scale",
+        [] {
+            check_pixel("words.png", 210, 2 * 96 + 3 * 6 + 2, {38.0 / 255, 38.0 / 255, 51.0 / 255});
+        });
     const Ran ran =
         run(Words{"orient", "--evaluate", "0,0", "--size", "32", "--picture", "three.png",
                   "--image", source_tree() + "/data/earth-2048.jpg", "disc.pgm"});
@@ -239,6 +250,13 @@ void named_orientations()
         }
     }
     result(found == 4 && wrong.empty(), "named orientations", wrong);
+
+    // 400 000 samples of each edge, by the pixel that each is in, say 9533.8 km; what has a name is no worse.
+    const Named cut{"land-edges", "coupled", "edges", {}, 0, 0};
+    const double sampled = evaluated(cut, "23.5813,-1.4300,33.3322");
+    result(std::fabs(sampled - 9533.8) < 0.1, "edges by pixels", std::to_string(sampled));
+    const double named = evaluated(cut, cut.name);
+    result(named <= 9533.8, "land-edges is the least known", std::to_string(named));
 }
 
 } // namespace

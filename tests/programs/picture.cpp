@@ -2,25 +2,29 @@
 
 #include "picture.hpp"
 
-#include <stdexcept>
+#include "modules/image/io/image_io.h"
 
-#include <OpenImageIO/imageio.h>
+#include <stdexcept>
 
 Picture::Picture(const std::string &name)
 {
-    OIIO::ImageSpec request;
-    request.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(name, &request);
-    if (!input)
+    char message[CM_IMAGE_MESSAGE] = "";
+    const cm_image_io *const io = cm_image_io_get(message);
+    cm_image_reader *reader = nullptr;
+    if (io == nullptr || io->open(name.c_str(), 0, &reader, message) != CM_OK)
     {
-        throw std::runtime_error(name + ": " + OIIO::geterror());
+        throw std::runtime_error(name + ": " + message);
     }
-    width = input->spec().width;
-    height = input->spec().height;
-    channels = input->spec().nchannels;
+    const cm_image_description &stored = *io->describe(reader);
+    const cm_image_region all = {0, 0, stored.width, stored.height};
+    width = static_cast<int>(stored.width);
+    height = static_cast<int>(stored.height);
+    channels = static_cast<int>(stored.channels);
     values.resize(std::size_t(width) * std::size_t(height) * std::size_t(channels));
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeFloat, values.data()))
+    const cm_status status = io->read(reader, &all, CM_PIXEL_FLOAT, values.data(), 0, message);
+    io->close(reader);
+    if (status != CM_OK)
     {
-        throw std::runtime_error(name + ": " + input->geterror());
+        throw std::runtime_error(name + ": " + message);
     }
 }

@@ -391,6 +391,8 @@ expect 'a disc is turned, too' 0 '270 0\n180 0 rim\n10 90 centre\n' '0 1\n1 0 ri
 # cells and pixels that the S2 library and HEALPix's programs give
 expect 'the cells of S2' 0 '11.770681595 49.703498679 Weiden\n12.588490937 55.685376759\n-93.449700022 45.486546517\n' \
     '47a1cbd595522b39 Weiden\n46525318b63be0f9\n52b30b71698e729d\n' '' -m s2 --frame s2 --cell 30
+expect 'the cells of S2, to the bit, where the mapping has others' 0 '180 0\n-180 0\n135 -20\n0 90\n' \
+    '6fffffffffffffff\n7000000000000001\n2b4b54ccccb34d2d\n5000000000000001\n' '' -m s2 --frame s2 --cell 30:s2
 expect 'cells of all levels have centres' 0 '1\n47a1cbd595522b39 Weiden\n' '0 0\n11.7706815947 49.7034986791 Weiden\n' '' \
     --cell 0 -m s2 --frame s2 -I --digits 12
 expect 'the cell of a point that is none' 1 '0 91\n' 'nan\n' '<stdin>:1: .*' --cell 3
@@ -435,7 +437,10 @@ usage_error 'no such latitude' "--latitude is 'x', not one of geographic, .*" --
 usage_error 'no such orientation' "--rotate 1: no orientation is called '1'.*" --rotate 1
 usage_error 'angles that are none' '--rotate 1,91: .*' --rotate 1,91
 usage_error 'no such level' "--cell is '31': .* from 0 to 30" --cell 31
-usage_error 'no such curve' "--cell is '3:peano': the curve is hilbert or morton" --cell 3:peano
+usage_error 'no such curve' "--cell is '3:peano': the curve is hilbert, morton or s2" --cell 3:peano
+usage_error "S2's cells of another mapping" '--cell 3:s2 is of -m s2 --frame s2 on a sphere.*' --cell 3:s2 -m qsc
+usage_error "S2's cells of an ellipsoid" '--cell 3:s2 is of -m s2 --frame s2 on a sphere.*' --cell 3:s2 -m s2 \
+    --frame s2 --ellipsoid WGS84
 usage_error 'half a level' "--cell is '2.5': .*" --cell 2.5
 usage_error 'cells of one face' '--cell has no meaning with -m rhealpix, .*' --cell 3 -m rhealpix
 usage_error 'no such nside' "--healpix is '536870913': .*" --healpix 536870913
@@ -454,7 +459,7 @@ usage_error 'a disc without a sphere, rotated' '--rotate has no meaning with -m 
 
 "$program" --list >output && grep -q '^coupled ' output && grep -q '^geo ' output
 verdict '--list'
-[ "$(grep -c ':$' output)" -eq 9 ] && grep -q '^    also       peirce (stereographic,conformal)$' output &&
+[ "$(grep -c ':$' output)" -eq 8 ] && grep -q '^    also       peirce (stereographic,conformal)$' output &&
     grep -q '^    also       square:concentric$' output && grep -q '^    parts      border:AZ' output &&
     grep -q '^octahedral .* -  *octahedron' output
 verdict '--list by kinds'

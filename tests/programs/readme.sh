@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The library as its users get it: installed into an empty folder, found by pkg-config, linked with
-# the shared and with the static library; the C program of the README compiles and prints what the
-# README says.
+# the shared and with the static library; the C program of the README and that of
+# docs/guide/images.md compile and print what the documents say.
 # Usage: readme.sh REPOSITORY BUILD_FOLDER C_COMPILER MESON...
 set -eu
 root=$1 build=$2 cc=$3
@@ -25,10 +25,10 @@ number() {
 test "$(number STRING)" = "\"$version\""
 test "$(number MAJOR).$(number MINOR).$(number PATCH)" = "$version"
 
-block() { # block LANGUAGE: the README's first block of code in that language
+block() { # block LANGUAGE [FILE]: the first block of code in that language, of the README without a file
     awk -v fence="\`\`\`$1" '$0 == fence && !done { inside = 1; next }
         $0 == "```" && inside { inside = 0; done = 1 }
-        inside' "$root/README.md"
+        inside' "$root/${2:-README.md}"
 }
 block c >"$work/example.c"
 block output >"$work/expected"
@@ -52,6 +52,17 @@ $cc -std=c11 -Wall -Wextra -Wpedantic -Werror $sanitizers -o "$work/static" "$wo
 "$work/static" >"$work/got"
 diff "$work/expected" "$work/got"
 echo "ok: static"
+# the program of the guide to pictures, with the library for them
+block c docs/guide/images.md >"$work/picture.c"
+block output docs/guide/images.md >"$work/expected"
+test -s "$work/picture.c"
+test -s "$work/expected"
+# shellcheck disable=SC2046
+$cc -std=c11 -Wall -Wextra -Wpedantic -Werror $sanitizers -o "$work/picture" "$work/picture.c" \
+    $(pkg-config --cflags --libs cubemap-image) -Wl,-rpath,"$library"
+"$work/picture" >"$work/got"
+diff "$work/expected" "$work/got"
+echo "ok: pictures"
 # everything a user expects is there
 for file in bin/cubemap-project bin/cubemap-reproject bin/cubemap-bench bin/cubemap-distortion \
     bin/cubemap-colormap bin/cubemap-latitude bin/cubemap-orient include/cubemap/cubemap.h include/cubemap/distortion.h \
@@ -61,19 +72,23 @@ for file in bin/cubemap-project bin/cubemap-reproject bin/cubemap-bench bin/cube
     share/man/man1/cubemap-distortion.1 share/man/man1/cubemap-colormap.1 share/man/man1/cubemap-latitude.1 \
     share/man/man1/cubemap-orient.1 \
     share/bash-completion/completions/cubemap-project share/zsh/site-functions/_cubemap-project \
-    share/fish/vendor_completions.d/cubemap-project.fish; do
+    share/fish/vendor_completions.d/cubemap-project.fish cubemap/cubemap-image-io.so; do
     if [ -z "$(find "$work/root" -path "*/$file")" ]; then
         echo "not ok: $file is not installed"
         exit 1
     fi
 done
 echo "ok: installed files"
-# what the headers declare is exported, and nothing else
-nm -D --defined-only "$library/libcubemap.so" | awk '{ print $3 }' |
-    grep -v -e '^_' -e '^\.' | sort >"$work/exported"
-$cc -E -x c -DCM_API=CM_API "$root/include/cubemap/cubemap.h" -I "$root/include" 2>/dev/null |
-    tr '\n' ' ' | grep -o '__attribute__((visibility("default")))[^;]*;' |
-    sed 's/[^(]*(([^)]*)))//; s/(.*//; s/.*[ *]//' | sort >"$work/declared"
-test -s "$work/declared"
-diff "$work/declared" "$work/exported"
-echo "ok: exported names"
+
+# an installed program finds what reads images beside it, wherever the whole was moved
+moved="$work/a folder with blanks"
+mv "$work/root" "$moved"
+compare=$(find "$moved" -path '*/bin/cubemap-compare')
+libraries=$(dirname "$(find "$moved" -name 'libcubemap.so*' | head -n 1)")
+image=$root/tests/programs/golden/earth-64.png
+if ! LD_LIBRARY_PATH=$libraries "$compare" "$image" "$image" >"$work/compare.log" 2>&1; then
+    echo "not ok: an installed program does not read images"
+    cat "$work/compare.log"
+    exit 1
+fi
+echo "ok: an installed program reads images"

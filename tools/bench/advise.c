@@ -1,77 +1,63 @@
 /* SPDX-License-Identifier: MIT
  *
- * cubemap-bench advise: the mappings that are good enough, the cheapest first, and what those that are
- * cheaper would cost in distortion. Times are measured now, on this machine.
+ * cubemap-bench advise: the mappings that are good enough, the cheapest first, what the others would cost in
+ * distortion, and how much is needed. Times are measured now, on this machine; the rest is the library's
+ * (cubemap/advise.h).
  */
-#include "bench.h"
-
-#include "truth/length_text.h"
-#include "truth/sphere.h"
+#include "advise_work.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/cli/catalogue_name.h"
 #include "tools/cli/failure.h"
-
-typedef struct limits
-{
-    double area_error;
-    double isotropy;
-    double deformation;
-    double ns;
-    double error;
-    int equal_area;
-    int smooth;
-    int directions; /* bits */
-} limits;
-
-typedef struct candidate
-{
-    const subject *subject;
-    const way *way;
-    double cost;
-    double value[5]; /* area error, isotropy, deformation in degrees, ns, error in metres */
-    int good;
-} candidate;
-
-typedef struct advice
-{
-    suite all;
-    limits limit;
-    int precision;
-    const char *json;
-    size_t count;
-    candidate *list;
-} advice;
+#include "truth/sphere.h"
 
 /* ---- Options ---- */
 
 enum
 {
     AREA = 1,
+    AREA_RMSE,
     ISOTROPY,
+    ISOTROPY_MEAN,
+    ISOTROPY_RMSE,
     DEFORMATION,
+    DEFORMATION_MEAN,
+    DEFORMATION_RMSE,
     NS,
     ERROR,
     EQUAL,
     SMOOTH,
+    EDGE,
     DIRECTION,
     PRECISION,
+    FORM,
+    ELLIPSOID,
+    RESOLUTION,
+    SOURCE,
     QUICK,
     JSON
 };
 
 static const char *const no_yes[] = {"no", "yes", NULL};
-static const char *const smooth_names[] = {"torn", "c0", "c1", "analytic", NULL};
+static const char *const smooth_names[] = {"torn", "c0", "c1", "c2", "analytic", NULL};
 static const char *const both_directions[] = {"forward", "inverse", "both", NULL};
+static const char *const edge_names[] = {"continuous", "smooth", NULL};
 
-static const cm_option table[] = {
+static const cm_option limits[] = {
     {.id = AREA,
      .name = "max-area-error",
      .kind = CM_OPTION_NUMBER,
      .argument = "E",
      .help = "greatest |D_A - 1|, D_A the area scale relative to its mean",
+     .high = HUGE_VAL},
+    {.id = AREA_RMSE,
+     .name = "max-area-rmse",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "E",
+     .help = "root mean square of D_A - 1 over the face",
      .high = HUGE_VAL},
     {.id = ISOTROPY,
      .name = "max-isotropy",
@@ -80,11 +66,36 @@ static const cm_option table[] = {
      .help = "greatest D_I = a / b",
      .low = 1.0,
      .high = HUGE_VAL},
+    {.id = ISOTROPY_MEAN,
+     .name = "max-isotropy-mean",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "R",
+     .help = "mean D_I over the face",
+     .low = 1.0,
+     .high = HUGE_VAL},
+    {.id = ISOTROPY_RMSE,
+     .name = "max-isotropy-rmse",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "E",
+     .help = "root mean square of D_I - 1 over the face",
+     .high = HUGE_VAL},
     {.id = DEFORMATION,
      .name = "max-deformation",
      .kind = CM_OPTION_NUMBER,
      .argument = "W",
      .help = "greatest angular deformation in degrees",
+     .high = 180.0},
+    {.id = DEFORMATION_MEAN,
+     .name = "max-deformation-mean",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "W",
+     .help = "its mean over the face",
+     .high = 180.0},
+    {.id = DEFORMATION_RMSE,
+     .name = "max-deformation-rmse",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "W",
+     .help = "its root mean square",
      .high = 180.0},
     {.id = NS,
      .name = "max-ns",
@@ -110,8 +121,19 @@ static const cm_option table[] = {
      .name = "smooth",
      .kind = CM_OPTION_CHOICE,
      .argument = "S",
-     .help = "at least so smooth on a face",
+     .help = "no torn edges from `c0` on, and at least so smooth on a face",
      .choices = smooth_names},
+    {.id = EDGE,
+     .name = "edge",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "E",
+     .help = "across the edges of faces",
+     .more = "`smooth` is of continuous first derivatives.",
+     .standard = "any, torn ones last",
+     .choices = edge_names},
+};
+
+static const cm_option uses[] = {
     {.id = DIRECTION,
      .name = "direction",
      .kind = CM_OPTION_CHOICE,
@@ -124,8 +146,45 @@ static const cm_option table[] = {
      .kind = CM_OPTION_CHOICE,
      .argument = "P",
      .help = "how it computes",
-     .standard = "`double`",
+     .standard = "`double`; with --max-error each that keeps it",
      .choices = precision_names},
+    {.id = FORM,
+     .name = "form",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "F",
+     .help = "whose times count: of an `array`, or of `single` points, a call for each",
+     .standard = "`array`",
+     .choices = form_names,
+     .flags = CM_OPTION_TOLD},
+    {.id = ELLIPSOID,
+     .name = "ellipsoid",
+     .kind = CM_OPTION_TEXT,
+     .argument = "E",
+     .help = "points are geographic, on this ellipsoid: a name, or A,1/F",
+     .more =
+         "Conformal mappings get the conformal latitude, all others the authalic one. Times are "
+         "from and to longitude and latitude; what the latitude adds to distortion and error "
+         "is in the figures.",
+     .choice_at = ellipsoid_name_at},
+};
+
+static const cm_option sizes[] = {
+    {.id = RESOLUTION,
+     .name = "resolution",
+     .kind = CM_OPTION_TEXT,
+     .argument = "ANGLE",
+     .help = "how large a face is to be for pixels of this angle, such as 30arcsec, 0.5deg, "
+             "1arcmin, 1e-3rad, 90m or 1km (on Earth)"},
+    {.id = SOURCE,
+     .name = "source",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "W",
+     .help = "the same for an equirectangular image so many pixels wide",
+     .low = 1,
+     .high = 1e12},
+};
+
+static const cm_option others[] = {
     {.id = QUICK, .name = "quick", .help = "fewer repetitions"},
     {.id = JSON,
      .name = "json",
@@ -134,66 +193,173 @@ static const cm_option table[] = {
      .help = "write the candidates there as JSON; - is standard output instead of the table"},
 };
 
-static const cm_option_group groups[] = {{NULL, table, sizeof table / sizeof *table}};
+#define GROUP(heading, options)                                                                    \
+    {                                                                                              \
+        heading, options, sizeof(options) / sizeof *(options)                                      \
+    }
+static const cm_option_group groups[] = {GROUP(NULL, others), GROUP("Limits", limits),
+                                         GROUP("Use", uses), GROUP("How big", sizes)};
 
 const cm_command advise_command = {
     .name = "cubemap-bench advise",
     .usage = "[OPTION]... [MAPPING]...",
     .summary =
         "List the mappings that keep every limit, the cheapest first; then those that are cheaper "
-        "and do not, with what they exceed: no more than needed. The cost is the time a point of "
-        "the slower of the directions that are asked for, in arrays, measured now. Without limits "
-        "all are listed. MAPPING is as for cubemap-bench; default: the catalogue with its standard "
-        "parameters.",
+        "and do not, with what they miss, and those that are dearer and nearly do: no more than "
+        "needed. The cost is the time a point of the slower of the directions that are asked for, "
+        "measured now. Without limits all are listed. Distortion may be above its limit by "
+        "rounding, 1e-12. MAPPING is as for cubemap-bench; default: the catalogue with its "
+        "standard parameters and presets.",
     .groups = groups,
-    .group_count = 1,
+    .group_count = sizeof groups / sizeof *groups,
     .notes = "Exit status: 0 if a mapping qualifies, 1 if none does, 2 for wrong usage.\n\n"
-             "Example:\n"
+             "Examples:\n"
              "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5 \\\n"
-             "      --equal-area no\n",
+             "      --equal-area no\n"
+             "  cubemap-bench advise --equal-area yes --ellipsoid WGS84 --max-error 0.01 \\\n"
+             "      --resolution 30arcsec\n",
     .operand = CM_OPTION_TEXT,
     .choice_at = subject_name_at};
 
-static void take_option(advice *a, const cm_option_reader *reader, int id)
+/* ---- Reading them ---- */
+
+/* Options that are limits, and the unit that they are in. */
+static const struct
 {
-    limits *limit = &a->limit;
-    const struct
+    int id;
+    cm_limit limit;
+    double unit;
+} limit_options[] = {{AREA, CM_LIMIT_AREA, 1.0},
+                     {AREA_RMSE, CM_LIMIT_AREA_RMSE, 1.0},
+                     {ISOTROPY, CM_LIMIT_ISOTROPY, 1.0},
+                     {ISOTROPY_MEAN, CM_LIMIT_ISOTROPY_MEAN, 1.0},
+                     {ISOTROPY_RMSE, CM_LIMIT_ISOTROPY_RMSE, 1.0},
+                     {DEFORMATION, CM_LIMIT_DEFORMATION, DEGREE},
+                     {DEFORMATION_MEAN, CM_LIMIT_DEFORMATION_MEAN, DEGREE},
+                     {DEFORMATION_RMSE, CM_LIMIT_DEFORMATION_RMSE, DEGREE},
+                     {NS, CM_LIMIT_COST, 1.0},
+                     {ERROR, CM_LIMIT_ERROR, 1.0}};
+
+static void take_limit(cm_advice_request *request, const cm_option_reader *reader, int id)
+{
+    for (size_t i = 0; i < sizeof limit_options / sizeof *limit_options; i++)
     {
-        int id;
-        double *number;
-        int *choice;
-    } places[] = {{AREA, &limit->area_error, NULL},
-                  {ISOTROPY, &limit->isotropy, NULL},
-                  {DEFORMATION, &limit->deformation, NULL},
-                  {NS, &limit->ns, NULL},
-                  {ERROR, &limit->error, NULL},
-                  {EQUAL, NULL, &limit->equal_area},
-                  {SMOOTH, NULL, &limit->smooth},
-                  {PRECISION, NULL, &a->precision}};
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
-    {
-        if (places[i].id == id && places[i].number != NULL)
+        if (limit_options[i].id == id)
         {
-            *places[i].number = reader->number;
-        }
-        else if (places[i].id == id)
-        {
-            *places[i].choice = (int)reader->choice;
+            request->limited |= 1u << limit_options[i].limit;
+            request->limit[limit_options[i].limit] = reader->number * limit_options[i].unit;
         }
     }
-    limit->directions = id == DIRECTION ? (int)reader->choice + 1 : limit->directions;
-    a->all.set.repetitions = id == QUICK ? 9 : a->all.set.repetitions;
-    a->json = id == JSON ? reader->text : a->json;
+}
+
+/* The angle that a text says; 0 if it says none. */
+static double angle_of(const char *text)
+{
+    static const struct
+    {
+        const char *name;
+        double radians;
+    } units[] = {{"deg", DEGREE}, {"arcmin", DEGREE / 60.0}, {"arcsec", DEGREE / 3600.0},
+                 {"rad", 1.0},    {"m", 1.0 / EARTH_RADIUS}, {"km", 1e3 / EARTH_RADIUS}};
+    double number = 0.0;
+    size_t length = cm_number_read(text, strlen(text), &number);
+    double angle = 0.0;
+    for (size_t i = 0; i < sizeof units / sizeof *units && length > 0; i++)
+    {
+        angle = strcmp(text + length, units[i].name) == 0 ? number * units[i].radians : angle;
+    }
+    return angle > 1e-12 && angle <= 180.0 * DEGREE ? angle : 0.0;
+}
+
+/* 0, or what is wrong has been put into the reader's message. */
+static int take_text(advice_work *work, cm_option_reader *reader, int id)
+{
+    char why[200];
+    if (id == RESOLUTION)
+    {
+        work->angle = angle_of(reader->text);
+        return work->angle > 0.0
+                   ? 0
+                   : cm_options_refuse(reader, "an angle above 1e-12 rad and up to 180 degrees "
+                                               "with its unit: deg, arcmin, arcsec, rad, m or km");
+    }
+    if (cm_ellipsoid_parse(reader->text, &work->ellipsoid, why, sizeof why) != CM_OK)
+    {
+        const cm_nearest nearest = nearest_name(reader->text, ellipsoid_name_at);
+        snprintf(reader->message, sizeof reader->message, "%s", why);
+        cm_nearest_append(&nearest, reader->message, sizeof reader->message);
+        return CM_OPTIONS_WRONG;
+    }
+    work->request.ellipsoid = &work->ellipsoid;
+    return 0;
+}
+
+static int take_option(advice_work *work, cm_option_reader *reader, int id)
+{
+    cm_advice_request *request = &work->request;
+    take_limit(request, reader, id);
+    switch (id)
+    {
+    case EQUAL:
+        request->equal_area = reader->choice == 1;
+        break;
+    case SMOOTH:
+        request->smooth = (cm_smoothness)reader->choice;
+        break;
+    case EDGE:
+        request->edge = reader->choice == 0 ? CM_SMOOTH_C0 : CM_SMOOTH_C1;
+        break;
+    case DIRECTION:
+        request->directions = (unsigned)reader->choice + 1u;
+        break;
+    case PRECISION:
+        work->precision = (int)reader->choice;
+        break;
+    case FORM:
+        work->all.set.form = (int)reader->choice;
+        break;
+    case ELLIPSOID:
+    case RESOLUTION:
+        return take_text(work, reader, id);
+    case SOURCE:
+        work->angle = 360.0 * DEGREE / reader->number;
+        break;
+    case QUICK:
+        work->all.set.repetitions = 9;
+        break;
+    case JSON:
+        work->json = reader->text;
+        break;
+    default:
+        break;
+    }
+    return 0;
+}
+
+/* What is measured: other precisions than double where they may be an answer. */
+static void choose_ways(advice_work *work)
+{
+    settings *set = &work->all.set;
+    cm_advice_request *request = &work->request;
+    int has_error = (request->limited >> CM_LIMIT_ERROR & 1u) != 0;
+    set->precision = work->precision < 0 && !has_error ? PRECISION_DOUBLE : -1;
+    set->all_tiers = work->precision == PRECISION_FAST;
+    request->precisions = work->precision < 0 ? 0 : 1u << work->precision;
+    request->single = set->form == FORM_SINGLE;
 }
 
 /* -1 to go on, or the exit status */
-static int read_options(advice *a, int argc, char **argv, const cm_streams *streams)
+static int read_options(advice_work *work, int argc, char **argv, const cm_streams *streams)
 {
     cm_option_reader reader = cm_options_begin(&advise_command, argc, argv, streams);
     int id;
     while ((id = cm_options_next(&reader)) > 0)
     {
-        take_option(a, &reader, id);
+        int status = take_option(work, &reader, id);
+        if (status != 0)
+        {
+            return complain(&reader);
+        }
     }
     if (id != CM_OPTIONS_END)
     {
@@ -204,262 +370,116 @@ static int read_options(advice *a, int argc, char **argv, const cm_streams *stre
     {
         return usage(why, "");
     }
-    return suite_add_all(&a->all, reader.operand_count, reader.operands) ? -1 : EXIT_USAGE;
-}
-
-/* ---- Candidates ---- */
-
-/* A round trip on Earth, as the descriptor promises it; NaN for parameters that it promises nothing for.
- * The fast tier falls back to the exact one where it has no direction. */
-static double promised_error(const subject *s, const way *w)
-{
-    const cm_mapping_info *info = cm_mapping_describe(s->mapping);
-    int narrow = w->precision == PRECISION_FLOAT ||
-                 (w->precision == PRECISION_FAST && (w->offered[FORWARD] || w->offered[INVERSE]));
-    double more = narrow && w->precision == PRECISION_FAST ? 1.0 : 0.0;
-    for (size_t i = 0; i < info->parameter_count; i++)
+    choose_ways(work);
+    if (work->all.set.form == FORM_SINGLE && work->precision == PRECISION_FAST)
     {
-        if (cm_mapping_parameter(s->mapping, i) != info->parameter[i].standard)
-        {
-            return (double)NAN;
-        }
+        return usage("--precision fast has no single points: they gain nothing from it", "");
     }
-    return (info->bounds.round_trip + more) * (narrow ? 0x1p-24 : 0x1p-53) * EARTH_RADIUS;
-}
-
-static int keeps(const advice *a, const candidate *c)
-{
-    const cm_mapping_info *info = cm_mapping_describe(c->subject->mapping);
-    const limits *l = &a->limit;
-    return c->value[0] <= l->area_error && c->value[1] <= l->isotropy &&
-           c->value[2] <= l->deformation && c->value[3] <= l->ns &&
-           (c->value[4] <= l->error || isinf(l->error)) &&
-           (!l->equal_area || (info->properties & CM_EQUAL_AREA) != 0) &&
-           (int)info->smooth_face >= l->smooth;
-}
-
-static candidate make_candidate(const advice *a, const way *w)
-{
-    const subject *s = &a->all.subjects[w->subject];
-    const cm_statistics(*of)[MEASURES] = s->distortion.of;
-    candidate c = {.subject = s, .way = w};
-    for (int direction = 0; direction < DIRECTIONS; direction++)
-    {
-        if ((a->limit.directions >> direction & 1) != 0)
-        {
-            c.cost = fmax(c.cost, w->time[direction].median);
-        }
-    }
-    c.value[0] = of[CM_QUANTITY_AREA][CM_OVER_FACE].maximum_error;
-    c.value[1] = of[CM_QUANTITY_ISOTROPY][CM_OVER_FACE].maximum;
-    c.value[2] = of[CM_QUANTITY_DEFORMATION][CM_OVER_FACE].maximum / DEGREE;
-    c.value[3] = c.cost;
-    c.value[4] = promised_error(s, w);
-    c.good = keeps(a, &c);
-    return c;
-}
-
-static int compare(const void *a, const void *b)
-{
-    double x = ((const candidate *)a)->cost;
-    double y = ((const candidate *)b)->cost;
-    return (x > y) - (x < y);
-}
-
-static void find_candidates(advice *a)
-{
-    a->list = allocate(a->all.way_count, sizeof *a->list);
-    for (size_t i = 0; i < a->all.way_count; i++)
-    {
-        a->list[a->count++] = make_candidate(a, &a->all.ways[i]);
-    }
-    qsort(a->list, a->count, sizeof *a->list, compare);
-}
-
-/* ---- Table ---- */
-
-static void print_candidate(const candidate *c)
-{
-    const timing *t = c->way->time;
-    fprintf(harness_out(), "%-20s %6.2f %6.2f %3.0f%%  %10.4g %9.4f %11.2f   %s\n",
-            c->subject->specification, t[FORWARD].median, t[INVERSE].median,
-            fmax(spread(&t[FORWARD]), spread(&t[INVERSE])), c->value[0] < 1e-12 ? 0.0 : c->value[0],
-            c->value[1], c->value[2], isnan(c->value[4]) ? "-" : length_text(c->value[4]));
-}
-
-/* What a candidate exceeds, as a sentence's end. */
-static void print_excess(const advice *a, const candidate *c)
-{
-    static const char *const what[] = {"area error", "isotropy", "deformation", "ns", "error"};
-    const double limit[] = {a->limit.area_error, a->limit.isotropy, a->limit.deformation,
-                            a->limit.ns, a->limit.error};
-    const cm_mapping_info *info = cm_mapping_describe(c->subject->mapping);
-    const char *before = " ";
-    for (int k = 0; k < 5; k++)
-    {
-        if (isnan(c->value[k]) && !isinf(limit[k]))
-        {
-            fprintf(harness_out(), "%sno promise of its %s with these parameters", before, what[k]);
-            before = "; ";
-        }
-        else if (c->value[k] > limit[k])
-        {
-            fprintf(harness_out(), "%s%s %.4g, %.3g more than %g", before, what[k], c->value[k],
-                    c->value[k] - limit[k], limit[k]);
-            before = "; ";
-        }
-    }
-    if (a->limit.equal_area && (info->properties & CM_EQUAL_AREA) == 0)
-    {
-        fprintf(harness_out(), "%snot equal-area, area error %.4g", before, c->value[0]);
-        before = "; ";
-    }
-    if ((int)info->smooth_face < a->limit.smooth)
-    {
-        fprintf(harness_out(), "%snot so smooth", before);
-    }
-    fprintf(harness_out(), "\n");
-}
-
-/* From the next cheaper one down. */
-static void print_cheaper(const advice *a, size_t first_good)
-{
-    const candidate *good = &a->list[first_good];
-    if (first_good == 0)
-    {
-        fprintf(harness_out(), "\nNone is cheaper than %s.\n", good->subject->specification);
-        return;
-    }
-    fprintf(harness_out(), "\nCheaper than %s, but:\n", good->subject->specification);
-    for (size_t i = first_good; i-- > 0;)
-    {
-        const candidate *c = &a->list[i];
-        fprintf(harness_out(), "%-20s %6.2f ns, %.0f %% less:", c->subject->specification, c->cost,
-                100.0 * (1.0 - c->cost / good->cost));
-        print_excess(a, c);
-    }
-}
-
-static void print_failures(const advice *a)
-{
-    fprintf(harness_out(), "\nNo mapping qualifies. What each exceeds:\n");
-    for (size_t i = 0; i < a->count; i++)
-    {
-        fprintf(harness_out(), "%-20s", a->list[i].subject->specification);
-        print_excess(a, &a->list[i]);
-    }
-}
-
-static void print_advice(const advice *a, size_t first_good)
-{
-    fprintf(harness_out(), "%s, arrays of %zu points, %s; %s\n\n", precision_names[a->precision],
-            a->all.set.points, cm_mapping_instructions(a->all.ways[0].mapping), system_cpu());
-    fprintf(harness_out(), "%-20s %13s   %10s %9s %11s   %s\n%-20s %6s %6s   %10s %9s %11s   %s\n",
-            "", "ns a point", "area error", "isotropy", "deformation", "round trip", "mapping",
-            "fwd", "inv", "|D_A - 1|", "D_I", "degrees", "at most");
-    for (size_t i = 0; i < a->count; i++)
-    {
-        if (a->list[i].good)
-        {
-            print_candidate(&a->list[i]);
-        }
-    }
-    if (first_good < a->count)
-    {
-        print_cheaper(a, first_good);
-    }
-    else
-    {
-        print_failures(a);
-    }
-}
-
-/* ---- JSON ---- */
-
-static void write_advice(FILE *out, const advice *a)
-{
-    static const char *const keys[] = {"area_error", "isotropy", "deformation_deg", "cost_ns",
-                                       "round_trip_bound_m"};
-    const double limit[] = {a->limit.area_error, a->limit.isotropy, a->limit.deformation,
-                            a->limit.ns, a->limit.error};
-    fprintf(out, "{\n  ");
-    json_text(out, "program", "cubemap-bench advise");
-    json_text(out, "version", cm_version());
-    json_machine(out);
-    json_text(out, "instructions", cm_mapping_instructions(a->all.subjects[0].mapping));
-    json_text(out, "precision", precision_names[a->precision]);
-    fprintf(out, "\n  \"limits\": {");
-    for (int k = 0; k < 5; k++)
-    {
-        json_number(out, keys[k], limit[k]);
-    }
-    fprintf(out, "\"equal_area\": %s},\n  \"candidates\": [",
-            a->limit.equal_area ? "true" : "false");
-    for (size_t i = 0; i < a->count; i++)
-    {
-        const candidate *c = &a->list[i];
-        const cm_mapping_info *info = cm_mapping_describe(c->subject->mapping);
-        fprintf(out, "%s\n    {", i == 0 ? "" : ",");
-        json_text(out, "specification", c->subject->specification);
-        for (int k = 0; k < 5; k++)
-        {
-            json_number(out, keys[k], c->value[k]);
-        }
-        json_number(out, "ns_forward", c->way->time[FORWARD].median);
-        json_number(out, "ns_inverse", c->way->time[INVERSE].median);
-        fprintf(out, "\"equal_area\": %s, \"qualifies\": %s}",
-                info->properties & CM_EQUAL_AREA ? "true" : "false", c->good ? "true" : "false");
-    }
-    fprintf(out, "\n  ]\n}\n");
+    return suite_add_all(&work->all, reader.operand_count, reader.operands) ? -1 : EXIT_USAGE;
 }
 
 /* ---- Program ---- */
 
-static int run(advice *a)
+static void set_times(const way *w, double ns[DIRECTIONS])
+{
+    for (int direction = 0; direction < DIRECTIONS; direction++)
+    {
+        int is_known = w->samples[direction] != NULL;
+        ns[direction] = is_known ? w->time[direction].median : (double)NAN;
+    }
+}
+
+/* A row for each way. 0 if it cannot be done, which has been said. */
+static int ask(advice_work *work)
+{
+    const suite *all = &work->all;
+    cm_advice_cost *rows = allocate(all->way_count + 1, sizeof *rows);
+    for (size_t i = 0; i < all->way_count; i++)
+    {
+        const way *w = &all->ways[i];
+        rows[i] = (cm_advice_cost){.specification = all->subjects[w->subject].specification,
+                                   .precision = (cm_precision)w->precision};
+        set_times(w, rows[i].ns);
+        set_times(w, rows[i].single_ns);
+    }
+    const cm_advice_costs costs = {.size = sizeof costs, .count = all->way_count, .cost = rows};
+    cm_status status = cm_advise(&work->request, &costs, &work->advice);
+    free(rows);
+    if (status != CM_OK)
+    {
+        fprintf(harness_err(), "%s: %s\n", program_name(), cm_status_text(status));
+    }
+    return status == CM_OK;
+}
+
+/* Of each mapping once: the precisions of one have the same. */
+static void find_sizes(advice_work *work)
+{
+    size_t count = cm_advice_qualified(work->advice);
+    work->pixels = allocate(count + 1, sizeof *work->pixels);
+    for (size_t i = 0; i < count; i++)
+    {
+        const cm_advice_candidate *c = cm_advice_at(work->advice, i);
+        cm_advice_size s = {.size = sizeof s};
+        if (cm_advise_size(way_of(work, c)->mapping, work->angle, &s) == CM_OK)
+        {
+            work->pixels[i] = s.pixels;
+        }
+    }
+}
+
+static int run(advice_work *work)
 {
     output json;
-    if (!output_open(&json, a->json))
+    if (!output_open(&json, work->json))
     {
         return 1;
     }
-    measure_times(&a->all, (stage){0.0, 0.6});
-    for (size_t i = 0; i < a->all.subject_count; i++)
+    if (work->request.ellipsoid != NULL)
     {
-        distort(a->all.subjects[i].mapping, 1e-2, 0, &a->all.subjects[i].distortion);
-        stage_progress((stage){0.6, 1.0}, i + 1, a->all.subject_count, "distortion");
+        measure_grid_times(work, (stage){0.0, 0.5});
     }
-    progress(NULL);
-    find_candidates(a);
-    size_t first_good = 0;
-    while (first_good < a->count && !a->list[first_good].good)
+    else
     {
-        first_good++;
+        measure_times(&work->all, (stage){0.0, 0.5});
+    }
+    stage_progress((stage){0.5, 1.0}, 0, 1, "distortion");
+    int good = ask(work);
+    progress(NULL);
+    if (!good)
+    {
+        output_drop(&json);
+        return 1;
+    }
+    if (work->angle > 0.0)
+    {
+        find_sizes(work);
     }
     if (json.file != harness_out())
     {
-        print_advice(a, first_good);
+        print_advice(work);
     }
     if (json.file != NULL)
     {
-        write_advice(json.file, a);
+        write_advice(json.file, work);
     }
-    int good = output_close(&json);
+    good = output_close(&json);
     good &= close_standard_output() == 0;
-    return !good || first_good == a->count;
+    return !good || cm_advice_qualified(work->advice) == 0;
 }
 
 int advise(int argc, char **argv, const cm_streams *streams)
 {
-    advice a = {.limit = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, 0, 0, 3},
-                .all = {.set = {.points = 8192, .repetitions = 30, .form = FORM_ARRAY}}};
-    int status = read_options(&a, argc, argv, streams);
+    advice_work work = {.request = {.size = sizeof work.request},
+                        .precision = -1,
+                        .all = {.set = {.points = 8192, .repetitions = 30, .form = FORM_ARRAY}}};
+    int status = read_options(&work, argc, argv, streams);
     if (status < 0)
     {
-        a.all.set.precision = a.precision;
-        a.all.set.all_tiers = 1;
-        status = suite_prepare(&a.all) ? run(&a) : 1;
+        status = suite_prepare(&work.all) ? run(&work) : 1;
     }
-    free(a.list);
-    suite_close(&a.all);
+    cm_advice_destroy(work.advice);
+    free(work.pixels);
+    suite_close(&work.all);
     return status;
 }

@@ -41,14 +41,15 @@ static const cm_option table[] = {
     {.id = QUICK,
      .name = "quick",
      .help =
-         "in some seconds: fewer points and repetitions, no maps, no lengths; wherever it stands, "
-         "other options count before it"},
+         "in some seconds, which the table tells: fewer points and repetitions, no percentiles, no "
+         "maps, no lengths; wherever it stands, other options count before it"},
     {.id = JSON,
      .name = "json",
      .kind = CM_OPTION_FILE,
      .argument = "FILE",
      .help = "write all results there as JSON; - is standard output, without tables",
-     .more = "Machine, compiler, flags and version are in it."},
+     .more =
+         "Date, commit, machine, compiler, flags and every sample are in it: compare reads it."},
     {.id = CSV,
      .name = "csv",
      .kind = CM_OPTION_FILE,
@@ -135,24 +136,30 @@ static const cm_option table[] = {
 };
 
 static const cm_option_group groups[] = {{NULL, table, sizeof table / sizeof *table}};
-static const cm_command *const commands[] = {&advise_command, &papers_command, NULL};
+static const cm_command *const commands[] = {&advise_command, &compare_command, &papers_command,
+                                             NULL};
 
 const cm_command cm_bench_command = {
     .name = "cubemap-bench",
     .usage = "[OPTION]... [MAPPING]...\n"
              "advise [OPTION]... [MAPPING]...\n"
+             "compare [OPTION]... OLD.json NEW.json\n"
              "papers [OPTION]... [TABLE]...",
     .summary =
         "Measure speed, accuracy and distortion of mappings in one run and print them as tables. "
         "MAPPING is NAME[:PARAMETER=VALUE,...], NAME:PRESET, or a pattern of names such as 'tan*'; "
         "default: the catalogue.\n\n"
-        "advise lists the mappings that are good enough, the cheapest first; papers computes the "
-        "tables that papers have printed; each has a --help of its own.",
+        "advise lists the mappings that are good enough, the cheapest first; compare tells what "
+        "has "
+        "become faster or slower from one run to another; papers computes the tables that papers "
+        "have "
+        "printed; each has a --help of its own.",
     .groups = groups,
     .group_count = 1,
     .notes = "Examples:\n"
              "  cubemap-bench --quick\n"
              "  cubemap-bench --json results.json coupled qsc 'tangent:c=1.1823'\n"
+             "  cubemap-bench compare --gate 5 results.json results-now.json\n"
              "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5\n",
     .operand = CM_OPTION_TEXT,
     .choice_at = subject_name_at,
@@ -201,13 +208,15 @@ static void be_quick(settings *set, unsigned given)
         size_t *count;
         size_t quick;
     } counts[] = {{POINTS, &set->points, 4096}, {REPETITIONS, &set->repetitions, 9},
-                  {RANDOM, &set->random, 1000}, {HARD, &set->hard, 1000},
+                  {RANDOM, &set->random, 500},  {HARD, &set->hard, 500},
                   {LARGEST, &set->largest, 0},  {MAP, &set->map_pixels, 0}};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
     {
         *counts[i].count = given >> counts[i].id & 1u ? *counts[i].count : counts[i].quick;
     }
-    set->tolerance = given >> TOLERANCE & 1u ? set->tolerance : 1e-6;
+    set->tolerance = given >> TOLERANCE & 1u ? set->tolerance : 1e-4;
+    set->percentiles = 0;
+    set->one_face = 1;
 }
 
 /* Where the whole number of an option goes. */
@@ -282,6 +291,7 @@ static int read_options(options *o, int argc, char **argv, const cm_streams *str
     {
         return complain(&reader);
     }
+    o->all.set.percentiles = o->json != NULL; /* nothing else tells them */
     if (o->given >> QUICK & 1u)
     {
         be_quick(&o->all.set, o->given);
@@ -302,6 +312,8 @@ static int read_options(options *o, int argc, char **argv, const cm_streams *str
 
 static void measure(suite *all)
 {
+    date_now(all->date);
+    all->began = seconds();
     int has_map = all->set.map_pixels > 0;
     int has_lengths = all->set.largest > 0;
     measure_times(all, (stage){0.0, 0.2});
@@ -382,7 +394,7 @@ static int choose(int argc, char **argv, const cm_streams *streams)
     {
         const char *word;
         int (*run)(int argc, char **argv, const cm_streams *streams);
-    } parts[] = {{"advise", advise}, {"papers", papers}};
+    } parts[] = {{"advise", advise}, {"compare", compare_results}, {"papers", papers}};
     for (size_t i = 0; argc > 1 && i < sizeof parts / sizeof *parts; i++)
     {
         if (strcmp(argv[1], parts[i].word) == 0)

@@ -63,7 +63,8 @@ typedef struct way
     int form;
     int offered[DIRECTIONS]; /* the fast tier may lack one */
     cm_mapping *mapping;
-    double *samples[DIRECTIONS]; /* ns a point */
+    double *samples[DIRECTIONS]; /* ns a point, one a repetition */
+    size_t calls[DIRECTIONS];    /* that a sample is of */
     timing time[DIRECTIONS];
     errors error[DIRECTIONS];
 } way;
@@ -71,7 +72,9 @@ typedef struct way
 typedef struct distortion
 {
     cm_statistics of[QUANTITIES][MEASURES];
-    double percentile[QUANTITIES][MEASURES][PERCENTILES];
+    double percentile[QUANTITIES][MEASURES][PERCENTILES]; /* NaN if not computed */
+    double doubt[QUANTITIES]
+                [MEASURES]; /* of the percentiles, the largest: rounded alike they stay in order */
 } distortion;
 
 typedef struct length_row
@@ -100,6 +103,8 @@ typedef struct settings
     size_t largest;    /* longest array for the cost against n; 0 for none */
     size_t map_pixels; /* of the map of errors; 0 for none */
     double tolerance;  /* of distortion */
+    int one_face;      /* for distortion, where all are alike */
+    int percentiles;   /* of it, too? */
     int precision;     /* only this one; -1 for all */
     int form;
     const char *instructions;
@@ -109,6 +114,8 @@ typedef struct settings
 typedef struct suite
 {
     settings set;
+    char date[DATE_SIZE]; /* when the run began */
+    double began;         /* the same by the clock */
     size_t subject_count;
     subject *subjects;
     size_t way_count;
@@ -152,8 +159,10 @@ void write_json(FILE *out, const suite *all);
 
 /* Programs of their own behind the first argument; they return exit statuses. */
 int advise(int argc, char **argv, const cm_streams *streams);
+int compare_results(int argc, char **argv, const cm_streams *streams);
 int papers(int argc, char **argv, const cm_streams *streams);
 extern const cm_command advise_command;
+extern const cm_command compare_command;
 extern const cm_command papers_command;
 
 /* The exit status 2, after a line that says what is wrong. */

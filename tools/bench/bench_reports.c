@@ -4,6 +4,7 @@
  */
 #include "bench.h"
 
+#include "tools/cli/known_digits.h"
 #include "truth/length_text.h"
 
 #include <math.h>
@@ -82,11 +83,19 @@ static void print_distortion(FILE *out, const suite *all)
         const cm_statistics *bent = &s->distortion.of[CM_QUANTITY_DEFORMATION][CM_OVER_FACE];
         const cm_statistics *aspect = &s->distortion.of[CM_QUANTITY_TEXEL_ASPECT][CM_OVER_FACE];
         const cm_statistics *texel = &s->distortion.of[CM_QUANTITY_TEXEL_AREA][CM_OVER_FACE];
+        char area_rmse[KNOWN_TEXT_SIZE];
+        char isotropy_mean[KNOWN_TEXT_SIZE];
+        char isotropy_rmse[KNOWN_TEXT_SIZE];
+        char bent_mean[KNOWN_TEXT_SIZE];
         fprintf(out,
-                "%-20s %7.4f %6.4f %7.4f %6.4f  %6.4f %6.4g %6.4f  %5.2f %6.2f  %6.4f %6.4f  "
+                "%-20s %7.4f %6.4f %7.4f %6s  %6s %6.4g %6s  %5s %6.2f  %6.4f %6.4f  "
                 "%6.4f %6.4f\n",
-                s->specification, area->minimum, area->maximum, area->maximum_error, area->rmse,
-                isotropy->mean, isotropy->maximum, isotropy->rmse, bent->mean / DEGREE,
+                s->specification, area->minimum, area->maximum, area->maximum_error,
+                known_text(area->rmse, area->rmse_error, 4, area_rmse),
+                known_text(isotropy->mean, isotropy->mean_error, 4, isotropy_mean),
+                isotropy->maximum,
+                known_text(isotropy->rmse, isotropy->rmse_error, 4, isotropy_rmse),
+                known_text(bent->mean / DEGREE, bent->mean_error / DEGREE, 2, bent_mean),
                 bent->maximum / DEGREE, aspect->minimum, aspect->maximum, texel->minimum,
                 texel->maximum);
     }
@@ -146,9 +155,10 @@ static void print_lengths(FILE *out, const subject *s)
 void write_table(FILE *out, const suite *all)
 {
     const settings *set = &all->set;
-    fprintf(out, "cubemap-bench (libcubemap) %s\n%s; %s; instructions %s\n%s %s\n\n", cm_version(),
-            system_cpu(), system_name(), cm_mapping_instructions(all->subjects[0].mapping),
-            system_compiler(), system_flags());
+    fprintf(out, "cubemap-bench (libcubemap) %s, commit %s; %s, %.1f s\n", cm_version(),
+            system_commit(), all->date, seconds() - all->began);
+    fprintf(out, "%s; %s; instructions %s\n%s %s\n\n", system_cpu(), system_name(),
+            cm_mapping_instructions(all->subjects[0].mapping), system_compiler(), system_flags());
     fprintf(
         out,
         "Times: nanoseconds a point, the median of %zu interleaved repetitions over %zu points\n"
@@ -180,6 +190,14 @@ static void csv_number(FILE *out, double value)
     {
         fprintf(out, ",%s", isinf(value) ? "inf" : "");
     }
+}
+
+/* The same of a number that is known to within an error. */
+static void csv_known(FILE *out, double value, double error)
+{
+    char text[KNOWN_TEXT_SIZE];
+    known_text(value, error, 9, text);
+    fprintf(out, ",%s", strcmp(text, "-") == 0 ? "" : text);
 }
 
 static void csv_head(FILE *out)
@@ -231,12 +249,15 @@ static void csv_distortion(FILE *out, const distortion *d)
     {
         const cm_statistics *face = &d->of[k][CM_OVER_FACE];
         const cm_statistics *sphere = &d->of[k][CM_OVER_SPHERE];
-        const double values[] = {face->minimum, face->maximum, face->maximum_error, face->mean,
-                                 face->rmse,    sphere->mean,  sphere->rmse};
-        for (size_t i = 0; i < sizeof values / sizeof values[0]; i++)
+        const double extremes[] = {face->minimum, face->maximum, face->maximum_error};
+        for (size_t i = 0; i < sizeof extremes / sizeof extremes[0]; i++)
         {
-            csv_number(out, values[i] / unit_of(k));
+            csv_number(out, extremes[i] / unit_of(k));
         }
+        csv_known(out, face->mean / unit_of(k), face->mean_error / unit_of(k));
+        csv_known(out, face->rmse / unit_of(k), face->rmse_error / unit_of(k));
+        csv_known(out, sphere->mean / unit_of(k), sphere->mean_error / unit_of(k));
+        csv_known(out, sphere->rmse / unit_of(k), sphere->rmse_error / unit_of(k));
     }
 }
 
@@ -276,6 +297,15 @@ static void json_exact(FILE *out, const char *before, const char *key, double va
     fprintf(out, isfinite(value) ? "%s\"%s\": %.15g" : "%s\"%s\": null", before, key, value);
 }
 
+/* The same of a number that is known to within an error: its known decimals, and null if it has none. */
+static void json_known(FILE *out, const char *before, const char *key, double value, double error)
+{
+    char text[KNOWN_TEXT_SIZE];
+    known_text(value, error, 15, text);
+    fprintf(out, "%s\"%s\": %s", before, key,
+            isfinite(value) && strcmp(text, "-") != 0 ? text : "null");
+}
+
 static void json_place(FILE *out, const char *key, uint8_t face, const double uv[2])
 {
     fprintf(out, ", \"%s\": {\"face\": %d, \"u\": %.9g, \"v\": %.9g}", key, face, uv[0], uv[1]);
@@ -286,18 +316,21 @@ static void json_means(FILE *out, const distortion *d, int quantity, int measure
     const cm_statistics *s = &d->of[quantity][measure];
     double unit = unit_of(quantity);
     fprintf(out, ", \"over_%s\": {", measure_names[measure]);
-    json_exact(out, "", "mean", s->mean / unit);
+    json_known(out, "", "mean", s->mean / unit, s->mean_error / unit);
     json_exact(out, ", ", "mean_error", s->mean_error / unit);
-    json_exact(out, ", ", "rmse", s->rmse / unit);
+    json_known(out, ", ", "rmse", s->rmse / unit, s->rmse_error / unit);
     json_exact(out, ", ", "rmse_error", s->rmse_error / unit);
     fprintf(out, ", \"percentiles\": {");
     for (int i = 0; i < PERCENTILES; i++)
     {
         char key[16];
         snprintf(key, sizeof key, "%g", percentiles[i]);
-        json_exact(out, i == 0 ? "" : ", ", key, d->percentile[quantity][measure][i] / unit);
+        json_known(out, i == 0 ? "" : ", ", key, d->percentile[quantity][measure][i] / unit,
+                   d->doubt[quantity][measure] / unit);
     }
-    fprintf(out, "}}");
+    fprintf(out, "}");
+    json_exact(out, ", ", "percentiles_error", d->doubt[quantity][measure] / unit);
+    fprintf(out, "}");
 }
 
 static void json_quantity(FILE *out, const distortion *d, int quantity)
@@ -319,7 +352,7 @@ static void json_quantity(FILE *out, const distortion *d, int quantity)
     fprintf(out, "}");
 }
 
-static void json_way(FILE *out, const way *w, int direction, const char *before)
+static void json_way(FILE *out, const suite *all, const way *w, int direction, const char *before)
 {
     const timing *t = &w->time[direction];
     const errors *e = &w->error[direction];
@@ -333,6 +366,8 @@ static void json_way(FILE *out, const way *w, int direction, const char *before)
     json_number(out, "ns_median", t->median);
     json_number(out, "ns_upper_quartile", t->upper_quartile);
     json_number(out, "ns_spread_percent", spread(t));
+    json_number(out, "calls_a_sample", (double)w->calls[direction]);
+    json_numbers(out, "ns_samples", w->samples[direction], all->set.repetitions);
     json_number(out, "worst_random_m", e->worst_random);
     json_number(out, "rms_random_m", e->rms_random);
     json_number(out, "worst_hard_m", e->worst_hard);
@@ -349,7 +384,7 @@ static void json_ways(FILE *out, const suite *all, size_t index)
         const way *w = &all->ways[i / DIRECTIONS];
         if (w->subject == index && w->offered[i % DIRECTIONS])
         {
-            json_way(out, w, (int)(i % DIRECTIONS), before);
+            json_way(out, all, w, (int)(i % DIRECTIONS), before);
             before = ",";
         }
     }
@@ -397,7 +432,6 @@ static void json_map(FILE *out, const suite *all, const subject *s)
 static void json_subject(FILE *out, const suite *all, size_t index)
 {
     static const char *const families[] = {"univariate", "bivariate", "hybrid"};
-    static const char *const smooth[] = {"torn", "C0", "C1", "analytic"};
     const subject *s = &all->subjects[index];
     const cm_mapping_info *info = info_of(s);
     fprintf(out, "%s\n    {\n      ", index == 0 ? "" : ",");
@@ -405,8 +439,9 @@ static void json_subject(FILE *out, const suite *all, size_t index)
     json_text(out, "identifier", info->identifier);
     json_text(out, "name", info->name);
     json_text(out, "family", families[info->family]);
-    json_text(out, "smooth_face", smooth[info->smooth_face]);
-    json_text(out, "smooth_edge", smooth[info->smooth_edge]);
+    json_text(out, "smooth_face", cm_smoothness_name(info->smooth_face));
+    json_text(out, "smooth_edge", cm_smoothness_name(info->smooth_edge));
+    json_text(out, "smooth_corner", cm_smoothness_name(info->smooth_corner));
     fprintf(out, "\"equal_area\": %s, \"conformal\": %s,\n      \"distortion\": {\n",
             info->properties & CM_EQUAL_AREA ? "true" : "false",
             info->properties & CM_CONFORMAL ? "true" : "false");
@@ -427,6 +462,8 @@ void write_json(FILE *out, const suite *all)
     fprintf(out, "{\n  ");
     json_text(out, "program", program_name());
     json_text(out, "version", cm_version());
+    json_run(out, all->date);
+    json_number(out, "seconds", seconds() - all->began);
     fprintf(out, "\"format\": 1,\n  \"machine\": {");
     json_machine(out);
     json_text(out, "instructions", cm_mapping_instructions(all->subjects[0].mapping));

@@ -118,6 +118,7 @@ static cm_nearest nearest_mapping_or_command(const char *word)
     {
         nearest = cm_nearest_to(word, strlen(word));
         cm_nearest_try(&nearest, "advise", 6);
+        cm_nearest_try(&nearest, "compare", 7);
         cm_nearest_try(&nearest, "papers", 6);
     }
     return nearest;

@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: MIT
  *
- * Times: every repetition runs every way once in each direction, so that what else the machine does falls
- * on all alike; each is run once before, so that its points are in the cache.
+ * Times: every repetition takes a sample of every way in each direction, so that what else the machine does falls
+ * on all alike. A sample is of as many calls as a thousand of the clock's ticks take; one call before it brings the
+ * points into the cache. Every repetition has its arrays elsewhere, so that what that makes is in the samples of one run
+ * and not only between runs.
  */
 #include "bench.h"
 
 #include "truth/sphere.h"
 
-/* Directions of length 1, the same for all. */
-static void batch_make(batch *b, size_t count)
+/* Directions of length 1, the same for all; the arrays as place says. */
+static void batch_make(batch *b, size_t count, uint64_t *place)
 {
     uint64_t state = 7;
-    batch_allocate(b, count);
+    batch_scatter(b, count, place);
     b->count = count;
     for (size_t i = 0; i < count; i++)
     {
@@ -28,20 +30,48 @@ static void run(const way *w, batch *b, int direction)
                                                       b, direction);
 }
 
-/* ns a point */
-static double time_once(const way *w, batch *b, int direction)
+static double seconds_of(const way *w, batch *b, int direction, size_t calls)
 {
-    double start = seconds();
-    run(w, b, direction);
-    return (seconds() - start) * 1e9 / (double)b->count;
+    const double start = seconds();
+    for (size_t i = 0; i < calls; i++)
+    {
+        run(w, b, direction);
+    }
+    return seconds() - start;
+}
+
+typedef struct timed_way
+{
+    const way *way;
+    batch *batch;
+    int direction;
+} timed_way;
+
+static double time_way(void *user, size_t calls)
+{
+    const timed_way *t = user;
+    return seconds_of(t->way, t->batch, t->direction, calls);
+}
+
+static size_t calls_of(const way *w, batch *b, int direction)
+{
+    timed_way timed = {w, b, direction};
+    return calls_a_sample(time_way, &timed);
+}
+
+/* ns a point */
+static double take_sample(const way *w, batch *b, int direction, size_t calls)
+{
+    return seconds_of(w, b, direction, calls) * 1e9 / ((double)calls * (double)b->count);
 }
 
 void measure_times(suite *all, stage part)
 {
-    batch b;
-    batch_make(&b, all->set.points);
+    uint64_t place = 1;
     for (size_t r = 0; r < all->set.repetitions; r++)
     {
+        batch b;
+        batch_make(&b, all->set.points, &place);
         for (size_t i = 0; i < all->way_count; i++)
         {
             way *w = &all->ways[i];
@@ -50,11 +80,13 @@ void measure_times(suite *all, stage part)
                 if (r == 0)
                 {
                     w->samples[direction] = allocate(all->set.repetitions, sizeof(double));
+                    w->calls[direction] = calls_of(w, &b, direction);
                 }
                 run(w, &b, direction);
-                w->samples[direction][r] = time_once(w, &b, direction);
+                w->samples[direction][r] = take_sample(w, &b, direction, w->calls[direction]);
             }
         }
+        batch_free(&b);
         stage_progress(part, r + 1, all->set.repetitions, "times");
     }
     for (size_t i = 0; i < all->way_count; i++)
@@ -65,15 +97,9 @@ void measure_times(suite *all, stage part)
                 summary(all->ways[i].samples[direction], all->set.repetitions);
         }
     }
-    batch_free(&b);
 }
 
 /* ---- Cost against the length of the array ---- */
-
-enum
-{
-    AT_ONCE = 4096 /* points that are timed together where arrays are shorter */
-};
 
 /* 1, 2, 4, ... 64, then 100, 300, 1000, ... */
 static size_t next_length(size_t n)
@@ -93,18 +119,13 @@ static size_t next_length(size_t n)
 /* The best of some runs over arrays of n. */
 static double time_length(const way *w, batch *b, size_t n, int direction)
 {
-    size_t calls = n < AT_ONCE ? AT_ONCE / n : 1;
     size_t repetitions = n > 1000000 ? 3 : 20;
     double best = (double)INFINITY;
     b->count = n;
+    const size_t calls = calls_of(w, b, direction);
     for (size_t r = 0; r < repetitions; r++)
     {
-        double start = seconds();
-        for (size_t i = 0; i < calls; i++)
-        {
-            run(w, b, direction);
-        }
-        best = fmin(best, (seconds() - start) * 1e9 / (double)(calls * n));
+        best = fmin(best, take_sample(w, b, direction, calls));
     }
     return best;
 }
@@ -127,11 +148,12 @@ static void add_lengths(suite *all, const way *w, batch *b)
 void measure_lengths(suite *all, stage part)
 {
     batch b;
+    uint64_t place = 1;
     if (all->set.largest == 0)
     {
         return;
     }
-    batch_make(&b, all->set.largest);
+    batch_make(&b, all->set.largest, &place);
     for (size_t i = 0; i < all->way_count; i++)
     {
         const way *w = &all->ways[i];

@@ -43,7 +43,7 @@ static const char *table_name_at(size_t index)
 static const cm_option option_table[] = {
     {.id = FINE,
      .name = "fine",
-     .help = "finer grids for optima and terrain, a minute instead of ten seconds"},
+     .help = "a finer grid for terrain: 8000 points along an edge instead of 4000"},
     {.id = MARKDOWN, .name = "markdown", .help = "as a table for documents"},
     {.id = CHECK,
      .name = "check",
@@ -78,7 +78,8 @@ cm_mapping *paper_mapping(const char *specification)
     cm_status status = cm_mapping_create(specification, cm_frame_find("geo"), &mapping);
     if (status != CM_OK)
     {
-        fprintf(harness_err(), "%s: %s: %s\n", program_name(), specification, cm_status_text(status));
+        fprintf(harness_err(), "%s: %s: %s\n", program_name(), specification,
+                cm_status_text(status));
         harness_end();
     }
     return mapping;
@@ -236,7 +237,7 @@ static void take_option(options *o, int id)
     switch (id)
     {
     case FINE:
-        o->resolution = (resolution){512, 512, 8000};
+        o->resolution = (resolution){512, 8000};
         break;
     case MARKDOWN:
         o->markdown = 1;
@@ -279,7 +280,7 @@ static int read_options(options *o, int argc, char **argv, const cm_streams *str
 
 int papers(int argc, char **argv, const cm_streams *streams)
 {
-    options o = {.resolution = {512, 128, 4000}};
+    options o = {.resolution = {512, 4000}};
     int status = read_options(&o, argc, argv, streams);
     size_t bad = 0;
     if (status >= 0)
@@ -295,8 +296,8 @@ int papers(int argc, char **argv, const cm_streams *streams)
     }
     if (bad > 0 && o.check)
     {
-        fprintf(harness_err(), "%s: %zu figures are not what they were found to be\n", program_name(),
-                bad);
+        fprintf(harness_err(), "%s: %zu figures are not what they were found to be\n",
+                program_name(), bad);
     }
     return close_standard_output() != 0 || (o.check && bad > 0);
 }

@@ -29,11 +29,10 @@ typedef struct table
 void add_figure(table *t, const char *row, const char *column, const char *printed, double computed,
                 const char *note);
 
-/* Points along an edge: of the tables that depend on it little, and of those that depend on it more. */
+/* Points along an edge: of the papers' pixels, and of the grid with the edges, of which more are better. */
 typedef struct resolution
 {
     size_t pixels;
-    size_t optimum_pixels;
     size_t grid;
 } resolution;
 

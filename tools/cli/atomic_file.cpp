@@ -2,16 +2,19 @@
 
 #include "atomic_file.hpp"
 #include "program.hpp"
+#include "temporary_guard.hpp"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -121,6 +124,72 @@ mode_t wanted_mode(const std::string &name, const std::string &target)
     return status.st_mode & 0777;
 }
 
+// The begin of temporary names, then the number of the process, a dash and another number.
+constexpr const char *temporary_begin = ".cubemap-";
+
+std::string temporary_file_name(pid_t process, int number, const std::string &extension)
+{
+    return temporary_begin + std::to_string(process) + "-" + std::to_string(number) + extension;
+}
+
+// The process in a temporary name, or 0 if it is none.
+pid_t process_of(const std::string &file_name)
+{
+    const std::string begin = temporary_begin;
+    long process = 0;
+    int number = 0;
+    if (file_name.compare(0, begin.size(), begin) != 0 ||
+        std::sscanf(file_name.c_str() + begin.size(), "%9ld-%4d", &process, &number) != 2 ||
+        process <= 0)
+    {
+        return 0;
+    }
+    const pid_t found = static_cast<pid_t>(process);
+    const std::string again = temporary_file_name(found, number, "");
+    const std::string extension = std::filesystem::path(file_name).extension().string();
+    return again + extension == file_name ? found : 0;
+}
+
+// A new file that is locked as long as it is open, from others with its number of a process, too; -1 with errno.
+int open_locked(const std::string &path)
+{
+    const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (descriptor >= 0)
+    {
+        flock(descriptor, LOCK_EX | LOCK_NB);
+    }
+    return descriptor;
+}
+
+// Does nobody hold the file? Where files cannot be locked nobody knows.
+bool is_unlocked(const std::string &path)
+{
+    const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    const bool unlocked = descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    if (descriptor >= 0)
+    {
+        close(descriptor);
+    }
+    return unlocked;
+}
+
+// Removes temporary files whose process is gone, as one that was killed. Processes of another machine or container have
+// numbers of their own: a file that is locked is in use all the same.
+void remove_left_over(const std::filesystem::path &folder)
+{
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+    {
+        const pid_t process = process_of(entry->path().filename().string());
+        if (process != 0 && kill(process, 0) != 0 && errno == ESRCH &&
+            is_unlocked(entry->path().string()))
+        {
+            unlink(entry->path().c_str());
+        }
+    }
+}
+
 std::string follow_links(const std::string &path)
 {
     std::error_code error;
@@ -132,8 +201,6 @@ std::string follow_links(const std::string &path)
 
 AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_links(path))
 {
-    m_filename = path;
-    m_mode = Write;
     const mode_t mode = wanted_mode(name, target);
     const std::filesystem::path folder = folder_of(target);
     const std::string extension = std::filesystem::path(target).extension().string();
@@ -141,13 +208,15 @@ AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_link
     int descriptor = -1;
     for (int attempt = 0; descriptor < 0 && attempt < 1000; ++attempt)
     {
-        temporary = (folder / (".cubemap-" + std::to_string(getpid()) + "-" +
-                               std::to_string(attempt) + extension))
-                        .string();
-        descriptor = open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+        temporary = (folder / temporary_file_name(getpid(), attempt, extension)).string();
+        descriptor = open_locked(temporary);
         if (descriptor < 0 && errno != EEXIST)
         {
             break;
+        }
+        if (descriptor >= 0 && attempt == 0) // the first in this folder
+        {
+            remove_left_over(folder);
         }
     }
     if (descriptor < 0)
@@ -155,11 +224,11 @@ AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_link
         throw Failure(in_quotes(name) + " cannot be written: folder " + in_quotes(folder.string()) +
                       ": " + std::strerror(errno));
     }
-    stream = fdopen(descriptor, "w+b");
-    if (stream == nullptr)
+    file = fdopen(descriptor, "w+b");
+    if (file == nullptr)
     {
         unlink(temporary.c_str());
-        ::close(descriptor);
+        close(descriptor);
         throw std::bad_alloc();
     }
     slot = enter_temporary_name(temporary.c_str());
@@ -169,9 +238,9 @@ AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_link
 AtomicFile::~AtomicFile()
 {
     const SignalsHeld held;
-    if (stream != nullptr)
+    if (file != nullptr)
     {
-        std::fclose(stream);
+        std::fclose(file);
     }
     if (!temporary.empty())
     {
@@ -188,46 +257,59 @@ void AtomicFile::note_error(int number) noexcept
     }
 }
 
-bool AtomicFile::seek(std::int64_t offset)
+void AtomicFile::seek(std::int64_t offset)
 {
-    if (error_number == 0 && fseeko(stream, offset, SEEK_SET) != 0)
+    if (error_number == 0 && fseeko(file, offset, SEEK_SET) != 0)
     {
         note_error(errno);
     }
-    m_pos = offset;
-    return true;
+    position = offset;
 }
 
 std::size_t AtomicFile::read(void *buffer, std::size_t size)
 {
     std::size_t count = 0;
-    if (error_number == 0 && fseeko(stream, m_pos, SEEK_SET) == 0)
+    if (error_number == 0 && fseeko(file, position, SEEK_SET) == 0)
     {
-        count = std::fread(buffer, 1, size, stream);
-        fseeko(stream, m_pos + static_cast<std::int64_t>(count), SEEK_SET);
+        count = std::fread(buffer, 1, size, file);
+        fseeko(file, position + static_cast<std::int64_t>(count), SEEK_SET);
     }
-    m_pos += static_cast<std::int64_t>(count);
+    position += static_cast<std::int64_t>(count);
     return count;
 }
 
-std::size_t AtomicFile::write(const void *buffer, std::size_t size)
+void AtomicFile::write(const void *buffer, std::size_t size)
 {
-    if (error_number == 0 && std::fwrite(buffer, 1, size, stream) != size)
+    if (error_number == 0 && std::fwrite(buffer, 1, size, file) != size)
     {
         note_error(errno);
     }
-    m_pos += static_cast<std::int64_t>(size);
-    return size;
+    position += static_cast<std::int64_t>(size);
 }
 
 std::size_t AtomicFile::size() const
 {
     struct stat status;
-    if (error_number != 0 || std::fflush(stream) != 0 || fstat(fileno(stream), &status) != 0)
+    if (error_number != 0 || std::fflush(file) != 0 || fstat(fileno(file), &status) != 0)
     {
         return 0;
     }
     return static_cast<std::size_t>(status.st_size);
+}
+
+cm_image_stream AtomicFile::stream() noexcept
+{
+    return {this,
+            [](void *context, void *bytes, std::size_t count)
+            { return static_cast<AtomicFile *>(context)->read(bytes, count); },
+            [](void *context, const void *bytes, std::size_t count)
+            {
+                static_cast<AtomicFile *>(context)->write(bytes, count);
+                return count;
+            },
+            [](void *context, std::int64_t offset)
+            { static_cast<AtomicFile *>(context)->seek(offset); },
+            [](void *context) { return static_cast<AtomicFile *>(context)->size(); }};
 }
 
 void AtomicFile::check() const
@@ -240,19 +322,19 @@ void AtomicFile::check() const
 
 void AtomicFile::finish()
 {
-    if (stream == nullptr)
+    if (file == nullptr)
     {
         return;
     }
-    if (std::fflush(stream) != 0 || (fsync(fileno(stream)) != 0 && errno != EINVAL))
+    if (std::fflush(file) != 0 || (fsync(fileno(file)) != 0 && errno != EINVAL))
     {
         note_error(errno);
     }
-    if (std::fclose(stream) != 0)
+    if (std::fclose(file) != 0)
     {
         note_error(errno);
     }
-    stream = nullptr;
+    file = nullptr;
     check();
 }
 
@@ -268,14 +350,14 @@ void AtomicFile::appear()
 
 void appear_together(const std::vector<std::unique_ptr<AtomicFile>> &files)
 {
-    for (const std::unique_ptr<AtomicFile> &file : files)
+    for (const std::unique_ptr<AtomicFile> &each : files)
     {
-        file->finish();
+        each->finish();
     }
     const SignalsHeld held;
-    for (const std::unique_ptr<AtomicFile> &file : files)
+    for (const std::unique_ptr<AtomicFile> &each : files)
     {
-        file->appear();
+        each->appear();
     }
 }
 

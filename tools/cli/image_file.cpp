@@ -2,20 +2,23 @@
 
 #include "image_file.hpp"
 #include "program.hpp"
-#include "whole_png.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <vector>
+#include <new>
 
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace
 {
+
+// Rows are read in bands of about so many floats, but at least so many rows: as many as OpenEXR compresses together.
+constexpr std::size_t band_floats = std::size_t{1} << 20;
+constexpr std::size_t band_rows_least = 256;
 
 // Failure if this is not a file that can be read and has something in it.
 void check_readable(const std::string &path)
@@ -37,171 +40,201 @@ void check_readable(const std::string &path)
     }
 }
 
-std::string reason(const std::string &message)
-{
-    const std::string line = first_line(message);
-    return line.empty() ? "it is damaged or ends too early" : line;
-}
-
-std::unique_ptr<OIIO::ImageInput> open_image(const std::string &path)
-{
-    check_readable(path);
-    check_whole_png(path);
-    OIIO::ImageSpec request;
-    request.attribute("oiio:UnassociatedAlpha", 1);
-    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &request);
-    if (!input)
-    {
-        throw Failure(in_quotes(path) +
-                      " is not an image that can be read: " + reason(OIIO::geterror()));
-    }
-    const OIIO::ImageSpec &spec = input->spec();
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
-    {
-        throw Failure(in_quotes(path) + " has no pixels: it is " + std::to_string(spec.width) +
-                      " x " + std::to_string(spec.height) + " with " +
-                      std::to_string(spec.nchannels) + " channels");
-    }
-    if (spec.depth > 1 || spec.deep)
-    {
-        throw Failure(in_quotes(path) + " is a volume or a deep image; a flat one is needed");
-    }
-    return input;
-}
-
-// A file was decoded, but with this message: does it mean that pixels are missing or wrong? Of JPEG
-// files, many that are whole bring complaints about bytes that stand between their parts.
-bool pixels_are_missing(const std::string &format, const std::string &message)
-{
-    return format == "jpeg" ? message.find("remature end") != std::string::npos : !message.empty();
-}
-
 } // namespace
 
-ImageFile::ImageFile(const std::string &path) : name(path), input(open_image(path))
+const cm_image_io &image_io()
 {
-    const OIIO::ImageSpec &stored = input->spec();
-    orientation = stored.get_int_attribute("Orientation", 1);
-    if (orientation < 1 || orientation > 8)
+    char message[CM_IMAGE_MESSAGE] = "";
+    const cm_image_io *const io = cm_image_io_get(message);
+    if (io == nullptr)
     {
-        orientation = 1;
+        throw Failure(message);
     }
-    const bool windows = format() == "openexr";
-    upright_width = windows ? stored.full_width : stored.width;
-    upright_height = windows ? stored.full_height : stored.height;
-    if (upright_width <= 0 || upright_height <= 0)
+    return *io;
+}
+
+void fail_image(const std::string &file, cm_status status, const char *message)
+{
+    if (status == CM_ERROR_MEMORY)
     {
-        throw Failure(in_quotes(name) + " has an empty display window");
+        throw std::bad_alloc();
     }
-    if (orientation > 4)
+    throw Failure(file + " " + message);
+}
+
+void ImageFile::Closer::operator()(cm_image_reader *opened) const noexcept
+{
+    image_io().close(opened);
+}
+
+ImageFile::ImageFile(const std::string &path, int threads) : name(path)
+{
+    check_readable(path);
+    open(threads);
+    upright_width = static_cast<int>(stored().window_width);
+    upright_height = static_cast<int>(stored().window_height);
+    if (stored().orientation > 4)
     {
         std::swap(upright_width, upright_height);
     }
 }
 
-std::string ImageFile::pixel_type() const
+void ImageFile::open(int threads)
 {
-    return input->spec().format.c_str();
+    if (threads > 0)
+    {
+        image_io().set_threads(threads);
+    }
+    cm_image_reader *opened = nullptr;
+    char message[CM_IMAGE_MESSAGE] = "";
+    const cm_status status = image_io().open(name.c_str(), 0, &opened, message);
+    if (status != CM_OK)
+    {
+        fail_image(in_quotes(name), status, message);
+    }
+    reader.reset(opened);
 }
 
-bool ImageFile::unassociated_alpha() const
+const cm_image_description &ImageFile::stored() const noexcept
 {
-    const OIIO::ImageSpec &stored = input->spec();
-    return stored.alpha_channel >= 0 && stored.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
+    return *image_io().describe(reader.get());
 }
 
 void ImageFile::read(float *pixels, std::size_t row_stride, Finite finite)
 {
+    read_as(CM_PIXEL_FLOAT, pixels, static_cast<std::ptrdiff_t>(row_stride * sizeof(float)));
+    check_finite(0, upright_height, pixels, row_stride, finite);
+}
+
+void ImageFile::read_as(cm_pixel_type type, void *pixels, std::ptrdiff_t row_stride)
+{
     if (is_plain())
     {
-        read_stored(pixels, row_stride);
+        read_stored(0, upright_height, type, pixels, row_stride);
     }
     else
     {
-        read_and_place(pixels, row_stride);
+        read_and_place(type, static_cast<char *>(pixels), row_stride);
     }
-    if (finite != Finite::any && spec().format.is_floating_point())
+}
+
+void ImageFile::read_rows(int first, int end, float *pixels, std::size_t row_stride, Finite finite)
+{
+    if (is_plain())
     {
-        check_finite(pixels, row_stride, finite);
+        read_stored(first, end, CM_PIXEL_FLOAT, pixels,
+                    static_cast<std::ptrdiff_t>(row_stride * sizeof(float)));
     }
+    else
+    {
+        const std::size_t row =
+            static_cast<std::size_t>(upright_width) * static_cast<std::size_t>(channels());
+        if (upright.empty())
+        {
+            check_memory(in_quotes(name), std::int64_t{upright_width} * upright_height, channels());
+            std::vector<float> whole(row * static_cast<std::size_t>(upright_height));
+            read_and_place(CM_PIXEL_FLOAT, reinterpret_cast<char *>(whole.data()),
+                           static_cast<std::ptrdiff_t>(row * sizeof(float)));
+            upright = std::move(whole);
+        }
+        for (int y = first; y < end; ++y)
+        {
+            const float *const from = upright.data() + static_cast<std::size_t>(y) * row;
+            std::copy(from, from + row, pixels + static_cast<std::size_t>(y - first) * row_stride);
+        }
+    }
+    check_finite(first, end, pixels, row_stride, finite);
+}
+
+int ImageFile::band_rows() const noexcept
+{
+    const std::size_t row =
+        static_cast<std::size_t>(upright_width) * static_cast<std::size_t>(channels());
+    const std::size_t rows = std::max(band_rows_least, band_floats / row);
+    return static_cast<int>(std::min(rows, static_cast<std::size_t>(upright_height)));
 }
 
 // Are the stored pixels the image, in its order?
 bool ImageFile::is_plain() const
 {
-    const OIIO::ImageSpec &stored = input->spec();
-    return orientation == 1 && upright_width == stored.width && upright_height == stored.height &&
-           (format() != "openexr" || (stored.x == stored.full_x && stored.y == stored.full_y));
+    const cm_image_description &of = stored();
+    return of.orientation == 1 && of.window_width == of.width && of.window_height == of.height &&
+           of.left == 0 && of.top == 0;
 }
 
-void ImageFile::read_stored(float *pixels, std::size_t row_stride)
+void ImageFile::read_stored(int first, int end, cm_pixel_type type, void *pixels,
+                            std::ptrdiff_t row_stride)
 {
-    const OIIO::stride_t x_stride = static_cast<OIIO::stride_t>(sizeof(float)) * channels();
-    const OIIO::stride_t y_stride = static_cast<OIIO::stride_t>(row_stride * sizeof(float));
-    const bool good = input->read_image(0, 0, 0, channels(), OIIO::TypeFloat, pixels, x_stride,
-                                        y_stride, OIIO::AutoStride);
-    const std::string message = input->geterror();
-    if (!good || pixels_are_missing(format(), message))
+    const cm_image_region rows = {0, static_cast<std::uint32_t>(first), stored().width,
+                                  static_cast<std::uint32_t>(end)};
+    char message[CM_IMAGE_MESSAGE] = "";
+    const cm_status status =
+        image_io().read(reader.get(), &rows, type, pixels, row_stride, message);
+    if (status != CM_OK)
     {
-        throw Failure(in_quotes(name) + " is damaged or ends too early" +
-                      (message.empty() ? "" : ": " + first_line(message)));
+        fail_image(in_quotes(name), status, message);
     }
 }
 
-void ImageFile::read_and_place(float *pixels, std::size_t row_stride)
+// Band by band, each pixel to where it belongs, 0 elsewhere.
+void ImageFile::read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride)
 {
-    const OIIO::ImageSpec &stored = input->spec();
-    check_memory(in_quotes(name), std::int64_t{stored.width} * stored.height, channels());
-    const std::size_t count = static_cast<std::size_t>(channels());
-    const std::size_t stored_stride = static_cast<std::size_t>(stored.width) * count;
-    std::vector<float> buffer(stored_stride * static_cast<std::size_t>(stored.height));
-    read_stored(buffer.data(), stored_stride);
-    const bool windows = format() == "openexr";
-    const int left = windows ? stored.x - stored.full_x : 0;
-    const int top = windows ? stored.y - stored.full_y : 0;
+    const cm_image_description &of = stored();
+    const std::size_t pixel = static_cast<std::size_t>(channels()) * channel_bytes(type);
+    const int columns = static_cast<int>(of.width);
+    const std::size_t stride = static_cast<std::size_t>(of.width) * pixel;
+    const int rows = static_cast<int>(std::min<std::size_t>(
+        std::max(band_rows_least, band_floats * sizeof(float) / stride), of.height));
     for (int row = 0; row < upright_height; ++row)
     {
-        for (int column = 0; column < upright_width; ++column)
+        std::memset(pixels + row * row_stride, 0, pixel * static_cast<std::size_t>(upright_width));
+    }
+    std::vector<char> band(stride * static_cast<std::size_t>(rows));
+    for (int first = 0; first < static_cast<int>(of.height); first += rows)
+    {
+        const int end = std::min(first + rows, static_cast<int>(of.height));
+        read_stored(first, end, type, band.data(), static_cast<std::ptrdiff_t>(stride));
+        for (int i = 0; i < (end - first) * columns; ++i)
         {
-            const Place place = before_orientation(column, row);
-            const int x = place.x - left;
-            const int y = place.y - top;
-            float *const to = pixels + static_cast<std::size_t>(row) * row_stride +
-                              static_cast<std::size_t>(column) * count;
-            if (x < 0 || y < 0 || x >= stored.width || y >= stored.height)
+            const int y = first + i / columns;
+            const Place to = after_orientation(i % columns + of.left, y + of.top);
+            if (to.x >= 0 && to.y >= 0 && to.x < upright_width && to.y < upright_height)
             {
-                std::fill(to, to + count, 0.0f);
-                continue;
+                std::memcpy(pixels + to.y * row_stride + static_cast<std::ptrdiff_t>(pixel) * to.x,
+                            band.data() + static_cast<std::size_t>(i) * pixel, pixel);
             }
-            const float *const from = buffer.data() + static_cast<std::size_t>(y) * stored_stride +
-                                      static_cast<std::size_t>(x) * count;
-            std::copy(from, from + count, to);
         }
     }
 }
 
-// Where a pixel of the upright image lies in the display window as it is stored.
-ImageFile::Place ImageFile::before_orientation(int column, int row) const
+// Where a pixel of the display window as it is stored lies in the upright image.
+ImageFile::Place ImageFile::after_orientation(int x, int y) const
 {
-    const bool turned = orientation > 4;
-    Place place = turned ? Place{row, column} : Place{column, row};
+    const std::uint32_t orientation = stored().orientation;
+    const int across = static_cast<int>(stored().window_width);
+    const int down = static_cast<int>(stored().window_height);
     if (orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8)
     {
-        place.x = (turned ? upright_height : upright_width) - 1 - place.x;
+        x = across - 1 - x;
     }
     if (orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7)
     {
-        place.y = (turned ? upright_width : upright_height) - 1 - place.y;
+        y = down - 1 - y;
     }
-    return place;
+    return orientation > 4 ? Place{y, x} : Place{x, y};
 }
 
-void ImageFile::check_finite(const float *pixels, std::size_t row_stride, Finite finite) const
+void ImageFile::check_finite(int first, int end, const float *pixels, std::size_t row_stride,
+                             Finite finite) const
 {
-    const std::size_t count = static_cast<std::size_t>(channels());
-    for (int row = 0; row < upright_height; ++row)
+    if (finite == Finite::any || stored().whole_numbers)
     {
-        const float *const values = pixels + static_cast<std::size_t>(row) * row_stride;
+        return;
+    }
+    const std::size_t count = static_cast<std::size_t>(channels());
+    for (int row = first; row < end; ++row)
+    {
+        const float *const values = pixels + static_cast<std::size_t>(row - first) * row_stride;
         for (std::size_t i = 0; i < count * static_cast<std::size_t>(upright_width); ++i)
         {
             const bool not_a_number = std::isnan(values[i]);
@@ -210,7 +243,7 @@ void ImageFile::check_finite(const float *pixels, std::size_t row_stride, Finite
                 throw Failure(
                     in_quotes(name) + " has " + (not_a_number ? "a NaN" : "an infinite value") +
                     " at x = " + std::to_string(i / count) + ", y = " + std::to_string(row) +
-                    ", channel " + std::string(spec().channel_name(static_cast<int>(i % count))) +
+                    ", channel " + channel_name(static_cast<int>(i % count)) +
                     (not_a_number ? "; only numbers can be resampled"
                                   : "; only --filter nearest can resample it"));
             }
@@ -218,9 +251,16 @@ void ImageFile::check_finite(const float *pixels, std::size_t row_stride, Finite
     }
 }
 
-void check_memory(const std::string &what, std::int64_t pixels, int channels)
+std::size_t channel_bytes(cm_pixel_type type)
 {
-    const double needed = static_cast<double>(pixels) * channels * sizeof(float);
+    return type == CM_PIXEL_U8 ? 1 : type == CM_PIXEL_FLOAT ? 4 : 2;
+}
+
+void check_memory(const std::string &what, std::int64_t pixels, int channels,
+                  std::size_t channel_size)
+{
+    const double needed =
+        static_cast<double>(pixels) * channels * static_cast<double>(channel_size);
     const double present =
         static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
     if (present > 0 && needed > present)

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Reading image files: whole, upright, as floats, or one clear reason why not.
+// Reading image files: upright, as floats, or one clear reason why not.
 
 #ifndef CUBEMAP_TOOLS_IMAGE_FILE_HPP
 #define CUBEMAP_TOOLS_IMAGE_FILE_HPP
 
+#include "image_description.hpp"
+
+#include <cstdint>
 #include <memory>
 #include <string>
-
-#include <OpenImageIO/imageio.h>
+#include <vector>
 
 // Which values that are not finite numbers a reader lets pass.
 enum class Finite
@@ -18,14 +20,22 @@ enum class Finite
     any      // all pass
 };
 
+// What reads and writes image files, which is opened at the first call. Failure if it cannot be.
+const cm_image_io &image_io();
+
+// Throws what a status of image_io() means; file is in_quotes() or says otherwise what the message is of.
+[[noreturn]] void fail_image(const std::string &file, cm_status status, const char *message);
+
 // An image file that was opened. The first image counts if there are several. The orientation that
 // a camera noted is applied; an OpenEXR image is its display window, with 0 where there is no data.
 // The values of transparent pixels are as stored (neither multiplied nor divided by alpha).
 class ImageFile
 {
 public:
-    // Failure if there is no such file, it is not an image, or not one of this kind.
-    explicit ImageFile(const std::string &path);
+    // Failure if there is no such file, it is not an image, or not one of this kind. From now on the
+    // process reads and writes images in so many threads, and none may be read or written now; 0
+    // leaves them as they are.
+    explicit ImageFile(const std::string &path, int threads = 0);
 
     const std::string &path() const noexcept
     {
@@ -41,50 +51,72 @@ public:
     }
     int channels() const noexcept
     {
-        return input->spec().nchannels;
+        return static_cast<int>(stored().channels);
     }
 
-    // What the file says of itself. Its width and height are before orientation.
-    const OIIO::ImageSpec &spec() const noexcept
-    {
-        return input->spec();
-    }
+    // What the file says of itself. Width, height and window are before orientation.
+    const cm_image_description &stored() const noexcept;
     std::string format() const
     {
-        return input->format_name();
+        return stored().format;
+    }
+    std::string channel_name(int channel) const
+    {
+        return stored().channel_names[channel];
     }
 
     // "uint8", "half"
-    std::string pixel_type() const;
-
-    // Is there an alpha channel that the colours are not multiplied by?
-    bool unassociated_alpha() const;
+    std::string pixel_type() const
+    {
+        return stored().stored_type;
+    }
 
     // Writes pixel (column, row) to pixels + row * row_stride + column * channels(). Failure if the
     // file is damaged or ends too early, or if there is a value that is not allowed.
     void read(float *pixels, std::size_t row_stride, Finite finite);
 
+    // The same of the rows from first to before end, of which the first goes to pixels. From the top
+    // downwards no part of the file is decoded twice.
+    void read_rows(int first, int end, float *pixels, std::size_t row_stride, Finite finite);
+
+    // All pixels upright, as a type that io has; row_stride is in bytes. NaN and infinities pass.
+    void read_as(cm_pixel_type type, void *pixels, std::ptrdiff_t row_stride);
+
+    // How many rows of read_rows are read at a time without much memory or loss of time.
+    int band_rows() const noexcept;
+
 private:
+    struct Closer
+    {
+        void operator()(cm_image_reader *opened) const noexcept;
+    };
     struct Place
     {
         int x;
         int y;
     };
 
-    Place before_orientation(int column, int row) const;
-    void read_stored(float *pixels, std::size_t row_stride);
-    void read_and_place(float *pixels, std::size_t row_stride);
-    void check_finite(const float *pixels, std::size_t row_stride, Finite finite) const;
+    void open(int threads);
+    void read_stored(int first, int end, cm_pixel_type type, void *pixels,
+                     std::ptrdiff_t row_stride);
+    void read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride);
+    Place after_orientation(int x, int y) const;
+    void check_finite(int first, int end, const float *pixels, std::size_t row_stride,
+                      Finite finite) const;
     bool is_plain() const;
 
     std::string name;
-    std::unique_ptr<OIIO::ImageInput> input;
-    int orientation = 1; // as in EXIF
+    std::unique_ptr<cm_image_reader, Closer> reader;
     int upright_width = 0;
     int upright_height = 0;
+    std::vector<float> upright; // of rows that are read while the image is not stored so
 };
 
-// Failure if these many pixels, in floats, do not fit into this machine's memory.
-void check_memory(const std::string &what, std::int64_t pixels, int channels);
+// The bytes of one channel.
+std::size_t channel_bytes(cm_pixel_type type);
+
+// Failure if these many pixels do not fit into this machine's memory.
+void check_memory(const std::string &what, std::int64_t pixels, int channels,
+                  std::size_t channel_size = sizeof(float));
 
 #endif

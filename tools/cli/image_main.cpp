@@ -2,8 +2,8 @@
 //
 // The start of each image program. PROGRAM_MAIN is the function that the program is.
 
-#include "tools/cli/atomic_file.hpp"
 #include "tools/cli/streams.h"
+#include "tools/cli/temporary_guard.hpp"
 
 extern "C" int PROGRAM_MAIN(int argc, char **argv, const cm_streams *streams);
 

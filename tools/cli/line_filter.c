@@ -4,20 +4,17 @@
  * ends where the input that has already arrived ends, so that someone who types, or a program that
  * waits for an answer, gets it at once, and a file is worked off in array calls.
  */
-#define _POSIX_C_SOURCE 200809L
-
 #include "line_filter.h"
 
 #include <errno.h>
-#include <poll.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cubemap/number.h>
 
+#include "descriptor.h"
 #include "number_word.h"
 
 /* ------------------------------------------------------------------------------- messages */
@@ -65,7 +62,7 @@ static excerpt quote_word(const char *text, const char *end)
 /* Written by its descriptor a stream that does not wait is waited for; what has none is memory. */
 static void flush_output(struct line_filter *filter)
 {
-    const int descriptor = fileno(filter->out);
+    const int descriptor = descriptor_of(filter->out);
     size_t written = 0;
     if (descriptor < 0)
     {
@@ -74,18 +71,13 @@ static void flush_output(struct line_filter *filter)
     }
     while (written < filter->output_length && filter->failure->status == 0)
     {
-        const ssize_t count =
-            write(descriptor, filter->output + written, filter->output_length - written);
+        const ptrdiff_t count =
+            descriptor_write(descriptor, filter->output + written, filter->output_length - written);
         if (count >= 0)
         {
             written += (size_t)count;
         }
-        else if (errno == EAGAIN)
-        {
-            struct pollfd ready = {descriptor, POLLOUT, 0};
-            poll(&ready, 1, -1);
-        }
-        else if (errno != EINTR)
+        else
         {
             fail(filter->failure, EXIT_FAILURE, "cannot write to standard output: %s",
                  strerror(errno));
@@ -290,25 +282,21 @@ static void read_input(struct line_filter *filter)
     filter->input_start = 0;
     filter->input_end = present;
 
-    struct pollfd ready = {fileno(filter->in), POLLIN, 0};
+    const int descriptor = descriptor_of(filter->in);
     char *const to = filter->input + present;
     const size_t room = sizeof filter->input - present;
-    if (filter->output_length > 0 && ready.fd >= 0 && poll(&ready, 1, 0) <= 0)
+    if (filter->output_length > 0 && descriptor >= 0 && !descriptor_has_input(descriptor))
     {
         flush_output(filter);
     }
-    const ssize_t count =
-        ready.fd >= 0 ? read(ready.fd, to, room) : (ssize_t)fread(to, 1, room, filter->in);
+    const ptrdiff_t count = descriptor >= 0 ? descriptor_read(descriptor, to, room)
+                                            : (ptrdiff_t)fread(to, 1, room, filter->in);
     if (count >= 0)
     {
         filter->input_end += (size_t)count;
         filter->at_end = count == 0;
     }
-    else if (errno == EAGAIN)
-    {
-        poll(&ready, 1, -1);
-    }
-    else if (errno != EINTR)
+    else
     {
         /* strerror's text must survive the flush */
         const int reason = errno;

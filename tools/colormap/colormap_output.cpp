@@ -66,30 +66,62 @@ const char *family_name(cm_colormap_family family)
         return "diverging";
     case CM_COLORMAP_QUALITATIVE:
         return "qualitative";
+    case CM_COLORMAP_CYCLIC:
+        return "cyclic";
     }
     return "unknown";
 }
 
-// ---- the steps between neighbouring samples, measured in CIELUV from the sRGB that is written
+// ---- the steps between neighbouring samples, measured from the sRGB that is written
 
 struct Steps
 {
-    double mean;
+    double mean;               // in the map's space
     double deviation;          // the largest from the mean, as a part of it
     double deviation_at;       // t where that step begins
     double without_corners;    // the same of steps across which the path has no corner
     double deviation_of_bytes; // the same of colours that are rounded to 8 bits
+    double uneven_in_cieluv;   // the standard deviation of all steps, as a part of their mean
+    double uneven_in_ucs;
+    double uneven_by_ciede2000;
 };
 
-double distance(const std::array<double, 3> &one, const std::array<double, 3> &other)
+using Triple = std::array<double, 3>;
+using Distance = double (*)(const Triple &one, const Triple &other);
+
+template <void from_linear(const double linear[3], double point[3])>
+Triple point_of(const Triple &srgb)
 {
-    double luv[2][3];
-    double linear[3];
-    cm_colormap_linear_from_srgb(one.data(), linear);
-    cm_colormap_luv_from_linear(linear, luv[0]);
-    cm_colormap_linear_from_srgb(other.data(), linear);
-    cm_colormap_luv_from_linear(linear, luv[1]);
-    return std::hypot(luv[0][0] - luv[1][0], luv[0][1] - luv[1][1], luv[0][2] - luv[1][2]);
+    Triple linear;
+    Triple point;
+    cm_colormap_linear_from_srgb(srgb.data(), linear.data());
+    from_linear(linear.data(), point.data());
+    return point;
+}
+
+template <void from_linear(const double linear[3], double point[3])>
+double distance(const Triple &one, const Triple &other)
+{
+    const Triple a = point_of<from_linear>(one);
+    const Triple b = point_of<from_linear>(other);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+double ciede2000(const Triple &one, const Triple &other)
+{
+    return cm_colormap_ciede2000(point_of<cm_colormap_lab_from_linear>(one).data(),
+                                 point_of<cm_colormap_lab_from_linear>(other).data());
+}
+
+const char *space_name(cm_colormap_space space)
+{
+    return space == CM_COLORMAP_CIELUV ? "CIELUV" : "CAM16-UCS";
+}
+
+Distance distance_in(cm_colormap_space space)
+{
+    return space == CM_COLORMAP_CIELUV ? distance<cm_colormap_luv_from_linear>
+                                       : distance<cm_colormap_ucs_from_linear>;
 }
 
 std::array<double, 3> from_bytes(const std::array<unsigned char, 3> &bytes)
@@ -137,25 +169,51 @@ Spread spread_of(const std::vector<double> &steps)
     return spread;
 }
 
+std::vector<double> steps_by(Distance between, const std::vector<Sample> &samples)
+{
+    std::vector<double> steps;
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+    {
+        steps.push_back(between(samples[i].srgb, samples[i + 1].srgb));
+    }
+    return steps;
+}
+
+double unevenness(const std::vector<double> &steps)
+{
+    const double mean = spread_of(steps).mean;
+    double sum = 0;
+    for (const double step : steps)
+    {
+        sum += (step - mean) * (step - mean) / static_cast<double>(steps.size());
+    }
+    return mean > 0 ? std::sqrt(sum) / mean : 0.0;
+}
+
 Steps measure_steps(const SampledMap &sampled)
 {
     const std::vector<Sample> &samples = sampled.samples;
-    std::vector<double> all;
+    const Distance between = distance_in(cm_colormap_describe(sampled.map)->space);
+    const std::vector<double> all = steps_by(between, samples);
     std::vector<double> straight;
     std::vector<double> of_bytes;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
     {
-        all.push_back(distance(samples[i].srgb, samples[i + 1].srgb));
-        of_bytes.push_back(
-            distance(from_bytes(samples[i].bytes), from_bytes(samples[i + 1].bytes)));
+        of_bytes.push_back(between(from_bytes(samples[i].bytes), from_bytes(samples[i + 1].bytes)));
         if (!crosses_corner(sampled.map, samples[i].t, samples[i + 1].t))
         {
-            straight.push_back(all.back());
+            straight.push_back(all[i]);
         }
     }
     const Spread spread = spread_of(all);
-    return {spread.mean, spread.deviation, samples[spread.furthest].t,
-            spread_of(straight).deviation, spread_of(of_bytes).deviation};
+    return {spread.mean,
+            spread.deviation,
+            samples[spread.furthest].t,
+            spread_of(straight).deviation,
+            spread_of(of_bytes).deviation,
+            unevenness(steps_by(distance<cm_colormap_luv_from_linear>, samples)),
+            unevenness(steps_by(distance<cm_colormap_ucs_from_linear>, samples)),
+            unevenness(steps_by(ciede2000, samples))};
 }
 
 // ---- where the samples are
@@ -258,7 +316,9 @@ std::string json_steps(const SampledMap &sampled)
            ",\n           \"max_deviation_without_corners_percent\": " +
            percent(steps.without_corners) +
            ",\n           \"max_deviation_8_bit_percent\": " + percent(steps.deviation_of_bytes) +
-           "}";
+           ",\n           \"unevenness_percent\": {\"CIELUV\": " + percent(steps.uneven_in_cieluv) +
+           ", \"CAM16-UCS\": " + percent(steps.uneven_in_ucs) +
+           ", \"CIEDE2000\": " + percent(steps.uneven_by_ciede2000) + "}}";
 }
 
 std::string json_sample(const Sample &sample)
@@ -378,6 +438,7 @@ std::string json_text(const SampledMap &sampled)
     add("source", json_string(info->source));
     add("parameters", json_parameters(sampled.map));
     add("reversed", sampled.reversed ? "true" : "false");
+    add("space", json_string(space_name(info->space)));
     add("length", number_text(cm_colormap_length(sampled.map)));
     add("corners", json_corners(sampled.map));
     add("inside", cm_colormap_inside(sampled.map) != 0 ? "true" : "false");
@@ -467,12 +528,12 @@ std::string listing_text()
 void write_picture(const SampledMap &sampled, PictureSize size, bool test_pattern,
                    const std::string &path)
 {
-    OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeUInt8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("ImageDescription", specification_of(sampled.map));
+    ImageDescription description(3, CM_PIXEL_U8);
+    description.color = CM_IMAGE_COLOR_SRGB;
+    description.set("ImageDescription", specification_of(sampled.map));
     std::vector<std::unique_ptr<AtomicFile>> files;
     files.push_back(std::make_unique<AtomicFile>(path));
-    const ImagePlan plan = plan_image("png", spec, "png", path);
+    const ImagePlan plan = plan_image("png", description, "png", path);
     ImageWriter writer(plan, size.width, size.height, path, *files.back());
     std::vector<float> pixels(3 * static_cast<std::size_t>(size.width));
     for (int row = 0; row < size.height; ++row)

@@ -74,11 +74,13 @@ const cm_command cm_colormap_command = {
     .usage = "[OPTION]... MAP",
     .summary =
         "Makes a perceptually uniform colour map: equal steps of the data are equal steps of "
-        "CIELUV. MAP is NAME or NAME:PARAMETER=VALUE[,...]; --list prints them.",
+        "CIELUV, or of CAM16-UCS (uniform-...). MAP is NAME or NAME:PARAMETER=VALUE[,...]; --list "
+        "prints them.",
     .groups = groups,
     .group_count = 1,
     .notes = "Examples:\n"
              "  cubemap-colormap rainbow:saturation=1.5 -o rainbow.json\n"
+             "  cubemap-colormap uniform-blue-red --samples 11 -o eleven.csv\n"
              "  cubemap-colormap diverging --test-pattern --size 768x160 -o diverging.png\n"
              "  cubemap-colormap qualitative --samples 6 --format gimp",
     .operand = CM_OPTION_TEXT,

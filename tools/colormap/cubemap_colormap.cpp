@@ -10,6 +10,7 @@
 #include "tools/cli/program.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>

@@ -5,7 +5,6 @@
 #include "distortion_main.h"
 #include "distortion_options.hpp"
 #include "distortion_picture.hpp"
-#include "tools/cli/image_threads.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 
@@ -20,7 +19,6 @@ int draw_distortion(int argc, char **argv, const cm_streams &streams)
         return 0;
     }
     const int threads = thread_count(options.threads);
-    const ImageThreads image_threads(threads);
 
     DistortionPicture picture(options);
     picture.write(threads, streams.err);

@@ -2,7 +2,6 @@
 
 #include "distortion_picture.hpp"
 #include "tools/image/face_names.hpp"
-#include "tools/cli/image_file.hpp"
 #include "legend.hpp"
 #include "tools/cli/parallel.hpp"
 
@@ -67,8 +66,9 @@ DistortionPicture::DistortionPicture(const DistortionOptions &wanted)
 {
     if (options.overlay.wanted())
     {
-        overlay = std::make_unique<Overlay>(options.overlay, options.mapping, *options.frame,
-                                            rows.projection());
+        overlay = std::make_unique<Overlay>(
+            options.overlay, LineFaces{options.mapping, *options.frame, !rows.projection().wraps()},
+            rows.projection());
     }
     choose_names();
     for (const std::string &name : names)
@@ -166,19 +166,19 @@ void DistortionPicture::add_to_survey(const std::vector<double> &values)
 ImagePlan DistortionPicture::plan() const
 {
     const std::string format = output_format(names.front());
-    OIIO::ImageSpec spec(1, 1, options.values ? 1 : color_channels,
-                         options.values ? OIIO::TypeFloat : OIIO::TypeUInt8);
+    ImageDescription shown(options.values ? 1 : color_channels,
+                           options.values ? CM_PIXEL_FLOAT : CM_PIXEL_U8);
     if (options.values)
     {
-        spec.channelnames = {options.quantity->name};
+        shown.channel_names = {options.quantity->name};
     }
     else
     {
-        spec.attribute("oiio:ColorSpace", "sRGB");
+        shown.color = CM_IMAGE_COLOR_SRGB;
     }
-    spec.attribute("ImageDescription", description());
-    spec.attribute("Software", std::string("cubemap-distortion ") + cm_version());
-    return plan_image(format, spec, format, names.front());
+    shown.set("ImageDescription", description());
+    shown.set("Software", std::string("cubemap-distortion ") + cm_version());
+    return plan_image(format, shown, format, names.front());
 }
 
 void DistortionPicture::write_picture(std::size_t index, int threads, Progress &progress)
@@ -192,7 +192,7 @@ void DistortionPicture::write_picture(std::size_t index, int threads, Progress &
     const int band =
         std::min(height, std::max(band_rows_least, static_cast<int>(band_floats / row_floats)));
     std::vector<float> pixels(row_floats * static_cast<std::size_t>(band));
-    ImageWriter writer(plan(), width, height, names[index], *files[index]);
+    ImageWriter writer(plan(), width, height, names[index], *files[index], threads);
     for (int first = 0; first < height; first += band)
     {
         const int count = std::min(band, height - first);
@@ -268,11 +268,15 @@ void DistortionPicture::draw_lines(int face, int row, const std::vector<double> 
 
 void DistortionPicture::write_legend()
 {
-    OIIO::ImageSpec spec(1, 1, color_channels, OIIO::TypeUInt8);
-    spec.attribute("ImageDescription", description());
+    ImageDescription shown(color_channels, CM_PIXEL_U8);
+    shown.set("ImageDescription", description());
     const std::string format = output_format(names.back());
-    const std::vector<float> pixels = legend_pixels(colors, scale);
-    ImageWriter writer(plan_image(format, spec, format, names.back()), legend_width, legend_height,
+    const std::vector<float> pixels = legend_pixels(
+        colors, scale,
+        std::string(options.quantity->name) + " " + options.quantity->symbol +
+            (options.quantity->unit[0] == '\0' ? ", a ratio"
+                                               : std::string(",") + options.quantity->unit));
+    ImageWriter writer(plan_image(format, shown, format, names.back()), legend_width, legend_height,
                        names.back(), *files.back());
     writer.write(0, legend_height, pixels.data(), color_channels);
     writer.close();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The legend of a picture of distortion: a strip of its colours, with numbers. The digits are drawn
-// here, as a system may have no font that the image library finds.
+// The legend of a picture of distortion: what is shown and its unit, a strip of its colours, and numbers.
 
 #ifndef CUBEMAP_TOOLS_LEGEND_HPP
 #define CUBEMAP_TOOLS_LEGEND_HPP
@@ -10,9 +9,10 @@
 #include "quantity.hpp"
 
 inline constexpr int legend_width = 520;
-inline constexpr int legend_height = 62;
+inline constexpr int legend_height = 84;
 
 // Red, green and blue of its pixels, row by row.
-std::vector<float> legend_pixels(const Colors &colors, const ColorScale &scale);
+std::vector<float> legend_pixels(const Colors &colors, const ColorScale &scale,
+                                 const std::string &title);
 
 #endif

@@ -104,18 +104,20 @@ void LineRow::draw(const LineStyle &style, const PixelChannels &channels, float 
     }
 }
 
-Overlay::Overlay(const OverlayOptions &wanted, const std::string &mapping, const cm_frame &frame,
-                 const Projection &target)
-    : options(wanted), sphere(target), cube(make_mapping(mapping, frame))
+Overlay::Overlay(const OverlayOptions &wanted, const LineFaces &faces, const Projection &target)
+    : options(wanted), sphere(target), cube(make_mapping(faces.mapping, faces.frame))
 {
+    if (faces.turn != nullptr)
+    {
+        turn = *faces.turn;
+    }
     if (options.graticule)
     {
         graticule.emplace(*options.graticule);
     }
     if (options.grid)
     {
-        const bool own = !target.wraps();
-        grid.emplace(*cube, *options.grid, own ? target.width() : 0);
+        grid.emplace(*cube, *options.grid, faces.are_targets ? target.width() : 0);
     }
     if (options.indicatrices)
     {
@@ -173,8 +175,17 @@ void Overlay::add_lines_of_batch(std::size_t count, const PointBatch &batch,
             {batch.direction_x[i], batch.direction_y[i], batch.direction_z[i]},
             {by_x[0][i], by_x[1][i], by_x[2][i]},
             {by_y[0][i], by_y[1][i], by_y[2][i]}};
-        distance[i] = std::fmin(distance[i], graticule->distance(point));
+        distance[i] = std::fmin(distance[i], graticule->distance(turn ? on_earth(point) : point));
     }
+}
+
+MovingDirection Overlay::on_earth(const MovingDirection &point) const
+{
+    MovingDirection there;
+    cm_rotate_back(&*turn, point.at, there.at);
+    cm_rotate_back(&*turn, point.by_x, there.by_x);
+    cm_rotate_back(&*turn, point.by_y, there.by_y);
+    return there;
 }
 
 std::string Overlay::description() const

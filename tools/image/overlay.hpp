@@ -12,6 +12,8 @@
 #include "indicatrices.hpp"
 #include "overlay_options.hpp"
 
+#include <cubemap/orientation.h>
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -49,14 +51,21 @@ public:
     std::vector<double> covered;
 };
 
+// The mapping whose faces grid and ellipses belong to, and how it stands.
+struct LineFaces
+{
+    std::string mapping;
+    cm_frame frame;
+    bool are_targets;                  // are they the faces of the target itself?
+    const cm_rotation *turn = nullptr; // of the faces; NULL: as the Earth
+};
+
 class Overlay
 {
 public:
-    // In pictures of the target, which must outlive the overlay. The grid and the points of the
-    // ellipses are those of the faces of this mapping and frame, which must be the target's unless that is
-    // equirectangular. UsageFailure if ellipses of the radius would overlap.
-    Overlay(const OverlayOptions &wanted, const std::string &mapping, const cm_frame &frame,
-            const Projection &target);
+    // In pictures of the target, which must outlive the overlay, in the axes of the faces. UsageFailure if ellipses of
+    // the radius would overlap.
+    Overlay(const OverlayOptions &wanted, const LineFaces &faces, const Projection &target);
 
     // Adds the lines of a row of a plane.
     void add_lines(int plane, int row, LineRow &lines) const;
@@ -68,8 +77,12 @@ private:
     void add_lines_of_batch(std::size_t count, const PointBatch &batch,
                             const DerivativeBatch &derivatives, double *distance) const;
 
+    // From the axes of the faces to those of the Earth.
+    MovingDirection on_earth(const MovingDirection &point) const;
+
     OverlayOptions options;
     const Projection &sphere;
+    std::optional<cm_rotation> turn;
     MappingPointer cube;
     std::optional<Graticule> graticule;
     std::optional<FaceGrid> grid;

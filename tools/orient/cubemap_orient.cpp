@@ -5,7 +5,6 @@
 #include "orient_main.h"
 #include "orient_options.hpp"
 #include "orient_picture.hpp"
-#include "tools/cli/image_threads.hpp"
 #include "tools/image/equirect.hpp"
 #include "tools/image/face_image.hpp"
 #include "tools/cli/parallel.hpp"
@@ -108,19 +107,35 @@ std::string formatted(const char *format, double a, double b = 0, double c = 0)
     return text;
 }
 
-// -0.00 is 0.00
-double rounded(double value)
+// Edges change by kilometres in a hundredth of a degree.
+int digits_of(cm_orient_measure measure)
 {
-    return std::round(value * 100) / 100 + 0.0;
+    return measure == CM_ORIENT_EDGES ? 4 : 2;
 }
 
-std::string angles_text(const cm_rotation &rotation, const char *format)
+std::string angle_text(cm_orient_measure measure, double angle)
+{
+    const int digits = digits_of(measure);
+    const double unit = std::pow(10.0, digits);
+    char word[40];
+    // -0.00 is 0.00
+    std::snprintf(word, sizeof word, "%.*f", digits, std::round(angle * unit) / unit + 0.0);
+    return word;
+}
+
+std::string angles_text(cm_orient_measure measure, double lon, double lat, double roll)
+{
+    return angle_text(measure, lon) + " " + angle_text(measure, lat) + " " +
+           angle_text(measure, roll);
+}
+
+std::string angles_text(cm_orient_measure measure, const cm_rotation &rotation)
 {
     double lon = 0;
     double lat = 0;
     double roll = 0;
     cm_rotation_angles(&rotation, &lon, &lat, &roll);
-    return formatted(format, rounded(lon), rounded(lat), rounded(roll));
+    return angles_text(measure, lon, lat, roll);
 }
 
 // What was looked at, and the second-best valley.
@@ -141,7 +156,7 @@ std::string survey_text(const OrientOptions &options, const cm_orient_result &fo
                   static_cast<double>(found.followed));
     if (found.other_apart > 0)
     {
-        text += "next best valley: " + angles_text(found.other.rotation, "%.2f %.2f %.2f") +
+        text += "next best valley: " + angles_text(options.measure, found.other.rotation) +
                 formatted(" with %.6g", found.other.value * unit) + name +
                 formatted(", %.3g degrees away\n", found.other_apart);
     }
@@ -156,8 +171,7 @@ std::string report(const OrientOptions &options, const cm_orient_result &found)
 {
     const double unit = unit_of(options.measure);
     const std::string name = unit_name(options.measure);
-    std::string text =
-        formatted("%.2f %.2f %.2f\n", rounded(found.lon), rounded(found.lat), rounded(found.roll));
+    std::string text = angles_text(options.measure, found.lon, found.lat, found.roll) + "\n";
     text += std::string(words_for(options.measure)) + ": " +
             formatted("%.6g", found.before * unit) + " -> " +
             formatted("%.6g", found.after * unit) + name + "\n";
@@ -229,11 +243,11 @@ std::string list_text()
     for (std::size_t i = 0; i < cm_orientation_count(); ++i)
     {
         const cm_orientation *const named = cm_orientation_at(i);
-        const double unit =
-            unit_of(static_cast<cm_orient_measure>(cm_orient_measure_find(named->measure)));
+        const auto measure = static_cast<cm_orient_measure>(cm_orient_measure_find(named->measure));
+        const double unit = unit_of(measure);
         text += std::string(named->identifier) + " " + named->mapping + " " + named->measure + " ";
-        text += formatted("%.2f %.2f %.2f ", named->lon, named->lat, named->roll) +
-                formatted("%.8g %.8g\n", named->before * unit, named->after * unit);
+        text += angles_text(measure, named->lon, named->lat, named->roll) +
+                formatted(" %.8g %.8g\n", named->before * unit, named->after * unit);
     }
     return text;
 }
@@ -248,6 +262,23 @@ std::string evaluate(const OrientOptions &options, const cm_mapping *mapping, co
     return options.json ? "{\"value\": " + number + "}\n"
                         : std::string(words_for(options.measure)) + ": " + number +
                               unit_name(options.measure) + "\n";
+}
+
+// The title of the cube in a picture: how it stands, and the measure there.
+std::vector<std::string> title_of(const OrientOptions &options, const cm_mapping *mapping,
+                                  const cm_mask &mask, const cm_orient_options &wanted,
+                                  const cm_rotation &rotation, const std::string &name)
+{
+    double value = 0;
+    double lon = 0;
+    double lat = 0;
+    double roll = 0;
+    cm_rotation_angles(&rotation, &lon, &lat, &roll);
+    check(cm_orient_value(mapping, &mask, &wanted, &rotation, &value), options);
+    return {options.mapping.substr(0, options.mapping.find(':')) + ", " + name,
+            "front at " + angle_text(options.measure, lon) + " " + angle_text(options.measure, lat),
+            "roll " + angle_text(options.measure, roll) + " degrees", words_for(options.measure),
+            formatted("%.5g", value * unit_of(options.measure)) + unit_name(options.measure)};
 }
 
 cm_orient_result search(const OrientOptions &options, const cm_mapping *mapping,
@@ -275,7 +306,6 @@ int orient(int argc, char **argv, const cm_streams &streams)
         return 0;
     }
     const int threads = thread_count(options.threads);
-    const ImageThreads image_threads(threads);
     SphereGrid grid = read_equirect(options.mask, true);
     weigh(options, grid);
     Equirect(grid.width(), grid.height()).fill_border(grid);
@@ -309,7 +339,11 @@ int orient(int argc, char **argv, const cm_streams &streams)
     }
     if (picture)
     {
-        picture->write(rotation, threads);
+        const cm_rotation before = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+        picture->write(rotation,
+                       {title_of(options, mapping.get(), mask, wanted, before, "as it is"),
+                        title_of(options, mapping.get(), mask, wanted, rotation, "turned")},
+                       threads);
     }
     print(streams, text);
     return 0;

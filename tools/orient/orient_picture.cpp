@@ -3,6 +3,7 @@
 #include "orient_picture.hpp"
 #include "tools/image/cube_image.hpp"
 #include "tools/image/equirect.hpp"
+#include "tools/image/lettering.hpp"
 #include "tools/cli/image_file.hpp"
 #include "tools/cli/image_writer.hpp"
 #include "tools/cli/parallel.hpp"
@@ -25,7 +26,10 @@ constexpr Color sea = {0.80f, 0.86f, 0.91f};
 // of the mask, from where nothing is deformed to 31 degrees, the corners of most mappings
 constexpr std::array<Color, 4> land = {
     {{0.98f, 0.93f, 0.70f}, {0.95f, 0.69f, 0.29f}, {0.84f, 0.33f, 0.17f}, {0.45f, 0.04f, 0.15f}}};
-constexpr double most_deformation = 31.0 / 180.0 * 3.14159265358979;
+constexpr double degree = 3.14159265358979 / 180.0;
+constexpr double most_deformation = 31.0 * degree;
+constexpr int title_letters = 26;
+constexpr int least_with_words = 80; // pixels of a face
 
 float mix(float a, float b, float part)
 {
@@ -118,6 +122,19 @@ struct OrientPicture::Parts
         return 6 * size + 3 * gap();
     }
 
+    // The dots of letters, of which a line fits beside a face of the cross.
+    int dot() const
+    {
+        return size / least_with_words;
+    }
+    int words_left() const
+    {
+        return 2 * gap() + 2 * size;
+    }
+
+    void write_lines(const Canvas &canvas, int top, const std::vector<std::string> &lines) const;
+    void draw_lengths(const Canvas &canvas, int top) const;
+    void draw_colors(const Canvas &canvas, int top) const;
     void draw_row(const cm_rotation &turn, int face, int row, float *pixels) const;
     void color(const PointBatch &earth, const double *deformation, std::size_t count,
                const PointBatch &place, float *pixels) const;
@@ -192,6 +209,51 @@ void OrientPicture::Parts::draw_row(const cm_rotation &turn, int face, int row, 
     }
 }
 
+void OrientPicture::Parts::write_lines(const Canvas &canvas, int top,
+                                       const std::vector<std::string> &lines) const
+{
+    for (const std::string &line : lines)
+    {
+        write_text(canvas, words_left(), top, line.substr(0, title_letters), dot());
+        top += text_height(dot()) * 3 / 2;
+    }
+}
+
+// A bar as long as a face is wide.
+void OrientPicture::Parts::draw_lengths(const Canvas &canvas, int top) const
+{
+    const int left = words_left();
+    fill_box(canvas, left, top + 2 * dot(), left + size, top + 3 * dot(), outline);
+    for (const int x : {left, left + size / 2, left + size - dot()})
+    {
+        fill_box(canvas, x, top, x + dot(), top + 5 * dot(), outline);
+    }
+    write_lines(canvas, top + 8 * dot(), {"90 degrees, 10008 km", "along the middle of a face"});
+}
+
+// What the colours of the mask mean.
+void OrientPicture::Parts::draw_colors(const Canvas &canvas, int top) const
+{
+    const int left = words_left();
+    const int width = 2 * size - 8 * gap() / 2;
+    const int strip_bottom = top + 40 * dot();
+    write_lines(canvas, top, {"angular deformation omega,", "degrees"});
+    for (int x = 0; x < width; ++x)
+    {
+        fill_box(canvas, left + x, top + 24 * dot(), left + x + 1, strip_bottom,
+                 land_color(most_deformation * (x + 0.5) / width));
+    }
+    for (const int degrees : {0, 10, 20, 31})
+    {
+        const std::string number = std::to_string(degrees);
+        const int x =
+            left + static_cast<int>(std::lround(degrees * degree / most_deformation * width));
+        fill_box(canvas, x, strip_bottom, x + dot(), strip_bottom + 3 * dot(), outline);
+        write_text(canvas, x - text_width(number, dot()) / 2, strip_bottom + 5 * dot(), number,
+                   dot());
+    }
+}
+
 OrientPicture::OrientPicture(const OrientOptions &options, const SphereGrid &mask)
     : parts(std::make_unique<Parts>(options, mask))
 {
@@ -199,7 +261,8 @@ OrientPicture::OrientPicture(const OrientOptions &options, const SphereGrid &mas
 
 OrientPicture::~OrientPicture() = default;
 
-void OrientPicture::write(const cm_rotation &after, int threads)
+void OrientPicture::write(const cm_rotation &after,
+                          const std::array<std::vector<std::string>, 2> &titles, int threads)
 {
     const cm_rotation before = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const std::size_t row_floats = 3 * static_cast<std::size_t>(parts->width());
@@ -224,10 +287,22 @@ void OrientPicture::write(const cm_rotation &after, int threads)
                                      pixels.data() + static_cast<std::size_t>(y) * row_floats +
                                          3 * static_cast<std::size_t>(x));
                  });
+    if (size >= least_with_words)
+    {
+        const Canvas canvas = {pixels.data(), parts->width(), parts->height()};
+        const int second = 3 * size + parts->gap();
+        parts->write_lines(canvas, 2 * parts->gap(), titles[0]);
+        parts->write_lines(canvas, 2 * parts->gap() + second, titles[1]);
+        parts->draw_lengths(canvas, 2 * size + 3 * parts->gap());
+        if (!parts->image)
+        {
+            parts->draw_colors(canvas, 2 * size + 3 * parts->gap() + second);
+        }
+    }
     const std::string &format = parts->format;
-    const OIIO::ImageSpec spec(parts->width(), parts->height(), 3, OIIO::TypeDesc::UINT8);
-    ImageWriter writer(plan_image(format, spec, format, parts->name), parts->width(),
-                       parts->height(), parts->name, *parts->files.back());
+    const ImageDescription description(3, CM_PIXEL_U8);
+    ImageWriter writer(plan_image(format, description, format, parts->name), parts->width(),
+                       parts->height(), parts->name, *parts->files.back(), threads);
     writer.write(0, parts->height(), pixels.data(), 3);
     writer.close();
     parts->files.back()->finish();

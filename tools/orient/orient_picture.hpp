@@ -8,7 +8,9 @@
 #include "orient_options.hpp"
 #include "tools/image/sphere_grid.hpp"
 
+#include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 // An equirectangular image in memory. Failure if it cannot be read or is not twice as wide as high; with
@@ -22,8 +24,11 @@ public:
     OrientPicture(const OrientOptions &options, const SphereGrid &mask);
     ~OrientPicture();
 
-    // Above the cube as it is, below as it is turned.
-    void write(const cm_rotation &after, int threads);
+    // Above the cube as it is, below as it is turned, each with its title in lines of up to 26 letters; a scale of
+    // lengths, and one of colours if the picture is not of an image. Faces of fewer than 80 pixels have no room for
+    // words.
+    void write(const cm_rotation &after, const std::array<std::vector<std::string>, 2> &titles,
+               int threads);
 
 private:
     struct Parts;

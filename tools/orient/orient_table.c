@@ -29,7 +29,7 @@ static const cm_option options[] = {
      .help = "what is to be least: `deformation` (the mean of the maximum angular deformation, in "
              "degrees), `isotropy` (the mean of D_I, the ratio of the axes), `area` (the mean of "
              "|ln D_A|), `scale` (the mean of s, the areal scale) or `edges` (the length of the "
-             "edges of faces over the mask, in km)",
+             "edges of faces over the mask's pixels, in km)",
      .standard = "`deformation`",
      .choice_at = measure_name_at,
      .flags = CM_OPTION_TOLD},

@@ -170,12 +170,22 @@ static bool create_cells(struct chain *chain, const char *text, cm_failure *fail
     {
         return false;
     }
-    if (name != NULL && cm_curve_find(name, &curve) != CM_OK)
+    const bool is_s2 = name != NULL && (strcmp(name, "s2") == 0 || strcmp(name, "S2") == 0);
+    if (name != NULL && !is_s2 && cm_curve_find(name, &curve) != CM_OK)
     {
-        return fail(failure, EXIT_USAGE, "--cell is '%s': the curve is hilbert or morton", text);
+        return fail(failure, EXIT_USAGE, "--cell is '%s': the curve is hilbert, morton or s2",
+                    text);
     }
     chain->level = (int)level;
-    const cm_status status = cm_cell_grid_create(chain->grid, curve, &chain->cells);
+    const cm_status status = is_s2 ? cm_cell_grid_create_s2(chain->grid, &chain->cells)
+                                   : cm_cell_grid_create(chain->grid, curve, &chain->cells);
+    if (is_s2 && status == CM_ERROR_UNSUPPORTED)
+    {
+        return fail(failure, EXIT_USAGE,
+                    "--cell %s is of -m s2 --frame s2 on a sphere, or with --latitude geographic, "
+                    "not rotated",
+                    text);
+    }
     return status == CM_OK ||
            fail(failure, EXIT_FAILURE, "--cell %s: %s", text, cm_status_text(status));
 }

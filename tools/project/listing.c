@@ -41,26 +41,15 @@ static const char *family_name(cm_family family)
     return "unknown";
 }
 
-static const char *smoothness_name(cm_smoothness smoothness)
-{
-    switch (smoothness)
-    {
-    case CM_SMOOTH_TORN:
-        return "torn";
-    case CM_SMOOTH_C0:
-        return "C0";
-    case CM_SMOOTH_C1:
-        return "C1";
-    case CM_SMOOTH_ANALYTIC:
-        return "analytic";
-    }
-    return "unknown";
-}
-
-/* One face has no edge to another. */
+/* One face has no edge to another, and no corner where three meet. */
 static const char *edge_name(const cm_mapping_info *mapping)
 {
-    return mapping->kind == CM_KIND_CUBE ? smoothness_name(mapping->smooth_edge) : NULL;
+    return mapping->kind == CM_KIND_CUBE ? cm_smoothness_name(mapping->smooth_edge) : NULL;
+}
+
+static const char *corner_name(const cm_mapping_info *mapping)
+{
+    return mapping->kind == CM_KIND_CUBE ? cm_smoothness_name(mapping->smooth_corner) : NULL;
 }
 
 static const char *property_name(unsigned properties)
@@ -80,19 +69,22 @@ static const char *property_name(unsigned properties)
 
 static void write_heading(FILE *stream)
 {
-    fprintf(stream,
-            "libcubemap %s: the mappings that -m takes, as NAME, NAME:PRESET or\n"
-            "NAME:PARAMETER=VALUE,...\n"
-            "The recommended one, and the default, is " CM_MAPPING_RECOMMENDED ".\n"
-            "FACE and EDGE say how smooth a mapping is on a face and across the edge of two:\n"
-            "torn, C0 (continuous), C1 (with its first derivatives) or analytic.\n",
-            cm_version());
+    fprintf(
+        stream,
+        "libcubemap %s: the mappings that -m takes, as NAME, NAME:PRESET or\n"
+        "NAME:PARAMETER=VALUE,...\n"
+        "The recommended one, and the default, is " CM_MAPPING_RECOMMENDED ".\n"
+        "FACE, EDGE and CORNER say how smooth a mapping is on a face, across the edge of two and\n"
+        "at a face's corners: torn, C0 (continuous), C1 or C2 (with its first derivatives, or the\n"
+        "second too) or analytic.\n",
+        cm_version());
 }
 
 static void write_kind_heading(FILE *stream, cm_kind kind)
 {
-    fprintf(stream, "\n%s:\n\n%-*s %-10s %-10s %-8s %-8s %s\n", kinds[kind].heading,
-            kinds[kind].width, "NAME", "FAMILY", "PROPERTY", "FACE", "EDGE", "WHAT IT IS");
+    fprintf(stream, "\n%s:\n\n%-*s %-10s %-10s %-8s %-8s %-8s %s\n", kinds[kind].heading,
+            kinds[kind].width, "NAME", "FAMILY", "PROPERTY", "FACE", "EDGE", "CORNER",
+            "WHAT IT IS");
 }
 
 static void write_parameter_row(FILE *stream, const cm_parameter_info *parameter)
@@ -142,9 +134,11 @@ static void write_word_row(FILE *stream, const char *before, const char *words)
 static void write_mapping_rows(FILE *stream, const cm_mapping_info *mapping)
 {
     const char *const edge = edge_name(mapping);
-    fprintf(stream, "\n%-*s %-10s %-10s %-8s %-8s %s\n", kinds[mapping->kind].width,
+    const char *const corner = corner_name(mapping);
+    fprintf(stream, "\n%-*s %-10s %-10s %-8s %-8s %-8s %s\n", kinds[mapping->kind].width,
             mapping->identifier, family_name(mapping->family), property_name(mapping->properties),
-            smoothness_name(mapping->smooth_face), edge != NULL ? edge : "-", mapping->name);
+            cm_smoothness_name(mapping->smooth_face), edge != NULL ? edge : "-",
+            corner != NULL ? corner : "-", mapping->name);
     if (mapping->aliases[0] != '\0')
     {
         write_word_row(stream, "    also       ", mapping->aliases);
@@ -343,8 +337,9 @@ static void write_mapping_object(FILE *stream, const cm_mapping_info *mapping)
     fprintf(stream, "\"equal_area\": %s,\n      \"conformal\": %s%s",
             truth((mapping->properties & CM_EQUAL_AREA) != 0),
             truth((mapping->properties & CM_CONFORMAL) != 0), next);
-    write_member(stream, "smooth_face", smoothness_name(mapping->smooth_face), next);
+    write_member(stream, "smooth_face", cm_smoothness_name(mapping->smooth_face), next);
     write_member(stream, "smooth_edge", edge_name(mapping), next);
+    write_member(stream, "smooth_corner", corner_name(mapping), next);
     write_bounds(stream, &mapping->bounds);
     fputs(next, stream);
     fputs("\"fast\": ", stream);

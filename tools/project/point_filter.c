@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <cubemap/direction.h>
+
 #include "tools/cli/degrees.h"
 #include "tools/cli/failure.h"
 #include "tools/cli/line_filter.h"
@@ -367,7 +369,16 @@ static bool take_lonlat(struct filter *filter, size_t index, const double value[
         complain(filter, index, "the latitude, %.17g, is not in [-90, 90]", value[1]);
         return false;
     }
-    degrees_to_direction(value[0], value[1], direction);
+    if (filter->options->cells != NULL && cm_cell_grid_is_s2(filter->options->cells))
+    {
+        /* by way of radians, as S2LatLng::FromDegrees goes */
+        const double radians = 3.14159265358979323846 / 180;
+        cm_direction_from_lonlat(radians * value[0], radians * value[1], direction);
+    }
+    else
+    {
+        degrees_to_direction(value[0], value[1], direction);
+    }
     filter->batch.a[index] = direction[0];
     filter->batch.b[index] = direction[1];
     filter->batch.c[index] = direction[2];

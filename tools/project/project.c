@@ -125,10 +125,12 @@ static const cm_option options[] = {
      .argument = "LEVEL[:CURVE]",
      .help =
          "instead of FACE U V the token of the cell of level 0 to 30, in the order of the curve "
-         "`hilbert` (the default) or `morton`; -I gives centres",
+         "`hilbert` (the default), `morton` or `s2`; -I gives centres",
      .more =
          "Level 0 is a face, level 30 some 9 mm. With -I it reads tokens, of any level. With `-m "
-         "s2 --frame s2` the tokens are those of the S2 library."},
+         "s2 --frame s2` and the curve `s2`, which is Hilbert's, the tokens are those of the S2 "
+         "library "
+         "for every point; with `hilbert` a point on an edge of cells may be in the next one."},
     {.id = HEALPIX,
      .name = "healpix",
      .kind = CM_OPTION_TEXT,

@@ -2,12 +2,14 @@
 //
 // cubemap-reproject: an image of the sphere from one projection to another.
 
-#include "tools/cli/image_threads.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
+#include "tools/image/face_names.hpp"
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_output.hpp"
+
+#include <cstdio>
 
 namespace
 {
@@ -20,12 +22,15 @@ int reproject(int argc, char **argv, const cm_streams &streams)
         return 0;
     }
     const int threads = thread_count(options.threads);
-    const ImageThreads image_threads(threads);
 
-    Input input(options);
+    Input input(options, threads);
     Output output(options, input);
-    const SphereGrid grid = input.read(options, output.multiply_alpha(), threads);
-    output.write(options, input, grid, threads, streams.err);
+    for (const std::string &warning : input.warnings())
+    {
+        std::fprintf(streams.err, "cubemap-reproject: %s\n", warning.c_str());
+    }
+    input.read(options, threads);
+    output.write(options, input, threads, streams.err);
     if (!options.quiet)
     {
         std::vector<std::string> names;
@@ -33,8 +38,8 @@ int reproject(int argc, char **argv, const cm_streams &streams)
         {
             names.push_back(file.path());
         }
-        print(streams, name_list(names) + " (" + input.description(options) + ") -> " +
-                           output.description(options) + "\n");
+        print(streams, name_list(names) + " (" + input.description() + ") -> " +
+                           output.description() + "\n");
     }
     return 0;
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_input.hpp"
-#include "tools/image/chart_image.hpp"
-#include "tools/image/equirect.hpp"
+#include "geo_reference.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
+#include "tools/image/face_names.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <utility>
 
 namespace
 {
@@ -23,54 +27,85 @@ bool has_shape(const ImageFile &image, int columns, int rows)
            image.width() / columns == image.height() / rows;
 }
 
-void multiply_by_alpha(SphereGrid &grid, int plane, int alpha)
+// Which of the two types holds the values of both: 16 bits of whole numbers do not fit into half, nor the other way round.
+ImageDescription deeper(const ImageDescription &one, const ImageDescription &other)
 {
-    for (int row = 0; row < grid.height(); ++row)
+    const bool none = (one.type == CM_PIXEL_U16 && other.type == CM_PIXEL_HALF) ||
+                      (one.type == CM_PIXEL_HALF && other.type == CM_PIXEL_U16);
+    ImageDescription deepest = one.type >= other.type ? one : other;
+    if (none || one.type == other.type)
     {
-        for (int column = 0; column < grid.width(); ++column)
-        {
-            float *const pixel = grid.pixel(plane, column, row);
-            for (int c = 0; c < grid.channels(); ++c)
-            {
-                pixel[c] *= c == alpha ? 1.0f : pixel[alpha];
-            }
-        }
+        deepest.type = CM_PIXEL_FLOAT;
+        deepest.stored_type = "float";
     }
+    return deepest;
+}
+
+// Does the command line say what INPUT is?
+bool is_said(const SurfaceOptions &from)
+{
+    return !from.specification.empty() || !from.layout.empty() || !from.frame.empty();
+}
+
+std::string layout_of(const SurfaceOptions &from)
+{
+    return from.layout.empty() ? key_of(from.specification, "layout") : from.layout;
+}
+
+// Is the value at this place NaN or infinite?
+bool is_bad(cm_pixel_type type, const unsigned char *values, std::size_t index)
+{
+    if (type == CM_PIXEL_HALF)
+    {
+        std::uint16_t bits = 0;
+        std::memcpy(&bits, values + index * sizeof bits, sizeof bits);
+        return (bits & 0x7c00u) == 0x7c00u;
+    }
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, values + index * sizeof bits, sizeof bits);
+    return (bits & 0x7f800000u) == 0x7f800000u;
+}
+
+bool is_nan(cm_pixel_type type, const unsigned char *values, std::size_t index)
+{
+    if (type == CM_PIXEL_HALF)
+    {
+        std::uint16_t bits = 0;
+        std::memcpy(&bits, values + index * sizeof bits, sizeof bits);
+        return (bits & 0x3ffu) != 0;
+    }
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, values + index * sizeof bits, sizeof bits);
+    return (bits & 0x7fffffu) != 0;
 }
 
 } // namespace
 
-Input::Input(const Options &options)
+Input::Input(const Options &options, int threads)
 {
-    chart = options.from == Kind::chart;
-    open(options);
-    find_kind(options);
-    make_projection(options);
+    open(options, threads);
+    choose_type();
+    find_surface(options);
     check_memory(in_quotes(images.front().path()),
-                 (std::int64_t{sphere->width()} + 2) * (std::int64_t{sphere->height()} + 2) *
-                     sphere->planes(),
-                 images.front().channels());
+                 std::int64_t{images.front().width()} * images.front().height() *
+                     static_cast<std::int64_t>(images.size()),
+                 images.front().channels(), channel_bytes(pixels.type));
 }
 
-void Input::open(const Options &options)
+void Input::open(const Options &options, int threads)
 {
-    const bool cube = options.from.value_or(Kind::cube) == Kind::cube;
-    const bool faces = cube && (options.from_layout == CubeLayout::faces ||
-                                (!options.from_layout && names_faces(options.input)));
-    if (!cube && options.from_layout)
-    {
-        throw UsageFailure("--from-layout is for a cube, but --from says " +
-                           (chart ? options.from_mapping : "equirect"));
-    }
+    const SurfaceOptions &from = options.from;
+    const bool cube = from.specification.empty() || is_cube(from.specification);
+    const std::string layout = layout_of(from);
+    faces = cube && (layout == "faces" || (layout.empty() && names_faces(options.input)));
     const std::vector<std::string> names =
         faces ? face_names(options.input) : std::vector<std::string>{options.input};
     for (const std::string &name : names)
     {
-        images.emplace_back(name);
+        images.emplace_back(name, threads);
     }
     if (faces)
     {
-        layout = CubeLayout::faces;
         check_faces();
     }
 }
@@ -95,140 +130,277 @@ void Input::check_faces() const
     }
 }
 
-void Input::check_chart(const Options &options) const
+// Of faces that differ in depth the deepest holds what is in all of them.
+void Input::choose_type()
+{
+    pixels = ImageDescription(images.front().stored());
+    types = images.front().pixel_type();
+    for (const ImageFile &image : images)
+    {
+        const ImageDescription other(image.stored());
+        if (other.alpha != pixels.alpha || other.alpha_multiplied != pixels.alpha_multiplied)
+        {
+            throw Failure(in_quotes(image.path()) + " has alpha otherwise than " +
+                          in_quotes(images.front().path()) + "; all six faces must be alike");
+        }
+        if (image.pixel_type() == pixels.stored_type)
+        {
+            continue;
+        }
+        types +=
+            types.find(image.pixel_type()) == std::string::npos ? " and " + image.pixel_type() : "";
+        const ImageDescription deepest = deeper(pixels, other);
+        pixels.type = deepest.type;
+        pixels.stored_type = deepest.stored_type;
+    }
+    types += types.find(' ') == std::string::npos ? "" : ", taken as " + pixels.stored_type;
+}
+
+// ---- what it is
+
+void Input::find_surface(const Options &options)
+{
+    const std::optional<SavedSurface> saved = saved_surface(images.front());
+    if (is_said(options.from))
+    {
+        const std::string &said = options.from.specification;
+        take(said.empty() || is_cube(said) ? cube_by_shape(options) : said, options.from.rotation);
+        if (saved)
+        {
+            compare_with(*saved);
+        }
+        return;
+    }
+    if (saved && take_saved(*saved, options.from))
+    {
+        return;
+    }
+    const std::optional<std::string> placed = geographic_surface(images.front());
+    take(placed ? *placed : cube_by_shape(options), options.from.rotation);
+}
+
+// False if the picture does not have the shape that its tag means: somebody has cut or scaled it since.
+bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
 {
     const ImageFile &image = images.front();
-    if (image.width() != image.height())
+    const std::string name = in_quotes(image.path()) + " says that it is ";
+    const bool of_six = key_of(saved.specification, "layout") == "faces";
+    if (of_six && !faces)
+    {
+        throw Failure(name + "one of six faces, " + saved.specification +
+                      "; give the name of all, with %f, or say --from SPEC");
+    }
+    const std::optional<cm_rotation> rotation =
+        options.rotation ? options.rotation : saved.rotation;
+    const std::string specification =
+        without_key(without_key(saved.specification, "size"), "height");
+    std::string message;
+    if (of_six == faces)
+    {
+        sphere = make_surface(specification, image.width(), image.height(), rotation, message);
+    }
+    if (!sphere)
+    {
+        remarks.push_back(name + saved.specification + ", but is " + size_text(image) +
+                          "; its shape counts");
+        return false;
+    }
+    turned = rotation;
+    return true;
+}
+
+void Input::take(const std::string &specification, const std::optional<cm_rotation> &rotation)
+{
+    const ImageFile &image = images.front();
+    std::string message;
+    if (is_chart(specification) && image.width() != image.height())
     {
         throw Failure(in_quotes(image.path()) + " is " + size_text(image) + "; an image in " +
-                      options.from_mapping + " must be square");
+                      head_of(specification) + " must be square");
+    }
+    sphere = make_surface(specification, image.width(), image.height(), rotation, message);
+    if (!sphere)
+    {
+        throw Failure(in_quotes(image.path()) + " is " + size_text(image) + ", no image in " +
+                      specification + ": " + message);
+    }
+    turned = rotation;
+}
+
+void Input::compare_with(const SavedSurface &saved)
+{
+    const std::string here = cm_surface_specification(sphere.get());
+    const std::optional<cm_rotation> none;
+    std::string message;
+    const SurfacePointer other =
+        make_surface(without_key(without_key(saved.specification, "size"), "height"),
+                     static_cast<int>(cm_surface_width(sphere.get())),
+                     static_cast<int>(cm_surface_height(sphere.get())), none, message);
+    const std::string there = other ? cm_surface_specification(other.get()) : saved.specification;
+    const auto turn_of = [](const std::optional<cm_rotation> &rotation)
+    { return rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0"; };
+    const std::string name = in_quotes(images.front().path()) + " says that it is ";
+    if (here != there)
+    {
+        remarks.push_back(name + there + "; it is taken as " + here + ", as the command line says");
+    }
+    else if (turn_of(turned) != turn_of(saved.rotation))
+    {
+        remarks.push_back(name + "turned by " + turn_of(saved.rotation) +
+                          "; it is taken as turned by " + turn_of(turned) +
+                          ", as the command line says");
     }
 }
 
-// Sets the layout, unless the image is equirectangular or its layout is known.
-void Input::find_kind(const Options &options)
+// An equirectangular image, too, where nobody says that it is a cube.
+std::string Input::cube_by_shape(const Options &options) const
 {
+    const SurfaceOptions &from = options.from;
+    const bool may_be_equirect = from.specification.empty() && from.layout.empty();
+    if (!faces && may_be_equirect && has_shape(images.front(), 2, 1))
+    {
+        return "equirect";
+    }
+    std::string cube = from.specification.empty() ? "cube" : from.specification;
+    if (key_of(cube, "frame").empty())
+    {
+        const std::string &frame = from.frame.empty() ? options.to.frame : from.frame;
+        cube += ";frame=" + (frame.empty() ? "geo" : frame);
+    }
+    return key_of(cube, "layout").empty() ? cube + ";layout=" + layout_by_shape(options) : cube;
+}
+
+std::string Input::layout_by_shape(const Options &options) const
+{
+    struct Shape
+    {
+        const char *layout;
+        int columns;
+        int rows;
+        bool alone; // does nothing else look like this?
+    };
+    static constexpr Shape shapes[] = {{"strip", 6, 1, true},
+                                       {"cross", 4, 3, true},
+                                       {"column", 1, 6, false},
+                                       {"vcross", 3, 4, false}};
     const ImageFile &image = images.front();
-    const bool may_be_cube = options.from != Kind::equirect;
-    const bool may_be_equirect = options.from != Kind::cube && !options.from_layout;
-    if (chart)
+    const std::string wanted = faces ? "faces" : options.from.layout;
+    const bool said = !options.from.specification.empty();
+    for (const Shape &shape : shapes)
     {
-        check_chart(options);
-        return;
-    }
-    if (layout || !may_be_cube || (may_be_equirect && has_shape(image, 2, 1)))
-    {
-        return;
-    }
-    layout = options.from_layout;
-    if (!layout && (has_shape(image, 6, 1) || has_shape(image, 4, 3)))
-    {
-        layout = has_shape(image, 6, 1) ? CubeLayout::strip : CubeLayout::cross;
-    }
-    const bool right =
-        layout == CubeLayout::strip ? has_shape(image, 6, 1) : layout && has_shape(image, 4, 3);
-    if (right)
-    {
-        return;
-    }
-    throw Failure(in_quotes(image.path()) + " is " + size_text(image) +
-                  (layout == CubeLayout::strip   ? "; a strip must be 6N x N"
-                   : layout == CubeLayout::cross ? "; a cross must be 4N x 3N"
-                   : may_be_equirect ? ", neither 2:1 (equirect), 6:1 (strip) nor 4:3 (cross); "
-                                       "say --from equirect if it is that all the same"
-                                     : "; a cube must be a strip, 6N x N, or a cross, 4N x 3N, "
-                                       "or six faces, with %f in the name"));
-}
-
-void Input::make_projection(const Options &options)
-{
-    const ImageFile &image = images.front();
-    if (kind() == Kind::equirect)
-    {
-        sphere = std::make_unique<Equirect>(image.width(), image.height());
-    }
-    else if (kind() == Kind::chart)
-    {
-        sphere = std::make_unique<ChartImage>(options.from_mapping, image.width());
-    }
-    else
-    {
-        sphere = std::make_unique<CubeImage>(options.from_mapping,
-                                             turn_poles(*options.from_frame, options.from_columns),
-                                             face_size_in_picture());
-    }
-}
-
-int Input::face_size_in_picture() const
-{
-    const int width = images.front().width();
-    return layout == CubeLayout::faces   ? width
-           : layout == CubeLayout::strip ? width / 6
-                                         : width / 4;
-}
-
-SphereGrid Input::read(const Options &options, bool multiply_alpha, int threads)
-{
-    const Finite finite = options.filter == Filter::nearest ? Finite::not_nan : Finite::all;
-    const ImageFile &first = images.front();
-    SphereGrid grid(sphere->planes(), sphere->width(), sphere->height(), first.channels());
-    if (layout == CubeLayout::strip || layout == CubeLayout::cross)
-    {
-        const std::vector<PictureLayout> pictures =
-            cube_pictures(*layout, *options.from_frame, options.from_columns);
-        read_parts(grid, pictures.front(), finite);
-    }
-    else
-    {
-        parallel_for(static_cast<int>(images.size()), threads,
-                     [&](int plane)
-                     {
-                         images[static_cast<std::size_t>(plane)].read(grid.pixel(plane, 0, 0),
-                                                                      grid.row_stride(), finite);
-                     });
-    }
-    for (int plane = 0; multiply_alpha && plane < grid.planes(); ++plane)
-    {
-        multiply_by_alpha(grid, plane, first.spec().alpha_channel);
-    }
-    sphere->fill_border(grid);
-    return grid;
-}
-
-// Reads a picture that holds several planes.
-void Input::read_parts(SphereGrid &grid, const PictureLayout &picture, Finite finite)
-{
-    ImageFile &image = images.front();
-    check_memory(in_quotes(image.path()), std::int64_t{image.width()} * image.height(),
-                 image.channels());
-    const std::size_t channels = static_cast<std::size_t>(image.channels());
-    const std::size_t stride = static_cast<std::size_t>(image.width()) * channels;
-    const std::size_t part = static_cast<std::size_t>(grid.width()) * channels;
-    std::vector<float> pixels(stride * static_cast<std::size_t>(image.height()));
-    image.read(pixels.data(), stride, finite);
-    for (const Placement &placement : picture.placements)
-    {
-        for (int row = 0; row < grid.height(); ++row)
+        const bool fits = has_shape(image, shape.columns, shape.rows);
+        if (wanted.empty() && fits && (said || shape.alone))
         {
-            const std::size_t from_row =
-                static_cast<std::size_t>(placement.row * grid.height() + row);
-            const float *const from = pixels.data() + from_row * stride +
-                                      static_cast<std::size_t>(placement.column) * part;
-            std::copy(from, from + part, grid.pixel(placement.plane, 0, row));
+            return shape.layout;
+        }
+        if (head_of(wanted).substr(0, wanted.find(':')) == shape.layout && !fits)
+        {
+            const auto edges = [](int count)
+            { return (count > 1 ? std::to_string(count) : "") + "N"; };
+            throw Failure(in_quotes(image.path()) + " is " + size_text(image) + "; a " +
+                          shape.layout + " must be " + edges(shape.columns) + " x " +
+                          edges(shape.rows));
         }
     }
+    if (!wanted.empty())
+    {
+        return wanted;
+    }
+    throw Failure(
+        in_quotes(image.path()) + " is " + size_text(image) +
+        (said ? "; a cube must be a strip, 6N x N, or a cross, 4N x 3N, or six faces, with "
+                "%f in the name, or --from-layout says what it is"
+              : ", neither 2:1 (equirect), 6:1 (strip) nor 4:3 (cross); say --from "
+                "equirect if it is that all the same"));
 }
 
-std::string Input::description(const Options &options) const
+// ---- its pixels
+
+void Input::read(const Options &options, int threads)
 {
     const ImageFile &first = images.front();
-    std::string text = chart ? options.from_mapping + " " : "equirect ";
-    if (layout)
+    const std::size_t row = static_cast<std::size_t>(first.width()) *
+                            static_cast<std::size_t>(first.channels()) * channel_bytes(pixels.type);
+    for (std::size_t i = 0; i < images.size(); ++i)
     {
-        text = "cube:" + options.from_mapping + ", frame " + options.from_frame->identifier + ", ";
-        text += layout == CubeLayout::faces ? "" : std::string(layout_name(*layout)) + " ";
+        memory.emplace_back(row * static_cast<std::size_t>(first.height()));
+        cm_image view = {};
+        view.size = sizeof view;
+        view.data = memory.back().bytes();
+        view.type = pixels.type;
+        view.width = static_cast<std::uint32_t>(first.width());
+        view.height = static_cast<std::uint32_t>(first.height());
+        view.channels = static_cast<std::uint32_t>(first.channels());
+        views.push_back(view);
     }
-    return text + std::to_string(first.width()) + "x" + std::to_string(first.height()) + ", " +
-           std::to_string(first.channels()) +
-           (first.channels() == 1 ? " channel, " : " channels, ") + first.pixel_type();
+    parallel_for(static_cast<int>(images.size()), threads,
+                 [&](int i)
+                 {
+                     const std::size_t picture = static_cast<std::size_t>(i);
+                     images[picture].read_as(pixels.type, memory[picture].bytes(),
+                                             static_cast<std::ptrdiff_t>(row));
+                 });
+    const auto has_floats = [](const ImageFile &image) { return !image.stored().whole_numbers; };
+    if (std::any_of(images.begin(), images.end(), has_floats))
+    {
+        count_not_finite(threads);
+    }
+    if (bad_values > 0 && options.not_finite == NotFinite::refuse)
+    {
+        refuse_not_finite();
+    }
+}
+
+void Input::count_not_finite(int threads)
+{
+    const std::size_t row = static_cast<std::size_t>(images.front().width()) *
+                            static_cast<std::size_t>(images.front().channels());
+    const std::size_t size = channel_bytes(pixels.type);
+    std::atomic<std::int64_t> count{0};
+    const int rows = images.front().height();
+    for (const PixelMemory &picture : memory)
+    {
+        const auto count_row = [&](int i)
+        {
+            const unsigned char *const values =
+                picture.bytes() + static_cast<std::size_t>(i) * row * size;
+            std::int64_t bad = 0;
+            for (std::size_t k = 0; k < row; ++k)
+            {
+                bad += is_bad(pixels.type, values, k) ? 1 : 0;
+            }
+            count += bad;
+        };
+        parallel_for(rows, threads, count_row);
+    }
+    bad_values = count;
+}
+
+void Input::refuse_not_finite() const
+{
+    const std::size_t channels = static_cast<std::size_t>(images.front().channels());
+    const std::size_t columns = static_cast<std::size_t>(images.front().width());
+    const std::size_t values =
+        columns * channels * static_cast<std::size_t>(images.front().height());
+    std::size_t picture = 0;
+    std::size_t i = 0;
+    while (!is_bad(pixels.type, memory[picture].bytes(), i))
+    {
+        picture += i + 1 == values ? 1 : 0;
+        i = i + 1 == values ? 0 : i + 1;
+    }
+    const ImageFile &image = images[picture];
+    throw Failure(
+        in_quotes(image.path()) + " has " +
+        (is_nan(pixels.type, memory[picture].bytes(), i) ? "a NaN" : "an infinite value") +
+        " at x = " + std::to_string(i / channels % columns) +
+        ", y = " + std::to_string(i / channels / columns) + ", channel " +
+        image.channel_name(static_cast<int>(i % channels)) + "; --not-finite skip leaves it out");
+}
+
+std::string Input::description() const
+{
+    const int channels = images.front().channels();
+    return surface_description(*sphere, turned) + ", " + std::to_string(channels) +
+           (channels == 1 ? " channel, " : " channels, ") + types;
 }

@@ -5,11 +5,11 @@
 #ifndef CUBEMAP_TOOLS_REPROJECT_INPUT_HPP
 #define CUBEMAP_TOOLS_REPROJECT_INPUT_HPP
 
-#include "tools/image/face_names.hpp"
-#include "tools/cli/image_file.hpp"
+#include "pixel_memory.hpp"
 #include "reproject_options.hpp"
+#include "surface_tags.hpp"
+#include "surface_text.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,40 +18,73 @@ class Input
 public:
     // Opens the files. Failure if they are not there, not images, or not of the shape that they
     // should have.
-    explicit Input(const Options &options);
+    Input(const Options &options, int threads);
 
-    Kind kind() const noexcept
-    {
-        return layout ? Kind::cube : chart ? Kind::chart : Kind::equirect;
-    }
-    const Projection &projection() const noexcept
+    const cm_surface &surface() const noexcept
     {
         return *sphere;
+    }
+    const std::optional<cm_rotation> &rotation() const noexcept
+    {
+        return turned;
     }
     const std::vector<ImageFile> &files() const noexcept
     {
         return images;
     }
 
-    // The pixels, with the border filled. Failure if a file turns out to be damaged.
-    SphereGrid read(const Options &options, bool multiply_alpha, int threads);
+    // What the files say of themselves; of six that differ in the type of their pixels, the deepest.
+    const ImageDescription &description_of_pixels() const noexcept
+    {
+        return pixels;
+    }
+
+    // Lines for people about what is not as it seems.
+    const std::vector<std::string> &warnings() const noexcept
+    {
+        return remarks;
+    }
+
+    // The pixels, in the type of description_of_pixels(). Failure if a file turns out to be damaged.
+    void read(const Options &options, int threads);
+
+    // Of the surface, after read().
+    const cm_image *pictures() const noexcept
+    {
+        return views.data();
+    }
+    // How many values are NaN or infinite, after read().
+    std::int64_t not_finite() const noexcept
+    {
+        return bad_values;
+    }
 
     // "equirect 2048x1024, 3 channels, uint8"
-    std::string description(const Options &options) const;
+    std::string description() const;
 
 private:
-    void open(const Options &options);
-    void find_kind(const Options &options);
-    void make_projection(const Options &options);
+    void open(const Options &options, int threads);
     void check_faces() const;
-    void check_chart(const Options &options) const;
-    int face_size_in_picture() const;
-    void read_parts(SphereGrid &grid, const PictureLayout &picture, Finite finite);
+    void choose_type();
+    void find_surface(const Options &options);
+    bool take_saved(const SavedSurface &saved, const SurfaceOptions &options);
+    void take(const std::string &specification, const std::optional<cm_rotation> &rotation);
+    void compare_with(const SavedSurface &saved);
+    std::string cube_by_shape(const Options &options) const;
+    std::string layout_by_shape(const Options &options) const;
+    void count_not_finite(int threads);
+    [[noreturn]] void refuse_not_finite() const;
 
     std::vector<ImageFile> images;
-    std::optional<CubeLayout> layout; // of a cube
-    bool chart = false;
-    std::unique_ptr<Projection> sphere;
+    ImageDescription pixels;
+    std::string types; // of pixels, for people
+    bool faces = false;
+    SurfacePointer sphere;
+    std::optional<cm_rotation> turned;
+    std::vector<std::string> remarks;
+    std::vector<PixelMemory> memory;
+    std::vector<cm_image> views;
+    std::int64_t bad_values = 0;
 };
 
 #endif

@@ -3,57 +3,179 @@
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_table.h"
+#include "surface_text.hpp"
 #include "tools/cli/catalogue_name.h"
 #include "tools/cli/program.hpp"
 
 #include <cubemap/catalogue.h>
 
+#include <cstring>
+
 namespace
 {
 
-// A mapping of six faces follows "cube:", one of one face stands alone.
-cm_kind read_kind(const std::string &option, const std::string &text, const std::string &mapping)
+// A kind, or a mapping of one face, or one of the cube.
+std::string nearest_kind(const std::string &text)
 {
-    char message[400];
-    const bool cube = mapping.size() < text.size();
-    const cm_status status = cm_specification_check(mapping.c_str(), message, sizeof message);
-    if (status != CM_OK)
+    cm_nearest nearest = nearest_mapping(text.c_str());
+    cm_nearest kind = cm_nearest_to(text.c_str(), text.find_first_of(":;") == std::string::npos
+                                                      ? text.size()
+                                                      : text.find_first_of(":;"));
+    for (std::size_t i = 0; i < cm_surface_kind_count(); ++i)
     {
-        const bool unknown = !cube && status == CM_ERROR_MAPPING;
-        throw UsageFailure(option + ": " + in_quotes(text) +
-                           (unknown ? " is not equirect, cube or cube:MAPPING, nor a mapping of "
-                                      "one face: "
-                                    : ": ") +
-                           message + suggestion(nearest_mapping(mapping.c_str())));
+        const char *const name = cm_surface_kind_at(i)->identifier;
+        cm_nearest_try(&kind, name, std::strlen(name));
     }
-    const MappingPointer made = make_mapping(mapping, *cm_frame_find("geo"));
-    return cm_mapping_describe(made.get())->kind;
+    const bool closer =
+        kind.best != nullptr && (nearest.best == nullptr || kind.distance < nearest.distance);
+    return suggestion(closer ? kind : nearest);
 }
 
-void read_projection(const OptionReader &reader, std::optional<Kind> &kind, std::string &mapping)
+// Nothing is wrong with the option if the environment asks for an instruction set that is not there.
+void check_instructions(cm_status status, const char *message)
 {
-    const std::string option = reader.name();
+    if (status == CM_ERROR_INSTRUCTIONS)
+    {
+        throw Failure(message);
+    }
+}
+
+std::string read_specification(const OptionReader &reader)
+{
     const std::string text = reader.text();
-    if (text == "equirect")
+    char message[400];
+    const cm_status status = cm_surface_check(text.c_str(), nullptr, message, sizeof message);
+    if (status == CM_OK)
     {
-        kind = Kind::equirect;
-        return;
+        return text;
     }
-    const bool cube = text == "cube" || text.compare(0, 5, "cube:") == 0;
-    mapping = text == "cube" ? CM_MAPPING_RECOMMENDED : cube ? text.substr(5) : text;
-    const cm_kind found = text == "cube" ? CM_KIND_CUBE : read_kind(option, text, mapping);
-    kind = cube ? Kind::cube : Kind::chart;
-    if (found == CM_KIND_DISC_SQUARE)
+    check_instructions(status, message);
+    const std::string name = text.substr(0, text.find_first_of(":;"));
+    const bool unknown = status == CM_ERROR_MAPPING && !is_cube(text) &&
+                         cm_catalogue_find(name.c_str()) == nullptr && name != "azimuthal";
+    const std::string mapping = is_cube(text) && text.size() > 5 ? text.substr(5) : text;
+    throw UsageFailure(reader.name() + ": " + in_quotes(text) +
+                       (unknown ? " is not equirect, cube or cube:MAPPING, nor another kind of "
+                                  "image, nor a mapping of one face: "
+                                : ": ") +
+                       message + (status == CM_ERROR_MAPPING ? nearest_kind(mapping) : ""));
+}
+
+std::string read_layout_name(OptionReader &reader)
+{
+    const std::string text = reader.text();
+    const std::string cube = "cube;layout=" + text;
+    const bool one_word = text.find(';') == std::string::npos;
+    char message[400] = "";
+    const cm_status status = cm_surface_check(cube.c_str(), nullptr, message, sizeof message);
+    check_instructions(status, message);
+    if (one_word && status == CM_OK)
     {
-        throw UsageFailure(option + ": " + in_quotes(text) +
-                           ": it joins disc and square, not the sphere; a layout has it as a part, "
-                           "as in quincuncial:lambert,shirley");
+        return text;
     }
-    if (cube != (found == CM_KIND_CUBE))
+    static const char *const names[] = {"faces", "strip", "cross", "vcross", "column",
+                                        "3x2",   "2x3",   "eac",   nullptr};
+    cm_nearest nearest = cm_nearest_to(text.c_str(), text.size());
+    for (const char *const *name = names; *name != nullptr; ++name)
     {
-        throw UsageFailure(option + ": " + in_quotes(text) + ": " + mapping +
-                           (cube ? " has one face; say " + mapping
-                                 : " is a mapping of the cube; say cube:" + mapping));
+        cm_nearest_try(&nearest, *name, std::strlen(*name));
+    }
+    reader.refuse("faces, strip or cross, cross:north=N,south=N with columns from 0 to 3, vcross, "
+                  "column, 3x2, 2x3, eac or eac:pad=N" +
+                  suggestion(nearest));
+}
+
+cm_rotation read_rotation(const OptionReader &reader)
+{
+    const std::string text = reader.text();
+    char message[400];
+    cm_rotation rotation;
+    if (cm_rotation_parse(text.c_str(), &rotation, message, sizeof message) != CM_OK)
+    {
+        throw UsageFailure(reader.name() + ": " + message +
+                           suggestion(nearest_name(text.c_str(), orientation_name_at)));
+    }
+    return rotation;
+}
+
+void set_transfer(const OptionReader &reader, cm_transfer transfer, Options &options)
+{
+    if (options.transfer != CM_TRANSFER_STORED && options.transfer != transfer)
+    {
+        throw UsageFailure(reader.name() + ": --linear and --gamma are two ways to say how colours "
+                                           "are stored; leave one out");
+    }
+    options.transfer = transfer;
+}
+
+// What the pixels are and how they are mixed.
+bool read_value_option(int id, const OptionReader &reader, Options &options)
+{
+    switch (id)
+    {
+    case REPROJECT_FILTER:
+        options.filter = static_cast<cm_filter>(reader.choice());
+        return true;
+    case REPROJECT_LINEAR:
+        set_transfer(reader, CM_TRANSFER_SRGB, options);
+        return true;
+    case REPROJECT_GAMMA:
+        set_transfer(reader, CM_TRANSFER_GAMMA, options);
+        options.gamma = reader.number();
+        return true;
+    case REPROJECT_STORED:
+        options.stored = true;
+        return true;
+    case REPROJECT_VECTOR:
+        options.vector = reader.whole_number();
+        return true;
+    case REPROJECT_NOT_FINITE:
+        options.not_finite = static_cast<NotFinite>(reader.choice());
+        return true;
+    case REPROJECT_DITHER:
+        options.dither = true;
+        return true;
+    case REPROJECT_TOLERANCE:
+        options.tolerance = reader.number();
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool read_surface_option(int id, OptionReader &reader, Options &options)
+{
+    switch (id)
+    {
+    case REPROJECT_FROM:
+        options.from.specification = read_specification(reader);
+        return true;
+    case REPROJECT_TO:
+        options.to.specification = read_specification(reader);
+        return true;
+    case REPROJECT_FOR:
+        options.preset = cm_surface_preset_at(reader.choice());
+        return true;
+    case REPROJECT_LAYOUT:
+        options.to.layout = read_layout_name(reader);
+        return true;
+    case REPROJECT_FROM_LAYOUT:
+        options.from.layout = read_layout_name(reader);
+        return true;
+    case REPROJECT_FRAME:
+        options.to.frame = reader.text();
+        return true;
+    case REPROJECT_FROM_FRAME:
+        options.from.frame = reader.text();
+        return true;
+    case REPROJECT_ROTATE:
+        options.to.rotation = read_rotation(reader);
+        return true;
+    case REPROJECT_FROM_ROTATE:
+        options.from.rotation = read_rotation(reader);
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -61,29 +183,17 @@ void read_option(int id, OptionReader &reader, Options &options)
 {
     switch (id)
     {
-    case REPROJECT_FROM:
-        read_projection(reader, options.from, options.from_mapping);
-        break;
-    case REPROJECT_TO:
-        read_projection(reader, options.to, options.to_mapping);
-        break;
     case REPROJECT_SIZE:
         options.size = reader.whole_number();
         break;
-    case REPROJECT_LAYOUT:
-        options.layout = read_layout(reader, options.columns);
+    case REPROJECT_KEEP:
+        options.keep = reader.choice() == 0 ? Keep::mean : Keep::most;
         break;
-    case REPROJECT_FROM_LAYOUT:
-        options.from_layout = read_layout(reader, options.from_columns);
+    case REPROJECT_COMPRESSION:
+        options.compression = reader.text();
         break;
-    case REPROJECT_FRAME:
-        options.frame = cm_frame_at(reader.choice());
-        break;
-    case REPROJECT_FROM_FRAME:
-        options.from_frame = cm_frame_at(reader.choice());
-        break;
-    case REPROJECT_FILTER:
-        options.filter = static_cast<Filter>(reader.choice());
+    case REPROJECT_SIDECAR:
+        options.sidecar = true;
         break;
     case REPROJECT_THREADS:
         options.threads = reader.whole_number();
@@ -92,27 +202,56 @@ void read_option(int id, OptionReader &reader, Options &options)
         options.quiet = true;
         break;
     default:
-        read_overlay_option(id, reader, options.overlay);
+        if (!read_surface_option(id, reader, options) && !read_value_option(id, reader, options))
+        {
+            read_overlay_option(id, reader, options.overlay);
+        }
         break;
     }
 }
 
-void set_defaults(Options &options)
+// A key of the specification and the option for it.
+void check_key(const std::string &option, const std::string &specification, const std::string &key,
+               const std::string &value)
 {
-    if (options.frame == nullptr)
+    if (!value.empty() && !key_of(specification, key).empty())
     {
-        options.frame = cm_frame_find("geo");
+        throw UsageFailure(option + " is " + in_quotes(value) + ", but " +
+                           in_quotes(specification) + " has " + key + "=" +
+                           key_of(specification, key) + "; leave one out");
     }
-    if (options.from_frame == nullptr)
+}
+
+// What the program wants, where --rotate says what is ahead.
+void take_preset(Options &options)
+{
+    const cm_surface_preset &preset = *options.preset;
+    SurfaceOptions &to = options.to;
+    if (!to.specification.empty() || !to.frame.empty() || !to.layout.empty())
     {
-        options.from_frame = options.frame;
+        throw UsageFailure(
+            "--for " + std::string(preset.identifier) +
+            " says what OUTPUT is, as --to, --frame and --layout do; leave those out");
     }
-    for (std::string *mapping : {&options.from_mapping, &options.to_mapping})
+    to.specification = preset.specification;
+    to.rotation = to.rotation ? product(preset.rotation, *to.rotation) : preset.rotation;
+}
+
+void check_together(const Options &options)
+{
+    check_key("--frame", options.to.specification, "frame", options.to.frame);
+    check_key("--layout", options.to.specification, "layout", options.to.layout);
+    check_key("--from-frame", options.from.specification, "frame", options.from.frame);
+    check_key("--from-layout", options.from.specification, "layout", options.from.layout);
+    if (!options.from.layout.empty() && !options.from.specification.empty() &&
+        !is_cube(options.from.specification))
     {
-        if (mapping->empty())
-        {
-            *mapping = CM_MAPPING_RECOMMENDED;
-        }
+        throw UsageFailure("--from-layout is for a cube, but --from says " +
+                           options.from.specification);
+    }
+    if (options.size && options.keep != Keep::equator)
+    {
+        throw UsageFailure("--keep chooses a size, and --size says one; leave one out");
     }
 }
 
@@ -126,7 +265,6 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
     {
         read_option(id, reader, options);
     }
-    set_defaults(options);
     options.printed = reader.printed();
     if (options.printed)
     {
@@ -140,6 +278,11 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
                            " given; see --help");
     }
     check_overlay_options(options.overlay, false);
+    check_together(options);
+    if (options.preset != nullptr)
+    {
+        take_preset(options);
+    }
     options.input = operands[0];
     options.output = operands[1];
     return options;

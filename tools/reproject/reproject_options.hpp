@@ -5,33 +5,54 @@
 #ifndef CUBEMAP_TOOLS_REPROJECT_OPTIONS_HPP
 #define CUBEMAP_TOOLS_REPROJECT_OPTIONS_HPP
 
-#include "tools/image/cube_options.hpp"
 #include "tools/image/overlay_options.hpp"
+
+#include <cubemap/image.h>
 
 #include <optional>
 #include <string>
 
-enum class Kind
+// What the command line says of INPUT's surface, or of OUTPUT's; what it does not say is empty.
+struct SurfaceOptions
 {
-    equirect,
-    cube,
-    chart // a mapping of one face
+    std::string specification; // one that the library takes, if sizes are left aside
+    std::string frame;
+    std::string layout;
+    std::optional<cm_rotation> rotation;
+};
+
+enum class Keep
+{
+    equator, // the resolution at the equator, and of what is no equirectangular image and no cube in the mean
+    mean, // the number of pixels
+    most  // the greatest density
+};
+
+enum class NotFinite
+{
+    skip,
+    zero,
+    spread,
+    refuse
 };
 
 struct Options
 {
-    std::optional<Kind> from;
-    std::optional<Kind> to;
-    std::string from_mapping; // specifications that the library takes
-    std::string to_mapping;
+    SurfaceOptions from;
+    SurfaceOptions to;
+    const cm_surface_preset *preset = nullptr; // of OUTPUT
     std::optional<int> size;
-    std::optional<CubeLayout> from_layout;
-    std::optional<CubeLayout> layout;
-    PolarColumns from_columns; // of crosses
-    PolarColumns columns;
-    const cm_frame *from_frame = nullptr;
-    const cm_frame *frame = nullptr;
-    Filter filter = Filter::bilinear;
+    Keep keep = Keep::equator;
+    cm_filter filter = CM_FILTER_AUTO;
+    cm_transfer transfer = CM_TRANSFER_STORED;
+    double gamma = 0;
+    bool stored = false;
+    int vector = 0; // the first channel, counted from 1; 0: there is none
+    std::optional<NotFinite> not_finite;
+    bool dither = false;
+    std::optional<double> tolerance;
+    std::string compression;
+    bool sidecar = false;
     OverlayOptions overlay;
     int threads = 0;
     bool quiet = false;

@@ -1,228 +1,149 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
-#include "reproject_table.h"
-#include "tools/image/chart_image.hpp"
-#include "tools/image/equirect.hpp"
+#include "output_surface.hpp"
+#include "sidecar.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
+#include "tools/image/face_names.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <cstring>
+#include <filesystem>
+#include <new>
 
 namespace
 {
 
-// Rows are computed, then written, in bands of about so many floats, but at least so many rows.
-constexpr std::size_t band_floats = std::size_t{1} << 22;
-constexpr int band_rows_least = 16;
+// Rows of blocks, which the library computes together.
+constexpr int block_rows = 16;
+// Rows are computed, then written, in bands. All bands at a time together have about so many bytes, two for each picture.
+constexpr std::size_t bands_bytes = std::size_t{12} << 20;
+// A picture is so many bands at least, so that the first are written early, where threads have enough to do then.
+constexpr int bands_least = 8;
+constexpr int rows_each = 4 * block_rows;
 
-// How opaque ellipses are inside: what is below must still be seen.
-constexpr double ellipse_fill = 0.35;
-
-constexpr double pi = 3.14159265358979323846;
-
-// The edge of a square of the unit sphere that has as many pixels as the projection has along its width: at
-// the equator, and of a chart in the mean.
-double span(Kind kind, const std::string &mapping)
+struct PlanDeleter
 {
-    switch (kind)
+    void operator()(cm_plan *owned) const noexcept
     {
-    case Kind::equirect:
-        return 2 * pi;
-    case Kind::cube:
-        return pi / 2;
-    case Kind::chart:
-        break;
+        cm_plan_destroy(owned);
     }
-    return 2 / std::sqrt(ChartImage(mapping, 1).mean_scale());
-}
-
-int largest_size(Kind kind)
-{
-    return kind == Kind::equirect ? REPROJECT_EQUIRECT_MAX : REPROJECT_FACE_MAX;
-}
-
-// With the same resolution as the input.
-int natural_size(Kind kind, const Options &options, const Input &input)
-{
-    const double radian = input.projection().width() / span(input.kind(), options.from_mapping);
-    const double width = std::round(radian * span(kind, options.to_mapping));
-    const int size =
-        static_cast<int>(std::clamp(width, 1.0, static_cast<double>(largest_size(kind))));
-    return kind == Kind::equirect ? size + size % 2 : size;
-}
-
-int output_size(Kind kind, const Options &options, const Input &input)
-{
-    const int size = options.size ? *options.size : natural_size(kind, options, input);
-    if (size > largest_size(kind))
-    {
-        throw UsageFailure("--size: " + std::to_string(size) + " is too large; the " +
-                           (kind == Kind::cube    ? "edge of a face"
-                            : kind == Kind::chart ? "edge of a square image"
-                                                  : "width of an equirectangular image") +
-                           " may be " + std::to_string(largest_size(kind)) + " at most");
-    }
-    if (kind == Kind::equirect && size % 2 != 0)
-    {
-        throw UsageFailure("--size: " + std::to_string(size) +
-                           " is odd; the width of an equirectangular image must be even");
-    }
-    return size;
-}
-
-// Computes the rows of a picture.
-class Band
-{
-public:
-    // draw_over, if there is one, gets each row of a plane when it is computed.
-    using DrawOver = std::function<void(int plane, int row, float *pixels)>;
-
-    Band(const PictureLayout &picture_layout, const Projection &target, int channel_count,
-         DrawOver draw_over)
-        : picture(picture_layout), sphere(target),
-          channels(static_cast<std::size_t>(channel_count)), over(std::move(draw_over))
-    {
-    }
-
-    std::size_t row_floats() const
-    {
-        return static_cast<std::size_t>(picture.columns) *
-               static_cast<std::size_t>(sphere.width()) * channels;
-    }
-
-    int most_rows() const
-    {
-        const std::size_t rows = band_floats / row_floats();
-        const int all = picture.rows * sphere.height();
-        return std::min(all, std::max(band_rows_least, static_cast<int>(rows)));
-    }
-
-    // One row of the picture, its empty parts 0.
-    void compute_row(const Projection &from, const SphereGrid &grid, Filter filter, int row,
-                     float *pixels) const
-    {
-        std::fill(pixels, pixels + row_floats(), 0.0f);
-        for (const Placement &placement : picture.placements)
-        {
-            const int plane_row = row - placement.row * sphere.height();
-            if (plane_row >= 0 && plane_row < sphere.height())
-            {
-                compute_plane_row(from, grid, filter, placement.plane, plane_row,
-                                  pixels + static_cast<std::size_t>(placement.column) *
-                                               static_cast<std::size_t>(sphere.width()) * channels);
-            }
-        }
-    }
-
-private:
-    void compute_plane_row(const Projection &from, const SphereGrid &grid, Filter filter, int plane,
-                           int row, float *pixels) const
-    {
-        thread_local PointBatch batch;
-        float *const whole_row = pixels;
-        for (int column = 0; column < sphere.width();)
-        {
-            const std::size_t count =
-                std::min(PointBatch::capacity, static_cast<std::size_t>(sphere.width() - column));
-            sphere.directions(plane, row, column, count, batch);
-            from.positions(count, batch);
-            sample(grid, filter, batch, count, pixels);
-            pixels += count * channels;
-            column += static_cast<int>(count);
-        }
-        if (over)
-        {
-            over(plane, row, whole_row);
-        }
-    }
-
-    const PictureLayout &picture;
-    const Projection &sphere;
-    const std::size_t channels;
-    const DrawOver over;
 };
+
+struct SourceDeleter
+{
+    void operator()(cm_source *owned) const noexcept
+    {
+        cm_source_destroy(owned);
+    }
+};
+
+using PlanPointer = std::unique_ptr<cm_plan, PlanDeleter>;
+using SourcePointer = std::unique_ptr<cm_source, SourceDeleter>;
+
+void check(cm_status status)
+{
+    if (status == CM_ERROR_MEMORY)
+    {
+        throw std::bad_alloc();
+    }
+    if (status != CM_OK)
+    {
+        throw Failure(std::string("cannot be resampled: ") + cm_status_text(status));
+    }
+}
+
+PlanPointer make_plan(const cm_surface &from, const cm_surface &to, const cm_plan_options &options)
+{
+    cm_plan *made = nullptr;
+    check(cm_plan_create(&from, &to, &options, &made));
+    return PlanPointer(made);
+}
+
+SourcePointer make_source(const cm_plan &plan, const cm_image *pictures, cm_pixel_type type,
+                          int threads)
+{
+    cm_source *made = nullptr;
+    check(cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made));
+    return SourcePointer(made);
+}
+
+bool is_linear_format(const std::string &format)
+{
+    return format == "openexr" || format == "hdr";
+}
+
+// Formats whose colours nobody takes for light.
+bool is_srgb_format(const std::string &format)
+{
+    return format == "png" || format == "jpeg";
+}
+
+cm_not_finite engine_not_finite(const Options &options)
+{
+    const bool nearest = options.filter == CM_FILTER_NEAREST; // every value goes its own way
+    switch (options.not_finite.value_or(nearest ? NotFinite::spread : NotFinite::skip))
+    {
+    case NotFinite::zero:
+        return CM_NOT_FINITE_ZERO;
+    case NotFinite::skip:
+        return CM_NOT_FINITE_SKIP;
+    default:
+        return CM_NOT_FINITE_SPREAD;
+    }
+}
+
+std::string not_finite_text(std::int64_t count, cm_not_finite what)
+{
+    return std::to_string(count) + (count == 1 ? " value that is" : " values that are") +
+           " not finite " +
+           (what == CM_NOT_FINITE_SKIP   ? "skipped"
+            : what == CM_NOT_FINITE_ZERO ? "taken as 0"
+                                         : "kept");
+}
 
 } // namespace
 
 struct Output::Render
 {
-    const Projection &from;
-    const SphereGrid &grid;
-    Filter filter;
+    const cm_plan &plan;
+    const cm_source &source;
     Progress &progress;
 };
 
 Output::Output(const Options &options, const Input &input)
+    : surface(output_surface(options, input)), rotation(options.to.rotation),
+      places(plane_places(*surface))
 {
-    choose_projection(options, input);
     choose_names(options, input);
-    const ImageFile &source = input.files().front();
-    plan = plan_image(output_format(names.front()), source.spec(), source.format(), names.front());
-    choose_overlay(options, source.spec());
-    for (const std::string &name : names)
+    kept_density = options.keep == Keep::mean   ? ", as many pixels as INPUT"
+                   : options.keep == Keep::most ? ", as dense as INPUT where it is densest"
+                                                : "";
+    const ImageDescription &source = input.description_of_pixels();
+    plan = plan_image(output_format(names.front()), source, input.files().front().format(),
+                      names.front());
+    channels = source.channels;
+    choose_colors(options, input);
+    if (options.overlay.wanted())
     {
-        files.push_back(std::make_unique<AtomicFile>(name));
+        lines = std::make_unique<SurfaceLines>(options.overlay, *surface, rotation, input);
     }
-}
-
-void Output::choose_projection(const Options &options, const Input &input)
-{
-    const Kind other = input.kind() == Kind::equirect ? Kind::cube : Kind::equirect;
-    kind = options.to.value_or(other);
-    if (kind != Kind::cube && options.layout)
-    {
-        throw UsageFailure("--layout is for a cube, but OUTPUT is " +
-                           (kind == Kind::chart ? options.to_mapping : "equirectangular") +
-                           (options.to ? "" : "; say --to cube if it is to be a cube"));
-    }
-    const int size = output_size(kind, options, input);
-    if (kind == Kind::equirect)
-    {
-        sphere = std::make_unique<Equirect>(size, size / 2);
-        pictures = {{1, 1, {{0, 0, 0}}}};
-        return;
-    }
-    if (kind == Kind::chart)
-    {
-        sphere = std::make_unique<ChartImage>(options.to_mapping, size);
-        pictures = {{1, 1, {{0, 0, 0}}}};
-        return;
-    }
-    layout = options.layout.value_or(CubeLayout::faces);
-    sphere = std::make_unique<CubeImage>(options.to_mapping,
-                                         turn_poles(*options.frame, options.columns), size);
-    pictures = cube_pictures(*layout, *options.frame, options.columns);
-}
-
-// The pixels are those of the source, multiplied by alpha if the format wants it so.
-void Output::choose_overlay(const Options &options, const OIIO::ImageSpec &source)
-{
-    if (!options.overlay.wanted())
-    {
-        return;
-    }
-    const bool own = kind != Kind::equirect;
-    const cm_frame frame = own ? turn_poles(*options.frame, options.columns)
-                               : turn_poles(*options.from_frame, options.from_columns);
-    overlay = std::make_unique<Overlay>(
-        options.overlay, own ? options.to_mapping : options.from_mapping, frame, *sphere);
-    line_style = {options.overlay.line_width, options.overlay.line_color, ellipse_fill};
-    const bool divided = source.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
-    line_channels = {source.nchannels, source.alpha_channel, !divided || plan.multiply_alpha};
+    choose_values(options, input);
+    save_surface(plan, *surface, rotation);
+    make_files(options);
 }
 
 void Output::choose_names(const Options &options, const Input &input)
 {
-    if (layout && layout != CubeLayout::faces && names_faces(options.output))
+    const std::size_t pictures = cm_surface_picture_count(surface.get());
+    if (pictures == 1 && is_cube(cm_surface_specification(surface.get())) &&
+        names_faces(options.output))
     {
-        throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but --layout says " +
-                           layout_name(*layout));
+        throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but the layout is " +
+                           key_of(cm_surface_specification(surface.get()), "layout"));
     }
-    names =
-        pictures.size() > 1 ? face_names(options.output) : std::vector<std::string>{options.output};
+    names = pictures > 1 ? face_names(options.output) : std::vector<std::string>{options.output};
     for (const std::string &name : names)
     {
         for (const ImageFile &image : input.files())
@@ -236,76 +157,272 @@ void Output::choose_names(const Options &options, const Input &input)
     }
 }
 
-void Output::write(const Options &options, const Input &input, const SphereGrid &grid, int threads,
-                   std::FILE *terminal)
+// Light is written as sRGB where a format has that, and the other way round.
+void Output::choose_colors(const Options &options, const Input &input)
 {
-    const std::int64_t rows =
-        std::int64_t{pictures.front().rows} * sphere->height() * std::int64_t(pictures.size());
+    const ImageDescription &source = input.description_of_pixels();
+    const bool whole = input.files().front().stored().whole_numbers;
+    const bool linear = source.color == CM_IMAGE_COLOR_LINEAR;
+    const bool srgb =
+        source.color == CM_IMAGE_COLOR_SRGB || (source.color == CM_IMAGE_COLOR_UNKNOWN && whole);
+    colors.channels = channels;
+    colors.alpha = source.alpha;
+    colors.multiplied = source.alpha >= 0 && source.alpha_multiplied;
+    colors.multiply = colors.multiplied || plan.multiply_alpha;
+    if (options.stored || options.vector > 0 || options.transfer == CM_TRANSFER_GAMMA)
     {
-        Progress progress(rows, !options.quiet, terminal);
-        const Render render = {input.projection(), grid, options.filter, progress};
-        const int count = static_cast<int>(pictures.size());
-        const int threads_each = std::max(1, threads / count);
-        parallel_for(count, threads,
-                     [&](int i)
-                     { write_picture(render, static_cast<std::size_t>(i), threads_each); });
+        return;
     }
-    appear_together(files);
+    if (linear && is_srgb_format(plan.format))
+    {
+        colors.recode = Recode::encode;
+        plan.description.color = CM_IMAGE_COLOR_SRGB;
+        if (colors.multiplied && plan.format == "png")
+        {
+            colors.multiply = false;
+            plan.description.alpha_multiplied = false;
+        }
+    }
+    if (srgb && is_linear_format(plan.format))
+    {
+        colors.recode = Recode::decode;
+        plan.description.color = CM_IMAGE_COLOR_LINEAR;
+    }
 }
 
-std::function<void(int, int, float *)> Output::line_drawer() const
+void Output::choose_values(const Options &options, const Input &input)
 {
-    if (!overlay)
+    const ImageDescription &source = input.description_of_pixels();
+    const bool linear = source.color == CM_IMAGE_COLOR_LINEAR;
+    values.size = sizeof values;
+    values.filter = options.filter;
+    values.tolerance = !options.tolerance ? 0 : *options.tolerance > 0 ? *options.tolerance : -1;
+    values.transfer =
+        linear && options.transfer == CM_TRANSFER_SRGB ? CM_TRANSFER_STORED : options.transfer;
+    values.gamma = options.gamma;
+    values.alpha = static_cast<std::uint32_t>(source.alpha + 1);
+    values.alpha_multiplied = source.alpha_multiplied ? 1 : 0;
+    values.vector = static_cast<std::uint32_t>(options.vector);
+    values.dither = options.dither ? 1 : 0;
+    if (options.vector > 0 && options.vector + 2 > channels)
     {
-        return nullptr;
+        throw UsageFailure("--vector: a vector that begins in channel " +
+                           std::to_string(options.vector) + " ends in channel " +
+                           std::to_string(options.vector + 2) + ", but INPUT has " +
+                           std::to_string(channels));
     }
-    return [this](int plane, int row, float *pixels)
+    const int alpha = source.alpha + 1;
+    if (options.vector > 0 && alpha >= options.vector && alpha <= options.vector + 2)
     {
-        LineRow lines(sphere->width());
-        overlay->add_lines(plane, row, lines);
-        lines.draw(line_style, line_channels, pixels);
+        throw UsageFailure("--vector: channel " + std::to_string(alpha) + " is alpha");
+    }
+    const bool floats = lines || colors.is_needed();
+    row_type = floats ? CM_PIXEL_FLOAT : held_type(plan.format, plan.description.type);
+    if (options.dither && floats)
+    {
+        throw UsageFailure(lines ? "--dither is not for pictures with lines; leave one out"
+                                 : "--dither is not for colours that change between light and "
+                                   "sRGB, or with alpha; say --stored, or leave it out");
+    }
+}
+
+void Output::make_files(const Options &options)
+{
+    if (!options.compression.empty())
+    {
+        set_compression(plan, options.compression);
+    }
+    for (const std::string &name : names)
+    {
+        files.push_back(std::make_unique<AtomicFile>(name));
+    }
+    if (options.sidecar)
+    {
+        files.push_back(std::make_unique<AtomicFile>(sidecar_name(options.output)));
+    }
+}
+
+// ---- rows
+
+std::size_t Output::row_bytes() const
+{
+    return cm_surface_width(surface.get()) * static_cast<std::size_t>(channels) *
+           channel_bytes(row_type);
+}
+
+// Where bands end: at rows of blocks of the planes, as far as those stand at the same ones.
+std::vector<int> Output::band_ends(std::size_t index, std::size_t most_bytes, int threads) const
+{
+    const int height = static_cast<int>(cm_surface_height(surface.get()));
+    const int fitting = static_cast<int>(std::min<std::size_t>(most_bytes / row_bytes(), 1u << 20));
+    const int wanted = std::max(threads * rows_each, height / bands_least);
+    const int step = std::max(std::min(fitting, wanted) / block_rows, 1) * block_rows;
+    std::vector<int> stops = {height};
+    for (const PlanePlace &place : places)
+    {
+        // rows of planes are drawn whole
+        if (place.picture == index && place.exchanged() && lines)
+        {
+            return {height};
+        }
+        if (place.picture == index)
+        {
+            stops.push_back(place.first_row());
+            stops.push_back(place.end_row());
+        }
+    }
+    std::sort(stops.begin(), stops.end());
+    std::vector<int> ends;
+    int first = 0;
+    for (const int stop : stops)
+    {
+        for (; first < stop; first = ends.back())
+        {
+            ends.push_back(std::min(first + step, stop));
+        }
+    }
+    return ends;
+}
+
+// The picture as a whole is not there: only the band's rows are touched.
+void Output::compute(const Render &render, std::size_t index, const RowBand &band, int threads)
+{
+    const std::size_t row = row_bytes();
+    std::memset(band.pixels.bytes(), 0, row * static_cast<std::size_t>(band.end - band.first));
+    cm_image picture = {};
+    picture.size = sizeof picture;
+    picture.data = reinterpret_cast<void *>(reinterpret_cast<std::uintptr_t>(band.pixels.bytes()) -
+                                            static_cast<std::size_t>(band.first) * row);
+    picture.type = row_type;
+    picture.width = cm_surface_width(surface.get());
+    picture.height = cm_surface_height(surface.get());
+    picture.channels = static_cast<std::uint32_t>(channels);
+    std::vector<cm_image> pictures(cm_surface_picture_count(surface.get()), picture);
+    for (const PlanePlace &place : places)
+    {
+        const cm_rows rows = place.part(band.first, band.end);
+        if (place.picture != index || rows.row_count == 0)
+        {
+            continue;
+        }
+        check(cm_resample_source(&render.plan, &render.source, pictures.data(), rows,
+                                 static_cast<unsigned>(threads)));
+        if (row_type == CM_PIXEL_FLOAT && (lines || colors.is_needed()))
+        {
+            finish_rows(place, rows, band, threads);
+        }
+    }
+}
+
+void Output::finish_rows(const PlanePlace &place, const cm_rows &rows, const RowBand &band,
+                         int threads) const
+{
+    const std::size_t count = rows.column_count;
+    const std::size_t size = static_cast<std::size_t>(channels);
+    const std::ptrdiff_t down = static_cast<std::ptrdiff_t>(row_bytes() / sizeof(float));
+    const std::ptrdiff_t right = place.right_x * channels + place.right_y * down;
+    const PixelChannels meaning = {channels, colors.alpha, colors.multiply};
+    float *const all = reinterpret_cast<float *>(band.pixels.bytes());
+    const auto finish_row = [&](int i)
+    {
+        const auto row = rows.first_row + static_cast<std::uint32_t>(i);
+        const int first = static_cast<int>(rows.first_column);
+        const int x = place.left + first * place.right_x + static_cast<int>(row) * place.down_x;
+        const int y = place.top + first * place.right_y + static_cast<int>(row) * place.down_y;
+        float *const begin = all + (y - band.first) * down + x * channels;
+        std::vector<float> pixels(count * size);
+        for (std::size_t k = 0; k < count; ++k)
+        {
+            std::copy_n(begin + static_cast<std::ptrdiff_t>(k) * right, size, &pixels[k * size]);
+        }
+        if (colors.is_needed())
+        {
+            colors.convert(pixels.data(), count);
+        }
+        if (lines)
+        {
+            lines->draw(place.plane, row, meaning, pixels.data());
+        }
+        for (std::size_t k = 0; k < count; ++k)
+        {
+            std::copy_n(&pixels[k * size], size, begin + static_cast<std::ptrdiff_t>(k) * right);
+        }
     };
+    parallel_for(static_cast<int>(rows.row_count), threads, finish_row);
 }
 
 void Output::write_picture(const Render &render, std::size_t index, int threads)
 {
-    const PictureLayout &picture = pictures[index];
-    const int height = picture.rows * sphere->height();
-    const Band band(picture, *sphere, render.grid.channels(), line_drawer());
-    const int most_rows = band.most_rows();
-    std::vector<float> pixels(band.row_floats() * static_cast<std::size_t>(most_rows));
-    ImageWriter writer(plan, picture.columns * sphere->width(), height, names[index],
-                       *files[index]);
-    for (int first = 0; first < height; first += most_rows)
+    const std::size_t at_once =
+        std::min<std::size_t>(names.size(), static_cast<std::size_t>(threads));
+    const int threads_each = std::max(1, threads / static_cast<int>(names.size()));
+    const std::vector<int> ends = band_ends(index, bands_bytes / 2 / at_once, threads_each);
+    int most_rows = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i)
     {
-        const int rows = std::min(most_rows, height - first);
-        parallel_for(rows, threads,
-                     [&](int row)
-                     {
-                         band.compute_row(render.from, render.grid, render.filter, first + row,
-                                          pixels.data() +
-                                              band.row_floats() * static_cast<std::size_t>(row));
-                     });
-        writer.write(first, first + rows, pixels.data(), render.grid.channels());
-        render.progress.advance(rows);
+        most_rows = std::max(most_rows, ends[i] - (i == 0 ? 0 : ends[i - 1]));
     }
+    ImageWriter writer(plan, static_cast<int>(cm_surface_width(surface.get())),
+                       static_cast<int>(cm_surface_height(surface.get())), names[index],
+                       *files[index]);
+    const auto write_band = [&](const RowBand &band)
+    {
+        writer.write(band.first, band.end, row_type, band.pixels.bytes(), channels);
+        render.progress.advance(band.end - band.first);
+    };
+    BandQueue queue(row_bytes() * static_cast<std::size_t>(most_rows),
+                    threads > 1 && ends.size() > 1, write_band);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+        RowBand &band = queue.take();
+        band.first = i == 0 ? 0 : ends[i - 1];
+        band.end = ends[i];
+        compute(render, index, band, threads_each);
+        queue.give();
+    }
+    queue.finish();
     writer.close();
     files[index]->finish();
 }
 
-std::string Output::description(const Options &options) const
+void Output::write(const Options &options, const Input &input, int threads, std::FILE *terminal)
 {
-    std::string text =
-        name_list(names) + " (" + (kind == Kind::chart ? options.to_mapping : "equirect") + " ";
-    if (layout)
+    not_finite = input.not_finite();
+    values.not_finite = not_finite > 0 ? engine_not_finite(options) : CM_NOT_FINITE_SPREAD;
+    const PlanPointer geometry = make_plan(input.surface(), *surface, values);
+    const SourcePointer source = make_source(*geometry, input.pictures(), row_type, threads);
+    filter = cm_source_filter(source.get());
+    const std::int64_t rows =
+        std::int64_t{cm_surface_height(surface.get())} * static_cast<std::int64_t>(names.size());
     {
-        text = name_list(names) + " (cube:" + options.to_mapping + ", frame " +
-               options.frame->identifier + ", ";
-        text += layout == CubeLayout::faces ? "" : std::string(layout_name(*layout)) + " ";
+        Progress progress(rows, !options.quiet, terminal);
+        const Render render = {*geometry, *source, progress};
+        parallel_for(static_cast<int>(names.size()), threads,
+                     [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
     }
-    const PictureLayout &picture = pictures.front();
-    return text + std::to_string(picture.columns * sphere->width()) + "x" +
-           std::to_string(picture.rows * sphere->height()) +
-           (plan.alpha_dropped ? ", without alpha" : "") +
-           (overlay ? "; " + overlay->description() : "") + ")";
+    if (options.sidecar)
+    {
+        write_sidecar();
+    }
+    appear_together(files);
+}
+
+// ---- what it was
+
+void Output::write_sidecar()
+{
+    const std::string text = sidecar_text(*surface, rotation, names, cm_filter_name(filter));
+    files.back()->write(text.data(), text.size());
+}
+
+std::string Output::description() const
+{
+    std::string text = name_list(names) + " (" + surface_description(*surface, rotation) +
+                       (plan.alpha_dropped ? ", without alpha" : "") + kept_density + "; " +
+                       cm_filter_name(filter);
+    text += colors.recode == Recode::encode   ? "; light written as sRGB"
+            : colors.recode == Recode::decode ? "; sRGB written as light"
+                                              : "";
+    text += not_finite > 0 ? "; " + not_finite_text(not_finite, values.not_finite) : "";
+    return text + (lines ? "; " + lines->description() : "") + ")";
 }

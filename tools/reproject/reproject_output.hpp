@@ -5,12 +5,13 @@
 #ifndef CUBEMAP_TOOLS_REPROJECT_OUTPUT_HPP
 #define CUBEMAP_TOOLS_REPROJECT_OUTPUT_HPP
 
-#include "tools/cli/image_writer.hpp"
-#include "tools/image/overlay.hpp"
-#include "tools/cli/progress.hpp"
+#include "band_queue.hpp"
+#include "color_rows.hpp"
+#include "plane_place.hpp"
 #include "reproject_input.hpp"
-
-#include <functional>
+#include "surface_lines.hpp"
+#include "tools/cli/image_writer.hpp"
+#include "tools/cli/progress.hpp"
 
 class Output
 {
@@ -19,39 +20,42 @@ public:
     // cannot be done.
     Output(const Options &options, const Input &input);
 
-    // Must the colours of the input be multiplied by its alpha first?
-    bool multiply_alpha() const noexcept
-    {
-        return plan.multiply_alpha;
-    }
-
     // Computes and writes the files, and lets them appear. The progress is shown on terminal, if it
     // is one.
-    void write(const Options &options, const Input &input, const SphereGrid &grid, int threads,
-               std::FILE *terminal);
+    void write(const Options &options, const Input &input, int threads, std::FILE *terminal);
 
-    // "face_0.png .. face_5.png (cube:coupled, frame geo, 512x512, uint8)"
-    std::string description(const Options &options) const;
+    // "face_0.png .. face_5.png (cube:coupled, frame geo, 512x512; bilinear)", after write().
+    std::string description() const;
 
 private:
     struct Render; // what all of the rows have in common
 
-    void choose_projection(const Options &options, const Input &input);
-    void choose_overlay(const Options &options, const OIIO::ImageSpec &source);
     void choose_names(const Options &options, const Input &input);
-    std::function<void(int plane, int row, float *pixels)> line_drawer() const;
+    void choose_colors(const Options &options, const Input &input);
+    void choose_values(const Options &options, const Input &input);
+    void make_files(const Options &options);
     void write_picture(const Render &render, std::size_t index, int threads);
+    void compute(const Render &render, std::size_t index, const RowBand &band, int threads);
+    void finish_rows(const PlanePlace &place, const cm_rows &rows, const RowBand &band,
+                     int threads) const;
+    std::vector<int> band_ends(std::size_t index, std::size_t most_bytes, int threads) const;
+    void write_sidecar();
+    std::size_t row_bytes() const;
 
-    Kind kind = Kind::cube;
-    std::unique_ptr<Projection> sphere;
-    std::optional<CubeLayout> layout; // of a cube
-    std::vector<PictureLayout> pictures;
-    std::vector<std::string> names; // of their files
-    std::vector<std::unique_ptr<AtomicFile>> files;
+    SurfacePointer surface;
+    std::optional<cm_rotation> rotation;
+    std::vector<PlanePlace> places;
+    std::string kept_density;                       // for people
+    std::vector<std::string> names;                 // of the pictures' files
+    std::vector<std::unique_ptr<AtomicFile>> files; // of those, then the sidecar
     ImagePlan plan;
-    std::unique_ptr<Overlay> overlay; // of lines, if there are to be any
-    LineStyle line_style = {};
-    PixelChannels line_channels = {};
+    cm_plan_options values = {};
+    cm_pixel_type row_type = CM_PIXEL_FLOAT; // of what is computed
+    int channels = 0;
+    ColorRows colors;
+    std::unique_ptr<SurfaceLines> lines; // if there are to be any
+    cm_filter filter = CM_FILTER_AUTO;   // that was taken
+    std::int64_t not_finite = 0;
 };
 
 #endif

@@ -3,23 +3,39 @@
 #include "reproject_main.h"
 
 #include <cubemap/catalogue.h>
+#include <cubemap/image.h>
 
 #include "tools/cli/catalogue_name.h"
 #include "tools/image/cube_table.h"
 
-static const char *const filters[] = {"nearest", "bilinear", NULL};
+/* As cm_filter_name has them, in the order of cm_filter. */
+static const char *const filters[] = {"auto",     "nearest",  "bilinear", "catmull-rom", "mitchell",
+                                      "lanczos3", "spline36", "bspline5", "ewa",         NULL};
 
-/* equirect, cube, and what a mapping is called: of the cube with cube: before it */
+/* What INPUT and OUTPUT most often are. */
 static const char *const kinds[] = {"equirect", "cube", NULL};
+
+static const char *const layouts[] = {"faces", "strip", "cross", "vcross", "column",
+                                      "3x2",   "2x3",   "eac",   NULL};
+
+/* In the order of Keep, NotFinite. */
+static const char *const densities[] = {"mean", "max", NULL};
+static const char *const not_finite[] = {"skip", "zero", "spread", "refuse", NULL};
+
+static const char *preset_name_at(size_t index)
+{
+    return index < cm_surface_preset_count() ? cm_surface_preset_at(index)->identifier : NULL;
+}
 
 static const cm_option projections[] = {
     {.id = REPROJECT_FROM,
      .name = "from",
      .kind = CM_OPTION_TEXT,
      .argument = "SPEC",
-     .help = "what INPUT is; without it, its shape tells: 2:1 equirect, 6:1 a strip, 4:3 a cross; "
-             "%f in the name: six faces",
-     .more = "A mapping of one face must be said.",
+     .help = "what INPUT is; without it, what the file says of itself, or else its shape: 2:1 "
+             "equirect, 6:1 a strip, 4:3 a cross; %f in the name: six faces",
+     .more = "A file says it by what this program has written into it, by the fields of a photo "
+             "sphere, or as a GeoTIFF file in degrees. All others must be said.",
      .choices = kinds},
     {.id = REPROJECT_TO,
      .name = "to",
@@ -28,6 +44,12 @@ static const cm_option projections[] = {
      .help = "what OUTPUT is to be; without it, a cube from an equirectangular image, and an "
              "equirectangular image from all others",
      .choices = kinds},
+    {.id = REPROJECT_FOR,
+     .name = "for",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "PROGRAM",
+     .help = "OUTPUT as a program wants it, in place of --to, --frame and --layout",
+     .choice_at = preset_name_at},
     {.id = REPROJECT_SIZE,
      .name = "size",
      .kind = CM_OPTION_WHOLE,
@@ -39,19 +61,26 @@ static const cm_option projections[] = {
      .low = 1,
      .high = REPROJECT_EQUIRECT_MAX,
      .flags = CM_OPTION_TOLD},
+    {.id = REPROJECT_KEEP,
+     .name = "keep",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "DENSITY",
+     .help = "without --size, a size that keeps the pixels of INPUT in all, or its density "
+             "where it is greatest everywhere",
+     .choices = densities},
     {.id = REPROJECT_LAYOUT,
      .name = "layout",
      .kind = CM_OPTION_TEXT,
      .argument = "LAYOUT",
      .help = "how OUTPUT holds the faces of a cube",
      .standard = "`faces`",
-     .choices = cm_layout_names},
+     .choices = layouts},
     {.id = REPROJECT_FROM_LAYOUT,
      .name = "from-layout",
      .kind = CM_OPTION_TEXT,
      .argument = "LAYOUT",
      .help = "how INPUT does",
-     .choices = cm_layout_names},
+     .choices = layouts},
     {.id = REPROJECT_FRAME,
      .name = "frame",
      .kind = CM_OPTION_CHOICE,
@@ -67,14 +96,80 @@ static const cm_option projections[] = {
      .standard = "that of --frame",
      .choice_at = frame_name_at,
      .flags = CM_OPTION_TOLD},
+    {.id = REPROJECT_ROTATE,
+     .name = "rotate",
+     .kind = CM_OPTION_TEXT,
+     .argument = "LON,LAT[,ROLL]",
+     .help = "where the middle of OUTPUT is, and how far it is turned about it, in degrees; or an "
+             "orientation that has a name",
+     .choice_at = orientation_name_at},
+    {.id = REPROJECT_FROM_ROTATE,
+     .name = "from-rotate",
+     .kind = CM_OPTION_TEXT,
+     .argument = "LON,LAT[,ROLL]",
+     .help = "the same of INPUT",
+     .choice_at = orientation_name_at},
+};
+
+static const cm_option values[] = {
     {.id = REPROJECT_FILTER,
      .name = "filter",
      .kind = CM_OPTION_CHOICE,
      .argument = "FILTER",
      .help = "how pixels are interpolated",
-     .more = "Neither averages when the output is smaller than the input.",
-     .standard = "`bilinear`",
+     .more =
+         "Only ewa averages when OUTPUT is smaller than INPUT. The line that says what was done "
+         "says which was taken.",
+     .standard = "`auto`",
      .choices = filters},
+    {.id = REPROJECT_LINEAR,
+     .name = "linear",
+     .help = "mix colours as light, of images that are stored with sRGB's curve"},
+    {.id = REPROJECT_GAMMA,
+     .name = "gamma",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "G",
+     .help = "mix colours as light, which is what is stored to the power G",
+     .low = 0.1,
+     .high = 10},
+    {.id = REPROJECT_STORED,
+     .name = "stored",
+     .help = "no curve is put on or taken off between formats of light, EXR and HDR, and others"},
+    {.id = REPROJECT_VECTOR,
+     .name = "vector",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "C",
+     .help = "channels C to C+2, counted from 1, are a vector in INPUT's axes, to be turned into "
+             "OUTPUT's",
+     .low = 1,
+     .high = CM_CHANNELS_MAX - 2},
+    {.id = REPROJECT_NOT_FINITE,
+     .name = "not-finite",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "WHAT",
+     .help = "what becomes of NaN and infinities: their neighbours stand for them, they are 0, "
+             "they spread as far as the filter reaches, or the image is refused",
+     .standard = "`skip`, and with the filter nearest `spread`",
+     .choices = not_finite},
+    {.id = REPROJECT_DITHER, .name = "dither", .help = "hide the steps of whole numbers in noise"},
+    {.id = REPROJECT_TOLERANCE,
+     .name = "tolerance",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "PIXELS",
+     .help = "how far off positions on INPUT may be; 0: as exact as can be",
+     .standard = "1/4096",
+     .low = 0,
+     .high = 1},
+    {.id = REPROJECT_COMPRESSION,
+     .name = "compression",
+     .kind = CM_OPTION_TEXT,
+     .argument = "NAME",
+     .help = "of OUTPUT's files: TIFF none, lzw, zip, packbits; EXR none, rle, zip, zips, piz, "
+             "pxr24, b44, "
+             "b44a, dwaa, dwab; JPEG the quality, 1 to 100; PNG the effort, 0 to 9"},
+    {.id = REPROJECT_SIDECAR,
+     .name = "sidecar",
+     .help = "also write what OUTPUT is into a file beside it that ends in .json"},
     {.id = REPROJECT_THREADS,
      .name = "threads",
      .kind = CM_OPTION_WHOLE,
@@ -91,6 +186,7 @@ static const cm_option projections[] = {
 
 static const cm_option_group groups[] = {
     {NULL, projections, sizeof projections / sizeof *projections},
+    {"Values and files", values, sizeof values / sizeof *values},
     {"Lines", cm_overlay_options, OVERLAY_OPTION_COUNT},
     {NULL, cm_white_line_options, LINE_OPTION_COUNT},
 };
@@ -100,27 +196,34 @@ const cm_command cm_reproject_command = {
     .usage = "[OPTION]... INPUT OUTPUT",
     .summary =
         "Resamples an image of the sphere from one projection to another: equirectangular, the six "
-        "faces of a cube, a disc, as a fisheye lens makes it, or one square. PNG, JPEG, TIFF, EXR "
-        "and HDR, with any number of channels and any type of pixel.",
+        "faces of a cube, what a camera or a fisheye lens sees, HEALPix, a disc, or one square. "
+        "PNG, "
+        "JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel.",
     .groups = groups,
     .group_count = sizeof groups / sizeof *groups,
     .notes =
-        "SPEC is:\n"
-        "  equirect\n"
+        "SPEC is KIND[:PARAMETERS][;KEY=VALUE...]:\n"
+        "  equirect              2:1; or a part of it, as in\n"
+        "                        \"equirect;west=-10;east=30;south=35;north=70\"\n"
         "  cube, which is cube:" CM_MAPPING_RECOMMENDED ", or cube:MAPPING, such as "
         "cube:tangent:c=1.1823\n"
+        "  view:fov=90,lon=20    what a camera sees\n"
+        "  fisheye, dual-fisheye, dual-paraboloid, equal-area, mercator, healpix:NSIDE\n"
         "  azimuthal:NAME, a disc in a square, such as azimuthal:equidistant:fov=200\n"
         "  a square of the whole sphere: peirce, quincuncial:AZIMUTHAL,SQUARE,\n"
         "    border:AZIMUTHAL,SQUARE, octahedral, octahedral:clarberg or rhealpix\n"
+        "Keys are size, height, frame and layout, as far as the kind has them.\n"
         "\n"
         "Layouts:\n"
         "  faces                 six files: %f in the name stands for 0 to 5; without it,\n"
         "                        NAME.EXT stands for NAME_0.EXT to NAME_5.EXT\n"
-        "  strip                 6N x N, the faces in their order\n"
-        "  cross                 4N x 3N, the cube unfolded\n"
+        "  strip                 6N x N, the faces in their order; column: N x 6N\n"
+        "  3x2, 2x3              in rows of three, or of two\n"
+        "  cross                 4N x 3N, the cube unfolded; vcross: 3N x 4N\n"
         "  cross:north=N,south=N the same with the uppermost and the lowest face in\n"
         "                        columns 0 to 3 instead of 1, turned; of cube:healpix\n"
         "                        that is rHEALPix as PROJ has it with lon_0=45\n"
+        "  eac, eac:pad=N        3N x 2N, as YouTube stores equi-angular cubes\n"
         "\n"
         "Frames:\n"
         "  geo                   front right back left top bottom: lon 0, lon 90 E,\n"
@@ -131,7 +234,7 @@ const cm_command cm_reproject_command = {
         "                        north\n"
         "  fits                  as geo, in the order top front right back left bottom\n"
         "  s2                    the faces of the S2 library: lon 0, lon 90 E, north,\n"
-        "                        lon 180, lon 90 W, south; no cross\n"
+        "                        lon 180, lon 90 W, south\n"
         "\n"
         "Meridians and parallels, grid and ellipses lie over the resampled image. The cube of grid "
         "and ellipses is OUTPUT's, else INPUT's, else cube:" CM_MAPPING_RECOMMENDED ".\n"
@@ -139,6 +242,8 @@ const cm_command cm_reproject_command = {
         "Examples:\n"
         "  cubemap-reproject --size 512 earth.jpg face_%f.png\n"
         "  cubemap-reproject --to cube:qsc --layout cross earth.jpg cross.png\n"
+        "  cubemap-reproject --for unity --filter lanczos3 --linear sky.png sky_%f.png\n"
+        "  cubemap-reproject --to view:fov=90 --rotate 10,40 --size 800 in.jpg view.png\n"
         "  cubemap-reproject --to cube:gnomonic --graticule 15 --indicatrices 5 \\\n"
         "      --layout cross earth.jpg cross.png\n"
         "  cubemap-reproject --size 2048 face_%f.png earth-again.png\n"

@@ -15,9 +15,22 @@ enum
     REPROJECT_FRAME,
     REPROJECT_FROM_FRAME,
     REPROJECT_FILTER,
+    REPROJECT_FOR,
+    REPROJECT_ROTATE,
+    REPROJECT_FROM_ROTATE,
+    REPROJECT_KEEP,
+    REPROJECT_LINEAR,
+    REPROJECT_GAMMA,
+    REPROJECT_STORED,
+    REPROJECT_VECTOR,
+    REPROJECT_NOT_FINITE,
+    REPROJECT_DITHER,
+    REPROJECT_TOLERANCE,
+    REPROJECT_COMPRESSION,
+    REPROJECT_SIDECAR,
     REPROJECT_THREADS,
     REPROJECT_QUIET,
-    /* The largest --size, for a cube or a chart, and for an equirectangular image. */
+    /* The largest --size, for a cube or a chart, and for all others. */
     REPROJECT_FACE_MAX = 65536,
     REPROJECT_EQUIRECT_MAX = 262144
 };

@@ -18,9 +18,9 @@
  *   - directions outside the field of view, and points outside the disc, are none and are left out;
  *   - where forward is on another side of a fold than the truth, that is as with another face;
  *   - a bound of 0 is none that is stated; with other than the standard parts or parameters the bounds are
- *     those of mapping.h: 21 eps for round trips, 8 forward and inverse, and none relative to the truth.
+ *     those of docs/measured/accuracy.md: 21 eps for round trips, 8 forward and inverse, and none relative to the truth.
  *
- * With other than the standard parameters the bounds are greater by the factor by which the condition
+ * With parameters that are neither the standard ones nor a preset's the bounds are greater by the factor by which the condition
  * is: how much the warp, or its inverse, stretches a small difference at most; but those of forward and
  * inverse stay below 8 eps, and relative to the truth below 16.
  *
@@ -202,7 +202,7 @@ static double bound_of(const subject *s, kind which)
     }
     const double most[KINDS] = {INFINITY, INFINITY, 8.0, 16.0, 8.0, 16.0};
     int is_round_trip = which == ROUND_TRIP || which == PLANE_ROUND_TRIP;
-    /* what mapping.h promises of them; relative to the truth nothing */
+    /* what docs/measured/accuracy.md promises of them; relative to the truth nothing */
     const double of_other[KINDS] = {21.0, 16.0, 8.0, 0.0, 8.0, 0.0};
     int is_open =
         (s->is_flat && which == ROUND_TRIP) || (s->is_drawn_out && which == PLANE_ROUND_TRIP);
@@ -255,7 +255,7 @@ static scale scale_of(const char *specification)
         quad_mapping truth = quad_from_text(made, specification);
         double least = 1.0;
         found.condition = condition_of(made, &truth);
-        if (strcmp(identifier, specification) == 0)
+        if (cm_mapping_has_bounds(made))
         {
             least = found.condition;
         }
@@ -271,7 +271,7 @@ static scale scale_of(const char *specification)
     return found;
 }
 
-/* As mapping.h tells it. */
+/* As docs/guide/conventions.md tells it. */
 static void note_where_it_is_flat(subject *s, const char *specification)
 {
     int is_border = strncmp(specification, "border:", 7) == 0;

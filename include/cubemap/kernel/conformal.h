@@ -31,6 +31,7 @@ CM_WARP(conformal,
         .properties = CM_CONFORMAL,
         .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_ANALYTIC,
+        .smooth_corner = CM_SMOOTH_C0,
         .bounds = {.round_trip = 5.5, .plane_round_trip = 8192, .forward = 4.5, .inverse = 4,
                    .relative = 16},
         .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)

@@ -12,6 +12,7 @@ CM_WARP(gnomonic,
         .family = CM_FAMILY_UNIVARIATE,
         .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0,
+        .smooth_corner = CM_SMOOTH_ANALYTIC,
         .bounds = {.round_trip = 1.4, .plane_round_trip = 1.5, .forward = 0.5, .inverse = 2.3,
                    .relative = 3.5})
 /* clang-format on */

@@ -20,6 +20,7 @@ CM_SPHERE(healpix,
           .properties = CM_EQUAL_AREA,
           .smooth_face = CM_SMOOTH_C0,
           .smooth_edge = CM_SMOOTH_C0,
+          .smooth_corner = CM_SMOOTH_C0,
           .bounds = {.round_trip = 5.8, .plane_round_trip = 8, .forward = 5, .inverse = 3,
                      .relative = 8},
           .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)

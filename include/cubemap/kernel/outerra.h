@@ -19,6 +19,7 @@ CM_WARP(outerra,
         .family = CM_FAMILY_BIVARIATE,
         .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0,
+        .smooth_corner = CM_SMOOTH_ANALYTIC,
         .bounds = {.round_trip = 2.7, .plane_round_trip = 4, .forward = 2, .inverse = 3,
                    .relative = 6},
         .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)

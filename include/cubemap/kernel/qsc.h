@@ -23,6 +23,7 @@ CM_WARP(qsc,
         .properties = CM_EQUAL_AREA,
         .smooth_face = CM_SMOOTH_C0,
         .smooth_edge = CM_SMOOTH_C0,
+        .smooth_corner = CM_SMOOTH_C0,
         .bounds = {.round_trip = 3.4, .plane_round_trip = 5, .forward = 3.5, .inverse = 3,
                    .relative = 7},
         .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)

@@ -31,6 +31,7 @@ CM_WARP(slice,
         .properties = CM_EQUAL_AREA,
         .smooth_face = CM_SMOOTH_C0,
         .smooth_edge = CM_SMOOTH_C1,
+        .smooth_corner = CM_SMOOTH_C0,
         .bounds = {.round_trip = 5.5, .plane_round_trip = 6, .forward = 4.5, .inverse = 3,
                    .relative = 14},
         .fast = CM_FAST_FORWARD | CM_FAST_INVERSE)

@@ -16,6 +16,7 @@ CM_WARP(smoothstep,
         .family = CM_FAMILY_UNIVARIATE,
         .smooth_face = CM_SMOOTH_ANALYTIC,
         .smooth_edge = CM_SMOOTH_C0,
+        .smooth_corner = CM_SMOOTH_ANALYTIC,
         .parameter_count = 1,
         .parameter = {{.name = "c",
                        .meaning = "strength of the sigmoid; towards 0 it is gnomonic, 1 has no slope "

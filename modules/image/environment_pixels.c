@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT */
+#include "environment_pixels.h"
+
+#include <cubemap/environment.h>
+
+#include <math.h>
+#include <string.h>
+
+static size_t size_of(cm_pixel_type type)
+{
+    return type == CM_PIXEL_U8 ? 1 : type == CM_PIXEL_FLOAT ? 4 : 2;
+}
+
+cm_status cm_pixels_check(const cm_image *image, uint32_t channels_most)
+{
+    if (image == NULL || image->size != sizeof *image || image->data == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    const int is_type = (int)image->type >= CM_PIXEL_U8 && (int)image->type <= CM_PIXEL_FLOAT;
+    if (!is_type || image->channels < 1 || image->channels > channels_most || image->width < 1 ||
+        image->width > CM_ENVIRONMENT_SIZE_MAX || image->height < 1 ||
+        image->height > CM_ENVIRONMENT_SIZE_MAX)
+    {
+        return CM_ERROR_RANGE;
+    }
+    return CM_OK;
+}
+
+cm_status cm_faces_check(const cm_mapping *mapping, const cm_image *faces)
+{
+    if (mapping == NULL || faces == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    if (cm_mapping_describe(mapping)->kind != CM_KIND_CUBE)
+    {
+        return CM_ERROR_UNSUPPORTED;
+    }
+    for (size_t i = 0; i < 6; i++)
+    {
+        const cm_status status = cm_pixels_check(&faces[i], CM_ENVIRONMENT_CHANNELS_MAX);
+        if (status != CM_OK)
+        {
+            return status;
+        }
+        if (faces[i].width != faces[0].width || faces[i].height != faces[0].width ||
+            faces[i].type != faces[0].type || faces[i].channels != faces[0].channels)
+        {
+            return CM_ERROR_RANGE;
+        }
+    }
+    return CM_OK;
+}
+
+static unsigned char *address(const cm_image *image, uint32_t row, uint32_t column)
+{
+    const ptrdiff_t dense = (ptrdiff_t)(image->channels * size_of(image->type));
+    const ptrdiff_t across = image->pixel_stride != 0 ? image->pixel_stride : dense;
+    const ptrdiff_t down =
+        image->row_stride != 0 ? image->row_stride : across * (ptrdiff_t)image->width;
+    return (unsigned char *)image->data + (ptrdiff_t)row * down + (ptrdiff_t)column * across;
+}
+
+/* ---- IEC 60559 binary16: sign, 5 bits of exponent with the bias 15, 10 of fraction ---- */
+
+static float half_to_float(uint16_t half)
+{
+    const int exponent = half >> 10 & 31;
+    const int fraction = half & 1023;
+    const float size = exponent == 31  ? (fraction == 0 ? (float)INFINITY : (float)NAN)
+                       : exponent == 0 ? ldexpf((float)fraction, -24)
+                                       : ldexpf((float)(fraction + 1024), exponent - 25);
+    return half >> 15 ? -size : size;
+}
+
+/* To the nearest, ties to even; from 65520 on infinite. */
+static uint16_t float_to_half(float value)
+{
+    const uint16_t sign = signbit(value) ? 0x8000 : 0;
+    const float size = fabsf(value);
+    if (isnan(size))
+    {
+        return (uint16_t)(sign | 0x7e00);
+    }
+    if (size >= 65520.0F)
+    {
+        return (uint16_t)(sign | 0x7c00);
+    }
+    int exponent = 0;
+    frexpf(size, &exponent);
+    /* size is in units of the last bit; a fraction that overflows goes into the exponent as it should */
+    const int last = size < 0x1p-14F ? -24 : exponent - 11;
+    const int units = (int)nearbyintf(ldexpf(size, -last));
+    return (uint16_t)(sign | (last == -24 ? units : ((last + 24) << 10) + units));
+}
+
+/* ---- pixels ---- */
+
+void cm_pixel_load(const cm_image *image, uint32_t row, uint32_t column, float *value)
+{
+    const unsigned char *from = address(image, row, column);
+    for (uint32_t c = 0; c < image->channels; c++)
+    {
+        uint16_t number = 0;
+        switch (image->type)
+        {
+        case CM_PIXEL_U8:
+            value[c] = (float)from[c] / 255.0F;
+            break;
+        case CM_PIXEL_U16:
+            memcpy(&number, from + 2 * (size_t)c, 2);
+            value[c] = (float)number / 65535.0F;
+            break;
+        case CM_PIXEL_HALF:
+            memcpy(&number, from + 2 * (size_t)c, 2);
+            value[c] = half_to_float(number);
+            break;
+        case CM_PIXEL_FLOAT:
+            memcpy(&value[c], from + 4 * (size_t)c, 4);
+            break;
+        }
+    }
+}
+
+static uint16_t whole(float value, float most)
+{
+    const float in = value > 0.0F ? fminf(value, 1.0F) : 0.0F;
+    return (uint16_t)(in * most + 0.5F);
+}
+
+void cm_pixel_store(const cm_image *image, uint32_t row, uint32_t column, const float *value)
+{
+    unsigned char *to = address(image, row, column);
+    for (uint32_t c = 0; c < image->channels; c++)
+    {
+        uint16_t number = 0;
+        switch (image->type)
+        {
+        case CM_PIXEL_U8:
+            to[c] = (unsigned char)whole(value[c], 255.0F);
+            break;
+        case CM_PIXEL_U16:
+            number = whole(value[c], 65535.0F);
+            memcpy(to + 2 * (size_t)c, &number, 2);
+            break;
+        case CM_PIXEL_HALF:
+            number = float_to_half(value[c]);
+            memcpy(to + 2 * (size_t)c, &number, 2);
+            break;
+        case CM_PIXEL_FLOAT:
+            memcpy(to + 4 * (size_t)c, &value[c], 4);
+            break;
+        }
+    }
+}
+
+uint32_t cm_face_row(const cm_mapping *mapping, uint32_t size, uint32_t row)
+{
+    return cm_mapping_frame(mapping)->first_row_v < 0 ? row : size - 1 - row;
+}

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Elliptic footprints on a pyramid: P. S. Heckbert, Fundamentals of texture mapping and image warping, 1989; N. Greene,
+ * P. S. Heckbert, Creating raster omnimax images from multiple perspective views using the elliptical weighted average
+ * filter, IEEE Computer Graphics and Applications 6, 1986.
+ *   kernel         jinc with a jinc's first lobe as its window, two lobes: 2.23 target pixels each way
+ *   level          the coarsest on which the ellipse's minor axis, of what is one target pixel across, has
+ *                  CM_EWA_MINOR pixels or more
+ *   magnification  the axes are one source pixel at least, and where the major one is less than 5/4 of it, the value goes
+ *                  over to that of spline36
+ *   long ones      the major axis is shortened until there are no more pixels than the plan allows. What reaches beyond
+ *                  the border of a level is taken from the next one, and cut there from the last
+ */
+#ifndef MODULES_IMAGE_EWA_H
+#define MODULES_IMAGE_EWA_H
+
+#include "filter_set.h"
+#include "geometry.h"
+#include "pyramid.h"
+
+#define CM_EWA_MINOR 1.5f
+
+typedef struct cm_ewa
+{
+    const cm_filter_set *set;
+    const cm_filter_table *table; /* of spline36 */
+    cm_pyramid pyramid;
+    cm_ewa_kernel kernel;
+    float pixels_most;
+    float across[CM_LEVELS_MAX]; /* pixels of a level for one of the first, of columns and rows */
+    float down[CM_LEVELS_MAX];
+} cm_ewa;
+
+/* Ready for the surface's pictures. CM_OK or CM_ERROR_MEMORY; cm_ewa_free frees it. */
+cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const cm_values *values,
+                      const cm_sample_set *set, const cm_filter_table *table, double pixels_most,
+                      unsigned threads, cm_ewa *ewa);
+
+void cm_ewa_free(cm_ewa *ewa);
+
+/* Dense pixels of a group with derivatives. */
+void cm_ewa_group(const cm_ewa *ewa, const cm_group *group, float *to);
+
+#endif

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Exact positions at the nodes between which a block's pixels are interpolated. Nodes stand a third of a block apart at
+ * absolute places of the target's plane, so that neighbours share them and no bit depends on what is wanted.
+ */
+#ifndef MODULES_IMAGE_LATTICE_H
+#define MODULES_IMAGE_LATTICE_H
+
+#include "place_set.h"
+#include "resample_plan.h"
+
+/* A lattice is of so many blocks in a row, from a multiple of it on: array functions like many points. */
+#define CM_LATTICE_BLOCKS 16
+
+/* One row and one column of nodes beyond the blocks' own on each side tell how smooth it is. */
+#define CM_LATTICE_ROWS 6
+#define CM_LATTICE_COLUMNS (3 * CM_LATTICE_BLOCKS + 3)
+
+typedef struct cm_lattice
+{
+    int is_there; /* has it been filled? */
+    unsigned to_plane;
+    uint32_t block_row;
+    uint32_t chunk; /* the first block's column, in CM_LATTICE_BLOCKS */
+    int is_uniform; /* are all nodes on one plane of the source? */
+    int is_wrapped; /* may columns jump by the source's period? */
+    double x[CM_LATTICE_ROWS][CM_LATTICE_COLUMNS];
+    double y[CM_LATTICE_ROWS][CM_LATTICE_COLUMNS];
+    float across[CM_LATTICE_ROWS][CM_LATTICE_COLUMNS]; /* squared differences of five in a row */
+    float along[2][CM_LATTICE_COLUMNS]; /* of five in a column, from its first and second row on */
+    uint8_t plane[CM_LATTICE_ROWS][CM_LATTICE_COLUMNS]; /* of the source, or CM_NO_FACE */
+} cm_lattice;
+
+/* Exact positions of places of the target's plane. Results may overwrite places. */
+void cm_lattice_find(const cm_plan *plan, unsigned plane, size_t n, const double *column,
+                     const double *row, uint8_t *found, double *x, double *y);
+
+/* Makes it the lattice of that chunk; what it has of the row of blocks above is used again. */
+void cm_lattice_fill(cm_lattice *lattice, const cm_plan *plan, const cm_place_set *set,
+                     unsigned to_plane, uint32_t block_row, uint32_t chunk);
+
+/* What a block sees of a lattice. Its own nodes are rows and columns 1 to 4 of the six. */
+typedef struct cm_lattice_view
+{
+    size_t stride;   /* from row to row */
+    const double *x; /* of the node beyond, above and to the left */
+    const double *y;
+    const uint8_t *plane;
+    const float *across;
+    const float *along; /* two rows, so far apart as rows of nodes */
+} cm_lattice_view;
+
+/* A view's nodes of its own. */
+typedef struct cm_lattice_copy
+{
+    double x[CM_LATTICE_ROWS * 6];
+    double y[CM_LATTICE_ROWS * 6];
+    float across[CM_LATTICE_ROWS * 6];
+    float along[2 * 6];
+    uint8_t plane[CM_LATTICE_ROWS * 6];
+} cm_lattice_copy;
+
+/* The view of a block of the lattice, the block's number counted from the first. Where columns may jump by a period
+ * they are counted on from the block's first node, in the copy. */
+cm_lattice_view cm_lattice_see(const cm_lattice *lattice, const cm_place_set *set, double period,
+                               unsigned block, cm_lattice_copy *copy);
+
+/* The squares of the greatest fourth differences of a block, across and along. 0 if the block's own nodes are not on
+ * one plane, or nothing beyond them is; alone is set if one of the sides is missing. */
+int cm_lattice_bend(const cm_lattice_view *view, int is_uniform, float *across, float *along,
+                    int *alone);
+
+#endif

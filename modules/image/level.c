@@ -1,0 +1,553 @@
+/* SPDX-License-Identifier: MIT */
+#include "level_object.h"
+
+#include <cubemap/threads.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- windows ---- */
+
+static int32_t least(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Bytes of a plane's skirt: rows above and below as wide as the plane with both ends, columns as high as it. */
+static size_t skirt_size(const cm_level *level)
+{
+    const size_t reach = (size_t)level->reach;
+    return level->pixel_size * 2 * reach * (level->width + 2 * reach + level->height);
+}
+
+/* The pixel of a plane's skirt; (column, row) is beyond an edge. */
+static unsigned char *skirt_pixel(const cm_level *level, unsigned plane, int32_t column,
+                                  int32_t row)
+{
+    const size_t reach = (size_t)level->reach;
+    const size_t wide = level->width + 2 * reach;
+    const size_t right = (size_t)(column + level->reach);
+    size_t index;
+    if (row < 0)
+    {
+        index = (size_t)(row + level->reach) * wide + right;
+    }
+    else if (row >= (int32_t)level->height)
+    {
+        index = (reach + (size_t)row - level->height) * wide + right;
+    }
+    else
+    {
+        const size_t before = 2 * reach * wide + (column < 0 ? 0 : reach * level->height);
+        index = before + (size_t)row * reach + (column < 0 ? right : (size_t)column - level->width);
+    }
+    return level->plane[plane].skirt + index * level->pixel_size;
+}
+
+void cm_level_load(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                   int32_t count, unsigned char *to)
+{
+    const cm_level_plane *from = &level->plane[plane];
+    const unsigned char *pixel =
+        from->pixels + row * from->row_stride + column * from->pixel_stride;
+    if (!level->is_plain)
+    {
+        cm_values_load(level->values, pixel, from->pixel_stride, (size_t)count,
+                       (float *)(void *)to);
+    }
+    else if (from->pixel_stride == (ptrdiff_t)level->pixel_size)
+    {
+        memcpy(to, pixel, (size_t)count * level->pixel_size);
+    }
+    else
+    {
+        for (int32_t i = 0; i < count; i++)
+        {
+            memcpy(to + (size_t)i * level->pixel_size, pixel + i * from->pixel_stride,
+                   level->pixel_size);
+        }
+    }
+}
+
+static void assemble_row(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                         int32_t width, unsigned char *to)
+{
+    const int32_t right = (int32_t)level->width;
+    if (row < 0 || row >= (int32_t)level->height)
+    {
+        memcpy(to, skirt_pixel(level, plane, column, row), (size_t)width * level->pixel_size);
+        return;
+    }
+    const int32_t end = column + width;
+    int32_t at = column;
+    while (at < end)
+    {
+        const int inside = at >= 0 && at < right;
+        const int32_t count = (at < 0 ? least(end, 0) : inside ? least(end, right) : end) - at;
+        unsigned char *here = to + (size_t)(at - column) * level->pixel_size;
+        if (inside)
+        {
+            cm_level_load(level, plane, at, row, count, here);
+            if (level->gaps != NULL)
+            {
+                cm_gaps_put(level, plane, at, row, count, here);
+            }
+        }
+        else
+        {
+            memcpy(here, skirt_pixel(level, plane, at, row), (size_t)count * level->pixel_size);
+        }
+        at += count;
+    }
+}
+
+int cm_level_there(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                   int32_t width, int32_t height)
+{
+    const cm_level_plane *from = &level->plane[plane];
+    const int32_t reach = from->skirt == NULL ? level->reach : 0;
+    if (!level->is_plain || from->pixel_stride != (ptrdiff_t)level->pixel_size || column < -reach ||
+        row < -reach || column + width > (int32_t)level->width + reach ||
+        row + height > (int32_t)level->height + reach)
+    {
+        return 0;
+    }
+    if (level->gaps != NULL && cm_gaps_touch(level, plane, column, row, width, height))
+    {
+        return 0;
+    }
+    const int32_t lowest = from->row_stride < 0 ? row : row + height - 1;
+    const unsigned char *last =
+        from->pixels + lowest * from->row_stride + (column + width) * from->pixel_stride;
+    return from->end - last >= CM_WINDOW_SLACK;
+}
+
+void cm_level_own(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                  cm_window *window)
+{
+    const cm_level_plane *from = &level->plane[plane];
+    window->data = from->pixels + row * from->row_stride + column * from->pixel_stride;
+    window->row_stride = from->row_stride;
+    window->channels = level->channels;
+}
+
+static cm_status make_room(cm_scratch *scratch, size_t size)
+{
+    if (size > scratch->size)
+    {
+        unsigned char *bytes = malloc(size);
+        if (bytes == NULL)
+        {
+            return CM_ERROR_MEMORY;
+        }
+        free(scratch->bytes);
+        scratch->bytes = bytes;
+        scratch->size = size;
+        memset(bytes, 0, size);
+    }
+    return CM_OK;
+}
+
+cm_status cm_level_window(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                          int32_t width, int32_t height, cm_scratch *scratch, cm_window *window)
+{
+    window->channels = level->channels;
+    if (cm_level_there(level, plane, column, row, width, height))
+    {
+        cm_level_own(level, plane, column, row, window);
+        return CM_OK;
+    }
+    const size_t stride = ((size_t)width * level->pixel_size + CM_WINDOW_SLACK + 63) / 64 * 64;
+    const cm_status status = make_room(scratch, stride * (size_t)height);
+    for (int32_t i = 0; status == CM_OK && i < height; i++)
+    {
+        assemble_row(level, plane, column, row + i, width, scratch->bytes + (size_t)i * stride);
+    }
+    window->data = scratch->bytes;
+    window->row_stride = (ptrdiff_t)stride;
+    return status;
+}
+
+/* ---- what is beyond the edges ---- */
+
+/* Points of a polynomial each way, which stay inside the neighbour: the nearest ones, not always around the place. */
+#define POINTS CM_LEVEL_POINTS
+#define BLOCK 64
+
+/* Lagrange's weights of nodes 0, 1, ..., up to POINTS; exactly 0 and 1 at nodes. */
+static void weigh(double place, unsigned count, double *weight)
+{
+    static const double inverse[POINTS] = {1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0};
+    double before[POINTS + 1] = {1.0};
+    double after = 1.0;
+    for (unsigned i = 0; i < count; i++)
+    {
+        before[i + 1] = before[i] * (place - i);
+    }
+    for (unsigned i = count; i-- > 0;)
+    {
+        weight[i] = before[i] * after * inverse[i] * inverse[count - 1 - i];
+        after *= i - place;
+    }
+}
+
+/* The first of count pixels around a position, and the weights. */
+static int32_t points_around(double position, uint32_t extent, unsigned *count, double *weight)
+{
+    *count = extent < POINTS ? extent : POINTS;
+    double centre = position - 0.5;
+    const double nearest = (double)(int32_t)(centre + 0.5);
+    /* what is a pixel's centre, but for rounding, is that pixel */
+    centre = centre - nearest < 1e-9 && nearest - centre < 1e-9 ? nearest : centre;
+    const int32_t most = (int32_t)(extent - *count);
+    int32_t first = (int32_t)(centre + 1.0) - (int32_t)(*count + 1) / 2;
+    first = first < 0 ? 0 : first > most ? most : first;
+    weigh(centre - first, *count, weight);
+    return first;
+}
+
+static void put(const cm_level *level, const float *sum, unsigned char *to)
+{
+    if (!level->is_bytes)
+    {
+        memcpy(to, sum, level->pixel_size);
+        return;
+    }
+    for (uint32_t c = 0; c < level->channels; c++)
+    {
+        const float rounded = sum[c] + 0.5f;
+        to[c] = rounded < 0.0f ? 0 : rounded > 255.0f ? 255 : (unsigned char)rounded;
+    }
+}
+
+/* Rows are read sixteen values at a time. */
+#define SIXTEEN 16u
+#define ROW_BYTES ((POINTS * (CM_CHANNELS_MAX + 1) + SIXTEEN) * sizeof(float))
+
+/* Dense pixels of a row inside the plane, with room for sixteen values after them: where they are, or in buffer. */
+static const unsigned char *row_of(const cm_level *level, unsigned plane, int32_t column,
+                                   int32_t row, int32_t count, unsigned char *buffer)
+{
+    const cm_level_plane *from = &level->plane[plane];
+    const unsigned char *there =
+        from->pixels + row * from->row_stride + column * from->pixel_stride;
+    const ptrdiff_t size = count * (ptrdiff_t)level->pixel_size;
+    if (level->is_plain && from->pixel_stride == (ptrdiff_t)level->pixel_size &&
+        from->end - there >= size + (ptrdiff_t)(SIXTEEN * sizeof(float)))
+    {
+        return there;
+    }
+    cm_level_load(level, plane, column, row, count, buffer);
+    return buffer;
+}
+
+/* Rows that weigh something, up to POINTS. */
+typedef struct weighed_rows
+{
+    unsigned count;
+    float weight[POINTS];
+    const unsigned char *row[POINTS];
+} weighed_rows;
+
+/* Sums of n values, in sixteens, of all rows. */
+static void sum_bytes(const weighed_rows *rows, size_t n, float *sum)
+{
+    for (size_t i = 0; i < n; i += SIXTEEN)
+    {
+        float sixteen[SIXTEEN] = {0.0f};
+        for (unsigned j = 0; j < rows->count; j++)
+        {
+            uint8_t value[SIXTEEN]; /* a copy, of which compilers make vectors */
+            const float weight = rows->weight[j];
+            memcpy(value, rows->row[j] + i, sizeof value);
+            for (size_t k = 0; k < SIXTEEN; k++)
+            {
+                sixteen[k] += weight * (float)value[k];
+            }
+        }
+        memcpy(sum + i, sixteen, sizeof sixteen);
+    }
+}
+
+static void sum_floats(const weighed_rows *rows, size_t n, float *sum)
+{
+    for (size_t i = 0; i < n; i += SIXTEEN)
+    {
+        float sixteen[SIXTEEN] = {0.0f};
+        for (unsigned j = 0; j < rows->count; j++)
+        {
+            float value[SIXTEEN];
+            const float weight = rows->weight[j];
+            memcpy(value, rows->row[j] + i * sizeof *value, sizeof value);
+            for (size_t k = 0; k < SIXTEEN; k++)
+            {
+                sixteen[k] += weight * value[k];
+            }
+        }
+        memcpy(sum + i, sixteen, sizeof sixteen);
+    }
+}
+
+/* Sums of pixels by weights, along columns first. What weighs nothing may be NaN. */
+static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, unsigned columns,
+                unsigned rows, const double *across, const double *along, unsigned char *to)
+{
+    unsigned char buffer[POINTS][ROW_BYTES];
+    float of_column[POINTS * (CM_CHANNELS_MAX + 1) + SIXTEEN];
+    float sum[CM_CHANNELS_MAX + 1];
+    const size_t channels = level->channels;
+    weighed_rows weighed = {0};
+    for (unsigned j = 0; j < rows; j++)
+    {
+        if (along[j] != 0.0)
+        {
+            weighed.weight[weighed.count] = (float)along[j];
+            weighed.row[weighed.count++] =
+                row_of(level, plane, left, top + (int32_t)j, (int32_t)columns, buffer[j]);
+        }
+    }
+    (level->is_bytes ? sum_bytes : sum_floats)(&weighed, columns * channels, of_column);
+    unsigned used = 0;
+    size_t first[POINTS];
+    float weight[POINTS];
+    for (unsigned i = 0; i < columns; i++)
+    {
+        first[used] = i * channels;
+        weight[used] = (float)across[i];
+        used += across[i] != 0.0;
+    }
+    for (size_t c = 0; c < channels; c++)
+    {
+        float total = 0.0f;
+        for (unsigned i = 0; i < used; i++)
+        {
+            total += weight[i] * of_column[first[i] + c];
+        }
+        sum[c] = total;
+    }
+    put(level, sum, to);
+}
+
+void cm_level_mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, double x,
+                  double y, unsigned points, unsigned char *to)
+{
+    double across[POINTS];
+    double along[POINTS];
+    weigh(x - 0.5 - left, points, across);
+    weigh(y - 0.5 - top, points, along);
+    mix(level, plane, left, top, points, points, across, along, to);
+}
+
+/* A value from inside a plane. */
+static void interpolate(const cm_level *level, unsigned plane, double x, double y,
+                        unsigned char *to)
+{
+    unsigned columns, rows;
+    double across[POINTS];
+    double along[POINTS];
+    const int32_t left = points_around(x, level->width, &columns, across);
+    const int32_t top = points_around(y, level->height, &rows, along);
+    mix(level, plane, left, top, columns, rows, across, along, to);
+}
+
+/* Where nothing is, the nearest pixel of the plane stands for it. */
+static void repeat_edge(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                        unsigned char *to)
+{
+    const int32_t right = (int32_t)level->width - 1;
+    const int32_t bottom = (int32_t)level->height - 1;
+    cm_level_load(level, plane,
+                  column < 0       ? 0
+                  : column > right ? right
+                                   : column,
+                  row < 0        ? 0
+                  : row > bottom ? bottom
+                                 : row,
+                  1, to);
+}
+
+/* Pixels of a plane's skirt that are filled at once. */
+typedef struct skirt_run
+{
+    const cm_level *level;
+    const cm_surface *surface;
+    unsigned plane;
+    unsigned count;
+    int32_t column[BLOCK];
+    int32_t row[BLOCK];
+} skirt_run;
+
+static void fill_run(skirt_run *run)
+{
+    double columns[BLOCK] = {0}, rows[BLOCK] = {0}, x[BLOCK], y[BLOCK], z[BLOCK];
+    uint8_t found[BLOCK];
+    const unsigned count = run->count;
+    for (unsigned i = 0; run->level->gaps != NULL && i < count; i++)
+    {
+        cm_gaps_values(run->level, run->level->gaps, run->surface, run->plane, 1, &run->column[i],
+                       run->row[i],
+                       skirt_pixel(run->level, run->plane, run->column[i], run->row[i]));
+    }
+    if (run->level->gaps != NULL)
+    {
+        run->count = 0;
+        return;
+    }
+    for (unsigned i = 0; i < count; i++)
+    {
+        columns[i] = run->column[i] + 0.5;
+        rows[i] = run->row[i] + 0.5;
+    }
+    cm_surface_directions_beyond(run->surface, run->plane, count, columns, rows, x, y, z);
+    cm_surface_find(run->surface, count, x, y, z, found, x, y);
+    for (unsigned i = 0; i < count; i++)
+    {
+        unsigned char *to = skirt_pixel(run->level, run->plane, run->column[i], run->row[i]);
+        if (found[i] == CM_NO_FACE)
+        {
+            repeat_edge(run->level, run->plane, run->column[i], run->row[i], to);
+        }
+        else
+        {
+            interpolate(run->level, found[i], x[i], y[i], to);
+        }
+    }
+    run->count = 0;
+}
+
+static void add_pixel(skirt_run *run, int32_t column, int32_t row)
+{
+    run->column[run->count] = column;
+    run->row[run->count++] = row;
+    if (run->count == BLOCK)
+    {
+        fill_run(run);
+    }
+}
+
+/* Both ends of a line of pixels across a plane, which share what directions come from. */
+static void add_line(skirt_run *run, int is_column, int32_t at)
+{
+    const int32_t reach = run->level->reach;
+    const int32_t extent = (int32_t)(is_column ? run->level->height : run->level->width);
+    for (int32_t end = 0; end < 2; end++)
+    {
+        const int32_t first = end == 0 ? -reach : extent;
+        for (int32_t i = first; i < first + reach; i++)
+        {
+            add_pixel(run, is_column ? at : i, is_column ? i : at);
+        }
+    }
+}
+
+typedef struct skirt_job
+{
+    const cm_level *level;
+    const cm_surface *surface;
+} skirt_job;
+
+static size_t lines_of(const cm_level *level)
+{
+    return level->height + level->width + 2 * (size_t)level->reach;
+}
+
+/* Lines of skirts, plane by plane: those of the plane's rows, then those of columns, which have the corners, too. */
+static void fill_lines(size_t begin, size_t end, void *user)
+{
+    const skirt_job *job = user;
+    const cm_level *level = job->level;
+    const size_t per_plane = lines_of(level);
+    skirt_run run = {.level = level, .surface = job->surface};
+    for (size_t at = begin; at < end; at++)
+    {
+        const unsigned plane = (unsigned)(at / per_plane);
+        const size_t line = at % per_plane;
+        if (plane != run.plane && run.count > 0)
+        {
+            fill_run(&run);
+        }
+        run.plane = plane;
+        const int is_column = line >= level->height;
+        add_line(&run, is_column,
+                 is_column ? (int32_t)(line - level->height) - level->reach : (int32_t)line);
+    }
+    if (run.count > 0)
+    {
+        fill_run(&run);
+    }
+}
+
+/* ---- life ---- */
+
+static void lay_plane(cm_level *level, const cm_surface *surface, const cm_image *pictures,
+                      unsigned plane)
+{
+    const cm_placement *place = &surface->placement[plane];
+    const cm_image *picture = &pictures[place->picture];
+    const ptrdiff_t pixel = picture->pixel_stride != 0
+                                ? picture->pixel_stride
+                                : (ptrdiff_t)(picture->channels * cm_pixel_size(picture->type));
+    const ptrdiff_t row = picture->row_stride != 0 ? picture->row_stride : pixel * picture->width;
+    uint32_t column, first_row;
+    cm_level_plane *to = &level->plane[plane];
+    cm_placement_pixel(surface, plane, 0, 0, &column, &first_row);
+    to->pixels = (const unsigned char *)picture->data + first_row * row + column * pixel;
+    const int exchanged = (place->turn & CM_TURN_EXCHANGED) != 0;
+    const ptrdiff_t right = place->turn & CM_TURN_COLUMNS ? -pixel : pixel;
+    const ptrdiff_t down = place->turn & CM_TURN_ROWS ? -row : row;
+    to->pixel_stride = exchanged ? down : right;
+    to->row_stride = exchanged ? right : down;
+    const ptrdiff_t lowest = row < 0 ? 0 : row * (ptrdiff_t)(picture->height - 1);
+    to->end = (const unsigned char *)picture->data + lowest + pixel * picture->width;
+}
+
+cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictures,
+                               const cm_values *values, int is_bytes, int32_t reach,
+                               unsigned threads, cm_level *level)
+{
+    memset(level, 0, sizeof *level);
+    level->values = values;
+    level->planes = surface->planes;
+    level->width = surface->width;
+    level->height = surface->height;
+    level->channels = values->working;
+    level->is_bytes = is_bytes;
+    level->pixel_size = values->working * (is_bytes ? 1 : sizeof(float));
+    level->is_stored = 1;
+    level->is_plain = is_bytes || cm_values_are_plain(values);
+    level->reach = reach;
+    for (unsigned plane = 0; plane < level->planes; plane++)
+    {
+        lay_plane(level, surface, pictures, plane);
+        level->plane[plane].skirt = malloc(skirt_size(level) + CM_WINDOW_SLACK);
+        if (level->plane[plane].skirt == NULL)
+        {
+            cm_level_free(level);
+            return CM_ERROR_MEMORY;
+        }
+    }
+    const cm_status status =
+        surface->has_gaps ? cm_gaps_create(level, surface, threads, &level->gaps) : CM_OK;
+    if (status != CM_OK)
+    {
+        cm_level_free(level);
+        return status;
+    }
+    skirt_job job = {level, surface};
+    if (reach > 0)
+    {
+        cm_run_threads(threads, level->planes * lines_of(level), 256, fill_lines, &job);
+    }
+    return CM_OK;
+}
+
+void cm_level_free(cm_level *level)
+{
+    cm_gaps_free(level->gaps);
+    level->gaps = NULL;
+    for (unsigned plane = 0; plane < level->planes; plane++)
+    {
+        free(level->plane[plane].skirt);
+        level->plane[plane].skirt = NULL;
+    }
+}

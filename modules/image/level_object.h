@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One resolution of a source: its planes, and what is beyond their edges.
+ */
+#ifndef MODULES_IMAGE_LEVEL_OBJECT_H
+#define MODULES_IMAGE_LEVEL_OBJECT_H
+
+#include "sample_set.h"
+#include "surface_object.h"
+#include "values.h"
+
+/* A plane: pixels of the caller as they are stored, or pixels of our own that can be mixed. */
+typedef struct cm_level_plane
+{
+    const unsigned char *pixels; /* the first one */
+    ptrdiff_t row_stride;        /* bytes */
+    ptrdiff_t pixel_stride;
+    const unsigned char *end; /* of what may be read */
+    unsigned char
+        *skirt; /* what is beyond the edges: rows above, rows below, columns to the left and to the
+                                 right; pixels that can be mixed. NULL: own pixels go on by themselves */
+} cm_level_plane;
+
+typedef struct cm_level
+{
+    const cm_values *values;
+    uint32_t planes;
+    uint32_t width;
+    uint32_t height;
+    uint32_t channels; /* that are mixed */
+    size_t pixel_size; /* of what is mixed, in bytes */
+    int is_bytes;      /* are bytes mixed, and not floats? */
+    int is_stored; /* are pixels as they are stored? Then a window is loaded, unless nothing need be done */
+    int is_plain;         /* is what is stored mixed as it is? */
+    int32_t reach;        /* pixels beyond the edges */
+    struct cm_gaps *gaps; /* of planes that have gaps, else NULL */
+    cm_level_plane plane[CM_PLANES_MAX];
+} cm_level;
+
+/* Memory of a thread for windows that are put together. */
+typedef struct cm_scratch
+{
+    unsigned char *bytes;
+    size_t size;
+} cm_scratch;
+
+/* A level of pictures as they are stored, with room for what is beyond the edges, which is filled from inside.
+ * is_bytes asks for bytes; pictures must then have bytes whose values can be mixed as they are. What it allocates
+ * cm_level_free frees. CM_OK or CM_ERROR_MEMORY. */
+cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictures,
+                               const cm_values *values, int is_bytes, int32_t reach,
+                               unsigned threads, cm_level *level);
+
+void cm_level_free(cm_level *level);
+
+/* Points of a polynomial each way between which values are interpolated, at most. */
+#define CM_LEVEL_POINTS 6
+
+/* Pixels of a row inside the plane, as they are mixed, those of gaps as they are stored. */
+void cm_level_load(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                   int32_t count, unsigned char *to);
+
+/* The value at (x, y) of polynomials through points x points pixels from (left, top), all inside the plane. */
+void cm_level_mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, double x,
+                  double y, unsigned points, unsigned char *to);
+
+/* Are these pixels in memory as samplers take them? */
+int cm_level_there(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                   int32_t width, int32_t height);
+
+/* The window whose first pixel is the plane's at (column, row), of pixels that are there. */
+void cm_level_own(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                  cm_window *window);
+
+/* The pixels from (column, row), which may be up to reach beyond the edges, width x height of them. CM_OK or
+ * CM_ERROR_MEMORY. */
+cm_status cm_level_window(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+                          int32_t width, int32_t height, cm_scratch *scratch, cm_window *window);
+
+/* ---- planes with gaps: level_gaps.c ----
+ *
+ * What filters find beside the map, without a change of the caller's picture. Pixels whose centres are off the map, but near
+ * it, have the values of the sphere where it goes on; where nothing is there, that of the nearest pixel. */
+
+/* Of a level: which pixels are on the map, and the values of those near it that are not. */
+typedef struct cm_gaps
+{
+    size_t words;     /* of a row */
+    uint64_t *on_map; /* rows of bits, plane by plane */
+    size_t
+        *first; /* of a row's filled pixels in column and pixels, and the end of the last row's */
+    int32_t *column; /* grows in a row */
+    unsigned char *pixels;
+} cm_gaps;
+
+/* For a level whose planes are laid; what it allocates cm_gaps_free frees. CM_OK or CM_ERROR_MEMORY. */
+cm_status cm_gaps_create(const cm_level *level, const cm_surface *surface, unsigned threads,
+                         cm_gaps **gaps);
+
+/* NULL is allowed. */
+void cm_gaps_free(cm_gaps *gaps);
+
+/* The values of n pixels, inside the plane or beyond its edges, that are off the map; zeros where it is not near. */
+void cm_gaps_values(const cm_level *level, const cm_gaps *gaps, const cm_surface *surface,
+                    unsigned plane, size_t n, const int32_t *column, int32_t row,
+                    unsigned char *to);
+
+/* Is any pixel off the map among these, all of them inside the plane? */
+int cm_gaps_touch(const cm_level *level, unsigned plane, int32_t column, int32_t row, int32_t width,
+                  int32_t height);
+
+/* Puts the filled ones among count pixels of a row over what is there, and 0 over all others off the map. */
+void cm_gaps_put(const cm_level *level, unsigned plane, int32_t column, int32_t row, int32_t count,
+                 unsigned char *to);
+
+#endif

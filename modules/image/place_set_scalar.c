@@ -1,0 +1,6 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Any processor.
+ */
+#define CM_SET scalar
+#include "place_set.inc"

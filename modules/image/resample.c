@@ -1,0 +1,514 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From a source to a target, block by block.
+ */
+#include "geometry.h"
+#include "source.h"
+
+#include <cubemap/threads.h>
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A window may have so many pixels for each that is asked; else pixels are taken by fewer at once. */
+#define WINDOW_PER_PIXEL 64
+
+/* Elements of cm_run_threads for a row of blocks: chunks begin at multiples of it (threads.h). */
+#define ROW_WEIGHT 64
+
+/* What all threads work on. */
+typedef struct resample_job
+{
+    const cm_plan *plan;
+    const cm_source *source;
+    const cm_image *to;
+    cm_values values; /* as they are stored in the target */
+    cm_rows wanted;   /* of one plane, or of all if row_count is 0 */
+    atomic_int failed;
+} resample_job;
+
+/* What a thread works with. */
+typedef struct resample_desk
+{
+    cm_geometry *geometry;
+    cm_scratch scratch;
+    cm_group groups[CM_PLANES_MAX];
+    unsigned char *pixels; /* of a group */
+} resample_desk;
+
+/* ---- values of a group ---- */
+
+/* Pixels of a plane, from a group's origin. */
+typedef struct window_box
+{
+    int32_t column;
+    int32_t row;
+    int32_t width;
+    int32_t height;
+} window_box;
+
+/* What pixels touch whose x and y are between bounds, the least and the greatest x and those of y, once their positions
+ * count from the box. That may round them up to a whole number, so that the last one is asked after it. */
+static window_box box_between(const cm_source *source, const float bounds[4])
+{
+    const int32_t before = source->taps < 2 ? 0 : source->taps / 2 - 1;
+    const int32_t after = source->taps < 2 ? 1 : source->taps / 2;
+    const int32_t column = (int32_t)floorf(bounds[0]) - before;
+    const int32_t row = (int32_t)floorf(bounds[2]) - before;
+    return (window_box){column, row, (int32_t)floorf(bounds[1] - (float)column) + after + 1,
+                        (int32_t)floorf(bounds[3] - (float)row) + after + 1};
+}
+
+/* What n pixels of a group touch, a multiple of 16. */
+static window_box box_of(const cm_source *source, const cm_group *group, size_t begin, size_t n)
+{
+    float bounds[4];
+    source->places->bounds(n, group->x + begin, group->y + begin, bounds);
+    return box_between(source, bounds);
+}
+
+static int is_wide(window_box box, size_t n)
+{
+    return (int64_t)box.width * box.height > (int64_t)(n * WINDOW_PER_PIXEL);
+}
+
+/* Is all that a group may touch in the source's own memory, by its bounds? It is nearly always, and then no extents are
+ * looked for. */
+static int is_there(const cm_source *source, const cm_group *group)
+{
+    const float bounds[4] = {group->low[0], group->high[0], group->low[1], group->high[1]};
+    if (!group->is_bounded)
+    {
+        return 0;
+    }
+    const window_box box = box_between(source, bounds);
+    return !is_wide(box, CM_BLOCK_PIXELS) &&
+           cm_level_there(&source->level, group->plane, group->column + box.column,
+                          group->row + box.row, box.width, box.height);
+}
+
+/* n pixels of a group, a multiple of 16, through one window. */
+static cm_status sample_run(const cm_source *source, const cm_group *group, size_t begin, size_t n,
+                            window_box box, cm_scratch *scratch, unsigned char *to)
+{
+    float x[CM_BLOCK_PIXELS];
+    float y[CM_BLOCK_PIXELS];
+    cm_window window;
+    if (cm_level_there(&source->level, group->plane, group->column + box.column,
+                       group->row + box.row, box.width, box.height))
+    {
+        cm_level_own(&source->level, group->plane, group->column, group->row, &window);
+        source->sampler(&window, n, group->x + begin, group->y + begin, &source->table, to);
+        return CM_OK;
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        x[i] = group->x[begin + i] - (float)box.column;
+        y[i] = group->y[begin + i] - (float)box.row;
+    }
+    const cm_status status =
+        cm_level_window(&source->level, group->plane, group->column + box.column,
+                        group->row + box.row, box.width, box.height, scratch, &window);
+    if (status == CM_OK)
+    {
+        source->sampler(&window, n, x, y, &source->table, to);
+    }
+    return status;
+}
+
+/* The pixel 16 times, as samplers take no fewer. */
+static cm_status sample_alone(const cm_source *source, const cm_group *group, size_t at,
+                              cm_scratch *scratch, unsigned char *to)
+{
+    cm_group alone;
+    unsigned char pixels[16 * (CM_CHANNELS_MAX + 1) * sizeof(float)];
+    alone.plane = group->plane;
+    alone.column = group->column;
+    alone.row = group->row;
+    for (size_t i = 0; i < 16; i++)
+    {
+        alone.x[i] = group->x[at];
+        alone.y[i] = group->y[at];
+    }
+    const cm_status status =
+        sample_run(source, &alone, 0, 16, box_of(source, &alone, 0, 16), scratch, pixels);
+    memcpy(to, pixels, source->level.pixel_size);
+    return status;
+}
+
+/* All pixels of a group whose window is large. */
+static cm_status sample_apart(const cm_source *source, const cm_group *group, size_t whole,
+                              cm_scratch *scratch, unsigned char *to)
+{
+    const size_t size = source->level.pixel_size;
+    cm_status status = CM_OK;
+    for (size_t begin = 0; begin < whole && status == CM_OK; begin += 16)
+    {
+        const window_box box = box_of(source, group, begin, 16);
+        if (!is_wide(box, 16))
+        {
+            status = sample_run(source, group, begin, 16, box, scratch, to + begin * size);
+            continue;
+        }
+        for (size_t i = begin; i < begin + 16 && i < group->count && status == CM_OK; i++)
+        {
+            status = sample_alone(source, group, i, scratch, to + i * size);
+        }
+    }
+    return status;
+}
+
+/* All pixels of a group, which is filled up to a multiple of 16. */
+cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch *scratch,
+                           unsigned char *to)
+{
+    const size_t whole = (group->count + 15u) / 16 * 16;
+    if (source->filter == CM_FILTER_EWA)
+    {
+        cm_ewa_group(&source->ewa, group, (float *)(void *)to);
+        return CM_OK;
+    }
+    for (size_t i = group->count; i < whole; i++)
+    {
+        group->x[i] = group->x[group->count - 1];
+        group->y[i] = group->y[group->count - 1];
+    }
+    if (is_there(source, group))
+    {
+        cm_window window;
+        cm_level_own(&source->level, group->plane, group->column, group->row, &window);
+        source->sampler(&window, whole, group->x, group->y, &source->table, to);
+        return CM_OK;
+    }
+    const window_box box = box_of(source, group, 0, whole);
+    return is_wide(box, whole) ? sample_apart(source, group, whole, scratch, to)
+                               : sample_run(source, group, 0, whole, box, scratch, to);
+}
+
+/* ---- into the target ---- */
+
+static unsigned char *target_pixel(const resample_job *job, unsigned plane, uint32_t column,
+                                   uint32_t row, uint32_t *picture_column, uint32_t *picture_row,
+                                   ptrdiff_t *stride)
+{
+    const cm_surface *to = job->plan->to;
+    const cm_placement *place = &to->placement[plane];
+    const cm_image *picture = &job->to[place->picture];
+    const ptrdiff_t size = (ptrdiff_t)(picture->channels * cm_pixel_size(picture->type));
+    const ptrdiff_t right = picture->pixel_stride != 0 ? picture->pixel_stride : size;
+    const ptrdiff_t down = picture->row_stride != 0 ? picture->row_stride : right * picture->width;
+    cm_placement_pixel(to, plane, column, row, picture_column, picture_row);
+    if (place->turn & CM_TURN_EXCHANGED)
+    {
+        *stride = place->turn & CM_TURN_ROWS ? -down : down;
+    }
+    else
+    {
+        *stride = place->turn & CM_TURN_COLUMNS ? -right : right;
+    }
+    return (unsigned char *)picture->data + *picture_row * down + *picture_column * right;
+}
+
+static void store_run(const resample_job *job, unsigned plane, uint32_t column, uint32_t row,
+                      size_t n, unsigned char *pixels)
+{
+    uint32_t picture_column, picture_row;
+    ptrdiff_t stride;
+    unsigned char *to =
+        target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
+    const cm_level *level = &job->source->level;
+    if (!level->is_bytes)
+    {
+        cm_values_store(&job->values, (float *)(void *)pixels, n, picture_column, picture_row, to,
+                        stride);
+    }
+    else if (stride == (ptrdiff_t)level->pixel_size)
+    {
+        memcpy(to, pixels, n * level->pixel_size);
+    }
+    else
+    {
+        for (size_t i = 0; i < n; i++)
+        {
+            memcpy(to + (ptrdiff_t)i * stride, pixels + i * level->pixel_size, level->pixel_size);
+        }
+    }
+}
+
+/* The wanted ones of n pixels of a row that lie side by side. */
+static void store_wanted(const resample_job *job, unsigned plane, uint32_t column, uint32_t row,
+                         uint32_t n, unsigned char *pixels)
+{
+    const cm_rows *wanted = &job->wanted;
+    const uint32_t first = column > wanted->first_column ? column : wanted->first_column;
+    const uint32_t last = wanted->first_column + wanted->column_count;
+    const uint32_t end = column + n < last ? column + n : last;
+    if (row >= wanted->first_row && row < wanted->first_row + wanted->row_count && first < end)
+    {
+        store_run(job, plane, first, row, end - first,
+                  pixels + (first - column) * job->source->level.pixel_size);
+    }
+}
+
+/* Pixels of a group that lie side by side, from the one at an index. */
+static uint32_t run_length(const cm_group *group, unsigned at)
+{
+    const uint8_t first = group->pixel[at];
+    const unsigned most = CM_BLOCK_EDGE - first % CM_BLOCK_EDGE;
+    uint32_t n = 1;
+    while (n < most && at + n < group->count && group->pixel[at + n] == first + n)
+    {
+        n++;
+    }
+    return n;
+}
+
+/* Rows of a block one below the other, each of so many bytes. The frequent sizes are constants, which need no call. */
+static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
+{
+    for (int i = 0; i < CM_BLOCK_EDGE; i++, from += bytes, to += down)
+    {
+        switch (bytes)
+        {
+        case CM_BLOCK_EDGE * 3:
+            memcpy(to, from, CM_BLOCK_EDGE * 3);
+            break;
+        case CM_BLOCK_EDGE * 4:
+            memcpy(to, from, CM_BLOCK_EDGE * 4);
+            break;
+        case CM_BLOCK_EDGE * 12:
+            memcpy(to, from, CM_BLOCK_EDGE * 12);
+            break;
+        default:
+            memcpy(to, from, bytes);
+        }
+    }
+}
+
+/* All pixels of a block at once: 1 if its rows go to rows of the target as they are. */
+static int store_block(const resample_job *job, unsigned plane, uint32_t column, uint32_t row,
+                       const unsigned char *pixels)
+{
+    const cm_rows *wanted = &job->wanted;
+    const cm_level *level = &job->source->level;
+    const ptrdiff_t size = (ptrdiff_t)level->pixel_size;
+    uint32_t picture_column, picture_row;
+    ptrdiff_t stride;
+    if (!(level->is_bytes || cm_values_are_copied(&job->values)) || row < wanted->first_row ||
+        row + CM_BLOCK_EDGE > wanted->first_row + wanted->row_count ||
+        column < wanted->first_column ||
+        column + CM_BLOCK_EDGE > wanted->first_column + wanted->column_count)
+    {
+        return 0;
+    }
+    unsigned char *to =
+        target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
+    const unsigned char *below =
+        target_pixel(job, plane, column, row + 1, &picture_column, &picture_row, &stride);
+    if (stride != size)
+    {
+        return 0;
+    }
+    copy_rows(pixels, (size_t)size * CM_BLOCK_EDGE, to, below - to);
+    return 1;
+}
+
+static void store_group(const resample_job *job, unsigned plane, uint32_t block_column,
+                        uint32_t block_row, const cm_group *group, unsigned char *pixels)
+{
+    const size_t size = job->source->level.pixel_size;
+    const int is_whole = group->count == CM_BLOCK_PIXELS;
+    if (is_whole &&
+        store_block(job, plane, block_column * CM_BLOCK_EDGE, block_row * CM_BLOCK_EDGE, pixels))
+    {
+        return;
+    }
+    for (unsigned i = 0; i < group->count;)
+    {
+        const uint32_t n = is_whole ? CM_BLOCK_EDGE : run_length(group, i);
+        store_wanted(job, plane, block_column * CM_BLOCK_EDGE + group->pixel[i] % CM_BLOCK_EDGE,
+                     block_row * CM_BLOCK_EDGE + group->pixel[i] / CM_BLOCK_EDGE, n,
+                     pixels + i * size);
+        i += n;
+    }
+}
+
+/* What the source does not show is 0. */
+static void clear_pixel(const resample_job *job, unsigned plane, uint32_t column, uint32_t row)
+{
+    const cm_rows *wanted = &job->wanted;
+    if (row >= wanted->first_row && row < wanted->first_row + wanted->row_count &&
+        column >= wanted->first_column && column < wanted->first_column + wanted->column_count)
+    {
+        uint32_t picture_column, picture_row;
+        ptrdiff_t stride;
+        unsigned char *to =
+            target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
+        memset(to, 0, job->to->channels * cm_pixel_size(job->to->type));
+    }
+}
+
+static void clear_rest(const resample_job *job, unsigned plane, uint32_t block_column,
+                       uint32_t block_row, const cm_group *groups, unsigned count)
+{
+    unsigned char there[CM_BLOCK_PIXELS] = {0};
+    for (unsigned i = 0; i < count; i++)
+    {
+        for (unsigned k = 0; k < groups[i].count; k++)
+        {
+            there[groups[i].pixel[k]] = 1;
+        }
+    }
+    for (unsigned i = 0; i < CM_BLOCK_PIXELS; i++)
+    {
+        if (!there[i])
+        {
+            clear_pixel(job, plane, block_column * CM_BLOCK_EDGE + i % CM_BLOCK_EDGE,
+                        block_row * CM_BLOCK_EDGE + i / CM_BLOCK_EDGE);
+        }
+    }
+}
+
+static cm_status do_block(const resample_job *job, resample_desk *desk, unsigned plane,
+                          uint32_t block_column, uint32_t block_row)
+{
+    const unsigned count =
+        cm_geometry_block(desk->geometry, plane, block_column, block_row, desk->groups);
+    cm_status status = CM_OK;
+    unsigned pixels = 0;
+    for (unsigned i = 0; i < count && status == CM_OK; i++)
+    {
+        status = cm_source_sample(job->source, &desk->groups[i], &desk->scratch, desk->pixels);
+        if (status == CM_OK)
+        {
+            store_group(job, plane, block_column, block_row, &desk->groups[i], desk->pixels);
+        }
+        pixels += desk->groups[i].count;
+    }
+    if (pixels < CM_BLOCK_PIXELS)
+    {
+        clear_rest(job, plane, block_column, block_row, desk->groups, count);
+    }
+    return status;
+}
+
+static cm_status do_block_row(const resample_job *job, resample_desk *desk, unsigned plane,
+                              uint32_t block_row)
+{
+    const cm_rows *wanted = &job->wanted;
+    const uint32_t first = wanted->first_column / CM_BLOCK_EDGE;
+    const uint32_t last = (wanted->first_column + wanted->column_count - 1) / CM_BLOCK_EDGE;
+    cm_status status = CM_OK;
+    for (uint32_t column = first; column <= last && status == CM_OK; column++)
+    {
+        status = do_block(job, desk, plane, column, block_row);
+    }
+    return status;
+}
+
+static uint32_t block_rows_before(const cm_rows *wanted)
+{
+    return wanted->first_row / CM_BLOCK_EDGE;
+}
+
+static uint32_t block_rows_of(const cm_rows *wanted)
+{
+    return (wanted->first_row + wanted->row_count - 1) / CM_BLOCK_EDGE + 1 -
+           block_rows_before(wanted);
+}
+
+/* Rows of blocks, of all wanted planes in a row. */
+static void do_rows(size_t begin, size_t end, void *user)
+{
+    resample_job *job = user;
+    resample_desk *desk = calloc(1, sizeof *desk);
+    cm_status status = desk == NULL ? CM_ERROR_MEMORY : CM_OK;
+    if (status == CM_OK)
+    {
+        desk->geometry = cm_geometry_create(job->plan, job->source->filter == CM_FILTER_EWA);
+        desk->pixels = malloc(CM_BLOCK_PIXELS * job->source->level.pixel_size + 64);
+        status = desk->geometry == NULL || desk->pixels == NULL ? CM_ERROR_MEMORY : CM_OK;
+    }
+    const uint32_t rows = block_rows_of(&job->wanted);
+    /* a row counts as ROW_WEIGHT elements, so that a thread may have as few rows as it likes */
+    for (size_t at = begin / ROW_WEIGHT; at < end / ROW_WEIGHT && status == CM_OK; at++)
+    {
+        status = do_block_row(job, desk, job->wanted.plane + (unsigned)(at / rows),
+                              block_rows_before(&job->wanted) + (uint32_t)(at % rows));
+    }
+    if (status != CM_OK)
+    {
+        atomic_store(&job->failed, (int)status);
+    }
+    if (desk != NULL)
+    {
+        cm_geometry_destroy(desk->geometry);
+        free(desk->scratch.bytes);
+        free(desk->pixels);
+        free(desk);
+    }
+}
+
+/* ---- what is asked ---- */
+
+/* Zeros stand for all of it. Returns how many planes are wanted, 0 if the surface does not have the rows. */
+static uint32_t complete(const cm_surface *to, cm_rows *rows)
+{
+    uint32_t planes = 1;
+    if (rows->row_count == 0)
+    {
+        planes = to->planes;
+        *rows = (cm_rows){.row_count = to->height, .column_count = to->width};
+    }
+    rows->column_count =
+        rows->column_count == 0 ? to->width - rows->first_column : rows->column_count;
+    const int good = rows->plane < to->planes && rows->first_row < to->height &&
+                     rows->row_count <= to->height - rows->first_row &&
+                     rows->first_column < to->width &&
+                     rows->column_count <= to->width - rows->first_column;
+    return good ? planes : 0;
+}
+
+cm_status cm_resample_source(const cm_plan *plan, const cm_source *source, cm_image *to,
+                             cm_rows rows, unsigned threads)
+{
+    if (plan == NULL || source == NULL || to == NULL || source->plan != plan)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    resample_job job = {.plan = plan, .source = source, .to = to, .wanted = rows};
+    cm_status status = cm_pictures_check(plan->to, to);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    job.values = cm_values_of(plan, to);
+    job.values.working = source->values.working;
+    const uint32_t planes = complete(plan->to, &job.wanted);
+    if (planes == 0 || to->channels != source->values.channels || to->type != source->target_type)
+    {
+        return CM_ERROR_RANGE;
+    }
+    atomic_init(&job.failed, CM_OK);
+    cm_run_threads(threads, (size_t)planes * block_rows_of(&job.wanted) * ROW_WEIGHT,
+                   4 * ROW_WEIGHT, do_rows, &job);
+    return (cm_status)atomic_load(&job.failed);
+}
+
+cm_status cm_resample(const cm_plan *plan, const cm_image *from, cm_image *to, cm_rows rows)
+{
+    cm_source *source;
+    if (to == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    cm_status status = cm_source_create(plan, from, to->type, 1, &source);
+    if (status == CM_OK)
+    {
+        status = cm_resample_source(plan, source, to, rows, 1);
+        cm_source_destroy(source);
+    }
+    return status;
+}

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT */
+#include "spline.h"
+#include "filter_set.h"
+
+#include <cubemap/threads.h>
+
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct spline_job
+{
+    const cm_padded *padded;
+    const cm_filter_set *set;
+    size_t high;   /* rows with their border */
+    size_t floats; /* of a row with its border */
+    atomic_int failed;
+} spline_job;
+
+static float *corner_of(const cm_padded *padded, size_t plane)
+{
+    return padded->memory + plane * padded->plane_floats;
+}
+
+static void do_rows(size_t begin, size_t end, void *user)
+{
+    spline_job *job = user;
+    const cm_padded *padded = job->padded;
+    float *desk = malloc(CM_BUNDLE_ROWS * job->floats * sizeof(float));
+    if (desk == NULL)
+    {
+        atomic_store(&job->failed, CM_ERROR_MEMORY);
+        return;
+    }
+    const size_t per_plane = (job->high + CM_BUNDLE_ROWS - 1) / CM_BUNDLE_ROWS;
+    for (size_t at = begin / CM_TASK; at < end / CM_TASK; at++)
+    {
+        const size_t row = at % per_plane * CM_BUNDLE_ROWS;
+        const size_t rows = job->high - row < CM_BUNDLE_ROWS ? job->high - row : CM_BUNDLE_ROWS;
+        job->set->spline_rows(corner_of(padded, at / per_plane) + row * (size_t)padded->row, rows,
+                              padded->row, job->floats, padded->channels, desk);
+    }
+    free(desk);
+}
+
+static void do_columns(size_t begin, size_t end, void *user)
+{
+    spline_job *job = user;
+    const cm_padded *padded = job->padded;
+    const size_t per_plane = (job->floats + CM_BUNDLE_COLUMNS - 1) / CM_BUNDLE_COLUMNS;
+    for (size_t at = begin / CM_TASK; at < end / CM_TASK; at++)
+    {
+        const size_t first = at % per_plane * CM_BUNDLE_COLUMNS;
+        const size_t left = job->floats - first;
+        job->set->spline_columns(corner_of(padded, at / per_plane) + first,
+                                 left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS, job->high,
+                                 padded->row);
+    }
+}
+
+static void look_at(const cm_padded *padded, const cm_values *values, cm_level *level)
+{
+    const unsigned char *end =
+        (const unsigned char *)(padded->memory + padded->planes * padded->plane_floats);
+    memset(level, 0, sizeof *level);
+    level->values = values;
+    level->planes = padded->planes;
+    level->width = padded->width;
+    level->height = padded->height;
+    level->channels = padded->channels;
+    level->pixel_size = padded->channels * sizeof(float);
+    level->is_plain = 1;
+    level->reach = padded->beside < padded->beyond ? padded->beside : padded->beyond;
+    for (unsigned plane = 0; plane < padded->planes; plane++)
+    {
+        cm_level_plane *to = &level->plane[plane];
+        to->pixels = (const unsigned char *)padded->first[plane];
+        to->row_stride = padded->row * (ptrdiff_t)sizeof(float);
+        to->pixel_stride = (ptrdiff_t)level->pixel_size;
+        to->end = end;
+    }
+}
+
+cm_status cm_spline_make(const cm_surface *surface, const cm_image *pictures,
+                         const cm_values *values, const cm_sample_set *set, unsigned threads,
+                         cm_padded *coefficients, cm_level *level)
+{
+    const int32_t border = CM_SPLINE_START + CM_FILTER_TAPS_MAX / 2;
+    cm_status status = cm_padded_create(surface, surface->width, surface->height, values->working,
+                                        border, border, CM_PADDED_PIXELS, threads, coefficients);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    status = cm_padded_load(coefficients, surface, pictures, values, set, threads);
+    spline_job job = {.padded = coefficients, .set = cm_filter_set_find(set->name)};
+    job.high = coefficients->height + 2 * (size_t)coefficients->beyond;
+    job.floats = (coefficients->width + 2 * (size_t)coefficients->beside) * values->working;
+    atomic_init(&job.failed, (int)status);
+    if (status == CM_OK)
+    {
+        const size_t bundles = (job.high + CM_BUNDLE_ROWS - 1) / CM_BUNDLE_ROWS;
+        const size_t stripes = (job.floats + CM_BUNDLE_COLUMNS - 1) / CM_BUNDLE_COLUMNS;
+        cm_run_threads(threads, coefficients->planes * bundles * CM_TASK, CM_TASK, do_rows, &job);
+        cm_run_threads(threads, coefficients->planes * stripes * CM_TASK, CM_TASK, do_columns,
+                       &job);
+        status = (cm_status)atomic_load(&job.failed);
+    }
+    if (status != CM_OK)
+    {
+        cm_padded_free(coefficients);
+        return status;
+    }
+    look_at(coefficients, values, level);
+    return CM_OK;
+}

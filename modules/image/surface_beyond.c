@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Planes that go on beyond their edges: what a filter's footprint reaches there is on a neighbour, in directions that
+ * continue those inside smoothly. They are polynomials through the centres of the last pixels before the edge, so
+ * that no kind needs formulas for what is outside of it.
+ */
+#include "surface_object.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Points of a polynomial, from the edge inwards: a pixel apart, or what is taken for one. */
+#define NODES 8
+
+/* Places that are done at once, and nodes for them: neighbours along a line that leaves the plane share theirs. */
+#define PLACES 64
+#define NODES_MOST 512
+
+/* Distances from an edge whose weights are kept. */
+#define DISTANCES 16
+
+/* How a coordinate comes from those of nodes: itself, if it is on the plane. */
+typedef struct nodes
+{
+    unsigned count;
+    double first;
+    double step;     /* from node to node */
+    double distance; /* in steps, from the first node outwards; 0: on the plane */
+} nodes;
+
+/* Weights for a distance from the edge. */
+typedef struct weights
+{
+    unsigned count;
+    double distance;
+    double weight[NODES];
+} weights;
+
+typedef struct weight_table
+{
+    unsigned used;
+    weights at[DISTANCES];
+} weight_table;
+
+/* What is under way. */
+typedef struct work
+{
+    const cm_surface *surface;
+    unsigned plane;
+    double spacing[2];
+    unsigned places;
+    unsigned count; /* of nodes */
+    nodes right[PLACES];
+    nodes down[PLACES];
+    unsigned first[PLACES]; /* of a place's nodes, by rows */
+    double column[NODES_MOST];
+    double row[NODES_MOST];
+    double axis[3][NODES_MOST];
+    weight_table table;
+} work;
+
+/* Lagrange's weights of nodes 0, 1, ..., for what is that far before the first. */
+static void weigh(unsigned count, double distance, weights *at)
+{
+    at->count = count;
+    at->distance = distance;
+    for (unsigned i = 0; i < count; i++)
+    {
+        at->weight[i] = 1.0;
+        for (unsigned k = 0; k < count; k++)
+        {
+            at->weight[i] *= k == i ? 1.0 : (-distance - k) / ((double)i - k);
+        }
+    }
+}
+
+/* From the table, which begins anew when it is full. */
+static const double *weights_of(weight_table *table, const nodes *at)
+{
+    for (unsigned i = 0; i < table->used; i++)
+    {
+        if (table->at[i].distance == at->distance && table->at[i].count == at->count)
+        {
+            return table->at[i].weight;
+        }
+    }
+    table->used = table->used == DISTANCES ? 0 : table->used;
+    weights *made = &table->at[table->used++];
+    weigh(at->count, at->distance, made);
+    return made->weight;
+}
+
+/* room is how far it is to a crease. */
+static nodes nodes_of(double place, double extent, double room, double spacing)
+{
+    if (place >= 0.0 && place <= extent)
+    {
+        return (nodes){.count = 1, .first = place};
+    }
+    const double least = (room < extent ? room : extent) / spacing;
+    const double most = least < NODES ? least : NODES;
+    const unsigned count = most >= 1.0 ? (unsigned)most : 1;
+    return place < 0.0 ? (nodes){count, 0.0, spacing, -place / spacing}
+                       : (nodes){count, extent, -spacing, (place - extent) / spacing};
+}
+
+static int are_same(const nodes *a, const nodes *b)
+{
+    return a->count == b->count && a->first == b->first && a->step == b->step;
+}
+
+/* The distance to the nearest corner, along an edge that goes from 0 to extent. */
+static double to_corner(double along, double extent)
+{
+    return fmax(fmin(along, extent - along), 0.0);
+}
+
+/* Takes a place, or leaves it for the next time: 0. */
+static int take_place(work *at, double column, double row)
+{
+    const cm_surface *surface = at->surface;
+    const double width = surface->width;
+    const double height = surface->height;
+    /* creases are on diagonals, so that there are as many pixels before one as to the corner */
+    const nodes right = nodes_of(column, width, surface->creased ? to_corner(row, height) : width,
+                                 at->spacing[0]);
+    const nodes down = nodes_of(row, height, surface->creased ? to_corner(column, width) : height,
+                                at->spacing[1]);
+    const unsigned i = at->places;
+    const int has_nodes =
+        i > 0 && are_same(&at->right[i - 1], &right) && are_same(&at->down[i - 1], &down);
+    if (i == PLACES || (!has_nodes && at->count + right.count * down.count > NODES_MOST))
+    {
+        return 0;
+    }
+    at->right[i] = right;
+    at->down[i] = down;
+    at->first[i] = has_nodes ? at->first[i - 1] : at->count;
+    at->places++;
+    for (unsigned j = 0; !has_nodes && j < down.count; j++)
+    {
+        for (unsigned k = 0; k < right.count; k++, at->count++)
+        {
+            at->column[at->count] = right.first + right.step * k;
+            at->row[at->count] = down.first + down.step * j;
+        }
+    }
+    return 1;
+}
+
+/* The three axes, by rows of nodes, and then by their columns. */
+static void sum_nodes(const work *at, unsigned place, const double *across, const double *along,
+                      double sum[3])
+{
+    unsigned node = at->first[place];
+    sum[0] = sum[1] = sum[2] = 0.0;
+    for (unsigned j = 0; j < at->down[place].count; j++)
+    {
+        for (unsigned i = 0; i < at->right[place].count; i++, node++)
+        {
+            const double weight = along[j] * across[i];
+            sum[0] += weight * at->axis[0][node];
+            sum[1] += weight * at->axis[1][node];
+            sum[2] += weight * at->axis[2][node];
+        }
+    }
+}
+
+static void finish(work *at, double *x, double *y, double *z)
+{
+    static const double one = 1.0;
+    cm_surface_own_directions(at->surface, at->plane, at->count, at->column, at->row, at->axis[0],
+                              at->axis[1], at->axis[2]);
+    for (unsigned i = 0; i < at->places; i++)
+    {
+        const nodes *right = &at->right[i];
+        const nodes *down = &at->down[i];
+        double along[NODES];
+        const double *found = down->distance == 0.0 ? &one : weights_of(&at->table, down);
+        /* a copy, since the table may begin anew */
+        memcpy(along, found, down->count * sizeof *along);
+        const double *across = right->distance == 0.0 ? &one : weights_of(&at->table, right);
+        double sum[3];
+        sum_nodes(at, i, across, along, sum);
+        x[i] = sum[0];
+        y[i] = sum[1];
+        z[i] = sum[2];
+    }
+    at->places = 0;
+    at->count = 0;
+}
+
+void cm_surface_directions_spaced(const cm_surface *surface, unsigned plane,
+                                  const double spacing[2], size_t n, const double *column, const double *row, double *x, double *y,
+                                  double *z)
+{
+    if (surface->methods->can_go_beyond)
+    {
+        cm_surface_own_directions(surface, plane, n, column, row, x, y, z);
+        return;
+    }
+    work at;
+    at.surface = surface;
+    at.plane = plane;
+    at.spacing[0] = spacing[0];
+    at.spacing[1] = spacing[1];
+    at.places = at.count = at.table.used = 0;
+    size_t done = 0;
+    for (size_t i = 0; i < n;)
+    {
+        if (take_place(&at, column[i], row[i]))
+        {
+            i++;
+            continue;
+        }
+        finish(&at, x + done, y + done, z + done);
+        done = i;
+    }
+    finish(&at, x + done, y + done, z + done);
+}
+
+void cm_surface_directions_beyond(const cm_surface *surface, unsigned plane, size_t n,
+                                  const double *column, const double *row, double *x, double *y,
+                                  double *z)
+{
+    const double pixel[2] = {1.0, 1.0};
+    cm_surface_directions_spaced(surface, plane, pixel, n, column, row, x, y, z);
+}

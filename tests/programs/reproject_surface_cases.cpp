@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: MIT
+//
+// What cubemap-reproject makes of surfaces of all kinds, of what files say of themselves, and of values.
+
+#include "direction_image.hpp"
+#include "image_cases.hpp"
+#include "picture.hpp"
+#include "picture_checks.hpp"
+
+#include "tools/reproject/reproject_main.h"
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+
+namespace
+{
+
+// The program must succeed, say one line on standard error that matches, and what it did.
+Ran warns(const std::string &name, const std::string &expression, const std::string &line)
+{
+    const Ran ran = run(line);
+    result(ran.status == 0 && matches(ran.err, expression) &&
+               ran.err.find('\n') == ran.err.size() - 1,
+           name, ran.err + ran.out);
+    return ran;
+}
+
+void says(const std::string &name, const std::string &expression, const std::string &line)
+{
+    const Ran ran = does(line);
+    result(matches(ran.out, expression) && ran.err.empty(), name, ran.out + ran.err);
+}
+
+// ---- TIFF files, byte by byte
+
+template <typename Number> std::string bytes_of(Number number)
+{
+    char bytes[sizeof number];
+    std::memcpy(bytes, &number, sizeof number);
+    return std::string(bytes, sizeof number);
+}
+
+struct TiffTag
+{
+    std::uint16_t number;
+    std::uint16_t type; // 3: short, 4: long, 12: double
+    std::uint32_t count;
+    std::string values;
+};
+
+TiffTag shorts(std::uint16_t number, const std::vector<std::uint16_t> &values)
+{
+    std::string bytes;
+    for (const std::uint16_t value : values)
+    {
+        bytes += bytes_of(value);
+    }
+    return {number, 3, static_cast<std::uint32_t>(values.size()), bytes};
+}
+
+TiffTag doubles(std::uint16_t number, const std::vector<double> &values)
+{
+    std::string bytes;
+    for (const double value : values)
+    {
+        bytes += bytes_of(value);
+    }
+    return {number, 12, static_cast<std::uint32_t>(values.size()), bytes};
+}
+
+// One channel of floats, with further tags in the order of their numbers. For machines with the lowest byte first.
+void write_tiff(const std::string &name, std::uint16_t width, std::uint16_t height,
+                const std::vector<float> &pixels, const std::vector<TiffTag> &more = {})
+{
+    const auto size = static_cast<std::uint32_t>(pixels.size() * sizeof(float));
+    std::vector<TiffTag> tags = {
+        shorts(256, {width}), shorts(257, {height}), shorts(258, {32}),
+        shorts(259, {1}),     shorts(262, {1}),      {273, 4, 1, bytes_of(std::uint32_t{8})},
+        shorts(277, {1}),     shorts(278, {height}), {279, 4, 1, bytes_of(size)},
+        shorts(339, {3})};
+    tags.insert(tags.end(), more.begin(), more.end());
+    const auto head = static_cast<std::uint32_t>(8 + size);
+    std::string file = "II" + bytes_of(std::uint16_t{42}) + bytes_of(head);
+    for (const float pixel : pixels)
+    {
+        file += bytes_of(pixel);
+    }
+    std::string entries = bytes_of(static_cast<std::uint16_t>(tags.size()));
+    std::string behind;
+    const auto end = static_cast<std::uint32_t>(head + 2 + 12 * tags.size() + 4);
+    for (const TiffTag &tag : tags)
+    {
+        const bool fits = tag.values.size() <= 4;
+        const auto place = static_cast<std::uint32_t>(end + behind.size());
+        entries += bytes_of(tag.number) + bytes_of(tag.type) + bytes_of(tag.count) +
+                   (fits ? tag.values + std::string(4 - tag.values.size(), '\0') : bytes_of(place));
+        behind += fits ? "" : tag.values;
+    }
+    write_file(name, file + entries + bytes_of(std::uint32_t{0}) + behind);
+}
+
+// ---- kinds of surfaces
+
+void there_and_back(const std::string &to, double largest, double mean,
+                    const std::string &filter = "bilinear")
+{
+    does("reproject --quiet --filter " + filter + " --to " + to + " equirect.tif there.tif");
+    does("reproject --quiet --filter bilinear there.tif back.tif");
+    holds("equirect to " + to + " and back",
+          [&] { check_direction_image(equirect_shape, "back.tif", largest, mean); });
+}
+
+void kinds()
+{
+    make_direction_image(equirect_shape, 1024 / one_in(2), "equirect.tif");
+    for (const char *layout : {"vcross", "column", "3x2", "2x3", "eac", "eac:pad=3"})
+    {
+        there_and_back(std::string("cube;layout=") + layout, 2e-3, 5e-5);
+    }
+    there_and_back("cube:qsc;frame=gl;layout=cross:north=0,south=3;size=256", 2e-3, 5e-5);
+    there_and_back("healpix:128", 2e-3, 5e-5);
+    there_and_back("equal-area;size=1024", 2e-2, 6e-4); // few rows near the poles
+    there_and_back("dual-fisheye:equidistant:fov=200;size=1024", 2e-3, 5e-5);
+    there_and_back("healpix:128", 2e-3, 5e-5, "ewa");
+    does(
+        "reproject --quiet --to cube --layout strip --size 17 --filter ewa equirect.tif strip.tif");
+    holds("a pole in the middle of a footprint",
+          [] {
+              check_direction_image({"coupled", "geo", "strip"}, "strip.tif", 5e-3, 3e-3);
+          });
+    does("reproject --quiet --to cube --layout vcross equirect.tif there.tif");
+    says("vcross by its shape", "^there\\.tif \\(cube:coupled, frame geo, vcross",
+         "reproject --from cube:coupled there.tif back.tif");
+}
+
+// A part of a picture, with its edges between pixels, has the same pixels.
+void parts()
+{
+    make_noise(72, 36, "noise.ppm"); // 5 degrees a pixel
+    const std::string whole = content_of("noise.ppm");
+    const std::string pixels = whole.substr(whole.size() - std::size_t{72} * 36 * 3);
+    std::string part = "P6 18 9 255\n";
+    for (std::size_t row = 9; row < 18; ++row)
+    {
+        part += pixels.substr((row * 72 + 36) * 3, 18 * 3);
+    }
+    write_file("part.ppm", part);
+    const std::string spec = "equirect;west=0;east=90;south=0;north=45";
+    does("reproject --quiet --filter bilinear --to " + spec + ";size=18 noise.ppm cut.png");
+    passes("a part of an equirectangular picture", "compare --max 0 cut.png part.ppm");
+    says("its tag says where it is", "^cut\\.png \\(equirect;west=0;east=90;south=0;north=45 18x9",
+         "reproject --to equirect --size 72 cut.png back.png");
+    does("reproject --quiet --to equirect --filter bilinear --size 72 --from " + spec +
+         " part.ppm again.png");
+    passes("and what --from says is the same", "compare --max 0 back.png again.png");
+    says("a view has the density of its source", "-> view\\.png \\(view:fov=90 [12][0-9]x1[0-9];",
+         "reproject --to view:fov=90 noise.ppm view.png");
+}
+
+struct WrongSurface
+{
+    const char *name;
+    const char *words;
+    const char *arguments;
+};
+
+constexpr WrongSurface wrong[] = {
+    {"layout twice", "has layout=cross; leave one out",
+     "--to cube;layout=cross --layout strip noise.ppm made/a.png"},
+    {"frame twice", "has frame=gl; leave one out",
+     "--from cube;frame=gl --from-frame geo noise.ppm made/a.png"},
+    {"size twice", "has a size already", "--to equirect;size=64 --size 64 noise.ppm made/a.png"},
+    {"size and density", "leave one out", "--size 64 --keep mean noise.ppm made/a.png"},
+    {"density that is none", "mean or max", "--keep least noise.ppm made/a.png"},
+    {"unknown key", "has no key 'edge'", "--to cube;edge=3 noise.ppm made/a.png"},
+    {"nearly a kind", "did you mean healpix", "--to healpx:4 noise.ppm made/a.png"},
+    {"rotation that is none", "--rotate: ", "--rotate 10 noise.ppm made/a.png"},
+    {"nearly an orientation", "did you mean land-coupled",
+     "--rotate land-couple noise.ppm made/a.png"},
+    {"program that is none", "--for is 'blender', not", "--for blender noise.ppm made/a.png"},
+    {"a program and a mapping", "leave those out", "--for unity --to cube noise.ppm made/a.png"},
+    {"two ways to be light", "leave one out", "--linear --gamma 2 noise.ppm made/a.png"},
+    {"a vector of two", "INPUT has 3", "--vector 2 noise.ppm made/a.png"},
+    {"no such treatment", "skip, zero, spread, refuse", "--not-finite keep noise.ppm made/a.png"},
+    {"tolerance too large", "--tolerance", "--tolerance 2 noise.ppm made/a.png"},
+    {"compression of another format", "a number from 0 to 9",
+     "--compression lzw noise.ppm made/a.png"},
+    {"compression that is none", "one of: none lzw zip packbits",
+     "--compression zap noise.ppm made/a.tif"},
+    {"quality too high", "a quality from 1 to 100", "--compression 101 noise.ppm made/a.jpg"},
+    {"compression of HDR", "one way only", "--compression rle noise.ppm made/a.hdr"},
+    {"dither and lines", "leave one out", "--dither --graticule 30 noise.ppm made/a.png"},
+};
+
+void surface_arguments()
+{
+    make_noise(64, 32, "noise.ppm");
+    for (const WrongSurface &each : wrong)
+    {
+        fails(each.name, 2, each.words, std::string("reproject ") + each.arguments);
+    }
+    fails("a shape that the kind has not", 1, "64 x 32, no image in healpix:8",
+          "reproject --from healpix:8 noise.ppm made/a.png");
+}
+
+void sizes()
+{
+    make_noise(64, 32, "noise.ppm");
+    // 6 n^2 = 64 x 32
+    says("as many pixels", "gnomonic, frame geo, 18x18, as many pixels as INPUT;",
+         "reproject --keep mean --to cube:gnomonic noise.ppm mean.png");
+    // the middle of a face has n / 2 pixels a radian, the source 64 / (2 pi)
+    says("nowhere fewer", "gnomonic, frame geo, 21x21, as dense as INPUT where it is densest;",
+         "reproject --keep max --to cube:gnomonic noise.ppm max.png");
+    // tan: 4 n / pi at the edges' middles and corners, where faces are densest
+    says("back, where faces are densest", "\\(equirect [0-9]*x[0-9]*, as dense",
+         "reproject --keep max max_%f.png back.png");
+    says("HEALPix has powers of two", "healpix:16 192x16;",
+         "reproject --to healpix noise.ppm healpix.png");
+}
+
+// ---- orientation
+
+void rotations()
+{
+    make_noise(64, 32, "noise.ppm");
+    const std::string whole = content_of("noise.ppm");
+    const std::string pixels = whole.substr(whole.size() - std::size_t{64} * 32 * 3);
+    std::string shifted = "P6 64 32 255\n";
+    for (std::size_t row = 0; row < 32; ++row)
+    {
+        const std::string line = pixels.substr(row * 64 * 3, 64 * 3);
+        shifted += line.substr(16 * 3) + line.substr(0, 16 * 3);
+    }
+    write_file("shifted.ppm", shifted);
+    const std::string same = "reproject --quiet --filter nearest --to equirect ";
+    does(same + "--rotate 90,0 noise.ppm turned.png");
+    passes("a quarter turn to the east", "compare --max 0 turned.png shifted.ppm");
+    does(same + "turned.png back.png");
+    passes("and its tag turns it back", "compare --max 0 back.png noise.ppm");
+    does(same + "--from-rotate 90,0,0 shifted.ppm back.png");
+    passes("and so does --from-rotate", "compare --max 0 back.png noise.ppm");
+    says("an orientation by its name", "turned by [-0-9.]+,[-0-9.]+,[-0-9.]+;",
+         "reproject --rotate land-coupled noise.ppm land_%f.png");
+}
+
+// An image of directions stays one of directions in the axes of the target, if they are turned with it.
+void vectors()
+{
+    make_direction_image(equirect_shape, 512, "equirect.tif");
+    does("reproject --quiet --to equirect --vector 1 --rotate 30,40,50 equirect.tif turned.tif");
+    holds("vectors turn with the axes",
+          [] { check_direction_image(equirect_shape, "turned.tif", 1e-4, 3e-5); });
+    does("reproject --quiet --to equirect --vector 1 turned.tif back.tif");
+    holds("and back", [] { check_direction_image(equirect_shape, "back.tif", 2e-4, 6e-5); });
+}
+
+// ---- what files say
+
+void surface_tags()
+{
+    make_noise(64, 32, "noise.ppm");
+    for (const std::string extension : {"png", "tif", "jpg", "exr"})
+    {
+        does(
+            "reproject --quiet --to cube:qsc --frame gl --layout cross --rotate 10,20,30 noise.ppm "
+            "cross." +
+            extension);
+        says("a tag in ." + extension,
+             "^cross\\." + extension + " \\(cube:qsc, frame gl, cross 64x48, turned by 10,20,30,",
+             "reproject cross." + extension + " back." + extension);
+        const std::string again = describe_image("back." + extension);
+        result(matches(again, "cubemap:surface=equirect;size=64;height=32") &&
+                   !matches(again, "cube:qsc|cubemap:rotation"),
+               "the tag is the output's own, ." + extension, again);
+    }
+    warns("what the command line says counts",
+          "'cross.png' says that it is cube:qsc;frame=gl;layout=cross;size=16; it is taken as "
+          "cube:coupled;",
+          "reproject --quiet --from cube cross.png back.png");
+    warns("turned otherwise", "turned by 10,20,30; it is taken as turned by 0,0,0",
+          "reproject --quiet --from cube:qsc --from-frame gl cross.png back.png");
+    fails("a shape that cannot be", 1, "must be 6N x N",
+          "reproject --from cube --from-layout strip cross.png made/a.png");
+    passes("the same in words", "reproject --quiet --from cube:qsc --from-frame gl --from-rotate "
+                                "10,20,30 cross.png back.png");
+    does("reproject --quiet noise.ppm face_%f.png");
+    fails("one of six", 1, "one of six faces", "reproject face_0.png made/a.png");
+    make_constant(32, 16, 3, "uint8", 0.5f, "scaled.png",
+                  {"cubemap:surface=cube:qsc;layout=cross"});
+    const Ran ran = warns("a picture that was scaled", "but is 32 x 16; its shape counts",
+                          "reproject scaled.png back_%f.png");
+    result(matches(ran.out, "^scaled\\.png \\(equirect 32x16"), "is taken by its shape", ran.out);
+    make_constant(32, 16, 3, "uint8", 0.5f, "people.tif", {"ImageDescription=Two people"});
+    does("reproject --quiet people.tif strip.tif --layout strip");
+    does("reproject --quiet strip.tif back.tif");
+    const std::string text = describe_image("back.tif");
+    result(matches(text, "ImageDescription=Two people\ncubemap:surface=equirect;") &&
+               !matches(text, "layout=strip"),
+           "what people have written stays", text);
+}
+
+void photo_spheres()
+{
+    make_constant(40, 20, 3, "uint8", 0.5f, "part.jpg",
+                  {"GPano:ProjectionType=equirectangular", "GPano:FullPanoWidthPixels=160",
+                   "GPano:FullPanoHeightPixels=80", "GPano:CroppedAreaLeftPixels=80",
+                   "GPano:CroppedAreaTopPixels=20", "GPano:CroppedAreaImageWidthPixels=40",
+                   "GPano:CroppedAreaImageHeightPixels=20"});
+    says("a part of a photo sphere",
+         "^part\\.jpg \\(equirect;west=0;east=90;south=0;north=45 40x20,",
+         "reproject part.jpg face_%f.png");
+    does("reproject --quiet --to equirect --size 64 part.jpg whole.jpg");
+    const std::string text = content_of("whole.jpg");
+    result(matches(text.substr(text.find("<x:xmpmeta")), "GPano:ProjectionType=.equirectangular.*"
+                                                         "GPano:FullPanoWidthPixels=.64"),
+           "an equirectangular JPEG is one");
+    const std::string face =
+        (does("reproject --quiet part.jpg face_%f.jpg"), content_of("face_0.jpg"));
+    result(face.find("GPano") == std::string::npos, "a face is none");
+}
+
+// Keys: version, then of geographic coordinates, pixels that are areas, in degrees of EPSG:4326.
+TiffTag geo_keys(std::uint16_t model, std::uint16_t raster, std::uint16_t key, std::uint16_t code)
+{
+    return shorts(34735, {1, 1, 0, 3, 1024, 0, 1, model, 1025, 0, 1, raster, key, 0, 1, code});
+}
+
+void georeferences()
+{
+    const std::vector<float> pixels(32, 0.5f);
+    const TiffTag scale = doubles(33550, {10, 10, 0});
+    const TiffTag tie = doubles(33922, {0, 0, 0, 20, 50, 0});
+    write_tiff("area.tif", 8, 4, pixels, {scale, tie, geo_keys(2, 1, 2048, 4326)});
+    says("placed by longitude and latitude",
+         "^area\\.tif \\(equirect;west=20;east=100;south=10;north=50 8x4,",
+         "reproject --to equirect --size 36 area.tif whole.tif");
+    holds("it is where it says",
+          []
+          {
+              check_pixel("whole.tif", 18 + 2, 4, {0.5});
+              check_pixel("whole.tif", 18 + 9, 7, {0.5});
+              check_pixel("whole.tif", 18 + 1, 4, {0});
+              check_pixel("whole.tif", 18 + 5, 3, {0});
+          });
+    write_tiff("point.tif", 8, 4, pixels, {scale, tie, geo_keys(2, 2, 2048, 4326)});
+    says("pixels that are points", "west=15;east=95;south=15;north=55 8x4,",
+         "reproject --to equirect --size 36 point.tif out.tif");
+    const double turned[] = {45, 0, 0, -180, 0, -45, 0, 90, 0, 0, 0, 0, 0, 0, 0, 1};
+    write_tiff(
+        "whole.tif", 8, 4, pixels,
+        {doubles(34264, {std::begin(turned), std::end(turned)}), geo_keys(2, 1, 2048, 4326)});
+    says("the whole Earth", "^whole\\.tif \\(equirect 8x4,", "reproject whole.tif face_%f.tif");
+    write_tiff("utm.tif", 8, 4, pixels, {scale, tie, geo_keys(1, 1, 3072, 32632)});
+    fails("placed in metres", 1, "by EPSG:32632; make it EPSG:4326 \\(gdalwarp",
+          "reproject utm.tif made/a.tif");
+    passes("unless --from says what it is", "reproject --quiet --from equirect utm.tif out.tif");
+}
+
+void sidecars()
+{
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet --sidecar --filter nearest --for opengl noise.ppm sky_%f.png");
+    const std::string text = content_of("sky.json");
+    result(matches(text, "\"surface\": \"cube:gnomonic;frame=gl;layout=faces;size=16\"") &&
+               matches(text, "\"rotation\": \\[90,0,90\\]") &&
+               matches(text, "\"sky_0.png\", .*\"sky_5.png\"") &&
+               matches(text, "\"filter\": \"nearest\""),
+           "a file beside the pictures", text);
+    does("reproject --quiet --sidecar noise.ppm --layout strip strip.hdr");
+    result(std::filesystem::exists("strip.json"), "for formats without tags, too");
+}
+
+void programs()
+{
+    make_direction_image(equirect_shape, 512, "equirect.tif");
+    for (const std::string program :
+         {"opengl", "vulkan", "directx", "unity", "unreal", "threejs", "youtube"})
+    {
+        const std::string name = program == "youtube" ? "sky.tif" : "sky_%f.tif";
+        does("reproject --quiet --for " + program + " equirect.tif " + name);
+        does("reproject --quiet " + name + " back.tif");
+        holds("for " + program + " and back",
+              [] { check_direction_image(equirect_shape, "back.tif", 3e-3, 1e-4); });
+    }
+}
+
+void manual()
+{
+    const std::string page = content_of(source_tree() + "/tools/reproject/cubemap-reproject.1.in");
+    const std::string examples = page.substr(page.find(".SH EXAMPLES"));
+    std::string missing;
+    const cm_option *option = nullptr;
+    for (std::size_t i = 0; (option = cm_options_at(&cm_reproject_command, i)) != nullptr; ++i)
+    {
+        std::string written = " \\-\\-";
+        for (const char *letter = option->name; *letter != '\0'; ++letter)
+        {
+            written += *letter == '-' ? "\\-" : std::string(1, *letter);
+        }
+        const bool printed = std::string(option->name) == "help" ||
+                             std::string(option->name) == "version" ||
+                             (option->flags & CM_OPTION_HIDDEN) != 0;
+        missing += printed || examples.find(written + " ") != std::string::npos
+                       ? ""
+                       : std::string(option->name) + " ";
+    }
+    result(missing.empty(), "the man page's examples have every option", missing);
+}
+
+// ---- values
+
+// Columns of 0 and 255: between two of them is the half.
+void light()
+{
+    std::string stripes = "P6 8 4 255\n";
+    for (int i = 0; i < 32; ++i)
+    {
+        stripes += i % 2 == 0 ? std::string(3, '\0') : std::string("\xff\xff\xff");
+    }
+    write_file("stripes.ppm", stripes);
+    const std::string half = "reproject --quiet --filter bilinear --to equirect --size 4 ";
+    const auto grey = [](const std::string &name, double value) {
+        holds(name,
+              [&] {
+                  check_pixel("half.png", 1, 0, {value / 255, value / 255, value / 255});
+              });
+    };
+    does(half + "stripes.ppm half.png");
+    grey("as it is stored, a half is 128", 128);
+    does(half + "--linear stripes.ppm half.png");
+    grey("as light, it is 188", 188);
+    does(half + "--gamma 2 stripes.ppm half.png");
+    grey("with a gamma of 2, 180", 180);
+    make_constant(64, 32, 3, "half", 0.5f, "light.exr");
+    says("light is written as sRGB, and it is said", "light written as sRGB",
+         "reproject --to equirect light.exr half.png");
+    grey("half of the light is 188", 188);
+    says("and the other way round", "sRGB written as light",
+         "reproject --to equirect half.png again.exr");
+    passes("they are the same", "compare --max 0.004 light.exr again.exr");
+    says("unless --stored", "\\(equirect 64x32; [a-z0-9-]*\\)$",
+         "reproject --stored --to equirect light.exr half.png");
+    grey("then a half is 128", 128);
+    make_constant(64, 32, 3, "float", -0.5f, "negative.exr");
+    does("reproject --quiet --layout strip --filter bilinear negative.exr strip.exr");
+    make_constant(96, 16, 3, "float", -0.5f, "wanted.exr");
+    passes("less than nothing stays", "compare --max 0 strip.exr wanted.exr");
+}
+
+void one_nan()
+{
+    std::vector<float> pixels(std::size_t{32} * 16, 0.5f);
+    pixels[std::size_t{8} * 32 + 16] = std::stof("nan");
+    write_tiff("nan.tif", 32, 16, pixels);
+    make_constant(32, 16, 1, "float", 0.5f, "half.tif");
+    const std::string same = "reproject --from equirect --to equirect --filter bilinear --size 64 ";
+    says("one NaN is skipped, and it is said", "1 value that is not finite skipped",
+         same + "nan.tif out.tif");
+    make_constant(64, 32, 1, "float", 0.5f, "wanted.tif");
+    passes("its neighbours stand for it", "compare --max 1e-6 out.tif wanted.tif");
+    says("or it is 0", "1 value that is not finite taken as 0",
+         same + "--not-finite zero nan.tif out.tif");
+    holds("in the middle", [] { check_pixel("out.tif", 32, 16, {0.5 * 7 / 16}); });
+    says("or it spreads", "1 value that is not finite kept",
+         same + "--not-finite spread nan.tif out.tif");
+    fails("as far as the filter reaches", 1, "inf, above",
+          "compare --quiet --max 1 out.tif wanted.tif");
+    fails("or it is refused", 1, "has a NaN at x = 16, y = 8, channel Y; --not-finite skip",
+          "reproject --not-finite refuse nan.tif made/a.tif");
+}
+
+void dithers()
+{
+    make_constant(64, 32, 1, "uint16", 0.5f + 0.3f / 255, "grey.tif");
+    does("reproject --quiet --to equirect --dither grey.tif grey.jpg --compression 100");
+    const Picture dithered("grey.jpg");
+    double sum = 0;
+    for (const float value : dithered.values)
+    {
+        sum += static_cast<double>(value) * 255;
+    }
+    const double mean = sum / static_cast<double>(dithered.values.size());
+    result(mean > 127.6 && mean < 128.0, "dithered, the mean stays", std::to_string(mean));
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet --threads 1 --dither noise.ppm one.png --layout cross");
+    does("reproject --quiet --threads 3 --dither noise.ppm three.png --layout cross");
+    result(same_content("one.png", "three.png"), "the same noise from any number of threads");
+}
+
+void files_and_filters()
+{
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet --compression lzw --layout strip noise.ppm strip.tif");
+    const std::string text = describe_image("strip.tif");
+    result(matches(text, "compression=lzw"), "compression of TIFF", text);
+    does("reproject --quiet --compression 20 --layout strip noise.ppm low.jpg");
+    does("reproject --quiet --compression 95 --layout strip noise.ppm high.jpg");
+    result(std::filesystem::file_size("low.jpg") < std::filesystem::file_size("high.jpg") / 2,
+           "quality of JPEG");
+    const std::string earth = source_tree() + "/tests/programs/golden/earth-64.png";
+    does("reproject --quiet --compression 0 --layout strip " + earth + " low.png");
+    does("reproject --quiet --compression 9 --layout strip " + earth + " high.png");
+    result(std::filesystem::file_size("low.png") > std::filesystem::file_size("high.png"),
+           "effort of PNG");
+    passes("pixels stay", "compare --max 0 low.png high.png");
+    make_direction_image(equirect_shape, 512, "equirect.tif");
+    struct Sharpness
+    {
+        const char *filter;
+        double largest;
+    };
+    for (const Sharpness &each :
+         {Sharpness{"catmull-rom", 1e-4}, Sharpness{"mitchell", 3e-4}, Sharpness{"lanczos3", 4e-4},
+          Sharpness{"spline36", 1e-4}, Sharpness{"bspline5", 1e-5}, Sharpness{"ewa", 1e-3},
+          Sharpness{"auto", 1e-3}})
+    {
+        const std::string filter = each.filter;
+        says("filter " + filter, "; " + (filter == "auto" ? "[a-z0-9-]+" : filter) + "\\)$",
+             "reproject --filter " + filter + " equirect.tif face_%f.tif");
+        const Shape faces = {"coupled", "geo", "faces"};
+        holds("and its values",
+              [&] { check_direction_image(faces, "face_%f.tif", each.largest, each.largest); });
+    }
+    does("reproject --quiet --tolerance 0 equirect.tif exact_%f.tif --filter bilinear");
+    does("reproject --quiet equirect.tif face_%f.tif --filter bilinear");
+    passes("within the tolerance", "compare --max 1e-5 exact_4.tif face_4.tif");
+    for (int face = 0; face < 6; ++face)
+    {
+        make_constant(16, 16, 3, face == 2 ? "uint16" : "uint8", 0.5f,
+                      "mixed_" + std::to_string(face) + ".png");
+    }
+    says("faces of two types", "uint8 and uint16, taken as uint16",
+         "reproject mixed_%f.png back.png");
+    for (const std::string to : {"view:fov=90", "cube;layout=eac", "equirect", "healpix:16"})
+    {
+        passes(
+            "lines over " + to + ", turned",
+            "reproject --quiet --rotate 10,20,30 --graticule 30 --grid 2 --indicatrices 2 --to " +
+                to + " noise.ppm lines.png");
+    }
+}
+
+} // namespace
+
+const std::vector<Subject> &reproject_surface_subjects()
+{
+    static const std::vector<Subject> subjects = {{"kinds", kinds},
+                                                  {"parts", parts},
+                                                  {"surface_arguments", surface_arguments},
+                                                  {"sizes", sizes},
+                                                  {"rotations", rotations},
+                                                  {"vectors", vectors},
+                                                  {"surface_tags", surface_tags},
+                                                  {"photo_spheres", photo_spheres},
+                                                  {"georeferences", georeferences},
+                                                  {"sidecars", sidecars},
+                                                  {"programs", programs},
+                                                  {"manual", manual},
+                                                  {"light", light},
+                                                  {"one_nan", one_nan},
+                                                  {"dithers", dithers},
+                                                  {"files_and_filters", files_and_filters}};
+    return subjects;
+}

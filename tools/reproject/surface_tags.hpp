@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// What image files say of the surface that they are pictures of, in tags that formats can hold: "cubemap:surface", a
+// specification, and "cubemap:rotation", LON,LAT,ROLL. Formats without tags of a program's own have them as lines
+// NAME=VALUE in the description. Equirectangular images have the fields of a photo sphere, too.
+
+#ifndef CUBEMAP_TOOLS_SURFACE_TAGS_HPP
+#define CUBEMAP_TOOLS_SURFACE_TAGS_HPP
+
+#include "tools/cli/image_file.hpp"
+#include "tools/cli/image_format.hpp"
+
+#include <cubemap/image.h>
+
+#include <optional>
+#include <string>
+
+// What a file says.
+struct SavedSurface
+{
+    std::string specification;
+    std::optional<cm_rotation> rotation;
+};
+
+// Nothing if it says nothing, or what nobody understands.
+std::optional<SavedSurface> saved_surface(const ImageFile &image);
+
+// Says it, in place of what the source has said.
+void save_surface(ImagePlan &plan, const cm_surface &surface,
+                  const std::optional<cm_rotation> &rotation);
+
+// Can files of this format say it?
+bool holds_tags(const std::string &format);
+
+#endif
