@@ -1,43 +1,27 @@
 /* SPDX-License-Identifier: MIT */
 #include "values.h"
 
+#include <cubemap/srgb.h>
+
 #include <math.h>
 #include <string.h>
 
 #include "half.h"
 
-/* ---- transfer: IEC 61966-2-1 for sRGB, mirrored for negative values ---- */
+/* ---- transfer, mirrored for negative values ---- */
 
 static float light_of(const cm_values *values, float stored)
 {
-    const float magnitude = fabsf(stored);
-    float light;
-    if (values->transfer == CM_TRANSFER_GAMMA)
-    {
-        light = powf(magnitude, (float)values->gamma);
-    }
-    else
-    {
-        light =
-            magnitude <= 0.04045f ? magnitude / 12.92f : powf((magnitude + 0.055f) / 1.055f, 2.4f);
-    }
-    return copysignf(light, stored);
+    return values->transfer == CM_TRANSFER_GAMMA
+               ? copysignf(powf(fabsf(stored), (float)values->gamma), stored)
+               : cm_light_from_srgb_float(stored);
 }
 
 static float stored_of(const cm_values *values, float light)
 {
-    const float magnitude = fabsf(light);
-    float stored;
-    if (values->transfer == CM_TRANSFER_GAMMA)
-    {
-        stored = powf(magnitude, (float)(1.0 / values->gamma));
-    }
-    else
-    {
-        stored = magnitude <= 0.0031308f ? magnitude * 12.92f
-                                         : 1.055f * powf(magnitude, 1.0f / 2.4f) - 0.055f;
-    }
-    return copysignf(stored, light);
+    return values->transfer == CM_TRANSFER_GAMMA
+               ? copysignf(powf(fabsf(light), (float)(1.0 / values->gamma)), light)
+               : cm_srgb_from_light_float(light);
 }
 
 /* ---- one pixel ---- */
