@@ -129,7 +129,7 @@ CM_API uint32_t cm_surface_plane_height(const cm_surface *surface);
 
 /* Where the pixel of a plane is: in which picture, and at which column and row of it. Pixels of pictures that are on no
  * plane, the empty parts of a cross or a pad, are never read, and never written: who wants them black clears the pictures.
- * CM_OK, or CM_ERROR_RANGE if there is no such pixel. */
+ * No pointer may be NULL. CM_OK, or CM_ERROR_RANGE if there is no such pixel. */
 CM_API cm_status cm_surface_pixel(const cm_surface *surface, uint32_t plane, uint32_t column,
                                   uint32_t row, uint32_t *picture, uint32_t *picture_column,
                                   uint32_t *picture_row);
@@ -289,8 +289,9 @@ CM_API cm_status cm_resample_source(const cm_plan *plan, const cm_source *source
 CM_API cm_status cm_resample(const cm_plan *plan, const cm_image *from, cm_image *to, cm_rows rows);
 
 /* Values at n directions: channels floats for each in out, 0 where the surface has none. Whole numbers are 0 to 1.
- * filter must not be CM_FILTER_EWA, which has no footprint here; CM_FILTER_AUTO is the quintic B-spline.
- * Errors: those of cm_source_create. */
+ * filter must not be CM_FILTER_EWA, which has no footprint here; CM_FILTER_AUTO is the quintic B-spline. A call makes a
+ * source of its own, which for that filter takes as long as a picture: ask for many directions at once.
+ * Errors: those of cm_source_create (CM_FILTER_EWA is CM_ERROR_ARGUMENT), CM_ERROR_RANGE (no cm_filter). */
 CM_API cm_status cm_sample(const cm_surface *surface, const cm_image *pictures, cm_filter filter,
                            size_t n, const double *x, const double *y, const double *z, float *out);
 

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "half.h"
+
 int cm_compare_is_whole(cm_pixel_type type)
 {
     return type == CM_PIXEL_U8 || type == CM_PIXEL_U16;
@@ -136,48 +138,6 @@ cm_status cm_compare_map(const cm_image *given, const cm_image *like, cm_image *
     return map->width == like->width && map->height == like->height ? CM_OK : CM_ERROR_RANGE;
 }
 
-/* ---- IEC 60559 binary16 ---- */
-
-static double from_half(uint16_t half)
-{
-    const int exponent = (half >> 10) & 31;
-    const int fraction = half & 1023;
-    double size;
-    if (exponent == 31)
-    {
-        size = fraction == 0 ? (double)INFINITY : (double)NAN;
-    }
-    else
-    {
-        size = exponent == 0 ? ldexp(fraction, -24) : ldexp(1024 + fraction, exponent - 25);
-    }
-    return (half & 0x8000) != 0 ? -size : size;
-}
-
-/* The nearest, that with an even last digit of two. */
-static uint16_t to_half(double value)
-{
-    const unsigned sign = signbit(value) ? 0x8000 : 0;
-    const double size = fabs(value);
-    if (isnan(value))
-    {
-        return 0x7e00;
-    }
-    if (size >= 65520.0) /* half a step above the greatest one */
-    {
-        return (uint16_t)(sign | 0x7c00);
-    }
-    int exponent = -14;
-    if (size >= ldexp(1.0, -14))
-    {
-        frexp(size, &exponent);
-        exponent--;
-    }
-    /* a fraction that rounds up to the next power of two carries into the exponent, as it should */
-    const unsigned steps = (unsigned)nearbyint(ldexp(size, 10 - exponent));
-    return (uint16_t)(sign | ((unsigned)(exponent + 14) * 1024 + steps));
-}
-
 /* ---- pixels as numbers ---- */
 
 static unsigned char *place(const cm_image *image, uint64_t row, uint32_t column, uint32_t channel)
@@ -208,7 +168,8 @@ void cm_compare_read(const cm_image *image, uint64_t row, uint32_t column, size_
     case CM_PIXEL_HALF:
         for (size_t i = 0; i < count; i++)
         {
-            values[i] = from_half(*(const uint16_t *)(const void *)(from + (ptrdiff_t)i * step));
+            values[i] = (double)cm_float_of_half(
+                *(const uint16_t *)(const void *)(from + (ptrdiff_t)i * step));
         }
         break;
     default:
@@ -240,7 +201,7 @@ void cm_compare_write(const cm_image *image, uint64_t row, uint32_t column, size
             *(uint16_t *)(void *)to = (uint16_t)(unit(values[i]) * 65535.0 + 0.5);
             break;
         case CM_PIXEL_HALF:
-            *(uint16_t *)(void *)to = to_half(values[i]);
+            *(uint16_t *)(void *)to = cm_half_of_float((float)values[i]);
             break;
         default:
             *(float *)(void *)to = (float)values[i];

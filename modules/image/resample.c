@@ -89,33 +89,31 @@ static int is_there(const cm_source *source, const cm_group *group)
                           group->row + box.row, box.width, box.height);
 }
 
-/* n pixels of a group, a multiple of 16, through one window. */
+/* n pixels of a group, a multiple of 16, through one window. Its data are where the group's origin would be, inside the
+ * window or not: positions are the same numbers, and so are the bits, in whatever memory it is. */
 static cm_status sample_run(const cm_source *source, const cm_group *group, size_t begin, size_t n,
                             window_box box, cm_scratch *scratch, unsigned char *to)
 {
-    float x[CM_BLOCK_PIXELS];
-    float y[CM_BLOCK_PIXELS];
     cm_window window;
     if (cm_level_there(&source->level, group->plane, group->column + box.column,
                        group->row + box.row, box.width, box.height))
     {
         cm_level_own(&source->level, group->plane, group->column, group->row, &window);
-        source->sampler(&window, n, group->x + begin, group->y + begin, &source->table, to);
-        return CM_OK;
     }
-    for (size_t i = 0; i < n; i++)
+    else
     {
-        x[i] = group->x[begin + i] - (float)box.column;
-        y[i] = group->y[begin + i] - (float)box.row;
+        const cm_status status =
+            cm_level_window(&source->level, group->plane, group->column + box.column,
+                            group->row + box.row, box.width, box.height, scratch, &window);
+        if (status != CM_OK)
+        {
+            return status;
+        }
+        window.data = (const unsigned char *)window.data - box.row * window.row_stride -
+                      box.column * (ptrdiff_t)source->level.pixel_size;
     }
-    const cm_status status =
-        cm_level_window(&source->level, group->plane, group->column + box.column,
-                        group->row + box.row, box.width, box.height, scratch, &window);
-    if (status == CM_OK)
-    {
-        source->sampler(&window, n, x, y, &source->table, to);
-    }
-    return status;
+    source->sampler(&window, n, group->x + begin, group->y + begin, &source->table, to);
+    return CM_OK;
 }
 
 /* The pixel 16 times, as samplers take no fewer. */

@@ -27,7 +27,7 @@ static int are_good(const cm_plan_options *options)
            (unsigned)options->transfer <= CM_TRANSFER_GAMMA &&
            (options->transfer != CM_TRANSFER_GAMMA ||
             (options->gamma > 0.0 && isfinite(options->gamma))) &&
-           options->alpha <= CM_CHANNELS_MAX && options->vector <= CM_CHANNELS_MAX &&
+           options->alpha <= CM_CHANNELS_MAX && options->vector <= CM_CHANNELS_MAX - 2 &&
            (options->vector == 0 || options->alpha == 0 || options->alpha < options->vector ||
             options->alpha > options->vector + 2) &&
            (unsigned)options->not_finite <= CM_NOT_FINITE_ZERO;

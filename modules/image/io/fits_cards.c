@@ -122,10 +122,12 @@ bool cm_fits_split(const char *card, cm_fits_pair *pair)
     {
         at++;
     }
-    bool good = true;
     if (at < end && *at == '\'')
     {
-        good = split_text(at + 1, end, pair->value);
+        if (!split_text(at + 1, end, pair->value))
+        {
+            return false; /* with a value that may have no zero byte */
+        }
     }
     else
     {
@@ -135,7 +137,7 @@ bool cm_fits_split(const char *card, cm_fits_pair *pair)
         }
     }
     cut_blanks(pair->value);
-    return good;
+    return true;
 }
 
 bool cm_fits_real(const cm_fits_pair *pair, double *number)
