@@ -405,33 +405,38 @@ static double whole(double x)
 
 static void bounds_of(const float *value, size_t n, float *low, float *high)
 {
-    float least[4], most[4];
-    memcpy(least, value, sizeof least);
-    memcpy(most, value, sizeof most);
-    for (size_t i = 4; i < n; i += 4)
+    *low = *high = value[0];
+    for (size_t i = 1; i < n; i++)
     {
-        for (size_t k = 0; k < 4; k++)
-        {
-            least[k] = value[i + k] < least[k] ? value[i + k] : least[k];
-            most[k] = value[i + k] > most[k] ? value[i + k] : most[k];
-        }
-    }
-    *low = least[0];
-    *high = most[0];
-    for (size_t k = 1; k < 4; k++)
-    {
-        *low = least[k] < *low ? least[k] : *low;
-        *high = most[k] > *high ? most[k] : *high;
+        *low = value[i] < *low ? value[i] : *low;
+        *high = value[i] > *high ? value[i] : *high;
     }
 }
 
-/* So many nodes each way. Places are subtracted in double and go on as floats. */
-static inline void take_nodes(const cm_lattice_view *view, size_t count, block_nodes *nodes)
+/* The origin is a whole number near the middle. */
+static void begin_nodes(const cm_lattice_view *view, block_nodes *nodes)
 {
     const size_t inner = (CM_LATTICE_BEYOND + 1) * (view->stride + 1);
-    const size_t first = (CM_LATTICE_SEEN - count) / 2 * (view->stride + 1);
     nodes->column = whole(view->x[inner]);
     nodes->row = whole(view->y[inner]);
+}
+
+/* Places are subtracted in double and go on as floats. */
+static void take_nodes(const cm_place_set *set, const cm_lattice_view *view, block_nodes *nodes)
+{
+    const size_t first = CM_LATTICE_BEYOND * (view->stride + 1);
+    begin_nodes(view, nodes);
+    set->take(view->x + first, view->stride, nodes->column + 0.5, nodes->x, &nodes->low[0],
+              &nodes->high[0]);
+    set->take(view->y + first, view->stride, nodes->row + 0.5, nodes->y, &nodes->low[1],
+              &nodes->high[1]);
+}
+
+static void take_wide_nodes(const cm_lattice_view *view, block_nodes *nodes)
+{
+    const size_t count = CM_WIDE_NODES;
+    const size_t first = (CM_LATTICE_BEYOND - 1) * (view->stride + 1);
+    begin_nodes(view, nodes);
     for (size_t r = 0; r < count; r++)
     {
         const double *x = view->x + first + r * view->stride;
@@ -448,7 +453,9 @@ static inline void take_nodes(const cm_lattice_view *view, size_t count, block_n
 
 static double extent_of(const block_nodes *nodes)
 {
-    return fmax(nodes->high[0] - nodes->low[0], nodes->high[1] - nodes->low[1]);
+    const float width = nodes->high[0] - nodes->low[0];
+    const float height = nodes->high[1] - nodes->low[1];
+    return (double)(width > height ? width : height);
 }
 
 /* What floats round of places. */
@@ -484,7 +491,7 @@ static int is_near_wide(const cm_geometry *geometry, const cm_lattice_view *view
     {
         return 0;
     }
-    take_nodes(view, CM_WIDE_NODES, nodes);
+    take_wide_nodes(view, nodes);
     return ERROR_WIDE * (across + LEBESGUE * along) + rounded(extent_of(nodes)) <=
            geometry->plan->options.tolerance;
 }
@@ -677,7 +684,7 @@ static unsigned near_block(cm_geometry *geometry, unsigned plane, uint32_t block
     {
         return 0;
     }
-    take_nodes(&view, CM_BLOCK_NODES, &nodes);
+    take_nodes(geometry->set, &view, &nodes);
     const int is_wide = !is_near(geometry, across, along, alone, &nodes);
     if (is_wide && !is_near_wide(geometry, &view, lattice->is_uniform, &nodes))
     {

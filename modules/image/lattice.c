@@ -25,6 +25,12 @@ static double place_of(int64_t node)
     return (double)(node * CM_BLOCK_EDGE) / 3.0;
 }
 
+static double between(double low, double x, double high)
+{
+    const double less = x < high ? x : high;
+    return less > low ? less : low;
+}
+
 /* Exact positions of rows from first on. Where the target's plane does not go on, nodes beyond it are none. */
 static void find_rows(cm_lattice *lattice, const cm_plan *plan, unsigned first)
 {
@@ -37,18 +43,30 @@ static void find_rows(cm_lattice *lattice, const cm_plan *plan, unsigned first)
     /* no kind is asked further beyond its edges than the blocks at them reach */
     const double most = 2.0 * CM_BLOCK_EDGE;
     const double low = to->methods->can_go_beyond ? -most : 0.0;
-    size_t n = 0;
-    for (int64_t r = first; r < CM_LATTICE_ROWS; r++)
+    uint8_t is_beyond[CM_LATTICE_COLUMNS];
+    for (int64_t k = 0; k < CM_LATTICE_COLUMNS; k++)
     {
-        for (int64_t k = 0; k < CM_LATTICE_COLUMNS; k++, n++)
+        const double column = place_of(left + k);
+        columns[k] = between(low, column, to->width - low);
+        is_beyond[k] = columns[k] != column;
+    }
+    size_t n = 0;
+    for (int64_t r = first; r < CM_LATTICE_ROWS; r++, n += CM_LATTICE_COLUMNS)
+    {
+        const double row = place_of(top + r);
+        const double at = between(low, row, to->height - low);
+        memmove(columns + n, columns, CM_LATTICE_COLUMNS * sizeof *columns);
+        for (size_t k = 0; k < CM_LATTICE_COLUMNS; k++)
         {
-            const double column = place_of(left + k);
-            const double row = place_of(top + r);
-            const double right = column < to->width - low ? column : to->width - low;
-            const double down = row < to->height - low ? row : to->height - low;
-            columns[n] = right > low ? right : low;
-            rows[n] = down > low ? down : low;
-            beyond[n] = columns[n] != column || rows[n] != row;
+            rows[n + k] = at;
+        }
+        if (at == row)
+        {
+            memcpy(beyond + n, is_beyond, sizeof is_beyond);
+        }
+        else
+        {
+            memset(beyond + n, 1, sizeof is_beyond);
         }
     }
     uint8_t *plane = lattice->plane[first];
@@ -60,17 +78,31 @@ static void find_rows(cm_lattice *lattice, const cm_plan *plan, unsigned first)
     }
 }
 
+/* By rows, as compilers make vectors of it. */
 static int spans_more_than(const cm_lattice *lattice, double extent)
 {
-    double low = INFINITY;
-    double high = -INFINITY;
-    const double *x = lattice->x[0];
-    for (size_t i = 0; i < NODES; i++)
+    double low[CM_LATTICE_COLUMNS];
+    double high[CM_LATTICE_COLUMNS];
+    for (size_t k = 0; k < CM_LATTICE_COLUMNS; k++)
     {
-        low = x[i] < low ? x[i] : low;
-        high = x[i] > high ? x[i] : high;
+        /* NaN is neither less nor more */
+        low[k] = INFINITY;
+        high[k] = -INFINITY;
     }
-    return high - low > extent;
+    for (size_t r = 0; r < CM_LATTICE_ROWS; r++)
+    {
+        for (size_t k = 0; k < CM_LATTICE_COLUMNS; k++)
+        {
+            low[k] = lattice->x[r][k] < low[k] ? lattice->x[r][k] : low[k];
+            high[k] = lattice->x[r][k] > high[k] ? lattice->x[r][k] : high[k];
+        }
+    }
+    for (size_t k = 1; k < CM_LATTICE_COLUMNS; k++)
+    {
+        low[0] = low[k] < low[0] ? low[k] : low[0];
+        high[0] = high[k] > high[0] ? high[k] : high[0];
+    }
+    return high[0] - low[0] > extent;
 }
 
 static void keep_shared(cm_lattice *lattice)

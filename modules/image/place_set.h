@@ -26,6 +26,11 @@ typedef void cm_placer(const float *nodes, const cm_place_weights *across,
 /* The same from 6 x 6 nodes, with the weights of both ways. */
 typedef void cm_wide_placer(const float *nodes, const cm_wide_weights *weights, float *to);
 
+/* 4 x 4 nodes by rows, which are stride elements apart, from an origin: subtracted in double, they go on as floats. And the
+ * least and the greatest of them. What is read and nodes do not overlap. */
+typedef void cm_place_taker(const double *at, size_t stride, double origin, float *nodes,
+                            float *low, float *high);
+
 /* squares[i] = the square of the length of the fourth difference of (x, y) from node i on; n of them, any n. Neighbours
  * are so many elements apart: 1 along a row. squares does not overlap what is read. */
 typedef void cm_place_differences(size_t n, const double *x, const double *y, size_t apart,
@@ -39,6 +44,7 @@ typedef struct cm_place_set
     const char *name; /* as in options.h */
     cm_placer *place;
     cm_wide_placer *place_wide;
+    cm_place_taker *take;
     cm_place_differences *differences;
     cm_place_bounds *bounds;
 } cm_place_set;

@@ -271,25 +271,31 @@ static uint32_t run_length(const cm_group *group, unsigned at)
     return n;
 }
 
-/* Rows of a block one below the other, each of so many bytes. The frequent sizes are constants, which need no call. */
-static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
+static inline void copy_each(const unsigned char *from, size_t bytes, unsigned char *to,
+                             ptrdiff_t down)
 {
     for (int i = 0; i < CM_BLOCK_EDGE; i++, from += bytes, to += down)
     {
-        switch (bytes)
-        {
-        case CM_BLOCK_EDGE * 3:
-            memcpy(to, from, CM_BLOCK_EDGE * 3);
-            break;
-        case CM_BLOCK_EDGE * 4:
-            memcpy(to, from, CM_BLOCK_EDGE * 4);
-            break;
-        case CM_BLOCK_EDGE * 12:
-            memcpy(to, from, CM_BLOCK_EDGE * 12);
-            break;
-        default:
-            memcpy(to, from, bytes);
-        }
+        memcpy(to, from, bytes);
+    }
+}
+
+/* Rows of a block one below the other, each of so many bytes. The frequent sizes are constants, which need no call. */
+static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
+{
+    switch (bytes)
+    {
+    case CM_BLOCK_EDGE * 3:
+        copy_each(from, CM_BLOCK_EDGE * 3, to, down);
+        break;
+    case CM_BLOCK_EDGE * 4:
+        copy_each(from, CM_BLOCK_EDGE * 4, to, down);
+        break;
+    case CM_BLOCK_EDGE * 12:
+        copy_each(from, CM_BLOCK_EDGE * 12, to, down);
+        break;
+    default:
+        copy_each(from, bytes, to, down);
     }
 }
 
@@ -378,7 +384,8 @@ static void clear_rest(const resample_job *job, unsigned plane, uint32_t block_c
 }
 
 /* Blocks go along curves in the source, which processors do not foresee: so what a block needs is asked for while the one
- * before it is done. Of four pixels in a row one will do, which has its last row of taps asked for. */
+ * before it is done. Of eight pixels in a row one will do, of four where they are large, which has its last row of taps
+ * asked for. */
 static void fetch_group(const cm_source *source, const cm_group *group)
 {
     cm_window window;
@@ -390,9 +397,10 @@ static void fetch_group(const cm_source *source, const cm_group *group)
                  &window);
     const char *data = window.data;
     const ptrdiff_t size = (ptrdiff_t)source->level.pixel_size;
-    for (unsigned i = 0; i < group->count; i += 4)
+    const unsigned step = size > 4 ? 4 : 8;
+    for (unsigned i = step / 2; i < group->count; i += step)
     {
-        CM_FETCH(data + (ptrdiff_t)group->y[i] * window.row_stride + (ptrdiff_t)group->x[i] * size);
+        CM_FETCH(data + (int32_t)group->y[i] * window.row_stride + (int32_t)group->x[i] * size);
     }
 }
 
