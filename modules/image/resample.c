@@ -18,6 +18,12 @@
 /* Elements of cm_run_threads for a row of blocks: chunks begin at multiples of it (threads.h). */
 #define ROW_WEIGHT 64
 
+#ifdef __GNUC__
+#define CM_FETCH(place) __builtin_prefetch(place)
+#else
+#define CM_FETCH(place) (void)(place)
+#endif
+
 /* What all threads work on. */
 typedef struct resample_job
 {
@@ -34,8 +40,8 @@ typedef struct resample_desk
 {
     cm_geometry *geometry;
     cm_scratch scratch;
-    cm_group groups[CM_PLANES_MAX];
-    unsigned char *pixels; /* of a group */
+    cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
+    unsigned char *pixels;             /* of a group */
 } resample_desk;
 
 /* ---- values of a group ---- */
@@ -263,25 +269,31 @@ static uint32_t run_length(const cm_group *group, unsigned at)
     return n;
 }
 
-/* Rows of a block one below the other, each of so many bytes. The frequent sizes are constants, which need no call. */
-static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
+static inline void copy_each(const unsigned char *from, size_t bytes, unsigned char *to,
+                             ptrdiff_t down)
 {
     for (int i = 0; i < CM_BLOCK_EDGE; i++, from += bytes, to += down)
     {
-        switch (bytes)
-        {
-        case CM_BLOCK_EDGE * 3:
-            memcpy(to, from, CM_BLOCK_EDGE * 3);
-            break;
-        case CM_BLOCK_EDGE * 4:
-            memcpy(to, from, CM_BLOCK_EDGE * 4);
-            break;
-        case CM_BLOCK_EDGE * 12:
-            memcpy(to, from, CM_BLOCK_EDGE * 12);
-            break;
-        default:
-            memcpy(to, from, bytes);
-        }
+        memcpy(to, from, bytes);
+    }
+}
+
+/* Rows of a block one below the other, each of so many bytes. The frequent sizes are constants, which need no call. */
+static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
+{
+    switch (bytes)
+    {
+    case CM_BLOCK_EDGE * 3:
+        copy_each(from, CM_BLOCK_EDGE * 3, to, down);
+        break;
+    case CM_BLOCK_EDGE * 4:
+        copy_each(from, CM_BLOCK_EDGE * 4, to, down);
+        break;
+    case CM_BLOCK_EDGE * 12:
+        copy_each(from, CM_BLOCK_EDGE * 12, to, down);
+        break;
+    default:
+        copy_each(from, bytes, to, down);
     }
 }
 
@@ -369,25 +381,58 @@ static void clear_rest(const resample_job *job, unsigned plane, uint32_t block_c
     }
 }
 
-static cm_status do_block(const resample_job *job, resample_desk *desk, unsigned plane,
-                          uint32_t block_column, uint32_t block_row)
+/* Blocks go along curves in the source, which processors do not foresee: so what a block needs is asked for while the one
+ * before it is done. Of eight pixels in a row one will do, of four where they are large, which has its last row of taps
+ * asked for. */
+static void fetch_group(const cm_source *source, const cm_group *group)
 {
+    cm_window window;
+    if (!group->is_bounded || !source->level.is_plain || source->filter == CM_FILTER_EWA)
+    {
+        return;
+    }
+    cm_level_own(&source->level, group->plane, group->column, group->row + source->taps / 2,
+                 &window);
+    const char *data = window.data;
+    const ptrdiff_t size = (ptrdiff_t)source->level.pixel_size;
+    const unsigned step = size > 4 ? 4 : 8;
+    for (unsigned i = step / 2; i < group->count; i += step)
+    {
+        CM_FETCH(data + (int32_t)group->y[i] * window.row_stride + (int32_t)group->x[i] * size);
+    }
+}
+
+static unsigned place_block(const resample_job *job, resample_desk *desk, unsigned plane,
+                            uint32_t block_column, uint32_t block_row)
+{
+    cm_group *groups = desk->groups[block_column % 2];
     const unsigned count =
-        cm_geometry_block(desk->geometry, plane, block_column, block_row, desk->groups);
+        cm_geometry_block(desk->geometry, plane, block_column, block_row, groups);
+    for (unsigned i = 0; i < count; i++)
+    {
+        fetch_group(job->source, &groups[i]);
+    }
+    return count;
+}
+
+static cm_status fill_block(const resample_job *job, resample_desk *desk, unsigned plane,
+                            uint32_t block_column, uint32_t block_row, unsigned count)
+{
+    cm_group *groups = desk->groups[block_column % 2];
     cm_status status = CM_OK;
     unsigned pixels = 0;
     for (unsigned i = 0; i < count && status == CM_OK; i++)
     {
-        status = cm_source_sample(job->source, &desk->groups[i], &desk->scratch, desk->pixels);
+        status = cm_source_sample(job->source, &groups[i], &desk->scratch, desk->pixels);
         if (status == CM_OK)
         {
-            store_group(job, plane, block_column, block_row, &desk->groups[i], desk->pixels);
+            store_group(job, plane, block_column, block_row, &groups[i], desk->pixels);
         }
-        pixels += desk->groups[i].count;
+        pixels += groups[i].count;
     }
     if (pixels < CM_BLOCK_PIXELS)
     {
-        clear_rest(job, plane, block_column, block_row, desk->groups, count);
+        clear_rest(job, plane, block_column, block_row, groups, count);
     }
     return status;
 }
@@ -399,9 +444,13 @@ static cm_status do_block_row(const resample_job *job, resample_desk *desk, unsi
     const uint32_t first = wanted->first_column / CM_BLOCK_EDGE;
     const uint32_t last = (wanted->first_column + wanted->column_count - 1) / CM_BLOCK_EDGE;
     cm_status status = CM_OK;
+    unsigned count = place_block(job, desk, plane, first, block_row);
     for (uint32_t column = first; column <= last && status == CM_OK; column++)
     {
-        status = do_block(job, desk, plane, column, block_row);
+        const unsigned next =
+            column < last ? place_block(job, desk, plane, column + 1, block_row) : 0;
+        status = fill_block(job, desk, plane, column, block_row, count);
+        count = next;
     }
     return status;
 }
