@@ -473,7 +473,7 @@ static double least_decibels(const quality_case *one, cm_pixel_type type, cm_fil
     /* a region of few pixels has by chance more of rounding: two standard deviations of a sum of squares */
     const double chance =
         type == CM_PIXEL_U8 ? 8.7 * sqrt(2.0 / (double)measured->count[where]) : 0.0;
-    double least = fmin(inside, has_parabola ? 78.0 : 92.0) - less - chance;
+    double least = fmin(inside, has_parabola ? 76.0 : 92.0) - less - chance;
     if (measured->ideal_count[where] > 0)
     {
         const double rounding = type == CM_PIXEL_U8 ? pow(0.1, 0.1 * inside) : 0.0;
