@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "level_object.h"
+#include "level_rim.h"
 
 #include <cubemap/threads.h>
 
@@ -192,21 +192,20 @@ static void weigh(double place, unsigned count, double *weight)
 }
 
 /* The first of count pixels around a position, and the weights. */
-static int32_t points_around(double position, uint32_t extent, unsigned *count, double *weight)
+static int32_t points_around(double position, uint32_t extent, unsigned count, double *weight)
 {
-    *count = extent < POINTS ? extent : POINTS;
     double centre = position - 0.5;
     const double nearest = (double)(int32_t)(centre + 0.5);
     /* what is a pixel's centre, but for rounding, is that pixel */
     centre = centre - nearest < 1e-9 && nearest - centre < 1e-9 ? nearest : centre;
-    const int32_t most = (int32_t)(extent - *count);
-    int32_t first = (int32_t)(centre + 1.0) - (int32_t)(*count + 1) / 2;
+    const int32_t most = (int32_t)(extent - count);
+    int32_t first = (int32_t)(centre + 1.0) - (int32_t)(count + 1) / 2;
     first = first < 0 ? 0 : first > most ? most : first;
-    weigh(centre - first, *count, weight);
+    weigh(centre - first, count, weight);
     return first;
 }
 
-static void put(const cm_level *level, const float *sum, unsigned char *to)
+void cm_level_put(const cm_level *level, const float *sum, unsigned char *to)
 {
     if (!level->is_bytes)
     {
@@ -325,7 +324,7 @@ static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top
         }
         sum[c] = total;
     }
-    put(level, sum, to);
+    cm_level_put(level, sum, to);
 }
 
 void cm_level_mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, double x,
@@ -338,32 +337,41 @@ void cm_level_mix(const cm_level *level, unsigned plane, int32_t left, int32_t t
     mix(level, plane, left, top, points, points, across, along, to);
 }
 
-/* A value from inside a plane. */
-static void interpolate(const cm_level *level, unsigned plane, double x, double y,
-                        unsigned char *to)
+/* Is a place before the first or behind the last of points? Six would magnify what rounding left of bytes eight times. */
+static int is_outside(const cm_level *level, double position, int32_t first, unsigned count)
 {
-    unsigned columns, rows;
-    double across[POINTS];
-    double along[POINTS];
-    const int32_t left = points_around(x, level->width, &columns, across);
-    const int32_t top = points_around(y, level->height, &rows, along);
-    mix(level, plane, left, top, columns, rows, across, along, to);
+    const double place = position - 0.5 - first;
+    return level->values->type == CM_PIXEL_U8 && (place < 0.0 || place > count - 1.0);
 }
 
-/* Where nothing is, the nearest pixel of the plane stands for it. */
-static void repeat_edge(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+/* A value from inside a plane. A polynomial does not go across a crease, which are on diagonals, but by two points. */
+static void interpolate(const cm_level *level, int is_creased, unsigned plane, double x, double y,
                         unsigned char *to)
 {
-    const int32_t right = (int32_t)level->width - 1;
-    const int32_t bottom = (int32_t)level->height - 1;
-    cm_level_load(level, plane,
-                  column < 0       ? 0
-                  : column > right ? right
-                                   : column,
-                  row < 0        ? 0
-                  : row > bottom ? bottom
-                                 : row,
-                  1, to);
+    unsigned columns = level->width < POINTS ? level->width : POINTS;
+    unsigned rows = level->height < POINTS ? level->height : POINTS;
+    double across[POINTS];
+    double along[POINTS];
+    int32_t left = points_around(x, level->width, columns, across);
+    int32_t top = points_around(y, level->height, rows, along);
+    while (is_creased && columns == rows && columns > 2 &&
+           cm_level_is_across(level->width, left, top, columns))
+    {
+        columns = rows = columns > 3 ? columns - 2 : 2;
+        left = points_around(x, level->width, columns, across);
+        top = points_around(y, level->height, rows, along);
+    }
+    if (columns > 2 && is_outside(level, x, left, columns))
+    {
+        columns = 2;
+        left = points_around(x, level->width, columns, across);
+    }
+    if (rows > 2 && is_outside(level, y, top, rows))
+    {
+        rows = 2;
+        top = points_around(y, level->height, rows, along);
+    }
+    mix(level, plane, left, top, columns, rows, across, along, to);
 }
 
 /* Pixels of a plane's skirt that are filled at once. */
@@ -405,11 +413,11 @@ static void fill_run(skirt_run *run)
         unsigned char *to = skirt_pixel(run->level, run->plane, run->column[i], run->row[i]);
         if (found[i] == CM_NO_FACE)
         {
-            repeat_edge(run->level, run->plane, run->column[i], run->row[i], to);
+            cm_level_continue_edge(run->level, run->plane, run->column[i], run->row[i], to);
         }
         else
         {
-            interpolate(run->level, found[i], x[i], y[i], to);
+            interpolate(run->level, run->surface->creased, found[i], x[i], y[i], to);
         }
     }
     run->count = 0;

@@ -64,6 +64,19 @@ void cm_level_load(const cm_level *level, unsigned plane, int32_t column, int32_
 void cm_level_mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, double x,
                   double y, unsigned points, unsigned char *to);
 
+/* Does a square of count x count pixels from (left, top) of a square plane have some on either side of a diagonal? That is
+ * where creases are, which polynomials do not go across. */
+static inline int cm_level_is_across(uint32_t width, int32_t left, int32_t top, unsigned count)
+{
+    const int32_t last = (int32_t)count - 1;
+    const int32_t down = left - top;
+    const int32_t up = left + top + 1 - (int32_t)width;
+    return (down < last && down > -last) || (up < 0 && up > -2 * last);
+}
+
+/* The sums of a pixel's channels as a pixel that can be mixed. */
+void cm_level_put(const cm_level *level, const float *sum, unsigned char *to);
+
 /* Are these pixels in memory as samplers take them? */
 int cm_level_there(const cm_level *level, unsigned plane, int32_t column, int32_t row,
                    int32_t width, int32_t height);
@@ -104,6 +117,10 @@ void cm_gaps_free(cm_gaps *gaps);
 void cm_gaps_values(const cm_level *level, const cm_gaps *gaps, const cm_surface *surface,
                     unsigned plane, size_t n, const int32_t *column, int32_t row,
                     unsigned char *to);
+
+/* Is this pixel, which may be anywhere, one of the map's? */
+int cm_gaps_have(const cm_level *level, const cm_gaps *gaps, unsigned plane, int32_t column,
+                 int32_t row);
 
 /* Is any pixel off the map among these, all of them inside the plane? */
 int cm_gaps_touch(const cm_level *level, unsigned plane, int32_t column, int32_t row, int32_t width,

@@ -6,6 +6,7 @@
 #define _DEFAULT_SOURCE /* for madvise, in spite of -std=c11 */
 #endif
 #include "padded.h"
+#include "level_rim.h"
 
 #include <cubemap/threads.h>
 
@@ -266,6 +267,7 @@ cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_
                    load_rows, &job);
     status = (cm_status)atomic_load(&job.failed);
     cm_level_free(&level);
+    padded->goes_on = cm_rim_goes_on(values);
     if (status == CM_OK && !surface->has_gaps)
     {
         cm_padded_border(padded, surface, threads);

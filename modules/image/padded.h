@@ -29,6 +29,7 @@ typedef struct cm_padded
     ptrdiff_t channel;
     ptrdiff_t row;
     size_t plane_floats;
+    int goes_on; /* may values be continued where nothing is, as level_rim.h has it? */
     float *memory;
     float *first[CM_PLANES_MAX]; /* the pixel (0, 0) of each plane */
 } cm_padded;

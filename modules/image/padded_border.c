@@ -4,6 +4,7 @@
  * inside of it, as in surface_beyond.c, which rows of the border share; values are interpolated inside the neighbour.
  */
 #include "padded.h"
+#include "level_rim.h"
 
 #include <cubemap/threads.h>
 
@@ -67,13 +68,13 @@ typedef struct points
     float weight[POINTS];
 } points;
 
-/* Of planes with fewer than POINTS pixels that way. */
-static points points_around(double position, uint32_t extent)
+/* At most so many. */
+static points points_around(double position, uint32_t extent, int32_t count)
 {
     points at;
     const int32_t limit = (int32_t)extent;
     const double centre = position - 0.5;
-    at.count = limit < POINTS ? limit : POINTS;
+    at.count = limit < count ? limit : count;
     const int32_t first = floor_of(centre) - (at.count - 1) / 2;
     const int32_t most = limit - at.count;
     at.first = first < 0 ? 0 : first > most ? most : first;
@@ -217,10 +218,10 @@ static float sum_few(const float *from, ptrdiff_t pixel, ptrdiff_t row, const po
 }
 
 static void interpolate_few(const cm_padded *padded, unsigned plane, double column, double row,
-                            float *to)
+                            int32_t count, float *to)
 {
-    const points x = points_around(column, padded->width);
-    const points y = points_around(row, padded->height);
+    const points x = points_around(column, padded->width, count);
+    const points y = points_around(row, padded->height, count);
     const float *from = padded->first[plane] + y.first * padded->row + x.first * padded->pixel;
     for (uint32_t c = 0; c < padded->channels; c++, from += padded->channel, to += padded->channel)
     {
@@ -257,9 +258,38 @@ static void interpolate_six(const cm_padded *padded, unsigned plane, const many_
     sum_six(padded, from, &x, &y, to);
 }
 
-static int32_t clamped(int32_t at, uint32_t extent)
+/* Where nothing is, from the plane's last pixels. */
+static void continue_plane(const cm_padded *padded, unsigned plane, int32_t column, int32_t row,
+                           float *to)
 {
-    return at < 0 ? 0 : at >= (int32_t)extent ? (int32_t)extent - 1 : at;
+    int32_t last[2], inwards[2];
+    const cm_rim_nodes x =
+        cm_rim_nodes_along(column, padded->width, padded->goes_on, &last[0], &inwards[0]);
+    const cm_rim_nodes y =
+        cm_rim_nodes_along(row, padded->height, padded->goes_on, &last[1], &inwards[1]);
+    const float *from = padded->first[plane] + last[1] * padded->row + last[0] * padded->pixel;
+    for (uint32_t c = 0; c < padded->channels; c++, from += padded->channel, to += padded->channel)
+    {
+        float sum = 0.0f;
+        for (int32_t j = 0; j < y.count; j++)
+        {
+            const float *line = from + inwards[1] * y.from_last[j] * padded->row;
+            for (int32_t i = 0; i < x.count; i++)
+            {
+                sum +=
+                    y.weight[j] * x.weight[i] * line[inwards[0] * x.from_last[i] * padded->pixel];
+            }
+        }
+        *to = sum;
+    }
+}
+
+/* As many points as do not lie on both sides of a diagonal, where creases are; two if there are none. */
+static int32_t points_beside_crease(const cm_padded *padded, const many_points *columns,
+                                    const many_points *rows, size_t i)
+{
+    /* four are the inner ones of six, and are two if these are across */
+    return cm_level_is_across(padded->width, columns->first[i] + 1, rows->first[i] + 1, 4) ? 2 : 4;
 }
 
 /* Pixels of the border from their directions: (column, row) is the first, and each is one step on. */
@@ -286,19 +316,19 @@ static void put_run(const border_job *job, unsigned plane, int32_t column, int32
         float *to = padded->first[plane] + row * padded->row + column * padded->pixel;
         if (found[i] == CM_NO_FACE)
         {
-            /* where nothing is, the nearest pixel of the plane stands for it */
-            copy_pixel(padded,
-                       padded->first[plane] + clamped(row, padded->height) * padded->row +
-                           clamped(column, padded->width) * padded->pixel,
-                       to);
+            continue_plane(padded, plane, column, row, to);
         }
-        else if (are_many)
+        else if (are_many &&
+                 !(job->surface->creased &&
+                   cm_level_is_across(padded->width, columns.first[i], rows.first[i], POINTS)))
         {
             interpolate_six(padded, found[i], &columns, &rows, i, to);
         }
         else
         {
-            interpolate_few(padded, found[i], x[i] / job->scale[0], y[i] / job->scale[1], to);
+            interpolate_few(padded, found[i], x[i] / job->scale[0], y[i] / job->scale[1],
+                            are_many ? points_beside_crease(padded, &columns, &rows, i) : POINTS,
+                            to);
         }
     }
 }

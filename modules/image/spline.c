@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "spline.h"
 #include "filter_set.h"
+#include "spline_holes.h"
 
 #include <cubemap/threads.h>
 
@@ -92,7 +93,12 @@ cm_status cm_spline_make(const cm_surface *surface, const cm_image *pictures,
     {
         return status;
     }
+    uint64_t *holes = NULL;
     status = cm_padded_load(coefficients, surface, pictures, values, set, threads);
+    if (status == CM_OK && (values->type == CM_PIXEL_HALF || values->type == CM_PIXEL_FLOAT))
+    {
+        status = cm_spline_holes_fill(coefficients, surface, threads, &holes);
+    }
     spline_job job = {.padded = coefficients, .set = cm_filter_set_find(set->name)};
     job.high = coefficients->height + 2 * (size_t)coefficients->beyond;
     job.floats = (coefficients->width + 2 * (size_t)coefficients->beside) * values->working;
@@ -105,7 +111,9 @@ cm_status cm_spline_make(const cm_surface *surface, const cm_image *pictures,
         cm_run_threads(threads, coefficients->planes * stripes * CM_TASK, CM_TASK, do_columns,
                        &job);
         status = (cm_status)atomic_load(&job.failed);
+        cm_spline_holes_put(coefficients, holes);
     }
+    free(holes);
     if (status != CM_OK)
     {
         cm_padded_free(coefficients);

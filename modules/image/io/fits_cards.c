@@ -80,7 +80,7 @@ static void cut_blanks(char *text)
     }
 }
 
-/* A text, from behind its first quote. */
+/* A text, from behind its first quote. One that is not closed may have no zero byte. */
 static bool split_text(const char *at, const char *end, char *value)
 {
     size_t length = 0;
@@ -126,7 +126,7 @@ bool cm_fits_split(const char *card, cm_fits_pair *pair)
     {
         if (!split_text(at + 1, end, pair->value))
         {
-            return false; /* with a value that may have no zero byte */
+            return false;
         }
     }
     else
