@@ -182,6 +182,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"compare", compare_subjects()},
         {"reproject", reproject_subjects()},
         {"surfaces", reproject_surface_subjects()},
+        {"streams", reproject_stream_subjects()},
         {"distortion", distortion_subjects()},
         {"orient", orient_subjects()},
         {"colormap", colormap_subjects()}};
@@ -242,7 +243,10 @@ SizeLimit::~SizeLimit()
     largest_file = RLIM_INFINITY;
 }
 
-Ran run(const Words &words)
+namespace
+{
+
+Ran run_between(const Words &words, std::FILE *in, std::FILE *given_out)
 {
     const auto program = programs.find(words.front());
     if (program == programs.end())
@@ -259,7 +263,7 @@ Ran run(const Words &words)
     arguments.push_back(nullptr);
     TextStream out;
     TextStream err;
-    const cm_streams streams = {stdin, out.file(), err.file()};
+    const cm_streams streams = {in, given_out != nullptr ? given_out : out.file(), err.file()};
     Ran ran;
     limit_files(largest_file);
     ran.status = program->second(static_cast<int>(words.size()), arguments.data(), &streams);
@@ -268,6 +272,26 @@ Ran run(const Words &words)
     std::fflush(stderr);
     ran.out = out.content() + caught(STDOUT_FILENO).take();
     ran.err = err.content() + caught(STDERR_FILENO).take();
+    return ran;
+}
+
+} // namespace
+
+Ran run(const Words &words)
+{
+    return run_between(words, stdin, nullptr);
+}
+
+Ran run_with_input(const std::string &input, const std::string &line, std::FILE *out)
+{
+    std::FILE *const in = std::tmpfile();
+    if (in == nullptr || std::fwrite(input.data(), 1, input.size(), in) != input.size())
+    {
+        give_up("no file for standard input");
+    }
+    std::rewind(in);
+    const Ran ran = run_between(words_of(line), in, out);
+    std::fclose(in);
     return ran;
 }
 

@@ -37,6 +37,10 @@ public:
     // leaves them as they are.
     explicit ImageFile(const std::string &path, int threads = 0);
 
+    // A picture that is open already, by the functions of this table, of which describe, read and close are called; it
+    // belongs to this from now on.
+    ImageFile(const std::string &path, const cm_image_io &functions, cm_image_reader *opened);
+
     const std::string &path() const noexcept
     {
         return name;
@@ -88,6 +92,7 @@ public:
 private:
     struct Closer
     {
+        const cm_image_io *functions;
         void operator()(cm_image_reader *opened) const noexcept;
     };
     struct Place
@@ -97,6 +102,11 @@ private:
     };
 
     void open(int threads);
+    void find_size();
+    const cm_image_io &table() const noexcept
+    {
+        return *reader.get_deleter().functions;
+    }
     void read_stored(int first, int end, cm_pixel_type type, void *pixels,
                      std::ptrdiff_t row_stride);
     void read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride);
@@ -106,7 +116,7 @@ private:
     bool is_plain() const;
 
     std::string name;
-    std::unique_ptr<cm_image_reader, Closer> reader;
+    std::unique_ptr<cm_image_reader, Closer> reader{nullptr, Closer{nullptr}};
     int upright_width = 0;
     int upright_height = 0;
     std::vector<float> upright; // of rows that are read while the image is not stored so

@@ -81,7 +81,8 @@ bool is_nan(cm_pixel_type type, const unsigned char *values, std::size_t index)
 
 } // namespace
 
-Input::Input(const Options &options, int threads)
+Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
+    : images(std::move(opened))
 {
     open(options, threads);
     choose_type();
@@ -100,9 +101,14 @@ void Input::open(const Options &options, int threads)
     faces = cube && (layout == "faces" || (layout.empty() && names_faces(options.input)));
     const std::vector<std::string> names =
         faces ? face_names(options.input) : std::vector<std::string>{options.input};
-    for (const std::string &name : names)
+    if (faces && !images.empty())
     {
-        images.emplace_back(name, threads);
+        throw UsageFailure("INPUT is a pipe, through which the six faces of a cube come as one "
+                           "picture; --from-layout says how");
+    }
+    for (std::size_t i = images.size(); i < names.size(); ++i)
+    {
+        images.emplace_back(names[i], threads);
     }
     if (faces)
     {
@@ -135,6 +141,10 @@ void Input::choose_type()
 {
     pixels = ImageDescription(images.front().stored());
     types = images.front().pixel_type();
+    if (images.front().format() == "pnm" && !images.front().stored().whole_numbers)
+    {
+        pixels.color = CM_IMAGE_COLOR_LINEAR; // PFM, which cannot say so
+    }
     for (const ImageFile &image : images)
     {
         const ImageDescription other(image.stored());

@@ -16,9 +16,9 @@
 class Input
 {
 public:
-    // Opens the files. Failure if they are not there, not images, or not of the shape that they
-    // should have.
-    Input(const Options &options, int threads);
+    // Opens the files, unless they are given. Failure if they are not there, not images, or not of the shape that
+    // they should have. threads as for ImageFile.
+    Input(const Options &options, int threads, std::vector<ImageFile> opened = {});
 
     const cm_surface &surface() const noexcept
     {

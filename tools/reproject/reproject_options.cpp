@@ -183,6 +183,23 @@ void read_option(int id, OptionReader &reader, Options &options)
 {
     switch (id)
     {
+    case REPROJECT_START:
+        options.start = reader.whole_number();
+        break;
+    case REPROJECT_COUNT:
+        options.count = reader.whole_number();
+        break;
+    case REPROJECT_RAW:
+        options.raw = read_bare_pictures(reader.text());
+        if (!options.raw)
+        {
+            reader.refuse("WIDTHxHEIGHT:FORMAT, as in 1920x960:rgb24, where FORMAT is one of: " +
+                          stream_format_names(true));
+        }
+        break;
+    case REPROJECT_PIPE:
+        options.pipe = reader.text();
+        break;
     case REPROJECT_SIZE:
         options.size = reader.whole_number();
         break;
@@ -255,6 +272,24 @@ void check_together(const Options &options)
     }
 }
 
+void check_pipes(const Options &options)
+{
+    if (options.raw && !is_pipe(options.input))
+    {
+        throw UsageFailure("--raw says what comes through a pipe, but INPUT is " +
+                           in_quotes(options.input) + ", not -");
+    }
+    if (!options.pipe.empty() && !is_pipe(options.output))
+    {
+        throw UsageFailure("--pipe says what goes into a pipe, but OUTPUT is " +
+                           in_quotes(options.output) + ", not -");
+    }
+    if (is_pipe(options.output) && options.sidecar)
+    {
+        throw UsageFailure("--sidecar writes a file beside OUTPUT, which is a pipe; leave one out");
+    }
+}
+
 } // namespace
 
 Options parse_options(int argc, char **argv, const cm_streams &streams)
@@ -285,5 +320,7 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
     }
     options.input = operands[0];
     options.output = operands[1];
+    options.output_stream = streams.out;
+    check_pipes(options);
     return options;
 }
