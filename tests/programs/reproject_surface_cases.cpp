@@ -370,6 +370,55 @@ void sidecars()
            "a file beside the pictures", text);
     does("reproject --quiet --sidecar noise.ppm --layout strip strip.hdr");
     result(std::filesystem::exists("strip.json"), "for formats without tags, too");
+    does("reproject --quiet --sidecar noise.ppm --to cube:qsc --frame gl --layout vcross --rotate "
+         "10,20,30 turned.ppm");
+    const std::string wanted = "\\(cube:qsc, frame gl, vcross 48x64, turned by 10,20,30,";
+    says("and is read again", "^turned\\.ppm " + wanted, "reproject turned.ppm back.png");
+    warns("the command line counts more",
+          "'turned\\.json' says that 'turned\\.ppm' is cube:qsc;frame=gl;layout=vcross;size=16; it "
+          "is taken as cube:coupled;",
+          "reproject --quiet --from cube --from-layout vcross turned.ppm back.png");
+    std::filesystem::rename("turned.ppm", "other.ppm");
+    fails("a file that does not name the picture says nothing", 1, "neither 2:1",
+          "reproject other.ppm made/a.png");
+    says("unless --from names it", "^other\\.ppm " + wanted,
+         "reproject --from turned.json other.ppm back.png");
+    says("and --from-rotate says otherwise", "turned by 1,2,3,",
+         "reproject --from-rotate 1,2,3 --from turned.json other.ppm back.png");
+    does("reproject --quiet --sidecar noise.ppm six_%f.ppm --frame s2");
+    says("of six pictures", "^six_0.ppm .. six_5.ppm \\(cube:coupled, frame s2, 16x16,",
+         "reproject six_%f.ppm back.png");
+    make_noise(32, 16, "strip.hdr.ppm");
+    std::filesystem::rename("strip.hdr.ppm", "turned.ppm");
+    warns("a picture that was scaled", "but that is 32 x 16; its shape counts",
+          "reproject --quiet turned.ppm back_%f.png");
+    does("reproject --quiet --sidecar --layout cross noise.ppm cross.png");
+    std::string other = content_of("cross.json");
+    other.replace(other.find("coupled"), 7, "qsc");
+    write_file("cross.json", other);
+    warns("what the picture says counts",
+          "'cross\\.png' says that it is cube:coupled;.*, and 'cross\\.json' cube:qsc;",
+          "reproject --quiet cross.png back.png");
+    write_file("written.json",
+               "{\"other\": {\"a\": [[1], {}, null]}, \"note\": \"\\u00e9\\u20ac\\n\",\n"
+               " \"surface\":\"cube:qs\\u0063;layout=vcross\", \"rotation\": [ 0, 0.0, -0e1 ] }");
+    says("as others write it", "\\(cube:qsc, frame geo, vcross 48x64,",
+         "reproject --from written.json --from-frame geo other.ppm back.png");
+    write_file("bad.json", "{\"surface\": \"cube:nothing\"}");
+    for (const std::string broken : {"", "[]", "{", "{\"a\" 1}", "{\"a\": yes}", "{\"a\": \"\\q\"}",
+                                     "{\"a\": \"\\u12\"}", "{\"a\": [1}", "{} 1"})
+    {
+        write_file("bad.json", broken + "\n");
+        fails("JSON that is none: " + broken, 1, "'bad.json' says no surface",
+              "reproject --from bad.json noise.ppm made/a.png");
+    }
+    write_file("bad.json", "{\"surface\": \"cube:nothing\"}");
+    fails("a file that says nothing", 1, "'bad.json' says no surface",
+          "reproject --from bad.json noise.ppm made/a.png");
+    fails("a file that is not there", 1, "'no.json' cannot be read: No such file",
+          "reproject --from no.json noise.ppm made/a.png");
+    write_file("cross.json", "{\"pictures\": [\"cross.png\"], \"surface\": ");
+    passes("a file beside that is none", "reproject --quiet cross.png back.png");
 }
 
 void programs()

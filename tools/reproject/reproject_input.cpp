@@ -2,6 +2,7 @@
 
 #include "reproject_input.hpp"
 #include "geo_reference.hpp"
+#include "sidecar.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
@@ -170,7 +171,7 @@ void Input::choose_type()
 
 void Input::find_surface(const Options &options)
 {
-    const std::optional<SavedSurface> saved = saved_surface(images.front());
+    const std::optional<SavedSurface> saved = find_saved(options);
     if (is_said(options.from))
     {
         const std::string &said = options.from.specification;
@@ -189,11 +190,41 @@ void Input::find_surface(const Options &options)
     take(placed ? *placed : cube_by_shape(options), options.from.rotation);
 }
 
+// What the picture says counts more than what a file beside it does.
+std::optional<SavedSurface> Input::find_saved(const Options &options)
+{
+    const ImageFile &image = images.front();
+    std::optional<SavedSurface> own = saved_surface(image);
+    std::optional<SavedSurface> beside = surface_beside(options.input, image.path());
+    if (!own || !beside)
+    {
+        return own ? own : beside;
+    }
+    const auto text_of = [](const SavedSurface &saved)
+    {
+        return saved.specification +
+               (saved.rotation ? ", turned by " + rotation_text(*saved.rotation) : "");
+    };
+    if (text_of(*own) != text_of(*beside))
+    {
+        remarks.push_back(says(*own) + text_of(*own) + ", and " + in_quotes(beside->where) + " " +
+                          text_of(*beside) + "; what the picture says counts");
+    }
+    return own;
+}
+
+std::string Input::says(const SavedSurface &saved) const
+{
+    const std::string image = in_quotes(images.front().path());
+    return saved.where.empty() ? image + " says that it is "
+                               : in_quotes(saved.where) + " says that " + image + " is ";
+}
+
 // False if the picture does not have the shape that its tag means: somebody has cut or scaled it since.
 bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
 {
     const ImageFile &image = images.front();
-    const std::string name = in_quotes(image.path()) + " says that it is ";
+    const std::string name = says(saved);
     const bool of_six = key_of(saved.specification, "layout") == "faces";
     if (of_six && !faces)
     {
@@ -211,8 +242,9 @@ bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
     }
     if (!sphere)
     {
-        remarks.push_back(name + saved.specification + ", but is " + size_text(image) +
-                          "; its shape counts");
+        remarks.push_back(name + saved.specification +
+                          (saved.where.empty() ? ", but is " : ", but that is ") +
+                          size_text(image) + "; its shape counts");
         return false;
     }
     turned = rotation;
@@ -249,7 +281,7 @@ void Input::compare_with(const SavedSurface &saved)
     const std::string there = other ? cm_surface_specification(other.get()) : saved.specification;
     const auto turn_of = [](const std::optional<cm_rotation> &rotation)
     { return rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0"; };
-    const std::string name = in_quotes(images.front().path()) + " says that it is ";
+    const std::string name = says(saved);
     if (here != there)
     {
         remarks.push_back(name + there + "; it is taken as " + here + ", as the command line says");

@@ -67,6 +67,8 @@ private:
     void check_faces() const;
     void choose_type();
     void find_surface(const Options &options);
+    std::optional<SavedSurface> find_saved(const Options &options);
+    std::string says(const SavedSurface &saved) const;
     bool take_saved(const SavedSurface &saved, const SurfaceOptions &options);
     void take(const std::string &specification, const std::optional<cm_rotation> &rotation);
     void compare_with(const SavedSurface &saved);

@@ -3,6 +3,7 @@
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_table.h"
+#include "sidecar.hpp"
 #include "surface_text.hpp"
 #include "tools/cli/catalogue_name.h"
 #include "tools/cli/program.hpp"
@@ -10,6 +11,7 @@
 #include <cubemap/catalogue.h>
 
 #include <cstring>
+#include <filesystem>
 
 namespace
 {
@@ -38,6 +40,14 @@ void check_instructions(cm_status status, const char *message)
     {
         throw Failure(message);
     }
+}
+
+// What a file that --sidecar has written says of the pictures beside it.
+void take_sidecar(const std::string &path, SurfaceOptions &from)
+{
+    const SavedSurface saved = read_sidecar(path);
+    from.specification = without_key(without_key(saved.specification, "size"), "height");
+    from.said_rotation = saved.rotation;
 }
 
 std::string read_specification(const OptionReader &reader)
@@ -148,6 +158,12 @@ bool read_surface_option(int id, OptionReader &reader, Options &options)
     switch (id)
     {
     case REPROJECT_FROM:
+        options.from.said_rotation.reset();
+        if (std::filesystem::path(reader.text()).extension() == ".json")
+        {
+            take_sidecar(reader.text(), options.from);
+            return true;
+        }
         options.from.specification = read_specification(reader);
         return true;
     case REPROJECT_TO:
@@ -311,6 +327,10 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
         throw UsageFailure("INPUT and OUTPUT are needed, " + std::to_string(operands.size()) +
                            (operands.size() == 1 ? " name is" : " names are") +
                            " given; see --help");
+    }
+    if (!options.from.rotation)
+    {
+        options.from.rotation = options.from.said_rotation;
     }
     check_overlay_options(options.overlay, false);
     check_together(options);

@@ -21,6 +21,7 @@ struct SurfaceOptions
     std::string frame;
     std::string layout;
     std::optional<cm_rotation> rotation;
+    std::optional<cm_rotation> said_rotation; // by the file that has said the rest
 };
 
 enum class Keep

@@ -38,7 +38,8 @@ static const cm_option projections[] = {
      .kind = CM_OPTION_TEXT,
      .argument = "SPEC",
      .help = "what INPUT is; without it, what the file says of itself, or else its shape: 2:1 "
-             "equirect, 6:1 a strip, 4:3 a cross; %f in the name: six faces",
+             "equirect, 6:1 a strip, 4:3 a cross; %f in the name: six faces. Or a file of "
+             "--sidecar, whose name ends in .json",
      .more = "A file says it by what this program has written into it, by the fields of a photo "
              "sphere, or as a GeoTIFF file in degrees. All others must be said.",
      .choices = kinds},
@@ -174,7 +175,8 @@ static const cm_option values[] = {
              "b44a, dwaa, dwab; JPEG the quality, 1 to 100; PNG the effort, 0 to 9"},
     {.id = REPROJECT_SIDECAR,
      .name = "sidecar",
-     .help = "also write what OUTPUT is into a file beside it that ends in .json"},
+     .help = "also write what OUTPUT is into a file beside it that ends in .json, which is read "
+             "again where OUTPUT is INPUT"},
     {.id = REPROJECT_THREADS,
      .name = "threads",
      .kind = CM_OPTION_WHOLE,
