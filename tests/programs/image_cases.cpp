@@ -153,6 +153,16 @@ void limit_files(rlim_t bytes)
     setrlimit(RLIMIT_FSIZE, &limit);
 }
 
+std::string gdal_library;
+
+// A library that was opened stays: until a subject asks for it there is none.
+void set_aside_gdal()
+{
+    const char *const named = std::getenv("CUBEMAP_IMAGE_GDAL");
+    gdal_library = named == nullptr ? "" : named;
+    setenv("CUBEMAP_IMAGE_GDAL", "/none", 1);
+}
+
 bool is_one_line(const std::string &text)
 {
     return std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
@@ -207,6 +217,15 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
 }
 
 } // namespace
+
+bool open_gdal()
+{
+    if (!gdal_library.empty())
+    {
+        setenv("CUBEMAP_IMAGE_GDAL", gdal_library.c_str(), 1);
+    }
+    return !gdal_library.empty();
+}
 
 Words words_of(const std::string &line)
 {
@@ -455,6 +474,7 @@ int main(int argc, char **argv)
         give_up("usage: image_cases ROOT [SUBJECT...]");
     }
     root = std::filesystem::canonical(argv[1]).string();
+    set_aside_gdal();
     std::signal(SIGXFSZ, SIG_IGN); // as the programs' own start has it
     std::string name = (std::filesystem::temp_directory_path() / "cubemap-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)

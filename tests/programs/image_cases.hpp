@@ -71,6 +71,9 @@ void make_noise(int width, int height, const std::string &name);
 // The same with its pixels in the opposite order.
 void make_turned(const std::string &noise, int width, int height, const std::string &name);
 
+// From now on programs find the library for rasters of GDAL; false if it is not built.
+bool open_gdal();
+
 // The top of the source tree.
 const std::string &source_tree();
 

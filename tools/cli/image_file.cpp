@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 
 #include "image_file.hpp"
-#include "program.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -100,6 +99,10 @@ void ImageFile::open(int threads)
     cm_image_reader *opened = nullptr;
     char message[CM_IMAGE_MESSAGE] = "";
     const cm_status status = functions.open(name.c_str(), 0, &opened, message);
+    if (status == CM_ERROR_UNSUPPORTED)
+    {
+        throw UnreadableImage(in_quotes(name) + " " + message);
+    }
     if (status != CM_OK)
     {
         fail_image(in_quotes(name), status, message);

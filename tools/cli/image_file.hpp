@@ -6,6 +6,7 @@
 #define CUBEMAP_TOOLS_IMAGE_FILE_HPP
 
 #include "image_description.hpp"
+#include "program.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -25,6 +26,13 @@ const cm_image_io &image_io();
 
 // Throws what a status of image_io() means; file is in_quotes() or says otherwise what the message is of.
 [[noreturn]] void fail_image(const std::string &file, cm_status status, const char *message);
+
+// There is such a file, but nothing that reads it.
+class UnreadableImage : public Failure
+{
+public:
+    using Failure::Failure;
+};
 
 // An image file that was opened. The first image counts if there are several. The orientation that
 // a camera noted is applied; an OpenEXR image is its display window, with 0 where there is no data.

@@ -80,6 +80,29 @@ bool is_nan(cm_pixel_type type, const unsigned char *values, std::size_t index)
     return (bits & 0x7fffffu) != 0;
 }
 
+// By GDAL if it is placed on the Earth as a surface cannot be, or if nothing else reads it.
+ImageFile open_picture(const std::string &name, const Options &options, int threads)
+{
+    std::string why;
+    try
+    {
+        ImageFile image(name, threads);
+        const std::string how = geographic_place(image).otherwise;
+        if (how.empty() || is_said(options.from) || saved_surface(image))
+        {
+            return image;
+        }
+        why = in_quotes(name) + " is placed on the Earth " + how +
+              "; make it EPSG:4326 (gdalwarp -t_srs EPSG:4326), or say --from SPEC to take it as "
+              "something else";
+    }
+    catch (const UnreadableImage &failure)
+    {
+        why = failure.what();
+    }
+    return open_by_gdal(name, why);
+}
+
 } // namespace
 
 Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
@@ -109,7 +132,7 @@ void Input::open(const Options &options, int threads)
     }
     for (std::size_t i = images.size(); i < names.size(); ++i)
     {
-        images.emplace_back(names[i], threads);
+        images.push_back(open_picture(names[i], options, threads));
     }
     if (faces)
     {
@@ -186,8 +209,9 @@ void Input::find_surface(const Options &options)
     {
         return;
     }
-    const std::optional<std::string> placed = geographic_surface(images.front());
-    take(placed ? *placed : cube_by_shape(options), options.from.rotation);
+    const GeoPlace place = geographic_place(images.front());
+    take(place.specification ? *place.specification : cube_by_shape(options),
+         options.from.rotation);
 }
 
 // What the picture says counts more than what a file beside it does.
@@ -354,6 +378,11 @@ std::string Input::layout_by_shape(const Options &options) const
                 "%f in the name, or --from-layout says what it is"
               : ", neither 2:1 (equirect), 6:1 (strip) nor 4:3 (cross); say --from "
                 "equirect if it is that all the same"));
+}
+
+bool Input::is_georeferenced() const
+{
+    return geographic_place(images.front()).specification.has_value();
 }
 
 // ---- its pixels

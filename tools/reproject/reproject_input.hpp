@@ -39,6 +39,9 @@ public:
         return pixels;
     }
 
+    // Do the files say where on Earth they are?
+    bool is_georeferenced() const;
+
     // Lines for people about what is not as it seems.
     const std::vector<std::string> &warnings() const noexcept
     {

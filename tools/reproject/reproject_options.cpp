@@ -199,6 +199,9 @@ void read_option(int id, OptionReader &reader, Options &options)
 {
     switch (id)
     {
+    case REPROJECT_GEOREFERENCE:
+        options.georeference = true;
+        break;
     case REPROJECT_START:
         options.start = reader.whole_number();
         break;

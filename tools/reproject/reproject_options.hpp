@@ -56,6 +56,7 @@ struct Options
     std::optional<double> tolerance;
     std::string compression;
     bool sidecar = false;
+    bool georeference = false;
     std::optional<int> start; // of a film: the number of its first picture
     std::optional<int> count;
     std::optional<BarePictures> raw; // what comes through a pipe, if it does not say so itself

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
+#include "geo_reference.hpp"
 #include "output_surface.hpp"
 #include "sidecar.hpp"
 #include "tools/cli/parallel.hpp"
@@ -105,6 +106,7 @@ Output::Output(const Options &options, const Input &input)
                       input.files().front().format(), names.front());
     channels = source.channels;
     choose_colors(options, input);
+    choose_place(options, input);
     if (options.overlay.wanted())
     {
         lines = std::make_unique<SurfaceLines>(options.overlay, *surface, rotation, input);
@@ -140,6 +142,19 @@ void Output::choose_names(const Options &options, const Input &input)
             }
         }
     }
+}
+
+// What was placed on Earth still is.
+void Output::choose_place(const Options &options, const Input &input)
+{
+    const bool can = plan.format == "tiff" && has_geographic_place(*surface, rotation);
+    if (options.georeference && !can)
+    {
+        throw UsageFailure("--georeference is for TIFF files of equirect or mercator that are not "
+                           "turned; OUTPUT is " +
+                           surface_text());
+    }
+    georeferenced = can && (options.georeference || input.is_georeferenced());
 }
 
 // Light is written as sRGB where a format has that, and the other way round.
@@ -369,6 +384,10 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
     }
     queue.finish();
     writer.close();
+    if (georeferenced)
+    {
+        write_geographic_place(*surface, names[index], *files[index]);
+    }
     files[index]->finish();
 }
 

@@ -43,6 +43,7 @@ private:
     struct Render; // what all of the rows have in common
 
     void choose_names(const Options &options, const Input &input);
+    void choose_place(const Options &options, const Input &input);
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
     void make_files(const Options &options);
@@ -61,6 +62,7 @@ private:
     std::vector<std::string> names;                 // of the pictures' files
     std::vector<std::unique_ptr<AtomicFile>> files; // of those, then the sidecar
     ImagePlan plan;
+    bool georeferenced = false;
     cm_plan_options values = {};
     cm_pixel_type row_type = CM_PIXEL_FLOAT; // of what is computed
     int channels = 0;

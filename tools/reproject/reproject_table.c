@@ -40,8 +40,10 @@ static const cm_option projections[] = {
      .help = "what INPUT is; without it, what the file says of itself, or else its shape: 2:1 "
              "equirect, 6:1 a strip, 4:3 a cross; %f in the name: six faces. Or a file of "
              "--sidecar, whose name ends in .json",
-     .more = "A file says it by what this program has written into it, by the fields of a photo "
-             "sphere, or as a GeoTIFF file in degrees. All others must be said.",
+     .more =
+         "A file says it by what this program has written into it, by the fields of a photo "
+         "sphere, or by a georeference, which is warped to degrees if GDAL is there. All others "
+         "must be said.",
      .choices = kinds},
     {.id = REPROJECT_TO,
      .name = "to",
@@ -177,6 +179,11 @@ static const cm_option values[] = {
      .name = "sidecar",
      .help = "also write what OUTPUT is into a file beside it that ends in .json, which is read "
              "again where OUTPUT is INPUT"},
+    {.id = REPROJECT_GEOREFERENCE,
+     .name = "georeference",
+     .help = "write where OUTPUT is on Earth into a TIFF file: EPSG:4326 of an equirectangular "
+             "image, EPSG:3857 of mercator",
+     .more = "Without this it is written where INPUT has a georeference, too."},
     {.id = REPROJECT_THREADS,
      .name = "threads",
      .kind = CM_OPTION_WHOLE,
