@@ -356,6 +356,102 @@ void georeferences()
     fails("placed in metres", 1, "by EPSG:32632; make it EPSG:4326 \\(gdalwarp",
           "reproject utm.tif made/a.tif");
     passes("unless --from says what it is", "reproject --quiet --from equirect utm.tif out.tif");
+    // a web map of the north-eastern quarter: 20037508.342789244 is pi times the radius
+    write_tiff("web.tif", 8, 8, std::vector<float>(64, 0.5f),
+               {doubles(33550, {2504688.5428486555, 2504688.5428486555, 0}),
+                doubles(33922, {0, 0, 0, 0, 20037508.342789244, 0}), geo_keys(1, 1, 3072, 3857)});
+    says("placed as web maps are", "^web\\.tif \\(mercator;west=0;south=0 8x8",
+         "reproject --to equirect --size 36 web.tif whole.tif");
+    holds("it is where it says",
+          []
+          {
+              check_pixel("whole.tif", 18 + 9, 4, {0.5});
+              check_pixel("whole.tif", 9, 4, {0});
+              check_pixel("whole.tif", 18 + 9, 12, {0});
+          });
+}
+
+// Where the file's own tag of the surface is not understood, its georeference counts.
+void without_tag(const std::string &name)
+{
+    std::string content = content_of(name);
+    const std::size_t at = content.find("cubemap:surface");
+    result(at != std::string::npos, "there is a tag in " + name);
+    content.replace(at, 7, "another");
+    write_file(name, content);
+}
+
+void written_georeferences()
+{
+    make_noise(64, 32, "noise.ppm");
+    const std::string to = "reproject --quiet --georeference --to ";
+    does(to + "equirect --size 64 noise.ppm whole.tif");
+    without_tag("whole.tif");
+    says("the whole Earth", "^whole\\.tif \\(equirect 64x32,", "reproject whole.tif back_%f.png");
+    does(to + "equirect;west=10;east=30;south=40;north=50;size=20 noise.ppm part.tif");
+    does("reproject --quiet --to equirect --size 64 part.tif part.png");
+    without_tag("part.tif");
+    says("a part", "^part\\.tif \\(equirect;west=10;east=30;south=40;north=50 20x10,",
+         "reproject --to mercator;west=12;east=28;south=42;north=48;size=20 part.tif web.tif");
+    without_tag("web.tif");
+    says("what had a georeference has one again, of web maps",
+         "^web\\.tif \\(mercator;west=12;east=28;south=42;north=48(\\.000000000000*[0-9]*)? 20x",
+         "reproject --to equirect --size 64 web.tif back.png");
+    does("reproject --quiet --to equirect --size 64 noise.ppm plain.tif");
+    without_tag("plain.tif");
+    does("reproject --quiet --layout strip plain.tif strip.tif");
+    result(content_of("plain.tif").find(bytes_of(std::uint16_t{34735})) == std::string::npos,
+           "else there is none");
+    fails("of a cube", 2, "OUTPUT is cube:coupled",
+          "reproject --georeference noise.ppm made/a_%f.tif");
+    fails("of what is turned", 2, "that are not turned",
+          "reproject --georeference --rotate 1,2 --to equirect noise.ppm made/a.tif");
+    fails("of a format without", 2, "is for TIFF files",
+          "reproject --georeference --to equirect noise.ppm made/a.png");
+}
+
+// Of Earth's systems by GDAL, where it is.
+void rasters()
+{
+    if (!open_gdal())
+    {
+        result(true, "rasters # SKIP GDAL is not built in");
+        return;
+    }
+    // from 9 E, 45.15 N: EPSG:32632 has 500 km at its middle, 9 E
+    const TiffTag scale = doubles(33550, {10000, 10000, 0});
+    const TiffTag tie = doubles(33922, {0, 0, 0, 500000, 5000000, 0});
+    write_tiff("utm.tif", 32, 16, std::vector<float>(std::size_t{32} * 16, 0.5f),
+               {scale, tie, geo_keys(1, 1, 3072, 32632)});
+    const std::string part = "equirect;west=8;east=14;south=43;north=46;size=60";
+    says("a raster in metres is warped",
+         "^utm\\.tif \\(equirect;west=(8\\.9|9).*, 1 channel, float\\)",
+         "reproject --filter bilinear --to " + part + " utm.tif part.tif");
+    holds("to where it is",
+          []
+          {
+              check_pixel("part.tif", 15, 11, {0.5}); // 9.55 E, 44.85 N
+              check_pixel("part.tif", 4, 11, {0});
+              check_pixel("part.tif", 15, 4, {0});
+          });
+    std::string pixels;
+    for (int i = 0; i < 32; ++i)
+    {
+        pixels += static_cast<char>(8 * i);
+    }
+    write_file("area.img", pixels);
+    write_file("area.hdr",
+               "ENVI\nsamples = 8\nlines = 4\nbands = 1\nheader offset = 0\nfile type = ENVI "
+               "Standard\ndata type = 1\ninterleave = bsq\nbyte order = 0\nmap info = {Geographic "
+               "Lat/Lon, 1, 1, 20, 50, 10, 10, WGS-84}\n");
+    says("a format of GDAL alone",
+         "^area\\.img \\(equirect;west=20;east=100;south=10;north=50 8x4, 1 channel, uint8\\)",
+         "reproject --to equirect --size 36 --filter nearest area.img whole.png");
+    holds("and its pixels", [] { check_pixel("whole.png", 18 + 3, 5, {8 * 9 / 255.0}); });
+    write_file("no.img", "nothing");
+    fails("what GDAL does not read either", 1,
+          "is not an image that can be read: .*, and it is not a raster that GDAL reads",
+          "reproject no.img made/a.png");
 }
 
 void sidecars()
@@ -370,6 +466,55 @@ void sidecars()
            "a file beside the pictures", text);
     does("reproject --quiet --sidecar noise.ppm --layout strip strip.hdr");
     result(std::filesystem::exists("strip.json"), "for formats without tags, too");
+    does("reproject --quiet --sidecar noise.ppm --to cube:qsc --frame gl --layout vcross --rotate "
+         "10,20,30 turned.ppm");
+    const std::string wanted = "\\(cube:qsc, frame gl, vcross 48x64, turned by 10,20,30,";
+    says("and is read again", "^turned\\.ppm " + wanted, "reproject turned.ppm back.png");
+    warns("the command line counts more",
+          "'turned\\.json' says that 'turned\\.ppm' is cube:qsc;frame=gl;layout=vcross;size=16; it "
+          "is taken as cube:coupled;",
+          "reproject --quiet --from cube --from-layout vcross turned.ppm back.png");
+    std::filesystem::rename("turned.ppm", "other.ppm");
+    fails("a file that does not name the picture says nothing", 1, "neither 2:1",
+          "reproject other.ppm made/a.png");
+    says("unless --from names it", "^other\\.ppm " + wanted,
+         "reproject --from turned.json other.ppm back.png");
+    says("and --from-rotate says otherwise", "turned by 1,2,3,",
+         "reproject --from-rotate 1,2,3 --from turned.json other.ppm back.png");
+    does("reproject --quiet --sidecar noise.ppm six_%f.ppm --frame s2");
+    says("of six pictures", "^six_0.ppm .. six_5.ppm \\(cube:coupled, frame s2, 16x16,",
+         "reproject six_%f.ppm back.png");
+    make_noise(32, 16, "strip.hdr.ppm");
+    std::filesystem::rename("strip.hdr.ppm", "turned.ppm");
+    warns("a picture that was scaled", "but that is 32 x 16; its shape counts",
+          "reproject --quiet turned.ppm back_%f.png");
+    does("reproject --quiet --sidecar --layout cross noise.ppm cross.png");
+    std::string other = content_of("cross.json");
+    other.replace(other.find("coupled"), 7, "qsc");
+    write_file("cross.json", other);
+    warns("what the picture says counts",
+          "'cross\\.png' says that it is cube:coupled;.*, and 'cross\\.json' cube:qsc;",
+          "reproject --quiet cross.png back.png");
+    write_file("written.json",
+               "{\"other\": {\"a\": [[1], {}, null]}, \"note\": \"\\u00e9\\u20ac\\n\",\n"
+               " \"surface\":\"cube:qs\\u0063;layout=vcross\", \"rotation\": [ 0, 0.0, -0e1 ] }");
+    says("as others write it", "\\(cube:qsc, frame geo, vcross 48x64,",
+         "reproject --from written.json --from-frame geo other.ppm back.png");
+    write_file("bad.json", "{\"surface\": \"cube:nothing\"}");
+    for (const std::string broken : {"", "[]", "{", "{\"a\" 1}", "{\"a\": yes}", "{\"a\": \"\\q\"}",
+                                     "{\"a\": \"\\u12\"}", "{\"a\": [1}", "{} 1"})
+    {
+        write_file("bad.json", broken + "\n");
+        fails("JSON that is none: " + broken, 1, "'bad.json' says no surface",
+              "reproject --from bad.json noise.ppm made/a.png");
+    }
+    write_file("bad.json", "{\"surface\": \"cube:nothing\"}");
+    fails("a file that says nothing", 1, "'bad.json' says no surface",
+          "reproject --from bad.json noise.ppm made/a.png");
+    fails("a file that is not there", 1, "'no.json' cannot be read: No such file",
+          "reproject --from no.json noise.ppm made/a.png");
+    write_file("cross.json", "{\"pictures\": [\"cross.png\"], \"surface\": ");
+    passes("a file beside that is none", "reproject --quiet cross.png back.png");
 }
 
 void programs()
@@ -561,6 +706,8 @@ const std::vector<Subject> &reproject_surface_subjects()
                                                   {"light", light},
                                                   {"one_nan", one_nan},
                                                   {"dithers", dithers},
-                                                  {"files_and_filters", files_and_filters}};
+                                                  {"files_and_filters", files_and_filters},
+                                                  {"written_georeferences", written_georeferences},
+                                                  {"rasters", rasters}};
     return subjects;
 }

@@ -25,7 +25,7 @@ namespace
 constexpr std::size_t slot_count = 16;
 std::array<std::atomic<const char *>, slot_count> temporary_names;
 
-constexpr std::array<int, 3> ending_signals = {SIGINT, SIGTERM, SIGHUP};
+constexpr std::array<int, 4> ending_signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 // A signal that has come, and how many SignalsHeld there are. The handler writes the one and then
 // reads the other, SignalsHeld the other way round, so at least one of them sees both.
@@ -235,10 +235,15 @@ AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_link
     fchmod(descriptor, mode);
 }
 
+AtomicFile::AtomicFile(const std::string &stream_name, std::FILE *stream)
+    : name(stream_name), file(stream), is_stream(true)
+{
+}
+
 AtomicFile::~AtomicFile()
 {
     const SignalsHeld held;
-    if (file != nullptr)
+    if (file != nullptr && !is_stream)
     {
         std::fclose(file);
     }
@@ -326,11 +331,12 @@ void AtomicFile::finish()
     {
         return;
     }
-    if (std::fflush(file) != 0 || (fsync(fileno(file)) != 0 && errno != EINVAL))
+    const bool flushed = std::fflush(file) == 0;
+    if (!flushed || (!is_stream && fsync(fileno(file)) != 0 && errno != EINVAL))
     {
         note_error(errno);
     }
-    if (std::fclose(file) != 0)
+    if (!is_stream && std::fclose(file) != 0)
     {
         note_error(errno);
     }
@@ -340,6 +346,10 @@ void AtomicFile::finish()
 
 void AtomicFile::appear()
 {
+    if (is_stream)
+    {
+        return;
+    }
     if (std::rename(temporary.c_str(), target.c_str()) != 0)
     {
         throw Failure(in_quotes(name) + " cannot be written: " + std::strerror(errno));

@@ -21,6 +21,8 @@ class AtomicFile
 public:
     // Failure if the file cannot be made, or if its name belongs to something that is not a file.
     explicit AtomicFile(const std::string &path);
+    // Not a file but a stream, into which bytes go at once and in their order; it must outlive this.
+    AtomicFile(const std::string &stream_name, std::FILE *stream);
     // Removes the temporary file unless appear() was called.
     ~AtomicFile();
     AtomicFile(const AtomicFile &) = delete;
@@ -56,6 +58,7 @@ private:
     std::string target;    // with symbolic links followed
     std::string temporary; // in the same folder
     std::FILE *file = nullptr;
+    bool is_stream = false;
     std::int64_t position = 0;
     std::size_t slot = 0; // where the signal handler finds the temporary name
     int error_number = 0;

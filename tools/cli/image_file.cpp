@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 
 #include "image_file.hpp"
-#include "program.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -64,13 +63,24 @@ void fail_image(const std::string &file, cm_status status, const char *message)
 
 void ImageFile::Closer::operator()(cm_image_reader *opened) const noexcept
 {
-    image_io().close(opened);
+    functions->close(opened);
 }
 
 ImageFile::ImageFile(const std::string &path, int threads) : name(path)
 {
     check_readable(path);
     open(threads);
+    find_size();
+}
+
+ImageFile::ImageFile(const std::string &path, const cm_image_io &functions, cm_image_reader *opened)
+    : name(path), reader(opened, Closer{&functions})
+{
+    find_size();
+}
+
+void ImageFile::find_size()
+{
     upright_width = static_cast<int>(stored().window_width);
     upright_height = static_cast<int>(stored().window_height);
     if (stored().orientation > 4)
@@ -81,23 +91,28 @@ ImageFile::ImageFile(const std::string &path, int threads) : name(path)
 
 void ImageFile::open(int threads)
 {
+    const cm_image_io &functions = image_io();
     if (threads > 0)
     {
-        image_io().set_threads(threads);
+        functions.set_threads(threads);
     }
     cm_image_reader *opened = nullptr;
     char message[CM_IMAGE_MESSAGE] = "";
-    const cm_status status = image_io().open(name.c_str(), 0, &opened, message);
+    const cm_status status = functions.open(name.c_str(), 0, &opened, message);
+    if (status == CM_ERROR_UNSUPPORTED)
+    {
+        throw UnreadableImage(in_quotes(name) + " " + message);
+    }
     if (status != CM_OK)
     {
         fail_image(in_quotes(name), status, message);
     }
-    reader.reset(opened);
+    reader = {opened, Closer{&functions}};
 }
 
 const cm_image_description &ImageFile::stored() const noexcept
 {
-    return *image_io().describe(reader.get());
+    return *table().describe(reader.get());
 }
 
 void ImageFile::read(float *pixels, std::size_t row_stride, Finite finite)
@@ -168,8 +183,7 @@ void ImageFile::read_stored(int first, int end, cm_pixel_type type, void *pixels
     const cm_image_region rows = {0, static_cast<std::uint32_t>(first), stored().width,
                                   static_cast<std::uint32_t>(end)};
     char message[CM_IMAGE_MESSAGE] = "";
-    const cm_status status =
-        image_io().read(reader.get(), &rows, type, pixels, row_stride, message);
+    const cm_status status = table().read(reader.get(), &rows, type, pixels, row_stride, message);
     if (status != CM_OK)
     {
         fail_image(in_quotes(name), status, message);

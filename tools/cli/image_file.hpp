@@ -6,6 +6,7 @@
 #define CUBEMAP_TOOLS_IMAGE_FILE_HPP
 
 #include "image_description.hpp"
+#include "program.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -26,6 +27,13 @@ const cm_image_io &image_io();
 // Throws what a status of image_io() means; file is in_quotes() or says otherwise what the message is of.
 [[noreturn]] void fail_image(const std::string &file, cm_status status, const char *message);
 
+// There is such a file, but nothing that reads it.
+class UnreadableImage : public Failure
+{
+public:
+    using Failure::Failure;
+};
+
 // An image file that was opened. The first image counts if there are several. The orientation that
 // a camera noted is applied; an OpenEXR image is its display window, with 0 where there is no data.
 // The values of transparent pixels are as stored (neither multiplied nor divided by alpha).
@@ -36,6 +44,10 @@ public:
     // process reads and writes images in so many threads, and none may be read or written now; 0
     // leaves them as they are.
     explicit ImageFile(const std::string &path, int threads = 0);
+
+    // A picture that is open already, by the functions of this table, of which describe, read and close are called; it
+    // belongs to this from now on.
+    ImageFile(const std::string &path, const cm_image_io &functions, cm_image_reader *opened);
 
     const std::string &path() const noexcept
     {
@@ -88,6 +100,7 @@ public:
 private:
     struct Closer
     {
+        const cm_image_io *functions;
         void operator()(cm_image_reader *opened) const noexcept;
     };
     struct Place
@@ -97,6 +110,11 @@ private:
     };
 
     void open(int threads);
+    void find_size();
+    const cm_image_io &table() const noexcept
+    {
+        return *reader.get_deleter().functions;
+    }
     void read_stored(int first, int end, cm_pixel_type type, void *pixels,
                      std::ptrdiff_t row_stride);
     void read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride);
@@ -106,7 +124,7 @@ private:
     bool is_plain() const;
 
     std::string name;
-    std::unique_ptr<cm_image_reader, Closer> reader;
+    std::unique_ptr<cm_image_reader, Closer> reader{nullptr, Closer{nullptr}};
     int upright_width = 0;
     int upright_height = 0;
     std::vector<float> upright; // of rows that are read while the image is not stored so

@@ -5,8 +5,9 @@
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
-#include "reproject_options.hpp"
+#include "film.hpp"
 #include "reproject_main.h"
+#include "reproject_options.hpp"
 #include "reproject_output.hpp"
 
 #include <cstdio>
@@ -22,6 +23,10 @@ int reproject(int argc, char **argv, const cm_streams &streams)
         return 0;
     }
     const int threads = thread_count(options.threads);
+    if (is_film(options))
+    {
+        return reproject_film(options, threads, streams);
+    }
 
     Input input(options, threads);
     Output output(options, input);
@@ -30,7 +35,8 @@ int reproject(int argc, char **argv, const cm_streams &streams)
         std::fprintf(streams.err, "cubemap-reproject: %s\n", warning.c_str());
     }
     input.read(options, threads);
-    output.write(options, input, threads, streams.err);
+    KeptPlan plan;
+    output.write(options, input, threads, streams.err, plan);
     if (!options.quiet)
     {
         std::vector<std::string> names;
@@ -38,8 +44,10 @@ int reproject(int argc, char **argv, const cm_streams &streams)
         {
             names.push_back(file.path());
         }
-        print(streams, name_list(names) + " (" + input.description() + ") -> " +
-                           output.description() + "\n");
+        const cm_streams said = {streams.in, is_pipe(options.output) ? streams.err : streams.out,
+                                 streams.err};
+        print(said, name_list(names) + " (" + input.description() + ") -> " + output.description() +
+                        "\n");
     }
     return 0;
 }

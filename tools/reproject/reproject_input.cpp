@@ -2,6 +2,7 @@
 
 #include "reproject_input.hpp"
 #include "geo_reference.hpp"
+#include "sidecar.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
@@ -79,9 +80,33 @@ bool is_nan(cm_pixel_type type, const unsigned char *values, std::size_t index)
     return (bits & 0x7fffffu) != 0;
 }
 
+// By GDAL if it is placed on the Earth as a surface cannot be, or if nothing else reads it.
+ImageFile open_picture(const std::string &name, const Options &options, int threads)
+{
+    std::string why;
+    try
+    {
+        ImageFile image(name, threads);
+        const std::string how = geographic_place(image).otherwise;
+        if (how.empty() || is_said(options.from) || saved_surface(image))
+        {
+            return image;
+        }
+        why = in_quotes(name) + " is placed on the Earth " + how +
+              "; make it EPSG:4326 (gdalwarp -t_srs EPSG:4326), or say --from SPEC to take it as "
+              "something else";
+    }
+    catch (const UnreadableImage &failure)
+    {
+        why = failure.what();
+    }
+    return open_by_gdal(name, why);
+}
+
 } // namespace
 
-Input::Input(const Options &options, int threads)
+Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
+    : images(std::move(opened))
 {
     open(options, threads);
     choose_type();
@@ -100,9 +125,14 @@ void Input::open(const Options &options, int threads)
     faces = cube && (layout == "faces" || (layout.empty() && names_faces(options.input)));
     const std::vector<std::string> names =
         faces ? face_names(options.input) : std::vector<std::string>{options.input};
-    for (const std::string &name : names)
+    if (faces && !images.empty())
     {
-        images.emplace_back(name, threads);
+        throw UsageFailure("INPUT is a pipe, through which the six faces of a cube come as one "
+                           "picture; --from-layout says how");
+    }
+    for (std::size_t i = images.size(); i < names.size(); ++i)
+    {
+        images.push_back(open_picture(names[i], options, threads));
     }
     if (faces)
     {
@@ -135,6 +165,10 @@ void Input::choose_type()
 {
     pixels = ImageDescription(images.front().stored());
     types = images.front().pixel_type();
+    if (images.front().format() == "pnm" && !images.front().stored().whole_numbers)
+    {
+        pixels.color = CM_IMAGE_COLOR_LINEAR; // PFM, which cannot say so
+    }
     for (const ImageFile &image : images)
     {
         const ImageDescription other(image.stored());
@@ -160,7 +194,7 @@ void Input::choose_type()
 
 void Input::find_surface(const Options &options)
 {
-    const std::optional<SavedSurface> saved = saved_surface(images.front());
+    const std::optional<SavedSurface> saved = find_saved(options);
     if (is_said(options.from))
     {
         const std::string &said = options.from.specification;
@@ -175,15 +209,46 @@ void Input::find_surface(const Options &options)
     {
         return;
     }
-    const std::optional<std::string> placed = geographic_surface(images.front());
-    take(placed ? *placed : cube_by_shape(options), options.from.rotation);
+    const GeoPlace place = geographic_place(images.front());
+    take(place.specification ? *place.specification : cube_by_shape(options),
+         options.from.rotation);
+}
+
+// What the picture says counts more than what a file beside it does.
+std::optional<SavedSurface> Input::find_saved(const Options &options)
+{
+    const ImageFile &image = images.front();
+    std::optional<SavedSurface> own = saved_surface(image);
+    std::optional<SavedSurface> beside = surface_beside(options.input, image.path());
+    if (!own || !beside)
+    {
+        return own ? own : beside;
+    }
+    const auto text_of = [](const SavedSurface &saved)
+    {
+        return saved.specification +
+               (saved.rotation ? ", turned by " + rotation_text(*saved.rotation) : "");
+    };
+    if (text_of(*own) != text_of(*beside))
+    {
+        remarks.push_back(says(*own) + text_of(*own) + ", and " + in_quotes(beside->where) + " " +
+                          text_of(*beside) + "; what the picture says counts");
+    }
+    return own;
+}
+
+std::string Input::says(const SavedSurface &saved) const
+{
+    const std::string image = in_quotes(images.front().path());
+    return saved.where.empty() ? image + " says that it is "
+                               : in_quotes(saved.where) + " says that " + image + " is ";
 }
 
 // False if the picture does not have the shape that its tag means: somebody has cut or scaled it since.
 bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
 {
     const ImageFile &image = images.front();
-    const std::string name = in_quotes(image.path()) + " says that it is ";
+    const std::string name = says(saved);
     const bool of_six = key_of(saved.specification, "layout") == "faces";
     if (of_six && !faces)
     {
@@ -201,8 +266,9 @@ bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
     }
     if (!sphere)
     {
-        remarks.push_back(name + saved.specification + ", but is " + size_text(image) +
-                          "; its shape counts");
+        remarks.push_back(name + saved.specification +
+                          (saved.where.empty() ? ", but is " : ", but that is ") +
+                          size_text(image) + "; its shape counts");
         return false;
     }
     turned = rotation;
@@ -239,7 +305,7 @@ void Input::compare_with(const SavedSurface &saved)
     const std::string there = other ? cm_surface_specification(other.get()) : saved.specification;
     const auto turn_of = [](const std::optional<cm_rotation> &rotation)
     { return rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0"; };
-    const std::string name = in_quotes(images.front().path()) + " says that it is ";
+    const std::string name = says(saved);
     if (here != there)
     {
         remarks.push_back(name + there + "; it is taken as " + here + ", as the command line says");
@@ -312,6 +378,11 @@ std::string Input::layout_by_shape(const Options &options) const
                 "%f in the name, or --from-layout says what it is"
               : ", neither 2:1 (equirect), 6:1 (strip) nor 4:3 (cross); say --from "
                 "equirect if it is that all the same"));
+}
+
+bool Input::is_georeferenced() const
+{
+    return geographic_place(images.front()).specification.has_value();
 }
 
 // ---- its pixels

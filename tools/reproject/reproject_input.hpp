@@ -16,9 +16,9 @@
 class Input
 {
 public:
-    // Opens the files. Failure if they are not there, not images, or not of the shape that they
-    // should have.
-    Input(const Options &options, int threads);
+    // Opens the files, unless they are given. Failure if they are not there, not images, or not of the shape that
+    // they should have. threads as for ImageFile.
+    Input(const Options &options, int threads, std::vector<ImageFile> opened = {});
 
     const cm_surface &surface() const noexcept
     {
@@ -38,6 +38,9 @@ public:
     {
         return pixels;
     }
+
+    // Do the files say where on Earth they are?
+    bool is_georeferenced() const;
 
     // Lines for people about what is not as it seems.
     const std::vector<std::string> &warnings() const noexcept
@@ -67,6 +70,8 @@ private:
     void check_faces() const;
     void choose_type();
     void find_surface(const Options &options);
+    std::optional<SavedSurface> find_saved(const Options &options);
+    std::string says(const SavedSurface &saved) const;
     bool take_saved(const SavedSurface &saved, const SurfaceOptions &options);
     void take(const std::string &specification, const std::optional<cm_rotation> &rotation);
     void compare_with(const SavedSurface &saved);

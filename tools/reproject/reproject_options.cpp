@@ -3,6 +3,7 @@
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_table.h"
+#include "sidecar.hpp"
 #include "surface_text.hpp"
 #include "tools/cli/catalogue_name.h"
 #include "tools/cli/program.hpp"
@@ -10,6 +11,7 @@
 #include <cubemap/catalogue.h>
 
 #include <cstring>
+#include <filesystem>
 
 namespace
 {
@@ -38,6 +40,14 @@ void check_instructions(cm_status status, const char *message)
     {
         throw Failure(message);
     }
+}
+
+// What a file that --sidecar has written says of the pictures beside it.
+void take_sidecar(const std::string &path, SurfaceOptions &from)
+{
+    const SavedSurface saved = read_sidecar(path);
+    from.specification = without_key(without_key(saved.specification, "size"), "height");
+    from.said_rotation = saved.rotation;
 }
 
 std::string read_specification(const OptionReader &reader)
@@ -148,6 +158,12 @@ bool read_surface_option(int id, OptionReader &reader, Options &options)
     switch (id)
     {
     case REPROJECT_FROM:
+        options.from.said_rotation.reset();
+        if (std::filesystem::path(reader.text()).extension() == ".json")
+        {
+            take_sidecar(reader.text(), options.from);
+            return true;
+        }
         options.from.specification = read_specification(reader);
         return true;
     case REPROJECT_TO:
@@ -183,6 +199,26 @@ void read_option(int id, OptionReader &reader, Options &options)
 {
     switch (id)
     {
+    case REPROJECT_GEOREFERENCE:
+        options.georeference = true;
+        break;
+    case REPROJECT_START:
+        options.start = reader.whole_number();
+        break;
+    case REPROJECT_COUNT:
+        options.count = reader.whole_number();
+        break;
+    case REPROJECT_RAW:
+        options.raw = read_bare_pictures(reader.text());
+        if (!options.raw)
+        {
+            reader.refuse("WIDTHxHEIGHT:FORMAT, as in 1920x960:rgb24, where FORMAT is one of: " +
+                          stream_format_names(true));
+        }
+        break;
+    case REPROJECT_PIPE:
+        options.pipe = reader.text();
+        break;
     case REPROJECT_SIZE:
         options.size = reader.whole_number();
         break;
@@ -255,6 +291,24 @@ void check_together(const Options &options)
     }
 }
 
+void check_pipes(const Options &options)
+{
+    if (options.raw && !is_pipe(options.input))
+    {
+        throw UsageFailure("--raw says what comes through a pipe, but INPUT is " +
+                           in_quotes(options.input) + ", not -");
+    }
+    if (!options.pipe.empty() && !is_pipe(options.output))
+    {
+        throw UsageFailure("--pipe says what goes into a pipe, but OUTPUT is " +
+                           in_quotes(options.output) + ", not -");
+    }
+    if (is_pipe(options.output) && options.sidecar)
+    {
+        throw UsageFailure("--sidecar writes a file beside OUTPUT, which is a pipe; leave one out");
+    }
+}
+
 } // namespace
 
 Options parse_options(int argc, char **argv, const cm_streams &streams)
@@ -277,6 +331,10 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
                            (operands.size() == 1 ? " name is" : " names are") +
                            " given; see --help");
     }
+    if (!options.from.rotation)
+    {
+        options.from.rotation = options.from.said_rotation;
+    }
     check_overlay_options(options.overlay, false);
     check_together(options);
     if (options.preset != nullptr)
@@ -285,5 +343,7 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
     }
     options.input = operands[0];
     options.output = operands[1];
+    options.output_stream = streams.out;
+    check_pipes(options);
     return options;
 }

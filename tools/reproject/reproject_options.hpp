@@ -7,6 +7,8 @@
 
 #include "tools/image/overlay_options.hpp"
 
+#include "tools/cli/picture_stream.hpp"
+
 #include <cubemap/image.h>
 
 #include <optional>
@@ -19,6 +21,7 @@ struct SurfaceOptions
     std::string frame;
     std::string layout;
     std::optional<cm_rotation> rotation;
+    std::optional<cm_rotation> said_rotation; // by the file that has said the rest
 };
 
 enum class Keep
@@ -53,13 +56,25 @@ struct Options
     std::optional<double> tolerance;
     std::string compression;
     bool sidecar = false;
+    bool georeference = false;
+    std::optional<int> start; // of a film: the number of its first picture
+    std::optional<int> count;
+    std::optional<BarePictures> raw; // what comes through a pipe, if it does not say so itself
+    std::string pipe; // the format of what goes into one; "": the one that holds it best
     OverlayOptions overlay;
     int threads = 0;
     bool quiet = false;
     bool printed = false; // is there nothing left to do?
     std::string input;
     std::string output;
+    std::FILE *output_stream = nullptr; // where OUTPUT goes if it is a pipe
 };
+
+// Is this INPUT or OUTPUT a pipe?
+inline bool is_pipe(const std::string &name)
+{
+    return name == "-";
+}
 
 // UsageFailure if the command line is not one.
 Options parse_options(int argc, char **argv, const cm_streams &streams);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
+#include "geo_reference.hpp"
 #include "output_surface.hpp"
 #include "sidecar.hpp"
 #include "tools/cli/parallel.hpp"
@@ -23,14 +24,6 @@ constexpr std::size_t bands_bytes = std::size_t{12} << 20;
 constexpr int bands_least = 8;
 constexpr int rows_each = 4 * block_rows;
 
-struct PlanDeleter
-{
-    void operator()(cm_plan *owned) const noexcept
-    {
-        cm_plan_destroy(owned);
-    }
-};
-
 struct SourceDeleter
 {
     void operator()(cm_source *owned) const noexcept
@@ -39,45 +32,33 @@ struct SourceDeleter
     }
 };
 
-using PlanPointer = std::unique_ptr<cm_plan, PlanDeleter>;
 using SourcePointer = std::unique_ptr<cm_source, SourceDeleter>;
-
-void check(cm_status status)
-{
-    if (status == CM_ERROR_MEMORY)
-    {
-        throw std::bad_alloc();
-    }
-    if (status != CM_OK)
-    {
-        throw Failure(std::string("cannot be resampled: ") + cm_status_text(status));
-    }
-}
-
-PlanPointer make_plan(const cm_surface &from, const cm_surface &to, const cm_plan_options &options)
-{
-    cm_plan *made = nullptr;
-    check(cm_plan_create(&from, &to, &options, &made));
-    return PlanPointer(made);
-}
 
 SourcePointer make_source(const cm_plan &plan, const cm_image *pictures, cm_pixel_type type,
                           int threads)
 {
     cm_source *made = nullptr;
-    check(cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made));
+    check_resampling(
+        cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made));
     return SourcePointer(made);
 }
 
 bool is_linear_format(const std::string &format)
 {
-    return format == "openexr" || format == "hdr";
+    return format == "openexr" || format == "hdr" || format == "pfm";
 }
 
 // Formats whose colours nobody takes for light.
 bool is_srgb_format(const std::string &format)
 {
-    return format == "png" || format == "jpeg";
+    return format == "png" || format == "jpeg" || format == "ppm" || format == "pgm" ||
+           format == "pam";
+}
+
+// Through a pipe goes what holds the picture best.
+std::string format_of(const std::string &name)
+{
+    return is_pipe(name) ? "pnm" : output_format(name);
 }
 
 cm_not_finite engine_not_finite(const Options &options)
@@ -121,10 +102,11 @@ Output::Output(const Options &options, const Input &input)
                    : options.keep == Keep::most ? ", as dense as INPUT where it is densest"
                                                 : "";
     const ImageDescription &source = input.description_of_pixels();
-    plan = plan_image(output_format(names.front()), source, input.files().front().format(),
-                      names.front());
+    plan = plan_image(options.pipe.empty() ? format_of(names.front()) : options.pipe, source,
+                      input.files().front().format(), names.front());
     channels = source.channels;
     choose_colors(options, input);
+    choose_place(options, input);
     if (options.overlay.wanted())
     {
         lines = std::make_unique<SurfaceLines>(options.overlay, *surface, rotation, input);
@@ -143,6 +125,11 @@ void Output::choose_names(const Options &options, const Input &input)
         throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but the layout is " +
                            key_of(cm_surface_specification(surface.get()), "layout"));
     }
+    if (pictures > 1 && is_pipe(options.output))
+    {
+        throw UsageFailure("OUTPUT is a pipe, which takes one picture, and the faces of a cube are "
+                           "six; say --layout 3x2, strip or cross, or --to equirect");
+    }
     names = pictures > 1 ? face_names(options.output) : std::vector<std::string>{options.output};
     for (const std::string &name : names)
     {
@@ -155,6 +142,19 @@ void Output::choose_names(const Options &options, const Input &input)
             }
         }
     }
+}
+
+// What was placed on Earth still is.
+void Output::choose_place(const Options &options, const Input &input)
+{
+    const bool can = plan.format == "tiff" && has_geographic_place(*surface, rotation);
+    if (options.georeference && !can)
+    {
+        throw UsageFailure("--georeference is for TIFF files of equirect or mercator that are not "
+                           "turned; OUTPUT is " +
+                           surface_text());
+    }
+    georeferenced = can && (options.georeference || input.is_georeferenced());
 }
 
 // Light is written as sRGB where a format has that, and the other way round.
@@ -234,7 +234,9 @@ void Output::make_files(const Options &options)
     }
     for (const std::string &name : names)
     {
-        files.push_back(std::make_unique<AtomicFile>(name));
+        files.push_back(is_pipe(name)
+                            ? std::make_unique<AtomicFile>("standard output", options.output_stream)
+                            : std::make_unique<AtomicFile>(name));
     }
     if (options.sidecar)
     {
@@ -305,8 +307,8 @@ void Output::compute(const Render &render, std::size_t index, const RowBand &ban
         {
             continue;
         }
-        check(cm_resample_source(&render.plan, &render.source, pictures.data(), rows,
-                                 static_cast<unsigned>(threads)));
+        check_resampling(cm_resample_source(&render.plan, &render.source, pictures.data(), rows,
+                                            static_cast<unsigned>(threads)));
         if (row_type == CM_PIXEL_FLOAT && (lines || colors.is_needed()))
         {
             finish_rows(place, rows, band, threads);
@@ -382,21 +384,27 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
     }
     queue.finish();
     writer.close();
+    if (georeferenced)
+    {
+        write_geographic_place(*surface, names[index], *files[index]);
+    }
     files[index]->finish();
 }
 
-void Output::write(const Options &options, const Input &input, int threads, std::FILE *terminal)
+void Output::write(const Options &options, const Input &input, int threads, std::FILE *terminal,
+                   KeptPlan &kept)
 {
     not_finite = input.not_finite();
     values.not_finite = not_finite > 0 ? engine_not_finite(options) : CM_NOT_FINITE_SPREAD;
-    const PlanPointer geometry = make_plan(input.surface(), *surface, values);
-    const SourcePointer source = make_source(*geometry, input.pictures(), row_type, threads);
+    const cm_plan &geometry =
+        kept.get(input.surface(), input.rotation(), *surface, rotation, values);
+    const SourcePointer source = make_source(geometry, input.pictures(), row_type, threads);
     filter = cm_source_filter(source.get());
     const std::int64_t rows =
         std::int64_t{cm_surface_height(surface.get())} * static_cast<std::int64_t>(names.size());
     {
         Progress progress(rows, !options.quiet, terminal);
-        const Render render = {*geometry, *source, progress};
+        const Render render = {geometry, *source, progress};
         parallel_for(static_cast<int>(names.size()), threads,
                      [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
     }
@@ -415,11 +423,15 @@ void Output::write_sidecar()
     files.back()->write(text.data(), text.size());
 }
 
+std::string Output::surface_text() const
+{
+    return surface_description(*surface, rotation) + (plan.alpha_dropped ? ", without alpha" : "") +
+           kept_density;
+}
+
 std::string Output::description() const
 {
-    std::string text = name_list(names) + " (" + surface_description(*surface, rotation) +
-                       (plan.alpha_dropped ? ", without alpha" : "") + kept_density + "; " +
-                       cm_filter_name(filter);
+    std::string text = name_list(names) + " (" + surface_text() + "; " + cm_filter_name(filter);
     text += colors.recode == Recode::encode   ? "; light written as sRGB"
             : colors.recode == Recode::decode ? "; sRGB written as light"
                                               : "";

@@ -7,6 +7,7 @@
 
 #include "band_queue.hpp"
 #include "color_rows.hpp"
+#include "kept_plan.hpp"
 #include "plane_place.hpp"
 #include "reproject_input.hpp"
 #include "surface_lines.hpp"
@@ -21,16 +22,28 @@ public:
     Output(const Options &options, const Input &input);
 
     // Computes and writes the files, and lets them appear. The progress is shown on terminal, if it
-    // is one.
-    void write(const Options &options, const Input &input, int threads, std::FILE *terminal);
+    // is one. plan is made, unless it is that of pictures like these.
+    void write(const Options &options, const Input &input, int threads, std::FILE *terminal,
+               KeptPlan &plan);
 
     // "face_0.png .. face_5.png (cube:coupled, frame geo, 512x512; bilinear)", after write().
     std::string description() const;
+    // Of that, "cube:coupled, frame geo, 512x512"; the names; and "bilinear".
+    std::string surface_text() const;
+    const std::vector<std::string> &file_names() const noexcept
+    {
+        return names;
+    }
+    std::string filter_name() const
+    {
+        return cm_filter_name(filter);
+    }
 
 private:
     struct Render; // what all of the rows have in common
 
     void choose_names(const Options &options, const Input &input);
+    void choose_place(const Options &options, const Input &input);
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
     void make_files(const Options &options);
@@ -49,6 +62,7 @@ private:
     std::vector<std::string> names;                 // of the pictures' files
     std::vector<std::unique_ptr<AtomicFile>> files; // of those, then the sidecar
     ImagePlan plan;
+    bool georeferenced = false;
     cm_plan_options values = {};
     cm_pixel_type row_type = CM_PIXEL_FLOAT; // of what is computed
     int channels = 0;

@@ -30,6 +30,11 @@ enum
     REPROJECT_SIDECAR,
     REPROJECT_THREADS,
     REPROJECT_QUIET,
+    REPROJECT_GEOREFERENCE,
+    REPROJECT_START,
+    REPROJECT_COUNT,
+    REPROJECT_RAW,
+    REPROJECT_PIPE,
     /* The largest --size, for a cube or a chart, and for all others. */
     REPROJECT_FACE_MAX = 65536,
     REPROJECT_EQUIRECT_MAX = 262144
