@@ -22,6 +22,8 @@ constexpr std::size_t bands_bytes = std::size_t{12} << 20;
 // A picture is so many bands at least, so that the first are written early, where threads have enough to do then.
 constexpr int bands_least = 8;
 constexpr int rows_each = 4 * block_rows;
+// For how many threads bands are where rows are kept for another run.
+constexpr int kept_threads = 4;
 
 struct PlanDeleter
 {
@@ -62,10 +64,13 @@ PlanPointer make_plan(const cm_surface &from, const cm_surface &to, const cm_pla
 }
 
 SourcePointer make_source(const cm_plan &plan, const cm_image *pictures, cm_pixel_type type,
-                          int threads)
+                          int threads, MemoryCeiling &ceiling)
 {
     cm_source *made = nullptr;
-    check(cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made));
+    const cm_status status =
+        cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made);
+    ceiling.rethrow();
+    check(status);
     return SourcePointer(made);
 }
 
@@ -107,6 +112,7 @@ std::string not_finite_text(std::int64_t count, cm_not_finite what)
 
 struct Output::Render
 {
+    MemoryCeiling &ceiling;
     const cm_plan &plan;
     const cm_source &source;
     Progress &progress;
@@ -131,6 +137,10 @@ Output::Output(const Options &options, const Input &input)
     }
     choose_values(options, input);
     save_surface(plan, *surface, rotation);
+    if (options.resume)
+    {
+        work = std::make_unique<WorkFolder>(options.output, work_identity(options, input, kind()));
+    }
     make_files(options);
 }
 
@@ -239,6 +249,10 @@ void Output::make_files(const Options &options)
     if (options.sidecar)
     {
         files.push_back(std::make_unique<AtomicFile>(sidecar_name(options.output)));
+    }
+    if (!options.manifest.empty())
+    {
+        files.push_back(std::make_unique<AtomicFile>(options.manifest));
     }
 }
 
@@ -351,12 +365,39 @@ void Output::finish_rows(const PlanePlace &place, const cm_rows &rows, const Row
     parallel_for(static_cast<int>(rows.row_count), threads, finish_row);
 }
 
+// Where rows are kept they are the same for any number of threads.
+std::vector<int> Output::bands_of(std::size_t index, int threads) const
+{
+    const int counted = work ? kept_threads : threads;
+    const int pictures = static_cast<int>(names.size());
+    const std::size_t at_once = static_cast<std::size_t>(std::min(pictures, counted));
+    return band_ends(index, bands_bytes / 2 / at_once, std::max(1, counted / pictures));
+}
+
+void Output::fill_band(const Render &render, std::size_t index, const RowBand &band, int threads)
+{
+    const std::size_t size = row_bytes() * static_cast<std::size_t>(band.end - band.first);
+    if (work && work->load(index, band.first, band.end, band.pixels.bytes(), size))
+    {
+        return;
+    }
+    compute(render, index, band, threads);
+    if (work)
+    {
+        work->store(index, band.first, band.end, band.pixels.bytes(), size);
+    }
+}
+
 void Output::write_picture(const Render &render, std::size_t index, int threads)
 {
-    const std::size_t at_once =
-        std::min<std::size_t>(names.size(), static_cast<std::size_t>(threads));
+    if (work && work->is_complete(index))
+    {
+        files[index]->take(work->picture_name(index));
+        render.progress.advance(cm_surface_height(surface.get()));
+        return;
+    }
     const int threads_each = std::max(1, threads / static_cast<int>(names.size()));
-    const std::vector<int> ends = band_ends(index, bands_bytes / 2 / at_once, threads_each);
+    const std::vector<int> ends = bands_of(index, threads);
     int most_rows = 0;
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
@@ -370,33 +411,40 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
         writer.write(band.first, band.end, row_type, band.pixels.bytes(), channels);
         render.progress.advance(band.end - band.first);
     };
-    BandQueue queue(row_bytes() * static_cast<std::size_t>(most_rows),
+    BandQueue queue(render.ceiling, row_bytes() * static_cast<std::size_t>(most_rows),
                     threads > 1 && ends.size() > 1, write_band);
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
         RowBand &band = queue.take();
         band.first = i == 0 ? 0 : ends[i - 1];
         band.end = ends[i];
-        compute(render, index, band, threads_each);
+        fill_band(render, index, band, threads_each);
         queue.give();
     }
     queue.finish();
     writer.close();
     files[index]->finish();
+    if (work && files[index]->keep_as(work->picture_name(index)))
+    {
+        work->complete(index);
+    }
 }
 
-void Output::write(const Options &options, const Input &input, int threads, std::FILE *terminal)
+void Output::write(const Options &options, const Input &input, int threads, MemoryCeiling &ceiling,
+                   std::FILE *terminal)
 {
     not_finite = input.not_finite();
     values.not_finite = not_finite > 0 ? engine_not_finite(options) : CM_NOT_FINITE_SPREAD;
+    values.memory = ceiling.functions();
     const PlanPointer geometry = make_plan(input.surface(), *surface, values);
-    const SourcePointer source = make_source(*geometry, input.pictures(), row_type, threads);
+    const SourcePointer source =
+        make_source(*geometry, input.pictures(), row_type, threads, ceiling);
     filter = cm_source_filter(source.get());
     const std::int64_t rows =
         std::int64_t{cm_surface_height(surface.get())} * static_cast<std::int64_t>(names.size());
     {
         Progress progress(rows, !options.quiet, terminal);
-        const Render render = {*geometry, *source, progress};
+        const Render render = {ceiling, *geometry, *source, progress};
         parallel_for(static_cast<int>(names.size()), threads,
                      [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
     }
@@ -404,7 +452,19 @@ void Output::write(const Options &options, const Input &input, int threads, std:
     {
         write_sidecar();
     }
+    if (!options.manifest.empty())
+    {
+        write_manifest(options, input);
+    }
     appear_together(files);
+    if (work)
+    {
+        work->remove();
+    }
+    else
+    {
+        WorkFolder::forget(options.output);
+    }
 }
 
 // ---- what it was
@@ -412,6 +472,29 @@ void Output::write(const Options &options, const Input &input, int threads, std:
 void Output::write_sidecar()
 {
     const std::string text = sidecar_text(*surface, rotation, names, cm_filter_name(filter));
+    files[names.size()]->write(text.data(), text.size());
+}
+
+PictureKind Output::kind() const
+{
+    static constexpr const char *types[] = {"uint8", "uint16", "half", "float"};
+    return {cm_surface_specification(surface.get()),
+            rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0",
+            static_cast<int>(cm_surface_width(surface.get())),
+            static_cast<int>(cm_surface_height(surface.get())),
+            channels,
+            types[row_type]};
+}
+
+void Output::write_manifest(const Options &options, const Input &input)
+{
+    std::vector<MadePicture> pictures;
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        pictures.push_back({names[i], sum_of_file(files[i]->temporary_name(), names[i])});
+    }
+    const std::string text =
+        manifest_text(options, input, kind(), cm_filter_name(filter), pictures);
     files.back()->write(text.data(), text.size());
 }
 

@@ -29,6 +29,9 @@ enum
     REPROJECT_COMPRESSION,
     REPROJECT_SIDECAR,
     REPROJECT_THREADS,
+    REPROJECT_MEMORY,
+    REPROJECT_RESUME,
+    REPROJECT_MANIFEST,
     REPROJECT_QUIET,
     /* The largest --size, for a cube or a chart, and for all others. */
     REPROJECT_FACE_MAX = 65536,

@@ -1,35 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 #include "sidecar.hpp"
+#include "json_text.hpp"
 #include "surface_text.hpp"
 
-#include <cstdio>
 #include <filesystem>
-
-namespace
-{
-
-// In quotation marks; bytes that are no ASCII stay as they are.
-std::string quoted(const std::string &text)
-{
-    std::string result = "\"";
-    for (const char letter : text)
-    {
-        const auto code = static_cast<unsigned char>(letter);
-        if (code < ' ')
-        {
-            char escape[8];
-            std::snprintf(escape, sizeof escape, "\\u%04x", code);
-            result += escape;
-            continue;
-        }
-        result += letter == '"' || letter == '\\' ? "\\" : "";
-        result += letter;
-    }
-    return result + "\"";
-}
-
-} // namespace
 
 std::string sidecar_name(const std::string &output)
 {
