@@ -209,6 +209,19 @@ typedef enum cm_not_finite
     CM_NOT_FINITE_ZERO = 2 /* they are 0 */
 } cm_not_finite;
 
+/* Who gives memory for planes that filters need beside the pictures: coefficients of splines, 4 bytes a channel and
+ * pixel of the source, and levels of EWA, as much and a third. A program may put them into files. */
+typedef struct cm_memory
+{
+    size_t size; /* sizeof(cm_memory) */
+    /* So many bytes of any value, 1 or more, aligned to 64; NULL if there are none. Only the thread that creates or
+     * destroys what they are for calls. */
+    void *(*allocate)(void *context, size_t bytes);
+    /* What allocate has returned for so many bytes. */
+    void (*release)(void *context, void *pointer, size_t bytes);
+    void *context; /* the caller's own */
+} cm_memory;
+
 /* To be filled with zeros but for size, and for what is wanted. */
 typedef struct cm_plan_options
 {
@@ -228,6 +241,8 @@ typedef struct cm_plan_options
     cm_not_finite not_finite; /* what becomes of NaN and infinities */
     int dither;               /* are whole numbers dithered? */
     const char *instructions; /* as in cm_options */
+    const cm_memory *
+        memory; /* copied; NULL: the system's. Its context must live as long as the plan and its sources */
 } cm_plan_options;
 
 /* The geometry of resampling, from cm_plan_create to cm_plan_destroy. */

@@ -75,7 +75,7 @@ static void make_kernel(cm_ewa_kernel *kernel)
 
 cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const cm_values *values,
                       const cm_sample_set *set, const cm_filter_table *table, double pixels_most,
-                      unsigned threads, cm_ewa *ewa)
+                      const cm_memory *memory, unsigned threads, cm_ewa *ewa)
 {
     memset(ewa, 0, sizeof *ewa);
     ewa->set = cm_filter_set_find(set->name);
@@ -84,7 +84,7 @@ cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const
     make_kernel(&ewa->kernel);
     const unsigned count = cm_level_count(surface->width, surface->height);
     const cm_status status =
-        cm_pyramid_make(surface, pictures, values, set, count, threads, &ewa->pyramid);
+        cm_pyramid_make(surface, pictures, values, set, count, memory, threads, &ewa->pyramid);
     for (unsigned k = 0; status == CM_OK && k < count; k++)
     {
         ewa->across[k] = (float)ewa->pyramid.level[k].width / (float)surface->width;

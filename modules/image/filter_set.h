@@ -18,6 +18,13 @@
 /* Those of pictures and the weight of pixels that count. */
 #define CM_SPLINE_CHANNELS 65
 
+/* Of the recursions of splines, those that go forth come first. */
+typedef enum cm_spline_way
+{
+    CM_SPLINE_FORTH,
+    CM_SPLINE_BACK
+} cm_spline_way;
+
 /* Of a new pixel: the first of the pixels that it is made of, and their weights. */
 #define CM_HALF_TAPS 12
 typedef struct cm_half_taps
@@ -82,7 +89,11 @@ typedef struct cm_filter_set
     /* Coefficients of quintic splines in place, along columns: `floats` of them, CM_BUNDLE_COLUMNS at most, rows `stride`
      * floats apart. */
     void (*spline_columns)(float *first, size_t floats, size_t rows, ptrdiff_t stride);
-    /* The same along CM_BUNDLE_ROWS rows `stride` floats apart, of which rows count, each of `floats` numbers whose
+    /* A part of that, in rows: all parts forth, from the first one on, then all back, from the last one on, give the same
+     * bits. is_begin: is it the first that goes this way? state, 2 * CM_BUNDLE_COLUMNS floats, goes from part to part. */
+    void (*spline_columns_part)(float *first, size_t floats, size_t rows, ptrdiff_t stride,
+                                cm_spline_way way, int is_begin, float *state);
+    /* Coefficients along CM_BUNDLE_ROWS rows `stride` floats apart, of which rows count, each of `floats` numbers whose
      * channels are one beside the other, CM_SPLINE_CHANNELS at most. desk has room for CM_BUNDLE_ROWS * floats. */
     void (*spline_rows)(float *first, size_t rows, ptrdiff_t stride, size_t floats, size_t channels,
                         float *desk);

@@ -2,43 +2,17 @@
  *
  * Planes of floats with memory of their own, from pictures.
  */
-#if defined(__linux__) && !defined(_DEFAULT_SOURCE)
-#define _DEFAULT_SOURCE /* for madvise, in spite of -std=c11 */
-#endif
 #include "padded.h"
 #include "level_rim.h"
+#include "large_memory.h"
 
 #include <cubemap/threads.h>
 
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
 
 /* ---- memory ---- */
-
-#define HUGE_PAGE ((size_t)1 << 21)
-
-/* To touch fresh memory first costs more than to filter it, and a fifth of that in huge pages. */
-static float *make_floats(size_t floats)
-{
-    const size_t size = floats * sizeof(float);
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    if (size >= 4 * HUGE_PAGE && size <= SIZE_MAX / 2)
-    {
-        const size_t whole = (size + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE;
-        void *memory = aligned_alloc(HUGE_PAGE, whole);
-        if (memory != NULL)
-        {
-            (void)madvise(memory, whole, MADV_HUGEPAGE);
-        }
-        return memory;
-    }
-#endif
-    return size == 0 ? NULL : malloc(size);
-}
 
 static int32_t smaller(int32_t a, int32_t b)
 {
@@ -92,7 +66,7 @@ static size_t rounded(size_t floats)
 
 cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t height,
                            uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
-                           unsigned threads, cm_padded *padded)
+                           const cm_memory *memory, unsigned threads, cm_padded *padded)
 {
     const size_t slack = CM_WINDOW_SLACK / sizeof(float);
     memset(padded, 0, sizeof *padded);
@@ -109,7 +83,9 @@ cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t h
     padded->channel = order == CM_PADDED_PIXELS ? 1 : (ptrdiff_t)line;
     padded->row = (ptrdiff_t)(order == CM_PADDED_PIXELS ? line : line * channels);
     padded->plane_floats = (size_t)padded->row * high;
-    padded->memory = make_floats(padded->plane_floats * padded->planes);
+    padded->owner = memory;
+    padded->memory =
+        cm_large_allocate(memory, padded->plane_floats * padded->planes * sizeof(float));
     if (padded->memory == NULL)
     {
         return CM_ERROR_MEMORY;
@@ -125,7 +101,8 @@ cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t h
 
 void cm_padded_free(cm_padded *padded)
 {
-    free(padded->memory);
+    cm_large_free(padded->owner, padded->memory,
+                  padded->plane_floats * padded->planes * sizeof(float));
     memset(padded, 0, sizeof *padded);
 }
 

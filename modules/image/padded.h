@@ -30,15 +30,16 @@ typedef struct cm_padded
     ptrdiff_t row;
     size_t plane_floats;
     int goes_on; /* may values be continued where nothing is, as level_rim.h has it? */
+    const cm_memory *owner; /* of memory; NULL: the system */
     float *memory;
     float *first[CM_PLANES_MAX]; /* the pixel (0, 0) of each plane */
 } cm_padded;
 
-/* Memory for the surface's planes in that size, with zeros behind rows. `beside` and `beyond` are what is wanted: smaller planes have less of what
+/* Room for the surface's planes in that size, of `memory` or, if that is NULL, the system, with zeros behind rows. `beside` and `beyond` are what is wanted: smaller planes have less of what
  * cannot be known, see cm_padded_border. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t height,
                            uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
-                           unsigned threads, cm_padded *padded);
+                           const cm_memory *memory, unsigned threads, cm_padded *padded);
 
 void cm_padded_free(cm_padded *padded);
 

@@ -144,20 +144,21 @@ static cm_status halve(const cm_padded *from, const cm_padded *to, const cm_filt
 }
 
 static cm_status make_level(const cm_surface *surface, uint32_t width, uint32_t height,
-                            uint32_t channels, unsigned threads, cm_padded *level)
+                            uint32_t channels, const cm_memory *memory, unsigned threads,
+                            cm_padded *level)
 {
     const int32_t beside = surface->period != 0.0 ? CM_PYRAMID_BESIDE : CM_PYRAMID_BORDER;
     return cm_padded_create(surface, width, height, channels, beside, CM_PYRAMID_BORDER,
-                            CM_PADDED_CHANNELS, threads, level);
+                            CM_PADDED_CHANNELS, memory, threads, level);
 }
 
 cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                           const cm_values *values, const cm_sample_set *set, unsigned count,
-                          unsigned threads, cm_pyramid *pyramid)
+                          const cm_memory *memory, unsigned threads, cm_pyramid *pyramid)
 {
     const cm_filter_set *loops = cm_filter_set_find(set->name);
     memset(pyramid, 0, sizeof *pyramid);
-    cm_status status = make_level(surface, surface->width, surface->height, values->working,
+    cm_status status = make_level(surface, surface->width, surface->height, values->working, memory,
                                   threads, &pyramid->level[0]);
     pyramid->count = 1;
     if (status == CM_OK)
@@ -169,7 +170,7 @@ cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
         const cm_padded *above = &pyramid->level[pyramid->count - 1];
         cm_padded *level = &pyramid->level[pyramid->count++];
         status = make_level(surface, cm_half_size(above->width), cm_half_size(above->height),
-                            values->working, threads, level);
+                            values->working, memory, threads, level);
         status = status == CM_OK ? halve(above, level, loops, threads) : status;
         if (status == CM_OK)
         {

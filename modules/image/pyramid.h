@@ -26,10 +26,10 @@ uint32_t cm_half_size(uint32_t size);
 /* The levels of sizes from that to 1 x 1. */
 unsigned cm_level_count(uint32_t width, uint32_t height);
 
-/* Pictures of the surface, and count levels of them, the first of their own size. CM_OK or CM_ERROR_MEMORY. */
+/* Pictures of the surface, and count levels of them, the first of their own size, in `memory` as of cm_padded_create. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                           const cm_values *values, const cm_sample_set *set, unsigned count,
-                          unsigned threads, cm_pyramid *pyramid);
+                          const cm_memory *memory, unsigned threads, cm_pyramid *pyramid);
 
 void cm_pyramid_free(cm_pyramid *pyramid);
 

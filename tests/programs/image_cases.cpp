@@ -193,6 +193,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"reproject", reproject_subjects()},
         {"surfaces", reproject_surface_subjects()},
         {"streams", reproject_stream_subjects()},
+        {"memory", reproject_memory_subjects()},
         {"distortion", distortion_subjects()},
         {"orient", orient_subjects()},
         {"colormap", colormap_subjects()}};

@@ -91,6 +91,7 @@ const std::vector<Subject> &compare_subjects();
 const std::vector<Subject> &reproject_subjects();
 const std::vector<Subject> &reproject_surface_subjects();
 const std::vector<Subject> &reproject_stream_subjects();
+const std::vector<Subject> &reproject_memory_subjects();
 const std::vector<Subject> &distortion_subjects();
 const std::vector<Subject> &orient_subjects();
 const std::vector<Subject> &colormap_subjects();

@@ -247,7 +247,7 @@ AtomicFile::~AtomicFile()
     {
         std::fclose(file);
     }
-    if (!temporary.empty())
+    if (!temporary.empty() && !kept)
     {
         unlink(temporary.c_str());
         temporary_names[slot] = nullptr;
@@ -344,6 +344,30 @@ void AtomicFile::finish()
     check();
 }
 
+bool AtomicFile::keep_as(const std::string &path) noexcept
+{
+    const SignalsHeld held;
+    if (std::rename(temporary.c_str(), path.c_str()) != 0)
+    {
+        return false;
+    }
+    temporary_names[slot] = nullptr;
+    temporary = path;
+    kept = true;
+    return true;
+}
+
+void AtomicFile::take(const std::string &path)
+{
+    const SignalsHeld held;
+    std::fclose(file);
+    file = nullptr;
+    unlink(temporary.c_str());
+    temporary_names[slot] = nullptr;
+    temporary = path;
+    kept = true;
+}
+
 void AtomicFile::appear()
 {
     if (is_stream)
@@ -354,7 +378,10 @@ void AtomicFile::appear()
     {
         throw Failure(in_quotes(name) + " cannot be written: " + std::strerror(errno));
     }
-    temporary_names[slot] = nullptr;
+    if (!kept)
+    {
+        temporary_names[slot] = nullptr;
+    }
     temporary.clear();
 }
 

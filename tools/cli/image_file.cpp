@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 
@@ -129,7 +130,26 @@ void ImageFile::read_as(cm_pixel_type type, void *pixels, std::ptrdiff_t row_str
     }
     else
     {
-        read_and_place(type, static_cast<char *>(pixels), row_stride);
+        read_and_place(type, static_cast<char *>(pixels), row_stride, [](int) {});
+    }
+}
+
+void ImageFile::read_in_bands(cm_pixel_type type, void *pixels, std::ptrdiff_t row_stride,
+                              const std::function<void(int)> &advance)
+{
+    if (!is_plain())
+    {
+        read_and_place(type, static_cast<char *>(pixels), row_stride, advance);
+        return;
+    }
+    const std::size_t row = static_cast<std::size_t>(stored().width) *
+                            static_cast<std::size_t>(channels()) * channel_bytes(type);
+    const int rows = stored_band_rows(row);
+    for (int first = 0; first < upright_height; first += rows)
+    {
+        const int end = std::min(first + rows, upright_height);
+        read_stored(first, end, type, static_cast<char *>(pixels) + first * row_stride, row_stride);
+        advance(end - first);
     }
 }
 
@@ -149,7 +169,7 @@ void ImageFile::read_rows(int first, int end, float *pixels, std::size_t row_str
             check_memory(in_quotes(name), std::int64_t{upright_width} * upright_height, channels());
             std::vector<float> whole(row * static_cast<std::size_t>(upright_height));
             read_and_place(CM_PIXEL_FLOAT, reinterpret_cast<char *>(whole.data()),
-                           static_cast<std::ptrdiff_t>(row * sizeof(float)));
+                           static_cast<std::ptrdiff_t>(row * sizeof(float)), [](int) {});
             upright = std::move(whole);
         }
         for (int y = first; y < end; ++y)
@@ -190,15 +210,33 @@ void ImageFile::read_stored(int first, int end, cm_pixel_type type, void *pixels
     }
 }
 
+// Rows that are read together: whole strips or rows of tiles, so that none is decoded twice.
+int ImageFile::stored_band_rows(std::size_t row_bytes) const
+{
+    const cm_image_description &of = stored();
+    std::size_t together = of.tile_height > 0 ? of.tile_height : 16;
+    for (std::size_t i = 0; i < of.tag_count; ++i)
+    {
+        if (std::strcmp(of.tags[i].key, "tiff:RowsPerStrip") == 0)
+        {
+            together = std::strtoul(of.tags[i].text, nullptr, 10);
+        }
+    }
+    const std::size_t fitting = std::max<std::size_t>(band_floats * sizeof(float) / row_bytes, 1);
+    together = together == 0 || together > of.height ? 1 : together;
+    const std::size_t rows = (fitting + together - 1) / together * together;
+    return static_cast<int>(std::min<std::size_t>(rows, of.height));
+}
+
 // Band by band, each pixel to where it belongs, 0 elsewhere.
-void ImageFile::read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride)
+void ImageFile::read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride,
+                               const std::function<void(int)> &advance)
 {
     const cm_image_description &of = stored();
     const std::size_t pixel = static_cast<std::size_t>(channels()) * channel_bytes(type);
     const int columns = static_cast<int>(of.width);
     const std::size_t stride = static_cast<std::size_t>(of.width) * pixel;
-    const int rows = static_cast<int>(std::min<std::size_t>(
-        std::max(band_rows_least, band_floats * sizeof(float) / stride), of.height));
+    const int rows = stored_band_rows(stride);
     for (int row = 0; row < upright_height; ++row)
     {
         std::memset(pixels + row * row_stride, 0, pixel * static_cast<std::size_t>(upright_width));
@@ -218,6 +256,7 @@ void ImageFile::read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t 
                             band.data() + static_cast<std::size_t>(i) * pixel, pixel);
             }
         }
+        advance(end - first);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "program.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -94,6 +95,11 @@ public:
     // All pixels upright, as a type that io has; row_stride is in bytes. NaN and infinities pass.
     void read_as(cm_pixel_type type, void *pixels, std::ptrdiff_t row_stride);
 
+    // The same in bands of some rows, with little memory beside pixels; after each, advance is told of how many stored
+    // rows.
+    void read_in_bands(cm_pixel_type type, void *pixels, std::ptrdiff_t row_stride,
+                       const std::function<void(int)> &advance);
+
     // How many rows of read_rows are read at a time without much memory or loss of time.
     int band_rows() const noexcept;
 
@@ -117,7 +123,9 @@ private:
     }
     void read_stored(int first, int end, cm_pixel_type type, void *pixels,
                      std::ptrdiff_t row_stride);
-    void read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride);
+    void read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride,
+                        const std::function<void(int)> &advance);
+    int stored_band_rows(std::size_t row_bytes) const;
     Place after_orientation(int x, int y) const;
     void check_finite(int first, int end, const float *pixels, std::size_t row_stride,
                       Finite finite) const;

@@ -47,7 +47,7 @@ struct FilmPicture
 class FilmSource
 {
 public:
-    FilmSource(const Options &wanted, const cm_streams &streams);
+    FilmSource(const Options &wanted, const cm_streams &streams, MemoryCeiling &pixels);
 
     // Opens and reads the next one; nothing behind the last. The failure names it. threads as for ImageFile, and to
     // read with.
@@ -63,6 +63,7 @@ private:
     void find_numbers();
 
     const Options &options;
+    MemoryCeiling &ceiling;
     std::optional<NumberPattern> input;
     std::optional<NumberPattern> output;
     std::unique_ptr<PictureStream> stream;
@@ -71,8 +72,9 @@ private:
     int number;
 };
 
-FilmSource::FilmSource(const Options &wanted, const cm_streams &streams)
-    : options(wanted), input(number_pattern(wanted.input)), output(number_pattern(wanted.output))
+FilmSource::FilmSource(const Options &wanted, const cm_streams &streams, MemoryCeiling &pixels)
+    : options(wanted), ceiling(pixels), input(number_pattern(wanted.input)),
+      output(number_pattern(wanted.output))
 {
     if (is_pipe(options.input))
     {
@@ -144,7 +146,7 @@ std::unique_ptr<FilmPicture> FilmSource::next(int file_threads, int threads)
             picture->options.input = input->name(number);
         }
         picture->input = std::make_unique<Input>(picture->options, file_threads, std::move(opened));
-        picture->input->read(options, threads);
+        picture->input->read(picture->options, threads, ceiling, nullptr);
     }
     catch (const Failure &failure)
     {
@@ -202,7 +204,9 @@ class FilmLoop
 {
 public:
     FilmLoop(const Options &wanted, int thread_number, const cm_streams &where)
-        : options(wanted), threads(thread_number), streams(where), source(options, streams),
+        : options(wanted), threads(thread_number), streams(where),
+          ceiling(options.memory, options.output, options.quiet ? nullptr : streams.err),
+          source(options, streams, ceiling),
           progress(source.count(), !options.quiet && source.count() > 0, streams.err)
     {
     }
@@ -224,6 +228,7 @@ private:
     const Options &options;
     const int threads;
     const cm_streams &streams;
+    MemoryCeiling ceiling;
     FilmSource source;
     Progress progress;
     KeptPlan plan;
@@ -285,7 +290,7 @@ void FilmLoop::write(const FilmPicture &picture)
                 std::fprintf(streams.err, "cubemap-reproject: %s\n", warning.c_str());
             }
         }
-        output.write(picture.options, *picture.input, threads, streams.err, plan);
+        output.write(picture.options, *picture.input, threads, ceiling, streams.err, plan);
         if (done.count == 0)
         {
             done.kind = kind_of_picture(*picture.input);
@@ -333,6 +338,15 @@ bool is_film(const Options &options)
         throw UsageFailure(std::string(options.start ? "--start" : "--count") +
                            " is for films: INPUT with a number in its name, as in "
                            "frame_%04d.png, or -");
+    }
+    if (options.resume && (input || pipe || is_pipe(options.output)))
+    {
+        throw UsageFailure("--resume is for one picture in files; of a film, --start says where to "
+                           "go on");
+    }
+    if (!options.manifest.empty() && (input || pipe || is_pipe(options.output)))
+    {
+        throw UsageFailure("--manifest is for one picture in files, not for films and pipes");
     }
     return input || pipe;
 }

@@ -28,15 +28,28 @@ int reproject(int argc, char **argv, const cm_streams &streams)
         return reproject_film(options, threads, streams);
     }
 
+    MemoryCeiling ceiling(options.memory, options.output, options.quiet ? nullptr : streams.err);
     Input input(options, threads);
     Output output(options, input);
     for (const std::string &warning : input.warnings())
     {
         std::fprintf(streams.err, "cubemap-reproject: %s\n", warning.c_str());
     }
-    input.read(options, threads);
+    input.read(options, threads, ceiling, streams.err);
     KeptPlan plan;
-    output.write(options, input, threads, streams.err, plan);
+    try
+    {
+        output.write(options, input, threads, ceiling, streams.err, plan);
+    }
+    catch (const Failure &failure)
+    {
+        if (!options.resume)
+        {
+            throw;
+        }
+        throw Failure(std::string(failure.what()) + "; the same command goes on from what is done",
+                      failure.exit_status());
+    }
     if (!options.quiet)
     {
         std::vector<std::string> names;

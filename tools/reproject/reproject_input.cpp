@@ -5,6 +5,7 @@
 #include "sidecar.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
+#include "tools/cli/progress.hpp"
 #include "tools/image/face_names.hpp"
 
 #include <algorithm>
@@ -111,6 +112,10 @@ Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
     open(options, threads);
     choose_type();
     find_surface(options);
+    if (options.memory > 0)
+    {
+        return; // what does not fit goes to files
+    }
     check_memory(in_quotes(images.front().path()),
                  std::int64_t{images.front().width()} * images.front().height() *
                      static_cast<std::int64_t>(images.size()),
@@ -387,14 +392,15 @@ bool Input::is_georeferenced() const
 
 // ---- its pixels
 
-void Input::read(const Options &options, int threads)
+void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, std::FILE *terminal)
 {
     const ImageFile &first = images.front();
     const std::size_t row = static_cast<std::size_t>(first.width()) *
                             static_cast<std::size_t>(first.channels()) * channel_bytes(pixels.type);
     for (std::size_t i = 0; i < images.size(); ++i)
     {
-        memory.emplace_back(row * static_cast<std::size_t>(first.height()));
+        memory.emplace_back(ceiling, row * static_cast<std::size_t>(first.height()),
+                            "the pixels of " + in_quotes(images[i].path()));
         cm_image view = {};
         view.size = sizeof view;
         view.data = memory.back().bytes();
@@ -404,13 +410,7 @@ void Input::read(const Options &options, int threads)
         view.channels = static_cast<std::uint32_t>(first.channels());
         views.push_back(view);
     }
-    parallel_for(static_cast<int>(images.size()), threads,
-                 [&](int i)
-                 {
-                     const std::size_t picture = static_cast<std::size_t>(i);
-                     images[picture].read_as(pixels.type, memory[picture].bytes(),
-                                             static_cast<std::ptrdiff_t>(row));
-                 });
+    read_files(threads, ceiling.in_files() > 0, options.quiet ? nullptr : terminal);
     const auto has_floats = [](const ImageFile &image) { return !image.stored().whole_numbers; };
     if (std::any_of(images.begin(), images.end(), has_floats))
     {
@@ -420,6 +420,32 @@ void Input::read(const Options &options, int threads)
     {
         refuse_not_finite();
     }
+}
+
+void Input::read_files(int threads, bool in_bands, std::FILE *terminal)
+{
+    const std::ptrdiff_t row = images.front().width() * images.front().channels() *
+                               static_cast<std::ptrdiff_t>(channel_bytes(pixels.type));
+    std::int64_t rows = 0;
+    for (const ImageFile &image : images)
+    {
+        rows += image.stored().height;
+    }
+    Progress progress(rows, in_bands && terminal != nullptr, terminal);
+    const auto read_file = [&](int i)
+    {
+        ImageFile &image = images[static_cast<std::size_t>(i)];
+        unsigned char *const to = memory[static_cast<std::size_t>(i)].bytes();
+        if (in_bands)
+        {
+            image.read_in_bands(pixels.type, to, row, [&](int done) { progress.advance(done); });
+        }
+        else
+        {
+            image.read_as(pixels.type, to, row);
+        }
+    };
+    parallel_for(static_cast<int>(images.size()), threads, read_file);
 }
 
 void Input::count_not_finite(int threads)

@@ -5,6 +5,7 @@
 #ifndef CUBEMAP_TOOLS_REPROJECT_INPUT_HPP
 #define CUBEMAP_TOOLS_REPROJECT_INPUT_HPP
 
+#include "memory_ceiling.hpp"
 #include "pixel_memory.hpp"
 #include "reproject_options.hpp"
 #include "surface_tags.hpp"
@@ -48,8 +49,9 @@ public:
         return remarks;
     }
 
-    // The pixels, in the type of description_of_pixels(). Failure if a file turns out to be damaged.
-    void read(const Options &options, int threads);
+    // The pixels, in the type of description_of_pixels(), which lie where the ceiling has them and must not outlive it.
+    // The progress is shown on terminal, if it is one. Failure if a file turns out to be damaged.
+    void read(const Options &options, int threads, MemoryCeiling &ceiling, std::FILE *terminal);
 
     // Of the surface, after read().
     const cm_image *pictures() const noexcept
@@ -77,6 +79,7 @@ private:
     void compare_with(const SavedSurface &saved);
     std::string cube_by_shape(const Options &options) const;
     std::string layout_by_shape(const Options &options) const;
+    void read_files(int threads, bool in_bands, std::FILE *terminal);
     void count_not_finite(int threads);
     [[noreturn]] void refuse_not_finite() const;
 

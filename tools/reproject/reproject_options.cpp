@@ -118,6 +118,30 @@ void set_transfer(const OptionReader &reader, cm_transfer transfer, Options &opt
     options.transfer = transfer;
 }
 
+// Bytes, from a number with a unit or without one.
+std::uint64_t read_size(OptionReader &reader)
+{
+    const std::string text = reader.text();
+    const std::size_t end = text.find_first_not_of("0123456789.");
+    const std::string unit = end == std::string::npos ? "M" : text.substr(end);
+    const std::optional<double> number = read_number(text.substr(0, end));
+    static constexpr const char *units[] = {"K", "M", "G", "T"};
+    double bytes = 0;
+    double size = 1;
+    for (const char *each : units)
+    {
+        size *= 1024;
+        const bool meant = unit.size() <= 3 && (unit[0] & ~0x20) == each[0] &&
+                           (unit.size() == 1 || unit.substr(1) == "B" || unit.substr(1) == "iB");
+        bytes = meant && number ? *number * size : bytes;
+    }
+    if (bytes < 64.0 * 1024 * 1024 || bytes > 1e18)
+    {
+        reader.refuse("a size of 64M at least, such as 512M or 2G");
+    }
+    return static_cast<std::uint64_t>(bytes);
+}
+
 // What the pixels are and how they are mixed.
 bool read_value_option(int id, const OptionReader &reader, Options &options)
 {
@@ -234,6 +258,15 @@ void read_option(int id, OptionReader &reader, Options &options)
     case REPROJECT_THREADS:
         options.threads = reader.whole_number();
         break;
+    case REPROJECT_MEMORY:
+        options.memory = read_size(reader);
+        break;
+    case REPROJECT_RESUME:
+        options.resume = true;
+        break;
+    case REPROJECT_MANIFEST:
+        options.manifest = reader.text();
+        break;
     case REPROJECT_QUIET:
         options.quiet = true;
         break;
@@ -318,6 +351,13 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
     while (const int id = reader.next())
     {
         read_option(id, reader, options);
+        const bool same_output = id == REPROJECT_THREADS || id == REPROJECT_MEMORY ||
+                                 id == REPROJECT_RESUME || id == REPROJECT_MANIFEST ||
+                                 id == REPROJECT_QUIET;
+        if (!same_output)
+        {
+            options.words.push_back(reader.as_written());
+        }
     }
     options.printed = reader.printed();
     if (options.printed)
@@ -345,5 +385,6 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
     options.output = operands[1];
     options.output_stream = streams.out;
     check_pipes(options);
+    options.words.insert(options.words.end(), operands.begin(), operands.end());
     return options;
 }

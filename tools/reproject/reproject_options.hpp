@@ -11,8 +11,10 @@
 
 #include <cubemap/image.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 // What the command line says of INPUT's surface, or of OUTPUT's; what it does not say is empty.
 struct SurfaceOptions
@@ -63,6 +65,10 @@ struct Options
     std::string pipe; // the format of what goes into one; "": the one that holds it best
     OverlayOptions overlay;
     int threads = 0;
+    std::uint64_t memory = 0; // bytes; 0: no ceiling
+    bool resume = false;
+    std::string manifest;           // the file's name; "": none
+    std::vector<std::string> words; // "--NAME=TEXT" of all options that may change the output
     bool quiet = false;
     bool printed = false; // is there nothing left to do?
     std::string input;

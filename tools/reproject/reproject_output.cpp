@@ -23,6 +23,8 @@ constexpr std::size_t bands_bytes = std::size_t{12} << 20;
 // A picture is so many bands at least, so that the first are written early, where threads have enough to do then.
 constexpr int bands_least = 8;
 constexpr int rows_each = 4 * block_rows;
+// For how many threads bands are where rows are kept for another run.
+constexpr int kept_threads = 4;
 
 struct SourceDeleter
 {
@@ -35,11 +37,13 @@ struct SourceDeleter
 using SourcePointer = std::unique_ptr<cm_source, SourceDeleter>;
 
 SourcePointer make_source(const cm_plan &plan, const cm_image *pictures, cm_pixel_type type,
-                          int threads)
+                          int threads, MemoryCeiling &ceiling)
 {
     cm_source *made = nullptr;
-    check_resampling(
-        cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made));
+    const cm_status status =
+        cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made);
+    ceiling.rethrow();
+    check_resampling(status);
     return SourcePointer(made);
 }
 
@@ -88,6 +92,7 @@ std::string not_finite_text(std::int64_t count, cm_not_finite what)
 
 struct Output::Render
 {
+    MemoryCeiling &ceiling;
     const cm_plan &plan;
     const cm_source &source;
     Progress &progress;
@@ -113,6 +118,10 @@ Output::Output(const Options &options, const Input &input)
     }
     choose_values(options, input);
     save_surface(plan, *surface, rotation);
+    if (options.resume)
+    {
+        work = std::make_unique<WorkFolder>(options.output, work_identity(options, input, kind()));
+    }
     make_files(options);
 }
 
@@ -242,6 +251,10 @@ void Output::make_files(const Options &options)
     {
         files.push_back(std::make_unique<AtomicFile>(sidecar_name(options.output)));
     }
+    if (!options.manifest.empty())
+    {
+        files.push_back(std::make_unique<AtomicFile>(options.manifest));
+    }
 }
 
 // ---- rows
@@ -353,12 +366,39 @@ void Output::finish_rows(const PlanePlace &place, const cm_rows &rows, const Row
     parallel_for(static_cast<int>(rows.row_count), threads, finish_row);
 }
 
+// Where rows are kept they are the same for any number of threads.
+std::vector<int> Output::bands_of(std::size_t index, int threads) const
+{
+    const int counted = work ? kept_threads : threads;
+    const int pictures = static_cast<int>(names.size());
+    const std::size_t at_once = static_cast<std::size_t>(std::min(pictures, counted));
+    return band_ends(index, bands_bytes / 2 / at_once, std::max(1, counted / pictures));
+}
+
+void Output::fill_band(const Render &render, std::size_t index, const RowBand &band, int threads)
+{
+    const std::size_t size = row_bytes() * static_cast<std::size_t>(band.end - band.first);
+    if (work && work->load(index, band.first, band.end, band.pixels.bytes(), size))
+    {
+        return;
+    }
+    compute(render, index, band, threads);
+    if (work)
+    {
+        work->store(index, band.first, band.end, band.pixels.bytes(), size);
+    }
+}
+
 void Output::write_picture(const Render &render, std::size_t index, int threads)
 {
-    const std::size_t at_once =
-        std::min<std::size_t>(names.size(), static_cast<std::size_t>(threads));
+    if (work && work->is_complete(index))
+    {
+        files[index]->take(work->picture_name(index));
+        render.progress.advance(cm_surface_height(surface.get()));
+        return;
+    }
     const int threads_each = std::max(1, threads / static_cast<int>(names.size()));
-    const std::vector<int> ends = band_ends(index, bands_bytes / 2 / at_once, threads_each);
+    const std::vector<int> ends = bands_of(index, threads);
     int most_rows = 0;
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
@@ -372,14 +412,14 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
         writer.write(band.first, band.end, row_type, band.pixels.bytes(), channels);
         render.progress.advance(band.end - band.first);
     };
-    BandQueue queue(row_bytes() * static_cast<std::size_t>(most_rows),
+    BandQueue queue(render.ceiling, row_bytes() * static_cast<std::size_t>(most_rows),
                     threads > 1 && ends.size() > 1, write_band);
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
         RowBand &band = queue.take();
         band.first = i == 0 ? 0 : ends[i - 1];
         band.end = ends[i];
-        compute(render, index, band, threads_each);
+        fill_band(render, index, band, threads_each);
         queue.give();
     }
     queue.finish();
@@ -389,22 +429,28 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
         write_geographic_place(*surface, names[index], *files[index]);
     }
     files[index]->finish();
+    if (work && files[index]->keep_as(work->picture_name(index)))
+    {
+        work->complete(index);
+    }
 }
 
-void Output::write(const Options &options, const Input &input, int threads, std::FILE *terminal,
-                   KeptPlan &kept)
+void Output::write(const Options &options, const Input &input, int threads, MemoryCeiling &ceiling,
+                   std::FILE *terminal, KeptPlan &kept)
 {
     not_finite = input.not_finite();
     values.not_finite = not_finite > 0 ? engine_not_finite(options) : CM_NOT_FINITE_SPREAD;
+    values.memory = ceiling.functions();
     const cm_plan &geometry =
         kept.get(input.surface(), input.rotation(), *surface, rotation, values);
-    const SourcePointer source = make_source(geometry, input.pictures(), row_type, threads);
+    const SourcePointer source =
+        make_source(geometry, input.pictures(), row_type, threads, ceiling);
     filter = cm_source_filter(source.get());
     const std::int64_t rows =
         std::int64_t{cm_surface_height(surface.get())} * static_cast<std::int64_t>(names.size());
     {
         Progress progress(rows, !options.quiet, terminal);
-        const Render render = {geometry, *source, progress};
+        const Render render = {ceiling, geometry, *source, progress};
         parallel_for(static_cast<int>(names.size()), threads,
                      [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
     }
@@ -412,7 +458,19 @@ void Output::write(const Options &options, const Input &input, int threads, std:
     {
         write_sidecar();
     }
+    if (!options.manifest.empty())
+    {
+        write_manifest(options, input);
+    }
     appear_together(files);
+    if (work)
+    {
+        work->remove();
+    }
+    else
+    {
+        WorkFolder::forget(options.output);
+    }
 }
 
 // ---- what it was
@@ -420,6 +478,29 @@ void Output::write(const Options &options, const Input &input, int threads, std:
 void Output::write_sidecar()
 {
     const std::string text = sidecar_text(*surface, rotation, names, cm_filter_name(filter));
+    files[names.size()]->write(text.data(), text.size());
+}
+
+PictureKind Output::kind() const
+{
+    static constexpr const char *types[] = {"uint8", "uint16", "half", "float"};
+    return {cm_surface_specification(surface.get()),
+            rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0",
+            static_cast<int>(cm_surface_width(surface.get())),
+            static_cast<int>(cm_surface_height(surface.get())),
+            channels,
+            types[row_type]};
+}
+
+void Output::write_manifest(const Options &options, const Input &input)
+{
+    std::vector<MadePicture> pictures;
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        pictures.push_back({names[i], sum_of_file(files[i]->temporary_name(), names[i])});
+    }
+    const std::string text =
+        manifest_text(options, input, kind(), cm_filter_name(filter), pictures);
     files.back()->write(text.data(), text.size());
 }
 

@@ -11,6 +11,8 @@
 #include "plane_place.hpp"
 #include "reproject_input.hpp"
 #include "surface_lines.hpp"
+#include "work_folder.hpp"
+#include "work_manifest.hpp"
 #include "tools/cli/image_writer.hpp"
 #include "tools/cli/progress.hpp"
 
@@ -21,10 +23,10 @@ public:
     // cannot be done.
     Output(const Options &options, const Input &input);
 
-    // Computes and writes the files, and lets them appear. The progress is shown on terminal, if it
-    // is one. plan is made, unless it is that of pictures like these.
-    void write(const Options &options, const Input &input, int threads, std::FILE *terminal,
-               KeptPlan &plan);
+    // Computes and writes the files, and lets them appear. What the filter needs lies where the ceiling has it. The
+    // progress is shown on terminal, if it is one. plan is made, unless it is that of pictures like these.
+    void write(const Options &options, const Input &input, int threads, MemoryCeiling &ceiling,
+               std::FILE *terminal, KeptPlan &plan);
 
     // "face_0.png .. face_5.png (cube:coupled, frame geo, 512x512; bilinear)", after write().
     std::string description() const;
@@ -52,7 +54,11 @@ private:
     void finish_rows(const PlanePlace &place, const cm_rows &rows, const RowBand &band,
                      int threads) const;
     std::vector<int> band_ends(std::size_t index, std::size_t most_bytes, int threads) const;
+    std::vector<int> bands_of(std::size_t index, int threads) const;
+    void fill_band(const Render &render, std::size_t index, const RowBand &band, int threads);
     void write_sidecar();
+    void write_manifest(const Options &options, const Input &input);
+    PictureKind kind() const;
     std::size_t row_bytes() const;
 
     SurfacePointer surface;
@@ -60,13 +66,14 @@ private:
     std::vector<PlanePlace> places;
     std::string kept_density;                       // for people
     std::vector<std::string> names;                 // of the pictures' files
-    std::vector<std::unique_ptr<AtomicFile>> files; // of those, then the sidecar
+    std::vector<std::unique_ptr<AtomicFile>> files; // of those, then sidecar and manifest
     ImagePlan plan;
     bool georeferenced = false;
     cm_plan_options values = {};
     cm_pixel_type row_type = CM_PIXEL_FLOAT; // of what is computed
     int channels = 0;
     ColorRows colors;
+    std::unique_ptr<WorkFolder> work;    // if what is done is kept
     std::unique_ptr<SurfaceLines> lines; // if there are to be any
     cm_filter filter = CM_FILTER_AUTO;   // that was taken
     std::int64_t not_finite = 0;

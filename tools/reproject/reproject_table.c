@@ -193,6 +193,27 @@ static const cm_option values[] = {
      .standard = "0, one for each core",
      .low = 0,
      .high = 1024},
+    {.id = REPROJECT_MEMORY,
+     .name = "memory",
+     .kind = CM_OPTION_TEXT,
+     .argument = "SIZE",
+     .help = "what the program may take of memory, such as 512M or 2G, 64M at least; what does not "
+             "fit goes to temporary files, which are told beforehand",
+     .more =
+         "Units are K, M, G and T of 1024 each; a number alone is M. Files are in the folder of "
+         "the environment variable TMPDIR, or else beside OUTPUT, and have no name: nothing is "
+         "left of them, whatever happens. The output is the same for any SIZE."},
+    {.id = REPROJECT_RESUME,
+     .name = "resume",
+     .help = "keep what is done in the folder OUTPUT.resume until all is, and go on from there",
+     .more = "Whatever has ended the program, the same command does not again what was done. The "
+             "folder takes as much room as OUTPUT without compression, and goes away at the end."},
+    {.id = REPROJECT_MANIFEST,
+     .name = "manifest",
+     .kind = CM_OPTION_FILE,
+     .argument = "FILE",
+     .help = "also write what was made of what into FILE, as JSON: files with their sizes and "
+             "checksums, surface, filter"},
     {.id = REPROJECT_QUIET,
      .name = "quiet",
      .help = "neither a progress bar nor a line that says what was done"},

@@ -1,39 +1,19 @@
 // SPDX-License-Identifier: MIT
 
 #include "sidecar.hpp"
+#include "json_text.hpp"
 #include "surface_text.hpp"
 #include "tools/cli/json_object.hpp"
 #include "tools/cli/program.hpp"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
 namespace
 {
-
-// In quotation marks; bytes that are no ASCII stay as they are.
-std::string quoted(const std::string &text)
-{
-    std::string result = "\"";
-    for (const char letter : text)
-    {
-        const auto code = static_cast<unsigned char>(letter);
-        if (code < ' ')
-        {
-            char escape[8];
-            std::snprintf(escape, sizeof escape, "\\u%04x", code);
-            result += escape;
-            continue;
-        }
-        result += letter == '"' || letter == '\\' ? "\\" : "";
-        result += letter;
-    }
-    return result + "\"";
-}
 
 // A file of this kind has no more bytes.
 constexpr std::size_t bytes_most = std::size_t{1} << 20;
