@@ -170,8 +170,8 @@ killed_and_resumed()
 {
     local status pictures
     mkdir whole made
-    "$programs/cubemap-reproject" --quiet --filter bspline5 --size 1200 "$earth" whole/%f.png
-    python3 - "$programs/cubemap-reproject" --quiet --resume --filter bspline5 --size 1200 "$earth" made/%f.png <<'P'
+    "$programs/cubemap-reproject" --quiet --filter bspline5 --size 600 "$earth" whole/%f.png
+    python3 - "$programs/cubemap-reproject" --quiet --resume --filter bspline5 --size 600 "$earth" made/%f.png <<'P'
 import os, signal, subprocess, sys, time
 journal = "made/%f.png.resume/journal"
 lines = done = 0

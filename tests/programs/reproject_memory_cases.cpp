@@ -6,6 +6,8 @@
 #include "image_cases.hpp"
 #include "picture.hpp"
 
+#include "tools/cli/progress.hpp"
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -86,6 +88,19 @@ void ceiling_files()
     does("reproject --quiet --filter bilinear n%f.ppm free.png");
     does("reproject --quiet --filter bilinear" + least + "n%f.ppm below.png");
     result(same_content("free.png", "below.png"), "six files below a ceiling");
+}
+
+// Where the target is larger than what is computed at once, on faces that stand turned, too.
+void ceiling_tiles()
+{
+    make_noise(512, 256, "noise.ppm");
+    for (const std::string target : {"--to equirect --size 1100 --filter catmull-rom",
+                                     "--layout eac --size 1030 --filter nearest"})
+    {
+        does("reproject --quiet " + target + " noise.ppm free.tif");
+        does("reproject --quiet" + least + target + " noise.ppm below.tif");
+        result(same_picture("free.tif", "below.tif"), "in parts below a ceiling: " + target);
+    }
 }
 
 void ceiling_lines()
@@ -248,6 +263,18 @@ void resume_refuses()
           "reproject --quiet --resume --layout strip noise.ppm a.png");
 }
 
+// ---- how long it takes
+
+void remaining_time()
+{
+    result(time_left(0.5, 1.9).empty() && time_left(0.001, 60).empty(), "no time left too early");
+    result(time_left(0.5, 10) == " 0:10 left" && time_left(0.25, 30.2) == " 1:31 left" &&
+               time_left(1.0, 30) == " 0:00 left",
+           "minutes and seconds", time_left(0.5, 10) + time_left(0.25, 30.2));
+    result(time_left(0.1, 1000) == " 2:30:00 left" && time_left(0.01, 1e9) == " 99:59:59 left",
+           "hours", time_left(0.1, 1000) + time_left(0.01, 1e9));
+}
+
 // ---- manifests
 
 void manifest()
@@ -278,12 +305,14 @@ const std::vector<Subject> &reproject_memory_subjects()
 {
     static const std::vector<Subject> subjects = {{"ceiling_filters", ceiling_filters},
                                                   {"ceiling_files", ceiling_files},
+                                                  {"ceiling_tiles", ceiling_tiles},
                                                   {"ceiling_lines", ceiling_lines},
                                                   {"ceiling_talk", ceiling_talk},
                                                   {"ceiling_without_room", ceiling_without_room},
                                                   {"resume", resume},
                                                   {"resume_damaged", resume_damaged},
                                                   {"resume_refuses", resume_refuses},
+                                                  {"remaining_time", remaining_time},
                                                   {"manifest", manifest}};
     return subjects;
 }

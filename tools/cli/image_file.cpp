@@ -310,7 +310,7 @@ std::size_t channel_bytes(cm_pixel_type type)
 }
 
 void check_memory(const std::string &what, std::int64_t pixels, int channels,
-                  std::size_t channel_size)
+                  std::size_t channel_size, const std::string &advice)
 {
     const double needed =
         static_cast<double>(pixels) * channels * static_cast<double>(channel_size);
@@ -321,6 +321,6 @@ void check_memory(const std::string &what, std::int64_t pixels, int channels,
         char text[100];
         std::snprintf(text, sizeof text, " needs %.1f GB of memory, this machine has %.1f GB",
                       needed / 1e9, present / 1e9);
-        throw Failure(what + text);
+        throw Failure(what + text + advice);
     }
 }

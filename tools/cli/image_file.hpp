@@ -141,8 +141,8 @@ private:
 // The bytes of one channel.
 std::size_t channel_bytes(cm_pixel_type type);
 
-// Failure if these many pixels do not fit into this machine's memory.
+// Failure if these many pixels do not fit into this machine's memory; advice ends the message.
 void check_memory(const std::string &what, std::int64_t pixels, int channels,
-                  std::size_t channel_size = sizeof(float));
+                  std::size_t channel_size = sizeof(float), const std::string &advice = "");
 
 #endif

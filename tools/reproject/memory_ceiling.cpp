@@ -122,7 +122,7 @@ int make_room(int file, std::size_t size)
 // comes late.
 std::uint64_t bytes_to_keep(std::uint64_t ceiling, std::uint64_t grown)
 {
-    const std::uint64_t least = std::max(ceiling / 8, std::uint64_t{64} << 20);
+    const std::uint64_t least = std::max(ceiling / 6, std::uint64_t{96} << 20);
     const std::uint64_t spare = std::max(least, 2 * grown);
     return std::max(ceiling / 4, ceiling > spare ? ceiling - spare : 0);
 }

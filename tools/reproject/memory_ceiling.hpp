@@ -8,6 +8,7 @@
 
 #include <cubemap/image.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -41,6 +42,12 @@ public:
     }
     void rethrow();
 
+    // Bytes of memory, 0 for no ceiling.
+    std::uint64_t bytes() const noexcept
+    {
+        return ceiling;
+    }
+
     // Bytes in files.
     std::uint64_t in_files() const noexcept
     {
@@ -67,7 +74,7 @@ private:
     cm_memory table = {};
     std::uint64_t other_bytes = 0;  // of the process, when it was first asked
     std::uint64_t memory_bytes = 0; // that allocate() has given
-    std::uint64_t file_bytes = 0;
+    std::atomic<std::uint64_t> file_bytes{0};
     std::vector<Mapping> mappings;
     std::exception_ptr failure;
     std::mutex mutex; // of all above

@@ -119,7 +119,8 @@ Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
     check_memory(in_quotes(images.front().path()),
                  std::int64_t{images.front().width()} * images.front().height() *
                      static_cast<std::int64_t>(images.size()),
-                 images.front().channels(), channel_bytes(pixels.type));
+                 images.front().channels(), channel_bytes(pixels.type),
+                 "; --memory SIZE keeps what is more in a file");
 }
 
 void Input::open(const Options &options, int threads)

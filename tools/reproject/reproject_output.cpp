@@ -23,6 +23,12 @@ constexpr std::size_t bands_bytes = std::size_t{12} << 20;
 // A picture is so many bands at least, so that the first are written early, where threads have enough to do then.
 constexpr int bands_least = 8;
 constexpr int rows_each = 4 * block_rows;
+// With a source in files, parts of a band of so many rows and columns are computed one after another: what they read is a
+// small part of the source, which then stays in memory, and the system maps some pages beside each that is asked for.
+constexpr std::uint32_t tile_edge = 1024;
+// Then larger bands are quicker: all at a time together a part of the ceiling, and one at most so many bytes.
+constexpr std::uint64_t ceiling_parts = 16;
+constexpr std::size_t band_most = std::size_t{32} << 20;
 // For how many threads bands are where rows are kept for another run.
 constexpr int kept_threads = 4;
 
@@ -118,11 +124,11 @@ Output::Output(const Options &options, const Input &input)
     }
     choose_values(options, input);
     save_surface(plan, *surface, rotation);
+    make_files(options);
     if (options.resume)
     {
         work = std::make_unique<WorkFolder>(options.output, work_identity(options, input, kind()));
     }
-    make_files(options);
 }
 
 void Output::choose_names(const Options &options, const Input &input)
@@ -299,6 +305,26 @@ std::vector<int> Output::band_ends(std::size_t index, std::size_t most_bytes, in
     return ends;
 }
 
+void Output::compute_rows(const Render &render, const cm_rows &rows,
+                          std::vector<cm_image> &pictures, int threads)
+{
+    const bool in_tiles = render.ceiling.in_files() > 0;
+    const std::uint32_t down = in_tiles ? tile_edge : rows.row_count;
+    const std::uint32_t across = in_tiles ? tile_edge : rows.column_count;
+    const std::uint32_t last_row = rows.first_row + rows.row_count;
+    const std::uint32_t last_column = rows.first_column + rows.column_count;
+    for (std::uint32_t row = rows.first_row; row < last_row; row += down)
+    {
+        for (std::uint32_t column = rows.first_column; column < last_column; column += across)
+        {
+            const cm_rows tile = {rows.plane, row, std::min(down, last_row - row), column,
+                                  std::min(across, last_column - column)};
+            check_resampling(cm_resample_source(&render.plan, &render.source, pictures.data(), tile,
+                                                static_cast<unsigned>(threads)));
+        }
+    }
+}
+
 // The picture as a whole is not there: only the band's rows are touched.
 void Output::compute(const Render &render, std::size_t index, const RowBand &band, int threads)
 {
@@ -320,8 +346,7 @@ void Output::compute(const Render &render, std::size_t index, const RowBand &ban
         {
             continue;
         }
-        check_resampling(cm_resample_source(&render.plan, &render.source, pictures.data(), rows,
-                                            static_cast<unsigned>(threads)));
+        compute_rows(render, rows, pictures, threads);
         if (row_type == CM_PIXEL_FLOAT && (lines || colors.is_needed()))
         {
             finish_rows(place, rows, band, threads);
@@ -367,12 +392,16 @@ void Output::finish_rows(const PlanePlace &place, const cm_rows &rows, const Row
 }
 
 // Where rows are kept they are the same for any number of threads.
-std::vector<int> Output::bands_of(std::size_t index, int threads) const
+std::vector<int> Output::bands_of(const Render &render, std::size_t index, int threads) const
 {
     const int counted = work ? kept_threads : threads;
     const int pictures = static_cast<int>(names.size());
     const std::size_t at_once = static_cast<std::size_t>(std::min(pictures, counted));
-    return band_ends(index, bands_bytes / 2 / at_once, std::max(1, counted / pictures));
+    const std::uint64_t share = render.ceiling.in_files() > 0 ? render.ceiling.bytes() : 0;
+    const std::size_t together =
+        std::max<std::size_t>(bands_bytes, static_cast<std::size_t>(share / ceiling_parts));
+    return band_ends(index, std::min(together / 2 / at_once, band_most),
+                     std::max(1, counted / pictures));
 }
 
 void Output::fill_band(const Render &render, std::size_t index, const RowBand &band, int threads)
@@ -398,7 +427,7 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
         return;
     }
     const int threads_each = std::max(1, threads / static_cast<int>(names.size()));
-    const std::vector<int> ends = bands_of(index, threads);
+    const std::vector<int> ends = bands_of(render, index, threads);
     int most_rows = 0;
     for (std::size_t i = 0; i < ends.size(); ++i)
     {

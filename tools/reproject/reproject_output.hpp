@@ -54,7 +54,9 @@ private:
     void finish_rows(const PlanePlace &place, const cm_rows &rows, const RowBand &band,
                      int threads) const;
     std::vector<int> band_ends(std::size_t index, std::size_t most_bytes, int threads) const;
-    std::vector<int> bands_of(std::size_t index, int threads) const;
+    std::vector<int> bands_of(const Render &render, std::size_t index, int threads) const;
+    static void compute_rows(const Render &render, const cm_rows &rows,
+                             std::vector<cm_image> &pictures, int threads);
     void fill_band(const Render &render, std::size_t index, const RowBand &band, int threads);
     void write_sidecar();
     void write_manifest(const Options &options, const Input &input);
