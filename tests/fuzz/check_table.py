@@ -76,7 +76,7 @@ def missing_words(root):
         words = root / "tests" / "fuzz" / "corpus" / f"{program}_options.dict"
         known = words.read_text(encoding="utf-8").splitlines()
         for name in re.findall(r'\.name = "([a-z0-9-]+)"', table.read_text(encoding="utf-8")):
-            if f'"--{name}"' not in known:
+            if f'"--{name}"' not in known and not name.startswith("cubemap-"):  # the program's own
                 yield f'{words.name} does not have "--{name}"'
 
 
