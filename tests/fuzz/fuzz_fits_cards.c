@@ -3,7 +3,7 @@
  * Cards of FITS headers. The input is cards of 80 characters, the last one filled with blanks.
  */
 #include "modules/image/io/fits_cards.h"
-#include "tests/image_io/memory_stream.h"
+#include "tests/memory_stream.h"
 
 #include "fuzz.h"
 

@@ -6,7 +6,7 @@
  */
 #include "modules/image/io/file_words.h"
 #include "modules/image/io/pnm_file.h"
-#include "tests/image_io/memory_stream.h"
+#include "tests/memory_stream.h"
 
 #include "fuzz.h"
 

@@ -5,7 +5,7 @@
  */
 #include "modules/image/io/file_words.h"
 #include "modules/image/io/texture_file.h"
-#include "tests/image_io/memory_stream.h"
+#include "tests/memory_stream.h"
 
 #include "fuzz.h"
 

@@ -198,6 +198,61 @@ START_TEST(flip_is_that_of_the_formulas)
 }
 END_TEST
 
+/* Figures of the steps and constants of the authors' program (github.com/NVlabs/flip, python/flip_api.py at commit
+ * 313517b), written again in NumPy's double precision, cv.filter2D as scipy.ndimage.correlate(mode="nearest"). It gives inverse
+ * matrices to nine decimals. Of HDR its compute_exposure_params, and one exposure for each begun power of two. */
+START_TEST(flip_is_that_of_the_authors)
+{
+    enum
+    {
+        WIDTH = 61,
+        HEIGHT = 41,
+        COUNT = WIDTH * HEIGHT
+    };
+    static const struct
+    {
+        double density; /* 0: HDR */
+        double mean, first, middle;
+    } cases[] = {{CM_FLIP_PIXELS_PER_DEGREE, 0.128503469, 0.008731963, 0.063693070},
+                 {20.0, 0.118392204, 0.000133742, 0.017880096},
+                 {0.0, 0.128788478, 0.032493491, 0.069391119}};
+    static uint8_t one[COUNT * 3], other[COUNT * 3];
+    static float bright_one[COUNT * 3], bright_other[COUNT * 3], map[COUNT];
+    for (int i = 0; i < COUNT * 3; i++)
+    {
+        const int x = i / 3 % WIDTH, y = i / 3 / WIDTH;
+        const int sum = x * x + 3 * y * y + 50 * (i % 3) + x * y;
+        one[i] = (uint8_t)(sum / 7 % 256);
+        other[i] = (uint8_t)((sum + x % 5 * (y % 3) * 9) / 7 % 256);
+        bright_one[i] = (float)(one[i] * one[i]) / 4096.0f;
+        bright_other[i] = (float)(other[i] * other[i]) / 4096.0f;
+    }
+    const cm_image a = image_of(one, CM_PIXEL_U8, WIDTH, HEIGHT, 3);
+    const cm_image b = image_of(other, CM_PIXEL_U8, WIDTH, HEIGHT, 3);
+    const cm_image c = floats(bright_one, WIDTH, HEIGHT, 3);
+    const cm_image d = floats(bright_other, WIDTH, HEIGHT, 3);
+    const cm_image to = floats(map, WIDTH, HEIGHT, 1);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    {
+        cm_compare_options options = standard();
+        cm_map_figures found = no_map();
+        options.pixels_per_degree = cases[i].density;
+        ck_assert_int_eq(cases[i].density > 0.0 ? cm_flip(&a, &b, &options, &found, &to)
+                                                : cm_flip_hdr(&c, &d, &options, &found, &to),
+                         CM_OK);
+        expect_near(found.mean, cases[i].mean, 1e-6, "the authors' mean");
+        expect_near((double)map[0], cases[i].first, 1e-6, "the authors' first pixel");
+        expect_near((double)map[20 * WIDTH + 30], cases[i].middle, 1e-6, "the authors' pixel");
+        if (!(cases[i].density > 0.0))
+        {
+            expect_near(found.exposure_start, -2.8139458095281955, 1e-6, "first exposure");
+            expect_near(found.exposure_stop, -0.6837548218772439, 1e-6, "last exposure");
+            ck_assert_uint_eq(found.exposure_count, 3);
+        }
+    }
+}
+END_TEST
+
 /* Black and white have no features, and CIELAB of L = 100 and 0. The farthest colours are sRGB's green and blue:
  * CIELAB 87.73, -86.18, 83.18 and 32.30, 79.19, -107.86. */
 START_TEST(flip_of_constant_pictures)
@@ -464,6 +519,7 @@ int main(void)
     const TTest *const tests[] = {ssim_is_that_of_the_formula,
                                   ssim_has_limits,
                                   flip_is_that_of_the_formulas,
+                                  flip_is_that_of_the_authors,
                                   flip_of_constant_pictures,
                                   flip_is_symmetric,
                                   flip_of_high_dynamic_range,
