@@ -20,8 +20,10 @@
 
 #ifdef __GNUC__
 #define CM_FETCH(place) __builtin_prefetch(place)
+#define CM_FETCH_TO_WRITE(place) __builtin_prefetch(place, 1)
 #else
 #define CM_FETCH(place) (void)(place)
+#define CM_FETCH_TO_WRITE(place) (void)(place)
 #endif
 
 /* What all threads work on. */
@@ -35,13 +37,21 @@ typedef struct resample_job
     atomic_int failed;
 } resample_job;
 
+/* Where the rows of a block go. */
+typedef struct block_target
+{
+    unsigned char *first; /* NULL: pixels go one by one */
+    ptrdiff_t down;       /* from row to row, in bytes */
+} block_target;
+
 /* What a thread works with. */
 typedef struct resample_desk
 {
     cm_geometry *geometry;
     cm_scratch scratch;
     cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
-    unsigned char *pixels;             /* of a group */
+    block_target targets[2];
+    unsigned char *pixels; /* of a group */
 } resample_desk;
 
 /* ---- values of a group ---- */
@@ -297,13 +307,12 @@ static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to
     }
 }
 
-/* All pixels of a block at once: 1 if its rows go to rows of the target as they are. */
-static int store_block(const resample_job *job, unsigned plane, uint32_t column, uint32_t row,
-                       const unsigned char *pixels)
+/* Where a block's rows go as they are; NULL if they do not. */
+static block_target target_of(const resample_job *job, unsigned plane, uint32_t column,
+                              uint32_t row)
 {
     const cm_rows *wanted = &job->wanted;
     const cm_level *level = &job->source->level;
-    const ptrdiff_t size = (ptrdiff_t)level->pixel_size;
     uint32_t picture_column, picture_row;
     ptrdiff_t stride;
     if (!(level->is_bytes || cm_values_are_copied(&job->values)) || row < wanted->first_row ||
@@ -311,28 +320,24 @@ static int store_block(const resample_job *job, unsigned plane, uint32_t column,
         column < wanted->first_column ||
         column + CM_BLOCK_EDGE > wanted->first_column + wanted->column_count)
     {
-        return 0;
+        return (block_target){NULL, 0};
     }
     unsigned char *to =
         target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
     const unsigned char *below =
         target_pixel(job, plane, column, row + 1, &picture_column, &picture_row, &stride);
-    if (stride != size)
-    {
-        return 0;
-    }
-    copy_rows(pixels, (size_t)size * CM_BLOCK_EDGE, to, below - to);
-    return 1;
+    return (block_target){stride == (ptrdiff_t)level->pixel_size ? to : NULL, below - to};
 }
 
 static void store_group(const resample_job *job, unsigned plane, uint32_t block_column,
-                        uint32_t block_row, const cm_group *group, unsigned char *pixels)
+                        uint32_t block_row, const cm_group *group, const block_target *target,
+                        unsigned char *pixels)
 {
     const size_t size = job->source->level.pixel_size;
     const int is_whole = group->count == CM_BLOCK_PIXELS;
-    if (is_whole &&
-        store_block(job, plane, block_column * CM_BLOCK_EDGE, block_row * CM_BLOCK_EDGE, pixels))
+    if (is_whole && target->first != NULL)
     {
+        copy_rows(pixels, size * CM_BLOCK_EDGE, target->first, target->down);
         return;
     }
     for (unsigned i = 0; i < group->count;)
@@ -402,10 +407,25 @@ static void fetch_group(const cm_source *source, const cm_group *group)
     }
 }
 
+static void fetch_target(const block_target *target, size_t bytes)
+{
+    for (ptrdiff_t i = 0; i < CM_BLOCK_EDGE && target->first != NULL; i++)
+    {
+        const unsigned char *row = target->first + i * target->down;
+        CM_FETCH_TO_WRITE(row + bytes - 1);
+        for (size_t at = 64; at < bytes; at += 64)
+        {
+            CM_FETCH_TO_WRITE(row + bytes - 1 - at);
+        }
+    }
+}
+
 static unsigned place_block(const resample_job *job, resample_desk *desk, unsigned plane,
                             uint32_t block_column, uint32_t block_row)
 {
     cm_group *groups = desk->groups[block_column % 2];
+    desk->targets[block_column % 2] =
+        target_of(job, plane, block_column * CM_BLOCK_EDGE, block_row * CM_BLOCK_EDGE);
     const unsigned count =
         cm_geometry_block(desk->geometry, plane, block_column, block_row, groups);
     for (unsigned i = 0; i < count; i++)
@@ -419,14 +439,16 @@ static cm_status fill_block(const resample_job *job, resample_desk *desk, unsign
                             uint32_t block_column, uint32_t block_row, unsigned count)
 {
     cm_group *groups = desk->groups[block_column % 2];
+    const block_target *target = &desk->targets[block_column % 2];
     cm_status status = CM_OK;
     unsigned pixels = 0;
+    fetch_target(target, job->source->level.pixel_size * CM_BLOCK_EDGE);
     for (unsigned i = 0; i < count && status == CM_OK; i++)
     {
         status = cm_source_sample(job->source, &groups[i], &desk->scratch, desk->pixels);
         if (status == CM_OK)
         {
-            store_group(job, plane, block_column, block_row, &groups[i], desk->pixels);
+            store_group(job, plane, block_column, block_row, &groups[i], target, desk->pixels);
         }
         pixels += groups[i].count;
     }
