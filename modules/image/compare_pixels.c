@@ -32,31 +32,15 @@ int cm_compare_options_of(const cm_compare_options *given, cm_compare_options *o
 
 /* ---- what pictures are ---- */
 
-static size_t size_of(cm_pixel_type type)
-{
-    switch (type)
-    {
-    case CM_PIXEL_U8:
-        return sizeof(uint8_t);
-    case CM_PIXEL_U16:
-    case CM_PIXEL_HALF:
-        return sizeof(uint16_t);
-    case CM_PIXEL_FLOAT:
-        return sizeof(float);
-    default:
-        return 0;
-    }
-}
-
 cm_status cm_compare_image(const cm_image *given, cm_image *image)
 {
     if (given == NULL || given->size != sizeof *given || given->data == NULL ||
-        size_of(given->type) == 0 || given->width == 0 || given->height == 0 ||
+        cm_pixel_size(given->type) == 0 || given->width == 0 || given->height == 0 ||
         given->channels == 0 || given->channels > CM_CHANNELS_MAX)
     {
         return CM_ERROR_ARGUMENT;
     }
-    const ptrdiff_t pixel = (ptrdiff_t)(given->channels * size_of(given->type));
+    const ptrdiff_t pixel = (ptrdiff_t)(given->channels * cm_pixel_size(given->type));
     *image = *given;
     image->pixel_stride = given->pixel_stride == 0 ? pixel : given->pixel_stride;
     const ptrdiff_t step = image->pixel_stride < 0 ? -image->pixel_stride : image->pixel_stride;
@@ -138,12 +122,31 @@ cm_status cm_compare_map(const cm_image *given, const cm_image *like, cm_image *
     return map->width == like->width && map->height == like->height ? CM_OK : CM_ERROR_RANGE;
 }
 
+cm_status cm_compare_request_of(const cm_image *reference, const cm_image *picture,
+                                const cm_compare_options *options, const cm_map_figures *figures,
+                                const cm_image *map, cm_compare_request *request)
+{
+    if (!cm_compare_options_of(options, &request->options) ||
+        request->options.not_finite == CM_COMPARE_ALIKE ||
+        (figures != NULL && figures->size != sizeof *figures))
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    const cm_status status =
+        cm_compare_pair_of(reference, picture, request->options.weights, &request->pair);
+    request->map_wanted = map != NULL ? &request->map : NULL;
+    return status == CM_OK && map != NULL
+               ? cm_compare_map(map, &request->pair.picture, &request->map)
+               : status;
+}
+
 /* ---- pixels as numbers ---- */
 
 static unsigned char *place(const cm_image *image, uint64_t row, uint32_t column, uint32_t channel)
 {
     return (unsigned char *)image->data + (ptrdiff_t)row * image->row_stride +
-           (ptrdiff_t)column * image->pixel_stride + (ptrdiff_t)(channel * size_of(image->type));
+           (ptrdiff_t)column * image->pixel_stride +
+           (ptrdiff_t)(channel * cm_pixel_size(image->type));
 }
 
 void cm_compare_read(const cm_image *image, uint64_t row, uint32_t column, size_t count,

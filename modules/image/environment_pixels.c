@@ -8,11 +8,6 @@
 
 #include "half.h"
 
-static size_t size_of(cm_pixel_type type)
-{
-    return type == CM_PIXEL_U8 ? 1 : type == CM_PIXEL_FLOAT ? 4 : 2;
-}
-
 cm_status cm_pixels_check(const cm_image *image, uint32_t channels_most)
 {
     if (image == NULL || image->size != sizeof *image || image->data == NULL)
@@ -57,7 +52,7 @@ cm_status cm_faces_check(const cm_mapping *mapping, const cm_image *faces)
 
 static unsigned char *address(const cm_image *image, uint32_t row, uint32_t column)
 {
-    const ptrdiff_t dense = (ptrdiff_t)(image->channels * size_of(image->type));
+    const ptrdiff_t dense = (ptrdiff_t)(image->channels * cm_pixel_size(image->type));
     const ptrdiff_t across = image->pixel_stride != 0 ? image->pixel_stride : dense;
     const ptrdiff_t down =
         image->row_stride != 0 ? image->row_stride : across * (ptrdiff_t)image->width;
