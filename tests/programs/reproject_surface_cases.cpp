@@ -410,6 +410,49 @@ void written_georeferences()
           "reproject --georeference --to equirect noise.ppm made/a.png");
 }
 
+// What people have: each is done, or refused in one line with what would help.
+void odd_pictures()
+{
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet noise.ppm face_%f.png");
+    std::filesystem::remove("face_3.png");
+    fails("a face is missing", 1,
+          "'face_3.png' cannot be read: No such file or directory; all six faces are needed, "
+          "'face_0.png' to 'face_5.png'",
+          "reproject face_%f.png made/a.png");
+    fails("six faces by the name of none", 1, "'face_0.png' is; 'face_%f.png' stands for six",
+          "reproject face.png made/a.png");
+    make_constant(16, 16, 1, "uint8", 0.5f, "face_3.png");
+    fails("a face of gray", 1, "16 x 16 with 1 channel, .* alike",
+          "reproject face_%f.png made/a.png");
+    for (const int channels : {1, 2, 5, 70})
+    {
+        std::vector<std::string> none;
+        make_constant(64, 32, channels, "float", 0.25f, "many.tif", none);
+        make_constant(16, 16, channels, "float", 0.25f, "wanted.tif", none);
+        says(std::to_string(channels) + " channels",
+             channels == 1 ? "1 channel, " : "channels, float", "reproject many.tif many_%f.tif");
+        if (channels < 64) // what compare takes
+        {
+            passes("each of them", "compare --max 1e-6 many_4.tif wanted.tif");
+        }
+        holds("and their values",
+              [channels]
+              {
+                  check_pixel("many_4.tif", 7, 9,
+                              std::vector<double>(static_cast<std::size_t>(channels), 0.25));
+              });
+    }
+    fails("more than a format holds", 1, "PNG holds 1 to 4 channels, the image has 70",
+          "reproject --to equirect many.tif made/a.png");
+    fails("vectors of so many", 1, "64 at most can be resampled with a vector",
+          "reproject --to equirect --vector 1 many.tif made/a.tif");
+    std::string text = "P6\n300000 150000\n255\n";
+    write_file("huge.ppm", text);
+    const Ran ran = run("reproject huge.ppm huge.png --to equirect --size 64");
+    result(ran.status == 1 && matches(ran.err, "GB of memory"), "135 GB in 24 bytes", ran.err);
+}
+
 // Of Earth's systems by GDAL, where it is.
 void rasters()
 {
@@ -708,6 +751,7 @@ const std::vector<Subject> &reproject_surface_subjects()
                                                   {"dithers", dithers},
                                                   {"files_and_filters", files_and_filters},
                                                   {"written_georeferences", written_georeferences},
+                                                  {"odd_pictures", odd_pictures},
                                                   {"rasters", rasters}};
     return subjects;
 }

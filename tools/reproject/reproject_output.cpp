@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
+#include "channel_groups.hpp"
 #include "geo_reference.hpp"
 #include "output_surface.hpp"
 #include "sidecar.hpp"
@@ -23,25 +24,6 @@ constexpr std::size_t bands_bytes = std::size_t{12} << 20;
 // A picture is so many bands at least, so that the first are written early, where threads have enough to do then.
 constexpr int bands_least = 8;
 constexpr int rows_each = 4 * block_rows;
-
-struct SourceDeleter
-{
-    void operator()(cm_source *owned) const noexcept
-    {
-        cm_source_destroy(owned);
-    }
-};
-
-using SourcePointer = std::unique_ptr<cm_source, SourceDeleter>;
-
-SourcePointer make_source(const cm_plan &plan, const cm_image *pictures, cm_pixel_type type,
-                          int threads)
-{
-    cm_source *made = nullptr;
-    check_resampling(
-        cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made));
-    return SourcePointer(made);
-}
 
 bool is_linear_format(const std::string &format)
 {
@@ -89,7 +71,7 @@ std::string not_finite_text(std::int64_t count, cm_not_finite what)
 struct Output::Render
 {
     const cm_plan &plan;
-    const cm_source &source;
+    const ChannelGroups &source;
     Progress &progress;
 };
 
@@ -200,7 +182,8 @@ void Output::choose_values(const Options &options, const Input &input)
     values.transfer =
         linear && options.transfer == CM_TRANSFER_SRGB ? CM_TRANSFER_STORED : options.transfer;
     values.gamma = options.gamma;
-    values.alpha = static_cast<std::uint32_t>(source.alpha + 1);
+    // so many channels are no picture with opacity
+    values.alpha = channels > CM_CHANNELS_MAX ? 0 : static_cast<std::uint32_t>(source.alpha + 1);
     values.alpha_multiplied = source.alpha_multiplied ? 1 : 0;
     values.vector = static_cast<std::uint32_t>(options.vector);
     values.dither = options.dither ? 1 : 0;
@@ -215,6 +198,11 @@ void Output::choose_values(const Options &options, const Input &input)
     if (options.vector > 0 && alpha >= options.vector && alpha <= options.vector + 2)
     {
         throw UsageFailure("--vector: channel " + std::to_string(alpha) + " is alpha");
+    }
+    if (channels > CM_CHANNELS_MAX && options.vector > 0)
+    {
+        throw Failure("--vector: INPUT has " + std::to_string(channels) + " channels, of which " +
+                      std::to_string(CM_CHANNELS_MAX) + " at most can be resampled with a vector");
     }
     const bool floats = lines || colors.is_needed();
     row_type = floats ? CM_PIXEL_FLOAT : held_type(plan.format, plan.description.type);
@@ -307,8 +295,7 @@ void Output::compute(const Render &render, std::size_t index, const RowBand &ban
         {
             continue;
         }
-        check_resampling(cm_resample_source(&render.plan, &render.source, pictures.data(), rows,
-                                            static_cast<unsigned>(threads)));
+        render.source.resample(render.plan, pictures, rows, threads);
         if (row_type == CM_PIXEL_FLOAT && (lines || colors.is_needed()))
         {
             finish_rows(place, rows, band, threads);
@@ -398,13 +385,14 @@ void Output::write(const Options &options, const Input &input, int threads, std:
     values.not_finite = not_finite > 0 ? engine_not_finite(options) : CM_NOT_FINITE_SPREAD;
     const cm_plan &geometry =
         kept.get(input.surface(), input.rotation(), *surface, rotation, values);
-    const SourcePointer source = make_source(geometry, input.pictures(), row_type, threads);
-    filter = cm_source_filter(source.get());
+    const ChannelGroups source(geometry, input.pictures(),
+                               cm_surface_picture_count(&input.surface()), row_type, threads);
+    filter = source.filter();
     const std::int64_t rows =
         std::int64_t{cm_surface_height(surface.get())} * static_cast<std::int64_t>(names.size());
     {
         Progress progress(rows, !options.quiet, terminal);
-        const Render render = {geometry, *source, progress};
+        const Render render = {geometry, source, progress};
         parallel_for(static_cast<int>(names.size()), threads,
                      [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
     }
