@@ -453,6 +453,60 @@ void odd_pictures()
     result(ran.status == 1 && matches(ran.err, "GB of memory"), "135 GB in 24 bytes", ran.err);
 }
 
+// GDAL's virtual format over area.img: a system, where it is, a type and what the band has.
+void write_virtual(const std::string &name, const std::string &system, const std::string &transform,
+                   const std::string &type, const std::string &band)
+{
+    write_file(name, "<VRTDataset rasterXSize=\"8\" rasterYSize=\"4\"><SRS>" + system +
+                         "</SRS><GeoTransform>" + transform +
+                         "</GeoTransform><VRTRasterBand dataType=\"" + type + "\" band=\"1\">" +
+                         band +
+                         "<SimpleSource><SourceFilename relativeToVRT=\"1\">area.img"
+                         "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
+                         "</VRTRasterBand></VRTDataset>\n");
+}
+
+void virtual_rasters()
+{
+    const std::string degrees = "20, 10, 0, 50, 0, -10";
+    const std::string nearest = "reproject --to equirect --size 36 --filter nearest ";
+    write_virtual("web.vrt", "EPSG:3857", "0, 1000000, 0, 4000000, 0, -1000000", "Byte", "");
+    says("web maps", "^web\\.vrt \\(mercator;west=0;east=71\\.8", nearest + "web.vrt out.png");
+    write_virtual("moon.vrt", "+proj=longlat +a=1737400 +b=1737400 +no_defs", degrees, "UInt16",
+                  "");
+    says("another body", "^moon\\.vrt \\(equirect;west=20;.*, 1 channel, uint16\\)",
+         nearest + "moon.vrt out.png");
+    write_virtual("turned.vrt", "EPSG:4326", "20, 5, 5, 50, 5, -5", "Byte", "");
+    says("turned rasters", "^turned\\.vrt \\(equirect;west=", nearest + "turned.vrt out.png");
+    write_virtual("none.vrt", "EPSG:4326", degrees, "Float32", "<NoDataValue>72</NoDataValue>");
+    says("no data is left out", "1 value that is not finite kept", nearest + "none.vrt out.tif");
+    write_virtual(
+        "colors.vrt", "EPSG:4326", degrees, "Byte",
+        "<ColorInterp>Palette</ColorInterp><ColorTable>" +
+            []
+            {
+                std::string entries;
+                for (int i = 0; i < 256; ++i)
+                {
+                    entries += "<Entry c1=\"" + std::to_string(255 - i) + "\" c2=\"" +
+                               std::to_string(i) + "\" c3=\"17\" c4=\"255\"/>";
+                }
+                return entries;
+            }() +
+            "</ColorTable>");
+    says("a palette", "3 channels, uint8", nearest + "colors.vrt out.png");
+    holds("is colours",
+          [] {
+              check_pixel("out.png", 18 + 3, 5, {183 / 255.0, 72 / 255.0, 17 / 255.0});
+          });
+    write_virtual("far.vrt", "EPSG:32633", "1e12, 1, 0, 1e12, 0, -1", "Byte", "");
+    fails("a place that is none", 1, "and it cannot be warped to EPSG:4326",
+          "reproject far.vrt made/a.png");
+    write_virtual("nowhere.vrt", "", "0, 1, 0, 0, 0, 1", "Byte", "");
+    says("a raster that is not placed", "^nowhere\\.vrt \\(equirect 8x4",
+         nearest + "nowhere.vrt out.png");
+}
+
 // Of Earth's systems by GDAL, where it is.
 void rasters()
 {
@@ -491,6 +545,7 @@ void rasters()
          "^area\\.img \\(equirect;west=20;east=100;south=10;north=50 8x4, 1 channel, uint8\\)",
          "reproject --to equirect --size 36 --filter nearest area.img whole.png");
     holds("and its pixels", [] { check_pixel("whole.png", 18 + 3, 5, {8 * 9 / 255.0}); });
+    virtual_rasters();
     write_file("no.img", "nothing");
     fails("what GDAL does not read either", 1,
           "is not an image that can be read: .*, and it is not a raster that GDAL reads",
