@@ -410,6 +410,103 @@ void written_georeferences()
           "reproject --georeference --to equirect noise.ppm made/a.png");
 }
 
+// What people have: each is done, or refused in one line with what would help.
+void odd_pictures()
+{
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet noise.ppm face_%f.png");
+    std::filesystem::remove("face_3.png");
+    fails("a face is missing", 1,
+          "'face_3.png' cannot be read: No such file or directory; all six faces are needed, "
+          "'face_0.png' to 'face_5.png'",
+          "reproject face_%f.png made/a.png");
+    fails("six faces by the name of none", 1, "'face_0.png' is; 'face_%f.png' stands for six",
+          "reproject face.png made/a.png");
+    make_constant(16, 16, 1, "uint8", 0.5f, "face_3.png");
+    fails("a face of gray", 1, "16 x 16 with 1 channel, .* alike",
+          "reproject face_%f.png made/a.png");
+    for (const int channels : {1, 2, 5, 70})
+    {
+        std::vector<std::string> none;
+        make_constant(64, 32, channels, "float", 0.25f, "many.tif", none);
+        make_constant(16, 16, channels, "float", 0.25f, "wanted.tif", none);
+        says(std::to_string(channels) + " channels",
+             channels == 1 ? "1 channel, " : "channels, float", "reproject many.tif many_%f.tif");
+        if (channels < 64) // what compare takes
+        {
+            passes("each of them", "compare --max 1e-6 many_4.tif wanted.tif");
+        }
+        holds("and their values",
+              [channels]
+              {
+                  check_pixel("many_4.tif", 7, 9,
+                              std::vector<double>(static_cast<std::size_t>(channels), 0.25));
+              });
+    }
+    fails("more than a format holds", 1, "PNG holds 1 to 4 channels, the image has 70",
+          "reproject --to equirect many.tif made/a.png");
+    fails("vectors of so many", 1, "64 at most can be resampled with a vector",
+          "reproject --to equirect --vector 1 many.tif made/a.tif");
+    std::string text = "P6\n300000 150000\n255\n";
+    write_file("huge.ppm", text);
+    const Ran ran = run("reproject huge.ppm huge.png --to equirect --size 64");
+    result(ran.status == 1 && matches(ran.err, "GB of memory"), "135 GB in 24 bytes", ran.err);
+}
+
+// GDAL's virtual format over area.img: a system, where it is, a type and what the band has.
+void write_virtual(const std::string &name, const std::string &system, const std::string &transform,
+                   const std::string &type, const std::string &band)
+{
+    write_file(name, "<VRTDataset rasterXSize=\"8\" rasterYSize=\"4\"><SRS>" + system +
+                         "</SRS><GeoTransform>" + transform +
+                         "</GeoTransform><VRTRasterBand dataType=\"" + type + "\" band=\"1\">" +
+                         band +
+                         "<SimpleSource><SourceFilename relativeToVRT=\"1\">area.img"
+                         "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
+                         "</VRTRasterBand></VRTDataset>\n");
+}
+
+void virtual_rasters()
+{
+    const std::string degrees = "20, 10, 0, 50, 0, -10";
+    const std::string nearest = "reproject --to equirect --size 36 --filter nearest ";
+    write_virtual("web.vrt", "EPSG:3857", "0, 1000000, 0, 4000000, 0, -1000000", "Byte", "");
+    says("web maps", "^web\\.vrt \\(mercator;west=0;east=71\\.8", nearest + "web.vrt out.png");
+    write_virtual("moon.vrt", "+proj=longlat +a=1737400 +b=1737400 +no_defs", degrees, "UInt16",
+                  "");
+    says("another body", "^moon\\.vrt \\(equirect;west=20;.*, 1 channel, uint16\\)",
+         nearest + "moon.vrt out.png");
+    write_virtual("turned.vrt", "EPSG:4326", "20, 5, 5, 50, 5, -5", "Byte", "");
+    says("turned rasters", "^turned\\.vrt \\(equirect;west=", nearest + "turned.vrt out.png");
+    write_virtual("none.vrt", "EPSG:4326", degrees, "Float32", "<NoDataValue>72</NoDataValue>");
+    says("no data is left out", "1 value that is not finite kept", nearest + "none.vrt out.tif");
+    write_virtual(
+        "colors.vrt", "EPSG:4326", degrees, "Byte",
+        "<ColorInterp>Palette</ColorInterp><ColorTable>" +
+            []
+            {
+                std::string entries;
+                for (int i = 0; i < 256; ++i)
+                {
+                    entries += "<Entry c1=\"" + std::to_string(255 - i) + "\" c2=\"" +
+                               std::to_string(i) + "\" c3=\"17\" c4=\"255\"/>";
+                }
+                return entries;
+            }() +
+            "</ColorTable>");
+    says("a palette", "3 channels, uint8", nearest + "colors.vrt out.png");
+    holds("is colours",
+          [] {
+              check_pixel("out.png", 18 + 3, 5, {183 / 255.0, 72 / 255.0, 17 / 255.0});
+          });
+    write_virtual("far.vrt", "EPSG:32633", "1e12, 1, 0, 1e12, 0, -1", "Byte", "");
+    fails("a place that is none", 1, "and it cannot be warped to EPSG:4326",
+          "reproject far.vrt made/a.png");
+    write_virtual("nowhere.vrt", "", "0, 1, 0, 0, 0, 1", "Byte", "");
+    says("a raster that is not placed", "^nowhere\\.vrt \\(equirect 8x4",
+         nearest + "nowhere.vrt out.png");
+}
+
 // Of Earth's systems by GDAL, where it is.
 void rasters()
 {
@@ -448,6 +545,7 @@ void rasters()
          "^area\\.img \\(equirect;west=20;east=100;south=10;north=50 8x4, 1 channel, uint8\\)",
          "reproject --to equirect --size 36 --filter nearest area.img whole.png");
     holds("and its pixels", [] { check_pixel("whole.png", 18 + 3, 5, {8 * 9 / 255.0}); });
+    virtual_rasters();
     write_file("no.img", "nothing");
     fails("what GDAL does not read either", 1,
           "is not an image that can be read: .*, and it is not a raster that GDAL reads",
@@ -708,6 +806,7 @@ const std::vector<Subject> &reproject_surface_subjects()
                                                   {"dithers", dithers},
                                                   {"files_and_filters", files_and_filters},
                                                   {"written_georeferences", written_georeferences},
+                                                  {"odd_pictures", odd_pictures},
                                                   {"rasters", rasters}};
     return subjects;
 }

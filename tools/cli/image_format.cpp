@@ -163,7 +163,7 @@ std::string output_format(const std::string &path)
             return known.format;
         }
     }
-    throw UsageFailure(in_quotes(path) + ": an output's name must end in .png, .jpg, .tif, .exr "
+    throw UsageFailure(in_quotes(path) + ": an output's name must end in .png, .jpg, .tif, .exr, "
                                          ".hdr, .ppm, .pgm or .pfm");
 }
 

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 namespace
@@ -81,6 +82,31 @@ bool is_nan(cm_pixel_type type, const unsigned char *values, std::size_t index)
     return (bits & 0x7fffffu) != 0;
 }
 
+// What there is instead of a file that is not there.
+void check_there(const std::string &name, const std::vector<std::string> &names)
+{
+    if (std::filesystem::exists(name))
+    {
+        return;
+    }
+    if (names.size() > 1)
+    {
+        throw Failure(in_quotes(name) +
+                      " cannot be read: No such file or directory; all six faces are needed, " +
+                      in_quotes(names.front()) + " to " + in_quotes(names.back()));
+    }
+    const std::string face = face_names(name).front();
+    if (std::filesystem::exists(face))
+    {
+        const std::string extension = std::filesystem::path(name).extension().string();
+        throw Failure(
+            in_quotes(name) + " cannot be read: No such file or directory, but " + in_quotes(face) +
+            " is; " +
+            in_quotes(name.substr(0, name.size() - extension.size()) + "_%f" + extension) +
+            " stands for six faces");
+    }
+}
+
 // By GDAL if it is placed on the Earth as a surface cannot be, or if nothing else reads it.
 ImageFile open_picture(const std::string &name, const Options &options, int threads)
 {
@@ -138,6 +164,7 @@ void Input::open(const Options &options, int threads)
     }
     for (std::size_t i = images.size(); i < names.size(); ++i)
     {
+        check_there(names[i], names);
         images.push_back(open_picture(names[i], options, threads));
     }
     if (faces)
@@ -159,7 +186,8 @@ void Input::check_faces() const
         if (image.width() != first.width() || image.channels() != first.channels())
         {
             throw Failure(in_quotes(image.path()) + " is " + size_text(image) + " with " +
-                          std::to_string(image.channels()) + " channels, " +
+                          std::to_string(image.channels()) +
+                          (image.channels() == 1 ? " channel, " : " channels, ") +
                           in_quotes(first.path()) + " is " + size_text(first) + " with " +
                           std::to_string(first.channels()) + "; all six faces must be alike");
         }

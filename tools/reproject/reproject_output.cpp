@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
+#include "channel_groups.hpp"
 #include "geo_reference.hpp"
 #include "output_surface.hpp"
 #include "sidecar.hpp"
@@ -31,27 +32,6 @@ constexpr std::uint64_t ceiling_parts = 16;
 constexpr std::size_t band_most = std::size_t{32} << 20;
 // For how many threads bands are where rows are kept for another run.
 constexpr int kept_threads = 4;
-
-struct SourceDeleter
-{
-    void operator()(cm_source *owned) const noexcept
-    {
-        cm_source_destroy(owned);
-    }
-};
-
-using SourcePointer = std::unique_ptr<cm_source, SourceDeleter>;
-
-SourcePointer make_source(const cm_plan &plan, const cm_image *pictures, cm_pixel_type type,
-                          int threads, MemoryCeiling &ceiling)
-{
-    cm_source *made = nullptr;
-    const cm_status status =
-        cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made);
-    ceiling.rethrow();
-    check_resampling(status);
-    return SourcePointer(made);
-}
 
 bool is_linear_format(const std::string &format)
 {
@@ -100,7 +80,7 @@ struct Output::Render
 {
     MemoryCeiling &ceiling;
     const cm_plan &plan;
-    const cm_source &source;
+    const ChannelGroups &source;
     Progress &progress;
 };
 
@@ -215,7 +195,8 @@ void Output::choose_values(const Options &options, const Input &input)
     values.transfer =
         linear && options.transfer == CM_TRANSFER_SRGB ? CM_TRANSFER_STORED : options.transfer;
     values.gamma = options.gamma;
-    values.alpha = static_cast<std::uint32_t>(source.alpha + 1);
+    // so many channels are no picture with opacity
+    values.alpha = channels > CM_CHANNELS_MAX ? 0 : static_cast<std::uint32_t>(source.alpha + 1);
     values.alpha_multiplied = source.alpha_multiplied ? 1 : 0;
     values.vector = static_cast<std::uint32_t>(options.vector);
     values.dither = options.dither ? 1 : 0;
@@ -230,6 +211,11 @@ void Output::choose_values(const Options &options, const Input &input)
     if (options.vector > 0 && alpha >= options.vector && alpha <= options.vector + 2)
     {
         throw UsageFailure("--vector: channel " + std::to_string(alpha) + " is alpha");
+    }
+    if (channels > CM_CHANNELS_MAX && options.vector > 0)
+    {
+        throw Failure("--vector: INPUT has " + std::to_string(channels) + " channels, of which " +
+                      std::to_string(CM_CHANNELS_MAX) + " at most can be resampled with a vector");
     }
     const bool floats = lines || colors.is_needed();
     row_type = floats ? CM_PIXEL_FLOAT : held_type(plan.format, plan.description.type);
@@ -319,8 +305,7 @@ void Output::compute_rows(const Render &render, const cm_rows &rows,
         {
             const cm_rows tile = {rows.plane, row, std::min(down, last_row - row), column,
                                   std::min(across, last_column - column)};
-            check_resampling(cm_resample_source(&render.plan, &render.source, pictures.data(), tile,
-                                                static_cast<unsigned>(threads)));
+            render.source.resample(render.plan, pictures, tile, threads);
         }
     }
 }
@@ -472,14 +457,15 @@ void Output::write(const Options &options, const Input &input, int threads, Memo
     values.memory = ceiling.functions();
     const cm_plan &geometry =
         kept.get(input.surface(), input.rotation(), *surface, rotation, values);
-    const SourcePointer source =
-        make_source(geometry, input.pictures(), row_type, threads, ceiling);
-    filter = cm_source_filter(source.get());
+    const ChannelGroups source(geometry, input.pictures(),
+                               cm_surface_picture_count(&input.surface()), row_type, threads,
+                               ceiling);
+    filter = source.filter();
     const std::int64_t rows =
         std::int64_t{cm_surface_height(surface.get())} * static_cast<std::int64_t>(names.size());
     {
         Progress progress(rows, !options.quiet, terminal);
-        const Render render = {ceiling, geometry, *source, progress};
+        const Render render = {ceiling, geometry, source, progress};
         parallel_for(static_cast<int>(names.size()), threads,
                      [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
     }

@@ -202,7 +202,8 @@ static cm_status find_place(raster *r, char *message)
 {
     double transform[6];
     const OGRSpatialReferenceH system = GDALGetSpatialRef(r->last);
-    const bool placed = system != NULL && GDALGetGeoTransform(r->last, transform) == CE_None;
+    const bool placed = system != NULL && *GDALGetProjectionRef(r->last) != '\0' &&
+                        GDALGetGeoTransform(r->last, transform) == CE_None;
     if (!placed && GDALGetGCPCount(r->last) == 0)
     {
         return CM_OK;
