@@ -41,6 +41,9 @@ cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t h
 
 void cm_padded_free(cm_padded *padded);
 
+/* What a plane with that extent can have of a border so wide. */
+int32_t cm_border_of(const cm_surface *surface, uint32_t extent, int32_t wanted);
+
 /* The pixels of pictures of the surface, if the planes have its size, and then the border. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_image *pictures,
                          const cm_values *values, const cm_sample_set *set, unsigned threads);
@@ -52,6 +55,9 @@ void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsign
 
 /* What filters need at least: taps have 3, the halving of levels 6. */
 #define CM_BORDER_LEAST 6
+
+/* Pixels beside a map with gaps that have what the sphere has there: as far as a spline's coefficients see it. */
+#define CM_BESIDE_MAP 20
 
 /* Elements of cm_run_threads for a task: its chunks begin at multiples of it (threads.h). */
 #define CM_TASK 64

@@ -305,11 +305,35 @@ static void put_run(const border_job *job, unsigned plane, int32_t column, int32
 
 /* ---- directions ---- */
 
+/* A run of a row whose pixels are those of another. */
+static int copy_run(const border_job *job, unsigned plane, int32_t column, int32_t row,
+                    int32_t right, size_t n)
+{
+    const cm_padded *padded = job->padded;
+    const int32_t width = (int32_t)padded->width;
+    int32_t further, same;
+    if (!cm_surface_same_row(job->surface, job->scale, row, &further, &same))
+    {
+        return 0;
+    }
+    for (size_t i = 0; i < n; i++, column += right)
+    {
+        const int32_t from = ((column + further) % width + width) % width;
+        copy_pixel(padded, padded->first[plane] + same * padded->row + from * padded->pixel,
+                   padded->first[plane] + row * padded->row + column * padded->pixel);
+    }
+    return 1;
+}
+
 /* A run whose directions the surface itself can tell, or surface_beyond.c one by one. */
 static void ask_run(const border_job *job, unsigned plane, int32_t column, int32_t row,
                     int32_t right, int32_t down, size_t n)
 {
     double columns[BLOCK], rows[BLOCK], x[BLOCK], y[BLOCK], z[BLOCK];
+    if (down == 0 && copy_run(job, plane, column, row, right, n))
+    {
+        return;
+    }
     for (size_t i = 0; i < n; i++)
     {
         columns[i] = (column + (int32_t)i * right + 0.5) * job->scale[0];
@@ -562,7 +586,10 @@ void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsign
     job.blocks[LEFT] = job.blocks[RIGHT] =
         padded->beside > 0 ? (padded->height + (size_t)BLOCK - 1) / BLOCK : 0;
     job.per_plane = 2 * (job.blocks[ABOVE] + job.blocks[LEFT]) + 4;
-    prepare_nodes(&job, 0, padded->beside, padded->width);
-    prepare_nodes(&job, 1, padded->beyond, padded->height);
+    if (!surface->methods->can_go_beyond)
+    {
+        prepare_nodes(&job, 0, padded->beside, padded->width);
+        prepare_nodes(&job, 1, padded->beyond, padded->height);
+    }
     cm_run_threads(threads, padded->planes * job.per_plane * CM_TASK, 2 * CM_TASK, do_tasks, &job);
 }
