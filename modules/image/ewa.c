@@ -89,7 +89,7 @@ static void make_kernel(cm_ewa_kernel *kernel)
 
 cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const cm_values *values,
                       const cm_sample_set *set, const cm_filter_table *table, double pixels_most,
-                      unsigned threads, cm_ewa *ewa)
+                      int is_whole, unsigned threads, cm_ewa *ewa)
 {
     memset(ewa, 0, sizeof *ewa);
     ewa->set = cm_filter_set_find(set->name);
@@ -98,7 +98,7 @@ cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const
     make_kernel(&ewa->kernel);
     const unsigned count = cm_level_count(surface->width, surface->height);
     const cm_status status = cm_pyramid_make(surface, pictures, values, set, count, PICTURE_BORDER,
-                                             threads, &ewa->pyramid);
+                                             is_whole, threads, &ewa->pyramid);
     ewa->width[0] = surface->width;
     ewa->height[0] = surface->height;
     for (unsigned k = 1; k < count; k++)
@@ -204,7 +204,13 @@ static void sum_pixels(const cm_ewa *ewa, const ewa_desk *desk, const cm_ewa_pix
     }
 }
 
-/* ---- windows of the pictures ---- */
+/* ---- windows ---- */
+
+/* Are footprints on that level laid on floats in windows? Else the level itself is floats. */
+static int has_windows(const cm_ewa *ewa, unsigned k)
+{
+    return k == 0 || ewa->pyramid.is_whole;
+}
 
 /* A window may have so many pixels; where one pixel's ellipse alone needs more, it is looked for on the next level. */
 #define WINDOW_MOST ((int64_t)1 << 18)
@@ -244,17 +250,44 @@ static int64_t box_pixels(const window_box *box)
     return ((int64_t)box->right - box->left + 1) * ((int64_t)box->bottom - box->top + 1);
 }
 
-/* The window's pixels as floats, channel by channel. */
-static cm_status open_window(const cm_ewa *ewa, const ewa_desk *desk, const window_box *box,
-                             cm_ewa_pixels *pixels)
+/* A row of a window of level k, of channels `line` floats apart. Behind the row there are zeros, or other numbers of the
+ * level, none of which is infinite. */
+static void read_row(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, int32_t left, int32_t row,
+                     size_t width, size_t line, float *run, float *to)
 {
-    const size_t slack = CM_WINDOW_SLACK / sizeof(float);
+    const size_t channels = ewa->pyramid.pictures.channels;
+    const unsigned plane = desk->group->plane;
+    if (k > 0)
+    {
+        const cm_padded *level = &ewa->pyramid.level[k];
+        const int16_t *from =
+            level->whole[plane] + (desk->row + row) * level->row + desk->column + left;
+        for (size_t c = 0; c < channels; c++)
+        {
+            ewa->set->from_whole(line, from + (ptrdiff_t)c * level->channel, CM_PADDED_ONE,
+                                 to + c * line);
+        }
+        return;
+    }
+    cm_level_read(&ewa->pyramid.reader, plane, desk->column + left, desk->row + row, (int32_t)width,
+                  run);
+    ewa->set->part_channels(run, channels, width, to, (ptrdiff_t)line);
+    for (size_t c = 0; c < channels; c++)
+    {
+        memset(to + c * line + width, 0, (line - width) * sizeof(float));
+    }
+}
+
+/* The window's pixels as floats, channel by channel. */
+static cm_status open_window(const cm_ewa *ewa, const ewa_desk *desk, unsigned k,
+                             const window_box *box, cm_ewa_pixels *pixels)
+{
     const size_t channels = ewa->pyramid.pictures.channels;
     const size_t width = (size_t)(box->right - box->left + 1);
     const size_t height = (size_t)(box->bottom - box->top + 1);
-    const size_t line = width + slack;
-    const cm_status status =
-        cm_scratch_room(desk->scratch, (height + 1) * line * channels * sizeof(float));
+    const size_t line = (width + 15) / 16 * 16 + (k > 0 ? 0 : CM_WINDOW_SLACK / sizeof(float));
+    const cm_status status = cm_scratch_room(
+        desk->scratch, (height + 1) * line * channels * sizeof(float) + CM_WINDOW_SLACK);
     if (status != CM_OK)
     {
         return status;
@@ -263,14 +296,8 @@ static cm_status open_window(const cm_ewa *ewa, const ewa_desk *desk, const wind
     float *run = window + height * line * channels;
     for (size_t row = 0; row < height; row++)
     {
-        float *to = window + row * line * channels;
-        cm_level_read(&ewa->pyramid.reader, desk->group->plane, desk->column + box->left,
-                      desk->row + box->top + (int32_t)row, (int32_t)width, run);
-        ewa->set->part_channels(run, channels, width, to, (ptrdiff_t)line);
-        for (size_t c = 0; c < channels; c++)
-        {
-            memset(to + c * line + width, 0, slack * sizeof(float));
-        }
+        read_row(ewa, desk, k, box->left, box->top + (int32_t)row, width, line, run,
+                 window + row * line * channels);
     }
     pixels->row = (ptrdiff_t)(line * channels);
     pixels->channel = (ptrdiff_t)line;
@@ -279,18 +306,18 @@ static cm_status open_window(const cm_ewa *ewa, const ewa_desk *desk, const wind
     return CM_OK;
 }
 
-/* Pixels of a group on the pictures themselves, by one window, or by more where it would be large. */
-static cm_status sum_pictures(const cm_ewa *ewa, const ewa_desk *desk, size_t n,
-                              const uint8_t *which)
+/* Pixels of a group by one window, or by more where it would be large. */
+static cm_status sum_windows(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, size_t n,
+                             const uint8_t *which)
 {
     const window_box box = box_of(desk, n, which);
     if (n > 1 && box_pixels(&box) > (int64_t)(n * WINDOW_SHARED))
     {
-        const cm_status status = sum_pictures(ewa, desk, n / 2, which);
-        return status == CM_OK ? sum_pictures(ewa, desk, n - n / 2, which + n / 2) : status;
+        const cm_status status = sum_windows(ewa, desk, k, n / 2, which);
+        return status == CM_OK ? sum_windows(ewa, desk, k, n - n / 2, which + n / 2) : status;
     }
     cm_ewa_pixels pixels;
-    const cm_status status = open_window(ewa, desk, &box, &pixels);
+    const cm_status status = open_window(ewa, desk, k, &box, &pixels);
     if (status == CM_OK)
     {
         sum_pixels(ewa, desk, &pixels, n, which);
@@ -313,7 +340,7 @@ static int suits(const cm_ewa *ewa, const ewa_desk *desk, unsigned i, unsigned k
         return 0;
     }
     const window_box box = box_of(desk, 1, &which);
-    return k > 0 || box_pixels(&box) <= WINDOW_MOST;
+    return !has_windows(ewa, k) || box_pixels(&box) <= WINDOW_MOST;
 }
 
 /* Pixels of the group that are done on level k; others that wanted to be go to the next one. */
@@ -348,9 +375,9 @@ static cm_status do_level(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, s
     {
         return CM_OK;
     }
-    if (k == 0)
+    if (has_windows(ewa, k))
     {
-        return sum_pictures(ewa, desk, n, which);
+        return sum_windows(ewa, desk, k, n, which);
     }
     const cm_padded *level = &ewa->pyramid.level[k];
     const cm_ewa_pixels pixels = {level->first[desk->group->plane] + desk->row * level->row +

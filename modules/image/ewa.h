@@ -32,10 +32,10 @@ typedef struct cm_ewa
     uint32_t height[CM_LEVELS_MAX];
 } cm_ewa;
 
-/* Ready for the surface's pictures. CM_OK or CM_ERROR_MEMORY; cm_ewa_free frees it. */
+/* Ready for the surface's pictures; is_whole: levels may be whole numbers (pyramid.h). CM_OK or CM_ERROR_MEMORY; cm_ewa_free frees it. */
 cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const cm_values *values,
                       const cm_sample_set *set, const cm_filter_table *table, double pixels_most,
-                      unsigned threads, cm_ewa *ewa);
+                      int is_whole, unsigned threads, cm_ewa *ewa);
 
 void cm_ewa_free(cm_ewa *ewa);
 

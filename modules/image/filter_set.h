@@ -102,6 +102,9 @@ typedef struct cm_filter_set
     /* n pixels, whose channels are one beside the other, channel by channel, `channel` floats apart. */
     void (*part_channels)(const float *from, size_t channels, size_t n, float *to,
                           ptrdiff_t channel);
+    /* Floats of whole numbers, of which `one` is 1, and back, rounded and clamped. */
+    void (*from_whole)(size_t n, const int16_t *from, float one, float *to);
+    void (*to_whole)(size_t n, const float *from, float one, int16_t *to);
     /* n new pixels of one channel from a row of `length` floats, which begins one before the taps of the first of them.
      * If is_even, all have the same weights and each begins two columns after the one before. The desk has room for
      * length + 2 floats. */

@@ -159,7 +159,7 @@ static cm_status fill(const cm_surface *surface, const cm_image *pictures, const
 {
     cm_pyramid pyramid;
     cm_status status =
-        cm_pyramid_make(surface, pictures, values, set, mips->count, 0, threads, &pyramid);
+        cm_pyramid_make(surface, pictures, values, set, mips->count, 0, 0, threads, &pyramid);
     if (status != CM_OK)
     {
         return status;

@@ -22,9 +22,8 @@
 #define HUGE_PAGE ((size_t)1 << 21)
 
 /* To touch fresh memory first costs more than to filter it, and a fifth of that in huge pages. */
-static float *make_floats(size_t floats)
+static void *make_numbers(size_t size)
 {
-    const size_t size = floats * sizeof(float);
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     if (size >= 4 * HUGE_PAGE && size <= SIZE_MAX / 2)
     {
@@ -66,14 +65,15 @@ static void clear_rows(size_t begin, size_t end, void *user)
     const size_t inside = padded->width * (size_t)padded->pixel;
     for (size_t at = begin; at < end; at++)
     {
-        float *row = padded->memory + at * (size_t)padded->row;
+        const size_t size = padded->whole[0] != NULL ? sizeof(int16_t) : sizeof(float);
+        unsigned char *row = (unsigned char *)padded->memory + at * (size_t)padded->row * size;
         const int is_inside = at % high >= (size_t)padded->beyond &&
                               at % high < (size_t)padded->beyond + padded->height;
-        for (size_t k = 0; k < lines; k++, row += line)
+        for (size_t k = 0; k < lines; k++, row += line * size)
         {
             const size_t kept = is_inside ? before + inside : 0;
-            memset(row, 0, (is_inside ? before : 0) * sizeof(float));
-            memset(row + kept, 0, (line - kept) * sizeof(float));
+            memset(row, 0, (is_inside ? before : 0) * size);
+            memset(row + kept * size, 0, (line - kept) * size);
         }
     }
 }
@@ -89,9 +89,9 @@ static size_t rounded(size_t floats)
     return (floats + 15) / 16 * 16;
 }
 
-cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t height,
-                           uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
-                           unsigned threads, cm_padded *padded)
+static cm_status create(const cm_surface *surface, uint32_t width, uint32_t height,
+                        uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
+                        int is_whole, unsigned threads, cm_padded *padded)
 {
     const size_t slack = CM_WINDOW_SLACK / sizeof(float);
     memset(padded, 0, sizeof *padded);
@@ -108,18 +108,37 @@ cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t h
     padded->channel = order == CM_PADDED_PIXELS ? 1 : (ptrdiff_t)line;
     padded->row = (ptrdiff_t)(order == CM_PADDED_PIXELS ? line : line * channels);
     padded->plane_floats = (size_t)padded->row * high;
-    padded->memory = make_floats(padded->plane_floats * padded->planes);
+    padded->memory = make_numbers(padded->plane_floats * padded->planes *
+                                  (is_whole ? sizeof(int16_t) : sizeof(float)));
     if (padded->memory == NULL)
     {
         return CM_ERROR_MEMORY;
     }
     for (unsigned plane = 0; plane < padded->planes; plane++)
     {
-        padded->first[plane] = padded->memory + plane * padded->plane_floats +
-                               padded->beyond * padded->row + padded->beside * padded->pixel;
+        const size_t first =
+            plane * padded->plane_floats +
+            (size_t)(padded->beyond * padded->row + padded->beside * padded->pixel);
+        padded->first[plane] = is_whole ? NULL : padded->memory + first;
+        padded->whole[plane] = is_whole ? (int16_t *)(void *)padded->memory + first : NULL;
     }
     clear_frame(padded, threads);
     return CM_OK;
+}
+
+cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t height,
+                           uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
+                           unsigned threads, cm_padded *padded)
+{
+    return create(surface, width, height, channels, beside, beyond, order, 0, threads, padded);
+}
+
+cm_status cm_padded_create_whole(const cm_surface *surface, uint32_t width, uint32_t height,
+                                 uint32_t channels, int32_t beside, int32_t beyond,
+                                 unsigned threads, cm_padded *padded)
+{
+    return create(surface, width, height, channels, beside, beyond, CM_PADDED_CHANNELS, 1, threads,
+                  padded);
 }
 
 void cm_padded_free(cm_padded *padded)

@@ -16,7 +16,10 @@ typedef enum cm_padded_order
     CM_PADDED_CHANNELS
 } cm_padded_order;
 
-/* Strides are in floats. Behind each row there are CM_WINDOW_SLACK bytes of zeros at least. */
+/* What a value of 1 is in planes of whole numbers, which have values between -2 and 2. */
+#define CM_PADDED_ONE 16384.0f
+
+/* Strides are in numbers. Behind each row there are CM_WINDOW_SLACK bytes of zeros at least. */
 typedef struct cm_padded
 {
     uint32_t planes;
@@ -30,7 +33,9 @@ typedef struct cm_padded
     ptrdiff_t row;
     size_t plane_floats;
     float *memory;
-    float *first[CM_PLANES_MAX]; /* the pixel (0, 0) of each plane */
+    float
+        *first[CM_PLANES_MAX]; /* the pixel (0, 0) of each plane; NULL if they are whole numbers */
+    int16_t *whole[CM_PLANES_MAX];
 } cm_padded;
 
 /* Memory for the surface's planes in that size, with zeros behind rows. `beside` and `beyond` are what is wanted: smaller planes have less of what
@@ -38,6 +43,11 @@ typedef struct cm_padded
 cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t height,
                            uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
                            unsigned threads, cm_padded *padded);
+
+/* The same of whole numbers, channel by channel. */
+cm_status cm_padded_create_whole(const cm_surface *surface, uint32_t width, uint32_t height,
+                                 uint32_t channels, int32_t beside, int32_t beyond,
+                                 unsigned threads, cm_padded *padded);
 
 void cm_padded_free(cm_padded *padded);
 

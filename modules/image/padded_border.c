@@ -216,33 +216,97 @@ static float sum_few(const float *from, ptrdiff_t pixel, ptrdiff_t row, const po
     return sum;
 }
 
-static void interpolate_few(const cm_padded *padded, unsigned plane, double column, double row,
-                            float *to)
+/* Up to 6 x 6 whole numbers as floats, whose rows are 8 apart. */
+static void take_whole(const int16_t *from, ptrdiff_t row, int32_t width, int32_t height,
+                       float *tile)
 {
-    const points x = points_around(column, padded->width);
-    const points y = points_around(row, padded->height);
-    const float *from = padded->first[plane] + y.first * padded->row + x.first * padded->pixel;
-    for (uint32_t c = 0; c < padded->channels; c++, from += padded->channel, to += padded->channel)
+    for (int32_t j = 0; j < height; j++)
     {
-        *to = sum_few(from, padded->pixel, padded->row, &x, &y);
+        for (int32_t i = 0; i < width; i++)
+        {
+            tile[j * 8 + i] = from[j * row + i];
+        }
     }
 }
 
-static void copy_pixel(const cm_padded *padded, const float *from, float *to)
+static int16_t to_whole(float value)
+{
+    const float clamped = value > 32767.0f ? 32767.0f : value < -32767.0f ? -32767.0f : value;
+    return (int16_t)(int32_t)(clamped + (clamped < 0.0f ? -0.5f : 0.5f));
+}
+
+/* A pixel of a padded's planes. */
+typedef struct spot
+{
+    unsigned plane;
+    ptrdiff_t at; /* numbers from the plane's first */
+} spot;
+
+static spot spot_of(const cm_padded *padded, unsigned plane, int32_t column, int32_t row)
+{
+    return (spot){plane, row * padded->row + column * padded->pixel};
+}
+
+static void interpolate_few(const cm_padded *padded, unsigned plane, double column, double row,
+                            spot to)
+{
+    const points x = points_around(column, padded->width);
+    const points y = points_around(row, padded->height);
+    const spot from = spot_of(padded, plane, x.first, y.first);
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const ptrdiff_t channel = c * padded->channel;
+        if (padded->whole[plane] != NULL)
+        {
+            float tile[POINTS * 8];
+            take_whole(padded->whole[plane] + from.at + channel, padded->row, x.count, y.count,
+                       tile);
+            padded->whole[to.plane][to.at + channel] = to_whole(sum_few(tile, 1, 8, &x, &y));
+        }
+        else
+        {
+            padded->first[to.plane][to.at + channel] = sum_few(
+                padded->first[plane] + from.at + channel, padded->pixel, padded->row, &x, &y);
+        }
+    }
+}
+
+static void copy_pixel(const cm_padded *padded, spot from, spot to)
 {
     for (uint32_t c = 0; c < padded->channels; c++)
     {
-        to[c * padded->channel] = from[c * padded->channel];
+        const ptrdiff_t channel = c * padded->channel;
+        if (padded->whole[from.plane] != NULL)
+        {
+            padded->whole[to.plane][to.at + channel] = padded->whole[from.plane][from.at + channel];
+        }
+        else
+        {
+            padded->first[to.plane][to.at + channel] = padded->first[from.plane][from.at + channel];
+        }
+    }
+}
+
+static void sum_six_whole(const cm_padded *padded, spot from, const points *x, const points *y,
+                          spot to)
+{
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const ptrdiff_t channel = c * padded->channel;
+        float tile[POINTS * 8] = {0.0f};
+        take_whole(padded->whole[from.plane] + from.at + channel, padded->row, POINTS, POINTS,
+                   tile);
+        padded->whole[to.plane][to.at + channel] = to_whole(sum_channel(tile, 8, x, y));
     }
 }
 
 static void interpolate_six(const cm_padded *padded, unsigned plane, const many_points *columns,
-                            const many_points *rows, size_t i, float *to)
+                            const many_points *rows, size_t i, spot to)
 {
     points x, y;
     take_point(columns, i, &x);
     take_point(rows, i, &y);
-    const float *from = padded->first[plane] + y.first * padded->row + x.first * padded->pixel;
+    spot from = spot_of(padded, plane, x.first, y.first);
     if (columns->exact[i] && rows->exact[i])
     {
         int32_t right = 0, down = 0;
@@ -251,10 +315,17 @@ static void interpolate_six(const cm_padded *padded, unsigned plane, const many_
             right = x.weight[k] > 0.5f ? k : right;
             down = y.weight[k] > 0.5f ? k : down;
         }
-        copy_pixel(padded, from + down * padded->row + right * padded->pixel, to);
-        return;
+        from.at += down * padded->row + right * padded->pixel;
+        copy_pixel(padded, from, to);
     }
-    sum_six(padded, from, &x, &y, to);
+    else if (padded->whole[plane] != NULL)
+    {
+        sum_six_whole(padded, from, &x, &y, to);
+    }
+    else
+    {
+        sum_six(padded, padded->first[plane] + from.at, &x, &y, padded->first[to.plane] + to.at);
+    }
 }
 
 static int32_t clamped(int32_t at, uint32_t extent)
@@ -283,13 +354,13 @@ static void put_run(const border_job *job, unsigned plane, int32_t column, int32
     }
     for (size_t i = 0; i < n; i++, column += right, row += down)
     {
-        float *to = padded->first[plane] + row * padded->row + column * padded->pixel;
+        const spot to = spot_of(padded, plane, column, row);
         if (found[i] == CM_NO_FACE)
         {
             /* where nothing is, the nearest pixel of the plane stands for it */
             copy_pixel(padded,
-                       padded->first[plane] + clamped(row, padded->height) * padded->row +
-                           clamped(column, padded->width) * padded->pixel,
+                       spot_of(padded, plane, clamped(column, padded->width),
+                               clamped(row, padded->height)),
                        to);
         }
         else if (are_many)
@@ -319,8 +390,7 @@ static int copy_run(const border_job *job, unsigned plane, int32_t column, int32
     for (size_t i = 0; i < n; i++, column += right)
     {
         const int32_t from = ((column + further) % width + width) % width;
-        copy_pixel(padded, padded->first[plane] + same * padded->row + from * padded->pixel,
-                   padded->first[plane] + row * padded->row + column * padded->pixel);
+        copy_pixel(padded, spot_of(padded, plane, from, same), spot_of(padded, plane, column, row));
     }
     return 1;
 }
@@ -458,12 +528,7 @@ static void repeat_columns(const cm_padded *padded, unsigned plane, int32_t row,
     {
         const int32_t column = is_left ? -1 - k : width + k;
         const int32_t same = ((column % width) + width) % width;
-        float *line = padded->first[plane] + row * padded->row;
-        for (uint32_t c = 0; c < padded->channels; c++)
-        {
-            line[column * padded->pixel + c * padded->channel] =
-                line[same * padded->pixel + c * padded->channel];
-        }
+        copy_pixel(padded, spot_of(padded, plane, same, row), spot_of(padded, plane, column, row));
     }
 }
 

@@ -127,26 +127,42 @@ static strip strip_at(const halve_job *job, uint32_t first)
     return at;
 }
 
-/* The rows that a new one is made of, or two of them, of a line. Those of pictures are read once, and kept from row to row. */
+/* A row of the level above as floats: of pictures all channels, of whole numbers one. */
+static void read_row(const halve_job *job, size_t plane, uint32_t line, const strip *at,
+                     int32_t row, float *to)
+{
+    const cm_padded *above = job->above;
+    if (above == NULL)
+    {
+        cm_level_read(job->pictures, (unsigned)plane, at->first_above, row, (int32_t)at->length,
+                      to);
+        return;
+    }
+    job->set->from_whole(at->length,
+                         above->whole[plane] + row * above->row + line * above->channel +
+                             at->first_above,
+                         CM_PADDED_ONE, to);
+}
+
+/* The rows that a new one is made of, or two of them, of a line. What is read is read once, up to row `end` by now, and kept
+ * from row to row. */
 static void find_rows(const halve_job *job, size_t plane, uint32_t line, const strip *at,
-                      int32_t first, int32_t count, int32_t *end, float *kept, const float **rows)
+                      int32_t first, int32_t count, int32_t end, float *kept, const float **rows)
 {
     const size_t floats = at->length * job->pixel;
     for (int32_t k = 0; k < count; k++)
     {
         const int32_t row = first + k;
-        if (job->above != NULL)
+        if (job->above != NULL && job->above->first[plane] != NULL)
         {
             rows[k] = job->above->first[plane] + row * job->above->row +
                       line * job->above->channel + at->first_above;
             continue;
         }
-        float *own = kept + (size_t)((uint32_t)row % KEPT) * floats;
-        if (row >= *end)
+        float *own = kept + ((size_t)line * KEPT + (uint32_t)row % KEPT) * floats;
+        if (row >= end)
         {
-            cm_level_read(job->pictures, (unsigned)plane, at->first_above, row, (int32_t)at->length,
-                          own);
-            *end = row + 1;
+            read_row(job, plane, line, at, row, own);
         }
         rows[k] = own;
     }
@@ -159,6 +175,7 @@ typedef struct halve_desk
     float *mixed[2]; /* rows, pixel by pixel */
     float *lines;    /* one of them, channel by channel */
     float *parts;
+    float *halved;
 } halve_desk;
 
 /* A row that has been mixed, of `pixel` channels from a line on. */
@@ -174,10 +191,15 @@ static void store_row(const halve_job *job, size_t plane, const strip *at, uint3
     }
     for (uint32_t c = 0; c < job->pixel; c++)
     {
+        const ptrdiff_t first =
+            (ptrdiff_t)row * to->row + (line + c) * to->channel + (ptrdiff_t)at->first;
+        float *halved = to->first[plane] != NULL ? to->first[plane] + first : desk->halved;
         job->set->halve_row(lines + c * at->length, at->length, job->columns + at->first,
-                            job->is_even, at->count, desk->parts,
-                            to->first[plane] + (ptrdiff_t)row * to->row + (line + c) * to->channel +
-                                at->first);
+                            job->is_even, at->count, desk->parts, halved);
+        if (to->first[plane] == NULL)
+        {
+            job->set->to_whole(at->count, halved, CM_PADDED_ONE, to->whole[plane] + first);
+        }
     }
 }
 
@@ -196,7 +218,7 @@ static void do_strip(const halve_job *job, size_t plane, const strip *at, uint32
         for (uint32_t line = 0; line < job->lines; line++)
         {
             find_rows(job, plane, line, at, taps->first, CM_HALF_TAPS + 2 * (int32_t)(count - 1),
-                      &read, desk->kept, rows);
+                      read, desk->kept, rows);
             if (count == 2)
             {
                 job->set->mix_two_rows(rows, taps->weight, floats, desk->mixed[0], desk->mixed[1]);
@@ -208,6 +230,7 @@ static void do_strip(const halve_job *job, size_t plane, const strip *at, uint32
             }
             store_row(job, plane, at, row, line, desk, desk->mixed[0]);
         }
+        read = taps->first + CM_HALF_TAPS + 2 * (int32_t)(count - 1);
     }
 }
 
@@ -218,16 +241,18 @@ static void do_rows(size_t begin, size_t end, void *user)
     const cm_padded *to = job->to;
     const size_t length = 2 * (STRIP + CM_HALF_TAPS);
     const size_t floats = length * job->pixel;
-    float *memory = malloc(((KEPT + 3) * floats + length + 2) * sizeof(float));
+    const size_t kept = KEPT * floats * job->lines;
+    float *memory = malloc((kept + 3 * floats + length + 2 + STRIP) * sizeof(float));
     if (memory == NULL)
     {
         atomic_store(&job->failed, CM_ERROR_MEMORY);
         return;
     }
     const halve_desk desk = {memory,
-                             {memory + KEPT * floats, memory + (KEPT + 1) * floats},
-                             memory + (KEPT + 2) * floats,
-                             memory + (KEPT + 3) * floats};
+                             {memory + kept, memory + kept + floats},
+                             memory + kept + 2 * floats,
+                             memory + kept + 3 * floats,
+                             memory + kept + 3 * floats + length + 2};
     while (begin < end)
     {
         const size_t plane = begin / to->height;
@@ -266,16 +291,21 @@ static cm_status halve(const cm_level_reader *pictures, const cm_padded *above, 
 }
 
 static cm_status make_level(const cm_surface *surface, uint32_t width, uint32_t height,
-                            uint32_t channels, unsigned threads, cm_padded *level)
+                            uint32_t channels, int is_whole, unsigned threads, cm_padded *level)
 {
     const int32_t beside = surface->period != 0.0 ? CM_PYRAMID_BESIDE : CM_PYRAMID_BORDER;
+    if (is_whole)
+    {
+        return cm_padded_create_whole(surface, width, height, channels, beside, CM_PYRAMID_BORDER,
+                                      threads, level);
+    }
     return cm_padded_create(surface, width, height, channels, beside, CM_PYRAMID_BORDER,
                             CM_PADDED_CHANNELS, threads, level);
 }
 
 cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                           const cm_values *values, const cm_sample_set *set, unsigned count,
-                          int32_t border, unsigned threads, cm_pyramid *pyramid)
+                          int32_t border, int is_whole, unsigned threads, cm_pyramid *pyramid)
 {
     const cm_filter_set *loops = cm_filter_set_find(set->name);
     const uint32_t least = surface->width < surface->height ? surface->width : surface->height;
@@ -291,6 +321,7 @@ cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
         return status;
     }
     pyramid->reader = cm_level_reader_of(&pyramid->pictures, surface, set);
+    pyramid->is_whole = is_whole;
     pyramid->count = 1;
     uint32_t width = surface->width, height = surface->height;
     while (status == CM_OK && pyramid->count < count)
@@ -298,7 +329,7 @@ cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
         const cm_padded *above = pyramid->count > 1 ? &pyramid->level[pyramid->count - 1] : NULL;
         cm_padded *level = &pyramid->level[pyramid->count++];
         status = make_level(surface, cm_half_size(width), cm_half_size(height), values->working,
-                            threads, level);
+                            is_whole, threads, level);
         status = status == CM_OK
                      ? halve(&pyramid->reader, above, width, height, level, loops, threads)
                      : status;

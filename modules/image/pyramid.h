@@ -20,6 +20,7 @@ typedef struct cm_pyramid
     unsigned count;
     cm_level pictures;
     cm_level_reader reader;         /* of the pictures */
+    int is_whole;                   /* are the other levels whole numbers? */
     cm_padded level[CM_LEVELS_MAX]; /* from 1 on; each row channel by channel */
 } cm_pyramid;
 
@@ -29,11 +30,11 @@ uint32_t cm_half_size(uint32_t size);
 /* The levels of sizes from that to 1 x 1. */
 unsigned cm_level_count(uint32_t width, uint32_t height);
 
-/* Count levels of pictures of the surface, whose own have a border as wide as wanted, or what the next level needs. CM_OK
- * or CM_ERROR_MEMORY. */
+/* Count levels of pictures of the surface, whose own have a border as wide as wanted, or what the next level needs. If
+ * is_whole, the others are whole numbers of CM_PADDED_ONE, which is for bytes. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                           const cm_values *values, const cm_sample_set *set, unsigned count,
-                          int32_t border, unsigned threads, cm_pyramid *pyramid);
+                          int32_t border, int is_whole, unsigned threads, cm_pyramid *pyramid);
 
 void cm_pyramid_free(cm_pyramid *pyramid);
 

@@ -320,16 +320,78 @@ START_TEST(bits_do_not_depend_on_threads_or_parts)
 }
 END_TEST
 
+/* Noise of a quarter of what there is: beyond the corners of faces six points a way extrapolate it, and whole numbers end
+ * at twice of what there is. */
+static void paint_bytes(const cm_surface *surface, const cm_image *pictures)
+{
+    uint32_t state = 7;
+    for (size_t i = 0; i < cm_surface_picture_count(surface); i++)
+    {
+        for (size_t k = 0; k < picture_bytes(&pictures[i]); k++)
+        {
+            state = state * 1664525u + 1013904223u;
+            ((uint8_t *)pictures[i].data)[k] = (uint8_t)(96 + (state >> 26));
+        }
+    }
+}
+
+/* The levels that bytes have for bytes are whole numbers: what comes of them is within a fiftieth of rounding of what comes
+ * of floats, and does not depend on threads. */
+static void check_bytes(const char *from_name, const char *to_name, uint32_t channels)
+{
+    cm_surface *from = make_surface(from_name), *to = make_surface(to_name);
+    cm_image source[PICTURES_MOST], floats[PICTURES_MOST], bytes[2][PICTURES_MOST];
+    cm_plan *plan = make_plan(from, to, CM_FILTER_EWA);
+    make_pictures(from, CM_PIXEL_U8, channels, source);
+    make_pictures(to, CM_PIXEL_FLOAT, channels, floats);
+    paint_bytes(from, source);
+    ck_assert_int_eq(cm_resample(plan, source, floats, (cm_rows){0}), CM_OK);
+    for (unsigned k = 0; k < 2; k++)
+    {
+        cm_source *made = NULL;
+        make_pictures(to, CM_PIXEL_U8, channels, bytes[k]);
+        ck_assert_int_eq(cm_source_create(plan, source, CM_PIXEL_U8, 1 + 2 * k, &made), CM_OK);
+        ck_assert_int_eq(cm_resample_source(plan, made, bytes[k], (cm_rows){0}, 1 + k), CM_OK);
+        cm_source_destroy(made);
+    }
+    for (size_t i = 0; i < cm_surface_picture_count(to); i++)
+    {
+        const size_t n = picture_bytes(&bytes[0][i]);
+        ck_assert_msg(memcmp(bytes[0][i].data, bytes[1][i].data, n) == 0, "%s", from_name);
+        for (size_t k = 0; k < n; k++)
+        {
+            const double is = ((uint8_t *)bytes[0][i].data)[k];
+            const double wanted = fmin(fmax(((float *)floats[i].data)[k], 0.0), 1.0) * 255.0;
+            ck_assert_msg(fabs(is - wanted) <= 0.51, "%s -> %s: %g, not %g", from_name, to_name, is,
+                          wanted);
+        }
+    }
+    cm_plan_destroy(plan);
+    free_pictures(from, source);
+    free_pictures(to, floats);
+    free_pictures(to, bytes[0]);
+    free_pictures(to, bytes[1]);
+    cm_surface_destroy(from);
+    cm_surface_destroy(to);
+}
+
+START_TEST(bytes_are_those_of_floats)
+{
+    check_bytes("cube:coupled;size=300", "equirect;size=190;height=97", 3);
+    check_bytes("equirect;size=600;height=301", "cube:gnomonic;size=37", 3);
+    check_bytes("equirect;size=512", "azimuthal:lambert:full=1;size=95", 1);
+    check_bytes("fisheye;size=201", "cube:coupled;size=20", 4);
+    check_bytes("cube:qsc;size=9", "equirect;size=4", 5);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {a_zone_plate_does_not_alias,
-                                  a_quarter_of_a_cycle_is_kept,
-                                  constants_stay_what_they_are,
-                                  magnification_is_sharp,
-                                  footprints_are_of_every_kind,
-                                  what_the_target_can_show_is_there,
-                                  long_ellipses_are_shortened,
-                                  bits_do_not_depend_on_threads_or_parts,
-                                  NULL};
+    const TTest *const tests[] = {
+        a_zone_plate_does_not_alias,  a_quarter_of_a_cycle_is_kept,
+        constants_stay_what_they_are, magnification_is_sharp,
+        footprints_are_of_every_kind, what_the_target_can_show_is_there,
+        long_ellipses_are_shortened,  bits_do_not_depend_on_threads_or_parts,
+        bytes_are_those_of_floats,    NULL};
     return run_suite("ewa", tests);
 }
