@@ -25,7 +25,7 @@
 
 /* Derivatives of the cubic are off by a quarter of the fourth difference, in nodes, and so good as that. */
 #define ERROR_SLOPE (1.5 * 3.0 / CM_BLOCK_EDGE / 4.0)
-#define SLOPE_TOLERANCE 5e-3
+#define SLOPE_TOLERANCE 2.5e-3
 
 /* A footprint, which is some of the target's pixels wide, is placed so many times the tolerance in one of these pixels. */
 #define FOOTPRINT 4.0
