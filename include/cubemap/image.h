@@ -228,7 +228,8 @@ typedef struct cm_plan_options
     size_t size;      /* sizeof(cm_plan_options) */
     cm_filter filter; /* of the values */
     double
-        tolerance; /* of positions, in source pixels: 0 for 1/4096, negative for as exact as a double is */
+        tolerance; /* of positions, in source pixels: 0 for 1/4096, negative for as exact as a double is. EWA, whose
+                      footprints are as wide as target pixels, takes four times so much of one of these */
     double pixels_most; /* of one EWA footprint; 0 for 4096. A longer ellipse is shortened to it */
     cm_transfer transfer; /* of all channels but alpha */
     double

@@ -29,7 +29,10 @@
 
 /* Derivatives of the cubic are off by a quarter of the fourth difference, in nodes, and so good as that. */
 #define ERROR_SLOPE (1.5 * 3.0 / CM_BLOCK_EDGE / 4.0)
-#define SLOPE_TOLERANCE 5e-4
+#define SLOPE_TOLERANCE 2.5e-3
+
+/* A footprint, which is some of the target's pixels wide, is placed so many times the tolerance in one of these pixels. */
+#define FOOTPRINT 4.0
 
 /* Lattices that are kept, each for its columns, from a row of blocks to the next. */
 #define LATTICES_MOST 64
@@ -476,9 +479,13 @@ static int is_near(const cm_geometry *geometry, float across, float along, int a
         factor = alone ? INFINITY : bend > FOLD * extent ? ERROR_FOLDED : ERROR_CREASED;
     }
     const double error = factor * bend + rounded(extent);
-    return error <= geometry->plan->options.tolerance &&
-           (!geometry->derivatives ||
-            ERROR_SLOPE * bend <= SLOPE_TOLERANCE * extent / CM_BLOCK_EDGE);
+    if (!geometry->derivatives)
+    {
+        return error <= geometry->plan->options.tolerance;
+    }
+    const double pixel = extent / CM_BLOCK_EDGE;
+    return error <= geometry->plan->options.tolerance * fmax(FOOTPRINT * pixel, 1.0) &&
+           ERROR_SLOPE * bend <= SLOPE_TOLERANCE * pixel;
 }
 
 /* The same of the polynomial through six nodes each way. */

@@ -69,8 +69,8 @@ void cm_level_load(const cm_level *level, unsigned plane, int32_t column, int32_
     }
 }
 
-static void assemble_row(const cm_level *level, unsigned plane, int32_t column, int32_t row,
-                         int32_t width, unsigned char *to)
+void cm_level_row(const cm_level *level, unsigned plane, int32_t column, int32_t row, int32_t width,
+                  unsigned char *to)
 {
     const int32_t right = (int32_t)level->width;
     if (row < 0 || row >= (int32_t)level->height)
@@ -131,7 +131,7 @@ void cm_level_own(const cm_level *level, unsigned plane, int32_t column, int32_t
     window->channels = level->channels;
 }
 
-static cm_status make_room(cm_scratch *scratch, size_t size)
+cm_status cm_scratch_room(cm_scratch *scratch, size_t size)
 {
     if (size > scratch->size)
     {
@@ -158,10 +158,10 @@ cm_status cm_level_window(const cm_level *level, unsigned plane, int32_t column,
         return CM_OK;
     }
     const size_t stride = ((size_t)width * level->pixel_size + CM_WINDOW_SLACK + 63) / 64 * 64;
-    const cm_status status = make_room(scratch, stride * (size_t)height);
+    const cm_status status = cm_scratch_room(scratch, stride * (size_t)height);
     for (int32_t i = 0; status == CM_OK && i < height; i++)
     {
-        assemble_row(level, plane, column, row + i, width, scratch->bytes + (size_t)i * stride);
+        cm_level_row(level, plane, column, row + i, width, scratch->bytes + (size_t)i * stride);
     }
     window->data = scratch->bytes;
     window->row_stride = (ptrdiff_t)stride;
@@ -485,6 +485,58 @@ static void fill_lines(size_t begin, size_t end, void *user)
     }
 }
 
+/* ---- what is beyond the edges of maps that go round ---- */
+
+static int32_t at_turn(int32_t column, int32_t width)
+{
+    return (column % width + width) % width;
+}
+
+/* Pixels of a row from a column on, which come again, into the skirt. */
+static void fill_from_row(const cm_level *level, int32_t column, int32_t row, int32_t count,
+                          int32_t from_column, int32_t from_row)
+{
+    const int32_t width = (int32_t)level->width;
+    while (count > 0)
+    {
+        const int32_t from = at_turn(from_column, width);
+        const int32_t n = least(count, width - from);
+        cm_level_load(level, 0, from, from_row, n, skirt_pixel(level, 0, column, row));
+        column += n;
+        from_column += n;
+        count -= n;
+    }
+}
+
+/* A skirt of pixels of the plane itself, if all are. */
+static int fill_copies(const cm_level *level, const cm_surface *surface)
+{
+    const double pixel[2] = {1.0, 1.0};
+    const int32_t reach = level->reach;
+    const int32_t width = (int32_t)level->width;
+    const int32_t height = (int32_t)level->height;
+    int32_t further, same;
+    if (surface->period != (double)level->width || level->gaps != NULL)
+    {
+        return 0;
+    }
+    for (int32_t k = 0; k < 2 * reach; k++)
+    {
+        const int32_t row = k < reach ? -1 - k : height + k - reach;
+        if (!cm_surface_same_row(surface, pixel, row, &further, &same))
+        {
+            return 0;
+        }
+        fill_from_row(level, -reach, row, width + 2 * reach, further - reach, same);
+    }
+    for (int32_t row = 0; row < height; row++)
+    {
+        fill_from_row(level, -reach, row, reach, -reach, row);
+        fill_from_row(level, width, row, reach, 0, row);
+    }
+    return 1;
+}
+
 /* ---- life ---- */
 
 static void lay_plane(cm_level *level, const cm_surface *surface, const cm_image *pictures,
@@ -542,7 +594,7 @@ cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictur
         return status;
     }
     skirt_job job = {level, surface};
-    if (reach > 0)
+    if (reach > 0 && !fill_copies(level, surface))
     {
         cm_run_threads(threads, level->planes * lines_of(level), 256, fill_lines, &job);
     }

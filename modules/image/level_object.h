@@ -85,10 +85,36 @@ int cm_level_there(const cm_level *level, unsigned plane, int32_t column, int32_
 void cm_level_own(const cm_level *level, unsigned plane, int32_t column, int32_t row,
                   cm_window *window);
 
+/* Pixels of a row, which may be up to reach beyond the edges, as they are mixed. */
+void cm_level_row(const cm_level *level, unsigned plane, int32_t column, int32_t row, int32_t width,
+                  unsigned char *to);
+
+/* Room for so many bytes, with zeros where it is new. CM_OK or CM_ERROR_MEMORY. */
+cm_status cm_scratch_room(cm_scratch *scratch, size_t size);
+
 /* The pixels from (column, row), which may be up to reach beyond the edges, width x height of them. CM_OK or
  * CM_ERROR_MEMORY. */
 cm_status cm_level_window(const cm_level *level, unsigned plane, int32_t column, int32_t row,
                           int32_t width, int32_t height, cm_scratch *scratch, cm_window *window);
+
+/* ---- rows of floats: level_read.c ---- */
+
+/* How the pixels of a level of floats are read. */
+typedef struct cm_level_reader
+{
+    const cm_level *level;
+    cm_converter *convert; /* of what is inside and dense; NULL: by cm_level_row */
+    float scale;
+    int32_t period; /* columns after which they come again; 0: never */
+} cm_level_reader;
+
+cm_level_reader cm_level_reader_of(const cm_level *level, const cm_surface *surface,
+                                   const cm_sample_set *set);
+
+/* count pixels of a row, one beside the other. They may be up to the level's reach beyond the edges, and as far as they
+ * like where columns come again. */
+void cm_level_read(const cm_level_reader *reader, unsigned plane, int32_t column, int32_t row,
+                   int32_t count, float *to);
 
 /* ---- planes with gaps: level_gaps.c ----
  *

@@ -159,8 +159,8 @@ static cm_status fill(const cm_surface *surface, const cm_image *pictures, const
                       cm_mips *mips)
 {
     cm_pyramid pyramid;
-    cm_status status =
-        cm_pyramid_make(surface, pictures, values, set, mips->count, memory, threads, &pyramid);
+    cm_status status = cm_pyramid_make(surface, pictures, values, set, mips->count, 0, 0, memory,
+                                       threads, &pyramid);
     if (status != CM_OK)
     {
         return status;

@@ -181,8 +181,7 @@ cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch 
     const size_t whole = (group->count + 15u) / 16 * 16;
     if (source->filter == CM_FILTER_EWA)
     {
-        cm_ewa_group(&source->ewa, group, (float *)(void *)to);
-        return CM_OK;
+        return cm_ewa_group(&source->ewa, group, scratch, (float *)(void *)to);
     }
     for (size_t i = group->count; i < whole; i++)
     {

@@ -137,8 +137,15 @@ static cm_status prepare(cm_source *source, const cm_image *from, unsigned threa
         cm_filter_table_fill(CM_FILTER_SPLINE36, &source->table);
         source->level.channels = source->values.working;
         source->level.pixel_size = source->values.working * sizeof(float);
+        /* what is between bytes as they are, for bytes again, needs no more than 14 bits behind the point */
+        const int is_whole = from->type == CM_PIXEL_U8 && source->target_type == CM_PIXEL_U8 &&
+                             plan->options.transfer == CM_TRANSFER_STORED;
         return cm_ewa_make(plan->from, from, &source->values, source->set, &source->table,
+<<<<<<< HEAD
                            plan->options.pixels_most, memory, threads, &source->ewa);
+=======
+                           plan->options.pixels_most, is_whole, threads, &source->ewa);
+>>>>>>> wt-levels
     }
     const int32_t reach = source->taps < 2 ? 1 : source->taps / 2;
     return cm_level_of_pictures(plan->from, from, &source->values, is_bytes, reach, threads,
