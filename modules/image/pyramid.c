@@ -291,18 +291,14 @@ static cm_status halve(const cm_level_reader *pictures, const cm_padded *above, 
 }
 
 static cm_status make_level(const cm_surface *surface, uint32_t width, uint32_t height,
-<<<<<<< HEAD
-                            uint32_t channels, const cm_memory *memory, unsigned threads,
-                            cm_padded *level)
-=======
-                            uint32_t channels, int is_whole, unsigned threads, cm_padded *level)
->>>>>>> wt-levels
+                            uint32_t channels, int is_whole, const cm_memory *memory,
+                            unsigned threads, cm_padded *level)
 {
     const int32_t beside = surface->period != 0.0 ? CM_PYRAMID_BESIDE : CM_PYRAMID_BORDER;
     if (is_whole)
     {
         return cm_padded_create_whole(surface, width, height, channels, beside, CM_PYRAMID_BORDER,
-                                      threads, level);
+                                      memory, threads, level);
     }
     return cm_padded_create(surface, width, height, channels, beside, CM_PYRAMID_BORDER,
                             CM_PADDED_CHANNELS, memory, threads, level);
@@ -310,11 +306,8 @@ static cm_status make_level(const cm_surface *surface, uint32_t width, uint32_t 
 
 cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                           const cm_values *values, const cm_sample_set *set, unsigned count,
-<<<<<<< HEAD
-                          const cm_memory *memory, unsigned threads, cm_pyramid *pyramid)
-=======
-                          int32_t border, int is_whole, unsigned threads, cm_pyramid *pyramid)
->>>>>>> wt-levels
+                          int32_t border, int is_whole, const cm_memory *memory, unsigned threads,
+                          cm_pyramid *pyramid)
 {
     const cm_filter_set *loops = cm_filter_set_find(set->name);
     const uint32_t least = surface->width < surface->height ? surface->width : surface->height;
@@ -322,17 +315,10 @@ cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                            : border > CM_BORDER_LEAST ? border
                                                       : CM_BORDER_LEAST;
     memset(pyramid, 0, sizeof *pyramid);
-<<<<<<< HEAD
-    cm_status status = make_level(surface, surface->width, surface->height, values->working, memory,
-                                  threads, &pyramid->level[0]);
-    pyramid->count = 1;
-    if (status == CM_OK)
-=======
     cm_status status =
         cm_level_of_pictures(surface, pictures, values, 0, cm_border_of(surface, least, wanted),
                              threads, &pyramid->pictures);
     if (status != CM_OK)
->>>>>>> wt-levels
     {
         return status;
     }
@@ -344,17 +330,11 @@ cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
     {
         const cm_padded *above = pyramid->count > 1 ? &pyramid->level[pyramid->count - 1] : NULL;
         cm_padded *level = &pyramid->level[pyramid->count++];
-<<<<<<< HEAD
-        status = make_level(surface, cm_half_size(above->width), cm_half_size(above->height),
-                            values->working, memory, threads, level);
-        status = status == CM_OK ? halve(above, level, loops, threads) : status;
-=======
         status = make_level(surface, cm_half_size(width), cm_half_size(height), values->working,
-                            is_whole, threads, level);
+                            is_whole, memory, threads, level);
         status = status == CM_OK
                      ? halve(&pyramid->reader, above, width, height, level, loops, threads)
                      : status;
->>>>>>> wt-levels
         if (status == CM_OK)
         {
             cm_padded_border(level, surface, threads);

@@ -30,18 +30,13 @@ uint32_t cm_half_size(uint32_t size);
 /* The levels of sizes from that to 1 x 1. */
 unsigned cm_level_count(uint32_t width, uint32_t height);
 
-<<<<<<< HEAD
-/* Pictures of the surface, and count levels of them, the first of their own size, in `memory` as of cm_padded_create. CM_OK or CM_ERROR_MEMORY. */
+/* Count levels of pictures of the surface, whose own have a border as wide as wanted, or what the next level needs; the
+ * others lie in `memory` as of cm_padded_create. If is_whole, they are whole numbers of CM_PADDED_ONE, which is for bytes.
+ * CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                           const cm_values *values, const cm_sample_set *set, unsigned count,
-                          const cm_memory *memory, unsigned threads, cm_pyramid *pyramid);
-=======
-/* Count levels of pictures of the surface, whose own have a border as wide as wanted, or what the next level needs. If
- * is_whole, the others are whole numbers of CM_PADDED_ONE, which is for bytes. CM_OK or CM_ERROR_MEMORY. */
-cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
-                          const cm_values *values, const cm_sample_set *set, unsigned count,
-                          int32_t border, int is_whole, unsigned threads, cm_pyramid *pyramid);
->>>>>>> wt-levels
+                          int32_t border, int is_whole, const cm_memory *memory, unsigned threads,
+                          cm_pyramid *pyramid);
 
 void cm_pyramid_free(cm_pyramid *pyramid);
 
