@@ -5,7 +5,7 @@
  */
 #include "modules/image/io/geo_tags.h"
 
-#include "memory_stream.h"
+#include "tests/memory_stream.h"
 #include "small_files.h"
 #include "tests/suite.h"
 
