@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * image_gdal.h by GDAL 3's functions in C: gdal.h, gdalwarper.h, gdal_utils.h, ogr_srs_api.h.
+ * image_gdal.h by the functions in C of GDAL 3: its core, its warper, its programs as functions and its reference systems.
  */
 #define _POSIX_C_SOURCE 200809L
 
