@@ -182,6 +182,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"compare", compare_subjects()},
         {"reproject", reproject_subjects()},
         {"surfaces", reproject_surface_subjects()},
+        {"outputs", reproject_output_subjects()},
         {"distortion", distortion_subjects()},
         {"orient", orient_subjects()},
         {"colormap", colormap_subjects()}};

@@ -83,6 +83,7 @@ struct Subject
 const std::vector<Subject> &compare_subjects();
 const std::vector<Subject> &reproject_subjects();
 const std::vector<Subject> &reproject_surface_subjects();
+const std::vector<Subject> &reproject_output_subjects();
 const std::vector<Subject> &distortion_subjects();
 const std::vector<Subject> &orient_subjects();
 const std::vector<Subject> &colormap_subjects();

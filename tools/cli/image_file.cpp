@@ -67,10 +67,10 @@ void ImageFile::Closer::operator()(cm_image_reader *opened) const noexcept
     image_io().close(opened);
 }
 
-ImageFile::ImageFile(const std::string &path, int threads) : name(path)
+ImageFile::ImageFile(const std::string &path, int threads, std::uint32_t subimage) : name(path)
 {
     check_readable(path);
-    open(threads);
+    open(threads, subimage);
     upright_width = static_cast<int>(stored().window_width);
     upright_height = static_cast<int>(stored().window_height);
     if (stored().orientation > 4)
@@ -79,7 +79,7 @@ ImageFile::ImageFile(const std::string &path, int threads) : name(path)
     }
 }
 
-void ImageFile::open(int threads)
+void ImageFile::open(int threads, std::uint32_t subimage)
 {
     if (threads > 0)
     {
@@ -87,7 +87,7 @@ void ImageFile::open(int threads)
     }
     cm_image_reader *opened = nullptr;
     char message[CM_IMAGE_MESSAGE] = "";
-    const cm_status status = image_io().open(name.c_str(), 0, &opened, message);
+    const cm_status status = image_io().open(name.c_str(), subimage, &opened, message);
     if (status != CM_OK)
     {
         fail_image(in_quotes(name), status, message);

@@ -26,7 +26,7 @@ const cm_image_io &image_io();
 // Throws what a status of image_io() means; file is in_quotes() or says otherwise what the message is of.
 [[noreturn]] void fail_image(const std::string &file, cm_status status, const char *message);
 
-// An image file that was opened. The first image counts if there are several. The orientation that
+// An image file that was opened. The orientation that
 // a camera noted is applied; an OpenEXR image is its display window, with 0 where there is no data.
 // The values of transparent pixels are as stored (neither multiplied nor divided by alpha).
 class ImageFile
@@ -35,7 +35,8 @@ public:
     // Failure if there is no such file, it is not an image, or not one of this kind. From now on the
     // process reads and writes images in so many threads, and none may be read or written now; 0
     // leaves them as they are.
-    explicit ImageFile(const std::string &path, int threads = 0);
+    // subimage: which of the file's pictures.
+    explicit ImageFile(const std::string &path, int threads = 0, std::uint32_t subimage = 0);
 
     const std::string &path() const noexcept
     {
@@ -96,7 +97,7 @@ private:
         int y;
     };
 
-    void open(int threads);
+    void open(int threads, std::uint32_t subimage);
     void read_stored(int first, int end, cm_pixel_type type, void *pixels,
                      std::ptrdiff_t row_stride);
     void read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride);

@@ -237,8 +237,8 @@ void set_compression(ImagePlan &plan, const std::string &compression)
     {
         throw UsageFailure(plan.format == "jpeg"  ? what + "a quality from 1 to 100"
                            : plan.format == "png" ? what + "a number from 0 to 9"
-                           : plan.format == "hdr"
-                               ? what + "to be chosen: HDR has one way only"
+                           : *compressions_of(plan.format) == '\0'
+                               ? what + "to be chosen: the format has one way only"
                                : what + "one of:" + names.substr(0, names.size() - 1));
     }
 }

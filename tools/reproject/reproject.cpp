@@ -8,6 +8,7 @@
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_output.hpp"
+#include "texture_rules.hpp"
 
 #include <cstdio>
 
@@ -16,11 +17,12 @@ namespace
 
 int reproject(int argc, char **argv, const cm_streams &streams)
 {
-    const Options options = parse_options(argc, argv, streams);
+    Options options = parse_options(argc, argv, streams);
     if (options.printed)
     {
         return 0;
     }
+    take_texture_rules(options);
     const int threads = thread_count(options.threads);
 
     Input input(options, threads);
@@ -36,7 +38,10 @@ int reproject(int argc, char **argv, const cm_streams &streams)
         std::vector<std::string> names;
         for (const ImageFile &file : input.files())
         {
-            names.push_back(file.path());
+            if (names.empty() || names.back() != file.path())
+            {
+                names.push_back(file.path());
+            }
         }
         print(streams, name_list(names) + " (" + input.description() + ") -> " +
                            output.description() + "\n");

@@ -195,6 +195,12 @@ void read_option(int id, OptionReader &reader, Options &options)
     case REPROJECT_SIDECAR:
         options.sidecar = true;
         break;
+    case REPROJECT_MIPS:
+        options.mips = true;
+        break;
+    case REPROJECT_BORDER:
+        options.border = reader.whole_number();
+        break;
     case REPROJECT_THREADS:
         options.threads = reader.whole_number();
         break;

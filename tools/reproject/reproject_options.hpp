@@ -53,6 +53,8 @@ struct Options
     std::optional<double> tolerance;
     std::string compression;
     bool sidecar = false;
+    bool mips = false;
+    int border = 0;
     OverlayOptions overlay;
     int threads = 0;
     bool quiet = false;

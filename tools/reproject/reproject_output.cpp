@@ -3,6 +3,7 @@
 #include "reproject_output.hpp"
 #include "output_surface.hpp"
 #include "sidecar.hpp"
+#include "texture_rules.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
@@ -113,16 +114,20 @@ struct Output::Render
 };
 
 Output::Output(const Options &options, const Input &input)
-    : surface(output_surface(options, input)), rotation(options.to.rotation),
-      places(plane_places(*surface))
+    : whole(options, output_surface(options, input), reproject_format(options.output)),
+      surface(&whole.computed()), rotation(options.to.rotation), places(plane_places(*surface))
 {
     choose_names(options, input);
     kept_density = options.keep == Keep::mean   ? ", as many pixels as INPUT"
                    : options.keep == Keep::most ? ", as dense as INPUT where it is densest"
                                                 : "";
     const ImageDescription &source = input.description_of_pixels();
-    plan = plan_image(output_format(names.front()), source, input.files().front().format(),
+    plan = plan_image(reproject_format(names.front()), source, input.files().front().format(),
                       names.front());
+    if (is_texture(plan.format))
+    {
+        plan_texture(plan, names.front());
+    }
     channels = source.channels;
     choose_colors(options, input);
     if (options.overlay.wanted())
@@ -130,20 +135,21 @@ Output::Output(const Options &options, const Input &input)
         lines = std::make_unique<SurfaceLines>(options.overlay, *surface, rotation, input);
     }
     choose_values(options, input);
-    save_surface(plan, *surface, rotation);
+    save_surface(plan, whole.surface(), rotation);
     make_files(options);
 }
 
 void Output::choose_names(const Options &options, const Input &input)
 {
-    const std::size_t pictures = cm_surface_picture_count(surface.get());
-    if (pictures == 1 && is_cube(cm_surface_specification(surface.get())) &&
-        names_faces(options.output))
+    const std::size_t pictures = cm_surface_picture_count(surface);
+    if (pictures == 1 && is_cube(cm_surface_specification(surface)) && names_faces(options.output))
     {
         throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but the layout is " +
-                           key_of(cm_surface_specification(surface.get()), "layout"));
+                           key_of(cm_surface_specification(surface), "layout"));
     }
-    names = pictures > 1 ? face_names(options.output) : std::vector<std::string>{options.output};
+    const bool faces = pictures > 1 && !is_texture(whole.format());
+    names = whole.file_names(faces ? face_names(options.output)
+                                   : std::vector<std::string>{options.output});
     for (const std::string &name : names)
     {
         for (const ImageFile &image : input.files())
@@ -161,10 +167,10 @@ void Output::choose_names(const Options &options, const Input &input)
 void Output::choose_colors(const Options &options, const Input &input)
 {
     const ImageDescription &source = input.description_of_pixels();
-    const bool whole = input.files().front().stored().whole_numbers;
+    const bool numbers = input.files().front().stored().whole_numbers;
     const bool linear = source.color == CM_IMAGE_COLOR_LINEAR;
     const bool srgb =
-        source.color == CM_IMAGE_COLOR_SRGB || (source.color == CM_IMAGE_COLOR_UNKNOWN && whole);
+        source.color == CM_IMAGE_COLOR_SRGB || (source.color == CM_IMAGE_COLOR_UNKNOWN && numbers);
     colors.channels = channels;
     colors.alpha = source.alpha;
     colors.multiplied = source.alpha >= 0 && source.alpha_multiplied;
@@ -183,7 +189,14 @@ void Output::choose_colors(const Options &options, const Input &input)
             plan.description.alpha_multiplied = false;
         }
     }
-    if (srgb && is_linear_format(plan.format))
+    // of textures only bytes may have sRGB's curve
+    const bool light = is_linear_format(plan.format) ||
+                       (is_texture(plan.format) && plan.description.type != CM_PIXEL_U8);
+    if (srgb && is_texture(plan.format))
+    {
+        plan.description.color = CM_IMAGE_COLOR_SRGB;
+    }
+    if (srgb && light)
     {
         colors.recode = Recode::decode;
         plan.description.color = CM_IMAGE_COLOR_LINEAR;
@@ -246,14 +259,13 @@ void Output::make_files(const Options &options)
 
 std::size_t Output::row_bytes() const
 {
-    return cm_surface_width(surface.get()) * static_cast<std::size_t>(channels) *
-           channel_bytes(row_type);
+    return cm_surface_width(surface) * static_cast<std::size_t>(channels) * channel_bytes(row_type);
 }
 
 // Where bands end: at rows of blocks of the planes, as far as those stand at the same ones.
 std::vector<int> Output::band_ends(std::size_t index, std::size_t most_bytes, int threads) const
 {
-    const int height = static_cast<int>(cm_surface_height(surface.get()));
+    const int height = static_cast<int>(cm_surface_height(surface));
     const int fitting = static_cast<int>(std::min<std::size_t>(most_bytes / row_bytes(), 1u << 20));
     const int wanted = std::max(threads * rows_each, height / bands_least);
     const int step = std::max(std::min(fitting, wanted) / block_rows, 1) * block_rows;
@@ -294,10 +306,10 @@ void Output::compute(const Render &render, std::size_t index, const RowBand &ban
     picture.data = reinterpret_cast<void *>(reinterpret_cast<std::uintptr_t>(band.pixels.bytes()) -
                                             static_cast<std::size_t>(band.first) * row);
     picture.type = row_type;
-    picture.width = cm_surface_width(surface.get());
-    picture.height = cm_surface_height(surface.get());
+    picture.width = cm_surface_width(surface);
+    picture.height = cm_surface_height(surface);
     picture.channels = static_cast<std::uint32_t>(channels);
-    std::vector<cm_image> pictures(cm_surface_picture_count(surface.get()), picture);
+    std::vector<cm_image> pictures(cm_surface_picture_count(surface), picture);
     for (const PlanePlace &place : places)
     {
         const cm_rows rows = place.part(band.first, band.end);
@@ -362,9 +374,8 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
     {
         most_rows = std::max(most_rows, ends[i] - (i == 0 ? 0 : ends[i - 1]));
     }
-    ImageWriter writer(plan, static_cast<int>(cm_surface_width(surface.get())),
-                       static_cast<int>(cm_surface_height(surface.get())), names[index],
-                       *files[index]);
+    ImageWriter writer(plan, static_cast<int>(cm_surface_width(surface)),
+                       static_cast<int>(cm_surface_height(surface)), names[index], *files[index]);
     const auto write_band = [&](const RowBand &band)
     {
         writer.write(band.first, band.end, row_type, band.pixels.bytes(), channels);
@@ -385,6 +396,43 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
     files[index]->finish();
 }
 
+// What the written values are, which may have changed behind resampling.
+cm_plan_options Output::written_values() const
+{
+    cm_plan_options written = values;
+    const bool srgb = plan.description.color == CM_IMAGE_COLOR_SRGB &&
+                      (is_texture(plan.format) || colors.recode == Recode::encode);
+    written.transfer = srgb                              ? CM_TRANSFER_SRGB
+                       : colors.recode == Recode::decode ? CM_TRANSFER_STORED
+                                                         : values.transfer;
+    written.alpha_multiplied = colors.multiply ? 1 : 0;
+    return written;
+}
+
+// The pictures are all in memory.
+void Output::write_whole(const Render &render, int threads)
+{
+    const int height = static_cast<int>(cm_surface_height(surface));
+    std::vector<RowBand> held(cm_surface_picture_count(surface));
+    std::vector<cm_image> pictures;
+    for (std::size_t i = 0; i < held.size(); ++i)
+    {
+        held[i].end = height;
+        held[i].pixels = PixelMemory(row_bytes() * static_cast<std::size_t>(height));
+        compute(render, i, held[i], threads);
+        render.progress.advance(height);
+        cm_image picture = {};
+        picture.size = sizeof picture;
+        picture.data = held[i].pixels.bytes();
+        picture.type = row_type;
+        picture.width = cm_surface_width(surface);
+        picture.height = cm_surface_height(surface);
+        picture.channels = static_cast<std::uint32_t>(channels);
+        pictures.push_back(picture);
+    }
+    whole.write(pictures, plan, rotation, written_values(), files, names, threads);
+}
+
 void Output::write(const Options &options, const Input &input, int threads, std::FILE *terminal)
 {
     not_finite = input.not_finite();
@@ -392,13 +440,19 @@ void Output::write(const Options &options, const Input &input, int threads, std:
     const PlanPointer geometry = make_plan(input.surface(), *surface, values);
     const SourcePointer source = make_source(*geometry, input.pictures(), row_type, threads);
     filter = cm_source_filter(source.get());
-    const std::int64_t rows =
-        std::int64_t{cm_surface_height(surface.get())} * static_cast<std::int64_t>(names.size());
+    const std::int64_t rows = std::int64_t{cm_surface_height(surface)} *
+                              static_cast<std::int64_t>(cm_surface_picture_count(surface));
     {
         Progress progress(rows, !options.quiet, terminal);
         const Render render = {*geometry, *source, progress};
-        parallel_for(static_cast<int>(names.size()), threads,
-                     [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
+        if (whole.is_needed())
+        {
+            write_whole(render, threads);
+        }
+        else
+            parallel_for(static_cast<int>(names.size()), threads,
+                         [&](int i)
+                         { write_picture(render, static_cast<std::size_t>(i), threads); });
     }
     if (options.sidecar)
     {
@@ -411,15 +465,15 @@ void Output::write(const Options &options, const Input &input, int threads, std:
 
 void Output::write_sidecar()
 {
-    const std::string text = sidecar_text(*surface, rotation, names, cm_filter_name(filter));
+    const std::string text = sidecar_text(whole.surface(), rotation, names, cm_filter_name(filter));
     files.back()->write(text.data(), text.size());
 }
 
 std::string Output::description() const
 {
-    std::string text = name_list(names) + " (" + surface_description(*surface, rotation) +
+    std::string text = name_list(names) + " (" + surface_description(whole.surface(), rotation) +
                        (plan.alpha_dropped ? ", without alpha" : "") + kept_density + "; " +
-                       cm_filter_name(filter);
+                       cm_filter_name(filter) + whole.description();
     text += colors.recode == Recode::encode   ? "; light written as sRGB"
             : colors.recode == Recode::decode ? "; sRGB written as light"
                                               : "";

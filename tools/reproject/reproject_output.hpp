@@ -10,6 +10,7 @@
 #include "plane_place.hpp"
 #include "reproject_input.hpp"
 #include "surface_lines.hpp"
+#include "whole_output.hpp"
 #include "tools/cli/image_writer.hpp"
 #include "tools/cli/progress.hpp"
 
@@ -34,6 +35,8 @@ private:
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
     void make_files(const Options &options);
+    void write_whole(const Render &render, int threads);
+    cm_plan_options written_values() const;
     void write_picture(const Render &render, std::size_t index, int threads);
     void compute(const Render &render, std::size_t index, const RowBand &band, int threads);
     void finish_rows(const PlanePlace &place, const cm_rows &rows, const RowBand &band,
@@ -42,7 +45,8 @@ private:
     void write_sidecar();
     std::size_t row_bytes() const;
 
-    SurfacePointer surface;
+    WholeOutput whole;
+    const cm_surface *surface; // whose pixels are computed
     std::optional<cm_rotation> rotation;
     std::vector<PlanePlace> places;
     std::string kept_density;                       // for people

@@ -4,6 +4,7 @@
 
 #include <cubemap/catalogue.h>
 #include <cubemap/image.h>
+#include <cubemap/mips.h>
 
 #include "tools/cli/catalogue_name.h"
 #include "tools/image/cube_table.h"
@@ -167,6 +168,19 @@ static const cm_option values[] = {
      .help = "of OUTPUT's files: TIFF none, lzw, zip, packbits; EXR none, rle, zip, zips, piz, "
              "pxr24, b44, "
              "b44a, dwaa, dwab; JPEG the quality, 1 to 100; PNG the effort, 0 to 9"},
+    {.id = REPROJECT_MIPS,
+     .name = "mips",
+     .help = "also pictures of half the size, a quarter and so on to one pixel a face, filtered "
+             "across seams: in a .dds or .ktx2 file, and else as files NAME_m1.EXT, NAME_m2.EXT",
+     .more = "Of pictures with sRGB's curve in textures they are means of light."},
+    {.id = REPROJECT_BORDER,
+     .name = "border",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "around each face of a cube N pixels of what the sphere has there, as the layout "
+             "LAYOUT:border=N",
+     .low = 1,
+     .high = CM_BORDER_MOST},
     {.id = REPROJECT_SIDECAR,
      .name = "sidecar",
      .help = "also write what OUTPUT is into a file beside it that ends in .json"},
@@ -198,7 +212,8 @@ const cm_command cm_reproject_command = {
         "Resamples an image of the sphere from one projection to another: equirectangular, the six "
         "faces of a cube, what a camera or a fisheye lens sees, HEALPix, a disc, or one square. "
         "PNG, "
-        "JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel.",
+        "JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel, and the textures DDS "
+        "and KTX2.",
     .groups = groups,
     .group_count = sizeof groups / sizeof *groups,
     .notes =
@@ -224,6 +239,8 @@ const cm_command cm_reproject_command = {
         "                        columns 0 to 3 instead of 1, turned; of cube:healpix\n"
         "                        that is rHEALPix as PROJ has it with lon_0=45\n"
         "  eac, eac:pad=N        3N x 2N, as YouTube stores equi-angular cubes\n"
+        "  faces:border=N, and so strip, column, 3x2 and 2x3: N pixels of what the\n"
+        "                        sphere has around each face\n"
         "\n"
         "Frames:\n"
         "  geo                   front right back left top bottom: lon 0, lon 90 E,\n"
@@ -246,6 +263,7 @@ const cm_command cm_reproject_command = {
         "  cubemap-reproject --to view:fov=90 --rotate 10,40 --size 800 in.jpg view.png\n"
         "  cubemap-reproject --to cube:gnomonic --graticule 15 --indicatrices 5 \\\n"
         "      --layout cross earth.jpg cross.png\n"
+        "  cubemap-reproject --mips sky.hdr sky.ktx2\n"
         "  cubemap-reproject --size 2048 face_%f.png earth-again.png\n"
         "  cubemap-reproject --from cube --to cube:gnomonic --from-frame geo --frame gl \\\n"
         "      --layout strip face_%f.png sky.exr\n"

@@ -28,6 +28,8 @@ enum
     REPROJECT_TOLERANCE,
     REPROJECT_COMPRESSION,
     REPROJECT_SIDECAR,
+    REPROJECT_MIPS,
+    REPROJECT_BORDER,
     REPROJECT_THREADS,
     REPROJECT_QUIET,
     /* The largest --size, for a cube or a chart, and for all others. */
