@@ -378,14 +378,52 @@ void levels()
          "reproject --mips --size 48 noise.ppm noise.dds");
 }
 
+// ---- maps of HEALPix
+
+void healpix_files()
+{
+#ifdef HAVE_CFITSIO
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet --filter bilinear --to healpix:16 noise.ppm picture.exr");
+    for (const std::string order : {"", ":ring", ":nest"})
+    {
+        does("reproject --quiet --filter bilinear --to healpix:16" + order + " noise.ppm map.fits");
+        does("reproject --quiet --to healpix:16 --stored map.fits again.tif");
+        does("reproject --quiet --to healpix:16 --stored --filter bilinear noise.ppm direct.tif");
+        passes("a FITS file, healpix:16" + order, "compare --max 0.003 again.tif direct.tif");
+        const std::string head = content_of("map.fits").substr(0, 5760);
+        result(matches(head, order == ":nest" ? "ORDERING= 'NESTED" : "ORDERING= 'RING"),
+               "its order, healpix:16" + order);
+    }
+    says("a size of its own, and RING", "-> own\\.fits \\(healpix:16 192x16;",
+         "reproject noise.ppm own.fits");
+    does("reproject --quiet --rotate 10,20,30 noise.ppm turned.fits");
+    says("how it stands",
+         "^turned\\.fits \\(healpix:16 192x16, turned by 10,20,30, 3 channels, float",
+         "reproject turned.fits back.png");
+    fails("FITS of something else", 2, "map of HEALPix",
+          "reproject --to equirect noise.ppm made/a.fits");
+    fails("levels in FITS", 2, "has no levels", "reproject --mips noise.ppm made/a.fits");
+    fails("an order that NSIDE has not", 1, "NSIDE 15 is no power of two",
+          "reproject --to healpix:15:nest noise.ppm made/a.fits");
+    const SizeLimit limit(1000);
+    fails("a full disk and FITS", 1, "cannot be written: File too large",
+          "reproject noise.ppm made/a.fits");
+#endif
+    make_noise(64, 32, "noise.ppm");
+    fails("an order without FITS", 2, "only .fits files have an order",
+          "reproject --to healpix:16:nest noise.ppm made/a.tif");
+    fails("an order of INPUT", 2, "leave :ring out",
+          "reproject --from healpix:16:ring noise.ppm made/a.tif");
+}
+
 } // namespace
 
 const std::vector<Subject> &reproject_output_subjects()
 {
-    static const std::vector<Subject> subjects = {{"textures", textures},
-                                                  {"texture_values", texture_values},
-                                                  {"refusals", refusals},
-                                                  {"borders", borders},
-                                                  {"levels", levels}};
+    static const std::vector<Subject> subjects = {
+        {"textures", textures}, {"texture_values", texture_values},
+        {"refusals", refusals}, {"borders", borders},
+        {"levels", levels},     {"healpix_files", healpix_files}};
     return subjects;
 }

@@ -5,6 +5,7 @@
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
+#include "healpix_rules.hpp"
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_output.hpp"
@@ -23,6 +24,7 @@ int reproject(int argc, char **argv, const cm_streams &streams)
         return 0;
     }
     take_texture_rules(options);
+    take_healpix_rules(options);
     const int threads = thread_count(options.threads);
 
     Input input(options, threads);

@@ -40,9 +40,11 @@ void check_instructions(cm_status status, const char *message)
     }
 }
 
-std::string read_specification(const OptionReader &reader)
+// The order of HEALPix's pixels, which only files have, goes into order.
+std::string read_specification(const OptionReader &reader, std::string &order)
 {
-    const std::string text = reader.text();
+    std::string text = reader.text();
+    order = take_healpix_order(text);
     char message[400];
     const cm_status status = cm_surface_check(text.c_str(), nullptr, message, sizeof message);
     if (status == CM_OK)
@@ -145,13 +147,19 @@ bool read_value_option(int id, const OptionReader &reader, Options &options)
 
 bool read_surface_option(int id, OptionReader &reader, Options &options)
 {
+    std::string order;
     switch (id)
     {
     case REPROJECT_FROM:
-        options.from.specification = read_specification(reader);
+        options.from.specification = read_specification(reader, order);
+        if (!order.empty())
+        {
+            throw UsageFailure("--from: a .fits file says its order itself; leave :" + order +
+                               " out");
+        }
         return true;
     case REPROJECT_TO:
-        options.to.specification = read_specification(reader);
+        options.to.specification = read_specification(reader, options.healpix_order);
         return true;
     case REPROJECT_FOR:
         options.preset = cm_surface_preset_at(reader.choice());

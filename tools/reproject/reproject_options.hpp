@@ -54,6 +54,7 @@ struct Options
     std::string compression;
     bool sidecar = false;
     bool mips = false;
+    std::string healpix_order; // "nest", "ring", or not said
     int border = 0;
     OverlayOptions overlay;
     int threads = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
+#include "healpix_rules.hpp"
 #include "output_surface.hpp"
 #include "sidecar.hpp"
 #include "texture_rules.hpp"
@@ -127,6 +128,10 @@ Output::Output(const Options &options, const Input &input)
     if (is_texture(plan.format))
     {
         plan_texture(plan, names.front());
+    }
+    if (plan.format == "fits")
+    {
+        plan_healpix(plan, options);
     }
     channels = source.channels;
     choose_colors(options, input);

@@ -213,7 +213,7 @@ const cm_command cm_reproject_command = {
         "faces of a cube, what a camera or a fisheye lens sees, HEALPix, a disc, or one square. "
         "PNG, "
         "JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel, and the textures DDS "
-        "and KTX2.",
+        "and KTX2, and maps of HEALPix in FITS.",
     .groups = groups,
     .group_count = sizeof groups / sizeof *groups,
     .notes =
@@ -224,6 +224,7 @@ const cm_command cm_reproject_command = {
         "cube:tangent:c=1.1823\n"
         "  view:fov=90,lon=20    what a camera sees\n"
         "  fisheye, dual-fisheye, dual-paraboloid, equal-area, mercator, healpix:NSIDE\n"
+        "  healpix:NSIDE:nest    in .fits files, which else are in the order RING\n"
         "  azimuthal:NAME, a disc in a square, such as azimuthal:equidistant:fov=200\n"
         "  a square of the whole sphere: peirce, quincuncial:AZIMUTHAL,SQUARE,\n"
         "    border:AZIMUTHAL,SQUARE, octahedral, octahedral:clarberg or rhealpix\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "texture_rules.hpp"
+#include "healpix_rules.hpp"
 #include "surface_text.hpp"
 #include "tools/cli/program.hpp"
 
@@ -39,7 +40,10 @@ std::string said(const std::string &option, const std::string &specification,
 std::string reproject_format(const std::string &path)
 {
     const std::string extension = lower_extension(path);
-    return extension == ".dds" ? "dds" : extension == ".ktx2" ? "ktx2" : output_format(path);
+    return extension == ".dds"    ? "dds"
+           : extension == ".ktx2" ? "ktx2"
+           : is_fits_name(path)   ? "fits"
+                                  : output_format(path);
 }
 
 bool is_texture(const std::string &format)

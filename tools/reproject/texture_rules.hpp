@@ -9,7 +9,7 @@
 #include "surface_tags.hpp"
 #include "tools/cli/image_format.hpp"
 
-// "dds" or "ktx2" by a name's extension, else what output_format says.
+// "dds", "ktx2" or "fits" by a name's extension, else what output_format says.
 std::string reproject_format(const std::string &path);
 
 bool is_texture(const std::string &format);
