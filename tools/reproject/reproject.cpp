@@ -6,6 +6,7 @@
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
 #include "healpix_rules.hpp"
+#include "hips_output.hpp"
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_output.hpp"
@@ -25,6 +26,7 @@ int reproject(int argc, char **argv, const cm_streams &streams)
     }
     take_texture_rules(options);
     take_healpix_rules(options);
+    take_hips_rules(options);
     const int threads = thread_count(options.threads);
 
     Input input(options, threads);

@@ -206,6 +206,9 @@ void read_option(int id, OptionReader &reader, Options &options)
     case REPROJECT_MIPS:
         options.mips = true;
         break;
+    case REPROJECT_ORDER:
+        options.order = reader.whole_number();
+        break;
     case REPROJECT_BORDER:
         options.border = reader.whole_number();
         break;

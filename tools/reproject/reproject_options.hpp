@@ -56,6 +56,8 @@ struct Options
     bool mips = false;
     std::string healpix_order; // "nest", "ring", or not said
     int border = 0;
+    std::optional<int> order; // of HiPS tiles
+    int tile_width = 0;       // of those; 0: not said
     OverlayOptions overlay;
     int threads = 0;
     bool quiet = false;

@@ -115,7 +115,8 @@ struct Output::Render
 };
 
 Output::Output(const Options &options, const Input &input)
-    : whole(options, output_surface(options, input), reproject_format(options.output)),
+    : whole(options, hips_surface(options, output_surface(options, input)),
+            reproject_format(options.output)),
       surface(&whole.computed()), rotation(options.to.rotation), places(plane_places(*surface))
 {
     choose_names(options, input);
@@ -123,13 +124,18 @@ Output::Output(const Options &options, const Input &input)
                    : options.keep == Keep::most ? ", as dense as INPUT where it is densest"
                                                 : "";
     const ImageDescription &source = input.description_of_pixels();
-    plan = plan_image(reproject_format(names.front()), source, input.files().front().format(),
-                      names.front());
+    const bool tiles = is_hips_name(options.output);
+    plan = plan_image(tiles ? hips_format(source) : reproject_format(names.front()), source,
+                      input.files().front().format(), names.front());
     if (is_texture(plan.format))
     {
         plan_texture(plan, names.front());
     }
-    if (plan.format == "fits")
+    if (tiles)
+    {
+        plan_hips(plan);
+    }
+    else if (plan.format == "fits")
     {
         plan_healpix(plan, options);
     }
@@ -249,6 +255,11 @@ void Output::make_files(const Options &options)
     if (!options.compression.empty())
     {
         set_compression(plan, options.compression);
+    }
+    if (is_hips_name(options.output))
+    {
+        hips = std::make_unique<HipsOutput>(options, *surface, plan, row_type, channels);
+        return;
     }
     for (const std::string &name : names)
     {
@@ -414,6 +425,36 @@ cm_plan_options Output::written_values() const
     return written;
 }
 
+// Tile by tile.
+void Output::write_hips(const Render &render, int threads)
+{
+    const auto fill = [&](const cm_hips_window &window, unsigned char *pixels)
+    {
+        const std::size_t pixel = static_cast<std::size_t>(channels) * channel_bytes(row_type);
+        const std::size_t row = pixel * window.width;
+        // the window of a picture that as a whole is not there
+        cm_image picture = {};
+        picture.size = sizeof picture;
+        picture.data = reinterpret_cast<void *>(
+            reinterpret_cast<std::uintptr_t>(pixels) - window.row * row -
+            (std::size_t{window.plane} * window.planes + window.column) * pixel);
+        picture.type = row_type;
+        picture.width = cm_surface_width(surface);
+        picture.height = cm_surface_height(surface);
+        picture.channels = static_cast<std::uint32_t>(channels);
+        picture.row_stride = static_cast<std::ptrdiff_t>(row);
+        const cm_rows rows = {window.plane, window.row, window.width, window.column, window.width};
+        check(cm_resample_source(&render.plan, &render.source, &picture, rows, 1));
+        if (colors.is_needed())
+        {
+            colors.convert(reinterpret_cast<float *>(pixels),
+                           std::size_t{window.width} * window.width);
+        }
+        render.progress.advance(window.width * window.width / cm_surface_width(surface));
+    };
+    hips->write(fill, threads);
+}
+
 // The pictures are all in memory.
 void Output::write_whole(const Render &render, int threads)
 {
@@ -450,6 +491,11 @@ void Output::write(const Options &options, const Input &input, int threads, std:
     {
         Progress progress(rows, !options.quiet, terminal);
         const Render render = {*geometry, *source, progress};
+        if (hips)
+        {
+            write_hips(render, threads);
+            return;
+        }
         if (whole.is_needed())
         {
             write_whole(render, threads);
@@ -478,7 +524,7 @@ std::string Output::description() const
 {
     std::string text = name_list(names) + " (" + surface_description(whole.surface(), rotation) +
                        (plan.alpha_dropped ? ", without alpha" : "") + kept_density + "; " +
-                       cm_filter_name(filter) + whole.description();
+                       cm_filter_name(filter) + (hips ? hips->description() : whole.description());
     text += colors.recode == Recode::encode   ? "; light written as sRGB"
             : colors.recode == Recode::decode ? "; sRGB written as light"
                                               : "";

@@ -7,6 +7,7 @@
 
 #include "band_queue.hpp"
 #include "color_rows.hpp"
+#include "hips_output.hpp"
 #include "plane_place.hpp"
 #include "reproject_input.hpp"
 #include "surface_lines.hpp"
@@ -35,6 +36,7 @@ private:
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
     void make_files(const Options &options);
+    void write_hips(const Render &render, int threads);
     void write_whole(const Render &render, int threads);
     cm_plan_options written_values() const;
     void write_picture(const Render &render, std::size_t index, int threads);
@@ -46,7 +48,8 @@ private:
     std::size_t row_bytes() const;
 
     WholeOutput whole;
-    const cm_surface *surface; // whose pixels are computed
+    std::unique_ptr<HipsOutput> hips; // if OUTPUT is such a folder
+    const cm_surface *surface;        // whose pixels are computed
     std::optional<cm_rotation> rotation;
     std::vector<PlanePlace> places;
     std::string kept_density;                       // for people

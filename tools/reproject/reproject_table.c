@@ -181,6 +181,15 @@ static const cm_option values[] = {
              "LAYOUT:border=N",
      .low = 1,
      .high = CM_BORDER_MOST},
+    {.id = REPROJECT_ORDER,
+     .name = "order",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "K",
+     .help = "of an OUTPUT that ends in /, a folder of HiPS tiles for sky viewers: the greatest "
+             "order; without it, the resolution of INPUT, and 3 at least. --size is then the edge "
+             "of a tile",
+     .low = 0,
+     .high = 13},
     {.id = REPROJECT_SIDECAR,
      .name = "sidecar",
      .help = "also write what OUTPUT is into a file beside it that ends in .json"},
@@ -212,8 +221,10 @@ const cm_command cm_reproject_command = {
         "Resamples an image of the sphere from one projection to another: equirectangular, the six "
         "faces of a cube, what a camera or a fisheye lens sees, HEALPix, a disc, or one square. "
         "PNG, "
-        "JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel, and the textures DDS "
-        "and KTX2, and maps of HEALPix in FITS.",
+        "JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel, and the "
+        "textures DDS "
+        "and KTX2, and maps of HEALPix in FITS. A folder, with / at its end, "
+        "gets HiPS tiles for sky viewers.",
     .groups = groups,
     .group_count = sizeof groups / sizeof *groups,
     .notes =

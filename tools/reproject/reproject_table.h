@@ -30,6 +30,7 @@ enum
     REPROJECT_SIDECAR,
     REPROJECT_MIPS,
     REPROJECT_BORDER,
+    REPROJECT_ORDER,
     REPROJECT_THREADS,
     REPROJECT_QUIET,
     /* The largest --size, for a cube or a chart, and for all others. */

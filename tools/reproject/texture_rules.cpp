@@ -2,6 +2,7 @@
 
 #include "texture_rules.hpp"
 #include "healpix_rules.hpp"
+#include "hips_output.hpp"
 #include "surface_text.hpp"
 #include "tools/cli/program.hpp"
 
@@ -40,7 +41,8 @@ std::string said(const std::string &option, const std::string &specification,
 std::string reproject_format(const std::string &path)
 {
     const std::string extension = lower_extension(path);
-    return extension == ".dds"    ? "dds"
+    return is_hips_name(path)     ? "png"
+           : extension == ".dds"  ? "dds"
            : extension == ".ktx2" ? "ktx2"
            : is_fits_name(path)   ? "fits"
                                   : output_format(path);
