@@ -381,6 +381,47 @@ void levels()
          "reproject --mips --size 48 noise.ppm noise.dds");
 }
 
+// ---- the mapping
+
+void mappings()
+{
+    make_noise(64, 32, "noise.ppm");
+    // faces of 16 pixels: of all mappings the longest pixel is that which is the shortest
+    const Ran ran = does("reproject --mapping auto noise.ppm face_%f.png");
+    const std::size_t at = ran.out.find("; mapping ");
+    const std::string chosen = at == std::string::npos
+                                   ? ""
+                                   : ran.out.substr(at + 10, ran.out.find(',', at + 10) - at - 10);
+    result(matches(ran.out, "\\(cube:" + chosen + ", frame geo, 16x16; .*whose longest pixel"),
+           "a mapping, and why", ran.out);
+    const auto size_of = [](const std::string &mapping)
+    {
+        does("reproject --quiet --keep max --mapping " + mapping + " noise.ppm size_%f.png");
+        return Picture("size_0.png").width;
+    };
+    const int best = size_of(chosen);
+    for (const char *mapping : {"gnomonic", "tangent", "coupled", "qsc", "unicube", "s2", "slice"})
+    {
+        result(size_of(mapping) * 1.05 >= best, std::string("needs no fewer pixels: ") + mapping);
+    }
+    says("for labels", "\\(cube:[a-z-]+, .*; nearest; mapping [a-z-]+, of equal areas",
+         "reproject --mapping auto --filter nearest noise.ppm label_%f.png");
+    says("for a texture", "\\(cube:gnomonic, .*mapping gnomonic, which graphics",
+         "reproject --mapping auto noise.ppm sky.ktx2");
+    says("for YouTube's layout",
+         "\\(cube:tangent, frame geo, eac .*mapping tangent, which the layout",
+         "reproject --mapping auto --layout eac noise.ppm eac.png");
+    says("from a cube", "\\(cube:qsc, frame gl, strip .*mapping qsc, that of INPUT",
+         (does("reproject --quiet --mapping qsc noise.ppm cube_%f.png"),
+          "reproject --mapping auto --frame gl --layout strip cube_%f.png strip.png"));
+    fails("a mapping of something else", 2, "--to equirect says another",
+          "reproject --mapping qsc --to equirect noise.ppm made/a.png");
+    fails("a mapping of a program", 2, "--for unity says another",
+          "reproject --mapping qsc --for unity noise.ppm made/a.png");
+    fails("nearly a mapping", 2, "did you mean gnomonic",
+          "reproject --mapping gnomnic noise.ppm made/a.png");
+}
+
 // ---- maps of HEALPix
 
 void healpix_files()
@@ -515,12 +556,10 @@ void tiles()
 
 const std::vector<Subject> &reproject_output_subjects()
 {
-    static const std::vector<Subject> subjects = {{"textures", textures},
-                                                  {"texture_values", texture_values},
-                                                  {"refusals", refusals},
-                                                  {"borders", borders},
-                                                  {"levels", levels},
-                                                  {"tiles", tiles},
-                                                  {"healpix_files", healpix_files}};
+    static const std::vector<Subject> subjects = {
+        {"textures", textures}, {"texture_values", texture_values},
+        {"refusals", refusals}, {"borders", borders},
+        {"levels", levels},     {"mappings", mappings},
+        {"tiles", tiles},       {"healpix_files", healpix_files}};
     return subjects;
 }

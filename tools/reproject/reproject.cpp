@@ -7,6 +7,7 @@
 #include "tools/image/face_names.hpp"
 #include "healpix_rules.hpp"
 #include "hips_output.hpp"
+#include "mapping_choice.hpp"
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_output.hpp"
@@ -24,12 +25,14 @@ int reproject(int argc, char **argv, const cm_streams &streams)
     {
         return 0;
     }
+    take_mapping(options);
     take_texture_rules(options);
     take_healpix_rules(options);
     take_hips_rules(options);
     const int threads = thread_count(options.threads);
 
     Input input(options, threads);
+    choose_mapping(options, input);
     Output output(options, input);
     for (const std::string &warning : input.warnings())
     {

@@ -164,6 +164,9 @@ bool read_surface_option(int id, OptionReader &reader, Options &options)
     case REPROJECT_FOR:
         options.preset = cm_surface_preset_at(reader.choice());
         return true;
+    case REPROJECT_MAPPING:
+        options.mapping = reader.text();
+        return true;
     case REPROJECT_LAYOUT:
         options.to.layout = read_layout_name(reader);
         return true;

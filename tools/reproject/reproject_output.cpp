@@ -120,6 +120,7 @@ Output::Output(const Options &options, const Input &input)
       surface(&whole.computed()), rotation(options.to.rotation), places(plane_places(*surface))
 {
     choose_names(options, input);
+    chosen_mapping = options.mapping_reason.empty() ? "" : "; " + options.mapping_reason;
     kept_density = options.keep == Keep::mean   ? ", as many pixels as INPUT"
                    : options.keep == Keep::most ? ", as dense as INPUT where it is densest"
                                                 : "";
@@ -529,5 +530,6 @@ std::string Output::description() const
             : colors.recode == Recode::decode ? "; sRGB written as light"
                                               : "";
     text += not_finite > 0 ? "; " + not_finite_text(not_finite, values.not_finite) : "";
+    text += chosen_mapping;
     return text + (lines ? "; " + lines->description() : "") + ")";
 }

@@ -52,6 +52,7 @@ private:
     const cm_surface *surface;        // whose pixels are computed
     std::optional<cm_rotation> rotation;
     std::vector<PlanePlace> places;
+    std::string chosen_mapping;                     // for people
     std::string kept_density;                       // for people
     std::vector<std::string> names;                 // of the pictures' files
     std::vector<std::unique_ptr<AtomicFile>> files; // of those, then the sidecar

@@ -16,6 +16,8 @@ static const char *const filters[] = {"auto",     "nearest",  "bilinear", "catmu
 /* What INPUT and OUTPUT most often are. */
 static const char *const kinds[] = {"equirect", "cube", NULL};
 
+static const char *const mappings[] = {"auto", "gnomonic", "tangent", CM_MAPPING_RECOMMENDED, NULL};
+
 static const char *const layouts[] = {"faces", "strip", "cross", "vcross", "column",
                                       "3x2",   "2x3",   "eac",   NULL};
 
@@ -51,6 +53,18 @@ static const cm_option projections[] = {
      .argument = "PROGRAM",
      .help = "OUTPUT as a program wants it, in place of --to, --frame and --layout",
      .choice_at = preset_name_at},
+    {.id = REPROJECT_MAPPING,
+     .name = "mapping",
+     .kind = CM_OPTION_TEXT,
+     .argument = "MAPPING",
+     .help = "the mapping of OUTPUT's cube, as --to cube:MAPPING; auto chooses one and says why",
+     .more =
+         "A texture has `gnomonic`, the layout eac `tangent`, and a cube from a cube the mapping "
+         "of INPUT. With the filter nearest it is one of equal areas. Else it is the one whose "
+         "longest pixel is the shortest, which needs the fewest pixels for the same detail; a "
+         "fiftieth "
+         "more counts as equal.",
+     .choices = mappings},
     {.id = REPROJECT_SIZE,
      .name = "size",
      .kind = CM_OPTION_WHOLE,

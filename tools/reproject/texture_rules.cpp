@@ -65,6 +65,7 @@ void take_texture_rules(Options &options)
     {
         return;
     }
+    options.texture = true;
     const std::string frame = said(to.frame, to.specification, "frame");
     const std::string layout = said(to.layout, to.specification, "layout");
     if (!frame.empty() && frame != "gl")
