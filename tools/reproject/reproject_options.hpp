@@ -41,9 +41,9 @@ struct Options
     SurfaceOptions from;
     SurfaceOptions to;
     const cm_surface_preset *preset = nullptr; // of OUTPUT
-    std::string mapping;        // --mapping, "" if it is not said
-    std::string mapping_reason; // for people, if that is auto
-    bool texture = false;       // is OUTPUT a cube in a texture?
+    std::string mapping;                       // --mapping, "" if it is not said
+    std::string mapping_reason;                // for people, if that is auto
+    bool texture = false;                      // is OUTPUT a cube in a texture?
     std::optional<int> size;
     Keep keep = Keep::equator;
     cm_filter filter = CM_FILTER_AUTO;

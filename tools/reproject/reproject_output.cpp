@@ -116,7 +116,7 @@ struct Output::Render
 
 Output::Output(const Options &options, const Input &input)
     : whole(options, hips_surface(options, output_surface(options, input)),
-            reproject_format(options.output)),
+            texture_format(options.output)),
       surface(&whole.computed()), rotation(options.to.rotation), places(plane_places(*surface))
 {
     choose_names(options, input);
@@ -159,7 +159,7 @@ void Output::choose_names(const Options &options, const Input &input)
         throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but the layout is " +
                            key_of(cm_surface_specification(surface), "layout"));
     }
-    const bool faces = pictures > 1 && !is_texture(whole.format());
+    const bool faces = pictures > 1 && !whole.is_texture();
     names = whole.file_names(faces ? face_names(options.output)
                                    : std::vector<std::string>{options.output});
     for (const std::string &name : names)

@@ -2,7 +2,6 @@
 
 #include "texture_rules.hpp"
 #include "healpix_rules.hpp"
-#include "hips_output.hpp"
 #include "surface_text.hpp"
 #include "tools/cli/program.hpp"
 
@@ -38,14 +37,33 @@ std::string said(const std::string &option, const std::string &specification,
 
 } // namespace
 
-std::string reproject_format(const std::string &path)
+std::string texture_format(const std::string &path)
 {
     const std::string extension = lower_extension(path);
-    return is_hips_name(path)     ? "png"
-           : extension == ".dds"  ? "dds"
-           : extension == ".ktx2" ? "ktx2"
-           : is_fits_name(path)   ? "fits"
-                                  : output_format(path);
+    return extension == ".dds" ? "dds" : extension == ".ktx2" ? "ktx2" : "";
+}
+
+std::string reproject_format(const std::string &path)
+{
+    const std::string texture = texture_format(path);
+    if (!texture.empty())
+    {
+        return texture;
+    }
+    if (is_fits_name(path))
+    {
+        return "fits";
+    }
+    try
+    {
+        return output_format(path);
+    }
+    catch (const UsageFailure &)
+    {
+        throw UsageFailure(in_quotes(path) +
+                           ": an output's name must end in .png, .jpg, .tif, .exr, .hdr, .dds, "
+                           ".ktx2 or .fits, or, of a folder of HiPS tiles, in /");
+    }
 }
 
 bool is_texture(const std::string &format)
@@ -55,8 +73,7 @@ bool is_texture(const std::string &format)
 
 void take_texture_rules(Options &options)
 {
-    const std::string extension = lower_extension(options.output);
-    if ((extension != ".dds" && extension != ".ktx2") || options.preset != nullptr)
+    if (texture_format(options.output).empty() || options.preset != nullptr)
     {
         return;
     }

@@ -9,7 +9,10 @@
 #include "surface_tags.hpp"
 #include "tools/cli/image_format.hpp"
 
-// "dds", "ktx2" or "fits" by a name's extension, else what output_format says.
+// "dds" or "ktx2" by a name's extension, else "".
+std::string texture_format(const std::string &path);
+
+// The format of any output by its name's extension. UsageFailure if it is none that is written.
 std::string reproject_format(const std::string &path);
 
 bool is_texture(const std::string &format);

@@ -81,7 +81,7 @@ cm_image picture_in(const PixelMemory &memory, cm_pixel_type type, std::uint32_t
     return picture;
 }
 
-cm_texture_format texture_format(const ImageDescription &description)
+cm_texture_format texel_format(const ImageDescription &description)
 {
     switch (description.type)
     {
@@ -126,8 +126,10 @@ struct WholeOutput::Level
     std::vector<cm_image> pictures;
 };
 
-WholeOutput::WholeOutput(const Options &options, SurfacePointer wanted, const std::string &format)
-    : shown(std::move(wanted)), file_format(format), texture(is_texture(format)), mips(options.mips)
+WholeOutput::WholeOutput(const Options &options, SurfacePointer wanted,
+                         const std::string &texture_format)
+    : shown(std::move(wanted)), container(texture_format), texture(!texture_format.empty()),
+      mips(options.mips)
 {
     const std::string specification = cm_surface_specification(shown.get());
     border = border_of(specification);
@@ -282,8 +284,8 @@ void WholeOutput::write_texture(const std::vector<Level> &levels, const ImagePla
 {
     cm_texture of = {};
     of.size = sizeof of;
-    of.container = file_format == "dds" ? CM_TEXTURE_DDS : CM_TEXTURE_KTX2;
-    of.format = texture_format(plan.description);
+    of.container = container == "dds" ? CM_TEXTURE_DDS : CM_TEXTURE_KTX2;
+    of.format = texel_format(plan.description);
     of.width = cm_surface_width(shown.get());
     of.height = cm_surface_height(shown.get());
     of.faces = static_cast<std::uint32_t>(cm_surface_picture_count(shown.get()));

@@ -19,9 +19,9 @@
 class WholeOutput
 {
 public:
-    // From the surface that OUTPUT is to be, for files of that format. UsageFailure if there are no such levels or
+    // From the surface that OUTPUT is to be; texture_format: "dds", "ktx2", or "" for other files. UsageFailure if there are no such levels or
     // borders.
-    WholeOutput(const Options &options, SurfacePointer wanted, const std::string &format);
+    WholeOutput(const Options &options, SurfacePointer wanted, const std::string &texture_format);
 
     // Does OUTPUT need this class?
     bool is_needed() const noexcept
@@ -34,9 +34,9 @@ public:
     {
         return inner ? *inner : *shown;
     }
-    const std::string &format() const noexcept
+    bool is_texture() const noexcept
     {
-        return file_format;
+        return texture;
     }
     // What OUTPUT is.
     const cm_surface &surface() const noexcept
@@ -69,8 +69,8 @@ private:
                        const std::string &name) const;
 
     SurfacePointer shown;
-    SurfacePointer inner; // if it is another
-    std::string file_format;
+    SurfacePointer inner;  // if it is another
+    std::string container; // of a texture
     bool texture = false;
     bool mips = false;
     std::uint32_t border = 0;
