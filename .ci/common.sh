@@ -13,7 +13,7 @@ case $build in
 esac
 
 # What each job needs, by the names of Debian's and Ubuntu's packages.
-needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev libcfitsio-dev libjansson-dev check"
+needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev zlib1g-dev libcfitsio-dev libjansson-dev check"
 needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath doxygen"
 # The libraries that tests/peers and bench/side_by_side compare with are used where they are; .ci/run
 # and scripts/speed have them all.
@@ -21,6 +21,8 @@ needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographicl
     libhealpix-cxx-dev"
 # The programs that bench/image compares with, each where it is; scripts/renew image has them all.
 needs_for_images="ffmpeg hugin-tools gdal-bin"
+# What is built with tools where it is there, and its tests then run: rasters of GDAL, films through ffmpeg.
+needs_for_rasters="libgdal-dev ffmpeg"
 # A compiler for AArch64 and an emulator of it, for tests/batch/neon.sh.
 needs_for_neon="gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user"
 # A compiler for a processor of 32 bits, for .ci/long; the emulator is that of AArch64.
@@ -65,6 +67,7 @@ has()
     ninja-build) command -v ninja >/dev/null ;;
     pkg-config) command -v pkg-config >/dev/null ;;
     libopenimageio-dev) pkg-config --exists OpenImageIO 2>/dev/null ;;
+    zlib1g-dev) pkg-config --exists zlib 2>/dev/null ;;
     libcfitsio-dev) pkg-config --exists cfitsio 2>/dev/null ;;
     libjansson-dev) pkg-config --exists jansson 2>/dev/null ;;
     check) pkg-config --exists check 2>/dev/null ;;
@@ -79,6 +82,7 @@ has()
     libhealpix-cxx-dev) pkg-config --exists healpix_cxx 2>/dev/null ;;
     ffmpeg) command -v ffmpeg >/dev/null ;;
     hugin-tools) command -v nona >/dev/null ;;
+    libgdal-dev) pkg-config --exists gdal 2>/dev/null ;;
     gdal-bin) command -v gdalwarp >/dev/null ;;
     gcc-aarch64-linux-gnu) command -v aarch64-linux-gnu-gcc >/dev/null ;;
     libc6-dev-arm64-cross) compiles aarch64-linux-gnu-gcc c stdio.h ;;

@@ -64,6 +64,7 @@ _ck_assert_failed(const char *file, int line, const char *what, const char *form
 #define ck_assert_uint_gt(a, b) CK_COMPARE(uintmax_t, "%ju", a, >, b)
 #define ck_assert_uint_ge(a, b) CK_COMPARE(uintmax_t, "%ju", a, >=, b)
 #define ck_assert_double_eq(a, b) CK_COMPARE(double, "%.17g", a, ==, b)
+#define ck_assert_double_ne(a, b) CK_COMPARE(double, "%.17g", a, !=, b)
 #define ck_assert_double_lt(a, b) CK_COMPARE(double, "%.17g", a, <, b)
 #define ck_assert_double_le(a, b) CK_COMPARE(double, "%.17g", a, <=, b)
 #define ck_assert_double_gt(a, b) CK_COMPARE(double, "%.17g", a, >, b)

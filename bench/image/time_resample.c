@@ -389,6 +389,29 @@ static void time_set(all_jobs *all, const char *set, const char *wanted, int rou
     }
 }
 
+/* ---- what memory does ---- */
+
+/* Copies more than caches hold, for what the jobs' figures are to be seen beside. */
+static void time_memory(int rounds)
+{
+    const size_t bytes = (size_t)64 << 20;
+    unsigned char *from = allocate(bytes, 1);
+    unsigned char *to = allocate(bytes, 1);
+    double least = 0.0;
+    memset(from, 1, bytes);
+    memset(to, 2, bytes);
+    for (int round = 0; round < rounds; round++)
+    {
+        const double begin = thread_seconds();
+        memcpy(to, from, bytes);
+        keep_least(&least, thread_seconds() - begin);
+    }
+    printf("memcpy of %zu MiB: %.1f GB/s, of the thread's clock\n", bytes >> 20,
+           1e-9 * (double)bytes / least);
+    free(from);
+    free(to);
+}
+
 /* ---- two threads beside two processes ---- */
 
 /* Runs the job once, in so many processes at a time, each with its own target; the seconds until all are done. */
@@ -499,6 +522,7 @@ int main(int argc, char **argv)
     const char *wanted_set = at < argc ? argv[at] : "";
     const char *wanted = at + 1 < argc ? argv[at + 1] : "";
     all_jobs *all = allocate(1, sizeof *all);
+    time_memory(rounds);
     all->scene = scene_waves(10.0 * 2.0 * 3.14159265358979323846 / WIDTH, 1);
     printf("%-8s %-14s %-14s %7s %7s %9s %9s %9s %7s %7s\n", "set", "job", "way", "cpu", "wall",
            "source", "sampling", "geometry", "exact,%", "dB");

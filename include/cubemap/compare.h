@@ -11,7 +11,7 @@
  *   errors      a call that fails leaves figures untouched; a map may be written in part
  *   example     cm_image reference = {sizeof reference, pixels, CM_PIXEL_U8, 512, 256, 3, 0, 0}, picture = ...;
  *               cm_error_figures figures = {sizeof figures};
- *               cm_compare_errors(&reference, &picture, NULL, &figures); figures.psnr is in dB
+ *               cm_compare_errors(&reference, &picture, NULL, &figures); figures.psnr is in dB; docs/guide/comparing.md
  */
 #ifndef CUBEMAP_COMPARE_H
 #define CUBEMAP_COMPARE_H

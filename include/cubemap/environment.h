@@ -62,7 +62,8 @@ CM_API cm_status cm_harmonics_evaluate(uint32_t degree, uint32_t channels,
  * Errors: CM_ERROR_ARGUMENT, CM_ERROR_RANGE (degree). */
 CM_API cm_status cm_harmonics_cosine_lobe(uint32_t degree, double *factor);
 
-/* The same for the lobe that cm_environment_prefilter has at a roughness from 0 to 1; radiance 1 stays 1. */
+/* The same for the lobe that cm_environment_prefilter has at a roughness from 0 to 1; radiance 1 stays 1.
+ * Errors: CM_ERROR_ARGUMENT, CM_ERROR_RANGE (degree, roughness). */
 CM_API cm_status cm_harmonics_ggx_lobe(uint32_t degree, double roughness, double *factor);
 
 /* What damps the higher degrees, so that the sum does not ring (Sloan 2008, "Windowing"). */

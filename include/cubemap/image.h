@@ -129,7 +129,7 @@ CM_API uint32_t cm_surface_plane_height(const cm_surface *surface);
 
 /* Where the pixel of a plane is: in which picture, and at which column and row of it. Pixels of pictures that are on no
  * plane, the empty parts of a cross or a pad, are never read, and never written: who wants them black clears the pictures.
- * CM_OK, or CM_ERROR_RANGE if there is no such pixel. */
+ * No pointer may be NULL. CM_OK, or CM_ERROR_RANGE if there is no such pixel. */
 CM_API cm_status cm_surface_pixel(const cm_surface *surface, uint32_t plane, uint32_t column,
                                   uint32_t row, uint32_t *picture, uint32_t *picture_column,
                                   uint32_t *picture_row);
@@ -209,13 +209,27 @@ typedef enum cm_not_finite
     CM_NOT_FINITE_ZERO = 2 /* they are 0 */
 } cm_not_finite;
 
+/* Who gives memory for planes that filters need beside the pictures: coefficients of splines, 4 bytes a channel and
+ * pixel of the source, and levels of EWA, as much and a third. A program may put them into files. */
+typedef struct cm_memory
+{
+    size_t size; /* sizeof(cm_memory) */
+    /* So many bytes of any value, 1 or more, aligned to 64; NULL if there are none. Only the thread that creates or
+     * destroys what they are for calls. */
+    void *(*allocate)(void *context, size_t bytes);
+    /* What allocate has returned for so many bytes. */
+    void (*release)(void *context, void *pointer, size_t bytes);
+    void *context; /* the caller's own */
+} cm_memory;
+
 /* To be filled with zeros but for size, and for what is wanted. */
 typedef struct cm_plan_options
 {
     size_t size;      /* sizeof(cm_plan_options) */
     cm_filter filter; /* of the values */
     double
-        tolerance; /* of positions, in source pixels: 0 for 1/4096, negative for as exact as a double is */
+        tolerance; /* of positions, in source pixels: 0 for 1/4096, negative for as exact as a double is. EWA, whose
+                      footprints are as wide as target pixels, takes four times so much of one of these */
     double pixels_most; /* of one EWA footprint; 0 for 4096. A longer ellipse is shortened to it */
     cm_transfer transfer; /* of all channels but alpha */
     double
@@ -228,6 +242,8 @@ typedef struct cm_plan_options
     cm_not_finite not_finite; /* what becomes of NaN and infinities */
     int dither;               /* are whole numbers dithered? */
     const char *instructions; /* as in cm_options */
+    const cm_memory *
+        memory; /* copied; NULL: the system's. Its context must live as long as the plan and its sources */
 } cm_plan_options;
 
 /* The geometry of resampling, from cm_plan_create to cm_plan_destroy. */
@@ -289,8 +305,9 @@ CM_API cm_status cm_resample_source(const cm_plan *plan, const cm_source *source
 CM_API cm_status cm_resample(const cm_plan *plan, const cm_image *from, cm_image *to, cm_rows rows);
 
 /* Values at n directions: channels floats for each in out, 0 where the surface has none. Whole numbers are 0 to 1.
- * filter must not be CM_FILTER_EWA, which has no footprint here; CM_FILTER_AUTO is the quintic B-spline.
- * Errors: those of cm_source_create. */
+ * filter must not be CM_FILTER_EWA, which has no footprint here; CM_FILTER_AUTO is the quintic B-spline. A call makes a
+ * source of its own, which for that filter takes as long as a picture: ask for many directions at once.
+ * Errors: those of cm_source_create (CM_FILTER_EWA is CM_ERROR_ARGUMENT), CM_ERROR_RANGE (no cm_filter). */
 CM_API cm_status cm_sample(const cm_surface *surface, const cm_image *pictures, cm_filter filter,
                            size_t n, const double *x, const double *y, const double *z, float *out);
 

@@ -40,9 +40,15 @@ typedef struct cm_healpix_loops
 } cm_healpix_loops;
 
 /* The same of one point or pixel alone (lone.inc), to the bit. A pixel must be one; what is no point gives
- * CM_HEALPIX_NO_PIXEL. */
+ * CM_HEALPIX_NO_PIXEL.
+ *
+ * The first two are shorter ways, which may give that for any point: those to which they give a pixel have it by the other
+ * ways, too. Then they have raised no exception but inexact; nor have the ways from pixels, and to_ring raises none. */
 typedef struct cm_healpix_lone
 {
+    int64_t (*short_from_direction)(const cm_healpix *healpix, const double direction[3]);
+    int64_t (*short_from_angles)(const cm_healpix *healpix, int latitudes, double theta,
+                                 double phi);
     int64_t (*from_direction)(const cm_healpix *healpix, const double direction[3]);
     int64_t (*from_angles)(const cm_healpix *healpix, int latitudes, double theta, double phi);
     void (*to_direction)(const cm_healpix *healpix, int64_t pixel, double direction[3]);

@@ -315,11 +315,28 @@ static cm_status give(int64_t made, int64_t *pixel)
     return CM_OK;
 }
 
+/* After arithmetic that has raised nothing but inexact. */
+static void restore_inexact(cm_exceptions held)
+{
+    if (!cm_exceptions_hold_inexact(held))
+    {
+        cm_exceptions_restore(held);
+    }
+}
+
 cm_status cm_healpix_pixel_from_direction(const cm_healpix *healpix, const double direction[3],
                                           int64_t *pixel)
 {
     const cm_exceptions held = cm_exceptions_hold();
-    const int64_t made = healpix->set->healpix_lone->from_direction(healpix, direction);
+    const cm_healpix_lone *lone = healpix->set->healpix_lone;
+    int64_t made = lone->short_from_direction(healpix, direction);
+    if (made != CM_HEALPIX_NO_PIXEL)
+    {
+        restore_inexact(held);
+        *pixel = made;
+        return CM_OK;
+    }
+    made = lone->from_direction(healpix, direction);
     cm_exceptions_restore(held);
     return give(made, pixel);
 }
@@ -328,8 +345,15 @@ static cm_status pixel_from_angles(const cm_healpix *healpix, int latitudes, dou
                                    double phi, int64_t *pixel)
 {
     const cm_exceptions held = cm_exceptions_hold();
-    const int64_t made =
-        healpix->set->healpix_lone->from_angles(healpix, latitudes, theta, near_longitude(phi));
+    const cm_healpix_lone *lone = healpix->set->healpix_lone;
+    int64_t made = lone->short_from_angles(healpix, latitudes, theta, phi);
+    if (made != CM_HEALPIX_NO_PIXEL)
+    {
+        restore_inexact(held);
+        *pixel = made;
+        return CM_OK;
+    }
+    made = lone->from_angles(healpix, latitudes, theta, near_longitude(phi));
     cm_exceptions_restore(held);
     return give(made, pixel);
 }
@@ -355,7 +379,7 @@ cm_status cm_healpix_direction_from_pixel(const cm_healpix *healpix, int64_t pix
     }
     const cm_exceptions held = cm_exceptions_hold();
     healpix->set->healpix_lone->to_direction(healpix, pixel, direction);
-    cm_exceptions_restore(held);
+    restore_inexact(held);
     return CM_OK;
 }
 
@@ -368,7 +392,7 @@ cm_status cm_healpix_angles_from_pixel(const cm_healpix *healpix, int64_t pixel,
     }
     const cm_exceptions held = cm_exceptions_hold();
     healpix->set->healpix_lone->to_angles(healpix, 0, pixel, theta, phi);
-    cm_exceptions_restore(held);
+    restore_inexact(held);
     return CM_OK;
 }
 
@@ -380,7 +404,7 @@ cm_status cm_healpix_lonlat_from_pixel(const cm_healpix *healpix, int64_t pixel,
     }
     const cm_exceptions held = cm_exceptions_hold();
     healpix->set->healpix_lone->to_angles(healpix, 1, pixel, &lonlat[1], &lonlat[0]);
-    cm_exceptions_restore(held);
+    restore_inexact(held);
     return CM_OK;
 }
 
@@ -392,7 +416,7 @@ cm_status cm_healpix_nested_from_ring(const cm_healpix *healpix, int64_t ring, i
     }
     const cm_exceptions held = cm_exceptions_hold();
     *nested = healpix->set->healpix_lone->to_nested(healpix, ring);
-    cm_exceptions_restore(held);
+    restore_inexact(held);
     return CM_OK;
 }
 
@@ -402,8 +426,6 @@ cm_status cm_healpix_ring_from_nested(const cm_healpix *healpix, int64_t nested,
     {
         return CM_ERROR_PIXEL;
     }
-    const cm_exceptions held = cm_exceptions_hold();
     *ring = healpix->set->healpix_lone->to_ring(healpix, nested);
-    cm_exceptions_restore(held);
     return CM_OK;
 }

@@ -3,6 +3,7 @@
  * The floating-point exceptions of the caller, kept from the library's arithmetic. Loops over vectors compute both sides
  * of every choice, and what is not chosen may divide zero by zero, for good points too. Between cm_exceptions_hold and
  * cm_exceptions_restore no exception traps, and after it the flags are as they were.
+ * What raises nothing but inexact need not restore where cm_exceptions_hold_inexact.
  *
  * Compilers do not know that arithmetic changes flags: between the two must stand what they cannot move, calls and what
  * reads and writes memory.
@@ -26,7 +27,14 @@ static inline cm_exceptions cm_exceptions_hold(void)
     return held;
 }
 
-/* Most programs have the inexact flag set for long, and then nothing is to be done. */
+/* Is the inexact flag set already, and does nothing trap? So it is in most programs, for long. */
+static inline int cm_exceptions_hold_inexact(cm_exceptions held)
+{
+    const unsigned wanted = _MM_MASK_MASK | _MM_EXCEPT_INEXACT;
+    return (held & wanted) == wanted;
+}
+
+/* To read the flags waits for all arithmetic before it, but to write them takes longer. */
 static inline void cm_exceptions_restore(cm_exceptions held)
 {
     if (_mm_getcsr() != held)
@@ -45,6 +53,11 @@ static inline cm_exceptions cm_exceptions_hold(void)
     uint64_t held;
     __asm__ volatile("mrs %0, fpsr" : "=r"(held)::"memory");
     return held;
+}
+
+static inline int cm_exceptions_hold_inexact(cm_exceptions held)
+{
+    return (held >> 4 & 1) != 0;
 }
 
 static inline void cm_exceptions_restore(cm_exceptions held)
@@ -66,6 +79,12 @@ static inline cm_exceptions cm_exceptions_hold(void)
     fenv_t held;
     (void)feholdexcept(&held);
     return held;
+}
+
+static inline int cm_exceptions_hold_inexact(cm_exceptions held)
+{
+    (void)held;
+    return 0;
 }
 
 static inline void cm_exceptions_restore(cm_exceptions held)

@@ -5,6 +5,7 @@
 #include "color_spaces.h"
 
 #include <cubemap/colormap.h>
+#include <cubemap/srgb.h>
 
 #include <math.h>
 
@@ -144,31 +145,13 @@ void cm_colormap_luv_from_linear(const double linear[3], double luv[3])
     }
 }
 
-/* ---- the transfer function: IEC 61966-2-1, 5.2 ---- */
-
-/* Where 12.92 c and 1.055 c^(1 / 2.4) - 0.055 meet. */
-#define LINEAR_JOINT 0.00313066844250063403
-#define SRGB_JOINT (12.92 * LINEAR_JOINT)
-
-static double encode(double linear)
-{
-    const double size = fabs(linear);
-    const double value = size <= LINEAR_JOINT ? 12.92 * size : 1.055 * pow(size, 1.0 / 2.4) - 0.055;
-    return isfinite(linear) ? copysign(value, linear) : (double)NAN;
-}
-
-static double decode(double srgb)
-{
-    const double size = fabs(srgb);
-    const double value = size <= SRGB_JOINT ? size / 12.92 : pow((size + 0.055) / 1.055, 2.4);
-    return isfinite(srgb) ? copysign(value, srgb) : (double)NAN;
-}
+/* ---- the transfer function ---- */
 
 void cm_colormap_srgb_from_linear(const double linear[3], double srgb[3])
 {
     for (int i = 0; i < 3; i++)
     {
-        srgb[i] = encode(linear[i]);
+        srgb[i] = isfinite(linear[i]) ? cm_srgb_from_light(linear[i]) : (double)NAN;
     }
 }
 
@@ -176,7 +159,7 @@ void cm_colormap_linear_from_srgb(const double srgb[3], double linear[3])
 {
     for (int i = 0; i < 3; i++)
     {
-        linear[i] = decode(srgb[i]);
+        linear[i] = isfinite(srgb[i]) ? cm_light_from_srgb(srgb[i]) : (double)NAN;
     }
 }
 

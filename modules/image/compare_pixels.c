@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "half.h"
+
 int cm_compare_is_whole(cm_pixel_type type)
 {
     return type == CM_PIXEL_U8 || type == CM_PIXEL_U16;
@@ -30,31 +32,15 @@ int cm_compare_options_of(const cm_compare_options *given, cm_compare_options *o
 
 /* ---- what pictures are ---- */
 
-static size_t size_of(cm_pixel_type type)
-{
-    switch (type)
-    {
-    case CM_PIXEL_U8:
-        return sizeof(uint8_t);
-    case CM_PIXEL_U16:
-    case CM_PIXEL_HALF:
-        return sizeof(uint16_t);
-    case CM_PIXEL_FLOAT:
-        return sizeof(float);
-    default:
-        return 0;
-    }
-}
-
 cm_status cm_compare_image(const cm_image *given, cm_image *image)
 {
     if (given == NULL || given->size != sizeof *given || given->data == NULL ||
-        size_of(given->type) == 0 || given->width == 0 || given->height == 0 ||
+        cm_pixel_size(given->type) == 0 || given->width == 0 || given->height == 0 ||
         given->channels == 0 || given->channels > CM_CHANNELS_MAX)
     {
         return CM_ERROR_ARGUMENT;
     }
-    const ptrdiff_t pixel = (ptrdiff_t)(given->channels * size_of(given->type));
+    const ptrdiff_t pixel = (ptrdiff_t)(given->channels * cm_pixel_size(given->type));
     *image = *given;
     image->pixel_stride = given->pixel_stride == 0 ? pixel : given->pixel_stride;
     const ptrdiff_t step = image->pixel_stride < 0 ? -image->pixel_stride : image->pixel_stride;
@@ -136,46 +122,22 @@ cm_status cm_compare_map(const cm_image *given, const cm_image *like, cm_image *
     return map->width == like->width && map->height == like->height ? CM_OK : CM_ERROR_RANGE;
 }
 
-/* ---- IEC 60559 binary16 ---- */
-
-static double from_half(uint16_t half)
+cm_status cm_compare_request_of(const cm_image *reference, const cm_image *picture,
+                                const cm_compare_options *options, const cm_map_figures *figures,
+                                const cm_image *map, cm_compare_request *request)
 {
-    const int exponent = (half >> 10) & 31;
-    const int fraction = half & 1023;
-    double size;
-    if (exponent == 31)
+    if (!cm_compare_options_of(options, &request->options) ||
+        request->options.not_finite == CM_COMPARE_ALIKE ||
+        (figures != NULL && figures->size != sizeof *figures))
     {
-        size = fraction == 0 ? (double)INFINITY : (double)NAN;
+        return CM_ERROR_ARGUMENT;
     }
-    else
-    {
-        size = exponent == 0 ? ldexp(fraction, -24) : ldexp(1024 + fraction, exponent - 25);
-    }
-    return (half & 0x8000) != 0 ? -size : size;
-}
-
-/* The nearest, that with an even last digit of two. */
-static uint16_t to_half(double value)
-{
-    const unsigned sign = signbit(value) ? 0x8000 : 0;
-    const double size = fabs(value);
-    if (isnan(value))
-    {
-        return 0x7e00;
-    }
-    if (size >= 65520.0) /* half a step above the greatest one */
-    {
-        return (uint16_t)(sign | 0x7c00);
-    }
-    int exponent = -14;
-    if (size >= ldexp(1.0, -14))
-    {
-        frexp(size, &exponent);
-        exponent--;
-    }
-    /* a fraction that rounds up to the next power of two carries into the exponent, as it should */
-    const unsigned steps = (unsigned)nearbyint(ldexp(size, 10 - exponent));
-    return (uint16_t)(sign | ((unsigned)(exponent + 14) * 1024 + steps));
+    const cm_status status =
+        cm_compare_pair_of(reference, picture, request->options.weights, &request->pair);
+    request->map_wanted = map != NULL ? &request->map : NULL;
+    return status == CM_OK && map != NULL
+               ? cm_compare_map(map, &request->pair.picture, &request->map)
+               : status;
 }
 
 /* ---- pixels as numbers ---- */
@@ -183,7 +145,8 @@ static uint16_t to_half(double value)
 static unsigned char *place(const cm_image *image, uint64_t row, uint32_t column, uint32_t channel)
 {
     return (unsigned char *)image->data + (ptrdiff_t)row * image->row_stride +
-           (ptrdiff_t)column * image->pixel_stride + (ptrdiff_t)(channel * size_of(image->type));
+           (ptrdiff_t)column * image->pixel_stride +
+           (ptrdiff_t)(channel * cm_pixel_size(image->type));
 }
 
 void cm_compare_read(const cm_image *image, uint64_t row, uint32_t column, size_t count,
@@ -208,7 +171,8 @@ void cm_compare_read(const cm_image *image, uint64_t row, uint32_t column, size_
     case CM_PIXEL_HALF:
         for (size_t i = 0; i < count; i++)
         {
-            values[i] = from_half(*(const uint16_t *)(const void *)(from + (ptrdiff_t)i * step));
+            values[i] = (double)cm_float_of_half(
+                *(const uint16_t *)(const void *)(from + (ptrdiff_t)i * step));
         }
         break;
     default:
@@ -240,7 +204,7 @@ void cm_compare_write(const cm_image *image, uint64_t row, uint32_t column, size
             *(uint16_t *)(void *)to = (uint16_t)(unit(values[i]) * 65535.0 + 0.5);
             break;
         case CM_PIXEL_HALF:
-            *(uint16_t *)(void *)to = to_half(values[i]);
+            *(uint16_t *)(void *)to = cm_half_of_float((float)values[i]);
             break;
         default:
             *(float *)(void *)to = (float)values[i];

@@ -29,6 +29,19 @@ cm_status cm_compare_pair_of(const cm_image *reference, const cm_image *picture,
 /* A map of floats of the picture's size. */
 cm_status cm_compare_map(const cm_image *given, const cm_image *like, cm_image *map);
 
+/* What a measure with windows is given, checked: its pair, its options, and its map, unless that is NULL. */
+typedef struct cm_compare_request
+{
+    cm_compare_pair pair;
+    cm_compare_options options;
+    cm_image map;
+    const cm_image *map_wanted; /* &map, or NULL */
+} cm_compare_request;
+
+cm_status cm_compare_request_of(const cm_image *reference, const cm_image *picture,
+                                const cm_compare_options *options, const cm_map_figures *figures,
+                                const cm_image *map, cm_compare_request *request);
+
 /* Are these whole numbers, which stand for 0 to 1? */
 int cm_compare_is_whole(cm_pixel_type type);
 

@@ -164,25 +164,15 @@ cm_status cm_ssim(const cm_image *reference, const cm_image *picture,
                   const cm_compare_options *options, cm_map_figures *figures, const cm_image *map,
                   double *channel_means)
 {
-    cm_compare_options wanted;
-    cm_compare_pair pair;
-    cm_image map_found;
+    cm_compare_request request;
     ssim how;
-    if (!cm_compare_options_of(options, &wanted) || wanted.not_finite == CM_COMPARE_ALIKE ||
-        (figures != NULL && figures->size != sizeof *figures))
-    {
-        return CM_ERROR_ARGUMENT;
-    }
-    cm_status status = cm_compare_pair_of(reference, picture, wanted.weights, &pair);
-    if (status == CM_OK && map != NULL)
-    {
-        status = cm_compare_map(map, &pair.picture, &map_found);
-    }
+    const cm_status status =
+        cm_compare_request_of(reference, picture, options, figures, map, &request);
     if (status != CM_OK)
     {
         return status;
     }
-    const double peak = peak_of(&pair, &wanted);
+    const double peak = peak_of(&request.pair, &request.options);
     double sum = 0.0;
     how.c1 = k1 * peak * (k1 * peak);
     how.c2 = k2 * peak * (k2 * peak);
@@ -195,10 +185,10 @@ cm_status cm_ssim(const cm_image *reference, const cm_image *picture,
     {
         how.window[i] /= sum;
     }
-    const cm_compare_task task = {.pair = &pair,
-                                  .options = &wanted,
-                                  .map = map == NULL ? NULL : &map_found,
-                                  .values = pair.picture.channels,
+    const cm_compare_task task = {.pair = &request.pair,
+                                  .options = &request.options,
+                                  .map = request.map_wanted,
+                                  .values = request.pair.picture.channels,
                                   .work = 4 * AROUND_PIXELS + 5 * CM_TILE_PIXELS,
                                   .call = measure,
                                   .measure = &how};

@@ -74,7 +74,9 @@ static void weigh_pixels(size_t begin, size_t end, void *user)
 cm_status cm_face_weights(const cm_mapping *mapping, uint8_t face, uint32_t edge, unsigned threads,
                           float *weights)
 {
-    if (mapping == NULL || weights == NULL || face > 5 || edge == 0 || edge > SIZE_MAX / edge)
+    const unsigned faces =
+        mapping != NULL && cm_mapping_describe(mapping)->kind == CM_KIND_CUBE ? 6 : 1;
+    if (mapping == NULL || weights == NULL || face >= faces || edge == 0 || edge > SIZE_MAX / edge)
     {
         return CM_ERROR_ARGUMENT;
     }

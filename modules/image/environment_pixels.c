@@ -6,10 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-static size_t size_of(cm_pixel_type type)
-{
-    return type == CM_PIXEL_U8 ? 1 : type == CM_PIXEL_FLOAT ? 4 : 2;
-}
+#include "half.h"
 
 cm_status cm_pixels_check(const cm_image *image, uint32_t channels_most)
 {
@@ -55,44 +52,11 @@ cm_status cm_faces_check(const cm_mapping *mapping, const cm_image *faces)
 
 static unsigned char *address(const cm_image *image, uint32_t row, uint32_t column)
 {
-    const ptrdiff_t dense = (ptrdiff_t)(image->channels * size_of(image->type));
+    const ptrdiff_t dense = (ptrdiff_t)(image->channels * cm_pixel_size(image->type));
     const ptrdiff_t across = image->pixel_stride != 0 ? image->pixel_stride : dense;
     const ptrdiff_t down =
         image->row_stride != 0 ? image->row_stride : across * (ptrdiff_t)image->width;
     return (unsigned char *)image->data + (ptrdiff_t)row * down + (ptrdiff_t)column * across;
-}
-
-/* ---- IEC 60559 binary16: sign, 5 bits of exponent with the bias 15, 10 of fraction ---- */
-
-static float half_to_float(uint16_t half)
-{
-    const int exponent = half >> 10 & 31;
-    const int fraction = half & 1023;
-    const float size = exponent == 31  ? (fraction == 0 ? (float)INFINITY : (float)NAN)
-                       : exponent == 0 ? ldexpf((float)fraction, -24)
-                                       : ldexpf((float)(fraction + 1024), exponent - 25);
-    return half >> 15 ? -size : size;
-}
-
-/* To the nearest, ties to even; from 65520 on infinite. */
-static uint16_t float_to_half(float value)
-{
-    const uint16_t sign = signbit(value) ? 0x8000 : 0;
-    const float size = fabsf(value);
-    if (isnan(size))
-    {
-        return (uint16_t)(sign | 0x7e00);
-    }
-    if (size >= 65520.0F)
-    {
-        return (uint16_t)(sign | 0x7c00);
-    }
-    int exponent = 0;
-    frexpf(size, &exponent);
-    /* size is in units of the last bit; a fraction that overflows goes into the exponent as it should */
-    const int last = size < 0x1p-14F ? -24 : exponent - 11;
-    const int units = (int)nearbyintf(ldexpf(size, -last));
-    return (uint16_t)(sign | (last == -24 ? units : ((last + 24) << 10) + units));
 }
 
 /* ---- pixels ---- */
@@ -114,7 +78,7 @@ void cm_pixel_load(const cm_image *image, uint32_t row, uint32_t column, float *
             break;
         case CM_PIXEL_HALF:
             memcpy(&number, from + 2 * (size_t)c, 2);
-            value[c] = half_to_float(number);
+            value[c] = cm_float_of_half(number);
             break;
         case CM_PIXEL_FLOAT:
             memcpy(&value[c], from + 4 * (size_t)c, 4);
@@ -145,7 +109,7 @@ void cm_pixel_store(const cm_image *image, uint32_t row, uint32_t column, const 
             memcpy(to + 2 * (size_t)c, &number, 2);
             break;
         case CM_PIXEL_HALF:
-            number = float_to_half(value[c]);
+            number = cm_half_of_float(value[c]);
             memcpy(to + 2 * (size_t)c, &number, 2);
             break;
         case CM_PIXEL_FLOAT:

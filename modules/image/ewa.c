@@ -15,6 +15,9 @@
 
 #define PI 3.14159265358979323846
 
+/* Pixels beyond the edges of the pictures themselves: what is seldom more than 2.25 pixels wide reaches 5 of them. */
+#define PICTURE_BORDER 8
+
 /* 2 J1(pi x) / (pi x), by its series (Abramowitz, Stegun 9.1.10). */
 static double jinc(double x)
 {
@@ -29,44 +32,55 @@ static double jinc(double x)
     return sum;
 }
 
-/* The kernel over u^2, where u is 1 less the square of the place, 0 at the kernel's edge: it has a double zero there. */
-static double smooth_part(double u)
+/* Points at which the polynomial is fitted. */
+#define FITTED 256
+
+/* Adds one point's equation to the normal ones of coefficients, the right side last. */
+static void add_point(double r, double sums[CM_EWA_TERMS][CM_EWA_TERMS + 1])
 {
-    const double x = sqrt(1.0 - u) * JINC_TWO;
-    return jinc(x) * jinc(x * JINC_ONE / JINC_TWO) / (u * u);
+    const double value = jinc(r) * jinc(r * JINC_ONE / JINC_TWO);
+    const double u = 1.0 - r * r / (JINC_TWO * JINC_TWO);
+    double power[CM_EWA_TERMS] = {u * u};
+    for (int k = 1; k < CM_EWA_TERMS; k++)
+    {
+        power[k] = power[k - 1] * u;
+    }
+    for (int i = 0; i < CM_EWA_TERMS; i++)
+    {
+        for (int k = 0; k < CM_EWA_TERMS; k++)
+        {
+            sums[i][k] += r * power[i] * power[k];
+        }
+        sums[i][CM_EWA_TERMS] += r * power[i] * value;
+    }
 }
 
-/* The polynomial through that at Chebyshev's points, by divided differences. */
+/* The polynomial with the least squares over the kernel's area. Its stop band is that of the kernel itself to a decibel. */
 static void make_kernel(cm_ewa_kernel *kernel)
 {
     enum
     {
         N = CM_EWA_TERMS
     };
-    double at[N], difference[N], term[N] = {0};
-    for (int i = 0; i < N; i++)
+    double sums[N][N + 1] = {{0.0}};
+    for (int i = 0; i < FITTED; i++)
     {
-        at[i] = 0.5 + 0.5 * cos(PI * (i + 0.5) / N);
-        difference[i] = smooth_part(at[i]);
-    }
-    for (int order = 1; order < N; order++)
-    {
-        for (int i = N - 1; i >= order; i--)
-        {
-            difference[i] = (difference[i] - difference[i - 1]) / (at[i] - at[i - order]);
-        }
-    }
-    for (int i = N - 1; i >= 0; i--)
-    {
-        for (int k = N - 1; k > 0; k--)
-        {
-            term[k] = term[k - 1] - at[i] * term[k];
-        }
-        term[0] = difference[i] - at[i] * term[0];
+        add_point(JINC_TWO * (i + 0.5) / FITTED, sums);
     }
     for (int i = 0; i < N; i++)
     {
-        kernel->term[i] = (float)term[i];
+        for (int below = 0; below < N; below++)
+        {
+            const double share = below == i ? 0.0 : sums[below][i] / sums[i][i];
+            for (int k = i; k <= N; k++)
+            {
+                sums[below][k] -= share * sums[i][k];
+            }
+        }
+    }
+    for (int i = 0; i < N; i++)
+    {
+        kernel->term[i] = (float)(sums[i][N] / sums[i][i]);
     }
     kernel->radius = (float)JINC_TWO;
 }
@@ -75,7 +89,7 @@ static void make_kernel(cm_ewa_kernel *kernel)
 
 cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const cm_values *values,
                       const cm_sample_set *set, const cm_filter_table *table, double pixels_most,
-                      unsigned threads, cm_ewa *ewa)
+                      const cm_memory *memory, int is_whole, unsigned threads, cm_ewa *ewa)
 {
     memset(ewa, 0, sizeof *ewa);
     ewa->set = cm_filter_set_find(set->name);
@@ -83,12 +97,14 @@ cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const
     ewa->pixels_most = (float)fmin(pixels_most, 1e9);
     make_kernel(&ewa->kernel);
     const unsigned count = cm_level_count(surface->width, surface->height);
-    const cm_status status =
-        cm_pyramid_make(surface, pictures, values, set, count, threads, &ewa->pyramid);
-    for (unsigned k = 0; status == CM_OK && k < count; k++)
+    const cm_status status = cm_pyramid_make(surface, pictures, values, set, count, PICTURE_BORDER,
+                                             is_whole, memory, threads, &ewa->pyramid);
+    ewa->width[0] = surface->width;
+    ewa->height[0] = surface->height;
+    for (unsigned k = 1; k < count; k++)
     {
-        ewa->across[k] = (float)ewa->pyramid.level[k].width / (float)surface->width;
-        ewa->down[k] = (float)ewa->pyramid.level[k].height / (float)surface->height;
+        ewa->width[k] = cm_half_size(ewa->width[k - 1]);
+        ewa->height[k] = cm_half_size(ewa->height[k - 1]);
     }
     return status;
 }
@@ -110,42 +126,47 @@ static int32_t floor_of(double x)
 typedef struct ewa_desk
 {
     const cm_group *group;
+    cm_scratch *scratch;
+    float *to;
     cm_ewa_axes axes;
     cm_ewa_shapes shapes;
+    cm_ewa_frame frame; /* of the level that is being done */
+    int32_t column;     /* the pixel of the level that the frame's places are from */
+    int32_t row;
 } ewa_desk;
 
-/* A footprint in pixels of its level, from the origin (column, row), a pixel's centre. */
-static cm_ewa_footprint place_on(const cm_ewa *ewa, const ewa_desk *desk, unsigned i, unsigned k,
-                                 int32_t *column, int32_t *row)
+/* Pixels beyond the edges of a level. */
+static void border_of(const cm_ewa *ewa, unsigned k, int32_t *beside, int32_t *beyond)
 {
-    const cm_group *group = desk->group;
-    const cm_ewa_shapes *shapes = &desk->shapes;
-    const cm_padded *level = &ewa->pyramid.level[k];
-    const double x = ((double)group->column + (double)group->x[i] + 0.5) * (double)ewa->across[k];
-    const double y = ((double)group->row + (double)group->y[i] + 0.5) * (double)ewa->down[k];
-    *column = floor_of(x);
-    *row = floor_of(y);
-    const cm_ewa_footprint print = {.x = (float)(x - 0.5 - *column),
-                                    .y = (float)(y - 0.5 - *row),
-                                    .a = shapes->a[i],
-                                    .b = shapes->b[i],
-                                    .c = shapes->c[i],
-                                    .half_width = shapes->half_width[i],
-                                    .half_height = shapes->half_height[i],
-                                    .left = -level->beside - *column,
-                                    .top = -level->beyond - *row,
-                                    .right = (int32_t)level->width + level->beside - 1 - *column,
-                                    .bottom = (int32_t)level->height + level->beyond - 1 - *row};
-    return print;
+    const cm_level *pictures = &ewa->pyramid.pictures;
+    if (k > 0)
+    {
+        *beside = ewa->pyramid.level[k].beside;
+        *beyond = ewa->pyramid.level[k].beyond;
+        return;
+    }
+    *beside = ewa->pyramid.reader.period != 0 ? CM_PYRAMID_BESIDE : pictures->reach;
+    *beyond = pictures->reach;
 }
 
-/* Are all pixels of the footprint there? */
-static int is_whole(const cm_ewa_footprint *print)
+static void frame_level(const cm_ewa *ewa, ewa_desk *desk, unsigned k)
 {
-    return print->half_width <= (float)(-1 - print->left) &&
-           print->half_width <= (float)(print->right - 1) &&
-           print->half_height <= (float)(-1 - print->top) &&
-           print->half_height <= (float)(print->bottom - 1);
+    const double across = (double)ewa->width[k] / ewa->width[0];
+    const double down = (double)ewa->height[k] / ewa->height[0];
+    const double x = (desk->group->column + 0.5) * across;
+    const double y = (desk->group->row + 0.5) * down;
+    int32_t beside, beyond;
+    border_of(ewa, k, &beside, &beyond);
+    desk->column = floor_of(x);
+    desk->row = floor_of(y);
+    desk->frame = (cm_ewa_frame){.across = (float)across,
+                                 .down = (float)down,
+                                 .x = (float)(x - 0.5 - desk->column),
+                                 .y = (float)(y - 0.5 - desk->row),
+                                 .left = -beside - desk->column,
+                                 .right = (int32_t)ewa->width[k] + beside - 1 - desk->column,
+                                 .top = -beyond - desk->row,
+                                 .bottom = (int32_t)ewa->height[k] + beyond - 1 - desk->row};
 }
 
 /* How much of the value is that of spline36: all of it to where the major axis is one pixel, none from 5/4. */
@@ -155,71 +176,238 @@ static float sharpness(float major)
     return rest > 1.0f ? 1.0f : rest;
 }
 
-static void choose_scale(const cm_ewa *ewa, ewa_desk *desk, unsigned i, unsigned k)
+/* Pixels of a group on one level that is there, from the pixel that the frame's places are from. */
+static void sum_pixels(const cm_ewa *ewa, const ewa_desk *desk, const cm_ewa_pixels *pixels,
+                       size_t n, const uint8_t *which)
 {
-    desk->axes.level[i] = (int32_t)k;
-    desk->shapes.across[i] = ewa->across[k];
-    desk->shapes.down[i] = ewa->down[k];
-}
-
-/* The footprints of a run of pixels that are not whole on their levels, on coarser ones. Shapes are made in runs only, so
- * that each has the same bits. */
-static void make_whole(const cm_ewa *ewa, ewa_desk *desk)
-{
-    const unsigned last = ewa->pyramid.count - 1;
-    const unsigned count = desk->group->count;
-    for (int again = 1; again;)
+    uint8_t whole[CM_EWA_MOST] = {0};
+    size_t count = 0;
+    for (size_t i = 0; i < n; i++)
     {
-        again = 0;
-        ewa->set->ewa_shapes(count, &desk->axes, &ewa->kernel, ewa->pixels_most, &desk->shapes);
-        for (unsigned i = 0; i < count; i++)
+        whole[count] = which[i];
+        count += desk->shapes.whole[which[i]] && desk->axes.major[which[i]] > 1.0f;
+    }
+    ewa->set->ewa_sums(count, whole, &desk->shapes, pixels, &ewa->kernel, desk->to);
+    for (size_t i = 0; i < n; i++)
+    {
+        const unsigned at = which[i];
+        const float sharp = sharpness(desk->axes.major[at]);
+        float *to = desk->to + at * pixels->channels;
+        if (!desk->shapes.whole[at] && sharp < 1.0f)
         {
-            int32_t column, row;
-            const unsigned k = (unsigned)desk->axes.level[i];
-            const cm_ewa_footprint print = place_on(ewa, desk, i, k, &column, &row);
-            if (k < last && !is_whole(&print))
-            {
-                choose_scale(ewa, desk, i, k + 1);
-                again = 1;
-            }
+            ewa->set->ewa_sum_cut(at, &desk->shapes, pixels, &desk->frame, &ewa->kernel, to);
+        }
+        if (sharp > 0.0f)
+        {
+            ewa->set->ewa_sharp(at, &desk->shapes, pixels, ewa->table, sharp, to);
         }
     }
 }
 
-static void do_pixel(const cm_ewa *ewa, const ewa_desk *desk, unsigned i, float *to)
+/* ---- windows ---- */
+
+/* Are footprints on that level laid on floats in windows? Else the level itself is floats. */
+static int has_windows(const cm_ewa *ewa, unsigned k)
 {
-    const float sharp = sharpness(desk->axes.major[i]);
-    const unsigned k = (unsigned)desk->axes.level[i];
-    const cm_padded *level = &ewa->pyramid.level[k];
-    int32_t column, row;
-    const cm_ewa_footprint print = place_on(ewa, desk, i, k, &column, &row);
-    const float *first = level->first[desk->group->plane] + row * level->row + column;
-    if (sharp < 1.0f)
+    return k == 0 || ewa->pyramid.is_whole;
+}
+
+/* A window may have so many pixels; where one pixel's ellipse alone needs more, it is looked for on the next level. */
+#define WINDOW_MOST ((int64_t)1 << 18)
+#define WINDOW_SHARED 64
+
+typedef struct window_box
+{
+    int32_t left;
+    int32_t right;
+    int32_t top;
+    int32_t bottom;
+} window_box;
+
+/* With what sharpness needs. */
+static window_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
+{
+    const cm_ewa_shapes *shapes = &desk->shapes;
+    const cm_ewa_frame *frame = &desk->frame;
+    window_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+    for (size_t i = 0; i < n; i++)
     {
-        (is_whole(&print) ? ewa->set->ewa_sum : ewa->set->ewa_sum_cut)(
-            first, level->row, level->channel, level->channels, &print, &ewa->kernel, to);
+        const unsigned at = which[i];
+        box.left = shapes->left[at] < box.left ? shapes->left[at] : box.left;
+        box.right = shapes->right[at] > box.right ? shapes->right[at] : box.right;
+        box.top = shapes->top[at] < box.top ? shapes->top[at] : box.top;
+        box.bottom = shapes->bottom[at] > box.bottom ? shapes->bottom[at] : box.bottom;
     }
-    if (sharp > 0.0f)
+    box.left = box.left - 1 > frame->left ? box.left - 1 : frame->left;
+    box.right = box.right + 1 < frame->right ? box.right + 1 : frame->right;
+    box.top = box.top - 1 > frame->top ? box.top - 1 : frame->top;
+    box.bottom = box.bottom + 1 < frame->bottom ? box.bottom + 1 : frame->bottom;
+    return box;
+}
+
+static int64_t box_pixels(const window_box *box)
+{
+    return ((int64_t)box->right - box->left + 1) * ((int64_t)box->bottom - box->top + 1);
+}
+
+/* A row of a window of level k, of channels `line` floats apart. Behind the row there are zeros, or other numbers of the
+ * level, none of which is infinite. */
+static void read_row(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, int32_t left, int32_t row,
+                     size_t width, size_t line, float *run, float *to)
+{
+    const size_t channels = ewa->pyramid.pictures.channels;
+    const unsigned plane = desk->group->plane;
+    if (k > 0)
     {
-        ewa->set->ewa_sharp(first, level->row, level->channel, level->channels, &print, ewa->table,
-                            sharp, to);
+        const cm_padded *level = &ewa->pyramid.level[k];
+        const int16_t *from =
+            level->whole[plane] + (desk->row + row) * level->row + desk->column + left;
+        for (size_t c = 0; c < channels; c++)
+        {
+            ewa->set->from_whole(line, from + (ptrdiff_t)c * level->channel, CM_PADDED_ONE,
+                                 to + c * line);
+        }
+        return;
+    }
+    cm_level_read(&ewa->pyramid.reader, plane, desk->column + left, desk->row + row, (int32_t)width,
+                  run);
+    ewa->set->part_channels(run, channels, width, to, (ptrdiff_t)line);
+    for (size_t c = 0; c < channels; c++)
+    {
+        memset(to + c * line + width, 0, (line - width) * sizeof(float));
     }
 }
 
-void cm_ewa_group(const cm_ewa *ewa, const cm_group *group, float *to)
+/* The window's pixels as floats, channel by channel. */
+static cm_status open_window(const cm_ewa *ewa, const ewa_desk *desk, unsigned k,
+                             const window_box *box, cm_ewa_pixels *pixels)
+{
+    const size_t channels = ewa->pyramid.pictures.channels;
+    const size_t width = (size_t)(box->right - box->left + 1);
+    const size_t height = (size_t)(box->bottom - box->top + 1);
+    const size_t line = (width + 15) / 16 * 16 + (k > 0 ? 0 : CM_WINDOW_SLACK / sizeof(float));
+    const cm_status status = cm_scratch_room(
+        desk->scratch, (height + 1) * line * channels * sizeof(float) + CM_WINDOW_SLACK);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    float *window = (float *)(void *)desk->scratch->bytes;
+    float *run = window + height * line * channels;
+    for (size_t row = 0; row < height; row++)
+    {
+        read_row(ewa, desk, k, box->left, box->top + (int32_t)row, width, line, run,
+                 window + row * line * channels);
+    }
+    pixels->row = (ptrdiff_t)(line * channels);
+    pixels->channel = (ptrdiff_t)line;
+    pixels->channels = channels;
+    pixels->first = window - box->top * pixels->row - box->left;
+    return CM_OK;
+}
+
+/* Pixels of a group by one window, or by more where it would be large. */
+static cm_status sum_windows(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, size_t n,
+                             const uint8_t *which)
+{
+    const window_box box = box_of(desk, n, which);
+    if (n > 1 && box_pixels(&box) > (int64_t)(n * WINDOW_SHARED))
+    {
+        const cm_status status = sum_windows(ewa, desk, k, n / 2, which);
+        return status == CM_OK ? sum_windows(ewa, desk, k, n - n / 2, which + n / 2) : status;
+    }
+    cm_ewa_pixels pixels;
+    const cm_status status = open_window(ewa, desk, k, &box, &pixels);
+    if (status == CM_OK)
+    {
+        sum_pixels(ewa, desk, &pixels, n, which);
+    }
+    return status;
+}
+
+/* ---- groups ---- */
+
+/* Is the footprint to be laid on this level, of those that are not on a coarser one anyhow? */
+static int suits(const cm_ewa *ewa, const ewa_desk *desk, unsigned i, unsigned k)
+{
+    const uint8_t which = (uint8_t)i;
+    if (k == ewa->pyramid.count - 1)
+    {
+        return 1;
+    }
+    if (!desk->shapes.whole[i])
+    {
+        return 0;
+    }
+    const window_box box = box_of(desk, 1, &which);
+    return !has_windows(ewa, k) || box_pixels(&box) <= WINDOW_MOST;
+}
+
+/* Pixels of the group that are done on level k; others that wanted to be go to the next one. */
+static size_t take_level(const cm_ewa *ewa, ewa_desk *desk, unsigned k, uint8_t *which)
+{
+    size_t n = 0;
+    frame_level(ewa, desk, k);
+    ewa->set->ewa_shapes(desk->group->count, desk->group->x, desk->group->y, &desk->axes,
+                         &ewa->kernel, ewa->pixels_most, &desk->frame, &desk->shapes);
+    for (unsigned i = 0; i < desk->group->count; i++)
+    {
+        if (desk->axes.level[i] != (int32_t)k)
+        {
+            continue;
+        }
+        if (suits(ewa, desk, i, k))
+        {
+            which[n++] = (uint8_t)i;
+        }
+        else
+        {
+            desk->axes.level[i]++;
+        }
+    }
+    return n;
+}
+
+static cm_status do_level(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, size_t n,
+                          const uint8_t *which)
+{
+    if (n == 0)
+    {
+        return CM_OK;
+    }
+    if (has_windows(ewa, k))
+    {
+        return sum_windows(ewa, desk, k, n, which);
+    }
+    const cm_padded *level = &ewa->pyramid.level[k];
+    const cm_ewa_pixels pixels = {level->first[desk->group->plane] + desk->row * level->row +
+                                      desk->column,
+                                  level->row, level->channel, level->channels};
+    sum_pixels(ewa, desk, &pixels, n, which);
+    return CM_OK;
+}
+
+cm_status cm_ewa_group(const cm_ewa *ewa, const cm_group *group, cm_scratch *scratch, float *to)
 {
     ewa_desk desk;
-    const uint32_t channels = ewa->pyramid.level[0].channels;
+    uint8_t which[CM_EWA_MOST] = {0};
+    cm_status status = CM_OK;
+    size_t rest = group->count;
     desk.group = group;
+    desk.scratch = scratch;
+    desk.to = to;
     ewa->set->ewa_axes(group->count, group->by_column[0], group->by_column[1], group->by_row[0],
                        group->by_row[1], CM_EWA_MINOR, ewa->pyramid.count, &desk.axes);
-    for (unsigned i = 0; i < group->count; i++)
+    int32_t first = desk.axes.level[0];
+    for (unsigned i = 1; i < group->count; i++)
     {
-        choose_scale(ewa, &desk, i, (unsigned)desk.axes.level[i]);
+        first = desk.axes.level[i] < first ? desk.axes.level[i] : first;
     }
-    make_whole(ewa, &desk);
-    for (unsigned i = 0; i < group->count; i++)
+    for (unsigned k = (unsigned)first; rest > 0 && status == CM_OK; k++)
     {
-        do_pixel(ewa, &desk, i, to + (size_t)i * channels);
+        const size_t n = take_level(ewa, &desk, k, which);
+        status = do_level(ewa, &desk, k, n, which);
+        rest -= n;
     }
+    return status;
 }

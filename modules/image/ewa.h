@@ -18,7 +18,8 @@
 #include "geometry.h"
 #include "pyramid.h"
 
-#define CM_EWA_MINOR 1.5f
+/* Each level has what is finer than its pixels 50 dB down and more, so that the kernel needs no more of them. */
+#define CM_EWA_MINOR 1.125f
 
 typedef struct cm_ewa
 {
@@ -27,18 +28,19 @@ typedef struct cm_ewa
     cm_pyramid pyramid;
     cm_ewa_kernel kernel;
     float pixels_most;
-    float across[CM_LEVELS_MAX]; /* pixels of a level for one of the first, of columns and rows */
-    float down[CM_LEVELS_MAX];
+    uint32_t width[CM_LEVELS_MAX]; /* of levels */
+    uint32_t height[CM_LEVELS_MAX];
 } cm_ewa;
 
-/* Ready for the surface's pictures. CM_OK or CM_ERROR_MEMORY; cm_ewa_free frees it. */
+/* Ready for the surface's pictures, with levels in `memory` as of cm_padded_create; is_whole: they may be whole numbers
+ * (pyramid.h). CM_OK or CM_ERROR_MEMORY; cm_ewa_free frees it. */
 cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const cm_values *values,
                       const cm_sample_set *set, const cm_filter_table *table, double pixels_most,
-                      unsigned threads, cm_ewa *ewa);
+                      const cm_memory *memory, int is_whole, unsigned threads, cm_ewa *ewa);
 
 void cm_ewa_free(cm_ewa *ewa);
 
-/* Dense pixels of a group with derivatives. */
-void cm_ewa_group(const cm_ewa *ewa, const cm_group *group, float *to);
+/* Dense pixels of a group with derivatives. CM_OK or CM_ERROR_MEMORY. */
+cm_status cm_ewa_group(const cm_ewa *ewa, const cm_group *group, cm_scratch *scratch, float *to);
 
 #endif

@@ -18,6 +18,13 @@
 /* Those of pictures and the weight of pixels that count. */
 #define CM_SPLINE_CHANNELS 65
 
+/* Of the recursions of splines, those that go forth come first. */
+typedef enum cm_spline_way
+{
+    CM_SPLINE_FORTH,
+    CM_SPLINE_BACK
+} cm_spline_way;
+
 /* Of a new pixel: the first of the pixels that it is made of, and their weights. */
 #define CM_HALF_TAPS 12
 typedef struct cm_half_taps
@@ -28,7 +35,7 @@ typedef struct cm_half_taps
 
 /* A kernel of elliptic footprints: u^2 times a polynomial of u, which is 1 less the square of the place, 0 at the
  * edge. */
-#define CM_EWA_TERMS 6
+#define CM_EWA_TERMS 4
 typedef struct cm_ewa_kernel
 {
     float term[CM_EWA_TERMS];
@@ -47,34 +54,42 @@ typedef struct cm_ewa_axes
     int32_t level[CM_EWA_MOST];
 } cm_ewa_axes;
 
-/* Ellipses, q = a x x + b x y + c y y from their centres, on levels that have so many pixels across and down for one of
- * the source's. */
-typedef struct cm_ewa_shapes
+/* A level as a group of pixels sees it. Places are from the centre of a pixel of the level. */
+typedef struct cm_ewa_frame
 {
-    float across[CM_EWA_MOST];
-    float down[CM_EWA_MOST];
-    float a[CM_EWA_MOST];
-    float b[CM_EWA_MOST];
-    float c[CM_EWA_MOST];
-    float half_width[CM_EWA_MOST];
-    float half_height[CM_EWA_MOST];
-} cm_ewa_shapes;
-
-/* One of them around an origin. */
-typedef struct cm_ewa_footprint
-{
-    float x; /* the centre */
+    float across; /* pixels for one of the source's, of columns and rows */
+    float down;
+    float x; /* the group's origin */
     float y;
-    float a;
-    float b;
-    float c;
-    float half_width;
-    float half_height;
     int32_t left; /* the first and the last column and row that there are */
     int32_t right;
     int32_t top;
     int32_t bottom;
-} cm_ewa_footprint;
+} cm_ewa_frame;
+
+/* Ellipses in a frame: q = a x x + b x y + c y y from their centres, and the boxes of their pixels. */
+typedef struct cm_ewa_shapes
+{
+    float x[CM_EWA_MOST]; /* the centre */
+    float y[CM_EWA_MOST];
+    float a[CM_EWA_MOST];
+    float b[CM_EWA_MOST];
+    float c[CM_EWA_MOST];
+    int32_t left[CM_EWA_MOST];
+    int32_t right[CM_EWA_MOST];
+    int32_t top[CM_EWA_MOST];
+    int32_t bottom[CM_EWA_MOST];
+    int32_t whole[CM_EWA_MOST]; /* are all pixels there, with those that ewa_sharp needs? */
+} cm_ewa_shapes;
+
+/* Pixels of a frame, each row channel by channel. Behind each row of a channel CM_WINDOW_SLACK bytes may be read. */
+typedef struct cm_ewa_pixels
+{
+    const float *first; /* the one that places are from */
+    ptrdiff_t row;
+    ptrdiff_t channel;
+    size_t channels;
+} cm_ewa_pixels;
 
 typedef struct cm_filter_set
 {
@@ -82,36 +97,48 @@ typedef struct cm_filter_set
     /* Coefficients of quintic splines in place, along columns: `floats` of them, CM_BUNDLE_COLUMNS at most, rows `stride`
      * floats apart. */
     void (*spline_columns)(float *first, size_t floats, size_t rows, ptrdiff_t stride);
-    /* The same along CM_BUNDLE_ROWS rows `stride` floats apart, of which rows count, each of `floats` numbers whose
+    /* A part of that, in rows: all parts forth, from the first one on, then all back, from the last one on, give the same
+     * bits. is_begin: is it the first that goes this way? state, 2 * CM_BUNDLE_COLUMNS floats, goes from part to part. */
+    void (*spline_columns_part)(float *first, size_t floats, size_t rows, ptrdiff_t stride,
+                                cm_spline_way way, int is_begin, float *state);
+    /* Coefficients along CM_BUNDLE_ROWS rows `stride` floats apart, of which rows count, each of `floats` numbers whose
      * channels are one beside the other, CM_SPLINE_CHANNELS at most. desk has room for CM_BUNDLE_ROWS * floats. */
     void (*spline_rows)(float *first, size_t rows, ptrdiff_t stride, size_t floats, size_t channels,
                         float *desk);
     /* The weighted sum of CM_HALF_TAPS rows of n floats. */
-    void (*mix_rows)(const float *first, ptrdiff_t stride, const float *weight, size_t n,
-                     float *to);
-    /* n new pixels of a row from `length` floats of the desk, which begin CM_HALF_TAPS / 2 before its first pixel; behind
-     * them the desk has as much room again, and 64 more. If is_even, n is half the row's pixels. */
-    void (*halve_row)(float *desk, size_t length, const cm_half_taps *taps, int is_even, size_t n,
-                      float *to);
+    void (*mix_rows)(const float *const *rows, const float *weight, size_t n, float *to);
+    /* The same, and of the rows two further, of which there are two more. */
+    void (*mix_two_rows)(const float *const *rows, const float *weight, size_t n, float *to,
+                         float *below);
+    /* n pixels, whose channels are one beside the other, channel by channel, `channel` floats apart. */
+    void (*part_channels)(const float *from, size_t channels, size_t n, float *to,
+                          ptrdiff_t channel);
+    /* Floats of whole numbers, of which `one` is 1, and back, rounded and clamped. */
+    void (*from_whole)(size_t n, const int16_t *from, float one, float *to);
+    void (*to_whole)(size_t n, const float *from, float one, int16_t *to);
+    /* n new pixels of one channel from a row of `length` floats, which begins one before the taps of the first of them.
+     * If is_even, all have the same weights and each begins two columns after the one before. The desk has room for
+     * length + 2 floats. */
+    void (*halve_row)(const float *row, size_t length, const cm_half_taps *taps, int is_even,
+                      size_t n, float *desk, float *to);
     /* Of n pixels, CM_EWA_MOST at most, from their derivatives: the level is the last whose minor axis is at least
      * `minor` of its pixels. */
     void (*ewa_axes)(size_t n, const float *x_by_column, const float *y_by_column,
                      const float *x_by_row, const float *y_by_row, float minor, unsigned levels,
                      cm_ewa_axes *axes);
-    /* From the scales that shapes have. */
-    void (*ewa_shapes)(size_t n, const cm_ewa_axes *axes, const cm_ewa_kernel *kernel,
-                       float pixels_most, cm_ewa_shapes *shapes);
-    /* The weighted mean of the pixels of a footprint, whose origin is the pixel `first`. All its pixels are there, and
-     * CM_WINDOW_SLACK bytes behind each row of them. */
-    void (*ewa_sum)(const float *first, ptrdiff_t row, ptrdiff_t channel, size_t channels,
-                    const cm_ewa_footprint *print, const cm_ewa_kernel *kernel, float *to);
-    /* The same of those that are there. */
-    void (*ewa_sum_cut)(const float *first, ptrdiff_t row, ptrdiff_t channel, size_t channels,
-                        const cm_ewa_footprint *print, const cm_ewa_kernel *kernel, float *to);
-    /* to = (1 - share) to + share times the value at the footprint's centre by a filter of six taps. */
-    void (*ewa_sharp)(const float *first, ptrdiff_t row, ptrdiff_t channel, size_t channels,
-                      const cm_ewa_footprint *print, const cm_filter_table *table, float share,
-                      float *to);
+    /* The shapes of n pixels, which lie at (x, y) from the group's origin, in source pixels. */
+    void (*ewa_shapes)(size_t n, const float *x, const float *y, const cm_ewa_axes *axes,
+                       const cm_ewa_kernel *kernel, float pixels_most, const cm_ewa_frame *frame,
+                       cm_ewa_shapes *shapes);
+    /* The weighted means of the pixels of n shapes, which are whole, into those pixels of `to`. */
+    void (*ewa_sums)(size_t n, const uint8_t *which, const cm_ewa_shapes *shapes,
+                     const cm_ewa_pixels *pixels, const cm_ewa_kernel *kernel, float *to);
+    /* The same of one shape, of the pixels that are there. */
+    void (*ewa_sum_cut)(unsigned which, const cm_ewa_shapes *shapes, const cm_ewa_pixels *pixels,
+                        const cm_ewa_frame *frame, const cm_ewa_kernel *kernel, float *to);
+    /* to = (1 - share) to + share times the value at the shape's centre by a filter of six taps. */
+    void (*ewa_sharp)(unsigned which, const cm_ewa_shapes *shapes, const cm_ewa_pixels *pixels,
+                      const cm_filter_table *table, float share, float *to);
 } cm_filter_set;
 
 extern const cm_filter_set cm_filter_scalar;

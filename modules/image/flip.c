@@ -301,22 +301,12 @@ static cm_status check_and_compare(const cm_image *reference, const cm_image *pi
                                    const cm_compare_options *options, int is_high,
                                    cm_map_figures *figures, const cm_image *map)
 {
-    cm_compare_options wanted;
-    cm_compare_pair pair;
-    cm_image map_found;
-    if (!cm_compare_options_of(options, &wanted) || wanted.not_finite == CM_COMPARE_ALIKE ||
-        (figures != NULL && figures->size != sizeof *figures))
-    {
-        return CM_ERROR_ARGUMENT;
-    }
-    cm_status status = cm_compare_pair_of(reference, picture, wanted.weights, &pair);
-    if (status == CM_OK && map != NULL)
-    {
-        status = cm_compare_map(map, &pair.picture, &map_found);
-    }
+    cm_compare_request request;
+    const cm_status status =
+        cm_compare_request_of(reference, picture, options, figures, map, &request);
     return status != CM_OK
                ? status
-               : compare(&pair, &wanted, map == NULL ? NULL : &map_found, is_high, figures);
+               : compare(&request.pair, &request.options, request.map_wanted, is_high, figures);
 }
 
 cm_status cm_flip(const cm_image *reference, const cm_image *picture,

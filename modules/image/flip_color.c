@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "flip_color.h"
 
+#include <cubemap/srgb.h>
+
 #include <math.h>
 
 /* To XYZ of sRGB over that of its white, so that each row's sum is 1, and back: both in exact fractions. */
@@ -38,8 +40,7 @@ static double product(const double row[3], const double vector[3])
 
 double cm_flip_linear_from_srgb(double value)
 {
-    const double srgb = clamp(value);
-    return srgb > 0.04045 ? pow((srgb + 0.055) / 1.055, 2.4) : srgb / 12.92;
+    return cm_light_from_srgb(clamp(value));
 }
 
 double cm_flip_tone(double value)

@@ -23,9 +23,16 @@
 /* The most that weights of a cubic through four nodes add up to, between them. */
 #define LEBESGUE 1.63
 
+/* The same of a polynomial through six nodes, between the inner four: the sixth derivative over 142 at most, with more to
+ * spare. Its weights add up to as much. */
+#define ERROR_WIDE (2.0 / 142.0)
+
 /* Derivatives of the cubic are off by a quarter of the fourth difference, in nodes, and so good as that. */
 #define ERROR_SLOPE (1.5 * 3.0 / CM_BLOCK_EDGE / 4.0)
-#define SLOPE_TOLERANCE 5e-4
+#define SLOPE_TOLERANCE 2.5e-3
+
+/* A footprint, which is some of the target's pixels wide, is placed so many times the tolerance in one of these pixels. */
+#define FOOTPRINT 4.0
 
 /* Lattices that are kept, each for its columns, from a row of blocks to the next. */
 #define LATTICES_MOST 64
@@ -47,7 +54,8 @@ struct cm_geometry
     int is_creased;
     cm_geometry_count count;
     cm_place_weights weights;
-    cm_place_weights slopes;             /* of weights, in pixels */
+    cm_place_weights slopes; /* of weights, in pixels */
+    cm_wide_weights wide;
     uint8_t all_pixels[CM_BLOCK_PIXELS]; /* 0, 1, ... */
     uint32_t lattices;
     cm_lattice *lattice;
@@ -55,18 +63,20 @@ struct cm_geometry
 
 /* ---- life ---- */
 
-/* Lagrange's weights of nodes 0 to 3, and their derivatives. */
-static void weigh(cm_place_weights weights, cm_place_weights slopes)
+/* Lagrange's weights of so many nodes, of which the block's own begin at the one of that number, and their derivatives in
+ * pixels. */
+static void weigh(int nodes, int own, float (*weights)[CM_BLOCK_EDGE],
+                  float (*slopes)[CM_BLOCK_EDGE])
 {
     const double per_pixel = 3.0 / CM_BLOCK_EDGE;
     for (int i = 0; i < CM_BLOCK_EDGE; i++)
     {
-        const double at = (i + 0.5) * per_pixel;
-        for (int k = 0; k < CM_BLOCK_NODES; k++)
+        const double at = own + (i + 0.5) * per_pixel;
+        for (int k = 0; k < nodes; k++)
         {
             double weight = 1.0;
             double slope = 0.0;
-            for (int other = 0; other < CM_BLOCK_NODES; other++)
+            for (int other = 0; other < nodes; other++)
             {
                 if (other != k)
                 {
@@ -75,7 +85,10 @@ static void weigh(cm_place_weights weights, cm_place_weights slopes)
                 }
             }
             weights[k][i] = (float)weight;
-            slopes[k][i] = (float)(slope * per_pixel);
+            if (slopes != NULL)
+            {
+                slopes[k][i] = (float)(slope * per_pixel);
+            }
         }
     }
 }
@@ -98,7 +111,8 @@ cm_geometry *cm_geometry_create(const cm_plan *plan, int derivatives)
     made->set = cm_place_set_find(plan->options.instructions);
     made->derivatives = derivatives;
     made->is_creased = plan->from->creased || plan->to->creased;
-    weigh(made->weights, made->slopes);
+    weigh(CM_BLOCK_NODES, 0, made->weights, made->slopes);
+    weigh(CM_WIDE_NODES, 1, made->wide, NULL);
     for (unsigned i = 0; i < CM_BLOCK_PIXELS; i++)
     {
         made->all_pixels[i] = (uint8_t)i;
@@ -375,13 +389,13 @@ static unsigned exact_block(cm_geometry *geometry, unsigned plane, uint32_t bloc
 
 /* ---- interpolated blocks ---- */
 
-/* A block's own nodes, from its origin. */
+/* A block's own nodes, or those and the next ones around them, from its origin. */
 typedef struct block_nodes
 {
     double column; /* the origin, a whole number */
     double row;
-    float x[CM_BLOCK_NODES * CM_BLOCK_NODES];
-    float y[CM_BLOCK_NODES * CM_BLOCK_NODES];
+    float x[CM_WIDE_NODES * CM_WIDE_NODES];
+    float y[CM_WIDE_NODES * CM_WIDE_NODES];
     float low[2]; /* of x and y */
     float high[2];
 } block_nodes;
@@ -394,61 +408,99 @@ static double whole(double x)
 
 static void bounds_of(const float *value, size_t n, float *low, float *high)
 {
-    float least[4], most[4];
-    memcpy(least, value, sizeof least);
-    memcpy(most, value, sizeof most);
-    for (size_t i = 4; i < n; i += 4)
+    *low = *high = value[0];
+    for (size_t i = 1; i < n; i++)
     {
-        for (size_t k = 0; k < 4; k++)
-        {
-            least[k] = value[i + k] < least[k] ? value[i + k] : least[k];
-            most[k] = value[i + k] > most[k] ? value[i + k] : most[k];
-        }
-    }
-    *low = least[0];
-    *high = most[0];
-    for (size_t k = 1; k < 4; k++)
-    {
-        *low = least[k] < *low ? least[k] : *low;
-        *high = most[k] > *high ? most[k] : *high;
+        *low = value[i] < *low ? value[i] : *low;
+        *high = value[i] > *high ? value[i] : *high;
     }
 }
 
-/* Places are subtracted in double and go on as floats. */
-static void take_nodes(const cm_lattice_view *view, block_nodes *nodes)
+/* The origin is a whole number near the middle. */
+static void begin_nodes(const cm_lattice_view *view, block_nodes *nodes)
 {
-    const size_t inner = 2 * view->stride + 2;
+    const size_t inner = (CM_LATTICE_BEYOND + 1) * (view->stride + 1);
     nodes->column = whole(view->x[inner]);
     nodes->row = whole(view->y[inner]);
-    for (size_t r = 0; r < CM_BLOCK_NODES; r++)
+}
+
+/* Places are subtracted in double and go on as floats. */
+static void take_nodes(const cm_place_set *set, const cm_lattice_view *view, block_nodes *nodes)
+{
+    const size_t first = CM_LATTICE_BEYOND * (view->stride + 1);
+    begin_nodes(view, nodes);
+    set->take(view->x + first, view->stride, nodes->column + 0.5, nodes->x, &nodes->low[0],
+              &nodes->high[0]);
+    set->take(view->y + first, view->stride, nodes->row + 0.5, nodes->y, &nodes->low[1],
+              &nodes->high[1]);
+}
+
+static void take_wide_nodes(const cm_lattice_view *view, block_nodes *nodes)
+{
+    const size_t count = CM_WIDE_NODES;
+    const size_t first = (CM_LATTICE_BEYOND - 1) * (view->stride + 1);
+    begin_nodes(view, nodes);
+    for (size_t r = 0; r < count; r++)
     {
-        const size_t first = (r + 1) * view->stride + 1;
-        for (size_t k = 0; k < CM_BLOCK_NODES; k++)
+        const double *x = view->x + first + r * view->stride;
+        const double *y = view->y + first + r * view->stride;
+        for (size_t k = 0; k < count; k++)
         {
-            nodes->x[4 * r + k] = (float)(view->x[first + k] - (nodes->column + 0.5));
-            nodes->y[4 * r + k] = (float)(view->y[first + k] - (nodes->row + 0.5));
+            nodes->x[count * r + k] = (float)(x[k] - (nodes->column + 0.5));
+            nodes->y[count * r + k] = (float)(y[k] - (nodes->row + 0.5));
         }
     }
-    bounds_of(nodes->x, CM_BLOCK_NODES * CM_BLOCK_NODES, &nodes->low[0], &nodes->high[0]);
-    bounds_of(nodes->y, CM_BLOCK_NODES * CM_BLOCK_NODES, &nodes->low[1], &nodes->high[1]);
+    bounds_of(nodes->x, count * count, &nodes->low[0], &nodes->high[0]);
+    bounds_of(nodes->y, count * count, &nodes->low[1], &nodes->high[1]);
+}
+
+static double extent_of(const block_nodes *nodes)
+{
+    const float width = nodes->high[0] - nodes->low[0];
+    const float height = nodes->high[1] - nodes->low[1];
+    return (double)(width > height ? width : height);
+}
+
+/* What floats round of places. */
+static double rounded(double extent)
+{
+    return extent / 4194304.0;
 }
 
 /* Is the polynomial as near to the truth as is asked, and its derivative? */
 static int is_near(const cm_geometry *geometry, float across, float along, int alone,
                    const block_nodes *nodes)
 {
-    const double extent = fmax(nodes->high[0] - nodes->low[0], nodes->high[1] - nodes->low[1]);
+    const double extent = extent_of(nodes);
     const double bend = sqrt((double)across) + LEBESGUE * sqrt((double)along);
     double factor = alone ? 2.0 * ERROR_SMOOTH : ERROR_SMOOTH;
     if (geometry->is_creased)
     {
         factor = alone ? INFINITY : bend > FOLD * extent ? ERROR_FOLDED : ERROR_CREASED;
     }
-    /* and what floats round */
-    const double error = factor * bend + extent / 4194304.0;
-    return error <= geometry->plan->options.tolerance &&
-           (!geometry->derivatives ||
-            ERROR_SLOPE * bend <= SLOPE_TOLERANCE * extent / CM_BLOCK_EDGE);
+    const double error = factor * bend + rounded(extent);
+    if (!geometry->derivatives)
+    {
+        return error <= geometry->plan->options.tolerance;
+    }
+    const double pixel = extent / CM_BLOCK_EDGE;
+    return error <= geometry->plan->options.tolerance * fmax(FOOTPRINT * pixel, 1.0) &&
+           ERROR_SLOPE * bend <= SLOPE_TOLERANCE * pixel;
+}
+
+/* The same of the polynomial through six nodes each way. */
+static int is_near_wide(const cm_geometry *geometry, const cm_lattice_view *view, int is_uniform,
+                        block_nodes *nodes)
+{
+    double across, along;
+    if (geometry->is_creased || geometry->derivatives ||
+        !cm_lattice_bend_wide(view, is_uniform, &across, &along))
+    {
+        return 0;
+    }
+    take_wide_nodes(view, nodes);
+    return ERROR_WIDE * (across + LEBESGUE * along) + rounded(extent_of(nodes)) <=
+           geometry->plan->options.tolerance;
 }
 
 /* May places between the nodes be beyond the source's plane? */
@@ -497,6 +549,35 @@ static void bound(const block_nodes *nodes, cm_group *group)
         group->low[k] = nodes->low[k] - more;
         group->high[k] = nodes->high[k] + more;
     }
+}
+
+static void interpolate_wide(const cm_geometry *geometry, const block_nodes *nodes, cm_group *group)
+{
+    geometry->set->place_wide(nodes->x, &geometry->wide, group->x);
+    geometry->set->place_wide(nodes->y, &geometry->wide, group->y);
+}
+
+/* What all places of a block of one group reach. */
+static void bound_places(const cm_geometry *geometry, cm_group *group)
+{
+    float bounds[4];
+    geometry->set->bounds(CM_BLOCK_PIXELS, group->x, group->y, bounds);
+    group->is_bounded = 1;
+    for (int k = 0; k < 2; k++)
+    {
+        group->low[k] = bounds[2 * k];
+        group->high[k] = bounds[2 * k + 1];
+    }
+}
+
+static int is_group_inside(const cm_surface *from, const cm_group *group, double slack)
+{
+    const double column = group->column + 0.5;
+    const double row = group->row + 0.5;
+    return column + (double)group->low[0] >= -slack &&
+           column + (double)group->high[0] <= from->width + slack &&
+           row + (double)group->low[1] >= -slack &&
+           row + (double)group->high[1] <= from->height + slack;
 }
 
 static void copy_pixel(const cm_group *from, unsigned i, cm_group *to, int derivatives)
@@ -610,18 +691,25 @@ static unsigned near_block(cm_geometry *geometry, unsigned plane, uint32_t block
     {
         return 0;
     }
-    take_nodes(&view, &nodes);
-    if (!is_near(geometry, across, along, alone, &nodes))
+    take_nodes(geometry->set, &view, &nodes);
+    const int is_wide = !is_near(geometry, across, along, alone, &nodes);
+    if (is_wide && !is_near_wide(geometry, &view, lattice->is_uniform, &nodes))
     {
         return 0;
     }
-    begin_group(groups, view.plane[view.stride + 1], nodes.column, nodes.row);
+    begin_group(groups, view.plane[CM_LATTICE_BEYOND * (view.stride + 1)], nodes.column, nodes.row);
     groups->count = CM_BLOCK_PIXELS;
     memcpy(groups->pixel, geometry->all_pixels, sizeof groups->pixel);
-    interpolate(geometry, &nodes, groups);
-    bound(&nodes, groups);
+    (is_wide ? interpolate_wide : interpolate)(geometry, &nodes, groups);
+    if (!is_wide && is_inside(plan->from, &nodes, slack))
+    {
+        bound(&nodes, groups);
+        drop_beyond(geometry, block_column, block_row, groups);
+        return 1;
+    }
+    bound_places(geometry, groups);
     drop_beyond(geometry, block_column, block_row, groups);
-    return is_inside(plan->from, &nodes, slack) ? 1 : bring_back(geometry, slack, groups);
+    return is_group_inside(plan->from, groups, slack) ? 1 : bring_back(geometry, slack, groups);
 }
 
 unsigned cm_geometry_block(cm_geometry *geometry, unsigned plane, uint32_t block_column,

@@ -4,61 +4,32 @@
  */
 #include <cubemap/environment.h>
 
-#include <cubemap/number.h>
-
 #include <math.h>
-#include <string.h>
 
-/* What is written, and how long it would be. */
-typedef struct text_end
-{
-    char *text;
-    size_t size;
-    size_t length;
-} text_end;
+#include "text_end.h"
 
-static void add_bytes(text_end *end, const char *bytes, size_t count)
+static void add_all(cm_text_end *end, uint32_t degree, uint32_t channels,
+                    const double *coefficients)
 {
-    if (end->length < end->size && count < end->size - end->length)
-    {
-        memcpy(end->text + end->length, bytes, count);
-    }
-    end->length += count;
-}
-
-static void add_text(text_end *end, const char *text)
-{
-    add_bytes(end, text, strlen(text));
-}
-
-static void add_number(text_end *end, double value)
-{
-    char digits[CM_NUMBER_SIZE];
-    const size_t length = cm_number_write_shortest(value, digits);
-    add_bytes(end, digits, length);
-}
-
-static void add_all(text_end *end, uint32_t degree, uint32_t channels, const double *coefficients)
-{
-    add_text(end, "{\"degree\": ");
-    add_number(end, degree);
-    add_text(end, ", \"channels\": ");
-    add_number(end, channels);
-    add_text(end, ", \"index\": \"l(l+1)+m\", "
-                  "\"basis\": \"real orthonormal without Condon-Shortley phase\", "
-                  "\"coefficients\": [");
+    cm_text_add(end, "{\"degree\": ");
+    cm_text_add_number(end, degree);
+    cm_text_add(end, ", \"channels\": ");
+    cm_text_add_number(end, channels);
+    cm_text_add(end, ", \"index\": \"l(l+1)+m\", "
+                     "\"basis\": \"real orthonormal without Condon-Shortley phase\", "
+                     "\"coefficients\": [");
     const size_t count = cm_harmonics_count(degree);
     for (size_t k = 0; k < count; k++)
     {
-        add_text(end, k == 0 ? "\n  [" : ",\n  [");
+        cm_text_add(end, k == 0 ? "\n  [" : ",\n  [");
         for (uint32_t c = 0; c < channels; c++)
         {
-            add_text(end, c == 0 ? "" : ", ");
-            add_number(end, coefficients[k * channels + c]);
+            cm_text_add(end, c == 0 ? "" : ", ");
+            cm_text_add_number(end, coefficients[k * channels + c]);
         }
-        add_text(end, "]");
+        cm_text_add(end, "]");
     }
-    add_text(end, "]}\n");
+    cm_text_add(end, "]}\n");
 }
 
 cm_status cm_harmonics_json(uint32_t degree, uint32_t channels, const double *coefficients,
@@ -81,15 +52,14 @@ cm_status cm_harmonics_json(uint32_t degree, uint32_t channels, const double *co
         }
     }
     /* outputs stay as they are on failure, so that the length comes first */
-    text_end measure = {NULL, 0, 0};
+    cm_text_end measure = {NULL, 0, 0};
     add_all(&measure, degree, channels, coefficients);
     *length = measure.length;
     if (measure.length >= size)
     {
         return CM_ERROR_SPACE;
     }
-    text_end end = {text, size, 0};
+    cm_text_end end = {text, size, 0};
     add_all(&end, degree, channels, coefficients);
-    text[end.length] = '\0';
     return CM_OK;
 }

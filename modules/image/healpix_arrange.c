@@ -60,14 +60,15 @@ cm_status cm_healpix_arrange(int64_t nside, cm_healpix_order order, int to_list,
         return CM_ERROR_ARGUMENT;
     }
     cm_status status = cm_healpix_create(nside, order, NULL, &healpix);
-    if (status == CM_OK && nside > NSIDE_MOST)
+    if (status != CM_OK || nside > NSIDE_MOST ||
+        pixel_size > (size_t)PTRDIFF_MAX / (12 * (size_t)nside) / (size_t)nside)
     {
         cm_healpix_destroy(healpix);
-        return CM_ERROR_RANGE;
+        return status != CM_OK ? status : CM_ERROR_RANGE;
     }
     const cm_surface_options options = {
         .size = sizeof options, .width = (uint32_t)(12 * nside), .height = (uint32_t)nside};
-    status = status == CM_OK ? cm_surface_create("healpix", &options, &surface) : status;
+    status = cm_surface_create("healpix", &options, &surface);
     if (status == CM_OK)
     {
         const arrangement job = {surface, healpix, to_list, pixel_size, from, to};

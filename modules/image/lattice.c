@@ -7,7 +7,7 @@
 #define NODES (CM_LATTICE_ROWS * CM_LATTICE_COLUMNS)
 
 /* Rows of nodes that a row of blocks shares with the next one. */
-#define SHARED 3
+#define SHARED (CM_LATTICE_ROWS - 3)
 
 void cm_lattice_find(const cm_plan *plan, unsigned plane, size_t n, const double *column,
                      const double *row, uint8_t *found, double *x, double *y)
@@ -25,6 +25,12 @@ static double place_of(int64_t node)
     return (double)(node * CM_BLOCK_EDGE) / 3.0;
 }
 
+static double between(double low, double x, double high)
+{
+    const double less = x < high ? x : high;
+    return less > low ? less : low;
+}
+
 /* Exact positions of rows from first on. Where the target's plane does not go on, nodes beyond it are none. */
 static void find_rows(cm_lattice *lattice, const cm_plan *plan, unsigned first)
 {
@@ -32,23 +38,35 @@ static void find_rows(cm_lattice *lattice, const cm_plan *plan, unsigned first)
     double columns[NODES];
     double rows[NODES];
     uint8_t beyond[NODES];
-    const int64_t left = (int64_t)lattice->chunk * (3 * CM_LATTICE_BLOCKS) - 1;
-    const int64_t top = (int64_t)lattice->block_row * 3 - 1;
+    const int64_t left = (int64_t)lattice->chunk * (3 * CM_LATTICE_BLOCKS) - CM_LATTICE_BEYOND;
+    const int64_t top = (int64_t)lattice->block_row * 3 - CM_LATTICE_BEYOND;
     /* no kind is asked further beyond its edges than the blocks at them reach */
     const double most = 2.0 * CM_BLOCK_EDGE;
     const double low = to->methods->can_go_beyond ? -most : 0.0;
-    size_t n = 0;
-    for (int64_t r = first; r < CM_LATTICE_ROWS; r++)
+    uint8_t is_beyond[CM_LATTICE_COLUMNS];
+    for (int64_t k = 0; k < CM_LATTICE_COLUMNS; k++)
     {
-        for (int64_t k = 0; k < CM_LATTICE_COLUMNS; k++, n++)
+        const double column = place_of(left + k);
+        columns[k] = between(low, column, to->width - low);
+        is_beyond[k] = columns[k] != column;
+    }
+    size_t n = 0;
+    for (int64_t r = first; r < CM_LATTICE_ROWS; r++, n += CM_LATTICE_COLUMNS)
+    {
+        const double row = place_of(top + r);
+        const double at = between(low, row, to->height - low);
+        memmove(columns + n, columns, CM_LATTICE_COLUMNS * sizeof *columns);
+        for (size_t k = 0; k < CM_LATTICE_COLUMNS; k++)
         {
-            const double column = place_of(left + k);
-            const double row = place_of(top + r);
-            const double right = column < to->width - low ? column : to->width - low;
-            const double down = row < to->height - low ? row : to->height - low;
-            columns[n] = right > low ? right : low;
-            rows[n] = down > low ? down : low;
-            beyond[n] = columns[n] != column || rows[n] != row;
+            rows[n + k] = at;
+        }
+        if (at == row)
+        {
+            memcpy(beyond + n, is_beyond, sizeof is_beyond);
+        }
+        else
+        {
+            memset(beyond + n, 1, sizeof is_beyond);
         }
     }
     uint8_t *plane = lattice->plane[first];
@@ -60,26 +78,40 @@ static void find_rows(cm_lattice *lattice, const cm_plan *plan, unsigned first)
     }
 }
 
+/* By rows, as compilers make vectors of it. */
 static int spans_more_than(const cm_lattice *lattice, double extent)
 {
-    double low = INFINITY;
-    double high = -INFINITY;
-    const double *x = lattice->x[0];
-    for (size_t i = 0; i < NODES; i++)
+    double low[CM_LATTICE_COLUMNS];
+    double high[CM_LATTICE_COLUMNS];
+    for (size_t k = 0; k < CM_LATTICE_COLUMNS; k++)
     {
-        low = x[i] < low ? x[i] : low;
-        high = x[i] > high ? x[i] : high;
+        /* NaN is neither less nor more */
+        low[k] = INFINITY;
+        high[k] = -INFINITY;
     }
-    return high - low > extent;
+    for (size_t r = 0; r < CM_LATTICE_ROWS; r++)
+    {
+        for (size_t k = 0; k < CM_LATTICE_COLUMNS; k++)
+        {
+            low[k] = lattice->x[r][k] < low[k] ? lattice->x[r][k] : low[k];
+            high[k] = lattice->x[r][k] > high[k] ? lattice->x[r][k] : high[k];
+        }
+    }
+    for (size_t k = 1; k < CM_LATTICE_COLUMNS; k++)
+    {
+        low[0] = low[k] < low[0] ? low[k] : low[0];
+        high[0] = high[k] > high[0] ? high[k] : high[0];
+    }
+    return high[0] - low[0] > extent;
 }
 
 static void keep_shared(cm_lattice *lattice)
 {
     const size_t from = CM_LATTICE_ROWS - SHARED;
-    memcpy(lattice->x, lattice->x + from, SHARED * sizeof *lattice->x);
-    memcpy(lattice->y, lattice->y + from, SHARED * sizeof *lattice->y);
-    memcpy(lattice->plane, lattice->plane + from, SHARED * sizeof *lattice->plane);
-    memcpy(lattice->across, lattice->across + from, SHARED * sizeof *lattice->across);
+    memmove(lattice->x, lattice->x + from, SHARED * sizeof *lattice->x);
+    memmove(lattice->y, lattice->y + from, SHARED * sizeof *lattice->y);
+    memmove(lattice->plane, lattice->plane + from, SHARED * sizeof *lattice->plane);
+    memmove(lattice->across, lattice->across + from, SHARED * sizeof *lattice->across);
 }
 
 /* Differences of the rows from first on, and of all columns. */
@@ -92,8 +124,8 @@ static void difference(cm_lattice *lattice, const cm_place_set *set, unsigned fi
     }
     for (unsigned r = 0; r < 2; r++)
     {
-        set->differences(CM_LATTICE_COLUMNS, lattice->x[r], lattice->y[r], CM_LATTICE_COLUMNS,
-                         lattice->along[r]);
+        set->differences(CM_LATTICE_COLUMNS, lattice->x[r + 1], lattice->y[r + 1],
+                         CM_LATTICE_COLUMNS, lattice->along[r]);
     }
 }
 
@@ -133,16 +165,16 @@ void cm_lattice_fill(cm_lattice *lattice, const cm_plan *plan, const cm_place_se
 /* Columns within half a period of the block's first node. */
 static void unwrap(const cm_lattice_view *from, double period, double *x)
 {
-    const double first = from->x[from->stride + 1];
+    const double first = from->x[CM_LATTICE_BEYOND * (from->stride + 1)];
     for (size_t r = 0; r < CM_LATTICE_ROWS; r++)
     {
-        for (size_t k = 0; k < 6; k++)
+        for (size_t k = 0; k < CM_LATTICE_SEEN; k++)
         {
             const double at = from->x[r * from->stride + k];
             const double away = at - first;
-            x[6 * r + k] = away > 0.5 * period    ? at - period
-                           : away < -0.5 * period ? at + period
-                                                  : at;
+            x[CM_LATTICE_SEEN * r + k] = away > 0.5 * period    ? at - period
+                                         : away < -0.5 * period ? at + period
+                                                                : at;
         }
     }
 }
@@ -161,15 +193,17 @@ cm_lattice_view cm_lattice_see(const cm_lattice *lattice, const cm_place_set *se
     {
         return view;
     }
+    const size_t seen = CM_LATTICE_SEEN;
     unwrap(&view, period, copy->x);
     for (size_t r = 0; r < CM_LATTICE_ROWS; r++)
     {
-        memcpy(copy->y + 6 * r, view.y + r * view.stride, 6 * sizeof *copy->y);
-        memcpy(copy->plane + 6 * r, view.plane + r * view.stride, 6 * sizeof *copy->plane);
-        set->differences(2, copy->x + 6 * r, copy->y + 6 * r, 1, copy->across + 6 * r);
+        memcpy(copy->y + seen * r, view.y + r * view.stride, seen * sizeof *copy->y);
+        memcpy(copy->plane + seen * r, view.plane + r * view.stride, seen * sizeof *copy->plane);
+        set->differences(seen - 4, copy->x + seen * r, copy->y + seen * r, 1,
+                         copy->across + seen * r);
     }
-    set->differences(2 * 6, copy->x, copy->y, 6, copy->along);
-    return (cm_lattice_view){6, copy->x, copy->y, copy->plane, copy->across, copy->along};
+    set->differences(2 * seen, copy->x + seen, copy->y + seen, seen, copy->along);
+    return (cm_lattice_view){seen, copy->x, copy->y, copy->plane, copy->across, copy->along};
 }
 
 /* Are nodes of rows and columns on the plane? */
@@ -204,23 +238,62 @@ int cm_lattice_bend(const cm_lattice_view *view, int is_uniform, float *across, 
 {
     int left = 1, right = 1, above = 1, below = 1;
     const size_t stride = view->stride;
+    const size_t own = CM_LATTICE_BEYOND;
     if (!is_uniform)
     {
-        const uint8_t plane = view->plane[stride + 1];
-        left = are_on(view, plane, 1, 4, 0, 1);
-        right = are_on(view, plane, 1, 4, 5, 1);
-        above = are_on(view, plane, 0, 1, 1, 4);
-        below = are_on(view, plane, 5, 1, 1, 4);
-        if (plane == CM_NO_FACE || !are_on(view, plane, 1, 4, 1, 4) || !(left || right) ||
+        const uint8_t plane = view->plane[own * (stride + 1)];
+        left = are_on(view, plane, own, 4, own - 1, 1);
+        right = are_on(view, plane, own, 4, own + 4, 1);
+        above = are_on(view, plane, own - 1, 1, own, 4);
+        below = are_on(view, plane, own + 4, 1, own, 4);
+        if (plane == CM_NO_FACE || !are_on(view, plane, own, 4, own, 4) || !(left || right) ||
             !(above || below))
         {
             return 0;
         }
     }
-    *across = left ? greatest(view->across + stride, 4, stride, 0.0f) : 0.0f;
-    *across = right ? greatest(view->across + stride + 1, 4, stride, *across) : *across;
-    *along = above ? greatest(view->along + 1, 4, 1, 0.0f) : 0.0f;
-    *along = below ? greatest(view->along + stride + 1, 4, 1, *along) : *along;
+    const float *first = view->across + own * (stride + 1);
+    *across = left ? greatest(first - 1, 4, stride, 0.0f) : 0.0f;
+    *across = right ? greatest(first, 4, stride, *across) : *across;
+    *along = above ? greatest(view->along + own, 4, 1, 0.0f) : 0.0f;
+    *along = below ? greatest(view->along + stride + own, 4, 1, *along) : *along;
     *alone = !(left && right && above && below);
+    return 1;
+}
+
+static double sixth(const double *at, size_t apart)
+{
+    return (at[0] + at[6 * apart]) - 6.0 * (at[apart] + at[5 * apart]) +
+           15.0 * (at[2 * apart] + at[4 * apart]) - 20.0 * at[3 * apart];
+}
+
+/* Of two differences of each line but the first and the last. */
+static double greatest_sixth(const cm_lattice_view *view, size_t apart, size_t next)
+{
+    double most = 0.0;
+    for (size_t i = 1; i < CM_LATTICE_SEEN - 1; i++)
+    {
+        for (size_t k = 0; k < 2; k++)
+        {
+            const size_t at = i * next + k * apart;
+            const double right = sixth(view->x + at, apart);
+            const double down = sixth(view->y + at, apart);
+            const double square = right * right + down * down;
+            most = square > most ? square : most;
+        }
+    }
+    return sqrt(most);
+}
+
+int cm_lattice_bend_wide(const cm_lattice_view *view, int is_uniform, double *across, double *along)
+{
+    const uint8_t plane = view->plane[0];
+    if (!is_uniform &&
+        (plane == CM_NO_FACE || !are_on(view, plane, 0, CM_LATTICE_SEEN, 0, CM_LATTICE_SEEN)))
+    {
+        return 0;
+    }
+    *across = greatest_sixth(view, 1, view->stride);
+    *along = greatest_sixth(view, view->stride, 1);
     return 1;
 }

@@ -12,9 +12,14 @@
 /* A lattice is of so many blocks in a row, from a multiple of it on: array functions like many points. */
 #define CM_LATTICE_BLOCKS 16
 
-/* One row and one column of nodes beyond the blocks' own on each side tell how smooth it is. */
-#define CM_LATTICE_ROWS 6
-#define CM_LATTICE_COLUMNS (3 * CM_LATTICE_BLOCKS + 3)
+/* So many rows and columns of nodes beyond the blocks' own on each side: the first tells how smooth it is, and both, where
+ * four nodes each way do not suffice, give polynomials of more. */
+#define CM_LATTICE_BEYOND 2
+#define CM_LATTICE_ROWS (CM_BLOCK_NODES + 2 * CM_LATTICE_BEYOND)
+#define CM_LATTICE_COLUMNS (3 * CM_LATTICE_BLOCKS + 1 + 2 * CM_LATTICE_BEYOND)
+
+/* A block sees so many nodes each way. */
+#define CM_LATTICE_SEEN CM_LATTICE_ROWS
 
 typedef struct cm_lattice
 {
@@ -27,7 +32,7 @@ typedef struct cm_lattice
     double x[CM_LATTICE_ROWS][CM_LATTICE_COLUMNS];
     double y[CM_LATTICE_ROWS][CM_LATTICE_COLUMNS];
     float across[CM_LATTICE_ROWS][CM_LATTICE_COLUMNS]; /* squared differences of five in a row */
-    float along[2][CM_LATTICE_COLUMNS]; /* of five in a column, from its first and second row on */
+    float along[2][CM_LATTICE_COLUMNS]; /* of five in a column, from its second and third row on */
     uint8_t plane[CM_LATTICE_ROWS][CM_LATTICE_COLUMNS]; /* of the source, or CM_NO_FACE */
 } cm_lattice;
 
@@ -39,11 +44,11 @@ void cm_lattice_find(const cm_plan *plan, unsigned plane, size_t n, const double
 void cm_lattice_fill(cm_lattice *lattice, const cm_plan *plan, const cm_place_set *set,
                      unsigned to_plane, uint32_t block_row, uint32_t chunk);
 
-/* What a block sees of a lattice. Its own nodes are rows and columns 1 to 4 of the six. */
+/* What a block sees of a lattice. Its own nodes are rows and columns 2 to 5 of the eight. */
 typedef struct cm_lattice_view
 {
     size_t stride;   /* from row to row */
-    const double *x; /* of the node beyond, above and to the left */
+    const double *x; /* of the furthest node above and to the left */
     const double *y;
     const uint8_t *plane;
     const float *across;
@@ -53,11 +58,11 @@ typedef struct cm_lattice_view
 /* A view's nodes of its own. */
 typedef struct cm_lattice_copy
 {
-    double x[CM_LATTICE_ROWS * 6];
-    double y[CM_LATTICE_ROWS * 6];
-    float across[CM_LATTICE_ROWS * 6];
-    float along[2 * 6];
-    uint8_t plane[CM_LATTICE_ROWS * 6];
+    double x[CM_LATTICE_SEEN * CM_LATTICE_SEEN];
+    double y[CM_LATTICE_SEEN * CM_LATTICE_SEEN];
+    float across[CM_LATTICE_SEEN * CM_LATTICE_SEEN];
+    float along[2 * CM_LATTICE_SEEN];
+    uint8_t plane[CM_LATTICE_SEEN * CM_LATTICE_SEEN];
 } cm_lattice_copy;
 
 /* The view of a block of the lattice, the block's number counted from the first. Where columns may jump by a period
@@ -69,5 +74,10 @@ cm_lattice_view cm_lattice_see(const cm_lattice *lattice, const cm_place_set *se
  * one plane, or nothing beyond them is; alone is set if one of the sides is missing. */
 int cm_lattice_bend(const cm_lattice_view *view, int is_uniform, float *across, float *along,
                     int *alone);
+
+/* The greatest sixth differences of a block and the nodes around it, across and along. 0 if not all that the block sees are
+ * on one plane. */
+int cm_lattice_bend_wide(const cm_lattice_view *view, int is_uniform, double *across,
+                         double *along);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "level_object.h"
+#include "level_rim.h"
 
 #include <cubemap/threads.h>
 
@@ -69,8 +69,8 @@ void cm_level_load(const cm_level *level, unsigned plane, int32_t column, int32_
     }
 }
 
-static void assemble_row(const cm_level *level, unsigned plane, int32_t column, int32_t row,
-                         int32_t width, unsigned char *to)
+void cm_level_row(const cm_level *level, unsigned plane, int32_t column, int32_t row, int32_t width,
+                  unsigned char *to)
 {
     const int32_t right = (int32_t)level->width;
     if (row < 0 || row >= (int32_t)level->height)
@@ -131,7 +131,7 @@ void cm_level_own(const cm_level *level, unsigned plane, int32_t column, int32_t
     window->channels = level->channels;
 }
 
-static cm_status make_room(cm_scratch *scratch, size_t size)
+cm_status cm_scratch_room(cm_scratch *scratch, size_t size)
 {
     if (size > scratch->size)
     {
@@ -158,10 +158,10 @@ cm_status cm_level_window(const cm_level *level, unsigned plane, int32_t column,
         return CM_OK;
     }
     const size_t stride = ((size_t)width * level->pixel_size + CM_WINDOW_SLACK + 63) / 64 * 64;
-    const cm_status status = make_room(scratch, stride * (size_t)height);
+    const cm_status status = cm_scratch_room(scratch, stride * (size_t)height);
     for (int32_t i = 0; status == CM_OK && i < height; i++)
     {
-        assemble_row(level, plane, column, row + i, width, scratch->bytes + (size_t)i * stride);
+        cm_level_row(level, plane, column, row + i, width, scratch->bytes + (size_t)i * stride);
     }
     window->data = scratch->bytes;
     window->row_stride = (ptrdiff_t)stride;
@@ -192,21 +192,20 @@ static void weigh(double place, unsigned count, double *weight)
 }
 
 /* The first of count pixels around a position, and the weights. */
-static int32_t points_around(double position, uint32_t extent, unsigned *count, double *weight)
+static int32_t points_around(double position, uint32_t extent, unsigned count, double *weight)
 {
-    *count = extent < POINTS ? extent : POINTS;
     double centre = position - 0.5;
     const double nearest = (double)(int32_t)(centre + 0.5);
     /* what is a pixel's centre, but for rounding, is that pixel */
     centre = centre - nearest < 1e-9 && nearest - centre < 1e-9 ? nearest : centre;
-    const int32_t most = (int32_t)(extent - *count);
-    int32_t first = (int32_t)(centre + 1.0) - (int32_t)(*count + 1) / 2;
+    const int32_t most = (int32_t)(extent - count);
+    int32_t first = (int32_t)(centre + 1.0) - (int32_t)(count + 1) / 2;
     first = first < 0 ? 0 : first > most ? most : first;
-    weigh(centre - first, *count, weight);
+    weigh(centre - first, count, weight);
     return first;
 }
 
-static void put(const cm_level *level, const float *sum, unsigned char *to)
+void cm_level_put(const cm_level *level, const float *sum, unsigned char *to)
 {
     if (!level->is_bytes)
     {
@@ -325,7 +324,7 @@ static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top
         }
         sum[c] = total;
     }
-    put(level, sum, to);
+    cm_level_put(level, sum, to);
 }
 
 void cm_level_mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, double x,
@@ -338,32 +337,41 @@ void cm_level_mix(const cm_level *level, unsigned plane, int32_t left, int32_t t
     mix(level, plane, left, top, points, points, across, along, to);
 }
 
-/* A value from inside a plane. */
-static void interpolate(const cm_level *level, unsigned plane, double x, double y,
-                        unsigned char *to)
+/* Is a place before the first or behind the last of points? Six would magnify what rounding left of bytes eight times. */
+static int is_outside(const cm_level *level, double position, int32_t first, unsigned count)
 {
-    unsigned columns, rows;
-    double across[POINTS];
-    double along[POINTS];
-    const int32_t left = points_around(x, level->width, &columns, across);
-    const int32_t top = points_around(y, level->height, &rows, along);
-    mix(level, plane, left, top, columns, rows, across, along, to);
+    const double place = position - 0.5 - first;
+    return level->values->type == CM_PIXEL_U8 && (place < 0.0 || place > count - 1.0);
 }
 
-/* Where nothing is, the nearest pixel of the plane stands for it. */
-static void repeat_edge(const cm_level *level, unsigned plane, int32_t column, int32_t row,
+/* A value from inside a plane. A polynomial does not go across a crease, which are on diagonals, but by two points. */
+static void interpolate(const cm_level *level, int is_creased, unsigned plane, double x, double y,
                         unsigned char *to)
 {
-    const int32_t right = (int32_t)level->width - 1;
-    const int32_t bottom = (int32_t)level->height - 1;
-    cm_level_load(level, plane,
-                  column < 0       ? 0
-                  : column > right ? right
-                                   : column,
-                  row < 0        ? 0
-                  : row > bottom ? bottom
-                                 : row,
-                  1, to);
+    unsigned columns = level->width < POINTS ? level->width : POINTS;
+    unsigned rows = level->height < POINTS ? level->height : POINTS;
+    double across[POINTS];
+    double along[POINTS];
+    int32_t left = points_around(x, level->width, columns, across);
+    int32_t top = points_around(y, level->height, rows, along);
+    while (is_creased && columns == rows && columns > 2 &&
+           cm_level_is_across(level->width, left, top, columns))
+    {
+        columns = rows = columns > 3 ? columns - 2 : 2;
+        left = points_around(x, level->width, columns, across);
+        top = points_around(y, level->height, rows, along);
+    }
+    if (columns > 2 && is_outside(level, x, left, columns))
+    {
+        columns = 2;
+        left = points_around(x, level->width, columns, across);
+    }
+    if (rows > 2 && is_outside(level, y, top, rows))
+    {
+        rows = 2;
+        top = points_around(y, level->height, rows, along);
+    }
+    mix(level, plane, left, top, columns, rows, across, along, to);
 }
 
 /* Pixels of a plane's skirt that are filled at once. */
@@ -405,11 +413,11 @@ static void fill_run(skirt_run *run)
         unsigned char *to = skirt_pixel(run->level, run->plane, run->column[i], run->row[i]);
         if (found[i] == CM_NO_FACE)
         {
-            repeat_edge(run->level, run->plane, run->column[i], run->row[i], to);
+            cm_level_continue_edge(run->level, run->plane, run->column[i], run->row[i], to);
         }
         else
         {
-            interpolate(run->level, found[i], x[i], y[i], to);
+            interpolate(run->level, run->surface->creased, found[i], x[i], y[i], to);
         }
     }
     run->count = 0;
@@ -477,6 +485,58 @@ static void fill_lines(size_t begin, size_t end, void *user)
     }
 }
 
+/* ---- what is beyond the edges of maps that go round ---- */
+
+static int32_t at_turn(int32_t column, int32_t width)
+{
+    return (column % width + width) % width;
+}
+
+/* Pixels of a row from a column on, which come again, into the skirt. */
+static void fill_from_row(const cm_level *level, int32_t column, int32_t row, int32_t count,
+                          int32_t from_column, int32_t from_row)
+{
+    const int32_t width = (int32_t)level->width;
+    while (count > 0)
+    {
+        const int32_t from = at_turn(from_column, width);
+        const int32_t n = least(count, width - from);
+        cm_level_load(level, 0, from, from_row, n, skirt_pixel(level, 0, column, row));
+        column += n;
+        from_column += n;
+        count -= n;
+    }
+}
+
+/* A skirt of pixels of the plane itself, if all are. */
+static int fill_copies(const cm_level *level, const cm_surface *surface)
+{
+    const double pixel[2] = {1.0, 1.0};
+    const int32_t reach = level->reach;
+    const int32_t width = (int32_t)level->width;
+    const int32_t height = (int32_t)level->height;
+    int32_t further, same;
+    if (surface->period != (double)level->width || level->gaps != NULL)
+    {
+        return 0;
+    }
+    for (int32_t k = 0; k < 2 * reach; k++)
+    {
+        const int32_t row = k < reach ? -1 - k : height + k - reach;
+        if (!cm_surface_same_row(surface, pixel, row, &further, &same))
+        {
+            return 0;
+        }
+        fill_from_row(level, -reach, row, width + 2 * reach, further - reach, same);
+    }
+    for (int32_t row = 0; row < height; row++)
+    {
+        fill_from_row(level, -reach, row, reach, -reach, row);
+        fill_from_row(level, width, row, reach, 0, row);
+    }
+    return 1;
+}
+
 /* ---- life ---- */
 
 static void lay_plane(cm_level *level, const cm_surface *surface, const cm_image *pictures,
@@ -534,7 +594,7 @@ cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictur
         return status;
     }
     skirt_job job = {level, surface};
-    if (reach > 0)
+    if (reach > 0 && !fill_copies(level, surface))
     {
         cm_run_threads(threads, level->planes * lines_of(level), 256, fill_lines, &job);
     }

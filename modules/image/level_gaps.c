@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "level_object.h"
+#include "level_rim.h"
 
 #include <cubemap/threads.h>
 
@@ -29,8 +29,8 @@ static const uint64_t *row_of(const cm_level *level, const cm_gaps *gaps, unsign
     return gaps->on_map + ((size_t)plane * level->height + (size_t)row) * gaps->words;
 }
 
-static int is_on_map(const cm_level *level, const cm_gaps *gaps, unsigned plane, int32_t column,
-                     int32_t row)
+int cm_gaps_have(const cm_level *level, const cm_gaps *gaps, unsigned plane, int32_t column,
+                 int32_t row)
 {
     if (column < 0 || row < 0 || column >= (int32_t)level->width || row >= (int32_t)level->height)
     {
@@ -124,13 +124,44 @@ static int are_on_map(const cm_level *level, const cm_gaps *gaps, unsigned plane
     {
         for (int32_t i = 0; i < points; i++)
         {
-            if (!is_on_map(level, gaps, plane, left + i, top + j))
+            if (!cm_gaps_have(level, gaps, plane, left + i, top + j))
             {
                 return 0;
             }
         }
     }
     return 1;
+}
+
+/* How much a polynomial through pixels 0 to points - 1 may magnify errors at a place: the sum of its weights' magnitudes. */
+static double magnification(double place, int32_t points)
+{
+    double sum = 0.0;
+    for (int32_t i = 0; i < points; i++)
+    {
+        double weight = 1.0;
+        for (int32_t k = 0; k < points; k++)
+        {
+            weight *= k == i ? 1.0 : (place - k) / ((double)i - k);
+        }
+        sum += fabs(weight);
+    }
+    return sum;
+}
+
+/* What is rounded is not to be magnified: a polynomial of degree five is 63 times its error a pixel beyond its last one. */
+static double magnification_most(const cm_level *level)
+{
+    switch (level->values->type)
+    {
+    case CM_PIXEL_U8:
+        return 3.0;
+    case CM_PIXEL_U16:
+    case CM_PIXEL_HALF:
+        return 30.0;
+    default:
+        return 200.0;
+    }
 }
 
 /* The pixels on the map that are the best to have a value at a place from: many, and around it, or not far. */
@@ -150,7 +181,10 @@ static int32_t choose_points(const cm_level *level, const cm_gaps *gaps, unsigne
                 {
                     *left = column + side * right;
                     *top = row + down;
-                    if (are_on_map(level, gaps, plane, *left, *top, points))
+                    if (are_on_map(level, gaps, plane, *left, *top, points) &&
+                        magnification(x - 0.5 - *left, points) *
+                                magnification(y - 0.5 - *top, points) <=
+                            magnification_most(level))
                     {
                         return points;
                     }
@@ -171,7 +205,7 @@ static int find_nearest(const cm_level *level, const cm_gaps *gaps, unsigned pla
     {
         for (int32_t i = -reach; i <= reach; i++)
         {
-            if (i * i + j * j < best && is_on_map(level, gaps, plane, column + i, row + j))
+            if (i * i + j * j < best && cm_gaps_have(level, gaps, plane, column + i, row + j))
             {
                 best = i * i + j * j;
                 *found_column = column + i;
@@ -180,6 +214,17 @@ static int find_nearest(const cm_level *level, const cm_gaps *gaps, unsigned pla
         }
     }
     return best != INT32_MAX;
+}
+
+/* From the map around it alone: continued, or that of the nearest pixel. */
+static void fill_alone(const cm_level *level, const cm_gaps *gaps, unsigned plane,
+                       const cm_rim_places *at, size_t i, unsigned char *to)
+{
+    if (!cm_level_continue_rim(level, gaps, plane, (int32_t)floor(at->column[i]),
+                               (int32_t)floor(at->row[i]), reach_of(level), to))
+    {
+        cm_level_load(level, plane, (int32_t)at->inner_column[i], (int32_t)at->inner_row[i], 1, to);
+    }
 }
 
 /* Up to BLOCK pixels, that all have one on the map near. */
@@ -198,8 +243,7 @@ static void fill_near(const cm_level *level, const cm_gaps *gaps, const cm_surfa
                                    : choose_points(level, gaps, found[i], x[i], y[i], &left, &top);
         if (points == 0)
         {
-            cm_level_load(level, plane, (int32_t)at->inner_column[i], (int32_t)at->inner_row[i], 1,
-                          to[i]);
+            fill_alone(level, gaps, plane, at, i, to[i]);
             continue;
         }
         cm_level_mix(level, found[i], left, top, x[i], y[i], (unsigned)points, to[i]);
@@ -359,7 +403,7 @@ static int is_run_on_map(const cm_level *level, unsigned plane, int32_t column, 
 {
     for (int32_t i = 0; i < count; i++)
     {
-        if (!is_on_map(level, level->gaps, plane, column + i, row))
+        if (!cm_gaps_have(level, level->gaps, plane, column + i, row))
         {
             return 0;
         }
@@ -387,7 +431,7 @@ void cm_gaps_put(const cm_level *level, unsigned plane, int32_t column, int32_t 
     size_t end;
     for (int32_t i = 0; i < count; i++)
     {
-        if (!is_on_map(level, gaps, plane, column + i, row))
+        if (!cm_gaps_have(level, gaps, plane, column + i, row))
         {
             memset(to + (size_t)i * level->pixel_size, 0, level->pixel_size);
         }

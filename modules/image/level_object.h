@@ -64,6 +64,19 @@ void cm_level_load(const cm_level *level, unsigned plane, int32_t column, int32_
 void cm_level_mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, double x,
                   double y, unsigned points, unsigned char *to);
 
+/* Does a square of count x count pixels from (left, top) of a square plane have some on either side of a diagonal? That is
+ * where creases are, which polynomials do not go across. */
+static inline int cm_level_is_across(uint32_t width, int32_t left, int32_t top, unsigned count)
+{
+    const int32_t last = (int32_t)count - 1;
+    const int32_t down = left - top;
+    const int32_t up = left + top + 1 - (int32_t)width;
+    return (down < last && down > -last) || (up < 0 && up > -2 * last);
+}
+
+/* The sums of a pixel's channels as a pixel that can be mixed. */
+void cm_level_put(const cm_level *level, const float *sum, unsigned char *to);
+
 /* Are these pixels in memory as samplers take them? */
 int cm_level_there(const cm_level *level, unsigned plane, int32_t column, int32_t row,
                    int32_t width, int32_t height);
@@ -72,10 +85,36 @@ int cm_level_there(const cm_level *level, unsigned plane, int32_t column, int32_
 void cm_level_own(const cm_level *level, unsigned plane, int32_t column, int32_t row,
                   cm_window *window);
 
+/* Pixels of a row, which may be up to reach beyond the edges, as they are mixed. */
+void cm_level_row(const cm_level *level, unsigned plane, int32_t column, int32_t row, int32_t width,
+                  unsigned char *to);
+
+/* Room for so many bytes, with zeros where it is new. CM_OK or CM_ERROR_MEMORY. */
+cm_status cm_scratch_room(cm_scratch *scratch, size_t size);
+
 /* The pixels from (column, row), which may be up to reach beyond the edges, width x height of them. CM_OK or
  * CM_ERROR_MEMORY. */
 cm_status cm_level_window(const cm_level *level, unsigned plane, int32_t column, int32_t row,
                           int32_t width, int32_t height, cm_scratch *scratch, cm_window *window);
+
+/* ---- rows of floats: level_read.c ---- */
+
+/* How the pixels of a level of floats are read. */
+typedef struct cm_level_reader
+{
+    const cm_level *level;
+    cm_converter *convert; /* of what is inside and dense; NULL: by cm_level_row */
+    float scale;
+    int32_t period; /* columns after which they come again; 0: never */
+} cm_level_reader;
+
+cm_level_reader cm_level_reader_of(const cm_level *level, const cm_surface *surface,
+                                   const cm_sample_set *set);
+
+/* count pixels of a row, one beside the other. They may be up to the level's reach beyond the edges, and as far as they
+ * like where columns come again. */
+void cm_level_read(const cm_level_reader *reader, unsigned plane, int32_t column, int32_t row,
+                   int32_t count, float *to);
 
 /* ---- planes with gaps: level_gaps.c ----
  *
@@ -104,6 +143,10 @@ void cm_gaps_free(cm_gaps *gaps);
 void cm_gaps_values(const cm_level *level, const cm_gaps *gaps, const cm_surface *surface,
                     unsigned plane, size_t n, const int32_t *column, int32_t row,
                     unsigned char *to);
+
+/* Is this pixel, which may be anywhere, one of the map's? */
+int cm_gaps_have(const cm_level *level, const cm_gaps *gaps, unsigned plane, int32_t column,
+                 int32_t row);
 
 /* Is any pixel off the map among these, all of them inside the plane? */
 int cm_gaps_touch(const cm_level *level, unsigned plane, int32_t column, int32_t row, int32_t width,

@@ -155,11 +155,12 @@ static cm_status make_pictures(const cm_image *given, const cm_surface *layout, 
 }
 
 static cm_status fill(const cm_surface *surface, const cm_image *pictures, const cm_values *values,
-                      const cm_sample_set *set, unsigned threads, cm_mips *mips)
+                      const cm_sample_set *set, const cm_memory *memory, unsigned threads,
+                      cm_mips *mips)
 {
     cm_pyramid pyramid;
-    cm_status status =
-        cm_pyramid_make(surface, pictures, values, set, mips->count, threads, &pyramid);
+    cm_status status = cm_pyramid_make(surface, pictures, values, set, mips->count, 0, 0, memory,
+                                       threads, &pyramid);
     if (status != CM_OK)
     {
         return status;
@@ -230,6 +231,7 @@ cm_status cm_mips_create(const cm_surface *surface, const cm_image *pictures,
     {
         return CM_ERROR_MEMORY;
     }
+    const cm_memory *memory = options == NULL ? NULL : options->memory;
     made->pictures = surface->pictures;
     made->count = cm_level_count(surface->width, surface->height);
     made->picture = calloc((size_t)made->count * made->pictures, sizeof *made->picture);
@@ -237,7 +239,8 @@ cm_status cm_mips_create(const cm_surface *surface, const cm_image *pictures,
     if (made->picture != NULL)
     {
         memcpy(made->picture, pictures, made->pictures * sizeof *pictures);
-        status = made->count > 1 ? fill(surface, pictures, &values, set, threads, made) : CM_OK;
+        status =
+            made->count > 1 ? fill(surface, pictures, &values, set, memory, threads, made) : CM_OK;
     }
     if (status != CM_OK)
     {
@@ -313,7 +316,8 @@ cm_status cm_border(const cm_surface *surface, const cm_image *pictures, uint32_
     }
     cm_padded padded;
     status = cm_padded_create(surface, surface->width, surface->height, values.working,
-                              (int32_t)border, (int32_t)border, CM_PADDED_PIXELS, threads, &padded);
+                              (int32_t)border, (int32_t)border, CM_PADDED_PIXELS,
+                              options == NULL ? NULL : options->memory, threads, &padded);
     if (status == CM_OK && (padded.beside < (int32_t)border || padded.beyond < (int32_t)border))
     {
         status = CM_ERROR_RANGE;

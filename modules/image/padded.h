@@ -16,7 +16,10 @@ typedef enum cm_padded_order
     CM_PADDED_CHANNELS
 } cm_padded_order;
 
-/* Strides are in floats. Behind each row there are CM_WINDOW_SLACK bytes of zeros at least. */
+/* What a value of 1 is in planes of whole numbers, which have values between -2 and 2. */
+#define CM_PADDED_ONE 16384.0f
+
+/* Strides are in numbers. Behind each row there are CM_WINDOW_SLACK bytes of zeros at least. */
 typedef struct cm_padded
 {
     uint32_t planes;
@@ -29,17 +32,30 @@ typedef struct cm_padded
     ptrdiff_t channel;
     ptrdiff_t row;
     size_t plane_floats;
+    int is_whole;           /* are numbers int16_t, CM_PADDED_ONE for 1? */
+    int goes_on;            /* may values be continued where nothing is, as level_rim.h has it? */
+    const cm_memory *owner; /* of memory; NULL: the system */
     float *memory;
-    float *first[CM_PLANES_MAX]; /* the pixel (0, 0) of each plane */
+    float
+        *first[CM_PLANES_MAX]; /* the pixel (0, 0) of each plane; NULL if they are whole numbers */
+    int16_t *whole[CM_PLANES_MAX];
 } cm_padded;
 
-/* Memory for the surface's planes in that size, with zeros behind rows. `beside` and `beyond` are what is wanted: smaller planes have less of what
+/* Room for the surface's planes in that size, of `memory` or, if that is NULL, the system, with zeros behind rows. `beside` and `beyond` are what is wanted: smaller planes have less of what
  * cannot be known, see cm_padded_border. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t height,
                            uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
-                           unsigned threads, cm_padded *padded);
+                           const cm_memory *memory, unsigned threads, cm_padded *padded);
+
+/* The same of whole numbers, channel by channel. */
+cm_status cm_padded_create_whole(const cm_surface *surface, uint32_t width, uint32_t height,
+                                 uint32_t channels, int32_t beside, int32_t beyond,
+                                 const cm_memory *memory, unsigned threads, cm_padded *padded);
 
 void cm_padded_free(cm_padded *padded);
+
+/* What a plane with that extent can have of a border so wide. */
+int32_t cm_border_of(const cm_surface *surface, uint32_t extent, int32_t wanted);
 
 /* The pixels of pictures of the surface, if the planes have its size, and then the border. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_image *pictures,
@@ -52,6 +68,9 @@ void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsign
 
 /* What filters need at least: taps have 3, the halving of levels 6. */
 #define CM_BORDER_LEAST 6
+
+/* Pixels beside a map with gaps that have what the sphere has there: as far as a spline's coefficients see it. */
+#define CM_BESIDE_MAP 20
 
 /* Elements of cm_run_threads for a task: its chunks begin at multiples of it (threads.h). */
 #define CM_TASK 64

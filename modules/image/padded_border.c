@@ -4,6 +4,7 @@
  * inside of it, as in surface_beyond.c, which rows of the border share; values are interpolated inside the neighbour.
  */
 #include "padded.h"
+#include "level_rim.h"
 
 #include <cubemap/threads.h>
 
@@ -67,13 +68,13 @@ typedef struct points
     float weight[POINTS];
 } points;
 
-/* Of planes with fewer than POINTS pixels that way. */
-static points points_around(double position, uint32_t extent)
+/* At most so many. */
+static points points_around(double position, uint32_t extent, int32_t count)
 {
     points at;
     const int32_t limit = (int32_t)extent;
     const double centre = position - 0.5;
-    at.count = limit < POINTS ? limit : POINTS;
+    at.count = limit < count ? limit : count;
     const int32_t first = floor_of(centre) - (at.count - 1) / 2;
     const int32_t most = limit - at.count;
     at.first = first < 0 ? 0 : first > most ? most : first;
@@ -216,33 +217,97 @@ static float sum_few(const float *from, ptrdiff_t pixel, ptrdiff_t row, const po
     return sum;
 }
 
-static void interpolate_few(const cm_padded *padded, unsigned plane, double column, double row,
-                            float *to)
+/* Up to 6 x 6 whole numbers as floats, whose rows are 8 apart. */
+static void take_whole(const int16_t *from, ptrdiff_t row, int32_t width, int32_t height,
+                       float *tile)
 {
-    const points x = points_around(column, padded->width);
-    const points y = points_around(row, padded->height);
-    const float *from = padded->first[plane] + y.first * padded->row + x.first * padded->pixel;
-    for (uint32_t c = 0; c < padded->channels; c++, from += padded->channel, to += padded->channel)
+    for (int32_t j = 0; j < height; j++)
     {
-        *to = sum_few(from, padded->pixel, padded->row, &x, &y);
+        for (int32_t i = 0; i < width; i++)
+        {
+            tile[j * 8 + i] = from[j * row + i];
+        }
     }
 }
 
-static void copy_pixel(const cm_padded *padded, const float *from, float *to)
+static int16_t to_whole(float value)
+{
+    const float clamped = value > 32767.0f ? 32767.0f : value < -32767.0f ? -32767.0f : value;
+    return (int16_t)(int32_t)(clamped + (clamped < 0.0f ? -0.5f : 0.5f));
+}
+
+/* A pixel of a padded's planes. */
+typedef struct spot
+{
+    unsigned plane;
+    ptrdiff_t at; /* numbers from the plane's first */
+} spot;
+
+static spot spot_of(const cm_padded *padded, unsigned plane, int32_t column, int32_t row)
+{
+    return (spot){plane, row * padded->row + column * padded->pixel};
+}
+
+static void interpolate_few(const cm_padded *padded, unsigned plane, double column, double row,
+                            int32_t count, spot to)
+{
+    const points x = points_around(column, padded->width, count);
+    const points y = points_around(row, padded->height, count);
+    const spot from = spot_of(padded, plane, x.first, y.first);
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const ptrdiff_t channel = c * padded->channel;
+        if (padded->whole[plane] != NULL)
+        {
+            float tile[POINTS * 8];
+            take_whole(padded->whole[plane] + from.at + channel, padded->row, x.count, y.count,
+                       tile);
+            padded->whole[to.plane][to.at + channel] = to_whole(sum_few(tile, 1, 8, &x, &y));
+        }
+        else
+        {
+            padded->first[to.plane][to.at + channel] = sum_few(
+                padded->first[plane] + from.at + channel, padded->pixel, padded->row, &x, &y);
+        }
+    }
+}
+
+static void copy_pixel(const cm_padded *padded, spot from, spot to)
 {
     for (uint32_t c = 0; c < padded->channels; c++)
     {
-        to[c * padded->channel] = from[c * padded->channel];
+        const ptrdiff_t channel = c * padded->channel;
+        if (padded->whole[from.plane] != NULL)
+        {
+            padded->whole[to.plane][to.at + channel] = padded->whole[from.plane][from.at + channel];
+        }
+        else
+        {
+            padded->first[to.plane][to.at + channel] = padded->first[from.plane][from.at + channel];
+        }
+    }
+}
+
+static void sum_six_whole(const cm_padded *padded, spot from, const points *x, const points *y,
+                          spot to)
+{
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const ptrdiff_t channel = c * padded->channel;
+        float tile[POINTS * 8] = {0.0f};
+        take_whole(padded->whole[from.plane] + from.at + channel, padded->row, POINTS, POINTS,
+                   tile);
+        padded->whole[to.plane][to.at + channel] = to_whole(sum_channel(tile, 8, x, y));
     }
 }
 
 static void interpolate_six(const cm_padded *padded, unsigned plane, const many_points *columns,
-                            const many_points *rows, size_t i, float *to)
+                            const many_points *rows, size_t i, spot to)
 {
     points x, y;
     take_point(columns, i, &x);
     take_point(rows, i, &y);
-    const float *from = padded->first[plane] + y.first * padded->row + x.first * padded->pixel;
+    spot from = spot_of(padded, plane, x.first, y.first);
     if (columns->exact[i] && rows->exact[i])
     {
         int32_t right = 0, down = 0;
@@ -251,15 +316,60 @@ static void interpolate_six(const cm_padded *padded, unsigned plane, const many_
             right = x.weight[k] > 0.5f ? k : right;
             down = y.weight[k] > 0.5f ? k : down;
         }
-        copy_pixel(padded, from + down * padded->row + right * padded->pixel, to);
-        return;
+        from.at += down * padded->row + right * padded->pixel;
+        copy_pixel(padded, from, to);
     }
-    sum_six(padded, from, &x, &y, to);
+    else if (padded->whole[plane] != NULL)
+    {
+        sum_six_whole(padded, from, &x, &y, to);
+    }
+    else
+    {
+        sum_six(padded, padded->first[plane] + from.at, &x, &y, padded->first[to.plane] + to.at);
+    }
 }
 
-static int32_t clamped(int32_t at, uint32_t extent)
+/* Where nothing is, from the plane's last pixels. */
+static void continue_plane(const cm_padded *padded, int32_t column, int32_t row, spot to)
 {
-    return at < 0 ? 0 : at >= (int32_t)extent ? (int32_t)extent - 1 : at;
+    int32_t last[2], inwards[2];
+    const cm_rim_nodes x =
+        cm_rim_nodes_along(column, padded->width, padded->goes_on, &last[0], &inwards[0]);
+    const cm_rim_nodes y =
+        cm_rim_nodes_along(row, padded->height, padded->goes_on, &last[1], &inwards[1]);
+    const spot from = spot_of(padded, to.plane, last[0], last[1]);
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const ptrdiff_t channel = c * padded->channel;
+        float sum = 0.0f;
+        for (int32_t j = 0; j < y.count; j++)
+        {
+            const ptrdiff_t line = from.at + channel + inwards[1] * y.from_last[j] * padded->row;
+            for (int32_t i = 0; i < x.count; i++)
+            {
+                const ptrdiff_t at = line + inwards[0] * x.from_last[i] * padded->pixel;
+                sum += y.weight[j] * x.weight[i] *
+                       (padded->is_whole ? (float)padded->whole[to.plane][at]
+                                         : padded->first[to.plane][at]);
+            }
+        }
+        if (padded->is_whole)
+        {
+            padded->whole[to.plane][to.at + channel] = to_whole(sum);
+        }
+        else
+        {
+            padded->first[to.plane][to.at + channel] = sum;
+        }
+    }
+}
+
+/* As many points as do not lie on both sides of a diagonal, where creases are; two if there are none. */
+static int32_t points_beside_crease(const cm_padded *padded, const many_points *columns,
+                                    const many_points *rows, size_t i)
+{
+    /* four are the inner ones of six, and are two if these are across */
+    return cm_level_is_across(padded->width, columns->first[i] + 1, rows->first[i] + 1, 4) ? 2 : 4;
 }
 
 /* Pixels of the border from their directions: (column, row) is the first, and each is one step on. */
@@ -283,33 +393,56 @@ static void put_run(const border_job *job, unsigned plane, int32_t column, int32
     }
     for (size_t i = 0; i < n; i++, column += right, row += down)
     {
-        float *to = padded->first[plane] + row * padded->row + column * padded->pixel;
+        const spot to = spot_of(padded, plane, column, row);
         if (found[i] == CM_NO_FACE)
         {
-            /* where nothing is, the nearest pixel of the plane stands for it */
-            copy_pixel(padded,
-                       padded->first[plane] + clamped(row, padded->height) * padded->row +
-                           clamped(column, padded->width) * padded->pixel,
-                       to);
+            continue_plane(padded, column, row, to);
         }
-        else if (are_many)
+        else if (are_many &&
+                 !(job->surface->creased &&
+                   cm_level_is_across(padded->width, columns.first[i], rows.first[i], POINTS)))
         {
             interpolate_six(padded, found[i], &columns, &rows, i, to);
         }
         else
         {
-            interpolate_few(padded, found[i], x[i] / job->scale[0], y[i] / job->scale[1], to);
+            interpolate_few(padded, found[i], x[i] / job->scale[0], y[i] / job->scale[1],
+                            are_many ? points_beside_crease(padded, &columns, &rows, i) : POINTS,
+                            to);
         }
     }
 }
 
 /* ---- directions ---- */
 
+/* A run of a row whose pixels are those of another. */
+static int copy_run(const border_job *job, unsigned plane, int32_t column, int32_t row,
+                    int32_t right, size_t n)
+{
+    const cm_padded *padded = job->padded;
+    const int32_t width = (int32_t)padded->width;
+    int32_t further, same;
+    if (!cm_surface_same_row(job->surface, job->scale, row, &further, &same))
+    {
+        return 0;
+    }
+    for (size_t i = 0; i < n; i++, column += right)
+    {
+        const int32_t from = ((column + further) % width + width) % width;
+        copy_pixel(padded, spot_of(padded, plane, from, same), spot_of(padded, plane, column, row));
+    }
+    return 1;
+}
+
 /* A run whose directions the surface itself can tell, or surface_beyond.c one by one. */
 static void ask_run(const border_job *job, unsigned plane, int32_t column, int32_t row,
                     int32_t right, int32_t down, size_t n)
 {
     double columns[BLOCK], rows[BLOCK], x[BLOCK], y[BLOCK], z[BLOCK];
+    if (down == 0 && copy_run(job, plane, column, row, right, n))
+    {
+        return;
+    }
     for (size_t i = 0; i < n; i++)
     {
         columns[i] = (column + (int32_t)i * right + 0.5) * job->scale[0];
@@ -434,12 +567,7 @@ static void repeat_columns(const cm_padded *padded, unsigned plane, int32_t row,
     {
         const int32_t column = is_left ? -1 - k : width + k;
         const int32_t same = ((column % width) + width) % width;
-        float *line = padded->first[plane] + row * padded->row;
-        for (uint32_t c = 0; c < padded->channels; c++)
-        {
-            line[column * padded->pixel + c * padded->channel] =
-                line[same * padded->pixel + c * padded->channel];
-        }
+        copy_pixel(padded, spot_of(padded, plane, same, row), spot_of(padded, plane, column, row));
     }
 }
 
@@ -562,7 +690,10 @@ void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsign
     job.blocks[LEFT] = job.blocks[RIGHT] =
         padded->beside > 0 ? (padded->height + (size_t)BLOCK - 1) / BLOCK : 0;
     job.per_plane = 2 * (job.blocks[ABOVE] + job.blocks[LEFT]) + 4;
-    prepare_nodes(&job, 0, padded->beside, padded->width);
-    prepare_nodes(&job, 1, padded->beyond, padded->height);
+    if (!surface->methods->can_go_beyond)
+    {
+        prepare_nodes(&job, 0, padded->beside, padded->width);
+        prepare_nodes(&job, 1, padded->beyond, padded->height);
+    }
     cm_run_threads(threads, padded->planes * job.per_plane * CM_TASK, 2 * CM_TASK, do_tasks, &job);
 }

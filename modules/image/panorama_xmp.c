@@ -7,8 +7,9 @@
 #include <cubemap/panorama.h>
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
+
+#include "text_end.h"
 
 #define NAMESPACE "http://ns.google.com/photos/1.0/panorama/"
 
@@ -220,50 +221,31 @@ cm_status cm_panorama_read(const char *text, size_t length, cm_panorama *panoram
 
 /* ---- writing ---- */
 
-typedef struct writer
+static void append_field(cm_text_end *to, const char *name, double value)
 {
-    char *text;
-    size_t size;
-    size_t length;
-} writer;
-
-static void append(writer *to, const char *text)
-{
-    const size_t length = strlen(text);
-    if (to->length + length < to->size)
-    {
-        memcpy(to->text + to->length, text, length);
-    }
-    to->length += length;
-}
-
-static void append_field(writer *to, const char *name, double value)
-{
-    char number[CM_NUMBER_SIZE];
-    cm_number_write_shortest(value, number);
-    append(to, "\n    GPano:");
-    append(to, name);
-    append(to, "=\"");
-    append(to, number);
-    append(to, "\"");
+    cm_text_add(to, "\n    GPano:");
+    cm_text_add(to, name);
+    cm_text_add(to, "=\"");
+    cm_text_add_number(to, value);
+    cm_text_add(to, "\"");
 }
 
 cm_status cm_panorama_write(const cm_panorama *panorama, char *text, size_t size)
 {
     const cm_status status = cm_panorama_check(panorama);
     char packet[2048];
-    writer to = {packet, sizeof packet, 0};
+    cm_text_end to = {packet, sizeof packet, 0};
     if (status != CM_OK || text == NULL || panorama->full_width == 0)
     {
         return status != CM_OK ? status : text == NULL ? CM_ERROR_ARGUMENT : CM_ERROR_RANGE;
     }
-    append(&to, "<?xpacket begin=\"\xef\xbb\xbf\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
-                "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"
-                " <rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
-                "  <rdf:Description rdf:about=\"\"\n"
-                "    xmlns:GPano=\"" NAMESPACE "\"\n"
-                "    GPano:UsePanoramaViewer=\"True\"\n"
-                "    GPano:ProjectionType=\"equirectangular\"");
+    cm_text_add(&to, "<?xpacket begin=\"\xef\xbb\xbf\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
+                     "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"
+                     " <rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
+                     "  <rdf:Description rdf:about=\"\"\n"
+                     "    xmlns:GPano=\"" NAMESPACE "\"\n"
+                     "    GPano:UsePanoramaViewer=\"True\"\n"
+                     "    GPano:ProjectionType=\"equirectangular\"");
     append_field(&to, "FullPanoWidthPixels", panorama->full_width);
     append_field(&to, "FullPanoHeightPixels", panorama->full_height);
     append_field(&to, "CroppedAreaLeftPixels", panorama->cropped_left);
@@ -280,7 +262,7 @@ cm_status cm_panorama_write(const cm_panorama *panorama, char *text, size_t size
         append_field(&to, "PosePitchDegrees", panorama->pitch);
         append_field(&to, "PoseRollDegrees", panorama->roll);
     }
-    append(&to, "/>\n </rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"w\"?>");
+    cm_text_add(&to, "/>\n </rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"w\"?>");
     if (to.length >= sizeof packet || to.length >= size)
     {
         return CM_ERROR_SPACE;

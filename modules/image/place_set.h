@@ -12,12 +12,24 @@
 #define CM_BLOCK_EDGE 16
 #define CM_BLOCK_NODES 4
 
+/* The same with one more on each side. */
+#define CM_WIDE_NODES (CM_BLOCK_NODES + 2)
+
 /* What each node of a row, or of a column, counts at each pixel. */
 typedef float cm_place_weights[CM_BLOCK_NODES][CM_BLOCK_EDGE];
+typedef float cm_wide_weights[CM_WIDE_NODES][CM_BLOCK_EDGE];
 
 /* One coordinate of all pixels of a block, by rows, from that of 4 x 4 nodes by rows. They do not overlap. */
 typedef void cm_placer(const float *nodes, const cm_place_weights *across,
                        const cm_place_weights *along, float *to);
+
+/* The same from 6 x 6 nodes, with the weights of both ways. */
+typedef void cm_wide_placer(const float *nodes, const cm_wide_weights *weights, float *to);
+
+/* 4 x 4 nodes by rows, which are stride elements apart, from an origin: subtracted in double, they go on as floats. And the
+ * least and the greatest of them. What is read and nodes do not overlap. */
+typedef void cm_place_taker(const double *at, size_t stride, double origin, float *nodes,
+                            float *low, float *high);
 
 /* squares[i] = the square of the length of the fourth difference of (x, y) from node i on; n of them, any n. Neighbours
  * are so many elements apart: 1 along a row. squares does not overlap what is read. */
@@ -31,6 +43,8 @@ typedef struct cm_place_set
 {
     const char *name; /* as in options.h */
     cm_placer *place;
+    cm_wide_placer *place_wide;
+    cm_place_taker *take;
     cm_place_differences *differences;
     cm_place_bounds *bounds;
 } cm_place_set;

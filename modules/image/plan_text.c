@@ -19,56 +19,38 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "text_end.h"
+
 #define FIRST_LINE "cubemap-plan 1\n"
 
 /* ---- writing ---- */
 
-/* What is written, and how much there would be. */
-typedef struct plan_page
+static void put_line(cm_text_end *page, const char *word, const char *value)
 {
-    char *text;
-    size_t size;
-    size_t length;
-} plan_page;
-
-static void put_text(plan_page *page, const char *text)
-{
-    const size_t length = strlen(text);
-    if (page->length + length < page->size)
-    {
-        memcpy(page->text + page->length, text, length + 1);
-    }
-    page->length += length;
+    cm_text_add(page, word);
+    cm_text_add(page, " ");
+    cm_text_add(page, value);
+    cm_text_add(page, "\n");
 }
 
-static void put_line(plan_page *page, const char *word, const char *value)
-{
-    put_text(page, word);
-    put_text(page, " ");
-    put_text(page, value);
-    put_text(page, "\n");
-}
-
-static void put_number(plan_page *page, const char *word, double value)
+static void put_number(cm_text_end *page, const char *word, double value)
 {
     char text[CM_NUMBER_SIZE];
     cm_number_write_shortest(value, text);
     put_line(page, word, text);
 }
 
-static void put_rotation(plan_page *page, const char *word, const cm_surface *surface)
+static void put_rotation(cm_text_end *page, const char *word, const cm_surface *surface)
 {
     if (surface->is_turned)
     {
-        put_text(page, word);
+        cm_text_add(page, word);
         for (int i = 0; i < 9; i++)
         {
-            char text[CM_NUMBER_SIZE];
-            cm_number_write_shortest(surface->rotation.row[i / 3][i % 3], text);
-            put_text(page, " ");
-            put_text(page, text);
+            cm_text_add(page, " ");
+            cm_text_add_number(page, surface->rotation.row[i / 3][i % 3]);
         }
-        put_text(page, "\n");
+        cm_text_add(page, "\n");
     }
 }
 
@@ -124,8 +106,8 @@ cm_status cm_plan_write(const cm_plan *plan, char *text, size_t size, size_t *le
         return CM_ERROR_ARGUMENT;
     }
     const cm_plan_options *options = &plan->options;
-    plan_page page = {text, size, 0};
-    put_text(&page, FIRST_LINE);
+    cm_text_end page = {text, size, 0};
+    cm_text_add(&page, FIRST_LINE);
     put_line(&page, "from", cm_surface_specification(plan->from));
     put_rotation(&page, "from-rotation", plan->from);
     put_line(&page, "to", cm_surface_specification(plan->to));

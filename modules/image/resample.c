@@ -18,6 +18,14 @@
 /* Elements of cm_run_threads for a row of blocks: chunks begin at multiples of it (threads.h). */
 #define ROW_WEIGHT 64
 
+#ifdef __GNUC__
+#define CM_FETCH(place) __builtin_prefetch(place)
+#define CM_FETCH_TO_WRITE(place) __builtin_prefetch(place, 1)
+#else
+#define CM_FETCH(place) (void)(place)
+#define CM_FETCH_TO_WRITE(place) (void)(place)
+#endif
+
 /* What all threads work on. */
 typedef struct resample_job
 {
@@ -29,12 +37,20 @@ typedef struct resample_job
     atomic_int failed;
 } resample_job;
 
+/* Where the rows of a block go. */
+typedef struct block_target
+{
+    unsigned char *first; /* NULL: pixels go one by one */
+    ptrdiff_t down;       /* from row to row, in bytes */
+} block_target;
+
 /* What a thread works with. */
 typedef struct resample_desk
 {
     cm_geometry *geometry;
     cm_scratch scratch;
-    cm_group groups[CM_PLANES_MAX];
+    cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
+    block_target targets[2];
     unsigned char *pixels; /* of a group */
 } resample_desk;
 
@@ -89,33 +105,31 @@ static int is_there(const cm_source *source, const cm_group *group)
                           group->row + box.row, box.width, box.height);
 }
 
-/* n pixels of a group, a multiple of 16, through one window. */
+/* n pixels of a group, a multiple of 16, through one window. Its data are where the group's origin would be, inside the
+ * window or not: positions are the same numbers, and so are the bits, in whatever memory it is. */
 static cm_status sample_run(const cm_source *source, const cm_group *group, size_t begin, size_t n,
                             window_box box, cm_scratch *scratch, unsigned char *to)
 {
-    float x[CM_BLOCK_PIXELS];
-    float y[CM_BLOCK_PIXELS];
     cm_window window;
     if (cm_level_there(&source->level, group->plane, group->column + box.column,
                        group->row + box.row, box.width, box.height))
     {
         cm_level_own(&source->level, group->plane, group->column, group->row, &window);
-        source->sampler(&window, n, group->x + begin, group->y + begin, &source->table, to);
-        return CM_OK;
     }
-    for (size_t i = 0; i < n; i++)
+    else
     {
-        x[i] = group->x[begin + i] - (float)box.column;
-        y[i] = group->y[begin + i] - (float)box.row;
+        const cm_status status =
+            cm_level_window(&source->level, group->plane, group->column + box.column,
+                            group->row + box.row, box.width, box.height, scratch, &window);
+        if (status != CM_OK)
+        {
+            return status;
+        }
+        window.data = (const unsigned char *)window.data - box.row * window.row_stride -
+                      box.column * (ptrdiff_t)source->level.pixel_size;
     }
-    const cm_status status =
-        cm_level_window(&source->level, group->plane, group->column + box.column,
-                        group->row + box.row, box.width, box.height, scratch, &window);
-    if (status == CM_OK)
-    {
-        source->sampler(&window, n, x, y, &source->table, to);
-    }
-    return status;
+    source->sampler(&window, n, group->x + begin, group->y + begin, &source->table, to);
+    return CM_OK;
 }
 
 /* The pixel 16 times, as samplers take no fewer. */
@@ -167,8 +181,7 @@ cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch 
     const size_t whole = (group->count + 15u) / 16 * 16;
     if (source->filter == CM_FILTER_EWA)
     {
-        cm_ewa_group(&source->ewa, group, (float *)(void *)to);
-        return CM_OK;
+        return cm_ewa_group(&source->ewa, group, scratch, (float *)(void *)to);
     }
     for (size_t i = group->count; i < whole; i++)
     {
@@ -265,35 +278,40 @@ static uint32_t run_length(const cm_group *group, unsigned at)
     return n;
 }
 
-/* Rows of a block one below the other, each of so many bytes. The frequent sizes are constants, which need no call. */
-static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
+static inline void copy_each(const unsigned char *from, size_t bytes, unsigned char *to,
+                             ptrdiff_t down)
 {
     for (int i = 0; i < CM_BLOCK_EDGE; i++, from += bytes, to += down)
     {
-        switch (bytes)
-        {
-        case CM_BLOCK_EDGE * 3:
-            memcpy(to, from, CM_BLOCK_EDGE * 3);
-            break;
-        case CM_BLOCK_EDGE * 4:
-            memcpy(to, from, CM_BLOCK_EDGE * 4);
-            break;
-        case CM_BLOCK_EDGE * 12:
-            memcpy(to, from, CM_BLOCK_EDGE * 12);
-            break;
-        default:
-            memcpy(to, from, bytes);
-        }
+        memcpy(to, from, bytes);
     }
 }
 
-/* All pixels of a block at once: 1 if its rows go to rows of the target as they are. */
-static int store_block(const resample_job *job, unsigned plane, uint32_t column, uint32_t row,
-                       const unsigned char *pixels)
+/* Rows of a block one below the other, each of so many bytes. The frequent sizes are constants, which need no call. */
+static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
+{
+    switch (bytes)
+    {
+    case CM_BLOCK_EDGE * 3:
+        copy_each(from, CM_BLOCK_EDGE * 3, to, down);
+        break;
+    case CM_BLOCK_EDGE * 4:
+        copy_each(from, CM_BLOCK_EDGE * 4, to, down);
+        break;
+    case CM_BLOCK_EDGE * 12:
+        copy_each(from, CM_BLOCK_EDGE * 12, to, down);
+        break;
+    default:
+        copy_each(from, bytes, to, down);
+    }
+}
+
+/* Where a block's rows go as they are; NULL if they do not. */
+static block_target target_of(const resample_job *job, unsigned plane, uint32_t column,
+                              uint32_t row)
 {
     const cm_rows *wanted = &job->wanted;
     const cm_level *level = &job->source->level;
-    const ptrdiff_t size = (ptrdiff_t)level->pixel_size;
     uint32_t picture_column, picture_row;
     ptrdiff_t stride;
     if (!(level->is_bytes || cm_values_are_copied(&job->values)) || row < wanted->first_row ||
@@ -301,28 +319,24 @@ static int store_block(const resample_job *job, unsigned plane, uint32_t column,
         column < wanted->first_column ||
         column + CM_BLOCK_EDGE > wanted->first_column + wanted->column_count)
     {
-        return 0;
+        return (block_target){NULL, 0};
     }
     unsigned char *to =
         target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
     const unsigned char *below =
         target_pixel(job, plane, column, row + 1, &picture_column, &picture_row, &stride);
-    if (stride != size)
-    {
-        return 0;
-    }
-    copy_rows(pixels, (size_t)size * CM_BLOCK_EDGE, to, below - to);
-    return 1;
+    return (block_target){stride == (ptrdiff_t)level->pixel_size ? to : NULL, below - to};
 }
 
 static void store_group(const resample_job *job, unsigned plane, uint32_t block_column,
-                        uint32_t block_row, const cm_group *group, unsigned char *pixels)
+                        uint32_t block_row, const cm_group *group, const block_target *target,
+                        unsigned char *pixels)
 {
     const size_t size = job->source->level.pixel_size;
     const int is_whole = group->count == CM_BLOCK_PIXELS;
-    if (is_whole &&
-        store_block(job, plane, block_column * CM_BLOCK_EDGE, block_row * CM_BLOCK_EDGE, pixels))
+    if (is_whole && target->first != NULL)
     {
+        copy_rows(pixels, size * CM_BLOCK_EDGE, target->first, target->down);
         return;
     }
     for (unsigned i = 0; i < group->count;)
@@ -371,25 +385,75 @@ static void clear_rest(const resample_job *job, unsigned plane, uint32_t block_c
     }
 }
 
-static cm_status do_block(const resample_job *job, resample_desk *desk, unsigned plane,
-                          uint32_t block_column, uint32_t block_row)
+/* Blocks go along curves in the source, which processors do not foresee: so what a block needs is asked for while the one
+ * before it is done. Of eight pixels in a row one will do, of four where they are large, which has its last row of taps
+ * asked for. */
+static void fetch_group(const cm_source *source, const cm_group *group)
 {
+    cm_window window;
+    if (!group->is_bounded || !source->level.is_plain || source->filter == CM_FILTER_EWA)
+    {
+        return;
+    }
+    cm_level_own(&source->level, group->plane, group->column, group->row + source->taps / 2,
+                 &window);
+    const char *data = window.data;
+    const ptrdiff_t size = (ptrdiff_t)source->level.pixel_size;
+    const unsigned step = size > 4 ? 4 : 8;
+    for (unsigned i = step / 2; i < group->count; i += step)
+    {
+        CM_FETCH(data + (int32_t)group->y[i] * window.row_stride + (int32_t)group->x[i] * size);
+    }
+}
+
+static void fetch_target(const block_target *target, size_t bytes)
+{
+    for (ptrdiff_t i = 0; i < CM_BLOCK_EDGE && target->first != NULL; i++)
+    {
+        const unsigned char *row = target->first + i * target->down;
+        CM_FETCH_TO_WRITE(row + bytes - 1);
+        for (size_t at = 64; at < bytes; at += 64)
+        {
+            CM_FETCH_TO_WRITE(row + bytes - 1 - at);
+        }
+    }
+}
+
+static unsigned place_block(const resample_job *job, resample_desk *desk, unsigned plane,
+                            uint32_t block_column, uint32_t block_row)
+{
+    cm_group *groups = desk->groups[block_column % 2];
+    desk->targets[block_column % 2] =
+        target_of(job, plane, block_column * CM_BLOCK_EDGE, block_row * CM_BLOCK_EDGE);
     const unsigned count =
-        cm_geometry_block(desk->geometry, plane, block_column, block_row, desk->groups);
+        cm_geometry_block(desk->geometry, plane, block_column, block_row, groups);
+    for (unsigned i = 0; i < count; i++)
+    {
+        fetch_group(job->source, &groups[i]);
+    }
+    return count;
+}
+
+static cm_status fill_block(const resample_job *job, resample_desk *desk, unsigned plane,
+                            uint32_t block_column, uint32_t block_row, unsigned count)
+{
+    cm_group *groups = desk->groups[block_column % 2];
+    const block_target *target = &desk->targets[block_column % 2];
     cm_status status = CM_OK;
     unsigned pixels = 0;
+    fetch_target(target, job->source->level.pixel_size * CM_BLOCK_EDGE);
     for (unsigned i = 0; i < count && status == CM_OK; i++)
     {
-        status = cm_source_sample(job->source, &desk->groups[i], &desk->scratch, desk->pixels);
+        status = cm_source_sample(job->source, &groups[i], &desk->scratch, desk->pixels);
         if (status == CM_OK)
         {
-            store_group(job, plane, block_column, block_row, &desk->groups[i], desk->pixels);
+            store_group(job, plane, block_column, block_row, &groups[i], target, desk->pixels);
         }
-        pixels += desk->groups[i].count;
+        pixels += groups[i].count;
     }
     if (pixels < CM_BLOCK_PIXELS)
     {
-        clear_rest(job, plane, block_column, block_row, desk->groups, count);
+        clear_rest(job, plane, block_column, block_row, groups, count);
     }
     return status;
 }
@@ -401,9 +465,13 @@ static cm_status do_block_row(const resample_job *job, resample_desk *desk, unsi
     const uint32_t first = wanted->first_column / CM_BLOCK_EDGE;
     const uint32_t last = (wanted->first_column + wanted->column_count - 1) / CM_BLOCK_EDGE;
     cm_status status = CM_OK;
+    unsigned count = place_block(job, desk, plane, first, block_row);
     for (uint32_t column = first; column <= last && status == CM_OK; column++)
     {
-        status = do_block(job, desk, plane, column, block_row);
+        const unsigned next =
+            column < last ? place_block(job, desk, plane, column + 1, block_row) : 0;
+        status = fill_block(job, desk, plane, column, block_row, count);
+        count = next;
     }
     return status;
 }

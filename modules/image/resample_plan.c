@@ -27,10 +27,16 @@ static int are_good(const cm_plan_options *options)
            (unsigned)options->transfer <= CM_TRANSFER_GAMMA &&
            (options->transfer != CM_TRANSFER_GAMMA ||
             (options->gamma > 0.0 && isfinite(options->gamma))) &&
-           options->alpha <= CM_CHANNELS_MAX && options->vector <= CM_CHANNELS_MAX &&
+           options->alpha <= CM_CHANNELS_MAX && options->vector <= CM_CHANNELS_MAX - 2 &&
            (options->vector == 0 || options->alpha == 0 || options->alpha < options->vector ||
             options->alpha > options->vector + 2) &&
            (unsigned)options->not_finite <= CM_NOT_FINITE_ZERO;
+}
+
+static int is_good_memory(const cm_memory *memory)
+{
+    return memory == NULL ||
+           (memory->size == sizeof *memory && memory->allocate != NULL && memory->release != NULL);
 }
 
 /* A vector of the source's axes is turned into those of the Earth, and from there into the target's. */
@@ -53,7 +59,8 @@ cm_status cm_plan_create(const cm_surface *from, const cm_surface *to,
 {
     const cm_plan_options none = {.size = sizeof none};
     const cm_plan_options *wish = options == NULL ? &none : options;
-    if (from == NULL || to == NULL || plan == NULL || wish->size != sizeof none)
+    if (from == NULL || to == NULL || plan == NULL || wish->size != sizeof none ||
+        !is_good_memory(wish->memory))
     {
         return CM_ERROR_ARGUMENT;
     }
@@ -71,6 +78,11 @@ cm_status cm_plan_create(const cm_surface *from, const cm_surface *to,
         return CM_ERROR_MEMORY;
     }
     made->options = *wish;
+    if (wish->memory != NULL)
+    {
+        made->memory = *wish->memory;
+        made->options.memory = &made->memory;
+    }
     made->options.tolerance = wish->tolerance == 0.0 ? CM_TOLERANCE : fmax(wish->tolerance, 0.0);
     made->options.pixels_most = wish->pixels_most == 0.0 ? CM_PIXELS_MOST : wish->pixels_most;
     cm_status status = cm_surface_copy(from, &made->from);

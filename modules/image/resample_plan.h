@@ -12,6 +12,7 @@ struct cm_plan
     cm_surface *from;
     cm_surface *to;
     cm_plan_options options; /* with what a zero stands for filled in */
+    cm_memory memory;        /* that options.memory points to, if there is one */
     double turn[3][3];       /* of vectors, from the source's axes to the target's */
 };
 

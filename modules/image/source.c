@@ -107,6 +107,7 @@ static void choose_sampler(cm_source *source, int is_bytes)
 static cm_status prepare(cm_source *source, const cm_image *from, unsigned threads)
 {
     const cm_plan *plan = source->plan;
+    const cm_memory *memory = plan->options.memory;
     source->values = cm_values_of(plan, from);
     source->set = cm_sample_set_find(plan->options.instructions);
     source->places = cm_place_set_find(plan->options.instructions);
@@ -128,7 +129,7 @@ static cm_status prepare(cm_source *source, const cm_image *from, unsigned threa
     }
     if (source->filter == CM_FILTER_BSPLINE5)
     {
-        return cm_spline_make(plan->from, from, &source->values, source->set, threads,
+        return cm_spline_make(plan->from, from, &source->values, source->set, memory, threads,
                               &source->coefficients, &source->level);
     }
     if (source->filter == CM_FILTER_EWA)
@@ -136,8 +137,11 @@ static cm_status prepare(cm_source *source, const cm_image *from, unsigned threa
         cm_filter_table_fill(CM_FILTER_SPLINE36, &source->table);
         source->level.channels = source->values.working;
         source->level.pixel_size = source->values.working * sizeof(float);
+        /* what is between bytes as they are, for bytes again, needs no more than 14 bits behind the point */
+        const int is_whole = from->type == CM_PIXEL_U8 && source->target_type == CM_PIXEL_U8 &&
+                             plan->options.transfer == CM_TRANSFER_STORED;
         return cm_ewa_make(plan->from, from, &source->values, source->set, &source->table,
-                           plan->options.pixels_most, threads, &source->ewa);
+                           plan->options.pixels_most, memory, is_whole, threads, &source->ewa);
     }
     const int32_t reach = source->taps < 2 ? 1 : source->taps / 2;
     return cm_level_of_pictures(plan->from, from, &source->values, is_bytes, reach, threads,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "spline.h"
 #include "filter_set.h"
+#include "spline_holes.h"
 
 #include <cubemap/threads.h>
 
@@ -58,6 +59,80 @@ static void do_columns(size_t begin, size_t end, void *user)
     }
 }
 
+/* ---- planes that the caller keeps, in files say ----
+ *
+ * A walk down a few columns touches all pages of a plane, again and again: so rows are read one after another, all columns
+ * of some before the next, and what the recursions have reached is kept. */
+
+#define PART_ROWS 64
+
+typedef struct part_job
+{
+    const spline_job *all;
+    float *first; /* of the plane's part */
+    size_t rows;
+    cm_spline_way way;
+    int is_begin;
+    float *state; /* 2 * CM_BUNDLE_COLUMNS for each bundle */
+} part_job;
+
+static void do_part(size_t begin, size_t end, void *user)
+{
+    const part_job *job = user;
+    for (size_t at = begin / CM_TASK; at < end / CM_TASK; at++)
+    {
+        const size_t first = at * CM_BUNDLE_COLUMNS;
+        const size_t left = job->all->floats - first;
+        job->all->set->spline_columns_part(job->first + first,
+                                           left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS,
+                                           job->rows, job->all->padded->row, job->way,
+                                           job->is_begin, job->state + at * 2 * CM_BUNDLE_COLUMNS);
+    }
+}
+
+static void do_plane(const spline_job *all, size_t plane, cm_spline_way way, unsigned threads,
+                     float *state)
+{
+    const size_t parts = (all->high + PART_ROWS - 1) / PART_ROWS;
+    const size_t bundles = (all->floats + CM_BUNDLE_COLUMNS - 1) / CM_BUNDLE_COLUMNS;
+    for (size_t i = 0; i < parts; i++)
+    {
+        const size_t row = (way == CM_SPLINE_FORTH ? i : parts - 1 - i) * PART_ROWS;
+        part_job job = {.all = all, .way = way, .is_begin = i == 0, .state = state};
+        job.first = corner_of(all->padded, plane) + row * (size_t)all->padded->row;
+        job.rows = all->high - row < PART_ROWS ? all->high - row : PART_ROWS;
+        cm_run_threads(threads, bundles * CM_TASK, CM_TASK, do_part, &job);
+    }
+}
+
+static cm_status do_planes(const spline_job *all, unsigned threads)
+{
+    const size_t bundles = (all->floats + CM_BUNDLE_COLUMNS - 1) / CM_BUNDLE_COLUMNS;
+    float *state = malloc(bundles * 2 * CM_BUNDLE_COLUMNS * sizeof(float));
+    for (size_t plane = 0; state != NULL && plane < all->padded->planes; plane++)
+    {
+        do_plane(all, plane, CM_SPLINE_FORTH, threads, state);
+        do_plane(all, plane, CM_SPLINE_BACK, threads, state);
+    }
+    free(state);
+    return state == NULL ? CM_ERROR_MEMORY : CM_OK;
+}
+
+static cm_status filter(spline_job *job, unsigned threads)
+{
+    const cm_padded *padded = job->padded;
+    const size_t bundles = (job->high + CM_BUNDLE_ROWS - 1) / CM_BUNDLE_ROWS;
+    const size_t stripes = (job->floats + CM_BUNDLE_COLUMNS - 1) / CM_BUNDLE_COLUMNS;
+    cm_run_threads(threads, padded->planes * bundles * CM_TASK, CM_TASK, do_rows, job);
+    const cm_status status = (cm_status)atomic_load(&job->failed);
+    if (status != CM_OK || padded->owner != NULL)
+    {
+        return status != CM_OK ? status : do_planes(job, threads);
+    }
+    cm_run_threads(threads, padded->planes * stripes * CM_TASK, CM_TASK, do_columns, job);
+    return CM_OK;
+}
+
 static void look_at(const cm_padded *padded, const cm_values *values, cm_level *level)
 {
     const unsigned char *end =
@@ -82,30 +157,33 @@ static void look_at(const cm_padded *padded, const cm_values *values, cm_level *
 }
 
 cm_status cm_spline_make(const cm_surface *surface, const cm_image *pictures,
-                         const cm_values *values, const cm_sample_set *set, unsigned threads,
-                         cm_padded *coefficients, cm_level *level)
+                         const cm_values *values, const cm_sample_set *set, const cm_memory *memory,
+                         unsigned threads, cm_padded *coefficients, cm_level *level)
 {
     const int32_t border = CM_SPLINE_START + CM_FILTER_TAPS_MAX / 2;
-    cm_status status = cm_padded_create(surface, surface->width, surface->height, values->working,
-                                        border, border, CM_PADDED_PIXELS, threads, coefficients);
+    cm_status status =
+        cm_padded_create(surface, surface->width, surface->height, values->working, border, border,
+                         CM_PADDED_PIXELS, memory, threads, coefficients);
     if (status != CM_OK)
     {
         return status;
     }
+    uint64_t *holes = NULL;
     status = cm_padded_load(coefficients, surface, pictures, values, set, threads);
+    if (status == CM_OK && (values->type == CM_PIXEL_HALF || values->type == CM_PIXEL_FLOAT))
+    {
+        status = cm_spline_holes_fill(coefficients, surface, threads, &holes);
+    }
     spline_job job = {.padded = coefficients, .set = cm_filter_set_find(set->name)};
     job.high = coefficients->height + 2 * (size_t)coefficients->beyond;
     job.floats = (coefficients->width + 2 * (size_t)coefficients->beside) * values->working;
     atomic_init(&job.failed, (int)status);
+    status = status == CM_OK ? filter(&job, threads) : status;
     if (status == CM_OK)
     {
-        const size_t bundles = (job.high + CM_BUNDLE_ROWS - 1) / CM_BUNDLE_ROWS;
-        const size_t stripes = (job.floats + CM_BUNDLE_COLUMNS - 1) / CM_BUNDLE_COLUMNS;
-        cm_run_threads(threads, coefficients->planes * bundles * CM_TASK, CM_TASK, do_rows, &job);
-        cm_run_threads(threads, coefficients->planes * stripes * CM_TASK, CM_TASK, do_columns,
-                       &job);
-        status = (cm_status)atomic_load(&job.failed);
+        cm_spline_holes_put(coefficients, holes);
     }
+    free(holes);
     if (status != CM_OK)
     {
         cm_padded_free(coefficients);

@@ -11,10 +11,10 @@
  * pixel stood there for ever, and what is wrong with that has shrunk to 0.43 to this power. */
 #define CM_SPLINE_START 16
 
-/* Coefficients of the surface's pictures, and a level that looks at them. cm_padded_free frees both. CM_OK or
+/* Coefficients of the surface's pictures, in `memory` as of cm_padded_create, and a level that looks at them. cm_padded_free frees both. CM_OK or
  * CM_ERROR_MEMORY. */
 cm_status cm_spline_make(const cm_surface *surface, const cm_image *pictures,
-                         const cm_values *values, const cm_sample_set *set, unsigned threads,
-                         cm_padded *coefficients, cm_level *level);
+                         const cm_values *values, const cm_sample_set *set, const cm_memory *memory,
+                         unsigned threads, cm_padded *coefficients, cm_level *level);
 
 #endif

@@ -226,3 +226,29 @@ void cm_surface_directions_beyond(const cm_surface *surface, unsigned plane, siz
     const double pixel[2] = {1.0, 1.0};
     cm_surface_directions_spaced(surface, plane, pixel, n, column, row, x, y, z);
 }
+
+/* Columns that come again are meridians as far from one another, and rows are parallels: one pixel tells of all. */
+int cm_surface_same_row(const cm_surface *surface, const double spacing[2], int32_t row,
+                        int32_t *further, int32_t *same)
+{
+    const double near = 1e-6;
+    const double column = 0.5 * spacing[0];
+    const double line = (row + 0.5) * spacing[1];
+    double x, y, z;
+    uint8_t found;
+    if (surface->period == 0.0 || surface->planes != 1)
+    {
+        return 0;
+    }
+    cm_surface_directions_spaced(surface, 0, spacing, 1, &column, &line, &x, &y, &z);
+    cm_surface_find(surface, 1, &x, &y, &z, &found, &x, &y);
+    if (found == CM_NO_FACE)
+    {
+        return 0;
+    }
+    x = x / spacing[0] - 0.5;
+    y = y / spacing[1] - 0.5;
+    *further = (int32_t)(x + 0.5);
+    *same = (int32_t)(y + 0.5);
+    return fabs(x - *further) < near && fabs(y - *same) < near;
+}

@@ -105,6 +105,11 @@ void cm_surface_directions_spaced(const cm_surface *surface, unsigned plane,
                                   const double spacing[2], size_t n, const double *column,
                                   const double *row, double *x, double *y, double *z);
 
+/* Where the pixels of a row beyond an edge lie, if columns come again: each is the pixel so many columns further of that
+ * row. Pixels are that wide and high. 0 if they are no pixels. */
+int cm_surface_same_row(const cm_surface *surface, const double spacing[2], int32_t row,
+                        int32_t *further, int32_t *same);
+
 /* Directions of the Earth to positions. Results may overwrite arguments. */
 void cm_surface_find(const cm_surface *surface, size_t n, const double *x, const double *y,
                      const double *z, uint8_t *plane, double *column, double *row);

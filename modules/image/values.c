@@ -1,87 +1,27 @@
 /* SPDX-License-Identifier: MIT */
 #include "values.h"
 
+#include <cubemap/srgb.h>
+
 #include <math.h>
 #include <string.h>
 
-/* ---- half precision ---- */
+#include "half.h"
 
-/* Exact: all halves are floats. */
-static float float_of_half(uint16_t half)
-{
-    const uint32_t sign = (uint32_t)(half & 0x8000u) << 16;
-    const uint32_t rest = half & 0x7fffu;
-    uint32_t bits = sign | ((rest << 13) + 0x38000000u);
-    float value;
-    if (rest < 0x0400u)
-    {
-        value = (float)rest * 0x1p-24f;
-        return sign != 0 ? -value : value;
-    }
-    if (rest >= 0x7c00u)
-    {
-        bits = sign | 0x7f800000u | ((rest & 0x03ffu) << 13);
-    }
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/* To the nearest, ties to even; what is beyond 65504 by half a unit is infinite, NaN stays one. */
-static uint16_t half_of_float(float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    const uint16_t sign = (uint16_t)(bits >> 16 & 0x8000u);
-    const uint32_t magnitude = bits & 0x7fffffffu;
-    if (magnitude > 0x7f800000u)
-    {
-        return sign | 0x7e00u;
-    }
-    if (magnitude >= 0x477ff000u)
-    {
-        return sign | 0x7c00u;
-    }
-    if (magnitude < 0x38800000u)
-    {
-        const float scaled = fabsf(value) * 0x1p24f;
-        return (uint16_t)(sign | (uint16_t)lrintf(scaled));
-    }
-    const uint32_t odd = magnitude >> 13 & 1u;
-    return (uint16_t)(sign | (uint16_t)((magnitude - 0x38000000u + 0x0fffu + odd) >> 13));
-}
-
-/* ---- transfer: IEC 61966-2-1 for sRGB, mirrored for negative values ---- */
+/* ---- transfer, mirrored for negative values ---- */
 
 static float light_of(const cm_values *values, float stored)
 {
-    const float magnitude = fabsf(stored);
-    float light;
-    if (values->transfer == CM_TRANSFER_GAMMA)
-    {
-        light = powf(magnitude, (float)values->gamma);
-    }
-    else
-    {
-        light =
-            magnitude <= 0.04045f ? magnitude / 12.92f : powf((magnitude + 0.055f) / 1.055f, 2.4f);
-    }
-    return copysignf(light, stored);
+    return values->transfer == CM_TRANSFER_GAMMA
+               ? copysignf(powf(fabsf(stored), (float)values->gamma), stored)
+               : cm_light_from_srgb_float(stored);
 }
 
 static float stored_of(const cm_values *values, float light)
 {
-    const float magnitude = fabsf(light);
-    float stored;
-    if (values->transfer == CM_TRANSFER_GAMMA)
-    {
-        stored = powf(magnitude, (float)(1.0 / values->gamma));
-    }
-    else
-    {
-        stored = magnitude <= 0.0031308f ? magnitude * 12.92f
-                                         : 1.055f * powf(magnitude, 1.0f / 2.4f) - 0.055f;
-    }
-    return copysignf(stored, light);
+    return values->transfer == CM_TRANSFER_GAMMA
+               ? copysignf(powf(fabsf(light), (float)(1.0 / values->gamma)), light)
+               : cm_srgb_from_light_float(light);
 }
 
 /* ---- one pixel ---- */
@@ -99,7 +39,7 @@ static float read_channel(cm_pixel_type type, const unsigned char *from, uint32_
         return (float)word * (1.0f / 65535.0f);
     case CM_PIXEL_HALF:
         memcpy(&word, from + 2 * channel, sizeof word);
-        return float_of_half(word);
+        return cm_float_of_half(word);
     default:
         memcpy(&value, from + 4 * channel, sizeof value);
         return value;
@@ -127,7 +67,7 @@ static void write_channel(cm_pixel_type type, float value, float offset, unsigne
         memcpy(to + 2 * channel, &word, sizeof word);
         return;
     case CM_PIXEL_HALF:
-        word = half_of_float(value);
+        word = cm_half_of_float(value);
         memcpy(to + 2 * channel, &word, sizeof word);
         return;
     default:

@@ -215,6 +215,8 @@ static void call_points(const objects *o, size_t n, const points *p, results *r)
     (void)cm_healpix_direction_from_pixel(o->healpix, p->pixel[i], r->a);
     (void)cm_healpix_angles_from_pixel(o->healpix, p->pixel[i], r->a, r->b);
     (void)cm_healpix_lonlat_from_pixel(o->healpix, p->pixel[i], r->a);
+    (void)cm_healpix_nested_from_ring(o->healpix, p->pixel[i], r->pixel);
+    (void)cm_healpix_ring_from_nested(o->healpix, p->pixel[i], r->pixel);
 }
 
 #define NAMED(name)                                                                                \
@@ -302,6 +304,13 @@ START_TEST(no_flag_is_cleared)
 }
 END_TEST
 
+/* Where the inexact flag is set already some functions write none. */
+START_TEST(no_flag_is_added_to_inexact)
+{
+    call_sets(FE_INEXACT & ASKED);
+}
+END_TEST
+
 #if defined(__GLIBC__) && defined(__SSE2__)
 /* Programs that let exceptions trap are not interrupted; and they trap again afterwards. */
 START_TEST(nothing_traps)
@@ -341,6 +350,7 @@ int main(void)
     const TTest *const tests[] = {
         no_flag_is_raised,
         no_flag_is_cleared,
+        no_flag_is_added_to_inexact,
 #if defined(__GLIBC__) && defined(__SSE2__)
         nothing_traps,
 #endif

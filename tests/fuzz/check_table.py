@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """The table of tests/fuzz/README.md: every function that the library exports is in it, every harness in it calls its
-function, and every harness is built, has first inputs and is in it.
+function, and every harness is built, has first inputs and is in it; and every option of the programs for images is in the
+dictionary of its harness.
 
 Usage: check_table.py REPOSITORY
 """
@@ -68,6 +69,17 @@ def wrong_of(row, fuzz, functions, built):
     return None
 
 
+def missing_words(root):
+    """The options of programs that the dictionaries of their harnesses do not have."""
+    for program in ("reproject", "compare"):
+        table = root / "tools" / program / f"{program}_table.c"
+        words = root / "tests" / "fuzz" / "corpus" / f"{program}_options.dict"
+        known = words.read_text(encoding="utf-8").splitlines()
+        for name in re.findall(r'\.name = "([a-z0-9-]+)"', table.read_text(encoding="utf-8")):
+            if f'"--{name}"' not in known and not name.startswith("cubemap-"):  # the program's own
+                yield f'{words.name} does not have "--{name}"'
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     fuzz = root / "tests" / "fuzz"
@@ -81,6 +93,7 @@ def main():
     complaints += filter(None, (wrong_of(row, fuzz, known, built) for row in rows))
     complaints += [f"{file.name} is in no row of the table"
                    for file in sorted([*fuzz.glob("fuzz_*.c"), *fuzz.glob("fuzz_*.cpp")]) if file.name not in named]
+    complaints += missing_words(root)
     for complaint in complaints:
         print("not ok:", complaint)
     print(f"{len(functions)} functions of the library\n{len(named)} harnesses")

@@ -283,6 +283,72 @@ def whole_png_inputs():
     return {"whole": whole, "cut": whole[:-6], "more": whole + b"more", "other": b"no PNG file"}
 
 
+TEXELS = {"rgba8": (28, 37, 1, 4), "srgb": (29, 43, 1, 4), "rgba16": (11, 91, 2, 8), "half": (10, 97, 2, 8),
+          "float": (2, 109, 4, 16)}  # DXGI, Vulkan, bytes of a sample and of a texel
+
+
+def dds(texel, edge, faces, levels):
+    dxgi, _, _, size = TEXELS[texel]
+    words = [124, 0x2100F, edge, edge, edge * size, 0, levels] + [0] * 11
+    words += [32, 4, 0x30315844] + [0] * 5 + [0x401008, 0xFE00 if faces == 6 else 0, 0, 0, 0]
+    words += [dxgi, 3, 4 if faces == 6 else 0, 1, 1]
+    return b"DDS " + number("I", *words) + bytes(range(256)) * 8
+
+
+def ktx(texel, edge, faces, levels, orientation=b"rd"):
+    _, vulkan, sample, size = TEXELS[texel]
+    index_end = 80 + 24 * levels
+    keys = b"KTXorientation\0" + orientation + b"\0"
+    keys = word(len(keys)) + keys + bytes(-len(keys) % 4)
+    head = b"\xabKTX 20\xbb\r\n\x1a\n" + number("I", vulkan, sample, edge, edge, 0, 0, faces, levels, 0)
+    head += number("I", index_end, 28, index_end + 28, len(keys)) + number("Q", 0, 0)
+    lengths = [max(edge >> level, 1) ** 2 * size * faces for level in range(levels)]
+    begin = index_end + 28 + len(keys)
+    begin += -begin % size
+    places = [begin + sum(lengths[level + 1:]) for level in range(levels)]
+    index = b"".join(number("Q", place, length, length) for place, length in zip(places, lengths))
+    data = word(28) + bytes(20) + word(size) + keys
+    return (head + index + data).ljust(begin, b"\0") + bytes(i % 251 for i in range(sum(lengths)))
+
+
+def texture_inputs():
+    inputs = {"cut.dds": dds("rgba8", 2, 6, 1)[:120], "other": b"no texture",
+              "upwards.ktx2": ktx("half", 1, 1, 1, b"ru")}
+    for texel in TEXELS:
+        inputs[texel + ".dds"] = dds(texel, 2, 6, 2)
+        inputs[texel + ".ktx2"] = ktx(texel, 2, 6, 2)
+    return inputs
+
+
+def pnm_inputs():
+    """A byte that says whether samples are bare, and the stream."""
+    texts = {
+        "pgm": b"P5 # grey\n3 2\n255\nabcdef",
+        "pgm-16": b"P5\n2 1\n1000\n\x00\x10\x03\xe8",
+        "ppm": b"P6\n1 2\n255\nabcdefP6\n1 1\n15\n\x01\x0f\x05",
+        "pam": b"P7\n# made by hand\nWIDTH 2\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\nabcdefgh",
+        "pam-16": b"P7\nWIDTH 1\nHEIGHT 1\nDEPTH 2\nMAXVAL 65535\nTUPLTYPE GRAYSCALE_ALPHA\nENDHDR\nabcd",
+        "pfm": b"Pf\n2 1\n-1.0\n" + number("f", 0.5, float("nan")),
+        "pfm-color": b"PF\n1 1\n2.5\n" + struct.pack(">3f", 1.0, float("inf"), -0.0),
+        "cut": b"P6\n4 4\n255\nabc",
+        "large": b"P5\n1048576 1048576\n65535\n",
+        "above": b"P5\n1 1\n7\n\x08",
+        "other": b"P4\n1 1\n\0",
+    }
+    inputs = {name: b"\0" + text for name, text in texts.items()}
+    inputs["bare"] = bytes([0b00110011]) + bytes(range(24))
+    inputs["bare-floats"] = bytes([0b11100001]) + number("f", 1.0, -2.0, 3.0)
+    return inputs
+
+
+def fits_cards_inputs():
+    cards = ["SIMPLE  =                    T / conforms", "NAXIS1  =                  512", "BZERO   =               32768.0",
+             "BSCALE  =             1.0D-003", "OBJECT  = 'it''s a name'       / quoted", "COMMENT   text without a value",
+             "HISTORY = 'not closed", "EMPTY   =", "ORDER   =  -9223372036854775807 ", "LONG    = '" + 68 * "'", "END"]
+    text = "".join(card.ljust(80) for card in cards).encode()
+    return {"head": text, "one": text[:80], "odd": text[40:160], "byte": b"KEY     = \x7f"}
+
+
 def tiff_directory(order, big, tags, offset, following=0):
     """The directory at that offset, and behind it the contents that do not fit into it; tags are (number, type, bytes)."""
     size = {2: 1, 3: 2, 12: 8}
@@ -436,6 +502,9 @@ INPUTS = {
     "point_lines": point_lines_inputs(),
     "whole_png": whole_png_inputs(),
     "geo_tags": geo_tags_inputs(),
+    "texture": texture_inputs(),
+    "pnm": pnm_inputs(),
+    "fits_cards": fits_cards_inputs(),
 }
 
 

@@ -54,7 +54,7 @@ ROOMS = [
 PUBLIC = ["include/cubemap", "include/cubemap/kernel"]
 
 # What is not ours, and slow to compile and to load: only these rooms include it.
-KEPT = {"OpenImageIO/": ["modules/image/io"]}
+KEPT = {"OpenImageIO/": ["modules/image/io"], "gdal": ["modules/image/io"]}
 
 SOURCES = (".c", ".cpp")
 HEADERS = (".h", ".hpp")

@@ -20,6 +20,8 @@ def paths_of(root):
     for folder, folders, names in os.walk(root):
         folders[:] = [name for name in folders if not is_skipped(folder, name, folder == root)]
         for name in names:
+            if name == ".git":  # of a work tree
+                continue
             found.append(os.path.relpath(os.path.join(folder, name), root).replace(os.sep, "/"))
     return sorted(found)
 

@@ -485,6 +485,31 @@ START_TEST(the_lobe_of_ggx)
 }
 END_TEST
 
+/* However small the roughness, its factors are numbers from 0 to 1 which fall with the degree: 1 but for the lobe's width.
+ * That grows with the fourth power of roughness, so that the lobe is a point to double precision long before 0. */
+START_TEST(the_narrowest_lobes)
+{
+    double last = 0.0;
+    for (int power = 1; power <= 330; power++)
+    {
+        double factor[101];
+        const double roughness = pow(10.0, -power);
+        ck_assert_int_eq(cm_harmonics_ggx_lobe(100, roughness, factor), CM_OK);
+        ck_assert_double_eq_tol(factor[0], 1.0, 1e-15);
+        for (size_t l = 1; l <= 100; l++)
+        {
+            REQUIRE(factor[l] >= -1e-12 && factor[l] <= factor[l - 1] + 1e-12,
+                    "roughness 1e-%d, degree %zu: %.17g after %.17g", power, l, factor[l],
+                    factor[l - 1]);
+        }
+        REQUIRE(factor[100] >= last, "roughness 1e-%d: %.17g", power, factor[100]);
+        REQUIRE(power < 5 || factor[100] > 1.0 - 1e-12, "roughness 1e-%d: %.17g", power,
+                factor[100]);
+        last = factor[100] - 1e-12;
+    }
+}
+END_TEST
+
 START_TEST(windows)
 {
     double factor[12];
@@ -640,6 +665,7 @@ int main(void)
                             rotations_by_nothing_are_exact,
                             the_cosine_lobe_is_known,
                             the_lobe_of_ggx,
+                            the_narrowest_lobes,
                             windows,
                             json_comes_back,
                             wrong_arguments,

@@ -217,6 +217,40 @@ START_TEST(test_writing)
 }
 END_TEST
 
+/* The fields that say how the picture stands are written if there is something to say; an unknown heading stays unknown,
+ * beside pitch and roll, too. */
+START_TEST(test_writing_without_heading)
+{
+    static const struct
+    {
+        double heading, pitch, roll;
+        int has_heading, has_pose;
+    } cases[] = {{(double)NAN, 0.0, 0.0, 0, 0},
+                 {(double)NAN, 10.0, 0.0, 0, 1},
+                 {(double)NAN, 0.0, -30.0, 0, 1},
+                 {0.0, 0.0, 0.0, 1, 1}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    {
+        cm_panorama panorama = read_good(attributes);
+        char text[2048];
+        panorama.heading = cases[i].heading;
+        panorama.pitch = cases[i].pitch;
+        panorama.roll = cases[i].roll;
+        ck_assert_int_eq(cm_panorama_write(&panorama, text, sizeof text), CM_OK);
+        ck_assert_int_eq(strstr(text, "PoseHeadingDegrees") != NULL, cases[i].has_heading);
+        ck_assert_int_eq(strstr(text, "PosePitchDegrees") != NULL, cases[i].has_pose);
+        ck_assert_int_eq(strstr(text, "PoseRollDegrees") != NULL, cases[i].has_pose);
+        ck_assert_ptr_null(strstr(text, "nan"));
+        const cm_panorama again = read_good(text);
+        ck_assert(isnan(again.heading) == !cases[i].has_heading);
+        ck_assert(!cases[i].has_heading || again.heading == cases[i].heading);
+        ck_assert_double_eq(again.pitch, cases[i].pitch);
+        ck_assert_double_eq(again.roll, cases[i].roll);
+        ck_assert_uint_eq(again.cropped_width, panorama.cropped_width);
+    }
+}
+END_TEST
+
 START_TEST(test_surfaces_without_fields)
 {
     cm_panorama panorama = {.size = sizeof panorama, .full_width = 77};
@@ -247,6 +281,7 @@ int main(void)
                                   test_surface_of_a_part,
                                   test_pose,
                                   test_writing,
+                                  test_writing_without_heading,
                                   test_surfaces_without_fields,
                                   NULL};
     return run_suite("panorama", tests);

@@ -191,6 +191,32 @@ START_TEST(alpha)
 }
 END_TEST
 
+/* Beyond the end of a part of the sphere opacity repeats its last pixel: continued, it would leave 0 to 1. */
+START_TEST(opacity_at_the_end)
+{
+    pictures from = make_pictures("view:fov=90;size=8", NULL, CM_PIXEL_FLOAT, 2, 0);
+    pictures to = make_pictures("view:fov=90;size=32", NULL, CM_PIXEL_FLOAT, 2, 0);
+    for (size_t i = 0; i < from.bytes / sizeof(float); i++)
+    {
+        const size_t column = i / 2 % 8;
+        const float opacity = column == 0 ? 0.25f : column == 7 ? 0.75f : column < 4 ? 1.0f : 0.0f;
+        ((float *)from.image->data)[i] = i % 2 == 0 ? 0.5f : opacity;
+    }
+    cm_plan_options options = options_of(CM_FILTER_BILINEAR);
+    options.alpha = 2;
+    resample(&from, &to, &options, 1);
+    for (size_t i = 0; i < to.bytes / sizeof(float); i += 2)
+    {
+        const float *pixel = (const float *)to.image->data + i;
+        ck_assert_msg(pixel[1] >= 0.0f && pixel[1] <= 1.0f, "%g", (double)pixel[1]);
+        ck_assert_msg(fabsf(pixel[0] - 0.5f) < 1e-5f || pixel[1] <= 0.0f, "%g of %g",
+                      (double)pixel[0], (double)pixel[1]);
+    }
+    free_pictures(&from);
+    free_pictures(&to);
+}
+END_TEST
+
 static float middle_of(float left, float right, const cm_plan_options *options)
 {
     pictures from = make_pictures("equirect;size=8", NULL, CM_PIXEL_FLOAT, 1, 0);
@@ -310,15 +336,15 @@ START_TEST(dither)
 }
 END_TEST
 
-/* Rows that are apart, and pixels with something between them, from the bottom to the top. */
+/* Rows that are apart, and pixels with something between them, from the bottom to the top: the same bits, of every
+ * instruction set, though pixels are gathered then. */
 START_TEST(strides)
 {
     pictures from = make_pictures("equirect;size=128", NULL, CM_PIXEL_U8, 3, 0);
     pictures wanted = make_pictures("cube:coupled;size=50", NULL, CM_PIXEL_U8, 3, 0);
     pictures to = make_pictures("cube:coupled;size=50", NULL, CM_PIXEL_U8, 3, 9);
-    const cm_plan_options options = options_of(CM_FILTER_CATMULL_ROM);
+    cm_plan_options options = options_of(CM_FILTER_CATMULL_ROM);
     draw_scene(&from);
-    resample(&from, &wanted, &options, 1);
     const size_t row = 128 * 5 + 11;
     unsigned char *spread = malloc(row * 64);
     memset(spread, 200, row * 64);
@@ -331,8 +357,13 @@ START_TEST(strides)
     apart.image->data = spread + 63 * row;
     apart.image->row_stride = -(ptrdiff_t)row;
     apart.image->pixel_stride = 5;
-    resample(&apart, &to, &options, 1);
-    check_same(&wanted, &to, "strides");
+    for (size_t i = 0; i < cm_instructions_count(); i++)
+    {
+        options.instructions = cm_instructions_at(i);
+        resample(&from, &wanted, &options, 1);
+        resample(&apart, &to, &options, 1);
+        check_same(&wanted, &to, options.instructions);
+    }
     free(spread);
     free_pictures(&from);
     free_pictures(&wanted);
@@ -486,22 +517,9 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {quality,
-                                  splines_beside_a_map,
-                                  parts_and_threads,
-                                  identity,
-                                  types_of_pixels,
-                                  halves,
-                                  alpha,
-                                  not_finite,
-                                  transfer,
-                                  vectors,
-                                  dither,
-                                  strides,
-                                  beyond_the_source,
-                                  plan_as_text,
-                                  smallest,
-                                  bad_arguments,
-                                  NULL};
+    const TTest *const tests[] = {
+        quality, splines_beside_a_map, parts_and_threads, identity, types_of_pixels, halves,
+        alpha,   opacity_at_the_end,   not_finite,        transfer, vectors,         dither,
+        strides, beyond_the_source,    plan_as_text,      smallest, bad_arguments,   NULL};
     return run_suite("resample", tests);
 }

@@ -8,6 +8,10 @@
 #include "modules/image/filter_weights.h"
 #include "modules/image/sample_set.h"
 
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
 enum
 {
     WIDTH = 37,
@@ -663,6 +667,17 @@ static int same(double a, double b)
     return isnan(a) ? isnan(b) : a == b && signbit(a) == signbit(b);
 }
 
+/* Programs may have the processor take floats below 2^-126 for 0; none is needed. */
+static void flush_small_floats(int on)
+{
+#ifdef __SSE2__
+    const unsigned flush = 0x8040; /* flush to zero, denormals are zeros */
+    _mm_setcsr(on ? _mm_getcsr() | flush : _mm_getcsr() & ~flush);
+#else
+    (void)on;
+#endif
+}
+
 START_TEST(halves_are_converted)
 {
     enum
@@ -677,11 +692,13 @@ START_TEST(halves_are_converted)
     {
         halves[i] = (uint16_t)i;
     }
-    for (size_t s = 0; s < cm_instructions_count(); s++)
+    for (size_t s = 0; s < 2 * cm_instructions_count(); s++)
     {
-        const cm_sample_set *set = set_at(s);
+        const cm_sample_set *set = set_at(s / 2);
+        flush_small_floats(s % 2);
         set->half_to_float(ALL, halves, 1.0f, floats);
         set->float_to_half(ALL, floats, 1.0f, back);
+        flush_small_floats(0);
         for (int i = 0; i < ALL; i++)
         {
             REQUIRE(same((double)floats[i], true_half(halves[i])), "%s: %04x is %g", set->name, i,

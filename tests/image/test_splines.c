@@ -261,12 +261,80 @@ START_TEST(what_cannot_be_sampled_is_an_error)
 }
 END_TEST
 
+/* Faces of HOLED pixels, and of SHOWN: places are in proportion. */
+enum
+{
+    HOLED = 32,
+    SHOWN = 50
+};
+
+/* The values of face 0 when numbers of it are put in place of the scene's. */
+static void show_holes(const float *number, size_t column, size_t row, size_t wide, size_t high,
+                       float shown[SHOWN * SHOWN])
+{
+    cm_surface *from = make_surface("cube;size=32"), *to = make_surface("cube;size=50");
+    cm_image source[PICTURES_MOST], target[PICTURES_MOST];
+    make_pictures(from, CM_PIXEL_FLOAT, 1, source);
+    make_pictures(to, CM_PIXEL_FLOAT, 1, target);
+    paint(from, 3.0, source);
+    for (size_t i = 0; i < wide * high && number != NULL; i++)
+    {
+        put_number(source, 0, column + i % wide, row + i / wide, 0, (double)*number);
+    }
+    cm_plan *plan = make_plan(from, to, CM_FILTER_BSPLINE5);
+    ck_assert_int_eq(cm_resample(plan, source, target, (cm_rows){0}), CM_OK);
+    memcpy(shown, target->data, SHOWN * SHOWN * sizeof *shown);
+    cm_plan_destroy(plan);
+    free_pictures(from, source);
+    free_pictures(to, target);
+    cm_surface_destroy(from);
+    cm_surface_destroy(to);
+}
+
+/* How many pixels a place is away from the nearest of a run. */
+static double pixels_away(double place, size_t first, size_t count)
+{
+    return fmax(fmax((double)first + 0.5 - place, place - (double)(first + count) + 0.5), 0.0);
+}
+
+/* What is no number is where six pixels touch it, and changes little elsewhere: a patch, a pixel in the corner, half of a
+ * face, all of it. */
+START_TEST(what_is_no_number_stays_where_it_is)
+{
+    static const float numbers[] = {NAN, INFINITY, -INFINITY, 3e38f};
+    static const size_t places[][4] = {
+        {12, 20, 1, 1}, {8, 9, 5, 3}, {0, 0, 1, 1}, {0, 16, 32, 16}, {0, 0, 32, 32}};
+    static float whole[SHOWN * SHOWN], holed[SHOWN * SHOWN];
+    show_holes(NULL, 0, 0, 0, 0, whole);
+    for (size_t i = 0; i < 4 * sizeof places / sizeof *places; i++)
+    {
+        const size_t *at = places[i / 4];
+        show_holes(&numbers[i % 4], at[0], at[1], at[2], at[3], holed);
+        for (size_t k = 0; k < SHOWN * SHOWN; k++)
+        {
+            const double x = ((double)(k % SHOWN) + 0.5) * HOLED / SHOWN;
+            const double y = ((double)(k / SHOWN) + 0.5) * HOLED / SHOWN;
+            const double away = fmax(pixels_away(x, at[0], at[2]), pixels_away(y, at[1], at[3]));
+            const double change = fabs((double)holed[k] - (double)whole[k]);
+            ck_assert_msg(isnan(change) == (away < 3.0), "%zu: %g at %g, %g", i, change, x, y);
+            ck_assert_msg(isnan(change) ||
+                              change < (at[2] > 1 ? 0.05 : 0.01) * pow(0.5, away - 3.0),
+                          "%zu: %g at %g, %g", i, change, x, y);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {
-        the_spline_goes_through_all_pixels,     seams_are_as_good_as_the_inside,
-        polynomials_of_degree_five_are_exact,   constants_stay_what_they_are,
-        bits_do_not_depend_on_threads_or_parts, instruction_sets_agree,
-        what_cannot_be_sampled_is_an_error,     NULL};
+    const TTest *const tests[] = {the_spline_goes_through_all_pixels,
+                                  seams_are_as_good_as_the_inside,
+                                  polynomials_of_degree_five_are_exact,
+                                  constants_stay_what_they_are,
+                                  bits_do_not_depend_on_threads_or_parts,
+                                  instruction_sets_agree,
+                                  what_cannot_be_sampled_is_an_error,
+                                  what_is_no_number_stays_where_it_is,
+                                  NULL};
     return run_suite("splines", tests);
 }

@@ -5,7 +5,7 @@
  */
 #include "modules/image/io/hips.h"
 
-#include "memory_stream.h"
+#include "tests/memory_stream.h"
 #include "tests/suite.h"
 
 enum

@@ -4,7 +4,7 @@
  */
 #include "modules/image/io/texture_file.h"
 
-#include "memory_stream.h"
+#include "tests/memory_stream.h"
 #include "tests/suite.h"
 
 enum

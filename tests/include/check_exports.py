@@ -15,7 +15,8 @@ import sys
 
 # What is not of libcubemap: colour maps and pictures have libraries of their own, kernels need none.
 OTHERS = {"colormap.h": "cubemap-colormap", "compare.h": "cubemap-image", "environment.h": "cubemap-image",
-          "image.h": "cubemap-image", "mips.h": "cubemap-image", "panorama.h": "cubemap-image", "kernels.h": None}
+          "image.h": "cubemap-image", "mips.h": "cubemap-image", "panorama.h": "cubemap-image", "kernels.h": None,
+          "srgb.h": None}
 
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.M)

@@ -223,10 +223,12 @@ START_TEST(test_samples)
             values_of(&d, &centre, value);
             for (int k = 0; k < QUANTITIES; k++)
             {
-                REQUIRE(
-                    value[k] >= s[k].minimum - 1e-12 && value[k] <= s[k].maximum * (1.0 + 1e-10),
-                    "%s, %s: %.15g is not within %.15g to %.15g", cm_catalogue_at(m)->identifier,
-                    cm_quantity_name((size_t)k), value[k], s[k].minimum, s[k].maximum);
+                /* what is 0 but for rounding, the deformation of a conformal mapping, differs by rounding */
+                REQUIRE(value[k] >= s[k].minimum - 1e-12 &&
+                            value[k] <= s[k].maximum * (1.0 + 1e-10) + 1e-12,
+                        "%s, %s: %.15g is not within %.15g to %.15g",
+                        cm_catalogue_at(m)->identifier, cm_quantity_name((size_t)k), value[k],
+                        s[k].minimum, s[k].maximum);
                 sum[k] += value[k];
                 for (size_t j = 0; j < COUNT(percent) && k < PERCENTILES_OF; j++)
                 {

@@ -39,6 +39,16 @@ test -s "$work/project/example.c" && test -s "$work/expected"
 echo '#include <cubemap/colormap.h>
 #include <stddef.h>
 int main(void) { return cm_colormap_count() > 0 ? 0 : 1; }' >"$work/project/colours.c"
+echo '#include <cubemap/image.h>
+#include <stddef.h>
+int main(void)
+{
+    cm_surface *surface = NULL;
+    const cm_surface_options options = {.size = sizeof options, .width = 8};
+    cm_status status = cm_surface_create("cube:coupled", &options, &surface);
+    cm_surface_destroy(surface);
+    return status == CM_OK ? 0 : 1;
+}' >"$work/project/pictures.c"
 
 targets=cubemap
 [ "$kinds" != both ] || targets='cubemap cubemap-static'
@@ -56,6 +66,12 @@ if(TARGET cubemap::cubemap-colormap)
     add_executable(colours colours.c)
     target_link_libraries(colours PRIVATE cubemap::cubemap-colormap)
 endif()
+foreach(kind "" -static)
+    if(TARGET cubemap::cubemap-image${kind})
+        add_executable(pictures${kind} pictures.c)
+        target_link_libraries(pictures${kind} PRIVATE cubemap::cubemap-image${kind})
+    endif()
+endforeach()
 END
 configure() { # configure VERSION
     rm -rf "$work/out"
@@ -77,7 +93,9 @@ for target in $targets; do
     diff "$work/expected" "$work/got"
     echo "ok: $target"
 done
-if [ -e "$work/out/colours" ]; then
-    LD_LIBRARY_PATH=${config%/cmake/*} "$work/out/colours" # whose own path does not count for what the library uses
-    echo "ok: cubemap-colormap"
-fi
+for program in colours pictures pictures-static; do
+    [ -e "$work/out/$program" ] || continue
+    # a module's own path does not count for what it uses
+    LD_LIBRARY_PATH=${config%/cmake/*} "$work/out/$program"
+    echo "ok: $program"
+done

@@ -153,6 +153,16 @@ void limit_files(rlim_t bytes)
     setrlimit(RLIMIT_FSIZE, &limit);
 }
 
+std::string gdal_library;
+
+// A library that was opened stays: until a subject asks for it there is none.
+void set_aside_gdal()
+{
+    const char *const named = std::getenv("CUBEMAP_IMAGE_GDAL");
+    gdal_library = named == nullptr ? "" : named;
+    setenv("CUBEMAP_IMAGE_GDAL", "/none", 1);
+}
+
 bool is_one_line(const std::string &text)
 {
     return std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
@@ -183,6 +193,8 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"reproject", reproject_subjects()},
         {"surfaces", reproject_surface_subjects()},
         {"outputs", reproject_output_subjects()},
+        {"streams", reproject_stream_subjects()},
+        {"memory", reproject_memory_subjects()},
         {"distortion", distortion_subjects()},
         {"orient", orient_subjects()},
         {"colormap", colormap_subjects()}};
@@ -207,6 +219,15 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
 }
 
 } // namespace
+
+bool open_gdal()
+{
+    if (!gdal_library.empty())
+    {
+        setenv("CUBEMAP_IMAGE_GDAL", gdal_library.c_str(), 1);
+    }
+    return !gdal_library.empty();
+}
 
 Words words_of(const std::string &line)
 {
@@ -243,7 +264,10 @@ SizeLimit::~SizeLimit()
     largest_file = RLIM_INFINITY;
 }
 
-Ran run(const Words &words)
+namespace
+{
+
+Ran run_between(const Words &words, std::FILE *in, std::FILE *given_out)
 {
     const auto program = programs.find(words.front());
     if (program == programs.end())
@@ -260,7 +284,7 @@ Ran run(const Words &words)
     arguments.push_back(nullptr);
     TextStream out;
     TextStream err;
-    const cm_streams streams = {stdin, out.file(), err.file()};
+    const cm_streams streams = {in, given_out != nullptr ? given_out : out.file(), err.file()};
     Ran ran;
     limit_files(largest_file);
     ran.status = program->second(static_cast<int>(words.size()), arguments.data(), &streams);
@@ -269,6 +293,26 @@ Ran run(const Words &words)
     std::fflush(stderr);
     ran.out = out.content() + caught(STDOUT_FILENO).take();
     ran.err = err.content() + caught(STDERR_FILENO).take();
+    return ran;
+}
+
+} // namespace
+
+Ran run(const Words &words)
+{
+    return run_between(words, stdin, nullptr);
+}
+
+Ran run_with_input(const std::string &input, const std::string &line, std::FILE *out)
+{
+    std::FILE *const in = std::tmpfile();
+    if (in == nullptr || std::fwrite(input.data(), 1, input.size(), in) != input.size())
+    {
+        give_up("no file for standard input");
+    }
+    std::rewind(in);
+    const Ran ran = run_between(words_of(line), in, out);
+    std::fclose(in);
     return ran;
 }
 
@@ -432,6 +476,7 @@ int main(int argc, char **argv)
         give_up("usage: image_cases ROOT [SUBJECT...]");
     }
     root = std::filesystem::canonical(argv[1]).string();
+    set_aside_gdal();
     std::signal(SIGXFSZ, SIG_IGN); // as the programs' own start has it
     std::string name = (std::filesystem::temp_directory_path() / "cubemap-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)

@@ -6,6 +6,7 @@
 #ifndef TESTS_IMAGE_CASES_HPP
 #define TESTS_IMAGE_CASES_HPP
 
+#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ Words words_of(const std::string &line);
 // Runs a program; the first word is its name without "cubemap-".
 Ran run(const Words &words);
 Ran run(const std::string &line);
+
+// The same with that on standard input; what is written to standard output goes to out, if that is not nullptr.
+Ran run_with_input(const std::string &input, const std::string &line, std::FILE *out = nullptr);
 
 // While it lives, no file that a program writes may be longer.
 class SizeLimit
@@ -67,6 +71,9 @@ void make_noise(int width, int height, const std::string &name);
 // The same with its pixels in the opposite order.
 void make_turned(const std::string &noise, int width, int height, const std::string &name);
 
+// From now on programs find the library for rasters of GDAL; false if it is not built.
+bool open_gdal();
+
 // The top of the source tree.
 const std::string &source_tree();
 
@@ -84,6 +91,8 @@ const std::vector<Subject> &compare_subjects();
 const std::vector<Subject> &reproject_subjects();
 const std::vector<Subject> &reproject_surface_subjects();
 const std::vector<Subject> &reproject_output_subjects();
+const std::vector<Subject> &reproject_stream_subjects();
+const std::vector<Subject> &reproject_memory_subjects();
 const std::vector<Subject> &distortion_subjects();
 const std::vector<Subject> &orient_subjects();
 const std::vector<Subject> &colormap_subjects();

@@ -165,6 +165,68 @@ P
     rm -rf made
 }
 
+# Work that was killed goes on, and has the same bytes.
+killed_and_resumed()
+{
+    local status pictures
+    mkdir whole made
+    "$programs/cubemap-reproject" --quiet --filter bspline5 --size 600 "$earth" whole/%f.png
+    python3 - "$programs/cubemap-reproject" --quiet --resume --filter bspline5 --size 600 "$earth" made/%f.png <<'P'
+import os, signal, subprocess, sys, time
+journal = "made/%f.png.resume/journal"
+lines = done = 0
+for wanted in (1, 8):  # killed twice, the second time in the middle of a picture that the first has begun
+    child = subprocess.Popen(sys.argv[1:])
+    for _ in range(2000):
+        lines = len(open(journal).readlines()) if os.path.exists(journal) else 0
+        if lines >= done + wanted or child.poll() is not None:
+            break
+        time.sleep(0.002)
+    done = lines
+    child.send_signal(signal.SIGKILL)
+    if child.wait() != -signal.SIGKILL:
+        sys.exit("it was over before it was killed")
+if lines < 9:
+    sys.exit(f"{lines} lines are done")
+second = subprocess.Popen(sys.argv[1:])
+for _ in range(2000):
+    if os.path.exists(journal) and len(open(journal).readlines()) > lines:
+        break
+    time.sleep(0.002)
+third = subprocess.run(sys.argv[1:], capture_output=True, text=True)
+if second.poll() is None and "is in use by another process" not in third.stderr:
+    sys.exit(f"two at a time: {third}")
+sys.exit(second.wait())
+P
+    status=$?
+    for pictures in 0 1 2 3 4 5; do
+        cmp -s whole/$pictures.png made/$pictures.png || status=different
+    done
+    [ "$status" = 0 ] && [ "$(find made -mindepth 1 | wc -l)" -eq 6 ]
+    result $? 'what was killed twice is resumed, and has the same bytes' "status $status; $(ls -A made)"
+    rm -rf whole made
+}
+
+# A picture of 54 MB and 216 MB of coefficients, of which no more than a part may be in memory.
+memory_ceiling()
+{
+    python3 - "$programs/cubemap-reproject" "$earth" >peaks.txt <<'P'
+import os, resource, subprocess, sys
+program, earth = sys.argv[1:]
+subprocess.run([program, "--quiet", "--to", "equirect", "--size", "6000", "--filter", "nearest", earth, "large.tif"],
+               check=True)
+def peak(*words):
+    child = subprocess.Popen([program, "--quiet", "--filter", "bspline5", "--size", "64", *words, "large.tif", "small.png"])
+    _, status, usage = os.wait4(child.pid, 0)
+    return usage.ru_maxrss if status == 0 else 0
+print(peak(), peak("--memory", "64M"))
+P
+    read -r free below <peaks.txt
+    [ "$below" -gt 0 ] && [ "$((free - below))" -gt 80000 ]
+    result $? 'less memory with --memory than without' "$(cat peaks.txt) kB"
+    rm -f large.tif
+}
+
 # What reads and writes images is opened when a file is.
 library()
 {
@@ -220,6 +282,8 @@ link_and_permissions
 progress_bar
 signals
 left_over
+killed_and_resumed
+memory_ceiling
 library
 exported_names
 finish

@@ -382,7 +382,7 @@ expect 'a latitude alone is one of WGS84' 0 '10 40\n' \
     "$(echo 10 40 | "$program" --ellipsoid WGS84 --latitude parametric)\n" '' --latitude parametric
 expect 'x y z are normals' 0 '0 0 2\n1 0 1\n' "4 0 0\n$(echo 0 45 | "$program" --digits 14 --ellipsoid Mars)\n" '' \
     --digits 14 --ellipsoid Mars --input xyz
-expect 'in float' 0 '0 40\n' '0 0 0.902708352\n' '' --float --ellipsoid WGS84
+expect 'in float' 0 '0 40\n' '0 0 0.902708\n' '' --float --ellipsoid WGS84 --digits 6
 expect 'a cube that looks east' 0 '90 0\n0 0\n' '0 0 0\n3 0 0\n' '' --rotate 90,0 --ellipsoid WGS84
 expect 'a cube on its edge' 0 '0 0\n' '0 0 0\n' '' --rotate 0,0,45
 expect 'and back' 0 '0 0 0\n4 0 0\n' '-20 30\n160 60\n' '' --rotate -20,30 -I --digits 15

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The library as its users get it: installed into an empty folder, found by pkg-config, linked with
-# the shared and with the static library; the C program of the README and that of
-# docs/guide/images.md compile and print what the documents say.
+# the shared and with the static library; the C program of the README and those of
+# docs/guide/images.md and comparing.md compile and print what the documents say.
 # Usage: readme.sh REPOSITORY BUILD_FOLDER C_COMPILER MESON...
 set -eu
 root=$1 build=$2 cc=$3
@@ -52,17 +52,19 @@ $cc -std=c11 -Wall -Wextra -Wpedantic -Werror $sanitizers -o "$work/static" "$wo
 "$work/static" >"$work/got"
 diff "$work/expected" "$work/got"
 echo "ok: static"
-# the program of the guide to pictures, with the library for them
-block c docs/guide/images.md >"$work/picture.c"
-block output docs/guide/images.md >"$work/expected"
-test -s "$work/picture.c"
-test -s "$work/expected"
-# shellcheck disable=SC2046
-$cc -std=c11 -Wall -Wextra -Wpedantic -Werror $sanitizers -o "$work/picture" "$work/picture.c" \
-    $(pkg-config --cflags --libs cubemap-image) -Wl,-rpath,"$library"
-"$work/picture" >"$work/got"
-diff "$work/expected" "$work/got"
-echo "ok: pictures"
+# the programs of the guides to pictures, with the library for them
+for guide in images comparing; do
+    block c "docs/guide/$guide.md" >"$work/picture.c"
+    block output "docs/guide/$guide.md" >"$work/expected"
+    test -s "$work/picture.c"
+    test -s "$work/expected"
+    # shellcheck disable=SC2046
+    $cc -std=c11 -Wall -Wextra -Wpedantic -Werror $sanitizers -o "$work/picture" "$work/picture.c" \
+        $(pkg-config --cflags --libs cubemap-image) -Wl,-rpath,"$library"
+    "$work/picture" >"$work/got"
+    diff "$work/expected" "$work/got"
+    echo "ok: $guide"
+done
 # everything a user expects is there
 for file in bin/cubemap-project bin/cubemap-reproject bin/cubemap-bench bin/cubemap-distortion \
     bin/cubemap-colormap bin/cubemap-latitude bin/cubemap-orient include/cubemap/cubemap.h include/cubemap/distortion.h \

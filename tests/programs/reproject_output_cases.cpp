@@ -258,6 +258,9 @@ constexpr WrongOutput wrong[] = {
     {"a border that is too wide", 2, "--border", "--border 129 noise.ppm made/a.png"},
     {"levels of places in pixels", 2, "--mips",
      "--mips --to fisheye;size=16;radius=7 noise.ppm made/a.png"},
+    {"rows of a texture", 2, "--resume keeps rows", "--resume noise.ppm made/a.dds"},
+    {"rows of levels", 2, "--resume keeps rows", "--resume --mips noise.ppm made/a_%f.png"},
+    {"levels into a pipe", 2, "a file for each level", "--mips --to equirect noise.ppm -"},
     {"half a DDS file", 1, "cut.dds' .*(ends|read)", "cut.dds made/a.png"},
     {"half a KTX file", 1, "cut.ktx2' .*ends", "cut.ktx2 made/a.png"},
     {"no KTX file of that version", 1, "version 2.0", "old.ktx2 made/a.png"},
@@ -381,6 +384,28 @@ void levels()
          "reproject --mips --size 48 noise.ppm noise.dds");
 }
 
+// What goes with outputs that are written at once.
+void together()
+{
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet --mips --to equirect --georeference --manifest made.json noise.ppm "
+         "level.tif");
+    const std::string manifest = content_of("made.json");
+    result(manifest.find("\"level.tif\"") != std::string::npos &&
+               manifest.find("\"level_m6.tif\"") != std::string::npos,
+           "a manifest has all levels", manifest);
+    for (const std::string name : {"level.tif", "level_m3.tif"})
+    {
+        // the tag 34735, GeoKeyDirectory
+        result(content_of(name).find("\xaf\x87") != std::string::npos, "is on Earth: " + name);
+    }
+    does("reproject --quiet --mips --memory 1G --manifest made.json noise.ppm sky.ktx2");
+    does("reproject --quiet --mips noise.ppm free.ktx2");
+    result(content_of("sky.ktx2") == content_of("free.ktx2"), "a texture below a ceiling");
+    result(content_of("made.json").find("cube:gnomonic") != std::string::npos, "and its manifest",
+           content_of("made.json"));
+}
+
 // ---- the mapping
 
 void mappings()
@@ -445,6 +470,9 @@ void healpix_files()
     says("how it stands",
          "^turned\\.fits \\(healpix:16 192x16, turned by 10,20,30, 3 channels, float",
          "reproject turned.fits back.png");
+    does("reproject --quiet --to healpix:16:nest noise.ppm whole.fits");
+    does("reproject --quiet --resume --to healpix:16:nest noise.ppm resumed.fits");
+    passes("a FITS file of a run that can be resumed", "compare --max 0 whole.fits resumed.fits");
     fails("FITS of something else", 2, "map of HEALPix",
           "reproject --to equirect noise.ppm made/a.fits");
     fails("levels in FITS", 2, "has no levels", "reproject --mips noise.ppm made/a.fits");
@@ -546,6 +574,13 @@ void tiles()
     fails("a projection of tiles", 2, "leave --to", "reproject --to equirect noise.ppm made/a/");
     fails("an edge that tiles have not", 2, "a power of two",
           "reproject --size 50 noise.ppm made/a/");
+    for (const char *line :
+         {"--resume noise.ppm made/a/", "--manifest made/a.json noise.ppm made/a/",
+          "noise_%d.ppm made/a/", "- made/a/"})
+    {
+        fails(std::string("tiles and ") + line, 2, "of one picture in files",
+              std::string("reproject ") + line);
+    }
     fails("a folder in none", 1, "cannot be written: folder", "reproject noise.ppm none/a/");
     const SizeLimit limit(500);
     fails("a full disk and tiles", 1, "cannot be written: File too large",
@@ -556,10 +591,14 @@ void tiles()
 
 const std::vector<Subject> &reproject_output_subjects()
 {
-    static const std::vector<Subject> subjects = {
-        {"textures", textures}, {"texture_values", texture_values},
-        {"refusals", refusals}, {"borders", borders},
-        {"levels", levels},     {"mappings", mappings},
-        {"tiles", tiles},       {"healpix_files", healpix_files}};
+    static const std::vector<Subject> subjects = {{"textures", textures},
+                                                  {"texture_values", texture_values},
+                                                  {"refusals", refusals},
+                                                  {"borders", borders},
+                                                  {"levels", levels},
+                                                  {"together", together},
+                                                  {"mappings", mappings},
+                                                  {"tiles", tiles},
+                                                  {"healpix_files", healpix_files}};
     return subjects;
 }

@@ -25,7 +25,7 @@ namespace
 constexpr std::size_t slot_count = 256;
 std::array<std::atomic<const char *>, slot_count> temporary_names;
 
-constexpr std::array<int, 3> ending_signals = {SIGINT, SIGTERM, SIGHUP};
+constexpr std::array<int, 4> ending_signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 // A signal that has come, and how many SignalsHeld there are. The handler writes the one and then
 // reads the other, SignalsHeld the other way round, so at least one of them sees both.
@@ -235,14 +235,19 @@ AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_link
     fchmod(descriptor, mode);
 }
 
+AtomicFile::AtomicFile(const std::string &stream_name, std::FILE *stream)
+    : name(stream_name), file(stream), is_stream(true)
+{
+}
+
 AtomicFile::~AtomicFile()
 {
     const SignalsHeld held;
-    if (file != nullptr)
+    if (file != nullptr && !is_stream)
     {
         std::fclose(file);
     }
-    if (!temporary.empty())
+    if (!temporary.empty() && !kept)
     {
         unlink(temporary.c_str());
         temporary_names[slot] = nullptr;
@@ -326,11 +331,12 @@ void AtomicFile::finish()
     {
         return;
     }
-    if (std::fflush(file) != 0 || (fsync(fileno(file)) != 0 && errno != EINVAL))
+    const bool flushed = std::fflush(file) == 0;
+    if (!flushed || (!is_stream && fsync(fileno(file)) != 0 && errno != EINVAL))
     {
         note_error(errno);
     }
-    if (std::fclose(file) != 0)
+    if (!is_stream && std::fclose(file) != 0)
     {
         note_error(errno);
     }
@@ -338,13 +344,44 @@ void AtomicFile::finish()
     check();
 }
 
+bool AtomicFile::keep_as(const std::string &path) noexcept
+{
+    const SignalsHeld held;
+    if (std::rename(temporary.c_str(), path.c_str()) != 0)
+    {
+        return false;
+    }
+    temporary_names[slot] = nullptr;
+    temporary = path;
+    kept = true;
+    return true;
+}
+
+void AtomicFile::take(const std::string &path)
+{
+    const SignalsHeld held;
+    std::fclose(file);
+    file = nullptr;
+    unlink(temporary.c_str());
+    temporary_names[slot] = nullptr;
+    temporary = path;
+    kept = true;
+}
+
 void AtomicFile::appear()
 {
+    if (is_stream)
+    {
+        return;
+    }
     if (std::rename(temporary.c_str(), target.c_str()) != 0)
     {
         throw Failure(in_quotes(name) + " cannot be written: " + std::strerror(errno));
     }
-    temporary_names[slot] = nullptr;
+    if (!kept)
+    {
+        temporary_names[slot] = nullptr;
+    }
     temporary.clear();
 }
 

@@ -21,6 +21,8 @@ class AtomicFile
 public:
     // Failure if the file cannot be made, or if its name belongs to something that is not a file.
     explicit AtomicFile(const std::string &path);
+    // Not a file but a stream, into which bytes go at once and in their order; it must outlive this.
+    AtomicFile(const std::string &stream_name, std::FILE *stream);
     // Removes the temporary file unless appear() was called.
     ~AtomicFile();
     AtomicFile(const AtomicFile &) = delete;
@@ -46,6 +48,12 @@ public:
     // All is written: bring it to the disk and close. Failure if anything went wrong on the way.
     void finish();
 
+    // After finish(): the complete file goes to another folder, and stays there if the program ends before appear().
+    // False if it cannot: then it is where it was.
+    bool keep_as(const std::string &path) noexcept;
+    // A complete file that keep_as() has left, in place of this one.
+    void take(const std::string &path);
+
     // Rename to the final name. After finish() only.
     void appear();
 
@@ -56,9 +64,11 @@ private:
     std::string target;    // with symbolic links followed
     std::string temporary; // in the same folder
     std::FILE *file = nullptr;
+    bool is_stream = false;
     std::int64_t position = 0;
     std::size_t slot = 0; // where the signal handler finds the temporary name
     int error_number = 0;
+    bool kept = false; // temporary is what keep_as() has made
 };
 
 // Finishes all, then renames all; signals that would end the program wait until that is done.

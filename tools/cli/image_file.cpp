@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 
 #include "image_file.hpp"
-#include "program.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 
@@ -64,13 +64,24 @@ void fail_image(const std::string &file, cm_status status, const char *message)
 
 void ImageFile::Closer::operator()(cm_image_reader *opened) const noexcept
 {
-    image_io().close(opened);
+    functions->close(opened);
 }
 
 ImageFile::ImageFile(const std::string &path, int threads, std::uint32_t subimage) : name(path)
 {
     check_readable(path);
     open(threads, subimage);
+    find_size();
+}
+
+ImageFile::ImageFile(const std::string &path, const cm_image_io &functions, cm_image_reader *opened)
+    : name(path), reader(opened, Closer{&functions})
+{
+    find_size();
+}
+
+void ImageFile::find_size()
+{
     upright_width = static_cast<int>(stored().window_width);
     upright_height = static_cast<int>(stored().window_height);
     if (stored().orientation > 4)
@@ -81,23 +92,28 @@ ImageFile::ImageFile(const std::string &path, int threads, std::uint32_t subimag
 
 void ImageFile::open(int threads, std::uint32_t subimage)
 {
+    const cm_image_io &functions = image_io();
     if (threads > 0)
     {
-        image_io().set_threads(threads);
+        functions.set_threads(threads);
     }
     cm_image_reader *opened = nullptr;
     char message[CM_IMAGE_MESSAGE] = "";
-    const cm_status status = image_io().open(name.c_str(), subimage, &opened, message);
+    const cm_status status = functions.open(name.c_str(), subimage, &opened, message);
+    if (status == CM_ERROR_UNSUPPORTED)
+    {
+        throw UnreadableImage(in_quotes(name) + " " + message);
+    }
     if (status != CM_OK)
     {
         fail_image(in_quotes(name), status, message);
     }
-    reader.reset(opened);
+    reader = {opened, Closer{&functions}};
 }
 
 const cm_image_description &ImageFile::stored() const noexcept
 {
-    return *image_io().describe(reader.get());
+    return *table().describe(reader.get());
 }
 
 void ImageFile::read(float *pixels, std::size_t row_stride, Finite finite)
@@ -114,7 +130,26 @@ void ImageFile::read_as(cm_pixel_type type, void *pixels, std::ptrdiff_t row_str
     }
     else
     {
-        read_and_place(type, static_cast<char *>(pixels), row_stride);
+        read_and_place(type, static_cast<char *>(pixels), row_stride, [](int) {});
+    }
+}
+
+void ImageFile::read_in_bands(cm_pixel_type type, void *pixels, std::ptrdiff_t row_stride,
+                              const std::function<void(int)> &advance)
+{
+    if (!is_plain())
+    {
+        read_and_place(type, static_cast<char *>(pixels), row_stride, advance);
+        return;
+    }
+    const std::size_t row = static_cast<std::size_t>(stored().width) *
+                            static_cast<std::size_t>(channels()) * channel_bytes(type);
+    const int rows = stored_band_rows(row);
+    for (int first = 0; first < upright_height; first += rows)
+    {
+        const int end = std::min(first + rows, upright_height);
+        read_stored(first, end, type, static_cast<char *>(pixels) + first * row_stride, row_stride);
+        advance(end - first);
     }
 }
 
@@ -134,7 +169,7 @@ void ImageFile::read_rows(int first, int end, float *pixels, std::size_t row_str
             check_memory(in_quotes(name), std::int64_t{upright_width} * upright_height, channels());
             std::vector<float> whole(row * static_cast<std::size_t>(upright_height));
             read_and_place(CM_PIXEL_FLOAT, reinterpret_cast<char *>(whole.data()),
-                           static_cast<std::ptrdiff_t>(row * sizeof(float)));
+                           static_cast<std::ptrdiff_t>(row * sizeof(float)), [](int) {});
             upright = std::move(whole);
         }
         for (int y = first; y < end; ++y)
@@ -168,23 +203,40 @@ void ImageFile::read_stored(int first, int end, cm_pixel_type type, void *pixels
     const cm_image_region rows = {0, static_cast<std::uint32_t>(first), stored().width,
                                   static_cast<std::uint32_t>(end)};
     char message[CM_IMAGE_MESSAGE] = "";
-    const cm_status status =
-        image_io().read(reader.get(), &rows, type, pixels, row_stride, message);
+    const cm_status status = table().read(reader.get(), &rows, type, pixels, row_stride, message);
     if (status != CM_OK)
     {
         fail_image(in_quotes(name), status, message);
     }
 }
 
+// Rows that are read together: whole strips or rows of tiles, so that none is decoded twice.
+int ImageFile::stored_band_rows(std::size_t row_bytes) const
+{
+    const cm_image_description &of = stored();
+    std::size_t together = of.tile_height > 0 ? of.tile_height : 16;
+    for (std::size_t i = 0; i < of.tag_count; ++i)
+    {
+        if (std::strcmp(of.tags[i].key, "tiff:RowsPerStrip") == 0)
+        {
+            together = std::strtoul(of.tags[i].text, nullptr, 10);
+        }
+    }
+    const std::size_t fitting = std::max<std::size_t>(band_floats * sizeof(float) / row_bytes, 1);
+    together = together == 0 || together > of.height ? 1 : together;
+    const std::size_t rows = (fitting + together - 1) / together * together;
+    return static_cast<int>(std::min<std::size_t>(rows, of.height));
+}
+
 // Band by band, each pixel to where it belongs, 0 elsewhere.
-void ImageFile::read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride)
+void ImageFile::read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride,
+                               const std::function<void(int)> &advance)
 {
     const cm_image_description &of = stored();
     const std::size_t pixel = static_cast<std::size_t>(channels()) * channel_bytes(type);
     const int columns = static_cast<int>(of.width);
     const std::size_t stride = static_cast<std::size_t>(of.width) * pixel;
-    const int rows = static_cast<int>(std::min<std::size_t>(
-        std::max(band_rows_least, band_floats * sizeof(float) / stride), of.height));
+    const int rows = stored_band_rows(stride);
     for (int row = 0; row < upright_height; ++row)
     {
         std::memset(pixels + row * row_stride, 0, pixel * static_cast<std::size_t>(upright_width));
@@ -204,6 +256,7 @@ void ImageFile::read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t 
                             band.data() + static_cast<std::size_t>(i) * pixel, pixel);
             }
         }
+        advance(end - first);
     }
 }
 
@@ -257,7 +310,7 @@ std::size_t channel_bytes(cm_pixel_type type)
 }
 
 void check_memory(const std::string &what, std::int64_t pixels, int channels,
-                  std::size_t channel_size)
+                  std::size_t channel_size, const std::string &advice)
 {
     const double needed =
         static_cast<double>(pixels) * channels * static_cast<double>(channel_size);
@@ -268,6 +321,6 @@ void check_memory(const std::string &what, std::int64_t pixels, int channels,
         char text[100];
         std::snprintf(text, sizeof text, " needs %.1f GB of memory, this machine has %.1f GB",
                       needed / 1e9, present / 1e9);
-        throw Failure(what + text);
+        throw Failure(what + text + advice);
     }
 }

@@ -2,6 +2,7 @@
 
 #include "image_format.hpp"
 #include "program.hpp"
+#include "stream_format.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,8 @@ constexpr Extension extensions[] = {
     {".png", "png"},   {".jpg", "jpeg"},    {".jpe", "jpeg"},    {".jpeg", "jpeg"},
     {".jif", "jpeg"},  {".jfif", "jpeg"},   {".jfi", "jpeg"},    {".tif", "tiff"},
     {".tiff", "tiff"}, {".exr", "openexr"}, {".sxr", "openexr"}, {".mxr", "openexr"},
-    {".hdr", "hdr"},   {".rgbe", "hdr"},
+    {".hdr", "hdr"},   {".rgbe", "hdr"},    {".pgm", "pgm"},     {".ppm", "ppm"},
+    {".pfm", "pfm"},
 };
 
 // Metadata that a resampled image on another grid does not share with its source. A name that ends
@@ -116,6 +118,19 @@ void choose_type(const std::string &format, ImageDescription &description)
 int held_channels(const std::string &format, const ImageDescription &source,
                   const std::string &path)
 {
+    if (const StreamFormat *const stream = find_stream_format(format))
+    {
+        const int held = held_channels(*stream, source);
+        if (held == 0)
+        {
+            throw Failure(in_quotes(path) + ": " + format + " holds " +
+                          (stream->channels < 0 ? "1 or 3" : std::to_string(stream->channels)) +
+                          (stream->channels == 1 ? " channel" : " channels") + ", the image has " +
+                          std::to_string(source.channels) +
+                          "; TIFF and EXR hold any number, and pam through a pipe");
+        }
+        return held;
+    }
     const int all = source.channels;
     const int colours = source.alpha == all - 1 ? all - 1 : all;
     if (format == "png" && all > 4)
@@ -148,12 +163,16 @@ std::string output_format(const std::string &path)
             return known.format;
         }
     }
-    throw UsageFailure(in_quotes(path) + ": an output's name must end in .png, .jpg, .tif, .exr "
-                                         "or .hdr");
+    throw UsageFailure(in_quotes(path) + ": an output's name must end in .png, .jpg, .tif, .exr, "
+                                         ".hdr, .ppm, .pgm or .pfm");
 }
 
 cm_pixel_type held_type(const std::string &format, cm_pixel_type wanted)
 {
+    if (const StreamFormat *const stream = find_stream_format(format))
+    {
+        return held_type(*stream, wanted);
+    }
     if (format == "jpeg" || (format == "png" && wanted != CM_PIXEL_U16))
     {
         return CM_PIXEL_U8;
@@ -161,9 +180,11 @@ cm_pixel_type held_type(const std::string &format, cm_pixel_type wanted)
     return format == "hdr" ? CM_PIXEL_FLOAT : wanted;
 }
 
-ImagePlan plan_image(const std::string &format, const ImageDescription &source,
+ImagePlan plan_image(const std::string &wanted_format, const ImageDescription &source,
                      const std::string &source_format, const std::string &path)
 {
+    const std::string format =
+        wanted_format == "pnm" ? best_stream_format(source).name : wanted_format;
     const int channels = held_channels(format, source, path);
     const bool same_format = format == source_format;
     ImagePlan plan = {format, source, channels != source.channels, false};
@@ -237,6 +258,8 @@ void set_compression(ImagePlan &plan, const std::string &compression)
     {
         throw UsageFailure(plan.format == "jpeg"  ? what + "a quality from 1 to 100"
                            : plan.format == "png" ? what + "a number from 0 to 9"
+                           : find_stream_format(plan.format) != nullptr
+                               ? what + "to be chosen: " + plan.format + " has no compression"
                            : *compressions_of(plan.format) == '\0'
                                ? what + "to be chosen: the format has one way only"
                                : what + "one of:" + names.substr(0, names.size() - 1));

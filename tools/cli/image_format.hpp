@@ -12,7 +12,7 @@
 // What an output file is to hold.
 struct ImagePlan
 {
-    std::string format;           // "png", "jpeg", "tiff", "openexr" or "hdr"
+    std::string format; // "png", "jpeg", "tiff", "openexr" or "hdr", or a name of stream_format.hpp
     ImageDescription description; // of the output
     bool alpha_dropped;           // the format has none
     bool multiply_alpha; // the format wants colours multiplied by alpha, and they are not yet
@@ -25,7 +25,7 @@ std::string output_format(const std::string &path);
 cm_pixel_type held_type(const std::string &format, cm_pixel_type wanted);
 
 // What a file of that format holds of an image that was read from a file with this description.
-// Failure if the format cannot hold so many channels.
+// "pnm" is the one of Netpbm's formats that holds it best. Failure if the format cannot hold so many channels.
 ImagePlan plan_image(const std::string &format, const ImageDescription &source,
                      const std::string &source_format, const std::string &path);
 

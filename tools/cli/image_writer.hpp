@@ -35,15 +35,20 @@ public:
 private:
     struct Dropper
     {
+        const cm_image_io *functions;
         void operator()(cm_image_writer *begun) const noexcept;
     };
 
     void check(cm_status status, const char *message) const;
+    const cm_image_io &table() const noexcept
+    {
+        return *writer.get_deleter().functions;
+    }
 
     std::string name;
     AtomicFile &file;
     cm_image_stream stream;
-    std::unique_ptr<cm_image_writer, Dropper> writer;
+    std::unique_ptr<cm_image_writer, Dropper> writer{nullptr, Dropper{nullptr}};
 };
 
 #endif

@@ -60,6 +60,11 @@ std::string OptionReader::name() const
     return std::string("--") + reader.option->name;
 }
 
+std::string OptionReader::as_written() const
+{
+    return name() + (reader.text == nullptr ? std::string() : "=" + text());
+}
+
 void OptionReader::refuse(const std::string &what)
 {
     cm_options_refuse(&reader, what.c_str());

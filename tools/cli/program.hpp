@@ -83,6 +83,9 @@ public:
     // The option as a user writes it: --NAME.
     std::string name() const;
 
+    // The same with its argument, if it has one: --NAME=TEXT.
+    std::string as_written() const;
+
     // UsageFailure: "--NAME is 'TEXT', not WHAT".
     [[noreturn]] void refuse(const std::string &what);
 

@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <mutex>
+#include <string>
 
-// Draws a bar on a stream if that is a terminal and the bar is wanted; takes it away at its end.
+// Draws a bar on a stream if that is a terminal and the bar is wanted, with the time that is left once two seconds have
+// gone; takes it away at its end.
 class Progress
 {
 public:
@@ -29,8 +31,12 @@ private:
     const std::int64_t total;
     const bool shown;
     std::int64_t done = 0;
+    const std::chrono::steady_clock::time_point begin;
     std::chrono::steady_clock::time_point last;
     std::mutex mutex;
 };
+
+// " 1:05 left", " 2:03:09 left" if a part of all, from 0 to 1, took so many seconds; "" as long as nobody can tell.
+std::string time_left(double part, double seconds);
 
 #endif

@@ -6,7 +6,7 @@
 #ifndef CUBEMAP_TOOLS_TEMPORARY_GUARD_HPP
 #define CUBEMAP_TOOLS_TEMPORARY_GUARD_HPP
 
-// From now on SIGINT, SIGTERM and SIGHUP remove the temporary files before they end the program
+// From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE remove the temporary files before they end the program
 // (those of them that are ignored stay so), and a write beyond the limit on the size of files is an
 // error, not a signal.
 void guard_temporary_files();

@@ -5,12 +5,22 @@
 #include <system_error>
 #include <utility>
 
-BandQueue::BandQueue(std::size_t bytes, bool own_thread, std::function<void(const RowBand &)> write)
+namespace
+{
+
+// Bands that are no larger stay in memory, whatever the ceiling.
+constexpr std::size_t in_memory = std::size_t{32} << 20;
+
+} // namespace
+
+BandQueue::BandQueue(MemoryCeiling &ceiling, std::size_t bytes, bool own_thread,
+                     std::function<void(const RowBand &)> write)
     : write_band(std::move(write))
 {
     for (std::size_t i = 0; i < (own_thread ? count : 1); ++i)
     {
-        bands[i].pixels = PixelMemory(bytes);
+        bands[i].pixels =
+            bytes > in_memory ? PixelMemory(ceiling, bytes, "a band of rows") : PixelMemory(bytes);
     }
     try
     {

@@ -5,6 +5,7 @@
 #ifndef CUBEMAP_TOOLS_BAND_QUEUE_HPP
 #define CUBEMAP_TOOLS_BAND_QUEUE_HPP
 
+#include "memory_ceiling.hpp"
 #include "pixel_memory.hpp"
 
 #include <array>
@@ -27,7 +28,8 @@ class BandQueue
 public:
     // Each band has room for so many bytes. write is called for one band after another, in their order, by a thread
     // of its own, or in give() if there is to be none.
-    BandQueue(std::size_t bytes, bool own_thread, std::function<void(const RowBand &)> write);
+    BandQueue(MemoryCeiling &ceiling, std::size_t bytes, bool own_thread,
+              std::function<void(const RowBand &)> write);
     // What was not written is dropped.
     ~BandQueue();
     BandQueue(const BandQueue &) = delete;

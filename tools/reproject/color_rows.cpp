@@ -1,33 +1,16 @@
 // SPDX-License-Identifier: MIT
-//
-// The curve is that of IEC 61966-2-1; below zero and above one it goes on, odd about zero.
 
 #include "color_rows.hpp"
 
-#include <cmath>
+#include <cubemap/srgb.h>
 
 namespace
 {
 
-float encoded(float light)
-{
-    const float size = std::fabs(light);
-    const float value =
-        size <= 0.0031308f ? 12.92f * size : 1.055f * std::pow(size, 1.0f / 2.4f) - 0.055f;
-    return std::copysign(value, light);
-}
-
-float decoded(float stored)
-{
-    const float size = std::fabs(stored);
-    const float value = size <= 0.04045f ? size / 12.92f : std::pow((size + 0.055f) / 1.055f, 2.4f);
-    return std::copysign(value, stored);
-}
-
 float recoded(float value, Recode recode)
 {
-    return recode == Recode::encode   ? encoded(value)
-           : recode == Recode::decode ? decoded(value)
+    return recode == Recode::encode   ? cm_srgb_from_light_float(value)
+           : recode == Recode::decode ? cm_light_from_srgb_float(value)
                                       : value;
 }
 

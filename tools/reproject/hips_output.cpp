@@ -2,6 +2,7 @@
 
 #include "hips_output.hpp"
 #include "tools/cli/image_file.hpp"
+#include "tools/cli/number_pattern.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 
@@ -243,6 +244,12 @@ void take_hips_rules(Options &options)
         throw UsageFailure(in_quotes(options.output) +
                            " is a folder of HiPS tiles; leave --to, --for, --layout, --frame, "
                            "--mips, --sidecar and lines out, or the / at its end");
+    }
+    if (options.resume || !options.manifest.empty() || is_pipe(options.input) ||
+        number_pattern(options.input) || number_pattern(options.output))
+    {
+        throw UsageFailure("a folder of HiPS tiles is made of one picture in files, at once; leave "
+                           "--resume, --manifest, pipes and numbers in names out");
     }
     if (options.size)
     {

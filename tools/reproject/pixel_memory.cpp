@@ -1,44 +1,28 @@
 // SPDX-License-Identifier: MIT
 
 #include "pixel_memory.hpp"
+#include "large_pages.hpp"
+#include "memory_ceiling.hpp"
 
-#include <cstdint>
 #include <cstdlib>
-#include <new>
 
-#include <sys/mman.h>
-
-namespace
+PixelMemory::PixelMemory(std::size_t size) : memory(allocate_pages(size))
 {
+}
 
-// Of large pages, of which a program touches fewer for the first time: that costs more than resampling.
-constexpr std::size_t large_page = std::size_t{1} << 21;
-constexpr std::size_t vector_bytes = 64;
-
-} // namespace
-
-PixelMemory::PixelMemory(std::size_t size)
+PixelMemory::PixelMemory(MemoryCeiling &ceiling, std::size_t size, const std::string &what)
+    : memory(ceiling.allocate(size, what), Deleter(&ceiling, size))
 {
-    const std::size_t alignment = size >= large_page ? large_page : vector_bytes;
-    if (size > SIZE_MAX - alignment)
-    {
-        throw std::bad_alloc();
-    }
-    const std::size_t whole = (size / alignment + 1) * alignment;
-    memory.reset(std::aligned_alloc(alignment, whole));
-    if (!memory)
-    {
-        throw std::bad_alloc();
-    }
-#if defined(MADV_HUGEPAGE)
-    if (alignment == large_page)
-    {
-        madvise(memory.get(), whole - large_page, MADV_HUGEPAGE); // only faster
-    }
-#endif
 }
 
 void PixelMemory::Deleter::operator()(void *owned) const noexcept
 {
-    std::free(owned);
+    if (ceiling != nullptr)
+    {
+        ceiling->release(owned, size);
+    }
+    else
+    {
+        std::free(owned);
+    }
 }

@@ -7,6 +7,9 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
+
+class MemoryCeiling;
 
 class PixelMemory
 {
@@ -14,6 +17,8 @@ public:
     PixelMemory() = default;
     // Bytes of any value, aligned for any vector. std::bad_alloc if there is not enough memory.
     explicit PixelMemory(std::size_t size);
+    // Those of a ceiling, which must outlive them.
+    PixelMemory(MemoryCeiling &ceiling, std::size_t size, const std::string &what);
 
     unsigned char *bytes() const noexcept
     {
@@ -21,9 +26,20 @@ public:
     }
 
 private:
-    struct Deleter
+    class Deleter
     {
+    public:
+        Deleter() noexcept
+        {
+        }
+        Deleter(MemoryCeiling *of, std::size_t bytes) noexcept : ceiling(of), size(bytes)
+        {
+        }
         void operator()(void *owned) const noexcept;
+
+    private:
+        MemoryCeiling *ceiling = nullptr; // none: std::free
+        std::size_t size = 0;
     };
     std::unique_ptr<void, Deleter> memory;
 };

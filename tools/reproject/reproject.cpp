@@ -5,11 +5,12 @@
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
+#include "film.hpp"
 #include "healpix_rules.hpp"
 #include "hips_output.hpp"
 #include "mapping_choice.hpp"
-#include "reproject_options.hpp"
 #include "reproject_main.h"
+#include "reproject_options.hpp"
 #include "reproject_output.hpp"
 #include "texture_rules.hpp"
 
@@ -30,7 +31,12 @@ int reproject(int argc, char **argv, const cm_streams &streams)
     take_healpix_rules(options);
     take_hips_rules(options);
     const int threads = thread_count(options.threads);
+    if (is_film(options))
+    {
+        return reproject_film(options, threads, streams);
+    }
 
+    MemoryCeiling ceiling(options.memory, options.output, options.quiet ? nullptr : streams.err);
     Input input(options, threads);
     choose_mapping(options, input);
     Output output(options, input);
@@ -38,8 +44,21 @@ int reproject(int argc, char **argv, const cm_streams &streams)
     {
         std::fprintf(streams.err, "cubemap-reproject: %s\n", warning.c_str());
     }
-    input.read(options, threads);
-    output.write(options, input, threads, streams.err);
+    input.read(options, threads, ceiling, streams.err);
+    KeptPlan plan;
+    try
+    {
+        output.write(options, input, threads, ceiling, streams.err, plan);
+    }
+    catch (const Failure &failure)
+    {
+        if (!options.resume)
+        {
+            throw;
+        }
+        throw Failure(std::string(failure.what()) + "; the same command goes on from what is done",
+                      failure.exit_status());
+    }
     if (!options.quiet)
     {
         std::vector<std::string> names;
@@ -50,8 +69,10 @@ int reproject(int argc, char **argv, const cm_streams &streams)
                 names.push_back(file.path());
             }
         }
-        print(streams, name_list(names) + " (" + input.description() + ") -> " +
-                           output.description() + "\n");
+        const cm_streams said = {streams.in, is_pipe(options.output) ? streams.err : streams.out,
+                                 streams.err};
+        print(said, name_list(names) + " (" + input.description() + ") -> " + output.description() +
+                        "\n");
     }
     return 0;
 }

@@ -2,15 +2,18 @@
 
 #include "reproject_input.hpp"
 #include "geo_reference.hpp"
+#include "sidecar.hpp"
 #include "texture_rules.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
+#include "tools/cli/progress.hpp"
 #include "tools/image/face_names.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 namespace
@@ -86,17 +89,71 @@ bool is_nan(cm_pixel_type type, const unsigned char *values, std::size_t index)
     return (bits & 0x7fffffu) != 0;
 }
 
+// What there is instead of a file that is not there.
+void check_there(const std::string &name, const std::vector<std::string> &names)
+{
+    if (std::filesystem::exists(name))
+    {
+        return;
+    }
+    if (names.size() > 1)
+    {
+        throw Failure(in_quotes(name) +
+                      " cannot be read: No such file or directory; all six faces are needed, " +
+                      in_quotes(names.front()) + " to " + in_quotes(names.back()));
+    }
+    const std::string face = face_names(name).front();
+    if (std::filesystem::exists(face))
+    {
+        const std::string extension = std::filesystem::path(name).extension().string();
+        throw Failure(
+            in_quotes(name) + " cannot be read: No such file or directory, but " + in_quotes(face) +
+            " is; " +
+            in_quotes(name.substr(0, name.size() - extension.size()) + "_%f" + extension) +
+            " stands for six faces");
+    }
+}
+
+// By GDAL if it is placed on the Earth as a surface cannot be, or if nothing else reads it.
+ImageFile open_picture(const std::string &name, const Options &options, int threads)
+{
+    std::string why;
+    try
+    {
+        ImageFile image(name, threads);
+        const std::string how = geographic_place(image).otherwise;
+        if (how.empty() || is_said(options.from) || saved_surface(image))
+        {
+            return image;
+        }
+        why = in_quotes(name) + " is placed on the Earth " + how +
+              "; make it EPSG:4326 (gdalwarp -t_srs EPSG:4326), or say --from SPEC to take it as "
+              "something else";
+    }
+    catch (const UnreadableImage &failure)
+    {
+        why = failure.what();
+    }
+    return open_by_gdal(name, why);
+}
+
 } // namespace
 
-Input::Input(const Options &options, int threads)
+Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
+    : images(std::move(opened))
 {
     open(options, threads);
     choose_type();
     find_surface(options);
+    if (options.memory > 0)
+    {
+        return; // what does not fit goes to files
+    }
     check_memory(in_quotes(images.front().path()),
                  std::int64_t{images.front().width()} * images.front().height() *
                      static_cast<std::int64_t>(images.size()),
-                 images.front().channels(), channel_bytes(pixels.type));
+                 images.front().channels(), channel_bytes(pixels.type),
+                 "; --memory SIZE keeps what is more in a file");
 }
 
 void Input::open(const Options &options, int threads)
@@ -107,9 +164,15 @@ void Input::open(const Options &options, int threads)
     faces = cube && (is_six(layout) || (layout.empty() && names_faces(options.input)));
     const std::vector<std::string> names =
         faces ? face_names(options.input) : std::vector<std::string>{options.input};
-    for (const std::string &name : names)
+    if (faces && !images.empty())
     {
-        images.emplace_back(name, threads);
+        throw UsageFailure("INPUT is a pipe, through which the six faces of a cube come as one "
+                           "picture; --from-layout says how");
+    }
+    for (std::size_t i = images.size(); i < names.size(); ++i)
+    {
+        check_there(names[i], names);
+        images.push_back(open_picture(names[i], options, threads));
     }
     if (images.size() == 1 && has_six_faces(images.front()))
     {
@@ -139,7 +202,8 @@ void Input::check_faces() const
         if (image.width() != first.width() || image.channels() != first.channels())
         {
             throw Failure(in_quotes(image.path()) + " is " + size_text(image) + " with " +
-                          std::to_string(image.channels()) + " channels, " +
+                          std::to_string(image.channels()) +
+                          (image.channels() == 1 ? " channel, " : " channels, ") +
                           in_quotes(first.path()) + " is " + size_text(first) + " with " +
                           std::to_string(first.channels()) + "; all six faces must be alike");
         }
@@ -151,6 +215,10 @@ void Input::choose_type()
 {
     pixels = ImageDescription(images.front().stored());
     types = images.front().pixel_type();
+    if (images.front().format() == "pnm" && !images.front().stored().whole_numbers)
+    {
+        pixels.color = CM_IMAGE_COLOR_LINEAR; // PFM, which cannot say so
+    }
     for (const ImageFile &image : images)
     {
         const ImageDescription other(image.stored());
@@ -176,7 +244,7 @@ void Input::choose_type()
 
 void Input::find_surface(const Options &options)
 {
-    std::optional<SavedSurface> saved = saved_surface(images.front());
+    std::optional<SavedSurface> saved = find_saved(options);
     if (texture && !saved && !is_said(options.from))
     {
         saved = texture_surface();
@@ -198,15 +266,46 @@ void Input::find_surface(const Options &options)
     {
         return;
     }
-    const std::optional<std::string> placed = geographic_surface(images.front());
-    take(placed ? *placed : cube_by_shape(options), options.from.rotation);
+    const GeoPlace place = geographic_place(images.front());
+    take(place.specification ? *place.specification : cube_by_shape(options),
+         options.from.rotation);
+}
+
+// What the picture says counts more than what a file beside it does.
+std::optional<SavedSurface> Input::find_saved(const Options &options)
+{
+    const ImageFile &image = images.front();
+    std::optional<SavedSurface> own = saved_surface(image);
+    std::optional<SavedSurface> beside = surface_beside(options.input, image.path());
+    if (!own || !beside)
+    {
+        return own ? own : beside;
+    }
+    const auto text_of = [](const SavedSurface &saved)
+    {
+        return saved.specification +
+               (saved.rotation ? ", turned by " + rotation_text(*saved.rotation) : "");
+    };
+    if (text_of(*own) != text_of(*beside))
+    {
+        remarks.push_back(says(*own) + text_of(*own) + ", and " + in_quotes(beside->where) + " " +
+                          text_of(*beside) + "; what the picture says counts");
+    }
+    return own;
+}
+
+std::string Input::says(const SavedSurface &saved) const
+{
+    const std::string image = in_quotes(images.front().path());
+    return saved.where.empty() ? image + " says that it is "
+                               : in_quotes(saved.where) + " says that " + image + " is ";
 }
 
 // False if the picture does not have the shape that its tag means: somebody has cut or scaled it since.
 bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
 {
     const ImageFile &image = images.front();
-    const std::string name = in_quotes(image.path()) + " says that it is ";
+    const std::string name = says(saved);
     const bool of_six = is_six(key_of(saved.specification, "layout"));
     if (of_six && !faces)
     {
@@ -224,8 +323,9 @@ bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
     }
     if (!sphere)
     {
-        remarks.push_back(name + saved.specification + ", but is " + size_text(image) +
-                          "; its shape counts");
+        remarks.push_back(name + saved.specification +
+                          (saved.where.empty() ? ", but is " : ", but that is ") +
+                          size_text(image) + "; its shape counts");
         return false;
     }
     turned = rotation;
@@ -262,7 +362,7 @@ void Input::compare_with(const SavedSurface &saved)
     const std::string there = other ? cm_surface_specification(other.get()) : saved.specification;
     const auto turn_of = [](const std::optional<cm_rotation> &rotation)
     { return rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0"; };
-    const std::string name = in_quotes(images.front().path()) + " says that it is ";
+    const std::string name = says(saved);
     if (here != there)
     {
         remarks.push_back(name + there + "; it is taken as " + here + ", as the command line says");
@@ -337,16 +437,22 @@ std::string Input::layout_by_shape(const Options &options) const
                 "equirect if it is that all the same"));
 }
 
+bool Input::is_georeferenced() const
+{
+    return geographic_place(images.front()).specification.has_value();
+}
+
 // ---- its pixels
 
-void Input::read(const Options &options, int threads)
+void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, std::FILE *terminal)
 {
     const ImageFile &first = images.front();
     const std::size_t row = static_cast<std::size_t>(first.width()) *
                             static_cast<std::size_t>(first.channels()) * channel_bytes(pixels.type);
     for (std::size_t i = 0; i < images.size(); ++i)
     {
-        memory.emplace_back(row * static_cast<std::size_t>(first.height()));
+        memory.emplace_back(ceiling, row * static_cast<std::size_t>(first.height()),
+                            "the pixels of " + in_quotes(images[i].path()));
         cm_image view = {};
         view.size = sizeof view;
         view.data = memory.back().bytes();
@@ -356,13 +462,7 @@ void Input::read(const Options &options, int threads)
         view.channels = static_cast<std::uint32_t>(first.channels());
         views.push_back(view);
     }
-    parallel_for(static_cast<int>(images.size()), threads,
-                 [&](int i)
-                 {
-                     const std::size_t picture = static_cast<std::size_t>(i);
-                     images[picture].read_as(pixels.type, memory[picture].bytes(),
-                                             static_cast<std::ptrdiff_t>(row));
-                 });
+    read_files(threads, ceiling.in_files() > 0, options.quiet ? nullptr : terminal);
     const auto has_floats = [](const ImageFile &image) { return !image.stored().whole_numbers; };
     if (std::any_of(images.begin(), images.end(), has_floats))
     {
@@ -372,6 +472,32 @@ void Input::read(const Options &options, int threads)
     {
         refuse_not_finite();
     }
+}
+
+void Input::read_files(int threads, bool in_bands, std::FILE *terminal)
+{
+    const std::ptrdiff_t row = images.front().width() * images.front().channels() *
+                               static_cast<std::ptrdiff_t>(channel_bytes(pixels.type));
+    std::int64_t rows = 0;
+    for (const ImageFile &image : images)
+    {
+        rows += image.stored().height;
+    }
+    Progress progress(rows, in_bands && terminal != nullptr, terminal);
+    const auto read_file = [&](int i)
+    {
+        ImageFile &image = images[static_cast<std::size_t>(i)];
+        unsigned char *const to = memory[static_cast<std::size_t>(i)].bytes();
+        if (in_bands)
+        {
+            image.read_in_bands(pixels.type, to, row, [&](int done) { progress.advance(done); });
+        }
+        else
+        {
+            image.read_as(pixels.type, to, row);
+        }
+    };
+    parallel_for(static_cast<int>(images.size()), threads, read_file);
 }
 
 void Input::count_not_finite(int threads)

@@ -5,6 +5,7 @@
 #ifndef CUBEMAP_TOOLS_REPROJECT_INPUT_HPP
 #define CUBEMAP_TOOLS_REPROJECT_INPUT_HPP
 
+#include "memory_ceiling.hpp"
 #include "pixel_memory.hpp"
 #include "reproject_options.hpp"
 #include "surface_tags.hpp"
@@ -16,9 +17,9 @@
 class Input
 {
 public:
-    // Opens the files. Failure if they are not there, not images, or not of the shape that they
-    // should have.
-    Input(const Options &options, int threads);
+    // Opens the files, unless they are given. Failure if they are not there, not images, or not of the shape that
+    // they should have. threads as for ImageFile.
+    Input(const Options &options, int threads, std::vector<ImageFile> opened = {});
 
     const cm_surface &surface() const noexcept
     {
@@ -39,14 +40,18 @@ public:
         return pixels;
     }
 
+    // Do the files say where on Earth they are?
+    bool is_georeferenced() const;
+
     // Lines for people about what is not as it seems.
     const std::vector<std::string> &warnings() const noexcept
     {
         return remarks;
     }
 
-    // The pixels, in the type of description_of_pixels(). Failure if a file turns out to be damaged.
-    void read(const Options &options, int threads);
+    // The pixels, in the type of description_of_pixels(), which lie where the ceiling has them and must not outlive it.
+    // The progress is shown on terminal, if it is one. Failure if a file turns out to be damaged.
+    void read(const Options &options, int threads, MemoryCeiling &ceiling, std::FILE *terminal);
 
     // Of the surface, after read().
     const cm_image *pictures() const noexcept
@@ -67,11 +72,14 @@ private:
     void check_faces() const;
     void choose_type();
     void find_surface(const Options &options);
+    std::optional<SavedSurface> find_saved(const Options &options);
+    std::string says(const SavedSurface &saved) const;
     bool take_saved(const SavedSurface &saved, const SurfaceOptions &options);
     void take(const std::string &specification, const std::optional<cm_rotation> &rotation);
     void compare_with(const SavedSurface &saved);
     std::string cube_by_shape(const Options &options) const;
     std::string layout_by_shape(const Options &options) const;
+    void read_files(int threads, bool in_bands, std::FILE *terminal);
     void count_not_finite(int threads);
     [[noreturn]] void refuse_not_finite() const;
 

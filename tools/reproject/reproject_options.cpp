@@ -3,6 +3,7 @@
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_table.h"
+#include "sidecar.hpp"
 #include "surface_text.hpp"
 #include "tools/cli/catalogue_name.h"
 #include "tools/cli/program.hpp"
@@ -10,6 +11,7 @@
 #include <cubemap/catalogue.h>
 
 #include <cstring>
+#include <filesystem>
 
 namespace
 {
@@ -38,6 +40,14 @@ void check_instructions(cm_status status, const char *message)
     {
         throw Failure(message);
     }
+}
+
+// What a file that --sidecar has written says of the pictures beside it.
+void take_sidecar(const std::string &path, SurfaceOptions &from)
+{
+    const SavedSurface saved = read_sidecar(path);
+    from.specification = without_key(without_key(saved.specification, "size"), "height");
+    from.said_rotation = saved.rotation;
 }
 
 // The order of HEALPix's pixels, which only files have, goes into order.
@@ -110,6 +120,30 @@ void set_transfer(const OptionReader &reader, cm_transfer transfer, Options &opt
     options.transfer = transfer;
 }
 
+// Bytes, from a number with a unit or without one.
+std::uint64_t read_size(OptionReader &reader)
+{
+    const std::string text = reader.text();
+    const std::size_t end = text.find_first_not_of("0123456789.");
+    const std::string unit = end == std::string::npos ? "M" : text.substr(end);
+    const std::optional<double> number = read_number(text.substr(0, end));
+    static constexpr const char *units[] = {"K", "M", "G", "T"};
+    double bytes = 0;
+    double size = 1;
+    for (const char *each : units)
+    {
+        size *= 1024;
+        const bool meant = unit.size() <= 3 && (unit[0] & ~0x20) == each[0] &&
+                           (unit.size() == 1 || unit.substr(1) == "B" || unit.substr(1) == "iB");
+        bytes = meant && number ? *number * size : bytes;
+    }
+    if (bytes < 64.0 * 1024 * 1024 || bytes > 1e18)
+    {
+        reader.refuse("a size of 64M at least, such as 512M or 2G");
+    }
+    return static_cast<std::uint64_t>(bytes);
+}
+
 // What the pixels are and how they are mixed.
 bool read_value_option(int id, const OptionReader &reader, Options &options)
 {
@@ -151,6 +185,12 @@ bool read_surface_option(int id, OptionReader &reader, Options &options)
     switch (id)
     {
     case REPROJECT_FROM:
+        options.from.said_rotation.reset();
+        if (std::filesystem::path(reader.text()).extension() == ".json")
+        {
+            take_sidecar(reader.text(), options.from);
+            return true;
+        }
         options.from.specification = read_specification(reader, order);
         if (!order.empty())
         {
@@ -194,6 +234,26 @@ void read_option(int id, OptionReader &reader, Options &options)
 {
     switch (id)
     {
+    case REPROJECT_GEOREFERENCE:
+        options.georeference = true;
+        break;
+    case REPROJECT_START:
+        options.start = reader.whole_number();
+        break;
+    case REPROJECT_COUNT:
+        options.count = reader.whole_number();
+        break;
+    case REPROJECT_RAW:
+        options.raw = read_bare_pictures(reader.text());
+        if (!options.raw)
+        {
+            reader.refuse("WIDTHxHEIGHT:FORMAT, as in 1920x960:rgb24, where FORMAT is one of: " +
+                          stream_format_names(true));
+        }
+        break;
+    case REPROJECT_PIPE:
+        options.pipe = reader.text();
+        break;
     case REPROJECT_SIZE:
         options.size = reader.whole_number();
         break;
@@ -217,6 +277,15 @@ void read_option(int id, OptionReader &reader, Options &options)
         break;
     case REPROJECT_THREADS:
         options.threads = reader.whole_number();
+        break;
+    case REPROJECT_MEMORY:
+        options.memory = read_size(reader);
+        break;
+    case REPROJECT_RESUME:
+        options.resume = true;
+        break;
+    case REPROJECT_MANIFEST:
+        options.manifest = reader.text();
         break;
     case REPROJECT_QUIET:
         options.quiet = true;
@@ -275,6 +344,24 @@ void check_together(const Options &options)
     }
 }
 
+void check_pipes(const Options &options)
+{
+    if (options.raw && !is_pipe(options.input))
+    {
+        throw UsageFailure("--raw says what comes through a pipe, but INPUT is " +
+                           in_quotes(options.input) + ", not -");
+    }
+    if (!options.pipe.empty() && !is_pipe(options.output))
+    {
+        throw UsageFailure("--pipe says what goes into a pipe, but OUTPUT is " +
+                           in_quotes(options.output) + ", not -");
+    }
+    if (is_pipe(options.output) && options.sidecar)
+    {
+        throw UsageFailure("--sidecar writes a file beside OUTPUT, which is a pipe; leave one out");
+    }
+}
+
 } // namespace
 
 Options parse_options(int argc, char **argv, const cm_streams &streams)
@@ -284,6 +371,13 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
     while (const int id = reader.next())
     {
         read_option(id, reader, options);
+        const bool same_output = id == REPROJECT_THREADS || id == REPROJECT_MEMORY ||
+                                 id == REPROJECT_RESUME || id == REPROJECT_MANIFEST ||
+                                 id == REPROJECT_QUIET;
+        if (!same_output)
+        {
+            options.words.push_back(reader.as_written());
+        }
     }
     options.printed = reader.printed();
     if (options.printed)
@@ -297,6 +391,10 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
                            (operands.size() == 1 ? " name is" : " names are") +
                            " given; see --help");
     }
+    if (!options.from.rotation)
+    {
+        options.from.rotation = options.from.said_rotation;
+    }
     check_overlay_options(options.overlay, false);
     check_together(options);
     if (options.preset != nullptr)
@@ -305,5 +403,8 @@ Options parse_options(int argc, char **argv, const cm_streams &streams)
     }
     options.input = operands[0];
     options.output = operands[1];
+    options.output_stream = streams.out;
+    check_pipes(options);
+    options.words.insert(options.words.end(), operands.begin(), operands.end());
     return options;
 }

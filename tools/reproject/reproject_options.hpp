@@ -7,10 +7,14 @@
 
 #include "tools/image/overlay_options.hpp"
 
+#include "tools/cli/picture_stream.hpp"
+
 #include <cubemap/image.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 // What the command line says of INPUT's surface, or of OUTPUT's; what it does not say is empty.
 struct SurfaceOptions
@@ -19,6 +23,7 @@ struct SurfaceOptions
     std::string frame;
     std::string layout;
     std::optional<cm_rotation> rotation;
+    std::optional<cm_rotation> said_rotation; // by the file that has said the rest
 };
 
 enum class Keep
@@ -61,13 +66,29 @@ struct Options
     int border = 0;
     std::optional<int> order; // of HiPS tiles
     int tile_width = 0;       // of those; 0: not said
+    bool georeference = false;
+    std::optional<int> start; // of a film: the number of its first picture
+    std::optional<int> count;
+    std::optional<BarePictures> raw; // what comes through a pipe, if it does not say so itself
+    std::string pipe; // the format of what goes into one; "": the one that holds it best
     OverlayOptions overlay;
     int threads = 0;
+    std::uint64_t memory = 0; // bytes; 0: no ceiling
+    bool resume = false;
+    std::string manifest;           // the file's name; "": none
+    std::vector<std::string> words; // "--NAME=TEXT" of all options that may change the output
     bool quiet = false;
     bool printed = false; // is there nothing left to do?
     std::string input;
     std::string output;
+    std::FILE *output_stream = nullptr; // where OUTPUT goes if it is a pipe
 };
+
+// Is this INPUT or OUTPUT a pipe?
+inline bool is_pipe(const std::string &name)
+{
+    return name == "-";
+}
 
 // UsageFailure if the command line is not one.
 Options parse_options(int argc, char **argv, const cm_streams &streams);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
+#include "channel_groups.hpp"
+#include "geo_reference.hpp"
 #include "healpix_rules.hpp"
 #include "output_surface.hpp"
 #include "sidecar.hpp"
@@ -24,62 +26,31 @@ constexpr std::size_t bands_bytes = std::size_t{12} << 20;
 // A picture is so many bands at least, so that the first are written early, where threads have enough to do then.
 constexpr int bands_least = 8;
 constexpr int rows_each = 4 * block_rows;
-
-struct PlanDeleter
-{
-    void operator()(cm_plan *owned) const noexcept
-    {
-        cm_plan_destroy(owned);
-    }
-};
-
-struct SourceDeleter
-{
-    void operator()(cm_source *owned) const noexcept
-    {
-        cm_source_destroy(owned);
-    }
-};
-
-using PlanPointer = std::unique_ptr<cm_plan, PlanDeleter>;
-using SourcePointer = std::unique_ptr<cm_source, SourceDeleter>;
-
-void check(cm_status status)
-{
-    if (status == CM_ERROR_MEMORY)
-    {
-        throw std::bad_alloc();
-    }
-    if (status != CM_OK)
-    {
-        throw Failure(std::string("cannot be resampled: ") + cm_status_text(status));
-    }
-}
-
-PlanPointer make_plan(const cm_surface &from, const cm_surface &to, const cm_plan_options &options)
-{
-    cm_plan *made = nullptr;
-    check(cm_plan_create(&from, &to, &options, &made));
-    return PlanPointer(made);
-}
-
-SourcePointer make_source(const cm_plan &plan, const cm_image *pictures, cm_pixel_type type,
-                          int threads)
-{
-    cm_source *made = nullptr;
-    check(cm_source_create(&plan, pictures, type, static_cast<unsigned>(threads), &made));
-    return SourcePointer(made);
-}
+// With a source in files, parts of a band of so many rows and columns are computed one after another: what they read is a
+// small part of the source, which then stays in memory, and the system maps some pages beside each that is asked for.
+constexpr std::uint32_t tile_edge = 1024;
+// Then larger bands are quicker: all at a time together a part of the ceiling, and one at most so many bytes.
+constexpr std::uint64_t ceiling_parts = 16;
+constexpr std::size_t band_most = std::size_t{32} << 20;
+// For how many threads bands are where rows are kept for another run.
+constexpr int kept_threads = 4;
 
 bool is_linear_format(const std::string &format)
 {
-    return format == "openexr" || format == "hdr";
+    return format == "openexr" || format == "hdr" || format == "pfm";
 }
 
 // Formats whose colours nobody takes for light.
 bool is_srgb_format(const std::string &format)
 {
-    return format == "png" || format == "jpeg";
+    return format == "png" || format == "jpeg" || format == "ppm" || format == "pgm" ||
+           format == "pam";
+}
+
+// Through a pipe goes what holds the picture best.
+std::string format_of(const std::string &name)
+{
+    return is_pipe(name) ? "pnm" : reproject_format(name);
 }
 
 cm_not_finite engine_not_finite(const Options &options)
@@ -109,8 +80,9 @@ std::string not_finite_text(std::int64_t count, cm_not_finite what)
 
 struct Output::Render
 {
+    MemoryCeiling &ceiling;
     const cm_plan &plan;
-    const cm_source &source;
+    const ChannelGroups &source;
     Progress &progress;
 };
 
@@ -126,8 +98,10 @@ Output::Output(const Options &options, const Input &input)
                                                 : "";
     const ImageDescription &source = input.description_of_pixels();
     const bool tiles = is_hips_name(options.output);
-    plan = plan_image(tiles ? hips_format(source) : reproject_format(names.front()), source,
-                      input.files().front().format(), names.front());
+    plan = plan_image(!options.pipe.empty() ? options.pipe
+                      : tiles               ? hips_format(source)
+                                            : format_of(names.front()),
+                      source, input.files().front().format(), names.front());
     if (is_texture(plan.format))
     {
         plan_texture(plan, names.front());
@@ -142,6 +116,7 @@ Output::Output(const Options &options, const Input &input)
     }
     channels = source.channels;
     choose_colors(options, input);
+    choose_place(options, input);
     if (options.overlay.wanted())
     {
         lines = std::make_unique<SurfaceLines>(options.overlay, *surface, rotation, input);
@@ -149,6 +124,10 @@ Output::Output(const Options &options, const Input &input)
     choose_values(options, input);
     save_surface(plan, whole.surface(), rotation);
     make_files(options);
+    if (options.resume)
+    {
+        work = std::make_unique<WorkFolder>(options.output, work_identity(options, input, kind()));
+    }
 }
 
 void Output::choose_names(const Options &options, const Input &input)
@@ -158,6 +137,11 @@ void Output::choose_names(const Options &options, const Input &input)
     {
         throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but the layout is " +
                            key_of(cm_surface_specification(surface), "layout"));
+    }
+    if (pictures > 1 && is_pipe(options.output))
+    {
+        throw UsageFailure("OUTPUT is a pipe, which takes one picture, and the faces of a cube are "
+                           "six; say --layout 3x2, strip or cross, or --to equirect");
     }
     const bool faces = pictures > 1 && !whole.is_texture();
     names = whole.file_names(faces ? face_names(options.output)
@@ -173,6 +157,19 @@ void Output::choose_names(const Options &options, const Input &input)
             }
         }
     }
+}
+
+// What was placed on Earth still is.
+void Output::choose_place(const Options &options, const Input &input)
+{
+    const bool can = plan.format == "tiff" && has_geographic_place(*surface, rotation);
+    if (options.georeference && !can)
+    {
+        throw UsageFailure("--georeference is for TIFF files of equirect or mercator that are not "
+                           "turned; OUTPUT is " +
+                           surface_text());
+    }
+    georeferenced = can && (options.georeference || input.is_georeferenced());
 }
 
 // Light is written as sRGB where a format has that, and the other way round.
@@ -225,7 +222,8 @@ void Output::choose_values(const Options &options, const Input &input)
     values.transfer =
         linear && options.transfer == CM_TRANSFER_SRGB ? CM_TRANSFER_STORED : options.transfer;
     values.gamma = options.gamma;
-    values.alpha = static_cast<std::uint32_t>(source.alpha + 1);
+    // so many channels are no picture with opacity
+    values.alpha = channels > CM_CHANNELS_MAX ? 0 : static_cast<std::uint32_t>(source.alpha + 1);
     values.alpha_multiplied = source.alpha_multiplied ? 1 : 0;
     values.vector = static_cast<std::uint32_t>(options.vector);
     values.dither = options.dither ? 1 : 0;
@@ -240,6 +238,11 @@ void Output::choose_values(const Options &options, const Input &input)
     if (options.vector > 0 && alpha >= options.vector && alpha <= options.vector + 2)
     {
         throw UsageFailure("--vector: channel " + std::to_string(alpha) + " is alpha");
+    }
+    if (channels > CM_CHANNELS_MAX && options.vector > 0)
+    {
+        throw Failure("--vector: INPUT has " + std::to_string(channels) + " channels, of which " +
+                      std::to_string(CM_CHANNELS_MAX) + " at most can be resampled with a vector");
     }
     const bool floats = lines || colors.is_needed();
     row_type = floats ? CM_PIXEL_FLOAT : held_type(plan.format, plan.description.type);
@@ -264,11 +267,17 @@ void Output::make_files(const Options &options)
     }
     for (const std::string &name : names)
     {
-        files.push_back(std::make_unique<AtomicFile>(name));
+        files.push_back(is_pipe(name)
+                            ? std::make_unique<AtomicFile>("standard output", options.output_stream)
+                            : std::make_unique<AtomicFile>(name));
     }
     if (options.sidecar)
     {
         files.push_back(std::make_unique<AtomicFile>(sidecar_name(options.output)));
+    }
+    if (!options.manifest.empty())
+    {
+        files.push_back(std::make_unique<AtomicFile>(options.manifest));
     }
 }
 
@@ -313,6 +322,25 @@ std::vector<int> Output::band_ends(std::size_t index, std::size_t most_bytes, in
     return ends;
 }
 
+void Output::compute_rows(const Render &render, const cm_rows &rows,
+                          std::vector<cm_image> &pictures, int threads)
+{
+    const bool in_tiles = render.ceiling.in_files() > 0;
+    const std::uint32_t down = in_tiles ? tile_edge : rows.row_count;
+    const std::uint32_t across = in_tiles ? tile_edge : rows.column_count;
+    const std::uint32_t last_row = rows.first_row + rows.row_count;
+    const std::uint32_t last_column = rows.first_column + rows.column_count;
+    for (std::uint32_t row = rows.first_row; row < last_row; row += down)
+    {
+        for (std::uint32_t column = rows.first_column; column < last_column; column += across)
+        {
+            const cm_rows tile = {rows.plane, row, std::min(down, last_row - row), column,
+                                  std::min(across, last_column - column)};
+            render.source.resample(render.plan, pictures, tile, threads);
+        }
+    }
+}
+
 // The picture as a whole is not there: only the band's rows are touched.
 void Output::compute(const Render &render, std::size_t index, const RowBand &band, int threads)
 {
@@ -334,8 +362,7 @@ void Output::compute(const Render &render, std::size_t index, const RowBand &ban
         {
             continue;
         }
-        check(cm_resample_source(&render.plan, &render.source, pictures.data(), rows,
-                                 static_cast<unsigned>(threads)));
+        compute_rows(render, rows, pictures, threads);
         if (row_type == CM_PIXEL_FLOAT && (lines || colors.is_needed()))
         {
             finish_rows(place, rows, band, threads);
@@ -380,12 +407,43 @@ void Output::finish_rows(const PlanePlace &place, const cm_rows &rows, const Row
     parallel_for(static_cast<int>(rows.row_count), threads, finish_row);
 }
 
+// Where rows are kept they are the same for any number of threads.
+std::vector<int> Output::bands_of(const Render &render, std::size_t index, int threads) const
+{
+    const int counted = work ? kept_threads : threads;
+    const int pictures = static_cast<int>(names.size());
+    const std::size_t at_once = static_cast<std::size_t>(std::min(pictures, counted));
+    const std::uint64_t share = render.ceiling.in_files() > 0 ? render.ceiling.bytes() : 0;
+    const std::size_t together =
+        std::max<std::size_t>(bands_bytes, static_cast<std::size_t>(share / ceiling_parts));
+    return band_ends(index, std::min(together / 2 / at_once, band_most),
+                     std::max(1, counted / pictures));
+}
+
+void Output::fill_band(const Render &render, std::size_t index, const RowBand &band, int threads)
+{
+    const std::size_t size = row_bytes() * static_cast<std::size_t>(band.end - band.first);
+    if (work && work->load(index, band.first, band.end, band.pixels.bytes(), size))
+    {
+        return;
+    }
+    compute(render, index, band, threads);
+    if (work)
+    {
+        work->store(index, band.first, band.end, band.pixels.bytes(), size);
+    }
+}
+
 void Output::write_picture(const Render &render, std::size_t index, int threads)
 {
-    const std::size_t at_once =
-        std::min<std::size_t>(names.size(), static_cast<std::size_t>(threads));
+    if (work && work->is_complete(index))
+    {
+        files[index]->take(work->picture_name(index));
+        render.progress.advance(cm_surface_height(surface));
+        return;
+    }
     const int threads_each = std::max(1, threads / static_cast<int>(names.size()));
-    const std::vector<int> ends = band_ends(index, bands_bytes / 2 / at_once, threads_each);
+    const std::vector<int> ends = bands_of(render, index, threads);
     int most_rows = 0;
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
@@ -398,19 +456,27 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
         writer.write(band.first, band.end, row_type, band.pixels.bytes(), channels);
         render.progress.advance(band.end - band.first);
     };
-    BandQueue queue(row_bytes() * static_cast<std::size_t>(most_rows),
+    BandQueue queue(render.ceiling, row_bytes() * static_cast<std::size_t>(most_rows),
                     threads > 1 && ends.size() > 1, write_band);
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
         RowBand &band = queue.take();
         band.first = i == 0 ? 0 : ends[i - 1];
         band.end = ends[i];
-        compute(render, index, band, threads_each);
+        fill_band(render, index, band, threads_each);
         queue.give();
     }
     queue.finish();
     writer.close();
+    if (georeferenced)
+    {
+        write_geographic_place(*surface, names[index], *files[index]);
+    }
     files[index]->finish();
+    if (work && files[index]->keep_as(work->picture_name(index)))
+    {
+        work->complete(index);
+    }
 }
 
 // What the written values are, which may have changed behind resampling.
@@ -445,7 +511,7 @@ void Output::write_hips(const Render &render, int threads)
         picture.channels = static_cast<std::uint32_t>(channels);
         picture.row_stride = static_cast<std::ptrdiff_t>(row);
         const cm_rows rows = {window.plane, window.row, window.width, window.column, window.width};
-        check(cm_resample_source(&render.plan, &render.source, &picture, rows, 1));
+        render.source.resample(render.plan, {picture}, rows, 1);
         if (colors.is_needed())
         {
             colors.convert(reinterpret_cast<float *>(pixels),
@@ -465,7 +531,8 @@ void Output::write_whole(const Render &render, int threads)
     for (std::size_t i = 0; i < held.size(); ++i)
     {
         held[i].end = height;
-        held[i].pixels = PixelMemory(row_bytes() * static_cast<std::size_t>(height));
+        held[i].pixels =
+            PixelMemory(render.ceiling, row_bytes() * static_cast<std::size_t>(height), "OUTPUT");
         compute(render, i, held[i], threads);
         render.progress.advance(height);
         cm_image picture = {};
@@ -477,40 +544,70 @@ void Output::write_whole(const Render &render, int threads)
         picture.channels = static_cast<std::uint32_t>(channels);
         pictures.push_back(picture);
     }
-    whole.write(pictures, plan, rotation, written_values(), files, names, threads);
+    try
+    {
+        whole.write(pictures, plan, rotation, written_values(), files, names, georeferenced,
+                    threads, render.ceiling);
+    }
+    catch (const std::bad_alloc &)
+    {
+        render.ceiling.rethrow();
+        throw;
+    }
 }
 
-void Output::write(const Options &options, const Input &input, int threads, std::FILE *terminal)
+void Output::write_pictures(const Render &render, int threads)
+{
+    if (whole.is_needed())
+    {
+        write_whole(render, threads);
+        return;
+    }
+    parallel_for(static_cast<int>(names.size()), threads,
+                 [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
+}
+
+void Output::write(const Options &options, const Input &input, int threads, MemoryCeiling &ceiling,
+                   std::FILE *terminal, KeptPlan &kept)
 {
     not_finite = input.not_finite();
     values.not_finite = not_finite > 0 ? engine_not_finite(options) : CM_NOT_FINITE_SPREAD;
-    const PlanPointer geometry = make_plan(input.surface(), *surface, values);
-    const SourcePointer source = make_source(*geometry, input.pictures(), row_type, threads);
-    filter = cm_source_filter(source.get());
+    values.memory = ceiling.functions();
+    const cm_plan &geometry =
+        kept.get(input.surface(), input.rotation(), *surface, rotation, values);
+    const ChannelGroups source(geometry, input.pictures(),
+                               cm_surface_picture_count(&input.surface()), row_type, threads,
+                               ceiling);
+    filter = source.filter();
     const std::int64_t rows = std::int64_t{cm_surface_height(surface)} *
                               static_cast<std::int64_t>(cm_surface_picture_count(surface));
     {
         Progress progress(rows, !options.quiet, terminal);
-        const Render render = {*geometry, *source, progress};
+        const Render render = {ceiling, geometry, source, progress};
         if (hips)
         {
             write_hips(render, threads);
             return;
         }
-        if (whole.is_needed())
-        {
-            write_whole(render, threads);
-        }
-        else
-            parallel_for(static_cast<int>(names.size()), threads,
-                         [&](int i)
-                         { write_picture(render, static_cast<std::size_t>(i), threads); });
+        write_pictures(render, threads);
     }
     if (options.sidecar)
     {
         write_sidecar();
     }
+    if (!options.manifest.empty())
+    {
+        write_manifest(options, input);
+    }
     appear_together(files);
+    if (work)
+    {
+        work->remove();
+    }
+    else
+    {
+        WorkFolder::forget(options.output);
+    }
 }
 
 // ---- what it was
@@ -518,14 +615,43 @@ void Output::write(const Options &options, const Input &input, int threads, std:
 void Output::write_sidecar()
 {
     const std::string text = sidecar_text(whole.surface(), rotation, names, cm_filter_name(filter));
+    files[names.size()]->write(text.data(), text.size());
+}
+
+PictureKind Output::kind() const
+{
+    static constexpr const char *types[] = {"uint8", "uint16", "half", "float"};
+    const cm_surface &shown = whole.surface();
+    return {cm_surface_specification(&shown),
+            rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0",
+            static_cast<int>(cm_surface_width(&shown)),
+            static_cast<int>(cm_surface_height(&shown)),
+            channels,
+            types[row_type]};
+}
+
+void Output::write_manifest(const Options &options, const Input &input)
+{
+    std::vector<MadePicture> pictures;
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        pictures.push_back({names[i], sum_of_file(files[i]->temporary_name(), names[i])});
+    }
+    const std::string text =
+        manifest_text(options, input, kind(), cm_filter_name(filter), pictures);
     files.back()->write(text.data(), text.size());
+}
+
+std::string Output::surface_text() const
+{
+    return surface_description(whole.surface(), rotation) +
+           (plan.alpha_dropped ? ", without alpha" : "") + kept_density;
 }
 
 std::string Output::description() const
 {
-    std::string text = name_list(names) + " (" + surface_description(whole.surface(), rotation) +
-                       (plan.alpha_dropped ? ", without alpha" : "") + kept_density + "; " +
-                       cm_filter_name(filter) + (hips ? hips->description() : whole.description());
+    std::string text = name_list(names) + " (" + surface_text() + "; " + cm_filter_name(filter) +
+                       (hips ? hips->description() : whole.description());
     text += colors.recode == Recode::encode   ? "; light written as sRGB"
             : colors.recode == Recode::decode ? "; sRGB written as light"
                                               : "";

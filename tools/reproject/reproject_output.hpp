@@ -8,10 +8,13 @@
 #include "band_queue.hpp"
 #include "color_rows.hpp"
 #include "hips_output.hpp"
+#include "kept_plan.hpp"
 #include "plane_place.hpp"
 #include "reproject_input.hpp"
 #include "surface_lines.hpp"
 #include "whole_output.hpp"
+#include "work_folder.hpp"
+#include "work_manifest.hpp"
 #include "tools/cli/image_writer.hpp"
 #include "tools/cli/progress.hpp"
 
@@ -22,21 +25,34 @@ public:
     // cannot be done.
     Output(const Options &options, const Input &input);
 
-    // Computes and writes the files, and lets them appear. The progress is shown on terminal, if it
-    // is one.
-    void write(const Options &options, const Input &input, int threads, std::FILE *terminal);
+    // Computes and writes the files, and lets them appear. What the filter needs lies where the ceiling has it. The
+    // progress is shown on terminal, if it is one. plan is made, unless it is that of pictures like these.
+    void write(const Options &options, const Input &input, int threads, MemoryCeiling &ceiling,
+               std::FILE *terminal, KeptPlan &plan);
 
     // "face_0.png .. face_5.png (cube:coupled, frame geo, 512x512; bilinear)", after write().
     std::string description() const;
+    // Of that, "cube:coupled, frame geo, 512x512"; the names; and "bilinear".
+    std::string surface_text() const;
+    const std::vector<std::string> &file_names() const noexcept
+    {
+        return names;
+    }
+    std::string filter_name() const
+    {
+        return cm_filter_name(filter);
+    }
 
 private:
     struct Render; // what all of the rows have in common
 
     void choose_names(const Options &options, const Input &input);
+    void choose_place(const Options &options, const Input &input);
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
     void make_files(const Options &options);
     void write_hips(const Render &render, int threads);
+    void write_pictures(const Render &render, int threads);
     void write_whole(const Render &render, int threads);
     cm_plan_options written_values() const;
     void write_picture(const Render &render, std::size_t index, int threads);
@@ -44,7 +60,13 @@ private:
     void finish_rows(const PlanePlace &place, const cm_rows &rows, const RowBand &band,
                      int threads) const;
     std::vector<int> band_ends(std::size_t index, std::size_t most_bytes, int threads) const;
+    std::vector<int> bands_of(const Render &render, std::size_t index, int threads) const;
+    static void compute_rows(const Render &render, const cm_rows &rows,
+                             std::vector<cm_image> &pictures, int threads);
+    void fill_band(const Render &render, std::size_t index, const RowBand &band, int threads);
     void write_sidecar();
+    void write_manifest(const Options &options, const Input &input);
+    PictureKind kind() const;
     std::size_t row_bytes() const;
 
     WholeOutput whole;
@@ -55,12 +77,14 @@ private:
     std::string chosen_mapping;                     // for people
     std::string kept_density;                       // for people
     std::vector<std::string> names;                 // of the pictures' files
-    std::vector<std::unique_ptr<AtomicFile>> files; // of those, then the sidecar
+    std::vector<std::unique_ptr<AtomicFile>> files; // of those, then sidecar and manifest
     ImagePlan plan;
+    bool georeferenced = false;
     cm_plan_options values = {};
     cm_pixel_type row_type = CM_PIXEL_FLOAT; // of what is computed
     int channels = 0;
     ColorRows colors;
+    std::unique_ptr<WorkFolder> work;    // if what is done is kept
     std::unique_ptr<SurfaceLines> lines; // if there are to be any
     cm_filter filter = CM_FILTER_AUTO;   // that was taken
     std::int64_t not_finite = 0;

@@ -25,6 +25,11 @@ static const char *const layouts[] = {"faces", "strip", "cross", "vcross", "colu
 static const char *const densities[] = {"mean", "max", NULL};
 static const char *const not_finite[] = {"skip", "zero", "spread", "refuse", NULL};
 
+/* As stream_format.hpp has them. */
+static const char *const pipe_formats[] = {
+    "ppm",   "pgm",     "pam",       "pfm",  "gray",     "gray16le",   "grayf32le",
+    "rgb24", "rgb48le", "gbrpf32le", "rgba", "rgba64le", "gbrapf32le", NULL};
+
 static const char *preset_name_at(size_t index)
 {
     return index < cm_surface_preset_count() ? cm_surface_preset_at(index)->identifier : NULL;
@@ -36,9 +41,12 @@ static const cm_option projections[] = {
      .kind = CM_OPTION_TEXT,
      .argument = "SPEC",
      .help = "what INPUT is; without it, what the file says of itself, or else its shape: 2:1 "
-             "equirect, 6:1 a strip, 4:3 a cross; %f in the name: six faces",
-     .more = "A file says it by what this program has written into it, by the fields of a photo "
-             "sphere, or as a GeoTIFF file in degrees. All others must be said.",
+             "equirect, 6:1 a strip, 4:3 a cross; %f in the name: six faces. Or a file of "
+             "--sidecar, whose name ends in .json",
+     .more =
+         "A file says it by what this program has written into it, by the fields of a photo "
+         "sphere, or by a georeference, which is warped to degrees if GDAL is there. All others "
+         "must be said.",
      .choices = kinds},
     {.id = REPROJECT_TO,
      .name = "to",
@@ -206,7 +214,13 @@ static const cm_option values[] = {
      .high = 13},
     {.id = REPROJECT_SIDECAR,
      .name = "sidecar",
-     .help = "also write what OUTPUT is into a file beside it that ends in .json"},
+     .help = "also write what OUTPUT is into a file beside it that ends in .json, which is read "
+             "again where OUTPUT is INPUT"},
+    {.id = REPROJECT_GEOREFERENCE,
+     .name = "georeference",
+     .help = "write where OUTPUT is on Earth into a TIFF file: EPSG:4326 of an equirectangular "
+             "image, EPSG:3857 of mercator",
+     .more = "Without this it is written where INPUT has a georeference, too."},
     {.id = REPROJECT_THREADS,
      .name = "threads",
      .kind = CM_OPTION_WHOLE,
@@ -216,14 +230,74 @@ static const cm_option values[] = {
      .standard = "0, one for each core",
      .low = 0,
      .high = 1024},
+    {.id = REPROJECT_MEMORY,
+     .name = "memory",
+     .kind = CM_OPTION_TEXT,
+     .argument = "SIZE",
+     .help = "what the program may take of memory, such as 512M or 2G, 64M at least; what does not "
+             "fit goes to temporary files, which are told beforehand",
+     .more =
+         "Units are K, M, G and T of 1024 each; a number alone is M. Files are in the folder of "
+         "the environment variable TMPDIR, or else beside OUTPUT, and have no name: nothing is "
+         "left of them, whatever happens. The output is the same for any SIZE."},
+    {.id = REPROJECT_RESUME,
+     .name = "resume",
+     .help = "keep what is done in the folder OUTPUT.resume until all is, and go on from there",
+     .more = "Whatever has ended the program, the same command does not again what was done. The "
+             "folder takes as much room as OUTPUT without compression, and goes away at the end."},
+    {.id = REPROJECT_MANIFEST,
+     .name = "manifest",
+     .kind = CM_OPTION_FILE,
+     .argument = "FILE",
+     .help = "also write what was made of what into FILE, as JSON: files with their sizes and "
+             "checksums, surface, filter"},
     {.id = REPROJECT_QUIET,
      .name = "quiet",
      .help = "neither a progress bar nor a line that says what was done"},
 };
 
+static const cm_option films[] = {
+    {.id = REPROJECT_START,
+     .name = "start",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "the number of the first picture of a film",
+     .standard = "the lowest that is there, and of a pipe 1",
+     .low = 0,
+     .high = 999999999,
+     .flags = CM_OPTION_TOLD},
+    {.id = REPROJECT_COUNT,
+     .name = "count",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "how many pictures a film has",
+     .more = "All of these must be there: a number that is missing is an error before anything is "
+             "done.",
+     .standard = "all",
+     .low = 1,
+     .high = 999999999,
+     .flags = CM_OPTION_TOLD},
+    {.id = REPROJECT_RAW,
+     .name = "raw",
+     .kind = CM_OPTION_TEXT,
+     .argument = "WIDTHxHEIGHT:FORMAT",
+     .help = "what comes from standard input are bare samples; FORMAT as ffmpeg calls it: gray, "
+             "gray16le, grayf32le, rgb24, rgb48le, gbrpf32le, rgba, rgba64le or gbrapf32le"},
+    {.id = REPROJECT_PIPE,
+     .name = "pipe",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "FORMAT",
+     .help = "what goes to standard output: ppm, pgm, pam or pfm, or bare samples in a FORMAT of "
+             "--raw",
+     .standard = "pgm or ppm of whole numbers, pfm of light, pam of more channels",
+     .choices = pipe_formats,
+     .flags = CM_OPTION_TOLD},
+};
+
 static const cm_option_group groups[] = {
     {NULL, projections, sizeof projections / sizeof *projections},
     {"Values and files", values, sizeof values / sizeof *values},
+    {"Films and pipes", films, sizeof films / sizeof *films},
     {"Lines", cm_overlay_options, OVERLAY_OPTION_COUNT},
     {NULL, cm_white_line_options, LINE_OPTION_COUNT},
 };
@@ -235,9 +309,8 @@ const cm_command cm_reproject_command = {
         "Resamples an image of the sphere from one projection to another: equirectangular, the six "
         "faces of a cube, what a camera or a fisheye lens sees, HEALPix, a disc, or one square. "
         "PNG, "
-        "JPEG, TIFF, EXR and HDR, with any number of channels and any type of pixel, and the "
-        "textures DDS "
-        "and KTX2, and maps of HEALPix in FITS. A folder, with / at its end, "
+        "JPEG, TIFF, EXR, HDR, PPM and PFM, with any number of channels and any type of pixel, and "
+        "the textures DDS and KTX2, and maps of HEALPix in FITS. A folder, with / at its end, "
         "gets HiPS tiles for sky viewers.",
     .groups = groups,
     .group_count = sizeof groups / sizeof *groups,
@@ -279,6 +352,13 @@ const cm_command cm_reproject_command = {
         "  s2                    the faces of the S2 library: lon 0, lon 90 E, north,\n"
         "                        lon 180, lon 90 W, south\n"
         "\n"
+        "Films:\n"
+        "  frame_%04d.png        INPUT and OUTPUT: all numbers there are, by one plan;\n"
+        "                        the pictures must be alike\n"
+        "  -                     standard input or output: PPM, PGM, PAM or PFM, one\n"
+        "                        picture after another; or bare samples, with --raw and\n"
+        "                        --pipe\n"
+        "\n"
         "Meridians and parallels, grid and ellipses lie over the resampled image. The cube of grid "
         "and ellipses is OUTPUT's, else INPUT's, else cube:" CM_MAPPING_RECOMMENDED ".\n"
         "\n"
@@ -295,6 +375,10 @@ const cm_command cm_reproject_command = {
         "      --layout strip face_%f.png sky.exr\n"
         "  cubemap-reproject --from azimuthal:equidistant:fov=185,lat=0 fisheye.jpg \\\n"
         "      world.jpg\n"
-        "  cubemap-reproject --to peirce --size 1024 earth.jpg peirce.png",
+        "  cubemap-reproject --to peirce --size 1024 earth.jpg peirce.png\n"
+        "  cubemap-reproject frame_%04d.png cube_%04d_%f.png\n"
+        "  ffmpeg -v error -i in.mp4 -f image2pipe -c:v ppm - |\n"
+        "      cubemap-reproject --to cube --layout 3x2 - - |\n"
+        "      ffmpeg -v error -f image2pipe -c:v ppm -r 30 -i - out.mp4",
     .operand = CM_OPTION_FILE,
     .bare_version = 1};

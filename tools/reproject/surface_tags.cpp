@@ -138,8 +138,13 @@ std::optional<SavedSurface> photo_sphere(const ImageFile &image)
     {
         return std::nullopt;
     }
-    return SavedSurface{text,
-                        is_turned(rotation) ? std::optional<cm_rotation>(rotation) : std::nullopt};
+    SavedSurface saved;
+    saved.specification = text;
+    if (is_turned(rotation))
+    {
+        saved.rotation = rotation;
+    }
+    return saved;
 }
 
 void save_photo_sphere(ImageDescription &held, const cm_surface &surface)

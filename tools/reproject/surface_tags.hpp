@@ -20,6 +20,7 @@ struct SavedSurface
 {
     std::string specification;
     std::optional<cm_rotation> rotation;
+    std::string where; // the file beside the picture that says it; "": the picture itself
 };
 
 // Nothing if it says nothing, or what nobody understands.

@@ -61,8 +61,8 @@ std::string reproject_format(const std::string &path)
     catch (const UsageFailure &)
     {
         throw UsageFailure(in_quotes(path) +
-                           ": an output's name must end in .png, .jpg, .tif, .exr, .hdr, .dds, "
-                           ".ktx2 or .fits, or, of a folder of HiPS tiles, in /");
+                           ": an output's name must end in .png, .jpg, .tif, .exr, .hdr, .ppm, "
+                           ".pgm, .pfm, .dds, .ktx2 or .fits, or, of a folder of HiPS tiles, in /");
     }
 }
 
@@ -109,7 +109,7 @@ void take_texture_rules(Options &options)
 
 SavedSurface texture_surface()
 {
-    return {usual_axes().specification, usual_axes().rotation};
+    return {usual_axes().specification, usual_axes().rotation, ""};
 }
 
 bool has_six_faces(const ImageFile &image)

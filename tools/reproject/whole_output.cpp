@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "whole_output.hpp"
+#include "geo_reference.hpp"
 #include "surface_tags.hpp"
 #include "texture_rules.hpp"
 #include "modules/image/io/texture_file.h"
@@ -105,14 +106,19 @@ void put_text(const std::string &text, char (&to)[CM_TEXTURE_TEXT])
     }
 }
 
+// placed: the surface, if where it is on Earth is to be written.
 void write_file(const cm_image &picture, const ImagePlan &plan, const std::string &name,
-                AtomicFile &file)
+                AtomicFile &file, const cm_surface *placed)
 {
     ImageWriter writer(plan, static_cast<int>(picture.width), static_cast<int>(picture.height),
                        name, file);
     writer.write(0, static_cast<int>(picture.height), picture.type, picture.data,
                  static_cast<int>(picture.channels));
     writer.close();
+    if (placed != nullptr)
+    {
+        write_geographic_place(*placed, name, file);
+    }
     file.finish();
 }
 
@@ -133,6 +139,17 @@ WholeOutput::WholeOutput(const Options &options, SurfacePointer wanted,
 {
     const std::string specification = cm_surface_specification(shown.get());
     border = border_of(specification);
+    if (options.resume && is_needed())
+    {
+        throw UsageFailure(
+            "--resume keeps rows, and textures, levels and borders are made of all of "
+            "them at once; leave it out");
+    }
+    if (mips && is_pipe(options.output))
+    {
+        throw UsageFailure(
+            "--mips writes a file for each level, and OUTPUT is a pipe; leave one out");
+    }
     if (border > 0)
     {
         std::string message;
@@ -214,7 +231,8 @@ SurfacePointer WholeOutput::level_of(const cm_surface &of, std::uint32_t level) 
 WholeOutput::Level WholeOutput::make_level(const cm_mips *levels,
                                            const std::vector<cm_image> &pictures,
                                            std::uint32_t level, cm_pixel_type type,
-                                           const cm_plan_options &values, int threads) const
+                                           const cm_plan_options &values, int threads,
+                                           MemoryCeiling &ceiling) const
 {
     Level made;
     made.shown = level_of(*shown, level);
@@ -232,7 +250,7 @@ WholeOutput::Level WholeOutput::make_level(const cm_mips *levels,
     const std::size_t bytes = std::size_t{width} * height * cm_pixel_size(type) * from->channels;
     for (std::size_t i = 0; i < count; ++i)
     {
-        made.memory.emplace_back(bytes);
+        made.memory.emplace_back(ceiling, bytes, "a level of OUTPUT");
         std::memset(made.memory.back().bytes(), 0, bytes);
         made.pictures.push_back(
             picture_in(made.memory.back(), type, width, height, from->channels));
@@ -313,7 +331,8 @@ void WholeOutput::write_texture(const std::vector<Level> &levels, const ImagePla
 void WholeOutput::write(const std::vector<cm_image> &pictures, const ImagePlan &plan,
                         const std::optional<cm_rotation> &rotation, const cm_plan_options &values,
                         const std::vector<std::unique_ptr<AtomicFile>> &files,
-                        const std::vector<std::string> &names, int threads) const
+                        const std::vector<std::string> &names, bool georeferenced, int threads,
+                        MemoryCeiling &ceiling) const
 {
     MipsPointer held;
     if (level_count() > 1)
@@ -328,7 +347,7 @@ void WholeOutput::write(const std::vector<cm_image> &pictures, const ImagePlan &
     std::vector<Level> levels;
     for (std::uint32_t level = 0; level < level_count(); ++level)
     {
-        levels.push_back(make_level(held.get(), pictures, level, type, values, threads));
+        levels.push_back(make_level(held.get(), pictures, level, type, values, threads, ceiling));
         if (texture)
         {
             continue;
@@ -341,7 +360,8 @@ void WholeOutput::write(const std::vector<cm_image> &pictures, const ImagePlan &
                      {
                          const std::size_t at = first + static_cast<std::size_t>(i);
                          write_file(levels.back().pictures[static_cast<std::size_t>(i)], own,
-                                    names[at], *files[at]);
+                                    names[at], *files[at],
+                                    georeferenced ? levels.back().shown.get() : nullptr);
                      });
         levels.clear();
     }

@@ -5,6 +5,7 @@
 #ifndef CUBEMAP_TOOLS_WHOLE_OUTPUT_HPP
 #define CUBEMAP_TOOLS_WHOLE_OUTPUT_HPP
 
+#include "memory_ceiling.hpp"
 #include "reproject_options.hpp"
 #include "surface_text.hpp"
 #include "tools/cli/atomic_file.hpp"
@@ -47,11 +48,13 @@ public:
     // The files, level by level, from those of the pictures.
     std::vector<std::string> file_names(const std::vector<std::string> &pictures) const;
 
-    // The pictures of computed() and what becomes of them. values says what they are.
+    // The pictures of computed() and what becomes of them. values says what they are. georeferenced: is where they are
+    // on Earth to be written? What is more than the pictures lies where the ceiling has it.
     void write(const std::vector<cm_image> &pictures, const ImagePlan &plan,
                const std::optional<cm_rotation> &rotation, const cm_plan_options &values,
                const std::vector<std::unique_ptr<AtomicFile>> &files,
-               const std::vector<std::string> &names, int threads) const;
+               const std::vector<std::string> &names, bool georeferenced, int threads,
+               MemoryCeiling &ceiling) const;
 
     // ", 10 levels", for people
     std::string description() const;
@@ -63,7 +66,7 @@ private:
     SurfacePointer level_of(const cm_surface &of, std::uint32_t level) const;
     Level make_level(const cm_mips *levels, const std::vector<cm_image> &pictures,
                      std::uint32_t level, cm_pixel_type type, const cm_plan_options &values,
-                     int threads) const;
+                     int threads, MemoryCeiling &ceiling) const;
     void write_texture(const std::vector<Level> &levels, const ImagePlan &plan,
                        const std::optional<cm_rotation> &rotation, AtomicFile &file,
                        const std::string &name) const;

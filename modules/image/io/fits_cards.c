@@ -80,7 +80,7 @@ static void cut_blanks(char *text)
     }
 }
 
-/* A text, from behind its first quote. */
+/* A text, from behind its first quote. One that is not closed may have no zero byte. */
 static bool split_text(const char *at, const char *end, char *value)
 {
     size_t length = 0;
@@ -122,10 +122,12 @@ bool cm_fits_split(const char *card, cm_fits_pair *pair)
     {
         at++;
     }
-    bool good = true;
     if (at < end && *at == '\'')
     {
-        good = split_text(at + 1, end, pair->value);
+        if (!split_text(at + 1, end, pair->value))
+        {
+            return false;
+        }
     }
     else
     {
@@ -135,7 +137,7 @@ bool cm_fits_split(const char *card, cm_fits_pair *pair)
         }
     }
     cut_blanks(pair->value);
-    return good;
+    return true;
 }
 
 bool cm_fits_real(const cm_fits_pair *pair, double *number)

@@ -11,6 +11,12 @@
 extern "C" {
 #endif
 
+/* Write scale, tie points and keys into the first directory of a whole TIFF or BigTIFF file, through a stream that reads,
+ * writes, seeks and tells its size; they replace what is there. CM_ERROR_ARGUMENT: one of these is not there;
+ * CM_ERROR_MEMORY; CM_ERROR_UNSUPPORTED: no such file, or the stream took no more. */
+cm_status cm_geo_tags_write(const cm_image_stream *stream, const cm_image_geo_tags *tags,
+                            char *message);
+
 /* Those of the file's picture of that number, TIFF or BigTIFF of either byte order, to be freed with one free; NULL if
  * it has none, is no TIFF, or there is no memory. Damaged tags count as none. */
 cm_image_geo_tags *cm_geo_tags_read(const char *path, uint32_t subimage);

@@ -181,7 +181,11 @@ cm_status cm_pnm_write_rows(const cm_image_stream *stream, const cm_pnm_picture 
     for (uint32_t i = 0; i < rows->height && good; i++)
     {
         const unsigned char *const from = (const unsigned char *)rows->data + down * (ptrdiff_t)i;
-        for (uint32_t j = 0; j < picture->width; j++)
+        if (step == (ptrdiff_t)pixel)
+        {
+            memcpy(row, from, row_size);
+        }
+        for (uint32_t j = 0; j < picture->width && step != (ptrdiff_t)pixel; j++)
         {
             memcpy(row + pixel * j, from + step * (ptrdiff_t)j, pixel);
         }

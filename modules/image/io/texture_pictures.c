@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#define HALF_ONE 0x3c00 /* 1 as IEC 60559 binary16 */
+#include "modules/image/half.h"
 
 const cm_texture_numbers cm_texture_formats[CM_TEXTURE_FORMATS] = {
     [CM_TEXTURE_RGBA8] = {CM_PIXEL_U8, 28, 37, 4},
@@ -102,7 +102,7 @@ static cm_status check_pictures(const cm_texture *texture, const cm_image *const
 
 static void put_one(cm_pixel_type type, unsigned char *to)
 {
-    const uint16_t half = HALF_ONE;
+    const uint16_t half = cm_half_of_float(1.0F);
     const uint16_t whole = UINT16_MAX;
     const float number = 1.0F;
     switch (type)

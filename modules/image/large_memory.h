@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Memory for planes: the caller's, or the system's.
+ */
+#ifndef MODULES_IMAGE_LARGE_MEMORY_H
+#define MODULES_IMAGE_LARGE_MEMORY_H
+
+#include <cubemap/image.h>
+
+/* Bytes of any value, which cm_large_free gives back; NULL if there are none. `memory` is NULL for the system's. */
+void *cm_large_allocate(const cm_memory *memory, size_t bytes);
+
+/* What cm_large_allocate has given for that memory and so many bytes; NULL is allowed. */
+void cm_large_free(const cm_memory *memory, void *pointer, size_t bytes);
+
+#endif
