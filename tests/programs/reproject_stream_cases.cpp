@@ -193,8 +193,8 @@ void film_outputs()
            "textures of a film", textures.err);
     const Ran borders =
         run_with_input(pictures, "reproject --border 2 --mapping auto - face_%02d_%f.png");
-    result(borders.status == 0 && content_of("face_02_4.png") == content_of("one_4.png"),
-           "borders of a film, and a mapping that is chosen", borders.err);
+    result(borders.status == 0, "borders of a film, and a mapping that is chosen", borders.err);
+    passes("are those of each picture", "compare --max 0 one_4.png face_02_4.png");
 }
 
 void films()
