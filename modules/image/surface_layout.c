@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "surface_layout.h"
 
+#include <cubemap/mips.h>
 #include <cubemap/number.h>
 
 #include <string.h>
@@ -127,17 +128,17 @@ static void put_in_cell(cm_surface *surface, side seen, uint32_t column, uint32_
 
 /* ---- layouts ---- */
 
-/* Faces as they are, in their order. */
+/* Faces as they are, in their order, each with its border. */
 static void place_plain(cm_surface *surface, const face_layout *layout, const uint32_t *parameter)
 {
-    (void)parameter;
+    const uint32_t border = parameter[0];
     for (uint32_t face = 0; face < 6; face++)
     {
         cm_placement *place = &surface->placement[face];
         const uint32_t at = layout->pictures == 6 ? 0 : face;
         place->picture = layout->pictures == 6 ? face : 0;
-        place->column = at % layout->columns * surface->width;
-        place->row = at / layout->columns * surface->height;
+        place->column = at % layout->columns * (surface->width + 2 * border) + border;
+        place->row = at / layout->columns * (surface->height + 2 * border) + border;
     }
 }
 
@@ -195,12 +196,19 @@ static void place_equiangular(cm_surface *surface, const face_layout *layout,
     put(surface, turned_anticlockwise(above(middle)), pad + 2 * edge, lower);
 }
 
+/* Pixels around each face. */
+#define BORDER                                                                                     \
+    {"border", NULL}, {0},                                                                         \
+    {                                                                                              \
+        CM_BORDER_MOST                                                                             \
+    }
+
 static const face_layout layouts[] = {
-    {"faces", 6, 1, 1, place_plain, {NULL}, {0}, {0}},
-    {"strip", 1, 6, 1, place_plain, {NULL}, {0}, {0}},
-    {"column", 1, 1, 6, place_plain, {NULL}, {0}, {0}},
-    {"3x2", 1, 3, 2, place_plain, {NULL}, {0}, {0}},
-    {"2x3", 1, 2, 3, place_plain, {NULL}, {0}, {0}},
+    {"faces", 6, 1, 1, place_plain, BORDER},
+    {"strip", 1, 6, 1, place_plain, BORDER},
+    {"column", 1, 1, 6, place_plain, BORDER},
+    {"3x2", 1, 3, 2, place_plain, BORDER},
+    {"2x3", 1, 2, 3, place_plain, BORDER},
     {"cross", 1, 4, 3, place_cross, {"north", "south"}, {1, 1}, {3, 3}},
     {"vcross", 1, 3, 4, place_vertical_cross, {NULL}, {0}, {0}},
     {"eac", 1, 3, 2, place_equiangular, {"pad", NULL}, {0}, {4096}},
@@ -276,13 +284,17 @@ cm_status cm_surface_lay_out(cm_surface *surface, const cm_surface_wish *wish)
     const face_layout *found = find_layout(wish, parameter);
     if (found == NULL)
     {
-        return cm_complain(wish->complaint, CM_ERROR_PARAMETER,
-                           "layout=%.*s: there are faces, strip, column, 3x2, 2x3, cross, "
-                           "cross:north=0..3,south=0..3, vcross, eac and eac:pad=0..4096",
-                           CM_SHOWN(cm_surface_key(wish->words, "layout")));
+        return cm_complain(
+            wish->complaint, CM_ERROR_PARAMETER,
+            "layout=%.*s: there are faces, strip, column, 3x2, 2x3, cross, "
+            "cross:north=0..3,south=0..3, vcross, eac and eac:pad=0..4096; the first "
+            "five may have :border=0..128",
+            CM_SHOWN(cm_surface_key(wish->words, "layout")));
     }
     const uint32_t pad = found->place == place_equiangular ? parameter[0] : 0;
-    const cm_plane_grid grid = {found->columns, found->rows, 2 * pad, 4 * pad, 0.0};
+    const uint32_t border = found->place == place_plain ? parameter[0] : 0;
+    const cm_plane_grid grid = {found->columns, found->rows, 2 * (pad + border * found->columns),
+                                4 * pad + 2 * border * found->rows, 0.0};
     const cm_status status = cm_surface_grid_size(surface, wish, &grid);
     if (status != CM_OK)
     {

@@ -78,7 +78,9 @@ static void expect_same(const cm_texture *texture, size_t size)
     REQUIRE(read.width == EDGE && read.height == EDGE && read.levels == LEVELS &&
                 read.faces == texture->faces && read.format == texture->format &&
                 read.container == texture->container && strcmp(read.orientation, "rd") == 0 &&
-                read.alpha_multiplied == texture->alpha_multiplied,
+                read.alpha_multiplied == texture->alpha_multiplied &&
+                strcmp(read.surface, texture->surface) == 0 &&
+                strcmp(read.rotation, texture->rotation) == 0,
             "other: %u x %u", read.width, read.height);
     for (uint32_t l = 0; l < LEVELS; l++)
     {
@@ -105,6 +107,11 @@ START_TEST(test_round_trips)
                 cm_texture texture = make_texture((cm_texture_container)container,
                                                   (cm_texture_format)format, faces, 4);
                 texture.alpha_multiplied = faces == 6;
+                if (container == CM_TEXTURE_KTX2 && faces == 6)
+                {
+                    strcpy(texture.surface, "cube:gnomonic;frame=gl");
+                    memset(texture.rotation, '1', sizeof texture.rotation - 1);
+                }
                 expect_same(&texture, write_file(&texture, ROOM));
             }
         }
@@ -246,6 +253,10 @@ START_TEST(test_refusals)
     const cm_image *const levels[LEVELS] = {images[0], images[1], images[2]};
     memory_stream memory = {file, 0, ROOM, 0};
     const cm_image_stream stream = stream_of(&memory);
+    memset(texture.surface, 'a', sizeof texture.surface);
+    REQUIRE(cm_texture_write(&stream, &texture, levels, message) == CM_ERROR_ARGUMENT,
+            "a text without end");
+    texture.surface[0] = '\0';
     images[1][3].width = 3;
     REQUIRE(cm_texture_write(&stream, &texture, levels, message) == CM_ERROR_RANGE, "a size");
     texture.levels = 4;

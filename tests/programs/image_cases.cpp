@@ -192,6 +192,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"compare", compare_subjects()},
         {"reproject", reproject_subjects()},
         {"surfaces", reproject_surface_subjects()},
+        {"outputs", reproject_output_subjects()},
         {"streams", reproject_stream_subjects()},
         {"memory", reproject_memory_subjects()},
         {"distortion", distortion_subjects()},

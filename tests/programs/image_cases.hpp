@@ -90,6 +90,7 @@ struct Subject
 const std::vector<Subject> &compare_subjects();
 const std::vector<Subject> &reproject_subjects();
 const std::vector<Subject> &reproject_surface_subjects();
+const std::vector<Subject> &reproject_output_subjects();
 const std::vector<Subject> &reproject_stream_subjects();
 const std::vector<Subject> &reproject_memory_subjects();
 const std::vector<Subject> &distortion_subjects();

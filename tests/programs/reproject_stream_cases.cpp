@@ -181,6 +181,22 @@ void wrong_pipes()
     result(std::filesystem::exists("one.png"), "the first is there");
 }
 
+// What one picture becomes, each of a film does.
+void film_outputs()
+{
+    write_file("in.ppm", picture(1));
+    does("reproject --quiet --mips --size 16 in.ppm one.ktx2");
+    does("reproject --quiet --border 2 --mapping auto in.ppm one_%f.png");
+    const std::string pictures = picture(0) + picture(1);
+    const Ran textures = run_with_input(pictures, "reproject --mips --size 16 - sky_%02d.ktx2");
+    result(textures.status == 0 && content_of("sky_02.ktx2") == content_of("one.ktx2"),
+           "textures of a film", textures.err);
+    const Ran borders =
+        run_with_input(pictures, "reproject --border 2 --mapping auto - face_%02d_%f.png");
+    result(borders.status == 0, "borders of a film, and a mapping that is chosen", borders.err);
+    passes("are those of each picture", "compare --max 0 one_4.png face_02_4.png");
+}
+
 void films()
 {
     const auto name = [](int number) { return "frame_" + std::to_string(number) + ".ppm"; };
@@ -254,10 +270,8 @@ void wrong_films()
 
 const std::vector<Subject> &reproject_stream_subjects()
 {
-    static const std::vector<Subject> subjects = {{"pipes", pipes},
-                                                  {"names_of_netpbm", names_of_netpbm},
-                                                  {"wrong_pipes", wrong_pipes},
-                                                  {"films", films},
-                                                  {"wrong_films", wrong_films}};
+    static const std::vector<Subject> subjects = {
+        {"pipes", pipes}, {"names_of_netpbm", names_of_netpbm}, {"wrong_pipes", wrong_pipes},
+        {"films", films}, {"film_outputs", film_outputs},       {"wrong_films", wrong_films}};
     return subjects;
 }

@@ -22,7 +22,7 @@ namespace
 {
 
 // The temporary names, for the signal handler: it must find them without a lock.
-constexpr std::size_t slot_count = 16;
+constexpr std::size_t slot_count = 256;
 std::array<std::atomic<const char *>, slot_count> temporary_names;
 
 constexpr std::array<int, 4> ending_signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};

@@ -67,10 +67,10 @@ void ImageFile::Closer::operator()(cm_image_reader *opened) const noexcept
     functions->close(opened);
 }
 
-ImageFile::ImageFile(const std::string &path, int threads) : name(path)
+ImageFile::ImageFile(const std::string &path, int threads, std::uint32_t subimage) : name(path)
 {
     check_readable(path);
-    open(threads);
+    open(threads, subimage);
     find_size();
 }
 
@@ -90,7 +90,7 @@ void ImageFile::find_size()
     }
 }
 
-void ImageFile::open(int threads)
+void ImageFile::open(int threads, std::uint32_t subimage)
 {
     const cm_image_io &functions = image_io();
     if (threads > 0)
@@ -99,7 +99,7 @@ void ImageFile::open(int threads)
     }
     cm_image_reader *opened = nullptr;
     char message[CM_IMAGE_MESSAGE] = "";
-    const cm_status status = functions.open(name.c_str(), 0, &opened, message);
+    const cm_status status = functions.open(name.c_str(), subimage, &opened, message);
     if (status == CM_ERROR_UNSUPPORTED)
     {
         throw UnreadableImage(in_quotes(name) + " " + message);

@@ -35,7 +35,7 @@ public:
     using Failure::Failure;
 };
 
-// An image file that was opened. The first image counts if there are several. The orientation that
+// An image file that was opened. The orientation that
 // a camera noted is applied; an OpenEXR image is its display window, with 0 where there is no data.
 // The values of transparent pixels are as stored (neither multiplied nor divided by alpha).
 class ImageFile
@@ -44,7 +44,8 @@ public:
     // Failure if there is no such file, it is not an image, or not one of this kind. From now on the
     // process reads and writes images in so many threads, and none may be read or written now; 0
     // leaves them as they are.
-    explicit ImageFile(const std::string &path, int threads = 0);
+    // subimage: which of the file's pictures.
+    explicit ImageFile(const std::string &path, int threads = 0, std::uint32_t subimage = 0);
 
     // A picture that is open already, by the functions of this table, of which describe, read and close are called; it
     // belongs to this from now on.
@@ -115,7 +116,7 @@ private:
         int y;
     };
 
-    void open(int threads);
+    void open(int threads, std::uint32_t subimage);
     void find_size();
     const cm_image_io &table() const noexcept
     {

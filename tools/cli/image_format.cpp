@@ -258,9 +258,10 @@ void set_compression(ImagePlan &plan, const std::string &compression)
     {
         throw UsageFailure(plan.format == "jpeg"  ? what + "a quality from 1 to 100"
                            : plan.format == "png" ? what + "a number from 0 to 9"
-                           : plan.format == "hdr" ? what + "to be chosen: HDR has one way only"
                            : find_stream_format(plan.format) != nullptr
                                ? what + "to be chosen: " + plan.format + " has no compression"
+                           : *compressions_of(plan.format) == '\0'
+                               ? what + "to be chosen: the format has one way only"
                                : what + "one of:" + names.substr(0, names.size() - 1));
     }
 }

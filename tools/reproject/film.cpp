@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "film.hpp"
+#include "mapping_choice.hpp"
 #include "reproject_output.hpp"
 #include "tools/cli/number_pattern.hpp"
 #include "tools/cli/parallel.hpp"
@@ -70,6 +71,7 @@ private:
     int first = first_of_pipe;
     int last = INT32_MAX;
     int number;
+    std::string chosen; // what OUTPUT is, for all as for the first picture
 };
 
 FilmSource::FilmSource(const Options &wanted, const cm_streams &streams, MemoryCeiling &pixels)
@@ -146,6 +148,12 @@ std::unique_ptr<FilmPicture> FilmSource::next(int file_threads, int threads)
             picture->options.input = input->name(number);
         }
         picture->input = std::make_unique<Input>(picture->options, file_threads, std::move(opened));
+        if (chosen.empty())
+        {
+            choose_mapping(picture->options, *picture->input);
+            chosen = picture->options.to.specification;
+        }
+        picture->options.to.specification = chosen;
         picture->input->read(picture->options, threads, ceiling, nullptr);
     }
     catch (const Failure &failure)

@@ -23,6 +23,26 @@ std::string with_size(const std::string &specification, int size)
                                                : specification + ";size=" + std::to_string(size);
 }
 
+// --border in the key layout.
+std::string with_border(const std::string &specification, int border)
+{
+    const std::string layout = key_of(specification, "layout");
+    if (layout.find(':') != std::string::npos)
+    {
+        throw UsageFailure("--border: the layout " + layout +
+                           " has a border or turned faces; "
+                           "leave one out");
+    }
+    const std::string bordered = without_key(specification, "layout") + ";layout=" + layout +
+                                 ":border=" + std::to_string(border);
+    if (cm_surface_check(bordered.c_str(), nullptr, nullptr, 0) != CM_OK)
+    {
+        throw UsageFailure("--border is for the layouts faces, strip, column, 3x2 and 2x3, not " +
+                           layout + ", whose faces join");
+    }
+    return bordered;
+}
+
 std::string name_for_people(const std::string &specification)
 {
     return is_whole_equirect(specification) ? "equirectangular" : head_of(specification);
@@ -44,12 +64,17 @@ std::string wanted_specification(const Options &options, const Input &input)
                 "--layout is for a cube, but OUTPUT is " + name_for_people(text) +
                 (to.specification.empty() ? "; say --to cube if it is to be a cube" : ""));
         }
+        if (options.border > 0)
+        {
+            throw UsageFailure("--border is for the faces of a cube, but OUTPUT is " +
+                               name_for_people(text));
+        }
         return text;
     }
     text += key_of(text, "frame").empty() ? ";frame=" + (to.frame.empty() ? "geo" : to.frame) : "";
     text += key_of(text, "layout").empty() ? ";layout=" + (to.layout.empty() ? "faces" : to.layout)
                                            : "";
-    return text;
+    return options.border > 0 ? with_border(text, options.border) : text;
 }
 
 bool has_span(const std::string &specification)

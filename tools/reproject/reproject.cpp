@@ -6,9 +6,13 @@
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
 #include "film.hpp"
+#include "healpix_rules.hpp"
+#include "hips_output.hpp"
+#include "mapping_choice.hpp"
 #include "reproject_main.h"
 #include "reproject_options.hpp"
 #include "reproject_output.hpp"
+#include "texture_rules.hpp"
 
 #include <cstdio>
 
@@ -17,11 +21,15 @@ namespace
 
 int reproject(int argc, char **argv, const cm_streams &streams)
 {
-    const Options options = parse_options(argc, argv, streams);
+    Options options = parse_options(argc, argv, streams);
     if (options.printed)
     {
         return 0;
     }
+    take_mapping(options);
+    take_texture_rules(options);
+    take_healpix_rules(options);
+    take_hips_rules(options);
     const int threads = thread_count(options.threads);
     if (is_film(options))
     {
@@ -30,6 +38,7 @@ int reproject(int argc, char **argv, const cm_streams &streams)
 
     MemoryCeiling ceiling(options.memory, options.output, options.quiet ? nullptr : streams.err);
     Input input(options, threads);
+    choose_mapping(options, input);
     Output output(options, input);
     for (const std::string &warning : input.warnings())
     {
@@ -55,7 +64,10 @@ int reproject(int argc, char **argv, const cm_streams &streams)
         std::vector<std::string> names;
         for (const ImageFile &file : input.files())
         {
-            names.push_back(file.path());
+            if (names.empty() || names.back() != file.path())
+            {
+                names.push_back(file.path());
+            }
         }
         const cm_streams said = {streams.in, is_pipe(options.output) ? streams.err : streams.out,
                                  streams.err};

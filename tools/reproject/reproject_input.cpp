@@ -3,6 +3,7 @@
 #include "reproject_input.hpp"
 #include "geo_reference.hpp"
 #include "sidecar.hpp"
+#include "texture_rules.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/cli/progress.hpp"
@@ -48,6 +49,12 @@ ImageDescription deeper(const ImageDescription &one, const ImageDescription &oth
 bool is_said(const SurfaceOptions &from)
 {
     return !from.specification.empty() || !from.layout.empty() || !from.frame.empty();
+}
+
+// With or without a border.
+bool is_six(const std::string &layout)
+{
+    return layout.substr(0, layout.find(':')) == "faces";
 }
 
 std::string layout_of(const SurfaceOptions &from)
@@ -154,7 +161,7 @@ void Input::open(const Options &options, int threads)
     const SurfaceOptions &from = options.from;
     const bool cube = from.specification.empty() || is_cube(from.specification);
     const std::string layout = layout_of(from);
-    faces = cube && (layout == "faces" || (layout.empty() && names_faces(options.input)));
+    faces = cube && (is_six(layout) || (layout.empty() && names_faces(options.input)));
     const std::vector<std::string> names =
         faces ? face_names(options.input) : std::vector<std::string>{options.input};
     if (faces && !images.empty())
@@ -166,6 +173,15 @@ void Input::open(const Options &options, int threads)
     {
         check_there(names[i], names);
         images.push_back(open_picture(names[i], options, threads));
+    }
+    if (images.size() == 1 && has_six_faces(images.front()))
+    {
+        for (std::uint32_t face = 1; face < 6; ++face)
+        {
+            images.emplace_back(options.input, 0, face);
+        }
+        faces = true;
+        texture = true;
     }
     if (faces)
     {
@@ -228,11 +244,18 @@ void Input::choose_type()
 
 void Input::find_surface(const Options &options)
 {
-    const std::optional<SavedSurface> saved = find_saved(options);
+    std::optional<SavedSurface> saved = find_saved(options);
+    if (texture && !saved && !is_said(options.from))
+    {
+        saved = texture_surface();
+    }
     if (is_said(options.from))
     {
         const std::string &said = options.from.specification;
-        take(said.empty() || is_cube(said) ? cube_by_shape(options) : said, options.from.rotation);
+        const bool usual = texture && is_cube(said) && options.from.frame.empty() &&
+                           !options.from.rotation && key_of(said, "frame").empty();
+        take(said.empty() || is_cube(said) ? cube_by_shape(options) : said,
+             usual ? texture_surface().rotation : options.from.rotation);
         if (saved)
         {
             compare_with(*saved);
@@ -283,7 +306,7 @@ bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
 {
     const ImageFile &image = images.front();
     const std::string name = says(saved);
-    const bool of_six = key_of(saved.specification, "layout") == "faces";
+    const bool of_six = is_six(key_of(saved.specification, "layout"));
     if (of_six && !faces)
     {
         throw Failure(name + "one of six faces, " + saved.specification +
@@ -364,8 +387,8 @@ std::string Input::cube_by_shape(const Options &options) const
     std::string cube = from.specification.empty() ? "cube" : from.specification;
     if (key_of(cube, "frame").empty())
     {
-        const std::string &frame = from.frame.empty() ? options.to.frame : from.frame;
-        cube += ";frame=" + (frame.empty() ? "geo" : frame);
+        const std::string &frame = from.frame.empty() && !texture ? options.to.frame : from.frame;
+        cube += ";frame=" + (!frame.empty() ? frame : texture ? "gl" : "geo");
     }
     return key_of(cube, "layout").empty() ? cube + ";layout=" + layout_by_shape(options) : cube;
 }

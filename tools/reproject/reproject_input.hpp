@@ -87,6 +87,7 @@ private:
     ImageDescription pixels;
     std::string types; // of pixels, for people
     bool faces = false;
+    bool texture = false; // whose format says how faces are
     SurfacePointer sphere;
     std::optional<cm_rotation> turned;
     std::vector<std::string> remarks;

@@ -50,9 +50,11 @@ void take_sidecar(const std::string &path, SurfaceOptions &from)
     from.said_rotation = saved.rotation;
 }
 
-std::string read_specification(const OptionReader &reader)
+// The order of HEALPix's pixels, which only files have, goes into order.
+std::string read_specification(const OptionReader &reader, std::string &order)
 {
-    const std::string text = reader.text();
+    std::string text = reader.text();
+    order = take_healpix_order(text);
     char message[400];
     const cm_status status = cm_surface_check(text.c_str(), nullptr, message, sizeof message);
     if (status == CM_OK)
@@ -179,6 +181,7 @@ bool read_value_option(int id, const OptionReader &reader, Options &options)
 
 bool read_surface_option(int id, OptionReader &reader, Options &options)
 {
+    std::string order;
     switch (id)
     {
     case REPROJECT_FROM:
@@ -188,13 +191,21 @@ bool read_surface_option(int id, OptionReader &reader, Options &options)
             take_sidecar(reader.text(), options.from);
             return true;
         }
-        options.from.specification = read_specification(reader);
+        options.from.specification = read_specification(reader, order);
+        if (!order.empty())
+        {
+            throw UsageFailure("--from: a .fits file says its order itself; leave :" + order +
+                               " out");
+        }
         return true;
     case REPROJECT_TO:
-        options.to.specification = read_specification(reader);
+        options.to.specification = read_specification(reader, options.healpix_order);
         return true;
     case REPROJECT_FOR:
         options.preset = cm_surface_preset_at(reader.choice());
+        return true;
+    case REPROJECT_MAPPING:
+        options.mapping = reader.text();
         return true;
     case REPROJECT_LAYOUT:
         options.to.layout = read_layout_name(reader);
@@ -254,6 +265,15 @@ void read_option(int id, OptionReader &reader, Options &options)
         break;
     case REPROJECT_SIDECAR:
         options.sidecar = true;
+        break;
+    case REPROJECT_MIPS:
+        options.mips = true;
+        break;
+    case REPROJECT_ORDER:
+        options.order = reader.whole_number();
+        break;
+    case REPROJECT_BORDER:
+        options.border = reader.whole_number();
         break;
     case REPROJECT_THREADS:
         options.threads = reader.whole_number();

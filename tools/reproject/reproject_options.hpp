@@ -46,6 +46,9 @@ struct Options
     SurfaceOptions from;
     SurfaceOptions to;
     const cm_surface_preset *preset = nullptr; // of OUTPUT
+    std::string mapping;                       // --mapping, "" if it is not said
+    std::string mapping_reason;                // for people, if that is auto
+    bool texture = false;                      // is OUTPUT a cube in a texture?
     std::optional<int> size;
     Keep keep = Keep::equator;
     cm_filter filter = CM_FILTER_AUTO;
@@ -58,6 +61,11 @@ struct Options
     std::optional<double> tolerance;
     std::string compression;
     bool sidecar = false;
+    bool mips = false;
+    std::string healpix_order; // "nest", "ring", or not said
+    int border = 0;
+    std::optional<int> order; // of HiPS tiles
+    int tile_width = 0;       // of those; 0: not said
     bool georeference = false;
     std::optional<int> start; // of a film: the number of its first picture
     std::optional<int> count;

@@ -3,8 +3,10 @@
 #include "reproject_output.hpp"
 #include "channel_groups.hpp"
 #include "geo_reference.hpp"
+#include "healpix_rules.hpp"
 #include "output_surface.hpp"
 #include "sidecar.hpp"
+#include "texture_rules.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
@@ -48,7 +50,7 @@ bool is_srgb_format(const std::string &format)
 // Through a pipe goes what holds the picture best.
 std::string format_of(const std::string &name)
 {
-    return is_pipe(name) ? "pnm" : output_format(name);
+    return is_pipe(name) ? "pnm" : reproject_format(name);
 }
 
 cm_not_finite engine_not_finite(const Options &options)
@@ -85,16 +87,33 @@ struct Output::Render
 };
 
 Output::Output(const Options &options, const Input &input)
-    : surface(output_surface(options, input)), rotation(options.to.rotation),
-      places(plane_places(*surface))
+    : whole(options, hips_surface(options, output_surface(options, input)),
+            texture_format(options.output)),
+      surface(&whole.computed()), rotation(options.to.rotation), places(plane_places(*surface))
 {
     choose_names(options, input);
+    chosen_mapping = options.mapping_reason.empty() ? "" : "; " + options.mapping_reason;
     kept_density = options.keep == Keep::mean   ? ", as many pixels as INPUT"
                    : options.keep == Keep::most ? ", as dense as INPUT where it is densest"
                                                 : "";
     const ImageDescription &source = input.description_of_pixels();
-    plan = plan_image(options.pipe.empty() ? format_of(names.front()) : options.pipe, source,
-                      input.files().front().format(), names.front());
+    const bool tiles = is_hips_name(options.output);
+    plan = plan_image(!options.pipe.empty() ? options.pipe
+                      : tiles               ? hips_format(source)
+                                            : format_of(names.front()),
+                      source, input.files().front().format(), names.front());
+    if (is_texture(plan.format))
+    {
+        plan_texture(plan, names.front());
+    }
+    if (tiles)
+    {
+        plan_hips(plan);
+    }
+    else if (plan.format == "fits")
+    {
+        plan_healpix(plan, options);
+    }
     channels = source.channels;
     choose_colors(options, input);
     choose_place(options, input);
@@ -103,7 +122,7 @@ Output::Output(const Options &options, const Input &input)
         lines = std::make_unique<SurfaceLines>(options.overlay, *surface, rotation, input);
     }
     choose_values(options, input);
-    save_surface(plan, *surface, rotation);
+    save_surface(plan, whole.surface(), rotation);
     make_files(options);
     if (options.resume)
     {
@@ -113,19 +132,20 @@ Output::Output(const Options &options, const Input &input)
 
 void Output::choose_names(const Options &options, const Input &input)
 {
-    const std::size_t pictures = cm_surface_picture_count(surface.get());
-    if (pictures == 1 && is_cube(cm_surface_specification(surface.get())) &&
-        names_faces(options.output))
+    const std::size_t pictures = cm_surface_picture_count(surface);
+    if (pictures == 1 && is_cube(cm_surface_specification(surface)) && names_faces(options.output))
     {
         throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but the layout is " +
-                           key_of(cm_surface_specification(surface.get()), "layout"));
+                           key_of(cm_surface_specification(surface), "layout"));
     }
     if (pictures > 1 && is_pipe(options.output))
     {
         throw UsageFailure("OUTPUT is a pipe, which takes one picture, and the faces of a cube are "
                            "six; say --layout 3x2, strip or cross, or --to equirect");
     }
-    names = pictures > 1 ? face_names(options.output) : std::vector<std::string>{options.output};
+    const bool faces = pictures > 1 && !whole.is_texture();
+    names = whole.file_names(faces ? face_names(options.output)
+                                   : std::vector<std::string>{options.output});
     for (const std::string &name : names)
     {
         for (const ImageFile &image : input.files())
@@ -156,10 +176,10 @@ void Output::choose_place(const Options &options, const Input &input)
 void Output::choose_colors(const Options &options, const Input &input)
 {
     const ImageDescription &source = input.description_of_pixels();
-    const bool whole = input.files().front().stored().whole_numbers;
+    const bool numbers = input.files().front().stored().whole_numbers;
     const bool linear = source.color == CM_IMAGE_COLOR_LINEAR;
     const bool srgb =
-        source.color == CM_IMAGE_COLOR_SRGB || (source.color == CM_IMAGE_COLOR_UNKNOWN && whole);
+        source.color == CM_IMAGE_COLOR_SRGB || (source.color == CM_IMAGE_COLOR_UNKNOWN && numbers);
     colors.channels = channels;
     colors.alpha = source.alpha;
     colors.multiplied = source.alpha >= 0 && source.alpha_multiplied;
@@ -178,7 +198,14 @@ void Output::choose_colors(const Options &options, const Input &input)
             plan.description.alpha_multiplied = false;
         }
     }
-    if (srgb && is_linear_format(plan.format))
+    // of textures only bytes may have sRGB's curve
+    const bool light = is_linear_format(plan.format) ||
+                       (is_texture(plan.format) && plan.description.type != CM_PIXEL_U8);
+    if (srgb && is_texture(plan.format))
+    {
+        plan.description.color = CM_IMAGE_COLOR_SRGB;
+    }
+    if (srgb && light)
     {
         colors.recode = Recode::decode;
         plan.description.color = CM_IMAGE_COLOR_LINEAR;
@@ -233,6 +260,11 @@ void Output::make_files(const Options &options)
     {
         set_compression(plan, options.compression);
     }
+    if (is_hips_name(options.output))
+    {
+        hips = std::make_unique<HipsOutput>(options, *surface, plan, row_type, channels);
+        return;
+    }
     for (const std::string &name : names)
     {
         files.push_back(is_pipe(name)
@@ -253,14 +285,13 @@ void Output::make_files(const Options &options)
 
 std::size_t Output::row_bytes() const
 {
-    return cm_surface_width(surface.get()) * static_cast<std::size_t>(channels) *
-           channel_bytes(row_type);
+    return cm_surface_width(surface) * static_cast<std::size_t>(channels) * channel_bytes(row_type);
 }
 
 // Where bands end: at rows of blocks of the planes, as far as those stand at the same ones.
 std::vector<int> Output::band_ends(std::size_t index, std::size_t most_bytes, int threads) const
 {
-    const int height = static_cast<int>(cm_surface_height(surface.get()));
+    const int height = static_cast<int>(cm_surface_height(surface));
     const int fitting = static_cast<int>(std::min<std::size_t>(most_bytes / row_bytes(), 1u << 20));
     const int wanted = std::max(threads * rows_each, height / bands_least);
     const int step = std::max(std::min(fitting, wanted) / block_rows, 1) * block_rows;
@@ -320,10 +351,10 @@ void Output::compute(const Render &render, std::size_t index, const RowBand &ban
     picture.data = reinterpret_cast<void *>(reinterpret_cast<std::uintptr_t>(band.pixels.bytes()) -
                                             static_cast<std::size_t>(band.first) * row);
     picture.type = row_type;
-    picture.width = cm_surface_width(surface.get());
-    picture.height = cm_surface_height(surface.get());
+    picture.width = cm_surface_width(surface);
+    picture.height = cm_surface_height(surface);
     picture.channels = static_cast<std::uint32_t>(channels);
-    std::vector<cm_image> pictures(cm_surface_picture_count(surface.get()), picture);
+    std::vector<cm_image> pictures(cm_surface_picture_count(surface), picture);
     for (const PlanePlace &place : places)
     {
         const cm_rows rows = place.part(band.first, band.end);
@@ -408,7 +439,7 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
     if (work && work->is_complete(index))
     {
         files[index]->take(work->picture_name(index));
-        render.progress.advance(cm_surface_height(surface.get()));
+        render.progress.advance(cm_surface_height(surface));
         return;
     }
     const int threads_each = std::max(1, threads / static_cast<int>(names.size()));
@@ -418,9 +449,8 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
     {
         most_rows = std::max(most_rows, ends[i] - (i == 0 ? 0 : ends[i - 1]));
     }
-    ImageWriter writer(plan, static_cast<int>(cm_surface_width(surface.get())),
-                       static_cast<int>(cm_surface_height(surface.get())), names[index],
-                       *files[index]);
+    ImageWriter writer(plan, static_cast<int>(cm_surface_width(surface)),
+                       static_cast<int>(cm_surface_height(surface)), names[index], *files[index]);
     const auto write_band = [&](const RowBand &band)
     {
         writer.write(band.first, band.end, row_type, band.pixels.bytes(), channels);
@@ -449,6 +479,94 @@ void Output::write_picture(const Render &render, std::size_t index, int threads)
     }
 }
 
+// What the written values are, which may have changed behind resampling.
+cm_plan_options Output::written_values() const
+{
+    cm_plan_options written = values;
+    const bool srgb = plan.description.color == CM_IMAGE_COLOR_SRGB &&
+                      (is_texture(plan.format) || colors.recode == Recode::encode);
+    written.transfer = srgb                              ? CM_TRANSFER_SRGB
+                       : colors.recode == Recode::decode ? CM_TRANSFER_STORED
+                                                         : values.transfer;
+    written.alpha_multiplied = colors.multiply ? 1 : 0;
+    return written;
+}
+
+// Tile by tile.
+void Output::write_hips(const Render &render, int threads)
+{
+    const auto fill = [&](const cm_hips_window &window, unsigned char *pixels)
+    {
+        const std::size_t pixel = static_cast<std::size_t>(channels) * channel_bytes(row_type);
+        const std::size_t row = pixel * window.width;
+        // the window of a picture that as a whole is not there
+        cm_image picture = {};
+        picture.size = sizeof picture;
+        picture.data = reinterpret_cast<void *>(
+            reinterpret_cast<std::uintptr_t>(pixels) - window.row * row -
+            (std::size_t{window.plane} * window.planes + window.column) * pixel);
+        picture.type = row_type;
+        picture.width = cm_surface_width(surface);
+        picture.height = cm_surface_height(surface);
+        picture.channels = static_cast<std::uint32_t>(channels);
+        picture.row_stride = static_cast<std::ptrdiff_t>(row);
+        const cm_rows rows = {window.plane, window.row, window.width, window.column, window.width};
+        render.source.resample(render.plan, {picture}, rows, 1);
+        if (colors.is_needed())
+        {
+            colors.convert(reinterpret_cast<float *>(pixels),
+                           std::size_t{window.width} * window.width);
+        }
+        render.progress.advance(window.width * window.width / cm_surface_width(surface));
+    };
+    hips->write(fill, threads);
+}
+
+// The pictures are all in memory.
+void Output::write_whole(const Render &render, int threads)
+{
+    const int height = static_cast<int>(cm_surface_height(surface));
+    std::vector<RowBand> held(cm_surface_picture_count(surface));
+    std::vector<cm_image> pictures;
+    for (std::size_t i = 0; i < held.size(); ++i)
+    {
+        held[i].end = height;
+        held[i].pixels =
+            PixelMemory(render.ceiling, row_bytes() * static_cast<std::size_t>(height), "OUTPUT");
+        compute(render, i, held[i], threads);
+        render.progress.advance(height);
+        cm_image picture = {};
+        picture.size = sizeof picture;
+        picture.data = held[i].pixels.bytes();
+        picture.type = row_type;
+        picture.width = cm_surface_width(surface);
+        picture.height = cm_surface_height(surface);
+        picture.channels = static_cast<std::uint32_t>(channels);
+        pictures.push_back(picture);
+    }
+    try
+    {
+        whole.write(pictures, plan, rotation, written_values(), files, names, georeferenced,
+                    threads, render.ceiling);
+    }
+    catch (const std::bad_alloc &)
+    {
+        render.ceiling.rethrow();
+        throw;
+    }
+}
+
+void Output::write_pictures(const Render &render, int threads)
+{
+    if (whole.is_needed())
+    {
+        write_whole(render, threads);
+        return;
+    }
+    parallel_for(static_cast<int>(names.size()), threads,
+                 [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
+}
+
 void Output::write(const Options &options, const Input &input, int threads, MemoryCeiling &ceiling,
                    std::FILE *terminal, KeptPlan &kept)
 {
@@ -461,13 +579,17 @@ void Output::write(const Options &options, const Input &input, int threads, Memo
                                cm_surface_picture_count(&input.surface()), row_type, threads,
                                ceiling);
     filter = source.filter();
-    const std::int64_t rows =
-        std::int64_t{cm_surface_height(surface.get())} * static_cast<std::int64_t>(names.size());
+    const std::int64_t rows = std::int64_t{cm_surface_height(surface)} *
+                              static_cast<std::int64_t>(cm_surface_picture_count(surface));
     {
         Progress progress(rows, !options.quiet, terminal);
         const Render render = {ceiling, geometry, source, progress};
-        parallel_for(static_cast<int>(names.size()), threads,
-                     [&](int i) { write_picture(render, static_cast<std::size_t>(i), threads); });
+        if (hips)
+        {
+            write_hips(render, threads);
+            return;
+        }
+        write_pictures(render, threads);
     }
     if (options.sidecar)
     {
@@ -492,17 +614,18 @@ void Output::write(const Options &options, const Input &input, int threads, Memo
 
 void Output::write_sidecar()
 {
-    const std::string text = sidecar_text(*surface, rotation, names, cm_filter_name(filter));
+    const std::string text = sidecar_text(whole.surface(), rotation, names, cm_filter_name(filter));
     files[names.size()]->write(text.data(), text.size());
 }
 
 PictureKind Output::kind() const
 {
     static constexpr const char *types[] = {"uint8", "uint16", "half", "float"};
-    return {cm_surface_specification(surface.get()),
+    const cm_surface &shown = whole.surface();
+    return {cm_surface_specification(&shown),
             rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0",
-            static_cast<int>(cm_surface_width(surface.get())),
-            static_cast<int>(cm_surface_height(surface.get())),
+            static_cast<int>(cm_surface_width(&shown)),
+            static_cast<int>(cm_surface_height(&shown)),
             channels,
             types[row_type]};
 }
@@ -521,16 +644,18 @@ void Output::write_manifest(const Options &options, const Input &input)
 
 std::string Output::surface_text() const
 {
-    return surface_description(*surface, rotation) + (plan.alpha_dropped ? ", without alpha" : "") +
-           kept_density;
+    return surface_description(whole.surface(), rotation) +
+           (plan.alpha_dropped ? ", without alpha" : "") + kept_density;
 }
 
 std::string Output::description() const
 {
-    std::string text = name_list(names) + " (" + surface_text() + "; " + cm_filter_name(filter);
+    std::string text = name_list(names) + " (" + surface_text() + "; " + cm_filter_name(filter) +
+                       (hips ? hips->description() : whole.description());
     text += colors.recode == Recode::encode   ? "; light written as sRGB"
             : colors.recode == Recode::decode ? "; sRGB written as light"
                                               : "";
     text += not_finite > 0 ? "; " + not_finite_text(not_finite, values.not_finite) : "";
+    text += chosen_mapping;
     return text + (lines ? "; " + lines->description() : "") + ")";
 }

@@ -7,10 +7,12 @@
 
 #include "band_queue.hpp"
 #include "color_rows.hpp"
+#include "hips_output.hpp"
 #include "kept_plan.hpp"
 #include "plane_place.hpp"
 #include "reproject_input.hpp"
 #include "surface_lines.hpp"
+#include "whole_output.hpp"
 #include "work_folder.hpp"
 #include "work_manifest.hpp"
 #include "tools/cli/image_writer.hpp"
@@ -49,6 +51,10 @@ private:
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
     void make_files(const Options &options);
+    void write_hips(const Render &render, int threads);
+    void write_pictures(const Render &render, int threads);
+    void write_whole(const Render &render, int threads);
+    cm_plan_options written_values() const;
     void write_picture(const Render &render, std::size_t index, int threads);
     void compute(const Render &render, std::size_t index, const RowBand &band, int threads);
     void finish_rows(const PlanePlace &place, const cm_rows &rows, const RowBand &band,
@@ -63,9 +69,12 @@ private:
     PictureKind kind() const;
     std::size_t row_bytes() const;
 
-    SurfacePointer surface;
+    WholeOutput whole;
+    std::unique_ptr<HipsOutput> hips; // if OUTPUT is such a folder
+    const cm_surface *surface;        // whose pixels are computed
     std::optional<cm_rotation> rotation;
     std::vector<PlanePlace> places;
+    std::string chosen_mapping;                     // for people
     std::string kept_density;                       // for people
     std::vector<std::string> names;                 // of the pictures' files
     std::vector<std::unique_ptr<AtomicFile>> files; // of those, then sidecar and manifest

@@ -4,6 +4,7 @@
 
 #include <cubemap/catalogue.h>
 #include <cubemap/image.h>
+#include <cubemap/mips.h>
 
 #include "tools/cli/catalogue_name.h"
 #include "tools/image/cube_table.h"
@@ -14,6 +15,8 @@ static const char *const filters[] = {"auto",     "nearest",  "bilinear", "catmu
 
 /* What INPUT and OUTPUT most often are. */
 static const char *const kinds[] = {"equirect", "cube", NULL};
+
+static const char *const mappings[] = {"auto", "gnomonic", "tangent", CM_MAPPING_RECOMMENDED, NULL};
 
 static const char *const layouts[] = {"faces", "strip", "cross", "vcross", "column",
                                       "3x2",   "2x3",   "eac",   NULL};
@@ -58,6 +61,18 @@ static const cm_option projections[] = {
      .argument = "PROGRAM",
      .help = "OUTPUT as a program wants it, in place of --to, --frame and --layout",
      .choice_at = preset_name_at},
+    {.id = REPROJECT_MAPPING,
+     .name = "mapping",
+     .kind = CM_OPTION_TEXT,
+     .argument = "MAPPING",
+     .help = "the mapping of OUTPUT's cube, as --to cube:MAPPING; auto chooses one and says why",
+     .more =
+         "A texture has `gnomonic`, the layout eac `tangent`, and a cube from a cube the mapping "
+         "of INPUT. With the filter nearest it is one of equal areas. Else it is the one whose "
+         "longest pixel is the shortest, which needs the fewest pixels for the same detail; a "
+         "fiftieth "
+         "more counts as equal.",
+     .choices = mappings},
     {.id = REPROJECT_SIZE,
      .name = "size",
      .kind = CM_OPTION_WHOLE,
@@ -175,6 +190,28 @@ static const cm_option values[] = {
      .help = "of OUTPUT's files: TIFF none, lzw, zip, packbits; EXR none, rle, zip, zips, piz, "
              "pxr24, b44, "
              "b44a, dwaa, dwab; JPEG the quality, 1 to 100; PNG the effort, 0 to 9"},
+    {.id = REPROJECT_MIPS,
+     .name = "mips",
+     .help = "also pictures of half the size, a quarter and so on to one pixel a face, filtered "
+             "across seams: in a .dds or .ktx2 file, and else as files NAME_m1.EXT, NAME_m2.EXT",
+     .more = "Of pictures with sRGB's curve in textures they are means of light."},
+    {.id = REPROJECT_BORDER,
+     .name = "border",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "around each face of a cube N pixels of what the sphere has there, as the layout "
+             "LAYOUT:border=N",
+     .low = 1,
+     .high = CM_BORDER_MOST},
+    {.id = REPROJECT_ORDER,
+     .name = "order",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "K",
+     .help = "of an OUTPUT that ends in /, a folder of HiPS tiles for sky viewers: the greatest "
+             "order; without it, the resolution of INPUT, and 3 at least. --size is then the edge "
+             "of a tile",
+     .low = 0,
+     .high = 13},
     {.id = REPROJECT_SIDECAR,
      .name = "sidecar",
      .help = "also write what OUTPUT is into a file beside it that ends in .json, which is read "
@@ -272,7 +309,9 @@ const cm_command cm_reproject_command = {
         "Resamples an image of the sphere from one projection to another: equirectangular, the six "
         "faces of a cube, what a camera or a fisheye lens sees, HEALPix, a disc, or one square. "
         "PNG, "
-        "JPEG, TIFF, EXR, HDR, PPM and PFM, with any number of channels and any type of pixel.",
+        "JPEG, TIFF, EXR, HDR, PPM and PFM, with any number of channels and any type of pixel, and "
+        "the textures DDS and KTX2, and maps of HEALPix in FITS. A folder, with / at its end, "
+        "gets HiPS tiles for sky viewers.",
     .groups = groups,
     .group_count = sizeof groups / sizeof *groups,
     .notes =
@@ -283,6 +322,7 @@ const cm_command cm_reproject_command = {
         "cube:tangent:c=1.1823\n"
         "  view:fov=90,lon=20    what a camera sees\n"
         "  fisheye, dual-fisheye, dual-paraboloid, equal-area, mercator, healpix:NSIDE\n"
+        "  healpix:NSIDE:nest    in .fits files, which else are in the order RING\n"
         "  azimuthal:NAME, a disc in a square, such as azimuthal:equidistant:fov=200\n"
         "  a square of the whole sphere: peirce, quincuncial:AZIMUTHAL,SQUARE,\n"
         "    border:AZIMUTHAL,SQUARE, octahedral, octahedral:clarberg or rhealpix\n"
@@ -298,6 +338,8 @@ const cm_command cm_reproject_command = {
         "                        columns 0 to 3 instead of 1, turned; of cube:healpix\n"
         "                        that is rHEALPix as PROJ has it with lon_0=45\n"
         "  eac, eac:pad=N        3N x 2N, as YouTube stores equi-angular cubes\n"
+        "  faces:border=N, and so strip, column, 3x2 and 2x3: N pixels of what the\n"
+        "                        sphere has around each face\n"
         "\n"
         "Frames:\n"
         "  geo                   front right back left top bottom: lon 0, lon 90 E,\n"
@@ -327,6 +369,7 @@ const cm_command cm_reproject_command = {
         "  cubemap-reproject --to view:fov=90 --rotate 10,40 --size 800 in.jpg view.png\n"
         "  cubemap-reproject --to cube:gnomonic --graticule 15 --indicatrices 5 \\\n"
         "      --layout cross earth.jpg cross.png\n"
+        "  cubemap-reproject --mips sky.hdr sky.ktx2\n"
         "  cubemap-reproject --size 2048 face_%f.png earth-again.png\n"
         "  cubemap-reproject --from cube --to cube:gnomonic --from-frame geo --frame gl \\\n"
         "      --layout strip face_%f.png sky.exr\n"

@@ -20,7 +20,7 @@ constexpr const char *description_tag = "ImageDescription";
 
 bool holds_own_tags(const std::string &format)
 {
-    return format == "png" || format == "openexr";
+    return format == "png" || format == "openexr" || format == "fits";
 }
 
 std::string tag_text(const cm_image_description &stored, const std::string &key)

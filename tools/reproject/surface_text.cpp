@@ -69,6 +69,21 @@ std::string without_key(const std::string &specification, const std::string &key
     return rest;
 }
 
+std::string take_healpix_order(std::string &specification)
+{
+    const std::string head = head_of(specification);
+    for (const std::string ending : {":nest", ":ring"})
+    {
+        if (kind_of(head) == "healpix" && head.size() > ending.size() &&
+            head.compare(head.size() - ending.size(), ending.size(), ending) == 0)
+        {
+            specification.erase(head.size() - ending.size(), ending.size());
+            return ending.substr(1);
+        }
+    }
+    return "";
+}
+
 bool is_cube(const std::string &specification)
 {
     return kind_of(specification) == "cube";

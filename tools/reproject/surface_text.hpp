@@ -31,6 +31,9 @@ std::string key_of(const std::string &specification, const std::string &key);
 // The specification without a key.
 std::string without_key(const std::string &specification, const std::string &key);
 
+// Takes ":nest" or ":ring" from the end of "healpix:NSIDE", "" if there is none.
+std::string take_healpix_order(std::string &specification);
+
 bool is_cube(const std::string &specification);
 
 // Is it an equirectangular image of the whole sphere?

@@ -3,7 +3,7 @@
 // Reading image files with OpenImageIO.
 
 #include "geo_tags.h"
-#include "oiio_words.hpp"
+#include "image_reader.hpp"
 #include "whole_png.h"
 
 #include <algorithm>
@@ -65,22 +65,17 @@ cm_image_color color_of(const OIIO::ImageSpec &spec)
                                                                   : CM_IMAGE_COLOR_UNKNOWN;
 }
 
-} // namespace
-
-struct cm_image_reader
+class LibraryReader final : public cm_image_reader
 {
-    cm_image_reader(const std::string &path, std::uint32_t which);
-    ~cm_image_reader()
+public:
+    LibraryReader(const std::string &path, std::uint32_t which);
+    ~LibraryReader() override
     {
         std::free(geo_tags);
     }
-    cm_image_reader(const cm_image_reader &) = delete;
-    cm_image_reader &operator=(const cm_image_reader &) = delete;
 
     void read(const cm_image_region &region, cm_pixel_type type, char *pixels,
-              std::ptrdiff_t row_stride);
-
-    cm_image_description description = {};
+              std::ptrdiff_t row_stride) override;
 
 private:
     void choose_subimage(std::uint32_t which);
@@ -103,7 +98,7 @@ private:
     std::vector<cm_image_tag> tags;
 };
 
-cm_image_reader::cm_image_reader(const std::string &path, std::uint32_t which)
+LibraryReader::LibraryReader(const std::string &path, std::uint32_t which)
 {
     if (!cm_png_is_whole(path.c_str()))
     {
@@ -121,7 +116,7 @@ cm_image_reader::cm_image_reader(const std::string &path, std::uint32_t which)
 }
 
 // Counts them, too.
-void cm_image_reader::choose_subimage(std::uint32_t which)
+void LibraryReader::choose_subimage(std::uint32_t which)
 {
     std::uint32_t count = 0;
     const auto is_there = [this, &count]
@@ -143,13 +138,13 @@ void cm_image_reader::choose_subimage(std::uint32_t which)
     description.subimage_count = count;
 }
 
-const char *cm_image_reader::keep(const std::string &text)
+const char *LibraryReader::keep(const std::string &text)
 {
     texts.push_back(text);
     return texts.back().c_str();
 }
 
-void cm_image_reader::describe()
+void LibraryReader::describe()
 {
     description.format = input->format_name();
     description.width = static_cast<std::uint32_t>(spec.width);
@@ -177,7 +172,7 @@ void cm_image_reader::describe()
     describe_tags();
 }
 
-void cm_image_reader::describe_window()
+void LibraryReader::describe_window()
 {
     const bool windows = std::strcmp(input->format_name(), "openexr") == 0;
     if (windows && (spec.full_width <= 0 || spec.full_height <= 0))
@@ -191,7 +186,7 @@ void cm_image_reader::describe_window()
         static_cast<std::uint32_t>(windows ? spec.full_height : spec.height);
 }
 
-void cm_image_reader::describe_tags()
+void LibraryReader::describe_tags()
 {
     for (const OIIO::ParamValue &value : spec.extra_attribs)
     {
@@ -203,7 +198,7 @@ void cm_image_reader::describe_tags()
     description.tag_count = tags.size();
 }
 
-void cm_image_reader::check(bool good)
+void LibraryReader::check(bool good)
 {
     const std::string message = input->geterror();
     if (!good || pixels_are_missing(input->format_name(), message))
@@ -214,8 +209,8 @@ void cm_image_reader::check(bool good)
 }
 
 // What the library reads without help: whole rows, or whole tiles.
-bool cm_image_reader::read_native(const cm_image_region &region, OIIO::TypeDesc type, char *pixels,
-                                  std::ptrdiff_t row_stride)
+bool LibraryReader::read_native(const cm_image_region &region, OIIO::TypeDesc type, char *pixels,
+                                std::ptrdiff_t row_stride)
 {
     const int top = spec.y + static_cast<int>(region.y0);
     const int bottom = spec.y + static_cast<int>(region.y1);
@@ -231,8 +226,8 @@ bool cm_image_reader::read_native(const cm_image_region &region, OIIO::TypeDesc 
 }
 
 // In bands of rows, or of rows of tiles, of which the columns that are wanted are copied.
-void cm_image_reader::read_part(const cm_image_region &region, cm_pixel_type type, char *pixels,
-                                std::ptrdiff_t row_stride)
+void LibraryReader::read_part(const cm_image_region &region, cm_pixel_type type, char *pixels,
+                              std::ptrdiff_t row_stride)
 {
     const bool tiled = spec.tile_width > 0;
     const std::uint32_t across = tiled ? static_cast<std::uint32_t>(spec.tile_width) : 1;
@@ -267,8 +262,8 @@ void cm_image_reader::read_part(const cm_image_region &region, cm_pixel_type typ
     }
 }
 
-void cm_image_reader::read(const cm_image_region &region, cm_pixel_type type, char *pixels,
-                           std::ptrdiff_t row_stride)
+void LibraryReader::read(const cm_image_region &region, cm_pixel_type type, char *pixels,
+                         std::ptrdiff_t row_stride)
 {
     const bool all_columns = region.x0 == 0 && region.x1 == description.width;
     const bool all_rows = region.y0 == 0 && region.y1 == description.height;
@@ -287,41 +282,9 @@ void cm_image_reader::read(const cm_image_region &region, cm_pixel_type type, ch
     }
 }
 
-cm_status open_reader(const char *path, std::uint32_t subimage, cm_image_reader **reader,
-                      char *message)
-{
-    return guarded(message, [&] { *reader = new cm_image_reader(path, subimage); });
-}
+} // namespace
 
-const cm_image_description *describe_reader(const cm_image_reader *reader)
+ReaderPointer open_with_library(const std::string &path, std::uint32_t which)
 {
-    return &reader->description;
-}
-
-cm_status read_region(cm_image_reader *reader, const cm_image_region *region, cm_pixel_type type,
-                      void *pixels, std::ptrdiff_t row_stride, char *message)
-{
-    return guarded(
-        message,
-        [&]
-        {
-            const cm_image_description &of = reader->description;
-            check_type(type);
-            if (region->x0 >= region->x1 || region->y0 >= region->y1 || region->x1 > of.width ||
-                region->y1 > of.height)
-            {
-                throw ImageFailure("is " + std::to_string(of.width) + " x " +
-                                       std::to_string(of.height) + "; it has no such part",
-                                   CM_ERROR_ARGUMENT);
-            }
-            const std::ptrdiff_t dense = size_of(type) * static_cast<std::ptrdiff_t>(of.channels) *
-                                         (region->x1 - region->x0);
-            reader->read(*region, type, static_cast<char *>(pixels),
-                         row_stride == 0 ? dense : row_stride);
-        });
-}
-
-void close_reader(cm_image_reader *reader)
-{
-    delete reader;
+    return std::make_unique<LibraryReader>(path, which);
 }

@@ -2,7 +2,7 @@
 //
 // Writing image files with OpenImageIO.
 
-#include "oiio_words.hpp"
+#include "row_writer.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -149,16 +149,15 @@ OIIO::ImageSpec spec_of(const cm_image_description &description)
     return spec;
 }
 
-} // namespace
-
-struct cm_image_writer
+class LibraryWriter final : public cm_image_writer
 {
-    cm_image_writer(const std::string &name, const cm_image_stream *stream,
-                    const cm_image_description &description);
+public:
+    LibraryWriter(const std::string &name, const cm_image_stream *stream,
+                  const cm_image_description &description);
 
     void write(std::uint32_t first, std::uint32_t end, cm_pixel_type type, const char *pixels,
-               std::ptrdiff_t pixel_stride, std::ptrdiff_t row_stride);
-    void finish();
+               std::ptrdiff_t pixel_stride, std::ptrdiff_t row_stride) override;
+    void finish() override;
 
 private:
     void check(bool good);
@@ -178,8 +177,8 @@ private:
 };
 
 // OpenImageIO 2.4 writes TIFF files with Exif metadata to a stream so that nobody can read them.
-cm_image_writer::cm_image_writer(const std::string &name, const cm_image_stream *stream,
-                                 const cm_image_description &description)
+LibraryWriter::LibraryWriter(const std::string &name, const cm_image_stream *stream,
+                             const cm_image_description &description)
     : path(name), spec(spec_of(description)),
       output(OIIO::ImageOutput::create(std::string(description.format)))
 {
@@ -204,7 +203,7 @@ cm_image_writer::cm_image_writer(const std::string &name, const cm_image_stream 
     }
 }
 
-void cm_image_writer::check(bool good)
+void LibraryWriter::check(bool good)
 {
     const int number = errno;
     if (!good) // messages alone mean nothing: TIFF files without Exif metadata bring one
@@ -215,8 +214,8 @@ void cm_image_writer::check(bool good)
     }
 }
 
-void cm_image_writer::keep_rows(cm_pixel_type type, std::uint32_t rows, const char *pixels,
-                                std::ptrdiff_t pixel_stride, std::ptrdiff_t row_stride)
+void LibraryWriter::keep_rows(cm_pixel_type type, std::uint32_t rows, const char *pixels,
+                              std::ptrdiff_t pixel_stride, std::ptrdiff_t row_stride)
 {
     const std::size_t pixel =
         static_cast<std::size_t>(size_of(type)) * static_cast<std::size_t>(spec.nchannels);
@@ -237,7 +236,7 @@ void cm_image_writer::keep_rows(cm_pixel_type type, std::uint32_t rows, const ch
 }
 
 // All whole rows of tiles that are kept, and at the lower edge the last one.
-void cm_image_writer::write_tiles(std::uint32_t first, std::uint32_t end)
+void LibraryWriter::write_tiles(std::uint32_t first, std::uint32_t end)
 {
     const std::uint32_t down = static_cast<std::uint32_t>(spec.tile_height);
     const bool last = end == static_cast<std::uint32_t>(spec.height);
@@ -255,9 +254,9 @@ void cm_image_writer::write_tiles(std::uint32_t first, std::uint32_t end)
     kept_from = whole;
 }
 
-void cm_image_writer::write(std::uint32_t first, std::uint32_t end, cm_pixel_type type,
-                            const char *pixels, std::ptrdiff_t pixel_stride,
-                            std::ptrdiff_t row_stride)
+void LibraryWriter::write(std::uint32_t first, std::uint32_t end, cm_pixel_type type,
+                          const char *pixels, std::ptrdiff_t pixel_stride,
+                          std::ptrdiff_t row_stride)
 {
     if (first != next_row || end <= first || end > static_cast<std::uint32_t>(spec.height) ||
         (!kept.empty() && type != kept_type))
@@ -282,7 +281,7 @@ void cm_image_writer::write(std::uint32_t first, std::uint32_t end, cm_pixel_typ
     next_row = end;
 }
 
-void cm_image_writer::finish()
+void LibraryWriter::finish()
 {
     if (next_row != static_cast<std::uint32_t>(spec.height))
     {
@@ -297,7 +296,7 @@ void cm_image_writer::finish()
 }
 
 // Not every error of writing by name is reported; but then the end is missing.
-void cm_image_writer::check_end() const
+void LibraryWriter::check_end() const
 {
     const auto written = OIIO::ImageInput::open(path);
     bool good = written != nullptr;
@@ -323,32 +322,10 @@ void cm_image_writer::check_end() const
     }
 }
 
-cm_status create_writer(const char *path, const cm_image_stream *stream,
-                        const cm_image_description *description, cm_image_writer **writer,
-                        char *message)
-{
-    return guarded(message, [&] { *writer = new cm_image_writer(path, stream, *description); });
-}
+} // namespace
 
-cm_status write_rows(cm_image_writer *writer, std::uint32_t first, std::uint32_t end,
-                     cm_pixel_type type, const void *pixels, std::ptrdiff_t pixel_stride,
-                     std::ptrdiff_t row_stride, char *message)
+WriterPointer begin_with_library(const std::string &path, const cm_image_stream *stream,
+                                 const cm_image_description &description)
 {
-    return guarded(message,
-                   [&]
-                   {
-                       check_type(type);
-                       writer->write(first, end, type, static_cast<const char *>(pixels),
-                                     pixel_stride, row_stride);
-                   });
-}
-
-cm_status finish_writer(cm_image_writer *writer, char *message)
-{
-    return guarded(message, [&] { writer->finish(); });
-}
-
-void drop_writer(cm_image_writer *writer)
-{
-    delete writer;
+    return std::make_unique<LibraryWriter>(path, stream, description);
 }

@@ -26,6 +26,9 @@ extern "C" {
 #define CM_TEXTURE_SIZE_MOST 1048576
 #define CM_TEXTURE_LEVELS_MOST 21
 
+/* Room for what a file says of the sphere. */
+#define CM_TEXTURE_TEXT 256
+
 /* The kind of file. */
 typedef enum cm_texture_container
 {
@@ -56,7 +59,10 @@ typedef struct cm_texture
     int alpha_multiplied; /* are colours multiplied by alpha? */
     const char *
         writer; /* KTX: what wrote it, "cubemap-reproject 1.0", less than 256 bytes; NULL: not said. Read: NULL */
-    char orientation[4]; /* read from KTX: "rd", "ru"; "" if it does not say. DDS: "rd" */
+    char surface[CM_TEXTURE_TEXT]; /* KTX: the key cubemap:surface, a specification; "": none */
+    char rotation
+        [CM_TEXTURE_TEXT]; /* KTX: the key cubemap:rotation, as in orientation.h; "": none */
+    char orientation[4];   /* read from KTX: "rd", "ru"; "" if it does not say. DDS: "rd" */
     uint64_t offsets[CM_TEXTURE_LEVELS_MOST]; /* read: where the first face of a level is */
     uint64_t face_step;                       /* read from DDS: from one face to the next */
 } cm_texture;

@@ -14,7 +14,8 @@ enum
     BLOCK_SIZE = 24 + 16 * SAMPLES, /* of the descriptor, without its total size */
     DESCRIPTOR_SIZE = 4 + BLOCK_SIZE,
     WRITER_MOST = 256,
-    KEYS_MOST = 64 + WRITER_MOST,
+    KEY_ROOM = 32, /* with its size and padding */
+    KEYS_MOST = 4 * KEY_ROOM + WRITER_MOST + 2 * CM_TEXTURE_TEXT,
     MODEL_RGBSDA = 1,
     PRIMARIES_BT709 = 1,
     TRANSFER_LINEAR = 1,
@@ -27,6 +28,9 @@ enum
 
 static const unsigned char identifier[12] = {0xab, 'K',  'T',  'X',  ' ',  '2',
                                              '0',  0xbb, '\r', '\n', 0x1a, '\n'};
+
+static const char rotation_key[] = "cubemap:rotation";
+static const char surface_key[] = "cubemap:surface";
 
 static uint32_t aligned(uint32_t at, uint32_t to)
 {
@@ -130,10 +134,21 @@ cm_status cm_ktx_write_head(const cm_image_stream *stream, const cm_texture *tex
                      WRITER_MOST - 1);
         return CM_ERROR_ARGUMENT;
     }
+    if (memchr(texture->surface, '\0', CM_TEXTURE_TEXT) == NULL ||
+        memchr(texture->rotation, '\0', CM_TEXTURE_TEXT) == NULL)
+    {
+        cm_file_fail(message, "cannot be written: what it says of the sphere has no end");
+        return CM_ERROR_ARGUMENT;
+    }
     /* by their code points, as the specification asks */
     uint32_t keys_size = put_key(keys, "KTXorientation", "rd");
     keys_size +=
         texture->writer != NULL ? put_key(keys + keys_size, "KTXwriter", texture->writer) : 0;
+    keys_size += texture->rotation[0] != '\0'
+                     ? put_key(keys + keys_size, rotation_key, texture->rotation)
+                     : 0;
+    keys_size +=
+        texture->surface[0] != '\0' ? put_key(keys + keys_size, surface_key, texture->surface) : 0;
     describe_format(texture, descriptor);
     const size_t head_size = put_index(texture, keys_size, head, offsets);
     if (!cm_file_put(stream, head, head_size) ||
@@ -223,14 +238,61 @@ static cm_status parse_levels(const unsigned char *index, uint64_t size, cm_text
     return CM_OK;
 }
 
-/* The one of the keys that says how rows lie. */
+static cm_status read_orientation(const unsigned char *value, uint32_t size, cm_texture *texture,
+                                  char *message)
+{
+    if (size != 3 || (value[0] != 'r' && value[0] != 'l') || (value[1] != 'd' && value[1] != 'u') ||
+        value[2] != '\0')
+    {
+        return cm_file_fail(message, "is a damaged KTX file: KTXorientation is not one of "
+                                     "rd, ru, ld, lu");
+    }
+    memcpy(texture->orientation, value, 3);
+    return CM_OK;
+}
+
+/* A text that has room is taken; others say nothing to us. */
+static void read_text(const unsigned char *value, uint32_t size, char *text)
+{
+    if (size <= CM_TEXTURE_TEXT && size > 0 && value[size - 1] == '\0')
+    {
+        memcpy(text, value, size);
+    }
+}
+
+/* The value's size if the entry of so many bytes is of that key, else 0. */
+static uint32_t size_of_value(const unsigned char *entry, uint32_t size, const char *key)
+{
+    const uint32_t length = (uint32_t)strlen(key) + 1;
+    return size > length && memcmp(entry, key, length) == 0 ? size - length : 0;
+}
+
+static cm_status parse_entry(const unsigned char *entry, uint32_t size, cm_texture *texture,
+                             char *message)
+{
+    static const char orientation[] = "KTXorientation";
+    uint32_t value = size_of_value(entry, size, surface_key);
+    if (value > 0)
+    {
+        read_text(entry + sizeof surface_key, value, texture->surface);
+    }
+    value = size_of_value(entry, size, rotation_key);
+    if (value > 0)
+    {
+        read_text(entry + sizeof rotation_key, value, texture->rotation);
+    }
+    value = size_of_value(entry, size, orientation);
+    const int is_it =
+        size >= sizeof orientation && memcmp(entry, orientation, sizeof orientation) == 0;
+    return is_it ? read_orientation(entry + sizeof orientation, value, texture, message) : CM_OK;
+}
+
 static cm_status parse_keys(const cm_image_stream *stream, uint32_t at, uint32_t length,
                             cm_texture *texture, char *message)
 {
-    static const char wanted[] = "KTXorientation";
     for (uint32_t done = 0; done < length;)
     {
-        unsigned char entry[4 + sizeof wanted + 3];
+        unsigned char entry[4 + KEY_ROOM + CM_TEXTURE_TEXT];
         const uint32_t left = length - done;
         const size_t some = left < sizeof entry ? left : sizeof entry;
         memset(entry, 0, sizeof entry);
@@ -241,16 +303,10 @@ static cm_status parse_keys(const cm_image_stream *stream, uint32_t at, uint32_t
             return cm_file_fail(message, "is a damaged KTX file: its key/value data is too short");
         }
         const uint32_t size = cm_file_u32(entry);
-        if (size >= sizeof wanted && memcmp(entry + 4, wanted, sizeof wanted) == 0)
+        const cm_status status = parse_entry(entry + 4, size, texture, message);
+        if (status != CM_OK)
         {
-            const unsigned char *const value = entry + 4 + sizeof wanted;
-            if (size != sizeof wanted + 3 || (value[0] != 'r' && value[0] != 'l') ||
-                (value[1] != 'd' && value[1] != 'u') || value[2] != '\0')
-            {
-                return cm_file_fail(message, "is a damaged KTX file: KTXorientation is not one of "
-                                             "rd, ru, ld, lu");
-            }
-            memcpy(texture->orientation, value, 3);
+            return status;
         }
         const uint32_t rest = left - 4 - size;
         const uint32_t padding = (4 - size % 4) % 4;

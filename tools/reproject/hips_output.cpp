@@ -1,0 +1,556 @@
+// SPDX-License-Identifier: MIT
+
+#include "hips_output.hpp"
+#include "tools/cli/image_file.hpp"
+#include "tools/cli/number_pattern.hpp"
+#include "tools/cli/parallel.hpp"
+#include "tools/cli/program.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+#include <sys/stat.h>
+
+namespace
+{
+
+// Section 4.2.1: tiles of 512 pixels are the usual ones; smaller ones where the sphere has few pixels.
+constexpr std::uint32_t usual_width = 512;
+constexpr std::uint32_t least_width = 64;
+// Sections 4.1 and 4.3.2: viewers begin with order 3, or with its preview of tiles of 64 pixels.
+constexpr std::uint32_t usual_order = 3;
+constexpr std::uint32_t tile_in_preview = 64;
+
+struct FileCloser
+{
+    void operator()(std::FILE *opened) const noexcept
+    {
+        std::fclose(opened);
+    }
+};
+
+using FilePointer = std::unique_ptr<std::FILE, FileCloser>;
+
+// A file in the folder that has not appeared yet. The first error of writing is kept.
+class TileFile
+{
+public:
+    explicit TileFile(const std::string &path)
+    {
+        std::error_code error;
+        std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
+        file.reset(std::fopen(path.c_str(), "w+b"));
+        note(file != nullptr);
+    }
+
+    cm_image_stream stream() noexcept
+    {
+        return {this,
+                [](void *context, void *bytes, std::size_t count) {
+                    return self(context).file
+                               ? std::fread(bytes, 1, count, self(context).file.get())
+                               : 0;
+                },
+                [](void *context, const void *bytes, std::size_t count)
+                {
+                    TileFile &to = self(context);
+                    to.note(to.file && std::fwrite(bytes, 1, count, to.file.get()) == count);
+                    return count;
+                },
+                [](void *context, std::int64_t place)
+                {
+                    TileFile &to = self(context);
+                    to.note(to.file && fseeko(to.file.get(), place, SEEK_SET) == 0);
+                },
+                [](void *context)
+                {
+                    struct stat status = {};
+                    TileFile &of = self(context);
+                    const bool good = of.file && std::fflush(of.file.get()) == 0 &&
+                                      fstat(fileno(of.file.get()), &status) == 0;
+                    return good ? static_cast<std::size_t>(status.st_size) : 0;
+                }};
+    }
+
+    // Failure if anything went wrong.
+    void finish(const std::string &folder)
+    {
+        errno = 0;
+        note(!file || std::fclose(file.release()) == 0);
+        if (error_number != 0)
+        {
+            throw Failure(in_quotes(folder) + " cannot be written: " + std::strerror(error_number));
+        }
+    }
+
+private:
+    static TileFile &self(void *context)
+    {
+        return *static_cast<TileFile *>(context);
+    }
+    void note(bool good) noexcept
+    {
+        error_number = good || error_number != 0 ? error_number : errno != 0 ? errno : EIO;
+    }
+
+    FilePointer file;
+    int error_number = 0;
+};
+
+std::string without_stroke(std::string path)
+{
+    while (path.size() > 1 && path.back() == '/')
+    {
+        path.pop_back();
+    }
+    return path;
+}
+
+// The sum of a channel's values, weighted by another's.
+struct Mean
+{
+    double sum = 0;
+    double weight = 0;
+
+    void add(double value, double by)
+    {
+        sum += by > 0 && std::isfinite(value) ? value * by : 0;
+        weight += std::isfinite(value) ? by : 0;
+    }
+};
+
+double value_at(const unsigned char *pixel, cm_pixel_type type, std::size_t channel)
+{
+    float value = 0;
+    if (type == CM_PIXEL_U8)
+    {
+        return pixel[channel];
+    }
+    std::memcpy(&value, pixel + channel * sizeof value, sizeof value);
+    return static_cast<double>(value);
+}
+
+void put_value(double value, cm_pixel_type type, std::size_t channel, unsigned char *pixel)
+{
+    const float number = static_cast<float>(value);
+    if (type == CM_PIXEL_U8)
+    {
+        pixel[channel] = static_cast<unsigned char>(value + 0.5);
+        return;
+    }
+    std::memcpy(pixel + channel * sizeof number, &number, sizeof number);
+}
+
+// The mean of width x width pixels of a picture from (column, row); colours weigh as much as their alpha.
+void put_mean(const cm_image &from, std::uint32_t column, std::uint32_t row, std::uint32_t width,
+              int alpha, unsigned char *to)
+{
+    for (std::size_t channel = 0; channel < from.channels; ++channel)
+    {
+        Mean mean;
+        for (std::uint32_t i = 0; i < width * width; ++i)
+        {
+            const unsigned char *const pixel =
+                static_cast<const unsigned char *>(from.data) +
+                static_cast<std::ptrdiff_t>(row + i / width) * from.row_stride +
+                static_cast<std::ptrdiff_t>(column + i % width) * from.pixel_stride;
+            const bool plain = alpha < 0 || static_cast<std::size_t>(alpha) == channel;
+            mean.add(value_at(pixel, from.type, channel),
+                     plain ? 1.0 : value_at(pixel, from.type, static_cast<std::size_t>(alpha)));
+        }
+        const bool nothing = !(mean.weight > 0);
+        put_value(nothing ? (from.type == CM_PIXEL_FLOAT && alpha < 0 ? std::nan("") : 0.0)
+                          : mean.sum / mean.weight,
+                  from.type, channel, to);
+    }
+}
+
+std::string tag_of(const ImageDescription &description, const std::string &key)
+{
+    for (const ImageTag &tag : description.tags)
+    {
+        if (tag.key == key)
+        {
+            return tag.text;
+        }
+    }
+    return "";
+}
+
+// Now, or when SOURCE_DATE_EPOCH says; section 4.4.1: YYYY-mm-ddTHH:MMZ.
+std::string release_date()
+{
+    const char *const said = std::getenv("SOURCE_DATE_EPOCH");
+    const std::time_t now = said != nullptr
+                                ? static_cast<std::time_t>(std::strtoll(said, nullptr, 10))
+                                : std::time(nullptr);
+    std::tm parts = {};
+    char text[32] = "";
+    gmtime_r(&now, &parts);
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%MZ", &parts);
+    return text;
+}
+
+std::uint32_t log2_of(std::uint32_t number)
+{
+    std::uint32_t power = 0;
+    while (number >> (power + 1) > 0)
+    {
+        ++power;
+    }
+    return power;
+}
+
+std::uint32_t tile_width(const Options &options, std::uint32_t nside)
+{
+    if (options.tile_width > 0)
+    {
+        return static_cast<std::uint32_t>(options.tile_width);
+    }
+    const std::uint32_t order =
+        options.order ? static_cast<std::uint32_t>(*options.order) : usual_order;
+    return std::clamp(nside >> order, least_width, usual_width);
+}
+
+} // namespace
+
+bool is_hips_name(const std::string &path)
+{
+    return path.size() > 1 && path.back() == '/';
+}
+
+void take_hips_rules(Options &options)
+{
+    SurfaceOptions &to = options.to;
+    if (!is_hips_name(options.output))
+    {
+        if (options.order)
+        {
+            throw UsageFailure("--order is for HiPS tiles; for these OUTPUT is a folder, whose "
+                               "name ends in /");
+        }
+        return;
+    }
+    if (!to.specification.empty() || !to.layout.empty() || !to.frame.empty() || options.mips ||
+        options.sidecar || options.overlay.wanted())
+    {
+        throw UsageFailure(in_quotes(options.output) +
+                           " is a folder of HiPS tiles; leave --to, --for, --layout, --frame, "
+                           "--mips, --sidecar and lines out, or the / at its end");
+    }
+    if (options.resume || !options.manifest.empty() || is_pipe(options.input) ||
+        number_pattern(options.input) || number_pattern(options.output))
+    {
+        throw UsageFailure("a folder of HiPS tiles is made of one picture in files, at once; leave "
+                           "--resume, --manifest, pipes and numbers in names out");
+    }
+    if (options.size)
+    {
+        const int width = *options.size;
+        if ((width & (width - 1)) != 0 || width < 8 || width > 4096)
+        {
+            throw UsageFailure("--size: " + std::to_string(width) +
+                               " is no edge of a HiPS tile: a power of two from 8 to 4096");
+        }
+        options.tile_width = width;
+        options.size.reset();
+    }
+    to.specification = "healpix";
+    if (options.order)
+    {
+        const std::int64_t width = options.tile_width > 0 ? options.tile_width : usual_width;
+        const std::int64_t nside = width << *options.order;
+        to.specification += ":" + std::to_string(nside);
+    }
+}
+
+SurfacePointer hips_surface(const Options &options, SurfacePointer wanted)
+{
+    const std::uint32_t nside = cm_surface_plane_width(wanted.get());
+    const std::uint32_t least = tile_width(options, nside) << (options.order ? 0 : usual_order);
+    if (!is_hips_name(options.output) || options.order || nside >= least)
+    {
+        return wanted;
+    }
+    std::string message;
+    SurfacePointer larger =
+        make_surface("healpix:" + std::to_string(least), 0, 0, options.to.rotation, message);
+    if (!larger)
+    {
+        throw UsageFailure("OUTPUT, healpix:" + std::to_string(least) + ": " + message);
+    }
+    return larger;
+}
+
+std::string hips_format(const ImageDescription &source)
+{
+    return source.channels == 1 && source.type != CM_PIXEL_U8 ? "fits" : "png";
+}
+
+void plan_hips(ImagePlan &plan)
+{
+    plan.description.type = plan.format == "fits" ? CM_PIXEL_FLOAT : CM_PIXEL_U8;
+    plan.description.stored_type.clear();
+}
+
+HipsOutput::HipsOutput(const Options &options, const cm_surface &surface,
+                       const ImagePlan &image_plan, cm_pixel_type pixel_type, int channel_count)
+    : name(without_stroke(options.output)), plan(image_plan), type(pixel_type),
+      channels(static_cast<std::uint32_t>(channel_count)),
+      width(tile_width(options, cm_surface_plane_width(&surface))),
+      order(log2_of(cm_surface_plane_width(&surface) / width)),
+      preview_order(std::min(order, usual_order)), preview_width(std::min(width, tile_in_preview))
+{
+    namespace fs = std::filesystem;
+    const fs::path path(name);
+    std::error_code error;
+    if (fs::exists(path, error) && !(fs::is_directory(path, error) && fs::is_empty(path, error)))
+    {
+        throw Failure(in_quotes(name) + " is there already; remove it, or give another name");
+    }
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    temporary = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
+    if (mkdtemp(temporary.data()) == nullptr)
+    {
+        const int number = errno;
+        temporary.clear();
+        throw Failure(in_quotes(name) + " cannot be written: folder " + in_quotes(folder.string()) +
+                      ": " + std::strerror(number));
+    }
+    cm_hips_preview(preview_order, &preview_columns, &preview_rows);
+    preview.resize(std::size_t{preview_columns} * preview_rows * preview_width * preview_width *
+                   channels * cm_pixel_size(type));
+}
+
+HipsOutput::~HipsOutput()
+{
+    std::error_code error;
+    if (!temporary.empty())
+    {
+        std::filesystem::remove_all(temporary, error);
+    }
+}
+
+cm_image HipsOutput::picture_of(Pixels &pixels, std::uint32_t columns, std::uint32_t rows) const
+{
+    cm_image picture = {};
+    picture.size = sizeof picture;
+    picture.data = pixels.data();
+    picture.type = type;
+    picture.width = columns;
+    picture.height = rows;
+    picture.channels = channels;
+    picture.pixel_stride = static_cast<std::ptrdiff_t>(channels * cm_pixel_size(type));
+    picture.row_stride = picture.pixel_stride * static_cast<std::ptrdiff_t>(columns);
+    return picture;
+}
+
+// ---- tiles
+
+// A tile that is not of the greatest order is the mean of its four: pixels have equal areas, and each is the sum of four.
+HipsOutput::Pixels HipsOutput::make_tile(std::uint32_t level, std::uint64_t number,
+                                         const Render &render)
+{
+    cm_hips_window window = {};
+    cm_hips_place(level, number, width, &window);
+    Pixels pixels(std::size_t{width} * width * channels * cm_pixel_size(type));
+    if (level == order)
+    {
+        render(window, pixels.data());
+    }
+    for (std::uint64_t child = 4 * number; level < order && child < 4 * number + 4; ++child)
+    {
+        add_quarter(window, level, child, make_tile(level + 1, child, render), pixels);
+    }
+    write_tile(level, number, pixels);
+    return pixels;
+}
+
+void HipsOutput::add_quarter(const cm_hips_window &parent, std::uint32_t level, std::uint64_t child,
+                             const Pixels &from, Pixels &to) const
+{
+    cm_hips_window window = {};
+    cm_hips_place(level + 1, child, width, &window);
+    const std::uint32_t column = (window.column - 2 * parent.column) / 2;
+    const std::uint32_t row = (window.row - 2 * parent.row) / 2;
+    Pixels copy = from;
+    const cm_image picture = picture_of(copy, width, width);
+    const std::size_t pixel = channels * cm_pixel_size(type);
+    for (std::uint32_t y = 0; y < width / 2; ++y)
+    {
+        for (std::uint32_t x = 0; x < width / 2; ++x)
+        {
+            put_mean(picture, 2 * x, 2 * y, 2, plan.description.alpha,
+                     to.data() + (std::size_t{row + y} * width + column + x) * pixel);
+        }
+    }
+}
+
+void HipsOutput::write_tile(std::uint32_t level, std::uint64_t number, Pixels &pixels)
+{
+    const cm_image window = picture_of(pixels, width, width);
+    cm_image tile = {};
+    char path[CM_HIPS_PATH] = "";
+    cm_hips_tile(&window, &tile);
+    cm_hips_tile_path(level, number, plan.format.c_str(), path);
+    if (level == preview_order)
+    {
+        add_to_preview(number, tile);
+    }
+    const std::string file_name = temporary + "/" + path;
+    if (plan.format != "fits")
+    {
+        write_picture(file_name, tile);
+        return;
+    }
+    TileFile file(file_name);
+    const cm_image_stream stream = file.stream();
+    char message[CM_IMAGE_MESSAGE] = "";
+    const cm_status status = cm_hips_write_fits(&stream, level, number, &tile, message);
+    file.finish(name);
+    if (status != CM_OK)
+    {
+        fail_image(in_quotes(name), status, message);
+    }
+}
+
+// Tiles of the preview are other threads' at other places.
+void HipsOutput::add_to_preview(std::uint64_t number, const cm_image &tile)
+{
+    const std::size_t pixel = channels * cm_pixel_size(type);
+    const std::uint32_t step = width / preview_width;
+    const std::size_t left = number % preview_columns * preview_width;
+    const std::size_t top = number / preview_columns * preview_width;
+    const std::size_t row = std::size_t{preview_columns} * preview_width;
+    for (std::uint32_t y = 0; y < preview_width; ++y)
+    {
+        for (std::uint32_t x = 0; x < preview_width; ++x)
+        {
+            put_mean(tile, x * step, y * step, step, plan.description.alpha,
+                     preview.data() + ((top + y) * row + left + x) * pixel);
+        }
+    }
+}
+
+void HipsOutput::write_picture(const std::string &file_name, const cm_image &picture) const
+{
+    const std::size_t pixel = channels * cm_pixel_size(type);
+    Pixels dense(std::size_t{picture.width} * picture.height * pixel);
+    for (std::size_t i = 0; i < std::size_t{picture.width} * picture.height; ++i)
+    {
+        const auto x = static_cast<std::ptrdiff_t>(i % picture.width);
+        const auto y = static_cast<std::ptrdiff_t>(i / picture.width);
+        std::memcpy(dense.data() + i * pixel,
+                    static_cast<const unsigned char *>(picture.data) + y * picture.row_stride +
+                        x * picture.pixel_stride,
+                    pixel);
+    }
+    ImageDescription description = plan.description;
+    description.tags.clear();
+    const DescriptionView view(description, plan.format, static_cast<int>(picture.width),
+                               static_cast<int>(picture.height));
+    TileFile file(file_name);
+    const cm_image_stream stream = file.stream();
+    const cm_image_io &io = image_io();
+    cm_image_writer *writer = nullptr;
+    char message[CM_IMAGE_MESSAGE] = "";
+    cm_status status = io.create(file_name.c_str(), &stream, &view.get(), &writer, message);
+    status = status == CM_OK ? io.write(writer, 0, picture.height, type, dense.data(),
+                                        static_cast<std::ptrdiff_t>(pixel), 0, message)
+                             : status;
+    status = status == CM_OK ? io.finish(writer, message) : status;
+    io.drop(writer);
+    file.finish(name);
+    if (status != CM_OK)
+    {
+        fail_image(in_quotes(name), status, message);
+    }
+}
+
+// ---- what is beside them
+
+// Of FITS tiles there is none: their previews are pictures of FITS of another shape, which viewers do without.
+void HipsOutput::write_preview()
+{
+    char path[CM_HIPS_PATH] = "";
+    if (plan.format == "fits")
+    {
+        return;
+    }
+    cm_hips_preview_path(preview_order, plan.format.c_str(), path);
+    write_picture(temporary + "/" + path, picture_of(preview, preview_columns * preview_width,
+                                                     preview_rows * preview_width));
+}
+
+void HipsOutput::write_properties()
+{
+    const std::string title = std::filesystem::path(name).filename().string();
+    std::string identifier = "ivo://UNK.AUTH/P/";
+    for (const char letter : title)
+    {
+        const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+                           std::strchr("-_.", letter) != nullptr;
+        identifier += plain ? letter : '_';
+    }
+    const std::string axes = tag_of(plan.description, "COORDSYS").substr(0, 1);
+    const std::string copyright = tag_of(plan.description, "Copyright");
+    const std::string date = release_date();
+    cm_hips_properties properties = {};
+    properties.size = sizeof properties;
+    properties.creator_did = identifier.c_str();
+    properties.title = title.c_str();
+    properties.frame = axes == "G" ? "galactic" : axes == "E" ? "ecliptic" : "equatorial";
+    properties.tile_format = plan.format == "png" ? "png" : "fits";
+    properties.release = date.c_str();
+    properties.copyright = copyright.empty() ? nullptr : copyright.c_str();
+    properties.builder = "cubemap-reproject";
+    properties.order = order;
+    properties.tile_width = width;
+    std::size_t length = 0;
+    cm_hips_write_properties(&properties, 0, nullptr, &length);
+    std::string text(length + 1, '\0');
+    if (cm_hips_write_properties(&properties, text.size(), text.data(), &length) != CM_OK)
+    {
+        throw Failure(in_quotes(name) + " cannot be written: its name, or the copyright of INPUT, "
+                                        "has control characters");
+    }
+    TileFile file(temporary + "/properties");
+    const cm_image_stream stream = file.stream();
+    stream.write(stream.context, text.data(), length);
+    file.finish(name);
+}
+
+void HipsOutput::write(const Render &render, int threads)
+{
+    parallel_for(12, threads,
+                 [&](int base) { make_tile(0, static_cast<std::uint64_t>(base), render); });
+    write_preview();
+    write_properties();
+    appear();
+}
+
+// A folder of mkdtemp is for its owner alone.
+void HipsOutput::appear()
+{
+    const mode_t mask = umask(0);
+    umask(mask);
+    if (chmod(temporary.c_str(), 0777 & ~mask) != 0 ||
+        std::rename(temporary.c_str(), name.c_str()) != 0)
+    {
+        throw Failure(in_quotes(name) + " cannot be written: " + std::strerror(errno));
+    }
+    temporary.clear();
+}
+
+std::string HipsOutput::description() const
+{
+    return "; HiPS tiles of " + std::to_string(width) + "x" + std::to_string(width) +
+           " pixels, orders 0 to " + std::to_string(order);
+}
