@@ -118,9 +118,10 @@ void ceiling_talk()
     std::filesystem::create_directory("made");
     const Ran ran = run("reproject --filter bspline5" + least + "noise.ppm made/%f.png");
     result(ran.status == 0 &&
-               matches(ran.err, "^cubemap-reproject: the pixels of 'noise.ppm', 0.4 MB, go to a "
-                                "temporary file in folder '.*', [0-9.]+ GB free$") &&
-               matches(ran.err, "what the filter needs, [0-9.]+ MB, go to a temporary file"),
+               matches(ran.err,
+                       "^cubemap-reproject: a temporary file in folder '.*', with [0-9.]+ GB "
+                       "free, will hold the pixels of 'noise.ppm', 0.4 MB$") &&
+               matches(ran.err, "will hold what the filter needs, [0-9.]+ MB$"),
            "temporary files are told beforehand", ran.err);
     result(names_in("made") == "0.png 1.png 2.png 3.png 4.png 5.png ", "nothing is left of them",
            names_in("made"));

@@ -258,8 +258,9 @@ int MemoryCeiling::open_file(std::size_t size, const std::string &what) const
     // small ones beside large ones are not worth a line
     if (messages != nullptr && size >= file_bytes / 16)
     {
-        std::fprintf(messages, "cubemap-reproject: %s, %s, go to a temporary file in %s, %s free\n",
-                     what.c_str(), gigabytes(size).c_str(), place.c_str(), gigabytes(room).c_str());
+        std::fprintf(messages,
+                     "cubemap-reproject: a temporary file in %s, with %s free, will hold %s, %s\n",
+                     place.c_str(), gigabytes(room).c_str(), what.c_str(), gigabytes(size).c_str());
         std::fflush(messages);
     }
     const int file = open_nameless(folder);
