@@ -4,15 +4,45 @@
 #include "program.hpp"
 
 #include <filesystem>
-#include <regex>
 
 namespace
 {
 
-const std::regex &directive()
+// Where %d, %4d or %04d stands in a name, and how long it is; npos if it has none.
+struct Directive
 {
-    static const std::regex expression("%(0?)([0-9]?)d");
-    return expression;
+    std::size_t begin = std::string::npos;
+    std::size_t length = 0;
+    bool zeros = false;
+    unsigned width = 0;
+};
+
+bool is_digit(char letter)
+{
+    return letter >= '0' && letter <= '9';
+}
+
+Directive find_directive(const std::string &name)
+{
+    for (std::size_t begin = name.find('%'); begin != std::string::npos;
+         begin = name.find('%', begin + 1))
+    {
+        Directive found;
+        std::size_t at = begin + 1;
+        found.zeros = at < name.size() && name[at] == '0';
+        at += found.zeros ? 1 : 0;
+        if (at < name.size() && is_digit(name[at]))
+        {
+            found.width = static_cast<unsigned>(name[at++] - '0');
+        }
+        if (at < name.size() && name[at] == 'd')
+        {
+            found.begin = begin;
+            found.length = at + 1 - begin;
+            return found;
+        }
+    }
+    return {};
 }
 
 // The number that such a name has, -1 if it has none.
@@ -45,22 +75,22 @@ std::string NumberPattern::name(int number) const
 
 std::optional<NumberPattern> number_pattern(const std::string &name)
 {
-    std::smatch found;
-    if (!std::regex_search(name, found, directive()))
+    const Directive found = find_directive(name);
+    if (found.begin == std::string::npos)
     {
         return std::nullopt;
     }
     NumberPattern pattern;
-    pattern.before = found.prefix();
-    pattern.after = found.suffix();
-    pattern.zeros = found[1].length() > 0;
-    pattern.width = found[2].length() > 0 ? static_cast<unsigned>(std::stoi(found[2])) : 0;
+    pattern.before = name.substr(0, found.begin);
+    pattern.after = name.substr(found.begin + found.length);
+    pattern.zeros = found.zeros;
+    pattern.width = found.width;
     if (pattern.after.find('/') != std::string::npos)
     {
         throw UsageFailure(in_quotes(name) + " has its number in the name of a folder; it must be "
                                              "in the name of the file");
     }
-    if (std::regex_search(pattern.after, directive()))
+    if (find_directive(pattern.after).begin != std::string::npos)
     {
         throw UsageFailure(in_quotes(name) + " has two numbers; one is needed");
     }
