@@ -9,6 +9,7 @@
 #include "small_files.h"
 #include "tests/suite.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -895,6 +896,29 @@ static size_t stream_size(void *context)
     return fstat(fileno(context), &status) == 0 ? (size_t)status.st_size : 0;
 }
 
+/* TIFF and OpenEXR have the day and the time of writing in their heads, "2026:01:31 23:59:59". */
+static int differ_by_time(const unsigned char *one, const unsigned char *other, size_t size)
+{
+    enum
+    {
+        TIME_LENGTH = 19
+    };
+    size_t first = size;
+    for (size_t i = 0; i < size; i++)
+    {
+        if (one[i] == other[i])
+        {
+            continue;
+        }
+        first = i < first ? i : first;
+        if (!isdigit(one[i]) || !isdigit(other[i]) || i - first >= TIME_LENGTH)
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* The same bytes as by name. */
 static void check_stream(const char *format, cm_pixel_type type)
 {
@@ -914,10 +938,8 @@ static void check_stream(const char *format, cm_pixel_type type)
     size_t named_size = 0;
     unsigned char *streamed = content_of("streamed", &size);
     unsigned char *named = content_of("by-name", &named_size);
-    /* OpenEXR has the day and the hour in its head */
-    const size_t from = strcmp(format, "openexr") == 0 ? size * 3 / 4 : 0;
-    REQUIRE(size == named_size && memcmp(streamed + from, named + from, size - from) == 0,
-            "%s: %zu bytes, by name %zu", format, size, named_size);
+    REQUIRE(size == named_size, "%s: %zu bytes, by name %zu", format, size, named_size);
+    REQUIRE(differ_by_time(streamed, named, size), "%s is not the same by name", format);
     free(streamed);
     free(named);
     unlink("streamed");
