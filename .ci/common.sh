@@ -14,7 +14,7 @@ esac
 
 # What each job needs, by the names of Debian's and Ubuntu's packages.
 needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev zlib1g-dev libcfitsio-dev libjansson-dev check"
-needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath doxygen"
+needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath python3-pycparser doxygen"
 # The libraries that tests/peers and bench/side_by_side compare with are used where they are; .ci/run
 # and scripts/speed have them all.
 needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographiclib-dev
@@ -28,10 +28,25 @@ needs_for_neon="gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user"
 # A compiler for a processor of 32 bits, for .ci/long; the emulator is that of AArch64.
 needs_for_long="gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user"
 
+# The Python package, and what its tests compare and draw with; all of the system's Python.
+needs_to_build_python="build-essential meson ninja-build python3-dev python3-numpy python3-mesonpy python3-pip python3-venv
+    python3-pycparser"
+needs_for_python="python3-pytest python3-hypothesis python3-healpy python3-dask python3-distributed python3-xarray
+    python3-matplotlib"
+
 # CMake, for tests/programs/cmake.sh, and a compiler for Windows, for tests/include/dll.sh; to run what it makes, .ci/long
 # has Wine.
 needs_for_users="cmake gcc-mingw-w64-x86-64"
 needs_for_windows="gcc-mingw-w64-x86-64 g++-mingw-w64-x86-64 wine64 wine"
+
+# The shaders' texts, compiled and run without a graphics card: by Mesa's llvmpipe and lavapipe, and by PoCL. npm brings naga.
+needs_for_shaders="glslang-tools python3 libegl-dev libopengl-dev libgl-dev libgl1-mesa-dri libvulkan-dev mesa-vulkan-drivers
+    opencl-headers ocl-icd-opencl-dev pocl-opencl-icd nodejs npm"
+# A compiler to WebAssembly and what runs it, for bindings/js.
+needs_for_wasm="clang lld wasi-libc libclang-rt-dev-wasm32 python3 python3-pycparser"
+needs_for_javascript="$needs_for_wasm nodejs npm"
+# WebGL and WebGPU, and what runs examples/threejs, where it is; .ci/run has it.
+needs_for_browsers="chromium"
 
 # How clang builds what is fuzzed, and what the tests run with sanitizers: arguments to meson, and flags of C and C++.
 sanitized_by_clang="-Dbuildtype=debugoptimized -Doptimization=1 -Db_sanitize=address,undefined -Db_lundef=false
@@ -94,6 +109,13 @@ has()
     g++-mingw-w64-x86-64) compiles x86_64-w64-mingw32-g++ c++ cmath ;;
     wine64) [ -x /usr/lib/wine/wine64 ] || command -v wine64 >/dev/null ;;
     wine) command -v wine >/dev/null ;;
+    lld) command -v wasm-ld >/dev/null ;;
+    wasi-libc) [ -e /usr/lib/wasm32-wasi/libc.a ] ;;
+    libclang-rt-dev-wasm32)
+        [ -e "$(clang --target=wasm32-wasi -rtlib=compiler-rt -print-libgcc-file-name 2>/dev/null)" ] ;;
+    chromium) command -v chromium >/dev/null ;;
+    nodejs) command -v node >/dev/null ;;
+    npm) command -v npm >/dev/null ;;
     gcovr) command -v gcovr >/dev/null ;;
     valgrind) command -v valgrind >/dev/null && compiles "${CC:-cc}" c valgrind/callgrind.h ;;
     python3-matplotlib)
@@ -101,6 +123,25 @@ has()
             /usr/bin/python3 -c 'import matplotlib' 2>/dev/null ;;
     python3-mpmath)
         python3 -c 'import mpmath' 2>/dev/null || /usr/bin/python3 -c 'import mpmath' 2>/dev/null ;;
+    python3-pycparser)
+        python3 -c 'import pycparser' 2>/dev/null || /usr/bin/python3 -c 'import pycparser' 2>/dev/null ;;
+    libegl-dev) compiles "${CC:-cc}" c EGL/egl.h ;;
+    libgl-dev) compiles "${CC:-cc}" c GL/glcorearb.h ;;
+    libopengl-dev) pkg-config --exists opengl 2>/dev/null ;;
+    libgl1-mesa-dri) ls /usr/lib/*/dri/swrast_dri.so >/dev/null 2>&1 || ls /usr/lib/*/libgallium-*.so >/dev/null 2>&1 ;;
+    libvulkan-dev) compiles "${CC:-cc}" c vulkan/vulkan.h ;;
+    mesa-vulkan-drivers) ls /usr/share/vulkan/icd.d/lvp_icd*.json >/dev/null 2>&1 ;;
+    opencl-headers) compiles "${CC:-cc}" c CL/cl.h ;;
+    ocl-icd-opencl-dev) pkg-config --exists OpenCL 2>/dev/null ;;
+    pocl-opencl-icd) [ -f /etc/OpenCL/vendors/pocl.icd ] ;;
+    python3-dev)
+        compiles "${CC:-cc} $(/usr/bin/python3 -c \
+            'import sysconfig; print("-I" + sysconfig.get_path("include"))' 2>/dev/null)" c Python.h ;;
+    python3-pip) /usr/bin/python3 -m pip --version >/dev/null 2>&1 ;;
+    python3-venv) /usr/bin/python3 -c 'import ensurepip, venv' 2>/dev/null ;;
+    python3-mesonpy) /usr/bin/python3 -c 'import mesonpy' 2>/dev/null ;;
+    python3-numpy | python3-pytest | python3-hypothesis | python3-healpy | python3-dask | python3-distributed | python3-xarray)
+        /usr/bin/python3 -c "import ${1#python3-}" 2>/dev/null ;;
     *) die "has: no rule for $1" ;;
     esac
 }

@@ -120,7 +120,9 @@ static int add_one_by_one(roster *all, const contestant *plain)
     points.name = "point by point";
     points.forward = forward_points;
     points.inverse = inverse_points;
-    return add(all, points);
+    contestant narrow = points;
+    narrow.narrow = 1;
+    return add(all, points) && add(all, narrow);
 }
 
 static int add_from_lonlat(roster *all, const contestant *plain)

@@ -182,7 +182,7 @@ static int read_options(options *o, int argc, char **argv)
 /* The libraries that the program is built with. */
 static int add_all(roster *all)
 {
-    return add_own(all)
+    return add_own(all) && add_kernels(all)
 #ifdef HAVE_WCSLIB
            && add_wcslib(all)
 #endif

@@ -76,6 +76,7 @@ const char *contestant_takes(const contestant *c);
 
 /* The contestants. 0 if something that must work does not, which they have said. */
 int add_own(roster *all);
+int add_kernels(roster *all);
 int add_wcslib(roster *all);
 int add_proj(roster *all);
 int add_chealpix(roster *all);

@@ -13,7 +13,7 @@
  * frame geo. Where a map has a crease, derivatives are those of the side to which the point counts.
  *
  * Arguments must be inside their ranges, [-1, 1] for coordinates, a finite non-zero direction; nothing is checked.
- * Bounds hold if the compiler keeps IEEE arithmetic. For GLSL include <cubemap/kernel/backend.h>.
+ * Bounds hold if the compiler keeps IEEE arithmetic. Shaders: docs/guide/shaders.md.
  * docs/guide/conventions.md says more of derivatives.
  */
 #ifndef CUBEMAP_KERNELS_H

@@ -47,6 +47,9 @@ typedef struct cm_batch_set
     /* over points of what the table says, and unless that is NULL the torque (orient_bound.c) */
     double (*orient_sum)(const cm_orient_points *points, const cm_orient_table *table,
                          const float turn[9], double torque[3]);
+    /* one point alone, by index in the catalogue; NULL for plain C */
+    const cm_lone_variants_f64 *lone_f64;
+    const cm_lone_variants_f32 *lone_f32;
 } cm_batch_set;
 
 #define CM_LANES_MAX 16
@@ -54,10 +57,31 @@ typedef struct cm_batch_set
 /* Points that are gathered at once from arrays with a stride; a multiple of CM_LANES_MAX. */
 #define CM_BLOCK 256
 
+/* Plain C: derives constants, and does what a set leaves out (set.inc). */
+#ifdef CM_SMALL
+#define CM_BATCH_PLAIN cm_batch_small
+#else
+#define CM_BATCH_PLAIN cm_batch_scalar
+#endif
+
 extern const cm_batch_set cm_batch_scalar;
+extern const cm_batch_set cm_batch_small;
 extern const cm_batch_set cm_batch_sse2;
 extern const cm_batch_set cm_batch_avx2;
 extern const cm_batch_set cm_batch_avx512;
 extern const cm_batch_set cm_batch_neon;
+extern const cm_batch_set cm_batch_wasm128;
+
+/* Of each set, from the file of its points and pixels alone. */
+extern const cm_lone_variants_f64 cm_lone_f64_sse2[];
+extern const cm_lone_variants_f32 cm_lone_f32_sse2[];
+extern const cm_lone_variants_f64 cm_lone_f64_avx2[];
+extern const cm_lone_variants_f32 cm_lone_f32_avx2[];
+extern const cm_lone_variants_f64 cm_lone_f64_avx512[];
+extern const cm_lone_variants_f32 cm_lone_f32_avx512[];
+extern const cm_lone_variants_f64 cm_lone_f64_neon[];
+extern const cm_lone_variants_f32 cm_lone_f32_neon[];
+extern const cm_lone_variants_f64 cm_lone_f64_wasm128[];
+extern const cm_lone_variants_f32 cm_lone_f32_wasm128[];
 
 #endif

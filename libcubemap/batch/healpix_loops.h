@@ -43,7 +43,7 @@ typedef struct cm_healpix_loops
  * CM_HEALPIX_NO_PIXEL.
  *
  * The first two are shorter ways, which may give that for any point: those to which they give a pixel have it by the other
- * ways, too. Then they have raised no exception but inexact; nor have the ways from pixels, and to_ring raises none. */
+ * ways, too. They raise no exception but inexact; nor do the ways from pixels, and to_ring raises none. */
 typedef struct cm_healpix_lone
 {
     int64_t (*short_from_direction)(const cm_healpix *healpix, const double direction[3]);
@@ -63,5 +63,6 @@ extern const cm_healpix_lone cm_healpix_lone_sse2;
 extern const cm_healpix_lone cm_healpix_lone_avx2;
 extern const cm_healpix_lone cm_healpix_lone_avx512;
 extern const cm_healpix_lone cm_healpix_lone_neon;
+extern const cm_healpix_lone cm_healpix_lone_wasm128;
 
 #endif

@@ -34,6 +34,10 @@ struct cm_mapping
     cm_batch_f32 batch_f32;
     size_t lanes_f64; /* what batch_f64 takes whole multiples of */
     size_t lanes_f32;
+    /* One point alone, and what takes those that it does not. */
+    cm_lone_f64 lone_f64, otherwise_f64;
+    cm_lone_f32 lone_f32, otherwise_f32;
+    unsigned last_face;
 };
 
 /* Is it computed by part_loops.inc? */

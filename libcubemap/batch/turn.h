@@ -9,6 +9,26 @@
 
 #include <stdint.h>
 
+/* What becomes of a point (a, b) of a face: the two are swapped where all bits of swap are ones, and then change their
+ * sign where those of minus are. Each word twice or four times, as one point alone fills a vector of 16 bytes. */
+typedef struct cm_turn_face
+{
+    uint64_t swap[2];
+    uint64_t minus_f64[2]; /* of a, of b */
+    uint32_t minus_f32[4]; /* of a, of b, of a, of b */
+    uint32_t face;
+} cm_turn_face;
+
+/* Where the components along outward, u and v of a face go: to which of x, y, z, and whether with the other sign. 64 bytes,
+ * so that a table of them is indexed by a shift. */
+typedef struct cm_turn_axes
+{
+    uint64_t minus_f64[3]; /* of u, of v, of outward, as are the others */
+    uint32_t minus_f32[5]; /* of u, of v, of u, of v, of outward */
+    uint32_t axis[3];
+    uint32_t face; /* of the frame */
+} cm_turn_axes;
+
 /* How a frame differs from geo. A point (a, b) of a face of geo is on the face of that number in the
  * frame, at u = sign_u * (swap ? b : a), v = sign_v * (swap ? a : b). */
 typedef struct cm_turn
@@ -24,6 +44,11 @@ typedef struct cm_turn
     uint64_t minus_u_back_bits;
     uint64_t minus_v_back_bits;
     uint64_t geo_face_digits;
+    /* The same for one point alone. */
+    cm_turn_face to_frame[6]; /* by face of geo */
+    cm_turn_face to_geo[6];   /* by face of the frame, as axes */
+    cm_turn_axes axes[6];
+    cm_turn_axes ahead[8]; /* the same by the outward axis: +x -x +y -y, and +z -z twice */
 } cm_turn;
 
 #endif

@@ -81,6 +81,7 @@ void cm_cell_forward_array(const cm_cell_grid *cells, int level, size_t n, const
 static void s2_cells_of_lonlats(const cm_cell_grid *cells, int level, size_t n, const double *lon,
                                 const double *lat, cm_cell *cell)
 {
+    const cm_exceptions held = cm_exceptions_hold();
     double x[CM_BLOCK], y[CM_BLOCK], z[CM_BLOCK];
     for (size_t i = 0; i < n; i++)
     {
@@ -91,6 +92,7 @@ static void s2_cells_of_lonlats(const cm_cell_grid *cells, int level, size_t n, 
         z[i] = direction[2];
     }
     cm_s2_cells_of_block(cells, level, n, x, y, z, cell);
+    cm_exceptions_restore(held);
 }
 
 void cm_cell_forward_lonlat_array(const cm_cell_grid *cells, int level, size_t n, const double *lon,
@@ -125,7 +127,7 @@ static cm_cell cell_of_place(const cm_cell_grid *cells, int level, uint8_t face,
     if (is_level(level))
     {
         const cm_exceptions held = cm_exceptions_hold();
-        cm_batch_scalar.cells->forward(cells->curve, level, 1, &face, &uv[0], &uv[1], &cell);
+        CM_BATCH_PLAIN.cells->forward(cells->curve, level, 1, &face, &uv[0], &uv[1], &cell);
         cm_exceptions_restore(held);
     }
     return cell;
@@ -138,7 +140,7 @@ static cm_cell s2_cell_of(int level, const double d[3])
     if (is_level(level))
     {
         const cm_exceptions held = cm_exceptions_hold();
-        cm_batch_scalar.cells->s2_forward(level, 1, &d[0], &d[1], &d[2], &cell);
+        CM_BATCH_PLAIN.cells->s2_forward(level, 1, &d[0], &d[1], &d[2], &cell);
         cm_exceptions_restore(held);
     }
     return cell;
@@ -258,7 +260,7 @@ static uint8_t middle_of(const cm_cell_grid *cells, cm_cell cell, double uv[2])
     if (cm_cell_is_valid(cell))
     {
         const cm_exceptions held = cm_exceptions_hold();
-        cm_batch_scalar.cells->centre(cells->curve, 1, &cell, &face, &uv[0], &uv[1]);
+        CM_BATCH_PLAIN.cells->centre(cells->curve, 1, &cell, &face, &uv[0], &uv[1]);
         cm_exceptions_restore(held);
     }
     return face;

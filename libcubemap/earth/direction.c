@@ -1,10 +1,25 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Longitude and latitude of one point alone. The C library's functions raise nothing but inexact for easy numbers, so that
+ * nothing must wait for the flags.
+ */
 #include <cubemap/cubemap.h>
 #include <cubemap/kernels.h>
 
 #include "libcubemap/mapping/exception_flags.h"
 
 #include <math.h>
+#include <string.h>
+
+#define CM_BACKEND 1
+#define CM_LANES_BITS 64
+#define LONE_IS_EASY direction_is_easy
+#include <cubemap/kernel/dialect.h>
+
+#include "libcubemap/batch/lone_easy.inc"
+#undef CM_BACKEND
+#undef CM_LANES_BITS
+#undef LONE_IS_EASY
 
 static const double half_pi = 1.5707963267948966;
 
@@ -43,6 +58,11 @@ static void lonlat_of(const double direction[3], double lonlat[2])
 
 void cm_direction_from_lonlat(double lon, double lat, double direction[3])
 {
+    if (direction_is_easy(lon, LONE_EASY_MOST) && direction_is_easy(lat, LONE_EASY_MOST))
+    {
+        direction_of(lon, lat, direction);
+        return;
+    }
     const cm_exceptions held = cm_exceptions_hold();
     direction_of(lon, lat, direction);
     cm_exceptions_restore(held);
@@ -50,6 +70,13 @@ void cm_direction_from_lonlat(double lon, double lat, double direction[3])
 
 void cm_lonlat_from_direction(const double direction[3], double lonlat[2])
 {
+    if (direction_is_easy(direction[0], LONE_EASY_MOST) &&
+        direction_is_easy(direction[1], LONE_EASY_MOST) &&
+        direction_is_easy(direction[2], LONE_EASY_MOST))
+    {
+        lonlat_of(direction, lonlat);
+        return;
+    }
     const cm_exceptions held = cm_exceptions_hold();
     lonlat_of(direction, lonlat);
     cm_exceptions_restore(held);

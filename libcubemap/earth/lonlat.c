@@ -153,22 +153,17 @@ void cm_lonlat_from_direction_array(size_t n, const double *x, const double *y, 
 
 uint8_t cm_forward_lonlat(const cm_mapping *mapping, double lon, double lat, double uv[2])
 {
-    const cm_exceptions held = cm_exceptions_hold();
     double direction[3];
     cm_direction_from_lonlat(lon, lat, direction);
-    uint8_t face = cm_forward(mapping, direction, uv);
-    cm_exceptions_restore(held);
-    return face;
+    return cm_forward(mapping, direction, uv);
 }
 
 void cm_inverse_lonlat(const cm_mapping *mapping, uint8_t face, const double uv[2],
                        double lonlat[2])
 {
-    const cm_exceptions held = cm_exceptions_hold();
     double direction[3];
     cm_inverse(mapping, face, uv, direction);
     cm_lonlat_from_direction(direction, lonlat);
-    cm_exceptions_restore(held);
 }
 
 void cm_forward_lonlat_array(const cm_mapping *mapping, size_t n, const double *lon,

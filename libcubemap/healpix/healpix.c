@@ -315,27 +315,18 @@ static cm_status give(int64_t made, int64_t *pixel)
     return CM_OK;
 }
 
-/* After arithmetic that has raised nothing but inexact. */
-static void restore_inexact(cm_exceptions held)
-{
-    if (!cm_exceptions_hold_inexact(held))
-    {
-        cm_exceptions_restore(held);
-    }
-}
-
+/* Nothing is raised but inexact, so that nothing must wait for the flags. */
 cm_status cm_healpix_pixel_from_direction(const cm_healpix *healpix, const double direction[3],
                                           int64_t *pixel)
 {
-    const cm_exceptions held = cm_exceptions_hold();
     const cm_healpix_lone *lone = healpix->set->healpix_lone;
     int64_t made = lone->short_from_direction(healpix, direction);
     if (made != CM_HEALPIX_NO_PIXEL)
     {
-        restore_inexact(held);
         *pixel = made;
         return CM_OK;
     }
+    const cm_exceptions held = cm_exceptions_hold();
     made = lone->from_direction(healpix, direction);
     cm_exceptions_restore(held);
     return give(made, pixel);
@@ -344,15 +335,14 @@ cm_status cm_healpix_pixel_from_direction(const cm_healpix *healpix, const doubl
 static cm_status pixel_from_angles(const cm_healpix *healpix, int latitudes, double theta,
                                    double phi, int64_t *pixel)
 {
-    const cm_exceptions held = cm_exceptions_hold();
     const cm_healpix_lone *lone = healpix->set->healpix_lone;
     int64_t made = lone->short_from_angles(healpix, latitudes, theta, phi);
     if (made != CM_HEALPIX_NO_PIXEL)
     {
-        restore_inexact(held);
         *pixel = made;
         return CM_OK;
     }
+    const cm_exceptions held = cm_exceptions_hold();
     made = lone->from_angles(healpix, latitudes, theta, near_longitude(phi));
     cm_exceptions_restore(held);
     return give(made, pixel);
@@ -377,9 +367,7 @@ cm_status cm_healpix_direction_from_pixel(const cm_healpix *healpix, int64_t pix
     {
         return CM_ERROR_PIXEL;
     }
-    const cm_exceptions held = cm_exceptions_hold();
     healpix->set->healpix_lone->to_direction(healpix, pixel, direction);
-    restore_inexact(held);
     return CM_OK;
 }
 
@@ -390,9 +378,7 @@ cm_status cm_healpix_angles_from_pixel(const cm_healpix *healpix, int64_t pixel,
     {
         return CM_ERROR_PIXEL;
     }
-    const cm_exceptions held = cm_exceptions_hold();
     healpix->set->healpix_lone->to_angles(healpix, 0, pixel, theta, phi);
-    restore_inexact(held);
     return CM_OK;
 }
 
@@ -402,9 +388,7 @@ cm_status cm_healpix_lonlat_from_pixel(const cm_healpix *healpix, int64_t pixel,
     {
         return CM_ERROR_PIXEL;
     }
-    const cm_exceptions held = cm_exceptions_hold();
     healpix->set->healpix_lone->to_angles(healpix, 1, pixel, &lonlat[1], &lonlat[0]);
-    restore_inexact(held);
     return CM_OK;
 }
 
@@ -414,9 +398,7 @@ cm_status cm_healpix_nested_from_ring(const cm_healpix *healpix, int64_t ring, i
     {
         return CM_ERROR_PIXEL;
     }
-    const cm_exceptions held = cm_exceptions_hold();
     *nested = healpix->set->healpix_lone->to_nested(healpix, ring);
-    restore_inexact(held);
     return CM_OK;
 }
 

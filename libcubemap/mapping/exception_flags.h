@@ -3,7 +3,8 @@
  * The floating-point exceptions of the caller, kept from the library's arithmetic. Loops over vectors compute both sides
  * of every choice, and what is not chosen may divide zero by zero, for good points too. Between cm_exceptions_hold and
  * cm_exceptions_restore no exception traps, and after it the flags are as they were.
- * What raises nothing but inexact need not restore where cm_exceptions_hold_inexact.
+ * To read the flags takes as long as a gnomonic point. So points and pixels alone, which raise nothing but inexact, leave
+ * that one as it comes.
  *
  * Compilers do not know that arithmetic changes flags: between the two must stand what they cannot move, calls and what
  * reads and writes memory.
@@ -27,13 +28,6 @@ static inline cm_exceptions cm_exceptions_hold(void)
     return held;
 }
 
-/* Is the inexact flag set already, and does nothing trap? So it is in most programs, for long. */
-static inline int cm_exceptions_hold_inexact(cm_exceptions held)
-{
-    const unsigned wanted = _MM_MASK_MASK | _MM_EXCEPT_INEXACT;
-    return (held & wanted) == wanted;
-}
-
 /* To read the flags waits for all arithmetic before it, but to write them takes longer. */
 static inline void cm_exceptions_restore(cm_exceptions held)
 {
@@ -55,11 +49,6 @@ static inline cm_exceptions cm_exceptions_hold(void)
     return held;
 }
 
-static inline int cm_exceptions_hold_inexact(cm_exceptions held)
-{
-    return (held >> 4 & 1) != 0;
-}
-
 static inline void cm_exceptions_restore(cm_exceptions held)
 {
     uint64_t now;
@@ -79,12 +68,6 @@ static inline cm_exceptions cm_exceptions_hold(void)
     fenv_t held;
     (void)feholdexcept(&held);
     return held;
-}
-
-static inline int cm_exceptions_hold_inexact(cm_exceptions held)
-{
-    (void)held;
-    return 0;
 }
 
 static inline void cm_exceptions_restore(cm_exceptions held)

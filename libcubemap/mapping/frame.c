@@ -153,6 +153,30 @@ cm_status cm_frame_check(const cm_frame *frame)
     return seen == 0x3fu ? CM_OK : CM_ERROR_FRAME;
 }
 
+static void fill_turn_face(int swap, uint64_t minus_a, uint64_t minus_b, unsigned face,
+                           cm_turn_face *turn)
+{
+    const uint32_t signs[2] = {(uint32_t)minus_a << 31, (uint32_t)minus_b << 31};
+    *turn = (cm_turn_face){.swap = {swap ? UINT64_MAX : 0, swap ? UINT64_MAX : 0},
+                           .minus_f64 = {minus_a << 63, minus_b << 63},
+                           .minus_f32 = {signs[0], signs[1], signs[0], signs[1]},
+                           .face = face};
+}
+
+static void fill_turn_axes(const cm_frame_face *face, unsigned number, cm_turn_axes *turn)
+{
+    const int axis[3] = {face->u, face->v, face->outward};
+    turn->face = number;
+    for (int k = 0; k < 3; k++)
+    {
+        turn->axis[k] = (uint32_t)abs(axis[k]) - 1;
+        turn->minus_f64[k] = (uint64_t)(axis[k] < 0) << 63;
+        turn->minus_f32[k == 2 ? 4 : k] = (uint32_t)(axis[k] < 0) << 31;
+    }
+    turn->minus_f32[2] = turn->minus_f32[0];
+    turn->minus_f32[3] = turn->minus_f32[1];
+}
+
 void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn)
 {
     const cm_frame *geo = cm_frame_find("geo");
@@ -175,6 +199,16 @@ void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn)
         turn->minus_u_back_bits |= minus_u << (63u - i);
         turn->minus_v_back_bits |= minus_v << (63u - i);
         turn->geo_face_digits |= (uint64_t)g << (3u * i);
+        fill_turn_face(swap, minus_u, minus_v, i, &turn->to_frame[g]);
+        fill_turn_face(swap, swap ? minus_v : minus_u, swap ? minus_u : minus_v, g,
+                       &turn->to_geo[i]);
+        fill_turn_axes(to, i, &turn->axes[i]);
+        const int ahead = 2 * (abs(to->outward) - 1) + (to->outward < 0);
+        turn->ahead[ahead] = turn->axes[i];
+        if (ahead >= 4)
+        {
+            turn->ahead[ahead + 2] = turn->axes[i];
+        }
         if (i != g || swap || minus_u || minus_v)
         {
             turn->identity = 0;

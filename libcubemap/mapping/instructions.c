@@ -45,7 +45,9 @@ static const struct
     const cm_batch_set *set;
     int (*runs)(void);
 } sets[] = {
+#ifndef CM_WITHOUT_SCALAR
     {&cm_batch_scalar, always},
+#endif
 #ifdef CM_HAVE_SSE2
     {&cm_batch_sse2, always},
 #endif
@@ -57,6 +59,9 @@ static const struct
 #endif
 #ifdef CM_HAVE_NEON
     {&cm_batch_neon, always},
+#endif
+#ifdef CM_HAVE_WASM128
+    {&cm_batch_wasm128, always},
 #endif
 };
 

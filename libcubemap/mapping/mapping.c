@@ -19,7 +19,7 @@
  * with the same. */
 static cm_constants_f64 derive(size_t index, cm_constants_f64 parameters)
 {
-    cm_constants_f64 (*make)(cm_constants_f64) = cm_batch_scalar.f64[index].prepare;
+    cm_constants_f64 (*make)(cm_constants_f64) = CM_BATCH_PLAIN.f64[index].prepare;
     return make == NULL ? parameters : make(parameters);
 }
 
@@ -72,7 +72,7 @@ static void turn_axes(cm_mapping *mapping)
 }
 
 /* Constants are derived in double for both precisions, and rounded once. */
-static void prepare(cm_mapping *mapping)
+static void prepare_constants(cm_mapping *mapping)
 {
     const double *parameter = mapping->parameter;
     cm_constants_f64 k = cm_make_parameters_f64(parameter[0], parameter[1]);
@@ -117,13 +117,77 @@ static double area_scale_of(const cm_mapping *mapping)
     }
 }
 
+/* Whose powers underflow in float, beside corners, diagonals and axes, and whose inverse divides zero by zero where that is
+ * not chosen, keep the flags. */
+static void hold_flags(cm_mapping *mapping)
+{
+#ifdef __clang__
+    /* clang divides on both sides of a choice, by zero on the one that is not taken: at corners, those of slice say */
+    mapping->lone_f64 = cm_lone_held_f64;
+    mapping->lone_f32 = cm_lone_held_f32;
+#endif
+    if (strcmp(mapping->info->identifier, "conformal") == 0 ||
+        strcmp(mapping->info->identifier, "seamless") == 0)
+    {
+        mapping->lone_f32 = cm_lone_held_f32;
+    }
+    if (strcmp(mapping->info->identifier, "rhealpix") == 0)
+    {
+        mapping->lone_f64.inverse = cm_lone_held_f64.inverse;
+        mapping->lone_f32.inverse = cm_lone_held_f32.inverse;
+    }
+}
+
+/* What computes one point alone: the loops, unless there is a shorter way. */
+static void choose_lone(cm_mapping *mapping, size_t variant)
+{
+    const cm_batch_set *set = mapping->set;
+    mapping->otherwise_f64 = mapping->lone_f64 = cm_lone_by_loops_f64;
+    mapping->otherwise_f32 = mapping->lone_f32 = cm_lone_by_loops_f32;
+    if (set->lone_f64 != NULL && set->lone_f64[mapping->index].variant[variant].forward != NULL)
+    {
+        mapping->lone_f64 = set->lone_f64[mapping->index].variant[variant];
+        mapping->lone_f32 = set->lone_f32[mapping->index].variant[variant];
+        hold_flags(mapping);
+    }
+    const unsigned fast = mapping->tier == CM_TIER_FAST ? (unsigned)mapping->info->fast : 0;
+    if (fast & CM_FAST_FORWARD)
+    {
+        mapping->lone_f64.forward = cm_lone_by_loops_f64.forward;
+    }
+    if (fast & CM_FAST_INVERSE)
+    {
+        mapping->lone_f64.inverse = cm_lone_by_loops_f64.inverse;
+    }
+    mapping->last_face = mapping->info->kind == CM_KIND_CUBE ? 5 : 0;
+}
+
+#ifdef CM_SMALL
+/* Loops that the set leaves out are plain C's, which have the same bits there: no set of such a build fuses. */
+static void fill_loops(cm_mapping *mapping, size_t variant)
+{
+    const cm_batch_f64 *plain = &CM_BATCH_PLAIN.f64[mapping->index].variant[variant];
+    mapping->batch_f64.forward_jacobian = plain->forward_jacobian;
+    mapping->batch_f64.inverse_jacobian = plain->inverse_jacobian;
+    mapping->batch_f64.warp = plain->warp;
+    mapping->batch_f64.unwarp = plain->unwarp;
+    mapping->batch_f64.warp_jacobian = plain->warp_jacobian;
+}
+#endif
+
 /* The loops for the mapping's variant. */
 static void choose_loops(cm_mapping *mapping)
 {
     size_t variant = mapping->constants_f64.variant != 0.0;
     const cm_batch_set *set = mapping->set;
     mapping->batch_f64 = set->f64[mapping->index].variant[variant];
-    mapping->batch_f32 = set->f32[mapping->index].variant[variant];
+    if (set->f32 != NULL)
+    {
+        mapping->batch_f32 = set->f32[mapping->index].variant[variant];
+    }
+#ifdef CM_SMALL
+    fill_loops(mapping, variant);
+#endif
     mapping->lanes_f64 = set->lanes_f64;
     mapping->lanes_f32 = set->lanes_f32;
     if (cm_mapping_has_parts(mapping))
@@ -145,6 +209,7 @@ static void choose_loops(cm_mapping *mapping)
             mapping->batch_f64.inverse = fast->inverse;
         }
     }
+    choose_lone(mapping, variant);
 }
 
 cm_status cm_mapping_create(const char *specification, const cm_frame *frame, cm_mapping **mapping)
@@ -190,7 +255,7 @@ cm_status cm_mapping_create_with(const char *specification, const cm_frame *fram
     }
     int is_offered = made.info->fast != 0 && made.set->fast != NULL;
     made.tier = options == NULL || !is_offered ? CM_TIER_EXACT : options->tier;
-    prepare(&made);
+    prepare_constants(&made);
     made.area_scale = area_scale_of(&made);
     choose_loops(&made);
     cm_mapping *kept = malloc(sizeof *kept);

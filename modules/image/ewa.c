@@ -96,15 +96,17 @@ cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const
     ewa->table = table;
     ewa->pixels_most = (float)fmin(pixels_most, 1e9);
     make_kernel(&ewa->kernel);
-    const unsigned count = cm_level_count(surface->width, surface->height);
-    const cm_status status = cm_pyramid_make(surface, pictures, values, set, count, PICTURE_BORDER,
-                                             is_whole, memory, threads, &ewa->pyramid);
-    ewa->width[0] = surface->width;
-    ewa->height[0] = surface->height;
-    for (unsigned k = 1; k < count; k++)
+    const cm_status status =
+        cm_pyramid_make(surface, pictures, values, set, CM_PYRAMID_BETWEEN, PICTURE_BORDER,
+                        is_whole, memory, threads, &ewa->pyramid);
+    for (unsigned k = 0; k < ewa->pyramid.count; k++)
     {
-        ewa->width[k] = cm_half_size(ewa->width[k - 1]);
-        ewa->height[k] = cm_half_size(ewa->height[k - 1]);
+        ewa->width[k] = k == 0 ? surface->width : ewa->pyramid.level[k].width;
+        ewa->height[k] = k == 0 ? surface->height : ewa->pyramid.level[k].height;
+        const double across = (double)surface->width / ewa->width[k];
+        const double down = (double)surface->height / ewa->height[k];
+        const double least = CM_EWA_MINOR * fmax(across, down);
+        ewa->least[k] = (float)(least * least);
     }
     return status;
 }
@@ -130,6 +132,7 @@ typedef struct ewa_desk
     float *to;
     cm_ewa_axes axes;
     cm_ewa_shapes shapes;
+    unsigned first;     /* the finest level that a pixel of the group wants */
     cm_ewa_frame frame; /* of the level that is being done */
     int32_t column;     /* the pixel of the level that the frame's places are from */
     int32_t row;
@@ -177,9 +180,15 @@ static float sharpness(float major)
 }
 
 /* Pixels of a group on one level that is there, from the pixel that the frame's places are from. */
-static void sum_pixels(const cm_ewa *ewa, const ewa_desk *desk, const cm_ewa_pixels *pixels,
-                       size_t n, const uint8_t *which)
+static void sum_pixels(const cm_ewa *ewa, const ewa_desk *desk, unsigned k,
+                       const cm_ewa_pixels *pixels, size_t n, const uint8_t *which)
 {
+    if (desk->first > 0 && k < ewa->pyramid.count - 1)
+    {
+        /* nothing is sharp, and all is there */
+        ewa->set->ewa_sums(n, which, &desk->shapes, pixels, &ewa->kernel, desk->to);
+        return;
+    }
     uint8_t whole[CM_EWA_MOST] = {0};
     size_t count = 0;
     for (size_t i = 0; i < n; i++)
@@ -224,24 +233,54 @@ typedef struct window_box
     int32_t bottom;
 } window_box;
 
-/* With what sharpness needs. */
-static window_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
+static int32_t smaller(int32_t a, int32_t b)
 {
-    const cm_ewa_shapes *shapes = &desk->shapes;
-    const cm_ewa_frame *frame = &desk->frame;
+    return a < b ? a : b;
+}
+
+static int32_t larger(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Of all pixels of the group, or of some. */
+static window_box extent_of_all(const cm_ewa_shapes *shapes, size_t n)
+{
+    window_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+    for (size_t i = 0; i < n; i++)
+    {
+        box.left = smaller(box.left, shapes->left[i]);
+        box.right = larger(box.right, shapes->right[i]);
+        box.top = smaller(box.top, shapes->top[i]);
+        box.bottom = larger(box.bottom, shapes->bottom[i]);
+    }
+    return box;
+}
+
+static window_box extent_of(const cm_ewa_shapes *shapes, size_t n, const uint8_t *which)
+{
     window_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < n; i++)
     {
         const unsigned at = which[i];
-        box.left = shapes->left[at] < box.left ? shapes->left[at] : box.left;
-        box.right = shapes->right[at] > box.right ? shapes->right[at] : box.right;
-        box.top = shapes->top[at] < box.top ? shapes->top[at] : box.top;
-        box.bottom = shapes->bottom[at] > box.bottom ? shapes->bottom[at] : box.bottom;
+        box.left = smaller(box.left, shapes->left[at]);
+        box.right = larger(box.right, shapes->right[at]);
+        box.top = smaller(box.top, shapes->top[at]);
+        box.bottom = larger(box.bottom, shapes->bottom[at]);
     }
-    box.left = box.left - 1 > frame->left ? box.left - 1 : frame->left;
-    box.right = box.right + 1 < frame->right ? box.right + 1 : frame->right;
-    box.top = box.top - 1 > frame->top ? box.top - 1 : frame->top;
-    box.bottom = box.bottom + 1 < frame->bottom ? box.bottom + 1 : frame->bottom;
+    return box;
+}
+
+/* With what sharpness needs. */
+static window_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
+{
+    const cm_ewa_frame *frame = &desk->frame;
+    window_box box = n == desk->group->count ? extent_of_all(&desk->shapes, n)
+                                             : extent_of(&desk->shapes, n, which);
+    box.left = larger(box.left - 1, frame->left);
+    box.right = smaller(box.right + 1, frame->right);
+    box.top = larger(box.top - 1, frame->top);
+    box.bottom = smaller(box.bottom + 1, frame->bottom);
     return box;
 }
 
@@ -320,7 +359,7 @@ static cm_status sum_windows(const cm_ewa *ewa, const ewa_desk *desk, unsigned k
     const cm_status status = open_window(ewa, desk, k, &box, &pixels);
     if (status == CM_OK)
     {
-        sum_pixels(ewa, desk, &pixels, n, which);
+        sum_pixels(ewa, desk, k, &pixels, n, which);
     }
     return status;
 }
@@ -343,6 +382,23 @@ static int suits(const cm_ewa *ewa, const ewa_desk *desk, unsigned i, unsigned k
     return !has_windows(ewa, k) || box_pixels(&box) <= WINDOW_MOST;
 }
 
+/* Do all pixels of the group suit this level, and want it? It is nearly always so, and found without a look at each. */
+static int all_suit(const cm_ewa *ewa, const ewa_desk *desk, unsigned k)
+{
+    int32_t others = 0, whole = 1;
+    for (unsigned i = 0; i < desk->group->count; i++)
+    {
+        others |= desk->axes.level[i] ^ (int32_t)k;
+        whole &= desk->shapes.whole[i];
+    }
+    if (others != 0 || !whole)
+    {
+        return 0;
+    }
+    const window_box box = box_of(desk, desk->group->count, NULL);
+    return !has_windows(ewa, k) || box_pixels(&box) <= WINDOW_MOST;
+}
+
 /* Pixels of the group that are done on level k; others that wanted to be go to the next one. */
 static size_t take_level(const cm_ewa *ewa, ewa_desk *desk, unsigned k, uint8_t *which)
 {
@@ -350,6 +406,14 @@ static size_t take_level(const cm_ewa *ewa, ewa_desk *desk, unsigned k, uint8_t 
     frame_level(ewa, desk, k);
     ewa->set->ewa_shapes(desk->group->count, desk->group->x, desk->group->y, &desk->axes,
                          &ewa->kernel, ewa->pixels_most, &desk->frame, &desk->shapes);
+    if (all_suit(ewa, desk, k))
+    {
+        for (; n < desk->group->count; n++)
+        {
+            which[n] = (uint8_t)n;
+        }
+        return n;
+    }
     for (unsigned i = 0; i < desk->group->count; i++)
     {
         if (desk->axes.level[i] != (int32_t)k)
@@ -383,7 +447,7 @@ static cm_status do_level(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, s
     const cm_ewa_pixels pixels = {level->first[desk->group->plane] + desk->row * level->row +
                                       desk->column,
                                   level->row, level->channel, level->channels};
-    sum_pixels(ewa, desk, &pixels, n, which);
+    sum_pixels(ewa, desk, k, &pixels, n, which);
     return CM_OK;
 }
 
@@ -397,13 +461,14 @@ cm_status cm_ewa_group(const cm_ewa *ewa, const cm_group *group, cm_scratch *scr
     desk.scratch = scratch;
     desk.to = to;
     ewa->set->ewa_axes(group->count, group->by_column[0], group->by_column[1], group->by_row[0],
-                       group->by_row[1], CM_EWA_MINOR, ewa->pyramid.count, &desk.axes);
+                       group->by_row[1], ewa->least, ewa->pyramid.count, &desk.axes);
     int32_t first = desk.axes.level[0];
     for (unsigned i = 1; i < group->count; i++)
     {
         first = desk.axes.level[i] < first ? desk.axes.level[i] : first;
     }
-    for (unsigned k = (unsigned)first; rest > 0 && status == CM_OK; k++)
+    desk.first = (unsigned)first;
+    for (unsigned k = desk.first; rest > 0 && status == CM_OK; k++)
     {
         const size_t n = take_level(ewa, &desk, k, which);
         status = do_level(ewa, &desk, k, n, which);

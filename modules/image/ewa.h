@@ -19,7 +19,7 @@
 #include "pyramid.h"
 
 /* Each level has what is finer than its pixels 50 dB down and more, so that the kernel needs no more of them. */
-#define CM_EWA_MINOR 1.125f
+#define CM_EWA_MINOR 1.125
 
 typedef struct cm_ewa
 {
@@ -30,6 +30,8 @@ typedef struct cm_ewa
     float pixels_most;
     uint32_t width[CM_LEVELS_MAX]; /* of levels */
     uint32_t height[CM_LEVELS_MAX];
+    float least
+        [CM_LEVELS_MAX]; /* the square of the minor axis that a level needs, in source pixels */
 } cm_ewa;
 
 /* Ready for the surface's pictures, with levels in `memory` as of cm_padded_create; is_whole: they may be whole numbers

@@ -25,13 +25,29 @@ typedef enum cm_spline_way
     CM_SPLINE_BACK
 } cm_spline_way;
 
-/* Of a new pixel: the first of the pixels that it is made of, and their weights. */
+/* Of a new pixel: the first of the pixels that it is made of, and their weights, as whole numbers of CM_HALF_ONE, too. */
 #define CM_HALF_TAPS 12
+#define CM_HALF_BITS 14
+#define CM_HALF_ONE (1 << CM_HALF_BITS)
+
+/* Of bytes the weights are whole numbers of 64.25 times 512, so that sums are of numbers of which 16384 is 1. */
+#define CM_HALF_BYTE_BITS 9
+#define CM_HALF_BYTE_ONE 32896
 typedef struct cm_half_taps
 {
     int32_t first;
     float weight[CM_HALF_TAPS];
+    int16_t whole[CM_HALF_TAPS];
 } cm_half_taps;
+
+/* What new pixels of a row have in common: two of the old ones are one, and all weights the same; or four are three, and
+ * so many have the same weights again; or nothing. */
+typedef enum cm_half_steps
+{
+    CM_HALF_ODD,
+    CM_HALF_EVEN,
+    CM_HALF_THREE_OF_FOUR
+} cm_half_steps;
 
 /* A kernel of elliptic footprints: u^2 times a polynomial of u, which is 1 less the square of the place, 0 at the
  * edge. */
@@ -117,15 +133,28 @@ typedef struct cm_filter_set
     void (*from_whole)(size_t n, const int16_t *from, float one, float *to);
     void (*to_whole)(size_t n, const float *from, float one, int16_t *to);
     /* n new pixels of one channel from a row of `length` floats, which begins one before the taps of the first of them.
-     * If is_even, all have the same weights and each begins two columns after the one before. The desk has room for
-     * length + 2 floats. */
-    void (*halve_row)(const float *row, size_t length, const cm_half_taps *taps, int is_even,
-                      size_t n, float *desk, float *to);
-    /* Of n pixels, CM_EWA_MOST at most, from their derivatives: the level is the last whose minor axis is at least
-     * `minor` of its pixels. */
+     * The desk has room for length + 4 floats. */
+    void (*halve_row)(const float *row, size_t length, const cm_half_taps *taps,
+                      cm_half_steps steps, size_t n, float *desk, float *to);
+    /* The same of whole numbers of 16 bits, of which 16384 is 1, to such: whatever is done with them has the same bits in
+     * all sets. */
+    void (*mix_whole)(const int16_t *const *rows, const int16_t *weight, size_t n, int16_t *to);
+    void (*mix_two_whole)(const int16_t *const *rows, const int16_t *weight, size_t n, int16_t *to,
+                          int16_t *below);
+    /* A row of bytes' rows; weights are the same from both ends, of which half are here. Two more rows are those that are
+     * needed next. */
+    void (*mix_bytes)(const uint8_t *const *rows, const int16_t *weight, size_t n, int16_t *to);
+    void (*part_whole)(const int16_t *from, size_t channels, size_t n, int16_t *to,
+                       ptrdiff_t channel);
+    void (*halve_row_whole)(const int16_t *row, const cm_half_taps *taps, cm_half_steps steps,
+                            size_t n, int16_t *to);
+    /* Such numbers of bytes, of which 255 is 1. */
+    void (*whole_of_bytes)(size_t n, const uint8_t *from, int16_t *to);
+    /* Of n pixels, CM_EWA_MOST at most, from their derivatives: the level is the last one for which the minor axis is long
+     * enough: `least` has the squares, which grow. */
     void (*ewa_axes)(size_t n, const float *x_by_column, const float *y_by_column,
-                     const float *x_by_row, const float *y_by_row, float minor, unsigned levels,
-                     cm_ewa_axes *axes);
+                     const float *x_by_row, const float *y_by_row, const float *least,
+                     unsigned levels, cm_ewa_axes *axes);
     /* The shapes of n pixels, which lie at (x, y) from the group's origin, in source pixels. */
     void (*ewa_shapes)(size_t n, const float *x, const float *y, const cm_ewa_axes *axes,
                        const cm_ewa_kernel *kernel, float pixels_most, const cm_ewa_frame *frame,

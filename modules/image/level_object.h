@@ -5,6 +5,7 @@
 #ifndef MODULES_IMAGE_LEVEL_OBJECT_H
 #define MODULES_IMAGE_LEVEL_OBJECT_H
 
+#include "filter_set.h"
 #include "sample_set.h"
 #include "surface_object.h"
 #include "values.h"
@@ -115,6 +116,15 @@ cm_level_reader cm_level_reader_of(const cm_level *level, const cm_surface *surf
  * like where columns come again. */
 void cm_level_read(const cm_level_reader *reader, unsigned plane, int32_t column, int32_t row,
                    int32_t count, float *to);
+
+/* Such pixels as they are stored, if they are inside, dense, and numbers that need no more than a scale; else NULL. */
+const void *cm_level_stored(const cm_level_reader *reader, unsigned plane, int32_t column,
+                            int32_t row, int32_t count);
+
+/* What cm_level_read has as whole numbers, of which `one` is 1. desk has room for them as floats. */
+void cm_level_read_whole(const cm_level_reader *reader, const cm_filter_set *set, unsigned plane,
+                         int32_t column, int32_t row, int32_t count, float one, float *desk,
+                         int16_t *to);
 
 /* ---- planes with gaps: level_gaps.c ----
  *

@@ -159,8 +159,8 @@ static cm_status fill(const cm_surface *surface, const cm_image *pictures, const
                       cm_mips *mips)
 {
     cm_pyramid pyramid;
-    cm_status status = cm_pyramid_make(surface, pictures, values, set, mips->count, 0, 0, memory,
-                                       threads, &pyramid);
+    cm_status status = cm_pyramid_make(surface, pictures, values, set, CM_PYRAMID_HALVES, 0, 0,
+                                       memory, threads, &pyramid);
     if (status != CM_OK)
     {
         return status;
@@ -217,6 +217,7 @@ cm_status cm_mips_create(const cm_surface *surface, const cm_image *pictures,
 {
     cm_values values;
     const cm_sample_set *set;
+    cm_level_size sizes[CM_LEVELS_MAX];
     if (surface == NULL || pictures == NULL || mips == NULL)
     {
         return CM_ERROR_ARGUMENT;
@@ -233,7 +234,7 @@ cm_status cm_mips_create(const cm_surface *surface, const cm_image *pictures,
     }
     const cm_memory *memory = options == NULL ? NULL : options->memory;
     made->pictures = surface->pictures;
-    made->count = cm_level_count(surface->width, surface->height);
+    made->count = cm_pyramid_sizes(CM_PYRAMID_HALVES, surface->width, surface->height, sizes);
     made->picture = calloc((size_t)made->count * made->pictures, sizeof *made->picture);
     status = CM_ERROR_MEMORY;
     if (made->picture != NULL)

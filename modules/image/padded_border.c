@@ -28,6 +28,14 @@ typedef enum side
     CORNERS
 } side;
 
+/* A row of the border may have the pixels of one of the plane, so many columns further. */
+typedef struct row_copy
+{
+    int is_there;
+    int32_t further;
+    int32_t same;
+} row_copy;
+
 typedef struct border_job
 {
     const cm_padded *padded;
@@ -37,6 +45,7 @@ typedef struct border_job
     double scale[2];     /* the surface's pixels of one, of columns and rows */
     double node_step[2]; /* pixels from a node to the next */
     double weight[2][CM_BORDER_MOST][NODES];
+    row_copy *copy; /* of the rows above and below: which others they are */
 } border_job;
 
 /* ---- values ---- */
@@ -288,6 +297,39 @@ static void copy_pixel(const cm_padded *padded, spot from, spot to)
     }
 }
 
+/* Pixels from a column on, which are those of a row of the plane so many columns further, whose columns come again. */
+static void copy_columns(const cm_padded *padded, unsigned plane, int32_t column, int32_t count,
+                         int32_t row, int32_t further, int32_t same)
+{
+    const int32_t width = (int32_t)padded->width;
+    const int is_by_pixel = padded->channel == 1;
+    const uint32_t lines = is_by_pixel ? 1 : padded->channels;
+    while (count > 0)
+    {
+        const int32_t at = ((column + further) % width + width) % width;
+        const int32_t n = count < width - at ? count : width - at;
+        const spot from = spot_of(padded, plane, at, same),
+                   to = spot_of(padded, plane, column, row);
+        const size_t numbers = (size_t)n * (size_t)padded->pixel;
+        for (uint32_t c = 0; c < lines; c++)
+        {
+            const ptrdiff_t line = (ptrdiff_t)c * padded->channel;
+            if (padded->is_whole)
+            {
+                memcpy(padded->whole[plane] + to.at + line, padded->whole[plane] + from.at + line,
+                       numbers * sizeof(int16_t));
+            }
+            else
+            {
+                memcpy(padded->first[plane] + to.at + line, padded->first[plane] + from.at + line,
+                       numbers * sizeof(float));
+            }
+        }
+        column += n;
+        count -= n;
+    }
+}
+
 static void sum_six_whole(const cm_padded *padded, spot from, const points *x, const points *y,
                           spot to)
 {
@@ -420,17 +462,14 @@ static int copy_run(const border_job *job, unsigned plane, int32_t column, int32
                     int32_t right, size_t n)
 {
     const cm_padded *padded = job->padded;
-    const int32_t width = (int32_t)padded->width;
-    int32_t further, same;
-    if (!cm_surface_same_row(job->surface, job->scale, row, &further, &same))
+    const row_copy *copy =
+        &job->copy[row < 0 ? row + padded->beyond : row - (int32_t)padded->height + padded->beyond];
+    if (!copy->is_there)
     {
         return 0;
     }
-    for (size_t i = 0; i < n; i++, column += right)
-    {
-        const int32_t from = ((column + further) % width + width) % width;
-        copy_pixel(padded, spot_of(padded, plane, from, same), spot_of(padded, plane, column, row));
-    }
+    const int32_t first = right < 0 ? column - (int32_t)(n - 1) : column;
+    copy_columns(padded, plane, first, (int32_t)n, row, copy->further, copy->same);
     return 1;
 }
 
@@ -562,13 +601,8 @@ static void extrapolate_corner(const border_job *job, unsigned plane, int is_lef
 /* Columns that come again after a period are copies. */
 static void repeat_columns(const cm_padded *padded, unsigned plane, int32_t row, int is_left)
 {
-    const int32_t width = (int32_t)padded->width;
-    for (int32_t k = 0; k < padded->beside; k++)
-    {
-        const int32_t column = is_left ? -1 - k : width + k;
-        const int32_t same = ((column % width) + width) % width;
-        copy_pixel(padded, spot_of(padded, plane, same, row), spot_of(padded, plane, column, row));
-    }
+    copy_columns(padded, plane, is_left ? -padded->beside : (int32_t)padded->width, padded->beside,
+                 row, 0, row);
 }
 
 /* Can the block's polynomials do without crossing a crease, which are on diagonals? */
@@ -694,6 +728,15 @@ void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsign
     {
         prepare_nodes(&job, 0, padded->beside, padded->width);
         prepare_nodes(&job, 1, padded->beyond, padded->height);
+    }
+    row_copy copy[2 * CM_BORDER_MOST];
+    job.copy = copy;
+    for (int32_t k = 0; k < 2 * padded->beyond; k++)
+    {
+        const int32_t row =
+            k < padded->beyond ? k - padded->beyond : (int32_t)padded->height + k - padded->beyond;
+        copy[k].is_there =
+            cm_surface_same_row(surface, job.scale, row, &copy[k].further, &copy[k].same);
     }
     cm_run_threads(threads, padded->planes * job.per_plane * CM_TASK, 2 * CM_TASK, do_tasks, &job);
 }

@@ -7,8 +7,22 @@
 
 #include "padded.h"
 
-/* Planes of 2^30 pixels have so many. */
-#define CM_LEVELS_MAX 31
+/* Planes of 2^30 pixels have 31 halves, and so many with others between. */
+#define CM_LEVELS_MAX 62
+
+/* The sizes of levels: 1, 1/2, 1/4, ...; or 1, 1/2, 3/8, 1/4, 3/16, ... where they are large. */
+typedef enum cm_pyramid_steps
+{
+    CM_PYRAMID_HALVES,
+    CM_PYRAMID_BETWEEN
+} cm_pyramid_steps;
+
+typedef struct cm_level_size
+{
+    uint32_t width;
+    uint32_t height;
+    unsigned above; /* the level that it is made from */
+} cm_level_size;
 
 /* Pixels beyond the edges of planes: of all, and beside those whose columns come again after a period. */
 #define CM_PYRAMID_BORDER 16
@@ -24,17 +38,15 @@ typedef struct cm_pyramid
     cm_padded level[CM_LEVELS_MAX]; /* from 1 on; each row channel by channel */
 } cm_pyramid;
 
-/* The size of the next level: halves, rounded up. */
-uint32_t cm_half_size(uint32_t size);
+/* The sizes of levels from that to 1 x 1; returns how many there are. */
+unsigned cm_pyramid_sizes(cm_pyramid_steps steps, uint32_t width, uint32_t height,
+                          cm_level_size sizes[CM_LEVELS_MAX]);
 
-/* The levels of sizes from that to 1 x 1. */
-unsigned cm_level_count(uint32_t width, uint32_t height);
-
-/* Count levels of pictures of the surface, whose own have a border as wide as wanted, or what the next level needs; the
+/* The levels of pictures of the surface, whose own have a border as wide as wanted, or what the next level needs; the
  * others lie in `memory` as of cm_padded_create. If is_whole, they are whole numbers of CM_PADDED_ONE, which is for bytes.
  * CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
-                          const cm_values *values, const cm_sample_set *set, unsigned count,
+                          const cm_values *values, const cm_sample_set *set, cm_pyramid_steps steps,
                           int32_t border, int is_whole, const cm_memory *memory, unsigned threads,
                           cm_pyramid *pyramid);
 

@@ -30,7 +30,7 @@ flags=(-std=c11 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-
 sources=()
 for source in "$root"/libcubemap/*/*.c; do
     case ${source##*/} in
-    set_sse2.c | set_avx2.c | set_avx512.c | lone_sse2.c | lone_avx2.c | lone_avx512.c) ;;
+    set_sse2.c | set_avx2.c | set_avx512.c | lone_sse2.c | lone_avx2.c | lone_avx512.c | *_wasm128.c | set_small.c) ;;
     *) sources+=("$source") ;;
     esac
 done
@@ -45,7 +45,7 @@ for source in "$root"/modules/image/*.c; do
     *) pictures+=("$source") ;;
     esac
 done
-picture_tests=("$root"/tests/image/test_{mips,sample_set}.c)
+picture_tests=("$root"/tests/image/test_{halving,mips,sample_set}.c)
 if [[ -z $quick ]]; then
     picture_tests=("$root"/tests/image/test_*.c)
     pictures+=("$root"/tests/image/{drawn_scene,own_flip}.c "$root"/truth/{analytic_scene,scene_errors,scene_surface}.c)

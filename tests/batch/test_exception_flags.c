@@ -2,7 +2,8 @@
  *
  * The flags of floating-point exceptions are after a call as they were before it, and nothing traps: functions of
  * longitudes and latitudes, of grids, cells and pixels, with good points and bad ones, of every number up to three vectors and
- * a bit, in every instruction set. (tests/paths asks the same of the functions of mappings alone.)
+ * a bit, in every instruction set. (tests/paths asks the same of the functions of mappings alone.) Functions of one point
+ * alone may raise inexact.
  */
 #ifdef __linux__
 #define _GNU_SOURCE /* for feenableexcept */
@@ -219,6 +220,12 @@ static void call_points(const objects *o, size_t n, const points *p, results *r)
     (void)cm_healpix_ring_from_nested(o->healpix, p->pixel[i], r->pixel);
 }
 
+/* The flags that calls of single points may raise. */
+static int raised_by(call function)
+{
+    return function == call_points ? FE_INEXACT : 0;
+}
+
 #define NAMED(name)                                                                                \
     {                                                                                              \
 #name, call_##name                                                                         \
@@ -275,9 +282,11 @@ static void call_all(const char *set, int with_bad, int raised)
             feclearexcept(FE_ALL_EXCEPT);
             feraiseexcept(raised);
             calls[k].function(&o, n, &p, &r);
-            REQUIRE(fetestexcept(ASKED) == raised, "%s, %s, %zu points%s: flags %#x, not %#x", set,
-                    calls[k].name, n, with_bad ? ", bad ones" : "", (unsigned)fetestexcept(ASKED),
-                    (unsigned)raised);
+            const int asked = ASKED & ~raised_by(calls[k].function);
+            REQUIRE(fetestexcept(asked) == (raised & asked),
+                    "%s, %s, %zu points%s: flags %#x, not %#x", set, calls[k].name, n,
+                    with_bad ? ", bad ones" : "", (unsigned)fetestexcept(asked),
+                    (unsigned)(raised & asked));
         }
     }
     destroy(&o);
@@ -304,7 +313,6 @@ START_TEST(no_flag_is_cleared)
 }
 END_TEST
 
-/* Where the inexact flag is set already some functions write none. */
 START_TEST(no_flag_is_added_to_inexact)
 {
     call_sets(FE_INEXACT & ASKED);
@@ -322,12 +330,13 @@ START_TEST(nothing_traps)
     static results r;
     for (size_t k = 0; k < sizeof calls / sizeof calls[0]; k++)
     {
+        const int trapped = all & ~raised_by(calls[k].function);
         feclearexcept(FE_ALL_EXCEPT);
-        ck_assert_int_ge(feenableexcept(all), 0);
+        ck_assert_int_ge(feenableexcept(trapped), 0);
         calls[k].function(&o, POINTS, &p, &r);
-        ck_assert_int_eq(fegetexcept(), all);
+        ck_assert_int_eq(fegetexcept(), trapped);
         fedisableexcept(all);
-        ck_assert_int_eq(fetestexcept(all), 0);
+        ck_assert_int_eq(fetestexcept(trapped), 0);
     }
     for (size_t i = 0; i < cm_catalogue_count(); i++)
     {
@@ -337,6 +346,15 @@ START_TEST(nothing_traps)
         ck_assert_int_ge(feenableexcept(all), 0);
         cm_forward_array(mapping, POINTS, p.x, p.y, p.z, r.face, r.a, r.b);
         cm_inverse_array(mapping, POINTS, p.face, p.u, p.v, r.a, r.b, r.c);
+        fedisableexcept(all);
+        feenableexcept(all & ~FE_INEXACT);
+        for (int k = 0; k < POINTS; k++)
+        {
+            const double direction[3] = {p.x[k], p.y[k], p.z[k]};
+            const double uv[2] = {p.u[k], p.v[k]};
+            (void)cm_forward(mapping, direction, r.a);
+            cm_inverse(mapping, p.face[k], uv, r.a);
+        }
         fedisableexcept(all);
         cm_mapping_destroy(mapping);
     }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The table of tests/fuzz/README.md: every function that the library exports is in it, every harness in it calls its
-function, and every harness is built, has first inputs and is in it; and every option of the programs for images is in the
-dictionary of its harness.
+"""Who is fed by which harness, in bindings/functions for the library and in tests/fuzz/README.md for the tools: every
+harness there calls its function, and every harness is built, has first inputs and is there; and every option of the
+programs for images is in the dictionary of its harness.
 
 Usage: check_table.py REPOSITORY
 """
@@ -12,13 +12,17 @@ import pathlib
 import re
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "bindings"))
+sys.dont_write_bytecode = True
+import function_table
+
 LEAST_FUNCTIONS = 30  # fewer would mean that the headers are not read as they are written
 
 
-def exported(headers):
-    """The functions that are declared with CM_API: the word before the first parenthesis, on whichever line."""
-    text = "\n".join(header.read_text(encoding="utf-8") for header in sorted(headers.glob("*.h")))
-    return set(re.findall(r"CM_API[^(;]*[ *\n](cm_[a-z0-9_]*)\(", text))
+def rows_of_library(table, fuzz):
+    """(function, harness) for each harness of each public function."""
+    return [(function.name, next((file.name for file in fuzz.glob(f"fuzz_{name}.c*")), f"fuzz_{name}.c"))
+            for function in table.functions for name in function.fuzz]
 
 
 def rows_of(readme):
@@ -57,9 +61,9 @@ def wrong_of(row, fuzz, functions, built):
     name = re.sub(r"^fuzz_", "", pathlib.PurePath(harness).stem)
     corpus = fuzz / "corpus" / name
     if function.startswith("cm_") and function not in functions:
-        return f"{function} is in the table, but neither in the library, nor in the tools, nor for files"
+        return f"{function} is in a table, but neither in the library, nor in the tools, nor for files"
     if not (fuzz / harness).is_file():
-        return f"{harness} is in the table, but there is no such file"
+        return f"{harness} is in a table, but there is no such file"
     if function not in words_of(fuzz / harness):
         return f"{harness} does not call {function}"
     if not (corpus.is_dir() and any(each.is_file() for each in corpus.rglob("*"))):
@@ -83,15 +87,14 @@ def missing_words(root):
 def main():
     root = pathlib.Path(sys.argv[1])
     fuzz = root / "tests" / "fuzz"
-    functions = exported(root / "include" / "cubemap")
-    rows = rows_of(fuzz / "README.md")
+    table = function_table.read(root / "bindings" / "functions")
+    functions = {function.name for function in table.functions}
+    rows = rows_of_library(table, fuzz) + rows_of(fuzz / "README.md")
     built = (fuzz / "meson.build").read_text(encoding="utf-8")
     named = {harness for _, harness in rows}
-    complaints = [f"{function} is in no row of the table"
-                  for function in sorted(functions - {function for function, _ in rows})]
     known = functions | programs_of(root / "tools") | functions_of_files(root / "modules")
-    complaints += filter(None, (wrong_of(row, fuzz, known, built) for row in rows))
-    complaints += [f"{file.name} is in no row of the table"
+    complaints = list(filter(None, (wrong_of(row, fuzz, known, built) for row in rows)))
+    complaints += [f"{file.name} is in no table"
                    for file in sorted([*fuzz.glob("fuzz_*.c"), *fuzz.glob("fuzz_*.cpp")]) if file.name not in named]
     complaints += missing_words(root)
     for complaint in complaints:

@@ -18,10 +18,10 @@ import house
 
 # What stands at the top, where a slip of a shell would leave its files.
 AT_THE_TOP = {".clang-format", ".editorconfig", ".gitignore", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "README.md",
-              "meson.build", "meson_options.txt"}
+              "meson.build", "meson_options.txt", "pyproject.toml"}
 
 # Each folder has one of its own.
-EVERYWHERE = ["meson.build", "README.md"]
+EVERYWHERE = ["meson.build", "README.md", "test"]
 
 # Data, which is called as what it is of, and what documents are made from.
 NOT_NAMED_HERE = ["tests/vectors/*", "tests/fuzz/corpus/*", "docs/*", "data/*", "*.png", "*.txt"]

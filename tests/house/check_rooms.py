@@ -46,7 +46,9 @@ ROOMS = [
     Room("tools/bench", ["public", "tools/cli", "truth", "bench/harness"]),
     Room("tools/*", ["public", "modules/*/io", "tools/cli", "tools/image"]),
     Room("bindings/*", ["public"]),
+    Room("bindings/*/tests", ["public", "truth", ".."]),
     Room("web", ["public"]),
+    Room("examples/*", ["public"]),
     # who judges it: a folder of tests may look into everything below, and into what all tests share
     Room("tests", ["public", "truth"]),
     Room("tests/*", ["public", "libcubemap/*", "modules/*", "truth", "bench/*", "tools/*", "tests"]),

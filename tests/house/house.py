@@ -20,7 +20,8 @@ def paths_of(root):
     for folder, folders, names in os.walk(root):
         folders[:] = [name for name in folders if not is_skipped(folder, name, folder == root)]
         for name in names:
-            if name == ".git":  # of a work tree
+            # of a work tree, and what pip leaves
+            if name in (".git", ".mesonpy-native-file.ini"):
                 continue
             found.append(os.path.relpath(os.path.join(folder, name), root).replace(os.sep, "/"))
     return sorted(found)

@@ -14,6 +14,7 @@ typedef struct keeper
 {
     size_t allocations;
     size_t bytes;   /* that are given */
+    size_t most;    /* that were at any time */
     size_t refused; /* from which allocation on there is nothing; 0: never */
 } keeper;
 
@@ -30,6 +31,7 @@ static void *allocate(void *context, size_t bytes)
     memset(pointer, 0xff, bytes); /* NaN, where it should not be read */
     kept->allocations++;
     kept->bytes += bytes;
+    kept->most = kept->bytes > kept->most ? kept->bytes : kept->most;
     return pointer;
 }
 
@@ -78,6 +80,36 @@ START_TEST(same_bits)
         free_pictures(&from);
         free_pictures(&free_one);
         free_pictures(&kept_one);
+    }
+}
+END_TEST
+
+/* A spline asks for no more than 4 bytes a channel and pixel, with 20 pixels around each plane and 128 bytes behind each
+ * row, of whatever type the pictures are. */
+START_TEST(spline_asks_for_planes)
+{
+    static const char *const surfaces[] = {"equirect;size=500", "cube:coupled;size=67"};
+    static const uint32_t channels[] = {1, 3, 4};
+    static const cm_pixel_type types[] = {CM_PIXEL_U8, CM_PIXEL_HALF, CM_PIXEL_FLOAT};
+    for (size_t i = 0; i < 18; i++)
+    {
+        const uint32_t count = channels[i / 2 % 3];
+        const cm_pixel_type type = types[i / 6];
+        keeper kept = {0};
+        const cm_memory memory = memory_of(&kept);
+        const cm_plan_options options = {
+            .size = sizeof options, .filter = CM_FILTER_BSPLINE5, .memory = &memory};
+        pictures from = make_pictures(surfaces[i % 2], NULL, type, count, 0);
+        pictures to = make_pictures("cube:qsc;size=16", NULL, type, count, 0);
+        resample(&from, &to, &options, 2);
+        const size_t wide = cm_surface_plane_width(from.surface) + 40;
+        const size_t high = cm_surface_plane_height(from.surface) + 40;
+        const size_t plane = high * (wide * count * sizeof(float) + 128);
+        ck_assert_uint_gt(kept.most, 0);
+        ck_assert_uint_le(kept.most, plane * cm_surface_plane_count(from.surface));
+        ck_assert_uint_eq(kept.bytes, 0);
+        free_pictures(&from);
+        free_pictures(&to);
     }
 }
 END_TEST
@@ -159,6 +191,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {same_bits, refused, levels_and_borders, arguments, NULL};
+    const TTest *const tests[] = {
+        same_bits, spline_asks_for_planes, refused, levels_and_borders, arguments, NULL};
     return run_suite("plan memory", tests);
 }

@@ -3,14 +3,11 @@
  * The loops over pixels of every instruction set, against sums in double, at hard points: whole positions, halves, one
  * ulp beside them, the first and the last that a window has, the least and the greatest values.
  */
+#include "sets_here.h"
 #include "tests/suite.h"
 
 #include "modules/image/filter_weights.h"
 #include "modules/image/sample_set.h"
-
-#ifdef __SSE2__
-#include <xmmintrin.h>
-#endif
 
 enum
 {
@@ -38,16 +35,7 @@ static double random_unit(void)
     return random_bits() / 16777216.0;
 }
 
-/* ---- the sets of this machine ---- */
-
-static const cm_sample_set *set_at(size_t index)
-{
-    const char *name = cm_instructions_at(index);
-    const cm_sample_set *set = cm_sample_set_find(name);
-    REQUIRE(set != NULL, "%s", name);
-    ck_assert_str_eq(set->name, name);
-    return set;
-}
+/* ---- loops ---- */
 
 /* A loop and what it should do. */
 typedef struct loop
@@ -559,266 +547,14 @@ START_TEST(arithmetic_adds_little_to_rounding)
 }
 END_TEST
 
-/* ---- weights ---- */
-
-static double weight_at(cm_filter filter, double t, unsigned tap)
-{
-    double weights[CM_FILTER_TAPS_MAX];
-    cm_filter_weights(filter, t, weights);
-    return tap < cm_filter_taps(filter) ? weights[tap] : 0.0;
-}
-
-START_TEST(weights_are_the_filters)
-{
-    ck_assert_uint_eq(cm_filter_taps(CM_FILTER_AUTO), 0);
-    ck_assert_uint_eq(cm_filter_taps(CM_FILTER_BILINEAR), 0);
-    ck_assert_uint_eq(cm_filter_taps(CM_FILTER_EWA), 0);
-    /* half way between two pixels: Keys 1981 for the first, B = C = 1/3 put into the formula, sinc by hand */
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_CATMULL_ROM, 0.5, 1), 9.0 / 16.0, 1e-15);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_CATMULL_ROM, 0.5, 0), -1.0 / 16.0, 1e-15);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_MITCHELL, 0.0, 1), 8.0 / 9.0, 1e-15);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_MITCHELL, 0.0, 0), 1.0 / 18.0, 1e-15);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_BSPLINE5, 0.0, 2), 66.0 / 120.0, 1e-15);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_BSPLINE5, 0.0, 1), 26.0 / 120.0, 1e-15);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_BSPLINE5, 0.0, 5), 0.0, 1e-15);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_BSPLINE5, 0.0, 0), 1.0 / 120.0, 1e-15);
-    /* 6 / pi^2, -4 / (3 pi^2), 6 / (25 pi^2), before their sum is made 1 */
-    const double sum = 2.0 * (6.0 - 4.0 / 3.0 + 6.0 / 25.0);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_LANCZOS3, 0.5, 2), 6.0 / sum, 1e-14);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_LANCZOS3, 0.5, 1), -4.0 / 3.0 / sum, 1e-14);
-    ck_assert_double_eq_tol(weight_at(CM_FILTER_LANCZOS3, 0.5, 0), 6.0 / 25.0 / sum, 1e-14);
-    for (int filter = CM_FILTER_CATMULL_ROM; filter <= CM_FILTER_BSPLINE5; filter++)
-    {
-        const unsigned taps = cm_filter_taps((cm_filter)filter);
-        for (int k = 0; k <= 1000; k++)
-        {
-            double here[CM_FILTER_TAPS_MAX];
-            double mirrored[CM_FILTER_TAPS_MAX];
-            double total = 0.0;
-            cm_filter_weights((cm_filter)filter, k / 1000.0, here);
-            cm_filter_weights((cm_filter)filter, 1.0 - k / 1000.0, mirrored);
-            for (unsigned i = 0; i < taps; i++)
-            {
-                total += here[i];
-                ck_assert_double_eq_tol(here[i], mirrored[taps - 1 - i], 1e-14);
-            }
-            ck_assert_double_eq_tol(total, 1.0, 1e-15);
-        }
-        const int is_interpolating = filter != CM_FILTER_MITCHELL && filter != CM_FILTER_BSPLINE5;
-        for (unsigned i = 0; i < taps && is_interpolating; i++)
-        {
-            ck_assert_double_eq_tol(weight_at((cm_filter)filter, 0.0, i), i == taps / 2 - 1, 1e-15);
-        }
-    }
-}
-END_TEST
-
-START_TEST(tables_have_the_weights)
-{
-    for (int filter = CM_FILTER_CATMULL_ROM; filter <= CM_FILTER_BSPLINE5; filter++)
-    {
-        const cm_filter_table *table = table_of((cm_filter)filter);
-        const unsigned taps = cm_filter_taps((cm_filter)filter);
-        for (int p = 0; p <= CM_FILTER_PHASES; p++)
-        {
-            int sum = 0;
-            for (unsigned i = 0; i < 8; i++)
-            {
-                const double weight = weight_at((cm_filter)filter, p / 256.0, i);
-                sum += table->whole[p][i];
-                ck_assert_double_eq_tol((double)table->real[p][i], weight, 6e-8);
-                ck_assert_double_eq_tol(table->whole[p][i] / 16384.0, weight, 3.0 / 16384.0);
-            }
-            ck_assert_int_eq(sum, CM_FILTER_ONE);
-        }
-        double worst = 0.0;
-        for (int k = 0; k <= 64 * 32; k++)
-        {
-            const double t = k / (64.0 * 32.0);
-            const int s = k == 64 * 32 ? 63 : k / 32;
-            const double u = 64.0 * t - s;
-            for (unsigned i = 0; i < taps; i++)
-            {
-                const float(*terms)[8] = table->segments[s];
-                const double sum =
-                    (double)terms[0][i] + u * ((double)terms[1][i] + u * (double)terms[2][i]);
-                worst = fmax(worst, fabs(sum - weight_at((cm_filter)filter, t, i)));
-            }
-        }
-        REQUIRE(worst < 5e-7, "%s: %g", name_of((cm_filter)filter), worst);
-    }
-}
-END_TEST
-
-/* ---- conversions ---- */
-
-static double true_half(uint16_t half)
-{
-    const int exponent = half >> 10 & 31;
-    const double digits = half & 1023;
-    const double size = exponent == 0    ? ldexp(digits, -24)
-                        : exponent == 31 ? (digits == 0.0 ? (double)INFINITY : (double)NAN)
-                                         : ldexp(1024.0 + digits, exponent - 25);
-    return half & 0x8000 ? -size : size;
-}
-
-static int same(double a, double b)
-{
-    return isnan(a) ? isnan(b) : a == b && signbit(a) == signbit(b);
-}
-
-/* Programs may have the processor take floats below 2^-126 for 0; none is needed. */
-static void flush_small_floats(int on)
-{
-#ifdef __SSE2__
-    const unsigned flush = 0x8040; /* flush to zero, denormals are zeros */
-    _mm_setcsr(on ? _mm_getcsr() | flush : _mm_getcsr() & ~flush);
-#else
-    (void)on;
-#endif
-}
-
-START_TEST(halves_are_converted)
-{
-    enum
-    {
-        ALL = 65536
-    };
-    uint16_t *halves = malloc(ALL * sizeof *halves);
-    uint16_t *back = malloc(ALL * sizeof *back);
-    float *floats = malloc(ALL * sizeof *floats);
-    ck_assert(halves != NULL && back != NULL && floats != NULL);
-    for (int i = 0; i < ALL; i++)
-    {
-        halves[i] = (uint16_t)i;
-    }
-    for (size_t s = 0; s < 2 * cm_instructions_count(); s++)
-    {
-        const cm_sample_set *set = set_at(s / 2);
-        flush_small_floats(s % 2);
-        set->half_to_float(ALL, halves, 1.0f, floats);
-        set->float_to_half(ALL, floats, 1.0f, back);
-        flush_small_floats(0);
-        for (int i = 0; i < ALL; i++)
-        {
-            REQUIRE(same((double)floats[i], true_half(halves[i])), "%s: %04x is %g", set->name, i,
-                    (double)floats[i]);
-            REQUIRE(back[i] == i || isnan(floats[i]), "%s: %04x is %04x", set->name, i, back[i]);
-            REQUIRE(same(true_half(back[i]), (double)floats[i]), "%s: %04x", set->name, i);
-        }
-        /* between two halves the even one, and a float beside the middle the nearer one */
-        for (unsigned i = 0; i < 0x7c00; i++)
-        {
-            const double above = i + 1 == 0x7c00 ? 65536.0 : true_half((uint16_t)(i + 1));
-            const float middle = (float)(0.5 * (true_half((uint16_t)i) + above));
-            const float at[3] = {nextafterf(middle, 0.0f), middle, nextafterf(middle, 1e9f)};
-            uint16_t found[3];
-            set->float_to_half(3, at, 1.0f, found);
-            REQUIRE(found[0] == i && found[1] == (i & 1 ? i + 1 : i) && found[2] == i + 1,
-                    "%s: %04x %04x %04x at %04x", set->name, found[0], found[1], found[2], i);
-        }
-    }
-    free(halves);
-    free(back);
-    free(floats);
-}
-END_TEST
-
-START_TEST(whole_numbers_are_converted)
-{
-    enum
-    {
-        N = 67
-    };
-    const float hard[] = {0.0f,
-                          -0.0f,
-                          0.5f,
-                          1.5f,
-                          2.5f,
-                          254.5f,
-                          255.0f,
-                          255.5f,
-                          256.0f,
-                          65534.5f,
-                          65535.0f,
-                          65535.5f,
-                          1e30f,
-                          -1e30f,
-                          (float)INFINITY,
-                          -(float)INFINITY,
-                          (float)NAN,
-                          0.49999997f,
-                          -0.5f,
-                          1e-40f,
-                          126.50001f,
-                          126.49999f,
-                          127.5f};
-    float from[N];
-    for (size_t i = 0; i < N; i++)
-    {
-        from[i] = hard[i % (sizeof hard / sizeof *hard)];
-    }
-    for (size_t s = 0; s < cm_instructions_count(); s++)
-    {
-        const cm_sample_set *set = set_at(s);
-        for (size_t n = 0; n <= N; n++)
-        {
-            uint8_t bytes[N + 1];
-            uint16_t words[N + 1];
-            float back[N];
-            memset(bytes, 0xa5, sizeof bytes);
-            memset(words, 0xa5, sizeof words);
-            set->float_to_u8(n, from, 1.0f, bytes);
-            set->float_to_u16(n, from, 1.0f, words);
-            for (size_t i = 0; i < n; i++)
-            {
-                const double value = isnan(from[i]) ? 0.0 : rint(fmax((double)from[i], 0.0));
-                REQUIRE(bytes[i] == fmin(value, 255.0), "%s: %g is %d", set->name, (double)from[i],
-                        bytes[i]);
-                REQUIRE(words[i] == fmin(value, 65535.0), "%s: %g is %d", set->name,
-                        (double)from[i], words[i]);
-            }
-            REQUIRE(bytes[n] == 0xa5 && words[n] == 0xa5a5, "%s: %zu", set->name, n);
-            set->u8_to_float(n, bytes, 0.5f, back);
-            for (size_t i = 0; i < n; i++)
-            {
-                ck_assert(back[i] == 0.5f * (float)bytes[i]);
-            }
-            set->u16_to_float(n, words, 0.5f, back);
-            for (size_t i = 0; i < n; i++)
-            {
-                ck_assert(back[i] == 0.5f * (float)words[i]);
-            }
-        }
-    }
-}
-END_TEST
-
-START_TEST(sets_are_found)
-{
-    ck_assert_ptr_null(cm_sample_set_find("no such set"));
-    ck_assert_str_eq(cm_sample_set_find("Scalar")->name, "scalar");
-    if (getenv("CUBEMAP_INSTRUCTIONS") == NULL)
-    {
-        const char *best = cm_instructions_at(cm_instructions_count() - 1);
-        ck_assert_str_eq(cm_sample_set_find(NULL)->name, best);
-    }
-}
-END_TEST
-
 int main(void)
 {
-    const TTest *const tests[] = {weights_are_the_filters,
-                                  tables_have_the_weights,
-                                  sets_are_found,
-                                  values_are_true,
+    const TTest *const tests[] = {values_are_true,
                                   values_do_not_depend_on_the_place_in_an_array,
                                   bilinear_bytes_are_those_of_the_scalar_set,
                                   constants_stay,
                                   ramps_stay,
                                   arithmetic_adds_little_to_rounding,
-                                  halves_are_converted,
-                                  whole_numbers_are_converted,
                                   NULL};
     return run_suite("sample sets", tests);
 }

@@ -29,7 +29,7 @@ plain() {
     plain=()
     for source in "$@"; do
         case $source in
-        *_sse2.c | *_avx2.c | *_avx512.c | *_neon.c) ;;
+        *_sse2.c | *_avx2.c | *_avx512.c | *_neon.c | *_wasm128.c | *_small.c) ;;
         *) plain+=("$source") ;;
         esac
     done

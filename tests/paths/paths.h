@@ -106,6 +106,7 @@ typedef struct form
     caller call;
     int argument;
     size_t most; /* the largest n to be tried */
+    int inexact; /* may that flag be raised? */
 } form;
 
 typedef struct path path;

@@ -31,7 +31,7 @@ std::string seen(const Ran &ran)
 }
 
 // Exits with 0, and standard error is one line that matches, or none if the expression is empty.
-Ran says(const std::string &name, const std::string &expression, const std::string &line)
+Ran warns(const std::string &name, const std::string &expression, const std::string &line)
 {
     const Ran ran = run("colormap " + line);
     const bool good = expression.empty() ? ran.err.empty()
@@ -96,8 +96,9 @@ bool rows_agree(const std::string &one, const std::string &other)
 
 void text()
 {
-    Ran ran = says("csv by default", "",
-                   "single:hue=0,lightness-range=0.75,saturation-range=1,saturation=0 --samples 2");
+    Ran ran =
+        warns("csv by default", "",
+              "single:hue=0,lightness-range=0.75,saturation-range=1,saturation=0 --samples 2");
     const Words wanted = {"t,red,green,blue,hex,lightness,chroma,hue,inside",
                           "0,0.232514527791,0.232514527791,0.232514527791,#3b3b3b,25,0,0,1",
                           "1,0.723900017328,0.723900017328,0.723900017328,#b9b9b9,75,0,0,1"};
@@ -231,24 +232,24 @@ void pictures()
 void gamut()
 {
     const std::string too_much = "single:saturation=4 ";
-    Ran ran = says("a warning when colours are cut",
-                   "warning: [0-9]+ of 256 colours are outside sRGB, the first at t = 0\\.[0-9]+; "
-                   "--fit mends that, or saturation=2\\.20",
-                   too_much);
+    Ran ran = warns("a warning when colours are cut",
+                    "warning: [0-9]+ of 256 colours are outside sRGB, the first at t = 0\\.[0-9]+; "
+                    "--fit mends that, or saturation=2\\.20",
+                    too_much);
     result(matches(ran.out, ",0$"), "the table says which");
     fails("strict refuses them", 1, "colours are outside sRGB",
           "colormap " + too_much + "--strict -o made/a.json");
     fails("strict refuses the test pattern", 1, "colours of the map are outside sRGB",
           "colormap " + too_much + "--strict --test-pattern -o made/a.png");
-    says("strict takes what is inside", "", "single --strict");
-    ran = says("fit says to what", "fitted into sRGB: saturation from 4 to 2\\.20[0-9]+$",
-               too_much + "--fit --strict");
+    warns("strict takes what is inside", "", "single --strict");
+    ran = warns("fit says to what", "fitted into sRGB: saturation from 4 to 2\\.20[0-9]+$",
+                too_much + "--fit --strict");
     result(!ran.out.empty() && !matches(ran.out, ",0$"), "fitted colours are inside");
-    ran = says("fit changes nothing that fits", "inside sRGB as it is", "single --fit");
+    ran = warns("fit changes nothing that fits", "inside sRGB as it is", "single --fit");
     result(!ran.out.empty() && ran.out == output_of("single"), "and the map is the same");
     const std::string pale = "single:lightness-range=1,saturation-range=0.6,saturation=1 ";
-    says("fit of pale ends", "saturation-range from 0\\.6 to 1", pale + "--fit --strict");
-    says("advice for pale ends", "or a larger saturation-range; they are cut", pale);
+    warns("fit of pale ends", "saturation-range from 0\\.6 to 1", pale + "--fit --strict");
+    warns("advice for pale ends", "or a larger saturation-range; they are cut", pale);
 }
 
 // ---- what readers of other kinds find
@@ -291,13 +292,13 @@ void json()
 {
     for (const std::string &model : models)
     {
-        write_file(model + ".json", says(model + " as json", "", model + " --format json").out);
+        write_file(model + ".json", warns(model + " as json", "", model + " --format json").out);
         output_of(model + " --samples 256 --format json -o " + model + ".256.json");
         output_of(model + " --samples 256 --format csv -o " + model + ".256.csv");
     }
     for (const std::string &model : uniform_models)
     {
-        write_file(model + ".json", says(model + " as json", "", model + " --format json").out);
+        write_file(model + ".json", warns(model + " as json", "", model + " --format json").out);
     }
     // the colour in the middle of a fold, where two samples beside it are the same, is the only short step
     write_file("fold.json", output_of("diverging:divergence=0 --samples 256 --format json"));

@@ -118,12 +118,6 @@ void colors()
 
 // ---- what it says
 
-void says(const std::string &name, const std::string &expression, const std::string &line)
-{
-    const std::string said = does(line).out;
-    result(matches(said, expression), name, said);
-}
-
 void reports()
 {
     // (1 + r^2)^1.5 < 6/pi up to r = 0.7344: pi r^2 / 4 of the face

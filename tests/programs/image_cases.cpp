@@ -193,6 +193,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"reproject", reproject_subjects()},
         {"surfaces", reproject_surface_subjects()},
         {"outputs", reproject_output_subjects()},
+        {"tiles", reproject_tile_subjects()},
         {"streams", reproject_stream_subjects()},
         {"memory", reproject_memory_subjects()},
         {"distortion", distortion_subjects()},
@@ -383,6 +384,12 @@ Ran does(const std::string &line)
         result(false, line, "status " + std::to_string(ran.status) + "\n" + ran.err);
     }
     return ran;
+}
+
+void says(const std::string &name, const std::string &expression, const std::string &line)
+{
+    const Ran ran = does(line);
+    result(matches(ran.out, expression) && ran.err.empty(), name, ran.out + ran.err);
 }
 
 bool matches(const std::string &text, const std::string &extended_regular_expression)

@@ -59,6 +59,9 @@ void fails(const std::string &name, int status, const std::string &expression,
 // What a case needs: as passes(), but only a failure counts.
 Ran does(const std::string &line);
 
+// The same, and what it writes to standard output matches.
+void says(const std::string &name, const std::string &expression, const std::string &line);
+
 bool matches(const std::string &text, const std::string &extended_regular_expression);
 
 std::string content_of(const std::string &name);
@@ -91,6 +94,7 @@ const std::vector<Subject> &compare_subjects();
 const std::vector<Subject> &reproject_subjects();
 const std::vector<Subject> &reproject_surface_subjects();
 const std::vector<Subject> &reproject_output_subjects();
+const std::vector<Subject> &reproject_tile_subjects();
 const std::vector<Subject> &reproject_stream_subjects();
 const std::vector<Subject> &reproject_memory_subjects();
 const std::vector<Subject> &distortion_subjects();

@@ -6,12 +6,12 @@
 
 #include <stdexcept>
 
-Picture::Picture(const std::string &name)
+Picture::Picture(const std::string &name, unsigned which)
 {
     char message[CM_IMAGE_MESSAGE] = "";
     const cm_image_io *const io = cm_image_io_get(message);
     cm_image_reader *reader = nullptr;
-    if (io == nullptr || io->open(name.c_str(), 0, &reader, message) != CM_OK)
+    if (io == nullptr || io->open(name.c_str(), which, &reader, message) != CM_OK)
     {
         throw std::runtime_error(name + ": " + message);
     }

@@ -11,8 +11,8 @@
 class Picture
 {
 public:
-    // std::runtime_error if it cannot be read.
-    explicit Picture(const std::string &name);
+    // One of a file's pictures. std::runtime_error if it cannot be read.
+    explicit Picture(const std::string &name, unsigned which = 0);
 
     // Channels of a pixel; rows from the top.
     const float *at(int x, int y) const

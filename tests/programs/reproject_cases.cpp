@@ -790,6 +790,40 @@ void bad_input()
     fails("an image larger than the memory", 1, "'huge.png'", "reproject huge.png made/a.png");
 }
 
+// ---- colours that are no light, and opacity that no file says
+
+// TIFF 6.0, section 16: 2 x 1 pixels of four inks.
+std::string ink_tiff()
+{
+    const auto word = [](unsigned value) {
+        return std::string{static_cast<char>(value & 0xff), static_cast<char>(value >> 8 & 0xff)};
+    };
+    const auto number = [&word](unsigned value) { return word(value) + word(value >> 16); };
+    constexpr unsigned entries = 9;
+    constexpr unsigned bits_at = 8 + 2 + entries * 12 + 4;
+    const auto entry = [&](unsigned tag, unsigned count, unsigned value)
+    { return word(tag) + word(count > 1 ? 3 : 4) + number(count) + number(value); };
+    return "II*" + std::string(1, 0) + number(8) + word(entries) + entry(256, 1, 2) +
+           entry(257, 1, 1) + entry(258, 4, bits_at) + entry(259, 1, 1) + entry(262, 1, 5) +
+           entry(273, 1, bits_at + 8) + entry(277, 1, 4) + entry(278, 1, 1) + entry(279, 1, 8) +
+           number(0) + word(8) + word(8) + word(8) + word(8) + "CMYKcmyk";
+}
+
+void unusual_colors()
+{
+    // GIF89a, 2 x 1 pixels of two colours
+    write_file("two.gif", std::string("GIF89a\x02\0\x01\0\x80\0\0", 13) +
+                              std::string("\x10\x20\x30\xf0\xe0\xd0,\0\0\0\0\x02\0\x01\0\0", 16) +
+                              std::string("\x02\x02\x44\x0a\0;", 6));
+    does("reproject --quiet --to equirect --filter nearest two.gif two.tif");
+    result(matches(describe_image("two.tif"), "^2 x 1, [34] channels, uint8$"), "GIF is read",
+           describe_image("two.tif"));
+    write_file("ink.tif", ink_tiff());
+    const Ran ran = run("reproject --quiet --size 8 ink.tif a_%f.png");
+    result(ran.status == 0 && matches(ran.err, "'ink.tif' is CMYK; .* without a profile"),
+           "inks are told", ran.err);
+}
+
 // ---- bad output
 
 void limits_on_size()
@@ -822,6 +856,9 @@ void bad_output()
     fails("a folder that is a file", 1, "Not a directory", "reproject noise.ppm noise.ppm/a.png");
     std::filesystem::create_directory("folder.png");
     fails("output is a folder", 1, "is a folder", "reproject --layout strip noise.ppm folder.png");
+    std::filesystem::create_directory("folder");
+    fails("output is a folder, without extension", 2,
+          "'folder' is a folder; give the name of a file", "reproject noise.ppm folder");
     std::filesystem::create_symlink("/dev/full", "full.png");
     fails("output is a device", 1, "not a file", "reproject --layout strip noise.ppm full.png");
     if (geteuid() != 0)
@@ -856,6 +893,7 @@ const std::vector<Subject> &reproject_subjects()
                                                   {"constants", constants},
                                                   {"formats", formats},
                                                   {"metadata", metadata},
+                                                  {"unusual_colors", unusual_colors},
                                                   {"depths", depths},
                                                   {"golden", golden},
                                                   {"reproject_talk", talk},

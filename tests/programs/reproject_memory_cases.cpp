@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include <zlib.h>
@@ -200,6 +201,104 @@ void resume()
            names_in("made"));
 }
 
+// The files below a folder, and what is in them.
+std::map<std::string, std::string> contents(const std::string &folder)
+{
+    std::map<std::string, std::string> all;
+    for (const auto &entry : std::filesystem::recursive_directory_iterator(folder))
+    {
+        if (entry.is_regular_file())
+        {
+            all[entry.path().lexically_relative(folder).string()] = content_of(entry.path());
+        }
+    }
+    return all;
+}
+
+// Interrupted by a folder that is in the way, in place of a tile's file.
+void resume_tiles()
+{
+    make_noise(256, 128, "noise.ppm");
+    setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
+    const std::string own = "reproject --quiet --filter bspline5 --size 16 --order 4 --threads 2 ";
+    does(own + "noise.ppm whole/");
+    std::filesystem::create_directories("sky.resume/tiles/Norder4/Dir0/Npix1500.png");
+    const Ran ran = run(own + "--resume noise.ppm sky/");
+    result(ran.status == 1 && matches(ran.err, "the same command goes on from what is done"),
+           "tiles that are interrupted", ran.err);
+    std::filesystem::remove("sky.resume/tiles/Norder4/Dir0/Npix1500.png");
+    const std::string journal = content_of("sky.resume/journal");
+    result(matches(journal, "^rows 0 0 1 [0-9]+$"), "tiles are in the journal", journal);
+    const std::string kept = "sky.resume/tiles/Norder4/Dir0/Npix2.png";
+    const auto before = std::filesystem::last_write_time(kept);
+    // of these one is not what was written, and one is gone
+    write_file("sky.resume/tiles/Norder4/Dir0/Npix9.png", "no tile");
+    std::filesystem::remove("sky.resume/tiles/Norder3/Dir0/Npix5.png");
+    does(own + "--resume noise.ppm sky/");
+    // whose title is the folder's name
+    for (const char *folder : {"sky", "whole"})
+    {
+        std::filesystem::remove(std::string(folder) + "/properties");
+    }
+    result(contents("sky") == contents("whole"), "resumed tiles have the same bytes");
+    result(std::filesystem::last_write_time("sky/Norder4/Dir0/Npix2.png") == before,
+           "what was done was not done again");
+    result(!std::filesystem::exists("sky.resume"), "and leave nothing else");
+    unsetenv("SOURCE_DATE_EPOCH");
+}
+
+// Of what is made of all pixels at once, rows are kept before that.
+void resume_whole()
+{
+    make_noise(1024, 512, "noise.ppm");
+    std::filesystem::create_directory("made");
+    for (const std::string words :
+         {"--size 192 noise.ppm made/a.dds", "--size 192 --mips noise.ppm made/a.ktx2",
+          "--size 192 --border 3 --layout 3x2 noise.ppm made/a.png",
+          "--size 192 --parts noise.ppm made/a.exr"})
+    {
+        const std::string copy = "whole" + std::filesystem::path(words).extension().string();
+        const std::string own = "reproject --quiet --filter bspline5 ";
+        const std::string name = words.substr(words.rfind(' ') + 1);
+        does(own + words);
+        std::filesystem::rename(name, copy);
+        {
+            const SizeLimit limit(500000);
+            const Ran ran = run(own + "--resume " + words);
+            result(ran.status == 1 && matches(content_of(name + ".resume/journal"), "^rows 0 0 "),
+                   "interrupted: " + words, ran.err);
+        }
+        does(own + "--resume " + words);
+        const bool exr = copy == "whole.exr";
+        bool same = exr || same_content(name, copy);
+        for (unsigned i = 0; exr && i < 6; ++i)
+        {
+            same = (i == 0 || same) && Picture(name, i).values == Picture(copy, i).values;
+        }
+        result(same && !std::filesystem::exists(name + ".resume"), "resumed: " + words);
+    }
+}
+
+// What INPUT was decoded to is not decoded again: other pixels in a file of the same size and time are not seen.
+void resume_source()
+{
+    make_noise(1024, 512, "noise.ppm");
+    const std::string own = "reproject --quiet --filter bspline5 --to equirect --size 64 ";
+    does(own + "noise.ppm whole.png");
+    {
+        const SizeLimit limit(2000000); // of which the pixels need less, and the filter more
+        const Ran ran = run(own + "--resume" + least + "noise.ppm a.png");
+        result(ran.status == 1 && matches(content_of("a.png.resume/journal"), "^source 0 1572864$"),
+               "interrupted behind the decoding", ran.err);
+    }
+    const auto time = std::filesystem::last_write_time("noise.ppm");
+    make_turned("noise.ppm", 1024, 512, "noise.ppm");
+    std::filesystem::last_write_time("noise.ppm", time);
+    does(own + "--resume" + least + "noise.ppm a.png");
+    result(same_content("whole.png", "a.png") && !std::filesystem::exists("a.png.resume"),
+           "decoded pixels are kept");
+}
+
 std::string journal()
 {
     return content_of("a.png.resume/journal");
@@ -296,6 +395,12 @@ void manifest()
                matches(text, "^    \"--filter=bilinear\",$") &&
                matches(text, "^    \\{\"name\": \"noise.ppm\", \"bytes\": 98319, "),
            "what, of what and how", text);
+    fails("a manifest in place of OUTPUT", 2, "'made/../made/a.png' is OUTPUT, too",
+          "reproject --layout strip --manifest made/../made/a.png noise.ppm made/a.png");
+    fails("a manifest in place of INPUT", 2, "is INPUT, too",
+          "reproject --layout strip --manifest ./noise.ppm noise.ppm made/a.png");
+    fails("a manifest in place of the sidecar", 2, "is the file of --sidecar, too",
+          "reproject --layout strip --sidecar --manifest made/a.json noise.ppm made/a.png");
     fails("a manifest that cannot be written", 1, "'made/none/a.json' cannot be written",
           "reproject --quiet --manifest made/none/a.json noise.ppm made/%f.png");
 }
@@ -311,6 +416,9 @@ const std::vector<Subject> &reproject_memory_subjects()
                                                   {"ceiling_talk", ceiling_talk},
                                                   {"ceiling_without_room", ceiling_without_room},
                                                   {"resume", resume},
+                                                  {"resume_tiles", resume_tiles},
+                                                  {"resume_whole", resume_whole},
+                                                  {"resume_source", resume_source},
                                                   {"resume_damaged", resume_damaged},
                                                   {"resume_refuses", resume_refuses},
                                                   {"remaining_time", remaining_time},

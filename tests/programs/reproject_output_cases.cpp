@@ -21,12 +21,6 @@
 namespace
 {
 
-void says(const std::string &name, const std::string &expression, const std::string &line)
-{
-    const Ran ran = does(line);
-    result(matches(ran.out, expression) && ran.err.empty(), name, ran.out + ran.err);
-}
-
 // ---- textures, as they are in the file
 
 std::size_t read_text(void *context, void *bytes, std::size_t count)
@@ -258,8 +252,6 @@ constexpr WrongOutput wrong[] = {
     {"a border that is too wide", 2, "--border", "--border 129 noise.ppm made/a.png"},
     {"levels of places in pixels", 2, "--mips",
      "--mips --to fisheye;size=16;radius=7 noise.ppm made/a.png"},
-    {"rows of a texture", 2, "--resume keeps rows", "--resume noise.ppm made/a.dds"},
-    {"rows of levels", 2, "--resume keeps rows", "--resume --mips noise.ppm made/a_%f.png"},
     {"levels into a pipe", 2, "a file for each level", "--mips --to equirect noise.ppm -"},
     {"half a DDS file", 1, "cut.dds' .*(ends|read)", "cut.dds made/a.png"},
     {"half a KTX file", 1, "cut.ktx2' .*ends", "cut.ktx2 made/a.png"},
@@ -489,116 +481,14 @@ void healpix_files()
           "reproject --from healpix:16:ring noise.ppm made/a.tif");
 }
 
-// ---- tiles of HiPS
-
-// Pixels of some tiles of an order, numbered in NESTED by their row and column, hold their directions.
-void check_tiles(std::uint32_t order, const std::string &ending, double largest)
-{
-    cm_healpix *grid = nullptr;
-    if (cm_healpix_create(std::int64_t{16} << order, CM_HEALPIX_NESTED, nullptr, &grid) != CM_OK)
-    {
-        throw std::runtime_error("no grid");
-    }
-    const std::unique_ptr<cm_healpix, void (*)(cm_healpix *)> owned(grid, cm_healpix_destroy);
-    for (std::int64_t tile = 0; tile < std::int64_t{12} << 2 * order; tile += 1 + 5 * order)
-    {
-        const std::string name =
-            "sky/Norder" + std::to_string(order) + "/Dir0/Npix" + std::to_string(tile) + ending;
-        const Picture picture(name);
-        for (int i = 0; i < 16 * 16; i += 7)
-        {
-            // the bits of the row and of the column in turn
-            std::int64_t number = tile * 256;
-            for (int bit = 0; bit < 4; ++bit)
-            {
-                number += (i / 16 >> bit & 1) << 2 * bit;
-                number += (i % 16 >> bit & 1) << (2 * bit + 1);
-            }
-            double at[3];
-            cm_healpix_direction_from_pixel(grid, number, at);
-            for (int c = 0; c < picture.channels; ++c)
-            {
-                // bytes hold no negative numbers
-                const double found = static_cast<double>(picture.at(i % 16, i / 16)[c]);
-                if (!(std::fabs(found - std::max(at[c], 0.0)) < largest))
-                {
-                    throw std::runtime_error(name + ": " + std::to_string(found) + ", not " +
-                                             std::to_string(at[c]));
-                }
-            }
-        }
-    }
-}
-
-void tiles()
-{
-    make_direction_image(equirect_shape, 256, "equirect.tif");
-    make_noise(64, 32, "noise.ppm");
-    says("tiles",
-         "^noise\\.ppm .* -> noise/ \\(healpix:128 1536x128; .*; HiPS tiles of 16x16 pixels, "
-         "orders 0 to 3\\)",
-         "reproject --size 16 --order 3 noise.ppm noise/");
-    const std::string properties = content_of("noise/properties");
-    for (const char *line : {"^creator_did +=", "^obs_title +=", "^dataproduct_type += image",
-                             "^hips_version +=", "^hips_release_date += [0-9-]+T[0-9:]+Z",
-                             "^hips_status +=", "^hips_frame += equatorial", "^hips_order += 3",
-                             "^hips_tile_width += 16", "^hips_tile_format += png"})
-    {
-        result(matches(properties, line), std::string("properties: ") + line, properties);
-    }
-    result(names_in("noise") == "Norder0 Norder1 Norder2 Norder3 properties " &&
-               names_in("noise/Norder3") == "Allsky.png Dir0 ",
-           "folders", names_in("noise") + names_in("noise/Norder3"));
-    const Picture all("noise/Norder3/Allsky.png");
-    result(all.width == 27 * 16 && all.height == 29 * 16, "the preview's size");
-    const Picture fifth("noise/Norder3/Dir0/Npix5.png");
-    bool same = true;
-    for (int i = 0; i < 256; ++i)
-    {
-        same = same && std::equal(fifth.at(i % 16, i / 16), fifth.at(i % 16, i / 16) + 3,
-                                  all.at(5 * 16 + i % 16, i / 16));
-    }
-    result(same, "a tile in the preview");
-    does("reproject --quiet --filter bilinear --stored --size 16 --order 2 equirect.tif sky/");
-    holds("tiles of the greatest order", [] { check_tiles(2, ".png", 4e-3); });
-    holds("tiles of a smaller order are means of four", [] { check_tiles(1, ".png", 6e-3); });
-    make_constant(32, 16, 1, "float", 2.5f, "one.tif");
-    does("reproject --quiet --size 16 --order 0 one.tif one/");
-    const std::string fits = content_of("one/Norder0/Dir0/Npix11.fits");
-    result(names_in("one/Norder0") == "Dir0 " && matches(fits.substr(0, 720), "NPIX *= *11 ") &&
-               fits.substr(2880, 2) == "\x40\x20",
-           "one channel of floats is FITS");
-    fails("a folder that is there", 1, "is there already", "reproject noise.ppm sky/");
-    fails("an order without a folder", 2, "whose name ends in /",
-          "reproject --order 3 noise.ppm made/a.png");
-    fails("a projection of tiles", 2, "leave --to", "reproject --to equirect noise.ppm made/a/");
-    fails("an edge that tiles have not", 2, "a power of two",
-          "reproject --size 50 noise.ppm made/a/");
-    for (const char *line :
-         {"--resume noise.ppm made/a/", "--manifest made/a.json noise.ppm made/a/",
-          "noise_%d.ppm made/a/", "- made/a/"})
-    {
-        fails(std::string("tiles and ") + line, 2, "of one picture in files",
-              std::string("reproject ") + line);
-    }
-    fails("a folder in none", 1, "cannot be written: folder", "reproject noise.ppm none/a/");
-    const SizeLimit limit(500);
-    fails("a full disk and tiles", 1, "cannot be written: File too large",
-          "reproject --order 0 --size 64 noise.ppm made/a/");
-}
-
 } // namespace
 
 const std::vector<Subject> &reproject_output_subjects()
 {
-    static const std::vector<Subject> subjects = {{"textures", textures},
-                                                  {"texture_values", texture_values},
-                                                  {"refusals", refusals},
-                                                  {"borders", borders},
-                                                  {"levels", levels},
-                                                  {"together", together},
-                                                  {"mappings", mappings},
-                                                  {"tiles", tiles},
-                                                  {"healpix_files", healpix_files}};
+    static const std::vector<Subject> subjects = {
+        {"textures", textures}, {"texture_values", texture_values},
+        {"refusals", refusals}, {"borders", borders},
+        {"levels", levels},     {"together", together},
+        {"mappings", mappings}, {"healpix_files", healpix_files}};
     return subjects;
 }

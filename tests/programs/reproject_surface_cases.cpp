@@ -26,12 +26,6 @@ Ran warns(const std::string &name, const std::string &expression, const std::str
     return ran;
 }
 
-void says(const std::string &name, const std::string &expression, const std::string &line)
-{
-    const Ran ran = does(line);
-    result(matches(ran.out, expression) && ran.err.empty(), name, ran.out + ran.err);
-}
-
 // ---- TIFF files, byte by byte
 
 template <typename Number> std::string bytes_of(Number number)

@@ -59,7 +59,7 @@ void ImageDescription::set_number(const std::string &key, int number)
 }
 
 DescriptionView::DescriptionView(const ImageDescription &from, const std::string &format, int width,
-                                 int height)
+                                 int height, const std::vector<std::string> &parts)
 {
     view.format = format.c_str();
     view.width = static_cast<std::uint32_t>(width);
@@ -89,6 +89,12 @@ DescriptionView::DescriptionView(const ImageDescription &from, const std::string
                         is_words ? static_cast<const void *>(words.back().data()) : tag.data.data(),
                         is_words ? tag.words.size() * sizeof(const char *) : tag.data.size()});
     }
+    for (const std::string &name : parts)
+    {
+        part_names.push_back(name.c_str());
+    }
+    view.part_names = part_names.empty() ? nullptr : part_names.data();
+    view.part_count = static_cast<std::uint32_t>(part_names.size());
     view.tags = tags.data();
     view.tag_count = tags.size();
 }

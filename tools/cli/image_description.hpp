@@ -49,7 +49,9 @@ struct ImageDescription
 class DescriptionView
 {
 public:
-    DescriptionView(const ImageDescription &from, const std::string &format, int width, int height);
+    // parts: the names of the file's pictures, if it has several.
+    DescriptionView(const ImageDescription &from, const std::string &format, int width, int height,
+                    const std::vector<std::string> &parts = {});
     DescriptionView(const DescriptionView &) = delete;
     DescriptionView &operator=(const DescriptionView &) = delete;
 
@@ -61,6 +63,7 @@ public:
 private:
     cm_image_description view = {};
     std::vector<const char *> names;
+    std::vector<const char *> part_names;
     std::vector<std::vector<const char *>> words;
     std::vector<cm_image_tag> tags;
 };

@@ -8,6 +8,7 @@
 #include "image_description.hpp"
 
 #include <string>
+#include <vector>
 
 // What an output file is to hold.
 struct ImagePlan
@@ -16,6 +17,7 @@ struct ImagePlan
     ImageDescription description; // of the output
     bool alpha_dropped;           // the format has none
     bool multiply_alpha; // the format wants colours multiplied by alpha, and they are not yet
+    std::vector<std::string> parts = {}; // the names of the file's pictures; none: it is one
 };
 
 // The file format that a name's extension stands for, UsageFailure if it is none that we write.

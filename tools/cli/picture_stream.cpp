@@ -19,9 +19,6 @@ constexpr const char *stream_name = "standard input";
 constexpr const char *color_names[] = {"R", "G", "B", "A"};
 constexpr const char *gray_names[] = {"Y", "A"};
 
-// Where the planes' samples belong: green, blue, red and alpha.
-constexpr std::size_t plane_channels[] = {1, 2, 0, 3};
-
 // What stands behind the words of image_io.h: one picture.
 struct StreamPicture
 {

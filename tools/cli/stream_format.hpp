@@ -10,6 +10,7 @@
 
 #include "modules/image/io/pnm_file.h"
 
+#include <cstddef>
 #include <string>
 
 struct StreamFormat
@@ -21,6 +22,9 @@ struct StreamFormat
     bool alpha;         // is the last channel alpha?
     bool planes;        // green, blue, red and alpha one plane after the other
 };
+
+// Where the samples of a picture's planes belong: green, blue, red and alpha.
+constexpr std::size_t plane_channels[] = {1, 2, 0, 3};
 
 // nullptr if there is none of that name.
 const StreamFormat *find_stream_format(const std::string &name);

@@ -13,9 +13,6 @@
 namespace
 {
 
-// Green, blue, red and alpha.
-constexpr std::size_t plane_channels[] = {1, 2, 0, 3};
-
 struct StreamWriter
 {
     const StreamFormat *format = nullptr;

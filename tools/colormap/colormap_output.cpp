@@ -2,6 +2,7 @@
 
 #include "colormap_output.hpp"
 
+#include "tools/cli/circle.hpp"
 #include "tools/cli/image_writer.hpp"
 #include "tools/cli/program.hpp"
 
@@ -16,8 +17,6 @@
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 std::array<unsigned char, 3> to_bytes(const std::array<double, 3> &srgb)
 {

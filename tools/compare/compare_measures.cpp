@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "compare_measures.hpp"
+#include "tools/cli/circle.hpp"
 #include "tools/cli/program.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t points_at_a_time = 4096;
 
 cm_error_figures empty_errors()

@@ -2,6 +2,7 @@
 #include "compare_main.h"
 #include "compare_table.h"
 #include "tools/cli/colormap_name.h"
+#include "tools/cli/usual_options.h"
 
 #include <math.h>
 
@@ -99,15 +100,7 @@ static const cm_option options[] = {
      .help = "pixels with a NaN or an infinity in either image do not count",
      .more = "For SSIM and FLIP neither do those with one in their window."},
     {.id = COMPARE_JSON, .name = "json", .help = "print JSON; `null` is what is not finite"},
-    {.id = COMPARE_THREADS,
-     .name = "threads",
-     .kind = CM_OPTION_WHOLE,
-     .argument = "N",
-     .help = "threads to use",
-     .more = "The output is the same for any number.",
-     .standard = "0, one for each core",
-     .low = 0,
-     .high = 1024},
+    CM_USUAL_THREADS(COMPARE_THREADS),
 };
 
 static const cm_option pictures[] = {

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#include "tools/cli/catalogue_name.h"
+#include "tools/cli/usual_options.h"
 #include "tools/cli/colormap_name.h"
 #include "tools/image/cube_table.h"
 
@@ -21,13 +21,7 @@ static const cm_option pictures[] = {
              "that; beside a disc it is white, or NaN with --values.",
      .standard = "`" CM_MAPPING_RECOMMENDED "`",
      .choice_at = mapping_name_at},
-    {.id = DISTORTION_FRAME,
-     .name = "frame",
-     .kind = CM_OPTION_CHOICE,
-     .argument = "FRAME",
-     .help = "how the faces of a cube sit on the axes",
-     .standard = "`geo`",
-     .choice_at = frame_name_at},
+    CM_USUAL_FRAME(DISTORTION_FRAME),
     {.id = DISTORTION_QUANTITY,
      .name = "quantity",
      .kind = CM_OPTION_CHOICE,
@@ -102,18 +96,8 @@ static const cm_option pictures[] = {
      .argument = "FILE",
      .help = "a strip of the colours with numbers",
      .more = "From LOW to HIGH, with numbers at its ends, middle and quarters, 520 by 62 pixels."},
-    {.id = DISTORTION_THREADS,
-     .name = "threads",
-     .kind = CM_OPTION_WHOLE,
-     .argument = "N",
-     .help = "threads to use",
-     .more = "The output is the same for any number.",
-     .standard = "0, one for each core",
-     .low = 0,
-     .high = 1024},
-    {.id = DISTORTION_QUIET,
-     .name = "quiet",
-     .help = "neither a progress bar nor lines that say what was done"},
+    CM_USUAL_THREADS(DISTORTION_THREADS),
+    CM_USUAL_QUIET(DISTORTION_QUIET),
 };
 
 static const cm_option_group groups[] = {

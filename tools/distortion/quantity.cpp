@@ -2,6 +2,7 @@
 
 #include "quantity.hpp"
 #include "distortion_table.h"
+#include "tools/cli/circle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double none = -std::numeric_limits<double>::infinity();
 
 // Blue below the middle, red above; light where there is no distortion.

@@ -30,58 +30,6 @@ int face_towards(const cm_frame &frame, int axis)
     return face;
 }
 
-// A pixel, by its number along an axis.
-struct Place
-{
-    int axis;   // signed
-    int number; // counts in the axis's direction, 0 ... size - 1 on the face
-};
-
-float *pixel_at(SphereGrid &grid, const cm_frame &frame, int face, Place one, Place other)
-{
-    int column = 0;
-    int row = 0;
-    for (const Place place : {one, other})
-    {
-        int &index = std::abs(place.axis) == std::abs(frame.face[face].u) ? column : row;
-        const int axis = &index == &column ? right_axis(frame, face) : down_axis(frame, face);
-        index = place.axis == axis ? place.number : grid.width() - 1 - place.number;
-    }
-    return grid.pixel(face, column, row);
-}
-
-// The border pixels beyond the edge of a face towards an axis: they belong to the face whose
-// outward axis this is, and lie at its edge towards the first face's outward axis.
-void fill_edge(SphereGrid &grid, const cm_frame &frame, int face, int axis, int along)
-{
-    const int last = grid.width() - 1;
-    const int neighbour = face_towards(frame, axis);
-    const int outward = frame.face[face].outward;
-    for (int i = 0; i <= last; ++i)
-    {
-        const float *const from = pixel_at(grid, frame, neighbour, {outward, last}, {along, i});
-        std::copy(from, from + grid.channels(),
-                  pixel_at(grid, frame, face, {axis, last + 1}, {along, i}));
-    }
-}
-
-// Beyond a corner of the cube there is no pixel: three meet there, and their mean stands for it.
-void fill_corner(SphereGrid &grid, const cm_frame &frame, int face, int axis, int other)
-{
-    const int last = grid.width() - 1;
-    const int outward = frame.face[face].outward;
-    const float *const own = pixel_at(grid, frame, face, {axis, last}, {other, last});
-    const float *const second =
-        pixel_at(grid, frame, face_towards(frame, axis), {outward, last}, {other, last});
-    const float *const third =
-        pixel_at(grid, frame, face_towards(frame, other), {outward, last}, {axis, last});
-    float *const border = pixel_at(grid, frame, face, {axis, last + 1}, {other, last + 1});
-    for (int c = 0; c < grid.channels(); ++c)
-    {
-        border[c] = own[c] + ((second[c] - own[c]) + (third[c] - own[c])) / 3;
-    }
-}
-
 // Is `to` what one sees to the right of `from` when the cube is unfolded, without a turn?
 bool joins_right(const cm_frame &frame, int from, int to)
 {
@@ -142,22 +90,6 @@ PictureLayout straight_cross(const cm_frame &frame)
 CubeImage::CubeImage(const std::string &specification, const cm_frame &faces_frame, int face_size)
     : FaceImage(specification, faces_frame, face_size)
 {
-}
-
-void CubeImage::fill_border(SphereGrid &grid) const
-{
-    for (int face = 0; face < 6; ++face)
-    {
-        const int u = frame.face[face].u;
-        const int v = frame.face[face].v;
-        for (const int sign : {-1, 1})
-        {
-            fill_edge(grid, frame, face, sign * u, v);
-            fill_edge(grid, frame, face, sign * v, u);
-            fill_corner(grid, frame, face, sign * u, v);
-            fill_corner(grid, frame, face, sign * u, -v);
-        }
-    }
 }
 
 cm_frame turn_poles(const cm_frame &frame, PolarColumns columns)

@@ -7,14 +7,14 @@
 
 #include "face_image.hpp"
 
+#include <vector>
+
 class CubeImage : public FaceImage
 {
 public:
     // Faces of size x size pixels. The specification must be one that the library takes, and for six
     // faces.
     CubeImage(const std::string &specification, const cm_frame &faces_frame, int face_size);
-
-    void fill_border(SphereGrid &grid) const override;
 };
 
 // Where in a picture a plane stands: the plane's upper left corner, in units of its size.

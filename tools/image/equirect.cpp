@@ -1,36 +1,11 @@
 // SPDX-License-Identifier: MIT
 
 #include "equirect.hpp"
+#include "tools/cli/circle.hpp"
 
 #include <cmath>
 
 #include <cubemap/direction.h>
-
-namespace
-{
-
-constexpr double pi = 3.14159265358979323846;
-
-// The row beyond a pole: the polar row itself, half a turn further on. With an odd width that lies
-// between two pixels.
-void fill_row_beyond_pole(SphereGrid &grid, int polar_row, int border_row)
-{
-    const int width = grid.width();
-    for (int column = -1; column <= width; ++column)
-    {
-        const int opposite = (column + width + width / 2) % width;
-        const int next = width % 2 == 0 ? opposite : (opposite + 1) % width;
-        const float *const one = grid.pixel(0, opposite, polar_row);
-        const float *const other = grid.pixel(0, next, polar_row);
-        float *const border = grid.pixel(0, column, border_row);
-        for (int c = 0; c < grid.channels(); ++c)
-        {
-            border[c] = one[c] + (other[c] - one[c]) / 2;
-        }
-    }
-}
-
-} // namespace
 
 Equirect::Equirect(int width, int height)
     : columns(width), rows(height), cos_lon(static_cast<std::size_t>(width)),
@@ -92,18 +67,4 @@ void Equirect::derivatives(std::size_t count, const PointBatch &batch,
         derivatives.by_y[1][i] = per_row * sin_lat * (y / cos_lat);
         derivatives.by_y[2][i] = -per_row * cos_lat;
     }
-}
-
-void Equirect::fill_border(SphereGrid &grid) const
-{
-    for (int row = 0; row < rows; ++row)
-    {
-        for (int c = 0; c < grid.channels(); ++c)
-        {
-            grid.pixel(0, -1, row)[c] = grid.pixel(0, columns - 1, row)[c];
-            grid.pixel(0, columns, row)[c] = grid.pixel(0, 0, row)[c];
-        }
-    }
-    fill_row_beyond_pole(grid, 0, -1);
-    fill_row_beyond_pole(grid, rows - 1, rows);
 }

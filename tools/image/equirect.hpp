@@ -6,7 +6,9 @@
 #ifndef CUBEMAP_TOOLS_EQUIRECT_HPP
 #define CUBEMAP_TOOLS_EQUIRECT_HPP
 
-#include "sphere_grid.hpp"
+#include "projection.hpp"
+
+#include <vector>
 
 class Equirect : public Projection
 {
@@ -35,7 +37,6 @@ public:
     {
         return true;
     }
-    void fill_border(SphereGrid &grid) const override;
 
 private:
     int columns;

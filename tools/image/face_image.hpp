@@ -5,7 +5,7 @@
 #ifndef CUBEMAP_TOOLS_FACE_IMAGE_HPP
 #define CUBEMAP_TOOLS_FACE_IMAGE_HPP
 
-#include "sphere_grid.hpp"
+#include "projection.hpp"
 
 #include <memory>
 #include <string>

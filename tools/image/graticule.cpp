@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 
 #include "graticule.hpp"
+#include "tools/cli/circle.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Meridians end at a parallel beyond which they would be closer than this part of their distance at
 // the equator, and at the last parallel but for those that are this far apart.

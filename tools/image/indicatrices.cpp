@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "indicatrices.hpp"
+#include "tools/cli/circle.hpp"
 #include "tools/cli/program.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 // An ellipse fills so much of the cell around its centre.
 constexpr double part_of_cell = 0.9;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "overlay.hpp"
+#include "tools/cli/circle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +9,6 @@
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 // The casing on each side of a line: that part of its width, but at least so many pixels.
 constexpr double casing_part = 0.5;

@@ -5,7 +5,6 @@
 #include "orient_main.h"
 #include "orient_options.hpp"
 #include "orient_picture.hpp"
-#include "tools/image/equirect.hpp"
 #include "tools/image/face_image.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
@@ -17,41 +16,26 @@
 namespace
 {
 
-constexpr double degrees = 57.29577951308232;
+constexpr double degrees_a_radian = 57.29577951308232;
 constexpr double earth_km = 6371.0072;
 constexpr int progress_steps = 1000;
 
 // How much each pixel counts.
-void weigh(const OrientOptions &options, SphereGrid &grid)
+void weigh(const OrientOptions &options, WholeImage &mask)
 {
-    for (int row = 0; row < grid.height(); ++row)
+    for (float &value : mask.pixels)
     {
-        for (int column = 0; column < grid.width(); ++column)
+        value = options.invert ? 1.0f - value : value;
+        if (options.threshold)
         {
-            float &value = *grid.pixel(0, column, row);
-            value = options.invert ? 1.0f - value : value;
-            if (options.threshold)
-            {
-                value = static_cast<double>(value) >= *options.threshold ? 1.0f : 0.0f;
-            }
-            if (value < 0.0f)
-            {
-                throw Failure(in_quotes(options.mask) + " has values below 0" +
-                              (options.invert ? ", inverted" : "") + ", which cannot count");
-            }
+            value = static_cast<double>(value) >= *options.threshold ? 1.0f : 0.0f;
+        }
+        if (value < 0.0f)
+        {
+            throw Failure(in_quotes(options.mask) + " has values below 0" +
+                          (options.invert ? ", inverted" : "") + ", which cannot count");
         }
     }
-}
-
-// The pixels row by row, as the library takes them.
-std::vector<float> plain_pixels(const SphereGrid &grid)
-{
-    std::vector<float> pixels;
-    for (int row = 0; row < grid.height(); ++row)
-    {
-        pixels.insert(pixels.end(), grid.pixel(0, 0, row), grid.pixel(0, 0, row) + grid.width());
-    }
-    return pixels;
 }
 
 struct Bar
@@ -84,7 +68,9 @@ void check(cm_status status, const OrientOptions &options)
 // What a unit of the measure is in what is printed, and its name.
 double unit_of(cm_orient_measure measure)
 {
-    return measure == CM_ORIENT_DEFORMATION ? degrees : measure == CM_ORIENT_EDGES ? earth_km : 1.0;
+    return measure == CM_ORIENT_DEFORMATION ? degrees_a_radian
+           : measure == CM_ORIENT_EDGES     ? earth_km
+                                            : 1.0;
 }
 
 const char *unit_name(cm_orient_measure measure)
@@ -306,17 +292,15 @@ int orient(int argc, char **argv, const cm_streams &streams)
         return 0;
     }
     const int threads = thread_count(options.threads);
-    SphereGrid grid = read_equirect(options.mask, true);
-    weigh(options, grid);
-    Equirect(grid.width(), grid.height()).fill_border(grid);
-    const std::vector<float> pixels = plain_pixels(grid);
-    const cm_mask mask = {sizeof mask, static_cast<std::size_t>(grid.width()),
-                          static_cast<std::size_t>(grid.height()), pixels.data()};
+    WholeImage image = read_equirect(options.mask, true);
+    weigh(options, image);
+    const cm_mask mask = {sizeof mask, static_cast<std::size_t>(image.width),
+                          static_cast<std::size_t>(image.height), image.pixels.data()};
     const MappingPointer mapping = make_mapping(options.mapping, *cm_frame_find("geo"));
     std::unique_ptr<OrientPicture> picture;
     if (!options.picture.empty())
     {
-        picture = std::make_unique<OrientPicture>(options, grid);
+        picture = std::make_unique<OrientPicture>(options, image);
     }
     cm_orient_options wanted{};
     wanted.size = sizeof wanted;

@@ -2,7 +2,6 @@
 
 #include "orient_picture.hpp"
 #include "tools/image/cube_image.hpp"
-#include "tools/image/equirect.hpp"
 #include "tools/image/lettering.hpp"
 #include "tools/cli/image_file.hpp"
 #include "tools/cli/image_writer.hpp"
@@ -12,8 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 
 #include <cubemap/distortion.h>
+#include <cubemap/image.h>
 
 namespace
 {
@@ -66,35 +67,111 @@ float gray_of(const float *pixel, int channels)
     return channels < 3 ? pixel[0] : 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
 }
 
+// A picture of the library's, dense.
+cm_image image_of(std::vector<float> &pixels, int width, int height, int channels)
+{
+    cm_image image = {};
+    image.size = sizeof image;
+    image.data = pixels.data();
+    image.type = CM_PIXEL_FLOAT;
+    image.width = static_cast<std::uint32_t>(width);
+    image.height = static_cast<std::uint32_t>(height);
+    image.channels = static_cast<std::uint32_t>(channels);
+    return image;
+}
+
+void check(cm_status status)
+{
+    if (status == CM_ERROR_MEMORY)
+    {
+        throw std::bad_alloc();
+    }
+    if (status != CM_OK)
+    {
+        throw Failure(std::string("the picture: ") + cm_status_text(status));
+    }
+}
+
+struct SurfaceDeleter
+{
+    void operator()(cm_surface *owned) const noexcept
+    {
+        cm_surface_destroy(owned);
+    }
+};
+
+std::unique_ptr<cm_surface, SurfaceDeleter> surface_of(const std::string &specification,
+                                                       const cm_rotation *rotation)
+{
+    cm_surface_options options = {};
+    options.size = sizeof options;
+    options.rotation = rotation;
+    cm_surface *made = nullptr;
+    check(cm_surface_create(specification.c_str(), &options, &made));
+    return std::unique_ptr<cm_surface, SurfaceDeleter>(made);
+}
+
+using Faces = std::array<std::vector<float>, 6>;
+
+// The faces of a cube that is turned so, size x size pixels each, from an image.
+Faces faces_of(const WholeImage &image, const std::string &mapping, int size,
+               const cm_rotation &turn, int threads)
+{
+    const auto from = surface_of("equirect;size=" + std::to_string(image.width), nullptr);
+    const auto to =
+        surface_of("cube:" + mapping + ";frame=geo;size=" + std::to_string(size), &turn);
+    cm_plan_options options = {};
+    options.size = sizeof options;
+    options.filter = CM_FILTER_BILINEAR;
+    cm_plan *plan = nullptr;
+    check(cm_plan_create(from.get(), to.get(), &options, &plan));
+    const std::unique_ptr<cm_plan, void (*)(cm_plan *)> owned(plan, cm_plan_destroy);
+    cm_image whole = image_of(const_cast<std::vector<float> &>(image.pixels), image.width,
+                              image.height, image.channels);
+    cm_source *source = nullptr;
+    check(cm_source_create(plan, &whole, CM_PIXEL_FLOAT, static_cast<unsigned>(threads), &source));
+    const std::unique_ptr<cm_source, void (*)(cm_source *)> kept(source, cm_source_destroy);
+    Faces faces;
+    std::array<cm_image, 6> pictures;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+        faces[i].resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) *
+                        static_cast<std::size_t>(image.channels));
+        pictures[i] = image_of(faces[i], size, size, image.channels);
+    }
+    check(cm_resample_source(plan, source, pictures.data(), cm_rows{},
+                             static_cast<unsigned>(threads)));
+    return faces;
+}
+
 } // namespace
 
-SphereGrid read_equirect(const std::string &path, bool gray)
+WholeImage read_equirect(const std::string &path, bool gray)
 {
     ImageFile file(path);
     check_shape(file);
     check_memory(in_quotes(path), std::int64_t{file.width()} * file.height(), file.channels() + 3);
-    SphereGrid whole(1, file.width(), file.height(), file.channels());
-    file.read(whole.pixel(0, 0, 0), whole.row_stride(), Finite::all);
-    SphereGrid grid(1, file.width(), file.height(), gray ? 1 : 3);
-    for (int row = 0; row < file.height(); ++row)
+    const std::size_t channels = static_cast<std::size_t>(file.channels());
+    const std::size_t row = static_cast<std::size_t>(file.width()) * channels;
+    std::vector<float> stored(row * static_cast<std::size_t>(file.height()));
+    file.read(stored.data(), row, Finite::all);
+    WholeImage image{file.width(), file.height(), gray ? 1 : 3, {}};
+    image.pixels.reserve(stored.size() / channels * static_cast<std::size_t>(image.channels));
+    for (std::size_t at = 0; at < stored.size(); at += channels)
     {
-        for (int column = 0; column < file.width(); ++column)
+        for (std::size_t i = 0; i < static_cast<std::size_t>(image.channels); ++i)
         {
-            const float *from = whole.pixel(0, column, row);
-            float *to = grid.pixel(0, column, row);
-            for (int i = 0; i < grid.channels(); ++i)
-            {
-                to[i] = gray ? gray_of(from, file.channels()) : from[file.channels() < 3 ? 0 : i];
-            }
+            image.pixels.push_back(gray ? gray_of(&stored[at], file.channels())
+                                        : stored[at + (channels < 3 ? 0 : i)]);
         }
     }
-    return grid;
+    return image;
 }
 
 struct OrientPicture::Parts
 {
-    Parts(const OrientOptions &options, const SphereGrid &mask_grid)
-        : mask(mask_grid), sphere(mask.width(), mask.height()),
+    Parts(const OrientOptions &options, const WholeImage &mask_image)
+        : mask(mask_image), mapping_name(options.mapping),
           cube(options.mapping, *cm_frame_find("geo"), options.size),
           mapping(make_mapping(options.mapping, *cm_frame_find("geo"))), size(options.size),
           name(options.picture)
@@ -102,9 +179,7 @@ struct OrientPicture::Parts
         format = output_format(name);
         if (!options.image.empty())
         {
-            image = std::make_unique<SphereGrid>(read_equirect(options.image, false));
-            image_sphere = std::make_unique<Equirect>(image->width(), image->height());
-            image_sphere->fill_border(*image);
+            image = std::make_unique<WholeImage>(read_equirect(options.image, false));
         }
         files.push_back(std::make_unique<AtomicFile>(name));
     }
@@ -135,47 +210,22 @@ struct OrientPicture::Parts
     void write_lines(const Canvas &canvas, int top, const std::vector<std::string> &lines) const;
     void draw_lengths(const Canvas &canvas, int top) const;
     void draw_colors(const Canvas &canvas, int top) const;
-    void draw_row(const cm_rotation &turn, int face, int row, float *pixels) const;
-    void color(const PointBatch &earth, const double *deformation, std::size_t count,
-               const PointBatch &place, float *pixels) const;
+    void draw_row(const Faces &shown, int face, int row, float *pixels) const;
+    void color_mask(int face, int row, const float *values, float *pixels) const;
 
-    const SphereGrid &mask;
-    Equirect sphere;
+    const WholeImage &mask;
+    std::string mapping_name;
     CubeImage cube;
     MappingPointer mapping;
     int size;
     std::string name;
     std::string format;
-    std::unique_ptr<SphereGrid> image;
-    std::unique_ptr<Equirect> image_sphere;
+    std::unique_ptr<WholeImage> image; // that is shown in place of the mask
     std::vector<std::unique_ptr<AtomicFile>> files;
 };
 
-void OrientPicture::Parts::color(const PointBatch &earth, const double *deformation,
-                                 std::size_t count, const PointBatch &place, float *pixels) const
-{
-    std::vector<float> value(count);
-    std::vector<float> shown(3 * count);
-    sample(mask, Filter::bilinear, place, count, value.data());
-    if (image)
-    {
-        PointBatch at = earth;
-        image_sphere->positions(count, at);
-        sample(*image, Filter::bilinear, at, count, shown.data());
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        const Color full = land_color(deformation[i]);
-        const float part = std::clamp(value[i], 0.0f, 1.0f);
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-            pixels[3 * i + k] = image ? shown[3 * i + k] : mix(sea[k], full[k], part);
-        }
-    }
-}
-
-// A row of a face: where its pixels are on Earth is where they are on the cube, turned back.
-void OrientPicture::Parts::draw_row(const cm_rotation &turn, int face, int row, float *pixels) const
+// How much a row of a face counts, and how much it is deformed.
+void OrientPicture::Parts::color_mask(int face, int row, const float *values, float *pixels) const
 {
     thread_local PointBatch batch;
     thread_local std::array<double, PointBatch::capacity> deformation;
@@ -188,17 +238,30 @@ void OrientPicture::Parts::draw_row(const cm_rotation &turn, int face, int row, 
         arrays.deformation = deformation.data();
         cm_forward_distortion_array(mapping.get(), count, batch.direction_x.data(),
                                     batch.direction_y.data(), batch.direction_z.data(), &arrays);
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count; ++i, ++column)
         {
-            double d[3] = {batch.direction_x[i], batch.direction_y[i], batch.direction_z[i]};
-            cm_rotate_back(&turn, d, d);
-            batch.direction_x[i] = d[0];
-            batch.direction_y[i] = d[1];
-            batch.direction_z[i] = d[2];
+            const Color full = land_color(deformation[i]);
+            const float part = std::clamp(values[column], 0.0f, 1.0f);
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+                pixels[3 * column + static_cast<int>(k)] = mix(sea[k], full[k], part);
+            }
         }
-        sphere.positions(count, batch);
-        color(batch, deformation.data(), count, batch, pixels + 3 * column);
-        column += static_cast<int>(count);
+    }
+}
+
+void OrientPicture::Parts::draw_row(const Faces &shown, int face, int row, float *pixels) const
+{
+    const std::size_t width = static_cast<std::size_t>(size) * (image ? 3 : 1);
+    const float *const values =
+        shown[static_cast<std::size_t>(face)].data() + width * static_cast<std::size_t>(row);
+    if (image)
+    {
+        std::copy_n(values, width, pixels);
+    }
+    else
+    {
+        color_mask(face, row, values, pixels);
     }
     for (int column = 0; column < size; ++column)
     {
@@ -254,7 +317,7 @@ void OrientPicture::Parts::draw_colors(const Canvas &canvas, int top) const
     }
 }
 
-OrientPicture::OrientPicture(const OrientOptions &options, const SphereGrid &mask)
+OrientPicture::OrientPicture(const OrientOptions &options, const WholeImage &mask)
     : parts(std::make_unique<Parts>(options, mask))
 {
 }
@@ -273,6 +336,9 @@ void OrientPicture::write(const cm_rotation &after,
     }
     const PictureLayout cross = cube_pictures(CubeLayout::cross, *cm_frame_find("geo")).front();
     const int size = parts->size;
+    const WholeImage &from = parts->image ? *parts->image : parts->mask;
+    const std::array<Faces, 2> shown = {faces_of(from, parts->mapping_name, size, before, threads),
+                                        faces_of(from, parts->mapping_name, size, after, threads)};
     parallel_for(2 * 6 * size, threads,
                  [&](int job)
                  {
@@ -283,7 +349,7 @@ void OrientPicture::write(const cm_rotation &after,
                      const int y =
                          parts->gap() + half * (3 * size + parts->gap()) + place.row * size + row;
                      const int x = parts->gap() + place.column * size;
-                     parts->draw_row(half == 0 ? before : after, place.plane, row,
+                     parts->draw_row(shown[static_cast<std::size_t>(half)], place.plane, row,
                                      pixels.data() + static_cast<std::size_t>(y) * row_floats +
                                          3 * static_cast<std::size_t>(x));
                  });

@@ -6,22 +6,30 @@
 #define CUBEMAP_TOOLS_ORIENT_PICTURE_HPP
 
 #include "orient_options.hpp"
-#include "tools/image/sphere_grid.hpp"
 
 #include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
-// An equirectangular image in memory. Failure if it cannot be read or is not twice as wide as high; with
-// gray its channels are made one, the luminance.
-SphereGrid read_equirect(const std::string &path, bool gray);
+// An equirectangular image in memory.
+struct WholeImage
+{
+    int width = 0;
+    int height = 0;
+    int channels = 0; // one beside the other
+    std::vector<float> pixels;
+};
+
+// Failure if it cannot be read or is not twice as wide as high; with gray its channels are made one, the luminance,
+// and else three.
+WholeImage read_equirect(const std::string &path, bool gray);
 
 class OrientPicture
 {
 public:
     // Opens the output, and the image that is to be shown if there is one. mask must outlive it.
-    OrientPicture(const OrientOptions &options, const SphereGrid &mask);
+    OrientPicture(const OrientOptions &options, const WholeImage &mask);
     ~OrientPicture();
 
     // Above the cube as it is, below as it is turned, each with its title in lines of up to 26 letters; a scale of

@@ -4,7 +4,7 @@
 
 #include <cubemap/orient.h>
 
-#include "tools/cli/catalogue_name.h"
+#include "tools/cli/usual_options.h"
 
 static const char *measure_name_at(size_t index)
 {
@@ -95,15 +95,7 @@ static const cm_option options[] = {
      .standard = "256",
      .low = 8,
      .high = 4096},
-    {.id = ORIENT_THREADS,
-     .name = "threads",
-     .kind = CM_OPTION_WHOLE,
-     .argument = "N",
-     .help = "threads to work",
-     .more = "The result is the same for any number.",
-     .standard = "0, all processors",
-     .low = 0,
-     .high = 1024},
+    CM_USUAL_THREADS(ORIENT_THREADS),
     {.id = ORIENT_JSON,
      .name = "json",
      .help = "print the result as JSON",

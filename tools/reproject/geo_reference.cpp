@@ -4,6 +4,7 @@
 
 #include "geo_reference.hpp"
 #include "surface_text.hpp"
+#include "tools/cli/circle.hpp"
 #include "tools/cli/program.hpp"
 
 #include "modules/image/io/geo_tags.h"
@@ -33,7 +34,6 @@ constexpr double nearly = 0.01;
 
 // The radius of web maps, in metres.
 constexpr double web_radius = 6378137;
-constexpr double pi = 3.14159265358979323846;
 
 // In the system's own unit.
 struct Bounds

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 
 #include "hips_output.hpp"
+#include "file_checksum.hpp"
+#include "pixel_mean.hpp"
+#include "tile_file.hpp"
 #include "tools/cli/image_file.hpp"
 #include "tools/cli/number_pattern.hpp"
 #include "tools/cli/parallel.hpp"
@@ -14,7 +17,6 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <memory>
 
 #include <sys/stat.h>
 
@@ -28,82 +30,6 @@ constexpr std::uint32_t least_width = 64;
 constexpr std::uint32_t usual_order = 3;
 constexpr std::uint32_t tile_in_preview = 64;
 
-struct FileCloser
-{
-    void operator()(std::FILE *opened) const noexcept
-    {
-        std::fclose(opened);
-    }
-};
-
-using FilePointer = std::unique_ptr<std::FILE, FileCloser>;
-
-// A file in the folder that has not appeared yet. The first error of writing is kept.
-class TileFile
-{
-public:
-    explicit TileFile(const std::string &path)
-    {
-        std::error_code error;
-        std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
-        file.reset(std::fopen(path.c_str(), "w+b"));
-        note(file != nullptr);
-    }
-
-    cm_image_stream stream() noexcept
-    {
-        return {this,
-                [](void *context, void *bytes, std::size_t count) {
-                    return self(context).file
-                               ? std::fread(bytes, 1, count, self(context).file.get())
-                               : 0;
-                },
-                [](void *context, const void *bytes, std::size_t count)
-                {
-                    TileFile &to = self(context);
-                    to.note(to.file && std::fwrite(bytes, 1, count, to.file.get()) == count);
-                    return count;
-                },
-                [](void *context, std::int64_t place)
-                {
-                    TileFile &to = self(context);
-                    to.note(to.file && fseeko(to.file.get(), place, SEEK_SET) == 0);
-                },
-                [](void *context)
-                {
-                    struct stat status = {};
-                    TileFile &of = self(context);
-                    const bool good = of.file && std::fflush(of.file.get()) == 0 &&
-                                      fstat(fileno(of.file.get()), &status) == 0;
-                    return good ? static_cast<std::size_t>(status.st_size) : 0;
-                }};
-    }
-
-    // Failure if anything went wrong.
-    void finish(const std::string &folder)
-    {
-        errno = 0;
-        note(!file || std::fclose(file.release()) == 0);
-        if (error_number != 0)
-        {
-            throw Failure(in_quotes(folder) + " cannot be written: " + std::strerror(error_number));
-        }
-    }
-
-private:
-    static TileFile &self(void *context)
-    {
-        return *static_cast<TileFile *>(context);
-    }
-    void note(bool good) noexcept
-    {
-        error_number = good || error_number != 0 ? error_number : errno != 0 ? errno : EIO;
-    }
-
-    FilePointer file;
-    int error_number = 0;
-};
-
 std::string without_stroke(std::string path)
 {
     while (path.size() > 1 && path.back() == '/')
@@ -111,65 +37,6 @@ std::string without_stroke(std::string path)
         path.pop_back();
     }
     return path;
-}
-
-// The sum of a channel's values, weighted by another's.
-struct Mean
-{
-    double sum = 0;
-    double weight = 0;
-
-    void add(double value, double by)
-    {
-        sum += by > 0 && std::isfinite(value) ? value * by : 0;
-        weight += std::isfinite(value) ? by : 0;
-    }
-};
-
-double value_at(const unsigned char *pixel, cm_pixel_type type, std::size_t channel)
-{
-    float value = 0;
-    if (type == CM_PIXEL_U8)
-    {
-        return pixel[channel];
-    }
-    std::memcpy(&value, pixel + channel * sizeof value, sizeof value);
-    return static_cast<double>(value);
-}
-
-void put_value(double value, cm_pixel_type type, std::size_t channel, unsigned char *pixel)
-{
-    const float number = static_cast<float>(value);
-    if (type == CM_PIXEL_U8)
-    {
-        pixel[channel] = static_cast<unsigned char>(value + 0.5);
-        return;
-    }
-    std::memcpy(pixel + channel * sizeof number, &number, sizeof number);
-}
-
-// The mean of width x width pixels of a picture from (column, row); colours weigh as much as their alpha.
-void put_mean(const cm_image &from, std::uint32_t column, std::uint32_t row, std::uint32_t width,
-              int alpha, unsigned char *to)
-{
-    for (std::size_t channel = 0; channel < from.channels; ++channel)
-    {
-        Mean mean;
-        for (std::uint32_t i = 0; i < width * width; ++i)
-        {
-            const unsigned char *const pixel =
-                static_cast<const unsigned char *>(from.data) +
-                static_cast<std::ptrdiff_t>(row + i / width) * from.row_stride +
-                static_cast<std::ptrdiff_t>(column + i % width) * from.pixel_stride;
-            const bool plain = alpha < 0 || static_cast<std::size_t>(alpha) == channel;
-            mean.add(value_at(pixel, from.type, channel),
-                     plain ? 1.0 : value_at(pixel, from.type, static_cast<std::size_t>(alpha)));
-        }
-        const bool nothing = !(mean.weight > 0);
-        put_value(nothing ? (from.type == CM_PIXEL_FLOAT && alpha < 0 ? std::nan("") : 0.0)
-                          : mean.sum / mean.weight,
-                  from.type, channel, to);
-    }
 }
 
 std::string tag_of(const ImageDescription &description, const std::string &key)
@@ -219,6 +86,28 @@ std::uint32_t tile_width(const Options &options, std::uint32_t nside)
     return std::clamp(nside >> order, least_width, usual_width);
 }
 
+// Section 4.4.1: an IVOA identifier, whose authority and path the standard asks for.
+void check_creator(const std::string &creator)
+{
+    const std::string begin = "ivo://";
+    const std::size_t stroke = creator.find('/', begin.size());
+    const auto is_visible = [](unsigned char letter) { return letter > ' ' && letter < 0x7f; };
+    const bool good = creator.compare(0, begin.size(), begin) == 0 && stroke != std::string::npos &&
+                      stroke > begin.size() && stroke + 1 < creator.size() &&
+                      std::all_of(creator.begin(), creator.end(), is_visible);
+    if (!creator.empty() && !good)
+    {
+        throw UsageFailure("--creator-did is " + in_quotes(creator) +
+                           ", not an identifier such as ivo://authority/P/name");
+    }
+}
+
+// The extension of files of such tiles.
+std::string tile_extension(const std::string &format)
+{
+    return format == "jpeg" ? "jpg" : format;
+}
+
 } // namespace
 
 bool is_hips_name(const std::string &path)
@@ -231,26 +120,33 @@ void take_hips_rules(Options &options)
     SurfaceOptions &to = options.to;
     if (!is_hips_name(options.output))
     {
-        if (options.order)
+        const char *const only_tiles = options.order                  ? "--order"
+                                       : !options.tiles.empty()       ? "--tiles"
+                                       : !options.creator_did.empty() ? "--creator-did"
+                                                                      : nullptr;
+        if (only_tiles != nullptr)
         {
-            throw UsageFailure("--order is for HiPS tiles; for these OUTPUT is a folder, whose "
+            throw UsageFailure(std::string(only_tiles) +
+                               " is for HiPS tiles; for these OUTPUT is a folder, whose "
                                "name ends in /");
         }
         return;
     }
     if (!to.specification.empty() || !to.layout.empty() || !to.frame.empty() || options.mips ||
-        options.sidecar || options.overlay.wanted())
+        options.sidecar || options.overlay.wanted() || options.parts || options.border > 0)
     {
         throw UsageFailure(in_quotes(options.output) +
                            " is a folder of HiPS tiles; leave --to, --for, --layout, --frame, "
-                           "--mips, --sidecar and lines out, or the / at its end");
+                           "--mips, --border, --parts, --sidecar and lines out, or the / at its "
+                           "end");
     }
-    if (options.resume || !options.manifest.empty() || is_pipe(options.input) ||
-        number_pattern(options.input) || number_pattern(options.output))
+    if (!options.manifest.empty() || is_pipe(options.input) || number_pattern(options.input) ||
+        number_pattern(options.output))
     {
-        throw UsageFailure("a folder of HiPS tiles is made of one picture in files, at once; leave "
-                           "--resume, --manifest, pipes and numbers in names out");
+        throw UsageFailure("a folder of HiPS tiles is made of one picture in files; leave "
+                           "--manifest, pipes and numbers in names out");
     }
+    check_creator(options.creator_did);
     if (options.size)
     {
         const int width = *options.size;
@@ -289,9 +185,15 @@ SurfacePointer hips_surface(const Options &options, SurfacePointer wanted)
     return larger;
 }
 
-std::string hips_format(const ImageDescription &source)
+std::string hips_format(const Options &options, const ImageDescription &source)
 {
-    return source.channels == 1 && source.type != CM_PIXEL_U8 ? "fits" : "png";
+    if (options.tiles == "fits" && source.channels != 1)
+    {
+        throw UsageFailure("--tiles: a tile in FITS has one channel, and INPUT has " +
+                           std::to_string(source.channels) + "; take jpeg or png");
+    }
+    const bool numbers = source.channels == 1 && source.type != CM_PIXEL_U8;
+    return !options.tiles.empty() ? options.tiles : numbers ? "fits" : "png";
 }
 
 void plan_hips(ImagePlan &plan)
@@ -301,9 +203,11 @@ void plan_hips(ImagePlan &plan)
 }
 
 HipsOutput::HipsOutput(const Options &options, const cm_surface &surface,
-                       const ImagePlan &image_plan, cm_pixel_type pixel_type, int channel_count)
-    : name(without_stroke(options.output)), plan(image_plan), type(pixel_type),
-      channels(static_cast<std::uint32_t>(channel_count)),
+                       const ImagePlan &image_plan, const cm_image &kind, int alpha,
+                       WorkFolder *kept)
+    : name(without_stroke(options.output)), creator_did(options.creator_did), plan(image_plan),
+      work(kept), type(kind.type), channels(kind.channels),
+      weighing(image_plan.description.alpha_multiplied ? -1 : alpha),
       width(tile_width(options, cm_surface_plane_width(&surface))),
       order(log2_of(cm_surface_plane_width(&surface) / width)),
       preview_order(std::min(order, usual_order)), preview_width(std::min(width, tile_in_preview))
@@ -315,6 +219,22 @@ HipsOutput::HipsOutput(const Options &options, const cm_surface &surface,
     {
         throw Failure(in_quotes(name) + " is there already; remove it, or give another name");
     }
+    if (work != nullptr)
+    {
+        temporary = work->tiles();
+    }
+    else
+    {
+        make_temporary(path);
+    }
+    cm_hips_preview(preview_order, &preview_columns, &preview_rows);
+    preview.resize(std::size_t{preview_columns} * preview_rows * preview_width * preview_width *
+                   channels * cm_pixel_size(type));
+}
+
+void HipsOutput::make_temporary(const std::filesystem::path &path)
+{
+    namespace fs = std::filesystem;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     temporary = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
     if (mkdtemp(temporary.data()) == nullptr)
@@ -324,15 +244,12 @@ HipsOutput::HipsOutput(const Options &options, const cm_surface &surface,
         throw Failure(in_quotes(name) + " cannot be written: folder " + in_quotes(folder.string()) +
                       ": " + std::strerror(number));
     }
-    cm_hips_preview(preview_order, &preview_columns, &preview_rows);
-    preview.resize(std::size_t{preview_columns} * preview_rows * preview_width * preview_width *
-                   channels * cm_pixel_size(type));
 }
 
 HipsOutput::~HipsOutput()
 {
     std::error_code error;
-    if (!temporary.empty())
+    if (!temporary.empty() && work == nullptr)
     {
         std::filesystem::remove_all(temporary, error);
     }
@@ -361,6 +278,11 @@ HipsOutput::Pixels HipsOutput::make_tile(std::uint32_t level, std::uint64_t numb
     cm_hips_window window = {};
     cm_hips_place(level, number, width, &window);
     Pixels pixels(std::size_t{width} * width * channels * cm_pixel_size(type));
+    const bool kept = work != nullptr && level == preview_order;
+    if (kept && load_tiles(level, number, pixels))
+    {
+        return pixels;
+    }
     if (level == order)
     {
         render(window, pixels.data());
@@ -370,8 +292,65 @@ HipsOutput::Pixels HipsOutput::make_tile(std::uint32_t level, std::uint64_t numb
         add_quarter(window, level, child, make_tile(level + 1, child, render), pixels);
     }
     write_tile(level, number, pixels);
+    if (kept)
+    {
+        store_tiles(level, number, pixels);
+    }
     return pixels;
 }
+
+// ---- tiles that are kept: one of the preview's order with all that it is the mean of
+
+// Of the files of a tile and of those that it is the mean of; 0 if one is not there.
+std::uint32_t HipsOutput::sum_of_tiles(std::uint32_t level, std::uint64_t number) const
+{
+    const std::string path = tile_path(level, number);
+    if (!std::filesystem::exists(path))
+    {
+        return 0;
+    }
+    std::uint32_t sums[5] = {sum_of_file(path, name).checksum};
+    for (std::uint64_t i = 0; level < order && i < 4; ++i)
+    {
+        sums[i + 1] = sum_of_tiles(level + 1, 4 * number + i);
+        if (sums[i + 1] == 0)
+        {
+            return 0;
+        }
+    }
+    return checksum_of(sums, sizeof sums) | 1u;
+}
+
+// The pixels, and behind them the sum of the files.
+void HipsOutput::store_tiles(std::uint32_t level, std::uint64_t number, Pixels pixels)
+{
+    const std::uint32_t sum = sum_of_tiles(level, number);
+    const auto *const bytes = reinterpret_cast<const unsigned char *>(&sum);
+    pixels.insert(pixels.end(), bytes, bytes + sizeof sum);
+    const int row = static_cast<int>(number);
+    work->store(0, row, row + 1, pixels.data(), pixels.size());
+}
+
+bool HipsOutput::load_tiles(std::uint32_t level, std::uint64_t number, Pixels &pixels)
+{
+    const int row = static_cast<int>(number);
+    Pixels there(pixels.size() + sizeof(std::uint32_t));
+    if (!work->load(0, row, row + 1, there.data(), there.size()))
+    {
+        return false;
+    }
+    std::uint32_t sum = 0;
+    std::memcpy(&sum, there.data() + pixels.size(), sizeof sum);
+    if (sum != sum_of_tiles(level, number))
+    {
+        return false;
+    }
+    std::copy_n(there.begin(), pixels.size(), pixels.begin());
+    preview_tile(number, pixels);
+    return true;
+}
+
+// ---- files
 
 void HipsOutput::add_quarter(const cm_hips_window &parent, std::uint32_t level, std::uint64_t child,
                              const Pixels &from, Pixels &to) const
@@ -387,7 +366,7 @@ void HipsOutput::add_quarter(const cm_hips_window &parent, std::uint32_t level, 
     {
         for (std::uint32_t x = 0; x < width / 2; ++x)
         {
-            put_mean(picture, 2 * x, 2 * y, 2, plan.description.alpha,
+            put_mean(picture, 2 * x, 2 * y, 2, weighing,
                      to.data() + (std::size_t{row + y} * width + column + x) * pixel);
         }
     }
@@ -397,14 +376,12 @@ void HipsOutput::write_tile(std::uint32_t level, std::uint64_t number, Pixels &p
 {
     const cm_image window = picture_of(pixels, width, width);
     cm_image tile = {};
-    char path[CM_HIPS_PATH] = "";
     cm_hips_tile(&window, &tile);
-    cm_hips_tile_path(level, number, plan.format.c_str(), path);
     if (level == preview_order)
     {
-        add_to_preview(number, tile);
+        preview_tile(number, pixels);
     }
-    const std::string file_name = temporary + "/" + path;
+    const std::string file_name = tile_path(level, number);
     if (plan.format != "fits")
     {
         write_picture(file_name, tile);
@@ -421,9 +398,19 @@ void HipsOutput::write_tile(std::uint32_t level, std::uint64_t number, Pixels &p
     }
 }
 
-// Tiles of the preview are other threads' at other places.
-void HipsOutput::add_to_preview(std::uint64_t number, const cm_image &tile)
+std::string HipsOutput::tile_path(std::uint32_t level, std::uint64_t number) const
 {
+    char path[CM_HIPS_PATH] = "";
+    cm_hips_tile_path(level, number, tile_extension(plan.format).c_str(), path);
+    return temporary + "/" + path;
+}
+
+// Tiles of the preview are other threads' at other places.
+void HipsOutput::preview_tile(std::uint64_t number, Pixels &pixels)
+{
+    const cm_image window = picture_of(pixels, width, width);
+    cm_image tile = {};
+    cm_hips_tile(&window, &tile);
     const std::size_t pixel = channels * cm_pixel_size(type);
     const std::uint32_t step = width / preview_width;
     const std::size_t left = number % preview_columns * preview_width;
@@ -433,7 +420,7 @@ void HipsOutput::add_to_preview(std::uint64_t number, const cm_image &tile)
     {
         for (std::uint32_t x = 0; x < preview_width; ++x)
         {
-            put_mean(tile, x * step, y * step, step, plan.description.alpha,
+            put_mean(tile, x * step, y * step, step, weighing,
                      preview.data() + ((top + y) * row + left + x) * pixel);
         }
     }
@@ -453,7 +440,12 @@ void HipsOutput::write_picture(const std::string &file_name, const cm_image &pic
                     pixel);
     }
     ImageDescription description = plan.description;
-    description.tags.clear();
+    // of what tiles say, only how they are compressed
+    const auto is_other = [](const ImageTag &tag)
+    { return tag.key != "png:compressionLevel" && tag.key != "jpeg:subsampling"; };
+    description.tags.erase(
+        std::remove_if(description.tags.begin(), description.tags.end(), is_other),
+        description.tags.end());
     const DescriptionView view(description, plan.format, static_cast<int>(picture.width),
                                static_cast<int>(picture.height));
     TileFile file(file_name);
@@ -484,7 +476,7 @@ void HipsOutput::write_preview()
     {
         return;
     }
-    cm_hips_preview_path(preview_order, plan.format.c_str(), path);
+    cm_hips_preview_path(preview_order, tile_extension(plan.format).c_str(), path);
     write_picture(temporary + "/" + path, picture_of(preview, preview_columns * preview_width,
                                                      preview_rows * preview_width));
 }
@@ -504,10 +496,10 @@ void HipsOutput::write_properties()
     const std::string date = release_date();
     cm_hips_properties properties = {};
     properties.size = sizeof properties;
-    properties.creator_did = identifier.c_str();
+    properties.creator_did = creator_did.empty() ? identifier.c_str() : creator_did.c_str();
     properties.title = title.c_str();
     properties.frame = axes == "G" ? "galactic" : axes == "E" ? "ecliptic" : "equatorial";
-    properties.tile_format = plan.format == "png" ? "png" : "fits";
+    properties.tile_format = plan.format.c_str();
     properties.release = date.c_str();
     properties.copyright = copyright.empty() ? nullptr : copyright.c_str();
     properties.builder = "cubemap-reproject";
@@ -552,5 +544,5 @@ void HipsOutput::appear()
 std::string HipsOutput::description() const
 {
     return "; HiPS tiles of " + std::to_string(width) + "x" + std::to_string(width) +
-           " pixels, orders 0 to " + std::to_string(order);
+           " pixels, orders 0 to " + std::to_string(order) + ", " + plan.format;
 }

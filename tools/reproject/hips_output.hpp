@@ -8,10 +8,12 @@
 
 #include "reproject_options.hpp"
 #include "surface_text.hpp"
+#include "work_folder.hpp"
 #include "tools/cli/image_format.hpp"
 #include "modules/image/io/hips.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,8 +27,8 @@ void take_hips_rules(Options &options);
 // A surface with the pixels of the tiles, from the one that OUTPUT has without them; else that one.
 SurfacePointer hips_surface(const Options &options, SurfacePointer wanted);
 
-// What tiles of such an image are: "png", or "fits" for one channel that is not of bytes.
-std::string hips_format(const ImageDescription &source);
+// What tiles of such an image are: "png", "jpeg" or "fits". UsageFailure if it cannot be what the command line says.
+std::string hips_format(const Options &options, const ImageDescription &source);
 void plan_hips(ImagePlan &plan);
 
 class HipsOutput
@@ -35,10 +37,12 @@ public:
     // Fills dense pixels of a window, in the rows of its plane.
     using Render = std::function<void(const cm_hips_window &, unsigned char *)>;
 
-    // Makes a folder beside the one that is to be. Failure if that cannot be, or is there already.
+    // Makes a folder beside the one that is to be, or in `work`, where it stays until it is complete; NULL: there is
+    // none. Failure if that cannot be, or is there already. kind has the type and the channels of pixels; of those,
+    // alpha is opacity, -1: none is.
     HipsOutput(const Options &options, const cm_surface &surface, const ImagePlan &plan,
-               cm_pixel_type type, int channels);
-    // Removes it unless appear() was called.
+               const cm_image &kind, int alpha, WorkFolder *work);
+    // Removes it unless appear() was called, or it is in `work`.
     ~HipsOutput();
     HipsOutput(const HipsOutput &) = delete;
     HipsOutput &operator=(const HipsOutput &) = delete;
@@ -55,18 +59,26 @@ private:
     void add_quarter(const cm_hips_window &parent, std::uint32_t level, std::uint64_t child,
                      const Pixels &from, Pixels &to) const;
     void write_tile(std::uint32_t level, std::uint64_t number, Pixels &pixels);
-    void add_to_preview(std::uint64_t number, const cm_image &tile);
+    void preview_tile(std::uint64_t number, Pixels &pixels);
+    std::uint32_t sum_of_tiles(std::uint32_t level, std::uint64_t number) const;
+    void store_tiles(std::uint32_t level, std::uint64_t number, Pixels pixels);
+    bool load_tiles(std::uint32_t level, std::uint64_t number, Pixels &pixels);
+    std::string tile_path(std::uint32_t level, std::uint64_t number) const;
+    void make_temporary(const std::filesystem::path &path);
     void write_picture(const std::string &name, const cm_image &picture) const;
     void write_preview();
     void write_properties();
     cm_image picture_of(Pixels &pixels, std::uint32_t width, std::uint32_t height) const;
     void appear();
 
-    std::string name;      // as the user gave it, without a stroke at its end
-    std::string temporary; // in the same folder
+    std::string name;        // as the user gave it, without a stroke at its end
+    std::string temporary;   // in the same folder
+    std::string creator_did; // "": nobody says
     ImagePlan plan;
+    WorkFolder *work; // where what is done is kept, if anywhere
     cm_pixel_type type;
     std::uint32_t channels;
+    int weighing;        // the channel by which colours are weighed; -1: none
     std::uint32_t width; // of a tile
     std::uint32_t order = 0;
     std::uint32_t preview_order;

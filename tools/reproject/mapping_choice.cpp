@@ -17,7 +17,7 @@ namespace
 constexpr const char *automatic = "auto";
 
 // Faces to measure densities on.
-constexpr int measured_size = 64;
+constexpr int measured_face_size = 64;
 
 // The keys of a specification, with the semicolon before them.
 std::string keys_of(const std::string &specification)
@@ -31,12 +31,12 @@ bool is_tidy(const cm_mapping_info &info)
            info.smooth_edge >= CM_SMOOTH_C0;
 }
 
-// Pixels of a radian where there are the fewest, on a face of measured_size.
+// Pixels of a radian where there are the fewest, on a face of measured_face_size.
 double least_density(const std::string &mapping)
 {
     std::string message;
     const SurfacePointer surface = make_surface(
-        "cube:" + mapping + ";size=" + std::to_string(measured_size), 0, 0, {}, message);
+        "cube:" + mapping + ";size=" + std::to_string(measured_face_size), 0, 0, {}, message);
     return surface ? density_of(*surface).least : 0;
 }
 

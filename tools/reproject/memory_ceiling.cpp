@@ -18,6 +18,7 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
@@ -188,12 +189,12 @@ bool MemoryCeiling::fits(std::size_t size)
     return size <= ceiling && used <= ceiling - size && memory_bytes + size <= ceiling / 4 * 3;
 }
 
-void *MemoryCeiling::allocate(std::size_t size, const std::string &what)
+void *MemoryCeiling::allocate(std::size_t size, const std::string &what, const std::string &kept)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (size > small_bytes && !fits(size))
     {
-        return map_file(size, what);
+        return map_file(size, what, kept);
     }
     void *const pointer = allocate_pages(size);
     memory_bytes += size;
@@ -203,9 +204,8 @@ void *MemoryCeiling::allocate(std::size_t size, const std::string &what)
 void MemoryCeiling::release(void *pointer, std::size_t size) noexcept
 {
     const std::lock_guard<std::mutex> lock(mutex);
-    const auto found = std::find_if(mappings.begin(), mappings.end(),
-                                    [pointer](const Mapping &one) { return one.begin == pointer; });
-    if (found == mappings.end())
+    const Mapping *const found = mapping_of(pointer);
+    if (found == nullptr)
     {
         std::free(pointer);
         memory_bytes -= size;
@@ -214,12 +214,40 @@ void MemoryCeiling::release(void *pointer, std::size_t size) noexcept
     munmap(found->begin, found->size);
     close(found->file);
     file_bytes -= found->size;
-    mappings.erase(found);
+    mappings.erase(mappings.begin() + (found - mappings.data()));
 }
 
-void *MemoryCeiling::map_file(std::size_t size, const std::string &what)
+const MemoryCeiling::Mapping *MemoryCeiling::mapping_of(const void *pointer) const
 {
-    const int file = open_file(size, what);
+    const auto found = std::find_if(mappings.begin(), mappings.end(),
+                                    [pointer](const Mapping &one) { return one.begin == pointer; });
+    return found == mappings.end() ? nullptr : &*found;
+}
+
+bool MemoryCeiling::is_in_file(const void *pointer)
+{
+    const std::lock_guard<std::mutex> lock(mutex);
+    return mapping_of(pointer) != nullptr;
+}
+
+// Without the lock, which the watcher needs meanwhile.
+void MemoryCeiling::bring_to_disk(const void *pointer)
+{
+    int file = -1;
+    {
+        const std::lock_guard<std::mutex> lock(mutex);
+        const Mapping *const found = mapping_of(pointer);
+        file = found == nullptr ? -1 : found->file;
+    }
+    if (file >= 0 && fsync(file) != 0)
+    {
+        throw Failure(std::string("a temporary file cannot be written: ") + std::strerror(errno));
+    }
+}
+
+void *MemoryCeiling::map_file(std::size_t size, const std::string &what, const std::string &kept)
+{
+    const int file = open_file(size, what, kept);
     void *const begin = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     if (begin == MAP_FAILED)
     {
@@ -244,10 +272,25 @@ void *MemoryCeiling::map_file(std::size_t size, const std::string &what)
     return begin;
 }
 
-int MemoryCeiling::open_file(std::size_t size, const std::string &what) const
+// The file of this name and size as it is, if there is one.
+int MemoryCeiling::open_file(std::size_t size, const std::string &what,
+                             const std::string &kept) const
 {
-    const std::uint64_t room = free_bytes(folder);
-    const std::string place = "folder " + in_quotes(folder);
+    const std::string where =
+        kept.empty() ? folder : std::filesystem::path(kept).parent_path().string();
+    const std::uint64_t room = free_bytes(where);
+    const std::string place = "folder " + in_quotes(where);
+    const int before = kept.empty() ? -1 : open(kept.c_str(), O_RDWR | O_CLOEXEC);
+    struct stat status = {};
+    if (before >= 0 && fstat(before, &status) == 0 &&
+        static_cast<std::uint64_t>(status.st_size) == size)
+    {
+        return before;
+    }
+    if (before >= 0)
+    {
+        close(before);
+    }
     if (room < size)
     {
         throw Failure(place + " has " + gigabytes(room) + " free, but " + what + ", " +
@@ -263,7 +306,9 @@ int MemoryCeiling::open_file(std::size_t size, const std::string &what) const
                      place.c_str(), gigabytes(room).c_str(), what.c_str(), gigabytes(size).c_str());
         std::fflush(messages);
     }
-    const int file = open_nameless(folder);
+    const int file = kept.empty()
+                         ? open_nameless(folder)
+                         : open(kept.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
     const int error = file < 0 ? errno : make_room(file, size);
     if (error != 0)
     {

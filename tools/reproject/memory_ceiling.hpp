@@ -32,7 +32,8 @@ public:
 
     // Bytes of any value, aligned to 64: in memory where the ceiling leaves room, else in a file. `what` is for people:
     // "the pixels of 'a.tif'". std::bad_alloc if there is no memory, Failure if there is no room for the file.
-    void *allocate(std::size_t size, const std::string &what);
+    // kept: the name of a file, if it is to be that file, which stays and of which what is there already is kept.
+    void *allocate(std::size_t size, const std::string &what, const std::string &kept = "");
     void release(void *pointer, std::size_t size) noexcept;
 
     // The same for the library, or NULL if there is no ceiling. What went wrong is thrown by rethrow().
@@ -41,6 +42,11 @@ public:
         return ceiling == 0 ? nullptr : &table;
     }
     void rethrow();
+
+    // Are these bytes in a file?
+    bool is_in_file(const void *pointer);
+    // They are on the disk from now on. Failure if they cannot be.
+    void bring_to_disk(const void *pointer);
 
     // Bytes of memory, 0 for no ceiling.
     std::uint64_t bytes() const noexcept
@@ -63,8 +69,9 @@ private:
     };
 
     bool fits(std::size_t size);
-    void *map_file(std::size_t size, const std::string &what);
-    int open_file(std::size_t size, const std::string &what) const;
+    void *map_file(std::size_t size, const std::string &what, const std::string &kept);
+    int open_file(std::size_t size, const std::string &what, const std::string &kept) const;
+    const Mapping *mapping_of(const void *pointer) const;
     void watch();
     void drop_pages();
 

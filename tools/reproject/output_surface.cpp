@@ -3,6 +3,7 @@
 #include "output_surface.hpp"
 #include "picture_density.hpp"
 #include "reproject_table.h"
+#include "tools/cli/circle.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/chart_image.hpp"
 
@@ -12,10 +13,8 @@
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-
 // A picture to measure densities with.
-constexpr int measured_size = 512;
+constexpr int measured_picture_size = 512;
 
 std::string with_size(const std::string &specification, int size)
 {
@@ -99,7 +98,7 @@ PictureDensity measured_density(const std::string &specification)
 {
     std::string message;
     const SurfacePointer measured =
-        make_surface(with_size(specification, measured_size), 0, 0, std::nullopt, message);
+        make_surface(with_size(specification, measured_picture_size), 0, 0, std::nullopt, message);
     if (!measured)
     {
         throw UsageFailure(in_quotes(specification) + ": " + message);
@@ -124,7 +123,7 @@ double natural_size(const std::string &specification, Keep keep, const Input &in
         throw UsageFailure("OUTPUT, " + in_quotes(specification) +
                            ", has places that are infinitely small; say --size");
     }
-    return measured_size * ratio;
+    return measured_picture_size * ratio;
 }
 
 int largest_size(const std::string &specification)

@@ -10,9 +10,9 @@ namespace
 {
 
 // Places along each edge of a plane; the outermost are half a step inside, where no pixel is far.
-constexpr int places = 96;
+constexpr int density_grid = 96;
 // Of the difference for a derivative, in pixels.
-constexpr double step = 1e-3;
+constexpr double density_step = 1e-3;
 
 struct Vector
 {
@@ -31,7 +31,7 @@ Vector direction(const cm_surface &surface, unsigned plane, double column, doubl
 
 Vector difference(const Vector &a, const Vector &b)
 {
-    return {(a.x - b.x) / step, (a.y - b.y) / step, (a.z - b.z) / step};
+    return {(a.x - b.x) / density_step, (a.y - b.y) / density_step, (a.z - b.z) / density_step};
 }
 
 double dot(const Vector &a, const Vector &b)
@@ -49,14 +49,15 @@ PictureDensity density_of(const cm_surface &surface)
     double count = 0;
     double longest = 0;
     double shortest = INFINITY;
-    for (int i = 0; i < places * places * static_cast<int>(cm_surface_plane_count(&surface)); ++i)
+    for (int i = 0;
+         i < density_grid * density_grid * static_cast<int>(cm_surface_plane_count(&surface)); ++i)
     {
-        const auto plane = static_cast<unsigned>(i / (places * places));
-        const double column = width * ((i % places + 0.5) / places);
-        const double row = height * ((i / places % places + 0.5) / places);
+        const auto plane = static_cast<unsigned>(i / (density_grid * density_grid));
+        const double column = width * ((i % density_grid + 0.5) / density_grid);
+        const double row = height * ((i / density_grid % density_grid + 0.5) / density_grid);
         const Vector at = direction(surface, plane, column, row);
-        const Vector right = difference(direction(surface, plane, column + step, row), at);
-        const Vector down = difference(direction(surface, plane, column, row + step), at);
+        const Vector right = difference(direction(surface, plane, column + density_step, row), at);
+        const Vector down = difference(direction(surface, plane, column, row + density_step), at);
         const double xx = dot(right, right);
         const double yy = dot(down, down);
         const double xy = dot(right, down);

@@ -10,8 +10,9 @@ PixelMemory::PixelMemory(std::size_t size) : memory(allocate_pages(size))
 {
 }
 
-PixelMemory::PixelMemory(MemoryCeiling &ceiling, std::size_t size, const std::string &what)
-    : memory(ceiling.allocate(size, what), Deleter(&ceiling, size))
+PixelMemory::PixelMemory(MemoryCeiling &ceiling, std::size_t size, const std::string &what,
+                         const std::string &kept)
+    : memory(ceiling.allocate(size, what, kept), Deleter(&ceiling, size))
 {
 }
 

@@ -18,7 +18,8 @@ public:
     // Bytes of any value, aligned for any vector. std::bad_alloc if there is not enough memory.
     explicit PixelMemory(std::size_t size);
     // Those of a ceiling, which must outlive them.
-    PixelMemory(MemoryCeiling &ceiling, std::size_t size, const std::string &what);
+    PixelMemory(MemoryCeiling &ceiling, std::size_t size, const std::string &what,
+                const std::string &kept = "");
 
     unsigned char *bytes() const noexcept
     {

@@ -5,6 +5,7 @@
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
+#include "face_parts.hpp"
 #include "film.hpp"
 #include "healpix_rules.hpp"
 #include "hips_output.hpp"
@@ -30,6 +31,7 @@ int reproject(int argc, char **argv, const cm_streams &streams)
     take_texture_rules(options);
     take_healpix_rules(options);
     take_hips_rules(options);
+    check_parts(options);
     const int threads = thread_count(options.threads);
     if (is_film(options))
     {
@@ -44,7 +46,7 @@ int reproject(int argc, char **argv, const cm_streams &streams)
     {
         std::fprintf(streams.err, "cubemap-reproject: %s\n", warning.c_str());
     }
-    input.read(options, threads, ceiling, streams.err);
+    input.read(options, threads, ceiling, streams.err, output.kept_work());
     KeptPlan plan;
     try
     {

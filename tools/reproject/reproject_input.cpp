@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_input.hpp"
+#include "face_parts.hpp"
 #include "geo_reference.hpp"
 #include "sidecar.hpp"
 #include "texture_rules.hpp"
@@ -137,6 +138,22 @@ ImageFile open_picture(const std::string &name, const Options &options, int thre
     return open_by_gdal(name, why);
 }
 
+// Colours of inks are made light of by the library, which knows no profile.
+bool has_inks(const ImageFile &image)
+{
+    const cm_image_description &of = image.stored();
+    for (std::size_t i = 0; i < of.tag_count; ++i)
+    {
+        const std::string key = of.tags[i].key;
+        if ((key == "tiff:ColorSpace" || key == "jpeg:ColorSpace") &&
+            std::strcmp(of.tags[i].text, "CMYK") == 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
@@ -144,6 +161,11 @@ Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
 {
     open(options, threads);
     choose_type();
+    if (has_inks(images.front()))
+    {
+        remarks.push_back(in_quotes(images.front().path()) +
+                          " is CMYK; its colours are converted without a profile");
+    }
     find_surface(options);
     if (options.memory > 0)
     {
@@ -183,10 +205,41 @@ void Input::open(const Options &options, int threads)
         faces = true;
         texture = true;
     }
+    else if (images.size() == 1 && images.front().stored().subimage_count > 1)
+    {
+        open_parts(options, cube && (layout.empty() || is_six(layout)));
+    }
     if (faces)
     {
         check_faces();
     }
+}
+
+// The parts of an OpenEXR file may be six faces; of all other files with several pictures the first one is taken.
+void Input::open_parts(const Options &options, bool may_be_faces)
+{
+    const cm_image_description &first = images.front().stored();
+    if (may_be_faces && first.subimage_count == 6 && images.front().format() == "openexr")
+    {
+        std::vector<ImageFile> parts;
+        for (std::uint32_t i = 0; i < first.subimage_count; ++i)
+        {
+            parts.emplace_back(options.input, 0, i);
+        }
+        faces = are_faces(parts);
+        if (faces)
+        {
+            // who tells faces by axes has y up, as for a texture
+            const bool tagged = saved_surface(parts.front()).has_value();
+            texture = !tagged && order_parts(parts) == PartOrder::gl;
+            images = std::move(parts);
+            return;
+        }
+    }
+    remarks.push_back(
+        in_quotes(options.input) + " has " + std::to_string(first.subimage_count) +
+        " pictures; the first is taken" +
+        (first.subimage_name == nullptr ? "" : ", " + in_quotes(first.subimage_name)));
 }
 
 void Input::check_faces() const
@@ -444,15 +497,25 @@ bool Input::is_georeferenced() const
 
 // ---- its pixels
 
-void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, std::FILE *terminal)
+std::size_t Input::picture_bytes() const
 {
     const ImageFile &first = images.front();
-    const std::size_t row = static_cast<std::size_t>(first.width()) *
-                            static_cast<std::size_t>(first.channels()) * channel_bytes(pixels.type);
+    return static_cast<std::size_t>(first.width()) * static_cast<std::size_t>(first.channels()) *
+           channel_bytes(pixels.type) * static_cast<std::size_t>(first.height());
+}
+
+// Room for the pixels. Which pictures' are there already?
+std::vector<bool> Input::allocate(MemoryCeiling &ceiling, WorkFolder *work)
+{
+    const ImageFile &first = images.front();
+    std::vector<bool> there;
     for (std::size_t i = 0; i < images.size(); ++i)
     {
-        memory.emplace_back(ceiling, row * static_cast<std::size_t>(first.height()),
-                            "the pixels of " + in_quotes(images[i].path()));
+        const bool kept = work != nullptr && work->has_source(i, picture_bytes());
+        memory.emplace_back(ceiling, picture_bytes(),
+                            "the pixels of " + in_quotes(images[i].path()),
+                            work != nullptr ? work->source_name(i) : "");
+        there.push_back(kept && ceiling.is_in_file(memory.back().bytes()));
         cm_image view = {};
         view.size = sizeof view;
         view.data = memory.back().bytes();
@@ -462,7 +525,22 @@ void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, st
         view.channels = static_cast<std::uint32_t>(first.channels());
         views.push_back(view);
     }
-    read_files(threads, ceiling.in_files() > 0, options.quiet ? nullptr : terminal);
+    return there;
+}
+
+void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, std::FILE *terminal,
+                 WorkFolder *work)
+{
+    const std::vector<bool> there = allocate(ceiling, work);
+    read_files(threads, ceiling.in_files() > 0, options.quiet ? nullptr : terminal, there);
+    for (std::size_t i = 0; work != nullptr && i < images.size(); ++i)
+    {
+        if (!there[i] && !work->source_name(i).empty() && ceiling.is_in_file(memory[i].bytes()))
+        {
+            ceiling.bring_to_disk(memory[i].bytes());
+            work->note_source(i, picture_bytes());
+        }
+    }
     const auto has_floats = [](const ImageFile &image) { return !image.stored().whole_numbers; };
     if (std::any_of(images.begin(), images.end(), has_floats))
     {
@@ -474,19 +552,28 @@ void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, st
     }
 }
 
-void Input::read_files(int threads, bool in_bands, std::FILE *terminal)
+void Input::read_files(int threads, bool in_bands, std::FILE *terminal,
+                       const std::vector<bool> &there)
 {
     const std::ptrdiff_t row = images.front().width() * images.front().channels() *
                                static_cast<std::ptrdiff_t>(channel_bytes(pixels.type));
     std::int64_t rows = 0;
-    for (const ImageFile &image : images)
+    for (std::size_t i = 0; i < images.size(); ++i)
     {
-        rows += image.stored().height;
+        rows += there[i] ? 0 : images[i].stored().height;
+    }
+    if (rows == 0)
+    {
+        return;
     }
     Progress progress(rows, in_bands && terminal != nullptr, terminal);
     const auto read_file = [&](int i)
     {
         ImageFile &image = images[static_cast<std::size_t>(i)];
+        if (there[static_cast<std::size_t>(i)])
+        {
+            return;
+        }
         unsigned char *const to = memory[static_cast<std::size_t>(i)].bytes();
         if (in_bands)
         {

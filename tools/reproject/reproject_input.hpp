@@ -9,6 +9,7 @@
 #include "pixel_memory.hpp"
 #include "reproject_options.hpp"
 #include "surface_tags.hpp"
+#include "work_folder.hpp"
 #include "surface_text.hpp"
 
 #include <string>
@@ -50,8 +51,10 @@ public:
     }
 
     // The pixels, in the type of description_of_pixels(), which lie where the ceiling has them and must not outlive it.
-    // The progress is shown on terminal, if it is one. Failure if a file turns out to be damaged.
-    void read(const Options &options, int threads, MemoryCeiling &ceiling, std::FILE *terminal);
+    // The progress is shown on terminal, if it is one. work: where pixels that lie in files are kept for another run, and
+    // may be from an earlier one; NULL: nowhere. Failure if a file turns out to be damaged.
+    void read(const Options &options, int threads, MemoryCeiling &ceiling, std::FILE *terminal,
+              WorkFolder *work = nullptr);
 
     // Of the surface, after read().
     const cm_image *pictures() const noexcept
@@ -69,6 +72,9 @@ public:
 
 private:
     void open(const Options &options, int threads);
+    std::size_t picture_bytes() const;
+    std::vector<bool> allocate(MemoryCeiling &ceiling, WorkFolder *work);
+    void open_parts(const Options &options, bool may_be_faces);
     void check_faces() const;
     void choose_type();
     void find_surface(const Options &options);
@@ -79,7 +85,8 @@ private:
     void compare_with(const SavedSurface &saved);
     std::string cube_by_shape(const Options &options) const;
     std::string layout_by_shape(const Options &options) const;
-    void read_files(int threads, bool in_bands, std::FILE *terminal);
+    void read_files(int threads, bool in_bands, std::FILE *terminal,
+                    const std::vector<bool> &there);
     void count_not_finite(int threads);
     [[noreturn]] void refuse_not_finite() const;
 

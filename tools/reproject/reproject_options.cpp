@@ -85,10 +85,8 @@ std::string read_layout_name(OptionReader &reader)
     {
         return text;
     }
-    static const char *const names[] = {"faces", "strip", "cross", "vcross", "column",
-                                        "3x2",   "2x3",   "eac",   nullptr};
     cm_nearest nearest = cm_nearest_to(text.c_str(), text.size());
-    for (const char *const *name = names; *name != nullptr; ++name)
+    for (const char *const *name = cm_reproject_layouts; *name != nullptr; ++name)
     {
         cm_nearest_try(&nearest, *name, std::strlen(*name));
     }
@@ -269,8 +267,17 @@ void read_option(int id, OptionReader &reader, Options &options)
     case REPROJECT_MIPS:
         options.mips = true;
         break;
+    case REPROJECT_PARTS:
+        options.parts = true;
+        break;
     case REPROJECT_ORDER:
         options.order = reader.whole_number();
+        break;
+    case REPROJECT_TILES:
+        options.tiles = reader.text();
+        break;
+    case REPROJECT_CREATOR_DID:
+        options.creator_did = reader.text();
         break;
     case REPROJECT_BORDER:
         options.border = reader.whole_number();

@@ -62,10 +62,13 @@ struct Options
     std::string compression;
     bool sidecar = false;
     bool mips = false;
+    bool parts = false;        // of one OpenEXR file, which the six faces are
     std::string healpix_order; // "nest", "ring", or not said
     int border = 0;
     std::optional<int> order; // of HiPS tiles
     int tile_width = 0;       // of those; 0: not said
+    std::string tiles;        // "jpeg", "png", "fits", or not said
+    std::string creator_did;  // who publishes them; "": not said
     bool georeference = false;
     std::optional<int> start; // of a film: the number of its first picture
     std::optional<int> count;

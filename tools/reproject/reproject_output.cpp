@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
-#include "channel_groups.hpp"
+#include "face_parts.hpp"
 #include "geo_reference.hpp"
 #include "healpix_rules.hpp"
 #include "output_surface.hpp"
@@ -19,22 +19,6 @@
 namespace
 {
 
-// Rows of blocks, which the library computes together.
-constexpr int block_rows = 16;
-// Rows are computed, then written, in bands. All bands at a time together have about so many bytes, two for each picture.
-constexpr std::size_t bands_bytes = std::size_t{12} << 20;
-// A picture is so many bands at least, so that the first are written early, where threads have enough to do then.
-constexpr int bands_least = 8;
-constexpr int rows_each = 4 * block_rows;
-// With a source in files, parts of a band of so many rows and columns are computed one after another: what they read is a
-// small part of the source, which then stays in memory, and the system maps some pages beside each that is asked for.
-constexpr std::uint32_t tile_edge = 1024;
-// Then larger bands are quicker: all at a time together a part of the ceiling, and one at most so many bytes.
-constexpr std::uint64_t ceiling_parts = 16;
-constexpr std::size_t band_most = std::size_t{32} << 20;
-// For how many threads bands are where rows are kept for another run.
-constexpr int kept_threads = 4;
-
 bool is_linear_format(const std::string &format)
 {
     return format == "openexr" || format == "hdr" || format == "pfm";
@@ -50,6 +34,14 @@ bool is_srgb_format(const std::string &format)
 // Through a pipe goes what holds the picture best.
 std::string format_of(const std::string &name)
 {
+    std::error_code error;
+    if (!is_pipe(name) && std::filesystem::path(name).extension().empty() &&
+        std::filesystem::is_directory(name, error))
+    {
+        throw UsageFailure(in_quotes(name) + " is a folder; give the name of a file in it, as " +
+                           in_quotes((std::filesystem::path(name) / "face_%f.png").string()) +
+                           ", or of a new folder with / at its end, for HiPS tiles");
+    }
     return is_pipe(name) ? "pnm" : reproject_format(name);
 }
 
@@ -78,14 +70,6 @@ std::string not_finite_text(std::int64_t count, cm_not_finite what)
 
 } // namespace
 
-struct Output::Render
-{
-    MemoryCeiling &ceiling;
-    const cm_plan &plan;
-    const ChannelGroups &source;
-    Progress &progress;
-};
-
 Output::Output(const Options &options, const Input &input)
     : whole(options, hips_surface(options, output_surface(options, input)),
             texture_format(options.output)),
@@ -99,8 +83,8 @@ Output::Output(const Options &options, const Input &input)
     const ImageDescription &source = input.description_of_pixels();
     const bool tiles = is_hips_name(options.output);
     plan = plan_image(!options.pipe.empty() ? options.pipe
-                      : tiles               ? hips_format(source)
-                                            : format_of(names.front()),
+                      : tiles               ? hips_format(options, source)
+                                            : format_of(options.output),
                       source, input.files().front().format(), names.front());
     if (is_texture(plan.format))
     {
@@ -114,6 +98,10 @@ Output::Output(const Options &options, const Input &input)
     {
         plan_healpix(plan, options);
     }
+    if (options.parts)
+    {
+        plan.parts = part_names(whole.surface());
+    }
     channels = source.channels;
     choose_colors(options, input);
     choose_place(options, input);
@@ -123,10 +111,16 @@ Output::Output(const Options &options, const Input &input)
     }
     choose_values(options, input);
     save_surface(plan, whole.surface(), rotation);
-    make_files(options);
-    if (options.resume)
+    const auto keep_work = [&]
+    { work = std::make_unique<WorkFolder>(options.output, work_identity(options, input, kind())); };
+    if (options.resume && tiles)
     {
-        work = std::make_unique<WorkFolder>(options.output, work_identity(options, input, kind()));
+        keep_work(); // where its tiles are
+    }
+    make_files(options);
+    if (options.resume && !tiles)
+    {
+        keep_work();
     }
 }
 
@@ -143,7 +137,7 @@ void Output::choose_names(const Options &options, const Input &input)
         throw UsageFailure("OUTPUT is a pipe, which takes one picture, and the faces of a cube are "
                            "six; say --layout 3x2, strip or cross, or --to equirect");
     }
-    const bool faces = pictures > 1 && !whole.is_texture();
+    const bool faces = pictures > 1 && !whole.is_texture() && !options.parts;
     names = whole.file_names(faces ? face_names(options.output)
                                    : std::vector<std::string>{options.output});
     for (const std::string &name : names)
@@ -262,7 +256,11 @@ void Output::make_files(const Options &options)
     }
     if (is_hips_name(options.output))
     {
-        hips = std::make_unique<HipsOutput>(options, *surface, plan, row_type, channels);
+        cm_image kind = {};
+        kind.type = row_type;
+        kind.channels = static_cast<std::uint32_t>(channels);
+        hips =
+            std::make_unique<HipsOutput>(options, *surface, plan, kind, colors.alpha, work.get());
         return;
     }
     for (const std::string &name : names)
@@ -277,207 +275,41 @@ void Output::make_files(const Options &options)
     }
     if (!options.manifest.empty())
     {
+        check_manifest(options);
         files.push_back(std::make_unique<AtomicFile>(options.manifest));
     }
 }
 
-// ---- rows
-
-std::size_t Output::row_bytes() const
+// It is no other file that is read or written.
+void Output::check_manifest(const Options &options) const
 {
-    return cm_surface_width(surface) * static_cast<std::size_t>(channels) * channel_bytes(row_type);
-}
-
-// Where bands end: at rows of blocks of the planes, as far as those stand at the same ones.
-std::vector<int> Output::band_ends(std::size_t index, std::size_t most_bytes, int threads) const
-{
-    const int height = static_cast<int>(cm_surface_height(surface));
-    const int fitting = static_cast<int>(std::min<std::size_t>(most_bytes / row_bytes(), 1u << 20));
-    const int wanted = std::max(threads * rows_each, height / bands_least);
-    const int step = std::max(std::min(fitting, wanted) / block_rows, 1) * block_rows;
-    std::vector<int> stops = {height};
-    for (const PlanePlace &place : places)
+    std::vector<std::string> others = names;
+    others.push_back(options.input);
+    if (options.sidecar)
     {
-        // rows of planes are drawn whole
-        if (place.picture == index && place.exchanged() && lines)
-        {
-            return {height};
-        }
-        if (place.picture == index)
-        {
-            stops.push_back(place.first_row());
-            stops.push_back(place.end_row());
-        }
+        others.push_back(sidecar_name(options.output));
     }
-    std::sort(stops.begin(), stops.end());
-    std::vector<int> ends;
-    int first = 0;
-    for (const int stop : stops)
+    const auto place_of = [](const std::string &name)
     {
-        for (; first < stop; first = ends.back())
-        {
-            ends.push_back(std::min(first + step, stop));
-        }
-    }
-    return ends;
-}
-
-void Output::compute_rows(const Render &render, const cm_rows &rows,
-                          std::vector<cm_image> &pictures, int threads)
-{
-    const bool in_tiles = render.ceiling.in_files() > 0;
-    const std::uint32_t down = in_tiles ? tile_edge : rows.row_count;
-    const std::uint32_t across = in_tiles ? tile_edge : rows.column_count;
-    const std::uint32_t last_row = rows.first_row + rows.row_count;
-    const std::uint32_t last_column = rows.first_column + rows.column_count;
-    for (std::uint32_t row = rows.first_row; row < last_row; row += down)
-    {
-        for (std::uint32_t column = rows.first_column; column < last_column; column += across)
-        {
-            const cm_rows tile = {rows.plane, row, std::min(down, last_row - row), column,
-                                  std::min(across, last_column - column)};
-            render.source.resample(render.plan, pictures, tile, threads);
-        }
-    }
-}
-
-// The picture as a whole is not there: only the band's rows are touched.
-void Output::compute(const Render &render, std::size_t index, const RowBand &band, int threads)
-{
-    const std::size_t row = row_bytes();
-    std::memset(band.pixels.bytes(), 0, row * static_cast<std::size_t>(band.end - band.first));
-    cm_image picture = {};
-    picture.size = sizeof picture;
-    picture.data = reinterpret_cast<void *>(reinterpret_cast<std::uintptr_t>(band.pixels.bytes()) -
-                                            static_cast<std::size_t>(band.first) * row);
-    picture.type = row_type;
-    picture.width = cm_surface_width(surface);
-    picture.height = cm_surface_height(surface);
-    picture.channels = static_cast<std::uint32_t>(channels);
-    std::vector<cm_image> pictures(cm_surface_picture_count(surface), picture);
-    for (const PlanePlace &place : places)
-    {
-        const cm_rows rows = place.part(band.first, band.end);
-        if (place.picture != index || rows.row_count == 0)
-        {
-            continue;
-        }
-        compute_rows(render, rows, pictures, threads);
-        if (row_type == CM_PIXEL_FLOAT && (lines || colors.is_needed()))
-        {
-            finish_rows(place, rows, band, threads);
-        }
-    }
-}
-
-void Output::finish_rows(const PlanePlace &place, const cm_rows &rows, const RowBand &band,
-                         int threads) const
-{
-    const std::size_t count = rows.column_count;
-    const std::size_t size = static_cast<std::size_t>(channels);
-    const std::ptrdiff_t down = static_cast<std::ptrdiff_t>(row_bytes() / sizeof(float));
-    const std::ptrdiff_t right = place.right_x * channels + place.right_y * down;
-    const PixelChannels meaning = {channels, colors.alpha, colors.multiply};
-    float *const all = reinterpret_cast<float *>(band.pixels.bytes());
-    const auto finish_row = [&](int i)
-    {
-        const auto row = rows.first_row + static_cast<std::uint32_t>(i);
-        const int first = static_cast<int>(rows.first_column);
-        const int x = place.left + first * place.right_x + static_cast<int>(row) * place.down_x;
-        const int y = place.top + first * place.right_y + static_cast<int>(row) * place.down_y;
-        float *const begin = all + (y - band.first) * down + x * channels;
-        std::vector<float> pixels(count * size);
-        for (std::size_t k = 0; k < count; ++k)
-        {
-            std::copy_n(begin + static_cast<std::ptrdiff_t>(k) * right, size, &pixels[k * size]);
-        }
-        if (colors.is_needed())
-        {
-            colors.convert(pixels.data(), count);
-        }
-        if (lines)
-        {
-            lines->draw(place.plane, row, meaning, pixels.data());
-        }
-        for (std::size_t k = 0; k < count; ++k)
-        {
-            std::copy_n(&pixels[k * size], size, begin + static_cast<std::ptrdiff_t>(k) * right);
-        }
+        std::error_code error;
+        const std::filesystem::path place = std::filesystem::weakly_canonical(name, error);
+        return error ? std::filesystem::path(name) : place;
     };
-    parallel_for(static_cast<int>(rows.row_count), threads, finish_row);
-}
-
-// Where rows are kept they are the same for any number of threads.
-std::vector<int> Output::bands_of(const Render &render, std::size_t index, int threads) const
-{
-    const int counted = work ? kept_threads : threads;
-    const int pictures = static_cast<int>(names.size());
-    const std::size_t at_once = static_cast<std::size_t>(std::min(pictures, counted));
-    const std::uint64_t share = render.ceiling.in_files() > 0 ? render.ceiling.bytes() : 0;
-    const std::size_t together =
-        std::max<std::size_t>(bands_bytes, static_cast<std::size_t>(share / ceiling_parts));
-    return band_ends(index, std::min(together / 2 / at_once, band_most),
-                     std::max(1, counted / pictures));
-}
-
-void Output::fill_band(const Render &render, std::size_t index, const RowBand &band, int threads)
-{
-    const std::size_t size = row_bytes() * static_cast<std::size_t>(band.end - band.first);
-    if (work && work->load(index, band.first, band.end, band.pixels.bytes(), size))
+    for (const std::string &other : others)
     {
-        return;
-    }
-    compute(render, index, band, threads);
-    if (work)
-    {
-        work->store(index, band.first, band.end, band.pixels.bytes(), size);
+        if (place_of(other) == place_of(options.manifest))
+        {
+            throw UsageFailure("--manifest: " + in_quotes(options.manifest) + " is " +
+                               (other == options.input ? "INPUT"
+                                : options.sidecar && other == others.back()
+                                    ? "the file of --sidecar"
+                                    : "OUTPUT") +
+                               ", too; give it another name");
+        }
     }
 }
 
-void Output::write_picture(const Render &render, std::size_t index, int threads)
-{
-    if (work && work->is_complete(index))
-    {
-        files[index]->take(work->picture_name(index));
-        render.progress.advance(cm_surface_height(surface));
-        return;
-    }
-    const int threads_each = std::max(1, threads / static_cast<int>(names.size()));
-    const std::vector<int> ends = bands_of(render, index, threads);
-    int most_rows = 0;
-    for (std::size_t i = 0; i < ends.size(); ++i)
-    {
-        most_rows = std::max(most_rows, ends[i] - (i == 0 ? 0 : ends[i - 1]));
-    }
-    ImageWriter writer(plan, static_cast<int>(cm_surface_width(surface)),
-                       static_cast<int>(cm_surface_height(surface)), names[index], *files[index]);
-    const auto write_band = [&](const RowBand &band)
-    {
-        writer.write(band.first, band.end, row_type, band.pixels.bytes(), channels);
-        render.progress.advance(band.end - band.first);
-    };
-    BandQueue queue(render.ceiling, row_bytes() * static_cast<std::size_t>(most_rows),
-                    threads > 1 && ends.size() > 1, write_band);
-    for (std::size_t i = 0; i < ends.size(); ++i)
-    {
-        RowBand &band = queue.take();
-        band.first = i == 0 ? 0 : ends[i - 1];
-        band.end = ends[i];
-        fill_band(render, index, band, threads_each);
-        queue.give();
-    }
-    queue.finish();
-    writer.close();
-    if (georeferenced)
-    {
-        write_geographic_place(*surface, names[index], *files[index]);
-    }
-    files[index]->finish();
-    if (work && files[index]->keep_as(work->picture_name(index)))
-    {
-        work->complete(index);
-    }
-}
+// ---- pixels
 
 // What the written values are, which may have changed behind resampling.
 cm_plan_options Output::written_values() const
@@ -526,18 +358,23 @@ void Output::write_hips(const Render &render, int threads)
 void Output::write_whole(const Render &render, int threads)
 {
     const int height = static_cast<int>(cm_surface_height(surface));
-    std::vector<RowBand> held(cm_surface_picture_count(surface));
+    std::vector<PixelMemory> held;
     std::vector<cm_image> pictures;
-    for (std::size_t i = 0; i < held.size(); ++i)
+    for (std::size_t i = 0; i < cm_surface_picture_count(surface); ++i)
     {
-        held[i].end = height;
-        held[i].pixels =
-            PixelMemory(render.ceiling, row_bytes() * static_cast<std::size_t>(height), "OUTPUT");
-        compute(render, i, held[i], threads);
-        render.progress.advance(height);
+        held.emplace_back(render.ceiling, row_bytes() * static_cast<std::size_t>(height), "OUTPUT");
+        int first = 0;
+        for (const int end : work ? bands_of(render, i, threads) : std::vector<int>{height})
+        {
+            unsigned char *const at =
+                held[i].bytes() + row_bytes() * static_cast<std::size_t>(first);
+            fill_rows(render, i, {first, end, at}, threads);
+            render.progress.advance(end - first);
+            first = end;
+        }
         cm_image picture = {};
         picture.size = sizeof picture;
-        picture.data = held[i].pixels.bytes();
+        picture.data = held[i].bytes();
         picture.type = row_type;
         picture.width = cm_surface_width(surface);
         picture.height = cm_surface_height(surface);
@@ -561,6 +398,11 @@ void Output::write_pictures(const Render &render, int threads)
     if (whole.is_needed())
     {
         write_whole(render, threads);
+        return;
+    }
+    if (!plan.parts.empty())
+    {
+        write_parts(render, threads);
         return;
     }
     parallel_for(static_cast<int>(names.size()), threads,
@@ -587,6 +429,7 @@ void Output::write(const Options &options, const Input &input, int threads, Memo
         if (hips)
         {
             write_hips(render, threads);
+            leave_work(options);
             return;
         }
         write_pictures(render, threads);
@@ -600,6 +443,12 @@ void Output::write(const Options &options, const Input &input, int threads, Memo
         write_manifest(options, input);
     }
     appear_together(files);
+    leave_work(options);
+}
+
+// What was kept is needed no longer.
+void Output::leave_work(const Options &options)
+{
     if (work)
     {
         work->remove();
@@ -652,6 +501,7 @@ std::string Output::description() const
 {
     std::string text = name_list(names) + " (" + surface_text() + "; " + cm_filter_name(filter) +
                        (hips ? hips->description() : whole.description());
+    text += plan.parts.empty() ? "" : "; " + std::to_string(plan.parts.size()) + " parts";
     text += colors.recode == Recode::encode   ? "; light written as sRGB"
             : colors.recode == Recode::decode ? "; sRGB written as light"
                                               : "";

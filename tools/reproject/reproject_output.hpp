@@ -9,6 +9,7 @@
 #include "color_rows.hpp"
 #include "hips_output.hpp"
 #include "kept_plan.hpp"
+#include "output_render.hpp"
 #include "plane_place.hpp"
 #include "reproject_input.hpp"
 #include "surface_lines.hpp"
@@ -30,6 +31,12 @@ public:
     void write(const Options &options, const Input &input, int threads, MemoryCeiling &ceiling,
                std::FILE *terminal, KeptPlan &plan);
 
+    // Where what is done is kept; NULL: nowhere.
+    WorkFolder *kept_work() const noexcept
+    {
+        return work.get();
+    }
+
     // "face_0.png .. face_5.png (cube:coupled, frame geo, 512x512; bilinear)", after write().
     std::string description() const;
     // Of that, "cube:coupled, frame geo, 512x512"; the names; and "bilinear".
@@ -44,32 +51,39 @@ public:
     }
 
 private:
-    struct Render; // what all of the rows have in common
+    using Render = OutputRender;
+    using Rows = OutputRows;
 
     void choose_names(const Options &options, const Input &input);
     void choose_place(const Options &options, const Input &input);
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
     void make_files(const Options &options);
+    void check_manifest(const Options &options) const;
     void write_hips(const Render &render, int threads);
     void write_pictures(const Render &render, int threads);
+    void leave_work(const Options &options);
     void write_whole(const Render &render, int threads);
     cm_plan_options written_values() const;
     void write_picture(const Render &render, std::size_t index, int threads);
-    void compute(const Render &render, std::size_t index, const RowBand &band, int threads);
-    void finish_rows(const PlanePlace &place, const cm_rows &rows, const RowBand &band,
+    void write_parts(const Render &render, int threads);
+    void write_rows(const Render &render, std::size_t index, ImageWriter &writer,
+                    const std::vector<int> &ends, int threads, bool own_thread);
+    void compute(const Render &render, std::size_t index, const Rows &band, int threads);
+    void finish_rows(const PlanePlace &place, const cm_rows &rows, const Rows &band,
                      int threads) const;
     std::vector<int> band_ends(std::size_t index, std::size_t most_bytes, int threads) const;
     std::vector<int> bands_of(const Render &render, std::size_t index, int threads) const;
     static void compute_rows(const Render &render, const cm_rows &rows,
                              std::vector<cm_image> &pictures, int threads);
-    void fill_band(const Render &render, std::size_t index, const RowBand &band, int threads);
+    void fill_rows(const Render &render, std::size_t index, const Rows &band, int threads);
     void write_sidecar();
     void write_manifest(const Options &options, const Input &input);
     PictureKind kind() const;
     std::size_t row_bytes() const;
 
     WholeOutput whole;
+    std::unique_ptr<WorkFolder> work; // if what is done is kept
     std::unique_ptr<HipsOutput> hips; // if OUTPUT is such a folder
     const cm_surface *surface;        // whose pixels are computed
     std::optional<cm_rotation> rotation;
@@ -84,7 +98,6 @@ private:
     cm_pixel_type row_type = CM_PIXEL_FLOAT; // of what is computed
     int channels = 0;
     ColorRows colors;
-    std::unique_ptr<WorkFolder> work;    // if what is done is kept
     std::unique_ptr<SurfaceLines> lines; // if there are to be any
     cm_filter filter = CM_FILTER_AUTO;   // that was taken
     std::int64_t not_finite = 0;

@@ -6,7 +6,7 @@
 #include <cubemap/image.h>
 #include <cubemap/mips.h>
 
-#include "tools/cli/catalogue_name.h"
+#include "tools/cli/usual_options.h"
 #include "tools/image/cube_table.h"
 
 /* As cm_filter_name has them, in the order of cm_filter. */
@@ -18,8 +18,8 @@ static const char *const kinds[] = {"equirect", "cube", NULL};
 
 static const char *const mappings[] = {"auto", "gnomonic", "tangent", CM_MAPPING_RECOMMENDED, NULL};
 
-static const char *const layouts[] = {"faces", "strip", "cross", "vcross", "column",
-                                      "3x2",   "2x3",   "eac",   NULL};
+const char *const cm_reproject_layouts[] = {"faces", "strip", "cross", "vcross", "column",
+                                            "3x2",   "2x3",   "eac",   NULL};
 
 /* In the order of Keep, NotFinite. */
 static const char *const densities[] = {"mean", "max", NULL};
@@ -29,6 +29,9 @@ static const char *const not_finite[] = {"skip", "zero", "spread", "refuse", NUL
 static const char *const pipe_formats[] = {
     "ppm",   "pgm",     "pam",       "pfm",  "gray",     "gray16le",   "grayf32le",
     "rgb24", "rgb48le", "gbrpf32le", "rgba", "rgba64le", "gbrapf32le", NULL};
+
+/* As hips_tile_format has them. */
+static const char *const tile_formats[] = {"jpeg", "png", "fits", NULL};
 
 static const char *preset_name_at(size_t index)
 {
@@ -97,20 +100,14 @@ static const cm_option projections[] = {
      .argument = "LAYOUT",
      .help = "how OUTPUT holds the faces of a cube",
      .standard = "`faces`",
-     .choices = layouts},
+     .choices = cm_reproject_layouts},
     {.id = REPROJECT_FROM_LAYOUT,
      .name = "from-layout",
      .kind = CM_OPTION_TEXT,
      .argument = "LAYOUT",
      .help = "how INPUT does",
-     .choices = layouts},
-    {.id = REPROJECT_FRAME,
-     .name = "frame",
-     .kind = CM_OPTION_CHOICE,
-     .argument = "FRAME",
-     .help = "how the faces sit on the axes",
-     .standard = "`geo`",
-     .choice_at = frame_name_at},
+     .choices = cm_reproject_layouts},
+    CM_USUAL_FRAME(REPROJECT_FRAME),
     {.id = REPROJECT_FROM_FRAME,
      .name = "from-frame",
      .kind = CM_OPTION_CHOICE,
@@ -203,6 +200,9 @@ static const cm_option values[] = {
              "LAYOUT:border=N",
      .low = 1,
      .high = CM_BORDER_MOST},
+    {.id = REPROJECT_PARTS,
+     .name = "parts",
+     .help = "the six faces are parts of one OpenEXR file, each with the name of its face"},
     {.id = REPROJECT_ORDER,
      .name = "order",
      .kind = CM_OPTION_WHOLE,
@@ -212,6 +212,20 @@ static const cm_option values[] = {
              "of a tile",
      .low = 0,
      .high = 13},
+    {.id = REPROJECT_TILES,
+     .name = "tiles",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "FORMAT",
+     .help = "of a folder of HiPS tiles: jpeg, the smallest; png, which keeps alpha; fits, which "
+             "keeps the numbers of one channel",
+     .standard = "`fits` of one channel that is not of bytes, and else `png`",
+     .choices = tile_formats},
+    {.id = REPROJECT_CREATOR_DID,
+     .name = "creator-did",
+     .kind = CM_OPTION_TEXT,
+     .argument = "IVOID",
+     .help = "who publishes HiPS tiles under which name, as in ivo://authority/P/name; without "
+             "it, a placeholder"},
     {.id = REPROJECT_SIDECAR,
      .name = "sidecar",
      .help = "also write what OUTPUT is into a file beside it that ends in .json, which is read "
@@ -221,15 +235,7 @@ static const cm_option values[] = {
      .help = "write where OUTPUT is on Earth into a TIFF file: EPSG:4326 of an equirectangular "
              "image, EPSG:3857 of mercator",
      .more = "Without this it is written where INPUT has a georeference, too."},
-    {.id = REPROJECT_THREADS,
-     .name = "threads",
-     .kind = CM_OPTION_WHOLE,
-     .argument = "N",
-     .help = "threads to use",
-     .more = "The output is the same for any number.",
-     .standard = "0, one for each core",
-     .low = 0,
-     .high = 1024},
+    CM_USUAL_THREADS(REPROJECT_THREADS),
     {.id = REPROJECT_MEMORY,
      .name = "memory",
      .kind = CM_OPTION_TEXT,
@@ -252,9 +258,7 @@ static const cm_option values[] = {
      .argument = "FILE",
      .help = "also write what was made of what into FILE, as JSON: files with their sizes and "
              "checksums, surface, filter"},
-    {.id = REPROJECT_QUIET,
-     .name = "quiet",
-     .help = "neither a progress bar nor a line that says what was done"},
+    CM_USUAL_QUIET(REPROJECT_QUIET),
 };
 
 static const cm_option films[] = {

@@ -31,7 +31,10 @@ enum
     REPROJECT_SIDECAR,
     REPROJECT_MIPS,
     REPROJECT_BORDER,
+    REPROJECT_PARTS,
     REPROJECT_ORDER,
+    REPROJECT_TILES,
+    REPROJECT_CREATOR_DID,
     REPROJECT_THREADS,
     REPROJECT_MEMORY,
     REPROJECT_RESUME,
@@ -46,5 +49,16 @@ enum
     REPROJECT_FACE_MAX = 65536,
     REPROJECT_EQUIRECT_MAX = 262144
 };
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The names of --layout up to NULL, without what may follow them. */
+extern const char *const cm_reproject_layouts[];
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

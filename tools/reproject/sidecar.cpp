@@ -18,7 +18,7 @@ namespace
 // A file of this kind has no more bytes.
 constexpr std::size_t bytes_most = std::size_t{1} << 20;
 
-std::optional<std::string> content_of(const std::string &path)
+std::optional<std::string> small_content_of(const std::string &path)
 {
     std::ifstream file(path, std::ios::binary);
     std::string text(bytes_most, '\0');
@@ -95,7 +95,7 @@ std::string sidecar_text(const cm_surface &surface, const std::optional<cm_rotat
 std::optional<SavedSurface> surface_beside(const std::string &input, const std::string &picture)
 {
     const std::string name = sidecar_name(input);
-    const std::optional<std::string> text = content_of(name);
+    const std::optional<std::string> text = small_content_of(name);
     const std::optional<JsonObject> object = text ? read_json_object(*text) : std::nullopt;
     if (!object || object->count("pictures") == 0)
     {
@@ -118,7 +118,7 @@ std::optional<SavedSurface> surface_beside(const std::string &input, const std::
 SavedSurface read_sidecar(const std::string &path)
 {
     errno = 0;
-    const std::optional<std::string> text = content_of(path);
+    const std::optional<std::string> text = small_content_of(path);
     if (!text)
     {
         throw Failure(in_quotes(path) +

@@ -11,7 +11,7 @@ namespace
 {
 
 // Of a pixel: what is lost to the third derivative and what to rounding are both far below what is seen.
-constexpr double step = 1.0 / 64;
+constexpr double difference_step = 1.0 / 64;
 
 } // namespace
 
@@ -77,7 +77,7 @@ void SurfaceProjection::derivatives(std::size_t count, const PointBatch &batch,
             for (std::size_t i = 0; i < count; ++i)
             {
                 const double place = axis == 0 ? batch.x[i] : batch.y[i];
-                const double there = std::clamp(place + sign * step, 0.0, extent[axis]);
+                const double there = std::clamp(place + sign * difference_step, 0.0, extent[axis]);
                 moved->plane[i] = batch.plane[i];
                 moved->x[i] = axis == 0 ? there : batch.x[i];
                 moved->y[i] = axis == 0 ? batch.y[i] : there;

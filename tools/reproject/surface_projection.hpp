@@ -6,7 +6,7 @@
 #define CUBEMAP_TOOLS_SURFACE_PROJECTION_HPP
 
 #include "surface_text.hpp"
-#include "tools/image/sphere_grid.hpp"
+#include "tools/image/projection.hpp"
 
 #include <string>
 
@@ -28,10 +28,6 @@ public:
     bool wraps() const noexcept override
     {
         return around;
-    }
-    // Nobody samples it.
-    void fill_border(SphereGrid &) const override
-    {
     }
 
 private:

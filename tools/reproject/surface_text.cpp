@@ -4,6 +4,7 @@
 #include "tools/cli/program.hpp"
 
 #include <cubemap/catalogue.h>
+#include <cmath>
 #include <cubemap/number.h>
 #include <cubemap/options.h>
 
@@ -110,13 +111,25 @@ bool is_chart(const std::string &specification)
     return true;
 }
 
+namespace
+{
+
+// Without what rounding has left, a tenth of a micrometer on Earth.
+std::string angle_text(double degrees)
+{
+    const double parts = 1e12;
+    return number_text(std::round(degrees * parts) / parts + 0.0);
+}
+
+} // namespace
+
 std::string rotation_text(const cm_rotation &rotation)
 {
     double lon = 0;
     double lat = 0;
     double roll = 0;
     cm_rotation_angles(&rotation, &lon, &lat, &roll);
-    return number_text(lon) + "," + number_text(lat) + "," + number_text(roll);
+    return angle_text(lon) + "," + angle_text(lat) + "," + angle_text(roll);
 }
 
 bool is_turned(const cm_rotation &rotation)

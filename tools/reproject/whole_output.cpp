@@ -122,6 +122,22 @@ void write_file(const cm_image &picture, const ImagePlan &plan, const std::strin
     file.finish();
 }
 
+// All pictures of a level as parts of one file.
+void write_parts(const std::vector<cm_image> &pictures, const ImagePlan &plan,
+                 const std::string &name, AtomicFile &file)
+{
+    const cm_image &first = pictures.front();
+    ImageWriter writer(plan, static_cast<int>(first.width), static_cast<int>(first.height), name,
+                       file);
+    for (const cm_image &picture : pictures)
+    {
+        writer.write(0, static_cast<int>(picture.height), picture.type, picture.data,
+                     static_cast<int>(picture.channels));
+    }
+    writer.close();
+    file.finish();
+}
+
 } // namespace
 
 // The pictures of a level, and the memory of those that are not the library's.
@@ -139,12 +155,6 @@ WholeOutput::WholeOutput(const Options &options, SurfacePointer wanted,
 {
     const std::string specification = cm_surface_specification(shown.get());
     border = border_of(specification);
-    if (options.resume && is_needed())
-    {
-        throw UsageFailure(
-            "--resume keeps rows, and textures, levels and borders are made of all of "
-            "them at once; leave it out");
-    }
     if (mips && is_pipe(options.output))
     {
         throw UsageFailure(
@@ -354,6 +364,12 @@ void WholeOutput::write(const std::vector<cm_image> &pictures, const ImagePlan &
         }
         ImagePlan own = plan;
         save_surface(own, *levels.back().shown, rotation);
+        if (!own.parts.empty())
+        {
+            write_parts(levels.back().pictures, own, names[level], *files[level]);
+            levels.clear();
+            continue;
+        }
         const std::size_t first = level * pictures.size();
         parallel_for(static_cast<int>(pictures.size()), threads,
                      [&](int i)

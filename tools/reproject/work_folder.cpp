@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The journal's lines are "rows PICTURE FIRST END CRC32" and "picture PICTURE BYTES". Each is written at once, and a last
+// The journal's lines are "rows PICTURE FIRST END CRC32", "picture PICTURE BYTES" and "source PICTURE BYTES". Each is written at once, and a last
 // one without its end does not count.
 
 #include "work_folder.hpp"
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -30,16 +31,19 @@ constexpr std::size_t picture_count = 16;
 constexpr const char *identity_name = "work.json";
 constexpr const char *journal_name = "journal";
 
+constexpr const char *tiles_name = "tiles";
+
+// OUTPUT may be a folder, with a stroke at its end.
 std::string folder_of(const std::string &output)
 {
-    return output + ".resume";
+    return output.substr(0, output.find_last_not_of('/') + 1) + ".resume";
 }
 
 bool is_ours(const std::string &name)
 {
-    return name == identity_name || name == journal_name ||
+    return name == identity_name || name == journal_name || name == tiles_name ||
            name == std::string(identity_name) + ".new" || name.rfind("rows-", 0) == 0 ||
-           name.rfind("picture-", 0) == 0;
+           name.rfind("picture-", 0) == 0 || name.rfind("source-", 0) == 0;
 }
 
 // Files that are ours, then the folder, unless something else is in it.
@@ -61,7 +65,7 @@ void remove_folder(const std::string &folder) noexcept
               { return one.filename() != identity_name && other.filename() == identity_name; });
     for (const std::filesystem::path &name : names)
     {
-        unlink(name.c_str());
+        std::filesystem::remove_all(name, error);
     }
     rmdir(folder.c_str());
 }
@@ -294,6 +298,10 @@ void WorkFolder::read_line(const std::string &line)
     {
         pictures[picture].complete_size = size;
     }
+    else if (what == "source" && words >> size)
+    {
+        pictures[picture].source_size = static_cast<std::uint64_t>(size);
+    }
 }
 
 void WorkFolder::note(const std::string &line)
@@ -353,6 +361,41 @@ void WorkFolder::store(std::size_t picture, int first, int end, const void *byte
     lock.lock();
     note("rows " + std::to_string(picture) + " " + std::to_string(first) + " " +
          std::to_string(end) + " " + std::to_string(checksum) + "\n");
+}
+
+// ---- what INPUT was decoded to
+
+std::string WorkFolder::source_name(std::size_t picture) const
+{
+    const char *const elsewhere = std::getenv("TMPDIR");
+    const bool is_said = elsewhere != nullptr && *elsewhere != '\0';
+    return is_said ? "" : path("source-" + std::to_string(picture));
+}
+
+bool WorkFolder::has_source(std::size_t picture, std::size_t size) const
+{
+    struct stat status;
+    const std::string name = source_name(picture);
+    return !name.empty() && pictures[picture].source_size == size &&
+           stat(name.c_str(), &status) == 0 && static_cast<std::uint64_t>(status.st_size) == size;
+}
+
+void WorkFolder::note_source(std::size_t picture, std::size_t size)
+{
+    const std::lock_guard<std::mutex> lock(mutex);
+    note("source " + std::to_string(picture) + " " + std::to_string(size) + "\n");
+}
+
+// ---- tiles
+
+std::string WorkFolder::tiles() const
+{
+    const std::string name = path(tiles_name);
+    if (mkdir(name.c_str(), 0777) != 0 && errno != EEXIST)
+    {
+        fail(errno);
+    }
+    return name;
 }
 
 // ---- pictures

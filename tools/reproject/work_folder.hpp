@@ -13,7 +13,7 @@
 #include <vector>
 
 // It has work.json, which says of which work, a journal of what is done, the rows of pictures that are not complete as
-// they were computed, and pictures that are. What is in the journal, with its checksum, counts; all else is done again.
+// they were computed, and pictures and tiles that are. What is in the journal, with its checksum, counts; all else is done again.
 // Functions about different pictures may be called by different threads.
 class WorkFolder
 {
@@ -29,12 +29,22 @@ public:
     // They are done now. Failure if they cannot be kept.
     void store(std::size_t picture, int first, int end, const void *bytes, std::size_t size);
 
+    // Where the decoded pixels of INPUT's picture may be kept; "" where TMPDIR names another folder for them.
+    std::string source_name(std::size_t picture) const;
+    // Are they there, so many bytes?
+    bool has_source(std::size_t picture, std::size_t size) const;
+    // They are there now, on the disk.
+    void note_source(std::size_t picture, std::size_t size);
+
     // Where a complete picture is kept.
     std::string picture_name(std::size_t picture) const;
     // Is it there?
     bool is_complete(std::size_t picture) const;
     // Now it is; its rows are needed no longer.
     void complete(std::size_t picture);
+
+    // A folder in it, for an output of many files. What it has is known to who writes there.
+    std::string tiles() const;
 
     // All is done: the folder goes away, which stays without this.
     void remove() noexcept;
@@ -70,6 +80,7 @@ private:
         Descriptor rows_file;
         std::map<int, Rows> rows; // by the first one
         std::int64_t complete_size = -1;
+        std::uint64_t source_size = 0; // of INPUT's picture of that number
     };
 
     void check_identity(const std::string &identity) const;

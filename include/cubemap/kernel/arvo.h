@@ -14,7 +14,7 @@
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
-CM_WARP(arvo,
+CM_WARP_ASYMMETRIC(arvo,
         .identifier = "arvo",
         .aliases = "",
         .name = "Arvo's equal-area map, for sampling: torn along four of the twelve edges",

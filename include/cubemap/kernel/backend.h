@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Everything that one backend needs, in order. For shaders this is the file to include, with
- * CM_BACKEND undefined or CM_BACKEND_GLSL; C and C++ include <cubemap/kernels.h>.
+ * CM_BACKEND undefined for GLSL, or one of dialect.h; C and C++ include <cubemap/kernels.h>.
  */
 #include "dialect.h"
 #include "types.h"
@@ -12,6 +12,7 @@
 #include "cube.h"
 #include "jacobian.h"
 #include "tissot.h"
+#include "on_sphere.h"
 #include "disc.h"
 #include "complex.h"
 #include "azimuthal.h"

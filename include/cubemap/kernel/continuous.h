@@ -7,7 +7,7 @@
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
-CM_WARP(continuous,
+CM_WARP_ASYMMETRIC(continuous,
         .identifier = "continuous",
         .aliases = "",
         .name = "continuous cube",

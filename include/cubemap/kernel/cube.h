@@ -67,10 +67,16 @@ CM_FN CM_NAME(cm_xyz)
     return r;
 }
 
+/* The component along a face's outward axis of the unit direction of gnomonic (p, q). */
+CM_FN CM_REAL CM_NAME(cm_cube_outward)(CM_REAL p, CM_REAL q)
+{
+    return CM_NAME(cm_inverse_root)(CM_LIT(1.0) + (p * p + q * q));
+}
+
 /* The unit direction of gnomonic (p, q) on a face. */
 CM_FN CM_NAME(cm_xyz) CM_NAME(cm_cube_unproject)(CM_REAL face, CM_REAL p, CM_REAL q)
 {
-    CM_REAL outward = CM_NAME(cm_inverse_root)(CM_LIT(1.0) + (p * p + q * q));
+    CM_REAL outward = CM_NAME(cm_cube_outward)(p, q);
     return CM_NAME(cm_cube_from_axes)(face, outward, p * outward, q * outward);
 }
 
@@ -123,13 +129,13 @@ CM_FN CM_NAME(cm_tangents) CM_NAME(cm_cube_tangents)(CM_REAL face, CM_REAL p, CM
  * those at the direction scaled to unit length, however long x, y, z is. */
 CM_FN CM_NAME(cm_gradients) CM_NAME(cm_cube_gradients)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
-    CM_NAME(cm_face_point) point = CM_NAME(cm_cube_project)(x, y, z);
-    CM_REAL p = point.a;
-    CM_REAL q = point.b;
+    CM_NAME(cm_face_point) at = CM_NAME(cm_cube_project)(x, y, z);
+    CM_REAL p = at.a;
+    CM_REAL q = at.b;
     CM_REAL length = cm_sqrt((CM_LIT(1.0) + p * p) + q * q); /* of (1, p, q) */
     CM_REAL none = CM_LIT(0.0);
-    CM_NAME(cm_xyz) of_p = CM_NAME(cm_cube_from_axes)(point.face, -(p * length), length, none);
-    CM_NAME(cm_xyz) of_q = CM_NAME(cm_cube_from_axes)(point.face, -(q * length), none, length);
+    CM_NAME(cm_xyz) of_p = CM_NAME(cm_cube_from_axes)(at.face, -(p * length), length, none);
+    CM_NAME(cm_xyz) of_q = CM_NAME(cm_cube_from_axes)(at.face, -(q * length), none, length);
     CM_NAME(cm_gradients) r;
     r.a_x = of_p.x;
     r.a_y = of_p.y;

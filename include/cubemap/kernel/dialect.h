@@ -2,13 +2,15 @@
  *
  * The portable dialect: what a kernel is written in.
  *
- * A kernel is one text that several compilers read: C and C++ (in double and in float) and GLSL.
+ * A kernel is one text that several compilers read: C and C++ (in double and in float), GLSL, HLSL, OpenCL C,
+ * CUDA and Metal.
  * This header gives that text its words, types.h its structs. Both are read anew for every backend,
  * so they and the kernels have no include guards; <cubemap/kernels.h> is the guarded way in.
  *
  * Rules of the dialect, all of them forced by the narrowest backend (GLSL ES 3.00):
  *   - scalars in, a small struct out; no pointers, no arrays, no recursion;
  *   - every real literal is CM_LIT(...) with a decimal point: there is no int -> float there;
+ *   - no name that another shading language keeps for itself, as HLSL does point, line, sample and half;
  *   - names are whole words in CM_NAME(...): there is no ## there;
  *   - only the functions named below, no name of a math library;
  *   - CM_SELECT(condition, a, b) for a choice between values, its condition made by cm_less(a, b),
@@ -27,12 +29,20 @@
  *   CM_BACKEND_LANES    vectors of several points: a CM_REAL is as many numbers as a register holds.
  *                       The includer supplies all words, in a file that CM_LANES names
  *                       (libcubemap/batch/lanes/)
+ *   CM_BACKEND_HLSL     HLSL, shader model 5 and later; names as they are, like those below
+ *   CM_BACKEND_OPENCL   OpenCL C 1.2 and later
+ *   CM_BACKEND_CUDA     CUDA C++, for host and device
+ *   CM_BACKEND_METAL    Metal 2 and later, after <metal_stdlib>
  */
 #define CM_BACKEND_DOUBLE 1
 #define CM_BACKEND_FLOAT 2
 #define CM_BACKEND_GLSL 3
 #define CM_BACKEND_QUAD 4
 #define CM_BACKEND_LANES 5
+#define CM_BACKEND_HLSL 6
+#define CM_BACKEND_OPENCL 7
+#define CM_BACKEND_CUDA 8
+#define CM_BACKEND_METAL 9
 
 #ifndef CM_BACKEND
 #define CM_BACKEND CM_BACKEND_GLSL
@@ -70,15 +80,29 @@
 #else
 #define CM_REAL float
 #define CM_REAL_BITS 32
-#define CM_LIT(x) x
 #define CM_NAME(name) name
+#if CM_BACKEND == CM_BACKEND_GLSL
+#define CM_LIT(x) x
+#else
+#define CM_LIT(x) x##f
+#endif
+#if CM_BACKEND == CM_BACKEND_GLSL || CM_BACKEND == CM_BACKEND_HLSL
 #define cm_sqrt(x) sqrt(x)
 #define cm_abs(x) abs(x)
 /* the sign of a zero s is not seen: GLSL need not keep it */
-#define cm_copysign(m, s) ((s) < 0.0 ? -abs(m) : abs(m))
+#define cm_copysign(m, s) ((s) < CM_LIT(0.0) ? -abs(m) : abs(m))
+#elif CM_BACKEND == CM_BACKEND_CUDA
+#define cm_sqrt(x) sqrtf(x)
+#define cm_abs(x) fabsf(x)
+#define cm_copysign(m, s) copysignf(m, s)
+#else
+#define cm_sqrt(x) sqrt(x)
+#define cm_abs(x) fabs(x)
+#define cm_copysign(m, s) copysign(m, s)
+#endif
 #endif
 
-#if CM_BACKEND == CM_BACKEND_GLSL
+#if CM_BACKEND == CM_BACKEND_GLSL || CM_BACKEND == CM_BACKEND_HLSL
 #define CM_BOOL bool
 #define CM_FN
 #define CM_UNUSED(x)
@@ -90,7 +114,11 @@
 #endif
 /* A loop over a kernel is made of vectors only if every call in it is inlined; without optimisation
  * kernels stay functions, for debuggers and for counting what is covered. */
-#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#if CM_BACKEND == CM_BACKEND_CUDA || defined(__CUDACC__)
+#define CM_FN static __host__ __device__ __forceinline__
+#elif CM_BACKEND == CM_BACKEND_OPENCL || CM_BACKEND == CM_BACKEND_METAL
+#define CM_FN static inline
+#elif defined(__GNUC__) && defined(__OPTIMIZE__)
 #define CM_FN static inline __attribute__((always_inline))
 #else
 #define CM_FN static inline
@@ -107,7 +135,7 @@
 #define cm_less(a, b) ((a) < (b))
 #define cm_at_least(a, b) ((a) >= (b))
 #define cm_equal(a, b) ((a) == (b))
-#if CM_BACKEND == CM_BACKEND_GLSL
+#if CM_BACKEND == CM_BACKEND_GLSL || CM_BACKEND == CM_BACKEND_HLSL
 #define cm_both(a, b) ((a) && (b))
 #else
 #define cm_both(a, b) ((a) & (b))

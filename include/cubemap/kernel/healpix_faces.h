@@ -64,12 +64,21 @@ CM_STRUCT(cm_healpix_place)
 }
 CM_STRUCT_END(cm_healpix_place)
 
-/* x, y, z finite and not all zero. */
+CM_FN CM_REAL CM_NAME(cm_healpix_scale)(CM_REAL x, CM_REAL y, CM_REAL z)
+{
+    return CM_SELECT(cm_less(CM_NAME(cm_magnitude)(x, y, z), CM_HEALPIX_SMALL), CM_HEALPIX_LARGE,
+                     CM_LIT(1.0));
+}
+
+/* x, y, z finite and not all zero; with CM_HEALPIX_NONE_SMALL all directions have a scale of 1. */
 CM_FN CM_NAME(cm_healpix_place) CM_NAME(cm_healpix_locate)(CM_REAL x, CM_REAL y, CM_REAL z)
 {
     CM_NAME(cm_healpix_place) p;
-    CM_REAL scale = CM_SELECT(cm_less(CM_NAME(cm_magnitude)(x, y, z), CM_HEALPIX_SMALL),
-                              CM_HEALPIX_LARGE, CM_LIT(1.0));
+#ifdef CM_HEALPIX_NONE_SMALL
+    CM_REAL scale = CM_LIT(1.0);
+#else
+    CM_REAL scale = CM_NAME(cm_healpix_scale)(x, y, z);
+#endif
     CM_REAL height = scale * cm_abs(z);
     p.x_wins = cm_at_least(cm_abs(x), cm_abs(y));
     p.sign = cm_copysign(CM_LIT(1.0), CM_SELECT(p.x_wins, x, y));
@@ -131,11 +140,11 @@ CM_FN CM_NAME(cm_face_point)
     CM_REAL cap_b = CM_SELECT(at.x_wins, -signed_sigma, signed_along);
     CM_BOOL south = cm_less(z, CM_LIT(0.0));
 
-    CM_NAME(cm_face_point) point;
-    point.face = CM_SELECT(at.polar, CM_SELECT(south, CM_LIT(5.0), CM_LIT(4.0)), reach.sector);
-    point.a = CM_SELECT(at.polar, cap_a, f);
-    point.b = CM_SELECT(at.polar, CM_SELECT(south, -cap_b, cap_b), cm_copysign(reach.belt, z));
-    return point;
+    CM_NAME(cm_face_point) r;
+    r.face = CM_SELECT(at.polar, CM_SELECT(south, CM_LIT(5.0), CM_LIT(4.0)), reach.sector);
+    r.a = CM_SELECT(at.polar, cap_a, f);
+    r.b = CM_SELECT(at.polar, CM_SELECT(south, -cap_b, cap_b), cm_copysign(reach.belt, z));
+    return r;
 }
 
 /* Where (u, v) of a face is: cap or belt, and the sector; in a cap that of the larger coordinate, and

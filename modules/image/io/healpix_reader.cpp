@@ -21,7 +21,7 @@ namespace
 {
 
 // Pixels are read in pieces of so many.
-constexpr std::int64_t piece = 1 << 16;
+constexpr std::int64_t read_at_once = 1 << 16;
 
 struct FitsCloser
 {
@@ -260,12 +260,12 @@ float HealpixReader::value_of(float stored) const
 
 void HealpixReader::read_all(const Column &column, std::size_t channel, std::vector<float> &list)
 {
-    std::vector<float> values(static_cast<std::size_t>(piece));
+    std::vector<float> values(static_cast<std::size_t>(read_at_once));
     float none = std::numeric_limits<float>::quiet_NaN();
     const std::int64_t count = column.repeat * rows;
     for (std::int64_t done = 0; done < count;)
     {
-        const std::int64_t some = std::min(piece, count - done);
+        const std::int64_t some = std::min(read_at_once, count - done);
         int status = 0;
         int any = 0;
         fits_read_col(file.get(), TFLOAT, column.number, done / column.repeat + 1,
@@ -282,13 +282,13 @@ void HealpixReader::read_all(const Column &column, std::size_t channel, std::vec
 
 void HealpixReader::read_some(const Column &column, std::size_t channel, std::vector<float> &list)
 {
-    std::vector<float> values(static_cast<std::size_t>(piece));
-    std::vector<LONGLONG> pixels(static_cast<std::size_t>(piece));
+    std::vector<float> values(static_cast<std::size_t>(read_at_once));
+    std::vector<LONGLONG> pixels(static_cast<std::size_t>(read_at_once));
     float none = std::numeric_limits<float>::quiet_NaN();
     const std::int64_t count = column.repeat * rows;
     for (std::int64_t done = 0; done < count;)
     {
-        const std::int64_t some = std::min(piece, count - done);
+        const std::int64_t some = std::min(read_at_once, count - done);
         const std::int64_t row = done / column.repeat + 1;
         const std::int64_t at = done % column.repeat + 1;
         int status = 0;

@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr std::int64_t pixels_a_row = 1024; // where they are a multiple of it
-constexpr std::size_t piece = std::size_t{1} << 20;
+constexpr std::size_t written_at_once = std::size_t{1} << 20;
 
 const char *tag_of(const cm_image_description &description, const char *key)
 {
@@ -179,7 +179,7 @@ void HealpixWriter::write_column(fitsfile *file, std::size_t channel,
     std::vector<float> values;
     for (std::size_t done = 0; done < pixels; done += values.size())
     {
-        values.resize(std::min(piece, pixels - done));
+        values.resize(std::min(written_at_once, pixels - done));
         for (std::size_t i = 0; i < values.size(); ++i)
         {
             const float value = list[(done + i) * channels + channel];

@@ -29,7 +29,7 @@ extern "C" {
 #define CM_IMAGE_MESSAGE 600
 
 /* Changes with every change of what stands below. */
-#define CM_IMAGE_IO_VERSION 1
+#define CM_IMAGE_IO_VERSION 2
 
 /* What the numbers of colours mean. */
 typedef enum cm_image_color
@@ -104,6 +104,12 @@ typedef struct cm_image_description
     /* read: which of the file's pictures this is, from 0, and how many there are */
     uint32_t subimage;
     uint32_t subimage_count;
+    /* read: what the file calls this picture, as OpenEXR calls its parts; NULL if it has no name for it */
+    const char *subimage_name;
+    /* written: the names of all pictures of an OpenEXR file that has so many, each unlike the others. All else they have
+     * in common. NULL and 0: the file is one picture */
+    const char *const *part_names;
+    uint32_t part_count;
     /* of tiles; 0: rows */
     uint32_t tile_width;
     uint32_t tile_height;
@@ -169,12 +175,13 @@ typedef struct cm_image_io
     cm_status (*create)(const char *path, const cm_image_stream *stream,
                         const cm_image_description *description, cm_image_writer **writer,
                         char *message);
-    /* Rows from first to before end, in order from the top: first is where the last call ended. Strides are in bytes;
-     * 0: dense. Of each pixel the description's channels are taken. */
+    /* Rows from first to before end, in order from the top: first is where the last call ended, or 0 behind the last row
+     * of a part that is followed by another. Strides are in bytes; 0: dense. Of each pixel the description's channels
+     * are taken. */
     cm_status (*write)(cm_image_writer *writer, uint32_t first, uint32_t end, cm_pixel_type type,
                        const void *pixels, ptrdiff_t pixel_stride, ptrdiff_t row_stride,
                        char *message);
-    /* Complete the file, behind its last row. */
+    /* Complete the file, behind its last row, of the last part. */
     cm_status (*finish)(cm_image_writer *writer, char *message);
     /* With or without finish; NULL is allowed. */
     void (*drop)(cm_image_writer *writer);

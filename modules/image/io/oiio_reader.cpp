@@ -158,7 +158,12 @@ void LibraryReader::describe()
         names.push_back(keep(std::string(spec.channel_name(i))));
     }
     description.channel_names = names.data();
-    description.alpha = spec.alpha_channel;
+    // of GIF files the library says 4 of 4 channels
+    const auto letter = std::find(spec.channelnames.begin(), spec.channelnames.end(), "A");
+    description.alpha = spec.alpha_channel < spec.nchannels ? spec.alpha_channel
+                        : letter == spec.channelnames.end()
+                            ? -1
+                            : static_cast<std::int32_t>(letter - spec.channelnames.begin());
     description.alpha_multiplied = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     description.color = color_of(spec);
     const int orientation = spec.get_int_attribute("Orientation", 1);
@@ -168,6 +173,8 @@ void LibraryReader::describe()
     description.tile_height = static_cast<std::uint32_t>(spec.tile_height);
     const std::string compression = spec.get_string_attribute("Compression");
     description.compression = compression.empty() ? nullptr : keep(compression);
+    const std::string name = spec.get_string_attribute("oiio:subimagename");
+    description.subimage_name = name.empty() ? nullptr : keep(name);
     describe_window();
     describe_tags();
 }

@@ -162,12 +162,20 @@ public:
 private:
     void check(bool good);
     void check_end() const;
+    void open_parts(const cm_image_description &description);
+    void begin_next_part();
+    bool is_complete() const noexcept
+    {
+        return next_row == static_cast<std::uint32_t>(spec.height);
+    }
     void keep_rows(cm_pixel_type type, std::uint32_t rows, const char *pixels,
                    std::ptrdiff_t pixel_stride, std::ptrdiff_t row_stride);
     void write_tiles(std::uint32_t first, std::uint32_t end);
 
     std::string path;
     OIIO::ImageSpec spec;
+    std::vector<OIIO::ImageSpec> parts; // none: one picture
+    std::size_t part = 0;
     std::unique_ptr<StreamProxy> proxy; // none: by name
     std::unique_ptr<OIIO::ImageOutput> output;
     std::uint32_t next_row = 0;
@@ -197,10 +205,42 @@ LibraryWriter::LibraryWriter(const std::string &name, const cm_image_stream *str
         proxy = std::make_unique<StreamProxy>(*stream, path);
         output->set_ioproxy(proxy.get());
     }
-    if (!output->open(path, spec))
+    if (description.part_count > 0)
+    {
+        open_parts(description);
+    }
+    else if (!output->open(path, spec))
     {
         throw ImageFailure("cannot be written: " + one_line(output->geterror()));
     }
+}
+
+// All at once, since the file begins with what all of them are.
+void LibraryWriter::open_parts(const cm_image_description &description)
+{
+    if (std::strcmp(description.format, "openexr") != 0)
+    {
+        throw ImageFailure(std::string("cannot be written: ") + description.format +
+                               " has no parts with names",
+                           CM_ERROR_ARGUMENT);
+    }
+    for (std::uint32_t i = 0; i < description.part_count; ++i)
+    {
+        parts.push_back(spec);
+        parts.back().attribute("oiio:subimagename", description.part_names[i]);
+    }
+    if (!output->open(path, static_cast<int>(parts.size()), parts.data()))
+    {
+        throw ImageFailure("cannot be written: " + one_line(output->geterror()));
+    }
+}
+
+void LibraryWriter::begin_next_part()
+{
+    ++part;
+    check(output->open(path, parts[part], OIIO::ImageOutput::AppendSubimage));
+    next_row = 0;
+    kept_from = 0;
 }
 
 void LibraryWriter::check(bool good)
@@ -258,6 +298,11 @@ void LibraryWriter::write(std::uint32_t first, std::uint32_t end, cm_pixel_type 
                           const char *pixels, std::ptrdiff_t pixel_stride,
                           std::ptrdiff_t row_stride)
 {
+    if (first == 0 && is_complete() && part + 1 < parts.size())
+    {
+        errno = 0;
+        begin_next_part();
+    }
     if (first != next_row || end <= first || end > static_cast<std::uint32_t>(spec.height) ||
         (!kept.empty() && type != kept_type))
     {
@@ -283,7 +328,7 @@ void LibraryWriter::write(std::uint32_t first, std::uint32_t end, cm_pixel_type 
 
 void LibraryWriter::finish()
 {
-    if (next_row != static_cast<std::uint32_t>(spec.height))
+    if (!is_complete() || part + 1 < parts.size())
     {
         throw ImageFailure("cannot be written: rows are missing", CM_ERROR_ARGUMENT);
     }

@@ -1,0 +1,2082 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The library in C++17: objects that end by themselves, arrays as spans, errors as exceptions or as values. All is inline
+ * and calls the functions of C, whose headers say what they do: the comment above each names it.
+ *
+ *     cubemap::mapping mapping("coupled");                  throws cubemap::error
+ *     auto made = cubemap::mapping::try_make("coupled");    or: a cubemap::result, made.value() if (made)
+ *     mapping.forward(x, y, z, face, u, v);                 arrays, vectors, spans, of double or float
+ *
+ *   objects     NAME owns its object and can be moved, NAME_view does not; both have its methods
+ *   arrays      spans, std::span where there is one; the first says how many there are, and the others must not be shorter
+ *   errors      what returns a cm_status in C throws; its twin that begins with try_ returns it
+ *   modules     of the functions of colormap.h a program links cubemap-colormap, of those for pictures cubemap-image
+ *
+ * Made by bindings/cpp/make_header.py of bindings/functions.
+ */
+// clang-format off
+#ifndef CUBEMAP_CUBEMAP_HPP
+#define CUBEMAP_CUBEMAP_HPP
+
+#include <cubemap/colormap.h>
+#include <cubemap/compare.h>
+#include <cubemap/cubemap.h>
+#include <cubemap/environment.h>
+#include <cubemap/image.h>
+#include <cubemap/mips.h>
+#include <cubemap/panorama.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#if __cplusplus >= 202002L
+#include <span>
+#endif
+
+namespace cubemap
+{
+
+#if defined(__cpp_lib_span)
+template <class T> using span = std::span<T>;
+#else
+/* Elements one beside the other, which belong to somebody else: of std::span what is needed. */
+template <class T> class span
+{
+public:
+    constexpr span() noexcept = default;
+    constexpr span(T *data, std::size_t size) noexcept : data_(data), size_(size) {}
+    template <std::size_t N> constexpr span(T (&array)[N]) noexcept : data_(array), size_(N) {}
+    template <class C, class = std::enable_if_t<std::is_convertible_v<
+                           std::remove_pointer_t<decltype(std::declval<C &>().data())> (*)[], T (*)[]>>>
+    constexpr span(C &&container) noexcept : data_(container.data()), size_(container.size()) {}
+    constexpr T *data() const noexcept { return data_; }
+    constexpr std::size_t size() const noexcept { return size_; }
+    constexpr T *begin() const noexcept { return data_; }
+    constexpr T *end() const noexcept { return data_ + size_; }
+    constexpr T &operator[](std::size_t index) const noexcept { return data_[index]; }
+
+private:
+    T *data_ = nullptr;
+    std::size_t size_ = 0;
+};
+#endif
+
+/* What is thrown: the words of the library, and the status. */
+class error : public std::runtime_error
+{
+public:
+    explicit error(cm_status status) : std::runtime_error(cm_status_text(status)), status_(status) {}
+    cm_status status() const noexcept { return status_; }
+
+private:
+    cm_status status_;
+};
+
+/* An object, or why there is none; as std::expected. */
+template <class T> class result
+{
+public:
+    result(T &&value) noexcept : value_(std::move(value)), status_(CM_OK) {}
+    result(cm_status status) noexcept : value_(static_cast<typename T::handle_type *>(nullptr)), status_(status) {}
+    explicit operator bool() const noexcept { return status_ == CM_OK; }
+    cm_status status() const noexcept { return status_; }
+    T &operator*() noexcept { return value_; }
+    T *operator->() noexcept { return &value_; }
+    /* Throws what there is instead. */
+    T &&value()
+    {
+        if (status_ != CM_OK)
+        {
+            throw error(status_);
+        }
+        return std::move(value_);
+    }
+
+private:
+    T value_;
+    cm_status status_;
+};
+
+namespace detail
+{
+
+inline void check(cm_status status)
+{
+    if (status != CM_OK)
+    {
+        throw error(status);
+    }
+}
+
+template <class N> constexpr N whole(std::size_t size) noexcept
+{
+    return static_cast<N>(size);
+}
+
+/* A view that owns what it shows. */
+template <class View, class T, void (*destroy)(T *)> class owner : public View
+{
+public:
+    using handle_type = T;
+    explicit owner(T *handle) noexcept : View(handle), handle_(handle) {}
+    owner(owner &&other) noexcept : View(other), handle_(std::exchange(other.handle_, nullptr))
+    {
+        static_cast<View &>(other) = View(nullptr);
+    }
+    owner &operator=(owner &&other) noexcept
+    {
+        std::swap(static_cast<View &>(*this), static_cast<View &>(other));
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    owner(const owner &) = delete;
+    owner &operator=(const owner &) = delete;
+    ~owner()
+    {
+        if (handle_ != nullptr) /* which compilers often know */
+        {
+            destroy(handle_);
+        }
+    }
+
+    /* The object goes to the caller, who ends it. */
+    T *release() noexcept
+    {
+        static_cast<View &>(*this) = View(nullptr);
+        return std::exchange(handle_, nullptr);
+    }
+
+private:
+    T *handle_;
+};
+
+} // namespace detail
+
+class advice_view;
+class advice;
+class cell_grid_view;
+class cell_grid;
+class colormap_view;
+class colormap;
+class environment_view;
+class environment;
+class errors_view;
+class errors;
+class grid_view;
+class grid;
+class healpix_view;
+class healpix;
+class latitude_conversion_view;
+class latitude_conversion;
+class mapping_view;
+class mapping;
+class mips_view;
+class mips;
+class plan_view;
+class plan;
+class region_view;
+class region;
+class source_view;
+class source;
+class surface_view;
+class surface;
+
+/* An object cm_advice that somebody else owns. */
+class advice_view
+{
+public:
+    explicit advice_view(const cm_advice *handle) noexcept : handle_(handle) {}
+    const cm_advice *get() const noexcept { return handle_; }
+    // cm_advice_count
+    size_t count() const;
+    // cm_advice_qualified
+    size_t qualified() const;
+    // cm_advice_at
+    const cm_advice_candidate * at(size_t index) const;
+    // cm_advice_reason
+    void reason(size_t index, char *text, size_t size) const;
+
+private:
+    const cm_advice *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class advice : public detail::owner<advice_view, cm_advice, cm_advice_destroy>
+{
+public:
+    explicit advice(cm_advice *handle) noexcept : owner(handle) {}
+    // cm_advise
+    static result<advice> try_make(const cm_advice_request &request, const cm_advice_costs &costs);
+    advice(const cm_advice_request &request, const cm_advice_costs &costs);
+};
+
+/* An object cm_cell_grid that somebody else owns. */
+class cell_grid_view
+{
+public:
+    explicit cell_grid_view(const cm_cell_grid *handle) noexcept : handle_(handle) {}
+    const cm_cell_grid *get() const noexcept { return handle_; }
+    // cm_cell_grid_of
+    grid_view grid() const;
+    // cm_cell_grid_curve
+    cm_curve curve() const;
+    // cm_cell_grid_is_s2
+    int is_s2() const;
+    // cm_cell_forward
+    cm_cell forward(int level, const double (&normal)[3]) const;
+    // cm_cell_forward_lonlat
+    cm_cell forward_lonlat(int level, double lon, double lat) const;
+    // cm_cell_forward_array
+    void forward(int level, span<const double> x, span<const double> y, span<const double> z, span<cm_cell>
+        cell) const;
+    // cm_cell_forward_lonlat_array
+    void forward_lonlat(int level, span<const double> lon, span<const double> lat, span<cm_cell> cell) const;
+    // cm_cell_centre
+    void centre(cm_cell cell, double (&normal)[3]) const;
+    // cm_cell_centre_lonlat
+    void centre_lonlat(cm_cell cell, double (&lonlat)[2]) const;
+    // cm_cell_centre_array
+    void centre(span<const cm_cell> cell, span<double> x, span<double> y, span<double> z) const;
+    // cm_cell_centre_lonlat_array
+    void centre_lonlat(span<const cm_cell> cell, span<double> lon, span<double> lat) const;
+    // cm_cell_corners
+    void corners(cm_cell cell, double (&normal)[4][3]) const;
+    // cm_cell_corners_lonlat
+    void corners_lonlat(cm_cell cell, double (&lonlat)[4][2]) const;
+    // cm_cell_bounding_cap
+    void bounding_cap(cm_cell cell, double (&normal)[3], double *radius) const;
+    // cm_cell_area
+    double area(cm_cell cell) const;
+    // cm_cell_edge_neighbours
+    int edge_neighbours(cm_cell cell, cm_cell (&to)[4]) const;
+    // cm_cell_neighbours
+    int neighbours(cm_cell cell, cm_cell (&to)[8]) const;
+    // cm_cell_neighbours_at
+    cm_status try_neighbours_at(cm_cell cell, int level, span<cm_cell> to, size_t *count) const;
+    void neighbours_at(cm_cell cell, int level, span<cm_cell> to, size_t *count) const;
+    // cm_cover
+    cm_status try_cover(region_view region, const cm_cover_options *options, span<cm_cell> to, size_t *count)
+        const;
+    void cover(region_view region, const cm_cover_options *options, span<cm_cell> to, size_t *count) const;
+
+private:
+    const cm_cell_grid *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class cell_grid : public detail::owner<cell_grid_view, cm_cell_grid, cm_cell_grid_destroy>
+{
+public:
+    explicit cell_grid(cm_cell_grid *handle) noexcept : owner(handle) {}
+    // cm_cell_grid_create
+    static result<cell_grid> try_make(grid_view grid, cm_curve curve);
+    cell_grid(grid_view grid, cm_curve curve);
+    // cm_cell_grid_create_s2
+    static result<cell_grid> try_s2(grid_view grid);
+    static cell_grid s2(grid_view grid);
+};
+
+/* An object cm_colormap that somebody else owns. */
+class colormap_view
+{
+public:
+    explicit colormap_view(const cm_colormap *handle) noexcept : handle_(handle) {}
+    const cm_colormap *get() const noexcept { return handle_; }
+    // cm_colormap_describe
+    const cm_colormap_info * describe() const;
+    // cm_colormap_parameter
+    double parameter(size_t index) const;
+    // cm_colormap_stop_count
+    size_t stop_count() const;
+    // cm_colormap_stop
+    void stop(size_t index, double (&place_hue)[2]) const;
+    // cm_colormap_specification
+    size_t specification(char *text, size_t size) const;
+    // cm_colormap_color_at
+    void color_at(double t, cm_colormap_color *color) const;
+    // cm_colormap_position
+    double position(size_t n, size_t index) const;
+    // cm_colormap_samples
+    void samples(size_t n, span<double> srgb, cm_colormap_clipping *clipping) const;
+    // cm_colormap_samples_u8
+    void samples_u8(size_t n, span<uint8_t> srgb, cm_colormap_clipping *clipping) const;
+    // cm_colormap_length
+    double length() const;
+    // cm_colormap_corner_count
+    size_t corner_count() const;
+    // cm_colormap_corner
+    double corner(size_t index) const;
+    // cm_colormap_inside
+    int inside() const;
+    // cm_colormap_largest_saturation
+    double largest_saturation() const;
+
+private:
+    const cm_colormap *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class colormap : public detail::owner<colormap_view, cm_colormap, cm_colormap_destroy>
+{
+public:
+    explicit colormap(cm_colormap *handle) noexcept : owner(handle) {}
+    // cm_colormap_create
+    static result<colormap> try_make(const char *specification);
+    explicit colormap(const char *specification);
+    // cm_colormap_fit
+    result<colormap> try_fit() const;
+    colormap fit() const;
+};
+
+/* An object cm_environment that somebody else owns. */
+class environment_view
+{
+public:
+    explicit environment_view(const cm_environment *handle) noexcept : handle_(handle) {}
+    const cm_environment *get() const noexcept { return handle_; }
+    // cm_environment_size
+    uint32_t size() const;
+    // cm_environment_channels
+    uint32_t channels() const;
+    // cm_environment_level_count
+    uint32_t level_count() const;
+    // cm_environment_project
+    cm_status try_project(uint32_t degree, unsigned threads, span<double> coefficients) const;
+    void project(uint32_t degree, unsigned threads, span<double> coefficients) const;
+    // cm_environment_irradiance
+    cm_status try_irradiance(mapping_view mapping, unsigned threads, const cm_image (&to)[6]) const;
+    void irradiance(mapping_view mapping, unsigned threads, const cm_image (&to)[6]) const;
+    // cm_environment_prefilter
+    cm_status try_prefilter(double roughness, const cm_prefilter_options *options, mapping_view mapping, const
+        cm_image (&to)[6]) const;
+    void prefilter(double roughness, const cm_prefilter_options *options, mapping_view mapping, const cm_image
+        (&to)[6]) const;
+
+private:
+    const cm_environment *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class environment : public detail::owner<environment_view, cm_environment, cm_environment_destroy>
+{
+public:
+    explicit environment(cm_environment *handle) noexcept : owner(handle) {}
+    // cm_environment_create
+    static result<environment> try_make(mapping_view mapping, const cm_image (&faces)[6], unsigned threads);
+    environment(mapping_view mapping, const cm_image (&faces)[6], unsigned threads);
+};
+
+/* An object cm_errors that somebody else owns. */
+class errors_view
+{
+public:
+    explicit errors_view(cm_errors *handle) noexcept : handle_(handle) {}
+    cm_errors *get() const noexcept { return handle_; }
+    // cm_errors_add
+    cm_status try_add(const cm_image &reference, const cm_image &picture, const cm_image &weights) const;
+    void add(const cm_image &reference, const cm_image &picture, const cm_image &weights) const;
+    // cm_errors_get
+    cm_status try_get(uint32_t channel, cm_error_figures *figures) const;
+    void get(uint32_t channel, cm_error_figures *figures) const;
+
+private:
+    cm_errors *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class errors : public detail::owner<errors_view, cm_errors, cm_errors_destroy>
+{
+public:
+    explicit errors(cm_errors *handle) noexcept : owner(handle) {}
+    // cm_errors_create
+    static result<errors> try_make(uint32_t channels, const cm_compare_options *options = nullptr);
+    explicit errors(uint32_t channels, const cm_compare_options *options = nullptr);
+};
+
+/* An object cm_grid that somebody else owns. */
+class grid_view
+{
+public:
+    explicit grid_view(const cm_grid *handle) noexcept : handle_(handle) {}
+    const cm_grid *get() const noexcept { return handle_; }
+    // cm_grid_mapping
+    mapping_view mapping() const;
+    // cm_grid_ellipsoid
+    const cm_ellipsoid * ellipsoid() const;
+    // cm_grid_latitude
+    cm_latitude latitude() const;
+    // cm_grid_rotation
+    const cm_rotation * rotation() const;
+    // cm_grid_forward_lonlat
+    uint8_t forward_lonlat(double lon, double lat, double (&uv)[2]) const;
+    // cm_grid_inverse_lonlat
+    void inverse_lonlat(uint8_t face, const double (&uv)[2], double (&lonlat)[2]) const;
+    // cm_grid_forward
+    uint8_t forward(const double (&normal)[3], double (&uv)[2]) const;
+    // cm_grid_inverse
+    void inverse(uint8_t face, const double (&uv)[2], double (&normal)[3]) const;
+    // cm_grid_forward_lonlat_array
+    void forward_lonlat(span<const double> lon, span<const double> lat, span<uint8_t> face, span<double> u,
+        span<double> v) const;
+    // cm_grid_inverse_lonlat_array
+    void inverse_lonlat(span<const uint8_t> face, span<const double> u, span<const double> v, span<double>
+        lon, span<double> lat) const;
+    // cm_grid_forward_array
+    void forward(span<const double> x, span<const double> y, span<const double> z, span<uint8_t> face,
+        span<double> u, span<double> v) const;
+    // cm_grid_inverse_array
+    void inverse(span<const uint8_t> face, span<const double> u, span<const double> v, span<double> x,
+        span<double> y, span<double> z) const;
+    // cm_grid_to_sphere
+    void to_sphere(const double (&normal)[3], double (&direction)[3]) const;
+    // cm_grid_from_sphere
+    void from_sphere(const double (&direction)[3], double (&normal)[3]) const;
+    // cm_grid_to_sphere_array
+    void to_sphere(span<const double> x, span<const double> y, span<const double> z, span<double> to_x,
+        span<double> to_y, span<double> to_z) const;
+    // cm_grid_from_sphere_array
+    void from_sphere(span<const double> x, span<const double> y, span<const double> z, span<double> to_x,
+        span<double> to_y, span<double> to_z) const;
+    // cm_grid_area_element
+    double area_element(uint8_t face, const double (&uv)[2]) const;
+    // cm_grid_area_element_array
+    void area_element(span<const uint8_t> face, span<const double> u, span<const double> v, span<double> area)
+        const;
+    // cm_grid_forward_distortion
+    void forward_distortion(const double (&normal)[3], cm_distortion *distortion) const;
+    // cm_grid_inverse_distortion
+    void inverse_distortion(uint8_t face, const double (&uv)[2], cm_distortion *distortion) const;
+
+private:
+    const cm_grid *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class grid : public detail::owner<grid_view, cm_grid, cm_grid_destroy>
+{
+public:
+    explicit grid(cm_grid *handle) noexcept : owner(handle) {}
+    // cm_grid_create
+    static result<grid> try_make(const cm_grid_options *options = nullptr);
+    explicit grid(const cm_grid_options *options = nullptr);
+};
+
+/* An object cm_healpix that somebody else owns. */
+class healpix_view
+{
+public:
+    explicit healpix_view(const cm_healpix *handle) noexcept : handle_(handle) {}
+    const cm_healpix *get() const noexcept { return handle_; }
+    // cm_healpix_nside
+    int64_t nside() const;
+    // cm_healpix_order_of
+    cm_healpix_order order() const;
+    // cm_healpix_instructions
+    const char * instructions() const;
+    // cm_healpix_pixel_count
+    int64_t pixel_count() const;
+    // cm_healpix_ring_count
+    int64_t ring_count() const;
+    // cm_healpix_pixel_from_direction
+    cm_status try_pixel_from_direction(const double (&direction)[3], int64_t *pixel) const;
+    void pixel_from_direction(const double (&direction)[3], int64_t *pixel) const;
+    // cm_healpix_pixel_from_angles
+    cm_status try_pixel_from_angles(double theta, double phi, int64_t *pixel) const;
+    void pixel_from_angles(double theta, double phi, int64_t *pixel) const;
+    // cm_healpix_pixel_from_lonlat
+    cm_status try_pixel_from_lonlat(double lon, double lat, int64_t *pixel) const;
+    void pixel_from_lonlat(double lon, double lat, int64_t *pixel) const;
+    // cm_healpix_direction_from_pixel
+    cm_status try_direction_from_pixel(int64_t pixel, double (&direction)[3]) const;
+    void direction_from_pixel(int64_t pixel, double (&direction)[3]) const;
+    // cm_healpix_angles_from_pixel
+    cm_status try_angles_from_pixel(int64_t pixel, double *theta, double *phi) const;
+    void angles_from_pixel(int64_t pixel, double *theta, double *phi) const;
+    // cm_healpix_lonlat_from_pixel
+    cm_status try_lonlat_from_pixel(int64_t pixel, double (&lonlat)[2]) const;
+    void lonlat_from_pixel(int64_t pixel, double (&lonlat)[2]) const;
+    // cm_healpix_nested_from_ring
+    cm_status try_nested_from_ring(int64_t ring, int64_t *nested) const;
+    void nested_from_ring(int64_t ring, int64_t *nested) const;
+    // cm_healpix_ring_from_nested
+    cm_status try_ring_from_nested(int64_t nested, int64_t *ring) const;
+    void ring_from_nested(int64_t nested, int64_t *ring) const;
+    // cm_healpix_pixel_from_direction_array
+    void pixel_from_direction(span<const double> x, span<const double> y, span<const double> z, span<int64_t>
+        pixel) const;
+    // cm_healpix_pixel_from_angles_array
+    void pixel_from_angles(span<const double> theta, span<const double> phi, span<int64_t> pixel) const;
+    // cm_healpix_pixel_from_lonlat_array
+    void pixel_from_lonlat(span<const double> lon, span<const double> lat, span<int64_t> pixel) const;
+    // cm_healpix_direction_from_pixel_array
+    void direction_from_pixel(span<const int64_t> pixel, span<double> x, span<double> y, span<double> z)
+        const;
+    // cm_healpix_angles_from_pixel_array
+    void angles_from_pixel(span<const int64_t> pixel, span<double> theta, span<double> phi) const;
+    // cm_healpix_lonlat_from_pixel_array
+    void lonlat_from_pixel(span<const int64_t> pixel, span<double> lon, span<double> lat) const;
+    // cm_healpix_nested_from_ring_array
+    cm_status try_nested_from_ring(span<const int64_t> ring, span<int64_t> nested) const;
+    void nested_from_ring(span<const int64_t> ring, span<int64_t> nested) const;
+    // cm_healpix_ring_from_nested_array
+    cm_status try_ring_from_nested(span<const int64_t> nested, span<int64_t> ring) const;
+    void ring_from_nested(span<const int64_t> nested, span<int64_t> ring) const;
+    // cm_healpix_neighbours
+    cm_status try_neighbours(int64_t pixel, int64_t (&neighbour)[8]) const;
+    void neighbours(int64_t pixel, int64_t (&neighbour)[8]) const;
+    // cm_healpix_boundary
+    cm_status try_boundary(int64_t pixel, size_t steps, span<double> x, span<double> y, span<double> z) const;
+    void boundary(int64_t pixel, size_t steps, span<double> x, span<double> y, span<double> z) const;
+    // cm_healpix_ring_info
+    cm_status try_ring_info(int64_t ring, cm_healpix_ring *info) const;
+    void ring_info(int64_t ring, cm_healpix_ring *info) const;
+    // cm_healpix_ring_from_pixel
+    cm_status try_ring_from_pixel(int64_t pixel, int64_t *ring, int64_t *index) const;
+    void ring_from_pixel(int64_t pixel, int64_t *ring, int64_t *index) const;
+    // cm_healpix_regrade
+    cm_status try_regrade(span<const double> map, healpix_view to, span<double> result, const
+        cm_healpix_regrade_options *options = nullptr) const;
+    void regrade(span<const double> map, healpix_view to, span<double> result, const
+        cm_healpix_regrade_options *options = nullptr) const;
+    // cm_healpix_regrade_f32
+    cm_status try_regrade(span<const float> map, healpix_view to, span<float> result, const
+        cm_healpix_regrade_options *options = nullptr) const;
+    void regrade(span<const float> map, healpix_view to, span<float> result, const cm_healpix_regrade_options
+        *options = nullptr) const;
+
+private:
+    const cm_healpix *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class healpix : public detail::owner<healpix_view, cm_healpix, cm_healpix_destroy>
+{
+public:
+    explicit healpix(cm_healpix *handle) noexcept : owner(handle) {}
+    // cm_healpix_create
+    static result<healpix> try_make(int64_t nside, cm_healpix_order order, const cm_options *options =
+        nullptr);
+    healpix(int64_t nside, cm_healpix_order order, const cm_options *options = nullptr);
+};
+
+/* An object cm_latitude_conversion that somebody else owns. */
+class latitude_conversion_view
+{
+public:
+    explicit latitude_conversion_view(const cm_latitude_conversion *handle) noexcept : handle_(handle) {}
+    const cm_latitude_conversion *get() const noexcept { return handle_; }
+    // cm_latitude_conversion_order
+    int order() const;
+    // cm_latitude_conversion_error
+    double error() const;
+    // cm_latitude_conversion_constants
+    cm_status try_constants(double (&constants)[13], int *terms) const;
+    void constants(double (&constants)[13], int *terms) const;
+    // cm_latitude_convert
+    double convert(double latitude) const;
+    // cm_latitude_convert_direction
+    void convert_direction(const double (&from)[3], double (&to)[3]) const;
+    // cm_latitude_convert_array
+    void convert(span<const double> from, span<double> to) const;
+    // cm_latitude_convert_direction_array
+    void convert_direction(span<const double> x, span<const double> y, span<const double> z, span<double>
+        to_x, span<double> to_y, span<double> to_z) const;
+
+private:
+    const cm_latitude_conversion *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class latitude_conversion : public detail::owner<latitude_conversion_view, cm_latitude_conversion, cm_latitude_conversion_destroy>
+{
+public:
+    explicit latitude_conversion(cm_latitude_conversion *handle) noexcept : owner(handle) {}
+    // cm_latitude_conversion_create
+    static result<latitude_conversion> try_make(const cm_ellipsoid &ellipsoid, cm_latitude from, cm_latitude
+        to, const cm_latitude_options *options = nullptr);
+    latitude_conversion(const cm_ellipsoid &ellipsoid, cm_latitude from, cm_latitude to, const
+        cm_latitude_options *options = nullptr);
+};
+
+/* An object cm_mapping that somebody else owns. */
+class mapping_view
+{
+public:
+    explicit mapping_view(const cm_mapping *handle) noexcept : handle_(handle) {}
+    const cm_mapping *get() const noexcept { return handle_; }
+    // cm_advise_size
+    cm_status try_advise_size(double angle, cm_advice_size *size) const;
+    void advise_size(double angle, cm_advice_size *size) const;
+    // cm_advise_precision
+    cm_status try_advise_precision(double metres, cm_advice_precision *precision) const;
+    void advise_precision(double metres, cm_advice_precision *precision) const;
+    // cm_face_weights
+    cm_status try_face_weights(uint8_t face, uint32_t edge, unsigned threads, span<float> weights) const;
+    void face_weights(uint8_t face, uint32_t edge, unsigned threads, span<float> weights) const;
+    // cm_forward_distortion
+    void forward_distortion(const double (&direction)[3], cm_distortion *distortion) const;
+    // cm_forward_distortion_f32
+    void forward_distortion(const float (&direction)[3], cm_distortion_f32 *distortion) const;
+    // cm_inverse_distortion
+    void inverse_distortion(uint8_t face, const double (&uv)[2], cm_distortion *distortion) const;
+    // cm_inverse_distortion_f32
+    void inverse_distortion(uint8_t face, const float (&uv)[2], cm_distortion_f32 *distortion) const;
+    // cm_forward_distortion_array
+    void forward_distortion(span<const double> x, span<const double> y, span<const double> z, const
+        cm_distortion_arrays *distortion) const;
+    // cm_forward_distortion_array_f32
+    void forward_distortion(span<const float> x, span<const float> y, span<const float> z, const
+        cm_distortion_arrays_f32 *distortion) const;
+    // cm_inverse_distortion_array
+    void inverse_distortion(span<const uint8_t> face, span<const double> u, span<const double> v, const
+        cm_distortion_arrays *distortion) const;
+    // cm_inverse_distortion_array_f32
+    void inverse_distortion(span<const uint8_t> face, span<const float> u, span<const float> v, const
+        cm_distortion_arrays_f32 *distortion) const;
+    // cm_texel_solid_angles
+    cm_status try_texel_solid_angles(uint8_t face, uint32_t size, span<double> angle) const;
+    void texel_solid_angles(uint8_t face, uint32_t size, span<double> angle) const;
+    // cm_mapping_describe
+    const cm_mapping_info * describe() const;
+    // cm_mapping_frame
+    const cm_frame * frame() const;
+    // cm_mapping_parameter
+    double parameter(size_t index) const;
+    // cm_mapping_has_bounds
+    int has_bounds() const;
+    // cm_forward
+    uint8_t forward(const double (&direction)[3], double (&uv)[2]) const;
+    // cm_forward_f32
+    uint8_t forward(const float (&direction)[3], float (&uv)[2]) const;
+    // cm_inverse
+    void inverse(uint8_t face, const double (&uv)[2], double (&direction)[3]) const;
+    // cm_inverse_f32
+    void inverse(uint8_t face, const float (&uv)[2], float (&direction)[3]) const;
+    // cm_forward_lonlat
+    uint8_t forward_lonlat(double lon, double lat, double (&uv)[2]) const;
+    // cm_inverse_lonlat
+    void inverse_lonlat(uint8_t face, const double (&uv)[2], double (&lonlat)[2]) const;
+    // cm_forward_lonlat_array
+    void forward_lonlat(span<const double> lon, span<const double> lat, span<uint8_t> face, span<double> u,
+        span<double> v) const;
+    // cm_inverse_lonlat_array
+    void inverse_lonlat(span<const uint8_t> face, span<const double> u, span<const double> v, span<double>
+        lon, span<double> lat) const;
+    // cm_forward_array
+    void forward(span<const double> x, span<const double> y, span<const double> z, span<uint8_t> face,
+        span<double> u, span<double> v) const;
+    // cm_forward_array_f32
+    void forward(span<const float> x, span<const float> y, span<const float> z, span<uint8_t> face,
+        span<float> u, span<float> v) const;
+    // cm_inverse_array
+    void inverse(span<const uint8_t> face, span<const double> u, span<const double> v, span<double> x,
+        span<double> y, span<double> z) const;
+    // cm_inverse_array_f32
+    void inverse(span<const uint8_t> face, span<const float> u, span<const float> v, span<float> x,
+        span<float> y, span<float> z) const;
+    // cm_forward_strided
+    void forward_strided(span<const double> xyz, ptrdiff_t stride, span<uint8_t> face, span<double> u,
+        span<double> v) const;
+    // cm_forward_strided_f32
+    void forward_strided(span<const float> xyz, ptrdiff_t stride, span<uint8_t> face, span<float> u,
+        span<float> v) const;
+    // cm_inverse_strided
+    void inverse_strided(span<const uint8_t> face, span<const double> u, span<const double> v, span<double>
+        xyz, ptrdiff_t stride) const;
+    // cm_inverse_strided_f32
+    void inverse_strided(span<const uint8_t> face, span<const float> u, span<const float> v, span<float> xyz,
+        ptrdiff_t stride) const;
+    // cm_forward_jacobian
+    void forward_jacobian(const double (&direction)[3], double (&jacobian)[6]) const;
+    // cm_forward_jacobian_f32
+    void forward_jacobian(const float (&direction)[3], float (&jacobian)[6]) const;
+    // cm_inverse_jacobian
+    void inverse_jacobian(uint8_t face, const double (&uv)[2], double (&jacobian)[6]) const;
+    // cm_inverse_jacobian_f32
+    void inverse_jacobian(uint8_t face, const float (&uv)[2], float (&jacobian)[6]) const;
+    // cm_forward_jacobian_array
+    void forward_jacobian(span<const double> x, span<const double> y, span<const double> z, double *const
+        (&jacobian)[6]) const;
+    // cm_forward_jacobian_array_f32
+    void forward_jacobian(span<const float> x, span<const float> y, span<const float> z, float *const
+        (&jacobian)[6]) const;
+    // cm_inverse_jacobian_array
+    void inverse_jacobian(span<const uint8_t> face, span<const double> u, span<const double> v, double *const
+        (&jacobian)[6]) const;
+    // cm_inverse_jacobian_array_f32
+    void inverse_jacobian(span<const uint8_t> face, span<const float> u, span<const float> v, float *const
+        (&jacobian)[6]) const;
+    // cm_warp
+    cm_status try_warp(const double (&pq)[2], double (&uv)[2]) const;
+    void warp(const double (&pq)[2], double (&uv)[2]) const;
+    // cm_warp_f32
+    cm_status try_warp(const float (&pq)[2], float (&uv)[2]) const;
+    void warp(const float (&pq)[2], float (&uv)[2]) const;
+    // cm_unwarp
+    cm_status try_unwarp(const double (&uv)[2], double (&pq)[2]) const;
+    void unwarp(const double (&uv)[2], double (&pq)[2]) const;
+    // cm_unwarp_f32
+    cm_status try_unwarp(const float (&uv)[2], float (&pq)[2]) const;
+    void unwarp(const float (&uv)[2], float (&pq)[2]) const;
+    // cm_warp_array
+    cm_status try_warp(span<const double> p, span<const double> q, span<double> u, span<double> v) const;
+    void warp(span<const double> p, span<const double> q, span<double> u, span<double> v) const;
+    // cm_warp_array_f32
+    cm_status try_warp(span<const float> p, span<const float> q, span<float> u, span<float> v) const;
+    void warp(span<const float> p, span<const float> q, span<float> u, span<float> v) const;
+    // cm_unwarp_array
+    cm_status try_unwarp(span<const double> u, span<const double> v, span<double> p, span<double> q) const;
+    void unwarp(span<const double> u, span<const double> v, span<double> p, span<double> q) const;
+    // cm_unwarp_array_f32
+    cm_status try_unwarp(span<const float> u, span<const float> v, span<float> p, span<float> q) const;
+    void unwarp(span<const float> u, span<const float> v, span<float> p, span<float> q) const;
+    // cm_warp_jacobian
+    cm_status try_warp_jacobian(const double (&pq)[2], double (&jacobian)[4]) const;
+    void warp_jacobian(const double (&pq)[2], double (&jacobian)[4]) const;
+    // cm_warp_jacobian_f32
+    cm_status try_warp_jacobian(const float (&pq)[2], float (&jacobian)[4]) const;
+    void warp_jacobian(const float (&pq)[2], float (&jacobian)[4]) const;
+    // cm_warp_jacobian_array
+    cm_status try_warp_jacobian(span<const double> p, span<const double> q, double *const (&jacobian)[4])
+        const;
+    void warp_jacobian(span<const double> p, span<const double> q, double *const (&jacobian)[4]) const;
+    // cm_warp_jacobian_array_f32
+    cm_status try_warp_jacobian(span<const float> p, span<const float> q, float *const (&jacobian)[4]) const;
+    void warp_jacobian(span<const float> p, span<const float> q, float *const (&jacobian)[4]) const;
+    // cm_mapping_tier
+    cm_tier tier() const;
+    // cm_mapping_instructions
+    const char * instructions() const;
+    // cm_orient
+    cm_status try_orient(const cm_mask &mask, const cm_orient_options *options, cm_orient_result *result)
+        const;
+    void orient(const cm_mask &mask, const cm_orient_options *options, cm_orient_result *result) const;
+    // cm_orient_value
+    cm_status try_orient_value(const cm_mask &mask, const cm_orient_options *options, const cm_rotation
+        &rotation, double *value) const;
+    void orient_value(const cm_mask &mask, const cm_orient_options *options, const cm_rotation &rotation,
+        double *value) const;
+    // cm_distortion_statistics
+    cm_status try_distortion_statistics(cm_quantity quantity, const cm_statistics_options *options,
+        cm_statistics *statistics) const;
+    void distortion_statistics(cm_quantity quantity, const cm_statistics_options *options, cm_statistics
+        *statistics) const;
+    // cm_distortion_percentiles
+    cm_status try_distortion_percentiles(cm_quantity quantity, const cm_statistics_options *options,
+        span<const double> percent, span<double> value, span<double> doubt) const;
+    void distortion_percentiles(cm_quantity quantity, const cm_statistics_options *options, span<const double>
+        percent, span<double> value, span<double> doubt) const;
+    // cm_forward_array_threads
+    void forward(unsigned threads, span<const double> x, span<const double> y, span<const double> z,
+        span<uint8_t> face, span<double> u, span<double> v) const;
+    // cm_forward_array_threads_f32
+    void forward(unsigned threads, span<const float> x, span<const float> y, span<const float> z,
+        span<uint8_t> face, span<float> u, span<float> v) const;
+    // cm_inverse_array_threads
+    void inverse(unsigned threads, span<const uint8_t> face, span<const double> u, span<const double> v,
+        span<double> x, span<double> y, span<double> z) const;
+    // cm_inverse_array_threads_f32
+    void inverse(unsigned threads, span<const uint8_t> face, span<const float> u, span<const float> v,
+        span<float> x, span<float> y, span<float> z) const;
+    // cm_forward_strided_threads
+    void forward_strided(unsigned threads, span<const double> xyz, ptrdiff_t stride, span<uint8_t> face,
+        span<double> u, span<double> v) const;
+    // cm_forward_strided_threads_f32
+    void forward_strided(unsigned threads, span<const float> xyz, ptrdiff_t stride, span<uint8_t> face,
+        span<float> u, span<float> v) const;
+    // cm_inverse_strided_threads
+    void inverse_strided(unsigned threads, span<const uint8_t> face, span<const double> u, span<const double>
+        v, span<double> xyz, ptrdiff_t stride) const;
+    // cm_inverse_strided_threads_f32
+    void inverse_strided(unsigned threads, span<const uint8_t> face, span<const float> u, span<const float> v,
+        span<float> xyz, ptrdiff_t stride) const;
+    // cm_forward_jacobian_array_threads
+    void forward_jacobian(unsigned threads, span<const double> x, span<const double> y, span<const double> z,
+        double *const (&jacobian)[6]) const;
+    // cm_forward_jacobian_array_threads_f32
+    void forward_jacobian(unsigned threads, span<const float> x, span<const float> y, span<const float> z,
+        float *const (&jacobian)[6]) const;
+    // cm_inverse_jacobian_array_threads
+    void inverse_jacobian(unsigned threads, span<const uint8_t> face, span<const double> u, span<const double>
+        v, double *const (&jacobian)[6]) const;
+    // cm_inverse_jacobian_array_threads_f32
+    void inverse_jacobian(unsigned threads, span<const uint8_t> face, span<const float> u, span<const float>
+        v, float *const (&jacobian)[6]) const;
+
+private:
+    const cm_mapping *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class mapping : public detail::owner<mapping_view, cm_mapping, cm_mapping_destroy>
+{
+public:
+    explicit mapping(cm_mapping *handle) noexcept : owner(handle) {}
+    // cm_mapping_create
+    static result<mapping> try_make(const char *specification, const cm_frame *frame = nullptr);
+    explicit mapping(const char *specification, const cm_frame *frame = nullptr);
+    // cm_mapping_create_with
+    static result<mapping> try_make(const char *specification, const cm_frame *frame, const cm_options
+        *options);
+    mapping(const char *specification, const cm_frame *frame, const cm_options *options);
+};
+
+/* An object cm_mips that somebody else owns. */
+class mips_view
+{
+public:
+    explicit mips_view(const cm_mips *handle) noexcept : handle_(handle) {}
+    const cm_mips *get() const noexcept { return handle_; }
+    // cm_mips_count
+    uint32_t count() const;
+    // cm_mips_pictures
+    const cm_image * pictures(uint32_t level) const;
+
+private:
+    const cm_mips *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class mips : public detail::owner<mips_view, cm_mips, cm_mips_destroy>
+{
+public:
+    explicit mips(cm_mips *handle) noexcept : owner(handle) {}
+    // cm_mips_create
+    static result<mips> try_make(surface_view surface, const cm_image *pictures, const cm_plan_options
+        *options, unsigned threads);
+    mips(surface_view surface, const cm_image *pictures, const cm_plan_options *options, unsigned threads);
+};
+
+/* An object cm_plan that somebody else owns. */
+class plan_view
+{
+public:
+    explicit plan_view(const cm_plan *handle) noexcept : handle_(handle) {}
+    const cm_plan *get() const noexcept { return handle_; }
+    // cm_plan_write
+    cm_status try_write(char *text, size_t size, size_t *length) const;
+    void write(char *text, size_t size, size_t *length) const;
+    // cm_resample_source
+    cm_status try_resample_source(source_view source, cm_image *to, cm_rows rows, unsigned threads) const;
+    void resample_source(source_view source, cm_image *to, cm_rows rows, unsigned threads) const;
+    // cm_resample
+    cm_status try_resample(const cm_image *from, cm_image *to, cm_rows rows) const;
+    void resample(const cm_image *from, cm_image *to, cm_rows rows) const;
+
+private:
+    const cm_plan *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class plan : public detail::owner<plan_view, cm_plan, cm_plan_destroy>
+{
+public:
+    explicit plan(cm_plan *handle) noexcept : owner(handle) {}
+    // cm_plan_create
+    static result<plan> try_make(surface_view from, surface_view to, const cm_plan_options *options =
+        nullptr);
+    plan(surface_view from, surface_view to, const cm_plan_options *options = nullptr);
+    // cm_plan_read
+    static result<plan> try_read(span<const char> text, const char *instructions);
+    static plan read(span<const char> text, const char *instructions);
+};
+
+/* An object cm_region that somebody else owns. */
+class region_view
+{
+public:
+    explicit region_view(const cm_region *handle) noexcept : handle_(handle) {}
+    const cm_region *get() const noexcept { return handle_; }
+    // cm_region_contains
+    int contains(const double (&normal)[3]) const;
+
+private:
+    const cm_region *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class region : public detail::owner<region_view, cm_region, cm_region_destroy>
+{
+public:
+    explicit region(cm_region *handle) noexcept : owner(handle) {}
+    // cm_region_cap
+    static result<region> try_cap(const double (&normal)[3], double radius);
+    static region cap(const double (&normal)[3], double radius);
+    // cm_region_cap_lonlat
+    static result<region> try_cap_lonlat(double lon, double lat, double radius);
+    static region cap_lonlat(double lon, double lat, double radius);
+    // cm_region_box
+    static result<region> try_box(double west, double south, double east, double north);
+    static region box(double west, double south, double east, double north);
+    // cm_region_polygon
+    static result<region> try_polygon(span<const size_t> ring_length, span<const double> lonlat);
+    static region polygon(span<const size_t> ring_length, span<const double> lonlat);
+};
+
+/* An object cm_source that somebody else owns. */
+class source_view
+{
+public:
+    explicit source_view(const cm_source *handle) noexcept : handle_(handle) {}
+    const cm_source *get() const noexcept { return handle_; }
+    // cm_source_filter
+    cm_filter filter() const;
+
+private:
+    const cm_source *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class source : public detail::owner<source_view, cm_source, cm_source_destroy>
+{
+public:
+    explicit source(cm_source *handle) noexcept : owner(handle) {}
+    // cm_source_create
+    static result<source> try_make(plan_view plan, const cm_image *from, cm_pixel_type target_type, unsigned
+        threads);
+    source(plan_view plan, const cm_image *from, cm_pixel_type target_type, unsigned threads);
+};
+
+/* An object cm_surface that somebody else owns. */
+class surface_view
+{
+public:
+    explicit surface_view(const cm_surface *handle) noexcept : handle_(handle) {}
+    const cm_surface *get() const noexcept { return handle_; }
+    // cm_surface_specification
+    const char * specification() const;
+    // cm_surface_picture_count
+    size_t picture_count() const;
+    // cm_surface_width
+    uint32_t width() const;
+    // cm_surface_height
+    uint32_t height() const;
+    // cm_surface_plane_count
+    size_t plane_count() const;
+    // cm_surface_plane_width
+    uint32_t plane_width() const;
+    // cm_surface_plane_height
+    uint32_t plane_height() const;
+    // cm_surface_pixel
+    cm_status try_pixel(uint32_t plane, uint32_t column, uint32_t row, uint32_t *picture, uint32_t
+        *picture_column, uint32_t *picture_row) const;
+    void pixel(uint32_t plane, uint32_t column, uint32_t row, uint32_t *picture, uint32_t *picture_column,
+        uint32_t *picture_row) const;
+    // cm_surface_mapping
+    mapping_view mapping() const;
+    // cm_surface_positions
+    void positions(span<const double> x, span<const double> y, span<const double> z, span<uint8_t> plane,
+        span<double> column, span<double> row) const;
+    // cm_surface_directions
+    void directions(span<const uint8_t> plane, span<const double> column, span<const double> row, span<double>
+        x, span<double> y, span<double> z) const;
+    // cm_sample
+    cm_status try_sample(const cm_image *pictures, cm_filter filter, span<const double> x, span<const double>
+        y, span<const double> z, span<float> out) const;
+    void sample(const cm_image *pictures, cm_filter filter, span<const double> x, span<const double> y,
+        span<const double> z, span<float> out) const;
+    // cm_border
+    cm_status try_border(const cm_image *pictures, uint32_t border, const cm_plan_options *options, unsigned
+        threads, cm_image *to) const;
+    void border(const cm_image *pictures, uint32_t border, const cm_plan_options *options, unsigned threads,
+        cm_image *to) const;
+    // cm_panorama_of_surface
+    cm_status try_panorama_of_surface(cm_panorama *panorama) const;
+    void panorama_of_surface(cm_panorama *panorama) const;
+
+private:
+    const cm_surface *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class surface : public detail::owner<surface_view, cm_surface, cm_surface_destroy>
+{
+public:
+    explicit surface(cm_surface *handle) noexcept : owner(handle) {}
+    // cm_surface_create
+    static result<surface> try_make(const char *specification, const cm_surface_options *options = nullptr);
+    explicit surface(const char *specification, const cm_surface_options *options = nullptr);
+};
+
+inline size_t advice_view::count() const { return cm_advice_count(get()); }
+inline size_t advice_view::qualified() const { return cm_advice_qualified(get()); }
+inline const cm_advice_candidate * advice_view::at(size_t index) const { return cm_advice_at(get(), index); }
+inline void advice_view::reason(size_t index, char *text, size_t size) const { cm_advice_reason(get(), index,
+    text, size); }
+inline result<advice> advice::try_make(const cm_advice_request &request, const cm_advice_costs &costs) {
+    cm_advice *made_object = nullptr; const cm_status status = cm_advise(&request, &costs, &made_object);
+    return status == CM_OK ? result<advice>(advice(made_object)) : result<advice>(status); }
+inline advice::advice(const cm_advice_request &request, const cm_advice_costs &costs) :
+    advice(try_make(request, costs).value()) {}
+inline grid_view cell_grid_view::grid() const { return grid_view(cm_cell_grid_of(get())); }
+inline cm_curve cell_grid_view::curve() const { return cm_cell_grid_curve(get()); }
+inline int cell_grid_view::is_s2() const { return cm_cell_grid_is_s2(get()); }
+inline cm_cell cell_grid_view::forward(int level, const double (&normal)[3]) const { return
+    cm_cell_forward(get(), level, normal); }
+inline cm_cell cell_grid_view::forward_lonlat(int level, double lon, double lat) const { return
+    cm_cell_forward_lonlat(get(), level, lon, lat); }
+inline void cell_grid_view::forward(int level, span<const double> x, span<const double> y, span<const double>
+    z, span<cm_cell> cell) const { cm_cell_forward_array(get(), level, detail::whole<size_t>(x.size()),
+    x.data(), y.data(), z.data(), cell.data()); }
+inline void cell_grid_view::forward_lonlat(int level, span<const double> lon, span<const double> lat,
+    span<cm_cell> cell) const { cm_cell_forward_lonlat_array(get(), level, detail::whole<size_t>(lon.size()),
+    lon.data(), lat.data(), cell.data()); }
+inline void cell_grid_view::centre(cm_cell cell, double (&normal)[3]) const { cm_cell_centre(get(), cell,
+    normal); }
+inline void cell_grid_view::centre_lonlat(cm_cell cell, double (&lonlat)[2]) const {
+    cm_cell_centre_lonlat(get(), cell, lonlat); }
+inline void cell_grid_view::centre(span<const cm_cell> cell, span<double> x, span<double> y, span<double> z)
+    const { cm_cell_centre_array(get(), detail::whole<size_t>(cell.size()), cell.data(), x.data(), y.data(),
+    z.data()); }
+inline void cell_grid_view::centre_lonlat(span<const cm_cell> cell, span<double> lon, span<double> lat) const
+    { cm_cell_centre_lonlat_array(get(), detail::whole<size_t>(cell.size()), cell.data(), lon.data(),
+    lat.data()); }
+inline void cell_grid_view::corners(cm_cell cell, double (&normal)[4][3]) const { cm_cell_corners(get(), cell,
+    normal); }
+inline void cell_grid_view::corners_lonlat(cm_cell cell, double (&lonlat)[4][2]) const {
+    cm_cell_corners_lonlat(get(), cell, lonlat); }
+inline void cell_grid_view::bounding_cap(cm_cell cell, double (&normal)[3], double *radius) const {
+    cm_cell_bounding_cap(get(), cell, normal, radius); }
+inline double cell_grid_view::area(cm_cell cell) const { return cm_cell_area(get(), cell); }
+inline int cell_grid_view::edge_neighbours(cm_cell cell, cm_cell (&to)[4]) const { return
+    cm_cell_edge_neighbours(get(), cell, to); }
+inline int cell_grid_view::neighbours(cm_cell cell, cm_cell (&to)[8]) const { return cm_cell_neighbours(get(),
+    cell, to); }
+inline cm_status cell_grid_view::try_neighbours_at(cm_cell cell, int level, span<cm_cell> to, size_t *count)
+    const { return cm_cell_neighbours_at(get(), cell, level, detail::whole<size_t>(to.size()), to.data(),
+    count); }
+inline void cell_grid_view::neighbours_at(cm_cell cell, int level, span<cm_cell> to, size_t *count) const {
+    detail::check(cm_cell_neighbours_at(get(), cell, level, detail::whole<size_t>(to.size()), to.data(),
+    count)); }
+inline cm_status cell_grid_view::try_cover(region_view region, const cm_cover_options *options, span<cm_cell>
+    to, size_t *count) const { return cm_cover(get(), region.get(), options, detail::whole<size_t>(to.size()),
+    to.data(), count); }
+inline void cell_grid_view::cover(region_view region, const cm_cover_options *options, span<cm_cell> to,
+    size_t *count) const { detail::check(cm_cover(get(), region.get(), options,
+    detail::whole<size_t>(to.size()), to.data(), count)); }
+inline result<cell_grid> cell_grid::try_make(grid_view grid, cm_curve curve) { cm_cell_grid *made_object =
+    nullptr; const cm_status status = cm_cell_grid_create(grid.get(), curve, &made_object); return status ==
+    CM_OK ? result<cell_grid>(cell_grid(made_object)) : result<cell_grid>(status); }
+inline cell_grid::cell_grid(grid_view grid, cm_curve curve) : cell_grid(try_make(grid, curve).value()) {}
+inline result<cell_grid> cell_grid::try_s2(grid_view grid) { cm_cell_grid *made_object = nullptr; const
+    cm_status status = cm_cell_grid_create_s2(grid.get(), &made_object); return status == CM_OK ?
+    result<cell_grid>(cell_grid(made_object)) : result<cell_grid>(status); }
+inline cell_grid cell_grid::s2(grid_view grid) { return try_s2(grid).value(); }
+inline const cm_colormap_info * colormap_view::describe() const { return cm_colormap_describe(get()); }
+inline double colormap_view::parameter(size_t index) const { return cm_colormap_parameter(get(), index); }
+inline size_t colormap_view::stop_count() const { return cm_colormap_stop_count(get()); }
+inline void colormap_view::stop(size_t index, double (&place_hue)[2]) const { cm_colormap_stop(get(), index,
+    place_hue); }
+inline size_t colormap_view::specification(char *text, size_t size) const { return
+    cm_colormap_specification(get(), text, size); }
+inline void colormap_view::color_at(double t, cm_colormap_color *color) const { cm_colormap_color_at(get(), t,
+    color); }
+inline double colormap_view::position(size_t n, size_t index) const { return cm_colormap_position(get(), n,
+    index); }
+inline void colormap_view::samples(size_t n, span<double> srgb, cm_colormap_clipping *clipping) const {
+    cm_colormap_samples(get(), n, srgb.data(), clipping); }
+inline void colormap_view::samples_u8(size_t n, span<uint8_t> srgb, cm_colormap_clipping *clipping) const {
+    cm_colormap_samples_u8(get(), n, srgb.data(), clipping); }
+inline double colormap_view::length() const { return cm_colormap_length(get()); }
+inline size_t colormap_view::corner_count() const { return cm_colormap_corner_count(get()); }
+inline double colormap_view::corner(size_t index) const { return cm_colormap_corner(get(), index); }
+inline int colormap_view::inside() const { return cm_colormap_inside(get()); }
+inline double colormap_view::largest_saturation() const { return cm_colormap_largest_saturation(get()); }
+inline result<colormap> colormap::try_make(const char *specification) { cm_colormap *made_object = nullptr;
+    const cm_status status = cm_colormap_create(specification, &made_object); return status == CM_OK ?
+    result<colormap>(colormap(made_object)) : result<colormap>(status); }
+inline colormap::colormap(const char *specification) : colormap(try_make(specification).value()) {}
+inline result<colormap> colormap::try_fit() const { cm_colormap *made_object = nullptr; const cm_status status
+    = cm_colormap_fit(get(), &made_object); return status == CM_OK ? result<colormap>(colormap(made_object)) :
+    result<colormap>(status); }
+inline colormap colormap::fit() const { return try_fit().value(); }
+inline uint32_t environment_view::size() const { return cm_environment_size(get()); }
+inline uint32_t environment_view::channels() const { return cm_environment_channels(get()); }
+inline uint32_t environment_view::level_count() const { return cm_environment_level_count(get()); }
+inline cm_status environment_view::try_project(uint32_t degree, unsigned threads, span<double> coefficients)
+    const { return cm_environment_project(get(), degree, threads, coefficients.data()); }
+inline void environment_view::project(uint32_t degree, unsigned threads, span<double> coefficients) const {
+    detail::check(cm_environment_project(get(), degree, threads, coefficients.data())); }
+inline cm_status environment_view::try_irradiance(mapping_view mapping, unsigned threads, const cm_image
+    (&to)[6]) const { return cm_environment_irradiance(get(), mapping.get(), threads, to); }
+inline void environment_view::irradiance(mapping_view mapping, unsigned threads, const cm_image (&to)[6])
+    const { detail::check(cm_environment_irradiance(get(), mapping.get(), threads, to)); }
+inline cm_status environment_view::try_prefilter(double roughness, const cm_prefilter_options *options,
+    mapping_view mapping, const cm_image (&to)[6]) const { return cm_environment_prefilter(get(), roughness,
+    options, mapping.get(), to); }
+inline void environment_view::prefilter(double roughness, const cm_prefilter_options *options, mapping_view
+    mapping, const cm_image (&to)[6]) const { detail::check(cm_environment_prefilter(get(), roughness,
+    options, mapping.get(), to)); }
+inline result<environment> environment::try_make(mapping_view mapping, const cm_image (&faces)[6], unsigned
+    threads) { cm_environment *made_object = nullptr; const cm_status status =
+    cm_environment_create(mapping.get(), faces, threads, &made_object); return status == CM_OK ?
+    result<environment>(environment(made_object)) : result<environment>(status); }
+inline environment::environment(mapping_view mapping, const cm_image (&faces)[6], unsigned threads) :
+    environment(try_make(mapping, faces, threads).value()) {}
+inline cm_status errors_view::try_add(const cm_image &reference, const cm_image &picture, const cm_image
+    &weights) const { return cm_errors_add(get(), &reference, &picture, &weights); }
+inline void errors_view::add(const cm_image &reference, const cm_image &picture, const cm_image &weights)
+    const { detail::check(cm_errors_add(get(), &reference, &picture, &weights)); }
+inline cm_status errors_view::try_get(uint32_t channel, cm_error_figures *figures) const { return
+    cm_errors_get(get(), channel, figures); }
+inline void errors_view::get(uint32_t channel, cm_error_figures *figures) const {
+    detail::check(cm_errors_get(get(), channel, figures)); }
+inline result<errors> errors::try_make(uint32_t channels, const cm_compare_options *options) { cm_errors
+    *made_object = nullptr; const cm_status status = cm_errors_create(channels, options, &made_object); return
+    status == CM_OK ? result<errors>(errors(made_object)) : result<errors>(status); }
+inline errors::errors(uint32_t channels, const cm_compare_options *options) : errors(try_make(channels,
+    options).value()) {}
+inline mapping_view grid_view::mapping() const { return mapping_view(cm_grid_mapping(get())); }
+inline const cm_ellipsoid * grid_view::ellipsoid() const { return cm_grid_ellipsoid(get()); }
+inline cm_latitude grid_view::latitude() const { return cm_grid_latitude(get()); }
+inline const cm_rotation * grid_view::rotation() const { return cm_grid_rotation(get()); }
+inline uint8_t grid_view::forward_lonlat(double lon, double lat, double (&uv)[2]) const { return
+    cm_grid_forward_lonlat(get(), lon, lat, uv); }
+inline void grid_view::inverse_lonlat(uint8_t face, const double (&uv)[2], double (&lonlat)[2]) const {
+    cm_grid_inverse_lonlat(get(), face, uv, lonlat); }
+inline uint8_t grid_view::forward(const double (&normal)[3], double (&uv)[2]) const { return
+    cm_grid_forward(get(), normal, uv); }
+inline void grid_view::inverse(uint8_t face, const double (&uv)[2], double (&normal)[3]) const {
+    cm_grid_inverse(get(), face, uv, normal); }
+inline void grid_view::forward_lonlat(span<const double> lon, span<const double> lat, span<uint8_t> face,
+    span<double> u, span<double> v) const { cm_grid_forward_lonlat_array(get(),
+    detail::whole<size_t>(lon.size()), lon.data(), lat.data(), face.data(), u.data(), v.data()); }
+inline void grid_view::inverse_lonlat(span<const uint8_t> face, span<const double> u, span<const double> v,
+    span<double> lon, span<double> lat) const { cm_grid_inverse_lonlat_array(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), lon.data(), lat.data()); }
+inline void grid_view::forward(span<const double> x, span<const double> y, span<const double> z, span<uint8_t>
+    face, span<double> u, span<double> v) const { cm_grid_forward_array(get(),
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), face.data(), u.data(), v.data()); }
+inline void grid_view::inverse(span<const uint8_t> face, span<const double> u, span<const double> v,
+    span<double> x, span<double> y, span<double> z) const { cm_grid_inverse_array(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(), z.data()); }
+inline void grid_view::to_sphere(const double (&normal)[3], double (&direction)[3]) const {
+    cm_grid_to_sphere(get(), normal, direction); }
+inline void grid_view::from_sphere(const double (&direction)[3], double (&normal)[3]) const {
+    cm_grid_from_sphere(get(), direction, normal); }
+inline void grid_view::to_sphere(span<const double> x, span<const double> y, span<const double> z,
+    span<double> to_x, span<double> to_y, span<double> to_z) const { cm_grid_to_sphere_array(get(),
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), to_x.data(), to_y.data(), to_z.data()); }
+inline void grid_view::from_sphere(span<const double> x, span<const double> y, span<const double> z,
+    span<double> to_x, span<double> to_y, span<double> to_z) const { cm_grid_from_sphere_array(get(),
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), to_x.data(), to_y.data(), to_z.data()); }
+inline double grid_view::area_element(uint8_t face, const double (&uv)[2]) const { return
+    cm_grid_area_element(get(), face, uv); }
+inline void grid_view::area_element(span<const uint8_t> face, span<const double> u, span<const double> v,
+    span<double> area) const { cm_grid_area_element_array(get(), detail::whole<size_t>(face.size()),
+    face.data(), u.data(), v.data(), area.data()); }
+inline void grid_view::forward_distortion(const double (&normal)[3], cm_distortion *distortion) const {
+    cm_grid_forward_distortion(get(), normal, distortion); }
+inline void grid_view::inverse_distortion(uint8_t face, const double (&uv)[2], cm_distortion *distortion)
+    const { cm_grid_inverse_distortion(get(), face, uv, distortion); }
+inline result<grid> grid::try_make(const cm_grid_options *options) { cm_grid *made_object = nullptr; const
+    cm_status status = cm_grid_create(options, &made_object); return status == CM_OK ?
+    result<grid>(grid(made_object)) : result<grid>(status); }
+inline grid::grid(const cm_grid_options *options) : grid(try_make(options).value()) {}
+inline int64_t healpix_view::nside() const { return cm_healpix_nside(get()); }
+inline cm_healpix_order healpix_view::order() const { return cm_healpix_order_of(get()); }
+inline const char * healpix_view::instructions() const { return cm_healpix_instructions(get()); }
+inline int64_t healpix_view::pixel_count() const { return cm_healpix_pixel_count(get()); }
+inline int64_t healpix_view::ring_count() const { return cm_healpix_ring_count(get()); }
+inline cm_status healpix_view::try_pixel_from_direction(const double (&direction)[3], int64_t *pixel) const {
+    return cm_healpix_pixel_from_direction(get(), direction, pixel); }
+inline void healpix_view::pixel_from_direction(const double (&direction)[3], int64_t *pixel) const {
+    detail::check(cm_healpix_pixel_from_direction(get(), direction, pixel)); }
+inline cm_status healpix_view::try_pixel_from_angles(double theta, double phi, int64_t *pixel) const { return
+    cm_healpix_pixel_from_angles(get(), theta, phi, pixel); }
+inline void healpix_view::pixel_from_angles(double theta, double phi, int64_t *pixel) const {
+    detail::check(cm_healpix_pixel_from_angles(get(), theta, phi, pixel)); }
+inline cm_status healpix_view::try_pixel_from_lonlat(double lon, double lat, int64_t *pixel) const { return
+    cm_healpix_pixel_from_lonlat(get(), lon, lat, pixel); }
+inline void healpix_view::pixel_from_lonlat(double lon, double lat, int64_t *pixel) const {
+    detail::check(cm_healpix_pixel_from_lonlat(get(), lon, lat, pixel)); }
+inline cm_status healpix_view::try_direction_from_pixel(int64_t pixel, double (&direction)[3]) const { return
+    cm_healpix_direction_from_pixel(get(), pixel, direction); }
+inline void healpix_view::direction_from_pixel(int64_t pixel, double (&direction)[3]) const {
+    detail::check(cm_healpix_direction_from_pixel(get(), pixel, direction)); }
+inline cm_status healpix_view::try_angles_from_pixel(int64_t pixel, double *theta, double *phi) const { return
+    cm_healpix_angles_from_pixel(get(), pixel, theta, phi); }
+inline void healpix_view::angles_from_pixel(int64_t pixel, double *theta, double *phi) const {
+    detail::check(cm_healpix_angles_from_pixel(get(), pixel, theta, phi)); }
+inline cm_status healpix_view::try_lonlat_from_pixel(int64_t pixel, double (&lonlat)[2]) const { return
+    cm_healpix_lonlat_from_pixel(get(), pixel, lonlat); }
+inline void healpix_view::lonlat_from_pixel(int64_t pixel, double (&lonlat)[2]) const {
+    detail::check(cm_healpix_lonlat_from_pixel(get(), pixel, lonlat)); }
+inline cm_status healpix_view::try_nested_from_ring(int64_t ring, int64_t *nested) const { return
+    cm_healpix_nested_from_ring(get(), ring, nested); }
+inline void healpix_view::nested_from_ring(int64_t ring, int64_t *nested) const {
+    detail::check(cm_healpix_nested_from_ring(get(), ring, nested)); }
+inline cm_status healpix_view::try_ring_from_nested(int64_t nested, int64_t *ring) const { return
+    cm_healpix_ring_from_nested(get(), nested, ring); }
+inline void healpix_view::ring_from_nested(int64_t nested, int64_t *ring) const {
+    detail::check(cm_healpix_ring_from_nested(get(), nested, ring)); }
+inline void healpix_view::pixel_from_direction(span<const double> x, span<const double> y, span<const double>
+    z, span<int64_t> pixel) const { cm_healpix_pixel_from_direction_array(get(),
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), pixel.data()); }
+inline void healpix_view::pixel_from_angles(span<const double> theta, span<const double> phi, span<int64_t>
+    pixel) const { cm_healpix_pixel_from_angles_array(get(), detail::whole<size_t>(theta.size()),
+    theta.data(), phi.data(), pixel.data()); }
+inline void healpix_view::pixel_from_lonlat(span<const double> lon, span<const double> lat, span<int64_t>
+    pixel) const { cm_healpix_pixel_from_lonlat_array(get(), detail::whole<size_t>(lon.size()), lon.data(),
+    lat.data(), pixel.data()); }
+inline void healpix_view::direction_from_pixel(span<const int64_t> pixel, span<double> x, span<double> y,
+    span<double> z) const { cm_healpix_direction_from_pixel_array(get(), detail::whole<size_t>(pixel.size()),
+    pixel.data(), x.data(), y.data(), z.data()); }
+inline void healpix_view::angles_from_pixel(span<const int64_t> pixel, span<double> theta, span<double> phi)
+    const { cm_healpix_angles_from_pixel_array(get(), detail::whole<size_t>(pixel.size()), pixel.data(),
+    theta.data(), phi.data()); }
+inline void healpix_view::lonlat_from_pixel(span<const int64_t> pixel, span<double> lon, span<double> lat)
+    const { cm_healpix_lonlat_from_pixel_array(get(), detail::whole<size_t>(pixel.size()), pixel.data(),
+    lon.data(), lat.data()); }
+inline cm_status healpix_view::try_nested_from_ring(span<const int64_t> ring, span<int64_t> nested) const {
+    return cm_healpix_nested_from_ring_array(get(), detail::whole<size_t>(ring.size()), ring.data(),
+    nested.data()); }
+inline void healpix_view::nested_from_ring(span<const int64_t> ring, span<int64_t> nested) const {
+    detail::check(cm_healpix_nested_from_ring_array(get(), detail::whole<size_t>(ring.size()), ring.data(),
+    nested.data())); }
+inline cm_status healpix_view::try_ring_from_nested(span<const int64_t> nested, span<int64_t> ring) const {
+    return cm_healpix_ring_from_nested_array(get(), detail::whole<size_t>(nested.size()), nested.data(),
+    ring.data()); }
+inline void healpix_view::ring_from_nested(span<const int64_t> nested, span<int64_t> ring) const {
+    detail::check(cm_healpix_ring_from_nested_array(get(), detail::whole<size_t>(nested.size()),
+    nested.data(), ring.data())); }
+inline cm_status healpix_view::try_neighbours(int64_t pixel, int64_t (&neighbour)[8]) const { return
+    cm_healpix_neighbours(get(), pixel, neighbour); }
+inline void healpix_view::neighbours(int64_t pixel, int64_t (&neighbour)[8]) const {
+    detail::check(cm_healpix_neighbours(get(), pixel, neighbour)); }
+inline cm_status healpix_view::try_boundary(int64_t pixel, size_t steps, span<double> x, span<double> y,
+    span<double> z) const { return cm_healpix_boundary(get(), pixel, steps, x.data(), y.data(), z.data()); }
+inline void healpix_view::boundary(int64_t pixel, size_t steps, span<double> x, span<double> y, span<double>
+    z) const { detail::check(cm_healpix_boundary(get(), pixel, steps, x.data(), y.data(), z.data())); }
+inline cm_status healpix_view::try_ring_info(int64_t ring, cm_healpix_ring *info) const { return
+    cm_healpix_ring_info(get(), ring, info); }
+inline void healpix_view::ring_info(int64_t ring, cm_healpix_ring *info) const {
+    detail::check(cm_healpix_ring_info(get(), ring, info)); }
+inline cm_status healpix_view::try_ring_from_pixel(int64_t pixel, int64_t *ring, int64_t *index) const {
+    return cm_healpix_ring_from_pixel(get(), pixel, ring, index); }
+inline void healpix_view::ring_from_pixel(int64_t pixel, int64_t *ring, int64_t *index) const {
+    detail::check(cm_healpix_ring_from_pixel(get(), pixel, ring, index)); }
+inline cm_status healpix_view::try_regrade(span<const double> map, healpix_view to, span<double> result, const
+    cm_healpix_regrade_options *options) const { return cm_healpix_regrade(get(), map.data(), to.get(),
+    result.data(), options); }
+inline void healpix_view::regrade(span<const double> map, healpix_view to, span<double> result, const
+    cm_healpix_regrade_options *options) const { detail::check(cm_healpix_regrade(get(), map.data(), to.get(),
+    result.data(), options)); }
+inline cm_status healpix_view::try_regrade(span<const float> map, healpix_view to, span<float> result, const
+    cm_healpix_regrade_options *options) const { return cm_healpix_regrade_f32(get(), map.data(), to.get(),
+    result.data(), options); }
+inline void healpix_view::regrade(span<const float> map, healpix_view to, span<float> result, const
+    cm_healpix_regrade_options *options) const { detail::check(cm_healpix_regrade_f32(get(), map.data(),
+    to.get(), result.data(), options)); }
+inline result<healpix> healpix::try_make(int64_t nside, cm_healpix_order order, const cm_options *options) {
+    cm_healpix *made_object = nullptr; const cm_status status = cm_healpix_create(nside, order, options,
+    &made_object); return status == CM_OK ? result<healpix>(healpix(made_object)) : result<healpix>(status); }
+inline healpix::healpix(int64_t nside, cm_healpix_order order, const cm_options *options) :
+    healpix(try_make(nside, order, options).value()) {}
+inline int latitude_conversion_view::order() const { return cm_latitude_conversion_order(get()); }
+inline double latitude_conversion_view::error() const { return cm_latitude_conversion_error(get()); }
+inline cm_status latitude_conversion_view::try_constants(double (&constants)[13], int *terms) const { return
+    cm_latitude_conversion_constants(get(), constants, terms); }
+inline void latitude_conversion_view::constants(double (&constants)[13], int *terms) const {
+    detail::check(cm_latitude_conversion_constants(get(), constants, terms)); }
+inline double latitude_conversion_view::convert(double latitude) const { return cm_latitude_convert(get(),
+    latitude); }
+inline void latitude_conversion_view::convert_direction(const double (&from)[3], double (&to)[3]) const {
+    cm_latitude_convert_direction(get(), from, to); }
+inline void latitude_conversion_view::convert(span<const double> from, span<double> to) const {
+    cm_latitude_convert_array(get(), detail::whole<size_t>(from.size()), from.data(), to.data()); }
+inline void latitude_conversion_view::convert_direction(span<const double> x, span<const double> y, span<const
+    double> z, span<double> to_x, span<double> to_y, span<double> to_z) const {
+    cm_latitude_convert_direction_array(get(), detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(),
+    to_x.data(), to_y.data(), to_z.data()); }
+inline result<latitude_conversion> latitude_conversion::try_make(const cm_ellipsoid &ellipsoid, cm_latitude
+    from, cm_latitude to, const cm_latitude_options *options) { cm_latitude_conversion *made_object = nullptr;
+    const cm_status status = cm_latitude_conversion_create(&ellipsoid, from, to, options, &made_object);
+    return status == CM_OK ? result<latitude_conversion>(latitude_conversion(made_object)) :
+    result<latitude_conversion>(status); }
+inline latitude_conversion::latitude_conversion(const cm_ellipsoid &ellipsoid, cm_latitude from, cm_latitude
+    to, const cm_latitude_options *options) : latitude_conversion(try_make(ellipsoid, from, to,
+    options).value()) {}
+inline cm_status mapping_view::try_advise_size(double angle, cm_advice_size *size) const { return
+    cm_advise_size(get(), angle, size); }
+inline void mapping_view::advise_size(double angle, cm_advice_size *size) const {
+    detail::check(cm_advise_size(get(), angle, size)); }
+inline cm_status mapping_view::try_advise_precision(double metres, cm_advice_precision *precision) const {
+    return cm_advise_precision(get(), metres, precision); }
+inline void mapping_view::advise_precision(double metres, cm_advice_precision *precision) const {
+    detail::check(cm_advise_precision(get(), metres, precision)); }
+inline cm_status mapping_view::try_face_weights(uint8_t face, uint32_t edge, unsigned threads, span<float>
+    weights) const { return cm_face_weights(get(), face, edge, threads, weights.data()); }
+inline void mapping_view::face_weights(uint8_t face, uint32_t edge, unsigned threads, span<float> weights)
+    const { detail::check(cm_face_weights(get(), face, edge, threads, weights.data())); }
+inline void mapping_view::forward_distortion(const double (&direction)[3], cm_distortion *distortion) const {
+    cm_forward_distortion(get(), direction, distortion); }
+inline void mapping_view::forward_distortion(const float (&direction)[3], cm_distortion_f32 *distortion) const
+    { cm_forward_distortion_f32(get(), direction, distortion); }
+inline void mapping_view::inverse_distortion(uint8_t face, const double (&uv)[2], cm_distortion *distortion)
+    const { cm_inverse_distortion(get(), face, uv, distortion); }
+inline void mapping_view::inverse_distortion(uint8_t face, const float (&uv)[2], cm_distortion_f32
+    *distortion) const { cm_inverse_distortion_f32(get(), face, uv, distortion); }
+inline void mapping_view::forward_distortion(span<const double> x, span<const double> y, span<const double> z,
+    const cm_distortion_arrays *distortion) const { cm_forward_distortion_array(get(),
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), distortion); }
+inline void mapping_view::forward_distortion(span<const float> x, span<const float> y, span<const float> z,
+    const cm_distortion_arrays_f32 *distortion) const { cm_forward_distortion_array_f32(get(),
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), distortion); }
+inline void mapping_view::inverse_distortion(span<const uint8_t> face, span<const double> u, span<const
+    double> v, const cm_distortion_arrays *distortion) const { cm_inverse_distortion_array(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), distortion); }
+inline void mapping_view::inverse_distortion(span<const uint8_t> face, span<const float> u, span<const float>
+    v, const cm_distortion_arrays_f32 *distortion) const { cm_inverse_distortion_array_f32(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), distortion); }
+inline cm_status mapping_view::try_texel_solid_angles(uint8_t face, uint32_t size, span<double> angle) const {
+    return cm_texel_solid_angles(get(), face, size, angle.data()); }
+inline void mapping_view::texel_solid_angles(uint8_t face, uint32_t size, span<double> angle) const {
+    detail::check(cm_texel_solid_angles(get(), face, size, angle.data())); }
+inline const cm_mapping_info * mapping_view::describe() const { return cm_mapping_describe(get()); }
+inline const cm_frame * mapping_view::frame() const { return cm_mapping_frame(get()); }
+inline double mapping_view::parameter(size_t index) const { return cm_mapping_parameter(get(), index); }
+inline int mapping_view::has_bounds() const { return cm_mapping_has_bounds(get()); }
+inline uint8_t mapping_view::forward(const double (&direction)[3], double (&uv)[2]) const { return
+    cm_forward(get(), direction, uv); }
+inline uint8_t mapping_view::forward(const float (&direction)[3], float (&uv)[2]) const { return
+    cm_forward_f32(get(), direction, uv); }
+inline void mapping_view::inverse(uint8_t face, const double (&uv)[2], double (&direction)[3]) const {
+    cm_inverse(get(), face, uv, direction); }
+inline void mapping_view::inverse(uint8_t face, const float (&uv)[2], float (&direction)[3]) const {
+    cm_inverse_f32(get(), face, uv, direction); }
+inline uint8_t mapping_view::forward_lonlat(double lon, double lat, double (&uv)[2]) const { return
+    cm_forward_lonlat(get(), lon, lat, uv); }
+inline void mapping_view::inverse_lonlat(uint8_t face, const double (&uv)[2], double (&lonlat)[2]) const {
+    cm_inverse_lonlat(get(), face, uv, lonlat); }
+inline void mapping_view::forward_lonlat(span<const double> lon, span<const double> lat, span<uint8_t> face,
+    span<double> u, span<double> v) const { cm_forward_lonlat_array(get(), detail::whole<size_t>(lon.size()),
+    lon.data(), lat.data(), face.data(), u.data(), v.data()); }
+inline void mapping_view::inverse_lonlat(span<const uint8_t> face, span<const double> u, span<const double> v,
+    span<double> lon, span<double> lat) const { cm_inverse_lonlat_array(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), lon.data(), lat.data()); }
+inline void mapping_view::forward(span<const double> x, span<const double> y, span<const double> z,
+    span<uint8_t> face, span<double> u, span<double> v) const { cm_forward_array(get(),
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), face.data(), u.data(), v.data()); }
+inline void mapping_view::forward(span<const float> x, span<const float> y, span<const float> z, span<uint8_t>
+    face, span<float> u, span<float> v) const { cm_forward_array_f32(get(), detail::whole<size_t>(x.size()),
+    x.data(), y.data(), z.data(), face.data(), u.data(), v.data()); }
+inline void mapping_view::inverse(span<const uint8_t> face, span<const double> u, span<const double> v,
+    span<double> x, span<double> y, span<double> z) const { cm_inverse_array(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(), z.data()); }
+inline void mapping_view::inverse(span<const uint8_t> face, span<const float> u, span<const float> v,
+    span<float> x, span<float> y, span<float> z) const { cm_inverse_array_f32(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(), z.data()); }
+inline void mapping_view::forward_strided(span<const double> xyz, ptrdiff_t stride, span<uint8_t> face,
+    span<double> u, span<double> v) const { cm_forward_strided(get(), detail::whole<size_t>(face.size()),
+    xyz.data(), stride, face.data(), u.data(), v.data()); }
+inline void mapping_view::forward_strided(span<const float> xyz, ptrdiff_t stride, span<uint8_t> face,
+    span<float> u, span<float> v) const { cm_forward_strided_f32(get(), detail::whole<size_t>(face.size()),
+    xyz.data(), stride, face.data(), u.data(), v.data()); }
+inline void mapping_view::inverse_strided(span<const uint8_t> face, span<const double> u, span<const double>
+    v, span<double> xyz, ptrdiff_t stride) const { cm_inverse_strided(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), xyz.data(), stride); }
+inline void mapping_view::inverse_strided(span<const uint8_t> face, span<const float> u, span<const float> v,
+    span<float> xyz, ptrdiff_t stride) const { cm_inverse_strided_f32(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), xyz.data(), stride); }
+inline void mapping_view::forward_jacobian(const double (&direction)[3], double (&jacobian)[6]) const {
+    cm_forward_jacobian(get(), direction, jacobian); }
+inline void mapping_view::forward_jacobian(const float (&direction)[3], float (&jacobian)[6]) const {
+    cm_forward_jacobian_f32(get(), direction, jacobian); }
+inline void mapping_view::inverse_jacobian(uint8_t face, const double (&uv)[2], double (&jacobian)[6]) const {
+    cm_inverse_jacobian(get(), face, uv, jacobian); }
+inline void mapping_view::inverse_jacobian(uint8_t face, const float (&uv)[2], float (&jacobian)[6]) const {
+    cm_inverse_jacobian_f32(get(), face, uv, jacobian); }
+inline void mapping_view::forward_jacobian(span<const double> x, span<const double> y, span<const double> z,
+    double *const (&jacobian)[6]) const { cm_forward_jacobian_array(get(), detail::whole<size_t>(x.size()),
+    x.data(), y.data(), z.data(), jacobian); }
+inline void mapping_view::forward_jacobian(span<const float> x, span<const float> y, span<const float> z,
+    float *const (&jacobian)[6]) const { cm_forward_jacobian_array_f32(get(), detail::whole<size_t>(x.size()),
+    x.data(), y.data(), z.data(), jacobian); }
+inline void mapping_view::inverse_jacobian(span<const uint8_t> face, span<const double> u, span<const double>
+    v, double *const (&jacobian)[6]) const { cm_inverse_jacobian_array(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), jacobian); }
+inline void mapping_view::inverse_jacobian(span<const uint8_t> face, span<const float> u, span<const float> v,
+    float *const (&jacobian)[6]) const { cm_inverse_jacobian_array_f32(get(),
+    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), jacobian); }
+inline cm_status mapping_view::try_warp(const double (&pq)[2], double (&uv)[2]) const { return cm_warp(get(),
+    pq, uv); }
+inline void mapping_view::warp(const double (&pq)[2], double (&uv)[2]) const { detail::check(cm_warp(get(),
+    pq, uv)); }
+inline cm_status mapping_view::try_warp(const float (&pq)[2], float (&uv)[2]) const { return
+    cm_warp_f32(get(), pq, uv); }
+inline void mapping_view::warp(const float (&pq)[2], float (&uv)[2]) const { detail::check(cm_warp_f32(get(),
+    pq, uv)); }
+inline cm_status mapping_view::try_unwarp(const double (&uv)[2], double (&pq)[2]) const { return
+    cm_unwarp(get(), uv, pq); }
+inline void mapping_view::unwarp(const double (&uv)[2], double (&pq)[2]) const {
+    detail::check(cm_unwarp(get(), uv, pq)); }
+inline cm_status mapping_view::try_unwarp(const float (&uv)[2], float (&pq)[2]) const { return
+    cm_unwarp_f32(get(), uv, pq); }
+inline void mapping_view::unwarp(const float (&uv)[2], float (&pq)[2]) const {
+    detail::check(cm_unwarp_f32(get(), uv, pq)); }
+inline cm_status mapping_view::try_warp(span<const double> p, span<const double> q, span<double> u,
+    span<double> v) const { return cm_warp_array(get(), detail::whole<size_t>(p.size()), p.data(), q.data(),
+    u.data(), v.data()); }
+inline void mapping_view::warp(span<const double> p, span<const double> q, span<double> u, span<double> v)
+    const { detail::check(cm_warp_array(get(), detail::whole<size_t>(p.size()), p.data(), q.data(), u.data(),
+    v.data())); }
+inline cm_status mapping_view::try_warp(span<const float> p, span<const float> q, span<float> u, span<float>
+    v) const { return cm_warp_array_f32(get(), detail::whole<size_t>(p.size()), p.data(), q.data(), u.data(),
+    v.data()); }
+inline void mapping_view::warp(span<const float> p, span<const float> q, span<float> u, span<float> v) const {
+    detail::check(cm_warp_array_f32(get(), detail::whole<size_t>(p.size()), p.data(), q.data(), u.data(),
+    v.data())); }
+inline cm_status mapping_view::try_unwarp(span<const double> u, span<const double> v, span<double> p,
+    span<double> q) const { return cm_unwarp_array(get(), detail::whole<size_t>(u.size()), u.data(), v.data(),
+    p.data(), q.data()); }
+inline void mapping_view::unwarp(span<const double> u, span<const double> v, span<double> p, span<double> q)
+    const { detail::check(cm_unwarp_array(get(), detail::whole<size_t>(u.size()), u.data(), v.data(),
+    p.data(), q.data())); }
+inline cm_status mapping_view::try_unwarp(span<const float> u, span<const float> v, span<float> p, span<float>
+    q) const { return cm_unwarp_array_f32(get(), detail::whole<size_t>(u.size()), u.data(), v.data(),
+    p.data(), q.data()); }
+inline void mapping_view::unwarp(span<const float> u, span<const float> v, span<float> p, span<float> q) const
+    { detail::check(cm_unwarp_array_f32(get(), detail::whole<size_t>(u.size()), u.data(), v.data(), p.data(),
+    q.data())); }
+inline cm_status mapping_view::try_warp_jacobian(const double (&pq)[2], double (&jacobian)[4]) const { return
+    cm_warp_jacobian(get(), pq, jacobian); }
+inline void mapping_view::warp_jacobian(const double (&pq)[2], double (&jacobian)[4]) const {
+    detail::check(cm_warp_jacobian(get(), pq, jacobian)); }
+inline cm_status mapping_view::try_warp_jacobian(const float (&pq)[2], float (&jacobian)[4]) const { return
+    cm_warp_jacobian_f32(get(), pq, jacobian); }
+inline void mapping_view::warp_jacobian(const float (&pq)[2], float (&jacobian)[4]) const {
+    detail::check(cm_warp_jacobian_f32(get(), pq, jacobian)); }
+inline cm_status mapping_view::try_warp_jacobian(span<const double> p, span<const double> q, double *const
+    (&jacobian)[4]) const { return cm_warp_jacobian_array(get(), detail::whole<size_t>(p.size()), p.data(),
+    q.data(), jacobian); }
+inline void mapping_view::warp_jacobian(span<const double> p, span<const double> q, double *const
+    (&jacobian)[4]) const { detail::check(cm_warp_jacobian_array(get(), detail::whole<size_t>(p.size()),
+    p.data(), q.data(), jacobian)); }
+inline cm_status mapping_view::try_warp_jacobian(span<const float> p, span<const float> q, float *const
+    (&jacobian)[4]) const { return cm_warp_jacobian_array_f32(get(), detail::whole<size_t>(p.size()),
+    p.data(), q.data(), jacobian); }
+inline void mapping_view::warp_jacobian(span<const float> p, span<const float> q, float *const (&jacobian)[4])
+    const { detail::check(cm_warp_jacobian_array_f32(get(), detail::whole<size_t>(p.size()), p.data(),
+    q.data(), jacobian)); }
+inline cm_tier mapping_view::tier() const { return cm_mapping_tier(get()); }
+inline const char * mapping_view::instructions() const { return cm_mapping_instructions(get()); }
+inline cm_status mapping_view::try_orient(const cm_mask &mask, const cm_orient_options *options,
+    cm_orient_result *result) const { return cm_orient(get(), &mask, options, result); }
+inline void mapping_view::orient(const cm_mask &mask, const cm_orient_options *options, cm_orient_result
+    *result) const { detail::check(cm_orient(get(), &mask, options, result)); }
+inline cm_status mapping_view::try_orient_value(const cm_mask &mask, const cm_orient_options *options, const
+    cm_rotation &rotation, double *value) const { return cm_orient_value(get(), &mask, options, &rotation,
+    value); }
+inline void mapping_view::orient_value(const cm_mask &mask, const cm_orient_options *options, const
+    cm_rotation &rotation, double *value) const { detail::check(cm_orient_value(get(), &mask, options,
+    &rotation, value)); }
+inline cm_status mapping_view::try_distortion_statistics(cm_quantity quantity, const cm_statistics_options
+    *options, cm_statistics *statistics) const { return cm_distortion_statistics(get(), quantity, options,
+    statistics); }
+inline void mapping_view::distortion_statistics(cm_quantity quantity, const cm_statistics_options *options,
+    cm_statistics *statistics) const { detail::check(cm_distortion_statistics(get(), quantity, options,
+    statistics)); }
+inline cm_status mapping_view::try_distortion_percentiles(cm_quantity quantity, const cm_statistics_options
+    *options, span<const double> percent, span<double> value, span<double> doubt) const { return
+    cm_distortion_percentiles(get(), quantity, options, detail::whole<size_t>(percent.size()), percent.data(),
+    value.data(), doubt.data()); }
+inline void mapping_view::distortion_percentiles(cm_quantity quantity, const cm_statistics_options *options,
+    span<const double> percent, span<double> value, span<double> doubt) const {
+    detail::check(cm_distortion_percentiles(get(), quantity, options, detail::whole<size_t>(percent.size()),
+    percent.data(), value.data(), doubt.data())); }
+inline void mapping_view::forward(unsigned threads, span<const double> x, span<const double> y, span<const
+    double> z, span<uint8_t> face, span<double> u, span<double> v) const { cm_forward_array_threads(get(),
+    threads, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), face.data(), u.data(), v.data());
+    }
+inline void mapping_view::forward(unsigned threads, span<const float> x, span<const float> y, span<const
+    float> z, span<uint8_t> face, span<float> u, span<float> v) const { cm_forward_array_threads_f32(get(),
+    threads, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), face.data(), u.data(), v.data());
+    }
+inline void mapping_view::inverse(unsigned threads, span<const uint8_t> face, span<const double> u, span<const
+    double> v, span<double> x, span<double> y, span<double> z) const { cm_inverse_array_threads(get(),
+    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(),
+    z.data()); }
+inline void mapping_view::inverse(unsigned threads, span<const uint8_t> face, span<const float> u, span<const
+    float> v, span<float> x, span<float> y, span<float> z) const { cm_inverse_array_threads_f32(get(),
+    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(),
+    z.data()); }
+inline void mapping_view::forward_strided(unsigned threads, span<const double> xyz, ptrdiff_t stride,
+    span<uint8_t> face, span<double> u, span<double> v) const { cm_forward_strided_threads(get(), threads,
+    detail::whole<size_t>(face.size()), xyz.data(), stride, face.data(), u.data(), v.data()); }
+inline void mapping_view::forward_strided(unsigned threads, span<const float> xyz, ptrdiff_t stride,
+    span<uint8_t> face, span<float> u, span<float> v) const { cm_forward_strided_threads_f32(get(), threads,
+    detail::whole<size_t>(face.size()), xyz.data(), stride, face.data(), u.data(), v.data()); }
+inline void mapping_view::inverse_strided(unsigned threads, span<const uint8_t> face, span<const double> u,
+    span<const double> v, span<double> xyz, ptrdiff_t stride) const { cm_inverse_strided_threads(get(),
+    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), xyz.data(), stride); }
+inline void mapping_view::inverse_strided(unsigned threads, span<const uint8_t> face, span<const float> u,
+    span<const float> v, span<float> xyz, ptrdiff_t stride) const { cm_inverse_strided_threads_f32(get(),
+    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), xyz.data(), stride); }
+inline void mapping_view::forward_jacobian(unsigned threads, span<const double> x, span<const double> y,
+    span<const double> z, double *const (&jacobian)[6]) const { cm_forward_jacobian_array_threads(get(),
+    threads, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), jacobian); }
+inline void mapping_view::forward_jacobian(unsigned threads, span<const float> x, span<const float> y,
+    span<const float> z, float *const (&jacobian)[6]) const { cm_forward_jacobian_array_threads_f32(get(),
+    threads, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), jacobian); }
+inline void mapping_view::inverse_jacobian(unsigned threads, span<const uint8_t> face, span<const double> u,
+    span<const double> v, double *const (&jacobian)[6]) const { cm_inverse_jacobian_array_threads(get(),
+    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), jacobian); }
+inline void mapping_view::inverse_jacobian(unsigned threads, span<const uint8_t> face, span<const float> u,
+    span<const float> v, float *const (&jacobian)[6]) const { cm_inverse_jacobian_array_threads_f32(get(),
+    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), jacobian); }
+inline result<mapping> mapping::try_make(const char *specification, const cm_frame *frame) { cm_mapping
+    *made_object = nullptr; const cm_status status = cm_mapping_create(specification, frame, &made_object);
+    return status == CM_OK ? result<mapping>(mapping(made_object)) : result<mapping>(status); }
+inline mapping::mapping(const char *specification, const cm_frame *frame) : mapping(try_make(specification,
+    frame).value()) {}
+inline result<mapping> mapping::try_make(const char *specification, const cm_frame *frame, const cm_options
+    *options) { cm_mapping *made_object = nullptr; const cm_status status =
+    cm_mapping_create_with(specification, frame, options, &made_object); return status == CM_OK ?
+    result<mapping>(mapping(made_object)) : result<mapping>(status); }
+inline mapping::mapping(const char *specification, const cm_frame *frame, const cm_options *options) :
+    mapping(try_make(specification, frame, options).value()) {}
+inline uint32_t mips_view::count() const { return cm_mips_count(get()); }
+inline const cm_image * mips_view::pictures(uint32_t level) const { return cm_mips_pictures(get(), level); }
+inline result<mips> mips::try_make(surface_view surface, const cm_image *pictures, const cm_plan_options
+    *options, unsigned threads) { cm_mips *made_object = nullptr; const cm_status status =
+    cm_mips_create(surface.get(), pictures, options, threads, &made_object); return status == CM_OK ?
+    result<mips>(mips(made_object)) : result<mips>(status); }
+inline mips::mips(surface_view surface, const cm_image *pictures, const cm_plan_options *options, unsigned
+    threads) : mips(try_make(surface, pictures, options, threads).value()) {}
+inline cm_status plan_view::try_write(char *text, size_t size, size_t *length) const { return
+    cm_plan_write(get(), text, size, length); }
+inline void plan_view::write(char *text, size_t size, size_t *length) const {
+    detail::check(cm_plan_write(get(), text, size, length)); }
+inline cm_status plan_view::try_resample_source(source_view source, cm_image *to, cm_rows rows, unsigned
+    threads) const { return cm_resample_source(get(), source.get(), to, rows, threads); }
+inline void plan_view::resample_source(source_view source, cm_image *to, cm_rows rows, unsigned threads) const
+    { detail::check(cm_resample_source(get(), source.get(), to, rows, threads)); }
+inline cm_status plan_view::try_resample(const cm_image *from, cm_image *to, cm_rows rows) const { return
+    cm_resample(get(), from, to, rows); }
+inline void plan_view::resample(const cm_image *from, cm_image *to, cm_rows rows) const {
+    detail::check(cm_resample(get(), from, to, rows)); }
+inline result<plan> plan::try_make(surface_view from, surface_view to, const cm_plan_options *options) {
+    cm_plan *made_object = nullptr; const cm_status status = cm_plan_create(from.get(), to.get(), options,
+    &made_object); return status == CM_OK ? result<plan>(plan(made_object)) : result<plan>(status); }
+inline plan::plan(surface_view from, surface_view to, const cm_plan_options *options) : plan(try_make(from,
+    to, options).value()) {}
+inline result<plan> plan::try_read(span<const char> text, const char *instructions) { cm_plan *made_object =
+    nullptr; const cm_status status = cm_plan_read(text.data(), detail::whole<size_t>(text.size()),
+    instructions, &made_object); return status == CM_OK ? result<plan>(plan(made_object)) :
+    result<plan>(status); }
+inline plan plan::read(span<const char> text, const char *instructions) { return try_read(text,
+    instructions).value(); }
+inline int region_view::contains(const double (&normal)[3]) const { return cm_region_contains(get(), normal);
+    }
+inline result<region> region::try_cap(const double (&normal)[3], double radius) { cm_region *made_object =
+    nullptr; const cm_status status = cm_region_cap(normal, radius, &made_object); return status == CM_OK ?
+    result<region>(region(made_object)) : result<region>(status); }
+inline region region::cap(const double (&normal)[3], double radius) { return try_cap(normal, radius).value();
+    }
+inline result<region> region::try_cap_lonlat(double lon, double lat, double radius) { cm_region *made_object =
+    nullptr; const cm_status status = cm_region_cap_lonlat(lon, lat, radius, &made_object); return status ==
+    CM_OK ? result<region>(region(made_object)) : result<region>(status); }
+inline region region::cap_lonlat(double lon, double lat, double radius) { return try_cap_lonlat(lon, lat,
+    radius).value(); }
+inline result<region> region::try_box(double west, double south, double east, double north) { cm_region
+    *made_object = nullptr; const cm_status status = cm_region_box(west, south, east, north, &made_object);
+    return status == CM_OK ? result<region>(region(made_object)) : result<region>(status); }
+inline region region::box(double west, double south, double east, double north) { return try_box(west, south,
+    east, north).value(); }
+inline result<region> region::try_polygon(span<const size_t> ring_length, span<const double> lonlat) {
+    cm_region *made_object = nullptr; const cm_status status =
+    cm_region_polygon(detail::whole<size_t>(ring_length.size()), ring_length.data(), lonlat.data(),
+    &made_object); return status == CM_OK ? result<region>(region(made_object)) : result<region>(status); }
+inline region region::polygon(span<const size_t> ring_length, span<const double> lonlat) { return
+    try_polygon(ring_length, lonlat).value(); }
+inline cm_filter source_view::filter() const { return cm_source_filter(get()); }
+inline result<source> source::try_make(plan_view plan, const cm_image *from, cm_pixel_type target_type,
+    unsigned threads) { cm_source *made_object = nullptr; const cm_status status =
+    cm_source_create(plan.get(), from, target_type, threads, &made_object); return status == CM_OK ?
+    result<source>(source(made_object)) : result<source>(status); }
+inline source::source(plan_view plan, const cm_image *from, cm_pixel_type target_type, unsigned threads) :
+    source(try_make(plan, from, target_type, threads).value()) {}
+inline const char * surface_view::specification() const { return cm_surface_specification(get()); }
+inline size_t surface_view::picture_count() const { return cm_surface_picture_count(get()); }
+inline uint32_t surface_view::width() const { return cm_surface_width(get()); }
+inline uint32_t surface_view::height() const { return cm_surface_height(get()); }
+inline size_t surface_view::plane_count() const { return cm_surface_plane_count(get()); }
+inline uint32_t surface_view::plane_width() const { return cm_surface_plane_width(get()); }
+inline uint32_t surface_view::plane_height() const { return cm_surface_plane_height(get()); }
+inline cm_status surface_view::try_pixel(uint32_t plane, uint32_t column, uint32_t row, uint32_t *picture,
+    uint32_t *picture_column, uint32_t *picture_row) const { return cm_surface_pixel(get(), plane, column,
+    row, picture, picture_column, picture_row); }
+inline void surface_view::pixel(uint32_t plane, uint32_t column, uint32_t row, uint32_t *picture, uint32_t
+    *picture_column, uint32_t *picture_row) const { detail::check(cm_surface_pixel(get(), plane, column, row,
+    picture, picture_column, picture_row)); }
+inline mapping_view surface_view::mapping() const { return mapping_view(cm_surface_mapping(get())); }
+inline void surface_view::positions(span<const double> x, span<const double> y, span<const double> z,
+    span<uint8_t> plane, span<double> column, span<double> row) const { cm_surface_positions(get(),
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), plane.data(), column.data(), row.data()); }
+inline void surface_view::directions(span<const uint8_t> plane, span<const double> column, span<const double>
+    row, span<double> x, span<double> y, span<double> z) const { cm_surface_directions(get(),
+    detail::whole<size_t>(plane.size()), plane.data(), column.data(), row.data(), x.data(), y.data(),
+    z.data()); }
+inline cm_status surface_view::try_sample(const cm_image *pictures, cm_filter filter, span<const double> x,
+    span<const double> y, span<const double> z, span<float> out) const { return cm_sample(get(), pictures,
+    filter, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), out.data()); }
+inline void surface_view::sample(const cm_image *pictures, cm_filter filter, span<const double> x, span<const
+    double> y, span<const double> z, span<float> out) const { detail::check(cm_sample(get(), pictures, filter,
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), out.data())); }
+inline cm_status surface_view::try_border(const cm_image *pictures, uint32_t border, const cm_plan_options
+    *options, unsigned threads, cm_image *to) const { return cm_border(get(), pictures, border, options,
+    threads, to); }
+inline void surface_view::border(const cm_image *pictures, uint32_t border, const cm_plan_options *options,
+    unsigned threads, cm_image *to) const { detail::check(cm_border(get(), pictures, border, options, threads,
+    to)); }
+inline cm_status surface_view::try_panorama_of_surface(cm_panorama *panorama) const { return
+    cm_panorama_of_surface(get(), panorama); }
+inline void surface_view::panorama_of_surface(cm_panorama *panorama) const {
+    detail::check(cm_panorama_of_surface(get(), panorama)); }
+inline result<surface> surface::try_make(const char *specification, const cm_surface_options *options) {
+    cm_surface *made_object = nullptr; const cm_status status = cm_surface_create(specification, options,
+    &made_object); return status == CM_OK ? result<surface>(surface(made_object)) : result<surface>(status); }
+inline surface::surface(const char *specification, const cm_surface_options *options) :
+    surface(try_make(specification, options).value()) {}
+
+// cm_precision_name
+inline const char * precision_name(cm_precision precision) { return cm_precision_name(precision); }
+// cm_limit_name
+inline const char * limit_name(cm_limit limit) { return cm_limit_name(limit); }
+// cm_advise_terms
+inline cm_status try_advise_terms(const cm_ellipsoid &ellipsoid, cm_latitude from, cm_latitude to, double
+    metres, cm_advice_terms *terms) { return cm_advise_terms(&ellipsoid, from, to, metres, terms); }
+inline void advise_terms(const cm_ellipsoid &ellipsoid, cm_latitude from, cm_latitude to, double metres,
+    cm_advice_terms *terms) { detail::check(cm_advise_terms(&ellipsoid, from, to, metres, terms)); }
+// cm_smoothness_name
+inline const char * smoothness_name(cm_smoothness smoothness) { return cm_smoothness_name(smoothness); }
+// cm_catalogue_count
+inline size_t catalogue_count() { return cm_catalogue_count(); }
+// cm_catalogue_at
+inline const cm_mapping_info * catalogue_at(size_t index) { return cm_catalogue_at(index); }
+// cm_catalogue_find
+inline const cm_mapping_info * catalogue_find(const char *name) { return cm_catalogue_find(name); }
+// cm_specification_check
+inline cm_status try_specification_check(const char *specification, char *message, size_t message_size) {
+    return cm_specification_check(specification, message, message_size); }
+inline void specification_check(const char *specification, char *message, size_t message_size) {
+    detail::check(cm_specification_check(specification, message, message_size)); }
+// cm_curve_name
+inline const char * curve_name(cm_curve curve) { return cm_curve_name(curve); }
+// cm_curve_find
+inline cm_status try_curve_find(const char *name, cm_curve *curve) { return cm_curve_find(name, curve); }
+inline void curve_find(const char *name, cm_curve *curve) { detail::check(cm_curve_find(name, curve)); }
+// cm_cell_is_valid
+inline int cell_is_valid(cm_cell cell) { return cm_cell_is_valid(cell); }
+// cm_cell_level
+inline int cell_level(cm_cell cell) { return cm_cell_level(cell); }
+// cm_cell_face
+inline uint8_t cell_face(cm_cell cell) { return cm_cell_face(cell); }
+// cm_cell_parent
+inline cm_cell cell_parent(cm_cell cell, int level) { return cm_cell_parent(cell, level); }
+// cm_cell_child
+inline cm_cell cell_child(cm_cell cell, int which) { return cm_cell_child(cell, which); }
+// cm_cell_first_leaf
+inline cm_cell cell_first_leaf(cm_cell cell) { return cm_cell_first_leaf(cell); }
+// cm_cell_last_leaf
+inline cm_cell cell_last_leaf(cm_cell cell) { return cm_cell_last_leaf(cell); }
+// cm_cell_contains
+inline int cell_contains(cm_cell cell, cm_cell other) { return cm_cell_contains(cell, other); }
+// cm_cell_intersects
+inline int cell_intersects(cm_cell cell, cm_cell other) { return cm_cell_intersects(cell, other); }
+// cm_cell_common_parent
+inline cm_cell cell_common_parent(cm_cell cell, cm_cell other) { return cm_cell_common_parent(cell, other); }
+// cm_cell_index
+inline uint64_t cell_index(cm_cell cell) { return cm_cell_index(cell); }
+// cm_cell_at_index
+inline cm_cell cell_at_index(int level, uint64_t index) { return cm_cell_at_index(level, index); }
+// cm_cell_advance
+inline cm_cell cell_advance(cm_cell cell, int64_t steps) { return cm_cell_advance(cell, steps); }
+// cm_cell_from_place
+inline cm_cell cell_from_place(cm_curve curve, const cm_cell_place &place) { return cm_cell_from_place(curve,
+    &place); }
+// cm_cell_to_place
+inline cm_status try_cell_to_place(cm_curve curve, cm_cell cell, cm_cell_place *place) { return
+    cm_cell_to_place(curve, cell, place); }
+inline void cell_to_place(cm_curve curve, cm_cell cell, cm_cell_place *place) {
+    detail::check(cm_cell_to_place(curve, cell, place)); }
+// cm_cell_square
+inline cm_status try_cell_square(cm_curve curve, cm_cell cell, uint8_t *face, double (&low)[2], double
+    (&high)[2]) { return cm_cell_square(curve, cell, face, low, high); }
+inline void cell_square(cm_curve curve, cm_cell cell, uint8_t *face, double (&low)[2], double (&high)[2]) {
+    detail::check(cm_cell_square(curve, cell, face, low, high)); }
+// cm_cell_token
+inline cm_status try_cell_token(cm_cell cell, char *text, size_t size) { return cm_cell_token(cell, text,
+    size); }
+inline void cell_token(cm_cell cell, char *text, size_t size) { detail::check(cm_cell_token(cell, text,
+    size)); }
+// cm_cell_parse
+inline cm_status try_cell_parse(const char *text, cm_cell *cell, char *message, size_t message_size) { return
+    cm_cell_parse(text, cell, message, message_size); }
+inline void cell_parse(const char *text, cm_cell *cell, char *message, size_t message_size) {
+    detail::check(cm_cell_parse(text, cell, message, message_size)); }
+// cm_cell_union_normalise
+inline size_t cell_union_normalise(span<cm_cell> cells) { return
+    cm_cell_union_normalise(detail::whole<size_t>(cells.size()), cells.data()); }
+// cm_cell_union_contains
+inline int cell_union_contains(span<const cm_cell> cells, cm_cell cell) { return
+    cm_cell_union_contains(detail::whole<size_t>(cells.size()), cells.data(), cell); }
+// cm_cell_union_intersects
+inline int cell_union_intersects(span<const cm_cell> cells, cm_cell cell) { return
+    cm_cell_union_intersects(detail::whole<size_t>(cells.size()), cells.data(), cell); }
+// cm_colormap_count
+inline size_t colormap_count() { return cm_colormap_count(); }
+// cm_colormap_at
+inline const cm_colormap_info * colormap_at(size_t index) { return cm_colormap_at(index); }
+// cm_colormap_find
+inline const cm_colormap_info * colormap_find(const char *name) { return cm_colormap_find(name); }
+// cm_colormap_check
+inline cm_status try_colormap_check(const char *specification, char *message, size_t message_size) { return
+    cm_colormap_check(specification, message, message_size); }
+inline void colormap_check(const char *specification, char *message, size_t message_size) {
+    detail::check(cm_colormap_check(specification, message, message_size)); }
+// cm_colormap_largest_chroma
+inline double colormap_largest_chroma(double lightness, double hue) { return
+    cm_colormap_largest_chroma(lightness, hue); }
+// cm_colormap_luv_from_lch
+inline void colormap_luv_from_lch(const double (&lch)[3], double (&luv)[3]) { cm_colormap_luv_from_lch(lch,
+    luv); }
+// cm_colormap_lch_from_luv
+inline void colormap_lch_from_luv(const double (&luv)[3], double (&lch)[3]) { cm_colormap_lch_from_luv(luv,
+    lch); }
+// cm_colormap_linear_from_luv
+inline void colormap_linear_from_luv(const double (&luv)[3], double (&linear)[3]) {
+    cm_colormap_linear_from_luv(luv, linear); }
+// cm_colormap_luv_from_linear
+inline void colormap_luv_from_linear(const double (&linear)[3], double (&luv)[3]) {
+    cm_colormap_luv_from_linear(linear, luv); }
+// cm_colormap_srgb_from_linear
+inline void colormap_srgb_from_linear(const double (&linear)[3], double (&srgb)[3]) {
+    cm_colormap_srgb_from_linear(linear, srgb); }
+// cm_colormap_linear_from_srgb
+inline void colormap_linear_from_srgb(const double (&srgb)[3], double (&linear)[3]) {
+    cm_colormap_linear_from_srgb(srgb, linear); }
+// cm_colormap_ucs_from_linear
+inline void colormap_ucs_from_linear(const double (&linear)[3], double (&ucs)[3]) {
+    cm_colormap_ucs_from_linear(linear, ucs); }
+// cm_colormap_linear_from_ucs
+inline void colormap_linear_from_ucs(const double (&ucs)[3], double (&linear)[3]) {
+    cm_colormap_linear_from_ucs(ucs, linear); }
+// cm_colormap_lab_from_linear
+inline void colormap_lab_from_linear(const double (&linear)[3], double (&lab)[3]) {
+    cm_colormap_lab_from_linear(linear, lab); }
+// cm_colormap_ciede2000
+inline double colormap_ciede2000(const double (&one)[3], const double (&other)[3]) { return
+    cm_colormap_ciede2000(one, other); }
+// cm_colormap_cam16
+inline void colormap_cam16(const double (&xyz)[3], const cm_colormap_viewing *viewing, cm_colormap_appearance
+    *appearance) { cm_colormap_cam16(xyz, viewing, appearance); }
+// cm_psnr
+inline double psnr(double mse, double peak) { return cm_psnr(mse, peak); }
+// cm_compare_errors
+inline cm_status try_compare_errors(const cm_image &reference, const cm_image &picture, const
+    cm_compare_options *options, cm_error_figures *figures) { return cm_compare_errors(&reference, &picture,
+    options, figures); }
+inline void compare_errors(const cm_image &reference, const cm_image &picture, const cm_compare_options
+    *options, cm_error_figures *figures) { detail::check(cm_compare_errors(&reference, &picture, options,
+    figures)); }
+// cm_compare_values
+inline cm_status try_compare_values(size_t n, uint32_t channels, span<const float> reference, span<const
+    float> picture, const cm_compare_options *options, cm_error_figures *figures) { return
+    cm_compare_values(n, channels, reference.data(), picture.data(), options, figures); }
+inline void compare_values(size_t n, uint32_t channels, span<const float> reference, span<const float>
+    picture, const cm_compare_options *options, cm_error_figures *figures) {
+    detail::check(cm_compare_values(n, channels, reference.data(), picture.data(), options, figures)); }
+// cm_ssim
+inline cm_status try_ssim(const cm_image &reference, const cm_image &picture, const cm_compare_options
+    *options, cm_map_figures *figures, const cm_image *map, span<double> channel_means) { return
+    cm_ssim(&reference, &picture, options, figures, map, channel_means.data()); }
+inline void ssim(const cm_image &reference, const cm_image &picture, const cm_compare_options *options,
+    cm_map_figures *figures, const cm_image *map, span<double> channel_means) {
+    detail::check(cm_ssim(&reference, &picture, options, figures, map, channel_means.data())); }
+// cm_flip
+inline cm_status try_flip(const cm_image &reference, const cm_image &picture, const cm_compare_options
+    *options, cm_map_figures *figures, const cm_image *map) { return cm_flip(&reference, &picture, options,
+    figures, map); }
+inline void flip(const cm_image &reference, const cm_image &picture, const cm_compare_options *options,
+    cm_map_figures *figures, const cm_image *map) { detail::check(cm_flip(&reference, &picture, options,
+    figures, map)); }
+// cm_flip_hdr
+inline cm_status try_flip_hdr(const cm_image &reference, const cm_image &picture, const cm_compare_options
+    *options, cm_map_figures *figures, const cm_image *map) { return cm_flip_hdr(&reference, &picture,
+    options, figures, map); }
+inline void flip_hdr(const cm_image &reference, const cm_image &picture, const cm_compare_options *options,
+    cm_map_figures *figures, const cm_image *map) { detail::check(cm_flip_hdr(&reference, &picture, options,
+    figures, map)); }
+// cm_equirect_weights
+inline cm_status try_equirect_weights(uint32_t width, span<float> weights) { return cm_equirect_weights(width,
+    detail::whole<uint32_t>(weights.size()), weights.data()); }
+inline void equirect_weights(uint32_t width, span<float> weights) { detail::check(cm_equirect_weights(width,
+    detail::whole<uint32_t>(weights.size()), weights.data())); }
+// cm_sphere_points
+inline cm_status try_sphere_points(uint64_t n, uint64_t first, span<double> x, span<double> y, span<double> z)
+    { return cm_sphere_points(n, first, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data()); }
+inline void sphere_points(uint64_t n, uint64_t first, span<double> x, span<double> y, span<double> z) {
+    detail::check(cm_sphere_points(n, first, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data()));
+    }
+// cm_difference_map
+inline cm_status try_difference_map(const cm_image &reference, const cm_image &picture, unsigned threads,
+    const cm_image *map) { return cm_difference_map(&reference, &picture, threads, map); }
+inline void difference_map(const cm_image &reference, const cm_image &picture, unsigned threads, const
+    cm_image *map) { detail::check(cm_difference_map(&reference, &picture, threads, map)); }
+// cm_draw_map
+inline cm_status try_draw_map(const cm_image &map, double low, double high, cm_map_color color, void *user,
+    const cm_image *to, uint64_t *beyond) { return cm_draw_map(&map, low, high, color, user, to, beyond); }
+inline void draw_map(const cm_image &map, double low, double high, cm_map_color color, void *user, const
+    cm_image *to, uint64_t *beyond) { detail::check(cm_draw_map(&map, low, high, color, user, to, beyond)); }
+// cm_cap_radius
+inline double cap_radius(const cm_ellipsoid &ellipsoid, double metres) { return cm_cap_radius(&ellipsoid,
+    metres); }
+// cm_direction_from_lonlat
+inline void direction_from_lonlat(double lon, double lat, double (&direction)[3]) {
+    cm_direction_from_lonlat(lon, lat, direction); }
+// cm_lonlat_from_direction
+inline void lonlat_from_direction(const double (&direction)[3], double (&lonlat)[2]) {
+    cm_lonlat_from_direction(direction, lonlat); }
+// cm_direction_from_lonlat_array
+inline void direction_from_lonlat(span<const double> lon, span<const double> lat, span<double> x, span<double>
+    y, span<double> z) { cm_direction_from_lonlat_array(detail::whole<size_t>(lon.size()), lon.data(),
+    lat.data(), x.data(), y.data(), z.data()); }
+// cm_lonlat_from_direction_array
+inline void lonlat_from_direction(span<const double> x, span<const double> y, span<const double> z,
+    span<double> lon, span<double> lat) { cm_lonlat_from_direction_array(detail::whole<size_t>(x.size()),
+    x.data(), y.data(), z.data(), lon.data(), lat.data()); }
+// cm_ellipsoid_count
+inline size_t ellipsoid_count() { return cm_ellipsoid_count(); }
+// cm_ellipsoid_at
+inline const cm_ellipsoid * ellipsoid_at(size_t index) { return cm_ellipsoid_at(index); }
+// cm_ellipsoid_find
+inline const cm_ellipsoid * ellipsoid_find(const char *identifier) { return cm_ellipsoid_find(identifier); }
+// cm_ellipsoid_parse
+inline cm_status try_ellipsoid_parse(const char *text, cm_ellipsoid *ellipsoid, char *message, size_t
+    message_size) { return cm_ellipsoid_parse(text, ellipsoid, message, message_size); }
+inline void ellipsoid_parse(const char *text, cm_ellipsoid *ellipsoid, char *message, size_t message_size) {
+    detail::check(cm_ellipsoid_parse(text, ellipsoid, message, message_size)); }
+// cm_ellipsoid_check
+inline cm_status try_ellipsoid_check(const cm_ellipsoid &ellipsoid) { return cm_ellipsoid_check(&ellipsoid); }
+inline void ellipsoid_check(const cm_ellipsoid &ellipsoid) { detail::check(cm_ellipsoid_check(&ellipsoid)); }
+// cm_ellipsoid_area
+inline double ellipsoid_area(const cm_ellipsoid &ellipsoid) { return cm_ellipsoid_area(&ellipsoid); }
+// cm_ellipsoid_authalic_radius
+inline double ellipsoid_authalic_radius(const cm_ellipsoid &ellipsoid) { return
+    cm_ellipsoid_authalic_radius(&ellipsoid); }
+// cm_harmonics_count
+inline size_t harmonics_count(uint32_t degree) { return cm_harmonics_count(degree); }
+// cm_harmonics_basis
+inline cm_status try_harmonics_basis(uint32_t degree, span<const double> x, span<const double> y, span<const
+    double> z, span<double> value) { return cm_harmonics_basis(degree, detail::whole<size_t>(x.size()),
+    x.data(), y.data(), z.data(), value.data()); }
+inline void harmonics_basis(uint32_t degree, span<const double> x, span<const double> y, span<const double> z,
+    span<double> value) { detail::check(cm_harmonics_basis(degree, detail::whole<size_t>(x.size()), x.data(),
+    y.data(), z.data(), value.data())); }
+// cm_harmonics_evaluate
+inline cm_status try_harmonics_evaluate(uint32_t degree, uint32_t channels, span<const double> coefficients,
+    span<const double> x, span<const double> y, span<const double> z, span<double> value) { return
+    cm_harmonics_evaluate(degree, channels, coefficients.data(), detail::whole<size_t>(x.size()), x.data(),
+    y.data(), z.data(), value.data()); }
+inline void harmonics_evaluate(uint32_t degree, uint32_t channels, span<const double> coefficients, span<const
+    double> x, span<const double> y, span<const double> z, span<double> value) {
+    detail::check(cm_harmonics_evaluate(degree, channels, coefficients.data(),
+    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), value.data())); }
+// cm_harmonics_cosine_lobe
+inline cm_status try_harmonics_cosine_lobe(uint32_t degree, span<double> factor) { return
+    cm_harmonics_cosine_lobe(degree, factor.data()); }
+inline void harmonics_cosine_lobe(uint32_t degree, span<double> factor) {
+    detail::check(cm_harmonics_cosine_lobe(degree, factor.data())); }
+// cm_harmonics_ggx_lobe
+inline cm_status try_harmonics_ggx_lobe(uint32_t degree, double roughness, span<double> factor) { return
+    cm_harmonics_ggx_lobe(degree, roughness, factor.data()); }
+inline void harmonics_ggx_lobe(uint32_t degree, double roughness, span<double> factor) {
+    detail::check(cm_harmonics_ggx_lobe(degree, roughness, factor.data())); }
+// cm_harmonics_window_factors
+inline cm_status try_harmonics_window_factors(cm_harmonics_window window, double width, uint32_t degree,
+    span<double> factor) { return cm_harmonics_window_factors(window, width, degree, factor.data()); }
+inline void harmonics_window_factors(cm_harmonics_window window, double width, uint32_t degree, span<double>
+    factor) { detail::check(cm_harmonics_window_factors(window, width, degree, factor.data())); }
+// cm_harmonics_scale
+inline cm_status try_harmonics_scale(uint32_t degree, uint32_t channels, span<const double> factor,
+    span<double> coefficients) { return cm_harmonics_scale(degree, channels, factor.data(),
+    coefficients.data()); }
+inline void harmonics_scale(uint32_t degree, uint32_t channels, span<const double> factor, span<double>
+    coefficients) { detail::check(cm_harmonics_scale(degree, channels, factor.data(), coefficients.data())); }
+// cm_harmonics_rotate
+inline cm_status try_harmonics_rotate(uint32_t degree, uint32_t channels, const cm_rotation &rotation,
+    span<const double> from, span<double> to) { return cm_harmonics_rotate(degree, channels, &rotation,
+    from.data(), to.data()); }
+inline void harmonics_rotate(uint32_t degree, uint32_t channels, const cm_rotation &rotation, span<const
+    double> from, span<double> to) { detail::check(cm_harmonics_rotate(degree, channels, &rotation,
+    from.data(), to.data())); }
+// cm_harmonics_json
+inline cm_status try_harmonics_json(uint32_t degree, uint32_t channels, span<const double> coefficients, char
+    *text, size_t size, size_t *length) { return cm_harmonics_json(degree, channels, coefficients.data(),
+    text, size, length); }
+inline void harmonics_json(uint32_t degree, uint32_t channels, span<const double> coefficients, char *text,
+    size_t size, size_t *length) { detail::check(cm_harmonics_json(degree, channels, coefficients.data(),
+    text, size, length)); }
+// cm_harmonics_faces
+inline cm_status try_harmonics_faces(uint32_t degree, uint32_t channels, span<const double> coefficients,
+    mapping_view mapping, unsigned threads, const cm_image (&to)[6]) { return cm_harmonics_faces(degree,
+    channels, coefficients.data(), mapping.get(), threads, to); }
+inline void harmonics_faces(uint32_t degree, uint32_t channels, span<const double> coefficients, mapping_view
+    mapping, unsigned threads, const cm_image (&to)[6]) { detail::check(cm_harmonics_faces(degree, channels,
+    coefficients.data(), mapping.get(), threads, to)); }
+// cm_brdf_integrate
+inline cm_status try_brdf_integrate(cm_brdf_shadowing shadowing, double cosine, double roughness,
+    cm_brdf_terms *terms) { return cm_brdf_integrate(shadowing, cosine, roughness, terms); }
+inline void brdf_integrate(cm_brdf_shadowing shadowing, double cosine, double roughness, cm_brdf_terms *terms)
+    { detail::check(cm_brdf_integrate(shadowing, cosine, roughness, terms)); }
+// cm_brdf_table
+inline cm_status try_brdf_table(cm_brdf_shadowing shadowing, unsigned threads, const cm_image *to) { return
+    cm_brdf_table(shadowing, threads, to); }
+inline void brdf_table(cm_brdf_shadowing shadowing, unsigned threads, const cm_image *to) {
+    detail::check(cm_brdf_table(shadowing, threads, to)); }
+// cm_brdf_multiple
+inline double brdf_multiple(const cm_brdf_terms &terms, double f0) { return cm_brdf_multiple(&terms, f0); }
+// cm_frame_count
+inline size_t frame_count() { return cm_frame_count(); }
+// cm_frame_at
+inline const cm_frame * frame_at(size_t index) { return cm_frame_at(index); }
+// cm_frame_find
+inline const cm_frame * frame_find(const char *identifier) { return cm_frame_find(identifier); }
+// cm_frame_check
+inline cm_status try_frame_check(const cm_frame *frame = nullptr) { return cm_frame_check(frame); }
+inline void frame_check(const cm_frame *frame = nullptr) { detail::check(cm_frame_check(frame)); }
+// cm_healpix_check
+inline cm_status try_healpix_check(int64_t nside, cm_healpix_order order, char *message, size_t message_size)
+    { return cm_healpix_check(nside, order, message, message_size); }
+inline void healpix_check(int64_t nside, cm_healpix_order order, char *message, size_t message_size) {
+    detail::check(cm_healpix_check(nside, order, message, message_size)); }
+// cm_pixel_size
+inline size_t pixel_size(cm_pixel_type type) { return cm_pixel_size(type); }
+// cm_surface_check
+inline cm_status try_surface_check(const char *specification, const cm_surface_options *options, char
+    *message, size_t message_size) { return cm_surface_check(specification, options, message, message_size); }
+inline void surface_check(const char *specification, const cm_surface_options *options, char *message, size_t
+    message_size) { detail::check(cm_surface_check(specification, options, message, message_size)); }
+// cm_surface_kind_count
+inline size_t surface_kind_count() { return cm_surface_kind_count(); }
+// cm_surface_kind_at
+inline const cm_surface_kind * surface_kind_at(size_t index) { return cm_surface_kind_at(index); }
+// cm_surface_preset_count
+inline size_t surface_preset_count() { return cm_surface_preset_count(); }
+// cm_surface_preset_at
+inline const cm_surface_preset * surface_preset_at(size_t index) { return cm_surface_preset_at(index); }
+// cm_surface_preset_find
+inline const cm_surface_preset * surface_preset_find(const char *identifier) { return
+    cm_surface_preset_find(identifier); }
+// cm_healpix_arrange
+inline cm_status try_healpix_arrange(int64_t nside, cm_healpix_order order, int to_list, size_t pixel_size,
+    const void *from, void *to) { return cm_healpix_arrange(nside, order, to_list, pixel_size, from, to); }
+inline void healpix_arrange(int64_t nside, cm_healpix_order order, int to_list, size_t pixel_size, const void
+    *from, void *to) { detail::check(cm_healpix_arrange(nside, order, to_list, pixel_size, from, to)); }
+// cm_filter_name
+inline const char * filter_name(cm_filter filter) { return cm_filter_name(filter); }
+// cm_latitude_name
+inline const char * latitude_name(cm_latitude latitude) { return cm_latitude_name(latitude); }
+// cm_latitude_find
+inline cm_status try_latitude_find(const char *name, cm_latitude *latitude) { return cm_latitude_find(name,
+    latitude); }
+inline void latitude_find(const char *name, cm_latitude *latitude) { detail::check(cm_latitude_find(name,
+    latitude)); }
+// cm_number_read
+inline size_t number_read(span<const char> text, double *value) { return cm_number_read(text.data(),
+    detail::whole<size_t>(text.size()), value); }
+// cm_number_parse
+inline int number_parse(span<const char> text, double *value) { return cm_number_parse(text.data(),
+    detail::whole<size_t>(text.size()), value); }
+// cm_number_write
+inline size_t number_write(double value, int digits, char (&text)[32]) { return cm_number_write(value, digits,
+    text); }
+// cm_number_write_shortest
+inline size_t number_write_shortest(double value, char (&text)[32]) { return cm_number_write_shortest(value,
+    text); }
+// cm_instructions_count
+inline size_t instructions_count() { return cm_instructions_count(); }
+// cm_instructions_at
+inline const char * instructions_at(size_t index) { return cm_instructions_at(index); }
+// cm_instructions_check
+inline cm_status try_instructions_check(const char *name, char *message, size_t message_size) { return
+    cm_instructions_check(name, message, message_size); }
+inline void instructions_check(const char *name, char *message, size_t message_size) {
+    detail::check(cm_instructions_check(name, message, message_size)); }
+// cm_orient_measure_name
+inline const char * orient_measure_name(size_t index) { return cm_orient_measure_name(index); }
+// cm_orient_measure_find
+inline int orient_measure_find(const char *name) { return cm_orient_measure_find(name); }
+// cm_rotation_from_angles
+inline cm_status try_rotation_from_angles(double lon, double lat, double roll, cm_rotation *rotation) { return
+    cm_rotation_from_angles(lon, lat, roll, rotation); }
+inline void rotation_from_angles(double lon, double lat, double roll, cm_rotation *rotation) {
+    detail::check(cm_rotation_from_angles(lon, lat, roll, rotation)); }
+// cm_rotation_angles
+inline cm_status try_rotation_angles(const cm_rotation &rotation, double *lon, double *lat, double *roll) {
+    return cm_rotation_angles(&rotation, lon, lat, roll); }
+inline void rotation_angles(const cm_rotation &rotation, double *lon, double *lat, double *roll) {
+    detail::check(cm_rotation_angles(&rotation, lon, lat, roll)); }
+// cm_rotation_check
+inline cm_status try_rotation_check(const cm_rotation &rotation) { return cm_rotation_check(&rotation); }
+inline void rotation_check(const cm_rotation &rotation) { detail::check(cm_rotation_check(&rotation)); }
+// cm_rotate
+inline void rotate(const cm_rotation &rotation, const double (&from)[3], double (&to)[3]) {
+    cm_rotate(&rotation, from, to); }
+// cm_rotate_back
+inline void rotate_back(const cm_rotation &rotation, const double (&from)[3], double (&to)[3]) {
+    cm_rotate_back(&rotation, from, to); }
+// cm_rotation_parse
+inline cm_status try_rotation_parse(const char *text, cm_rotation *rotation, char *message, size_t
+    message_size) { return cm_rotation_parse(text, rotation, message, message_size); }
+inline void rotation_parse(const char *text, cm_rotation *rotation, char *message, size_t message_size) {
+    detail::check(cm_rotation_parse(text, rotation, message, message_size)); }
+// cm_orientation_count
+inline size_t orientation_count() { return cm_orientation_count(); }
+// cm_orientation_at
+inline const cm_orientation * orientation_at(size_t index) { return cm_orientation_at(index); }
+// cm_orientation_find
+inline const cm_orientation * orientation_find(const char *identifier) { return
+    cm_orientation_find(identifier); }
+// cm_panorama_check
+inline cm_status try_panorama_check(const cm_panorama &panorama) { return cm_panorama_check(&panorama); }
+inline void panorama_check(const cm_panorama &panorama) { detail::check(cm_panorama_check(&panorama)); }
+// cm_panorama_read
+inline cm_status try_panorama_read(span<const char> text, cm_panorama *panorama) { return
+    cm_panorama_read(text.data(), detail::whole<size_t>(text.size()), panorama); }
+inline void panorama_read(span<const char> text, cm_panorama *panorama) {
+    detail::check(cm_panorama_read(text.data(), detail::whole<size_t>(text.size()), panorama)); }
+// cm_panorama_write
+inline cm_status try_panorama_write(const cm_panorama &panorama, char *text, size_t size) { return
+    cm_panorama_write(&panorama, text, size); }
+inline void panorama_write(const cm_panorama &panorama, char *text, size_t size) {
+    detail::check(cm_panorama_write(&panorama, text, size)); }
+// cm_panorama_surface
+inline cm_status try_panorama_surface(const cm_panorama &panorama, uint32_t width, uint32_t height, char
+    *specification, size_t size, cm_rotation *rotation) { return cm_panorama_surface(&panorama, width, height,
+    specification, size, rotation); }
+inline void panorama_surface(const cm_panorama &panorama, uint32_t width, uint32_t height, char
+    *specification, size_t size, cm_rotation *rotation) { detail::check(cm_panorama_surface(&panorama, width,
+    height, specification, size, rotation)); }
+// cm_quantity_name
+inline const char * quantity_name(size_t index) { return cm_quantity_name(index); }
+// cm_quantity_find
+inline int quantity_find(const char *name) { return cm_quantity_find(name); }
+// cm_status_text
+inline const char * status_text(cm_status status) { return cm_status_text(status); }
+// cm_threads_available
+inline unsigned threads_available() { return cm_threads_available(); }
+// cm_run_threads
+inline void run_threads(unsigned threads, size_t n, size_t least, cm_job job, void *user) {
+    cm_run_threads(threads, n, least, job, user); }
+// cm_version
+inline const char * version() { return cm_version(); }
+
+} // namespace cubemap
+
+#endif

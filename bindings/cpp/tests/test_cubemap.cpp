@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The library in C++: objects that end by themselves and move, arrays as spans, errors both ways, and results that are
+ * those of the functions of C.
+ */
+#include "bindings/cpp/cubemap.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+static int failures = 0;
+
+static void expect(bool is_good, const char *what)
+{
+    if (!is_good)
+    {
+        std::printf("not ok: %s\n", what);
+        failures++;
+    }
+}
+
+static void test_errors()
+{
+    bool is_thrown = false;
+    try
+    {
+        cubemap::mapping mapping("no such mapping");
+    }
+    catch (const cubemap::error &error)
+    {
+        is_thrown = error.status() == CM_ERROR_MAPPING &&
+                    std::strcmp(error.what(), cm_status_text(CM_ERROR_MAPPING)) == 0;
+    }
+    expect(is_thrown, "an error is thrown with the library's words");
+
+    auto made = cubemap::mapping::try_make("no such mapping");
+    expect(!made && made.status() == CM_ERROR_MAPPING, "an error is a value");
+    auto good = cubemap::mapping::try_make("coupled");
+    expect(bool(good) && good->has_bounds() == 1, "what is made can be used in place");
+
+    cubemap::mapping healpix("healpix");
+    const double pq[2] = {0.1, 0.2};
+    double uv[2] = {7.0, 7.0};
+    expect(healpix.try_warp(pq, uv) == CM_ERROR_UNSUPPORTED && uv[0] == 7.0,
+           "a method that fails says so");
+    is_thrown = false;
+    try
+    {
+        healpix.warp(pq, uv);
+    }
+    catch (const cubemap::error &)
+    {
+        is_thrown = true;
+    }
+    expect(is_thrown, "or throws");
+}
+
+static void test_life()
+{
+    cubemap::mapping one("coupled");
+    const cm_mapping *handle = one.get();
+    cubemap::mapping two = std::move(one);
+    expect(two.get() == handle && one.get() == nullptr, "an object moves, and leaves nothing");
+    cubemap::mapping three("tangent");
+    three = std::move(two);
+    expect(three.get() == handle, "and is assigned");
+    cm_mapping *released = three.release();
+    expect(released == handle && three.get() == nullptr, "and is given away");
+    cm_mapping_destroy(released);
+
+    const cubemap::grid grid;
+    cubemap::mapping_view inside = grid.mapping();
+    expect(std::strcmp(inside.describe()->identifier, CM_MAPPING_RECOMMENDED) == 0,
+           "a view shows what a grid owns");
+    const cubemap::cell_grid cells(grid, CM_CURVE_HILBERT);
+    expect(cells.grid().get() == grid.get(), "objects are made of others");
+    static_assert(!std::is_copy_constructible_v<cubemap::mapping>, "objects are not copied");
+    static_assert(sizeof(cubemap::mapping_view) == sizeof(void *), "a view is a pointer");
+}
+
+static void test_points()
+{
+    const cubemap::mapping mapping("coupled", cm_frame_find("gl"));
+    const double direction[3] = {2.0, 1.0, 0.5};
+    double uv[2], of_c[2];
+    const std::uint8_t face = mapping.forward(direction, uv);
+    expect(face == cm_forward(mapping.get(), direction, of_c) && uv[0] == of_c[0] &&
+               uv[1] == of_c[1],
+           "one point");
+
+    const std::vector<double> x = {2.0, -1.0, 0.3}, y = {1.0, 0.2, -4.0}, z = {0.5, 0.6, 0.7};
+    std::array<double, 3> u{}, v{};
+    std::uint8_t faces[3];
+    mapping.forward(x, y, z, faces, u, v);
+    expect(faces[0] == face && u[0] == uv[0] && v[0] == uv[1], "a vector, an array, and one of C");
+    double backwards[3];
+    mapping.inverse(faces[2], {u[2], v[2]}, backwards);
+    expect(backwards[1] < -0.98, "and back");
+    std::array<double, 3> u_threads{}, v_threads{};
+    mapping.forward(2u, x, y, z, faces, u_threads, v_threads);
+    expect(u == u_threads && v == v_threads, "threads");
+
+    const std::vector<float> xf(x.begin(), x.end()), yf(y.begin(), y.end()), zf(z.begin(), z.end());
+    std::vector<float> uf(3), vf(3);
+    mapping.forward(xf, yf, zf, faces, uf, vf);
+    expect(static_cast<double>(uf[1]) - u[1] < 1e-6 && u[1] - static_cast<double>(uf[1]) < 1e-6,
+           "float");
+}
+
+static void test_others()
+{
+    const cubemap::healpix healpix(64, CM_HEALPIX_NESTED);
+    std::int64_t pixel = -1, neighbours[8];
+    const double direction[3] = {0.1, 0.2, 0.3};
+    healpix.pixel_from_direction(direction, &pixel);
+    healpix.neighbours(pixel, neighbours);
+    expect(pixel >= 0 && neighbours[0] != pixel, "pixels");
+
+    const cubemap::region region = cubemap::region::cap_lonlat(0.1, 0.2, 0.05);
+    expect(region.contains({0.9, 0.09, 0.2}) == 1, "a region of a factory");
+    const cubemap::colormap map("sequential-single");
+    expect(cubemap::colormap::try_make("nothing").status() == CM_ERROR_MAPPING,
+           "a map that is none");
+    const cubemap::colormap fitted = map.fit();
+    std::vector<double> samples(3 * 16);
+    fitted.samples(16, samples, nullptr);
+    expect(samples[0] >= 0.0 && samples[47] <= 1.0 && fitted.inside() == 1, "colours");
+    const cubemap::surface from("equirect;size=64"), to("cube:coupled;size=16");
+    const cubemap::plan plan(from, to);
+    std::size_t length = 0;
+    expect(plan.try_write(nullptr, 0, &length) == CM_ERROR_SPACE && length > 0, "pictures");
+    expect(std::strcmp(cubemap::version(), CM_VERSION_STRING) == 0, "what is in no class");
+}
+
+int main()
+{
+    test_errors();
+    test_life();
+    test_points();
+    test_others();
+    std::printf("%d failures\n", failures);
+    return failures == 0 ? 0 : 1;
+}

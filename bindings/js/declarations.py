@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: MIT
+"""The types of what wrappers.py writes, with the headers' comments."""
+
+import textwrap
+
+from layouts import SCALARS
+from wrappers import BIG, FINDERS, PREDICATE, camel, enumerators
+
+ARRAYS = {"F64": "Float64Array", "F32": "Float32Array", "U8": "Uint8Array", "U32": "Uint32Array", "I64": "BigInt64Array",
+          "U64": "BigUint64Array"}
+
+BY_HAND = {
+    "cm_resample": "(from: readonly Picture[], to: Picture[]): Picture[]",
+    "cm_sample": "(pictures: readonly Picture[], filter: Filter, x: Reals, y: Reals, z: Reals): Float32Array",
+    "cm_region_polygon": "(rings: readonly ArrayLike<number>[]): Region",
+    "cm_healpix_regrade": "(map: Reals, to: Healpix, options?: HealpixRegradeOptions | null): Float64Array",
+}
+
+HEAD = """// SPDX-License-Identifier: MIT
+//
+// Made by bindings/js/make_wrappers.py from bindings/functions and the headers: do not edit.
+
+import type { Vector } from "./memory.js";
+
+export type Reals = Float64Array | Float32Array | readonly number[] | Vector<Float64Array>;
+export type Bytes = Uint8Array | readonly number[] | Vector<Uint8Array>;
+export type Cells = BigUint64Array | readonly bigint[] | Vector<BigUint64Array>;
+export type Pixels = BigInt64Array | readonly (bigint | number)[] | Vector<BigInt64Array>;
+
+"""
+
+PICTURE = """/** Rows from the top, channels beside each other: width * height * channels numbers. */
+export interface Picture {
+    data: Uint8Array | Uint8ClampedArray | Uint16Array | Float32Array | Vector<Uint8Array> | Vector<Float32Array>;
+    width: number;
+    height: number;
+    channels: number;
+}
+
+"""
+
+
+def pascal(name):
+    return "".join(part.capitalize() for part in name.removeprefix("cm_").split("_"))
+
+
+class Declarations:
+    def __init__(self, writer):
+        self.writer = writer
+        self.interface = writer.interface
+
+    def plain(self, base):
+        """The type of one value."""
+        if base in self.interface.structs:
+            return pascal(base)
+        if base in self.interface.enumerations:
+            return pascal(base)
+        return "bigint" if base in BIG else "number"
+
+    def input(self, one):
+        if one.direction == "handle":
+            return self.writer.handle_classes[one.base]
+        if one.is_text:
+            return "string"
+        if one.base in self.interface.structs:
+            name = pascal(one.base)
+            return f"string | Partial<{name}>" if one.base in FINDERS else f"Partial<{name}>"
+        if one.base in self.interface.enumerations and not one.pointers:
+            return pascal(one.base)
+        if one.pointers or one.extents:
+            return {"F64": "Reals", "F32": "Float32Array | Vector<Float32Array>", "U8": "Bytes", "U64": "Cells",
+                    "I64": "Pixels"}.get(one.kind, "string")
+        if one.base in BIG:
+            return "bigint" if one.base != "int64_t" else "bigint | number"
+        return "number"
+
+    def is_optional(self, one):
+        return one.direction == "option" and not one.shape and (one.base in self.interface.structs) or one.name in ("frame", "instructions")
+
+    def parameters(self, inputs):
+        """The last ones may be left out if they are options."""
+        texts, may = [], True
+        for one in reversed(inputs):
+            may = may and self.is_optional(one)
+            kind = self.input(one) + (" | null" if self.is_optional(one) else "")
+            texts.append(f"{one.name}{'?' if may else ''}: {kind}")
+        return texts[::-1]
+
+    def over_arrays(self, calls):
+        call = calls[0]
+        inputs, _ = self.writer.parameters(call)
+        outputs = [one for one in call.arguments if one.direction == "out"]
+        inout = next((one for one in call.arguments if one.direction == "inout"), None)
+        if inout is not None:
+            return [f"({', '.join(self.parameters(inputs))}): {ARRAYS[inout.kind]}"]
+        if not outputs:
+            kind = "boolean" if PREDICATE.search(call.js) else self.plain(call.result.base)
+            return [f"({', '.join(self.parameters(inputs))}): {kind}"]
+        signatures = []
+        for how in ["one", "float", "array"]:
+            if how == "float" and not any(other.is_float for other in calls):
+                continue
+            given = []
+            for one in inputs:
+                if one.shape != ("n",):
+                    given.append(f"{one.name}: {self.input(one)}")
+                elif how == "one":
+                    given.append(f"{one.name}: {self.plain(one.base)}")
+                elif how == "float" and one.kind == "F64":
+                    given.append(f"{one.name}: Float32Array | Vector<Float32Array>")
+                else:
+                    given.append(f"{one.name}: {self.input(one)}")
+            members, places = [], []
+            for one in outputs:
+                array = ARRAYS["F32" if how == "float" and one.kind == "F64" else one.kind] if one.kind else "Float64Array"
+                value = self.plain(one.base) if how == "one" else array
+                if one.base in self.interface.structs:
+                    names = [camel(member.name) for member in self.writer.layouts.of(one.base).members]
+                    value = "number" if how == "one" else "Float64Array"
+                    members += [f"{name}: {value}" for name in names]
+                    places += [f"{name}?: {array} | Vector<{array}>" for name in names]
+                elif len(one.shape) == 2:
+                    members.append(f"{one.name}: {value}[]")
+                    places.append(f"{one.name}?: ({array} | Vector<{array}>)[]")
+                else:
+                    members.append(f"{one.name}: {value}")
+                    places.append(f"{one.name}?: {array} | Vector<{array}>")
+            if how != "one":
+                given.append(f"out?: {{ {'; '.join(places)} }}")
+            result = members[0].split(": ", 1)[1] if len(members) == 1 else f"{{ {'; '.join(members)} }}"
+            signatures.append(f"({', '.join(given)}): {result}")
+        return signatures
+
+    def returned(self, one, method):
+        if one.is_text or (one.base == "char" and one.pointers):
+            return "string"
+        if one.direction == "borrowed" or one.pointers:
+            if one.base in self.interface.structs:
+                return f"{pascal(one.base)} | null"
+            return self.writer.handle_classes[one.base]
+        if one.base == "int" and PREDICATE.search(method):
+            return "boolean"
+        return self.plain(one.base)
+
+    def once(self, call, method):
+        inputs, room = self.writer.parameters(call)
+        given = ", ".join(self.parameters(inputs) + [f"{one.name}: number" for one in room])
+        made = next((one for one in call.arguments if one.direction == "new"), None)
+        if made is not None:
+            return f"({given})" + ("" if method == "constructor" else f": {self.writer.handle_classes[made.base]}")
+        capacity = any(one.name == "capacity" for one in call.arguments)
+        outs = [one for one in call.arguments if one.is_output and not one.is_text and not (one.name == "length" or (capacity and one.name == "count"))]
+        text = next((one for one in call.arguments if one.is_text and one.is_output), None)
+        if text is not None and text.name == "message" and not outs:
+            return f"({given}): string | null"
+        if text is not None and text.name != "message":
+            return f"({given}): string"
+        parts = []
+        if call.result is not None and call.result.direction != "status":
+            if call.result.base in ("int", "size_t") and len(outs) == 1 and len(outs[0].shape) == 1:
+                return f"({given}): {ARRAYS[outs[0].kind]}"
+            parts.append(("face" if call.result.base == "uint8_t" else "value", self.returned(call.result, method)))
+        parts += [(one.name, ARRAYS[one.kind] if one.shape else self.plain(one.base)) for one in outs]
+        if not parts:
+            return f"({given}): void"
+        if len(parts) == 1:
+            return f"({given}): {parts[0][1]}"
+        return f"({given}): {{ {'; '.join(f'{name}: {kind}' for name, kind in parts)} }}"
+
+    def signatures(self, method, calls):
+        if calls[0].name in BY_HAND:
+            return [BY_HAND[calls[0].name]]
+        return self.over_arrays(calls) if calls[0].has_arrays else [self.once(calls[0], method)]
+
+    @staticmethod
+    def comment(text, indent):
+        if not text:
+            return ""
+        lines = textwrap.wrap(text.replace("*/", "* /"), 110 - len(indent))
+        return f"{indent}/** " + f"\n{indent} *  ".join(lines) + " */\n"
+
+    def class_text(self, owner, methods):
+        lines = [f"export class {owner} {{"]
+        is_made = "constructor" in methods
+        if not is_made:
+            lines.append("    private constructor();")
+        for method, calls in methods.items():
+            lines.append(self.comment(calls[0].comment, "    ").rstrip("\n"))
+            static = "" if calls[0].handle() is not None or method == "constructor" else "static "
+            for signature in self.signatures(method, calls):
+                if not static and signature.startswith("()") and method != "constructor":
+                    lines.append(f"    readonly {method}{signature[2:]};")
+                else:
+                    lines.append(f"    {static}{method}{signature};")
+        return "\n".join([*filter(None, lines), "    /** Gives the memory back now; else that happens when nobody has the object. */",
+                          "    free(): void;", "}", ""])
+
+    def struct_text(self, name):
+        lines = [f"export interface {pascal(name)} {{"]
+        for member in self.writer.layouts.of(name).members:
+            if member.name == "size" and member.base == "size_t" or member.base in ("void", "function", "cm_memory"):
+                continue
+            is_struct = member.base in self.interface.structs
+            if member.pointers and not (member.base == "char" or is_struct or member.base in self.interface.enumerations):
+                continue
+            kind = "string" if member.base == "char" and member.pointers else self.plain(member.base)
+            if member.pointers and is_struct:
+                kind = f"string | Partial<{kind}>" if member.base in FINDERS else f"Partial<{kind}>"
+            if member.is_array:
+                kind += "[]"
+            only_written = name not in self.writer.read
+            lines.append(f"    {camel(member.name)}{'?' if only_written else ''}: {kind};")
+        return "\n".join([*lines, "}", ""])
+
+    def text(self):
+        structs = {name for name in self.writer.structs_used()}
+        todo = list(structs)
+        while todo:
+            for member in self.writer.layouts.of(todo.pop()).members:
+                if member.base in self.interface.structs and member.base not in structs:
+                    structs.add(member.base)
+                    todo.append(member.base)
+        classes = self.writer.classes
+        texts = [HEAD]
+        if any(call.name == "cm_resample" for calls in classes.get("Plan", {}).values() for call in calls):
+            texts.append(PICTURE)
+        for base, values in self.interface.enumerations.items():
+            texts.append(f"export type {pascal(base)} = " + " | ".join(f'"{name}"' for name in enumerators(values)) + ";\n")
+        texts += ["\n"] + [self.struct_text(name) + "\n" for name in sorted(structs - {"cm_image", "cm_memory", "cm_rows"})]
+        members = []
+        for owner, methods in classes.items():
+            if not owner:
+                for method, calls in methods.items():
+                    members.append(self.comment(calls[0].comment, "    ") + "\n".join(
+                        f"    {method}{signature};" for signature in self.signatures(method, calls)))
+            elif owner in self.writer.handle_classes.values():
+                texts.append(self.class_text(owner, methods) + "\n")
+                members.append(f"    readonly {owner}: typeof {owner};")
+            else:
+                inner = [self.comment(calls[0].comment, "        ") + "\n".join(
+                    f"        {method}{signature};" for signature in self.signatures(method, calls)) for method, calls in methods.items()]
+                members.append(f"    readonly {owner}: {{\n" + "\n".join(inner) + "\n    };")
+        arrays = {"float64": "F64", "float32": "F32", "uint8": "U8", "uint32": "U32", "int64": "I64", "uint64": "U64"}
+        members += [f"    /** An array in the module's memory, which functions use where it is. */\n    {name}(length: number): Vector<{ARRAYS[kind]}>;"
+                    for name, kind in arrays.items()]
+        texts.append("/** What load() gives. */\nexport interface Library {\n    readonly memory: WebAssembly.Memory;\n" + "\n".join(members) + "\n}\n")
+        return "".join(texts)

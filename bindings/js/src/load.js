@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// A module's bytes from beside this file, in Node and in browsers; the one with vectors where the engine knows them.
+
+/** A function whose body is i32.const 0, i8x16.splat, drop. */
+const VECTORS = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 9, 1, 7, 0, 65, 0, 253,
+    15, 26, 11]);
+
+export function hasSimd() {
+    return WebAssembly.validate(VECTORS);
+}
+
+async function bytesOf(url) {
+    if (url.protocol === "file:" && globalThis.process?.versions?.node !== undefined) {
+        const { readFile } = await import("node:fs/promises");
+        return readFile(url);
+    }
+    const answer = await fetch(url);
+    if (!answer.ok) {
+        throw new Error(`${url}: ${answer.status} ${answer.statusText}`);
+    }
+    return answer.arrayBuffer();
+}
+
+/** The library writes and reads no files: what its C library would ask the system for is refused, ENOSYS. */
+function refusals(module) {
+    const imports = {};
+    for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+        imports[from] ??= {};
+        imports[from][name] = () => 52;
+    }
+    return imports;
+}
+
+/** The exports of a module. source: a WebAssembly.Module, bytes, or a URL; else the file beside this one. */
+export async function exportsOf(name, { simd = hasSimd(), source } = {}) {
+    let module = source;
+    if (!(module instanceof WebAssembly.Module)) {
+        const url = new URL(`./${name}-${simd ? "simd128" : "scalar"}.wasm`, import.meta.url);
+        const isBytes = source instanceof ArrayBuffer || ArrayBuffer.isView(source);
+        module = await WebAssembly.compile(isBytes ? source : await bytesOf(source === undefined ? url : new URL(source)));
+    }
+    const instance = await WebAssembly.instantiate(module, refusals(module));
+    return instance.exports;
+}

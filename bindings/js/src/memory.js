@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+//
+// What lies in a module's memory: arrays that live there, arguments that are put there for one call, texts.
+
+/** What an array holds: the typed array of it and how large an element is. */
+function kind(Type, name, viewed) {
+    const isBig = viewed.startsWith("Big");
+    return { Type, bytes: Type.BYTES_PER_ELEMENT, name, isBig, get: `get${viewed}`, set: `set${viewed}` };
+}
+
+export const F64 = kind(Float64Array, "float64", "Float64");
+export const F32 = kind(Float32Array, "float32", "Float32");
+export const U8 = kind(Uint8Array, "uint8", "Uint8");
+export const U32 = kind(Uint32Array, "uint32", "Uint32");
+export const I64 = kind(BigInt64Array, "int64", "BigInt64");
+export const U64 = kind(BigUint64Array, "uint64", "BigUint64");
+
+const ARENA = 1 << 16;
+
+/** An array in the module's memory, until free() or until nobody has it. `array` is a view of it that is good until the
+ *  memory grows: ask for it anew after a call that may allocate. */
+export class Vector {
+    #memory;
+    #view;
+    #pointer;
+
+    constructor(memory, of, length) {
+        if (!Number.isInteger(length) || length < 0) {
+            throw new RangeError(`the length of an array is ${length}, but is to be a whole number, 0 or more`);
+        }
+        this.kind = of;
+        this.length = length;
+        this.#memory = memory;
+        this.#pointer = memory.allocate(Math.max(1, length * of.bytes));
+        memory.keep(this, this.#pointer, "free");
+        this.array.fill(of.isBig ? 0n : 0);
+    }
+
+    get pointer() {
+        if (this.#pointer === 0) {
+            throw new ReferenceError("the array has been freed");
+        }
+        return this.#pointer;
+    }
+
+    get array() {
+        const buffer = this.#memory.buffer;
+        if (this.#view === undefined || this.#view.buffer !== buffer) {
+            this.#view = new this.kind.Type(buffer, this.pointer, this.length);
+        }
+        return this.#view;
+    }
+
+    free() {
+        if (this.#pointer !== 0) {
+            this.#memory.give(this, this.#pointer, "free");
+            this.#pointer = 0;
+            this.#view = undefined;
+        }
+    }
+}
+
+export class Memory {
+    #exports;
+    #data;
+    #arena;
+    #used = 0;
+    #more = [];
+    #registry;
+
+    constructor(exports) {
+        this.#exports = exports;
+        this.#arena = exports.malloc(ARENA);
+        this.#registry = new FinalizationRegistry(({ pointer, how }) => exports[how](pointer));
+    }
+
+    get buffer() {
+        return this.#exports.memory.buffer;
+    }
+
+    get data() {
+        if (this.#data === undefined || this.#data.buffer !== this.buffer) {
+            this.#data = new DataView(this.buffer);
+        }
+        return this.#data;
+    }
+
+    allocate(bytes) {
+        const pointer = bytes < 2 ** 31 ? this.#exports.malloc(bytes) >>> 0 : 0;
+        if (pointer === 0) {
+            throw new RangeError(`no memory for ${bytes} bytes`);
+        }
+        return pointer;
+    }
+
+    /** Gives a pointer back by the function `how` when nobody has the owner any more. */
+    keep(owner, pointer, how) {
+        this.#registry.register(owner, { pointer, how }, owner);
+    }
+
+    /** The same now. */
+    give(owner, pointer, how) {
+        this.#registry.unregister(owner);
+        this.#exports[how](pointer);
+    }
+
+    // ---- Room for the arguments of one call
+
+    mark() {
+        return { used: this.#used, more: this.#more.length };
+    }
+
+    release(mark) {
+        this.#used = mark.used;
+        while (this.#more.length > mark.more) {
+            this.#exports.free(this.#more.pop());
+        }
+    }
+
+    /** So many bytes, aligned to 16, of any value. */
+    room(bytes) {
+        const size = (bytes + 15) & ~15;
+        if (bytes < ARENA && this.#used + size <= ARENA) {
+            const pointer = this.#arena + this.#used;
+            this.#used += size;
+            return pointer;
+        }
+        const pointer = this.allocate(Math.max(1, bytes));
+        this.#more.push(pointer);
+        return pointer;
+    }
+
+    zeros(bytes) {
+        const pointer = this.room(bytes);
+        new Uint8Array(this.buffer, pointer, bytes).fill(0);
+        return pointer;
+    }
+
+    // ---- Texts
+
+    text(value, name) {
+        if (value === undefined || value === null) {
+            return 0;
+        }
+        if (typeof value !== "string") {
+            throw new TypeError(`${name} is to be a text`);
+        }
+        const bytes = new TextEncoder().encode(value);
+        const pointer = this.zeros(bytes.length + 1);
+        new Uint8Array(this.buffer, pointer, bytes.length).set(bytes);
+        return pointer;
+    }
+
+    string(pointer) {
+        if (pointer === 0) {
+            return null;
+        }
+        const all = new Uint8Array(this.buffer);
+        return new TextDecoder().decode(all.subarray(pointer, all.indexOf(0, pointer)));
+    }
+
+    // ---- Arrays
+
+    /** Where n elements are, for a function to read: the array's own place if it is in this memory, else a copy. */
+    input(of, value, n, name) {
+        if (value instanceof Vector) {
+            this.#fits(of, value.kind.Type, value.length, n, name);
+            return value.pointer;
+        }
+        if (typeof value !== "object" || value === null) {
+            const pointer = this.room(of.bytes);
+            this.data[of.set](pointer, this.#number(of, value, name), true);
+            return pointer;
+        }
+        if (value.length !== n) {
+            throw new RangeError(`${name} has ${value.length} elements, but is to have ${n}`);
+        }
+        if (value.buffer === this.buffer && value instanceof of.Type) {
+            return value.byteOffset;
+        }
+        const isReal = value instanceof Float32Array && of === F64;
+        if (ArrayBuffer.isView(value) && !(value instanceof of.Type) && !isReal) {
+            throw new TypeError(`${name} is to be a ${of.Type.name}`);
+        }
+        const pointer = this.room(n * of.bytes);
+        const view = new of.Type(this.buffer, pointer, n);
+        if (ArrayBuffer.isView(value)) {
+            view.set(value);
+        } else {
+            for (let i = 0; i < n; i++) {
+                view[i] = this.#number(of, value[i], name);
+            }
+        }
+        return pointer;
+    }
+
+    /** Where a function is to write n elements. */
+    output(of, value, n, name) {
+        if (value === undefined || value === null) {
+            return this.room(n * of.bytes);
+        }
+        const Type = value instanceof Vector ? value.kind.Type : value.constructor;
+        this.#fits(of, Type, value.length, n, name);
+        if (value instanceof Vector) {
+            return value.pointer;
+        }
+        return value.buffer === this.buffer ? value.byteOffset : this.room(n * of.bytes);
+    }
+
+    /** What the function has written: in the caller's array if that is given. */
+    result(of, value, pointer, n) {
+        if (value instanceof Vector) {
+            return value.array;
+        }
+        const view = new of.Type(this.buffer, pointer, n);
+        if (value === undefined || value === null) {
+            return view.slice();
+        }
+        if (value.buffer === this.buffer || value.length !== n) {
+            return view; // in this memory; without a length if that has grown
+        }
+        value.set(view);
+        return value;
+    }
+
+    first(of, pointer) {
+        return this.data[of.get](pointer, true);
+    }
+
+    isFloat(value) {
+        return value instanceof Float32Array || (value instanceof Vector && value.kind === F32);
+    }
+
+    #fits(of, Type, length, n, name) {
+        if (Type !== of.Type) {
+            throw new TypeError(`${name} is to be a ${of.Type.name}`);
+        }
+        if (length !== n) {
+            throw new RangeError(`${name} has ${length} elements, but is to have ${n}`);
+        }
+    }
+
+    #number(of, value, name) {
+        if (of.isBig) {
+            return BigInt(value);
+        }
+        if (typeof value !== "number") {
+            throw new TypeError(`${name} is to be of numbers`);
+        }
+        const most = of === U8 ? 255 : 4294967295;
+        if ((of === U8 || of === U32) && !(Number.isInteger(value) && value >= 0 && value <= most)) {
+            throw new RangeError(`${name} has ${value}, but is to be of whole numbers from 0 to ${most}`);
+        }
+        return value;
+    }
+}

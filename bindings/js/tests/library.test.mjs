@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+//
+// What users call: results, errors in the library's words, arrays in the module's memory, objects' lives.
+
+import assert from "node:assert/strict";
+import test from "node:test";
+
+import { CubemapError, MappingError, OutOfRangeError, PixelError, Vector, hasSimd, load } from "cubemap";
+
+const cubemap = await load();
+
+test("points and arrays", () => {
+    const mapping = new cubemap.Mapping("coupled");
+    const { face, u, v } = mapping.forward(2, 1, 0.5);
+    assert.equal(face, 0);
+    assert.equal(u.toFixed(6), "0.620558");
+    assert.equal(v.toFixed(6), "0.327956");
+    const back = mapping.inverse(face, u, v);
+    assert.ok(Math.hypot(back.x - 2 / Math.hypot(2, 1, 0.5), back.y - 1 / Math.hypot(2, 1, 0.5)) < 1e-15);
+    const many = mapping.forward([2, 0], [1, 0], [0.5, 0]);
+    assert.deepEqual([...many.face], [0, 255]);
+    assert.equal(many.u[0], u);
+    assert.ok(Number.isNaN(many.v[1]));
+    assert.deepEqual(mapping.forward([], [], []).u, new Float64Array(0));
+    const floats = mapping.forward(Float32Array.of(2), Float32Array.of(1), Float32Array.of(0.5));
+    assert.ok(floats.u instanceof Float32Array && Math.abs(floats.u[0] - u) < 1e-6);
+    assert.equal(mapping.forwardJacobian(2, 1, 0.5).length, 6);
+    assert.ok(Math.abs(mapping.forwardDistortion(2, 1, 0.5).area - 1) < 0.003);
+});
+
+test("frames, parameters, what a mapping says of itself", () => {
+    const mapping = new cubemap.Mapping("tangent:c=0.5", "gl");
+    assert.equal(mapping.frame.identifier, "gl");
+    assert.equal(mapping.frame.face[0].name, "+x");
+    assert.equal(mapping.parameter(0), 0.5);
+    assert.equal(mapping.info.identifier, "tangent");
+    assert.equal(mapping.tier, "exact");
+    assert.equal(mapping.instructions, hasSimd() ? "wasm128" : "scalar");
+    assert.equal(mapping.hasBounds, false);
+});
+
+test("errors have the library's words", () => {
+    assert.throws(() => new cubemap.Mapping("cuopled"), (error) => error instanceof MappingError && error instanceof CubemapError
+        && error.code === 3 && error.name === "MappingError" && error.message.startsWith("no mapping is called 'cuopled'"));
+    assert.throws(() => new cubemap.Mapping("tangent:c=9"), OutOfRangeError);
+    assert.throws(() => new cubemap.Healpix(63, "nested"), (error) => error instanceof PixelError
+        && error.message === "nside is 63, but in the order NESTED it is a power of two");
+    assert.throws(() => new cubemap.Mapping("healpix").warp(0, 0), /no such operation/);
+    assert.equal(cubemap.specificationCheck("coupled"), null);
+    assert.match(cubemap.specificationCheck("bogus"), /^no mapping is called 'bogus'/);
+});
+
+test("arguments of other types are refused", () => {
+    const mapping = new cubemap.Mapping("coupled");
+    assert.throws(() => mapping.forward([1, 2], [1], [1, 2]), /y has 1 elements, but is to have 2/);
+    assert.throws(() => mapping.inverse(256, 0, 0), /whole numbers from 0 to 255/);
+    assert.throws(() => mapping.inverse([0.5], [0], [0]), RangeError);
+    assert.throws(() => mapping.forward("1", "2", "3"), TypeError);
+    assert.throws(() => mapping.forward([1n], [1n], [1n]), TypeError);
+    assert.throws(() => mapping.forward(new Int32Array(1), new Int32Array(1), new Int32Array(1)), TypeError);
+    assert.throws(() => new cubemap.CellGrid(mapping, "hilbert"), /grid is to be a Grid/);
+    assert.throws(() => new cubemap.CellGrid(new cubemap.Grid(), "hilbrt"), /to be one of/);
+    assert.throws(() => new cubemap.Grid({ elipsoid: "WGS84" }), /no 'elipsoid'/);
+    assert.throws(() => new cubemap.Grid({ ellipsoid: "WGS1884" }), /there is no ellipsoid 'WGS1884'/);
+    assert.throws(() => new cubemap.Grid("coupled"), /gridOptions is to be an object of .*mapping.*, not 'coupled'/);
+    assert.throws(() => new cubemap.Grid(new cubemap.Mapping("coupled")), /gridOptions is to be an object of .*, not a Mapping/);
+    assert.throws(() => mapping.forward([1], [1], [1], { u: new Float64Array(2) }), /u has 2 elements/);
+    assert.throws(() => mapping.forward([1], [1], [1], { u: new Float32Array(1) }), /Float64Array/);
+});
+
+test("arrays in the module's memory are used where they are, and survive its growth", () => {
+    const mapping = new cubemap.Mapping("coupled");
+    const n = 1000;
+    const [x, y, z, u, v] = Array.from({ length: 5 }, () => cubemap.float64(n));
+    const face = cubemap.uint8(n);
+    x.array.fill(2);
+    y.array.fill(1);
+    z.array.fill(0.5);
+    const before = x.array;
+    const result = mapping.forward(x, y, z, { face, u, v });
+    assert.equal(result.u, u.array, "no copy");
+    assert.equal(result.u.buffer, cubemap.memory.buffer);
+    assert.equal(u.array[n - 1].toFixed(6), "0.620558");
+    const size = cubemap.memory.buffer.byteLength;
+    const large = cubemap.float64(size / 8);
+    assert.ok(cubemap.memory.buffer.byteLength > size);
+    assert.equal(before.length, 0, "the old view is gone");
+    assert.equal(x.array[n - 1], 2);
+    assert.equal(mapping.forward(x, y, z, { face, u, v }).face[0], 0);
+    const plain = new Float64Array(n);
+    assert.equal(mapping.forward(x, y, z, { u: plain }).u, plain);
+    assert.equal(plain[5].toFixed(6), "0.620558");
+    large.free();
+    large.free();
+    assert.throws(() => large.array, ReferenceError);
+    assert.ok(x instanceof Vector);
+    assert.throws(() => cubemap.float64(-1), RangeError);
+    assert.throws(() => cubemap.float64(2 ** 40), /no memory/);
+});
+
+test("calls leave no memory behind", () => {
+    const mapping = new cubemap.Mapping("coupled");
+    const x = new Float64Array(100000).fill(1);
+    mapping.forward(x, x, x);
+    const size = cubemap.memory.buffer.byteLength;
+    for (let i = 0; i < 50; i++) {
+        mapping.forward(x, x, x);
+        new cubemap.Mapping("qsc").free();
+        assert.throws(() => new cubemap.Mapping("qsc:"));
+    }
+    assert.equal(cubemap.memory.buffer.byteLength, size);
+});
+
+test("objects are freed by hand, or when nobody has them", () => {
+    const mapping = new cubemap.Mapping("coupled");
+    mapping.free();
+    mapping.free();
+    assert.throws(() => mapping.forward(1, 0, 0), /the Mapping has been freed/);
+    const grid = new cubemap.Grid({ mapping: "qsc" });
+    const inner = grid.mapping;
+    inner.free();
+    assert.equal(inner.info.identifier, "qsc");
+    grid.free();
+    assert.throws(() => inner.info, ReferenceError);
+    assert.throws(() => new cubemap.Region(), /no constructor/);
+});
+
+test("the Earth: grids, latitudes, rotations", () => {
+    const grid = new cubemap.Grid({ mapping: "algebraic", ellipsoid: "GRS80" });
+    const { face, u, v } = grid.forwardLonlat(0.2, 0.9);
+    const { lon, lat } = grid.inverseLonlat(face, u, v);
+    assert.ok(Math.abs(lon - 0.2) < 1e-15 && Math.abs(lat - 0.9) < 1e-15);
+    assert.equal(grid.ellipsoid.identifier, "GRS80");
+    assert.equal(grid.mapping.info.identifier, "algebraic");
+    const latitude = new cubemap.LatitudeConversion("WGS84", "geographic", "authalic");
+    assert.ok(Math.abs(latitude.convert(0.5) - 0.4981177071142542) < 1e-15);
+    const rotation = cubemap.Rotation.fromAngles(0.1, 0.2, 0.3);
+    const there = cubemap.Rotation.apply(rotation, [1, 2, 3]);
+    cubemap.Rotation.applyBack(rotation, there).forEach((value, i) => assert.ok(Math.abs(value - (i + 1)) < 1e-14));
+    const angles = cubemap.Rotation.angles(rotation);
+    assert.ok(Math.abs(angles.lon - 0.1) + Math.abs(angles.lat - 0.2) + Math.abs(angles.roll - 0.3) < 1e-15);
+    assert.throws(() => cubemap.Rotation.parse("north"), /LON,LAT/);
+    assert.equal(cubemap.Ellipsoid.parse("6378137,298.257223563").a, 6378137);
+});
+
+test("cells have numbers of 64 bits", () => {
+    const cells = new cubemap.CellGrid(new cubemap.Grid(), "hilbert");
+    const cell = cells.forwardLonlat(20, 0.2, 0.9);
+    assert.equal(typeof cell, "bigint");
+    assert.equal(cubemap.cellParse(cubemap.cellToken(cell)), cell);
+    assert.equal(cubemap.cellLevel(cell), 20);
+    assert.equal(cubemap.cellContains(cubemap.cellParent(cell, 10), cell), true);
+    assert.equal(cells.edgeNeighbours(cell).length, 4);
+    assert.deepEqual(cubemap.cellUnionNormalise([...Array(4).keys()].map((which) => cubemap.cellChild(cell, which))),
+        BigUint64Array.of(cell));
+    const cap = cubemap.Region.cap([0, 0, 1], 0.1);
+    const cover = cubemap.cover(cells, cap, { levelMax: 8, cellsMost: 20 });
+    assert.ok(cover.length > 0 && cover.length <= 20);
+    assert.equal(cubemap.cellUnionContains(cover, cells.forward(20, 0.01, 0, 1)), true);
+    assert.equal(cubemap.Region.polygon([[0, 0, 0.1, 0, 0.1, 0.1, 0, 0.1]]).contains([1, 0.05, 0.05]), true);
+    assert.deepEqual(cubemap.cellToPlace("morton", cubemap.cellFromPlace("morton", { face: 2, level: 3, i: 5, j: 6 })),
+        { face: 2, level: 3, i: 5, j: 6 });
+});
+
+test("pixels of HEALPix", () => {
+    const healpix = new cubemap.Healpix(64, "nested");
+    assert.equal(healpix.pixelCount, 49152n);
+    assert.equal(healpix.pixelFromDirection(0, 0, 1), 4095n);
+    assert.equal(healpix.ringFromNested(healpix.nestedFromRing(1234n)), 1234n);
+    assert.deepEqual([...healpix.neighbours(5)], [4n, 6n, 7n, 18n, 16n, 23226n, 23215n, 23214n]);
+    assert.equal(healpix.boundary(5, 2).x.length, 8);
+    const coarse = new cubemap.Healpix(2, "nested");
+    const map = Float64Array.from({ length: 192 }, (_, i) => i);
+    assert.deepEqual([...new cubemap.Healpix(4, "nested").regrade(map, coarse).slice(0, 2)], [1.5, 5.5]);
+});
+
+test("how far a mapping distorts", () => {
+    const mapping = new cubemap.Mapping("coupled");
+    const statistics = cubemap.distortionStatistics(mapping, "area", null);
+    assert.ok(Math.abs(statistics.maximumError - 0.0025037) < 1e-6);
+    const { value } = cubemap.distortionPercentiles(mapping, "area", null, [50]);
+    assert.ok(Math.abs(value[0] - 1) < 0.001);
+});

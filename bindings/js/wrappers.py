@@ -1,0 +1,519 @@
+# SPDX-License-Identifier: MIT
+"""JavaScript around the functions of a module: one function for all that have its name in the list.
+
+Of functions for points and for arrays those for arrays are called, which have the same bits; numbers are arrays of one.
+What a function writes is its result: one value, or an object of all by their names. Structs are objects with the members'
+names in camel case, enumerators texts."""
+
+import re
+
+from layouts import SCALARS
+
+KINDS = {"double": "F64", "float": "F32", "uint8_t": "U8", "uint32_t": "U32", "size_t": "U32", "int64_t": "I64",
+         "uint64_t": "U64", "cm_cell": "U64"}
+BIG = {"int64_t", "uint64_t", "cm_cell"}
+# what says in words why an object cannot be made: its function, and which of the arguments it takes
+CHECKS = {"cm_mapping_create_with": ("cm_specification_check", ["specification"]),
+          "cm_surface_create": ("cm_surface_check", ["specification", "options"]),
+          "cm_healpix_create": ("cm_healpix_check", ["nside", "order"])}
+FINDERS = {"cm_frame": "cm_frame_find", "cm_ellipsoid": "cm_ellipsoid_find"}  # structs that a text may stand for
+BY_HAND = {"cm_resample", "cm_sample", "cm_region_polygon", "cm_healpix_regrade"}  # src/by_hand.js
+PREDICATE = re.compile(r"^(is|has|contains|intersects)|(Is|Has|Contains|Intersects)[A-Z]|(Contains|Intersects)$")
+
+
+def camel(name):
+    first, *rest = name.split("_")
+    return first + "".join(part.capitalize() for part in rest)
+
+
+def enumerators(values):
+    """{"exact": 0}: without what all names begin with."""
+    names = list(values)
+    parts = [name.split("_") for name in names]
+    same = 0
+    while all(len(part) > same + 1 and part[same] == parts[0][same] for part in parts):
+        same += 1
+    return {"-".join(part[same:]).lower(): values[name] for part, name in zip(parts, names)}
+
+
+class Argument:
+    """What the list and the header say of one argument."""
+
+    def __init__(self, listed, declared):
+        self.name, self.direction, self.shape, self.is_text = camel(listed.name), listed.direction, listed.shape, listed.is_text
+        self.base, self.pointers, self.extents = declared.base, declared.pointers, declared.extents
+        self.kind = KINDS.get(declared.base)
+
+    @property
+    def is_input(self):
+        return self.direction in ("in", "inout", "handle", "option")
+
+    @property
+    def is_output(self):
+        return self.direction in ("out", "inout", "new")
+
+    def length(self):
+        """Of its arrays, as JavaScript."""
+        if not self.shape:
+            return "1"
+        return " * ".join(f"({re.sub(r'[a-z_]+', lambda m: camel(m.group()), part)})" for part in self.shape)
+
+
+class Call:
+    """One C function."""
+
+    def __init__(self, listed, interface):
+        declared = interface.functions[listed.name]
+        self.name, self.comment = listed.name, declared.comment
+        self.arguments = [Argument(one, other) for one, other in zip(listed.arguments, declared.arguments)]
+        self.result = Argument(listed.result, declared.result) if listed.result else None
+        self.js = listed.names["js"]
+        self.has_arrays = any(one.shape == ("n",) or (len(one.shape) == 2 and one.shape[1] == "n") for one in self.arguments)
+        self.is_float = self.name.endswith("_f32")
+
+    @property
+    def throws(self):
+        return self.result is not None and self.result.direction == "status"
+
+    @property
+    def message(self):
+        return next((one for one in self.arguments if one.name == "message"), None)
+
+    def handle(self):
+        """The object whose method this is."""
+        first = self.arguments[0] if self.arguments else None
+        is_method = "." in self.js and first is not None and first.direction == "handle"
+        return first if is_method and not any(one.direction == "new" for one in self.arguments) else None
+
+
+class Writer:
+    def __init__(self, listed, interface, layouts):
+        self.interface, self.layouts = interface, layouts
+        self.called = {"malloc", "free", "cm_status_text"}
+        self.written, self.read = set(), set()
+        self.frees = {one.arguments[0].name: one.name for one in listed if one.arguments and one.arguments[0].direction == "free"}
+        self.destructors = {interface.functions[one.name].arguments[0].base: one.name
+                            for one in listed if one.arguments and one.arguments[0].direction == "free"}
+        self.groups = {}
+        for one in listed:
+            if "js" in one.names:
+                call = Call(one, interface)
+                self.groups.setdefault(call.js, []).append(call)
+        self.classes = {}  # {"Mapping": {"forward": [Call, ...]}}; "" for functions
+        self.handle_classes = {}  # {"cm_mapping": "Mapping"}
+        for name, calls in self.groups.items():
+            owner, _, method = name.rpartition(".")
+            made = next((arg.base for call in calls for arg in call.arguments if arg.direction == "new"), None)
+            if not owner and made is not None:
+                owner, method = name, "constructor"
+            if made is not None:
+                self.handle_classes.setdefault(made, owner)
+            self.classes.setdefault(owner, {})[method] = self.best(calls)
+        self.body = self.classes_text()
+
+    def best(self, calls):
+        """Those to call: for arrays if there are any, else for doubles; of two that make an object the one with options."""
+        arrays = [call for call in calls if call.has_arrays]
+        if arrays:
+            return arrays
+        exact = [call for call in calls if not call.is_float]
+        return [max(exact, key=lambda call: len(call.arguments))]
+
+    def call(self, name):
+        self.called.add(name)
+        return f"X.{name}"
+
+    # ---- Structs
+
+    def structs_used(self):
+        return self.written | self.read
+
+    def write_struct(self, name):
+        self.written.add(name)
+        return f"write_{name}"
+
+    def read_struct(self, name):
+        self.read.add(name)
+        return f"read_{name}"
+
+    def enum_table(self, base):
+        return "E_" + base
+
+    def put(self, member, value, offset):
+        """Statements that put one element of a member from a JavaScript value."""
+        if member.pointers:
+            if member.base == "char":
+                return f"{{ const q = M.text({value}, \"{camel(member.name)}\"); M.data.setUint32(p + {offset}, q, true); }}"
+            if member.base in self.interface.structs:
+                return f"{{ const q = {self.write_struct(member.base)}({value}); M.data.setUint32(p + {offset}, q, true); }}"
+            if member.base in self.interface.enumerations:
+                return (f"if ({value} != null) {{ const q = M.zeros(4); M.data.setInt32(q, code({self.enum_table(member.base)}, "
+                        f"{value}, \"{camel(member.name)}\"), true); M.data.setUint32(p + {offset}, q, true); }}")
+            return None
+        if member.base in self.interface.enumerations:
+            return f"M.data.setInt32(p + {offset}, code({self.enum_table(member.base)}, {value}, \"{camel(member.name)}\"), true);"
+        if member.base in SCALARS:
+            number = f"BigInt({value})" if member.base in BIG else f"Number({value})"
+            return f"M.data.set{SCALARS[member.base][1]}(p + {offset}, {number}, true);"
+        return f"{self.write_struct(member.base)}({value}, p + {offset});"
+
+    def writer_text(self, name):
+        layout = self.layouts.of(name)
+        lines = [f"function write_{name}(o, to) {{"]
+        if name in FINDERS:
+            lines += [f"if (typeof o === \"string\") {{ const p = {self.call(FINDERS[name])}(M.text(o)); "
+                      f"if (p === 0) {{ throw new ArgumentError(`there is no {name[3:]} '${{o}}'`, 1); }} return p; }}"]
+        lines += ["if (o === undefined || o === null) { return 0; }",
+                  f"object(o, {sorted(camel(one.name) for one in layout.members if one.name != 'size')!r}, \"{camel(name[3:])}\");",
+                  f"const p = to ?? M.zeros({layout.size});"]
+        for member in layout.members:
+            if member.name == "size" and member.base == "size_t":
+                lines.append(f"M.data.setUint32(p + {member.offset}, {layout.size}, true);")
+                continue
+            value = f"o.{camel(member.name)}"
+            if member.is_array:
+                put = self.put(member, "value", f"{member.offset} + {member.size} * i")
+                if put is not None:
+                    lines.append(f"if ({value} !== undefined) {{ elements({value}, {member.count}, \"{camel(member.name)}\").forEach((value, i) => {{ {put} }}); }}")
+            else:
+                put = self.put(member, value, member.offset)
+                if put is not None:
+                    lines.append(f"if ({value} !== undefined) {{ {put} }}")
+        return "\n".join([*lines, "return p;", "}"])
+
+    def get(self, member, offset):
+        if member.pointers:
+            return f"M.string(M.data.getUint32(p + {offset}, true))" if member.base == "char" else None
+        if member.base in self.interface.enumerations:
+            return f"word({self.enum_table(member.base)}, M.data.getInt32(p + {offset}, true))"
+        if member.base in SCALARS:
+            return f"M.data.get{SCALARS[member.base][1]}(p + {offset}, true)"
+        return f"{self.read_struct(member.base)}(p + {offset})"
+
+    def reader_text(self, name):
+        parts = []
+        for member in self.layouts.of(name).members:
+            if member.name == "size" and member.base == "size_t":
+                continue
+            if member.is_array:
+                count = next((f"M.data.getUint32(p + {one.offset}, true)" for one in self.layouts.of(name).members
+                              if one.name == f"{member.name}_count"), str(member.count))
+                value = self.get(member, f"{member.offset} + {member.size} * i")
+                value = value and f"Array.from({{ length: {count} }}, (_, i) => {value})"
+            else:
+                value = self.get(member, member.offset)
+            if value is not None:
+                parts.append(f"    {camel(member.name)}: {value},")
+        return "\n".join([f"function read_{name}(p) {{", "if (p === 0) { return null; }", "return {", *parts, "};", "}"])
+
+    # ---- Calls
+
+    def input(self, argument, n):
+        """JavaScript for what is passed."""
+        name, base = argument.name, argument.base
+        if argument.direction == "handle":
+            return f"pointerOf({name}, {self.handle_classes[base]}, \"{name}\")"
+        if argument.is_text:
+            return f"M.text({name}, \"{name}\")"
+        if base in self.interface.structs and not argument.kind:
+            return f"{self.write_struct(base)}({name})"
+        if base in self.interface.enumerations and argument.pointers == 0:
+            return f"code({self.enum_table(base)}, {name}, \"{name}\")"
+        if argument.pointers or argument.extents:
+            length = n if argument.shape == ("n",) else argument.length()
+            return f"M.input({argument.kind}, {name}, {length}, \"{name}\")"
+        return f"BigInt({name})" if base in BIG else f"number({name}, \"{name}\")"
+
+    def plain(self, argument, pointer):
+        """What one value at a pointer is."""
+        if argument.base in self.interface.structs:
+            return f"{self.read_struct(argument.base)}({pointer})"
+        if argument.base in self.interface.enumerations:
+            return f"word({self.enum_table(argument.base)}, M.data.getInt32({pointer}, true))"
+        return f"M.data.get{SCALARS[argument.base][1]}({pointer}, true)"
+
+    def returned(self, argument, method):
+        """What the function's own result is, r."""
+        base = argument.base
+        if argument.is_text or (base == "char" and argument.pointers):
+            return "M.string(r)"
+        if argument.direction == "borrowed" or argument.pointers:
+            if base in self.interface.structs:
+                return f"{self.read_struct(base)}(r)"
+            return f"{self.handle_classes[base]}.borrowed(r, this)"
+        if base in self.interface.enumerations:
+            return f"word({self.enum_table(base)}, r)"
+        if base == "int" and PREDICATE.search(method):
+            return "r !== 0"
+        if base in ("uint64_t", "cm_cell"):
+            return "BigInt.asUintN(64, r)"
+        return "r >>> 0" if base in ("size_t", "uint32_t", "unsigned", "uint64_t") else "r"
+
+    def parameters(self, call):
+        """Of the JavaScript function, in order, without the object itself."""
+        inputs = [one for one in call.arguments if one.is_input and one is not call.handle()]
+        shapes = " ".join(" ".join(one.shape) for one in inputs)
+        room = [one for one in call.arguments if one.direction == "count" and not re.search(rf"\b{one.name}\b", shapes)
+                and one.name not in ("n", "capacity", "messageSize", "size", "length")]
+        if call.message is None and any(one.name == "size" for one in call.arguments if one.direction == "count"):
+            texts = [one for one in call.arguments if one.is_text and one.is_output]
+            room += [one for one in call.arguments if one.name == "size" and not texts]
+        return inputs, room
+
+    def function(self, method, calls):
+        call = calls[0]
+        if call.name in BY_HAND:
+            for one in calls:
+                self.called.add(one.name)
+            return self.by_hand(call)
+        return self.over_arrays(method, calls) if call.has_arrays else self.once(method, call)
+
+    def by_hand(self, call):
+        inputs, _ = self.parameters(call)
+        names = {"cm_resample": "from, to", "cm_sample": "pictures, filter, x, y, z", "cm_region_polygon": "rings",
+                 "cm_healpix_regrade": "map, to, options"}[call.name]
+        self.write_struct("cm_image" if call.name in ("cm_resample", "cm_sample") else "cm_options")
+        if call.name == "cm_healpix_regrade":
+            self.write_struct("cm_healpix_regrade_options")
+        return names, f"return byHand.{call.name}({{ X, M, check, pointerOf, code, enumerations, structs, classes: kept }}, this, {names});"
+
+    def arguments_text(self, call, values):
+        return ", ".join(values[one.name] for one in call.arguments)
+
+    def over_arrays(self, method, calls):
+        call = calls[0]
+        single = next((one for one in calls if one.is_float), None)
+        inputs, _ = self.parameters(call)
+        outputs = [one for one in call.arguments if one.is_output]
+        first = next(one for one in inputs if one.shape == ("n",))
+        values, lines = {}, [f"const one = typeof {first.name} !== \"object\";", f"const n = one ? 1 : {first.name}.length;"]
+        real = next((one for one in inputs if one.base == "double" and one.shape == ("n",)), first)
+        R = "F64"
+        if single is not None:
+            lines += [f"const isFloat = M.isFloat({real.name});", "const R = isFloat ? F32 : F64;"]
+            R = "R"
+        if call.handle() is not None:
+            values[call.handle().name] = "this.pointer"
+        for one in call.arguments:
+            kind = R if one.kind == "F64" else one.kind
+            if one.name == "n":
+                values["n"] = "n"
+            elif one.direction == "inout":
+                lines += [f"const p_{one.name} = M.room(n * {kind}.bytes);",
+                          f"new {kind}.Type(M.buffer, p_{one.name}, n).set({one.name});"]
+                values[one.name] = f"p_{one.name}"
+            elif one.is_input and one.name not in values:
+                lines.append(f"const p_{one.name} = {self.input(one, 'n').replace('F64', kind or 'F64')};")
+                values[one.name] = f"p_{one.name}"
+        parts = []
+        for one in outputs:
+            if one.direction == "inout":
+                continue
+            kind = R if one.kind == "F64" else one.kind
+            if one.base in self.interface.structs:  # a struct of arrays
+                layout = self.layouts.of(one.base)
+                lines += [f"const p_{one.name} = M.zeros({layout.size});", f"const columns = {[camel(m.name) for m in layout.members]};",
+                          f"const places = columns.map((name) => M.output(F64, out?.[name], n, name));",
+                          f"places.forEach((place, i) => M.data.setUint32(p_{one.name} + 4 * i, place, true));"]
+                parts.append("...Object.fromEntries(columns.map((name, i) => [name, one ? M.first(F64, places[i]) : M.result(F64, out?.[name], places[i], n)]))")
+            elif len(one.shape) == 2:
+                count = int(one.shape[0])
+                lines += [f"const places_{one.name} = Array.from({{ length: {count} }}, (_, i) => M.output({kind}, out?.{one.name}?.[i], n, \"{one.name}\"));",
+                          f"const p_{one.name} = M.zeros(4 * {count});",
+                          f"places_{one.name}.forEach((place, i) => M.data.setUint32(p_{one.name} + 4 * i, place, true));"]
+                parts.append(f"{one.name}: places_{one.name}.map((place, i) => one ? M.first({kind}, place) : M.result({kind}, out?.{one.name}?.[i], place, n))")
+            else:
+                lines.append(f"const p_{one.name} = M.output({kind}, out?.{one.name}, n, \"{one.name}\");")
+                parts.append(f"{one.name}: one ? M.first({kind}, p_{one.name}) : M.result({kind}, out?.{one.name}, p_{one.name}, n)")
+            values[one.name] = f"p_{one.name}"
+        names = [one.name for one in inputs]
+        target = self.call(call.name)
+        if single is not None:
+            target = f"(isFloat ? {self.call(single.name)} : {target})"
+        lines.append(f"const r = {target}({self.arguments_text(call, values)});")
+        if call.throws:
+            lines.append("check(r);")
+        if parts:
+            names.append("out")
+        inout = next((one for one in outputs if one.direction == "inout"), None)
+        if inout is not None:
+            lines.append(f"return new {inout.kind}.Type(M.buffer, p_{inout.name}, r >>> 0).slice();")
+        elif not parts:
+            lines.append(f"return {self.returned(call.result, method)};")
+        elif len(parts) == 1 and not parts[0].startswith("...") :
+            lines.append(f"return {parts[0].split(': ', 1)[1]};")
+        else:
+            lines.append(f"return {{ {', '.join(parts)} }};")
+        return ", ".join(names), "\n".join(lines)
+
+    def text_out(self, method, call, text, values, lines, before):
+        """A text that the function writes: into 256 bytes, or into as many as it asks for."""
+        asks = next((one for one in call.arguments if one.name == "length" and one.is_output), None)
+        size = next((one.name for one in call.arguments if one.direction == "count" and one.name in ("size", "messageSize")), None)
+        lines += before
+        if asks is not None:
+            values.update({text.name: "0", size: "0", asks.name: "q_length"})
+            lines += ["const q_length = M.zeros(4);", f"X.{call.name}({self.arguments_text(call, values)});",
+                      "const size = M.data.getUint32(q_length, true) + 1;", "const q_text = M.zeros(size);"]
+            values.update({text.name: "q_text", size: "size"})
+        else:
+            lines.append("const q_text = M.zeros(512);")
+            values.update({text.name: "q_text", **({size: "512"} if size else {})})
+        lines.append(f"const r = {self.call(call.name)}({self.arguments_text(call, values)});")
+
+    def once(self, method, call):
+        inputs, room = self.parameters(call)
+        values, lines, outputs = {}, [], []
+        if call.handle() is not None:
+            values[call.handle().name] = "this.pointer"
+        for one in room:
+            values[one.name] = f"number({one.name}, \"{one.name}\")"
+        for one in call.arguments:
+            if one.is_input and one.name not in values:
+                lines.append(f"const p_{one.name} = {self.input(one, '')};")
+                values[one.name] = f"p_{one.name}"
+                for count in call.arguments:
+                    if count.direction == "count" and one.shape == (count.name,) and one.kind:
+                        values[count.name] = count.name
+                        lines[-1] = f"const {count.name} = {one.name}.length;\nconst p_{one.name} = M.input({one.kind}, {one.name}, {count.name}, \"{one.name}\");"
+                    if count.direction == "count" and one.shape == (count.name,) and one.base == "char":
+                        lines[-1] = f"const p_{one.name} = M.text({one.name}, \"{one.name}\");"
+                        values[count.name] = f"new TextEncoder().encode({one.name}).length"
+            elif one.direction == "new":
+                lines.append("const q_new = M.zeros(4);")
+                values[one.name] = "q_new"
+            elif one.is_text and one.is_output:
+                pass
+            elif one.is_output:
+                outputs.append(one)
+        names = ", ".join([one.name for one in inputs] + [one.name for one in room])
+        made = next((one for one in call.arguments if one.direction == "new"), None)
+        if made is not None:
+            return names, "\n".join([*lines, *self.make(call, values, method)])
+        capacity = next((one for one in call.arguments if one.name == "capacity"), None)
+        if capacity is not None:
+            to = next(one for one in outputs if one.shape == ("capacity",))
+            values.update({"count": "q_count", "capacity": "0", to.name: "0"})
+            lines += ["const q_count = M.zeros(4);", f"let r = {self.call(call.name)}({self.arguments_text(call, values)});",
+                      "const count = M.data.getUint32(q_count, true);", f"const p_to = M.room(count * {to.kind}.bytes);"]
+            values.update({"capacity": "count", to.name: "p_to"})
+            lines += [f"if (r === SPACE) {{ r = X.{call.name}({self.arguments_text(call, values)}); }}", "check(r);",
+                      f"return M.result({to.kind}, undefined, p_to, M.data.getUint32(q_count, true));"]
+            return names, "\n".join(lines)
+        text = next((one for one in call.arguments if one.is_text and one.is_output), None)
+        shown = [one for one in outputs if one.name != "length"]
+        for one in shown:
+            size, _ = self.layouts.element(one.base, 0)
+            length = one.length() if one.shape else "1"
+            lines.append(f"const p_{one.name} = M.zeros({size} * {length});")
+            values[one.name] = f"p_{one.name}"
+            if one.base in self.interface.structs and self.layouts.of(one.base).members[0].name == "size":
+                lines.append(f"M.data.setUint32(p_{one.name}, {size}, true);")
+        if text is not None:
+            self.text_out(method, call, text, values, lines, [])
+        else:
+            lines.append(f"const r = {self.call(call.name)}({self.arguments_text(call, values)});")
+        if text is not None and text.name == "message":
+            if not shown:  # whether something is right: what is wrong, or null
+                return names, "\n".join([*lines, "return r === 0 ? null : M.string(q_text);"])
+            lines.append("check(r, q_text);")
+        elif call.throws:
+            lines.append("check(r);")
+        if text is not None and text.name != "message":
+            return names, "\n".join([*lines, "return M.string(q_text);"])
+        parts = []
+        if call.result is not None and call.result.direction != "status":
+            counts = call.result.base in ("int", "size_t") and len(shown) == 1 and len(shown[0].shape) == 1
+            if counts:
+                one = shown[0]
+                return names, "\n".join([*lines, f"return M.result({one.kind}, undefined, p_{one.name}, r);"])
+            name = "face" if call.result.base == "uint8_t" else "value"
+            parts.append((name, self.returned(call.result, method)))
+        for one in shown:
+            value = self.plain(one, f"p_{one.name}") if not one.shape else f"M.result({one.kind}, undefined, p_{one.name}, {one.length()})"
+            parts.append((one.name, value))
+        if len(parts) == 1:
+            lines.append(f"return {parts[0][1]};")
+        elif parts:
+            lines.append(f"return {{ {', '.join(f'{name}: {value}' for name, value in parts)} }};")
+        return names, "\n".join(lines)
+
+    def make(self, call, values, method):
+        lines = [f"const r = {self.call(call.name)}({self.arguments_text(call, values)});"]
+        words = "0"
+        if call.name in CHECKS:
+            checker, given = CHECKS[call.name]
+            lines += ["let words = 0;", "if (r !== 0) {", "words = M.zeros(512);",
+                      f"{self.call(checker)}({', '.join('p_' + name for name in given)}, words, 512);", "}"]
+            words = "words"
+        lines.append(f"check(r, {words});")
+        made = "M.data.getUint32(q_new, true)"
+        if method == "constructor":
+            return [*lines, f"return {made};"]
+        owner = self.handle_classes[next(one.base for one in call.arguments if one.direction == "new")]
+        return [*lines, f"return new {owner}(OWNED, {made});"]
+
+    # ---- Classes
+
+    def wrapped(self, names, body):
+        return f"({names}) {{\nconst mark = M.mark();\ntry {{\n{body}\n}} finally {{\nM.release(mark);\n}}\n}}"
+
+    def classes_text(self):
+        texts = []
+        for owner, methods in self.classes.items():
+            if not owner:
+                texts += [f"function {name}{self.wrapped(*self.function(name, calls))}" for name, calls in methods.items()]
+            elif owner in self.handle_classes.values():
+                texts.append(self.class_text(owner, methods))
+            else:
+                parts = []
+                for name, calls in methods.items():
+                    text = self.wrapped(*self.function(name, calls)).replace("this.pointer", "0")
+                    parts.append(f"{name}{text},")
+                texts.append(f"const {owner} = Object.freeze({{\n" + "\n".join(parts) + "\n});")
+        return "\n\n".join(texts)
+
+    def class_text(self, owner, methods):
+        base = next(key for key, value in self.handle_classes.items() if value == owner)
+        destroy = self.destructors[base]
+        self.called.add(destroy)
+        lines = [f"class {owner} extends Owned {{"]
+        if "constructor" in methods:
+            names, body = self.function("constructor", methods["constructor"])
+            lines += [f"static #make{self.wrapped(names, body)}",
+                      f"constructor(...given) {{ super(given[0] === OWNED ? given[1] : {owner}.#make(...given), \"{destroy}\", given[0] === OWNED ? given[2] : undefined); }}"]
+        else:
+            lines += [f"constructor(...given) {{ if (given[0] !== OWNED) {{ throw new TypeError(\"{owner} has no constructor\"); }} super(given[1], \"{destroy}\", given[2]); }}"]
+        for name, calls in methods.items():
+            if name == "constructor":
+                continue
+            names, body = self.function(name, calls)
+            static = "" if calls[0].handle() is not None else "static "
+            getter = "get " if not static and not names else ""
+            lines.append(f"{static}{getter}{name}{self.wrapped(names, body)}")
+        return "\n".join([*lines, "}"])
+
+    def text(self):
+        structs, done = [], set()
+        while True:
+            todo = [("w", name) for name in sorted(self.written)] + [("r", name) for name in sorted(self.read)]
+            todo = [one for one in todo if one not in done]
+            if not todo:
+                break
+            for one in todo:
+                done.add(one)
+                structs.append(self.writer_text(one[1]) if one[0] == "w" else self.reader_text(one[1]))
+        tables = "\n".join(f"const E_{base} = {enumerators(values)!r};".replace("'", '"')
+                           for base, values in self.interface.enumerations.items())
+        exported = [name for name in self.classes if name] + list(self.classes.get("", {}))
+        head = (self.template()).replace("/*TABLES*/", tables).replace("/*STRUCTS*/", "\n\n".join(structs)) \
+            .replace("/*CLASSES*/", self.body).replace("/*NAMES*/", ", ".join(exported)) \
+            .replace("/*WRITERS*/", ", ".join(f"write_{name}" for name in sorted(self.written))) \
+            .replace("/*ENUMERATIONS*/", ", ".join(f"E_{base}" for base in self.interface.enumerations)) \
+            .replace("/*KEPT*/", ", ".join(sorted(set(self.handle_classes.values()))))
+        return head
+
+    @staticmethod
+    def template():
+        import pathlib
+        return (pathlib.Path(__file__).parent / "src" / "module.js.in").read_text(encoding="utf-8")

@@ -1,0 +1,321 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes what of the Python binding follows from the headers and from bindings/functions:
+
+    loops         in C: the functions for many points, as src/core.h describes them
+    _library.py   all functions, structs and enumerations of the library for ctypes
+    _methods.py   the methods of classes, and the functions, that are ufuncs
+    _methods.pyi  their types and what they do
+
+usage: generate.py ROOT OUTPUT_FOLDER [NAME...]      (only those files)
+"""
+
+import pathlib
+import re
+import sys
+import textwrap
+
+from loop_model import NUMBERS, Binding
+
+# what an output is where a function for one point has written nothing
+NOTHING = {"double": "NAN", "float": "NAN", "uint8_t": "255", "int": "-1", "uint32_t": "UINT32_MAX", "unsigned": "UINT32_MAX",
+           "int64_t": "-1", "uint64_t": "0", "size_t": "0"}
+# what the comment of a function in C does not say to users of Python
+LEADS = {
+    "cm_forward_array": "Directions, of any length, to face, u and v. What is no direction has face 255 and NaN.",
+    "cm_inverse_array": "Points of faces to unit directions. A face that is none, or u, v outside [-1, 1], gives NaN.",
+    "cm_forward_lonlat_array": "Longitudes and latitudes, radians, to face, u and v.",
+    "cm_inverse_lonlat_array": "Points of faces to longitudes and latitudes, radians.",
+    "cm_forward_jacobian_array": "d(u, v) / d(x, y, z) at directions scaled to unit length.",
+    "cm_inverse_jacobian_array": "d(x, y, z) / d(u, v) of the unit direction.",
+    "cm_forward_distortion_array": "Tissot's indicatrix and what follows from it, as Distortion, at directions.",
+    "cm_inverse_distortion_array": "Tissot's indicatrix and what follows from it, as Distortion, at points of faces.",
+    "cm_warp_array": "The plane part alone: p, q on the gnomonic cube, or in the disc, to u, v.",
+    "cm_unwarp_array": "The plane part back: u, v to p, q.",
+}
+# outputs of HEALPix must not overlap inputs (healpix.h)
+APART = "cm_healpix_"
+CTYPES = {"double": "c_double", "float": "c_float", "int": "c_int", "unsigned": "c_uint", "char": "c_char", "signed char": "c_byte",
+          "uint8_t": "c_uint8", "uint32_t": "c_uint32", "int64_t": "c_int64", "uint64_t": "c_uint64", "size_t": "c_size_t",
+          "ptrdiff_t": "c_ssize_t", "uint16_t": "c_uint16", "unsigned int": "c_uint"}
+
+
+# ---- the loops in C ----
+
+def argument_text(loop, argument, row, operands):
+    """What a call of the function is given for an argument: of all points, or of point i."""
+    if row.direction == "handle":
+        return "context->handle"
+    if row.direction == "count":
+        return "n"
+    if argument.name in loop.options:
+        return f"({argument.base})context->option[{loop.options.index(argument.name)}]"
+    own = [operand for operand in operands if operand.name == argument.name or operand.member.startswith(argument.name + ".")]
+    if own[0].member:
+        return ("&" if argument.pointers or loop.arrays else "") + argument.name
+    if loop.arrays:
+        return f"planes_{argument.name}" if own[0].planar else f"p[{operands.index(own[0])}]"
+    if row.direction == "out":
+        return f"to_{argument.name}" if own[0].shape else f"&to_{argument.name}"
+    if own[0].shape:
+        inner = "".join(f"[{extent}]" for extent in own[0].shape[1:])
+        return f"(const {own[0].base}(*){inner})from_{argument.name}" if inner else f"from_{argument.name}"
+    cast = f"({argument.base})" if argument.base != own[0].base else ""
+    return f"{cast}*from_{argument.name}"
+
+
+def adapter_arrays(loop, operands):
+    """The body of a call for a function that takes arrays."""
+    lines = []
+    for index, operand in enumerate(operands):
+        if operand.planar:
+            planes = ", ".join(f"({operand.base} *)p[{index}] + {k} * plane" if k else f"p[{index}]" for k in range(operand.items))
+            lines.append(f"{operand.base} *const planes_{operand.name}[{operand.items}] = {{{planes}}};")
+    for argument in loop.declared.arguments:
+        own = [(index, operand) for index, operand in enumerate(operands) if operand.member.startswith(argument.name + ".")]
+        if own:
+            pointers = ", ".join(f"p[{index}]" for index, _ in own)
+            lines.append(f"const {argument.base} {argument.name} = {{{pointers}}};")
+    call = call_text(loop, operands)
+    returns = loop.function.result is not None
+    return lines + ([f"return {call};"] if returns else [f"{call};", "return CM_OK;"])
+
+
+def call_text(loop, operands):
+    words = [argument_text(loop, argument, row, operands)
+             for argument, row in zip(loop.declared.arguments, loop.function.arguments, strict=True)]
+    return f"{loop.function.name}({', '.join(words)})"
+
+
+def adapter_points(loop, operands):
+    """The body of a call for a function that takes one point."""
+    lines = ["for (size_t i = 0; i < n; i++)", "{"]
+    copies = []
+    for argument, row in zip(loop.declared.arguments, loop.function.arguments, strict=True):
+        own = [(index, operand) for index, operand in enumerate(operands)
+               if operand.member.startswith(argument.name + ".") or (not operand.member and operand.name == argument.name)]
+        if not own or row.direction == "handle":
+            continue
+        index, operand = own[0]
+        if operand.member and row.direction == "out":
+            lines.append(f"    {argument.base} {argument.name};")
+            for index, operand in own:
+                lines += nothing_lines(f"{argument.name}.{operand.name}", operand)
+                copies.append(copy_text(f"({operand.base} *)p[{index}] + {operand.items} * i", f"{argument.name}.{operand.name}", operand))
+        elif operand.member:
+            lines.append(f"    {argument.base} {argument.name};")
+            for index, operand in own:
+                lines.append("    " + copy_text("&" * (not operand.shape) + f"{argument.name}.{operand.name}",
+                                                f"((const {operand.base} *)p[{index}])[{operand.items} * i]", operand))
+        elif row.direction == "out":
+            extents = "".join(f"[{extent}]" for extent in operand.shape)
+            declared = argument.base if argument.base in loop_enumerations else operand.base
+            lines.append(f"    {declared} to_{argument.name}{extents};")
+            lines += nothing_lines(f"to_{argument.name}", operand)
+            copies.append(copy_text(f"({operand.base} *)p[{index}] + {operand.items} * i", f"to_{argument.name}", operand))
+        else:
+            lines.append(f"    const {operand.base} *from_{argument.name} = (const {operand.base} *)p[{index}] + {operand.items} * i;")
+    call = call_text(loop, operands)
+    if loop.function.result is None:
+        lines.append(f"    {call};")
+    elif loop.function.result.direction == "status":
+        lines.append(f"    (void){call};")
+    else:
+        operand = operands[-1]
+        lines.append(f"    (({operand.base} *)p[{len(operands) - 1}])[i] = {call};")
+    return lines + [f"    {copy}" for copy in copies] + ["}", "return CM_OK;"]
+
+
+loop_enumerations = set()
+
+
+def copy_text(to, source, operand):
+    """A member is read whole, so that its address is that of its first number."""
+    return f"memcpy({to}, &{source}, {operand.items} * sizeof({operand.base}));"
+
+
+def nothing_lines(name, operand):
+    if not operand.shape:
+        return [f"    {name} = {NOTHING[operand.base]};"]
+    return [f"    for (size_t k = 0; k < {operand.items}; k++)", "    {",
+            f"        (({operand.base} *){name})[k] = {NOTHING[operand.base]};", "    }"]
+
+
+def shape_text(shape):
+    return "(" + ",".join(str(extent) for extent in shape) + ")"
+
+
+def signature_of(loop):
+    if all(not operand.shape for operand in loop.inputs + loop.outputs):
+        return "NULL"
+    sides = [",".join(shape_text(operand.shape) for operand in side) for side in (loop.inputs, loop.outputs)]
+    return f'"{sides[0]}->{sides[1]}"'
+
+
+def call_line(name, loop):
+    inputs = ", ".join(operand.shown for operand in loop.inputs)
+    outputs = ", ".join(operand.name for operand in loop.outputs)
+    return f"{name.split('.')[-1]}({inputs}, /, out=None, *, where=True, ...) -> {outputs}"
+
+
+def doc_of(name, loop):
+    comment = loop.declared.comment or "See the header."
+    shapes = [f"{operand.name} {shape_text(operand.shape)}" for operand in loop.inputs + loop.outputs if operand.shape]
+    more = f"\n\nTrailing axes: {', '.join(shapes)}." if shapes else ""
+    lead = LEADS.get(loop.function.name)
+    said = [lead, ""] if lead else []
+    return "\n".join([call_line(name, loop), "", *said, *textwrap.wrap(comment, 100)]) + more + \
+        f"\n\nIn C: {loop.function.name}, cubemap/{loop.declared.header}."
+
+
+def c_text(text):
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return "\n".join(f'    "{line}\\n"' for line in escaped.splitlines())
+
+
+def write_loops(binding):
+    lines = ["/* Written by bindings/python/generate.py. */", '#include "core.h"', "", "#include <math.h>", "#include <string.h>", "",
+             "#include <cubemap/colormap.h>", "#include <cubemap/compare.h>", "#include <cubemap/environment.h>",
+             "#include <cubemap/image.h>", "#include <cubemap/mips.h>", "#include <cubemap/panorama.h>", ""]
+    loop_enumerations.update(binding.interface.enumerations)
+    rows = []
+    for name, loops in binding.loops.items():
+        double = loops["double"]
+        variants = []
+        for precision in ("float", "double"):
+            if precision not in loops:
+                continue
+            loop = loops[precision]
+            operands = loop.inputs + loop.outputs
+            c_name = loop.function.name
+            body = adapter_arrays(loop, operands) if loop.arrays else adapter_points(loop, operands)
+            text = "\n".join(body)
+            unused = [f"    (void){word};" for word in ("context", "plane") if not re.search(rf"\b{word}\b", text)]
+            lines += [f"static cm_status call_{c_name}(const struct core_context *context, size_t n, void *const *p, size_t plane)",
+                      "{", *unused, *(f"    {line}" for line in body), "}", ""]
+            cells = ", ".join(f"{{{NUMBERS[operand.base][0]}, {int(operand.planar)}, {operand.items}}}" for operand in operands)
+            lines += [f"static const struct core_variant variant_{c_name} = {{call_{c_name}, {{{cells}}}}};", ""]
+            variants.append(f"&variant_{c_name}")
+        c_name = double.function.name
+        rows.append(f'    {{"{c_name}", "{name.split(".")[-1]}", {signature_of(double)},\n{c_text(doc_of(name, double))},\n'
+                    f"     {len(double.inputs)}, {len(double.outputs)}, {len(double.options)}, {int(not c_name.startswith(APART))}, "
+                    f"{len(variants)}, {{{', '.join(variants)}}}}},")
+    lines += ["const struct core_function core_functions[] = {", *rows, "    {NULL, NULL, NULL, NULL, 0, 0, 0, 0, 0, {NULL}},", "};", ""]
+    destroyers = [function.name for function in binding.table.functions
+                  if any(argument.direction == "free" for argument in function.arguments)]
+    for name in destroyers:
+        base = binding.interface.functions[name].arguments[0].base
+        lines += [f"static void end_{name}(void *object)", "{", f"    {name}(({base} *)object);", "}", ""]
+    lines += ["const struct core_destroyer core_destroyers[] = {", *(f'    {{"{name}", end_{name}}},' for name in destroyers),
+              "    {NULL, NULL},", "};", "", "const struct core_size core_sizes[] = {",
+              *(f'    {{"{name}", sizeof({name})}},' for name in binding.interface.structs), "    {NULL, 0},", "};", ""]
+    return "\n".join(lines)
+
+
+# ---- _library.py ----
+
+def c_type(binding, item, known):
+    """The type of ctypes of an argument, a result or a member."""
+    if item.base in CTYPES:
+        base = CTYPES[item.base]
+    elif item.base in binding.interface.enumerations:
+        base = "c_int"
+    elif item.base == "cm_cell":
+        base = "c_uint64"
+    elif item.base in binding.interface.structs and item.base in known:
+        base = item.base
+    else:
+        base = "c_void_p"  # a function of the caller
+    if item.base == "char" and item.pointers == 1 and item.constant:
+        return "c_char_p"
+    if item.pointers:
+        return f"POINTER({base})" if base in binding.interface.structs and item.pointers == 1 else "c_void_p"
+    for extent in reversed(item.extents):
+        base = f"({base} * {extent})"
+    return base
+
+
+def write_library(binding):
+    lines = ["# Written by bindings/python/generate.py.", '"""The library for ctypes: what is called once and not for every point."""', "",
+             "# ruff: noqa", "import ctypes", "from ctypes import *  # noqa: F403", "", "from . import _core", "from ._errors import check", ""]
+    known = set()
+    for name, members in binding.interface.structs.items():
+        lines += [f"class {name}(Structure):", "    _fields_ = ["]
+        lines += [f'        ("{member.name}", {c_type(binding, member, known)}),' for member in members]
+        lines += ["    ]", "", ""]
+        known.add(name)
+    for name, values in binding.interface.enumerations.items():
+        lines += [f"{constant} = {value}" for constant, value in values.items()]
+    lines += ["", "_library = ctypes.CDLL(_core.__file__)", ""]
+    for function in binding.table.functions:
+        declared = binding.interface.functions[function.name]
+        # arrays in arguments are pointers
+        words = [c_type(binding, argument, known) if not argument.extents else "c_void_p" for argument in declared.arguments]
+        result = c_type(binding, declared.result, known) if declared.result else "None"
+        lines += [f"{function.name} = _library.{function.name}", f"{function.name}.argtypes = [{', '.join(words)}]",
+                  f"{function.name}.restype = {result}"]
+        if function.result and function.result.direction == "status":
+            lines += [f"{function.name}.errcheck = check"]
+    return "\n".join(lines) + "\n"
+
+
+# ---- _methods.py and its types ----
+
+def groups(binding):
+    """{class, or "" for functions: {method: loops}}; what has options is the class's own."""
+    found = {}
+    for name, loops in binding.loops.items():
+        owner, _, method = name.rpartition(".")
+        owner = owner if owner[:1].isupper() else ""  # else it is a module
+        if not loops["double"].options and (owner or not loops["double"].handle):
+            found.setdefault(owner, {})[method] = loops
+    return found
+
+
+def write_methods(binding):
+    lines = ["# Written by bindings/python/generate.py.", '"""The methods and functions that are ufuncs."""', "", "from ._method import Method, function", ""]
+    lines += [f"__all__ = {sorted(groups(binding).get('', {}))!r}", ""]
+    for owner, methods in groups(binding).items():
+        if owner:
+            lines += ["", f"class {owner}Methods:"]
+            lines += [f'    {method} = Method("{loops["double"].function.name}")' for method, loops in methods.items()]
+            lines += [""]
+        else:
+            lines += ["", *(f'{method} = function("{loops["double"].function.name}")' for method, loops in methods.items()), ""]
+    return "\n".join(lines) + "\n"
+
+
+def stub(method, loops, is_method):
+    loop = loops["double"]
+    inputs = ", ".join(["self"] * is_method + [f"{operand.shown}: ArrayLike" for operand in loop.inputs])
+    types = [f"NDArray[np.{NUMBERS[operand.base][1]}]" for operand in loop.outputs]
+    result = types[0] if len(types) == 1 else f"tuple[{', '.join(types)}]"
+    indent = "    " if is_method else ""
+    doc = textwrap.indent(doc_of(method, loop).replace("\\", "\\\\"), indent + "    ").strip()
+    return [f"{indent}def {method}({inputs}, /, *out: Any, **keywords: Any) -> {result}:", f'{indent}    """{doc}', f'{indent}    """', f"{indent}    ..."]
+
+
+def write_stubs(binding):
+    lines = ["# Written by bindings/python/generate.py.", "from typing import Any", "", "import numpy as np", "from numpy.typing import ArrayLike, NDArray", ""]
+    for owner, methods in groups(binding).items():
+        lines += [f"class {owner}Methods:"] * bool(owner)
+        for method, loops in methods.items():
+            lines += stub(method, loops, bool(owner))
+        lines += [""]
+    return "\n".join(lines) + "\n"
+
+
+FILES = {"loops.c": write_loops, "_library.py": write_library, "_methods.py": write_methods, "_methods.pyi": write_stubs}
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    binding = Binding(pathlib.Path(sys.argv[1]))
+    folder = pathlib.Path(sys.argv[2])
+    for name in sys.argv[3:] or FILES:
+        (folder / name).write_text(FILES[name](binding), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+"""Mappings between the sphere and the faces of a cube.
+
+    import cubemap
+    m = cubemap.Mapping("coupled")
+    face, u, v = m.forward(x, y, z)
+    x, y, z = m.inverse(face, u, v)
+
+Angles are radians, but those of rotations degrees. docs/guide/python.md is the guide. Further parts: cubemap.healpy, which is
+a drop-in for parts of healpy, cubemap.plot (matplotlib), cubemap.large (Dask and xarray).
+"""
+
+import importlib
+
+from . import _library
+from ._errors import Error
+from ._methods import *  # noqa: F403
+from .advice import LIMITS, Advice, Candidate, Cost, advise
+from .cells import (CURVES, LEVEL_MAX, NO_CELL, CellGrid, Region, cell_token, cells_contain, cells_intersect, normalise_cells,
+                    parse_cell)
+from .colors import Clipping, Color, Colormap, colormaps, find_colormap, register_colormaps
+from .comparing import (ErrorFigures, Errors, MapFigures, compare_errors, compare_values, difference_map, equirect_weights, face_weights, flip, flip_hdr,
+                        sphere_points, ssim)
+from .earth import (LATITUDES, Ellipsoid, Grid, LatitudeConversion, Orientation, Rotation, cap_radius, ellipsoids, orientations)
+from .environments import (Environment, brdf_table, harmonics_basis, harmonics_cosine_lobe, harmonics_evaluate, harmonics_faces,
+                           harmonics_ggx_lobe, harmonics_json, harmonics_rotate, harmonics_scale, harmonics_window_factors,
+                           texel_solid_angles)
+from .images import (FILTERS, Panorama, Plan, Surface, SurfaceKind, SurfacePreset, border, healpix_arrange, mips, resample, surface_kinds, surface_presets)
+from .mapping import (NO_FACE, RECOMMENDED, Distortion, Face, Frame, Mapping, MappingInfo, Parameter, catalogue,
+                      check_specification, find_mapping, frames, instruction_sets)
+from .measures import (ORIENT_MEASURES, QUANTITIES, FaceSize, Orient, Precision, Statistics, Terms, advise_precision, advise_size,
+                       advise_terms, orient, orient_value, percentiles, statistics)
+from .pixels import NO_PIXEL, ORDERS, UNSEEN, Healpix, Ring
+
+__version__ = _library.cm_version().decode()
+
+
+def __getattr__(name: str) -> object:
+    """The further parts are imported when they are first asked for."""
+    if name in ("healpy", "large", "plot"):
+        return importlib.import_module(f".{name}", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,351 @@
+# SPDX-License-Identifier: MIT
+"""Functions of healpy by the same names and arguments: `from cubemap import healpy as hp`.
+
+What differs:
+  speed         bindings/python/benchmark.py measures it beside healpy's
+  numbers       single points give numbers of Python instead of NumPy's
+  no pixel      a number of no pixel gives NaN, or -1; healpy gives any number
+  no point      NaN and infinite angles and vectors are refused with ValueError; healpy may give any pixel
+  accuracy      angles of vectors are accurate at the poles, where healpy's arc cosine loses half of the digits. So a point
+                within rounding of a border may be in the pixel beside
+  ud_grade      sums are made in double; UNSEEN stays UNSEEN when `power` is given
+  query_disc    inclusive=True gives all pixels that the disc overlaps, and a few more: not the same few
+  reorder       of bunches of memory nothing is said: a map is done at once
+  left out      what reads and writes files, draws or transforms, query_polygon, query_strip, interpolation
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike
+
+from . import _methods
+from .pixels import UNSEEN, Healpix
+
+__all__ = ["UNSEEN", "ang2pix", "ang2vec", "boundaries", "get_all_neighbours", "get_map_size", "get_nside", "isnpixok", "isnsideok",
+           "max_pixrad", "nest2ring", "npix2nside", "npix2order", "nside2npix", "nside2order", "nside2pixarea", "nside2resol",
+           "order2npix", "order2nside", "pix2ang", "pix2vec", "query_disc", "reorder", "ring2nest", "ud_grade", "vec2ang", "vec2pix"]
+
+NSIDE_MAX = 2**29
+
+
+@functools.lru_cache(maxsize=128)
+def _healpix(nside, nest):
+    if not isnsideok(nside, nest):
+        raise ValueError(f"{nside} is not a valid nside parameter (must be a power of 2, less than 2**30)")
+    return Healpix(int(nside), "nested" if nest else "ring")
+
+
+def _each(nside, nest, method, *arrays):
+    """A method of Healpix, also for an array of nsides."""
+    if isinstance(nside, int) or np.ndim(nside) == 0:
+        return getattr(_healpix(nside, nest), method)(*arrays)
+    nside, *arrays = np.broadcast_arrays(nside, *arrays)
+    found = None
+    for one in np.unique(nside):
+        here = nside == one
+        part = getattr(_healpix(one.item(), nest), method)(*(array[here] for array in arrays))
+        parts = part if isinstance(part, tuple) else (part,)
+        if found is None:
+            found = tuple(np.empty((*nside.shape, *one_part.shape[1:]), one_part.dtype) for one_part in parts)
+        for to, one_part in zip(found, parts, strict=True):
+            to[here] = one_part
+    return found if len(found) > 1 else found[0]
+
+
+def _checked(pixel, what):
+    """A pixel, or pixels; ValueError if there is none at some point."""
+    if (pixel < 0) if isinstance(pixel, int) else np.any(pixel < 0):
+        raise ValueError(what)
+    return pixel
+
+
+def ang2pix(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike, nest: bool = False, lonlat: bool = False) -> Any:
+    """The pixels at angles: colatitude and longitude in radians, or longitude and latitude in degrees."""
+    if lonlat:
+        return _checked(_each(nside, nest, "pixel_from_lonlat", np.radians(theta), np.radians(phi)), "THETA is out of range [0,pi]")
+    pixel = _each(nside, nest, "pixel_from_angles", theta, phi)
+    if (pixel < 0) if isinstance(pixel, int) else np.any(pixel < 0):  # healpy lets 1e-5 beyond the south pole pass
+        theta = np.asarray(theta, dtype=np.float64)
+        beyond = (theta > np.pi) & (theta <= np.pi + 1e-5)
+        theta, phi = np.where(beyond, 2 * np.pi - theta, theta), np.where(beyond, np.add(phi, np.pi), phi)
+        pixel = _checked(_each(nside, nest, "pixel_from_angles", theta, phi), "THETA is out of range [0,pi]")
+    return pixel
+
+
+def pix2ang(nside: ArrayLike, ipix: ArrayLike, nest: bool = False, lonlat: bool = False) -> tuple[Any, Any]:
+    """The angles of centres: colatitude and longitude in radians, or longitude and latitude in degrees."""
+    if lonlat:
+        lon, lat = _each(nside, nest, "lonlat_from_pixel", ipix)
+        lon, lat = np.degrees(lon), np.degrees(lat)
+        return np.where(lon < 0, lon + 360.0, lon)[()], lat
+    return _each(nside, nest, "angles_from_pixel", ipix)
+
+
+def vec2pix(nside: ArrayLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, nest: bool = False) -> Any:
+    """The pixels at vectors of any length."""
+    return _checked(_each(nside, nest, "pixel_from_direction", x, y, z), "a vector that is zero or not finite")
+
+
+def pix2vec(nside: ArrayLike, ipix: ArrayLike, nest: bool = False) -> tuple[Any, Any, Any]:
+    """The centres, as unit vectors x, y, z."""
+    return _each(nside, nest, "direction_from_pixel", ipix)
+
+
+def ang2vec(theta: ArrayLike, phi: ArrayLike, lonlat: bool = False) -> np.ndarray:
+    """Unit vectors, along the last axis, of angles as in ang2pix."""
+    if lonlat:
+        vectors = np.stack(_methods.direction_from_lonlat(np.radians(theta), np.radians(phi)), axis=-1)
+        if np.isnan(vectors).any():
+            raise ValueError("THETA is out of range [0,pi]")
+        return vectors
+    theta, phi = np.asarray(theta, np.float64), np.asarray(phi, np.float64)
+    if not ((theta >= 0) & (theta <= np.pi + 1e-5)).all():
+        raise ValueError("THETA is out of range [0,pi]")
+    rho = np.sin(theta)
+    return np.stack(np.broadcast_arrays(rho * np.cos(phi), rho * np.sin(phi), np.cos(theta)), axis=-1)
+
+
+def vec2ang(vectors: ArrayLike, lonlat: bool = False) -> tuple[np.ndarray, np.ndarray]:
+    """The angles of vectors, (n, 3) or (3,): arrays of n."""
+    vectors = np.asarray(vectors, np.float64).reshape(-1, 3)
+    x, y, z = vectors.T
+    lon, lat = _methods.lonlat_from_direction(x, y, z)
+    lon[lon < 0] += 2 * np.pi
+    return (np.degrees(lon), np.degrees(lat)) if lonlat else (np.pi / 2 - lat, lon)
+
+
+def nest2ring(nside: ArrayLike, ipix: ArrayLike) -> Any:
+    """From the order NESTED to RING."""
+    return _each(nside, True, "ring_from_nested", ipix)
+
+
+def ring2nest(nside: ArrayLike, ipix: ArrayLike) -> Any:
+    """From the order RING to NESTED."""
+    if np.any(~np.asarray(isnsideok(nside, True))):
+        raise ValueError(f"{nside} is not a valid nside parameter (must be a power of 2, less than 2**30)")
+    return _each(nside, False, "nested_from_ring", ipix)
+
+
+def get_all_neighbours(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike | None = None, nest: bool = False,
+                       lonlat: bool = False) -> np.ndarray:
+    """The neighbours SW, W, NW, N, NE, E, SE and S, along the first axis; -1 where there is none."""
+    pixel = theta if phi is None else ang2pix(nside, theta, phi, nest, lonlat)
+    return np.moveaxis(_each(nside, nest, "neighbours", pixel), -1, 0)
+
+
+def boundaries(nside: int, pix: ArrayLike, step: int = 1, nest: bool = False) -> np.ndarray:
+    """The boundary of pixels: x, y, z of 4 step points, (3, 4 step), or (n, 3, 4 step) of n pixels."""
+    healpix = _healpix(nside, nest)
+    if np.ndim(pix) == 0:
+        return healpix.boundary(pix, step).T
+    return np.stack([healpix.boundary(one, step).T for one in np.asarray(pix).tolist()])
+
+
+# ---- resolutions ----
+
+def isnsideok(nside: ArrayLike, nest: bool = False) -> Any:
+    """Is there such a resolution: 1 to 2^29, in NESTED a power of two?"""
+    nside = np.asarray(nside)
+    whole = nside.astype(np.int64)
+    good = (nside == whole) & (whole > 0) & (whole <= NSIDE_MAX)
+    good = good & ((whole & (whole - 1)) == 0) if nest else good
+    return good if good.ndim else bool(good)
+
+
+def _checked_nside(nside, nest=False):
+    if not np.all(isnsideok(nside, nest)):
+        raise ValueError(f"{nside} is not a valid nside parameter (must be a power of 2, less than 2**30)")
+    return nside
+
+
+def nside2npix(nside: Any) -> Any:
+    """12 nside^2."""
+    return 12 * nside * nside
+
+
+def npix2nside(npix: int) -> int:
+    """The nside of a number of pixels."""
+    if not isnpixok(npix):
+        raise ValueError("Wrong pixel number (it is not 12*nside**2)")
+    return int(np.sqrt(npix / 12))
+
+
+def isnpixok(npix: ArrayLike) -> Any:
+    """Is it 12 nside^2?"""
+    nside = np.sqrt(np.asarray(npix) / 12.0)
+    good = (nside == np.floor(nside)) & (nside > 0)
+    return good if good.ndim else bool(good)
+
+
+def nside2order(nside: int) -> int:
+    """The base-2 logarithm."""
+    return int(_checked_nside(nside, True)).bit_length() - 1
+
+
+def order2nside(order: int) -> int:
+    """2^order."""
+    return _checked_nside(1 << order, True)
+
+
+def order2npix(order: int) -> int:
+    """The pixels of an order."""
+    return nside2npix(order2nside(order))
+
+
+def npix2order(npix: int) -> int:
+    """The order of a number of pixels."""
+    return nside2order(npix2nside(npix))
+
+
+def nside2pixarea(nside: Any, degrees: bool = False) -> Any:
+    """The area of a pixel, steradians or square degrees."""
+    area = 4 * np.pi / nside2npix(_checked_nside(nside))
+    return np.degrees(np.degrees(area)) if degrees else area
+
+
+def nside2resol(nside: Any, arcmin: bool = False) -> Any:
+    """The root of a pixel's area, radians or minutes of arc."""
+    side = np.sqrt(nside2pixarea(nside))
+    return np.degrees(side) * 60 if arcmin else side
+
+
+def max_pixrad(nside: int, degrees: bool = False) -> float:
+    """The greatest angle between a pixel's centre and its corners."""
+    _checked_nside(nside)
+    rise, tip = 2 / 3, 1 - (1 - 1 / nside) ** 2 / 3
+    one = np.array([np.sqrt(1 - rise**2) * np.cos(np.pi / (4 * nside)), np.sqrt(1 - rise**2) * np.sin(np.pi / (4 * nside)), rise])
+    other = np.array([np.sqrt(1 - tip**2), 0.0, tip])
+    angle = np.arctan2(np.linalg.norm(np.cross(one, other)), one @ other)
+    return np.degrees(angle) if degrees else angle
+
+
+def get_map_size(m: ArrayLike) -> int:
+    """The pixels of a map."""
+    npix = np.shape(m)[-1]
+    npix2nside(npix)
+    return npix
+
+
+def get_nside(m: ArrayLike) -> int:
+    """The nside of a map, or of several of one size."""
+    return npix2nside(np.shape(m)[-1])
+
+
+# ---- maps ----
+
+def _is_nested(order):
+    name = str(order).upper()[:4]
+    if name not in ("RING", "NEST"):
+        raise ValueError(f"an order is RING or NEST, not {order}")
+    return name == "NEST"
+
+
+def reorder(map_in: ArrayLike, inp: str | None = None, out: str | None = None, r2n: bool | None = None,
+            n2r: bool | None = None) -> np.ndarray:
+    """A map, or maps along the first axis, in the other order."""
+    inp, out = ("RING", "NEST") if r2n else ("NEST", "RING") if n2r else (inp, out)
+    nested, wanted = _is_nested(inp), _is_nested(out)
+    values = np.asarray(map_in)
+    nside = get_nside(values)
+    if nested == wanted:
+        return values
+    pixels = np.arange(values.shape[-1])
+    return values[..., ring2nest(nside, pixels) if nested else nest2ring(nside, pixels)]
+
+
+def ud_grade(map_in: ArrayLike, nside_out: int, pess: bool = False, order_in: str = "RING",
+             order_out: str | None = None, power: float | None = None, dtype: DTypeLike | None = None) -> np.ndarray:
+    """A map, or maps along the first axis, of another resolution: means of the good parts of a pixel."""
+    _checked_nside(nside_out, nest=order_in != "RING")
+    values = np.asarray(map_in)
+    kind = np.dtype(dtype) if dtype is not None else values.dtype
+    nside, nested = get_nside(values), _is_nested(order_in)
+    wanted = nested if order_out is None else _is_nested(order_out)
+    if values.ndim > 1:
+        return np.array([ud_grade(one, nside_out, pess, order_in, order_out, power, dtype) for one in values])
+    if np.issubdtype(kind, np.floating) and values.dtype != np.float32:
+        values = values.astype(np.float64)
+    graded = _healpix(nside, nested).regrade(values, _healpix(nside_out, wanted), pessimistic=bool(pess), power=float(power or 0))
+    if np.issubdtype(kind, np.integer):  # healpy: what UNSEEN is for whole numbers nobody knows
+        graded = np.where(graded == UNSEEN, 0, graded)
+    return graded.astype(kind, copy=False)
+
+
+# ---- regions ----
+
+def _ring_counts(nside, ring):
+    """Of rings: pixels before them, how many each has, z and the longitude of the first centre."""
+    north = np.minimum(ring, 4 * nside - ring)
+    polar = north < nside
+    count = 4 * np.where(polar, north, nside)
+    cap = 2 * north * (north - 1)
+    npix = nside2npix(nside)
+    first = np.where(polar, np.where(ring < 2 * nside, cap, npix - cap - count), 2 * nside * (nside - 1) + (ring - nside) * 4 * nside)
+    z = np.where(polar, 1 - north * north / (3.0 * nside * nside), (4 / 3 - 2 * north / (3.0 * nside)))
+    z = np.where(ring > 2 * nside, -z, z)
+    shifted = polar | ((ring - nside) % 2 == 0)
+    return first, count, z, np.where(shifted, np.pi / count, 0.0)
+
+
+def _candidates(nside, vector, radius):
+    """Pixels in RING whose centre may be within a radius of a unit vector: those of the rings, and one more at each side."""
+    z0, rho0 = vector[2], np.hypot(vector[0], vector[1])
+    theta0, phi0 = np.arctan2(rho0, z0), np.arctan2(vector[1], vector[0])
+    rings = np.arange(1, 4 * nside)
+    first, count, z, start = _ring_counts(nside, rings)
+    theta = np.arctan2(np.sqrt((1 - z) * (1 + z)), z)
+    near = np.abs(theta - theta0) <= radius + 1e-9
+    first, count, z, start, theta = first[near], count[near], z[near], start[near], theta[near]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        # haversines, so that small discs are accurate
+        share = (np.sin(radius / 2) ** 2 - np.sin((theta - theta0) / 2) ** 2) / (np.sin(theta) * np.sin(theta0))
+    half = 2 * np.arcsin(np.sqrt(np.clip(np.where(np.isfinite(share), share, 1.0), 0, 1)))
+    if radius >= np.pi:
+        half[:] = np.pi
+    step = 2 * np.pi / count
+    low = np.floor((phi0 - half - start) / step).astype(np.int64)
+    high = np.ceil((phi0 + half - start) / step).astype(np.int64)
+    number = np.minimum(high - low + 1, count)
+    ends = np.cumsum(number)
+    place = np.arange(ends[-1] if ends.size else 0) - np.repeat(ends - number, number)
+    return np.repeat(first, number) + (np.repeat(low, number) + place) % np.repeat(count, number)
+
+
+def _squared_chords(vector, x, y, z):
+    """Of points to the unit vector: what small angles do not lose."""
+    return (x - vector[0]) ** 2 + (y - vector[1]) ** 2 + (z - vector[2]) ** 2
+
+
+def query_disc(nside: int, vec: ArrayLike, radius: float, inclusive: bool = False, fact: int = 4, nest: bool = False,
+               buff: np.ndarray | None = None) -> np.ndarray:
+    """The pixels, sorted, whose centre is within an angle of a vector; inclusive: those that overlap the disc, and a few more."""
+    healpix = _healpix(nside, nest)
+    ring = _healpix(nside, False)
+    vector = np.asarray(vec, np.float64)
+    length = np.linalg.norm(vector)
+    if vector.shape != (3,) or not np.isfinite(length) or length == 0 or not radius >= 0:
+        raise ValueError("a disc has a vector and a radius of 0 or more")
+    vector = vector / length
+    radius = min(float(radius), np.pi)
+    reach = min(radius + max_pixrad(nside), np.pi) if inclusive else radius
+    pixels = _candidates(nside, vector, reach)
+    inside = _squared_chords(vector, *ring.direction_from_pixel(pixels)) <= 4 * np.sin(radius / 2) ** 2
+    if inclusive:
+        side = np.pi / 2 / nside / fact  # no two points of a boundary that follow each other are farther apart
+        limit = 4 * np.sin(min(radius + side / 2, np.pi) / 2) ** 2
+        for index in np.flatnonzero(~inside):
+            inside[index] = _squared_chords(vector, *ring.boundary(pixels[index], fact).T).min() <= limit
+        pixels = np.union1d(pixels[inside], ring.pixel_from_direction(*vector.tolist()))
+    else:
+        pixels = pixels[inside]
+    if nest:
+        pixels = healpix.nested_from_ring(pixels)
+    pixels = np.sort(pixels)
+    if buff is not None:
+        buff[:pixels.size] = pixels
+        return buff[:pixels.size]
+    return pixels

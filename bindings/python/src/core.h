@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the files of the extension module cubemap._core share: the table of functions that work on many points, which
+ * generate.py writes from bindings/functions, and the objects that Python sees of it.
+ */
+#ifndef CUBEMAP_PYTHON_CORE_H
+#define CUBEMAP_PYTHON_CORE_H
+
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cubemap/cubemap.h>
+
+/* No function has more inputs and outputs together. */
+#define CORE_OPERANDS_MAX 16
+
+/* No function has more options. */
+#define CORE_OPTIONS_MAX 2
+
+/* What a number is for the library. */
+enum core_type
+{
+    CORE_DOUBLE,
+    CORE_FLOAT,
+    CORE_UINT8,
+    CORE_INT,
+    CORE_UINT32,
+    CORE_INT64,
+    CORE_UINT64,
+    CORE_TYPES
+};
+
+/* What a function has been bound to. */
+struct core_context
+{
+    const void *handle; /* the object, or NULL */
+    int64_t option[CORE_OPTIONS_MAX];
+    unsigned threads;
+};
+
+/* Calls the function of the library for n points. p[k] has the numbers of operand k, those of a point side by side, or,
+ * if the operand is planar, n for each number, `plane` apart. */
+typedef cm_status (*core_call)(const struct core_context *context, size_t n, void *const *p,
+                               size_t plane);
+
+/* An input or an output. */
+struct core_operand
+{
+    unsigned char type;   /* of core_type */
+    unsigned char planar; /* does each number have an array of its own? */
+    uint16_t items;       /* numbers a point */
+};
+
+/* A function in one precision. */
+struct core_variant
+{
+    core_call call;
+    struct core_operand operand[CORE_OPERANDS_MAX];
+};
+
+/* A function in all precisions. */
+struct core_function
+{
+    const char *name;      /* "cm_forward_array" */
+    const char *shown;     /* "forward" */
+    const char *signature; /* as NumPy's gufuncs have it; NULL if all operands are single numbers */
+    const char *doc;
+    int inputs;
+    int outputs;
+    int options;
+    int in_place;      /* may an output be an input? */
+    int variant_count; /* 1: double; 2: float first */
+    const struct core_variant *variant[2];
+};
+
+/* The end of an object of the library. */
+struct core_destroyer
+{
+    const char *name;
+    void (*destroy)(void *object);
+};
+
+/* The size of a struct, for who declares it anew. */
+struct core_size
+{
+    const char *name;
+    size_t size;
+};
+
+/* Written by generate.py; each table ends with a NULL name. */
+extern const struct core_function core_functions[];
+extern const struct core_destroyer core_destroyers[];
+extern const struct core_size core_sizes[];
+
+/* A function for operands of NumPy's types: what a loop of a ufunc is given as data. */
+struct core_loop
+{
+    const struct core_function *function;
+    const struct core_variant *variant;
+    struct core_context context;
+    unsigned char integers; /* are unsigned inputs signed 64-bit ones for NumPy? */
+};
+
+/* The bytes of a number. */
+extern const unsigned char core_type_size[CORE_TYPES];
+
+/* What NumPy has for an operand: 64-bit whole numbers for the small ones that are read. */
+enum core_type core_seen_type(const struct core_loop *loop, int operand);
+
+/* A loop of NumPy over n points: args, dims and steps as it gives them, data a core_loop. */
+void core_run(char **args, const intptr_t *dims, const intptr_t *steps, void *data);
+
+/* ---- objects of Python ---- */
+
+/* An object of the library, which is given back with it. */
+struct core_handle
+{
+    PyObject_HEAD void *address;
+    void (*destroy)(void *object);
+    PyObject *keep; /* what must live as long */
+};
+
+extern PyTypeObject core_handle_type;
+extern PyTypeObject core_function_type;
+
+#endif

@@ -1,0 +1,398 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Function: a function of the library, bound to an object of it, as a ufunc of NumPy with a short way for single numbers
+ * of Python: these never become arrays.
+ */
+#include "core.h"
+
+#include <math.h>
+#include <string.h>
+#include <structmember.h>
+
+#define NPY_NO_DEPRECATED_API NPY_1_22_API_VERSION
+#define NO_IMPORT_ARRAY
+#define NO_IMPORT_UFUNC
+#define PY_ARRAY_UNIQUE_SYMBOL cubemap_array_api
+#define PY_UFUNC_UNIQUE_SYMBOL cubemap_ufunc_api
+#include <numpy/arrayobject.h>
+#include <numpy/ufuncobject.h>
+
+struct function
+{
+    PyObject_HEAD vectorcallfunc call;
+    PyObject *ufunc;
+    PyObject *result; /* what makes the result of a tuple; NULL: the tuple itself */
+    const struct core_loop
+        *alone; /* the loop of double, which the ufunc owns; NULL if points have several numbers */
+};
+
+static const char numpy_types[CORE_TYPES] = {
+    [CORE_DOUBLE] = NPY_DOUBLE, [CORE_FLOAT] = NPY_FLOAT,   [CORE_UINT8] = NPY_UINT8,
+    [CORE_INT] = NPY_INT,       [CORE_UINT32] = NPY_UINT32, [CORE_INT64] = NPY_INT64,
+    [CORE_UINT64] = NPY_UINT64,
+};
+
+/* ---- single numbers ---- */
+
+/* A number as the library has it. */
+union number
+{
+    double real;
+    uint8_t byte;
+    int whole;
+    uint32_t natural;
+    int64_t signed_long;
+    uint64_t unsigned_long;
+};
+
+/* 1; 0 if the object is none of Python's numbers of that kind; -1 with an exception. */
+static int read_number(enum core_type type, PyObject *object, union number *number)
+{
+    if (type == CORE_DOUBLE)
+    {
+        if (PyFloat_Check(object))
+        {
+            number->real = PyFloat_AS_DOUBLE(object);
+            return 1;
+        }
+        if (!PyLong_CheckExact(object))
+        {
+            return 0;
+        }
+        number->real = PyLong_AsDouble(object);
+        return number->real == -1.0 && PyErr_Occurred() ? -1 : 1;
+    }
+    if (!PyLong_CheckExact(object))
+    {
+        return 0;
+    }
+    int overflow;
+    const long long value = PyLong_AsLongLongAndOverflow(object, &overflow);
+    if (type == CORE_UINT64 && overflow > 0)
+    {
+        number->unsigned_long = PyLong_AsUnsignedLongLong(object);
+        return number->unsigned_long == UINT64_MAX && PyErr_Occurred() ? -1 : 1;
+    }
+    if (type == CORE_UINT64 || type == CORE_INT64)
+    {
+        if (overflow)
+        {
+            PyErr_SetString(PyExc_OverflowError, "a whole number has more than 64 bits");
+            return -1;
+        }
+        number->signed_long = value; /* of unsigned ones, too: the same bits, as in arrays */
+    }
+    else if (type == CORE_UINT8)
+    {
+        number->byte = overflow || value < 0 || value > 255 ? 255 : (uint8_t)value;
+    }
+    else if (type == CORE_UINT32)
+    {
+        number->natural =
+            overflow || value < 0 || value > UINT32_MAX ? UINT32_MAX : (uint32_t)value;
+    }
+    else
+    {
+        number->whole = overflow || value < INT32_MIN || value > INT32_MAX ? INT32_MIN : (int)value;
+    }
+    return 1;
+}
+
+static PyObject *write_number(enum core_type type, const union number *number)
+{
+    switch (type)
+    {
+    case CORE_DOUBLE:
+        return PyFloat_FromDouble(number->real);
+    case CORE_UINT8:
+        return PyLong_FromLong(number->byte);
+    case CORE_INT:
+        return PyLong_FromLong(number->whole);
+    case CORE_UINT32:
+        return PyLong_FromUnsignedLong(number->natural);
+    case CORE_INT64:
+        return PyLong_FromLongLong(number->signed_long);
+    default:
+        return PyLong_FromUnsignedLongLong(number->unsigned_long);
+    }
+}
+
+/* The result for single numbers; NULL without an exception if some argument is not a number of Python. */
+static PyObject *call_alone(const struct core_loop *loop, PyObject *const *args)
+{
+    const struct core_function *function = loop->function;
+    const int count = function->inputs + function->outputs;
+    union number numbers[CORE_OPERANDS_MAX];
+    void *pointers[CORE_OPERANDS_MAX];
+    for (int k = 0; k < count; k++)
+    {
+        pointers[k] = &numbers[k];
+        if (k < function->inputs &&
+            read_number(loop->variant->operand[k].type, args[k], &numbers[k]) != 1)
+        {
+            return NULL;
+        }
+    }
+    loop->variant->call(&loop->context, 1, pointers, 1);
+    if (function->outputs == 1)
+    {
+        return write_number(loop->variant->operand[count - 1].type, &numbers[count - 1]);
+    }
+    PyObject *tuple = PyTuple_New(function->outputs);
+    for (int k = 0; tuple && k < function->outputs; k++)
+    {
+        const int operand = function->inputs + k;
+        PyObject *number = write_number(loop->variant->operand[operand].type, &numbers[operand]);
+        if (!number)
+        {
+            Py_CLEAR(tuple);
+            break;
+        }
+        PyTuple_SET_ITEM(tuple, k, number);
+    }
+    return tuple;
+}
+
+static PyObject *function_call(PyObject *object, PyObject *const *args, size_t flagged,
+                               PyObject *names)
+{
+    struct function *self = (struct function *)object;
+    PyObject *found = NULL;
+    if (self->alone && !names && PyVectorcall_NARGS(flagged) == self->alone->function->inputs)
+    {
+        found = call_alone(self->alone, args);
+        if (!found && PyErr_Occurred())
+        {
+            return NULL;
+        }
+    }
+    if (!found)
+    {
+        found = PyObject_Vectorcall(self->ufunc, args, flagged, names);
+    }
+    if (found && self->result && PyTuple_CheckExact(found))
+    {
+        Py_SETREF(found, PyObject_CallOneArg(self->result, found));
+    }
+    return found;
+}
+
+/* ---- making one ---- */
+
+/* What the ufunc owns in one block: its loops, their types and their data. */
+struct loops
+{
+    PyUFuncGenericFunction function[4];
+    void *data[4];
+    struct core_loop loop[4];
+    char types[4 * CORE_OPERANDS_MAX];
+};
+
+/* Is there an input of unsigned numbers, for which NumPy shall take signed ones too? Faces that do not fit into a byte are
+ * refused; numbers of cells are the same 64 bits, as which databases have them. */
+static int has_unsigned(const struct core_function *function)
+{
+    for (int k = 0; k < function->inputs; k++)
+    {
+        const unsigned char type = function->variant[0]->operand[k].type;
+        if (type == CORE_UINT8 || type == CORE_UINT64)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* float before double, unsigned before signed whole numbers: NumPy takes the first loop to which all casts are safe. */
+static int fill_loops(const struct core_function *function, const struct core_context *context,
+                      struct loops *loops)
+{
+    int count = 0;
+    char *type = loops->types;
+    for (int variant = 0; variant < function->variant_count; variant++)
+    {
+        for (unsigned char integers = 0; integers <= has_unsigned(function); integers++)
+        {
+            struct core_loop *loop = &loops->loop[count];
+            *loop = (struct core_loop){function, function->variant[variant], *context, integers};
+            loops->function[count] = core_run;
+            loops->data[count] = loop;
+            for (int k = 0; k < function->inputs + function->outputs; k++)
+            {
+                *type++ = numpy_types[core_seen_type(loop, k)];
+            }
+            count++;
+        }
+    }
+    return count;
+}
+
+static PyObject *make_ufunc(const struct core_function *function,
+                            const struct core_context *context, PyObject *owner,
+                            const struct core_loop **alone)
+{
+    struct loops *loops = PyArray_malloc(sizeof *loops);
+    if (!loops)
+    {
+        return PyErr_NoMemory();
+    }
+    const int count = fill_loops(function, context, loops);
+    PyObject *object = PyUFunc_FromFuncAndDataAndSignature(
+        loops->function, loops->data, loops->types, count, function->inputs, function->outputs,
+        PyUFunc_None, function->shown, function->doc, 0, function->signature);
+    if (!object)
+    {
+        PyArray_free(loops);
+        return NULL;
+    }
+    PyUFuncObject *ufunc = (PyUFuncObject *)object;
+    ufunc->ptr = loops;
+    ufunc->obj = Py_NewRef(owner); /* the mapping lives as long as the ufunc */
+    *alone = function->signature ? NULL : &loops->loop[count - 1];
+    return object;
+}
+
+/* Whether the object has this operation: what it says to no points. 0, or -1 with the package's own exception. */
+static int probe(const struct core_function *function, const struct core_context *context)
+{
+    void *pointers[CORE_OPERANDS_MAX] = {NULL};
+    const cm_status status = function->variant[0]->call(context, 0, pointers, 0);
+    if (status == CM_OK)
+    {
+        return 0;
+    }
+    PyObject *errors = PyImport_ImportModule("cubemap._errors");
+    PyObject *nothing = errors ? PyObject_CallMethod(errors, "check", "i", (int)status) : NULL;
+    Py_XDECREF(nothing);
+    Py_XDECREF(errors);
+    return -1;
+}
+
+static const struct core_function *find_function(const char *name)
+{
+    for (const struct core_function *row = core_functions; row->name; row++)
+    {
+        if (strcmp(row->name, name) == 0)
+        {
+            return row;
+        }
+    }
+    PyErr_Format(PyExc_ValueError, "no function %s for many points", name);
+    return NULL;
+}
+
+static PyObject *function_new(PyTypeObject *type, PyObject *args, PyObject *keywords)
+{
+    static char *names[] = {"name", "handle", "options", "threads", "result", NULL};
+    const char *name;
+    PyObject *handle = Py_None, *options = NULL, *result = Py_None;
+    struct core_context context = {NULL, {0, 0}, 1};
+    if (!PyArg_ParseTupleAndKeywords(args, keywords, "s|OO!IO:Function", names, &name, &handle,
+                                     &PyTuple_Type, &options, &context.threads, &result))
+    {
+        return NULL;
+    }
+    const struct core_function *row = find_function(name);
+    if (!row)
+    {
+        return NULL;
+    }
+    const Py_ssize_t given = options ? PyTuple_GET_SIZE(options) : 0;
+    if (given != row->options)
+    {
+        return PyErr_Format(PyExc_TypeError, "%s has %d options, not %zd", name, row->options,
+                            given);
+    }
+    for (Py_ssize_t k = 0; k < given; k++)
+    {
+        context.option[k] = PyLong_AsLongLong(PyTuple_GET_ITEM(options, k));
+        if (context.option[k] == -1 && PyErr_Occurred())
+        {
+            return NULL;
+        }
+    }
+    if (handle != Py_None)
+    {
+        if (!PyObject_TypeCheck(handle, &core_handle_type))
+        {
+            return PyErr_Format(PyExc_TypeError, "handle: a Handle, not %R", handle);
+        }
+        context.handle = ((struct core_handle *)handle)->address;
+    }
+    struct function *self = !context.handle || probe(row, &context) == 0
+                                ? (struct function *)type->tp_alloc(type, 0)
+                                : NULL;
+    if (!self)
+    {
+        return NULL;
+    }
+    self->call = function_call;
+    self->result = result == Py_None ? NULL : Py_NewRef(result);
+    self->ufunc = make_ufunc(row, &context, handle, &self->alone);
+    if (!self->ufunc)
+    {
+        Py_CLEAR(self);
+    }
+    return (PyObject *)self;
+}
+
+static int function_traverse(PyObject *object, visitproc visit, void *arg)
+{
+    struct function *self = (struct function *)object;
+    Py_VISIT(self->ufunc);
+    Py_VISIT(self->result);
+    return 0;
+}
+
+static void function_dealloc(PyObject *object)
+{
+    struct function *self = (struct function *)object;
+    PyObject_GC_UnTrack(object);
+    Py_XDECREF(self->result);
+    Py_XDECREF(self->ufunc);
+    Py_TYPE(object)->tp_free(object);
+}
+
+static PyObject *function_doc(PyObject *object, void *closure)
+{
+    (void)closure;
+    return PyUnicode_FromString(((PyUFuncObject *)((struct function *)object)->ufunc)->doc);
+}
+
+static PyObject *function_name(PyObject *object, void *closure)
+{
+    (void)closure;
+    return PyUnicode_FromString(((PyUFuncObject *)((struct function *)object)->ufunc)->name);
+}
+
+static PyObject *function_repr(PyObject *object)
+{
+    return PyUnicode_FromFormat("<function %s of cubemap>",
+                                ((PyUFuncObject *)((struct function *)object)->ufunc)->name);
+}
+
+static PyGetSetDef function_getters[] = {
+    {"__doc__", function_doc, NULL, NULL, NULL},
+    {"__name__", function_name, NULL, NULL, NULL},
+    {NULL, NULL, NULL, NULL, NULL},
+};
+
+static PyMemberDef function_members[] = {
+    {"ufunc", T_OBJECT_EX, offsetof(struct function, ufunc), READONLY,
+     "The ufunc of NumPy behind it."},
+    {NULL, 0, 0, 0, NULL},
+};
+
+PyTypeObject core_function_type = {
+    PyVarObject_HEAD_INIT(NULL, 0).tp_name = "cubemap._core.Function",
+    .tp_basicsize = sizeof(struct function),
+    .tp_flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_HAVE_GC | Py_TPFLAGS_HAVE_VECTORCALL,
+    .tp_vectorcall_offset = offsetof(struct function, call),
+    .tp_call = PyVectorcall_Call,
+    .tp_new = function_new,
+    .tp_traverse = function_traverse,
+    .tp_dealloc = function_dealloc,
+    .tp_repr = function_repr,
+    .tp_getset = function_getters,
+    .tp_members = function_members,
+};

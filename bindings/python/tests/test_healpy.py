@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+"""cubemap.healpy beside healpy: 10^6 points each."""
+
+import numpy as np
+import pytest
+from cubemap import Healpix, healpy
+
+reference = pytest.importorskip("healpy")
+COUNT = 10**6
+SIDES = [1, 64, 2**14, 2**29]
+BOTH = pytest.mark.parametrize("nest", [False, True])
+
+
+@pytest.fixture
+def vectors(random):
+    return random.normal(size=(3, COUNT))
+
+
+def pixels(random, nside):
+    return random.integers(0, 12 * nside**2, COUNT)
+
+
+def close(got, expected, bound):
+    return all(np.abs(one - other).max() <= bound for one, other in zip(got, expected, strict=True))
+
+
+@BOTH
+@pytest.mark.parametrize("nside", SIDES)
+def test_points_to_pixels(nside, nest, vectors):
+    theta, phi = healpy.vec2ang(vectors.T)
+    assert np.array_equal(healpy.ang2pix(nside, theta, phi, nest), reference.ang2pix(nside, theta, phi, nest))
+    assert np.array_equal(healpy.vec2pix(nside, *vectors, nest), reference.vec2pix(nside, *vectors, nest))
+    lon, lat = healpy.vec2ang(vectors.T, lonlat=True)
+    got, expected = healpy.ang2pix(nside, lon, lat, nest, True), reference.ang2pix(nside, lon, lat, nest, True)
+    # degrees are rounded: at 2^29 pixels have 1e-9 rad, and some points in 10^6 are within 1e-15 of a border
+    assert (got != expected).sum() <= (5 if nside == 2**29 else 0)
+
+
+@BOTH
+@pytest.mark.parametrize("nside", SIDES)
+def test_pixels_to_points(nside, nest, random):
+    pixel = pixels(random, nside)
+    assert close(healpy.pix2ang(nside, pixel, nest), reference.pix2ang(nside, pixel, nest), 4e-15)
+    assert close(healpy.pix2vec(nside, pixel, nest), reference.pix2vec(nside, pixel, nest), 4e-15)
+    assert close(healpy.pix2ang(nside, pixel, nest, True), reference.pix2ang(nside, pixel, nest, True), 3e-13)
+
+
+@pytest.mark.parametrize("nside", SIDES)
+def test_orders(nside, random):
+    pixel = pixels(random, nside)
+    assert np.array_equal(healpy.nest2ring(nside, pixel), reference.nest2ring(nside, pixel))
+    assert np.array_equal(healpy.ring2nest(nside, pixel), reference.ring2nest(nside, pixel))
+
+
+@BOTH
+@pytest.mark.parametrize("nside", [1, 2, 64, 2**29])
+def test_neighbours(nside, nest, random):
+    pixel = pixels(random, nside)
+    assert np.array_equal(healpy.get_all_neighbours(nside, pixel, nest=nest), reference.get_all_neighbours(nside, pixel, nest=nest))
+
+
+def test_neighbours_of_angles():
+    assert np.array_equal(healpy.get_all_neighbours(8, 0.3, 0.4), reference.get_all_neighbours(8, 0.3, 0.4))
+
+
+@BOTH
+@pytest.mark.parametrize("nside", [1, 64, 2**29])
+def test_boundaries(nside, nest, random):
+    pixel = pixels(random, nside)[:COUNT // 64]  # 10^6 points with 16 steps a side
+    assert np.abs(healpy.boundaries(nside, pixel, 16, nest) - reference.boundaries(nside, pixel, 16, nest)).max() < 4e-15
+    assert healpy.boundaries(nside, int(pixel[0]), 2, nest).shape == (3, 8)
+
+
+def test_vectors_and_angles(vectors):
+    length = np.linalg.norm(vectors, axis=0)
+    theta, phi = healpy.vec2ang(vectors.T)
+    # healpy's arc cosine loses half of the digits at the poles: compared where it does not
+    assert np.abs(theta - reference.vec2ang(vectors.T)[0])[np.abs(vectors[2] / length) < 0.99].max() < 1e-14
+    assert np.abs(phi - reference.vec2ang(vectors.T)[1]).max() < 1e-15
+    assert np.abs(healpy.ang2vec(theta, phi) - reference.ang2vec(theta, phi)).max() < 2e-16
+    assert np.abs(healpy.ang2vec(theta, phi).T - vectors / length).max() < 1e-15
+    lon, lat = np.degrees(phi), 90 - np.degrees(theta)
+    assert np.abs(healpy.ang2vec(lon, lat, lonlat=True) - reference.ang2vec(lon, lat, lonlat=True)).max() < 1e-15
+    for one in ((1, 2, 3), [0, 0, 1]):
+        assert np.allclose(healpy.vec2ang(one), reference.vec2ang(np.array(one)))
+
+
+@pytest.mark.parametrize("options", [{}, {"pess": True}, {"power": -2}, {"order_in": "NEST"}, {"order_out": "NEST"},
+                                     {"order_in": "RING", "order_out": "NEST", "dtype": np.float32}], ids=str)
+@pytest.mark.parametrize("nside", [8, 128, 256, 512])
+def test_ud_grade(nside, options, random):
+    values = random.normal(size=12 * 256**2)  # 786,432
+    if nside <= 256 or "power" not in options:
+        values[random.integers(0, values.size, 1000)] = healpy.UNSEEN
+    got, expected = healpy.ud_grade(values, nside, **options), reference.ud_grade(values, nside, **options)
+    assert got.dtype == expected.dtype and np.array_equal(got == healpy.UNSEEN, np.abs(expected / healpy.UNSEEN - 1) < 1e-5) or \
+        "dtype" in options
+    assert (np.abs(got - expected) <= 1e-6 * np.maximum(1, np.abs(expected))).all()
+
+
+def test_maps(random):
+    values = random.normal(size=(2, 12 * 16**2)).astype(np.float32)
+    assert np.array_equal(healpy.reorder(values, r2n=True), reference.reorder(values, r2n=True))
+    assert np.array_equal(healpy.reorder(values[0], inp="NEST", out="RING"), reference.reorder(values[0], inp="NEST", out="RING"))
+    assert healpy.ud_grade(values, 4).shape == (2, 192) and healpy.get_nside(values[0]) == 16
+    whole = np.arange(12 * 16**2)
+    assert healpy.ud_grade(whole, 32).dtype == reference.ud_grade(whole, 32).dtype
+
+
+@BOTH
+def test_discs(nest, random):
+    found = 0
+    while found < COUNT:
+        nside = int(2 ** random.integers(0, 9))
+        vector, radius = random.normal(size=3), random.choice([0.01, 0.3, 1, 3.2]) * random.random()
+        got = healpy.query_disc(nside, vector, radius, nest=nest)
+        assert np.array_equal(got, np.sort(reference.query_disc(nside, vector, radius, nest=nest)))
+        found += max(got.size, 1)
+
+
+@BOTH
+def test_discs_with_all_that_overlaps(nest, random):
+    for _ in range(60):
+        nside, vector = int(2 ** random.integers(0, 7)), random.normal(size=3)
+        radius = random.choice([1e-3, 0.1, 1, 3]) * random.random()
+        got = healpy.query_disc(nside, vector, radius, inclusive=True, nest=nest)
+        # points of the disc are in its pixels
+        axis = np.cross(vector, random.normal(size=(500, 3)))
+        axis /= np.linalg.norm(axis, axis=1)[:, np.newaxis]
+        angle = radius * np.sqrt(random.random(500))[:, np.newaxis] * (1 - 1e-12)
+        points = np.cos(angle) * vector / np.linalg.norm(vector) + np.sin(angle) * axis
+        assert np.isin(healpy.vec2pix(nside, *points.T, nest), got).all()
+        few = reference.query_disc(nside, vector, radius, inclusive=True, nest=nest)
+        assert got.size <= few.size + 0.3 * few.size + 10
+
+
+def test_sizes():
+    for nside in (1, 2, 256, 2**20):
+        for name in ("nside2npix", "nside2pixarea", "nside2resol", "max_pixrad", "nside2order"):
+            assert getattr(healpy, name)(nside) == pytest.approx(getattr(reference, name)(nside), rel=1e-13), name
+        assert healpy.npix2nside(12 * nside**2) == nside and healpy.isnpixok(12 * nside**2)
+    assert healpy.order2nside(5) == 32 and healpy.npix2order(healpy.order2npix(4)) == 4
+    assert healpy.nside2resol(64, arcmin=True) == pytest.approx(reference.nside2resol(64, arcmin=True))
+    assert healpy.isnsideok(3) and not healpy.isnsideok(3, nest=True) and not healpy.isnsideok(0)
+    assert healpy.isnsideok(np.array([1, 3, 0]), True).tolist() == [True, False, False]
+
+
+def test_arrays_of_resolutions(random):
+    nside = 2 ** random.integers(0, 10, 1000)
+    theta, phi = random.uniform(0, np.pi, 1000), random.uniform(0, 7, 1000)
+    pixel = healpy.ang2pix(nside, theta, phi)
+    assert np.array_equal(pixel, reference.ang2pix(nside, theta, phi))
+    assert close(healpy.pix2ang(nside, pixel), reference.pix2ang(nside, pixel), 4e-15)
+
+
+def test_what_is_refused_and_what_is_none():
+    for bad in (-0.1, np.pi + 1e-3, np.nan):
+        with pytest.raises(ValueError):
+            healpy.ang2pix(8, bad, 0.0)
+        with pytest.raises(ValueError):
+            healpy.ang2pix(8, np.array([0.1, bad]), 0.0)
+    assert healpy.ang2pix(8, np.pi + 1e-6, 0.0) == reference.ang2pix(8, np.pi + 1e-6, 0.0)
+    with pytest.raises(ValueError):
+        healpy.ang2pix(3, 0.1, 0.1, nest=True)
+    with pytest.raises(ValueError):
+        healpy.vec2pix(8, 0.0, 0.0, 0.0)
+    assert np.isnan(healpy.pix2ang(8, 12 * 64)).all() and np.isnan(healpy.pix2ang(8, np.array([-1]))).all()
+
+
+def test_rings_and_pixels():
+    hp = Healpix(7)
+    assert [hp.ring_info(ring).first for ring in (1, 2)] == [0, 4] and hp.ring_count == 27
+    ring, index = hp.ring_from_pixel(np.arange(hp.pixel_count))
+    assert ring.max() == 27 and np.array_equal(ring, reference.pix2ring(7, np.arange(hp.pixel_count)))
+    assert index[:5].tolist() == [0, 1, 2, 3, 0]
+    assert hp.regrade(np.ones(hp.pixel_count), Healpix(7)).sum() == hp.pixel_count

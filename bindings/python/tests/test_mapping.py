@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: MIT
+"""Mappings as ufuncs: vectors of high precision, strides, types, single numbers, bad input, life."""
+
+import gc
+import pickle
+import threading
+
+import cubemap
+import numpy as np
+import pytest
+from cubemap import _core
+from hypothesis import given
+from hypothesis import strategies as st
+
+EPS = 2.0**-53
+CUBES = [info.identifier for info in cubemap.catalogue() if info.kind == "cube"]
+
+
+def vector_files(root):
+    return sorted(root.glob("tests/vectors/*.txt"))
+
+
+def read_vectors(path):
+    head, rows = {}, {"F": [], "I": [], "D": [], "R": []}
+    for line in path.read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["#"] and words[1] in ("specification", "frame"):
+            head[words[1]] = words[2]
+        elif words and words[0] in rows and words[-1] != "tie":
+            rows[words[0]].append([float(word) for word in words[1:]])
+    return head, {kind: np.array(lines).T for kind, lines in rows.items() if lines}
+
+
+def test_vectors(root):
+    worst, files = 0.0, vector_files(root)
+    for path in files:
+        head, rows = read_vectors(path)
+        m = cubemap.Mapping(head["specification"], head["frame"])
+        if "D" in rows:
+            x, y, z, face, u, v = rows["D"]
+            got = m.forward(x, y, z)
+            assert np.array_equal(got[0], face), path.name
+            worst = max(worst, np.abs(got[1] - u).max(), np.abs(got[2] - v).max())
+        if "R" in rows:
+            face, u, v, *expected = rows["R"]
+            worst = max(worst, *(np.abs(one - other).max() for one, other in
+                                 zip(m.inverse(face.astype(np.uint8), u, v), expected, strict=True)))
+        if "F" in rows and m.info.family != "hybrid":
+            p, q, u, v = rows["F"]
+            got = m.warp(p, q)
+            worst = max(worst, np.abs(got[0] - u).max(), np.abs(got[1] - v).max())
+    assert len(files) > 40
+    assert 0 < worst <= 8 * 2 * EPS  # design: each coordinate within 8 eps
+
+
+@pytest.mark.parametrize("specification", CUBES)
+def test_round_trip(specification, points):
+    m = cubemap.Mapping(specification)
+    x, y, z = points
+    face, u, v = m.forward(x, y, z)
+    back = np.stack(m.inverse(face, u, v))
+    length = np.sqrt((points / np.abs(points).max(axis=0)) ** 2).sum(axis=0) * 0 + np.linalg.norm(
+        points / np.abs(points).max(axis=0), axis=0)
+    assert np.abs(back - points / np.abs(points).max(axis=0) / length).max() < 5e-15
+    assert face.dtype == np.uint8 and u.dtype == np.float64
+
+
+def test_strides_and_shapes_give_the_same_bits(points):
+    m = cubemap.Mapping()
+    x, y, z = points
+    face, u, v = m.forward(x, y, z)
+    packed = np.ascontiguousarray(points.T)  # x, y, z side by side
+    for got, expected in zip(m.forward(packed[:, 0], packed[:, 1], packed[:, 2]), (face, u, v), strict=True):
+        assert np.array_equal(got, expected)
+    for got, expected in zip(m.forward(x[::-3], y[::-3], z[::-3]), (face, u, v), strict=True):
+        assert np.array_equal(got, expected[::-3])
+    grid = [one.reshape(100, 1000).T for one in points]
+    for got, expected in zip(m.forward(*grid), (face, u, v), strict=True):
+        assert np.array_equal(got, expected.reshape(100, 1000).T)
+    # broadcast, and with strides of nothing
+    got = m.forward(x[:50, np.newaxis], y[np.newaxis, :60], 1.0)
+    expected = m.forward(np.repeat(x[:50], 60), np.tile(y[:60], 50), np.ones(3000))
+    for one, other in zip(got, expected, strict=True):
+        assert one.shape == (50, 60) and np.array_equal(one.ravel(), other)
+    jacobian = m.forward_jacobian(x[:999], y[:999], z[:999])
+    out = np.zeros((999, 3, 2)).transpose(0, 2, 1)
+    assert np.array_equal(m.forward_jacobian(x[:999], y[:999], z[:999], out=out), jacobian)
+
+
+def test_out_and_where(points):
+    m = cubemap.Mapping()
+    x, y, z = points
+    expected = m.forward(x, y, z)
+    out = np.empty(len(x), np.uint8), np.empty(len(x)), np.empty(len(x))
+    got = m.forward(x, y, z, out=out)
+    assert all(one is other for one, other in zip(got, out, strict=True))
+    assert all(np.array_equal(one, other) for one, other in zip(got, expected, strict=True))
+    # in place
+    u, v = x.copy(), y.copy()
+    m.forward(u, v, z, out=(None, u, v))
+    assert np.array_equal(u, expected[1]) and np.array_equal(v, expected[2])
+    # outputs that overlap inputs, shifted
+    row = np.concatenate((x, [0.0]))
+    m.forward(row[:-1], y, z, out=(None, row[1:], None))
+    assert np.array_equal(row[1:], expected[1])
+    where = np.arange(len(x)) % 7 == 0
+    marks = np.full(len(x), -5.0)
+    m.forward(x, y, z, out=(None, marks, None), where=where)
+    assert np.array_equal(marks, np.where(where, expected[1], -5.0))
+
+
+def test_single_numbers_are_numbers_and_have_the_bits_of_arrays(points):
+    for specification in ("coupled", "tangent", "qsc", "healpix", "s2"):
+        m = cubemap.Mapping(specification)
+        x, y, z = points[:, :300]
+        face, u, v = m.forward(x, y, z)
+        for k in range(300):
+            got = m.forward(float(x[k]), float(y[k]), float(z[k]))
+            assert got == (face[k], u[k], v[k]) and [type(one) for one in got] == [int, float, float]
+            assert m.forward_lonlat(float(u[k]), float(v[k])) == tuple(one[0] for one in m.forward_lonlat(u[k:k + 1], v[k:k + 1]))
+            assert m.inverse(*got) == tuple(one[0] for one in m.inverse(face[k:k + 1], u[k:k + 1], v[k:k + 1]))
+    assert cubemap.Mapping().forward(1, 0, 0) == (0, 0.0, 0.0)
+    with pytest.raises(TypeError):
+        cubemap.Mapping().forward("1", 0, 0)
+    with pytest.raises(TypeError):
+        cubemap.Mapping().forward(1, 0)
+    with pytest.raises(OverflowError):
+        cubemap.Mapping().forward(10**400, 0, 0)
+
+
+def test_float_loops_are_those_of_float(points):
+    m = cubemap.Mapping()
+    x, y, z = np.clip(points, -1e30, 1e30).astype(np.float32)
+    face, u, v = m.forward(x, y, z)
+    assert u.dtype == v.dtype == np.float32
+    wide = m.forward(x.astype(np.float64), y.astype(np.float64), z.astype(np.float64))
+    good = face == wide[0]
+    assert 0 < np.nanmax(np.abs(u - wide[1])[good]) < 1e-6
+    assert m.inverse(face, u, v)[0].dtype == np.float32
+    assert m.forward_distortion(x, y, z).area.dtype == np.float32
+
+
+@pytest.mark.parametrize("face", [256, -1, 2**40, -2**63, 6, 255])
+def test_faces_that_do_not_fit_are_refused_not_wrapped(face):
+    m = cubemap.Mapping()
+    assert np.isnan(m.inverse(face, 0.0, 0.0)).all()
+    assert np.isnan(np.array(m.inverse(np.int64(face), np.zeros(3), 0.0))).all()
+    mixed = m.inverse(np.array([face, 2], np.int64), 0.0, 0.0)
+    assert np.isnan(mixed[0][0]) and mixed[0][1] == -1.0
+
+
+def test_faces_of_reals_are_refused():
+    with pytest.raises(TypeError):
+        cubemap.Mapping().inverse(np.array([0.0]), 0.0, 0.0)
+
+
+def test_bad_input_gives_no_face_and_no_warning():
+    m = cubemap.Mapping()
+    with np.errstate(all="raise"):
+        face, u, v = m.forward([0.0, np.nan, np.inf, 5e-324, 1e308], 0.0, 0.0)
+    assert face.tolist() == [255, 255, 255, 0, 0] and np.isnan(u[:3]).all() and u[3:].tolist() == [0, 0]
+    assert m.forward(0.0, 0.0, 0.0)[0] == 255
+    assert m.forward(np.empty(0), np.empty(0), np.empty(0))[0].shape == (0,)
+
+
+@given(st.tuples(*[st.floats(width=64)] * 3))
+def test_any_numbers(numbers):
+    m = cubemap.Mapping()
+    face, u, v = m.forward(*numbers)
+    good = np.isfinite(numbers).all() and any(numbers)
+    assert (face < 6) == good
+    if good:
+        assert -1 <= u <= 1 and -1 <= v <= 1
+        assert abs(np.linalg.norm(m.inverse(face, u, v)) - 1) < 1e-15
+
+
+def test_threads_change_no_bit(random):
+    x, y, z = random.normal(size=(3, 400_000))
+    one, many = cubemap.Mapping("coupled"), cubemap.Mapping("coupled", threads=4)
+    assert one == many and pickle.loads(pickle.dumps(many))._threads == 4
+    for first, second in zip(one.forward(x, y, z), many.forward(x, y, z), strict=True):
+        assert np.array_equal(first, second)
+    assert np.array_equal(one.forward_jacobian(x, y, z), many.forward_jacobian(x, y, z))
+
+
+def test_python_threads_work_at_once(points):
+    m = cubemap.Mapping()
+    expected = m.forward(*points)
+    wrong = []
+
+    def work():
+        for _ in range(20):
+            wrong.extend(k for k, (one, other) in enumerate(zip(m.forward(*points), expected, strict=True))
+                         if not np.array_equal(one, other))
+
+    workers = [threading.Thread(target=work) for _ in range(4)]
+    [worker.start() for worker in workers]
+    [worker.join() for worker in workers]
+    assert not wrong
+
+
+def test_a_function_keeps_its_mapping_alive(points):
+    forward = cubemap.Mapping("tangent:c=1.1823").forward
+    ufunc = cubemap.Mapping("arvo").forward.ufunc
+    gc.collect()
+    expected = cubemap.Mapping("tangent:c=1.1823").forward(*points)
+    assert all(np.array_equal(one, other) for one, other in zip(forward(*points), expected, strict=True))
+    assert np.array_equal(ufunc(*points)[1], cubemap.Mapping("arvo").forward(*points)[1])
+
+
+def test_nothing_is_left_behind():
+    def made():
+        m = cubemap.Mapping()
+        m.forward(1.0, 0.0, 0.0), m.forward([1.0], 0.0, 0.0), m.forward_distortion(1.0, 0.0, 0.0)
+
+    for _ in range(50):
+        made()
+    gc.collect()
+    before = sum(isinstance(one, _core.Function) for one in gc.get_objects())
+    for _ in range(200):
+        made()
+    gc.collect()
+    assert sum(isinstance(one, _core.Function) for one in gc.get_objects()) <= before
+
+
+def test_derivatives_are_those_of_differences(random):
+    m = cubemap.Mapping("coupled")
+    x, y, z = random.normal(size=(3, 1000)) + [[3.0], [0.0], [0.0]]
+    length = np.sqrt(x * x + y * y + z * z)
+    x, y, z = x / length, y / length, z / length
+    good = m.forward(x, y, z)[0] == 0
+    x, y, z = x[good], y[good], z[good]
+    jacobian, step = m.forward_jacobian(x, y, z), 1e-6
+    for axis in range(3):
+        ahead = m.forward(x + step * (axis == 0), y + step * (axis == 1), z + step * (axis == 2))
+        behind = m.forward(x - step * (axis == 0), y - step * (axis == 1), z - step * (axis == 2))
+        same = (ahead[0] == 0) & (behind[0] == 0)
+        difference = np.stack([(a - b) / 2 / step for a, b in zip(ahead[1:], behind[1:], strict=True)], axis=-1)
+        assert same.sum() > 500 and np.abs(jacobian[..., axis] - difference)[same].max() < 1e-8
+    u, v = m.forward(x, y, z)[1:]
+    product = m.forward_jacobian(x, y, z) @ m.inverse_jacobian(np.uint8(0), u, v)
+    assert np.abs(product - np.eye(2)).max() < 1e-13
+    tissot = m.forward_distortion(x, y, z)
+    singular = np.linalg.svd(jacobian)[1]
+    assert np.abs(tissot.major - singular[:, 0]).max() < 1e-13 and np.abs(tissot.minor - singular[:, 1]).max() < 1e-13
+
+
+def test_what_a_mapping_has_not_is_said():
+    with pytest.raises(cubemap.Error, match="no such operation"):
+        cubemap.Mapping("healpix").warp(0.0, 0.0)
+    with pytest.raises(cubemap.Error, match="copled"):
+        cubemap.Mapping("copled")
+    with pytest.raises(cubemap.Error, match="must be in"):
+        cubemap.Mapping("tangent:c=-3")
+    with pytest.raises(cubemap.Error, match="no frame"):
+        cubemap.Mapping("tangent", "up")
+    with pytest.raises(cubemap.Error) as caught:
+        cubemap.Mapping("tangent", instructions="mmx")
+    assert caught.value.status == 9 and pickle.loads(pickle.dumps(caught.value)).status == 9
+    with pytest.raises(ValueError):
+        cubemap.Mapping("coupled\0")
+    with pytest.raises(ValueError):
+        cubemap.Mapping(threads=-1)
+
+
+def test_mappings_are_values():
+    for info in cubemap.catalogue():
+        m = cubemap.Mapping(info.identifier)
+        again = pickle.loads(pickle.dumps(m))
+        assert again == m and hash(again) == hash(m) and eval(repr(m)) == m and m.info == info
+    assert cubemap.Mapping("tangent:c=1.1823") != cubemap.Mapping("tangent")
+    assert cubemap.Mapping("coupled", "gl") != cubemap.Mapping("coupled")
+    assert cubemap.Mapping("COUPLED") == cubemap.Mapping()
+    assert cubemap.Mapping("asc:c=1" if cubemap.find_mapping("asc") is None else "tangent").info.identifier == "tangent"
+    assert cubemap.find_mapping("nothing") is None
+
+
+def test_frames():
+    geo = cubemap.Frame.named("geo")
+    assert cubemap.frames() == ("geo", "gl", "fits", "s2") and [face.name for face in geo.faces][:2] == ["front", "right"]
+    turned = cubemap.Frame("mine", geo.faces[1:] + geo.faces[:1])
+    m = cubemap.Mapping("coupled", turned)
+    assert m.forward(1.0, 0.0, 0.0)[0] == 5 and m.frame is turned and pickle.loads(pickle.dumps(m)) == m
+    with pytest.raises(cubemap.Error):
+        cubemap.Mapping("coupled", cubemap.Frame("bad", (geo.faces[0],) * 6))
+
+
+def test_instruction_sets_agree(points):
+    x, y, z = points
+    found = [cubemap.Mapping("coupled", instructions=name).forward(x, y, z) for name in cubemap.instruction_sets()]
+    for face, u, v in found[1:]:
+        assert np.array_equal(face, found[0][0]) and np.abs(u - found[0][1]).max() < 4 * EPS
+    fast = cubemap.Mapping("tangent", tier="fast")
+    assert fast.tier in ("fast", "exact")

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""The table of functions and what Python has of it; documents and types."""
+
+import ast
+import ctypes
+import importlib
+import inspect
+import re
+import subprocess
+import sys
+import typing
+
+import cubemap
+import cubemap.healpy
+import cubemap.large
+import cubemap.plot
+import pytest
+from cubemap import _core, _library
+
+
+@pytest.fixture(scope="session")
+def table(root):
+    sys.path.insert(0, str(root / "bindings"))
+    import function_table
+
+    return function_table.read(root / "bindings" / "functions")
+
+
+def found(name):
+    at = cubemap
+    for part in name.split("."):
+        at = inspect.getattr_static(at, part) if inspect.isclass(at) and part in at.__dict__ else getattr(at, part)
+    return at
+
+
+def test_every_name_of_the_table_is_there(table):
+    missing = []
+    for name in table.by_name("python"):
+        try:
+            found(name)
+        except AttributeError:
+            missing.append(name)
+    assert not missing
+
+
+def test_functions_for_many_points_are_those_of_the_table(table):
+    names = {function.name for function in table.functions if "python" in function.names}
+    assert set(_core.functions) <= names and len(_core.functions) > 60
+
+
+def test_structs_have_the_sizes_of_the_compiler():
+    assert len(_core.sizes) > 30
+    for name, size in _core.sizes.items():
+        assert ctypes.sizeof(getattr(_library, name)) == size, name
+
+
+def test_all_that_is_public_says_what_it_is():
+    silent = []
+    for module in (cubemap, cubemap.large, cubemap.plot, cubemap.healpy):
+        for name, value in vars(module).items():
+            if name.startswith("_") or not (inspect.isclass(value) or callable(value)):
+                continue
+            if not str(getattr(value, "__module__", "cubemap")).startswith("cubemap"):
+                continue
+            if not value.__doc__:
+                silent.append(name)
+            silent += [f"{name}.{one}" for one, method in (vars(value).items() if inspect.isclass(value) else ())
+                       if not one.startswith("_") and not isinstance(method, (tuple, str, int, dict))
+                       and type(method).__name__ not in ("_tuplegetter", "member_descriptor") and not method.__doc__]
+    assert not silent
+
+
+def test_types_name_the_methods(root):
+    stubs = ast.parse(open(cubemap._methods.__file__ + "i").read())
+    classes = {node.name: {item.name for item in node.body} for node in stubs.body if isinstance(node, ast.ClassDef)}
+    assert {"forward", "inverse", "forward_jacobian"} <= classes["MappingMethods"]
+    for name, methods in classes.items():
+        assert methods == {one for one in vars(getattr(cubemap._methods, name)) if not one.startswith("_")}
+    text = cubemap.Mapping().forward.__doc__
+    assert text.startswith("forward(x, y, z, /") and "cm_forward_array" in text and cubemap.Mapping.forward.__doc__ == text
+
+
+def code_of(path):
+    return re.findall(r"```python\n(.*?)```", path.read_text(), re.S)
+
+
+@pytest.mark.parametrize("page", ["README.md", "bindings/python/README.md", "docs/guide/python.md"])
+def test_documents_run_as_printed(root, page, tmp_path, monkeypatch):
+    """Each page's code as one program; what blocks of output, or the comments of prints, say is printed is printed."""
+    parts = code_of(root / page)
+    assert parts
+    monkeypatch.chdir(tmp_path)
+    program = "import matplotlib\nmatplotlib.use('Agg')\n" + "\n".join(parts).replace('"data/', f'"{root}/data/')
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=300)
+    assert ended.returncode == 0, ended.stderr
+    shown = [line for block in re.findall(r"```output-of-python\n(.*?)```", (root / page).read_text(), re.S) for line in block.splitlines()]
+    shown = shown or re.findall(r"^print\(.*\)  # (.*)$", "\n".join(parts), re.M)
+    assert [line.split() for line in ended.stdout.splitlines() if line.strip()][:len(shown)] == [line.split() for line in shown]
+
+
+def test_the_tutorial_draws(root, tmp_path):
+    import matplotlib.pyplot as plt
+
+    ended = subprocess.run([sys.executable, str(root / "bindings/python/tutorial.py"), str(tmp_path)], capture_output=True, text=True)
+    assert ended.returncode == 0, ended.stderr
+    pictures = sorted(path.name for path in tmp_path.glob("*.png"))
+    assert pictures == ["cells.png", "distortion.png", "earth.png", "healpix.png", "indicatrices.png"]
+    for name in pictures:
+        assert plt.imread(tmp_path / name)[..., :3].std() > 0.05, name
+
+
+def test_further_parts_are_there_without_an_import():
+    program = "import cubemap, sys; assert 'matplotlib' not in sys.modules; print(cubemap.healpy.nside2npix(4), cubemap.plot.__name__)"
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert ended.stdout.split() == ["192", "cubemap.plot"], ended.stderr
+    with pytest.raises(AttributeError, match="has no attribute 'nothing'"):
+        cubemap.nothing
+
+
+def hinted(names, where):
+    """Functions and the methods of classes that the package's own files have, without those that begin with _."""
+    for name in names:
+        one = getattr(where, name)
+        if inspect.isfunction(one) and one.__module__.startswith("cubemap."):
+            yield f"{where.__name__}.{name}", one
+        elif inspect.isclass(one) and one.__module__.startswith("cubemap."):
+            for member, value in vars(one).items():
+                value = getattr(value, "fget", None) or getattr(value, "__func__", value)
+                if inspect.isfunction(value) and value.__module__ == one.__module__ and (member == "__init__" or member[0] != "_"):
+                    yield f"{name}.{member}", value
+
+
+@pytest.mark.parametrize("where", ["cubemap", "cubemap.healpy", "cubemap.large", "cubemap.plot"])
+def test_what_is_written_by_hand_has_types(where):
+    module = importlib.import_module(where)
+    found = dict(hinted([name for name in vars(module) if name[0] != "_"], module))
+    assert found
+    for name, function in found.items():
+        arguments = [one for one in inspect.signature(function).parameters if one not in ("self", "cls")]
+        assert set(typing.get_type_hints(function)) == {*arguments, "return"}, name
