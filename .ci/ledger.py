@@ -4,6 +4,7 @@
 
 Usage: ledger.py LOG             writes the ledger of a run, of which LOG is BUILD/meson-logs/testlog.json
        ledger.py --check LOG     writes only which suite or room broke its budget; the exit status is 1 if one did
+       ledger.py --failed LOG    writes only the tests that failed, each with the end of what it wrote
 
 The budgets are those of tests/budgets.txt. A build with a sanitizer has the budget for that.
 """
@@ -18,6 +19,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUDGETS = ROOT / "tests" / "budgets.txt"
 SUITES = ("unit", "truth", "programs", "measure")
 LONGEST = 5  # tests that the ledger names
+LAST_LINES = 25  # of the output of a test that failed
+GOOD = ("OK", "EXPECTEDFAIL", "SKIP")
 
 
 def is_sanitized(build):
@@ -70,16 +73,30 @@ def write(tests, sums, limits):
     print("longest:", ", ".join(f"{name} {seconds:.0f}" for name, _, seconds in longest))
 
 
+def write_failed(log):
+    for line in log.read_text(encoding="utf-8").splitlines():
+        record = json.loads(line)
+        if record["result"] in GOOD:
+            continue
+        print(f"{record['name']}: {record['result']} after {record['duration']:.0f} s")
+        for stream in ("stdout", "stderr"):
+            for each in record.get(stream, "").splitlines()[-LAST_LINES:]:
+                print("   ", each)
+
+
 def main(arguments):
-    check = arguments[:1] == ["--check"]
-    if len(arguments) != 1 + check:
+    what = arguments[0] if arguments[:1] in (["--check"], ["--failed"]) else None
+    if len(arguments) != 1 + (what is not None):
         print(__doc__.strip(), file=sys.stderr)
         return 2
     log = pathlib.Path(arguments[-1])
+    if what == "--failed":
+        write_failed(log)
+        return 0
     tests = durations(log)
     sums = sums_of(tests)
     limits = budgets(is_sanitized(log.parent.parent))
-    if not check:
+    if what is None:
         write(tests, sums, limits)
         return 0
     broken = broken_of(sums, limits)

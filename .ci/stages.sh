@@ -7,8 +7,9 @@
 passed=0
 failed=0
 output=$(mktemp)
-ledger=$(mktemp) # what ends the output
-trap 'rm -f "$output" "$ledger"' EXIT
+ledger=$(mktemp)   # what ends the output
+failures=$(mktemp) # and before the total, what failed and how: of a long output often the end alone is kept
+trap 'rm -f "$output" "$ledger" "$failures"' EXIT
 
 # begin NAME: the head of a stage.
 begin()
@@ -31,16 +32,26 @@ count()
     failed=$((failed + $2))
 }
 
+# note_failure LINE...: what failed in this stage, then the end of the stage's output.
+note_failure()
+{
+    {
+        printf '%s: %s\n' "$stage" "$*"
+        tail -n 25 "$output" | sed 's/^/    /'
+    } >>"$failures"
+}
+
 # note_suites BUILD: into the ledger what its suites took; each budget that one broke is a failure.
 note_suites()
 {
     local log broken line
     log=$(find "$root/$1/meson-logs" -name 'testlog*.json' 2>/dev/null || true)
     [[ -f $log ]] || return 0
+    "$root/.ci/ledger.py" --failed "$log" | sed "s/^/$stage: /" >>"$failures"
     "$root/.ci/ledger.py" "$log" | sed 's/^/    /' >>"$ledger"
     [[ $keeps_budgets -eq 1 ]] || return 0
     broken=$("$root/.ci/ledger.py" --check "$log") || while read -r line; do
-        echo "$stage: $line" | tee -a "$ledger"
+        echo "$stage: $line" | tee -a "$failures"
         count 0 1
     done <<<"$broken"
 }
@@ -60,7 +71,7 @@ check()
     if [[ $(tail -n 1 "$output") =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed$ ]]; then
         count "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}"
     else
-        echo "== $stage: no build, no tests"
+        note_failure 'no build, no tests'
         count 0 1
     fi
     end
@@ -74,8 +85,9 @@ fuzz()
     CUBEMAP_MESON_ARGS='-Dwerror=true -Dpeers=disabled' "$root/scripts/fuzz" "$1" 2>&1 | tee "$output" || true
     if [[ $(tail -n 1 "$output") =~ ^([0-9]+)\ harnesses,\ ([0-9]+)\ findings$ ]]; then
         count $((BASH_REMATCH[1] - BASH_REMATCH[2])) "${BASH_REMATCH[2]}"
+        [[ ${BASH_REMATCH[2]} -eq 0 ]] || note_failure 'findings'
     else
-        echo '== fuzzers: no build, no runs'
+        note_failure 'no build, no runs'
         count 0 1
     fi
     end
@@ -86,20 +98,30 @@ one()
 {
     begin "$1"
     shift
-    if "$@"; then
+    local status=0
+    # no pipe: the command may wait for what this shell began
+    "$@" > >(tee "$output") 2>&1 || status=$?
+    wait "$!"
+    if [[ $status -eq 0 ]]; then
         count 1 0
     else
+        note_failure "$(basename "$1") failed"
         count 0 1
     fi
     end
 }
 
-# finish: the ledger, the total, and the exit status.
+# finish: the ledger, what failed, the total, and the exit status.
 finish()
 {
     printf '\n== ledger\n'
     cat "$ledger"
     printf '%-56s %5d s\n\n' 'all' "$SECONDS"
+    if [[ -s $failures ]]; then
+        printf '== failed\n'
+        cat "$failures"
+        echo
+    fi
     echo "$passed passed, $failed failed"
     [[ $failed -eq 0 ]]
 }
