@@ -31,7 +31,12 @@ typedef enum cm_status
     CM_ERROR_CELL = 13,   /* a number or a text that is no cell, a level or a place that is none */
     CM_ERROR_PIXEL = 14,  /* an nside or a pixel that HEALPix does not have, or no point */
     CM_ERROR_SPACE = 15,  /* more results than there is room for */
-    CM_ERROR_STOPPED = 16 /* the caller's callback ended the work */
+    CM_ERROR_STOPPED = 16, /* the caller's callback ended the work */
+    CM_ERROR_CAMERA = 17,  /* a camera, a pose or a view that is none */
+    CM_ERROR_RANK = 18,    /* too little is given to determine the answer */
+    CM_ERROR_FILE = 19,    /* the system did not open, read or write a file */
+    CM_ERROR_DATA = 20,    /* a file or a blob that is damaged, or of another kind */
+    CM_ERROR_VERSION = 21  /* a file or a blob of a newer version than this library knows */
 } cm_status;
 
 /* One sentence without a full stop for each status, in English; never NULL, whatever the argument. */

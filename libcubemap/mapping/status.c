@@ -45,6 +45,16 @@ const char *cm_status_text(cm_status status)
         return "there are more results than there is room for";
     case CM_ERROR_STOPPED:
         return "stopped by the caller's callback";
+    case CM_ERROR_CAMERA:
+        return "no camera, pose or view is like this";
+    case CM_ERROR_RANK:
+        return "too little is given to determine the answer";
+    case CM_ERROR_FILE:
+        return "the file cannot be opened, read or written";
+    case CM_ERROR_DATA:
+        return "the data are damaged, or of another kind";
+    case CM_ERROR_VERSION:
+        return "the data are of a newer version";
     }
     return "unknown status";
 }

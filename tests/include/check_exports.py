@@ -16,7 +16,10 @@ import sys
 # What is not of libcubemap: colour maps and pictures have libraries of their own, kernels need none.
 OTHERS = {"colormap.h": "cubemap-colormap", "compare.h": "cubemap-image", "environment.h": "cubemap-image",
           "image.h": "cubemap-image", "mips.h": "cubemap-image", "panorama.h": "cubemap-image", "kernels.h": None,
-          "srgb.h": None}
+          "srgb.h": None,
+          # the module scene
+          **dict.fromkeys(("budget.h", "camera.h", "depth.h", "mesh.h", "pool.h", "pose.h", "random.h", "raster.h", "scene.h",
+                           "store.h", "trajectory.h", "view.h", "world.h"), "cubemap-scene")}
 
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.M)

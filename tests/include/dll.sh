@@ -13,14 +13,17 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# dll NAME USES SOURCE...: NAME.dll, which uses the DLL of that name unless it is empty
+# dll NAME USES SOURCE...: NAME.dll, which uses the DLLs of those names
 dll() {
-    local name=$1 uses=$2
+    local name=$1 uses=() each
+    for each in $2; do
+        uses+=("$folder/lib$each.dll.a")
+    done
     shift 2
     mkdir "$folder/$name"
     (cd "$folder/$name" && printf '%s\0' "$@" | xargs -0 -n 8 -P 4 "$prefix-gcc" -c -std=c11 -O0 -Wall -Wextra \
         -Wpedantic -Wconversion -Wno-float-conversion -Wshadow -Werror -DCM_BUILD -I"$root/include" -I"$root")
-    "$prefix-gcc" -shared -static -o "$folder/$name.dll" "$folder/$name"/*.o ${uses:+"$folder/lib$uses.dll.a"} \
+    "$prefix-gcc" -shared -static -o "$folder/$name.dll" "$folder/$name"/*.o "${uses[@]}" \
         -Wl,--out-implib,"$folder/lib$name.dll.a"
 }
 
@@ -39,6 +42,7 @@ dll cubemap "" "${plain[@]}"
 plain "$root"/modules/image/*.c
 dll cubemap-image cubemap "${plain[@]}"
 dll cubemap-colormap cubemap "$root"/modules/colormap/*.c
-for name in cubemap cubemap-colormap cubemap-image; do
+dll cubemap-scene 'cubemap cubemap-image' "$root"/modules/scene/*.c
+for name in cubemap cubemap-colormap cubemap-image cubemap-scene; do
     "$python" "$root/tests/include/check_exports.py" --library "$name" "$prefix-objdump" "$folder/$name.dll" "$root/include"
 done

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * All that the library cubemap-scene offers: cameras, poses, views and what modules of depth cameras share.
+ */
+#ifndef CUBEMAP_SCENE_H
+#define CUBEMAP_SCENE_H
+
+#include <cubemap/camera.h>
+#include <cubemap/pose.h>
+#include <cubemap/view.h>
+
+#endif
