@@ -67,6 +67,16 @@ compiles()
     echo "#include <$3>" | $1 -x "$2" -fsyntax-only - 2>/dev/null
 }
 
+# system_python: the Python that packages of Python are installed for.
+system_python()
+{
+    if [ -x /usr/bin/python3 ]; then
+        echo /usr/bin/python3
+    else
+        echo python3
+    fi
+}
+
 # has PACKAGE: whether what we want of the package is there, wherever it came from.
 has()
 {
@@ -118,13 +128,6 @@ has()
     npm) command -v npm >/dev/null ;;
     gcovr) command -v gcovr >/dev/null ;;
     valgrind) command -v valgrind >/dev/null && compiles "${CC:-cc}" c valgrind/callgrind.h ;;
-    python3-matplotlib)
-        python3 -c 'import matplotlib' 2>/dev/null ||
-            /usr/bin/python3 -c 'import matplotlib' 2>/dev/null ;;
-    python3-mpmath)
-        python3 -c 'import mpmath' 2>/dev/null || /usr/bin/python3 -c 'import mpmath' 2>/dev/null ;;
-    python3-pycparser)
-        python3 -c 'import pycparser' 2>/dev/null || /usr/bin/python3 -c 'import pycparser' 2>/dev/null ;;
     libegl-dev) compiles "${CC:-cc}" c EGL/egl.h ;;
     libgl-dev) compiles "${CC:-cc}" c GL/glcorearb.h ;;
     libopengl-dev) pkg-config --exists opengl 2>/dev/null ;;
@@ -140,8 +143,11 @@ has()
     python3-pip) /usr/bin/python3 -m pip --version >/dev/null 2>&1 ;;
     python3-venv) /usr/bin/python3 -c 'import ensurepip, venv' 2>/dev/null ;;
     python3-mesonpy) /usr/bin/python3 -c 'import mesonpy' 2>/dev/null ;;
-    python3-numpy | python3-pytest | python3-hypothesis | python3-healpy | python3-dask | python3-distributed | python3-xarray)
-        /usr/bin/python3 -c "import ${1#python3-}" 2>/dev/null ;;
+    # of the system's Python, which the package and its tests are made with: another that comes first in PATH may have them
+    # and helps nobody
+    python3-matplotlib | python3-mpmath | python3-pycparser | python3-numpy | python3-pytest | python3-hypothesis | \
+        python3-healpy | python3-dask | python3-distributed | python3-xarray)
+        "$(system_python)" -c "import ${1#python3-}" 2>/dev/null ;;
     *) die "has: no rule for $1" ;;
     esac
 }
