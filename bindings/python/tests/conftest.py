@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 import pathlib
 
+import hypothesis
 import numpy as np
 import pytest
 
@@ -24,3 +25,7 @@ def points(random):
 
 def pytest_addoption(parser):
     parser.addoption("--long", action="store_true", help="a raster of 20 GB instead of 200 MB")
+
+# no test is timed: machines are noisy; and the same inputs each time
+hypothesis.settings.register_profile("untimed", deadline=None, derandomize=True)
+hypothesis.settings.load_profile("untimed")
