@@ -144,13 +144,14 @@ static void judge(const double value[4], double noise, int *rank, int *is_determ
     const double s1 = 0.5 * (value[0] + value[2]);
     const double s2 = 0.5 * (value[0] + value[3]);
     const double least = 1e-12 * s0 + noise;
+    const int found = (s0 > noise) + (s1 > least) + (fabs(s2) > least);
     if (rank != NULL)
     {
-        *rank = (s0 > noise) + (s1 > least) + (fabs(s2) > least);
+        *rank = found;
     }
     if (is_determined != NULL)
     {
-        *is_determined = s0 > noise && s1 + s2 > least;
+        *is_determined = found >= 2 && s1 + s2 > least;
     }
 }
 
