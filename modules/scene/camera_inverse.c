@@ -40,7 +40,10 @@ static int come_nearer(const search *of, double ray[2], cm_lens_point *at)
     const double error = off_aim(of, at, off);
     const double move[2] = {(at->y_by_b * off[0] - at->x_by_b * off[1]) / at->determinant,
                             (at->x_by_a * off[1] - at->y_by_a * off[0]) / at->determinant};
-    for (double share = 1.0; share > 1e-3; share *= 0.5)
+    /* near a pole the axis's slope says nothing of what is far: no step is longer than the ray and a half */
+    const double longest = 0.5 + hypot(ray[0], ray[1]);
+    const double first = fmin(1.0, longest / hypot(move[0], move[1]));
+    for (double share = first; share > 1e-3 * first; share *= 0.5)
     {
         const double next[2] = {ray[0] - share * move[0], ray[1] - share * move[1]};
         const cm_lens_point there = cm_lens_at(of->lens, next[0], next[1]);
@@ -54,6 +57,14 @@ static int come_nearer(const search *of, double ray[2], cm_lens_point *at)
         }
     }
     return 0;
+}
+
+/* Where rounding ends it, a step is next to nothing. */
+static int is_still(const cm_lens_point *at, const double off[2], const double ray[2])
+{
+    const double move = fabs(at->y_by_b * off[0] - at->x_by_b * off[1]) +
+                        fabs(at->x_by_a * off[1] - at->y_by_a * off[0]);
+    return move <= 16.0 * CM_CAMERA_STILL * at->determinant * (fabs(ray[0]) + fabs(ray[1]));
 }
 
 static int descend(const search *of, double ray[2])
@@ -70,8 +81,7 @@ static int descend(const search *of, double ray[2])
         }
         if (!come_nearer(of, ray, &at))
         {
-            /* where rounding ends it, a little more is as near as it gets */
-            return most <= 4.0 * of->slack;
+            return is_still(&at, off, ray) || most <= 4.0 * of->slack;
         }
     }
     return 0;

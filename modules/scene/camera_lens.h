@@ -72,7 +72,10 @@ static inline cm_lens_point cm_lens_at(const cm_lens *lens, double a, double b)
     at.x_by_b = LENS_MAD(a, bend_b, b * rise_x);
     at.y_by_a = LENS_MAD(b, bend_a, a * rise_y);
     at.y_by_b = LENS_MAD(b, bend_b, LENS_MAD(b, rise_y, scale));
-    at.determinant = at.x_by_a * at.y_by_b - at.x_by_b * at.y_by_a;
+    /* x_by_a y_by_b - x_by_b y_by_a without what cancels, which is nearly all of it far from the axis */
+    const double swell = LENS_MAD(a, bend_a + rise_x, LENS_MAD(b, bend_b + rise_y, scale));
+    const double twist = LENS_MAD(lens->p2_twice, b, -(lens->p1_twice * a));
+    at.determinant = LENS_MAD(scale, swell, twist * LENS_MAD(a, rise_y, -(b * rise_x)));
     at.divisor = below;
     return at;
 }

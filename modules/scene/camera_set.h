@@ -12,6 +12,9 @@
 
 #define CM_CAMERA_BLOCK 64
 
+/* A step of so much of a ray is none: beside a pole pixels are so dense that no double has a smaller residual. */
+#define CM_CAMERA_STILL 0x1p-49
+
 /* A block on its way: first what is asked, then what is found. */
 typedef struct cm_camera_block
 {

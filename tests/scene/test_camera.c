@@ -83,8 +83,8 @@ END_TEST
 START_TEST(sizes_fit_the_mapping)
 {
     cm_mapping *cube = make_mapping("coupled", NULL);
-    cm_mapping *fisheye = make_mapping("equidistant", NULL);
-    cm_mapping *disc = make_mapping("shirley", NULL);
+    cm_mapping *fisheye = make_mapping("azimuthal:equidistant", NULL);
+    cm_mapping *disc = make_mapping("square:shirley", NULL);
     cm_camera_options options = {.size = sizeof options, .width = 64, .height = 64};
     cm_camera *camera = NULL;
     options.mapping = cube;
@@ -333,7 +333,7 @@ END_TEST
 START_TEST(copies_are_the_same_mapping)
 {
     const char *const specifications[] = {"tangent:c=1.1", "quincuncial:lambert,elliptical",
-                                          "stereographic:fov=200", "healpix"};
+                                          "azimuthal:stereographic,fov=200", "healpix"};
     ck_assert_int_eq(cm_mapping_copy(NULL, NULL), CM_ERROR_ARGUMENT);
     for (size_t i = 0; i < sizeof specifications / sizeof *specifications; i++)
     {

@@ -108,8 +108,11 @@ static void check_rays(const cm_camera *camera, int count)
         REQUIRE(pixel_of(camera, ray, pixel), "%g of %g", length, border);
         REQUIRE(ray_of(camera, pixel, again), "no ray for %.17g %.17g: %g of %g", pixel[0],
                 pixel[1], length, border);
-        REQUIRE(pixel_of(camera, again, there) && apart(there, pixel) <= 1e-9, "%g",
+        /* beside a pole pixels go to infinity, and an ulp of a ray is more than 1e-9 of them */
+        const int is_far = fabs(pixel[0]) + fabs(pixel[1]) > 5000.0;
+        REQUIRE(pixel_of(camera, again, there) && (is_far || apart(there, pixel) <= 1e-9), "%g",
                 apart(there, pixel));
+        REQUIRE(apart(again, ray) <= (is_far ? 1e-11 : 1e-4) * length, "%g", apart(again, ray));
         const double outer[3] = {border * 1.0001 * cos(angle), border * 1.0001 * sin(angle), 1.0};
         REQUIRE(border == (double)INFINITY || !pixel_of(camera, outer, pixel), "%g: %g", angle,
                 border);
@@ -271,20 +274,20 @@ END_TEST
  * distortion is strong (opencv#27916, #6091; kornia#4285). */
 START_TEST(fixed_points_fail_where_newton_does_not)
 {
-    static const double lenses[][14] = {{-0.4}, {-0.9}, {-0.35, 0.12, 0.02, -0.01}, {2.0, 4.0}};
+    static const double lenses[][14] = {{-0.6}, {-0.9}, {-0.8, 0.12, 0.02, -0.01}, {2.0, 4.0}};
     for (size_t i = 0; i < sizeof lenses / sizeof *lenses; i++)
     {
         cm_camera_options options = {.size = sizeof options,
                                      .width = 640,
                                      .height = 480,
-                                     .fx = 400.0,
-                                     .fy = 400.0,
+                                     .fx = 800.0,
+                                     .fy = 800.0,
                                      .cx = 319.5,
                                      .cy = 239.5};
         memcpy(options.distortion, lenses[i], sizeof options.distortion);
         cm_camera *camera = make(&options);
         const double angle = 0.6;
-        const double length = fmin(0.97 * cm_camera_border(camera, angle), 0.8);
+        const double length = fmin(0.98 * cm_camera_border(camera, angle), 0.9);
         const double ray[3] = {length * cos(angle), length * sin(angle), 1.0};
         double pixel[2];
         double ours[3];
