@@ -542,7 +542,30 @@ def panorama_inputs():
     }
 
 
+def camera_inputs():
+    """Sizes, focal lengths, coefficients, points and pixels, or a mapping."""
+    def sized(*values):
+        return b"".join(bytes([1]) + fractions(value) for value in values)
+
+    def raw(*values):
+        return b"".join(bytes([0]) + number("d", value) for value in values)
+
+    size = bytes([1, 1])
+    places = b"".join(one + sized(0.2, 0.1) for one in directions("d")[2:])
+    lens = sized(-0.3, 0.1, 0.01, -0.01, 0.02, 0.1, 0.0, 0.0, 0.01, 0.0, 0.01, 0.0, 0.1, -0.1)
+    return {
+        "plain": bytes([1]) + size + sized(0.5, 0.5, 0.4, 0.3) + bytes([1, 0]) + sized(0.1) + places,
+        "lens": bytes([1]) + size + sized(0.5, 0.5, 0.4, 0.3) + bytes([1, 14]) + lens + sized(0.1) + places,
+        "fold": bytes([1]) + size + sized(0.5, -0.5, 0.4, 0.3) + bytes([1, 2]) + sized(-0.9, 0.3) + sized(0.1) + places,
+        "none": bytes([1]) + size + raw(float("nan"), 0.0, 1.0, 1.0) + bytes([1, 0]),
+        "huge": bytes([1, 0]) + word(-1) + bytes([0]) + word(-1) + sized(0.5, 0.5, 0.4, 0.3),
+        "coupled": bytes([0]) + subject(COUPLED) + bytes([63]) + places,
+        "healpix": bytes([0]) + subject(HEALPIX) + bytes([7]) + places,
+    }
+
+
 INPUTS = {
+    "camera": camera_inputs(),
     "environment": environment_inputs(),
     "panorama": panorama_inputs(),
     "surface": surface_inputs(),
