@@ -173,6 +173,70 @@ def degrees_inputs():
     return inputs
 
 
+def amounts(*values):
+    """Small numbers as the harnesses of scenes take them: a kind of which the rest by 8 is the number, and halves of 1."""
+    return b"".join(bytes([32 + int(value)]) if value == int(value) else bytes([200]) + fractions(value)
+                    for value in values)
+
+
+def pose_inputs():
+    """Two twists, a place between, and a quaternion; then any pose."""
+    numbers = amounts(*[0.5, -0.25, 0.125, 0.3, -0.7, 0.1, 0.9, -0.9, 0.6, 0.2, -0.4, 0.8, 0.5])
+    quaternion = bytes([1]) + amounts(*[0.1, 0.2, 0.3, 0.5, -0.5, 0.5, 0.5])
+    raw = bytes([0]) + number("d", float("nan"))
+    half_turn = bytes([160 + 4]) * 12
+    return {
+        "some": numbers + quaternion + amounts(*[0.5] * 12),
+        "half-turn": half_turn + amounts(0.5) + quaternion,
+        "none": raw * 12 + quaternion,
+        "rest": bytes([0]) * 200,
+    }
+
+
+def pool_inputs():
+    """A pool and what is within, elements, the least of a piece."""
+    return {
+        "one": bytes([1, 0, 100, 1]),
+        "many": bytes([3, 2, 0, 1, 2 + 4, 1, 3, 7, 3 + 8, 1, 255, 0]),
+        "none": bytes([3, 0, 0, 1, 0, 1, 1, 1]),
+        "greatest": bytes([195, 1, 0, 3, 255, 0, 9, 9]),
+    }
+
+
+def random_inputs():
+    """Seed, view, first pixel, sample, how many, a block, their means."""
+    place = word(1) + word(2) + word(3) + word(2**32 - 2) + word(5)
+    means = b"".join(bytes([0]) + number("d", mean) for mean in (0.5, 9.999, 10.0, 1e3, 1e9, -1.0, float("nan"), 1e300))
+    return {"some": place + bytes([8]) + word(7) + means, "none": place + bytes([0]) + word(0)}
+
+
+def budget_inputs():
+    """Its size, how many, a limit; of each flags, six bytes of its name, and amounts; the rest is the subject."""
+    def entry(flags, name, contribution, cost):
+        return bytes([flags]) + name + bytes([32 + contribution, 32 + cost])
+    entries = entry(3, b"noise ", 1, 2) + entry(0, b"blur\n\xff", 5, 0) + entry(2, b"m" + bytes(5), 3, 7)
+    return {
+        "three": bytes([0, 3, 36]) + entries + b'of "all"',
+        "none": bytes([0, 0, 32]) + b"nothing",
+        "refused": bytes([0, 3, 4]) + number("d", -1.0) + entries,
+    }
+
+
+def trajectory_inputs():
+    """Two trajectories, a time, then what is done with them."""
+    def poses(count, gap):
+        steps = [bytes([gap]) + amounts(*[0.1 * i - 0.5, 0.5, 0.25, 0.125, 0.01 * i, -0.3]) for i in range(count)]
+        return bytes([count]) + amounts(1) + b"".join(steps)
+    rest = amounts(1.5 - 1.0) + amounts(4, 0, 1, 0.1, 0.01, 0.001) + amounts(1) + bytes([0]) + amounts(0, 0)
+    return {
+        "two": poses(12, 20) + poses(12, 20) + rest,
+        "near": poses(20, 1) + poses(9, 2) + rest,
+        "one": poses(1, 9) + poses(2, 9) + rest,
+        "none": poses(0, 0) + poses(3, 0) + rest,
+        "far": bytes([3, 0]) + number("d", 1e300) + poses(3, 200) + rest,
+    }
+
+
 def rotation_inputs():
     """A direction, three angles, an element to change, one of the table, a text."""
     def one(direction, angles, text):
@@ -478,7 +542,30 @@ def panorama_inputs():
     }
 
 
+def camera_inputs():
+    """Sizes, focal lengths, coefficients, points and pixels, or a mapping."""
+    def sized(*values):
+        return b"".join(bytes([1]) + fractions(value) for value in values)
+
+    def raw(*values):
+        return b"".join(bytes([0]) + number("d", value) for value in values)
+
+    size = bytes([1, 1])
+    places = b"".join(one + sized(0.2, 0.1) for one in directions("d")[2:])
+    lens = sized(-0.3, 0.1, 0.01, -0.01, 0.02, 0.1, 0.0, 0.0, 0.01, 0.0, 0.01, 0.0, 0.1, -0.1)
+    return {
+        "plain": bytes([1]) + size + sized(0.5, 0.5, 0.4, 0.3) + bytes([1, 0]) + sized(0.1) + places,
+        "lens": bytes([1]) + size + sized(0.5, 0.5, 0.4, 0.3) + bytes([1, 14]) + lens + sized(0.1) + places,
+        "fold": bytes([1]) + size + sized(0.5, -0.5, 0.4, 0.3) + bytes([1, 2]) + sized(-0.9, 0.3) + sized(0.1) + places,
+        "none": bytes([1]) + size + raw(float("nan"), 0.0, 1.0, 1.0) + bytes([1, 0]),
+        "huge": bytes([1, 0]) + word(-1) + bytes([0]) + word(-1) + sized(0.5, 0.5, 0.4, 0.3),
+        "coupled": bytes([0]) + subject(COUPLED) + bytes([63]) + places,
+        "healpix": bytes([0]) + subject(HEALPIX) + bytes([7]) + places,
+    }
+
+
 INPUTS = {
+    "camera": camera_inputs(),
     "environment": environment_inputs(),
     "panorama": panorama_inputs(),
     "surface": surface_inputs(),
@@ -497,6 +584,11 @@ INPUTS = {
     "number": number_inputs(),
     "grid": grid_inputs(),
     "rotation": rotation_inputs(),
+    "pose": pose_inputs(),
+    "pool": pool_inputs(),
+    "random": random_inputs(),
+    "budget": budget_inputs(),
+    "trajectory": trajectory_inputs(),
     "orient": orient_inputs(),
     "advise": advise_inputs(),
     "point_lines": point_lines_inputs(),

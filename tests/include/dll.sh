@@ -42,7 +42,8 @@ dll cubemap "" "${plain[@]}"
 plain "$root"/modules/image/*.c
 dll cubemap-image cubemap "${plain[@]}"
 dll cubemap-colormap cubemap "$root"/modules/colormap/*.c
-dll cubemap-scene 'cubemap cubemap-image' "$root"/modules/scene/*.c
+plain "$root"/modules/scene/*.c
+dll cubemap-scene 'cubemap cubemap-image' "${plain[@]}"
 for name in cubemap cubemap-colormap cubemap-image cubemap-scene; do
     "$python" "$root/tests/include/check_exports.py" --library "$name" "$prefix-objdump" "$folder/$name.dll" "$root/include"
 done
