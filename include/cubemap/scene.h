@@ -5,8 +5,12 @@
 #ifndef CUBEMAP_SCENE_H
 #define CUBEMAP_SCENE_H
 
+#include <cubemap/budget.h>
 #include <cubemap/camera.h>
+#include <cubemap/pool.h>
 #include <cubemap/pose.h>
+#include <cubemap/random.h>
+#include <cubemap/trajectory.h>
 #include <cubemap/view.h>
 
 #endif
