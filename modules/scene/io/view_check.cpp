@@ -18,17 +18,17 @@ void OwnPicture::shape(std::uint32_t width, std::uint32_t height, std::uint32_t 
     image.channels = channels;
 }
 
-std::size_t pixel_step(const cm_image &image)
+std::ptrdiff_t pixel_step(const cm_image &image)
 {
-    return image.pixel_stride != 0 ? static_cast<std::size_t>(image.pixel_stride)
-                                   : cm_pixel_size(image.type) * image.channels;
+    return image.pixel_stride != 0
+               ? image.pixel_stride
+               : static_cast<std::ptrdiff_t>(cm_pixel_size(image.type) * image.channels);
 }
 
 const unsigned char *row_of(const cm_image &image, std::uint32_t row)
 {
-    const std::ptrdiff_t dense =
-        static_cast<std::ptrdiff_t>(pixel_step(image)) * std::ptrdiff_t{image.width};
-    const std::ptrdiff_t stride = image.row_stride != 0 ? image.row_stride : dense;
+    const std::ptrdiff_t stride =
+        image.row_stride != 0 ? image.row_stride : pixel_step(image) * std::ptrdiff_t{image.width};
     return static_cast<const unsigned char *>(image.data) + std::ptrdiff_t{row} * stride;
 }
 

@@ -41,7 +41,7 @@ struct OwnPicture
 
 // The first byte of a row, and the bytes from a pixel to the next.
 const unsigned char *row_of(const cm_image &image, std::uint32_t row);
-std::size_t pixel_step(const cm_image &image);
+std::ptrdiff_t pixel_step(const cm_image &image);
 
 // "" if the view is one of this camera's: a pose, a unit, and pictures of the camera's size; else what is wrong.
 std::string view_fault(const cm_view &view, const cm_camera *camera);

@@ -341,8 +341,7 @@ void cm_view_writer::put(const cm_view &view)
             for (std::uint32_t x = 0; x < image.width; ++x)
             {
                 bytes.insert(bytes.end(), at, at + size);
-                at += image.pixel_stride != 0 ? image.pixel_stride
-                                              : static_cast<std::ptrdiff_t>(size);
+                at += pixel_step(image);
             }
         }
         const std::size_t own = std::size_t{image.width} * image.height * size;
