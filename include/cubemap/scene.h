@@ -6,7 +6,9 @@
 #define CUBEMAP_SCENE_H
 
 #include <cubemap/camera.h>
+#include <cubemap/mesh.h>
 #include <cubemap/pose.h>
 #include <cubemap/view.h>
+#include <cubemap/world.h>
 
 #endif
