@@ -5,9 +5,13 @@
 #ifndef CUBEMAP_SCENE_H
 #define CUBEMAP_SCENE_H
 
+#include <cubemap/budget.h>
 #include <cubemap/camera.h>
 #include <cubemap/mesh.h>
+#include <cubemap/pool.h>
 #include <cubemap/pose.h>
+#include <cubemap/random.h>
+#include <cubemap/trajectory.h>
 #include <cubemap/view.h>
 #include <cubemap/world.h>
 

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+
+#include "camera_file.h"
+
+#include "file_failure.hpp"
+
+#include <cubemap/catalogue.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#include <cjson/cJSON.h>
+
+namespace
+{
+
+// A camera of more is a mistake: 2^31 pixels.
+constexpr double camera_pixels_most = 2147483648.0;
+constexpr std::uint64_t camera_bytes_most = std::uint64_t{1} << 20;
+constexpr double usual_depth_scale = 5000.0;
+
+struct CameraNumbers
+{
+    cm_camera_options options = {};
+    std::string mapping;
+    std::string frame = "geo";
+    double size = 0.0;
+    double depth_scale = usual_depth_scale;
+};
+
+class CameraText
+{
+public:
+    CameraText(const std::string &file_name, std::string_view whole) : name(file_name), text(whole)
+    {
+        const char *end = nullptr;
+        object.reset(cJSON_ParseWithLengthOpts(text.data(), text.size(), &end, 0));
+        if (!object)
+        {
+            const std::size_t place =
+                end == nullptr ? 0 : static_cast<std::size_t>(end - text.data());
+            fail_line(name, line_at(place), "is not JSON from here on");
+        }
+        const std::size_t rest = static_cast<std::size_t>(end - text.data());
+        const std::size_t more = text.find_first_not_of(" \t\r\n", rest);
+        if (more != std::string_view::npos && text[more] != '\0')
+        {
+            fail_line(name, line_at(more), "more than one object");
+        }
+        if (!cJSON_IsObject(object.get()))
+        {
+            fail_line(name, 1, "a camera is a JSON object, {...}");
+        }
+    }
+
+    CameraNumbers read() const;
+
+private:
+    std::size_t line_at(std::size_t place) const
+    {
+        const std::string_view before = text.substr(0, std::min(place, text.size()));
+        return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    }
+    [[noreturn]] void fail(const std::string &key, const std::string &what,
+                           cm_status status = CM_ERROR_CAMERA) const
+    {
+        const std::size_t place = text.find("\"" + key + "\"");
+        fail_line(name, line_at(place == std::string_view::npos ? 0 : place), what, status);
+    }
+    double number(const cJSON *item) const
+    {
+        if (!cJSON_IsNumber(item) || !std::isfinite(item->valuedouble))
+        {
+            fail(item->string, std::string(item->string) + " is not a finite number");
+        }
+        return item->valuedouble;
+    }
+    std::string word(const cJSON *item) const
+    {
+        if (!cJSON_IsString(item))
+        {
+            fail(item->string, std::string(item->string) + " is not a text");
+        }
+        return item->valuestring;
+    }
+    void take(const cJSON *item, CameraNumbers &camera) const;
+    void take_distortion(const cJSON *item, CameraNumbers &camera) const;
+    void check_keys() const;
+    void check_perspective(CameraNumbers &camera) const;
+    void check_size(double width, double height) const;
+
+    std::string name;
+    std::string_view text;
+    std::unique_ptr<cJSON, decltype(&cJSON_Delete)> object{nullptr, cJSON_Delete};
+};
+
+void CameraText::take_distortion(const cJSON *item, CameraNumbers &camera) const
+{
+    if (!cJSON_IsArray(item) || cJSON_GetArraySize(item) > 14)
+    {
+        fail("distortion", "distortion is not a list of at most 14 numbers");
+    }
+    std::size_t i = 0;
+    const cJSON *each = nullptr;
+    cJSON_ArrayForEach(each, item)
+    {
+        if (!cJSON_IsNumber(each) || !std::isfinite(each->valuedouble))
+        {
+            fail("distortion", "distortion has what is not a finite number");
+        }
+        camera.options.distortion[i++] = each->valuedouble;
+    }
+}
+
+void CameraText::take(const cJSON *item, CameraNumbers &camera) const
+{
+    const std::string key = item->string;
+    cm_camera_options &options = camera.options;
+    const std::array<std::pair<const char *, double *>, 7> numbers = {
+        {{"fx", &options.fx},
+         {"fy", &options.fy},
+         {"cx", &options.cx},
+         {"cy", &options.cy},
+         {"pixel_centre", &options.pixel_centre},
+         {"depth_scale", &camera.depth_scale},
+         {"size", &camera.size}}};
+    for (const auto &[known, to] : numbers)
+    {
+        if (key == known)
+        {
+            *to = number(item);
+            return;
+        }
+    }
+    if (key == "mapping" || key == "frame")
+    {
+        (key == "frame" ? camera.frame : camera.mapping) = word(item);
+    }
+    else if (key == "distortion")
+    {
+        take_distortion(item, camera);
+    }
+    else if (key == "width" || key == "height")
+    {
+        number(item);
+    }
+    else
+    {
+        fail(key, "a camera has no " + key.substr(0, 40));
+    }
+}
+
+void CameraText::check_size(double width, double height) const
+{
+    const bool whole =
+        width >= 1.0 && height >= 1.0 && width == std::floor(width) && height == std::floor(height);
+    if (!whole || width * height >= camera_pixels_most)
+    {
+        fail(cJSON_HasObjectItem(object.get(), "size") ? "size" : "width",
+             "a picture of " + number_text(width) + " x " + number_text(height) +
+                 " pixels; whole numbers are wanted, and less than 2^31 pixels");
+    }
+}
+
+void CameraText::check_perspective(CameraNumbers &camera) const
+{
+    for (const char *const key : {"width", "height", "fx", "fy", "cx", "cy"})
+    {
+        if (cJSON_GetObjectItemCaseSensitive(object.get(), key) == nullptr)
+        {
+            fail_line(name, 1, std::string(key) + " is missing", CM_ERROR_CAMERA);
+        }
+    }
+    for (const char *const key : {"frame", "size"})
+    {
+        if (cJSON_GetObjectItemCaseSensitive(object.get(), key) != nullptr)
+        {
+            fail(key, std::string(key) + " is of cameras with a mapping");
+        }
+    }
+    const double width = number(cJSON_GetObjectItemCaseSensitive(object.get(), "width"));
+    const double height = number(cJSON_GetObjectItemCaseSensitive(object.get(), "height"));
+    check_size(width, height);
+    camera.options.width = static_cast<std::uint32_t>(width);
+    camera.options.height = static_cast<std::uint32_t>(height);
+    if (camera.options.fx == 0.0 || camera.options.fy == 0.0)
+    {
+        fail(camera.options.fx == 0.0 ? "fx" : "fy", "a focal length of 0");
+    }
+}
+
+void CameraText::check_keys() const
+{
+    for (const cJSON *item = object->child; item != nullptr; item = item->next)
+    {
+        for (const cJSON *other = item->next; other != nullptr; other = other->next)
+        {
+            if (std::strcmp(item->string, other->string) == 0)
+            {
+                fail(item->string, std::string(item->string) + " is given twice");
+            }
+        }
+    }
+}
+
+CameraNumbers CameraText::read() const
+{
+    CameraNumbers camera;
+    camera.options.size = sizeof camera.options;
+    const cJSON *item = nullptr;
+    // before what is named twice, which takes the square of their number
+    cJSON_ArrayForEach(item, object.get())
+    {
+        take(item, camera);
+        if (cJSON_GetArraySize(object.get()) > 20)
+        {
+            fail_line(name, 1, "something is given twice", CM_ERROR_CAMERA);
+        }
+    }
+    check_keys();
+    if (!(camera.depth_scale > 0.0))
+    {
+        fail("depth_scale", "depth_scale is units of depth a metre, and greater than 0");
+    }
+    if (camera.mapping.empty())
+    {
+        check_perspective(camera);
+        return camera;
+    }
+    for (const char *const key : {"width", "height", "fx", "fy", "cx", "cy", "distortion"})
+    {
+        if (cJSON_GetObjectItemCaseSensitive(object.get(), key) != nullptr)
+        {
+            fail(key, std::string(key) + " is of cameras without a mapping");
+        }
+    }
+    check_size(camera.size, 6.0 * camera.size);
+    return camera;
+}
+
+using MappingPointer = std::unique_ptr<cm_mapping, decltype(&cm_mapping_destroy)>;
+
+MappingPointer make_mapping_of(const std::string &name, const CameraNumbers &camera)
+{
+    const cm_frame *const frame = cm_frame_find(camera.frame.c_str());
+    if (frame == nullptr)
+    {
+        fail_line(name, 1, "no frame is called \"" + camera.frame.substr(0, 40) + "\"",
+                  CM_ERROR_CAMERA);
+    }
+    char why[400] = "";
+    cm_mapping *mapping = nullptr;
+    const cm_status status = cm_mapping_create(camera.mapping.c_str(), frame, &mapping);
+    if (status == CM_ERROR_MEMORY)
+    {
+        throw std::bad_alloc();
+    }
+    if (status != CM_OK)
+    {
+        cm_specification_check(camera.mapping.c_str(), why, sizeof why);
+        fail_line(name, 1, std::string("mapping: ") + why, CM_ERROR_CAMERA);
+    }
+    return MappingPointer(mapping, cm_mapping_destroy);
+}
+
+cm_camera *make_camera(const std::string &name, CameraNumbers camera)
+{
+    MappingPointer mapping(nullptr, cm_mapping_destroy);
+    if (!camera.mapping.empty())
+    {
+        mapping = make_mapping_of(name, camera);
+        const bool six = cm_mapping_describe(mapping.get())->kind == CM_KIND_CUBE;
+        camera.options.mapping = mapping.get();
+        camera.options.width = static_cast<std::uint32_t>(camera.size);
+        camera.options.height = camera.options.width * (six ? 6 : 1);
+    }
+    cm_camera *made = nullptr;
+    const cm_status status = cm_camera_create(&camera.options, &made);
+    if (status == CM_ERROR_MEMORY)
+    {
+        throw std::bad_alloc();
+    }
+    if (status != CM_OK)
+    {
+        fail_file(name, "no camera has these numbers", CM_ERROR_CAMERA);
+    }
+    return made;
+}
+
+void read_camera(const std::string &name, std::string_view text, cm_camera **camera,
+                 double *depth_scale)
+{
+    const CameraNumbers numbers = CameraText(name, text).read();
+    *camera = make_camera(name, numbers);
+    *depth_scale = numbers.depth_scale;
+}
+
+// The specification that makes the mapping again. What a specification cannot say is refused.
+std::string mapping_text(const cm_mapping *mapping)
+{
+    const cm_mapping_info *const info = cm_mapping_describe(mapping);
+    std::string text = info->identifier;
+    char between = ':';
+    for (std::size_t i = 0; i < info->parameter_count; ++i)
+    {
+        const double value = cm_mapping_parameter(mapping, i);
+        if (value != info->parameter[i].standard && std::isfinite(value))
+        {
+            text += between + std::string(info->parameter[i].name) + "=" + number_text(value);
+            between = ',';
+        }
+    }
+    const bool parts = info->parts != nullptr && cm_mapping_has_bounds(mapping) == 0;
+    if (parts || cm_specification_check(text.c_str(), nullptr, 0) != CM_OK)
+    {
+        throw FileFailure(CM_ERROR_UNSUPPORTED,
+                          "a camera whose mapping has no short text cannot be written");
+    }
+    return text;
+}
+
+std::string camera_text(const cm_camera *camera, double depth_scale)
+{
+    const cm_camera_options &options = *cm_camera_describe(camera);
+    if (!(depth_scale > 0.0) || !std::isfinite(depth_scale))
+    {
+        throw FileFailure(CM_ERROR_CAMERA, "depth_scale is not a number greater than 0");
+    }
+    std::string text = "{";
+    const auto add = [&text](const char *key, const std::string &value)
+    { text += (text.size() > 1 ? ", \"" : "\"") + std::string(key) + "\": " + value; };
+    if (options.mapping != nullptr)
+    {
+        add("mapping", "\"" + mapping_text(options.mapping) + "\"");
+        const char *const frame = cm_mapping_frame(options.mapping)->identifier;
+        if (cm_frame_find(frame) == nullptr)
+        {
+            throw FileFailure(CM_ERROR_UNSUPPORTED,
+                              "a camera in a frame of one's own cannot be written");
+        }
+        add("frame", "\"" + std::string(frame) + "\"");
+        add("size", std::to_string(options.width));
+    }
+    else
+    {
+        add("width", std::to_string(options.width));
+        add("height", std::to_string(options.height));
+        add("fx", number_text(options.fx));
+        add("fy", number_text(options.fy));
+        add("cx", number_text(options.cx));
+        add("cy", number_text(options.cy));
+        std::string list;
+        for (const double coefficient : options.distortion)
+        {
+            list += (list.empty() ? "" : ", ") + number_text(coefficient);
+        }
+        add("distortion", "[" + list + "]");
+    }
+    add("pixel_centre", number_text(options.pixel_centre));
+    add("depth_scale", number_text(depth_scale));
+    return text + "}\n";
+}
+
+} // namespace
+
+cm_status cm_camera_file_parse(const char *name, const char *text, size_t length,
+                               cm_camera **camera, double *depth_scale, char *message)
+{
+    if (name == nullptr || text == nullptr || camera == nullptr || depth_scale == nullptr)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    return guarded_file(message, [&] { read_camera(name, {text, length}, camera, depth_scale); });
+}
+
+cm_status cm_camera_file_read(const char *path, cm_camera **camera, double *depth_scale,
+                              char *message)
+{
+    if (path == nullptr || camera == nullptr || depth_scale == nullptr)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    return guarded_file(
+        message,
+        [&] { read_camera(path, read_whole(path, camera_bytes_most), camera, depth_scale); });
+}
+
+cm_status cm_camera_file_format(const cm_camera *camera, double depth_scale, char **text,
+                                char *message)
+{
+    if (camera == nullptr || text == nullptr)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    return guarded_file(message,
+                        [&]
+                        {
+                            const std::string made = camera_text(camera, depth_scale);
+                            char *const copy = static_cast<char *>(std::malloc(made.size() + 1));
+                            if (copy == nullptr)
+                            {
+                                throw std::bad_alloc();
+                            }
+                            std::memcpy(copy, made.c_str(), made.size() + 1);
+                            *text = copy;
+                        });
+}
+
+cm_status cm_camera_file_write(const char *path, const cm_camera *camera, double depth_scale,
+                               char *message)
+{
+    if (path == nullptr || camera == nullptr)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    return guarded_file(message, [&] { write_whole(path, camera_text(camera, depth_scale)); });
+}
