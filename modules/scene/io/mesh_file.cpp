@@ -2,6 +2,7 @@
 
 #include "mesh_file.h"
 
+#include "file_failure.hpp"
 #include "flat_mesh.hpp"
 
 #include <algorithm>
@@ -149,13 +150,20 @@ void work_as_child(Reader reader, const char *path, int to)
 
 // ---- the parent
 
-class Failed : public std::runtime_error
+// What is wrong with the file, whose name comes before it in the end.
+class MeshRefusal : public std::runtime_error
 {
 public:
-    Failed(cm_status what, const std::string &text) : std::runtime_error(text), status(what)
+    MeshRefusal(cm_status what, const std::string &text) : std::runtime_error(text), number(what)
     {
     }
-    cm_status status;
+    cm_status status() const noexcept
+    {
+        return number;
+    }
+
+private:
+    cm_status number;
 };
 
 // All that a child says, up to its end or the limit.
@@ -180,7 +188,7 @@ public:
             }
             if (count < 0 && errno != EINTR)
             {
-                throw Failed(CM_ERROR_FILE, "the child that reads it cannot be heard");
+                throw MeshRefusal(CM_ERROR_FILE, "the child that reads it cannot be heard");
             }
             if (count > 0)
             {
@@ -188,7 +196,7 @@ public:
             }
             if (said.size() > room)
             {
-                throw Failed(CM_ERROR_DATA, "needs more memory than a mesh may");
+                throw MeshRefusal(CM_ERROR_DATA, "needs more memory than a mesh may");
             }
         }
     }
@@ -201,7 +209,7 @@ private:
             std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
         if (left <= 0 || poll(&waiting, 1, static_cast<int>(left)) == 0)
         {
-            throw Failed(CM_ERROR_DATA, "takes longer than a mesh may");
+            throw MeshRefusal(CM_ERROR_DATA, "takes longer than a mesh may");
         }
     }
 
@@ -219,7 +227,7 @@ public:
         int ends[2];
         if (pipe(ends) != 0)
         {
-            throw Failed(CM_ERROR_FILE, "there is no pipe to a child that would read it");
+            throw MeshRefusal(CM_ERROR_FILE, "there is no pipe to a child that would read it");
         }
         number = fork();
         if (number == 0)
@@ -234,7 +242,7 @@ public:
         if (number < 0)
         {
             close(out);
-            throw Failed(CM_ERROR_FILE, "there is no child that would read it");
+            throw MeshRefusal(CM_ERROR_FILE, "there is no child that would read it");
         }
     }
     ~Child()
@@ -274,14 +282,14 @@ void check_end(int status)
 {
     if (WIFSIGNALED(status))
     {
-        throw Failed(CM_ERROR_DATA,
-                     WTERMSIG(status) == SIGXCPU
-                         ? std::string("takes longer than a mesh may")
-                         : "crashes its reader with signal " + std::to_string(WTERMSIG(status)));
+        throw MeshRefusal(CM_ERROR_DATA, WTERMSIG(status) == SIGXCPU
+                                             ? std::string("takes longer than a mesh may")
+                                             : "crashes its reader with signal " +
+                                                   std::to_string(WTERMSIG(status)));
     }
     if (WEXITSTATUS(status) != 0)
     {
-        throw Failed(CM_ERROR_DATA, "ends its reader");
+        throw MeshRefusal(CM_ERROR_DATA, "ends its reader");
     }
 }
 
@@ -291,14 +299,14 @@ cm_mesh *mesh_of(const std::vector<char> &said)
     Heading heading;
     if (said.size() < sizeof heading)
     {
-        throw Failed(CM_ERROR_DATA, "ends its reader");
+        throw MeshRefusal(CM_ERROR_DATA, "ends its reader");
     }
     std::memcpy(&heading, said.data(), sizeof heading);
     const char *at = said.data() + sizeof heading;
     const std::size_t size = said.size() - sizeof heading;
     if (heading.mark == message_mark)
     {
-        throw Failed(CM_ERROR_DATA, std::string(at, size));
+        throw MeshRefusal(CM_ERROR_DATA, std::string(at, size));
     }
     constexpr std::size_t a_vertex = 3 * (sizeof(double) + sizeof(float));
     constexpr std::size_t a_triangle = 3 * sizeof(std::uint32_t);
@@ -306,7 +314,7 @@ cm_mesh *mesh_of(const std::vector<char> &said)
         heading.triangles > size / a_triangle ||
         heading.vertices * a_vertex + heading.triangles * a_triangle != size)
     {
-        throw Failed(CM_ERROR_DATA, "ends its reader");
+        throw MeshRefusal(CM_ERROR_DATA, "ends its reader");
     }
     FlatMesh flat;
     flat.position.resize(3 * heading.vertices);
@@ -336,10 +344,11 @@ cm_mesh *mesh_of(const std::vector<char> &said)
     const cm_status status = cm_mesh_create(&options, &mesh);
     if (status != CM_OK)
     {
-        throw Failed(status == CM_ERROR_MEMORY ? status : CM_ERROR_DATA,
-                     status == CM_ERROR_MEMORY  ? "needs more memory than there is"
-                     : status == CM_ERROR_RANGE ? "has coordinates or colours that are no numbers"
-                                                : "has an index that is out of range");
+        throw MeshRefusal(status == CM_ERROR_MEMORY ? status : CM_ERROR_DATA,
+                          status == CM_ERROR_MEMORY ? "needs more memory than there is"
+                          : status == CM_ERROR_RANGE
+                              ? "has coordinates or colours that are no numbers"
+                              : "has an index that is out of range");
     }
     return mesh;
 }
@@ -362,23 +371,17 @@ Reader reader_of(const std::string &path)
         return read_obj;
     }
 #endif
-    throw Failed(CM_ERROR_UNSUPPORTED, ending == ".gltf" || ending == ".glb" || ending == ".obj"
-                                           ? "this build reads no such meshes"
-                                           : "is no mesh that is read: .gltf, .glb or .obj");
+    throw MeshRefusal(CM_ERROR_UNSUPPORTED,
+                      ending == ".gltf" || ending == ".glb" || ending == ".obj"
+                          ? "this build reads no such meshes"
+                          : "is no mesh that is read: .gltf, .glb or .obj");
 }
 
-void put_line(char *message, const std::string &path, const std::string &text)
+// Of what a library says, the first line, without a full stop.
+std::string first_words(const std::string &text)
 {
-    std::string line = path + ": " + text.substr(0, text.find('\n'));
-    for (char &letter : line)
-    {
-        letter = static_cast<unsigned char>(letter) < ' ' || letter == 0x7f ? '?' : letter;
-    }
-    while (line.size() > path.size() + 2 && (line.back() == '.' || line.back() == ' '))
-    {
-        line.pop_back();
-    }
-    std::snprintf(message, CM_IMAGE_MESSAGE, "%s", line.c_str());
+    const std::string line = text.substr(0, text.find('\n'));
+    return line.substr(0, line.find_last_not_of(". \r") + 1);
 }
 
 cm_mesh *read_mesh(const char *path, const cm_mesh_limits &limits)
@@ -387,11 +390,11 @@ cm_mesh *read_mesh(const char *path, const cm_mesh_limits &limits)
     struct stat told;
     if (stat(path, &told) != 0)
     {
-        throw Failed(CM_ERROR_FILE, std::string("cannot be opened: ") + std::strerror(errno));
+        throw MeshRefusal(CM_ERROR_FILE, std::string("cannot be opened: ") + std::strerror(errno));
     }
     if (!S_ISREG(told.st_mode))
     {
-        throw Failed(CM_ERROR_FILE, "is no file");
+        throw MeshRefusal(CM_ERROR_FILE, "is no file");
     }
     const std::uint64_t memory = limits.memory == 0 ? standard_memory : limits.memory;
     const unsigned seconds = limits.seconds == 0 ? standard_seconds : limits.seconds;
@@ -412,19 +415,17 @@ cm_status cm_mesh_file_read(const char *path, const cm_mesh_limits *limits, cm_m
     {
         return CM_ERROR_ARGUMENT;
     }
-    try
-    {
-        *mesh = read_mesh(path, limits == nullptr ? cm_mesh_limits{} : *limits);
-        return CM_OK;
-    }
-    catch (const Failed &failed)
-    {
-        put_line(message, path, failed.what());
-        return failed.status;
-    }
-    catch (const std::exception &)
-    {
-        put_line(message, path, "needs more memory than there is");
-        return CM_ERROR_MEMORY;
-    }
+    return guarded_file(message,
+                        [&]
+                        {
+                            try
+                            {
+                                *mesh =
+                                    read_mesh(path, limits == nullptr ? cm_mesh_limits{} : *limits);
+                            }
+                            catch (const MeshRefusal &refusal)
+                            {
+                                fail_file(path, first_words(refusal.what()), refusal.status());
+                            }
+                        });
 }
