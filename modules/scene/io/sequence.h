@@ -120,7 +120,7 @@ const char *cm_sequence_writer_folder(const cm_sequence_writer *writer);
 /* Add a view, in the order of time. Depth is stored as 16-bit PNG of whole units, rounded to the nearest; what is not
  * finite, not above 0 or beyond 65535 units (65534 in 7-Scenes) is stored as nothing measured, and counted in *beyond if it
  * was measured (NULL: not counted). Range becomes depth, and depth range, as the camera wants it. Colours of the view are
- * written if there are any; amplitudes in streams alone. */
+ * written if there are any; amplitudes in streams alone. 7-Scenes has millimetres, whatever depth_scale was asked. */
 cm_status cm_sequence_write(cm_sequence_writer *writer, const cm_view *view, size_t *beyond,
                             char *message);
 

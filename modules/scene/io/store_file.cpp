@@ -83,9 +83,15 @@ private:
 StoreFile::StoreFile(const std::string &path, const cm_store_file_options &options)
     : database(path, options.create != 0), level(options.level == 0 ? 3 : options.level)
 {
+    // before BEGIN, which gives an empty file its first page
+    const bool empty = database.number("PRAGMA page_count") == 0;
     database.run("BEGIN EXCLUSIVE");
-    if (database.number("PRAGMA page_count") == 0)
+    if (empty)
     {
+        if (options.create == 0)
+        {
+            fail_file(path, "is empty, and not a store");
+        }
         make();
     }
     check_head();
@@ -337,7 +343,8 @@ cm_status put_into_file(void *context, const cm_store_key *key, const cm_blob *b
     if (blob->count > blob_bytes_most)
     {
         return store_of(context).call(
-            false, [] { throw FileFailure(CM_ERROR_SPACE, "a blob has more bytes than a store takes"); });
+            false,
+            [] { throw FileFailure(CM_ERROR_SPACE, "a blob has more bytes than a store takes"); });
     }
     return store_of(context).call(true, [&] { store_of(context).put(*key, *blob); });
 }

@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: MIT
+
+#include "sequence.h"
+
+#include "camera_file.h"
+#include "file_failure.hpp"
+#include "picture_file.hpp"
+#include "pose_words.hpp"
+#include "sequence_folder.hpp"
+#include "view_stream.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct cm_sequence_writer
+{
+    virtual ~cm_sequence_writer() = default;
+    virtual void put(const cm_view &view, std::size_t &beyond) = 0;
+    virtual void finish() = 0;
+    virtual const char *folder() const
+    {
+        return nullptr;
+    }
+};
+
+namespace
+{
+
+void check_written(cm_status status, const char *message)
+{
+    if (status != CM_OK)
+    {
+        throw FileFailure(status, message);
+    }
+}
+
+// A folder beside the one that is wanted, with all that is in it; it goes away if it does not take its name.
+class NewFolder
+{
+public:
+    explicit NewFolder(const std::string &path) : target(path)
+    {
+        while (target.size() > 1 && target.back() == '/')
+        {
+            target.pop_back();
+        }
+        std::error_code error;
+        const bool there = std::filesystem::exists(target, error);
+        if (there && (!folder_is_there(target) || !std::filesystem::is_empty(target, error)))
+        {
+            fail_file(target, "exists and is not an empty folder", CM_ERROR_FILE);
+        }
+        const std::size_t slash = target.find_last_of('/');
+        parent = slash == std::string::npos ? "." : target.substr(0, slash + 1);
+        std::string pattern = path_in(parent, ".cubemap-XXXXXX");
+        if (mkdtemp(pattern.data()) == nullptr)
+        {
+            fail_system(target, "cannot be written");
+        }
+        temporary = pattern;
+        const mode_t mask = umask(0);
+        umask(mask);
+        chmod(temporary.c_str(), 0777 & ~mask);
+    }
+    ~NewFolder()
+    {
+        if (!temporary.empty())
+        {
+            std::error_code error;
+            std::filesystem::remove_all(temporary, error);
+        }
+    }
+    NewFolder(const NewFolder &) = delete;
+    NewFolder &operator=(const NewFolder &) = delete;
+
+    const std::string &path() const
+    {
+        return temporary;
+    }
+    void make(const char *inner) const
+    {
+        const std::string path = path_in(temporary, inner);
+        if (mkdir(path.c_str(), 0777) != 0)
+        {
+            fail_system(target, "cannot be written");
+        }
+    }
+    // In place of an empty folder, too.
+    void appear()
+    {
+        const int descriptor = open(temporary.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+#ifdef __linux__
+        const bool synced = descriptor >= 0 && syncfs(descriptor) == 0;
+#else
+        sync();
+        const bool synced = descriptor >= 0;
+#endif
+        if (descriptor >= 0)
+        {
+            close(descriptor);
+        }
+        if (!synced || std::rename(temporary.c_str(), target.c_str()) != 0)
+        {
+            fail_system(target, "cannot be written");
+        }
+        temporary.clear();
+        sync_folder(parent);
+    }
+
+private:
+    std::string target;
+    std::string parent;
+    std::string temporary;
+};
+
+class FolderWriter final : public cm_sequence_writer
+{
+public:
+    FolderWriter(const std::string &path, cm_sequence_layout wanted, const cm_camera *of,
+                 double scale);
+    void put(const cm_view &view, std::size_t &beyond) override;
+    void finish() override;
+    const char *folder() const override
+    {
+        return files.path().c_str();
+    }
+
+private:
+    void store_depth(const cm_view &view, std::size_t &beyond);
+    void write_files(const cm_view &view);
+    void write_tum(const cm_view &view, const std::string &time);
+    std::string color_of(const cm_view &view, const std::string &name);
+
+    NewFolder files;
+    cm_sequence_layout layout;
+    CameraPointer camera;
+    double depth_scale;
+    std::size_t count = 0;
+    double before = -INFINITY;
+    OwnPicture depth;
+    std::string depth_list = "# depth maps\n# timestamp filename\n";
+    std::string color_list = "# color images\n# timestamp filename\n";
+    std::string poses;
+};
+
+CameraPointer copy_of_camera(const cm_camera *camera)
+{
+    cm_camera *copy = nullptr;
+    if (cm_camera_create(cm_camera_describe(camera), &copy) != CM_OK)
+    {
+        throw std::bad_alloc();
+    }
+    return CameraPointer(copy);
+}
+
+FolderWriter::FolderWriter(const std::string &path, cm_sequence_layout wanted, const cm_camera *of,
+                           double scale)
+    : files(path), layout(wanted), camera(copy_of_camera(of)),
+      depth_scale(wanted == CM_SEQUENCE_SEVEN_SCENES ? 1000.0 : scale)
+{
+    char message[CM_IMAGE_MESSAGE] = "";
+    const std::string name = path_in(files.path(), "camera.json");
+    check_written(cm_camera_file_write(name.c_str(), camera.get(), depth_scale, message), message);
+    if (layout == CM_SEQUENCE_TUM)
+    {
+        files.make("depth");
+        files.make("rgb");
+        poses = "# ground truth trajectory\n# timestamp tx ty tz qx qy qz qw\n";
+    }
+}
+
+// Lengths of the rays of a row; 1 if depth and range are what the camera wants.
+void row_factors(const cm_view &view, const cm_camera *camera, std::uint32_t row,
+                 std::vector<double> &factor)
+{
+    const cm_camera_options &options = *cm_camera_describe(camera);
+    factor.assign(options.width, 1.0);
+    if (view.depth_is_range == 0 || options.mapping != nullptr)
+    {
+        return;
+    }
+    std::vector<double> column(options.width);
+    std::vector<double> rows(options.width, row + options.pixel_centre);
+    std::vector<double> x(options.width);
+    std::vector<double> y(options.width);
+    std::vector<double> z(options.width);
+    for (std::uint32_t i = 0; i < options.width; ++i)
+    {
+        column[i] = i + options.pixel_centre;
+    }
+    cm_camera_ray_array(camera, options.width, column.data(), rows.data(), x.data(), y.data(),
+                        z.data());
+    for (std::uint32_t i = 0; i < options.width; ++i)
+    {
+        factor[i] = 1.0 / std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    }
+}
+
+void FolderWriter::store_depth(const cm_view &view, std::size_t &beyond)
+{
+    const cm_camera_options &options = *cm_camera_describe(camera.get());
+    const bool seven = layout == CM_SEQUENCE_SEVEN_SCENES;
+    const double most = seven ? 65534.0 : 65535.0;
+    const std::uint16_t none = seven ? seven_scenes_none : 0;
+    depth.shape(options.width, options.height, 1, CM_PIXEL_U16);
+    std::vector<double> factor;
+    unsigned char *to = depth.bytes.data();
+    for (std::uint32_t row = 0; row < options.height; ++row)
+    {
+        row_factors(view, camera.get(), row, factor);
+        const unsigned char *at = row_of(view.depth, row);
+        for (std::uint32_t i = 0; i < options.width; ++i, at += pixel_step(view.depth), to += 2)
+        {
+            double value = 0.0;
+            if (view.depth.type == CM_PIXEL_U16)
+            {
+                std::uint16_t stored;
+                std::memcpy(&stored, at, sizeof stored);
+                value = stored;
+            }
+            else
+            {
+                float stored;
+                std::memcpy(&stored, at, sizeof stored);
+                value = static_cast<double>(stored);
+            }
+            const double units =
+                std::floor(value * view.depth_unit * factor[i] * depth_scale + 0.5);
+            const bool measured = value > 0.0 && std::isfinite(value);
+            const bool fits = measured && units >= 1.0 && units <= most;
+            beyond += measured && !fits;
+            const std::uint16_t kept = fits ? static_cast<std::uint16_t>(units) : none;
+            std::memcpy(to, &kept, sizeof kept);
+        }
+    }
+}
+
+// Writes the colours if there are any; the name, or nothing.
+std::string FolderWriter::color_of(const cm_view &view, const std::string &name)
+{
+    if (view.color.data == nullptr)
+    {
+        return "";
+    }
+    write_picture(path_in(files.path(), name), view.color);
+    return name;
+}
+
+void FolderWriter::write_tum(const cm_view &view, const std::string &time)
+{
+    const std::string name = "depth/" + time + ".png";
+    write_picture(path_in(files.path(), name), depth.image);
+    depth_list += time + " " + name + "\n";
+    const std::string color = color_of(view, "rgb/" + time + ".png");
+    color_list += color.empty() ? "" : time + " " + color + "\n";
+    poses += pose_line(view.time, view.pose);
+}
+
+void FolderWriter::write_files(const cm_view &view)
+{
+    if (layout == CM_SEQUENCE_TUM)
+    {
+        write_tum(view, time_text(view.time));
+    }
+    else if (layout == CM_SEQUENCE_OPEN3D)
+    {
+        const std::string number = std::to_string(count);
+        write_picture(path_in(files.path(), numbered("depth_", count, 5, ".png")), depth.image);
+        color_of(view, numbered("image_", count, 5, ".png"));
+        poses += number + " " + number + " " + std::to_string(count + 1) + "\n" +
+                 matrix_lines(view.pose);
+    }
+    else
+    {
+        write_picture(path_in(files.path(), numbered("frame-", count, 6, ".depth.png")),
+                      depth.image);
+        color_of(view, numbered("frame-", count, 6, ".color.png"));
+        write_whole(path_in(files.path(), numbered("frame-", count, 6, ".pose.txt")),
+                    matrix_lines(view.pose));
+    }
+}
+
+void FolderWriter::put(const cm_view &view, std::size_t &beyond)
+{
+    std::string fault = view_fault(view, camera.get());
+    if (fault.empty() && view.depth_is_range == 0 &&
+        cm_camera_describe(camera.get())->mapping != nullptr)
+    {
+        fault = "depth along an axis, of a camera that has none";
+    }
+    if (fault.empty() && !(view.time > before))
+    {
+        fault = "its time is not after the one before";
+    }
+    if (!fault.empty())
+    {
+        throw FileFailure(CM_ERROR_CAMERA, "view " + std::to_string(count) + ": " + fault);
+    }
+    store_depth(view, beyond);
+    write_files(view);
+    before = view.time;
+    ++count;
+}
+
+void FolderWriter::finish()
+{
+    if (layout == CM_SEQUENCE_TUM)
+    {
+        write_whole(path_in(files.path(), "depth.txt"), depth_list);
+        write_whole(path_in(files.path(), "rgb.txt"), color_list);
+        write_whole(path_in(files.path(), "groundtruth.txt"), poses);
+    }
+    else if (layout == CM_SEQUENCE_OPEN3D)
+    {
+        write_whole(path_in(files.path(), "trajectory.log"), poses);
+    }
+    files.appear();
+}
+
+std::size_t write_output(void *, const void *bytes, std::size_t count)
+{
+    return std::fwrite(bytes, 1, count, stdout);
+}
+
+class StreamSequenceWriter final : public cm_sequence_writer
+{
+public:
+    StreamSequenceWriter(const cm_camera *camera, double depth_scale)
+    {
+        const cm_image_stream stream = {nullptr, nullptr, write_output, nullptr, nullptr};
+        char message[CM_IMAGE_MESSAGE] = "";
+        check_written(cm_view_writer_create("standard output", &stream, camera, depth_scale,
+                                            &writer, message),
+                      message);
+    }
+    ~StreamSequenceWriter() override
+    {
+        cm_view_writer_destroy(writer);
+    }
+    void put(const cm_view &view, std::size_t &) override
+    {
+        char message[CM_IMAGE_MESSAGE] = "";
+        check_written(cm_view_writer_put(writer, &view, message), message);
+    }
+    void finish() override
+    {
+        char message[CM_IMAGE_MESSAGE] = "";
+        check_written(cm_view_writer_finish(writer, message), message);
+        if (std::fflush(stdout) != 0)
+        {
+            fail_system("standard output", "cannot be written");
+        }
+    }
+
+private:
+    cm_view_writer *writer = nullptr;
+};
+
+} // namespace
+
+cm_status cm_sequence_create(const char *folder, cm_sequence_layout layout, const cm_camera *camera,
+                             double depth_scale, cm_sequence_writer **writer, char *message)
+{
+    if (folder == nullptr || camera == nullptr || writer == nullptr || layout == CM_SEQUENCE_ANY ||
+        cm_sequence_layout_name(layout) == nullptr || !(depth_scale > 0.0) ||
+        !std::isfinite(depth_scale) ||
+        (layout == CM_SEQUENCE_STREAM) != (std::strcmp(folder, "-") == 0))
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    return guarded_file(message,
+                        [&]
+                        {
+                            if (layout == CM_SEQUENCE_STREAM)
+                            {
+                                *writer = new StreamSequenceWriter(camera, depth_scale);
+                            }
+                            else
+                            {
+                                *writer = new FolderWriter(folder, layout, camera, depth_scale);
+                            }
+                        });
+}
+
+const char *cm_sequence_writer_folder(const cm_sequence_writer *writer)
+{
+    return writer->folder();
+}
+
+cm_status cm_sequence_write(cm_sequence_writer *writer, const cm_view *view, size_t *beyond,
+                            char *message)
+{
+    if (writer == nullptr || view == nullptr)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    return guarded_file(message,
+                        [&]
+                        {
+                            std::size_t found = 0;
+                            writer->put(*view, found);
+                            if (beyond != nullptr)
+                            {
+                                *beyond += found;
+                            }
+                        });
+}
+
+cm_status cm_sequence_finish(cm_sequence_writer *writer, char *message)
+{
+    if (writer == nullptr)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    return guarded_file(message, [&] { writer->finish(); });
+}
+
+void cm_sequence_drop(cm_sequence_writer *writer)
+{
+    delete writer;
+}
