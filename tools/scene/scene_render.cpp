@@ -2,6 +2,7 @@
 
 #include "scene_render.hpp"
 
+#include "modules/scene/io/pose_words.hpp"
 #include "scene_handle.hpp"
 #include "scene_table.h"
 #include "scene_view.hpp"
@@ -12,7 +13,6 @@
 #include "tools/cli/progress.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 namespace
@@ -149,14 +149,6 @@ void write_truth(const std::string &path, const cm_camera_options &camera,
     file.appear();
 }
 
-// The name of a view's pictures, as the lists have it.
-std::string name_of(double time)
-{
-    char text[64];
-    std::snprintf(text, sizeof text, "%.6f", time);
-    return text;
-}
-
 void render_view(const ViewMaking &making, const TimedPoses &poses, std::size_t number, int threads,
                  Progress &progress, SceneView &pictures)
 {
@@ -219,7 +211,7 @@ int render(const RenderOptions &options, const cm_streams &streams)
             check_scene(cm_sequence_write(writer.get(), &view, nullptr, message), message);
             if (options.truth)
             {
-                write_truth(truth + "/" + name_of(poses.time[i]) + ".exr", shape, pictures,
+                write_truth(truth + "/" + time_text(poses.time[i]) + ".exr", shape, pictures,
                             threads);
             }
         }
