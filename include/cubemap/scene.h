@@ -7,10 +7,12 @@
 
 #include <cubemap/budget.h>
 #include <cubemap/camera.h>
+#include <cubemap/mesh.h>
 #include <cubemap/pool.h>
 #include <cubemap/pose.h>
 #include <cubemap/random.h>
 #include <cubemap/trajectory.h>
 #include <cubemap/view.h>
+#include <cubemap/world.h>
 
 #endif

@@ -250,6 +250,20 @@ def rotation_inputs():
     }
 
 
+def world_inputs():
+    """A mesh: size, arrays, vertices, triangles, their numbers, indices, material; a world; primitives; rays."""
+    def one(*values):
+        return b"".join(bytes([int(4 * value + 16) + 32]) if value % 2 else bytes([0]) + number("d", value)
+                        for value in values)
+    triangle = bytes([0, 0x41, 3, 1]) + one(1, 0, 0, 0, 1, 0, 0, 0, 1) + bytes([0, 1, 2, 1])
+    standing = bytes([1, 1]) + one(1, 2, 3, 4, 5, 6)
+    rays = bytes([3]) + one(*3 * (0, 0, 1, 1, 0.5, -0.25)) + bytes([1])
+    plain = {kind: bytes([9, 1, index]) + one(-1, 1, 0, -1, 1, 0, -1, 1.5, 0, 1) + bytes([1]) + one(1, 1, 1) + bytes([1])
+             for index, kind in enumerate(("plane", "box", "sphere", "cylinder", "mesh"))}
+    worlds = {name: bytes([index, 0]) for index, name in enumerate(("room", "corridor", "spheres"))}
+    return {name: triangle + body + rays for name, body in {**plain, **worlds, "standing": standing}.items()}
+
+
 def cells_inputs():
     """A grid, a number, a level and steps, a place, room for a token, points, a region, cells, a text."""
     def one(grid, cell, region, kind, text):
@@ -589,6 +603,7 @@ INPUTS = {
     "random": random_inputs(),
     "budget": budget_inputs(),
     "trajectory": trajectory_inputs(),
+    "world": world_inputs(),
     "orient": orient_inputs(),
     "advise": advise_inputs(),
     "point_lines": point_lines_inputs(),

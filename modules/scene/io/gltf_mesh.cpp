@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+
+#include "flat_mesh.hpp"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+
+namespace
+{
+
+using Matrix = std::array<double, 16>; // by columns, as glTF has it
+
+constexpr std::size_t largest_file = std::size_t{1} << 31;
+
+// ---- files: no name is expanded by a shell, and none leads out of the folder
+
+bool is_there(const std::string &path, void *)
+{
+    return std::ifstream(path).good();
+}
+
+std::string as_it_is(const std::string &path, void *)
+{
+    return path;
+}
+
+bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::string &path,
+                void *main_file)
+{
+    const bool is_main = path == *static_cast<const std::string *>(main_file);
+    std::ifstream file(path, std::ios::binary);
+    if (!is_main && path.find("..") != std::string::npos)
+    {
+        *error = "names a file outside its folder";
+        return false;
+    }
+    file.seekg(0, std::ios::end);
+    const std::streamoff size = file.tellg();
+    if (!file || size < 0 || static_cast<std::size_t>(size) > largest_file)
+    {
+        *error = "cannot be read";
+        return false;
+    }
+    out->resize(static_cast<std::size_t>(size));
+    file.seekg(0);
+    file.read(reinterpret_cast<char *>(out->data()), size);
+    return static_cast<bool>(file);
+}
+
+bool no_picture(tinygltf::Image *, const int, std::string *, std::string *, int, int,
+                const unsigned char *, int, void *)
+{
+    return true;
+}
+
+// ---- numbers
+
+const char *const damaged = "has an accessor that is none";
+
+template <typename Value>
+const Value &element(const std::vector<Value> &list, int index, const char *what)
+{
+    if (index < 0 || static_cast<std::size_t>(index) >= list.size())
+    {
+        throw MeshFailure(std::string("names ") + what + " that is not there");
+    }
+    return list[static_cast<std::size_t>(index)];
+}
+
+// The numbers of an accessor, within their buffer.
+class Numbers
+{
+public:
+    Numbers(const tinygltf::Model &model, int which)
+        : accessor(element(model.accessors, which, "an accessor"))
+    {
+        const tinygltf::BufferView &view =
+            element(model.bufferViews, accessor.bufferView, "a buffer view");
+        const tinygltf::Buffer &buffer = element(model.buffers, view.buffer, "a buffer");
+        const int size =
+            tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
+        const int count =
+            tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+        const int step = accessor.ByteStride(view);
+        if (accessor.sparse.isSparse)
+        {
+            throw MeshFailure("has a sparse accessor, which is not read");
+        }
+        if (size <= 0 || count <= 0 || step <= 0 || accessor.count > largest_file ||
+            accessor.byteOffset > largest_file || view.byteOffset > largest_file)
+        {
+            throw MeshFailure(damaged);
+        }
+        component = static_cast<std::size_t>(size);
+        components = static_cast<std::size_t>(count);
+        stride = static_cast<std::size_t>(step);
+        const std::size_t begin = view.byteOffset + accessor.byteOffset;
+        const std::size_t length =
+            accessor.count == 0 ? 0 : (accessor.count - 1) * stride + component * components;
+        if (begin > buffer.data.size() || length > buffer.data.size() - begin)
+        {
+            throw MeshFailure("has an accessor that ends behind its buffer");
+        }
+        data = buffer.data.data() + begin;
+    }
+
+    std::size_t count() const
+    {
+        return accessor.count;
+    }
+    std::size_t width() const
+    {
+        return components;
+    }
+    int type() const
+    {
+        return accessor.componentType;
+    }
+
+    double at(std::size_t i, std::size_t k) const
+    {
+        const unsigned char *const from = data + i * stride + k * component;
+        switch (accessor.componentType)
+        {
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return static_cast<double>(read<float>(from));
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return *from;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return read<std::uint16_t>(from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return read<std::uint32_t>(from);
+        default:
+            throw MeshFailure(damaged);
+        }
+    }
+
+    // What a normalised whole number counts as 1.
+    double one() const
+    {
+        return type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 255.0
+               : type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 65535.0
+                                                                  : 1.0;
+    }
+
+private:
+    template <typename Value> static Value read(const unsigned char *from)
+    {
+        Value value;
+        std::memcpy(&value, from, sizeof value);
+        return value;
+    }
+
+    const tinygltf::Accessor &accessor;
+    const unsigned char *data = nullptr;
+    std::size_t component = 0;
+    std::size_t components = 0;
+    std::size_t stride = 0;
+};
+
+// ---- transforms
+
+Matrix product(const Matrix &a, const Matrix &b)
+{
+    Matrix result{};
+    for (std::size_t i = 0; i < 16; ++i)
+    {
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+            result[i] += a[4 * k + i % 4] * b[i / 4 * 4 + k];
+        }
+    }
+    return result;
+}
+
+double number_of(const std::vector<double> &list, std::size_t i, double absent)
+{
+    return i < list.size() ? list[i] : absent;
+}
+
+// glTF 2.0, 3.5.3: a matrix, or translation times rotation times scale.
+Matrix matrix_of(const tinygltf::Node &node)
+{
+    Matrix result{};
+    if (node.matrix.size() == 16)
+    {
+        std::copy(node.matrix.begin(), node.matrix.end(), result.begin());
+        return result;
+    }
+    const double x = number_of(node.rotation, 0, 0), y = number_of(node.rotation, 1, 0);
+    const double z = number_of(node.rotation, 2, 0), w = number_of(node.rotation, 3, 1);
+    const std::array<double, 9> turn = {
+        1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
+        2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
+        2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y)};
+    for (std::size_t column = 0; column < 3; ++column)
+    {
+        for (std::size_t row = 0; row < 3; ++row)
+        {
+            result[4 * column + row] = turn[3 * column + row] * number_of(node.scale, column, 1);
+        }
+        result[12 + column] = number_of(node.translation, column, 0);
+    }
+    result[15] = 1;
+    return result;
+}
+
+// ---- the mesh
+
+class GltfScene
+{
+public:
+    explicit GltfScene(const tinygltf::Model &from) : model(from), seen(from.nodes.size())
+    {
+    }
+
+    FlatMesh read()
+    {
+        const Matrix identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+        const int which = model.defaultScene < 0 ? 0 : model.defaultScene;
+        for (const int node : element(model.scenes, which, "a scene").nodes)
+        {
+            add_node(node, identity);
+        }
+        return std::move(mesh);
+    }
+
+private:
+    void add_node(int index, const Matrix &outer)
+    {
+        const tinygltf::Node &node = element(model.nodes, index, "a node");
+        if (seen[static_cast<std::size_t>(index)])
+        {
+            throw MeshFailure("has nodes that are no tree");
+        }
+        seen[static_cast<std::size_t>(index)] = true;
+        const Matrix matrix = product(outer, matrix_of(node));
+        if (node.mesh >= 0)
+        {
+            for (const tinygltf::Primitive &part :
+                 element(model.meshes, node.mesh, "a mesh").primitives)
+            {
+                add_part(part, matrix);
+            }
+        }
+        for (const int child : node.children)
+        {
+            add_node(child, matrix);
+        }
+    }
+
+    void add_part(const tinygltf::Primitive &part, const Matrix &matrix)
+    {
+        const auto position = part.attributes.find("POSITION");
+        const int mode = part.mode < 0 ? TINYGLTF_MODE_TRIANGLES : part.mode;
+        if (mode < TINYGLTF_MODE_TRIANGLES || position == part.attributes.end())
+        {
+            return; // points and lines
+        }
+        const std::size_t first = mesh.position.size() / 3;
+        const Numbers at(model, position->second);
+        if (at.type() != TINYGLTF_COMPONENT_TYPE_FLOAT || at.width() != 3)
+        {
+            throw MeshFailure("has positions that are no floats");
+        }
+        for (std::size_t i = 0; i < at.count(); ++i)
+        {
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+                mesh.position.push_back(matrix[k] * at.at(i, 0) + matrix[4 + k] * at.at(i, 1) +
+                                        matrix[8 + k] * at.at(i, 2) + matrix[12 + k]);
+            }
+        }
+        add_colors(part, at.count());
+        add_triangles(part, mode, first, at.count());
+    }
+
+    void add_colors(const tinygltf::Primitive &part, std::size_t count)
+    {
+        std::array<double, 3> base = {1, 1, 1};
+        if (part.material >= 0)
+        {
+            const std::vector<double> &factor =
+                element(model.materials, part.material, "a material")
+                    .pbrMetallicRoughness.baseColorFactor;
+            base = {number_of(factor, 0, 1), number_of(factor, 1, 1), number_of(factor, 2, 1)};
+        }
+        const auto own = part.attributes.find("COLOR_0");
+        const bool has_own = own != part.attributes.end();
+        const Numbers colors(model, has_own ? own->second : part.attributes.at("POSITION"));
+        if (has_own && (colors.count() < count || colors.width() < 3))
+        {
+            throw MeshFailure("has fewer colours than vertices");
+        }
+        for (std::size_t i = 0; i < 3 * count; ++i)
+        {
+            const double color = has_own ? colors.at(i / 3, i % 3) / colors.one() : 1.0;
+            mesh.color.push_back(static_cast<float>(std::clamp(color * base[i % 3], 0.0, 1.0)));
+        }
+    }
+
+    void add_triangles(const tinygltf::Primitive &part, int mode, std::size_t first,
+                       std::size_t count)
+    {
+        std::vector<std::uint32_t> list;
+        if (part.indices >= 0)
+        {
+            const Numbers indices(model, part.indices);
+            for (std::size_t i = 0; i < indices.count(); ++i)
+            {
+                const double index = indices.at(i, 0);
+                if (!(index < static_cast<double>(count)))
+                {
+                    throw MeshFailure("has an index that is out of range");
+                }
+                list.push_back(static_cast<std::uint32_t>(first) +
+                               static_cast<std::uint32_t>(index));
+            }
+        }
+        else
+        {
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                list.push_back(static_cast<std::uint32_t>(first + i));
+            }
+        }
+        const std::size_t step = mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
+        for (std::size_t i = 0; i + 2 < list.size(); i += step)
+        {
+            const std::size_t begin = mode == TINYGLTF_MODE_TRIANGLE_FAN ? 0 : i;
+            mesh.index.insert(mesh.index.end(), {list[begin], list[i + 1], list[i + 2]});
+        }
+    }
+
+    const tinygltf::Model &model;
+    std::vector<bool> seen;
+    FlatMesh mesh;
+};
+
+void check_extensions(const tinygltf::Model &model)
+{
+    for (const std::string &name : model.extensionsRequired)
+    {
+        const bool is_looks = name.rfind("KHR_materials_", 0) == 0 ||
+                              name.rfind("KHR_texture_", 0) == 0 || name == "KHR_lights_punctual";
+        if (!is_looks)
+        {
+            throw MeshFailure("needs the extension " + name + ", which is not read");
+        }
+    }
+}
+
+} // namespace
+
+FlatMesh read_gltf(const std::string &path)
+{
+    tinygltf::TinyGLTF loader;
+    tinygltf::Model model;
+    std::string error;
+    std::string warning;
+    std::string main_file = path;
+    loader.SetFsCallbacks({is_there, as_it_is, read_whole, nullptr, &main_file});
+    loader.SetImageLoader(no_picture, nullptr);
+    const bool is_binary = path.size() > 4 && (path.compare(path.size() - 4, 4, ".glb") == 0 ||
+                                               path.compare(path.size() - 4, 4, ".GLB") == 0);
+    const bool loaded = is_binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path)
+                                  : loader.LoadASCIIFromFile(&model, &error, &warning, path);
+    if (!loaded)
+    {
+        throw MeshFailure("is no glTF: " + error);
+    }
+    check_extensions(model);
+    return GltfScene(model).read();
+}

@@ -1,0 +1,327 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The tree is split where the area of boxes times their triangles is least, over bins (Wald, "On fast construction of
+ * SAH-based bounding volume hierarchies", 2007). Triangles are met as in Woop, Benthin and Wald, "Watertight ray/triangle
+ * intersection", JCGT 2:1 (2013), in double: an edge gives the same number, of opposite sign, to both its triangles, so that
+ * no ray passes between them. Where it is 0 both are met, and no more digits are asked for. The boxes' distances are
+ * widened as in Ize, "Robust BVH ray traversal", JCGT 2:2 (2013).
+ */
+#include "mesh_tree.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum
+{
+    BINS = 12,
+    LEAF = 4,        /* triangles that are not split */
+    LEVELS_SAH = 40, /* below this list halves: 31 levels more at most */
+    STACK = 80
+};
+
+typedef struct box
+{
+    double least[3], greatest[3];
+} box;
+
+typedef struct builder
+{
+    const cm_mesh_options *mesh;
+    mesh_tree *tree;
+    uint32_t used; /* nodes */
+} builder;
+
+static const box nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static void widen(box *around, const double least[3], const double greatest[3])
+{
+    for (int i = 0; i < 3; i++)
+    {
+        around->least[i] = fmin(around->least[i], least[i]);
+        around->greatest[i] = fmax(around->greatest[i], greatest[i]);
+    }
+}
+
+static const double *corner(const cm_mesh_options *mesh, uint32_t triangle, int which)
+{
+    return mesh->position + 3 * (size_t)mesh->index[3 * (size_t)triangle + (size_t)which];
+}
+
+static box box_of(const cm_mesh_options *mesh, uint32_t triangle)
+{
+    box around = nothing;
+    for (int i = 0; i < 3; i++)
+    {
+        const double *at = corner(mesh, triangle, i);
+        widen(&around, at, at);
+    }
+    return around;
+}
+
+/* Half the surface; 0 of nothing. */
+static double area(const box *of)
+{
+    const double x = of->greatest[0] - of->least[0];
+    const double y = of->greatest[1] - of->least[1];
+    const double z = of->greatest[2] - of->least[2];
+    return x >= 0.0 ? x * y + y * z + z * x : 0.0;
+}
+
+static double middle(const box *of, int axis)
+{
+    return 0.5 * of->least[axis] + 0.5 * of->greatest[axis];
+}
+
+/* Of the middle of a triangle's box. */
+static int bin_of(const box *middles, int axis, double at)
+{
+    const double width = middles->greatest[axis] - middles->least[axis];
+    const int bin = (int)(BINS * ((at - middles->least[axis]) / width));
+    return bin < BINS ? bin : BINS - 1;
+}
+
+/* The first bin of the second part where splitting costs least. */
+static int best_bin(const box bins[BINS], const uint32_t count[BINS])
+{
+    double after[BINS];
+    box around = nothing;
+    uint32_t sum = 0;
+    for (int i = BINS - 1; i > 0; i--)
+    {
+        widen(&around, bins[i].least, bins[i].greatest);
+        sum += count[i];
+        after[i] = area(&around) * sum;
+    }
+    around = nothing;
+    sum = 0;
+    int best = 1;
+    double least = INFINITY;
+    for (int i = 1; i < BINS; i++)
+    {
+        widen(&around, bins[i - 1].least, bins[i - 1].greatest);
+        sum += count[i - 1];
+        const double cost = area(&around) * sum + after[i];
+        if (cost < least)
+        {
+            least = cost;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* Orders a part of the list: how many belong to the first half. */
+static uint32_t split(const builder *with, uint32_t *list, uint32_t count, const box *middles)
+{
+    int axis = 0;
+    for (int i = 1; i < 3; i++)
+    {
+        axis = middles->greatest[i] - middles->least[i] >
+                       middles->greatest[axis] - middles->least[axis]
+                   ? i
+                   : axis;
+    }
+    if (!(middles->greatest[axis] > middles->least[axis]))
+    {
+        return count / 2;
+    }
+    box bins[BINS];
+    uint32_t counts[BINS] = {0};
+    for (int i = 0; i < BINS; i++)
+    {
+        bins[i] = nothing;
+    }
+    for (uint32_t i = 0; i < count; i++)
+    {
+        const box around = box_of(with->mesh, list[i]);
+        const int bin = bin_of(middles, axis, middle(&around, axis));
+        widen(&bins[bin], around.least, around.greatest);
+        counts[bin]++;
+    }
+    const int first = best_bin(bins, counts);
+    uint32_t begin = 0;
+    for (uint32_t i = 0; i < count; i++)
+    {
+        const box around = box_of(with->mesh, list[i]);
+        if (bin_of(middles, axis, middle(&around, axis)) < first)
+        {
+            const uint32_t other = list[begin];
+            list[begin++] = list[i];
+            list[i] = other;
+        }
+    }
+    return begin > 0 && begin < count ? begin : count / 2;
+}
+
+static void build(builder *with, uint32_t node, uint32_t first, uint32_t count, int level)
+{
+    box around = nothing, middles = nothing;
+    uint32_t *list = with->tree->triangle + first;
+    for (uint32_t i = 0; i < count; i++)
+    {
+        const box one = box_of(with->mesh, list[i]);
+        const double at[3] = {middle(&one, 0), middle(&one, 1), middle(&one, 2)};
+        widen(&around, one.least, one.greatest);
+        widen(&middles, at, at);
+    }
+    mesh_node *made = &with->tree->node[node];
+    for (int i = 0; i < 3; i++)
+    {
+        made->least[i] = around.least[i];
+        made->greatest[i] = around.greatest[i];
+    }
+    made->first = first;
+    made->count = count;
+    if (count > LEAF)
+    {
+        const uint32_t begin = level < LEVELS_SAH ? split(with, list, count, &middles) : count / 2;
+        made->first = with->used;
+        made->count = 0;
+        with->used += 2;
+        build(with, made->first, first, begin, level + 1);
+        build(with, made->first + 1, first + begin, count - begin, level + 1);
+    }
+}
+
+cm_status mesh_tree_make(const cm_mesh_options *mesh, mesh_tree *tree)
+{
+    const size_t count = mesh->triangle_count;
+    mesh_tree made = {NULL, NULL};
+    if (count > 0)
+    {
+        made.node = malloc(2 * count * sizeof *made.node);
+        made.triangle = malloc(count * sizeof *made.triangle);
+        if (made.node == NULL || made.triangle == NULL)
+        {
+            free(made.node);
+            free(made.triangle);
+            return CM_ERROR_MEMORY;
+        }
+        for (size_t i = 0; i < count; i++)
+        {
+            made.triangle[i] = (uint32_t)i;
+        }
+        builder with = {mesh, &made, 1};
+        build(&with, 0, 0, (uint32_t)count, 0);
+    }
+    *tree = made;
+    return CM_OK;
+}
+
+/* ------------------------------------------------------------------------------- rays */
+
+/* A ray that shears onto its greatest axis, which is the third. */
+typedef struct sheared
+{
+    const ray *along;
+    double inverse[3];
+    int axis[3];
+    double shear[3];
+} sheared;
+
+static sheared shear_ray(const ray *along)
+{
+    sheared with = {along, {0.0}, {0}, {0.0}};
+    int most = 0;
+    for (int i = 0; i < 3; i++)
+    {
+        const double inverse = 1.0 / along->direction[i];
+        with.inverse[i] = isfinite(inverse) ? inverse : copysign(DBL_MAX, along->direction[i]);
+        most = fabs(along->direction[i]) > fabs(along->direction[most]) ? i : most;
+    }
+    for (int i = 0; i < 3; i++)
+    {
+        with.axis[i] = (most + 1 + i) % 3;
+        with.shear[i] = along->direction[with.axis[i]] / along->direction[most];
+    }
+    with.shear[2] = 1.0 / along->direction[most];
+    return with;
+}
+
+/* The vertex as the ray sees it. */
+static void shear_point(const sheared *with, const double point[3], double seen[3])
+{
+    double from[3];
+    subtract(point, with->along->origin, from);
+    const double deep = from[with->axis[2]];
+    seen[0] = from[with->axis[0]] - with->shear[0] * deep;
+    seen[1] = from[with->axis[1]] - with->shear[1] * deep;
+    seen[2] = with->shear[2] * deep;
+}
+
+static int meet_triangle(const sheared *with, const cm_mesh_options *mesh, uint32_t triangle,
+                         meeting *found)
+{
+    double at[3][3];
+    for (int i = 0; i < 3; i++)
+    {
+        shear_point(with, corner(mesh, triangle, i), at[i]);
+    }
+    const double u = at[2][0] * at[1][1] - at[2][1] * at[1][0];
+    const double v = at[0][0] * at[2][1] - at[0][1] * at[2][0];
+    const double w = at[1][0] * at[0][1] - at[1][1] * at[0][0];
+    const double sum = u + v + w;
+    if (((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) || sum == 0.0)
+    {
+        return 0;
+    }
+    const double weight[3] = {u / sum, v / sum, w / sum};
+    const double distance = weight[0] * at[0][2] + weight[1] * at[1][2] + weight[2] * at[2][2];
+    if (!(distance > 0.0 && distance < found->distance))
+    {
+        return 0;
+    }
+    *found = (meeting){distance, 0, triangle, {weight[0], weight[1], weight[2]}};
+    return 1;
+}
+
+/* The distance where the ray comes into the box, infinite if it does not before that end. */
+static double enter_of(const mesh_node *node, const sheared *with, double end)
+{
+    double enter = 0.0, leave = end;
+    for (int i = 0; i < 3; i++)
+    {
+        const double origin = with->along->origin[i];
+        const double one = (node->least[i] - origin) * with->inverse[i];
+        const double other = (node->greatest[i] - origin) * with->inverse[i];
+        enter = fmax(enter, fmin(one, other));
+        leave = fmin(leave, fmax(one, other) * (1.0 + 8.0 * DBL_EPSILON));
+    }
+    return enter <= leave ? enter : INFINITY;
+}
+
+int meet_mesh(const cm_mesh *mesh, const ray *along, meeting *found)
+{
+    const mesh_tree *tree = &mesh->tree;
+    const sheared with = shear_ray(along);
+    uint32_t waiting[STACK];
+    int height = 0, any = 0;
+    if (tree->node != NULL && enter_of(tree->node, &with, found->distance) < INFINITY)
+    {
+        waiting[height++] = 0;
+    }
+    while (height > 0)
+    {
+        const mesh_node *node = &tree->node[waiting[--height]];
+        for (uint32_t i = 0; i < node->count; i++)
+        {
+            any |= meet_triangle(&with, &mesh->made_of, tree->triangle[node->first + i], found);
+        }
+        if (node->count == 0)
+        {
+            const double one = enter_of(&tree->node[node->first], &with, found->distance);
+            const double other = enter_of(&tree->node[node->first + 1], &with, found->distance);
+            const uint32_t far = one <= other ? node->first + 1 : node->first;
+            if (fmax(one, other) < INFINITY)
+            {
+                waiting[height++] = far;
+            }
+            if (fmin(one, other) < INFINITY)
+            {
+                waiting[height++] = far == node->first ? far + 1 : node->first;
+            }
+        }
+    }
+    return any;
+}

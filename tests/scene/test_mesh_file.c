@@ -1,0 +1,304 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Meshes from files: what glTF and OBJ say is what is read, and whatever is wrong is one line, the end of the reader too.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include "modules/scene/io/mesh_file.h"
+
+#include "tests/suite.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+static void write_bytes(const char *name, const void *bytes, size_t size)
+{
+    FILE *file = fopen(name, "wb");
+    ck_assert_ptr_nonnull(file);
+    ck_assert_uint_eq(fwrite(bytes, 1, size, file), size);
+    ck_assert_int_eq(fclose(file), 0);
+}
+
+static void write_text(const char *name, const char *text)
+{
+    write_bytes(name, text, strlen(text));
+}
+
+static cm_mesh *read_good(const char *name)
+{
+    char message[CM_IMAGE_MESSAGE] = "";
+    cm_mesh *mesh = NULL;
+    const cm_status status = cm_mesh_file_read(name, NULL, &mesh, message);
+    REQUIRE(status == CM_OK && mesh != NULL, "%s: %d %s", name, (int)status, message);
+    return mesh;
+}
+
+/* One line that begins with the file's name and has these words. */
+static void refused_with(const char *name, const cm_mesh_limits *limits, cm_status wanted,
+                         const char *words)
+{
+    char message[CM_IMAGE_MESSAGE] = "";
+    cm_mesh *mesh = NULL;
+    const cm_status status = cm_mesh_file_read(name, limits, &mesh, message);
+    REQUIRE(status == wanted && mesh == NULL, "%s: %d %s", name, (int)status, message);
+    REQUIRE(strncmp(message, name, strlen(name)) == 0 && strstr(message, words) != NULL &&
+                strchr(message, '\n') == NULL,
+            "%s: %s", name, message);
+}
+
+static void refused(const char *name, cm_status wanted, const char *words)
+{
+    refused_with(name, NULL, wanted, words);
+}
+
+static void check_vertex(const cm_mesh *mesh, size_t vertex, double x, double y, double z)
+{
+    const double *at = cm_mesh_describe(mesh)->position + 3 * vertex;
+    REQUIRE(fabs(at[0] - x) < 1e-12 && fabs(at[1] - y) < 1e-12 && fabs(at[2] - z) < 1e-12,
+            "vertex %zu is %g %g %g", vertex, at[0], at[1], at[2]);
+}
+
+static void check_color(const cm_mesh *mesh, size_t vertex, double r, double g, double b)
+{
+    const float *at = cm_mesh_describe(mesh)->color + 3 * vertex;
+    REQUIRE(fabs((double)at[0] - r) < 1e-6 && fabs((double)at[1] - g) < 1e-6 &&
+                fabs((double)at[2] - b) < 1e-6,
+            "vertex %zu is %g %g %g", vertex, (double)at[0], (double)at[1], (double)at[2]);
+}
+
+/* Four corners of a square, then two triangles, then colours of a byte. */
+typedef struct square_buffer
+{
+    float position[12];
+    uint16_t index[6];
+    uint8_t color[16];
+} square_buffer;
+
+static const square_buffer square = {
+    {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0},
+    {0, 1, 2, 1, 3, 2},
+    {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 51, 51, 51, 255}};
+
+/* Nodes, what the primitive has, and the buffer, as JSON. */
+static void write_gltf(const char *name, const char *nodes, const char *primitive,
+                       const char *buffer)
+{
+    char text[4000];
+    snprintf(
+        text, sizeof text,
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[%s],"
+        "\"meshes\":[{\"primitives\":[{%s}]}],"
+        "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.25,0.5,1,1]}}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"
+        "{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"},"
+        "{\"bufferView\":2,\"componentType\":5121,\"normalized\":true,\"count\":4,\"type\":"
+        "\"VEC4\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},"
+        "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12},"
+        "{\"buffer\":0,\"byteOffset\":60,\"byteLength\":16}],"
+        "\"buffers\":[%s]}",
+        nodes, primitive, buffer);
+    write_text(name, text);
+}
+
+#define NODES                                                                                      \
+    "{\"children\":[1],\"translation\":[1,2,3]},{\"mesh\":0,\"scale\":[2,2,2],"                    \
+    "\"rotation\":[0,0,0.70710678118654752,0.70710678118654752]}"
+#define ONE_NODE "{\"mesh\":0}"
+#define INDEXED "\"attributes\":{\"POSITION\":0},\"indices\":1,\"material\":0"
+#define BUFFER "{\"uri\":\"square.bin\",\"byteLength\":76}"
+
+START_TEST(nodes_move_what_they_have)
+{
+    write_bytes("square.bin", &square, sizeof square);
+    write_gltf("a.gltf", NODES, INDEXED, BUFFER);
+    cm_mesh *mesh = read_good("a.gltf");
+    const cm_mesh_options *has = cm_mesh_describe(mesh);
+    ck_assert_uint_eq(has->vertex_count, 4);
+    ck_assert_uint_eq(has->triangle_count, 2);
+    ck_assert_uint_eq(has->index[4], 3);
+    check_vertex(mesh, 0, 1, 2, 3);
+    check_vertex(mesh, 1, 1, 4, 3); /* x becomes y */
+    check_vertex(mesh, 2, -1, 2, 3);
+    check_color(mesh, 3, 0.25, 0.5, 1);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
+START_TEST(strips_without_indices_and_their_colours)
+{
+    write_bytes("square.bin", &square, sizeof square);
+    write_gltf("strip.gltf", "{\"mesh\":0,\"matrix\":[1,0,0,0, 0,0,1,0, 0,-1,0,0, 5,6,7,1]}",
+               "\"attributes\":{\"POSITION\":0,\"COLOR_0\":2},\"mode\":5", BUFFER);
+    cm_mesh *mesh = read_good("strip.gltf");
+    const cm_mesh_options *has = cm_mesh_describe(mesh);
+    ck_assert_uint_eq(has->triangle_count, 2);
+    ck_assert(has->index[3] == 1 && has->index[4] == 2 && has->index[5] == 3);
+    check_vertex(mesh, 3, 6, 6, 8); /* y becomes z */
+    check_color(mesh, 0, 1, 0, 0);
+    check_color(mesh, 3, 0.2, 0.2, 0.2);
+    cm_mesh_destroy(mesh);
+    write_gltf("points.gltf", ONE_NODE, "\"attributes\":{\"POSITION\":0},\"mode\":0", BUFFER);
+    mesh = read_good("points.gltf");
+    ck_assert_uint_eq(cm_mesh_describe(mesh)->triangle_count, 0);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
+static void put_word(uint8_t *to, uint32_t word)
+{
+    memcpy(to, &word, sizeof word);
+}
+
+START_TEST(a_binary_file_is_the_same)
+{
+    uint8_t bytes[5000] = {0};
+    write_gltf("text.gltf", NODES, INDEXED, "{\"byteLength\":76}");
+    FILE *file = fopen("text.gltf", "rb");
+    ck_assert_ptr_nonnull(file);
+    size_t length = fread(bytes + 20, 1, 4000, file);
+    fclose(file);
+    while (length % 4 != 0)
+    {
+        bytes[20 + length++] = ' ';
+    }
+    const size_t whole = 20 + length + 8 + sizeof square;
+    put_word(bytes, 0x46546c67);
+    put_word(bytes + 4, 2);
+    put_word(bytes + 8, (uint32_t)whole);
+    put_word(bytes + 12, (uint32_t)length);
+    put_word(bytes + 16, 0x4e4f534a);
+    put_word(bytes + 20 + length, sizeof square);
+    put_word(bytes + 24 + length, 0x004e4942);
+    memcpy(bytes + 28 + length, &square, sizeof square);
+    write_bytes("b.glb", bytes, whole);
+    cm_mesh *mesh = read_good("b.glb");
+    check_vertex(mesh, 1, 1, 4, 3);
+    cm_mesh_destroy(mesh);
+    for (size_t cut = 0; cut < whole; cut += 7) /* whatever is left is no mesh, or one */
+    {
+        char message[CM_IMAGE_MESSAGE] = "";
+        write_bytes("cut.glb", bytes, cut);
+        mesh = NULL;
+        const cm_status status = cm_mesh_file_read("cut.glb", NULL, &mesh, message);
+        REQUIRE(status == CM_ERROR_DATA && message[0] != '\0', "%zu: %d", cut, (int)status);
+    }
+}
+END_TEST
+
+START_TEST(polygons_and_materials_of_obj)
+{
+    write_text("c.mtl", "newmtl red\nKd 1 0.25 0\nnewmtl blue\nKd 0 0 1\n");
+    write_text("c.obj", "mtllib c.mtl\nv 0 0 0.1\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 3 0\n"
+                        "usemtl red\nf 1 2 3 4\nusemtl blue\nf -3 -1 -2\n");
+    cm_mesh *mesh = read_good("c.obj");
+    const cm_mesh_options *has = cm_mesh_describe(mesh);
+    ck_assert_uint_eq(has->triangle_count, 3);
+    ck_assert_uint_eq(has->vertex_count, 7); /* two are of both materials */
+    ck_assert(has->position[2] == 0.1);      /* in double */
+    check_color(mesh, has->index[0], 1, 0.25, 0);
+    check_color(mesh, has->index[6], 0, 0, 1);
+    check_vertex(mesh, has->index[6], 2, 2, 0);
+    check_vertex(mesh, has->index[7], 1, 3, 0);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
+START_TEST(what_is_wrong_is_one_line)
+{
+    write_bytes("square.bin", &square, sizeof square);
+    refused("absent.gltf", CM_ERROR_FILE, "cannot be opened");
+    write_text("mesh.fbx", "x");
+    refused("mesh.fbx", CM_ERROR_UNSUPPORTED, "is no mesh that is read");
+    write_text("empty.obj", "");
+    cm_mesh_destroy(read_good("empty.obj")); /* without triangles */
+    write_text("range.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
+    refused("range.obj", CM_ERROR_DATA, "");
+    write_text("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write_text("huge.obj", "v 1e200 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    refused("huge.obj", CM_ERROR_DATA, "no numbers");
+    write_text("no.gltf", "{\"asset\"");
+    refused("no.gltf", CM_ERROR_DATA, "is no glTF");
+    write_gltf("outside.gltf", ONE_NODE, INDEXED, "{\"uri\":\"../x.bin\",\"byteLength\":76}");
+    refused("outside.gltf", CM_ERROR_DATA, "is no glTF");
+    write_gltf("short.gltf", ONE_NODE, "\"attributes\":{\"POSITION\":0},\"indices\":7", BUFFER);
+    refused("short.gltf", CM_ERROR_DATA, "is no glTF");
+    write_gltf("ring.gltf", "{\"children\":[1]},{\"children\":[0]}", INDEXED, BUFFER);
+    refused("ring.gltf", CM_ERROR_DATA, "no tree");
+    square_buffer wrong = square;
+    wrong.index[2] = 4;
+    write_bytes("wrong.bin", &wrong, sizeof wrong);
+    write_gltf("index.gltf", ONE_NODE, INDEXED, "{\"uri\":\"wrong.bin\",\"byteLength\":76}");
+    refused("index.gltf", CM_ERROR_DATA, "out of range");
+    wrong = square;
+    wrong.position[5] = NAN;
+    write_bytes("wrong.bin", &wrong, sizeof wrong);
+    write_gltf("nan.gltf", ONE_NODE, INDEXED, "{\"uri\":\"wrong.bin\",\"byteLength\":76}");
+    refused("nan.gltf", CM_ERROR_DATA, "no numbers");
+    ck_assert_int_eq(mkdir("folder.obj", 0700), 0);
+    refused("folder.obj", CM_ERROR_FILE, "is no file");
+    ck_assert_int_eq(rmdir("folder.obj"), 0);
+    char message[CM_IMAGE_MESSAGE];
+    cm_mesh *mesh = NULL;
+    ck_assert_int_eq(cm_mesh_file_read(NULL, NULL, &mesh, message), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_mesh_file_read("a.obj", NULL, NULL, message), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_mesh_file_read("a.obj", NULL, &mesh, NULL), CM_ERROR_ARGUMENT);
+}
+END_TEST
+
+/* So many nodes, each within the one before, that the reader's stack ends. */
+START_TEST(a_reader_that_crashes_is_one_line)
+{
+    enum
+    {
+        DEEP = 300000
+    };
+    FILE *file = fopen("deep.gltf", "w");
+    ck_assert_ptr_nonnull(file);
+    fprintf(
+        file,
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[");
+    for (int i = 1; i < DEEP; i++)
+    {
+        fprintf(file, "{\"children\":[%d]},", i);
+    }
+    fprintf(file, "{}]}");
+    fclose(file);
+    refused("deep.gltf", CM_ERROR_DATA, "its reader");
+}
+END_TEST
+
+START_TEST(a_reader_is_stopped_at_its_limits)
+{
+    FILE *file = fopen("long.obj", "w");
+    ck_assert_ptr_nonnull(file);
+    for (int i = 0; i < 400000; i++)
+    {
+        fprintf(file, "v %d 0 0\nv 0 %d 0\nv 0 0 %d\nf -1 -2 -3\n", i, i, i);
+    }
+    fclose(file);
+    const cm_mesh_limits little = {sizeof little, 1 << 20, 0};
+    refused_with("long.obj", &little, CM_ERROR_DATA, "more memory than a mesh may");
+    cm_mesh *mesh = read_good("long.obj");
+    ck_assert_uint_eq(cm_mesh_describe(mesh)->triangle_count, 400000);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
+int main(void)
+{
+    char folder[] = "/tmp/test-mesh-file-XXXXXX";
+    if (mkdtemp(folder) == NULL || chdir(folder) != 0)
+    {
+        return 1;
+    }
+    const TTest *const tests[] = {
+        nodes_move_what_they_have,         strips_without_indices_and_their_colours,
+        a_binary_file_is_the_same,         polygons_and_materials_of_obj,
+        what_is_wrong_is_one_line,         a_reader_that_crashes_is_one_line,
+        a_reader_is_stopped_at_its_limits, NULL};
+    const int status = run_suite("mesh file", tests);
+    char command[100];
+    snprintf(command, sizeof command, "rm -rf %s", folder);
+    return system(command) == 0 ? status : 1;
+}

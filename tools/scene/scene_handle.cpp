@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+
+#include "scene_handle.hpp"
+
+#include "modules/scene/io/camera_file.h"
+#include "modules/scene/io/trajectory_file.h"
+#include "tools/cli/program.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+void check_scene(cm_status status, const char *message)
+{
+    if (status != CM_OK)
+    {
+        throw Failure(message[0] == '\0' ? cm_status_text(status) : message);
+    }
+}
+
+CameraFile read_camera(const std::string &path)
+{
+    cm_camera *camera = nullptr;
+    double depth_scale = 0;
+    char message[CM_IMAGE_MESSAGE] = "";
+    check_scene(cm_camera_file_read(path.c_str(), &camera, &depth_scale, message), message);
+    return {CameraPointer(camera), depth_scale};
+}
+
+TimedPoses read_poses(const std::string &path)
+{
+    cm_pose_list list = {};
+    char message[CM_IMAGE_MESSAGE] = "";
+    check_scene(cm_trajectory_file_read(path.c_str(), &list, message), message);
+    const std::unique_ptr<cm_pose_list, void (*)(cm_pose_list *)> owned(&list, cm_pose_list_clear);
+    return {{list.time, list.time + list.count}, {list.pose, list.pose + list.count}};
+}
+
+SequencePointer open_sequence(const std::string &folder, const std::string &camera)
+{
+    cm_sequence_options options = {};
+    options.size = sizeof options;
+    options.camera = camera.empty() ? nullptr : camera.c_str();
+    cm_sequence *sequence = nullptr;
+    char message[CM_IMAGE_MESSAGE] = "";
+    check_scene(cm_sequence_open(folder.c_str(), &options, &sequence, message), message);
+    return SequencePointer(sequence);
+}
+
+SequenceWriterPointer create_sequence(const std::string &folder, cm_sequence_layout layout,
+                                      const cm_camera *camera, double depth_scale)
+{
+    cm_sequence_writer *writer = nullptr;
+    char message[CM_IMAGE_MESSAGE] = "";
+    check_scene(cm_sequence_create(folder.c_str(), layout, camera, depth_scale, &writer, message),
+                message);
+    return SequenceWriterPointer(writer);
+}
+
+void finish_sequence(const SequenceWriterPointer &writer)
+{
+    char message[CM_IMAGE_MESSAGE] = "";
+    check_scene(cm_sequence_finish(writer.get(), message), message);
+}
+
+std::string json_number(double number)
+{
+    char text[40] = "null";
+    for (int digits = 15; std::isfinite(number) && digits <= 17; ++digits)
+    {
+        std::snprintf(text, sizeof text, "%.*g", digits, number);
+        if (std::strtod(text, nullptr) == number)
+        {
+            break;
+        }
+    }
+    return text;
+}

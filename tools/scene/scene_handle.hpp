@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// What the commands of cubemap-scene hold: cameras, trajectories, sequences, as long as they are needed; and their failures.
+
+#ifndef CUBEMAP_TOOLS_SCENE_HANDLE_HPP
+#define CUBEMAP_TOOLS_SCENE_HANDLE_HPP
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <cubemap/trajectory.h>
+
+#include "modules/scene/io/sequence.h"
+
+template <auto destroy> struct HandleDeleter
+{
+    template <typename Handle> void operator()(Handle *owned) const noexcept
+    {
+        destroy(owned);
+    }
+};
+
+using CameraPointer = std::unique_ptr<cm_camera, HandleDeleter<cm_camera_destroy>>;
+using TrajectoryPointer = std::unique_ptr<cm_trajectory, HandleDeleter<cm_trajectory_destroy>>;
+using SequencePointer = std::unique_ptr<cm_sequence, HandleDeleter<cm_sequence_close>>;
+using SequenceWriterPointer = std::unique_ptr<cm_sequence_writer, HandleDeleter<cm_sequence_drop>>;
+
+// A camera and its units of depth a metre.
+struct CameraFile
+{
+    CameraPointer camera;
+    double depth_scale = 0;
+};
+
+// A trajectory as a file has it.
+struct TimedPoses
+{
+    std::vector<double> time;
+    std::vector<cm_pose> pose;
+};
+
+// Failure with the message, unless the status is CM_OK.
+void check_scene(cm_status status, const char *message);
+
+CameraFile read_camera(const std::string &path);
+TimedPoses read_poses(const std::string &path);
+SequencePointer open_sequence(const std::string &folder, const std::string &camera);
+SequenceWriterPointer create_sequence(const std::string &folder, cm_sequence_layout layout,
+                                      const cm_camera *camera, double depth_scale);
+void finish_sequence(const SequenceWriterPointer &writer);
+
+// A number of JSON that is the same again; null for what is not finite.
+std::string json_number(double number);
+
+#endif
