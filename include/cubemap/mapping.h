@@ -50,6 +50,11 @@ typedef struct cm_mapping cm_mapping;
 CM_API cm_status cm_mapping_create(const char *specification, const cm_frame *frame,
                                    cm_mapping **mapping);
 
+/* The same mapping once more, with its parameters, parts, frame, tier and instruction set. *copy is to be given to
+ * cm_mapping_destroy, before or after the other one.
+ * Errors: CM_ERROR_ARGUMENT (NULL), CM_ERROR_MEMORY. */
+CM_API cm_status cm_mapping_copy(const cm_mapping *mapping, cm_mapping **copy);
+
 /* NULL is allowed. */
 CM_API void cm_mapping_destroy(cm_mapping *mapping);
 

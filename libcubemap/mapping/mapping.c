@@ -258,13 +258,23 @@ cm_status cm_mapping_create_with(const char *specification, const cm_frame *fram
     prepare_constants(&made);
     made.area_scale = area_scale_of(&made);
     choose_loops(&made);
+    return cm_mapping_copy(&made, mapping);
+}
+
+/* A mapping points to constant tables alone, and to the texts of its frame, which are the caller's. */
+cm_status cm_mapping_copy(const cm_mapping *mapping, cm_mapping **copy)
+{
+    if (mapping == NULL || copy == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
     cm_mapping *kept = malloc(sizeof *kept);
     if (kept == NULL)
     {
         return CM_ERROR_MEMORY;
     }
-    *kept = made;
-    *mapping = kept;
+    *kept = *mapping;
+    *copy = kept;
     return CM_OK;
 }
 

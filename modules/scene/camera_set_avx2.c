@@ -1,0 +1,6 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * x86-64 with AVX2 and FMA; the build gives this file the flags.
+ */
+#define CM_SET avx2
+#include "camera_set.inc"

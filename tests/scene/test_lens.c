@@ -1,0 +1,353 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Cameras with distortion: there and back, derivatives, the valid field and what is beyond it.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include <cubemap/camera.h>
+
+#include "tests/suite.h"
+#include "lens_truth.h"
+
+#define TURN 6.283185307179586
+
+static uint64_t state = 1;
+
+static double uniform(double low, double high)
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+}
+
+/* strength 1: what calibrations of wide lenses give; more: what folds in the picture. */
+static cm_camera_options random_options(double strength)
+{
+    cm_camera_options options = {.size = sizeof options, .width = 640, .height = 480};
+    static const double most[14] = {0.4,  0.15, 0.01, 0.01, 0.05, 0.2,  0.05,
+                                    0.02, 0.02, 0.01, 0.02, 0.01, 0.06, 0.06};
+    options.fx = uniform(250.0, 900.0);
+    options.fy = options.fx * uniform(0.9, 1.1) * (uniform(0.0, 1.0) < 0.1 ? -1.0 : 1.0);
+    options.pixel_centre = uniform(0.0, 1.0) < 0.5 ? 0.0 : 0.5;
+    options.cx = 319.5 + options.pixel_centre + uniform(-20.0, 20.0);
+    options.cy = 239.5 + options.pixel_centre + uniform(-20.0, 20.0);
+    for (int i = 0; i < 14; i++)
+    {
+        options.distortion[i] = uniform(-strength, strength) * most[i];
+    }
+    return options;
+}
+
+static cm_camera *make(const cm_camera_options *options)
+{
+    cm_camera *camera = NULL;
+    ck_assert_int_eq(cm_camera_create(options, &camera), CM_OK);
+    return camera;
+}
+
+static int ray_of(const cm_camera *camera, const double pixel[2], double ray[3])
+{
+    cm_camera_ray_array(camera, 1, &pixel[0], &pixel[1], &ray[0], &ray[1], &ray[2]);
+    ck_assert(isnan(ray[0]) == isnan(ray[1]) && isnan(ray[0]) == isnan(ray[2]));
+    ck_assert(isnan(ray[0]) || ray[2] == 1.0);
+    return !isnan(ray[0]);
+}
+
+static int pixel_of(const cm_camera *camera, const double point[3], double pixel[2])
+{
+    cm_camera_project_array(camera, 1, &point[0], &point[1], &point[2], &pixel[0], &pixel[1]);
+    ck_assert(isnan(pixel[0]) == isnan(pixel[1]));
+    return !isnan(pixel[0]);
+}
+
+static double apart(const double a[2], const double b[2])
+{
+    return fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1]));
+}
+
+/* Pixels of the picture, its corners and its middle among them. */
+static void check_pixels(const cm_camera *camera, int count, int *missing)
+{
+    const cm_camera_options *options = cm_camera_describe(camera);
+    for (int i = 0; i < count; i++)
+    {
+        const double edge = options->pixel_centre;
+        double pixel[2] = {i < 4 ? edge + 639.0 * (i % 2) : floor(uniform(0.0, 640.0)) + edge,
+                           i < 4 ? edge + 479.0 * (i / 2) : floor(uniform(0.0, 480.0)) + edge};
+        if (i == 4)
+        {
+            pixel[0] = options->cx;
+            pixel[1] = options->cy;
+        }
+        double ray[3];
+        double again[2];
+        ck_assert_int_eq(cm_camera_has_ray(camera, pixel[0], pixel[1]), ray_of(camera, pixel, ray));
+        if (isnan(ray[0]))
+        {
+            REQUIRE(i != 4, "the axis");
+            ++*missing;
+            continue;
+        }
+        REQUIRE(pixel_of(camera, ray, again) && apart(again, pixel) <= 1e-9, "%a %a: %g", pixel[0],
+                pixel[1], apart(again, pixel));
+    }
+}
+
+/* Rays up to the border come back from their pixels; those beyond have none. */
+static void check_rays(const cm_camera *camera, int count)
+{
+    for (int i = 0; i < count; i++)
+    {
+        const double angle = uniform(0.0, TURN);
+        const double border = cm_camera_border(camera, angle);
+        const double most = fmin(border, 1.5);
+        const double length = most * (i % 8 == 0 ? 1.0 - 1e-4 : sqrt(uniform(0.0, 0.99)));
+        const double ray[3] = {length * cos(angle), length * sin(angle), 1.0};
+        double pixel[2];
+        double again[3];
+        double there[2];
+        REQUIRE(pixel_of(camera, ray, pixel), "%g of %g", length, border);
+        REQUIRE(ray_of(camera, pixel, again), "no ray for %.17g %.17g: %g of %g", pixel[0],
+                pixel[1], length, border);
+        REQUIRE(pixel_of(camera, again, there) && apart(there, pixel) <= 1e-9, "%g",
+                apart(there, pixel));
+        const double outer[3] = {border * 1.0001 * cos(angle), border * 1.0001 * sin(angle), 1.0};
+        REQUIRE(border == (double)INFINITY || !pixel_of(camera, outer, pixel), "%g: %g", angle,
+                border);
+    }
+}
+
+START_TEST(pixels_come_back)
+{
+    const int cameras = is_quick() ? 60 : 1000;
+    int missing = 0;
+    state = 7;
+    for (int i = 0; i < cameras; i++)
+    {
+        const cm_camera_options options = random_options(i % 4 == 3 ? 2.0 : 1.0);
+        cm_camera *camera = make(&options);
+        check_pixels(camera, 100, &missing);
+        check_rays(camera, 40);
+        cm_camera_destroy(camera);
+    }
+    REQUIRE(missing < 100 * cameras / 5, "%d pixels of %d have no ray", missing, 100 * cameras);
+}
+END_TEST
+
+/* In long double, with the formula as it is printed: places, and their derivatives by central differences. */
+START_TEST(forward_and_derivatives_are_the_model)
+{
+    state = 11;
+    for (int i = 0; i < (is_quick() ? 40 : 400); i++)
+    {
+        const cm_camera_options options = random_options(1.0);
+        cm_camera *camera = make(&options);
+        const double angle = uniform(0.0, TURN);
+        const double length = uniform(0.0, 0.9) * fmin(1.2, cm_camera_border(camera, angle));
+        const double z = uniform(0.2, 8.0);
+        const double point[3] = {z * length * cos(angle), z * length * sin(angle), z};
+        double pixel[2];
+        double jacobian[6];
+        ck_assert(pixel_of(camera, point, pixel));
+        cm_camera_jacobian(camera, point, jacobian);
+        long double true_pixel[2];
+        lens_project(&options, (const long double[3]){point[0], point[1], point[2]}, true_pixel);
+        for (int k = 0; k < 2; k++)
+        {
+            REQUIRE(fabsl(pixel[k] - true_pixel[k]) < 2e-11L, "%Lg", pixel[k] - true_pixel[k]);
+        }
+        for (int j = 0; j < 3; j++)
+        {
+            const long double step = 1e-6L;
+            long double more[3] = {point[0], point[1], point[2]}, less[3] = {point[0], point[1], z};
+            long double up[2], low[2];
+            more[j] += step;
+            less[j] -= step;
+            lens_project(&options, more, up);
+            lens_project(&options, less, low);
+            for (int k = 0; k < 2; k++)
+            {
+                const long double slope = (up[k] - low[k]) / (2 * step);
+                REQUIRE(fabsl(jacobian[3 * k + j] - slope) <= 1e-7L * (1 + fabsl(slope)),
+                        "d %d / d %d: %.17g, not %.17Lg", k, j, jacobian[3 * k + j], slope);
+            }
+        }
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
+static long double determinant(const double *k, long double a, long double b)
+{
+    const long double h = 1e-7L * (1 + fabsl(a) + fabsl(b));
+    long double e[2], w[2], n[2], s[2];
+    lens_distort(k, a + h, b, e);
+    lens_distort(k, a - h, b, w);
+    lens_distort(k, a, b + h, n);
+    lens_distort(k, a, b - h, s);
+    return ((e[0] - w[0]) * (n[1] - s[1]) - (n[0] - s[0]) * (e[1] - w[1])) / (4 * h * h);
+}
+
+/* The border is where the determinant of differences first is none, looked for in small steps. */
+START_TEST(border_is_the_first_fold)
+{
+    state = 13;
+    for (int i = 0; i < (is_quick() ? 20 : 200); i++)
+    {
+        cm_camera_options options = random_options(3.0);
+        options.distortion[TAU_X] = options.distortion[TAU_Y] = 0.0;
+        cm_camera *camera = make(&options);
+        const double angle = uniform(0.0, TURN);
+        const double border = cm_camera_border(camera, angle);
+        const double *k = options.distortion;
+        double seen = 0.0;
+        long double below = 1;
+        const double step = 1e-3;
+        for (; seen < 4.0 && below > 0; seen += step)
+        {
+            const double r2 = seen * seen;
+            below = 1 + r2 * (k[K4] + r2 * (k[K5] + r2 * k[K6]));
+            if (!(determinant(k, seen * cos(angle), seen * sin(angle)) > 0))
+            {
+                break;
+            }
+        }
+        REQUIRE(seen >= 4.0 ? border >= 3.99 : fabs(border - seen) <= 1.1 * step,
+                "camera %d, angle %g: %.17g, not %g", i, angle, border, seen);
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
+/* The radial model x = r (1 + k1 r^2) folds at r^2 = -1 / (3 k1), where x is two thirds of that. */
+START_TEST(nothing_comes_from_beyond_a_fold)
+{
+    cm_camera_options options = {.size = sizeof options,
+                                 .width = 640,
+                                 .height = 480,
+                                 .fx = 500.0,
+                                 .fy = 500.0,
+                                 .cx = 319.5,
+                                 .cy = 239.5,
+                                 .distortion = {-0.9}};
+    cm_camera *camera = make(&options);
+    const double fold = sqrt(1.0 / 2.7);
+    const double end = 500.0 * fold * 2.0 / 3.0;
+    for (int i = 0; i < 64; i++)
+    {
+        const double angle = TURN * i / 64.0 + 0.01;
+        REQUIRE(fabs(cm_camera_border(camera, angle) - fold) < 1e-12, "%g",
+                cm_camera_border(camera, angle) - fold);
+        double ray[3];
+        const double inside[2] = {319.5 + (end - 1e-7) * cos(angle),
+                                  239.5 + (end - 1e-7) * sin(angle)};
+        const double outside[2] = {319.5 + (end + 1e-7) * cos(angle),
+                                   239.5 + (end + 1e-7) * sin(angle)};
+        REQUIRE(ray_of(camera, inside, ray) && hypot(ray[0], ray[1]) <= fold, "%d: %g", i, ray[0]);
+        REQUIRE(!ray_of(camera, outside, ray), "%d: %g %g", i, ray[0], ray[1]);
+        /* the formula says that this one is in the middle of the picture */
+        const double far = sqrt(1.0 / 0.9) * 0.98;
+        const double point[3] = {far * cos(angle), far * sin(angle), 1.0};
+        double pixel[2];
+        REQUIRE(!pixel_of(camera, point, pixel), "%d: %g %g", i, pixel[0], pixel[1]);
+    }
+    cm_camera_destroy(camera);
+    /* k2 > 0: signs are good again beyond the fold, and what is there is none of the field */
+    options.distortion[K2] = 0.3;
+    camera = make(&options);
+    const double border = cm_camera_border(camera, 0.0);
+    ck_assert(border > 0.6 && border < 0.8);
+    const double beyond[3] = {2.0, 1.0, 1.0};
+    double pixel[2];
+    ck_assert(determinant(options.distortion, 2.0L, 1.0L) > 0);
+    ck_assert(!pixel_of(camera, beyond, pixel));
+    double ray[3];
+    const double corner[2] = {639.0, 479.0};
+    ck_assert(!ray_of(camera, corner, ray));
+    cm_camera_destroy(camera);
+}
+END_TEST
+
+/* Ten rounds of a fixed point, which undistortPoints does by default, are not enough beside a fold, and diverge where
+ * distortion is strong (opencv#27916, #6091; kornia#4285). */
+START_TEST(fixed_points_fail_where_newton_does_not)
+{
+    static const double lenses[][14] = {{-0.4}, {-0.9}, {-0.35, 0.12, 0.02, -0.01}, {2.0, 4.0}};
+    for (size_t i = 0; i < sizeof lenses / sizeof *lenses; i++)
+    {
+        cm_camera_options options = {.size = sizeof options,
+                                     .width = 640,
+                                     .height = 480,
+                                     .fx = 400.0,
+                                     .fy = 400.0,
+                                     .cx = 319.5,
+                                     .cy = 239.5};
+        memcpy(options.distortion, lenses[i], sizeof options.distortion);
+        cm_camera *camera = make(&options);
+        const double angle = 0.6;
+        const double length = fmin(0.97 * cm_camera_border(camera, angle), 0.8);
+        const double ray[3] = {length * cos(angle), length * sin(angle), 1.0};
+        double pixel[2];
+        double ours[3];
+        double theirs[2];
+        long double there[2];
+        ck_assert(pixel_of(camera, ray, pixel));
+        ck_assert(ray_of(camera, pixel, ours));
+        lens_project(&options, (const long double[3]){ours[0], ours[1], 1}, there);
+        REQUIRE(hypotl(there[0] - pixel[0], there[1] - pixel[1]) < 1e-9L, "ours");
+        lens_ten_rounds(&options, pixel[0], pixel[1], theirs);
+        lens_project(&options, (const long double[3]){theirs[0], theirs[1], 1}, there);
+        const long double off = hypotl(there[0] - pixel[0], there[1] - pixel[1]);
+        REQUIRE(!(off <= 1.0L), "lens %zu: ten rounds are off by %Lg pixels only", i, off);
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
+/* The pixel's corners on the sphere make two triangles, whose angle Van Oosterom and Strackee 1983 give. */
+static double triangle(const double a[3], const double b[3], const double c[3])
+{
+    const double volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                          a[2] * (b[0] * c[1] - b[1] * c[0]);
+    const double la = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    const double lb = sqrt(b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
+    const double lc = sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
+    const double ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const double bc = b[0] * c[0] + b[1] * c[1] + b[2] * c[2];
+    const double ca = c[0] * a[0] + c[1] * a[1] + c[2] * a[2];
+    return 2.0 * fabs(atan2(volume, la * lb * lc + ab * lc + bc * la + ca * lb));
+}
+
+START_TEST(solid_angles_are_those_of_small_squares)
+{
+    state = 17;
+    for (int i = 0; i < 100; i++)
+    {
+        const cm_camera_options options = random_options(0.5);
+        cm_camera *camera = make(&options);
+        const double pixel[2] = {uniform(100.0, 540.0), uniform(100.0, 380.0)};
+        double corner[4][3];
+        for (int k = 0; k < 4; k++)
+        {
+            const double at[2] = {pixel[0] + 0.01 * (k % 2 - 0.5), pixel[1] + 0.01 * (k / 2 - 0.5)};
+            ck_assert(ray_of(camera, at, corner[k]));
+        }
+        const double angle = 1e4 * (triangle(corner[0], corner[1], corner[2]) +
+                                    triangle(corner[1], corner[2], corner[3]));
+        const double ours = cm_camera_solid_angle(camera, pixel[0], pixel[1]);
+        REQUIRE(fabs(ours - angle) < 1e-5 * angle, "%g, not %g", ours, angle);
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {pixels_come_back,
+                                  forward_and_derivatives_are_the_model,
+                                  border_is_the_first_fold,
+                                  nothing_comes_from_beyond_a_fold,
+                                  fixed_points_fail_where_newton_does_not,
+                                  solid_angles_are_those_of_small_squares,
+                                  NULL};
+    return run_suite("lens", tests);
+}
