@@ -6,7 +6,9 @@
 #define CUBEMAP_SCENE_H
 
 #include <cubemap/camera.h>
+#include <cubemap/depth.h>
 #include <cubemap/pose.h>
+#include <cubemap/raster.h>
 #include <cubemap/view.h>
 
 #endif
