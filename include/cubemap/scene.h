@@ -12,6 +12,9 @@
 #include <cubemap/pose.h>
 #include <cubemap/random.h>
 #include <cubemap/trajectory.h>
+#include <cubemap/depth.h>
+#include <cubemap/pose.h>
+#include <cubemap/raster.h>
 #include <cubemap/view.h>
 #include <cubemap/world.h>
 

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The loops of drawing, once for each instruction set.
+ */
+#ifndef MODULES_SCENE_RASTER_SET_H
+#define MODULES_SCENE_RASTER_SET_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Rows of pixels, and of columns' rays, have so many floats behind their end. */
+#define CM_RASTER_SLACK 16
+
+/* Discs that are made ready together. */
+#define CM_DISC_BLOCK 256
+
+/* Rays of pixels beside each other. */
+typedef struct cm_raster_rays
+{
+    const double *x;
+    const double *y; /* NULL: y_all, and z is 1 */
+    const double *z;
+    double y_all;
+} cm_raster_rays;
+
+/* Pixels beside each other, and what is to be nearest. */
+typedef struct cm_raster_pixels
+{
+    float *nearness;
+    uint32_t *id;
+    float near_most;
+    uint32_t own;
+} cm_raster_pixels;
+
+/* A triangle: what is on the inner side of three planes through the camera's centre. */
+typedef struct cm_raster_triangle
+{
+    double corner[3][3]; /* directions of corners, counter-clockwise for who sees their front */
+    double edge[3][3];   /* normals of the planes */
+    double slack[3];     /* so far from 0 signs are sure */
+    double plane[3];     /* nearness is that times the ray */
+    double least, most;  /* nearness is between these */
+} cm_raster_triangle;
+
+/* A disc. */
+typedef struct cm_raster_disc
+{
+    double centre[3];
+    double plane[3]; /* as of triangles */
+    double square;   /* of the radius */
+    double distance; /* of the centre, and the sine and cosine of the cone around the disc; */
+    double sine;     /* 2: all directions */
+    double cosine;
+} cm_raster_disc;
+
+/* A plain camera, and its pose. */
+typedef struct cm_disc_view
+{
+    double rotation[9];
+    double position[3];
+    double fx, fy, cx, cy; /* of pixels whose centres are whole numbers */
+    float width, height;
+    float near_most;
+    const float *column_x; /* rays of columns */
+    const double *row_y;
+    size_t stride;
+    float *nearness;
+    uint32_t *id;
+} cm_disc_view;
+
+/* Discs in the camera's axes and in its picture; where first_column is greater than last_column there is none. */
+typedef struct cm_disc_block
+{
+    float centre[3][CM_DISC_BLOCK];
+    float plane[3][CM_DISC_BLOCK];
+    float square[CM_DISC_BLOCK];
+    int32_t first_column[CM_DISC_BLOCK];
+    int32_t last_column[CM_DISC_BLOCK];
+    int32_t first_row[CM_DISC_BLOCK];
+    int32_t last_row[CM_DISC_BLOCK];
+    int32_t is_around[CM_DISC_BLOCK]; /* 1: it may reach behind the camera: there is no box */
+} cm_disc_block;
+
+typedef struct cm_raster_set
+{
+    const char *name; /* as in options.h */
+    void (*triangle_row)(size_t n, const cm_raster_rays *rays, const cm_raster_triangle *shape,
+                         const cm_raster_pixels *pixels);
+    void (*disc_row)(size_t n, const cm_raster_rays *rays, const cm_raster_disc *shape,
+                     const cm_raster_pixels *pixels);
+    /* n discs from arrays: centre, normal, radius. */
+    void (*discs_place)(size_t n, const float *const from[7], const cm_disc_view *view,
+                        cm_disc_block *block);
+    /* Those that have boxes, in rows first to last - 1. */
+    void (*discs_draw)(size_t n, const cm_disc_view *view, const cm_disc_block *block, size_t first,
+                       size_t last, uint32_t id);
+} cm_raster_set;
+
+extern const cm_raster_set cm_raster_scalar;
+#ifdef CM_HAVE_SSE2
+extern const cm_raster_set cm_raster_sse2;
+#endif
+#ifdef CM_HAVE_AVX2
+extern const cm_raster_set cm_raster_avx2;
+#endif
+#ifdef CM_HAVE_AVX512
+extern const cm_raster_set cm_raster_avx512;
+#endif
+#ifdef CM_HAVE_NEON
+extern const cm_raster_set cm_raster_neon;
+#endif
+
+/* As cm_depth_set_find. */
+const cm_raster_set *cm_raster_set_find(const char *name);
+
+#endif

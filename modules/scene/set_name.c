@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+#include "set_name.h"
+
+#include <cubemap/options.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+static int equal_words(const char *a, const char *b)
+{
+    for (; *a != '\0' && *b != '\0'; a++, b++)
+    {
+        const int low_a = *a >= 'A' && *a <= 'Z' ? *a - 'A' + 'a' : *a;
+        const int low_b = *b >= 'A' && *b <= 'Z' ? *b - 'A' + 'a' : *b;
+        if (low_a != low_b)
+        {
+            return 0;
+        }
+    }
+    return *a == *b;
+}
+
+static int has(const char *const *names, size_t count, const char *name)
+{
+    for (size_t i = 0; i < count; i++)
+    {
+        if (strcmp(names[i], name) == 0)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Libcubemap may be newer or older than this library: a set that only one of them has is not taken. */
+const char *cm_scene_set_name(const char *instructions, const char *const *names, size_t count)
+{
+    if (cm_instructions_check(instructions, NULL, 0) != CM_OK)
+    {
+        return NULL;
+    }
+    const char *wanted = instructions != NULL ? instructions : getenv("CUBEMAP_INSTRUCTIONS");
+    const int any = wanted == NULL || *wanted == '\0';
+    const char *best = NULL;
+    for (size_t i = 0; i < cm_instructions_count(); i++)
+    {
+        const char *name = cm_instructions_at(i);
+        if (has(names, count, name) && (any || equal_words(name, wanted)))
+        {
+            best = name;
+        }
+    }
+    return best;
+}
