@@ -7,14 +7,14 @@
 
 #include <cubemap/budget.h>
 #include <cubemap/camera.h>
+#include <cubemap/depth.h>
 #include <cubemap/mesh.h>
 #include <cubemap/pool.h>
 #include <cubemap/pose.h>
 #include <cubemap/random.h>
-#include <cubemap/trajectory.h>
-#include <cubemap/depth.h>
-#include <cubemap/pose.h>
 #include <cubemap/raster.h>
+#include <cubemap/store.h>
+#include <cubemap/trajectory.h>
 #include <cubemap/view.h>
 #include <cubemap/world.h>
 
