@@ -5,6 +5,7 @@
 Each function below packs what the harness of that name takes from its input, in the same order. The
 inputs that are text stand in corpus/ as they are.
 """
+import base64
 import pathlib
 import struct
 import zlib
@@ -262,6 +263,41 @@ def world_inputs():
              for index, kind in enumerate(("plane", "box", "sphere", "cylinder", "mesh"))}
     worlds = {name: bytes([index, 0]) for index, name in enumerate(("room", "corridor", "spheres"))}
     return {name: triangle + body + rays for name, body in {**plain, **worlds, "standing": standing}.items()}
+
+
+def scene_text_inputs():
+    """Worlds of JSON."""
+    return {
+        "all": b'{"planes":[{"point":[0,0,0],"normal":[0,0,1],"color":[0.5,0.5,0.5]}],'
+               b'"boxes":[{"min":[0,0,0],"max":[1,1,1],"reflectance":0.5}],"spheres":[{"centre":[0,0,0],"radius":1}],'
+               b'"cylinders":[{"from":[0,0,0],"to":[0,0,1],"radius":0.5}]}',
+        "mesh": b'{"meshes":[{"file":"a.glb","position":[0,0,0],"quaternion":[0,0,0,1],"color":[1,1,1]}]}',
+        "unknown": b'{"cones":[]}',
+        "none": b"{}",
+    }
+
+
+def mesh_file_inputs():
+    """What kind of file, and the file."""
+    triangle = struct.pack("<9f3H", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 2)
+    text = (b'{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[2,2,2]}],'
+            b'"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],'
+            b'"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},'
+            b'{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],'
+            b'"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],'
+            b'"buffers":[{%s"byteLength":42}]}')
+    inline = b'"uri":"data:application/octet-stream;base64,' + base64.b64encode(triangle) + b'",'
+    chunk = text % b""
+    chunk += b" " * (-len(chunk) % 4)
+    binary = triangle + b"\0" * (-len(triangle) % 4)
+    whole = 12 + 8 + len(chunk) + 8 + len(binary)
+    glb = struct.pack("<III", 0x46546c67, 2, whole) + struct.pack("<II", len(chunk), 0x4e4f534a) + chunk
+    glb += struct.pack("<II", len(binary), 0x004e4942) + binary
+    return {
+        "text": bytes([0]) + text % inline,
+        "binary": bytes([1]) + glb,
+        "obj": bytes([2]) + b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 -2 -1\n",
+    }
 
 
 def cells_inputs():
@@ -604,6 +640,8 @@ INPUTS = {
     "budget": budget_inputs(),
     "trajectory": trajectory_inputs(),
     "world": world_inputs(),
+    "scene_text": scene_text_inputs(),
+    "mesh_file": mesh_file_inputs(),
     "orient": orient_inputs(),
     "advise": advise_inputs(),
     "point_lines": point_lines_inputs(),

@@ -11,6 +11,9 @@
 #include "tools/distortion/distortion_main.h"
 #include "tools/orient/orient_main.h"
 #include "tools/reproject/reproject_main.h"
+#ifdef HAVE_SCENE
+#include "tools/scene/scene_main.h"
+#endif
 
 #include <algorithm>
 #include <csignal>
@@ -39,6 +42,9 @@ const std::map<std::string, Program> programs = {{"colormap", cm_colormap_main},
                                                  {"compare", cm_compare_main},
                                                  {"distortion", cm_distortion_main},
                                                  {"orient", cm_orient_main},
+#ifdef HAVE_SCENE
+                                                 {"scene", cm_scene_main},
+#endif
                                                  {"reproject", cm_reproject_main}};
 
 int cases = 0;
@@ -198,6 +204,9 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"memory", reproject_memory_subjects()},
         {"distortion", distortion_subjects()},
         {"orient", orient_subjects()},
+#ifdef HAVE_SCENE
+        {"scene", scene_subjects()},
+#endif
         {"colormap", colormap_subjects()}};
     const bool every = names.empty();
     std::vector<Subject> chosen;

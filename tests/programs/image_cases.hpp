@@ -100,5 +100,6 @@ const std::vector<Subject> &reproject_memory_subjects();
 const std::vector<Subject> &distortion_subjects();
 const std::vector<Subject> &orient_subjects();
 const std::vector<Subject> &colormap_subjects();
+const std::vector<Subject> &scene_subjects();
 
 #endif

@@ -18,6 +18,9 @@
 #include "tools/orient/orient_main.h"
 #include "tools/reproject/reproject_main.h"
 #endif
+#ifdef SCENE_PROGRAM
+#include "tools/scene/scene_main.h"
+#endif
 
 enum
 {
@@ -41,6 +44,9 @@ static const struct
     {"cubemap-distortion", cm_distortion_main, &cm_distortion_command},
     {"cubemap-orient", cm_orient_main, &cm_orient_command},
     {"cubemap-colormap", cm_colormap_main, &cm_colormap_command},
+#endif
+#ifdef SCENE_PROGRAM
+    {"cubemap-scene", cm_scene_main, &cm_scene_command},
 #endif
 };
 
