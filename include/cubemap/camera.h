@@ -79,7 +79,7 @@ CM_API double cm_camera_solid_angle(const cm_camera *camera, double column, doub
 CM_API int cm_camera_has_ray(const cm_camera *camera, double column, double row);
 
 /* How far the valid field of a perspective camera goes in one direction, from +x by the angle towards +y, in radians: the
- * tangent of the angle from the axis. INFINITY if nothing ends it up to 1e8; NaN of omnidirectional cameras. */
+ * tangent of the angle from the axis. INFINITY if nothing ends it up to 4e5; NaN of omnidirectional cameras. */
 CM_API double cm_camera_border(const cm_camera *camera, double angle);
 
 #ifdef __cplusplus

@@ -5,9 +5,9 @@
 
 #define TURN 6.283185307179586476925286766559
 
-/* Along a direction signs are looked at in steps of an eighth of an octave, from 1e-6 to 1.3e8. */
-#define STEPS (6 * CM_CAMERA_BLOCK)
-#define FIRST 1e-6
+/* Along a direction signs are looked at in steps of an eighth of an octave, from 1e-4 to 4e5. */
+#define STEPS (4 * CM_CAMERA_BLOCK)
+#define FIRST 1e-4
 #define STEPS_OF_OCTAVE 8.0
 
 typedef struct direction
@@ -100,6 +100,41 @@ static double end_of_fold(const direction *along, const double *radius, const do
     return (double)INFINITY;
 }
 
+/* Before a pole a fold may begin and end within a step: looks once more, closer. 1 if there is something before the end. */
+static int look_closer(const direction *along, const cm_camera_set *set, double from,
+                       double *border, double *end)
+{
+    double radius[CM_CAMERA_BLOCK];
+    double a[CM_CAMERA_BLOCK];
+    double b[CM_CAMERA_BLOCK];
+    double sign[CM_CAMERA_BLOCK];
+    for (size_t i = 0; i < CM_CAMERA_BLOCK; i++)
+    {
+        radius[i] = from + (*border - from) * ((double)i / (CM_CAMERA_BLOCK - 1));
+        a[i] = radius[i] * along->cosine;
+        b[i] = radius[i] * along->sine;
+    }
+    set->signs(along->lens, a, b, sign);
+    /* the last one is the border, which is good or not by a rounding */
+    for (size_t i = 1; i + 1 < CM_CAMERA_BLOCK; i++)
+    {
+        if (!(sign[i] > 0.0))
+        {
+            const double old = *border;
+            *border = change_between(along, radius[i - 1], radius[i]);
+            size_t good = i + 1;
+            while (good + 1 < CM_CAMERA_BLOCK && !(sign[good] > 0.0))
+            {
+                good++;
+            }
+            const double next = good + 1 < CM_CAMERA_BLOCK ? radius[good] : old;
+            *end = change_between(along, radius[good - 1], next);
+            return 1;
+        }
+    }
+    return 0;
+}
+
 double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, double cosine,
                               double sine, double *beyond)
 {
@@ -122,6 +157,13 @@ double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, dou
         {
             border = change_between(&along, radius[i - 1], bad);
             end = end_of_fold(&along, radius, sign, bad >= radius[i] ? i + 1 : i, bad);
+        }
+    }
+    for (int i = 0; border > 0.0 && border < (double)INFINITY && i < 3; i++)
+    {
+        if (!look_closer(&along, set, 0.8 * border, &border, &end))
+        {
+            break;
         }
     }
     if (beyond != NULL)

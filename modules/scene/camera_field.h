@@ -8,7 +8,7 @@
 
 #include "camera_set.h"
 
-#define CM_FIELD_SIDES 256
+#define CM_FIELD_SIDES 128
 
 /* Directions about the axis are numbered from a towards b; the last is the first once more. */
 typedef struct cm_camera_field

@@ -9,6 +9,32 @@
 
 #include "tests/suite.h"
 
+#ifdef WRAPS_ALLOCATION
+void *__real_malloc(size_t size);
+void *__wrap_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+
+static int left_to_give = -1; /* below 0: all */
+
+static int is_exhausted(void)
+{
+    const int is_empty = left_to_give == 0;
+    left_to_give -= left_to_give > 0;
+    return is_empty;
+}
+
+void *__wrap_malloc(size_t size)
+{
+    return is_exhausted() ? NULL : __real_malloc(size);
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+    return is_exhausted() ? NULL : __real_calloc(count, size);
+}
+#endif
+
 static const cm_camera_options plain = {.size = sizeof plain,
                                         .width = 640,
                                         .height = 480,
@@ -79,6 +105,27 @@ START_TEST(what_is_no_camera_is_refused)
     cm_camera_destroy(NULL);
 }
 END_TEST
+
+#ifdef WRAPS_ALLOCATION
+START_TEST(without_memory_there_is_no_camera)
+{
+    cm_mapping *mapping = make_mapping("coupled", NULL);
+    const cm_camera_options around = {
+        .size = sizeof around, .width = 4, .height = 24, .mapping = mapping};
+    for (int given = 0; given < 2; given++)
+    {
+        char untouched;
+        cm_camera *camera = (cm_camera *)(void *)&untouched;
+        left_to_give = given;
+        const cm_status status = cm_camera_create(given == 0 ? &plain : &around, &camera);
+        left_to_give = -1;
+        REQUIRE(status == CM_ERROR_MEMORY, "%d", (int)status);
+        ck_assert_ptr_eq(camera, (cm_camera *)(void *)&untouched);
+    }
+    cm_mapping_destroy(mapping);
+}
+END_TEST
+#endif
 
 START_TEST(sizes_fit_the_mapping)
 {
@@ -219,6 +266,49 @@ START_TEST(bits_do_not_depend_on_the_call)
     ck_assert_mem_eq(part[1], place[0], sizeof place[0]);
     ck_assert_mem_eq(part[2], place[1], sizeof place[1]);
     cm_camera_destroy(camera);
+}
+END_TEST
+
+/* All sets have the same field and the same places, but for rounding. */
+START_TEST(instruction_sets_agree)
+{
+    cm_camera_options options = plain;
+    const double bent[14] = {-0.9, 0.3,  0.03, -0.02, 0.0, 0.1,  0.0,
+                             0.0,  0.02, 0.0,  0.01,  0.0, 0.05, 0.02};
+    memcpy(options.distortion, bent, sizeof bent);
+    static double column[MANY], row[MANY], x[MANY], y[MANY], z[MANY], place[2][MANY],
+        first[3][MANY];
+    for (int i = 0; i < MANY; i++)
+    {
+        column[i] = (i * 7919) % 641 - 0.25;
+        row[i] = (i * 104729) % 483 - 1.5;
+    }
+    const char *kept = getenv("CUBEMAP_INSTRUCTIONS");
+    char before[32] = "";
+    snprintf(before, sizeof before, "%s", kept != NULL ? kept : "");
+    for (size_t set = 0; set < cm_instructions_count(); set++)
+    {
+        cm_camera *camera = NULL;
+        ck_assert_int_eq(setenv("CUBEMAP_INSTRUCTIONS", cm_instructions_at(set), 1), 0);
+        ck_assert_int_eq(cm_camera_create(&options, &camera), CM_OK);
+        cm_camera_ray_array(camera, MANY, column, row, x, y, z);
+        cm_camera_project_array(camera, MANY, x, y, z, place[0], place[1]);
+        if (set == 0)
+        {
+            memcpy(first[0], x, sizeof x);
+            memcpy(first[1], y, sizeof y);
+        }
+        for (int i = 0; i < MANY; i++)
+        {
+            REQUIRE(isnan(x[i]) == isnan(first[0][i]), "%s: %d", cm_instructions_at(set), i);
+            REQUIRE(isnan(x[i]) || (fabs(place[0][i] - column[i]) <= 1e-9 &&
+                                    fabs(place[1][i] - row[i]) <= 1e-9 &&
+                                    fabs(x[i] - first[0][i]) + fabs(y[i] - first[1][i]) < 1e-9),
+                    "%s: %d", cm_instructions_at(set), i);
+        }
+        cm_camera_destroy(camera);
+    }
+    ck_assert_int_eq(setenv("CUBEMAP_INSTRUCTIONS", before, 1), 0);
 }
 END_TEST
 
@@ -384,10 +474,14 @@ END_TEST
 int main(void)
 {
     const TTest *const tests[] = {what_is_no_camera_is_refused,
+#ifdef WRAPS_ALLOCATION
+                                  without_memory_there_is_no_camera,
+#endif
                                   sizes_fit_the_mapping,
                                   pixel_centres_are_where_they_are_said_to_be,
                                   nothing_is_behind,
                                   bits_do_not_depend_on_the_call,
+                                  instruction_sets_agree,
                                   every_mapping_is_a_camera,
                                   faces_lie_as_in_pictures,
                                   copies_are_the_same_mapping,

@@ -126,7 +126,7 @@ START_TEST(pixels_come_back)
     state = 7;
     for (int i = 0; i < cameras; i++)
     {
-        const cm_camera_options options = random_options(i % 4 == 3 ? 2.0 : 1.0);
+        const cm_camera_options options = random_options(i % 4 == 3 ? 3.0 : 1.0);
         cm_camera *camera = make(&options);
         check_pixels(camera, 100, &missing);
         check_rays(camera, 40);
