@@ -172,7 +172,7 @@ def generated(root):
         writer.write(function)
     # objects whose module is not bound yet have no class
     unbound = {function.name[: -len("_destroy")] for function in table.functions
-               if function.name.endswith("_destroy") and function.names["cpp"] == "-unbound"}
+               if function.name.endswith("_destroy") and function.reasons.get("cpp") == "unbound"}
     names = sorted(handle[3:] for handle in writer.interface.handles if handle not in unbound)
     parts = ["".join(f"class {name}_view;\nclass {name};\n" for name in names)]
     bodies = []

@@ -12,7 +12,11 @@ import subprocess
 import sys
 import tempfile
 
-import numpy
+try:
+    import numpy
+except ImportError:
+    print("numpy is missing (apt: python3-numpy)")
+    sys.exit(77)
 
 TOLERANCE = 1e-9
 EXCERPT = "shared/data/rgbd/tum_excerpt/groundtruth.txt"
