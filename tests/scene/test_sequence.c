@@ -9,6 +9,9 @@
 #include "modules/scene/io/npy_file.h"
 #include "modules/scene/io/sequence.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "tests/suite.h"
 #include "written_files.h"
 
@@ -405,6 +408,71 @@ START_TEST(bad_folders_are_refused)
 }
 END_TEST
 
+/* A child whose standard output is the file: it writes views there. */
+static int write_output(const char *path)
+{
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        cm_camera *camera = make_camera(WIDTH);
+        cm_sequence_writer *writer = NULL;
+        int good =
+            freopen(path, "wb", stdout) != NULL &&
+            cm_sequence_create("-", CM_SEQUENCE_STREAM, camera, 5000.0, &writer, message) == CM_OK;
+        for (unsigned k = 0; good && k < VIEWS; k++)
+        {
+            const cm_view view = make_view(camera, k, (int)(k % 2));
+            good = cm_sequence_write(writer, &view, NULL, message) == CM_OK;
+        }
+        _exit(good && cm_sequence_finish(writer, message) == CM_OK ? 0 : 1);
+    }
+    int status = 1;
+    return waitpid(child, &status, 0) == child ? status : 1;
+}
+
+/* A child whose standard input is the file: how many views it reads, or 99 if they do not end well. */
+static int read_input(const char *path)
+{
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        cm_sequence *sequence = NULL;
+        if (freopen(path, "rb", stdin) == NULL ||
+            cm_sequence_open("-", NULL, &sequence, message) != CM_OK ||
+            cm_sequence_count(sequence) != CM_SEQUENCE_UNKNOWN)
+        {
+            _exit(99);
+        }
+        const cm_view *view = NULL;
+        unsigned k = 0;
+        cm_status status = CM_OK;
+        while ((status = cm_sequence_view(sequence, k, &view, message)) == CM_OK &&
+               view->time == 100.25 + k)
+        {
+            k++;
+        }
+        const size_t count = cm_sequence_describe(sequence)->count;
+        _exit(status == CM_ERROR_RANGE && count == k ? (int)k : 99);
+    }
+    int status = 99 << 8;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 99;
+}
+
+START_TEST(streams_are_sequences)
+{
+    char path[300];
+    snprintf(path, sizeof path, "%s", in_folder("stream"));
+    ck_assert_int_eq(write_output(path), 0);
+    ck_assert_int_eq(read_input(path), VIEWS);
+    size_t count = 0;
+    char *bytes = read_file(path, &count);
+    write_file("stream", bytes, count - 1);
+    ck_assert_int_eq(read_input(path), 99);
+    free(bytes);
+}
+END_TEST
+
 static void check_recording(const char *folder, double scale, size_t listed, size_t count)
 {
     char camera[200];
@@ -448,6 +516,7 @@ int main(void)
                                   bad_pictures_are_refused,
                                   depths_of_floating_point_are_read,
                                   bad_folders_are_refused,
+                                  streams_are_sequences,
                                   recordings_are_read,
                                   NULL};
     return run_suite("sequence", tests);

@@ -169,7 +169,7 @@ START_TEST(every_committed_blob_is_back_after_a_kill)
     forget_file();
     store_model model = {{0}};
     unsigned step = 1, kept = 0, journals = 0, random = 1;
-    const unsigned kills = is_quick() ? 50 : 1000;
+    const unsigned kills = is_long() ? 1000 : is_quick() ? 50 : 250;
     struct timespec begin, end;
     clock_gettime(CLOCK_MONOTONIC, &begin);
     run_and_kill(1, 4, 0);
