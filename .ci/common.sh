@@ -13,7 +13,8 @@ case $build in
 esac
 
 # What each job needs, by the names of Debian's and Ubuntu's packages.
-needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev zlib1g-dev libcfitsio-dev libjansson-dev libcjson-dev libtinygltf-dev libtinyobjloader-dev check"
+needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev zlib1g-dev libcfitsio-dev libjansson-dev libsqlite3-dev libzstd-dev
+    libcjson-dev libtinygltf-dev libtinyobjloader-dev check"
 needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath python3-pycparser doxygen"
 # The libraries that tests/peers and bench/side_by_side compare with are used where they are; .ci/run
 # and scripts/speed have them all.
@@ -85,6 +86,8 @@ has()
     zlib1g-dev) pkg-config --exists zlib 2>/dev/null ;;
     libcfitsio-dev) pkg-config --exists cfitsio 2>/dev/null ;;
     libjansson-dev) pkg-config --exists jansson 2>/dev/null ;;
+    libsqlite3-dev) pkg-config --exists sqlite3 2>/dev/null ;;
+    libzstd-dev) pkg-config --exists libzstd 2>/dev/null ;;
     libcjson-dev) pkg-config --exists libcjson 2>/dev/null ;;
     libtinygltf-dev) pkg-config --exists tinygltf 2>/dev/null ;;
     libtinyobjloader-dev) pkg-config --exists tinyobjloader_double 2>/dev/null ;;

@@ -11,6 +11,7 @@
 #include <cubemap/pool.h>
 #include <cubemap/pose.h>
 #include <cubemap/random.h>
+#include <cubemap/store.h>
 #include <cubemap/trajectory.h>
 #include <cubemap/view.h>
 #include <cubemap/world.h>

@@ -528,7 +528,57 @@ def panorama_inputs():
     }
 
 
+def store_inputs():
+    """Steps: 0 to 7 put, 8 to 11 remove, 12 and 13 commit, 14 rollback, 15 bad arguments; times 16 the key."""
+    return {"steps": bytes([0x00, 5, 65, 0x10, 200, 66, 12, 0x20, 3, 67, 8, 14, 0x30, 9, 68, 13]),
+            "arguments": bytes([15, 1, 2, 0x40, 0, 1, 15, 0, 0, 12])}
+
+
+def store_file_inputs():
+    """Bytes and the places where they are written, three bytes each; or F and a file."""
+    return {"good": b"E", "other-program": b"E" + word(68 << 8 | 88), "newer": b"E" + word(63 << 8 | 2),
+            "pages": b"E" + b"".join(word((page * 4096 + 5) << 8 | 9) for page in range(1, 5)), "text": b"Fno store"}
+
+
+def ply_inputs():
+    head = (b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            b"property float z\nelement face 1\nproperty list uchar uint vertex_index\nend_header\n")
+    return {"binary": head + number("f", *range(9)) + bytes([3]) + number("I", 0, 1, 2)}
+
+
+def npy_inputs():
+    def one(text, data):
+        return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text + data
+    return {"float": one(b"{'descr': '<f4', 'fortran_order': False, 'shape': (2, 2), }\n", number("f", 1, 2, 3, 4)),
+            "whole": one(b"{'descr': '>u2', 'fortran_order': True, 'shape': (1, 3), }\n", number("H", 1, 2, 3)),
+            "half": one(b"{'descr': '<f2', 'fortran_order': False, 'shape': (1, 1), }\n", b"\x00\x3c")}
+
+
+def check_sum(data):
+    """FNV-1a of 64 bits."""
+    total = 14695981039346656037
+    for byte in data:
+        total = (total ^ byte) * 1099511628211 % 2**64
+    return struct.pack("<Q", total)
+
+
+def view_stream_inputs():
+    camera = b'{"width":2,"height":2,"fx":2,"fy":2,"cx":0.5,"cy":0.5}'
+    head = b"CMVIEWS1" + number("I", len(camera), 0) + check_sum(camera) + camera
+    pixels = number("H", 1, 2, 3, 4) + bytes(range(12))
+    view = (b"VIEW" + word(192) + number("d", 1.5, 1, 0, 0, 0, 1, 0, 0, 0, 1, 3, 4, 5, 0.001) + number("I", 0, 0, 2, 2) +
+            number("I", 1, 1, 0, 3, 0, 0) + number("Q", len(pixels)) + check_sum(pixels) + number("Q", 0))
+    end = b"DONE" + word(24) + number("Q", 1)
+    whole = head + view + check_sum(view) + pixels + end + check_sum(end)
+    return {"whole": b"0" + whole, "mended": b"1" + whole, "cut": b"1" + whole[:-60], "empty": b"0" + head}
+
+
 INPUTS = {
+    "store": store_inputs(),
+    "store_file": store_file_inputs(),
+    "ply": ply_inputs(),
+    "npy": npy_inputs(),
+    "view_stream": view_stream_inputs(),
     "environment": environment_inputs(),
     "panorama": panorama_inputs(),
     "surface": surface_inputs(),

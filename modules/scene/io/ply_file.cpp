@@ -4,6 +4,8 @@
 
 #include "ply_words.hpp"
 
+#include "modules/image/io/file_words.h"
+
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -244,6 +246,90 @@ bool is_whole_ply(const cm_ply &ply)
         }
     }
     return ply.point_count == 0 || ply.position != nullptr;
+}
+
+template <typename Value> void append_bytes(std::string &bytes, Value value)
+{
+    char buffer[sizeof value];
+    std::memcpy(buffer, &value, sizeof value);
+    cm_file_order(buffer, 1, sizeof value, true);
+    bytes.append(buffer, sizeof value);
+}
+
+std::string ply_head(const cm_ply &ply, bool binary)
+{
+    std::string text = std::string("ply\nformat ") + (binary ? "binary_little_endian" : "ascii") +
+                       " 1.0\nelement vertex " + std::to_string(ply.point_count) +
+                       "\nproperty double x\nproperty double y\nproperty double z\n";
+    if (ply.normal != nullptr)
+    {
+        text += "property float nx\nproperty float ny\nproperty float nz\n";
+    }
+    if (ply.color != nullptr)
+    {
+        text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    }
+    if (ply.triangle_count > 0)
+    {
+        text += "element face " + std::to_string(ply.triangle_count) +
+                "\nproperty list uchar uint vertex_indices\n";
+    }
+    return text + "end_header\n";
+}
+
+// One number as text, ended by a blank, or as bytes.
+template <typename Value> void append_number(std::string &bytes, Value value, bool binary)
+{
+    if (binary)
+    {
+        append_bytes(bytes, value);
+    }
+    else if (std::isfinite(static_cast<double>(value)))
+    {
+        bytes += number_text(static_cast<double>(value)) + " ";
+    }
+    else
+    {
+        bytes += std::isnan(static_cast<double>(value)) ? "nan " : value > 0 ? "inf " : "-inf ";
+    }
+}
+
+std::string ply_bytes(const cm_ply &ply, bool binary)
+{
+    std::string bytes = ply_head(ply, binary);
+    const auto end_row = [&bytes, binary]
+    {
+        if (!binary)
+        {
+            bytes.back() = '\n';
+        }
+    };
+    for (std::size_t i = 0; i < ply.point_count; ++i)
+    {
+        for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
+        {
+            append_number(bytes, ply.position[k], binary);
+        }
+        for (std::size_t k = 3 * i; k < 3 * i + 3 && ply.normal != nullptr; ++k)
+        {
+            append_number(bytes, ply.normal[k], binary);
+        }
+        for (std::size_t k = 3 * i; k < 3 * i + 3 && ply.color != nullptr; ++k)
+        {
+            append_number(bytes, ply.color[k], binary);
+        }
+        end_row();
+    }
+    for (std::size_t i = 0; i < ply.triangle_count; ++i)
+    {
+        append_number(bytes, static_cast<unsigned char>(3), binary);
+        for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
+        {
+            append_number(bytes, ply.corner[k], binary);
+        }
+        end_row();
+    }
+    return bytes;
 }
 
 } // namespace

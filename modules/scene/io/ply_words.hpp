@@ -6,7 +6,6 @@
 #define CUBEMAP_MODULES_SCENE_PLY_WORDS_HPP
 
 #include "file_failure.hpp"
-#include "ply_file.h"
 
 #include <string>
 #include <string_view>
@@ -80,8 +79,5 @@ private:
     std::size_t word = 0;
     std::vector<PlyElement> list;
 };
-
-// A file of these.
-std::string ply_bytes(const cm_ply &ply, bool binary);
 
 #endif

@@ -369,7 +369,7 @@ private:
 cm_status cm_sequence_create(const char *folder, cm_sequence_layout layout, const cm_camera *camera,
                              double depth_scale, cm_sequence_writer **writer, char *message)
 {
-    if (folder == nullptr || camera == nullptr || writer == nullptr || layout == CM_SEQUENCE_ANY ||
+    if (folder == nullptr || camera == nullptr || writer == nullptr ||
         cm_sequence_layout_name(layout) == nullptr || !(depth_scale > 0.0) ||
         !std::isfinite(depth_scale) ||
         (layout == CM_SEQUENCE_STREAM) != (std::strcmp(folder, "-") == 0))

@@ -205,11 +205,25 @@ namespace
 
 const std::array<const char *, 5> layout_names = {nullptr, "tum", "open3d", "7scenes", "stream"};
 
+// C lets any number pass for a layout.
+std::uint32_t layout_number(const cm_sequence_layout &layout)
+{
+    std::uint32_t number = 0;
+    static_assert(sizeof number == sizeof layout);
+    std::memcpy(&number, &layout, sizeof number);
+    return number;
+}
+
+bool is_layout_or_any(const cm_sequence_layout &layout)
+{
+    return layout_number(layout) < layout_names.size();
+}
+
 } // namespace
 
 const char *cm_sequence_layout_name(cm_sequence_layout layout)
 {
-    const std::size_t number = static_cast<std::size_t>(layout);
+    const std::uint32_t number = layout_number(layout);
     return number < layout_names.size() ? layout_names[number] : nullptr;
 }
 
@@ -239,8 +253,8 @@ cm_status cm_sequence_open(const char *folder, const cm_sequence_options *option
     wanted = options != nullptr ? *options : wanted;
     wanted.pose_within = wanted.pose_within == 0.0 ? usual_within : wanted.pose_within;
     wanted.color_within = wanted.color_within == 0.0 ? usual_within : wanted.color_within;
-    if ((wanted.layout != CM_SEQUENCE_ANY && cm_sequence_layout_name(wanted.layout) == nullptr) ||
-        !(wanted.pose_within > 0.0) || !(wanted.color_within > 0.0))
+    if (!is_layout_or_any(wanted.layout) || !(wanted.pose_within > 0.0) ||
+        !(wanted.color_within > 0.0))
     {
         return CM_ERROR_ARGUMENT;
     }

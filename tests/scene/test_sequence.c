@@ -1,0 +1,454 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Sequences: written and read again in each layout, what is left out, what is refused, and the recordings of others where
+ * they are: CUBEMAP_RGBD names their folder.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include "modules/scene/io/camera_file.h"
+#include "modules/scene/io/npy_file.h"
+#include "modules/scene/io/sequence.h"
+
+#include "tests/suite.h"
+#include "written_files.h"
+
+enum
+{
+    WIDTH = 8,
+    HEIGHT = 6,
+    VIEWS = 5
+};
+
+static char message[CM_IMAGE_MESSAGE];
+static uint16_t depth_units[WIDTH * HEIGHT];
+static float depth_metres[WIDTH * HEIGHT];
+static unsigned char colors[WIDTH * HEIGHT * 3];
+
+static cm_camera *make_camera(uint32_t width)
+{
+    const cm_camera_options options = {.size = sizeof options,
+                                       .width = width,
+                                       .height = HEIGHT,
+                                       .fx = 9,
+                                       .fy = 9,
+                                       .cx = 3.5,
+                                       .cy = 2.5};
+    cm_camera *camera = NULL;
+    ck_assert_int_eq(cm_camera_create(&options, &camera), CM_OK);
+    return camera;
+}
+
+/* Depth in units of 1/5000 m, or in metres as floating point. */
+static cm_view make_view(const cm_camera *camera, unsigned k, int metres)
+{
+    for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+    {
+        depth_units[i] = i % 7 == 0 ? 0 : (uint16_t)(5 * (i * 20 + k + 1));
+        depth_metres[i] = i % 7 == 0 ? NAN : (float)depth_units[i] / 5000.0f;
+        colors[3 * i] = (unsigned char)i;
+        colors[3 * i + 1] = (unsigned char)(2 * i + k);
+        colors[3 * i + 2] = (unsigned char)(255 - i);
+    }
+    cm_view view = {.size = sizeof view, .time = 100.25 + k, .camera = camera};
+    view.depth = (cm_image){.size = sizeof view.depth,
+                            .data = metres ? (void *)depth_metres : (void *)depth_units,
+                            .type = metres ? CM_PIXEL_FLOAT : CM_PIXEL_U16,
+                            .width = WIDTH,
+                            .height = HEIGHT,
+                            .channels = 1};
+    view.color = (cm_image){.size = sizeof view.color,
+                            .data = colors,
+                            .type = CM_PIXEL_U8,
+                            .width = WIDTH,
+                            .height = HEIGHT,
+                            .channels = 3};
+    view.depth_unit = metres ? 1.0 : 1.0 / 5000.0;
+    ck_assert_int_eq(cm_rotation_from_angles(10.0 * k, 5, 3, &view.pose.rotation), CM_OK);
+    view.pose.position[1] = k / 3.0;
+    return view;
+}
+
+static const char *write_views(const char *name, cm_sequence_layout layout, int metres)
+{
+    const char *folder = in_folder(name);
+    remove_all(folder);
+    cm_camera *camera = make_camera(WIDTH);
+    cm_sequence_writer *writer = NULL;
+    cm_status status = cm_sequence_create(folder, layout, camera, 5000.0, &writer, message);
+    REQUIRE(status == CM_OK, "%s", message);
+    for (unsigned k = 0; k < VIEWS; k++)
+    {
+        const cm_view view = make_view(camera, k, metres);
+        size_t beyond = 0;
+        status = cm_sequence_write(writer, &view, &beyond, message);
+        REQUIRE(status == CM_OK && beyond == 0, "%s", message);
+    }
+    REQUIRE(count_entries(folder) < 0, "it is there before it is complete");
+    REQUIRE(cm_sequence_finish(writer, message) == CM_OK, "%s", message);
+    cm_sequence_drop(writer);
+    cm_camera_destroy(camera);
+    return folder;
+}
+
+static cm_sequence *open_views(const char *folder, const char *camera)
+{
+    const cm_sequence_options options = {.size = sizeof options, .camera = camera};
+    cm_sequence *sequence = NULL;
+    const cm_status status = cm_sequence_open(folder, &options, &sequence, message);
+    REQUIRE(status == CM_OK, "%d %s", (int)status, message);
+    return sequence;
+}
+
+/* The status of opening it and of all its views. */
+static cm_status open_all(const char *folder, const char *camera)
+{
+    const cm_sequence_options options = {.size = sizeof options, .camera = camera};
+    cm_sequence *sequence = NULL;
+    message[0] = '\0';
+    cm_status status = cm_sequence_open(folder, &options, &sequence, message);
+    for (size_t k = 0; status == CM_OK && k < cm_sequence_count(sequence); k++)
+    {
+        const cm_view *view = NULL;
+        status = cm_sequence_view(sequence, k, &view, message);
+    }
+    cm_sequence_close(sequence);
+    return status;
+}
+
+static void check_view(const cm_view *view, unsigned k, double time, double unit)
+{
+    const cm_view wanted = make_view(view->camera, k, 0);
+    REQUIRE(fabs(view->time - time) < 1e-12 && fabs(view->depth_unit - unit) < 1e-18, "%.17g %.17g",
+            view->time, view->depth_unit);
+    const uint16_t *stored = view->depth.data;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+    {
+        REQUIRE(fabs(stored[i] * unit - depth_units[i] / 5000.0) < 1e-9, "view %u pixel %d: %d", k,
+                i, stored[i]);
+    }
+    REQUIRE(view->color.type == CM_PIXEL_U8 && view->color.channels == 3 &&
+                memcmp(view->color.data, colors, sizeof colors) == 0,
+            "view %u: other colours", k);
+    for (int i = 0; i < 9; i++)
+    {
+        REQUIRE(fabs(view->pose.rotation.row[i / 3][i % 3] -
+                     wanted.pose.rotation.row[i / 3][i % 3]) < 1e-15,
+                "view %u: another pose", k);
+    }
+    REQUIRE(fabs(view->pose.position[1] - wanted.pose.position[1]) < 1e-15, "another place");
+    REQUIRE(view->depth_is_range == 0 && view->amplitude.data == NULL, "another kind");
+}
+
+START_TEST(views_come_back_in_each_layout)
+{
+    for (int i = 1; i < 7; i++)
+    {
+        const cm_sequence_layout layout = (cm_sequence_layout)((i + 1) / 2);
+        const char *folder = write_views("round", layout, i % 2);
+        cm_sequence *sequence = open_views(folder, NULL);
+        const cm_sequence_report *report = cm_sequence_describe(sequence);
+        REQUIRE(report->layout == layout && cm_sequence_count(sequence) == VIEWS &&
+                    report->count == VIEWS && report->listed == VIEWS && report->absent == 0 &&
+                    report->without_pose == 0 && report->without_color == 0 &&
+                    report->poses == VIEWS,
+                "layout %d", (int)layout);
+        for (unsigned k = VIEWS; k-- > 0;)
+        {
+            const cm_view *view = NULL;
+            cm_sequence_entry entry;
+            REQUIRE(cm_sequence_view(sequence, k, &view, message) == CM_OK, "%s", message);
+            const int tum = layout == CM_SEQUENCE_TUM, seven = layout == CM_SEQUENCE_SEVEN_SCENES;
+            check_view(view, k, tum ? 100.25 + k : k / 30.0, seven ? 0.001 : 0.0002);
+            REQUIRE(cm_sequence_entry_at(sequence, k, &entry, message) == CM_OK, "%s", message);
+            REQUIRE(entry.time == view->time && entry.depth != NULL && entry.color != NULL,
+                    "entry %u", k);
+        }
+        const cm_view *view = NULL;
+        ck_assert_int_eq(cm_sequence_view(sequence, VIEWS, &view, message), CM_ERROR_RANGE);
+        cm_sequence_close(sequence);
+    }
+}
+END_TEST
+
+START_TEST(writers_leave_all_or_nothing)
+{
+    const char *folder = in_folder("dropped");
+    cm_camera *camera = make_camera(WIDTH);
+    cm_sequence_writer *writer = NULL;
+    const int before = count_entries(test_folder());
+    REQUIRE(cm_sequence_create(folder, CM_SEQUENCE_TUM, camera, 5000.0, &writer, message) == CM_OK,
+            "%s", message);
+    cm_view view = make_view(camera, 0, 1);
+    depth_metres[1] = 14.0f; /* beyond 65535 units */
+    size_t beyond = 0;
+    REQUIRE(cm_sequence_write(writer, &view, &beyond, message) == CM_OK && beyond == 1, "%s %zu",
+            message, beyond);
+    ck_assert_int_eq(cm_sequence_write(writer, &view, NULL, message),
+                     CM_ERROR_CAMERA); /* no later */
+    view.time += 1.0;
+    view.depth.width--;
+    ck_assert_int_eq(cm_sequence_write(writer, &view, NULL, message), CM_ERROR_CAMERA);
+    cm_sequence_drop(writer);
+    ck_assert_int_eq(count_entries(test_folder()), before);
+    write_text("full/a", "a");
+    ck_assert_int_eq(
+        cm_sequence_create(in_folder("full"), CM_SEQUENCE_TUM, camera, 5000.0, &writer, message),
+        CM_ERROR_FILE);
+    ck_assert_int_eq(cm_sequence_create(in_folder("no/such/folder"), CM_SEQUENCE_TUM, camera,
+                                        5000.0, &writer, message),
+                     CM_ERROR_FILE);
+    ck_assert_int_eq(cm_sequence_create(folder, CM_SEQUENCE_ANY, camera, 5000.0, &writer, message),
+                     CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_sequence_create(folder, CM_SEQUENCE_TUM, camera, 0.0, &writer, message),
+                     CM_ERROR_ARGUMENT);
+    cm_camera_destroy(camera);
+}
+END_TEST
+
+START_TEST(ranges_become_depths)
+{
+    cm_camera *camera = make_camera(WIDTH);
+    cm_sequence_writer *writer = NULL;
+    const char *folder = in_folder("range");
+    REQUIRE(cm_sequence_create(folder, CM_SEQUENCE_TUM, camera, 5000.0, &writer, message) == CM_OK,
+            "%s", message);
+    cm_view view = make_view(camera, 0, 1);
+    for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+    {
+        const double x = (i % WIDTH - 3.5) / 9.0, y = (i / WIDTH - 2.5) / 9.0;
+        depth_metres[i] = (float)(2.0 * sqrt(1.0 + x * x + y * y)); /* a wall at 2 m */
+    }
+    view.depth_is_range = 1;
+    REQUIRE(cm_sequence_write(writer, &view, NULL, message) == CM_OK, "%s", message);
+    REQUIRE(cm_sequence_finish(writer, message) == CM_OK, "%s", message);
+    cm_sequence_drop(writer);
+    cm_camera_destroy(camera);
+    cm_sequence *sequence = open_views(folder, NULL);
+    const cm_view *read = NULL;
+    REQUIRE(cm_sequence_view(sequence, 0, &read, message) == CM_OK, "%s", message);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+    {
+        ck_assert_int_eq(((const uint16_t *)read->depth.data)[i], 10000);
+    }
+    cm_sequence_close(sequence);
+}
+END_TEST
+
+START_TEST(what_is_absent_is_counted)
+{
+    const char *folder = write_views("absent", CM_SEQUENCE_TUM, 0);
+    remove_all(in_folder("absent/depth/101.250000.png"));
+    remove_all(in_folder("absent/rgb/102.250000.png"));
+    write_text("absent/groundtruth.txt", "100.25 0 0 0 0 0 0 1\n102.231 1 0 0 0 0 0 1\n"
+                                         "103.271 2 0 0 0 0 0 1\n104.24 3 0 0 0 0 0 1\n"
+                                         "104.255 4 0 0 0 0 0 1\n");
+    cm_sequence *sequence = open_views(folder, NULL);
+    const cm_sequence_report *report = cm_sequence_describe(sequence);
+    REQUIRE(report->listed == 5 && report->absent == 1 && report->without_pose == 1 &&
+                report->count == 3 && report->color_absent == 1 && report->without_color == 1,
+            "%zu listed, %zu absent, %zu without pose, %zu views", report->listed, report->absent,
+            report->without_pose, report->count);
+    cm_sequence_entry entry;
+    ck_assert_int_eq(cm_sequence_entry_at(sequence, 2, &entry, message), CM_OK);
+    REQUIRE(entry.pose.position[0] == 4.0, "%g: not the nearest", entry.pose.position[0]);
+    ck_assert_int_eq(cm_sequence_entry_at(sequence, 1, &entry, message), CM_OK);
+    REQUIRE(entry.color == NULL && entry.time == 102.25, "%g", entry.time);
+    const cm_view *view = NULL;
+    REQUIRE(cm_sequence_view(sequence, 1, &view, message) == CM_OK && view->color.data == NULL,
+            "%s", message);
+    cm_sequence_close(sequence);
+    remove_all(in_folder("absent/depth"));
+    ck_assert_int_eq(open_all(folder, NULL), CM_ERROR_FILE);
+    REQUIRE(strstr(message, "5 are absent") != NULL, "%s", message);
+}
+END_TEST
+
+/* A sequence of one view whose depth is this file. */
+static const char *one_view(const char *depth_name)
+{
+    static char folder[300];
+    char list[200];
+    cm_camera *camera = make_camera(WIDTH);
+    snprintf(list, sizeof list, "1 %s\n", depth_name);
+    write_text("one/depth.txt", list);
+    write_text("one/groundtruth.txt", "1 0 0 0 0 0 0 1\n");
+    REQUIRE(cm_camera_file_write(in_folder("one/camera.json"), camera, 1.0, message) == CM_OK, "%s",
+            message);
+    cm_camera_destroy(camera);
+    snprintf(folder, sizeof folder, "%s", in_folder("one"));
+    return folder;
+}
+
+START_TEST(bad_pictures_are_refused)
+{
+    const char *folder = write_views("bad", CM_SEQUENCE_TUM, 0);
+    size_t count = 0;
+    char *bytes = read_file(in_folder("bad/depth/100.250000.png"), &count);
+    const char *one = one_view("d.png");
+    REQUIRE(bytes != NULL, "no picture");
+    for (size_t i = 0; i < count; i += 7)
+    {
+        write_file("one/d.png", bytes, i);
+        ck_assert_int_eq(open_all(one, NULL), CM_ERROR_DATA);
+        REQUIRE(strstr(message, "one/d.png") != NULL && strchr(message, '\n') == NULL, "%s",
+                message);
+    }
+    write_file("one/d.png", bytes, count);
+    REQUIRE(open_all(one, NULL) == CM_OK, "%s", message);
+    free(bytes);
+    /* another camera's size */
+    cm_camera *wide = make_camera(WIDTH + 1);
+    const char *camera = in_folder("wide.json");
+    REQUIRE(cm_camera_file_write(camera, wide, 5000.0, message) == CM_OK, "%s", message);
+    cm_camera_destroy(wide);
+    ck_assert_int_eq(open_all(folder, camera), CM_ERROR_DATA);
+    REQUIRE(strstr(message, "8 x 6") != NULL && strstr(message, "9 x 6") != NULL, "%s", message);
+    /* colours are no depth: 8 bits of three channels */
+    bytes = read_file(in_folder("bad/rgb/100.250000.png"), &count);
+    write_file("one/d.png", bytes, count);
+    free(bytes);
+    ck_assert_int_eq(open_all(one, NULL), CM_ERROR_DATA);
+    REQUIRE(strstr(message, "3 channels") != NULL, "%s", message);
+    /* 8 bits */
+    char grey[100] = "P5 8 6 255\n";
+    write_file("one/d.pgm", grey, 11 + WIDTH * HEIGHT);
+    ck_assert_int_eq(open_all(one_view("d.pgm"), NULL), CM_ERROR_DATA);
+    REQUIRE(strstr(message, "8") != NULL && strstr(message, "16 bits") != NULL, "%s", message);
+}
+END_TEST
+
+START_TEST(depths_of_floating_point_are_read)
+{
+    cm_camera *camera = make_camera(WIDTH);
+    const cm_view view = make_view(camera, 0, 1);
+    cm_camera_destroy(camera);
+    const char *folder = one_view("d.npy");
+    REQUIRE(cm_npy_write(in_folder("one/d.npy"), &view.depth, message) == CM_OK, "%s", message);
+    cm_sequence *sequence = open_views(folder, NULL);
+    const cm_view *read = NULL;
+    REQUIRE(cm_sequence_view(sequence, 0, &read, message) == CM_OK, "%s", message);
+    REQUIRE(read->depth.type == CM_PIXEL_FLOAT && read->depth_unit == 1.0 &&
+                memcmp(read->depth.data, depth_metres, sizeof depth_metres) == 0,
+            "another depth");
+    cm_sequence_close(sequence);
+    /* EXR */
+    const cm_image_io *io = cm_image_io_get(message);
+    REQUIRE(io != NULL, "%s", message);
+    cm_image_description description = {.format = "openexr",
+                                        .width = WIDTH,
+                                        .height = HEIGHT,
+                                        .channels = 1,
+                                        .type = CM_PIXEL_FLOAT,
+                                        .alpha = -1,
+                                        .orientation = 1};
+    cm_image_writer *writer = NULL;
+    folder = one_view("d.exr");
+    REQUIRE(io->create(in_folder("one/d.exr"), NULL, &description, &writer, message) == CM_OK &&
+                io->write(writer, 0, HEIGHT, CM_PIXEL_FLOAT, depth_metres, 0, 0, message) ==
+                    CM_OK &&
+                io->finish(writer, message) == CM_OK,
+            "%s", message);
+    io->drop(writer);
+    sequence = open_views(folder, NULL);
+    REQUIRE(cm_sequence_view(sequence, 0, &read, message) == CM_OK, "%s", message);
+    REQUIRE(memcmp(read->depth.data, depth_metres, sizeof depth_metres) == 0, "another depth");
+    cm_sequence_close(sequence);
+}
+END_TEST
+
+START_TEST(bad_folders_are_refused)
+{
+    const struct
+    {
+        const char *file;
+        const char *text;
+        cm_status status;
+        const char *word;
+    } cases[] = {
+        {"depth.txt", "1 a b\n", CM_ERROR_DATA, "depth.txt:1: "},
+        {"depth.txt", "1 a\n1 b\n", CM_ERROR_DATA, "depth.txt:2: "},
+        {"depth.txt", "nan a\n", CM_ERROR_DATA, "depth.txt:1: "},
+        {"depth.txt", "", CM_ERROR_FILE, "no view"},
+        {"groundtruth.txt", "1 0 0 nan 0 0 0 1\n", CM_ERROR_DATA, "groundtruth.txt:1: "},
+        {"groundtruth.txt", "1 0 0 0 0 0 0 0\n", CM_ERROR_CAMERA, "groundtruth.txt:1: "},
+        {"groundtruth.txt", "2 0 0 0 0 0 0 1\n", CM_ERROR_FILE, "no view"},
+        {"camera.json", "{", CM_ERROR_DATA, "camera.json:1: "},
+        {"rgb.txt", "x y\n", CM_ERROR_DATA, "rgb.txt:1: "},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    {
+        char name[100];
+        const char *folder = write_views("wrong", CM_SEQUENCE_TUM, 0);
+        snprintf(name, sizeof name, "wrong/%s", cases[i].file);
+        write_text(name, cases[i].text);
+        const cm_status status = open_all(folder, NULL);
+        REQUIRE(status == cases[i].status && strstr(message, cases[i].word) != NULL, "%zu: %d %s",
+                i, (int)status, message);
+    }
+    const char *folder = write_views("wrong", CM_SEQUENCE_OPEN3D, 0);
+    remove_all(in_folder("wrong/camera.json"));
+    ck_assert_int_eq(open_all(folder, NULL), CM_ERROR_CAMERA);
+    remove_all(in_folder("wrong/trajectory.log"));
+    ck_assert_int_eq(open_all(folder, NULL), CM_ERROR_DATA);
+    ck_assert_int_eq(open_all(in_folder("none"), NULL), CM_ERROR_FILE);
+    folder = write_views("wrong", CM_SEQUENCE_SEVEN_SCENES, 0);
+    write_text("wrong/frame-000002.pose.txt", "1 0 0 0\n0 1 0 0\n0 0 nan 0\n0 0 0 1\n");
+    ck_assert_int_eq(open_all(folder, NULL), CM_ERROR_DATA);
+    REQUIRE(strstr(message, "frame-000002.pose.txt:3: ") != NULL, "%s", message);
+    ck_assert_int_eq(cm_sequence_open(NULL, NULL, NULL, message), CM_ERROR_ARGUMENT);
+    cm_sequence_layout layout;
+    ck_assert_int_eq(cm_sequence_layout_find("7scenes", &layout), CM_OK);
+    REQUIRE(layout == CM_SEQUENCE_SEVEN_SCENES && cm_sequence_layout_name(layout) != NULL &&
+                cm_sequence_layout_name((cm_sequence_layout)77) == NULL,
+            "names");
+    ck_assert_int_eq(cm_sequence_layout_find("x", &layout), CM_ERROR_ARGUMENT);
+}
+END_TEST
+
+static void check_recording(const char *folder, double scale, size_t listed, size_t count)
+{
+    char camera[200];
+    snprintf(camera, sizeof camera,
+             "{\"width\":640,\"height\":480,\"fx\":525,\"fy\":525,\"cx\":319.5,\"cy\":239.5,"
+             "\"depth_scale\":%g}",
+             scale);
+    cm_sequence *sequence = open_views(folder, write_text("recording.json", camera));
+    const cm_sequence_report *report = cm_sequence_describe(sequence);
+    REQUIRE(report->listed == listed && report->count == count && report->absent == listed - count,
+            "%s: %zu of %zu, %zu absent, %zu without pose", folder, report->count, report->listed,
+            report->absent, report->without_pose);
+    const cm_view *view = NULL;
+    REQUIRE(cm_sequence_view(sequence, count - 1, &view, message) == CM_OK, "%s", message);
+    REQUIRE(view->depth.width == 640 && (view->color.data == NULL || view->color.channels == 3),
+            "another picture: %u channels", view->color.channels);
+    REQUIRE(report->without_color < count, "all without colours");
+    cm_sequence_close(sequence);
+}
+
+START_TEST(recordings_are_read)
+{
+    const char *recordings = getenv("CUBEMAP_RGBD");
+    char folder[400];
+    if (recordings != NULL)
+    {
+        snprintf(folder, sizeof folder, "%s/tum_excerpt", recordings);
+        check_recording(folder, 5000.0, 722, 40);
+        snprintf(folder, sizeof folder, "%s/icl_livingroom1", recordings);
+        check_recording(folder, 1000.0, 211, 31);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {views_come_back_in_each_layout,
+                                  writers_leave_all_or_nothing,
+                                  ranges_become_depths,
+                                  what_is_absent_is_counted,
+                                  bad_pictures_are_refused,
+                                  depths_of_floating_point_are_read,
+                                  bad_folders_are_refused,
+                                  recordings_are_read,
+                                  NULL};
+    return run_suite("sequence", tests);
+}
