@@ -40,9 +40,9 @@ static const cm_option render_options[] = {
      .high = 2147483647},
     {.id = SCENE_TRUTH,
      .name = "truth",
-     .help =
-         "add truth/TIME.exr: depth, range, position, normal, id, and the flow to the next view "
-         "and to the one before",
+     .help = "add a folder of truth, a TIME.exr for each view: depth, range, position, normal, id, "
+             "and the flow to the next view "
+             "and to the one before",
      .more =
          "Floats without noise. Position and normal are in the world's axes. The flow leads "
          "from a pixel to where its point is in the other view: column and row there less those "
