@@ -289,17 +289,17 @@ std::string DistortionPicture::description() const
     std::string text =
         options.mapping +
         (options.one_face ? ", " : std::string(", frame ") + options.frame->identifier + ", ") +
-        quantity.name + " (" + quantity.symbol + "): " + number_text(found.low) + " to " +
-        number_text(found.high) + quantity.unit + " at the pixels' centres";
+        quantity.name + " (" + quantity.symbol + "): " + quantity_text(found.low) + " to " +
+        quantity_text(found.high) + quantity.unit + " at the pixels' centres";
     if (options.values)
     {
         return text;
     }
     text += "; colours " + options.colors + (options.reverse ? ", reversed" : "") + ", " +
-            number_text(scale.range().low) + " to " + number_text(scale.range().high) + ", " +
+            quantity_text(scale.range().low) + " to " + quantity_text(scale.range().high) + ", " +
             scale.description();
     text += out_of_range().empty() ? "" : "; " + out_of_range();
-    text += options.isolines ? "; isolines every " + number_text(*options.isolines) : "";
+    text += options.isolines ? "; isolines every " + quantity_text(*options.isolines) : "";
     return text + (overlay ? "; " + overlay->description() : "");
 }
 
@@ -312,7 +312,7 @@ std::string DistortionPicture::out_of_range() const
         if (count > 0)
         {
             text += (text.empty() ? "" : ", ") + percent(count / found.count) + " of the map is " +
-                    where + " " + number_text(end) + " and has its colour";
+                    where + " " + quantity_text(end) + " and has its colour";
         }
     };
     add(found.below, "below", scale.range().low);

@@ -88,10 +88,10 @@ double ColorScale::value_at(double part) const
 
 std::string ColorScale::description() const
 {
-    return logarithmic() ? "logarithmic about " + number_text(middle) : "linear";
+    return logarithmic() ? "logarithmic about " + quantity_text(middle) : "linear";
 }
 
-std::string number_text(double value)
+std::string quantity_text(double value)
 {
     char text[40];
     std::snprintf(text, sizeof text, "%.6g", value);

@@ -73,6 +73,6 @@ private:
 };
 
 // "1.41421", as people read it.
-std::string number_text(double value);
+std::string quantity_text(double value);
 
 #endif

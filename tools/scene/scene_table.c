@@ -40,9 +40,9 @@ static const cm_option render_options[] = {
      .high = 2147483647},
     {.id = SCENE_TRUTH,
      .name = "truth",
-     .help =
-         "add truth/TIME.exr: depth, range, position, normal, id, and the flow to the next view "
-         "and to the one before",
+     .help = "add a folder of truth, a TIME.exr for each view: depth, range, position, normal, id, "
+             "and the flow to the next view "
+             "and to the one before",
      .more =
          "Floats without noise. Position and normal are in the world's axes. The flow leads "
          "from a pixel to where its point is in the other view: column and row there less those "
@@ -134,6 +134,9 @@ static const cm_command *const commands[] = {&scene_render_command, &scene_info_
 
 static const char *const command_names[] = {"render", "info", "convert", "evaluate", NULL};
 
+/* --help and --version alone */
+static const cm_option_group scene_groups[] = {{NULL, NULL, 0}};
+
 const cm_command cm_scene_command = {
     .name = "cubemap-scene",
     .usage = "render [OPTION]... SCENE CAMERA.json TRAJECTORY.txt -o DIR\n"
@@ -142,8 +145,8 @@ const cm_command cm_scene_command = {
              "evaluate [OPTION]... TRUTH.txt ESTIMATE.txt",
     .summary = "Sequences of depth cameras: renders them with their truth, tells what they have, "
                "converts them, and measures trajectories. Each command has a --help of its own.",
-    .groups = NULL,
-    .group_count = 0,
+    .groups = scene_groups,
+    .group_count = 1,
     .words = "SCENE DIR DIR2 LAYOUT",
     .operand = CM_OPTION_TEXT,
     .choices = command_names,
