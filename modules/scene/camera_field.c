@@ -193,8 +193,8 @@ static void find_borders(const cm_lens *lens, const cm_camera_set *set, cm_camer
     {
         const double angle = TURN * (double)(i % CM_FIELD_SIDES) / CM_FIELD_SIDES;
         field->border[i] = cm_camera_field_border(lens, set, cos(angle), sin(angle), &beyond[i]);
-        field->divide[i] = beyond[i] == (double)INFINITY ? 2.0 * field->border[i]
-                                                         : sqrt(field->border[i] * beyond[i]);
+        /* close to the border, since before a pole steps may miss what is good again */
+        field->divide[i] = fmin(sqrt(field->border[i] * beyond[i]), 1.02 * field->border[i]);
     }
     for (size_t i = 0; i < CM_FIELD_SIDES; i++)
     {
