@@ -41,6 +41,7 @@ static void copy(cm_raster *raster)
 {
     (void)raster;
     memcpy(other, image, sizeof other);
+    image[0] += other[PIXELS - 1]; /* lest it be left out */
 }
 
 static void draw_discs(cm_raster *raster)

@@ -110,7 +110,8 @@ CM_API cm_status cm_depth_smooth(const cm_rays *rays, const float *from, double 
                                  double metres, unsigned threads, float *to);
 
 /* An image of half the size, width / 2 x height / 2: each pixel is the mean of those of its 2 x 2 that are no more than
- * this part of the nearest one behind it, so that surfaces do not mix. An odd last column or row is left out. gap from 0 on. to and from must not overlap.
+ * this part of the nearest one behind it, so that surfaces do not mix. An odd last column or row is left out. gap from 0 on. to and from must
+ * not overlap.
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE (gap; less than two pixels; faces of odd size). */
 CM_API cm_status cm_depth_halve(const cm_rays *rays, const float *from, double gap,
                                 unsigned threads, float *to);

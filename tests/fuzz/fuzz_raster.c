@@ -26,37 +26,49 @@ static double take_number(supply *from)
                         : take_double(from);
 }
 
-static cm_raster *take_raster(supply *from, cm_camera **camera, size_t *pixels)
+/* Cameras are made once: the valid field of one takes longer to find than all else here. */
+static const cm_camera *take_camera(supply *from)
 {
     static const char *const names[] = {"coupled", "healpix", "azimuthal:equidistant", "tangent"};
-    const uint8_t kind = take_byte(from) % 6;
-    const uint32_t width = 1u + take_byte(from) % SIDE_MOST;
+    static const uint32_t widths[] = {1, 7, 16, SIDE_MOST};
+    static cm_camera *made[48];
+    const uint8_t which = take_byte(from) % 48;
+    const uint32_t kind = which / 8;
     cm_mapping *mapping = NULL;
-    cm_raster *raster = NULL;
     cm_camera_options options = {.size = sizeof options,
-                                 .width = width,
-                                 .height = 1u + take_byte(from) % SIDE_MOST,
+                                 .width = widths[which % 4],
+                                 .height = 19,
                                  .fx = 10.0,
                                  .fy = 11.0,
                                  .cx = 8.0,
                                  .cy = 8.0};
-    options.pixel_centre = take_byte(from) % 2 ? 0.5 : 0.0;
-    options.distortion[0] = kind == 1 ? 0.2 * take_fraction(from) : 0.0;
-    if (kind >= 2 && cm_mapping_create(names[kind - 2], NULL, &mapping) == CM_OK)
+    options.pixel_centre = which & 4 ? 0.5 : 0.0;
+    options.distortion[0] = kind == 1 ? -0.1 : 0.0;
+    if (made[which] == NULL)
     {
-        options.mapping = mapping;
-        options.height = kind == 4 ? width : 6 * width;
+        if (kind >= 2)
+        {
+            EXPECT(cm_mapping_create(names[kind - 2], NULL, &mapping) == CM_OK, "%u", kind);
+            options.mapping = mapping;
+            options.height = kind == 4 ? options.width : 6 * options.width;
+        }
+        EXPECT(cm_camera_create(&options, &made[which]) == CM_OK, "%d", which);
+        cm_mapping_destroy(mapping);
     }
+    return made[which];
+}
+
+static cm_raster *take_raster(supply *from, size_t *pixels)
+{
+    const cm_camera *camera = take_camera(from);
+    const cm_camera_options *options = cm_camera_describe(camera);
+    cm_raster *raster = NULL;
     const double nearest = take_byte(from) % 4 ? 0.0 : take_number(from);
     const char *set = cm_instructions_at(take_byte(from) % cm_instructions_count());
-    *pixels = (size_t)options.width * options.height;
-    if (cm_camera_create(&options, camera) == CM_OK)
-    {
-        const cm_status status = cm_raster_create(*camera, nearest, set, &raster);
-        EXPECT((status == CM_OK) == (nearest >= 0.0 && isfinite(nearest)), "%g: %d", nearest,
-               (int)status);
-    }
-    cm_mapping_destroy(mapping);
+    *pixels = (size_t)options->width * options->height;
+    const cm_status status = cm_raster_create(camera, nearest, set, &raster);
+    EXPECT((status == CM_OK) == (nearest >= 0.0 && isfinite(nearest)), "%g: %d", nearest,
+           (int)status);
     return raster;
 }
 
@@ -105,7 +117,7 @@ static void take_shapes(supply *from, all_shapes *all)
 static void draw(cm_raster *raster, const cm_pose *pose, const all_shapes *all, int is_back,
                  float *image, uint32_t *id)
 {
-    const unsigned threads = is_back ? 2 : 1;
+    const unsigned threads = is_back == 2 ? 2 : 1;
     cm_raster_clear(raster);
     for (int i = 0; i < 3; i++)
     {
@@ -140,9 +152,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static float weight[2][PIXELS_MOST];
     static uint32_t id[2][PIXELS_MOST];
     static all_shapes all;
-    cm_camera *camera = NULL;
     size_t pixels;
-    cm_raster *raster = take_raster(&from, &camera, &pixels);
+    cm_raster *raster = take_raster(&from, &pixels);
     if (raster != NULL)
     {
         cm_pose pose = {.position = {take_number(&from), take_number(&from), take_number(&from)}};
@@ -151,7 +162,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         take_shapes(&from, &all);
         check_refusals(raster, &all);
         draw(raster, taken, &all, 0, image[0], id[0]);
-        draw(raster, taken, &all, 1, image[1], id[1]);
+        draw(raster, taken, &all, take_byte(&from) % 64 == 0 ? 2 : 1, image[1], id[1]);
         EXPECT(memcmp(id[0], id[1], pixels * sizeof **id) == 0, "ids");
         EXPECT(memcmp(image[0], image[1], pixels * sizeof **image) == 0, "depths");
         EXPECT(cm_raster_weights(raster, taken, &all.triangles, weight[0], weight[1]) == CM_OK,
@@ -166,6 +177,5 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         }
     }
     cm_raster_destroy(raster);
-    cm_camera_destroy(camera);
     return 0;
 }

@@ -661,20 +661,20 @@ def camera_inputs():
 
 def depth_inputs():
     """A camera, values of pixels, limits, a box, options."""
-    def one(width, height, lens, kinds):
-        head = bytes([width - 1, height - 1, lens, lens]) + (word(1 << 30) if lens else b"") + bytes([1])
-        pixels = b"".join(bytes([kinds[i % len(kinds)]]) + word(i * 2654435761 % 2**32) for i in range(width * height))
-        return head + pixels + bytes([3]) + number("d", 0.5, 0.1, 3.0) + word(1) + word(2) + word(9) + word(7) + bytes([1])
-    return {"smooth": one(24, 18, 0, [100]), "lens": one(33, 7, 1, [100, 101]), "holes": one(17, 19, 0, [1, 2, 3, 205, 215, 255])}
+    def one(camera, size, kinds):
+        pixels = b"".join(bytes([kinds[i % len(kinds)]]) + word(i * 2654435761 % 2**32) for i in range(size))
+        rest = bytes([0, 3]) + number("d", 0.5, 0.1, 3.0) + word(1) + word(2) + word(9) + word(7) + bytes([1])
+        return bytes([camera, 1]) + pixels + rest
+    return {"smooth": one(6, 256, [100]), "lens": one(16 + 2, 85, [100, 101]),
+            "holes": one(8 + 6, 256, [1, 2, 3, 205, 215, 255])}
 
 
 def raster_inputs():
     """A camera, a pose, shapes of twelve numbers each."""
-    def one(kind, width, number_kind):
-        head = bytes([kind, width - 1, 15, 1]) + (word(1 << 30) if kind == 1 else b"") + bytes([1, 1])
+    def one(kind, number_kind):
         numbers = b"".join(bytes([number_kind + i % 5]) + word(i * 2654435761 % 2**32) for i in range(12 * 16))
-        return head + numbers
-    return {"kind-%d" % kind: one(kind, 17, 100 if kind % 2 else 0) for kind in range(6)}
+        return bytes([8 * kind + 2, 1, 1]) + numbers
+    return {"kind-%d" % kind: one(kind, 100 if kind % 2 else 0) for kind in range(6)}
 
 
 INPUTS = {
