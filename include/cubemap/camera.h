@@ -38,9 +38,12 @@ typedef struct cm_camera_options
 {
     size_t size; /* sizeof(cm_camera_options) */
     /* pixels, less than 2^31 of them; of a mapping N and 6 N, or N and N if it has one face */
-    uint32_t width, height;
-    double fx, fy; /* focal lengths in pixels, not 0; negative ones mirror */
-    double cx, cy; /* the principal point, in columns and rows as pixels are */
+    uint32_t width;
+    uint32_t height; /* pixels from top to bottom */
+    double fx;       /* focal length in pixels along rows, not 0; a negative one mirrors */
+    double fy;       /* and along columns */
+    double cx;       /* the principal point's column, as pixels are counted */
+    double cy;       /* and its row */
     double
         pixel_centre; /* 0: centres at integers (OpenCV, TUM); 0.5: as in this library's images; up to 1 */
     double distortion[14]; /* OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y; the

@@ -129,8 +129,9 @@ typedef struct cm_depth_pyramid cm_depth_pyramid;
 /* A level: of 2^level pixels each way a cell. Cells at the right and lower end count the pixels that there are. */
 typedef struct cm_depth_level
 {
-    size_t size;            /* sizeof(cm_depth_level) */
-    uint32_t width, height; /* cells */
+    size_t size;     /* sizeof(cm_depth_level) */
+    uint32_t width;  /* cells from left to right */
+    uint32_t height; /* cells from top to bottom */
     const float *
         least; /* of the measurements, with a minus sign if a pixel of the cell has none; -infinity if none has.
                            So least > z says that all pixels are measured and farther than z */

@@ -33,15 +33,15 @@ typedef struct cm_material
 /* To be filled with zeros but for size and what is wanted. Arrays that may be NULL are one value a vertex. */
 typedef struct cm_mesh_options
 {
-    size_t size; /* sizeof(cm_mesh_options) */
-    size_t vertex_count;
+    size_t size;            /* sizeof(cm_mesh_options) */
+    size_t vertex_count;    /* below 2^31 */
     const double *position; /* vertex_count x 3 */
     const float *normal;    /* vertex_count x 3, of any length but 0; or NULL */
     const float *uv;        /* vertex_count x 2, places in a texture; or NULL */
     const float *color;     /* vertex_count x 3, which the material's colour multiplies; or NULL */
-    size_t triangle_count;
-    const uint32_t *index; /* triangle_count x 3, each below vertex_count */
-    cm_material material;
+    size_t triangle_count;  /* below 2^31; 0 is allowed */
+    const uint32_t *index;  /* triangle_count x 3, each below vertex_count */
+    cm_material material;   /* of all triangles */
 } cm_mesh_options;
 
 /* All numbers must be finite, colours and reflectance in 0..1, and coordinates below 1e100. A mesh without triangles is one,

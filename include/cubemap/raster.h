@@ -47,32 +47,32 @@ CM_API void cm_raster_clear(cm_raster *raster);
 /* Triangles of the world. */
 typedef struct cm_triangles
 {
-    size_t size; /* sizeof(cm_triangles) */
-    size_t vertex_count;
+    size_t size;            /* sizeof(cm_triangles) */
+    size_t vertex_count;    /* below 2^32 */
     const double *position; /* vertex_count x 3 */
-    size_t triangle_count;
-    const uint32_t *index; /* triangle_count x 3, each below vertex_count; NULL: 0, 1, 2, ... */
-    uint32_t first_id;     /* of the first triangle; the others follow */
+    size_t triangle_count;  /* 0 draws nothing */
+    const uint32_t *index;  /* triangle_count x 3, each below vertex_count; NULL: 0, 1, 2, ... */
+    uint32_t first_id;      /* of the first triangle; the others follow */
 } cm_triangles;
 
 /* Discs of the world, an array for each number. */
 typedef struct cm_discs
 {
-    size_t size; /* sizeof(cm_discs) */
-    size_t count;
-    const float *centre[3];
+    size_t size;            /* sizeof(cm_discs) */
+    size_t count;           /* 0 draws nothing */
+    const float *centre[3]; /* x, y, z, count each */
     const float *normal[3]; /* of any length but 0 */
     const float *radius;    /* above 0 */
-    uint32_t first_id;
+    uint32_t first_id;      /* of the first disc; the others follow */
 } cm_discs;
 
 /* Points of the world. */
 typedef struct cm_points
 {
-    size_t size; /* sizeof(cm_points) */
-    size_t count;
+    size_t size;            /* sizeof(cm_points) */
+    size_t count;           /* 0 draws nothing */
     const double *position; /* count x 3 */
-    uint32_t first_id;
+    uint32_t first_id;      /* of the first point; the others follow */
 } cm_points;
 
 /* Draw them. pose is the camera's; NULL: the world's axes are the camera's. threads as in threads.h.

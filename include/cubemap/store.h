@@ -50,12 +50,16 @@ typedef struct cm_store_methods
     size_t size; /* sizeof(cm_store_methods) */
     /* As the functions below. get gives data from malloc, NULL if there is no such key. */
     cm_status (*get)(void *context, const cm_store_key *key, cm_blob *blob);
+    /* Keep a copy under the key, in the place of what was there. */
     cm_status (*put)(void *context, const cm_store_key *key, const cm_blob *blob);
+    /* Forget the key; one that is not there is no failure. */
     cm_status (*remove)(void *context, const cm_store_key *key);
     /* The first key after this one, or of all if it has no bytes; *count 0 if there is none. */
     cm_status (*next)(void *context, const cm_store_key *after, unsigned char key[CM_STORE_KEY_MAX],
                       size_t *count);
+    /* Make what was changed last. */
     cm_status (*commit)(void *context);
+    /* Undo what was changed since the last commit. */
     cm_status (*rollback)(void *context);
     /* What went wrong last, one line; "" for nothing. Lives until the next call. */
     const char *(*message)(void *context);

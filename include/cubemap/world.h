@@ -45,13 +45,14 @@ typedef enum cm_primitive_kind
 /* To be filled with zeros but for size and what the kind needs. */
 typedef struct cm_primitive
 {
-    size_t size; /* sizeof(cm_primitive) */
-    cm_primitive_kind kind;
-    double first[3], second[3]; /* as the kind says */
-    double radius;              /* above 0 */
-    const cm_mesh *mesh;        /* not copied: it must outlive the world */
-    cm_pose pose;               /* of a mesh: x_mesh = rotation (x_world - position) */
-    cm_material material;       /* of a mesh, its colours and reflectance are multiplied */
+    size_t size;            /* sizeof(cm_primitive) */
+    cm_primitive_kind kind; /* which numbers are read */
+    double first[3];        /* as the kind says */
+    double second[3];       /* as the kind says */
+    double radius;          /* above 0 */
+    const cm_mesh *mesh;    /* not copied: it must outlive the world */
+    cm_pose pose;           /* of a mesh: x_mesh = rotation (x_world - position) */
+    cm_material material;   /* of a mesh, its colours and reflectance are multiplied */
 } cm_primitive;
 
 /* An empty world. CM_OK; CM_ERROR_ARGUMENT (NULL); CM_ERROR_MEMORY. */
@@ -61,7 +62,7 @@ CM_API void cm_scene_destroy(cm_scene *scene);
 /* One of the analytic worlds with a name: "room", "corridor", "spheres"; z is up, metres.
  * CM_OK; CM_ERROR_ARGUMENT (NULL, no such name); CM_ERROR_MEMORY. */
 CM_API cm_status cm_scene_create_named(const char *name, cm_scene **scene);
-/* Their names, NULL behind the last. */
+/* The name of such a world: "room" at index 0, and so on; NULL behind the last. */
 CM_API const char *cm_scene_name_at(size_t index);
 
 /* Adds a copy of a primitive; its id is the number of those before it, and goes to id if that is not NULL.
