@@ -3,6 +3,8 @@
  * Files of meshes through the child that reads them. Input: a byte, of which kind, and the file. Whatever it has, what comes
  * back is a mesh or one line.
  */
+#define _POSIX_C_SOURCE 200809L
+
 #include "modules/scene/io/mesh_file.h"
 
 #include <unistd.h>
