@@ -62,6 +62,7 @@ CM_API void cm_scene_destroy(cm_scene *scene);
 /* One of the analytic worlds with a name: "room", "corridor", "spheres"; z is up, metres.
  * CM_OK; CM_ERROR_ARGUMENT (NULL, no such name); CM_ERROR_MEMORY. */
 CM_API cm_status cm_scene_create_named(const char *name, cm_scene **scene);
+
 /* The name of such a world: "room" at index 0, and so on; NULL behind the last. */
 CM_API const char *cm_scene_name_at(size_t index);
 
