@@ -28,9 +28,9 @@ typedef enum cm_status
     CM_ERROR_ELLIPSOID = 10, /* no ellipsoid of that name, or axes that are none */
     CM_ERROR_LATITUDE = 11,  /* no latitude of that name */
     CM_ERROR_ORIENTATION = 12, /* no orientation of that name, or angles that are none */
-    CM_ERROR_CELL = 13,   /* a number or a text that is no cell, a level or a place that is none */
-    CM_ERROR_PIXEL = 14,  /* an nside or a pixel that HEALPix does not have, or no point */
-    CM_ERROR_SPACE = 15,  /* more results than there is room for */
+    CM_ERROR_CELL = 13,    /* a number or a text that is no cell, a level or a place that is none */
+    CM_ERROR_PIXEL = 14,   /* an nside or a pixel that HEALPix does not have, or no point */
+    CM_ERROR_SPACE = 15,   /* more results than there is room for */
     CM_ERROR_STOPPED = 16, /* the caller's callback ended the work */
     CM_ERROR_CAMERA = 17,  /* a camera, a pose or a view that is none */
     CM_ERROR_RANK = 18,    /* too little is given to determine the answer */

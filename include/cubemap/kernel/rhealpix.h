@@ -145,8 +145,8 @@ CM_FN CM_NAME(cm_xyz)
     CM_NAME(cm_face_point) p = CM_NAME(cm_rhealpix_find)(u, v, k);
     CM_REAL outside = cm_max(cm_abs(p.a), cm_abs(p.b));
     /* 0, or NaN beside the caps and for NaN; of 0 / 0 in so many words compilers make NaN of either sign */
-    CM_REAL nothing = (outside - outside) /
-                      CM_SELECT(cm_at_least(CM_LIT(1.000000004), outside), one, none);
+    CM_REAL nothing =
+        (outside - outside) / CM_SELECT(cm_at_least(CM_LIT(1.000000004), outside), one, none);
     CM_REAL a = cm_min(cm_max(p.a, -one), one);
     CM_REAL b = cm_min(cm_max(p.b, -one), one);
     CM_NAME(cm_xyz) d = CM_NAME(cm_healpix_unproject)(p.face, a, b, k);
