@@ -1222,9 +1222,9 @@ END_TEST
 /* One sentence without a full stop for each status; for numbers that are none, the same one. */
 START_TEST(every_status_has_a_text)
 {
-    static const long none[] = {-1, -2147483647L - 1, (long)CM_ERROR_STOPPED + 1, 255, 2147483647L};
+    static const long none[] = {-1, -2147483647L - 1, (long)CM_ERROR_VERSION + 1, 255, 2147483647L};
     const char *unknown = cm_status_text((cm_status)none[0]);
-    for (int i = CM_OK; i <= (int)CM_ERROR_STOPPED; i++)
+    for (int i = CM_OK; i <= (int)CM_ERROR_VERSION; i++)
     {
         const char *text = cm_status_text((cm_status)i);
         ck_assert_ptr_nonnull(text);
