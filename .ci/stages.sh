@@ -99,9 +99,12 @@ one()
     begin "$1"
     shift
     local status=0
-    # no pipe: the command may wait for what this shell began
-    "$@" > >(tee "$output") 2>&1 || status=$?
-    wait "$!"
+    # no pipe of the shell's: the command may wait for what this shell began
+    exec 3> >(tee "$output")
+    local copier=$!
+    "$@" >&3 2>&1 3>&- || status=$?
+    exec 3>&-
+    wait "$copier"
     if [[ $status -eq 0 ]]; then
         count 1 0
     else
