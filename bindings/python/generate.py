@@ -228,9 +228,9 @@ def c_type(binding, item, known):
     else:
         base = "c_void_p"  # a function of the caller
     if item.base == "char" and item.pointers == 1 and item.constant:
-        return "c_char_p"
-    if item.pointers:
-        return f"POINTER({base})" if base in binding.interface.structs and item.pointers == 1 else "c_void_p"
+        base = "c_char_p"
+    elif item.pointers:
+        base = f"POINTER({base})" if base in binding.interface.structs and item.pointers == 1 else "c_void_p"
     for extent in reversed(item.extents):
         base = f"({base} * {extent})"
     return base

@@ -59,7 +59,10 @@ class Binding:
         import function_table
         import public_headers
 
-        self.table = function_table.read(root / "bindings" / "functions")
+        table = function_table.read(root / "bindings" / "functions")
+        # the extension module has no library of modules that are not bound
+        self.table = dataclasses.replace(table, functions=tuple(function for function in table.functions
+                                                                if function.reasons.get("python") != "unbound"))
         self.interface = public_headers.read(root)
         self.loops = self.find_loops()
 
