@@ -51,7 +51,8 @@ private:
     OwnPicture depth;
     OwnPicture color;
     cm_view view = {};
-    std::unique_ptr<cm_view_reader, decltype(&cm_view_reader_destroy)> reader{nullptr, cm_view_reader_destroy};
+    std::unique_ptr<cm_view_reader, decltype(&cm_view_reader_destroy)> reader{
+        nullptr, cm_view_reader_destroy};
 };
 
 cm_sequence::cm_sequence(const std::string &name, const cm_sequence_options &options) : folder(name)
