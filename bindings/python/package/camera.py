@@ -145,5 +145,5 @@ class Camera(CameraMethods, Specified):
         """The camera of an image that Rays.halve has made."""
         options = struct(library.cm_camera_options)
         library.cm_depth_halve_camera(ctypes.byref(self._options), ctypes.byref(options))
-        arguments = {**self._arguments(), "width": options.width, "height": options.height, "pixel_centre": options.pixel_centre}
-        return Camera(**{**arguments, **{name: getattr(options, name) for name in _NUMBERS}})
+        changed = ("width", "height", "pixel_centre", *(_NUMBERS if self._mapping is None else ()))
+        return Camera(**{**self._arguments(), **{name: getattr(options, name) for name in changed}})

@@ -83,7 +83,9 @@ def clean_depth(picture: ArrayLike, unit: float, *, nearest: float = 0.0, farthe
     unit                metres per stored unit: 1/5000 of TUM's files, 1 of metres
     nearest, farthest   metres; 0 is no limit
     """
-    image, _, kept = images_in(np.shape(picture)[:2], picture)
+    if np.ndim(picture) != 2:
+        raise ValueError(f"picture: (rows, columns), not {np.shape(picture)}")
+    image, _, kept = images_in(np.shape(picture), picture)
     limits = struct(library.cm_depth_limits, unit=unit, nearest=nearest, farthest=farthest)
     count = struct(library.cm_depth_count)
     threads = checked_threads(threads)

@@ -26,6 +26,8 @@ class Pose(Specified):
     the axes of camera a, in a's world. A twist is six numbers, translation first. Arrays of poses broadcast as NumPy's.
     """
 
+    __array_ufunc__ = None  # an array @ pose is none of NumPy's products
+
     def __init__(self, rotation: ArrayLike | Rotation | None = None, position: ArrayLike = (0.0, 0.0, 0.0)) -> None:
         rotation = np.eye(3) if rotation is None else rotation.matrix if isinstance(rotation, Rotation) else rotation
         rotation, position = np.asarray(rotation, np.float64), np.asarray(position, np.float64)
