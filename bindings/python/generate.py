@@ -75,7 +75,8 @@ def operands_of(argument, operands):
 
 def planes_of(operand, index):
     """The arrays of an operand that has one for each number."""
-    return ", ".join(f"({operand.base} *)p[{index}] + {k} * plane" if k else f"p[{index}]" for k in range(operand.items))
+    return ", ".join(f"({operand.base} *)p[{index}] + {k} * plane" if k else f"p[{index}]"
+                     for k in range(operand.items))
 
 
 def adapter_arrays(loop, operands):
@@ -83,12 +84,14 @@ def adapter_arrays(loop, operands):
     lines = []
     for index, operand in enumerate(operands):
         if operand.planar and not operand.member:
-            lines.append(f"{operand.base} *const planes_{operand.name}[{operand.items}] = {{{planes_of(operand, index)}}};")
+            planes = planes_of(operand, index)
+            lines.append(f"{operand.base} *const planes_{operand.name}[{operand.items}] = {{{planes}}};")
     for argument in loop.declared.arguments:
         own = [operand for operand in operands_of(argument, operands) if operand.member]
         if own:
             size = f"sizeof({argument.base}), " * (argument.name in loop.sized)
-            pointers = ", ".join(f"{{{planes_of(one, operands.index(one))}}}" if one.planar else f"p[{operands.index(one)}]" for one in own)
+            places = [(one, operands.index(one)) for one in own]
+            pointers = ", ".join(f"{{{planes_of(one, index)}}}" if one.planar else f"p[{index}]" for one, index in places)
             lines.append(f"const {argument.base} {argument.name} = {{{size}{pointers}}};")
     call = call_text(loop, operands)
     returns = loop.function.result is not None
@@ -101,44 +104,58 @@ def call_text(loop, operands):
     return f"{loop.function.name}({', '.join(words)})"
 
 
-def adapter_points(loop, operands):
-    """The body of a call for a function that takes one point."""
-    lines, copies, wide = ["for (size_t i = 0; i < n; i++)", "{"], [], []
+def read_lines(operand, argument, place, index):
+    """How an input of point i gets where the function takes it."""
+    first = f"(const {operand.base} *)p[{index}]"
+    if operand.member:
+        return ["    " + copy_text("&" * (not operand.shape) + place, f"({first})[{operand.items} * i]", operand)]
+    return [f"    const {operand.base} *from_{argument.name} = {first} + {operand.items} * i;"]
+
+
+def written_lines(loop, operand, argument, place):
+    """What is there for an output of a point: nothing yet."""
+    lines = []
+    if not operand.member:
+        declared = argument.base if argument.base in loop_enumerations else operand.base
+        extents = argument.extents if operand.shape else ()
+        lines.append(f"    {declared} {place}{''.join(f'[{extent}]' for extent in extents)};")
+    return lines + nothing_lines(loop, place, operand)
+
+
+def point_lines(loop, operands):
+    """What stands before the call for one point, what copies the outputs after it, and which numbers are too large."""
+    lines, copies, wide = [], [], []
     for argument, row in zip(loop.declared.arguments, loop.function.arguments, strict=True):
-        own = operands_of(argument, operands)
-        if not own or row.direction == "handle":
-            continue
-        if own[0].member:
+        own = operands_of(argument, operands) if row.direction != "handle" else []
+        if own and own[0].member:
             lines.append(f"    {argument.base} {argument.name};")
             lines += [f"    {argument.name}.size = sizeof {argument.name};"] * (argument.name in loop.sized)
         for operand in own:
-            index = operands.index(operand)
-            to, place = f"({operand.base} *)p[{index}] + {operand.items} * i", operand.member or f"to_{argument.name}"
+            index, place = operands.index(operand), operand.member or f"to_{argument.name}"
             if row.direction in ("out", "inout"):
-                if not operand.member:
-                    declared = argument.base if argument.base in loop_enumerations else operand.base
-                    extents = argument.extents if operand.shape else ()
-                    lines.append(f"    {declared} {place}{''.join(f'[{extent}]' for extent in extents)};")
-                lines += nothing_lines(loop, place, operand)
-                copies.append(copy_text(to, place, operand))
-            elif operand.member:
-                lines.append("    " + copy_text("&" * (not operand.shape) + place,
-                                                f"((const {operand.base} *)p[{index}])[{operand.items} * i]", operand))
+                lines += written_lines(loop, operand, argument, place)
+                copies.append(copy_text(f"({operand.base} *)p[{index}] + {operand.items} * i", place, operand))
             else:
-                lines.append(f"    const {operand.base} *from_{argument.name} = (const {operand.base} *)p[{index}] + {operand.items} * i;")
+                lines += read_lines(operand, argument, place, index)
                 wide += [f"*from_{argument.name} > UINT32_MAX"] * operand.narrow
+    return lines, copies, wide
+
+
+def adapter_points(loop, operands):
+    """The body of a call for a function that takes one point."""
+    lines, copies, wide = point_lines(loop, operands)
     call, result = call_text(loop, operands), ""
-    if loop.function.result is None:
-        call = f"{call};"
-    elif operands[-1].name == "result":
+    if operands[-1].name == "result":
         result = f"(({operands[-1].base} *)p[{len(operands) - 1}])[i]"
-        call = f"{result} = {call};"
-    else:
-        call = f"(void){call};"
+        call = f"{result} = {call}"
+    elif loop.function.result is not None:
+        call = f"(void){call}"
     if wide:
         nothing = [f"{result} = {NOTHING[operands[-1].base]};"] if result else copies
-        lines += [f"    if ({' || '.join(wide)})", "    {", *(f"        {line}" for line in nothing), "        continue;", "    }"]
-    return lines + [f"    {line}" for line in [call, *copies]] + ["}", "return CM_OK;"]
+        lines += [f"    if ({' || '.join(wide)})", "    {", *(f"        {line}" for line in nothing),
+                  "        continue;", "    }"]
+    lines += [f"    {line}" for line in (f"{call};", *copies)]
+    return ["for (size_t i = 0; i < n; i++)", "{", *lines, "}", "return CM_OK;"]
 
 
 loop_enumerations = set()

@@ -11,8 +11,8 @@ NUMBERS = {"double": ("CORE_DOUBLE", "float64"), "float": ("CORE_FLOAT", "float3
            "int": ("CORE_INT", "intc"), "uint32_t": ("CORE_UINT32", "uint32"), "unsigned": ("CORE_UINT32", "uint32"),
            "int64_t": ("CORE_INT64", "int64"), "uint64_t": ("CORE_UINT64", "uint64"), "size_t": ("CORE_UINT64", "uint64")}
 # how NumPy has what is so many numbers in a row in C, or so many arrays: matrices
-CORE_SHAPES = {"cm_forward_jacobian_array": (2, 3), "cm_inverse_jacobian_array": (3, 2), "cm_warp_jacobian_array": (2, 2),
-               "cm_camera_jacobian": (2, 3), "cm_pose_adjoint": (6, 6), "cm_pose_transport": (6, 6)}
+CORE_SHAPES = {"cm_forward_jacobian_array": (2, 3), "cm_inverse_jacobian_array": (3, 2),
+               "cm_warp_jacobian_array": (2, 2), "cm_camera_jacobian": (2, 3), "cm_pose_adjoint": (6, 6), "cm_pose_transport": (6, 6)}
 # functions that take every number of 32 bits: what has more must not become one that they take
 WIDE = "cm_random_"
 
@@ -62,8 +62,13 @@ class Unfit(Exception):
 def told_apart(*sides):
     """The operands of both sides: those whose names are not the only ones have their struct's name before it."""
     names = [operand.name for side in sides for operand in side]
-    return tuple(tuple(dataclasses.replace(operand, name=f"{operand.member.split('.')[0]}_{operand.name}")
-                       if operand.member and names.count(operand.name) > 1 else operand for operand in side) for side in sides)
+
+    def own_name(operand):
+        if not operand.member or names.count(operand.name) == 1:
+            return operand
+        return dataclasses.replace(operand, name=f"{operand.member.split('.')[0]}_{operand.name}")
+
+    return tuple(tuple(map(own_name, side)) for side in sides)
 
 
 class Binding:
@@ -90,7 +95,7 @@ class Binding:
         return bool(members) and members[0].name == "size"
 
     def members(self, name):
-        """The numbers of a struct that is made of them alone, and of structs of them, as (path, name, type, extents)."""
+        """The numbers of a struct that is made of them alone, and of such structs: (path, name, type, extents)."""
         found = []
         for member in self.interface.structs.get(name, ())[self.is_sized(name):]:
             base = self.base(member.base)
@@ -128,8 +133,8 @@ class Binding:
         """The operands of an argument with n of everything."""
         if row.shape == ("n",) and argument.base in self.interface.structs:  # an array for each member
             members = self.interface.structs[argument.base][self.is_sized(argument.base):]
-            return [Operand(member.name, member.base, member.extents, planar=bool(member.extents), member=f"{argument.name}.{member.name}")
-                    for member in members]
+            return [Operand(member.name, member.base, member.extents, planar=bool(member.extents),
+                            member=f"{argument.name}.{member.name}") for member in members]
         base = self.base(argument.base)
         if base is None or argument.pointers + len(argument.extents) < 1:
             raise Unfit
@@ -171,7 +176,7 @@ class Binding:
         return Loop(function, declared, inputs, outputs, tuple(options), handle, arrays, tuple(sized))
 
     def is_operand(self, argument, row, arrays):
-        """Can NumPy give it? Structs that callers give their size and others write are outputs; as inputs they are options."""
+        """Can NumPy give it? Structs with their size are outputs; as inputs they are options."""
         if row.is_text or row.direction not in ("in", "out", "option", "inout"):
             return False
         sized = self.is_sized(argument.base)

@@ -11,7 +11,8 @@ from ._texts import checked_text, decoded, string_of, struct
 
 
 class BudgetEntry(NamedTuple):
-    """An effect or a refinement: the error without it, what it costs, and whether it is kept, and why. unit None is the budget's."""
+    """An effect or a refinement: the error without it, what it costs, and whether it is kept, and why. unit None is
+    the budget's."""
 
     name: str
     contribution: float
@@ -50,10 +51,12 @@ class Budget(NamedTuple):
         entries = (library.cm_budget_entry * len(self.entries))()
         for to, entry in zip(entries, self._entries, strict=True):
             to.size = ctypes.sizeof(library.cm_budget_entry)
-            to.contribution, to.cost, to.is_required, to.is_kept = entry.contribution, entry.cost, entry.is_required, entry.is_kept
+            for name in ("contribution", "cost", "is_required", "is_kept"):
+                setattr(to, name, getattr(entry, name))
             to.name, to.unit, to.reason = (_bytes(getattr(entry, name), name) for name in ("name", "unit", "reason"))
         texts = {name: _bytes(getattr(self, name), name) for name in ("subject", "unit", "cost_unit")}
-        return struct(library.cm_budget, count=len(entries), entry=ctypes.cast(entries, ctypes.POINTER(library.cm_budget_entry)),
+        return struct(library.cm_budget, count=len(entries),
+                      entry=ctypes.cast(entries, ctypes.POINTER(library.cm_budget_entry)),
                       error=self.error, cost=self.cost, **texts)
 
     def _chosen(self, choose, *limit):

@@ -28,24 +28,28 @@ def whole_number(value: int, name: str) -> int:
 
 
 class Camera(CameraMethods, Specified):
-    """A camera: Camera(640, 480, 525, 525, 319.5, 239.5), or an omnidirectional one, Camera(mapping="coupled", size=256).
+    """A camera: Camera(640, 480, 525, 525, 319.5, 239.5), or an omnidirectional one, Camera(mapping="coupled",
+    size=256).
 
     width, height   pixels; of a cube's mapping N and 6 N, of others N and N: size=N says both
     fx, fy, cx, cy  focal lengths and the principal point, pixels
-    pixel_centre    where centres of pixels are: 0 at integers, as OpenCV and TUM have it, 0.5 as pictures of this library
+    pixel_centre    where centres of pixels are: 0 at integers, as OpenCV and TUM have it, 0.5 as pictures of this
+                    library
     distortion      up to 14 numbers in OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y
     mapping         instead of these: a Mapping, or its specification with a frame
     threads         the most that work on one array; 0 for all processors. Standard: 1
 
-    c.project(x, y, z) gives column and row, c.ray(column, row) gives x, y and z. Perspective cameras have x right, y down, z
-    forward, and rays with z = 1; omnidirectional ones have their mapping's axes, and rays of length 1. What the camera does not
-    see is NaN, what is beyond a fold of the lens too. The names are those of CAMERA.json, so that what json.load makes of it,
-    but for "depth_scale", are arguments here.
+    c.project(x, y, z) gives column and row, c.ray(column, row) gives x, y and z. Perspective cameras have x right, y
+    down, z forward, and rays with z = 1; omnidirectional ones have their mapping's axes, and rays of length 1. What
+    the camera does not see is NaN, what is beyond a fold of the lens too. The names are those of CAMERA.json, so that
+    what json.load makes of it, but for "depth_scale", are arguments here.
     """
 
-    _standard = {"width": 0, "height": 0, **dict.fromkeys(_NUMBERS, 0.0), "pixel_centre": 0.0, "distortion": (), "mapping": None, "threads": 1}
+    _standard = {"width": 0, "height": 0, **dict.fromkeys(_NUMBERS, 0.0), "pixel_centre": 0.0, "distortion": (),
+                 "mapping": None, "threads": 1}
 
-    def __init__(self, width: int = 0, height: int = 0, fx: float = 0.0, fy: float = 0.0, cx: float = 0.0, cy: float = 0.0,
+    def __init__(self, width: int = 0, height: int = 0, fx: float = 0.0, fy: float = 0.0, cx: float = 0.0,
+                 cy: float = 0.0,
                  pixel_centre: float = 0.0, distortion: ArrayLike = (), mapping: str | Mapping | None = None, *,
                  frame: str | Frame | None = None, size: int = 0, threads: int = 1) -> None:
         distortion = np.asarray(distortion, np.float64)
@@ -61,7 +65,8 @@ class Camera(CameraMethods, Specified):
             mapping = mapping if isinstance(mapping, Mapping) else Mapping(mapping, "geo" if frame is None else frame)
             if size:
                 width, height = size, size * mapping.face_count
-        options = struct(library.cm_camera_options, width=whole_number(width, "width"), height=whole_number(height, "height"), fx=fx, fy=fy,
+        options = struct(library.cm_camera_options, width=whole_number(width, "width"),
+                         height=whole_number(height, "height"), fx=fx, fy=fy,
                          cx=cx, cy=cy, pixel_centre=pixel_centre)
         options.distortion[:distortion.size] = distortion.tolist()
         if mapping is not None:
@@ -134,11 +139,13 @@ class Camera(CameraMethods, Specified):
 
     @property
     def kind(self) -> str:
-        """What a ray of it is multiplied by: "depth", along the axis, or "range", along the ray, of omnidirectional ones."""
+        """What a ray of it is multiplied by: "depth", along the axis, or "range", along the ray, of omnidirectional
+        ones."""
         return DEPTH_KINDS[self._mapping is not None]
 
     def pixels(self) -> tuple[np.ndarray, np.ndarray]:
-        """Columns and rows of the centres of all pixels, (columns,) and (rows, 1): together they are of the camera's shape."""
+        """Columns and rows of the centres of all pixels, (columns,) and (rows, 1): together they are of the camera's
+        shape."""
         return np.arange(self.width) + self.pixel_centre, np.arange(self.height)[:, np.newaxis] + self.pixel_centre
 
     def halved(self) -> Camera:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Depth images: cleaned, as points and normals, smoothed, halved, and bounded for boxes of pixels.
 
-An image is an array (rows, columns) of float32, NaN where nothing was measured; strides of any kind will do. Depth is along the
-optical axis, range along the ray; images of omnidirectional cameras hold range.
+An image is an array (rows, columns) of float32, NaN where nothing was measured; strides of any kind will do. Depth is
+along the optical axis, range along the ray; images of omnidirectional cameras hold range.
 """
 
 from __future__ import annotations
@@ -35,7 +35,8 @@ class DepthCount(NamedTuple):
 
 
 class DepthMaps(NamedTuple):
-    """Maps of a depth image: points and unit normals (rows, columns, 3) in the camera's axes, and radii of surfels; None: not asked for."""
+    """Maps of a depth image: points and unit normals (rows, columns, 3) in the camera's axes, and radii of surfels;
+    None: not asked for."""
 
     vertex: np.ndarray
     normal: np.ndarray | None
@@ -54,7 +55,8 @@ name_results("cm_depth_pyramid_bounds", DepthBounds)
 
 
 def _dense(image, shape=None):
-    """An image as the library reads it: float32, row by row. Whole numbers are no depths; clean_depth makes some of them."""
+    """An image as the library reads it: float32, row by row. Whole numbers are no depths; clean_depth makes some of
+    them."""
     image = np.asarray(image)
     if image.dtype.kind != "f":
         raise TypeError(f"image: real numbers, not {image.dtype}; clean_depth makes depths of stored units")
@@ -64,7 +66,8 @@ def _dense(image, shape=None):
 
 
 def _written(out, shape, write, apart=None):
-    """What write(array) leaves in a dense array, which is out itself if it is dense and shares nothing with what must be apart."""
+    """What write(array) leaves in a dense array, which is out itself if it is dense and shares nothing with what must
+    be apart."""
     if out is not None and (out.shape != shape or out.dtype != np.float32 or not out.flags.writeable):
         raise ValueError(f"out: {shape} of float32, to be written to, not {out.shape} of {out.dtype}")
     fits = out is not None and out.flags.carray and (apart is None or not np.may_share_memory(out, apart))
@@ -76,9 +79,11 @@ def _written(out, shape, write, apart=None):
     return out
 
 
-def clean_depth(picture: ArrayLike, unit: float, *, nearest: float = 0.0, farthest: float = 0.0, out: np.ndarray | None = None,
+def clean_depth(picture: ArrayLike, unit: float, *, nearest: float = 0.0, farthest: float = 0.0,
+                out: np.ndarray | None = None,
                 threads: int = 1) -> tuple[np.ndarray, DepthCount]:
-    """Stored depths, (rows, columns) of uint16 or float32, as metres in float32 with NaN for what is none, and how many were what.
+    """Stored depths, (rows, columns) of uint16 or float32, as metres in float32 with NaN for what is none, and how
+    many were what.
 
     unit                metres per stored unit: 1/5000 of TUM's files, 1 of metres
     nearest, farthest   metres; 0 is no limit
@@ -89,7 +94,8 @@ def clean_depth(picture: ArrayLike, unit: float, *, nearest: float = 0.0, farthe
     limits = struct(library.cm_depth_limits, unit=unit, nearest=nearest, farthest=farthest)
     count = struct(library.cm_depth_count)
     threads = checked_threads(threads)
-    depth = _written(out, kept.shape[1:3], lambda array: library.cm_depth_clean(image, ctypes.byref(limits), threads, array.ctypes.data,
+    depth = _written(out, kept.shape[1:3],
+                     lambda array: library.cm_depth_clean(image, ctypes.byref(limits), threads, array.ctypes.data,
                                                                                ctypes.byref(count)), apart=kept)
     return depth, DepthCount(*(getattr(count, name) for name in DepthCount._fields))
 
@@ -123,14 +129,19 @@ class Rays(Specified):
     def to_range(self, depth: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """Depth to range; omnidirectional cameras have no depth."""
         image = _dense(depth, self.camera.shape)
-        return _written(out, image.shape, lambda to: library.cm_depth_to_range(self._handle, image.ctypes.data, self._threads, to.ctypes.data))
+        return _written(out, image.shape,
+                        lambda to: library.cm_depth_to_range(self._handle, image.ctypes.data, self._threads,
+                                                             to.ctypes.data))
 
     def from_range(self, range: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """Range to depth."""
         image = _dense(range, self.camera.shape)
-        return _written(out, image.shape, lambda to: library.cm_depth_from_range(self._handle, image.ctypes.data, self._threads, to.ctypes.data))
+        return _written(out, image.shape,
+                        lambda to: library.cm_depth_from_range(self._handle, image.ctypes.data, self._threads,
+                                                               to.ctypes.data))
 
-    def maps(self, image: ArrayLike, kind: str, *, gap: float = 0.0, normals: bool = True, radii: bool = False) -> DepthMaps:
+    def maps(self, image: ArrayLike, kind: str, *, gap: float = 0.0, normals: bool = True,
+             radii: bool = False) -> DepthMaps:
         """Points, normals and radii of an image, as DepthMaps.
 
         kind      "depth" or "range": what the image holds
@@ -156,27 +167,33 @@ class Rays(Specified):
     def smooth(self, image: ArrayLike, pixels: float, metres: float, out: np.ndarray | None = None) -> np.ndarray:
         """The bilateral filter of 7 x 7 pixels: the sigmas of distances in the image and of differences of values."""
         image = _dense(image, self.camera.shape)
-        return _written(out, image.shape, lambda to: library.cm_depth_smooth(self._handle, image.ctypes.data, pixels, metres, self._threads,
+        return _written(out, image.shape,
+                        lambda to: library.cm_depth_smooth(self._handle, image.ctypes.data, pixels, metres,
+                                                           self._threads,
                                                                             to.ctypes.data), apart=image)
 
     def halve(self, image: ArrayLike, gap: float, out: np.ndarray | None = None) -> np.ndarray:
-        """An image of half the size, for camera.halved(): the mean of those of four that are no more than `gap` of the nearest behind it."""
+        """An image of half the size, for camera.halved(): the mean of those of four that are no more than `gap` of the
+        nearest behind it."""
         image = _dense(image, self.camera.shape)
         rows, columns = image.shape
-        return _written(out, (rows // 2, columns // 2), lambda to: library.cm_depth_halve(self._handle, image.ctypes.data, gap, self._threads,
+        return _written(out, (rows // 2, columns // 2),
+                        lambda to: library.cm_depth_halve(self._handle, image.ctypes.data, gap, self._threads,
                                                                                         to.ctypes.data), apart=image)
 
 
 class DepthPyramid(DepthPyramidMethods):
     """The least and greatest measurements of squares of 2, 4, 8 ... pixels of an image: DepthPyramid(depth).
 
-    p.bounds(column, row, last_column, last_row) gives DepthBounds of boxes of pixels, ends included; what is no box has NaN, NaN, -1.
+    p.bounds(column, row, last_column, last_row) gives DepthBounds of boxes of pixels, ends included; what is no box
+    has NaN, NaN, -1.
     """
 
     def __init__(self, image: ArrayLike, *, instructions: str | None = None, threads: int = 1) -> None:
         image = _dense(image)
         text = None if instructions is None else checked_text(instructions, "instructions")
-        self._handle = created(library.cm_depth_pyramid_create, "cm_depth_pyramid_destroy", image.shape[1], image.shape[0], text)
+        self._handle = created(library.cm_depth_pyramid_create, "cm_depth_pyramid_destroy", image.shape[1],
+                               image.shape[0], text)
         self._threads = checked_threads(threads)
         self._shape = image.shape
         self.fill(image)
@@ -195,7 +212,8 @@ class DepthPyramid(DepthPyramidMethods):
     def levels(self) -> list[tuple[np.ndarray, np.ndarray]]:
         """Copies of (least, most) of all levels, that of 2 x 2 pixels a cell first.
 
-        least has a minus sign where a pixel of the cell has no measurement, and is -infinity where none has; most is 0 there.
+        least has a minus sign where a pixel of the cell has no measurement, and is -infinity where none has; most is 0
+        there.
         """
         return [self._level(level) for level in range(1, library.cm_depth_pyramid_last(self._handle) + 1)]
 

@@ -22,8 +22,9 @@ class Pose(Specified):
     rotation   (..., 3, 3): its rows are the camera's axes in the world; a Rotation is one, too
     position   (..., 3): the camera's centre in the world
 
-    x_camera = rotation (x_world - position). It stands for the motion from camera to world, as a line of TUM does: a @ b is b, a pose in
-    the axes of camera a, in a's world. A twist is six numbers, translation first. Arrays of poses broadcast as NumPy's.
+    x_camera = rotation (x_world - position). It stands for the motion from camera to world, as a line of TUM does: a @
+    b is b, a pose in the axes of camera a, in a's world. A twist is six numbers, translation first. Arrays of poses
+    broadcast as NumPy's.
     """
 
     __array_ufunc__ = None  # an array @ pose is none of NumPy's products
@@ -128,7 +129,8 @@ class Pose(Specified):
     def matrix(self) -> np.ndarray:
         """(..., 4, 4), from camera to world; inverse().matrix is from world to camera."""
         matrix = np.zeros((*self.shape, 4, 4))
-        matrix[..., :3, :3], matrix[..., :3, 3], matrix[..., 3, 3] = np.swapaxes(self._rotation, -1, -2), self._position, 1.0
+        matrix[..., :3, :3] = np.swapaxes(self._rotation, -1, -2)
+        matrix[..., :3, 3], matrix[..., 3, 3] = self._position, 1.0
         return matrix
 
     @property
@@ -150,7 +152,9 @@ class Pose(Specified):
         return _methods.pose_apply_back(*self._parts, camera, **keywords)
 
     def __matmul__(self, inner: Pose) -> Pose:
-        return Pose._make(_methods.pose_compose(*self._parts, *inner._parts)) if isinstance(inner, Pose) else NotImplemented
+        if not isinstance(inner, Pose):
+            return NotImplemented
+        return Pose._make(_methods.pose_compose(*self._parts, *inner._parts))
 
     def inverse(self) -> Pose:
         """The world's pose in the camera's axes."""
@@ -191,10 +195,12 @@ class Alignment(NamedTuple):
 
 
 def align(points: ArrayLike, to: ArrayLike) -> Alignment:
-    """The rigid motion that takes points, (n, 3), to others with the least sum of squares: motion.apply_back(points) is near them."""
+    """The rigid motion that takes points, (n, 3), to others with the least sum of squares: motion.apply_back(points)
+    is near them."""
     points, to = (np.ascontiguousarray(one, np.float64) for one in (points, to))
     if points.shape != to.shape or points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"points, to: (n, 3) both, not {points.shape} and {to.shape}")
     motion, rank, is_determined = library.cm_pose(), ctypes.c_int(), ctypes.c_int()
-    library.cm_pose_align(len(points), points.ctypes.data, to.ctypes.data, ctypes.byref(motion), ctypes.byref(rank), ctypes.byref(is_determined))
+    library.cm_pose_align(len(points), points.ctypes.data, to.ctypes.data, ctypes.byref(motion), ctypes.byref(rank),
+                          ctypes.byref(is_determined))
     return Alignment(Pose._read(motion), rank.value, bool(is_determined.value))

@@ -44,13 +44,15 @@ class Raster:
     instructions   one of instruction_sets(); None for the best
     threads        the most that draw; 0 for all processors. Standard: 1
 
-    Triangles, discs and points are of the world, and pose is the camera's: None where the world's axes are the camera's. Ids go
-    from first_id on. Several threads of Python may share a canvas: one at a time draws.
+    Triangles, discs and points are of the world, and pose is the camera's: None where the world's axes are the
+    camera's. Ids go from first_id on. Several threads of Python may share a canvas: one at a time draws.
     """
 
-    def __init__(self, camera: Camera, nearest: float = 0.0, *, instructions: str | None = None, threads: int = 1) -> None:
+    def __init__(self, camera: Camera, nearest: float = 0.0, *, instructions: str | None = None,
+                 threads: int = 1) -> None:
         text = None if instructions is None else checked_text(instructions, "instructions")
-        self._handle = created(library.cm_raster_create, "cm_raster_destroy", camera._handle, nearest, text, keep=camera._handle)
+        self._handle = created(library.cm_raster_create, "cm_raster_destroy", camera._handle, nearest, text,
+                               keep=camera._handle)
         self._camera = camera
         self._threads = checked_threads(threads)
         self._lock = threading.Lock()
@@ -65,19 +67,25 @@ class Raster:
         with self._lock:
             library.cm_raster_clear(self._handle)
 
-    def triangles(self, position: ArrayLike, index: ArrayLike | None = None, *, pose: Pose | None = None, first_id: int = 0) -> None:
-        """Draw triangles: positions (n, 3) of vertices, and indices (m, 3) of them; None takes three vertices after another."""
+    def triangles(self, position: ArrayLike, index: ArrayLike | None = None, *, pose: Pose | None = None,
+                  first_id: int = 0) -> None:
+        """Draw triangles: positions (n, 3) of vertices, and indices (m, 3) of them; None takes three vertices after
+        another."""
         given = _triangles(position, index, first_id)
         with self._lock:
             library.cm_raster_triangles(self._handle, pose_pointer(pose), ctypes.byref(given), self._threads)
 
-    def discs(self, centre: ArrayLike, normal: ArrayLike, radius: ArrayLike, *, pose: Pose | None = None, first_id: int = 0) -> None:
+    def discs(self, centre: ArrayLike, normal: ArrayLike, radius: ArrayLike, *, pose: Pose | None = None,
+              first_id: int = 0) -> None:
         """Draw oriented surfels: centres (n, 3), normals (n, 3) of any length, radii (n); computed in float."""
-        centre, normal = (np.ascontiguousarray(numbers_of(one, 3, np.float32, name).T) for one, name in ((centre, "centre"), (normal, "normal")))
+        centre, normal = (np.ascontiguousarray(numbers_of(one, 3, np.float32, name).T)
+                          for one, name in ((centre, "centre"), (normal, "normal")))
         radius = np.ascontiguousarray(radius, np.float32)
         if centre.shape != normal.shape or radius.shape != centre.shape[1:]:
-            raise ValueError(f"radius: as many as centres and normals, not {radius.shape}, {centre.shape[1:]} and {normal.shape[1:]}")
-        given = struct(library.cm_discs, count=radius.size, radius=radius.ctypes.data, first_id=whole_number(first_id, "first_id"))
+            counts = f"{radius.shape}, {centre.shape[1:]} and {normal.shape[1:]}"
+            raise ValueError(f"radius: as many as centres and normals, not {counts}")
+        given = struct(library.cm_discs, count=radius.size, radius=radius.ctypes.data,
+                       first_id=whole_number(first_id, "first_id"))
         for k in (0, 1, 2):
             given.centre[k], given.normal[k] = centre[k].ctypes.data, normal[k].ctypes.data
         with self._lock:
@@ -86,12 +94,14 @@ class Raster:
     def points(self, position: ArrayLike, *, pose: Pose | None = None, first_id: int = 0) -> None:
         """Draw points (n, 3), one pixel each."""
         position = numbers_of(position, 3, np.float64, "position")
-        given = struct(library.cm_points, count=len(position), position=position.ctypes.data, first_id=whole_number(first_id, "first_id"))
+        given = struct(library.cm_points, count=len(position), position=position.ctypes.data,
+                       first_id=whole_number(first_id, "first_id"))
         with self._lock:
             library.cm_raster_points(self._handle, pose_pointer(pose), ctypes.byref(given), self._threads)
 
     def read(self) -> tuple[np.ndarray, np.ndarray]:
-        """What is seen: depth, or range of omnidirectional cameras, float32 with NaN for nothing; and ids, uint32 with NO_ID."""
+        """What is seen: depth, or range of omnidirectional cameras, float32 with NaN for nothing; and ids, uint32 with
+        NO_ID."""
         image, ids = np.empty(self._camera.shape, np.float32), np.empty(self._camera.shape, np.uint32)
         with self._lock:
             library.cm_raster_read(self._handle, image.ctypes.data, ids.ctypes.data)
@@ -99,12 +109,13 @@ class Raster:
 
     def weights(self, position: ArrayLike, index: ArrayLike | None = None, *, pose: Pose | None = None,
                 first_id: int = 0) -> tuple[np.ndarray, np.ndarray]:
-        """Where in its triangle each pixel lies that shows one of these, as they were drawn: weights of the second and the third
-        vertex; that of the first is what is left of 1. Other pixels are NaN."""
+        """Where in its triangle each pixel lies that shows one of these, as they were drawn: weights of the second and
+        the third vertex; that of the first is what is left of 1. Other pixels are NaN."""
         given = _triangles(position, index, first_id)
         second, third = np.empty((2, *self._camera.shape), np.float32)
         with self._lock:
-            library.cm_raster_weights(self._handle, pose_pointer(pose), ctypes.byref(given), second.ctypes.data, third.ctypes.data)
+            library.cm_raster_weights(self._handle, pose_pointer(pose), ctypes.byref(given), second.ctypes.data,
+                                      third.ctypes.data)
         return second, third
 
 
@@ -112,7 +123,8 @@ def _triangles(position, index, first_id):
     position = numbers_of(position, 3, np.float64, "position")
     if index is None and len(position) % 3:
         raise ValueError(f"position: three vertices a triangle without an index, not {len(position)}")
-    given = struct(library.cm_triangles, vertex_count=len(position), position=position.ctypes.data, triangle_count=len(position) // 3,
+    given = struct(library.cm_triangles, vertex_count=len(position), position=position.ctypes.data,
+                   triangle_count=len(position) // 3,
                    first_id=whole_number(first_id, "first_id"))
     given.kept = position
     if index is not None:

@@ -27,10 +27,11 @@ class Blob(NamedTuple):
 class Store(MutableMapping):
     """A store in memory, as a dictionary of bytes: s = Store(); s[b"block 7"] = b"..."; s.commit().
 
-    kind, version   of what is put by s[key] = data; what is got by s[key] is of that kind and of a version not above that
+    kind, version   of what is put by s[key] = data; what is got by s[key] is of that kind and of a version not above
+                    that
 
-    Keys are 1 to 255 bytes, in the order of bytes. `with store:` commits at its end, or rolls back after an exception. Stores
-    in files belong to the programs.
+    Keys are 1 to 255 bytes, in the order of bytes. `with store:` commits at its end, or rolls back after an exception.
+    Stores in files belong to the programs.
     """
 
     def __init__(self, *, kind: int = 0, version: int = 0) -> None:
@@ -50,14 +51,16 @@ class Store(MutableMapping):
     def put_blob(self, key: bytes, blob: Blob) -> None:
         """Put a blob in the place of what the key has."""
         data = _bytes(blob.data, "data")
-        given = struct(library.cm_blob, kind=whole_number(blob.kind, "kind"), version=whole_number(blob.version, "version"), count=len(data),
+        given = struct(library.cm_blob, kind=whole_number(blob.kind, "kind"),
+                       version=whole_number(blob.version, "version"), count=len(data),
                        data=ctypes.cast(ctypes.c_char_p(data), ctypes.c_void_p))
         self._call(library.cm_store_put, _key(key), ctypes.byref(given))
 
     def get_blob(self, key: bytes, kind: int, newest: int = 2**32 - 1) -> Blob | None:
         """The blob of a key, of a kind and of a version not above the newest that is known; None if there is none."""
         found = struct(library.cm_blob)
-        self._call(library.cm_store_get, _key(key), whole_number(kind, "kind"), whole_number(newest, "newest"), ctypes.byref(found))
+        self._call(library.cm_store_get, _key(key), whole_number(kind, "kind"), whole_number(newest, "newest"),
+                   ctypes.byref(found))
         if not found.data:
             return None
         blob = Blob(ctypes.string_at(found.data, found.count), found.kind, found.version)

@@ -34,7 +34,8 @@ class Evaluation(NamedTuple):
 
 
 class MotionState(NamedTuple):
-    """Where something is and how it moves: velocity and acceleration in the world's axes, rate, radians per second, in the camera's."""
+    """Where something is and how it moves: velocity and acceleration in the world's axes, rate, radians per second, in
+    the camera's."""
 
     pose: Pose
     velocity: np.ndarray
@@ -43,7 +44,8 @@ class MotionState(NamedTuple):
 
 
 class InertialNoise(NamedTuple):
-    """Noise of a sensor: the density of white noise, unit per root of Hz, the bias's walk, and the bias at the beginning."""
+    """Noise of a sensor: the density of white noise, unit per root of Hz, the bias's walk, and the bias at the
+    beginning."""
 
     density: float = 0.0
     walk: float = 0.0
@@ -83,10 +85,12 @@ class Trajectory(TrajectoryMethods, Specified):
         pointer = packed.ctypes.data_as(ctypes.POINTER(library.cm_pose))
         address = ctypes.c_void_p()
         try:
-            library.cm_trajectory_create(len(stamps), stamps.ctypes.data, pointer, ctypes.byref(address), ctypes.byref(wrong))
+            library.cm_trajectory_create(len(stamps), stamps.ctypes.data, pointer, ctypes.byref(address),
+                                         ctypes.byref(wrong))
         except Error as error:
             if error.status in (library.CM_ERROR_DATA, library.CM_ERROR_CAMERA):
-                what = "stamps: not greater than the one before" if error.status == library.CM_ERROR_DATA else f"poses: {error}"
+                is_stamp = error.status == library.CM_ERROR_DATA
+                what = "stamps: not greater than the one before" if is_stamp else f"poses: {error}"
                 raise Error(error.status, f"{what}, at index {wrong.value}") from None
             raise
         self._handle = _core.Handle(address.value, "cm_trajectory_destroy")
@@ -124,11 +128,13 @@ class Trajectory(TrajectoryMethods, Specified):
         return np.asarray(bind(self, "cm_trajectory_nearest")(time, apart), np.uint64).view(np.int64)[()]
 
     def associate(self, other: Trajectory, apart: float = 0.02) -> tuple[np.ndarray, np.ndarray]:
-        """Pairs of stamps, the closest first taken, at most so many seconds apart: indices of both, in this one's order."""
+        """Pairs of stamps, the closest first taken, at most so many seconds apart: indices of both, in this one's
+        order."""
         room = min(len(self), len(other))
         mine, others = np.empty((2, room), np.uintp)
         count = ctypes.c_size_t()
-        library.cm_trajectory_associate(self._handle, other._handle, apart, room, mine.ctypes.data, others.ctypes.data, ctypes.byref(count))
+        library.cm_trajectory_associate(self._handle, other._handle, apart, room, mine.ctypes.data, others.ctypes.data,
+                                        ctypes.byref(count))
         return mine[:count.value].astype(np.int64), others[:count.value].astype(np.int64)
 
     def evaluate(self, estimate: Trajectory, apart: float = 0.02, interval: float = 1.0) -> Evaluation:
@@ -137,7 +143,8 @@ class Trajectory(TrajectoryMethods, Specified):
         found = struct(library.cm_evaluation)
         library.cm_trajectory_evaluate(self._handle, estimate._handle, ctypes.byref(options), ctypes.byref(found))
         values = {name: getattr(found, name) for name in Evaluation._fields}
-        return Evaluation(**{**values, "alignment": Pose._read(found.alignment), "is_determined": bool(found.is_determined)})
+        return Evaluation(**{**values, "alignment": Pose._read(found.alignment),
+                             "is_determined": bool(found.is_determined)})
 
 
 class Motion(MotionMethods, Specified):
@@ -159,7 +166,8 @@ class Motion(MotionMethods, Specified):
         """What it was made of."""
         return self._trajectory
 
-    def inertial(self, rate: float, gravity: ArrayLike, *, latency: float = 0.0, accelerometer: InertialNoise = InertialNoise(),
+    def inertial(self, rate: float, gravity: ArrayLike, *, latency: float = 0.0,
+                 accelerometer: InertialNoise = InertialNoise(),
                  gyroscope: InertialNoise = InertialNoise(), seed: int = 0) -> Inertial:
         """What an inertial sensor at the camera's centre and in its axes measures, as Inertial.
 
@@ -179,5 +187,6 @@ class Motion(MotionMethods, Specified):
             if error.status != library.CM_ERROR_SPACE:
                 raise
         made = Inertial(np.empty(count.value), np.empty((count.value, 3)), np.empty((count.value, 3)))
-        library.cm_motion_inertial(self._handle, ctypes.byref(options), count.value, *(one.ctypes.data for one in made), ctypes.byref(count))
+        library.cm_motion_inertial(self._handle, ctypes.byref(options), count.value, *(one.ctypes.data for one in made),
+                                   ctypes.byref(count))
         return made

@@ -24,8 +24,8 @@ PRIMITIVES = ("plane", "box", "sphere", "cylinder", "mesh")
 
 
 class Hit(NamedTuple):
-    """What rays met: distance in lengths of the direction, infinite for nothing; id of the primitive, or NO_ID; triangle of its mesh;
-    normal (..., 3) towards the ray's origin, color (..., 3) and reflectance, 0 to 1."""
+    """What rays met: distance in lengths of the direction, infinite for nothing; id of the primitive, or NO_ID;
+    triangle of its mesh; normal (..., 3) towards the ray's origin, color (..., 3) and reflectance, 0 to 1."""
 
     distance: object
     id: object
@@ -49,7 +49,8 @@ class Mesh(Specified):
     """Indexed triangles: Mesh(position, index).
 
     position   (n, 3) of vertices; index (m, 3) of them
-    normal     (n, 3) of vertices, or None; uv (n, 2), places in a texture, and color (n, 3), which the material's multiplies, too
+    normal     (n, 3) of vertices, or None; uv (n, 2), places in a texture, and color (n, 3), which the material's
+               multiplies, too
     material   of all triangles
 
     The arrays are copied.
@@ -57,7 +58,8 @@ class Mesh(Specified):
 
     _standard = {"normal": None, "uv": None, "color": None, "material": Material()}
 
-    def __init__(self, position: ArrayLike, index: ArrayLike, *, normal: ArrayLike | None = None, uv: ArrayLike | None = None,
+    def __init__(self, position: ArrayLike, index: ArrayLike, *, normal: ArrayLike | None = None,
+                 uv: ArrayLike | None = None,
                  color: ArrayLike | None = None, material: Material = Material()) -> None:
         position = numbers_of(position, 3, np.float64, "position")
         index = indices_of(index, len(position))
@@ -66,8 +68,10 @@ class Mesh(Specified):
         for name, values in more.items():
             if values is not None and len(values) != len(position):
                 raise ValueError(f"{name}: one a vertex, {len(position)}, not {len(values)}")
-        options = struct(library.cm_mesh_options, vertex_count=len(position), position=position.ctypes.data, triangle_count=len(index),
-                         index=index.ctypes.data, **{name: None if values is None else values.ctypes.data for name, values in more.items()})
+        options = struct(library.cm_mesh_options, vertex_count=len(position), position=position.ctypes.data,
+                         triangle_count=len(index),
+                         index=index.ctypes.data,
+                         **{name: None if values is None else values.ctypes.data for name, values in more.items()})
         _set_material(options.material, material)
         self._handle = created(library.cm_mesh_create, "cm_mesh_destroy", ctypes.byref(options))
         self._material = Material(*material)
@@ -75,13 +79,16 @@ class Mesh(Specified):
     def _arguments(self):
         options = library.cm_mesh_describe(self._handle).contents
         count = options.vertex_count
-        given = {"position": _copied(options.position, (count, 3), np.float64), "index": _copied(options.index, (options.triangle_count, 3), np.uint32),
-                 "normal": _copied(options.normal, (count, 3), np.float32), "uv": _copied(options.uv, (count, 2), np.float32),
+        given = {"position": _copied(options.position, (count, 3), np.float64),
+                 "index": _copied(options.index, (options.triangle_count, 3), np.uint32),
+                 "normal": _copied(options.normal, (count, 3), np.float32),
+                 "uv": _copied(options.uv, (count, 2), np.float32),
                  "color": _copied(options.color, (count, 3), np.float32)}
         return {**given, "material": self._material}
 
     def _same(self):
-        return tuple(value.tobytes() if isinstance(value, np.ndarray) else value for value in self._arguments().values())
+        return tuple(value.tobytes() if isinstance(value, np.ndarray) else value
+                     for value in self._arguments().values())
 
     def __repr__(self):
         options = library.cm_mesh_describe(self._handle).contents
@@ -108,7 +115,8 @@ class Mesh(Specified):
 def _copied(address, shape, dtype):
     if not address:
         return None
-    return np.frombuffer(ctypes.string_at(address, np.dtype(dtype).itemsize * shape[0] * shape[1]), dtype).reshape(shape).copy()
+    data = ctypes.string_at(address, np.dtype(dtype).itemsize * shape[0] * shape[1])
+    return np.frombuffer(data, dtype).reshape(shape).copy()
 
 
 def _set_material(to, material):
@@ -117,7 +125,8 @@ def _set_material(to, material):
 
 
 class Primitive(NamedTuple):
-    """A surface of a world, as Primitive.sphere and its like make it; cubemap/world.h says what first and second are of each kind."""
+    """A surface of a world, as Primitive.sphere and its like make it; cubemap/world.h says what first and second are
+    of each kind."""
 
     kind: str
     first: tuple = (0.0, 0.0, 0.0)
@@ -153,7 +162,8 @@ class Primitive(NamedTuple):
         return cls("mesh", of=mesh, pose=pose, material=material)
 
     def _struct(self):
-        made = struct(library.cm_primitive, kind=PRIMITIVES.index(self.kind), radius=self.radius, pose=self.pose._struct(),
+        made = struct(library.cm_primitive, kind=PRIMITIVES.index(self.kind), radius=self.radius,
+                      pose=self.pose._struct(),
                       mesh=None if self.of is None else self.of._handle.address)
         made.first[:], made.second[:] = self.first, self.second
         _set_material(made.material, self.material)
@@ -161,7 +171,8 @@ class Primitive(NamedTuple):
 
     @classmethod
     def _read(cls, made, mesh):
-        return cls(PRIMITIVES[made.kind], tuple(made.first), tuple(made.second), made.radius, mesh, Pose._read(made.pose),
+        return cls(PRIMITIVES[made.kind], tuple(made.first), tuple(made.second), made.radius, mesh,
+                   Pose._read(made.pose),
                    Material(tuple(made.material.color), made.material.reflectance))
 
 
@@ -182,7 +193,8 @@ class Scene(SceneMethods, Specified):
 
     def __init__(self, primitives: list | tuple = (), *, threads: int = 1) -> None:
         meshes = tuple(one.of for one in primitives)
-        self._handle = created(library.cm_scene_create, "cm_scene_destroy", keep=tuple(mesh._handle for mesh in meshes if mesh is not None))
+        self._handle = created(library.cm_scene_create, "cm_scene_destroy",
+                               keep=tuple(mesh._handle for mesh in meshes if mesh is not None))
         for place, one in enumerate(primitives):
             try:
                 library.cm_scene_add(self._handle, ctypes.byref(one._struct()), None)
@@ -208,7 +220,8 @@ class Scene(SceneMethods, Specified):
     @property
     def primitives(self) -> tuple[Primitive, ...]:
         """What it is made of; normals have length 1."""
-        return tuple(Primitive._read(library.cm_scene_at(self._handle, place).contents, mesh) for place, mesh in enumerate(self._meshes))
+        return tuple(Primitive._read(library.cm_scene_at(self._handle, place).contents, mesh)
+                     for place, mesh in enumerate(self._meshes))
 
     def render(self, camera: Camera, pose: Pose = Pose()) -> Hit:
         """What all pixels of a camera see, as Hit of its shape: distance is depth, of omnidirectional cameras range."""

@@ -44,11 +44,13 @@ def test_no_distortion_is_the_pinhole(random):
     assert c.solid_angle(319.5, 239.5) == pytest.approx(1 / 525**2, rel=1e-12)
     # the whole picture, as the solid angle of a rectangle: four times atan(a b / sqrt(1 + a^2 + b^2))
     a, b = 320 / 525, 240 / 525
-    assert c.solid_angle(*c.pixels()).sum() == pytest.approx(4 * np.arctan(a * b / np.sqrt(1 + a * a + b * b)), rel=1e-5)
+    assert c.solid_angle(*c.pixels()).sum() == pytest.approx(4 * np.arctan(a * b / np.sqrt(1 + a * a + b * b)),
+                                                             rel=1e-5)
     assert c.border([0.0, 1.0]).tolist() == [np.inf, np.inf]
 
 
-@pytest.mark.parametrize(("specification", "whole"), [("coupled", 4 * np.pi), ("tangent:c=1.1823", 4 * np.pi), ("healpix", 4 * np.pi),
+@pytest.mark.parametrize(("specification", "whole"),
+                         [("coupled", 4 * np.pi), ("tangent:c=1.1823", 4 * np.pi), ("healpix", 4 * np.pi),
                                                       ("octahedral", 4 * np.pi), ("azimuthal:lambert", 2 * np.pi)])
 def test_mappings_see_all_around(specification, whole):
     c = cubemap.Camera(mapping=specification, size=24, pixel_centre=0.5)
@@ -72,7 +74,8 @@ def test_what_folds_is_not_seen():
     column, row = c.project([0.8, 0.83], 0.0, 1.0)
     assert np.isfinite(column[0]) and np.isnan([column[1], row[1]]).all()
     assert c.has_ray([319.5, 5000.0], 239.5).tolist() == [1, 0]
-    assert np.isnan(c.solid_angle(5000.0, 0.0)) and np.isnan(c.ray(5000.0, 0.0)).all() and np.isnan(c.jacobian((0.9, 0.0, 1.0))).all()
+    assert np.isnan(c.solid_angle(5000.0, 0.0)) and np.isnan(c.ray(5000.0, 0.0)).all()
+    assert np.isnan(c.jacobian((0.9, 0.0, 1.0))).all()
 
 
 def test_jacobians_are_differences(random):
@@ -100,12 +103,14 @@ def test_arrays_are_those_of_c(camera, random):
     assert np.array_equal(camera.project(*wide[:, 1].T), expected, equal_nan=True)
     assert np.array_equal(camera.project(x[::-1], y[::-1], z[::-1]), np.array(expected)[:, ::-1], equal_nan=True)
     grid = camera.project(x[:, np.newaxis], 0.25, z[:7])
-    assert grid[0].shape == (1000, 7) and np.array_equal(grid[0][3, 4], camera.project(x[3], 0.25, z[4])[0], equal_nan=True)
+    assert grid[0].shape == (1000, 7)
+    assert np.array_equal(grid[0][3, 4], camera.project(x[3], 0.25, z[4])[0], equal_nan=True)
     out = np.empty((2, 1000))
     assert camera.project(x, y, z, out=tuple(out))[0].base is out and np.array_equal(out, expected, equal_nan=True)
     assert np.array_equal(camera.ray(column, row, out=(column, row, np.empty(1000)))[:2], rays[:2], equal_nan=True)
     numbers = camera.project(0.1, 0.2, 1.5)
-    assert all(type(one) is float for one in numbers) and np.array_equal(numbers, [one[()] for one in camera.project(np.array(0.1), 0.2, 1.5)])
+    assert all(type(one) is float for one in numbers)
+    assert np.array_equal(numbers, [one[()] for one in camera.project(np.array(0.1), 0.2, 1.5)])
     assert camera.project(np.float32(x), y, z)[0].dtype == np.float64
     for name, count in (("project", 3), ("ray", 2), ("solid_angle", 2), ("has_ray", 2)):
         with pytest.raises(ValueError):
@@ -126,17 +131,21 @@ def test_threads_change_no_bit(random):
 
 
 def test_cameras_are_values():
-    cameras = [cubemap.Camera(*TUM), cubemap.Camera(*TUM, 0.5), cubemap.Camera(*TUM, distortion=LENS[:4]), cubemap.Camera(mapping="coupled", size=8),
-               cubemap.Camera(mapping=cubemap.Mapping("coupled", "gl"), size=8), cubemap.Camera(8, 48, mapping="tangent")]
+    cameras = [cubemap.Camera(*TUM), cubemap.Camera(*TUM, 0.5), cubemap.Camera(*TUM, distortion=LENS[:4]),
+               cubemap.Camera(mapping="coupled", size=8),
+               cubemap.Camera(mapping=cubemap.Mapping("coupled", "gl"), size=8),
+               cubemap.Camera(8, 48, mapping="tangent")]
     for place, c in enumerate(cameras):
         again = pickle.loads(pickle.dumps(c))
         assert again == c and hash(again) == hash(c) and eval(repr(c)) == c
         assert [other == c for other in cameras] == [k == place for k in range(len(cameras))]
     assert repr(cameras[0]) == "cubemap.Camera(640, height=480, fx=525.0, fy=525.0, cx=319.5, cy=239.5)"
     c = cameras[2]
-    assert (c.width, c.height, c.fx, c.fy, c.cx, c.cy, c.pixel_centre, c.mapping) == (*TUM, 0, None) and c.distortion == (*LENS[:4], *[0] * 10)
+    assert (c.width, c.height, c.fx, c.fy, c.cx, c.cy, c.pixel_centre, c.mapping) == (*TUM, 0, None)
+    assert c.distortion == (*LENS[:4], *[0] * 10)
     # the names are those of CAMERA.json
-    read = json.loads('{"width":640,"height":480,"fx":525,"fy":525,"cx":319.5,"cy":239.5,"pixel_centre":0,"distortion":[0.1],"depth_scale":5000}')
+    read = json.loads('{"width":640,"height":480,"fx":525,"fy":525,"cx":319.5,"cy":239.5,"pixel_centre":0,'
+                      '"distortion":[0.1],"depth_scale":5000}')
     assert read.pop("depth_scale") == 5000 and cubemap.Camera(**read).distortion[0] == 0.1
     assert cubemap.Camera(**json.loads('{"mapping":"coupled","frame":"gl","size":8}')) == cameras[4]
 
@@ -154,15 +163,19 @@ def test_a_halved_camera_sees_the_same():
 
 
 def test_a_camera_outlives_what_it_was_made_of():
-    project = cubemap.Camera(mapping=cubemap.Mapping("coupled", cubemap.Frame("mine", cubemap.Frame.named("geo").faces)), size=8).project
+    mine = cubemap.Frame("mine", cubemap.Frame.named("geo").faces)
+    project = cubemap.Camera(mapping=cubemap.Mapping("coupled", mine), size=8).project
     assert np.isfinite(project(1.0, 0.2, 0.1)).all()
 
 
 @pytest.mark.parametrize("arguments", [
-    {}, {"width": 640, "height": 480}, {"width": 640, "height": 480, "fx": 0.0, "fy": 1.0}, {"width": 2**31, "height": 2, "fx": 1.0, "fy": 1.0},
+    {}, {"width": 640, "height": 480}, {"width": 640, "height": 480, "fx": 0.0, "fy": 1.0},
+    {"width": 2**31, "height": 2, "fx": 1.0, "fy": 1.0},
     {"width": 2**32 + 640, "height": 480, "fx": 1.0, "fy": 1.0}, {"width": -640, "height": 480, "fx": 1.0, "fy": 1.0},
-    {"width": 640, "height": 480, "fx": np.nan, "fy": 1.0}, {"width": 640, "height": 480, "fx": 1.0, "fy": 1.0, "distortion": [np.inf]},
-    {"width": 640, "height": 480, "fx": 1.0, "fy": 1.0, "distortion": [0] * 12 + [2, 0]}, {"width": 640, "height": 480, "mapping": "coupled"},
+    {"width": 640, "height": 480, "fx": np.nan, "fy": 1.0},
+    {"width": 640, "height": 480, "fx": 1.0, "fy": 1.0, "distortion": [np.inf]},
+    {"width": 640, "height": 480, "fx": 1.0, "fy": 1.0, "distortion": [0] * 12 + [2, 0]},
+    {"width": 640, "height": 480, "mapping": "coupled"},
     {"width": 8, "height": 48, "mapping": "copled"}])
 def test_refused_cameras(arguments):
     with pytest.raises(cubemap.Error):
@@ -170,14 +183,16 @@ def test_refused_cameras(arguments):
 
 
 def test_refused_words():
-    for more in ({"distortion": [0] * 15}, {"distortion": 0.1}, {"frame": "gl"}, {"size": 8}, {"mapping": "coupled"}, {"threads": -1}):
+    for more in ({"distortion": [0] * 15}, {"distortion": 0.1}, {"frame": "gl"}, {"size": 8}, {"mapping": "coupled"},
+                 {"threads": -1}):
         with pytest.raises(ValueError):
             cubemap.Camera(*TUM, **more)
     with pytest.raises(ValueError):
         cubemap.Camera(mapping=cubemap.Mapping(), frame="gl", size=8)
     for wrong in ({"width": 640.0}, {"mapping": 3}):
         with pytest.raises(TypeError):
-            cubemap.Camera(**{**dict(width=640, height=480, fx=525.0, fy=525.0), **({} if "width" in wrong else {"fx": 0.0, "fy": 0.0}), **wrong})
+            cubemap.Camera(**{**dict(width=640, height=480, fx=525.0, fy=525.0),
+                              **({} if "width" in wrong else {"fx": 0.0, "fy": 0.0}), **wrong})
 
 
 @given(st.floats(-0.3, 0.3), st.floats(-0.1, 0.1), st.floats(0, 639), st.floats(0, 479), st.sampled_from([0.0, 0.5]))

@@ -94,7 +94,8 @@ def test_maps_of_planes():
     # all around: a sphere about the camera, whose normals point back
     inside = cubemap.Rays(AROUND).maps(np.full(AROUND.shape, 2, np.float32), "range")
     assert np.abs(np.linalg.norm(inside.vertex, axis=-1) - 2).max() < 1e-6
-    assert np.abs(inside.normal + inside.vertex / 2).max() < 0.2 and np.abs(np.linalg.norm(inside.normal, axis=-1) - 1).max() < 1e-6
+    assert np.abs(inside.normal + inside.vertex / 2).max() < 0.2
+    assert np.abs(np.linalg.norm(inside.normal, axis=-1) - 1).max() < 1e-6
     # an edge of more than the gap has normals of one side
     step = np.where(np.arange(WIDTH) < 40, np.float32(1), np.float32(2)) * np.ones((HEIGHT, 1), np.float32)
     assert np.abs(rays.maps(step, "depth").normal - (0, 0, -1)).max() < 1e-4
@@ -134,9 +135,11 @@ def bilateral(image, pixels, metres):
 def test_smoothing(rough):
     rays = cubemap.Rays(LENS)
     found = rays.smooth(rough, 2.0, 0.3)
-    assert np.nanmax(np.abs(found - bilateral(rough, 2.0, 0.3))) < 1e-3 and np.array_equal(np.isnan(found), np.isnan(rough))
+    assert np.nanmax(np.abs(found - bilateral(rough, 2.0, 0.3))) < 1e-3
+    assert np.array_equal(np.isnan(found), np.isnan(rough))
     before = rough.copy()
-    assert rays.smooth(rough, 2.0, 0.3, out=rough) is rough and np.array_equal(rough, found, equal_nan=True)  # through a copy
+    # through a copy
+    assert rays.smooth(rough, 2.0, 0.3, out=rough) is rough and np.array_equal(rough, found, equal_nan=True)
     assert np.array_equal(cubemap.Rays(LENS, threads=2).smooth(strided(before), 2.0, 0.3), found, equal_nan=True)
     for wrong in ((0.0, 1.0), (1.0, np.nan), (1e7, 1.0)):
         with pytest.raises(cubemap.Error):
@@ -172,7 +175,8 @@ def test_pyramids(rough):
     assert [least.shape for least, _ in levels] == [(32, 48), (16, 24), (8, 12), (4, 6)]
     quads = rough.reshape(8, 8, 12, 8)
     least, most = levels[2]
-    assert np.array_equal(np.abs(least), np.nanmin(quads, axis=(1, 3))) and np.array_equal(most, np.nanmax(quads, axis=(1, 3)))
+    assert np.array_equal(np.abs(least), np.nanmin(quads, axis=(1, 3)))
+    assert np.array_equal(most, np.nanmax(quads, axis=(1, 3)))
     assert np.array_equal(least < 0, np.isnan(quads).any(axis=(1, 3)))
     found = pyramid.bounds(10, 20, 10, 20)
     column, row = np.arange(0, 90, 3), np.arange(0, 60)[:, np.newaxis]
@@ -180,9 +184,11 @@ def test_pyramids(rough):
     assert found.least.shape == (60, 30) and found.least.dtype == np.float32
     for k in ((0, 0), (31, 11), (59, 29)):
         box = rough[row[k[0], 0]:row[k[0], 0] + 4, column[k[1]]:column[k[1]] + 6]
-        assert found.least[k] <= np.nanmin(box) and found.most[k] >= np.nanmax(box) and found.has_unmeasured[k] >= np.isnan(box).any()
+        assert found.least[k] <= np.nanmin(box) and found.most[k] >= np.nanmax(box)
+        assert found.has_unmeasured[k] >= np.isnan(box).any()
     whole = pyramid.bounds(0, 0, WIDTH - 1, HEIGHT - 1)
-    assert (whole.least, whole.most, whole.has_unmeasured) == (np.nanmin(rough), np.nanmax(rough), 1) and type(whole.least) is float
+    assert (whole.least, whole.most, whole.has_unmeasured) == (np.nanmin(rough), np.nanmax(rough), 1)
+    assert type(whole.least) is float
     for box in ((5, 5, 4, 5), (0, 0, WIDTH, 0), (-1, 0, 3, 3), (0, 0, 2**40, 0)):
         assert np.isnan(pyramid.bounds(*box)[:2]).all() and pyramid.bounds(*box).has_unmeasured == -1
     pyramid.fill(strided(np.full_like(rough, 7)))
@@ -196,5 +202,6 @@ def test_pyramids(rough):
 
 def test_rays_are_values():
     rays = cubemap.Rays(LENS, threads=2)
-    assert pickle.loads(pickle.dumps(rays)) == rays == cubemap.Rays(LENS) != cubemap.Rays(AROUND) and eval(repr(rays)) == rays
+    assert pickle.loads(pickle.dumps(rays)) == rays == cubemap.Rays(LENS) != cubemap.Rays(AROUND)
+    assert eval(repr(rays)) == rays
     assert rays.camera == LENS

@@ -119,11 +119,13 @@ def test_quaternions_and_matrices(twists):
 
 
 def test_poses_are_values(twists):
-    for pose in (Pose(), Pose.exp(twists[0]), Pose.exp(twists[:6].reshape(2, 3, 6)), Pose(cubemap.Rotation("10,20,30"), (1, 2, 3))):
+    for pose in (Pose(), Pose.exp(twists[0]), Pose.exp(twists[:6].reshape(2, 3, 6)),
+                 Pose(cubemap.Rotation("10,20,30"), (1, 2, 3))):
         again = pickle.loads(pickle.dumps(pose))
         assert again == pose and hash(again) == hash(pose) and eval(repr(pose)) == pose
     poses = Pose.exp(twists[:6].reshape(2, 3, 6))
-    assert poses[1, 2] == poses[1][2] != poses[0, 2] and poses[:, 1].shape == (2,) and poses[..., np.newaxis].shape == (2, 3, 1)
+    assert poses[1, 2] == poses[1][2] != poses[0, 2] and poses[:, 1].shape == (2,)
+    assert poses[..., np.newaxis].shape == (2, 3, 1)
     assert [one.shape for one in poses] == [(3,), (3,)]
     assert Pose(position=(-0.0, 0, 0)) == Pose()
     with pytest.raises(ValueError):
@@ -136,12 +138,14 @@ def test_poses_are_values(twists):
 
 def test_refused_poses():
     turned_over, nothing = np.diag([1.0, 1.0, -1.0]), np.full((3, 3), np.nan)
-    for rotation, position in ((turned_over, (0, 0, 0)), (nothing, (0, 0, 0)), (np.eye(3), (0, np.inf, 0)), (1.001 * np.eye(3), (0, 0, 0)),
+    for rotation, position in ((turned_over, (0, 0, 0)), (nothing, (0, 0, 0)), (np.eye(3), (0, np.inf, 0)),
+                               (1.001 * np.eye(3), (0, 0, 0)),
                                (np.stack((np.eye(3), turned_over)), (0, 0, 0))):
         with pytest.raises(cubemap.Error) as caught:
             Pose(rotation, position)
         assert caught.value.status == 17
-    for rotation, position in ((np.eye(4), (0, 0, 0)), (np.eye(3), (0, 0)), (np.stack([np.eye(3)] * 2), np.zeros((3, 3)))):
+    for rotation, position in ((np.eye(4), (0, 0, 0)), (np.eye(3), (0, 0)),
+                               (np.stack([np.eye(3)] * 2), np.zeros((3, 3)))):
         with pytest.raises(ValueError):
             Pose(rotation, position)
 
@@ -153,7 +157,8 @@ def test_what_is_no_number_stays_none():
     assert cubemap.rotation_check(np.ones((5, 3, 3))).tolist() == [12] * 5
 
 
-@given(st.tuples(*[st.floats(-1e6, 1e6)] * 3), st.tuples(*[st.floats(-1, 1)] * 3), st.sampled_from([0.0, 1e-300, 1e-9, 1e-3, 1.0, np.pi - 1e-9, np.pi]))
+@given(st.tuples(*[st.floats(-1e6, 1e6)] * 3), st.tuples(*[st.floats(-1, 1)] * 3),
+       st.sampled_from([0.0, 1e-300, 1e-9, 1e-3, 1.0, np.pi - 1e-9, np.pi]))
 def test_log_is_the_inverse_of_exp(translation, axis, angle):
     length = np.linalg.norm(axis)
     axis = np.array(axis) / length if length > 1e-3 else np.array((0.0, 0.0, 1.0))

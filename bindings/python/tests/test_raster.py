@@ -17,19 +17,22 @@ def meet(camera, triangle):
     rays = np.stack(camera.ray(*camera.pixels()), axis=-1)
     # ray t = first + b (second - first) + c (third - first)
     system = np.stack(np.broadcast_arrays(rays, triangle[0] - triangle[1], triangle[0] - triangle[2]), axis=-1)
-    t, b, c = np.moveaxis(np.linalg.solve(system, np.broadcast_to(triangle[0][:, np.newaxis], (*rays.shape, 1)))[..., 0], -1, 0)
+    solved = np.linalg.solve(system, np.broadcast_to(triangle[0][:, np.newaxis], (*rays.shape, 1)))
+    t, b, c = np.moveaxis(solved[..., 0], -1, 0)
     seen = (t > 0) & (b > 0) & (c > 0) & (b + c < 1)
     return [np.where(seen, one, np.nan) for one in (t, b, c)]
 
 
-@pytest.mark.parametrize(("camera", "triangle"), [(LENS, TRIANGLE), (AROUND, 5 * np.array([(1.0, -0.9, 0.1), (0.2, 1, 0.4), (0.3, 0.2, -1)]))])
+@pytest.mark.parametrize(("camera", "triangle"),
+                         [(LENS, TRIANGLE), (AROUND, 5 * np.array([(1.0, -0.9, 0.1), (0.2, 1, 0.4), (0.3, 0.2, -1)]))])
 def test_a_triangle(camera, triangle):
     raster = cubemap.Raster(camera)
     raster.triangles(triangle, first_id=7)
     image, ids = raster.read()
     t, b, c = meet(camera, triangle)
     assert image.shape == ids.shape == camera.shape and image.dtype == np.float32 and ids.dtype == np.uint32
-    assert np.array_equal(ids == 7, np.isfinite(t)) and np.array_equal(np.isfinite(image), np.isfinite(t)) and np.isfinite(t).sum() > 100
+    assert np.array_equal(ids == 7, np.isfinite(t)) and np.array_equal(np.isfinite(image), np.isfinite(t))
+    assert np.isfinite(t).sum() > 100
     assert (ids[np.isnan(t)] == cubemap.NO_ID).all() and np.nanmax(np.abs(image / t - 1)) < 1e-6
     second, third = raster.weights(triangle, first_id=7)
     assert np.nanmax(np.abs(second - b)) < 1e-5 and np.nanmax(np.abs(third - c)) < 1e-5
@@ -45,7 +48,8 @@ def test_poses_move_the_camera():
     moved.triangles(TRIANGLE, pose=pose)
     ours, theirs = raster.read(), moved.read()
     assert (ours[1] != theirs[1]).sum() == 0 and np.nanmax(np.abs(ours[0] - theirs[0])) < 1e-6
-    assert np.nanmax(np.abs(np.subtract(raster.weights(pose.apply(TRIANGLE)), moved.weights(TRIANGLE, pose=pose)))) < 1e-5
+    assert np.nanmax(np.abs(np.subtract(raster.weights(pose.apply(TRIANGLE)),
+                                        moved.weights(TRIANGLE, pose=pose)))) < 1e-5
     with pytest.raises(ValueError, match="one pose"):
         raster.triangles(TRIANGLE, pose=pose[np.newaxis])
 
@@ -62,7 +66,8 @@ def test_the_nearest_wins_in_any_order():
             else:
                 raster.triangles(TRIANGLE)
         found.append(raster.read())
-    assert np.array_equal(found[0], found[1]) and set(np.unique(found[0][1])) == {0, 10, 11}  # no pixel between triangles is left
+    # no pixel between triangles is left
+    assert np.array_equal(found[0], found[1]) and set(np.unique(found[0][1])) == {0, 10, 11}
     again = cubemap.Raster(LENS)
     again.triangles(wall[index.ravel()], first_id=10)
     assert np.array_equal(np.unique(again.read()[1]), (10, 11))
@@ -87,12 +92,14 @@ def test_discs_and_points():
     depth = normal @ centre / (rays @ normal)
     distance = np.linalg.norm(rays * depth[..., np.newaxis] - centre, axis=-1)
     seen = ids == 2**32 - 2
-    assert seen[distance < 0.2999].all() and not seen[distance > 0.3001].any() and np.abs(image - depth)[seen].max() < 1e-5
+    assert seen[distance < 0.2999].all() and not seen[distance > 0.3001].any()
+    assert np.abs(image - depth)[seen].max() < 1e-5
 
 
 def test_refused_drawings():
     raster = cubemap.Raster(LENS)
-    for wrong in ({"index": [(0, 1, 3)]}, {"index": [(0, 1, -1)]}, {"index": [(0, 1, 2**32)]}, {"first_id": 2**32 - 1}, {"first_id": -1}, {"first_id": 2**32}):
+    for wrong in ({"index": [(0, 1, 3)]}, {"index": [(0, 1, -1)]}, {"index": [(0, 1, 2**32)]}, {"first_id": 2**32 - 1},
+                  {"first_id": -1}, {"first_id": 2**32}):
         with pytest.raises(cubemap.Error):
             raster.triangles(TRIANGLE, **wrong)
     for wrong in (TRIANGLE[:2], TRIANGLE[:, :2], TRIANGLE[0]):
@@ -124,7 +131,8 @@ def test_threads_of_python_share_a_canvas(random):
     alone.triangles(triangles.reshape(-1, 3))
     with concurrent.futures.ThreadPoolExecutor(4) as pool:
         list(pool.map(lambda k: shared.triangles(triangles[k], first_id=k), range(64)))
-    assert np.array_equal(alone.read(), shared.read(), equal_nan=True) and raster_keeps_its_camera().read()[0].shape == (8, 8)
+    assert np.array_equal(alone.read(), shared.read(), equal_nan=True)
+    assert raster_keeps_its_camera().read()[0].shape == (8, 8)
 
 
 def raster_keeps_its_camera():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Trajectories: errors of known perturbations and those that truth/trajectory_truth.py finds; motion and inertial sensors."""
+"""Trajectories: errors of known perturbations and those that truth/trajectory_truth.py finds; motion and inertial
+sensors."""
 
 import importlib.util
 import pickle
@@ -36,7 +37,8 @@ def test_ate_of_known_perturbations():
     moved = Pose.exp((1, 2, 3, 0.3, -0.2, 0.5))
     exact = truth.evaluate(cubemap.Trajectory(truth.stamps, moved @ truth.poses))
     assert exact.ate_rmse < 1e-15 and exact.rpe_translation_rmse < 1e-15 and exact.rpe_rotation_rmse_degrees < 1e-13
-    assert np.abs((exact.alignment @ moved).matrix - np.eye(4)).max() < 1e-15 and (exact.rank, exact.is_determined) == (3, True)
+    assert np.abs((exact.alignment @ moved).matrix - np.eye(4)).max() < 1e-15
+    assert (exact.rank, exact.is_determined) == (3, True)
     assert (exact.pairs, exact.motions) == (8, 6)
     # larger by a tenth about its middle: no motion makes it better, and every corner is off by a tenth of sqrt(3)
     assert truth.evaluate(standing(1.1 * CUBE)).ate_rmse == pytest.approx(0.1 * np.sqrt(3), rel=1e-14)
@@ -51,7 +53,8 @@ def test_rpe_of_known_drifts():
     truth = standing(np.zeros((20, 3)))
     turned = cubemap.Trajectory(truth.stamps, Pose.exp(np.radians(2) * steps[:, np.newaxis] * (0, 0, 0, 0, 0, 1.0)))
     found = truth.evaluate(turned)
-    assert found.rpe_rotation_rmse_degrees == pytest.approx(4, rel=1e-13) and found.rpe_translation_rmse == 0 and found.motions == 18
+    assert found.rpe_rotation_rmse_degrees == pytest.approx(4, rel=1e-13) and found.rpe_translation_rmse == 0
+    assert found.motions == 18
     assert truth.evaluate(turned, interval=2.0).rpe_rotation_rmse_degrees == pytest.approx(8, rel=1e-13)
     moved = standing(steps[:, np.newaxis] * (0.3, 0.4, 0))
     assert truth.evaluate(moved).rpe_translation_rmse == pytest.approx(1.0, rel=1e-14)
@@ -63,7 +66,8 @@ def test_errors_are_those_of_the_judge(judge, path, random, tmp_path):
         pose = path.poses @ Pose.exp(0.02 * random.normal(size=(200, 6)))
         estimate = cubemap.Trajectory(path.stamps + random.uniform(-5e-4, 5e-4, 200) + 5e-3 * np.arange(200), pose)
         for name, one in (("truth", path), ("estimate", estimate)):
-            np.savetxt(tmp_path / name, np.column_stack((one.stamps, one.poses.position, one.poses.quaternion)), fmt="%.17g")
+            np.savetxt(tmp_path / name, np.column_stack((one.stamps, one.poses.position, one.poses.quaternion)),
+                       fmt="%.17g")
         expected = judge.evaluate(tmp_path / "truth", tmp_path / "estimate")
         found = path.evaluate(estimate)
         assert 5 < found.pairs < 200 and found.is_determined != expected["rank_deficient"]
@@ -94,14 +98,17 @@ def test_times(path):
     assert len(path) == 200 and np.array_equal(path.interpolate(stamps).matrix, path.poses.matrix)
     middle = 0.5 * (stamps[3] + stamps[4])
     expected = path.poses[3].interpolate(path.poses[4], 0.5)
-    assert np.abs(path.interpolate(middle).matrix - expected.matrix).max() < 1e-13 and path.interpolate(middle).shape == ()
+    assert np.abs(path.interpolate(middle).matrix - expected.matrix).max() < 1e-13
+    assert path.interpolate(middle).shape == ()
     beside = path.interpolate([[stamps[0] - 1e-9, stamps[5]], [stamps[-1] + 1e-9, np.nan]])
     assert beside.shape == (2, 2) and np.isnan(beside.position[..., 0]).tolist() == [[True, False], [True, True]]
     assert np.array_equal(path.nearest(stamps[::-1] + 1e-9, 1e-6), np.arange(200)[::-1])
-    assert path.nearest(stamps[0] - 1) == path.nearest(np.nan) == cubemap.NO_INDEX and path.nearest([[stamps[9]]]).tolist() == [[9]]
+    assert path.nearest(stamps[0] - 1) == path.nearest(np.nan) == cubemap.NO_INDEX
+    assert path.nearest([[stamps[9]]]).tolist() == [[9]]
     assert path.nearest(stamps[0] - 1, [0.5, 2.0]).tolist() == [-1, 0]
     stamp, rotation, position = path.at([[5], [7]])
-    assert np.array_equal(stamp, stamps[[[5], [7]]]) and np.array_equal(Pose(rotation, position).matrix, path.poses[[[5], [7]]].matrix)
+    assert np.array_equal(stamp, stamps[[[5], [7]]])
+    assert np.array_equal(Pose(rotation, position).matrix, path.poses[[[5], [7]]].matrix)
     assert np.isnan(path.at([200, -1])[0]).all()
     for wrong in ((np.zeros(3), np.zeros(4)),):
         with pytest.raises(ValueError):
@@ -119,12 +126,14 @@ def test_trajectories_are_values(path):
 
 def test_refused_trajectories(path):
     poses = Pose(position=CUBE)
-    for stamps, index in (([0, 1, 2, 2, 3, 4, 5, 6], 3), ([0, 1, 2, 3, 2.5, 4, 5, 6], 4), ([0, np.nan, 2, 3, 4, 5, 6, 7], 1)):
+    for stamps, index in (([0, 1, 2, 2, 3, 4, 5, 6], 3), ([0, 1, 2, 3, 2.5, 4, 5, 6], 4),
+                          ([0, np.nan, 2, 3, 4, 5, 6, 7], 1)):
         with pytest.raises(cubemap.Error, match=f"index {index}") as caught:
             cubemap.Trajectory(stamps, poses)
         assert caught.value.status == 20
     with pytest.raises(cubemap.Error, match="index 7") as caught:
-        cubemap.Trajectory(np.arange(8), Pose._make((poses.rotation, np.where(np.arange(8)[:, np.newaxis] == 7, np.nan, CUBE))))
+        cubemap.Trajectory(np.arange(8),
+                           Pose._make((poses.rotation, np.where(np.arange(8)[:, np.newaxis] == 7, np.nan, CUBE))))
     assert caught.value.status == 17
     for stamps in (np.arange(7), np.arange(8).reshape(2, 4)):
         with pytest.raises(ValueError):
@@ -155,7 +164,8 @@ def test_motion_on_a_circle():
     t = np.linspace(1, 5, 9)[:, np.newaxis] + [0, 0.003]
     state = motion.at(t)
     zero = 0 * t
-    assert state.pose.shape == (9, 2) and np.abs(state.pose.position - np.stack((2 * np.cos(t), 2 * np.sin(t), zero), -1)).max() < 1e-8
+    assert state.pose.shape == (9, 2)
+    assert np.abs(state.pose.position - np.stack((2 * np.cos(t), 2 * np.sin(t), zero), -1)).max() < 1e-8
     assert np.abs(state.velocity - np.stack((-2 * np.sin(t), 2 * np.cos(t), zero), -1)).max() < 1e-6
     assert np.abs(state.acceleration - np.stack((-2 * np.cos(t), -2 * np.sin(t), zero), -1)).max() < 1e-4
     assert np.abs(state.rate - (0, 0, 1)).max() < 1e-6
@@ -164,22 +174,27 @@ def test_motion_on_a_circle():
     made = motion.inertial(100, (0, 0, -9.81))
     assert made.stamps.shape == (601,) and np.abs(made.stamps - np.arange(601) / 100).max() < 1e-12
     inner = slice(50, 550)
-    assert np.abs(made.acceleration[inner] - (-2, 0, 9.81)).max() < 1e-4 and np.abs(made.rate[inner] - (0, 0, 1)).max() < 1e-6
+    assert np.abs(made.acceleration[inner] - (-2, 0, 9.81)).max() < 1e-4
+    assert np.abs(made.rate[inner] - (0, 0, 1)).max() < 1e-6
 
 
 def test_noise_of_sensors():
     motion = cubemap.Motion(circle())
     clean = motion.inertial(100, (0, 0, 0))
     biased = motion.inertial(100, (0, 0, 0), latency=0.02, gyroscope=cubemap.InertialNoise(bias=(0.1, 0.2, 0.3)))
-    assert np.abs(biased.rate - clean.rate - (0.1, 0.2, 0.3)).max() < 1e-12 and np.array_equal(biased.acceleration, clean.acceleration)
+    assert np.abs(biased.rate - clean.rate - (0.1, 0.2, 0.3)).max() < 1e-12
+    assert np.array_equal(biased.acceleration, clean.acceleration)
     assert np.abs(biased.stamps - clean.stamps - 0.02).max() < 1e-12
     noisy = motion.inertial(100, (0, 0, 0), accelerometer=cubemap.InertialNoise(density=0.05), seed=7)
     off = noisy.acceleration - clean.acceleration
-    assert off.std() == pytest.approx(0.5, rel=0.05) and np.array_equal(noisy.rate, clean.rate)  # density times root of the rate
+    # density times root of the rate
+    assert off.std() == pytest.approx(0.5, rel=0.05) and np.array_equal(noisy.rate, clean.rate)
     again = motion.inertial(100, (0, 0, 0), accelerometer=cubemap.InertialNoise(density=0.05), seed=7)
     assert np.array_equal(again.acceleration, noisy.acceleration)
-    assert not np.array_equal(motion.inertial(100, (0, 0, 0), accelerometer=cubemap.InertialNoise(density=0.05), seed=8).acceleration, noisy.acceleration)
-    for wrong in ({"rate": 0.0}, {"rate": 1e12}, {"gravity": (0, 0, np.nan)}, {"latency": np.inf}, {"gyroscope": cubemap.InertialNoise(density=-1.0)}):
+    other = motion.inertial(100, (0, 0, 0), accelerometer=cubemap.InertialNoise(density=0.05), seed=8)
+    assert not np.array_equal(other.acceleration, noisy.acceleration)
+    for wrong in ({"rate": 0.0}, {"rate": 1e12}, {"gravity": (0, 0, np.nan)}, {"latency": np.inf},
+                  {"gyroscope": cubemap.InertialNoise(density=-1.0)}):
         with pytest.raises(cubemap.Error):
             motion.inertial(**{"rate": 100.0, "gravity": (0, 0, 0), **wrong})
     with pytest.raises(ValueError):
