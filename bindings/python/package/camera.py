@@ -49,8 +49,8 @@ class Camera(CameraMethods, Specified):
                  "mapping": None, "threads": 1}
 
     def __init__(self, width: int = 0, height: int = 0, fx: float = 0.0, fy: float = 0.0, cx: float = 0.0,
-                 cy: float = 0.0,
-                 pixel_centre: float = 0.0, distortion: ArrayLike = (), mapping: str | Mapping | None = None, *,
+                 cy: float = 0.0, pixel_centre: float = 0.0, distortion: ArrayLike = (),
+                 mapping: str | Mapping | None = None, *,
                  frame: str | Frame | None = None, size: int = 0, threads: int = 1) -> None:
         distortion = np.asarray(distortion, np.float64)
         if distortion.ndim != 1 or distortion.size > 14:
@@ -66,8 +66,7 @@ class Camera(CameraMethods, Specified):
             if size:
                 width, height = size, size * mapping.face_count
         options = struct(library.cm_camera_options, width=whole_number(width, "width"),
-                         height=whole_number(height, "height"), fx=fx, fy=fy,
-                         cx=cx, cy=cy, pixel_centre=pixel_centre)
+                         height=whole_number(height, "height"), fx=fx, fy=fy, cx=cx, cy=cy, pixel_centre=pixel_centre)
         options.distortion[:distortion.size] = distortion.tolist()
         if mapping is not None:
             options.mapping = mapping._handle.address

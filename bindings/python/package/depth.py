@@ -65,14 +65,16 @@ def _dense(image, shape=None):
     return np.require(image, np.float32, ("C", "A"))
 
 
-def _written(out, shape, write, apart=None):
-    """What write(array) leaves in a dense array, which is out itself if it is dense and shares nothing with what must
-    be apart."""
+def _written(out, image, write, shape=None, in_place=False):
+    """What write(address) leaves in a dense array of a shape, or of the image's: out itself if it is dense and shares
+    nothing with the image, or is just where that is and may be."""
+    shape = image.shape if shape is None else shape
     if out is not None and (out.shape != shape or out.dtype != np.float32 or not out.flags.writeable):
         raise ValueError(f"out: {shape} of float32, to be written to, not {out.shape} of {out.dtype}")
-    fits = out is not None and out.flags.carray and (apart is None or not np.may_share_memory(out, apart))
+    fits = out is not None and out.flags.carray and (
+        not np.may_share_memory(out, image) or (in_place and out.ctypes.data == image.ctypes.data))
     dense = out if fits else np.empty(shape, np.float32)
-    write(dense)
+    write(dense.ctypes.data)
     if out is None or dense is out:
         return dense
     out[...] = dense
@@ -80,8 +82,7 @@ def _written(out, shape, write, apart=None):
 
 
 def clean_depth(picture: ArrayLike, unit: float, *, nearest: float = 0.0, farthest: float = 0.0,
-                out: np.ndarray | None = None,
-                threads: int = 1) -> tuple[np.ndarray, DepthCount]:
+                out: np.ndarray | None = None, threads: int = 1) -> tuple[np.ndarray, DepthCount]:
     """Stored depths, (rows, columns) of uint16 or float32, as metres in float32 with NaN for what is none, and how
     many were what.
 
@@ -93,10 +94,8 @@ def clean_depth(picture: ArrayLike, unit: float, *, nearest: float = 0.0, farthe
     image, _, kept = images_in(np.shape(picture), picture)
     limits = struct(library.cm_depth_limits, unit=unit, nearest=nearest, farthest=farthest)
     count = struct(library.cm_depth_count)
-    threads = checked_threads(threads)
-    depth = _written(out, kept.shape[1:3],
-                     lambda array: library.cm_depth_clean(image, ctypes.byref(limits), threads, array.ctypes.data,
-                                                                               ctypes.byref(count)), apart=kept)
+    given = (image, ctypes.byref(limits), checked_threads(threads))
+    depth = _written(out, kept[0, ..., 0], lambda to: library.cm_depth_clean(*given, to, ctypes.byref(count)))
     return depth, DepthCount(*(getattr(count, name) for name in DepthCount._fields))
 
 
@@ -126,19 +125,18 @@ class Rays(Specified):
         """The camera."""
         return self._given[0]
 
+    def _given_to(self, image, *options):
+        return self._handle, image.ctypes.data, *options, self._threads
+
     def to_range(self, depth: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """Depth to range; omnidirectional cameras have no depth."""
         image = _dense(depth, self.camera.shape)
-        return _written(out, image.shape,
-                        lambda to: library.cm_depth_to_range(self._handle, image.ctypes.data, self._threads,
-                                                             to.ctypes.data))
+        return _written(out, image, lambda to: library.cm_depth_to_range(*self._given_to(image), to), in_place=True)
 
     def from_range(self, range: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """Range to depth."""
         image = _dense(range, self.camera.shape)
-        return _written(out, image.shape,
-                        lambda to: library.cm_depth_from_range(self._handle, image.ctypes.data, self._threads,
-                                                               to.ctypes.data))
+        return _written(out, image, lambda to: library.cm_depth_from_range(*self._given_to(image), to), in_place=True)
 
     def maps(self, image: ArrayLike, kind: str, *, gap: float = 0.0, normals: bool = True,
              radii: bool = False) -> DepthMaps:
@@ -167,19 +165,14 @@ class Rays(Specified):
     def smooth(self, image: ArrayLike, pixels: float, metres: float, out: np.ndarray | None = None) -> np.ndarray:
         """The bilateral filter of 7 x 7 pixels: the sigmas of distances in the image and of differences of values."""
         image = _dense(image, self.camera.shape)
-        return _written(out, image.shape,
-                        lambda to: library.cm_depth_smooth(self._handle, image.ctypes.data, pixels, metres,
-                                                           self._threads,
-                                                                            to.ctypes.data), apart=image)
+        return _written(out, image, lambda to: library.cm_depth_smooth(*self._given_to(image, pixels, metres), to))
 
     def halve(self, image: ArrayLike, gap: float, out: np.ndarray | None = None) -> np.ndarray:
         """An image of half the size, for camera.halved(): the mean of those of four that are no more than `gap` of the
         nearest behind it."""
         image = _dense(image, self.camera.shape)
-        rows, columns = image.shape
-        return _written(out, (rows // 2, columns // 2),
-                        lambda to: library.cm_depth_halve(self._handle, image.ctypes.data, gap, self._threads,
-                                                                                        to.ctypes.data), apart=image)
+        shape = (image.shape[0] // 2, image.shape[1] // 2)
+        return _written(out, image, lambda to: library.cm_depth_halve(*self._given_to(image, gap), to), shape)
 
 
 class DepthPyramid(DepthPyramidMethods):

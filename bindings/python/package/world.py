@@ -69,8 +69,7 @@ class Mesh(Specified):
             if values is not None and len(values) != len(position):
                 raise ValueError(f"{name}: one a vertex, {len(position)}, not {len(values)}")
         options = struct(library.cm_mesh_options, vertex_count=len(position), position=position.ctypes.data,
-                         triangle_count=len(index),
-                         index=index.ctypes.data,
+                         triangle_count=len(index), index=index.ctypes.data,
                          **{name: None if values is None else values.ctypes.data for name, values in more.items()})
         _set_material(options.material, material)
         self._handle = created(library.cm_mesh_create, "cm_mesh_destroy", ctypes.byref(options))

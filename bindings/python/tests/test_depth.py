@@ -70,6 +70,8 @@ def test_depth_and_range(rough, instructions):
     assert np.array_equal(rays.to_range(rough.astype(np.float64)), found, equal_nan=True)
     out = strided(np.zeros_like(rough))
     assert rays.to_range(rough, out=out) is out and np.array_equal(out, found, equal_nan=True)
+    both = np.concatenate((rough, rough[:1]))  # an output a row below its input
+    assert np.array_equal(rays.to_range(both[:-1], out=both[1:]), found, equal_nan=True)
     assert rays.to_range(rough, out=rough) is rough and np.array_equal(rough, found, equal_nan=True)
     with pytest.raises(cubemap.Error) as caught:
         cubemap.Rays(AROUND).to_range(np.ones(AROUND.shape, np.float32))
