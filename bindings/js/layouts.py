@@ -64,7 +64,7 @@ class Layouts:
 
     def assertions(self, names):
         """C that does not compile where a compiler sees another layout."""
-        lines = ["#include <cubemap/cubemap.h>", "#include <cubemap/image.h>"]
+        lines = ["#include <cubemap/cubemap.h>", "#include <cubemap/image.h>", "#include <cubemap/pose.h>"]
         for name in sorted(names):
             layout = self.of(name)
             lines.append(f'_Static_assert(sizeof({name}) == {layout.size}, "{name}");')

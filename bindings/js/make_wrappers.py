@@ -22,8 +22,8 @@ from declarations import Declarations  # noqa: E402
 
 HEADERS = {
     "core": {"catalogue.h", "cell.h", "cell_grid.h", "covering.h", "direction.h", "distortion.h", "ellipsoid.h", "frame.h",
-             "grid.h", "healpix.h", "latitude.h", "mapping.h", "options.h", "orientation.h", "statistics.h", "status.h",
-             "version.h"},
+             "grid.h", "healpix.h", "latitude.h", "mapping.h", "options.h", "orientation.h", "pose.h", "random.h", "statistics.h",
+             "status.h", "version.h"},
     "image": {"image.h", "orientation.h", "status.h", "version.h"},
 }
 

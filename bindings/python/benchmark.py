@@ -60,6 +60,17 @@ def arrays_of(points, rounds):
         row(f"{specification} inverse", {"C": c_call(library.cm_inverse_array, m._handle, points, (face, u, v, *back)),
             "fresh": lambda: m.inverse(face, u, v), "out=": lambda: m.inverse(face, u, v, out=back)}, points, rounds)
     healpix(x, y, z, points, rounds)
+    camera(random, points, rounds)
+
+
+def camera(random, points, rounds):
+    c = cubemap.Camera(640, 480, 525, 525, 319.5, 239.5, distortion=(-0.28, 0.07, 1e-3, -5e-4))
+    pixels = tuple(random.uniform(0, ((640,), (480,)), (2, points)))
+    rays, out, back = c.ray(*pixels), tuple(np.empty((2, points))), tuple(np.empty((3, points)))
+    row("camera with a lens: project", {"C": c_call(library.cm_camera_project_array, c._handle, points, (*rays, *out)),
+        "fresh": lambda: c.project(*rays), "out=": lambda: c.project(*rays, out=out)}, points, rounds)
+    row("camera with a lens: ray", {"C": c_call(library.cm_camera_ray_array, c._handle, points, (*pixels, *back)),
+        "fresh": lambda: c.ray(*pixels), "out=": lambda: c.ray(*pixels, out=back)}, points, rounds)
 
 
 def healpix(x, y, z, points, rounds):

@@ -20,6 +20,7 @@ from loop_model import NUMBERS, Binding
 # what an output is where a function for one point has written nothing
 NOTHING = {"double": "NAN", "float": "NAN", "uint8_t": "255", "int": "-1", "uint32_t": "UINT32_MAX", "unsigned": "UINT32_MAX",
            "int64_t": "-1", "uint64_t": "0", "size_t": "0"}
+NO_INDEX = {"cm_trajectory_nearest": "SIZE_MAX"}  # where 0 is something
 # what the comment of a function in C does not say to users of Python
 LEADS = {
     "cm_forward_array": "Directions, of any length, to face, u and v. What is no direction has face 255 and NaN.",
@@ -32,9 +33,12 @@ LEADS = {
     "cm_inverse_distortion_array": "Tissot's indicatrix and what follows from it, as Distortion, at points of faces.",
     "cm_warp_array": "The plane part alone: p, q on the gnomonic cube, or in the disc, to u, v.",
     "cm_unwarp_array": "The plane part back: u, v to p, q.",
+    "cm_camera_project_array": "Points of the camera's axes to columns and rows. What the camera does not see has NaN.",
+    "cm_camera_ray_array": "Columns and rows to rays of the camera's axes. Where no ray comes from there is NaN.",
+    "cm_scene_cast_array": "What rays from origins in directions meet first, as Hit.",
 }
-# outputs of HEALPix must not overlap inputs (healpix.h)
-APART = "cm_healpix_"
+# outputs of these must not overlap inputs (healpix.h, world.h)
+APART = ("cm_healpix_", "cm_scene_")
 CTYPES = {"double": "c_double", "float": "c_float", "int": "c_int", "unsigned": "c_uint", "char": "c_char", "signed char": "c_byte",
           "uint8_t": "c_uint8", "uint32_t": "c_uint32", "int64_t": "c_int64", "uint64_t": "c_uint64", "size_t": "c_size_t",
           "ptrdiff_t": "c_ssize_t", "uint16_t": "c_uint16", "unsigned int": "c_uint"}
@@ -50,7 +54,7 @@ def argument_text(loop, argument, row, operands):
         return "n"
     if argument.name in loop.options:
         return f"({argument.base})context->option[{loop.options.index(argument.name)}]"
-    own = [operand for operand in operands if operand.name == argument.name or operand.member.startswith(argument.name + ".")]
+    own = operands_of(argument, operands)
     if own[0].member:
         return ("&" if argument.pointers or loop.arrays else "") + argument.name
     if loop.arrays:
@@ -58,24 +62,37 @@ def argument_text(loop, argument, row, operands):
     if row.direction == "out":
         return f"to_{argument.name}" if own[0].shape else f"&to_{argument.name}"
     if own[0].shape:
-        inner = "".join(f"[{extent}]" for extent in own[0].shape[1:])
+        inner = "".join(f"[{extent}]" for extent in argument.extents[1:])
         return f"(const {own[0].base}(*){inner})from_{argument.name}" if inner else f"from_{argument.name}"
     cast = f"({argument.base})" if argument.base != own[0].base else ""
     return f"{cast}*from_{argument.name}"
+
+
+def operands_of(argument, operands):
+    """Those that an argument is, or is made of."""
+    return [operand for operand in operands if (operand.member.split(".")[0] or operand.name) == argument.name]
+
+
+def planes_of(operand, index):
+    """The arrays of an operand that has one for each number."""
+    return ", ".join(f"({operand.base} *)p[{index}] + {k} * plane" if k else f"p[{index}]"
+                     for k in range(operand.items))
 
 
 def adapter_arrays(loop, operands):
     """The body of a call for a function that takes arrays."""
     lines = []
     for index, operand in enumerate(operands):
-        if operand.planar:
-            planes = ", ".join(f"({operand.base} *)p[{index}] + {k} * plane" if k else f"p[{index}]" for k in range(operand.items))
+        if operand.planar and not operand.member:
+            planes = planes_of(operand, index)
             lines.append(f"{operand.base} *const planes_{operand.name}[{operand.items}] = {{{planes}}};")
     for argument in loop.declared.arguments:
-        own = [(index, operand) for index, operand in enumerate(operands) if operand.member.startswith(argument.name + ".")]
+        own = [operand for operand in operands_of(argument, operands) if operand.member]
         if own:
-            pointers = ", ".join(f"p[{index}]" for index, _ in own)
-            lines.append(f"const {argument.base} {argument.name} = {{{pointers}}};")
+            size = f"sizeof({argument.base}), " * (argument.name in loop.sized)
+            places = [(one, operands.index(one)) for one in own]
+            pointers = ", ".join(f"{{{planes_of(one, index)}}}" if one.planar else f"p[{index}]" for one, index in places)
+            lines.append(f"const {argument.base} {argument.name} = {{{size}{pointers}}};")
     call = call_text(loop, operands)
     returns = loop.function.result is not None
     return lines + ([f"return {call};"] if returns else [f"{call};", "return CM_OK;"])
@@ -87,43 +104,58 @@ def call_text(loop, operands):
     return f"{loop.function.name}({', '.join(words)})"
 
 
+def read_lines(operand, argument, place, index):
+    """How an input of point i gets where the function takes it."""
+    first = f"(const {operand.base} *)p[{index}]"
+    if operand.member:
+        return ["    " + copy_text("&" * (not operand.shape) + place, f"({first})[{operand.items} * i]", operand)]
+    return [f"    const {operand.base} *from_{argument.name} = {first} + {operand.items} * i;"]
+
+
+def written_lines(loop, operand, argument, place):
+    """What is there for an output of a point: nothing yet."""
+    lines = []
+    if not operand.member:
+        declared = argument.base if argument.base in loop_enumerations else operand.base
+        extents = argument.extents if operand.shape else ()
+        lines.append(f"    {declared} {place}{''.join(f'[{extent}]' for extent in extents)};")
+    return lines + nothing_lines(loop, place, operand)
+
+
+def point_lines(loop, operands):
+    """What stands before the call for one point, what copies the outputs after it, and which numbers are too large."""
+    lines, copies, wide = [], [], []
+    for argument, row in zip(loop.declared.arguments, loop.function.arguments, strict=True):
+        own = operands_of(argument, operands) if row.direction != "handle" else []
+        if own and own[0].member:
+            lines.append(f"    {argument.base} {argument.name};")
+            lines += [f"    {argument.name}.size = sizeof {argument.name};"] * (argument.name in loop.sized)
+        for operand in own:
+            index, place = operands.index(operand), operand.member or f"to_{argument.name}"
+            if row.direction in ("out", "inout"):
+                lines += written_lines(loop, operand, argument, place)
+                copies.append(copy_text(f"({operand.base} *)p[{index}] + {operand.items} * i", place, operand))
+            else:
+                lines += read_lines(operand, argument, place, index)
+                wide += [f"*from_{argument.name} > UINT32_MAX"] * operand.narrow
+    return lines, copies, wide
+
+
 def adapter_points(loop, operands):
     """The body of a call for a function that takes one point."""
-    lines = ["for (size_t i = 0; i < n; i++)", "{"]
-    copies = []
-    for argument, row in zip(loop.declared.arguments, loop.function.arguments, strict=True):
-        own = [(index, operand) for index, operand in enumerate(operands)
-               if operand.member.startswith(argument.name + ".") or (not operand.member and operand.name == argument.name)]
-        if not own or row.direction == "handle":
-            continue
-        index, operand = own[0]
-        if operand.member and row.direction == "out":
-            lines.append(f"    {argument.base} {argument.name};")
-            for index, operand in own:
-                lines += nothing_lines(f"{argument.name}.{operand.name}", operand)
-                copies.append(copy_text(f"({operand.base} *)p[{index}] + {operand.items} * i", f"{argument.name}.{operand.name}", operand))
-        elif operand.member:
-            lines.append(f"    {argument.base} {argument.name};")
-            for index, operand in own:
-                lines.append("    " + copy_text("&" * (not operand.shape) + f"{argument.name}.{operand.name}",
-                                                f"((const {operand.base} *)p[{index}])[{operand.items} * i]", operand))
-        elif row.direction == "out":
-            extents = "".join(f"[{extent}]" for extent in operand.shape)
-            declared = argument.base if argument.base in loop_enumerations else operand.base
-            lines.append(f"    {declared} to_{argument.name}{extents};")
-            lines += nothing_lines(f"to_{argument.name}", operand)
-            copies.append(copy_text(f"({operand.base} *)p[{index}] + {operand.items} * i", f"to_{argument.name}", operand))
-        else:
-            lines.append(f"    const {operand.base} *from_{argument.name} = (const {operand.base} *)p[{index}] + {operand.items} * i;")
-    call = call_text(loop, operands)
-    if loop.function.result is None:
-        lines.append(f"    {call};")
-    elif loop.function.result.direction == "status":
-        lines.append(f"    (void){call};")
-    else:
-        operand = operands[-1]
-        lines.append(f"    (({operand.base} *)p[{len(operands) - 1}])[i] = {call};")
-    return lines + [f"    {copy}" for copy in copies] + ["}", "return CM_OK;"]
+    lines, copies, wide = point_lines(loop, operands)
+    call, result = call_text(loop, operands), ""
+    if operands[-1].name == "result":
+        result = f"(({operands[-1].base} *)p[{len(operands) - 1}])[i]"
+        call = f"{result} = {call}"
+    elif loop.function.result is not None:
+        call = f"(void){call}"
+    if wide:
+        nothing = [f"{result} = {NOTHING[operands[-1].base]};"] if result else copies
+        lines += [f"    if ({' || '.join(wide)})", "    {", *(f"        {line}" for line in nothing),
+                  "        continue;", "    }"]
+    lines += [f"    {line}" for line in (f"{call};", *copies)]
+    return ["for (size_t i = 0; i < n; i++)", "{", *lines, "}", "return CM_OK;"]
 
 
 loop_enumerations = set()
@@ -134,11 +166,12 @@ def copy_text(to, source, operand):
     return f"memcpy({to}, &{source}, {operand.items} * sizeof({operand.base}));"
 
 
-def nothing_lines(name, operand):
+def nothing_lines(loop, name, operand):
+    nothing = NO_INDEX.get(loop.function.name, NOTHING[operand.base])
     if not operand.shape:
-        return [f"    {name} = {NOTHING[operand.base]};"]
+        return [f"    {name} = {nothing};"]
     return [f"    for (size_t k = 0; k < {operand.items}; k++)", "    {",
-            f"        (({operand.base} *){name})[k] = {NOTHING[operand.base]};", "    }"]
+            f"        (({operand.base} *){name})[k] = {nothing};", "    }"]
 
 
 def shape_text(shape):

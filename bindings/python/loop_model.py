@@ -4,13 +4,17 @@ headers."""
 
 import dataclasses
 import keyword
+import math
 import sys
 
 NUMBERS = {"double": ("CORE_DOUBLE", "float64"), "float": ("CORE_FLOAT", "float32"), "uint8_t": ("CORE_UINT8", "uint8"),
            "int": ("CORE_INT", "intc"), "uint32_t": ("CORE_UINT32", "uint32"), "unsigned": ("CORE_UINT32", "uint32"),
            "int64_t": ("CORE_INT64", "int64"), "uint64_t": ("CORE_UINT64", "uint64"), "size_t": ("CORE_UINT64", "uint64")}
-# how NumPy has several arrays of one output
-CORE_SHAPES = {"cm_forward_jacobian_array": (2, 3), "cm_inverse_jacobian_array": (3, 2), "cm_warp_jacobian_array": (2, 2)}
+# how NumPy has what is so many numbers in a row in C, or so many arrays: matrices
+CORE_SHAPES = {"cm_forward_jacobian_array": (2, 3), "cm_inverse_jacobian_array": (3, 2),
+               "cm_warp_jacobian_array": (2, 2), "cm_camera_jacobian": (2, 3), "cm_pose_adjoint": (6, 6), "cm_pose_transport": (6, 6)}
+# functions that take every number of 32 bits: what has more must not become one that they take
+WIDE = "cm_random_"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -21,7 +25,8 @@ class Operand:
     base: str  # "double"
     shape: tuple  # of one point
     planar: bool = False
-    member: str = ""  # of a struct: "distortion.major"
+    member: str = ""  # of a struct: "distortion.major", "pose.rotation.row"
+    narrow: bool = False  # has C 32 bits where NumPy has 64?
 
     @property
     def shown(self):
@@ -47,10 +52,23 @@ class Loop:
     options: tuple
     handle: str
     arrays: bool
+    sized: tuple  # arguments that are structs with their size
 
 
 class Unfit(Exception):
     """The function is none for many points."""
+
+
+def told_apart(*sides):
+    """The operands of both sides: those whose names are not the only ones have their struct's name before it."""
+    names = [operand.name for side in sides for operand in side]
+
+    def own_name(operand):
+        if not operand.member or names.count(operand.name) == 1:
+            return operand
+        return dataclasses.replace(operand, name=f"{operand.member.split('.')[0]}_{operand.name}")
+
+    return tuple(tuple(map(own_name, side)) for side in sides)
 
 
 class Binding:
@@ -59,10 +77,7 @@ class Binding:
         import function_table
         import public_headers
 
-        table = function_table.read(root / "bindings" / "functions")
-        # the extension module has no library of modules that are not bound
-        self.table = dataclasses.replace(table, functions=tuple(function for function in table.functions
-                                                                if function.reasons.get("python") != "unbound"))
+        self.table = function_table.read(root / "bindings" / "functions")
         self.interface = public_headers.read(root)
         self.loops = self.find_loops()
 
@@ -74,44 +89,66 @@ class Binding:
             return "int"
         return name if name in NUMBERS else None
 
-    def members(self, name):
-        """The members of a struct that is made of numbers alone; None for others."""
+    def is_sized(self, name):
+        """Is it a struct that begins with its size?"""
         members = self.interface.structs.get(name)
-        if members is None or any(member.pointers or self.base(member.base) is None or member.name == "size" for member in members):
-            return None
-        return members
+        return bool(members) and members[0].name == "size"
 
-    def operand(self, argument, shape):
-        """The operands that an argument is: one, or those of a struct's members."""
-        base = self.base(argument.base)
-        if base is not None:
-            return [Operand(argument.name, base, shape)]
-        members = self.members(argument.base)
-        if members is None or shape:
+    def members(self, name):
+        """The numbers of a struct that is made of them alone, and of such structs: (path, name, type, extents)."""
+        found = []
+        for member in self.interface.structs.get(name, ())[self.is_sized(name):]:
+            base = self.base(member.base)
+            if member.pointers or (base is None and member.extents):
+                raise Unfit
+            if base is not None:
+                found.append((member.name, member.name, base, member.extents))
+                continue
+            inner = self.members(member.base)
+            found += [(f"{member.name}.{path}", member.name if len(inner) == 1 else shown, inside, extents)
+                      for path, shown, inside, extents in inner]
+        if not found:
             raise Unfit
-        return [Operand(member.name, self.base(member.base), member.extents, member=f"{argument.name}.{member.name}")
-                for member in members]
+        return found
+
+    def operand(self, function, argument, row):
+        """The operands that an argument of one point is: one, or those of a struct's members."""
+        shape = tuple(int(extent) for extent in row.shape)
+        base = self.base(argument.base)
+        if base is None:
+            if shape:
+                raise Unfit
+            return [Operand(shown, inside, extents, member=f"{argument.name}.{path}")
+                    for path, shown, inside, extents in self.members(argument.base)]
+        if base == "uint32_t" and row.direction != "out" and function.name.startswith(WIDE):
+            return [Operand(argument.name, "uint64_t", shape, narrow=True)]
+        return [Operand(argument.name, base, self.core_shape(function, shape))]
+
+    def core_shape(self, function, shape):
+        """What NumPy has for numbers in a row."""
+        matrix = CORE_SHAPES.get(function.name.removesuffix("_f32"), ())
+        return matrix if shape and shape[0] == math.prod(matrix) else shape
 
     def array_operand(self, function, argument, row):
         """The operands of an argument with n of everything."""
-        name = function.name.removesuffix("_f32")
         if row.shape == ("n",) and argument.base in self.interface.structs:  # an array for each member
-            return [Operand(member.name, member.base, (), member=f"{argument.name}.{member.name}")
-                    for member in self.interface.structs[argument.base]]
+            members = self.interface.structs[argument.base][self.is_sized(argument.base):]
+            return [Operand(member.name, member.base, member.extents, planar=bool(member.extents),
+                            member=f"{argument.name}.{member.name}") for member in members]
         base = self.base(argument.base)
         if base is None or argument.pointers + len(argument.extents) < 1:
             raise Unfit
         if row.shape == ("n",):
             return [Operand(argument.name, base, ())]
         if len(row.shape) == 2 and row.shape[1] == "n" and row.shape[0].isdigit():
-            return [Operand(argument.name, base, CORE_SHAPES.get(name, (int(row.shape[0]),)), planar=True)]
+            return [Operand(argument.name, base, self.core_shape(function, (int(row.shape[0]),)), planar=True)]
         raise Unfit
 
     def loop(self, function):
         """The loop of a function of the table; Unfit if it is none."""
         declared = self.interface.functions[function.name]
         arrays = any(row.direction == "count" and row.name == "n" for row in function.arguments)
-        inputs, outputs, options, handle = [], [], [], ""
+        inputs, outputs, options, sized, handle = [], [], [], [], ""
         for argument, row in zip(declared.arguments, function.arguments, strict=True):
             if row.direction == "handle" and not handle:
                 handle = argument.base
@@ -119,15 +156,10 @@ class Binding:
                 pass
             elif row.direction == "option" and arrays and self.base(argument.base) and not argument.pointers:
                 options.append(argument.name)
-            elif row.direction in ("in", "out", "option") and not row.is_text:
-                if arrays:
-                    found = self.array_operand(function, argument, row)
-                elif all(extent.isdigit() for extent in row.shape) and argument.base in (*NUMBERS, "cm_cell") \
-                        or not row.shape:
-                    found = self.operand(argument, tuple(int(extent) for extent in row.shape))
-                else:
-                    raise Unfit
-                (outputs if row.direction == "out" else inputs).extend(found)
+            elif self.is_operand(argument, row, arrays):
+                found = self.array_operand(function, argument, row) if arrays else self.operand(function, argument, row)
+                (outputs if row.direction in ("out", "inout") else inputs).extend(found)
+                sized += [argument.name] * self.is_sized(argument.base)
             else:
                 raise Unfit
         if function.result and function.result.direction == "out":
@@ -136,9 +168,21 @@ class Binding:
             outputs.append(Operand("result", self.base(declared.result.base), ()))
         elif function.result and function.result.direction != "status":
             raise Unfit
+        elif function.result and not outputs and not arrays and not handle:  # what checks something: the status says it
+            outputs.append(Operand("result", "int", ()))
         if not inputs or not outputs or len(inputs) + len(outputs) > 16 or len(options) > 2:
             raise Unfit
-        return Loop(function, declared, tuple(inputs), tuple(outputs), tuple(options), handle, arrays)
+        inputs, outputs = told_apart(inputs, outputs)
+        return Loop(function, declared, inputs, outputs, tuple(options), handle, arrays, tuple(sized))
+
+    def is_operand(self, argument, row, arrays):
+        """Can NumPy give it? Structs with their size are outputs; as inputs they are options."""
+        if row.is_text or row.direction not in ("in", "out", "option", "inout"):
+            return False
+        sized = self.is_sized(argument.base)
+        if arrays:
+            return row.direction != "inout" and (not sized or row.direction == "out")
+        return all(extent.isdigit() for extent in row.shape) and sized == (row.direction == "inout")
 
     def find_loops(self):
         """{name in Python: {"double": loop, "float": loop}}: of functions with one name those for arrays."""

@@ -143,6 +143,32 @@ test("the Earth: grids, latitudes, rotations", () => {
     assert.equal(cubemap.Ellipsoid.parse("6378137,298.257223563").a, 6378137);
 });
 
+test("poses: exp and log, products, quaternions", () => {
+    const { Pose } = cubemap;
+    const quarter = Pose.exp([1, 2, 3, 0, 0, Math.PI / 2]);
+    assert.ok(Math.abs(Pose.angle(quarter) - Math.PI / 2) < 1e-15);
+    Pose.log(quarter).forEach((value, i) => assert.ok(Math.abs(value - [1, 2, 3, 0, 0, Math.PI / 2][i]) < 1e-14));
+    // x_camera = rotation (x_world - position), camera to world a quarter turn about z
+    Pose.applyBack(quarter, [1, 0, 0]).forEach((value, i) => assert.ok(Math.abs(value - quarter.position[i] - [0, 1, 0][i]) < 1e-15));
+    const back = Pose.compose(quarter, Pose.invert(quarter));
+    [...back.rotation.row, ...back.position].forEach((value, i) => assert.ok(Math.abs(value - (i < 9 && i % 4 === 0 ? 1 : 0)) < 1e-15));
+    const again = Pose.fromQuaternion(quarter.position, Pose.quaternion(quarter));
+    again.rotation.row.forEach((value, i) => assert.ok(Math.abs(value - quarter.rotation.row[i]) < 1e-15));
+    const half = Pose.interpolate(again, back, 0.5);
+    assert.ok(Math.abs(Pose.angle(half) - Math.PI / 4) < 1e-15 && Pose.adjoint(half).length === 36);
+    assert.throws(() => Pose.fromQuaternion([0, 0, 0], [0, 0, 0, 2]), (error) => error.code === 17);
+    assert.throws(() => Pose.check({ rotation: { row: [1, 0, 0, 0, 1, 0, 0, 0, -1] }, position: [0, 0, 0] }));
+});
+
+test("random numbers are those of every other machine", () => {
+    assert.deepEqual([...cubemap.randomBlock(0n, 0, 0, 0, 0)], [0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8]);
+    assert.equal(cubemap.randomUniform(20n, 1, 2, 3), 0.337807109182824);
+    assert.equal(cubemap.randomNormal(20n, 1, 2, 3), 0.7444203586952833);
+    assert.equal(cubemap.randomPoisson(20n, 1, 2, 3, 7.5), 5);
+    assert.equal(cubemap.randomPoisson(20n, 1, 2, 3, 1e6), 998833);
+    assert.ok(Number.isNaN(cubemap.randomPoisson(20n, 1, 2, 3, -1)));
+});
+
 test("cells have numbers of 64 bits", () => {
     const cells = new cubemap.CellGrid(new cubemap.Grid(), "hilbert");
     const cell = cells.forwardLonlat(20, 0.2, 0.9);

@@ -16,11 +16,14 @@ from . import _library
 from ._errors import Error
 from ._methods import *  # noqa: F403
 from .advice import LIMITS, Advice, Candidate, Cost, advise
+from .budget import Budget, BudgetEntry
+from .camera import Camera
 from .cells import (CURVES, LEVEL_MAX, NO_CELL, CellGrid, Region, cell_token, cells_contain, cells_intersect, normalise_cells,
                     parse_cell)
 from .colors import Clipping, Color, Colormap, colormaps, find_colormap, register_colormaps
 from .comparing import (ErrorFigures, Errors, MapFigures, compare_errors, compare_values, difference_map, equirect_weights, face_weights, flip, flip_hdr,
                         sphere_points, ssim)
+from .depth import DepthBounds, DepthCount, DepthMaps, DepthPyramid, Rays, clean_depth
 from .earth import (LATITUDES, Ellipsoid, Grid, LatitudeConversion, Orientation, Rotation, cap_radius, ellipsoids, orientations)
 from .environments import (Environment, brdf_table, harmonics_basis, harmonics_cosine_lobe, harmonics_evaluate, harmonics_faces,
                            harmonics_ggx_lobe, harmonics_json, harmonics_rotate, harmonics_scale, harmonics_window_factors,
@@ -31,6 +34,11 @@ from .mapping import (NO_FACE, RECOMMENDED, Distortion, Face, Frame, Mapping, Ma
 from .measures import (ORIENT_MEASURES, QUANTITIES, FaceSize, Orient, Precision, Statistics, Terms, advise_precision, advise_size,
                        advise_terms, orient, orient_value, percentiles, statistics)
 from .pixels import NO_PIXEL, ORDERS, UNSEEN, Healpix, Ring
+from .pose import Alignment, Pose, align
+from .raster import NO_ID, Raster
+from .store import Blob, Store
+from .trajectory import NO_INDEX, Evaluation, Inertial, InertialNoise, Motion, MotionState, Trajectory
+from .world import SCENES, Hit, Material, Mesh, Primitive, Scene
 
 __version__ = _library.cm_version().decode()
 

@@ -149,12 +149,16 @@ def surface_presets() -> tuple[SurfacePreset, ...]:
 
 
 def images_of(pictures, surface, writes=False):
-    """Structs of the library for an array of pictures, the channels, and the array that they point into."""
+    """Structs of the library for an array of a surface's pictures, the channels, and the array that they point into."""
+    return images_in(surface.shape, pictures, writes)
+
+
+def images_in(shape, pictures, writes=False):
+    """The same of pictures of a shape without channels: (rows, columns), or (pictures, rows, columns)."""
     pictures = np.asarray(pictures) if not writes else pictures
     name = pictures.dtype.name
     if name not in PIXEL_TYPES or not pictures.dtype.isnative:
         raise TypeError(f"pictures: {', '.join(PIXEL_TYPES)}, not {pictures.dtype}")
-    shape = surface.shape
     if pictures.shape[:len(shape)] != shape or pictures.ndim > len(shape) + 1:
         raise ValueError(f"pictures: {shape} or {(*shape, 'channels')}, not {pictures.shape}")
     stacked = pictures if len(shape) == 3 else pictures[np.newaxis]

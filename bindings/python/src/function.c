@@ -38,6 +38,7 @@ static const char numpy_types[CORE_TYPES] = {
 union number
 {
     double real;
+    float single;
     uint8_t byte;
     int whole;
     uint32_t natural;
@@ -104,6 +105,8 @@ static PyObject *write_number(enum core_type type, const union number *number)
     {
     case CORE_DOUBLE:
         return PyFloat_FromDouble(number->real);
+    case CORE_FLOAT:
+        return PyFloat_FromDouble((double)number->single);
     case CORE_UINT8:
         return PyLong_FromLong(number->byte);
     case CORE_INT:

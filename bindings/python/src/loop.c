@@ -5,6 +5,7 @@
  */
 #include "core.h"
 
+#include <fenv.h>
 #include <string.h>
 
 #define BUFFER_BYTES 32768
@@ -272,6 +273,9 @@ void core_run(char **args, const intptr_t *dims, const intptr_t *steps, void *da
 {
     struct job job = {data, args, steps};
     const size_t n = (size_t)dims[0];
+    /* bad input gives NaN and says nothing more: NumPy would warn of flags that formulas leave */
+    fenv_t before;
+    feholdexcept(&before);
     if (job.loop->context.threads == 1)
     {
         run_job(0, n, &job);
@@ -280,4 +284,5 @@ void core_run(char **args, const intptr_t *dims, const intptr_t *steps, void *da
     {
         cm_run_threads(job.loop->context.threads, n, CM_POINTS_PER_THREAD, run_job, &job);
     }
+    fesetenv(&before);
 }
