@@ -19,14 +19,6 @@ namespace
 
 constexpr double usual_within = 0.02; // seconds, as TUM's tools have it
 
-struct ViewReaderDestroyer
-{
-    void operator()(cm_view_reader *reader) const noexcept
-    {
-        cm_view_reader_destroy(reader);
-    }
-};
-
 std::size_t read_input(void *, void *bytes, std::size_t count)
 {
     return std::fread(bytes, 1, count, stdin);
@@ -59,7 +51,8 @@ private:
     OwnPicture depth;
     OwnPicture color;
     cm_view view = {};
-    std::unique_ptr<cm_view_reader, ViewReaderDestroyer> reader;
+    std::unique_ptr<cm_view_reader, decltype(&cm_view_reader_destroy)> reader{
+        nullptr, cm_view_reader_destroy};
 };
 
 cm_sequence::cm_sequence(const std::string &name, const cm_sequence_options &options) : folder(name)
