@@ -78,11 +78,12 @@ check()
     note_suites "$folder"
 }
 
-# fuzz SECONDS: all harnesses in that time together.
+# fuzz NAME ARGUMENT...: scripts/fuzz with those arguments, each harness added to the total.
 fuzz()
 {
-    begin "fuzzers, $1 seconds in all"
-    CUBEMAP_MESON_ARGS='-Dwerror=true -Dpeers=disabled' "$root/scripts/fuzz" "$1" 2>&1 | tee "$output" || true
+    begin "fuzzers, $1"
+    shift
+    CUBEMAP_MESON_ARGS='-Dwerror=true -Dpeers=disabled' "$root/scripts/fuzz" "$@" 2>&1 | tee "$output" || true
     if [[ $(tail -n 1 "$output") =~ ^([0-9]+)\ harnesses,\ ([0-9]+)\ findings$ ]]; then
         count $((BASH_REMATCH[1] - BASH_REMATCH[2])) "${BASH_REMATCH[2]}"
         [[ ${BASH_REMATCH[2]} -eq 0 ]] || note_failure 'findings'

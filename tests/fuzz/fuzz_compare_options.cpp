@@ -3,84 +3,31 @@
 // The command line of cubemap-compare. Input: an argument a line. The program runs in a folder of
 // its own with two images in it, a.ppm and b.ppm, and nothing else can be named.
 
-#include <fcntl.h>
-
-#include <filesystem>
-#include <string>
+#include "fuzz_folder.hpp"
 
 #include "tools/compare/compare_main.h"
-
-#include "fuzz_arguments.h"
-#include "fuzz_streams.h"
 
 namespace
 {
 
-// The folder with the images, which is there as long as the program runs.
-class Folder
+// The folder with the images, of two pixels each.
+class ImageFolder : public FuzzFolder
 {
 public:
-    Folder()
+    ImageFolder() : FuzzFolder("fuzz-compare")
     {
-        name = (std::filesystem::temp_directory_path() / "fuzz-compare-XXXXXX").string();
-        EXPECT(mkdtemp(name.data()) != nullptr, "no folder %s", name.c_str());
-        make_image("a.ppm", "\x01\x02\x03\xff\xfe\xfd");
-        make_image("b.ppm", "\x01\x02\x04\xff\xfe\x80");
-        descriptor = open(name.c_str(), O_RDONLY | O_DIRECTORY);
-        before = open(".", O_RDONLY | O_DIRECTORY);
-        EXPECT(descriptor >= 0 && before >= 0, "no folder %s", name.c_str());
+        const std::string head = "P6\n2 1\n255\n";
+        write("a.ppm", head + "\x01\x02\x03\xff\xfe\xfd");
+        write("b.ppm", head + "\x01\x02\x04\xff\xfe\x80");
+        keep();
     }
-    ~Folder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(name, ignored);
-    }
-    Folder(const Folder &) = delete;
-    Folder &operator=(const Folder &) = delete;
-
-    // libFuzzer's own names begin where it was started.
-    void enter() const
-    {
-        EXPECT(fchdir(descriptor) == 0, "cannot enter %s", name.c_str());
-    }
-    void leave() const
-    {
-        EXPECT(fchdir(before) == 0, "cannot leave %s", name.c_str());
-    }
-
-private:
-    // two pixels
-    void make_image(const char *file, const char *pixels) const
-    {
-        std::FILE *const stream = std::fopen((name + "/" + file).c_str(), "wb");
-        EXPECT(stream != nullptr, "no file in %s", name.c_str());
-        std::fprintf(stream, "P6\n2 1\n255\n");
-        std::fwrite(pixels, 1, 6, stream);
-        EXPECT(std::fclose(stream) == 0, "no room in %s", name.c_str());
-    }
-
-    std::string name;
-    int descriptor = -1;
-    int before = -1;
 };
-
-bool names_elsewhere(const arguments &given)
-{
-    for (int i = 1; i < given.count; ++i)
-    {
-        if (strchr(given.argument[i], '/') != nullptr)
-        {
-            return true;
-        }
-    }
-    return false;
-}
 
 } // namespace
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static const Folder folder;
+    static const ImageFolder folder;
     arguments given = read_arguments("cubemap-compare", data, size);
     if (!names_elsewhere(given))
     {

@@ -96,7 +96,7 @@ START_TEST(bad_cameras_are_refused)
         {"", CM_ERROR_DATA, "c.json:1: ", "JSON"},
         {"[1]", CM_ERROR_DATA, "c.json:1: ", "object"},
         {"{\"width\":\n\n1,,}", CM_ERROR_DATA, "c.json:3: ", "JSON"},
-        {PINHOLE "} {}", CM_ERROR_DATA, "c.json:1: ", "more than one"},
+        {PINHOLE "} {}", CM_ERROR_DATA, "c.json:1: ", "no JSON object"},
         {"{\"width\":640}", CM_ERROR_CAMERA, "c.json:1: ", "height is missing"},
         {PINHOLE ",\n\"distorsion\":[]}", CM_ERROR_CAMERA, "c.json:2: ", "distorsion"},
         {PINHOLE ",\n\"distortion\":[1,\"a\"]}", CM_ERROR_CAMERA, "c.json:2: ", "finite"},

@@ -7,29 +7,7 @@
 #include <cubemap/pool.h>
 
 #include "curved_trajectory.h"
-
-void *__real_calloc(size_t count, size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__real_malloc(size_t size);
-void *__wrap_malloc(size_t size);
-
-/* Allocations until one fails; below 0: none does. */
-static int left = -1;
-
-static int is_refused(void)
-{
-    return left >= 0 && left-- == 0;
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    return is_refused() ? NULL : __real_calloc(count, size);
-}
-
-void *__wrap_malloc(size_t size)
-{
-    return is_refused() ? NULL : __real_malloc(size);
-}
+#include "refused_allocation.h"
 
 typedef struct outputs
 {
@@ -83,6 +61,7 @@ static int fail_each(cm_status (*call)(outputs *out))
     {
         outputs out;
         memcpy(&out, &clean, sizeof out);
+        const int before = live;
         left = i;
         const cm_status status = call(&out);
         const int met = left < 0;
@@ -96,6 +75,7 @@ static int fail_each(cm_status (*call)(outputs *out))
             return i;
         }
         ck_assert_int_eq(status, CM_ERROR_MEMORY);
+        ck_assert_int_eq(live, before);
         ck_assert(memcmp(&out, &clean, sizeof out) == 0);
     }
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sequences: written and read again in each layout, what is left out, what is refused, and the recordings of others where
- * they are: CUBEMAP_RGBD names their folder.
+ * Sequences: written and read again in each layout, what is left out, and what is refused.
  */
 #define _POSIX_C_SOURCE 200809L
 
@@ -473,40 +472,6 @@ START_TEST(streams_are_sequences)
 }
 END_TEST
 
-static void check_recording(const char *folder, double scale, size_t listed, size_t count)
-{
-    char camera[200];
-    snprintf(camera, sizeof camera,
-             "{\"width\":640,\"height\":480,\"fx\":525,\"fy\":525,\"cx\":319.5,\"cy\":239.5,"
-             "\"depth_scale\":%g}",
-             scale);
-    cm_sequence *sequence = open_views(folder, write_text("recording.json", camera));
-    const cm_sequence_report *report = cm_sequence_describe(sequence);
-    REQUIRE(report->listed == listed && report->count == count && report->absent == listed - count,
-            "%s: %zu of %zu, %zu absent, %zu without pose", folder, report->count, report->listed,
-            report->absent, report->without_pose);
-    const cm_view *view = NULL;
-    REQUIRE(cm_sequence_view(sequence, count - 1, &view, message) == CM_OK, "%s", message);
-    REQUIRE(view->depth.width == 640 && (view->color.data == NULL || view->color.channels == 3),
-            "another picture: %u channels", view->color.channels);
-    REQUIRE(report->without_color < count, "all without colours");
-    cm_sequence_close(sequence);
-}
-
-START_TEST(recordings_are_read)
-{
-    const char *recordings = getenv("CUBEMAP_RGBD");
-    char folder[400];
-    if (recordings != NULL)
-    {
-        snprintf(folder, sizeof folder, "%s/tum_excerpt", recordings);
-        check_recording(folder, 5000.0, 722, 40);
-        snprintf(folder, sizeof folder, "%s/icl_livingroom1", recordings);
-        check_recording(folder, 1000.0, 211, 31);
-    }
-}
-END_TEST
-
 int main(void)
 {
     const TTest *const tests[] = {views_come_back_in_each_layout,
@@ -517,7 +482,6 @@ int main(void)
                                   depths_of_floating_point_are_read,
                                   bad_folders_are_refused,
                                   streams_are_sequences,
-                                  recordings_are_read,
                                   NULL};
     return run_suite("sequence", tests);
 }

@@ -53,15 +53,17 @@ void convert(const ConvertOptions &options, const cm_streams &streams)
     const SequenceWriterPointer to = create_sequence(options.output, layout_of(*options.layout),
                                                      report.camera, report.depth_scale);
     {
-        Progress progress(static_cast<std::int64_t>(count), !options.quiet, streams.err);
-        for (std::size_t i = 0; i < count; ++i)
-        {
-            const cm_view *view = nullptr;
-            char message[CM_IMAGE_MESSAGE] = "";
-            check_scene(cm_sequence_view(from.get(), i, &view, message), message);
-            check_scene(cm_sequence_write(to.get(), view, nullptr, message), message);
-            progress.advance(1);
-        }
+        const bool is_known = count != CM_SEQUENCE_UNKNOWN;
+        Progress progress(is_known ? static_cast<std::int64_t>(count) : 1,
+                          !options.quiet && is_known, streams.err);
+        for_each_view(from.get(),
+                      [&to, &progress](const cm_view &view)
+                      {
+                          char message[CM_IMAGE_MESSAGE] = "";
+                          check_scene(cm_sequence_write(to.get(), &view, nullptr, message),
+                                      message);
+                          progress.advance(1);
+                      });
     }
     finish_sequence(to);
 }

@@ -47,9 +47,30 @@ SequencePointer open_sequence(const std::string &folder, const std::string &came
     return SequencePointer(sequence);
 }
 
+void for_each_view(cm_sequence *sequence, const std::function<void(const cm_view &)> &body)
+{
+    const std::size_t count = cm_sequence_count(sequence);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const cm_view *view = nullptr;
+        char message[CM_IMAGE_MESSAGE] = "";
+        const cm_status status = cm_sequence_view(sequence, i, &view, message);
+        if (status == CM_ERROR_RANGE && count == CM_SEQUENCE_UNKNOWN && i > 0)
+        {
+            return;
+        }
+        check_scene(status, message);
+        body(*view);
+    }
+}
+
 SequenceWriterPointer create_sequence(const std::string &folder, cm_sequence_layout layout,
                                       const cm_camera *camera, double depth_scale)
 {
+    if (folder == "-")
+    {
+        throw UsageFailure("-o is '-', not a folder to write");
+    }
     cm_sequence_writer *writer = nullptr;
     char message[CM_IMAGE_MESSAGE] = "";
     check_scene(cm_sequence_create(folder.c_str(), layout, camera, depth_scale, &writer, message),

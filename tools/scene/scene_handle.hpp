@@ -5,6 +5,7 @@
 #ifndef CUBEMAP_TOOLS_SCENE_HANDLE_HPP
 #define CUBEMAP_TOOLS_SCENE_HANDLE_HPP
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,6 +47,8 @@ void check_scene(cm_status status, const char *message);
 CameraFile read_camera(const std::string &path);
 TimedPoses read_poses(const std::string &path);
 SequencePointer open_sequence(const std::string &folder, const std::string &camera);
+// Calls body for each view, in the order of time: of a stream, whose end is not known before, up to its end.
+void for_each_view(cm_sequence *sequence, const std::function<void(const cm_view &)> &body);
 SequenceWriterPointer create_sequence(const std::string &folder, cm_sequence_layout layout,
                                       const cm_camera *camera, double depth_scale);
 void finish_sequence(const SequenceWriterPointer &writer);

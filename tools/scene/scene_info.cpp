@@ -133,14 +133,7 @@ int tell_scene(int argc, char **argv, const cm_streams &streams)
     }
     const SequencePointer sequence = open_sequence(names.front(), camera);
     DepthStatistics depth;
-    const std::size_t count = cm_sequence_count(sequence.get());
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        const cm_view *view = nullptr;
-        char message[CM_IMAGE_MESSAGE] = "";
-        check_scene(cm_sequence_view(sequence.get(), i, &view, message), message);
-        add_picture(*view, depth);
-    }
+    for_each_view(sequence.get(), [&depth](const cm_view &view) { add_picture(view, depth); });
     const cm_sequence_report &report = *cm_sequence_describe(sequence.get());
     print(streams, json ? info_json(report, depth) : info_text(report, depth));
     return 0;

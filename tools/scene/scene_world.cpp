@@ -2,6 +2,7 @@
 
 #include "scene_world.hpp"
 
+#include "modules/scene/io/json_text.hpp"
 #include "modules/scene/io/mesh_file.h"
 #include "tools/cli/catalogue_name.h"
 #include "tools/cli/program.hpp"
@@ -14,14 +15,10 @@
 #include <iterator>
 #include <map>
 
-#include <cjson/cJSON.h>
-
 namespace
 {
 
-using JsonPointer = std::unique_ptr<cJSON, void (*)(cJSON *)>;
-
-constexpr std::streamoff largest_scene_file = 1 << 28;
+constexpr std::streamoff largest_scene_file = 1 << 26;
 
 struct SceneNames
 {
@@ -244,24 +241,6 @@ void read_mesh_object(const PrimitiveReader &reader, World &world)
     reader.add(world, made);
 }
 
-// Text behind the object is none, nor are bytes beyond its end read.
-JsonPointer parse_json(const std::string &name, const std::string &text)
-{
-    const char *end = nullptr;
-    JsonPointer json(cJSON_ParseWithLengthOpts(text.data(), text.size(), &end, 0), cJSON_Delete);
-    const std::size_t place = end == nullptr ? 0 : static_cast<std::size_t>(end - text.data());
-    const std::size_t rest = std::min(text.find_first_not_of(" \t\r\n", place), text.size());
-    if (json == nullptr || rest != text.size() || !cJSON_IsObject(json.get()))
-    {
-        const auto line =
-            1 + std::count(text.begin(),
-                           text.begin() + static_cast<std::ptrdiff_t>(std::min(place, text.size())),
-                           '\n');
-        throw Failure(in_quotes(name) + ":" + std::to_string(line) + ": is no JSON object");
-    }
-    return json;
-}
-
 bool ends_with(const std::string &text, const std::string &ending)
 {
     return text.size() >= ending.size() &&
@@ -301,7 +280,12 @@ World parse_world(const std::string &name, const std::string &text)
                                                       {"spheres", read_sphere},
                                                       {"cylinders", read_cylinder},
                                                       {"meshes", read_mesh_object}};
-    const JsonPointer json = parse_json(name, text);
+    std::size_t line = 0;
+    const JsonPointer json = parse_json_object(text, line);
+    if (json == nullptr)
+    {
+        throw Failure(in_quotes(name) + ":" + std::to_string(line) + ": is no JSON object");
+    }
     const SceneNames names = {name, name.substr(0, name.rfind('/') + 1)};
     World world = empty_scene();
     for (const cJSON *list = json->child; list != nullptr; list = list->next)

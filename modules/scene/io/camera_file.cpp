@@ -3,6 +3,7 @@
 #include "camera_file.h"
 
 #include "file_failure.hpp"
+#include "json_text.hpp"
 
 #include <cubemap/catalogue.h>
 
@@ -12,8 +13,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-
-#include <cjson/cJSON.h>
 
 namespace
 {
@@ -37,39 +36,23 @@ class CameraText
 public:
     CameraText(const std::string &file_name, std::string_view whole) : name(file_name), text(whole)
     {
-        const char *end = nullptr;
-        object.reset(cJSON_ParseWithLengthOpts(text.data(), text.size(), &end, 0));
+        std::size_t line = 0;
+        object = parse_json_object(text, line);
         if (!object)
         {
-            const std::size_t place =
-                end == nullptr ? 0 : static_cast<std::size_t>(end - text.data());
-            fail_line(name, line_at(place), "is not JSON from here on");
-        }
-        const std::size_t rest = static_cast<std::size_t>(end - text.data());
-        const std::size_t more = text.find_first_not_of(" \t\r\n", rest);
-        if (more != std::string_view::npos && text[more] != '\0')
-        {
-            fail_line(name, line_at(more), "more than one object");
-        }
-        if (!cJSON_IsObject(object.get()))
-        {
-            fail_line(name, 1, "a camera is a JSON object, {...}");
+            fail_line(name, line, "is no JSON object");
         }
     }
 
     CameraNumbers read() const;
 
 private:
-    std::size_t line_at(std::size_t place) const
-    {
-        const std::string_view before = text.substr(0, std::min(place, text.size()));
-        return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-    }
     [[noreturn]] void fail(const std::string &key, const std::string &what,
                            cm_status status = CM_ERROR_CAMERA) const
     {
         const std::size_t place = text.find("\"" + key + "\"");
-        fail_line(name, line_at(place == std::string_view::npos ? 0 : place), what, status);
+        fail_line(name, line_of_place(text, place == std::string_view::npos ? 0 : place), what,
+                  status);
     }
     double number(const cJSON *item) const
     {
@@ -95,7 +78,7 @@ private:
 
     std::string name;
     std::string_view text;
-    std::unique_ptr<cJSON, decltype(&cJSON_Delete)> object{nullptr, cJSON_Delete};
+    JsonPointer object{nullptr, cJSON_Delete};
 };
 
 void CameraText::take_distortion(const cJSON *item, CameraNumbers &camera) const

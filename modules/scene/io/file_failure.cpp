@@ -12,6 +12,7 @@
 #include <cstring>
 #include <memory>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -28,6 +29,10 @@ void fail_line(const std::string &file, std::size_t line, const std::string &tex
 
 void fail_system(const std::string &file, const std::string &text)
 {
+    if (errno == ENOMEM)
+    {
+        throw std::bad_alloc();
+    }
     throw FileFailure(CM_ERROR_FILE, file + ": " + text + ": " + std::strerror(errno));
 }
 
@@ -111,6 +116,31 @@ bool folder_is_there(const std::string &path)
 std::string path_in(const std::string &folder, const std::string &name)
 {
     return folder.empty() || folder.back() == '/' ? folder + name : folder + "/" + name;
+}
+
+std::vector<std::string> names_in_folder(const std::string &folder)
+{
+    const std::unique_ptr<DIR, int (*)(DIR *)> open(opendir(folder.c_str()), closedir);
+    if (!open)
+    {
+        fail_system(folder, "cannot be read");
+    }
+    std::vector<std::string> names;
+    errno = 0;
+    while (const dirent *const entry = readdir(open.get()))
+    {
+        const std::string name = entry->d_name;
+        if (name != "." && name != "..")
+        {
+            names.push_back(name);
+        }
+        errno = 0;
+    }
+    if (errno != 0)
+    {
+        fail_system(folder, "cannot be read");
+    }
+    return names;
 }
 
 std::string read_whole(const std::string &path, std::uint64_t most)

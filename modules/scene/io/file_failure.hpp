@@ -37,7 +37,7 @@ private:
                             cm_status status = CM_ERROR_DATA);
 [[noreturn]] void fail_line(const std::string &file, std::size_t line, const std::string &text,
                             cm_status status = CM_ERROR_DATA);
-// What the system says of errno.
+// What the system says of errno; of ENOMEM std::bad_alloc.
 [[noreturn]] void fail_system(const std::string &file, const std::string &text);
 
 // At most CM_IMAGE_MESSAGE bytes, without what ends a line. message may be NULL.
@@ -115,6 +115,8 @@ std::string number_text(double number);
 bool file_is_there(const std::string &path);
 bool folder_is_there(const std::string &path);
 std::string path_in(const std::string &folder, const std::string &name);
+// What is in a folder, in any order. std::filesystem's iterators end the program where there is no memory.
+std::vector<std::string> names_in_folder(const std::string &folder);
 // All bytes of a file of at most so many.
 std::string read_whole(const std::string &path, std::uint64_t most);
 // No list of views or poses is longer.

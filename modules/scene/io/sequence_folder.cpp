@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 
 namespace
@@ -162,11 +161,8 @@ struct FrameFiles
 std::map<std::size_t, FrameFiles> frame_files(const std::string &folder)
 {
     std::map<std::size_t, FrameFiles> found;
-    std::error_code error;
-    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error))
+    for (const std::string &name : names_in_folder(folder))
     {
-        const std::string name = entry->path().filename().string();
         if (name.size() < 13 || name.compare(0, 6, "frame-") != 0 ||
             name.find_first_not_of("0123456789", 6) != 12 || name[12] != '.')
         {
@@ -176,10 +172,6 @@ std::map<std::size_t, FrameFiles> frame_files(const std::string &folder)
         const std::string kind = name.substr(13);
         files.depth = files.depth || kind == "depth.png";
         files.pose = files.pose || kind == "pose.txt";
-    }
-    if (error)
-    {
-        throw FileFailure(CM_ERROR_FILE, folder + ": cannot be read: " + error.message());
     }
     return found;
 }

@@ -52,9 +52,9 @@ public:
         {
             target.pop_back();
         }
-        std::error_code error;
-        const bool there = std::filesystem::exists(target, error);
-        if (there && (!folder_is_there(target) || !std::filesystem::is_empty(target, error)))
+        struct stat status;
+        const bool there = stat(target.c_str(), &status) == 0;
+        if (there && (!folder_is_there(target) || !names_in_folder(target).empty()))
         {
             fail_file(target, "exists and is not an empty folder", CM_ERROR_FILE);
         }
@@ -65,17 +65,26 @@ public:
         {
             fail_system(target, "cannot be written");
         }
-        temporary = pattern;
+        temporary = std::move(pattern); // as it asks for no memory, the folder cannot be forgotten
         const mode_t mask = umask(0);
         umask(mask);
         chmod(temporary.c_str(), 0777 & ~mask);
     }
     ~NewFolder()
     {
-        if (!temporary.empty())
+        bool gone = temporary.empty();
+        for (int times = 0; times < 2 && !gone; ++times)
         {
-            std::error_code error;
-            std::filesystem::remove_all(temporary, error);
+            try
+            {
+                std::error_code error;
+                std::filesystem::remove_all(temporary, error);
+                gone = true;
+            }
+            catch (const std::bad_alloc &)
+            {
+                gone = false; // what has just failed may have left memory for this
+            }
         }
     }
     NewFolder(const NewFolder &) = delete;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// JSON of a whole text, by cJSON.
+
+#ifndef CUBEMAP_MODULES_SCENE_JSON_TEXT_HPP
+#define CUBEMAP_MODULES_SCENE_JSON_TEXT_HPP
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+
+#include <cjson/cJSON.h>
+
+using JsonPointer = std::unique_ptr<cJSON, void (*)(cJSON *)>;
+
+// The object that the whole text is. If it is none: nullptr, and the number of the line, from 1, where it goes wrong.
+// Throws std::bad_alloc, which cJSON does not tell from a wrong text.
+JsonPointer parse_json_object(std::string_view text, std::size_t &line);
+
+// The number of the line, from 1, of a place in a text.
+std::size_t line_of_place(std::string_view text, std::size_t place);
+
+#endif
