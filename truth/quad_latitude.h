@@ -64,12 +64,14 @@ static latitude_quad gauss_arc(latitude_quad angle, latitude_quad r)
         for (int i = 0; i < GAUSS_POINTS; i++)
         {
             latitude_quad w = from + width * (piece + 0.5Q * (1.0Q + gauss_node[i]));
-            latitude_quad near = narrow * sinhq(w);
-            latitude_quad s = sinq(near);
-            latitude_quad c = cosq(near);
+            latitude_quad grown = expq(w);
+            latitude_quad shrunk = 1.0Q / grown;
+            latitude_quad near = 0.5Q * narrow * (grown - shrunk);
+            latitude_quad s, c;
+            sincosq(near, &s, &c);
             latitude_quad h =
                 r > 1.0Q ? sqrtq(c * c + r * r * s * s) : sqrtq(s * s + r * r * c * c);
-            sum += gauss_weight[i] * h * narrow * coshq(w);
+            sum += gauss_weight[i] * h * narrow * 0.5Q * (grown + shrunk);
         }
     }
     return 0.5Q * width * sum;
@@ -87,9 +89,9 @@ static latitude_quad meridian(latitude_quad angle, latitude_quad r)
     for (int i = 0; i < GAUSS_POINTS; i++)
     {
         latitude_quad t = 0.5Q * angle * (1.0Q + gauss_node[i]);
-        latitude_quad c = cosq(t);
-        latitude_quad s = r * sinq(t);
-        sum += gauss_weight[i] * sqrtq(c * c + s * s);
+        latitude_quad s, c;
+        sincosq(t, &s, &c);
+        sum += gauss_weight[i] * sqrtq(c * c + r * r * s * s);
     }
     return 0.5Q * angle * sum;
 }
@@ -194,8 +196,8 @@ static latitude_quad quad_to_geographic(latitude_quad f, cm_latitude from, latit
 }
 
 /* tan(to) from tan(from), both above 0; start is about that of the geographic latitude. */
-static latitude_quad quad_latitude(double f, cm_latitude from, cm_latitude to,
-                                   latitude_quad tangent, latitude_quad start)
+static inline latitude_quad quad_latitude(double f, cm_latitude from, cm_latitude to,
+                                          latitude_quad tangent, latitude_quad start)
 {
     if (from == to || f == 0.0)
     {

@@ -454,9 +454,15 @@ enum
 };
 
 /* Without each size that no other wanted, then after the first block of it if that is large, after some if it is small; with few blocks;
- * and without one in the midst of the steps downhill, and the last, those of the result. */
+ * and without one in the midst of the steps downhill, and the last, those of the result. What wants few blocks in all has each
+ * one refused in turn, which is all of that. */
 static void starve_some(const subject *of, long all, size_t known, const long uses[SIZES_MAX])
 {
+    if (all <= FEW)
+    {
+        starve_of_blocks(of, 0, all);
+        return;
+    }
     for (size_t i = 0; i < SIZES_MAX; i++)
     {
         const long but = seen[i] < SMALL ? MANY : 1;
@@ -469,7 +475,7 @@ static void starve_some(const subject *of, long all, size_t known, const long us
             starve_of_size(of, seen[i], but);
         }
     }
-    starve_of_blocks(of, 0, all < FEW ? all : FEW);
+    starve_of_blocks(of, 0, FEW);
     starve_of_blocks(of, all / 2, all / 2 + 1);
     starve_of_blocks(of, all - of->last, all);
 }

@@ -19,6 +19,7 @@ static const char usage[] =
     "  --set NAME               that instruction set (default: each that this machine has)\n"
     "  --mapping SPECIFICATION  that mapping only, as --list writes it\n"
     "  --kinds                  of the mappings only some of each kind: loops are a kind's\n"
+    "  --all-shapes             all mappings in all shapes of a call, not some of each kind\n"
     "  --tier exact|fast        that tier of accuracy only\n"
     "  --one-in N               one in N of the 2.5 million hard directions (default: 61)\n"
     "  --thorough               all of them\n"
@@ -46,6 +47,7 @@ typedef struct settings
     const char *set;
     const char *mapping;
     int kinds;
+    int all_shapes;
     size_t one_in;
     int tiers[2]; /* by cm_tier */
     int quick;
@@ -57,18 +59,24 @@ static const path_table *const tables[2] = {&paths_double, &paths_float};
 
 /* ---- The checks ---- */
 
+static int is_of_kinds(const subject *s)
+{
+    int is_one = 0;
+    for (size_t i = 0; of_each_kind[i] != NULL; i++)
+    {
+        is_one |= strcmp(of_each_kind[i], s->specification) == 0;
+    }
+    return is_one;
+}
+
 static int is_chosen(const subject *s)
 {
     if (chosen.quick && !chosen.bench && strcmp(s->frame->identifier, "turned") != 0)
     {
         return 0;
     }
-    int is_of_kinds = !chosen.kinds;
-    for (size_t i = 0; of_each_kind[i] != NULL; i++)
-    {
-        is_of_kinds |= strcmp(of_each_kind[i], s->specification) == 0;
-    }
-    return is_of_kinds && (chosen.mapping == NULL || strcmp(chosen.mapping, s->specification) == 0);
+    return (!chosen.kinds || is_of_kinds(s)) &&
+           (chosen.mapping == NULL || strcmp(chosen.mapping, s->specification) == 0);
 }
 
 /* Times do not depend on the frame, or hardly. */
@@ -80,6 +88,7 @@ static int is_timed(const subject *s)
 
 static void check_subject(const subject *s, extreme (*worst)[PATHS_MAX])
 {
+    const int all_shapes = chosen.all_shapes || chosen.mapping != NULL || is_of_kinds(s);
     for (int t = 0; t < 2; t++)
     {
         for (size_t k = 0; tables[t]->paths[k].name != NULL; k++)
@@ -89,11 +98,11 @@ static void check_subject(const subject *s, extreme (*worst)[PATHS_MAX])
             if (is_path_of(s, &tables[t]->in, p, &judged))
             {
                 compare_inputs(s, &judged, p, chosen.one_in, &worst[t][k]);
-                check_shapes(s, &judged, p);
+                check_shapes(s, &judged, p, all_shapes);
             }
             else if (is_exact_in_fast(s, &tables[t]->in, p))
             {
-                check_shapes(s, &tables[t]->in, p);
+                check_shapes(s, &tables[t]->in, p, all_shapes);
             }
         }
     }
@@ -250,6 +259,10 @@ static int read_options(int argc, char **argv)
         else if (strcmp(argv[i], "--kinds") == 0)
         {
             chosen.kinds = 1;
+        }
+        else if (strcmp(argv[i], "--all-shapes") == 0)
+        {
+            chosen.all_shapes = 1;
         }
         else if (strcmp(argv[i], "--quick") == 0)
         {

@@ -226,12 +226,14 @@ static trial plain_trial(const pool *from, const form *with, size_t n)
     return t;
 }
 
-static void try_lengths(const pool *from)
+/* All pairs of a length and an offset, or each length at one, so that each offset has three of them. */
+static void try_lengths(const pool *from, int all_shapes)
 {
+    const size_t step = all_shapes ? 1 : OFFSETS;
     for (size_t n = 0; n < LENGTHS; n++)
     {
         trial t = plain_trial(from, &from->path->forms[0], n);
-        for (t.offset = 0; t.offset < OFFSETS; t.offset++)
+        for (t.offset = all_shapes ? 0 : 5 * n % OFFSETS; t.offset < OFFSETS; t.offset += step)
         {
             t.start = 7 * n + 37 * t.offset;
             run_trial(&t);
@@ -296,7 +298,7 @@ static void try_places(const pool *from)
     }
 }
 
-static void try_forms(const pool *from)
+static void try_forms(const pool *from, int all_shapes)
 {
     static const size_t lengths[] = {0, 1, 2, 17, 49, 256, 257};
     for (const form *f = from->path->forms + 1; f->name != NULL; f++)
@@ -306,9 +308,10 @@ static void try_forms(const pool *from)
             trial t = plain_trial(from, f, lengths[i]);
             run_trial(&t);
         }
-        /* many points, for the threads, in one frame of three */
+        /* many points, for the threads, in one frame of three: how they share points no mapping knows */
         if (f->most > 0 &&
-            (f->most <= POOL || strcmp(from->subject->frame->identifier, "turned") == 0))
+            (f->most <= POOL ||
+             (all_shapes && strcmp(from->subject->frame->identifier, "turned") == 0)))
         {
             trial t = plain_trial(from, f, f->most);
             run_trial(&t);
@@ -349,14 +352,14 @@ static void fill_pool(pool *made)
     (void)p->forms[0].call(made->subject->tested, POOL, in, out, p->forms[0].argument);
 }
 
-void check_shapes(const subject *s, const precision *in, const path *p)
+void check_shapes(const subject *s, const precision *in, const path *p, int all_shapes)
 {
     static pool made;
     made.subject = s;
     made.in = in;
     made.path = p;
     fill_pool(&made);
-    try_lengths(&made);
+    try_lengths(&made, all_shapes);
     try_places(&made);
-    try_forms(&made);
+    try_forms(&made, all_shapes);
 }

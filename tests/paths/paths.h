@@ -265,8 +265,9 @@ void compare_inputs(const subject *s, const precision *in, const path *p, size_t
 void compare_points(const subject *s, const precision *in, const path *p, size_t n,
                     void *const *input, extreme *worst);
 
-/* Every length, misalignment, overlap and form gives the same bits and writes nothing else (path_shapes.c). */
-void check_shapes(const subject *s, const precision *in, const path *p);
+/* Every length, misalignment, overlap and form gives the same bits and writes nothing else (path_shapes.c). Without
+ * all_shapes each length has one misalignment, and no call has so many points that threads share them. */
+void check_shapes(const subject *s, const precision *in, const path *p, int all_shapes);
 
 /* The table of times of one path (path_speed.c), for the subjects that are chosen. */
 typedef int (*choice)(const subject *s);

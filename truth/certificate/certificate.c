@@ -79,10 +79,10 @@ static void measure_plane(subject *s, double round_trip_count, double truth_coun
     {
         next = index;
         s->is_disc = 1;
-        n = hard_face_points(s, &next, disc);
+        n = hard_face_points(s, 1, &next, disc);
         next = index;
         s->is_disc = 0;
-        n = hard_face_points(s, &next, square);
+        n = hard_face_points(s, 1, &next, square);
         plane_trips(s, n, disc, square);
         compare_planes(s, n, disc, square);
     }
@@ -90,11 +90,65 @@ static void measure_plane(subject *s, double round_trip_count, double truth_coun
 
 enum
 {
-    THINNED = 100 /* from this stride on a third of the hard directions does */
+    THINNED = 100 /* from this stride on some of the hard points do */
 };
 
-/* stride: of the hard directions, one block in so many is compared with the truth; above 1 a block of hard points
- * of a face is compared on one face, each in turn, else on all */
+/* The least number from least on that has no divisor of the radices of hard directions, so that one in so many has all
+ * values of every digit with all of every other. */
+static uint64_t step_of_directions(uint64_t least)
+{
+    while (least > 1 && (least % HARD_STEPS == 0 || least % HARD_SCALES == 0))
+    {
+        least++;
+    }
+    return least;
+}
+
+static void measure_hard_directions(subject *s, uint64_t stride)
+{
+    static double d[3][BLOCK];
+    const uint64_t step = step_of_directions(stride >= THINNED ? 7 : 1);
+    const uint64_t compared = step_of_directions(stride);
+    size_t n;
+    for (uint64_t index = 0; (n = hard_directions(s, step, &index, d)) > 0;)
+    {
+        hard_round_trips(s, keep_seen(s, n, d), d);
+    }
+    for (uint64_t index = 0; (n = hard_directions(s, compared, &index, d)) > 0;)
+    {
+        compare_forward(s, keep_seen(s, n, d), d);
+    }
+}
+
+/* Round trips of all; of those that are compared with the truth, where they are thinned, every second one, which has each
+ * coordinate with every second other. */
+static void measure_hard_points(subject *s, uint64_t stride)
+{
+    static double uv[2][BLOCK];
+    static uint8_t face[BLOCK];
+    size_t n;
+    for (uint64_t index = 0; (n = hard_face_points(s, 1, &index, uv)) > 0;)
+    {
+        face_round_trips(s, n, uv);
+    }
+    uint64_t index = 0;
+    for (int block = 0; (n = hard_face_points(s, stride >= THINNED ? 2 : 1, &index, uv)) > 0;
+         block++)
+    {
+        compare_warps(s, n, uv);
+        for (int f = 0; f < s->faces; f++)
+        {
+            if (stride == 1 || block % s->faces == f)
+            {
+                memset(face, f, sizeof face);
+                compare_inverse(s, n, face, uv);
+            }
+        }
+    }
+}
+
+/* stride: of the hard directions one in so many is compared with the truth; above 1 a block of hard points of a face
+ * is compared on one face, each in turn, else on all */
 static void measure(subject *s, double round_trip_count, double truth_count, uint64_t stride)
 {
     static double d[3][BLOCK], uv[2][BLOCK];
@@ -119,69 +173,8 @@ static void measure(subject *s, double round_trip_count, double truth_count, uin
         random_points(s, &state, face, uv);
         compare_warps(s, BLOCK / 4, uv);
     }
-    size_t n;
-    uint64_t index = 0;
-    for (uint64_t block = 0; (n = hard_directions(s, &index, d)) > 0; block++)
-    {
-        n = keep_seen(s, n, d);
-        hard_round_trips(s, n, d);
-        if (block % stride == 0)
-        {
-            compare_forward(s, n, d);
-        }
-        /* no multiple of a block, so that no place in the list's runs is always left out */
-        index += stride >= THINNED ? 2 * BLOCK + 37 : 0;
-    }
-    index = 0;
-    for (int block = 0; (n = hard_face_points(s, &index, uv)) > 0; block++)
-    {
-        face_round_trips(s, n, uv);
-        compare_warps(s, n, uv);
-        for (int f = 0; f < s->faces; f++)
-        {
-            if (stride == 1 || block % s->faces == f)
-            {
-                memset(face, f, sizeof face);
-                compare_inverse(s, n, face, uv);
-            }
-        }
-    }
-}
-
-/* The largest stretch of a small difference, by the warp or by its inverse, over a grid that comes
- * close to the edges, but not to where it is infinite; 1 for a mapping that is no warp. */
-static double condition_of(const cm_mapping *mapping, const quad_mapping *truth)
-{
-    enum
-    {
-        GRID = 64
-    };
-    const quad step = (quad)1e-12;
-    quad worst = (quad)1.0;
-    for (int i = 0; truth->kernels->warp != NULL && i < 2 * GRID * GRID; i++)
-    {
-        quad at[2] = {(i / 2 % GRID + (quad)0.5) / GRID, (i / 2 / GRID + (quad)0.5) / GRID};
-        at[0] = at[0] > (quad)0.98 ? (quad)1.0 - (quad)2.0 * step : at[0];
-        at[1] = at[1] > (quad)0.98 ? (quad)1.0 - (quad)2.0 * step : at[1];
-        if (is_beside_singularity(mapping, (double)at[0], (double)at[1]))
-        {
-            continue;
-        }
-        quad column[2][2];
-        for (int k = 0; k < 2; k++)
-        {
-            quad low[2] = {at[0], at[1]}, high[2] = {at[0], at[1]}, from[2], to[2];
-            low[k] -= step;
-            high[k] += step;
-            (i % 2 ? quad_warp : quad_unwarp)(truth, low, from);
-            (i % 2 ? quad_warp : quad_unwarp)(truth, high, to);
-            column[k][0] = fabsq(to[0] - from[0]) / ((quad)2.0 * step);
-            column[k][1] = fabsq(to[1] - from[1]) / ((quad)2.0 * step);
-        }
-        worst = fmaxq(worst, column[0][0] + column[1][0]);
-        worst = fmaxq(worst, column[0][1] + column[1][1]);
-    }
-    return (double)worst;
+    measure_hard_directions(s, stride);
+    measure_hard_points(s, stride);
 }
 
 /* The published inverse of cobe is none. */
@@ -342,9 +335,10 @@ static int usage(void)
         "[-p double|float|fast] [-i INSTRUCTIONS] [SPECIFICATION...]\n"
         "  -r  random round trips a mapping (1000000)\n"
         "  -t  random comparisons with the truth, forward, inverse and warp (100000)\n"
-        "  -s  compare one block of hard directions in so many with the truth, and\n"
-        "      above 1 hard points of one face at a time, each in turn (1: all); from\n"
-        "      100 on only a third of the hard directions makes round trips\n"
+        "  -s  compare one hard direction in so many with the truth, and above 1 hard\n"
+        "      points of one face at a time, each in turn (1: all); from 100 on a seventh\n"
+        "      of the hard directions makes round trips and every second hard point of a\n"
+        "      face is compared\n"
         "  -p  only that precision, or the fast tier\n"
         "  Without a specification the mappings to six faces.\n"
         "  -i  scalar, sse2, avx2, avx512, neon; 77 is the exit status if this machine cannot\n");

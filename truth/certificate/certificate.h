@@ -95,7 +95,9 @@ void find_view(subject *s);
 size_t keep_seen(const subject *s, size_t n, double (*d)[BLOCK]);
 void random_directions(subject *s, uint64_t *state, double (*d)[BLOCK]);
 void random_points(subject *s, uint64_t *state, uint8_t *face, double (*uv)[BLOCK]);
-size_t hard_directions(const subject *s, uint64_t *index, double (*d)[BLOCK]);
-size_t hard_face_points(const subject *s, uint64_t *index, double (*uv)[BLOCK]);
+size_t hard_directions(const subject *s, uint64_t step, uint64_t *index, double (*d)[BLOCK]);
+size_t hard_face_points(const subject *s, uint64_t step, uint64_t *index, double (*uv)[BLOCK]);
+
+double condition_of(const cm_mapping *mapping, const quad_mapping *truth);
 
 #endif

@@ -128,8 +128,8 @@ static int is_wanted(const subject *s, double x, double y, double z)
     return s->precision == FAST ? length >= 0.1 && length <= 1e30 : length > 0.0;
 }
 
-/* From index on. */
-size_t hard_directions(const subject *s, uint64_t *index, double (*d)[BLOCK])
+/* From index on, one in so many. */
+size_t hard_directions(const subject *s, uint64_t step, uint64_t *index, double (*d)[BLOCK])
 {
     size_t n = 0;
     while (n < BLOCK && *index < HARD_DIRECTIONS)
@@ -144,7 +144,7 @@ size_t hard_directions(const subject *s, uint64_t *index, double (*d)[BLOCK])
         {
             hard_direction(*index, direction);
         }
-        ++*index;
+        *index += step;
         for (int k = 0; k < 3; k++)
         {
             d[k][n] = s->narrow ? (double)narrow[k] : direction[k];
@@ -154,18 +154,24 @@ size_t hard_directions(const subject *s, uint64_t *index, double (*d)[BLOCK])
     return n;
 }
 
-size_t hard_face_points(const subject *s, uint64_t *index, double (*uv)[BLOCK])
+size_t hard_face_points(const subject *s, uint64_t step, uint64_t *index, double (*uv)[BLOCK])
 {
     size_t n = 0;
     for (; n < BLOCK && *index < HARD_POINTS; n++)
     {
         double point[2];
         float narrow[2];
-        hard_point(*index, point);
-        hard_point_f32(*index, narrow);
-        ++*index;
-        point[0] = s->narrow ? (double)narrow[0] : point[0];
-        point[1] = s->narrow ? (double)narrow[1] : point[1];
+        if (s->narrow)
+        {
+            hard_point_f32(*index, narrow);
+            point[0] = (double)narrow[0];
+            point[1] = (double)narrow[1];
+        }
+        else
+        {
+            hard_point(*index, point);
+        }
+        *index += step;
         put_point(s, point, n, uv);
     }
     return n;
