@@ -4,16 +4,16 @@
  * cm_coupled_lookup, stand before this text (bindings/shaders/generate glsl-es coupled).
  */
 uniform samplerCube ground;
-uniform vec2 centre; /* longitude and latitude that we look at, in radians */
-uniform float size;  /* of the picture, in pixels */
+uniform vec3 view; /* longitude and latitude that we look at, in degrees, and the size of the picture in pixels */
 out vec4 colour;
 
 void main()
 {
+    vec2 centre = radians(view.xy);
     vec3 towards = vec3(cos(centre.y) * cos(centre.x), cos(centre.y) * sin(centre.x), sin(centre.y));
     vec3 east = vec3(-sin(centre.x), cos(centre.x), 0.0);
     vec3 north = cross(towards, east);
-    vec2 at = (2.0 * gl_FragCoord.xy / size - 1.0) * 0.285;
+    vec2 at = (2.0 * gl_FragCoord.xy / view.z - 1.0) * 0.285;
     vec3 ray = normalize(at.x * east + at.y * north - towards);
     vec3 eye = 4.0 * towards;
     float along = dot(eye, ray);

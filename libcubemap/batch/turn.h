@@ -48,7 +48,7 @@ typedef struct cm_turn
     cm_turn_face to_frame[6]; /* by face of geo */
     cm_turn_face to_geo[6];   /* by face of the frame, as axes */
     cm_turn_axes axes[6];
-    cm_turn_axes ahead[8]; /* the same by the outward axis: +x -x +y -y, and +z -z twice */
+    cm_turn_axes ahead[6]; /* the same by the outward axis: +z -z +y -y +x -x */
 } cm_turn;
 
 #endif

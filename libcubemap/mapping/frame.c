@@ -203,12 +203,7 @@ void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn)
         fill_turn_face(swap, swap ? minus_v : minus_u, swap ? minus_u : minus_v, g,
                        &turn->to_geo[i]);
         fill_turn_axes(to, i, &turn->axes[i]);
-        const int ahead = 2 * (abs(to->outward) - 1) + (to->outward < 0);
-        turn->ahead[ahead] = turn->axes[i];
-        if (ahead >= 4)
-        {
-            turn->ahead[ahead + 2] = turn->axes[i];
-        }
+        turn->ahead[2 * (3 - abs(to->outward)) + (to->outward < 0)] = turn->axes[i];
         if (i != g || swap || minus_u || minus_v)
         {
             turn->identity = 0;
