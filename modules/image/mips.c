@@ -325,7 +325,7 @@ cm_status cm_border(const cm_surface *surface, const cm_image *pictures, uint32_
     }
     else if (status == CM_OK)
     {
-        status = cm_padded_load(&padded, surface, pictures, &values, set, threads);
+        status = cm_padded_load(&padded, surface, pictures, &values, set, threads, 0.0f, NULL);
     }
     if (status == CM_OK)
     {

@@ -9,6 +9,7 @@
 
 #include <cubemap/threads.h>
 
+#include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -143,11 +144,25 @@ typedef struct load_job
     cm_level_reader reader; /* of the pictures */
     int32_t beside;         /* columns and rows of the border that the level has */
     int32_t beyond;
+    float most; /* of numbers; INFINITY: nobody asks */
+    atomic_int has_more;
     atomic_int failed;
 } load_job;
 
-/* Rows of the planes one after the other, with those of the border where the level has them. */
-static void load_row(const load_job *job, size_t at, float *run)
+/* Is a number larger, or none? */
+static int are_more(const float *restrict from, size_t n, float most)
+{
+    int found = 0;
+    for (size_t i = 0; i < n; i++)
+    {
+        found |= !(fabsf(from[i]) <= most);
+    }
+    return found;
+}
+
+/* Rows of the planes one after the other, with those of the border where the level has them. Are numbers larger than
+ * what was asked for? */
+static int load_row(const load_job *job, size_t at, float *run)
 {
     const cm_padded *padded = job->padded;
     const size_t rows = padded->height + 2 * (size_t)job->beyond;
@@ -156,21 +171,27 @@ static void load_row(const load_job *job, size_t at, float *run)
     const int32_t end = (int32_t)padded->width + job->beside;
     float *line = padded->first[plane] + (ptrdiff_t)row * padded->row;
     const int is_direct = padded->channel == 1;
+    int has_more = 0;
     for (int32_t column = -job->beside; column < end; column += RUN)
     {
         const int32_t count = smaller(end - column, RUN);
         float *to = line + (ptrdiff_t)column * padded->pixel;
-        cm_level_read(&job->reader, plane, column, row, count, is_direct ? to : run);
+        float *read = is_direct ? to : run;
+        cm_level_read(&job->reader, plane, column, row, count, read);
+        has_more |=
+            job->most < INFINITY && are_more(read, (size_t)count * padded->channels, job->most);
         if (!is_direct)
         {
             job->loops->part_channels(run, padded->channels, (size_t)count, to, padded->channel);
         }
     }
+    return has_more;
 }
 
 static void load_rows(size_t begin, size_t end, void *user)
 {
     load_job *job = user;
+    int has_more = 0;
     float *run = malloc(RUN * job->padded->channels * sizeof(float) + CM_WINDOW_SLACK);
     if (run == NULL)
     {
@@ -179,13 +200,18 @@ static void load_rows(size_t begin, size_t end, void *user)
     }
     for (size_t at = begin; at < end; at++)
     {
-        load_row(job, at, run);
+        has_more |= load_row(job, at, run);
+    }
+    if (has_more)
+    {
+        atomic_store(&job->has_more, 1);
     }
     free(run);
 }
 
 cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_image *pictures,
-                         const cm_values *values, const cm_sample_set *set, unsigned threads)
+                         const cm_values *values, const cm_sample_set *set, unsigned threads,
+                         float most, int *has_more)
 {
     cm_level level;
     const int32_t reach = surface->has_gaps ? CM_BESIDE_MAP : 0;
@@ -196,13 +222,19 @@ cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_
     }
     load_job job = {.padded = padded,
                     .loops = cm_filter_set_find(set->name),
-                    .reader = cm_level_reader_of(&level, surface, set)};
+                    .reader = cm_level_reader_of(&level, surface, set),
+                    .most = has_more != NULL ? most : INFINITY};
     job.beside = smaller(reach, padded->beside);
     job.beyond = smaller(reach, padded->beyond);
     atomic_init(&job.failed, CM_OK);
+    atomic_init(&job.has_more, 0);
     cm_run_threads(threads, (size_t)padded->planes * (padded->height + 2 * (size_t)job.beyond), 64,
                    load_rows, &job);
     status = (cm_status)atomic_load(&job.failed);
+    if (has_more != NULL)
+    {
+        *has_more = atomic_load(&job.has_more);
+    }
     cm_level_free(&level);
     padded->goes_on = cm_rim_goes_on(values);
     if (status == CM_OK && !surface->has_gaps)

@@ -57,9 +57,11 @@ void cm_padded_free(cm_padded *padded);
 /* What a plane with that extent can have of a border so wide. */
 int32_t cm_border_of(const cm_surface *surface, uint32_t extent, int32_t wanted);
 
-/* The pixels of pictures of the surface, if the planes have its size, and then the border. CM_OK or CM_ERROR_MEMORY. */
+/* The pixels of pictures of the surface, if the planes have its size, and then the border. *has_more, which may be NULL:
+ * are there numbers among the pictures' own that are larger than `most`, or none? CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_image *pictures,
-                         const cm_values *values, const cm_sample_set *set, unsigned threads);
+                         const cm_values *values, const cm_sample_set *set, unsigned threads,
+                         float most, int *has_more);
 
 /* The border from the planes' own pixels, of whatever size, interpolated inside the neighbour by six points each way. Directions there are
  * the kind's own or extrapolated (surface_beyond.c), so that a plane of faces has borders of half its extent at most, and

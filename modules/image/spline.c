@@ -169,10 +169,13 @@ cm_status cm_spline_make(const cm_surface *surface, const cm_image *pictures,
         return status;
     }
     uint64_t *holes = NULL;
-    status = cm_padded_load(coefficients, surface, pictures, values, set, threads);
-    if (status == CM_OK && (values->type == CM_PIXEL_HALF || values->type == CM_PIXEL_FLOAT))
+    const int may_have_holes = values->type == CM_PIXEL_HALF || values->type == CM_PIXEL_FLOAT;
+    int has_holes = 0;
+    status = cm_padded_load(coefficients, surface, pictures, values, set, threads, CM_SPLINE_MOST,
+                            may_have_holes ? &has_holes : NULL);
+    if (status == CM_OK && may_have_holes)
     {
-        status = cm_spline_holes_fill(coefficients, surface, threads, &holes);
+        status = cm_spline_holes_fill(coefficients, surface, has_holes, threads, &holes);
     }
     spline_job job = {.padded = coefficients, .set = cm_filter_set_find(set->name)};
     job.high = coefficients->height + 2 * (size_t)coefficients->beyond;

@@ -36,18 +36,32 @@ static int is_hole(float value)
     return !(fabsf(value) <= CM_SPLINE_MOST);
 }
 
+static int has_hole(const float *from, size_t n)
+{
+    int found = 0;
+    for (size_t i = 0; i < n; i++)
+    {
+        found |= is_hole(from[i]);
+    }
+    return found;
+}
+
+/* At the border's rows, and at the ends of all others. */
 static void look(size_t begin, size_t end, void *user)
 {
     hole_job *job = user;
-    const size_t floats = floats_of(job->padded);
+    const cm_padded *padded = job->padded;
+    const size_t floats = floats_of(padded);
+    const size_t beside = (size_t)padded->beside * padded->channels;
     for (size_t at = begin; at < end; at++)
     {
-        const float *row = row_of(job->padded, at);
-        int found = 0;
-        for (size_t i = 0; i < floats; i++)
-        {
-            found |= is_hole(row[i]);
-        }
+        const float *row = row_of(padded, at);
+        const size_t line = at % rows_of(padded);
+        const int is_border =
+            line < (size_t)padded->beyond || line >= (size_t)padded->beyond + padded->height;
+        const int found = is_border
+                              ? has_hole(row, floats)
+                              : has_hole(row, beside) | has_hole(row + floats - beside, beside);
         if (found)
         {
             atomic_store(&job->found, 1);
@@ -158,13 +172,16 @@ static void fill_planes(size_t begin, size_t end, void *user)
     }
 }
 
-cm_status cm_spline_holes_fill(const cm_padded *padded, const cm_surface *surface, unsigned threads,
-                               uint64_t **holes)
+cm_status cm_spline_holes_fill(const cm_padded *padded, const cm_surface *surface, int has_holes,
+                               unsigned threads, uint64_t **holes)
 {
     hole_job job = {.padded = padded};
     job.words = (rows_of(padded) * floats_of(padded) + 63) / 64;
-    atomic_init(&job.found, 0);
-    cm_run_threads(threads, padded->planes * rows_of(padded), 64, look, &job);
+    atomic_init(&job.found, has_holes);
+    if (!has_holes)
+    {
+        cm_run_threads(threads, padded->planes * rows_of(padded), 64, look, &job);
+    }
     if (!atomic_load(&job.found))
     {
         *holes = NULL;

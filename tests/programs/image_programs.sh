@@ -211,8 +211,10 @@ P
 memory_ceiling()
 {
     python3 - "$programs/cubemap-reproject" "$earth" >peaks.txt <<'P'
-import os, resource, subprocess, sys
+import os, subprocess, sys
 program, earth = sys.argv[1:]
+# What a leak checker of the build takes in the end is not of the program, and not what is measured.
+os.environ["ASAN_OPTIONS"] = ":".join(filter(None, [os.environ.get("ASAN_OPTIONS"), "detect_leaks=0"]))
 subprocess.run([program, "--quiet", "--to", "equirect", "--size", "6000", "--filter", "nearest", earth, "large.tif"],
                check=True)
 def peak(*words):

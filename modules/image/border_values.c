@@ -1,0 +1,415 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Values of borders between the pixels of planes: by six points each way where there are so many, by fewer beside creases
+ * and in small planes, and the plane's own last pixels where nothing is.
+ */
+#include "border_values.h"
+#include "level_rim.h"
+
+#include <string.h>
+
+/* Points of the polynomial of values each way. */
+#define POINTS 6
+
+static int32_t floor_of(double x)
+{
+    const int32_t towards_zero = (int32_t)x;
+    return towards_zero - ((double)towards_zero > x);
+}
+
+static void weigh_few(double t, int32_t count, float *weight)
+{
+    for (int32_t i = 0; i < count; i++)
+    {
+        double product = 1.0;
+        for (int32_t k = 0; k < count; k++)
+        {
+            product *= k == i ? 1.0 : (t - k) / ((double)i - k);
+        }
+        weight[i] = (float)product;
+    }
+}
+
+/* The points one way around a position: the nearest ones that the plane has. */
+typedef struct points
+{
+    int32_t first;
+    int32_t count;
+    float weight[POINTS];
+} points;
+
+/* At most so many. */
+static points points_around(double position, uint32_t extent, int32_t count)
+{
+    points at;
+    const int32_t limit = (int32_t)extent;
+    const double centre = position - 0.5;
+    at.count = limit < count ? limit : count;
+    const int32_t first = floor_of(centre) - (at.count - 1) / 2;
+    const int32_t most = limit - at.count;
+    at.first = first < 0 ? 0 : first > most ? most : first;
+    weigh_few(centre - at.first, at.count, at.weight);
+    return at;
+}
+
+/* The same of many positions, by six points. */
+typedef struct many_points
+{
+    int32_t first[CM_BORDER_RUN];
+    int32_t exact[CM_BORDER_RUN]; /* is the position a pixel's centre? */
+    float weight[POINTS][CM_BORDER_RUN];
+} many_points;
+
+static void find_points(const double *restrict position, size_t n, double scale, uint32_t extent,
+                        many_points *restrict at)
+{
+    const int32_t most = (int32_t)extent - POINTS;
+    float place[CM_BORDER_RUN];
+    for (size_t i = 0; i < n; i++)
+    {
+        const double centre = position[i] / scale - 0.5;
+        const int32_t nearest = (int32_t)(centre + 1.0 + 0.5) - 1;
+        const double off = centre - nearest;
+        const int exact = off < 1e-9 && off > -1e-9;
+        const int32_t whole = (int32_t)(centre + 1.0) - 1;
+        const int32_t wanted = (exact ? nearest : whole) - 2;
+        const int32_t first = wanted < 0 ? 0 : wanted > most ? most : wanted;
+        at->first[i] = first;
+        at->exact[i] = exact;
+        place[i] = exact ? (float)(nearest - first) : (float)(centre - first);
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        /* Lagrange's weights of points 0 to 5 */
+        const float t = place[i];
+        const float a = t * (t - 1.0f), b = (t - 2.0f) * (t - 3.0f), c = (t - 4.0f) * (t - 5.0f);
+        const float bc = b * c, ac = a * c, ab = a * b;
+        at->weight[0][i] = (t - 1.0f) * bc * (-1.0f / 120.0f);
+        at->weight[1][i] = t * bc * (1.0f / 24.0f);
+        at->weight[2][i] = (t - 3.0f) * ac * (-1.0f / 12.0f);
+        at->weight[3][i] = (t - 2.0f) * ac * (1.0f / 12.0f);
+        at->weight[4][i] = (t - 5.0f) * ab * (-1.0f / 24.0f);
+        at->weight[5][i] = (t - 4.0f) * ab * (1.0f / 120.0f);
+    }
+}
+
+static void take_point(const many_points *many, size_t i, points *at)
+{
+    at->first = many->first[i];
+    at->count = POINTS;
+    for (int k = 0; k < POINTS; k++)
+    {
+        at->weight[k] = many->weight[k][i];
+    }
+}
+
+/* Six pixels of six rows, rows first: so many floats of each. */
+static inline void mix_six(const float *from, ptrdiff_t row, const points *y, size_t floats,
+                           float *restrict mixed)
+{
+    for (size_t i = 0; i < floats; i++)
+    {
+        mixed[i] = y->weight[0] * from[i];
+    }
+    for (int j = 1; j < POINTS; j++)
+    {
+        const float *line = from + j * row;
+        for (size_t i = 0; i < floats; i++)
+        {
+            mixed[i] += y->weight[j] * line[i];
+        }
+    }
+}
+
+/* Channels one beside the other: all at once. */
+static inline void sum_pixels(const float *from, ptrdiff_t row, size_t channels, const points *x,
+                              const points *y, float *to)
+{
+    float mixed[POINTS * (CM_CHANNELS_MAX + 1)];
+    mix_six(from, row, y, POINTS * channels, mixed);
+    for (size_t c = 0; c < channels; c++)
+    {
+        float sum = 0.0f;
+        for (size_t i = 0; i < POINTS; i++)
+        {
+            sum += x->weight[i] * mixed[i * channels + c];
+        }
+        to[c] = sum;
+    }
+}
+
+/* Eight are taken, as vectors have it: CM_WINDOW_SLACK is behind rows. */
+static inline float sum_channel(const float *from, ptrdiff_t row, const points *x, const points *y)
+{
+    float mixed[8];
+    mix_six(from, row, y, 8, mixed);
+    float sum = 0.0f;
+    for (size_t i = 0; i < POINTS; i++)
+    {
+        sum += x->weight[i] * mixed[i];
+    }
+    return sum;
+}
+
+static void sum_six(const cm_padded *padded, const float *from, const points *x, const points *y,
+                    float *to)
+{
+    if (padded->channel == 1 && padded->channels == 3)
+    {
+        sum_pixels(from, padded->row, 3, x, y, to);
+    }
+    else if (padded->channel == 1)
+    {
+        sum_pixels(from, padded->row, padded->channels, x, y, to);
+    }
+    else
+    {
+        for (uint32_t c = 0; c < padded->channels; c++)
+        {
+            to[c * padded->channel] = sum_channel(from + c * padded->channel, padded->row, x, y);
+        }
+    }
+}
+
+static float sum_few(const float *from, ptrdiff_t pixel, ptrdiff_t row, const points *x,
+                     const points *y)
+{
+    float sum = 0.0f;
+    for (int32_t j = 0; j < y->count; j++, from += row)
+    {
+        float across = 0.0f;
+        for (int32_t i = 0; i < x->count; i++)
+        {
+            across += x->weight[i] * from[i * pixel];
+        }
+        sum += y->weight[j] * across;
+    }
+    return sum;
+}
+
+/* Up to 6 x 6 whole numbers as floats, whose rows are 8 apart. */
+static void take_whole(const int16_t *from, ptrdiff_t row, int32_t width, int32_t height,
+                       float *tile)
+{
+    for (int32_t j = 0; j < height; j++)
+    {
+        for (int32_t i = 0; i < width; i++)
+        {
+            tile[j * 8 + i] = from[j * row + i];
+        }
+    }
+}
+
+static int16_t to_whole(float value)
+{
+    const float clamped = value > 32767.0f ? 32767.0f : value < -32767.0f ? -32767.0f : value;
+    return (int16_t)(int32_t)(clamped + (clamped < 0.0f ? -0.5f : 0.5f));
+}
+
+/* A pixel of a padded's planes. */
+typedef struct spot
+{
+    unsigned plane;
+    ptrdiff_t at; /* numbers from the plane's first */
+} spot;
+
+static spot spot_of(const cm_padded *padded, unsigned plane, int32_t column, int32_t row)
+{
+    return (spot){plane, row * padded->row + column * padded->pixel};
+}
+
+static void interpolate_few(const cm_padded *padded, unsigned plane, double column, double row,
+                            int32_t count, spot to)
+{
+    const points x = points_around(column, padded->width, count);
+    const points y = points_around(row, padded->height, count);
+    const spot from = spot_of(padded, plane, x.first, y.first);
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const ptrdiff_t channel = c * padded->channel;
+        if (padded->whole[plane] != NULL)
+        {
+            float tile[POINTS * 8];
+            take_whole(padded->whole[plane] + from.at + channel, padded->row, x.count, y.count,
+                       tile);
+            padded->whole[to.plane][to.at + channel] = to_whole(sum_few(tile, 1, 8, &x, &y));
+        }
+        else
+        {
+            padded->first[to.plane][to.at + channel] = sum_few(
+                padded->first[plane] + from.at + channel, padded->pixel, padded->row, &x, &y);
+        }
+    }
+}
+
+static void copy_pixel(const cm_padded *padded, spot from, spot to)
+{
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const ptrdiff_t channel = c * padded->channel;
+        if (padded->whole[from.plane] != NULL)
+        {
+            padded->whole[to.plane][to.at + channel] = padded->whole[from.plane][from.at + channel];
+        }
+        else
+        {
+            padded->first[to.plane][to.at + channel] = padded->first[from.plane][from.at + channel];
+        }
+    }
+}
+
+void cm_border_copy(const cm_padded *padded, unsigned plane, int32_t column, int32_t count,
+                    int32_t row, int32_t further, int32_t same)
+{
+    const int32_t width = (int32_t)padded->width;
+    const int is_by_pixel = padded->channel == 1;
+    const uint32_t lines = is_by_pixel ? 1 : padded->channels;
+    while (count > 0)
+    {
+        const int32_t at = ((column + further) % width + width) % width;
+        const int32_t n = count < width - at ? count : width - at;
+        const spot from = spot_of(padded, plane, at, same),
+                   to = spot_of(padded, plane, column, row);
+        const size_t numbers = (size_t)n * (size_t)padded->pixel;
+        for (uint32_t c = 0; c < lines; c++)
+        {
+            const ptrdiff_t line = (ptrdiff_t)c * padded->channel;
+            if (padded->is_whole)
+            {
+                memcpy(padded->whole[plane] + to.at + line, padded->whole[plane] + from.at + line,
+                       numbers * sizeof(int16_t));
+            }
+            else
+            {
+                memcpy(padded->first[plane] + to.at + line, padded->first[plane] + from.at + line,
+                       numbers * sizeof(float));
+            }
+        }
+        column += n;
+        count -= n;
+    }
+}
+
+static void sum_six_whole(const cm_padded *padded, spot from, const points *x, const points *y,
+                          spot to)
+{
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const ptrdiff_t channel = c * padded->channel;
+        float tile[POINTS * 8] = {0.0f};
+        take_whole(padded->whole[from.plane] + from.at + channel, padded->row, POINTS, POINTS,
+                   tile);
+        padded->whole[to.plane][to.at + channel] = to_whole(sum_channel(tile, 8, x, y));
+    }
+}
+
+static void interpolate_six(const cm_padded *padded, unsigned plane, const many_points *columns,
+                            const many_points *rows, size_t i, spot to)
+{
+    points x, y;
+    take_point(columns, i, &x);
+    take_point(rows, i, &y);
+    spot from = spot_of(padded, plane, x.first, y.first);
+    if (columns->exact[i] && rows->exact[i])
+    {
+        int32_t right = 0, down = 0;
+        for (int k = 1; k < POINTS; k++)
+        {
+            right = x.weight[k] > 0.5f ? k : right;
+            down = y.weight[k] > 0.5f ? k : down;
+        }
+        from.at += down * padded->row + right * padded->pixel;
+        copy_pixel(padded, from, to);
+    }
+    else if (padded->whole[plane] != NULL)
+    {
+        sum_six_whole(padded, from, &x, &y, to);
+    }
+    else
+    {
+        sum_six(padded, padded->first[plane] + from.at, &x, &y, padded->first[to.plane] + to.at);
+    }
+}
+
+/* Where nothing is, from the plane's last pixels. */
+static void continue_plane(const cm_padded *padded, int32_t column, int32_t row, spot to)
+{
+    int32_t last[2], inwards[2];
+    const cm_rim_nodes x =
+        cm_rim_nodes_along(column, padded->width, padded->goes_on, &last[0], &inwards[0]);
+    const cm_rim_nodes y =
+        cm_rim_nodes_along(row, padded->height, padded->goes_on, &last[1], &inwards[1]);
+    const spot from = spot_of(padded, to.plane, last[0], last[1]);
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const ptrdiff_t channel = c * padded->channel;
+        float sum = 0.0f;
+        for (int32_t j = 0; j < y.count; j++)
+        {
+            const ptrdiff_t line = from.at + channel + inwards[1] * y.from_last[j] * padded->row;
+            for (int32_t i = 0; i < x.count; i++)
+            {
+                const ptrdiff_t at = line + inwards[0] * x.from_last[i] * padded->pixel;
+                sum += y.weight[j] * x.weight[i] *
+                       (padded->is_whole ? (float)padded->whole[to.plane][at]
+                                         : padded->first[to.plane][at]);
+            }
+        }
+        if (padded->is_whole)
+        {
+            padded->whole[to.plane][to.at + channel] = to_whole(sum);
+        }
+        else
+        {
+            padded->first[to.plane][to.at + channel] = sum;
+        }
+    }
+}
+
+/* As many points as do not lie on both sides of a diagonal, where creases are; two if there are none. */
+static int32_t points_beside_crease(const cm_padded *padded, const many_points *columns,
+                                    const many_points *rows, size_t i)
+{
+    /* four are the inner ones of six, and are two if these are across */
+    return cm_level_is_across(padded->width, columns->first[i] + 1, rows->first[i] + 1, 4) ? 2 : 4;
+}
+
+void cm_border_put(const cm_border_values *values, unsigned plane, int32_t column, int32_t row,
+                   int32_t right, int32_t down, size_t n, double *x, double *y, double *z)
+{
+    const cm_padded *padded = values->padded;
+    const int are_many = padded->width >= POINTS && padded->height >= POINTS;
+    uint8_t found[CM_BORDER_RUN];
+    many_points columns, rows;
+    cm_surface_find(values->surface, n, x, y, z, found, x, y);
+    if (are_many)
+    {
+        for (size_t i = 0; i < n; i++)
+        {
+            x[i] = found[i] != CM_NO_FACE ? x[i] : 0.0;
+            y[i] = found[i] != CM_NO_FACE ? y[i] : 0.0;
+        }
+        find_points(x, n, values->scale[0], padded->width, &columns);
+        find_points(y, n, values->scale[1], padded->height, &rows);
+    }
+    for (size_t i = 0; i < n; i++, column += right, row += down)
+    {
+        const spot to = spot_of(padded, plane, column, row);
+        if (found[i] == CM_NO_FACE)
+        {
+            continue_plane(padded, column, row, to);
+        }
+        else if (are_many &&
+                 !(values->surface->creased &&
+                   cm_level_is_across(padded->width, columns.first[i], rows.first[i], POINTS)))
+        {
+            interpolate_six(padded, found[i], &columns, &rows, i, to);
+        }
+        else
+        {
+            interpolate_few(padded, found[i], x[i] / values->scale[0], y[i] / values->scale[1],
+                            are_many ? points_beside_crease(padded, &columns, &rows, i) : POINTS,
+                            to);
+        }
+    }
+}
