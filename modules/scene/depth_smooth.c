@@ -18,8 +18,17 @@ typedef struct smoothing
     float *to;
     cm_smooth_weights weights;
     size_t stride; /* floats of a row of the desk */
-    float *desk;   /* CM_SMOOTH_WIDTH rows of each band, in turn */
+    float *desk;   /* DESK_ROWS of each band */
 } smoothing;
+
+/* Rows of a band that are on the desk: of values, in turn, and for each row down the weights of as many rows as wait for
+ * it. */
+enum
+{
+    VALUE_ROWS = CM_SMOOTH_WIDTH,
+    WEIGHT_ROWS = (CM_SMOOTH_REACH + 1) * (CM_SMOOTH_REACH + 2) / 2 * CM_SMOOTH_WIDTH,
+    DESK_ROWS = VALUE_ROWS + WEIGHT_ROWS
+};
 
 static void fill_weights(double pixels, double metres, cm_smooth_weights *weights)
 {
@@ -38,59 +47,92 @@ static void fill_weights(double pixels, double metres, cm_smooth_weights *weight
     weights->scale = (float)(log2_of_e / (2.0 * metres * metres));
 }
 
-/* A row with what is not measured told, and such pixels beyond its ends. */
-static void copy_row(const smoothing *s, size_t row, float *restrict to)
+/* A row of the image, with what is not measured told; or, beyond the face's ends, an empty one. */
+static void take_row(const smoothing *s, size_t face, size_t row, float *restrict to)
 {
     const size_t width = s->rays->width;
-    const float *restrict from = s->from + row * width;
-    for (size_t i = 0; i < CM_SMOOTH_REACH; i++)
+    /* rows are counted from REACH before the face on */
+    const int is_there = row >= CM_SMOOTH_REACH && row < CM_SMOOTH_REACH + s->rays->face_rows;
+    if (!is_there)
     {
-        to[i] = FLT_MAX;
+        for (size_t i = 0; i < width; i++)
+        {
+            to[i] = FLT_MAX;
+        }
+        return;
     }
+    const float *restrict from = s->from + (face + row - CM_SMOOTH_REACH) * width;
     for (size_t i = 0; i < width; i++)
     {
-        to[CM_SMOOTH_REACH + i] = from[i] > 0.0f && from[i] <= FLT_MAX ? from[i] : FLT_MAX;
-    }
-    for (size_t i = CM_SMOOTH_REACH + width; i < s->stride; i++)
-    {
-        to[i] = FLT_MAX;
+        to[i] = from[i] > 0.0f && from[i] <= FLT_MAX ? from[i] : FLT_MAX;
     }
 }
 
-static void clear_row(const smoothing *s, float *to)
+static float *desk_row(const smoothing *s, float *desk, size_t row)
 {
-    for (size_t i = 0; i < s->stride; i++)
+    return desk + row * s->stride + CM_DEPTH_SLACK;
+}
+
+/* Where a row keeps its weights with the one that is `down` below, until that needs them. */
+static float *weights_of(const smoothing *s, float *desk, size_t row, size_t down)
+{
+    const size_t before = down * (down + 1) / 2;
+    return desk_row(s, desk, VALUE_ROWS + (before + row % (down + 1)) * CM_SMOOTH_WIDTH);
+}
+
+/* All that belongs to a row, counted from the face on. */
+static cm_smooth_rows rows_around(const smoothing *s, size_t row, float *desk)
+{
+    cm_smooth_rows rows = {.stride = s->stride};
+    for (size_t j = 0; j < CM_SMOOTH_WIDTH; j++)
     {
-        to[i] = FLT_MAX;
+        rows.value[j] = desk_row(s, desk, (row + j) % VALUE_ROWS);
+    }
+    for (size_t down = 0; down <= CM_SMOOTH_REACH; down++)
+    {
+        rows.own[down] = weights_of(s, desk, row, down);
+        /* its turn comes next: row - down, and none is below 0 */
+        rows.above[down] = weights_of(s, desk, row + 1, down);
+    }
+    return rows;
+}
+
+/* Values and weights of the rows before: those of rows before the face are of nothing. */
+static void begin_rows(const smoothing *s, size_t face, size_t first, float *desk)
+{
+    const cm_rays *rays = s->rays;
+    for (size_t i = 0; i < DESK_ROWS * s->stride; i++)
+    {
+        desk[i] = i < VALUE_ROWS * s->stride ? FLT_MAX : 0.0f;
+    }
+    const size_t begin = first > CM_SMOOTH_REACH ? first - CM_SMOOTH_REACH : 0;
+    for (size_t row = begin; row < begin + 2 * CM_SMOOTH_REACH; row++)
+    {
+        take_row(s, face, row, desk_row(s, desk, row % VALUE_ROWS));
+    }
+    for (size_t row = begin; row < first; row++)
+    {
+        const size_t in = row + 2 * CM_SMOOTH_REACH;
+        take_row(s, face, in, desk_row(s, desk, in % VALUE_ROWS));
+        const cm_smooth_rows rows = rows_around(s, row, desk);
+        for (size_t down = first - row; down <= CM_SMOOTH_REACH; down++)
+        {
+            rays->set->weigh(rays->width, &rows, &s->weights, down);
+        }
     }
 }
 
-/* Rows from a face on, as many before and behind as the filter reaches: those beyond the face's ends are empty. */
+/* Rows first to last - 1 of a face. */
 static void smooth_face(const smoothing *s, size_t face, size_t first, size_t last, float *desk)
 {
-    const size_t end = face + s->rays->face_rows;
-    const float *rows[CM_SMOOTH_WIDTH];
-    for (size_t row = first; row < last + 2 * CM_SMOOTH_REACH; row++)
+    const cm_rays *rays = s->rays;
+    begin_rows(s, face, first, desk);
+    for (size_t row = first; row < last; row++)
     {
-        /* the row that comes in is wanted - REACH */
-        float *in = desk + row % CM_SMOOTH_WIDTH * s->stride;
-        if (row < face + CM_SMOOTH_REACH || row >= end + CM_SMOOTH_REACH)
-        {
-            clear_row(s, in);
-        }
-        else
-        {
-            copy_row(s, row - CM_SMOOTH_REACH, in);
-        }
-        if (row >= first + 2 * CM_SMOOTH_REACH)
-        {
-            const size_t at = row - 2 * CM_SMOOTH_REACH;
-            for (size_t j = 0; j < CM_SMOOTH_WIDTH; j++)
-            {
-                rows[j] = desk + (at + j) % CM_SMOOTH_WIDTH * s->stride;
-            }
-            s->rays->set->smooth(s->rays->width, rows, &s->weights, s->to + at * s->rays->width);
-        }
+        const size_t in = row + 2 * CM_SMOOTH_REACH;
+        take_row(s, face, in, desk_row(s, desk, in % VALUE_ROWS));
+        const cm_smooth_rows rows = rows_around(s, row, desk);
+        rays->set->smooth(rays->width, &rows, &s->weights, s->to + (face + row) * rays->width);
     }
 }
 
@@ -98,12 +140,12 @@ static void smooth_band(size_t first, size_t last, size_t band, void *user)
 {
     const smoothing *s = user;
     const size_t rows = s->rays->face_rows;
-    float *desk = s->desk + band * CM_SMOOTH_WIDTH * s->stride;
+    float *desk = s->desk + band * DESK_ROWS * s->stride;
     while (first < last)
     {
         const size_t face = first - first % rows;
         const size_t end = face + rows < last ? face + rows : last;
-        smooth_face(s, face, first, end, desk);
+        smooth_face(s, face, first - face, end - face, desk);
         first = end;
     }
 }
@@ -126,14 +168,15 @@ cm_status cm_depth_smooth(const cm_rays *rays, const float *from, double pixels,
     }
     const size_t bands = cm_band_count(threads, rays->height, ROWS_AT_LEAST);
     smoothing s = {.rays = rays, .from = from, .to = to};
-    s.stride = rays->width + (size_t)(2 * CM_SMOOTH_REACH + CM_DEPTH_SLACK);
-    s.desk = malloc(bands * CM_SMOOTH_WIDTH * s.stride * sizeof *s.desk);
-    if (s.desk == NULL)
+    s.stride = cm_row_stride(rays->width);
+    cm_row_desk desk;
+    if (!cm_row_desk_make(bands * DESK_ROWS * s.stride, &desk))
     {
         return CM_ERROR_MEMORY;
     }
+    s.desk = desk.rows;
     fill_weights(pixels, metres, &s.weights);
     cm_run_bands(bands, rays->height, ROWS_AT_LEAST, smooth_band, &s);
-    free(s.desk);
+    free(desk.memory);
     return CM_OK;
 }
