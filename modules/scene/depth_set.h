@@ -44,13 +44,14 @@ typedef struct cm_smooth_weights
 
 /* Rows around one that is smoothed, FLT_MAX where nothing is measured, and before and behind by CM_DEPTH_SLACK. Weights of
  * pairs, CM_SMOOTH_WIDTH rows of them that are `stride` apart, with 0 before: own[down][k] are of pixels of the row and those
- * down rows below and k - CM_SMOOTH_REACH to the right; above[up] are own[up] of the row that is so far above. */
+ * down rows below and k - CM_SMOOTH_REACH to the right. Before they are, they are those of the row `down` above. */
 typedef struct cm_smooth_rows
 {
     const float *value[CM_SMOOTH_WIDTH];
     float *own[CM_SMOOTH_REACH + 1];
-    const float *above[CM_SMOOTH_REACH + 1]; /* from 1 on */
     size_t stride;
+    float *sum; /* of weighted differences from the row's pixels, and of weights */
+    float *weight;
 } cm_smooth_rows;
 
 typedef struct cm_depth_set
@@ -59,8 +60,9 @@ typedef struct cm_depth_set
     /* Times the length of rays whose z is 1, or divided by it. */
     void (*to_range)(size_t n, const cm_ray_row *ray, const float *from, float *to);
     void (*from_range)(size_t n, const cm_ray_row *ray, const float *from, float *to);
-    /* What is measured, and NaN. */
+    /* What is measured, and NaN; or FLT_MAX. */
     void (*clean)(size_t n, const float *from, float *to);
+    void (*fill)(size_t n, const float *from, float *to);
     /* Clean values times rays; and normals, too. */
     void (*vertices)(size_t n, const cm_ray_row *ray, const float *depth, float *const vertex[3]);
     void (*maps)(size_t n, const cm_map_rows *rows, float *const vertex[3], float *const normal[3]);
@@ -69,11 +71,12 @@ typedef struct cm_depth_set
     void (*radii_all_round)(size_t n, const float *range, const float *side,
                             const float *const vertex[3], const float *const normal[3],
                             float *radius);
-    /* The weights of a row with the one that is `down` below; and a row of n pixels, whose own weights are made, too. */
+    /* The weights of a row with the one that is `down` below; all sums of a row, whose own weights are made, too; and what
+     * comes out. */
     void (*weigh)(size_t n, const cm_smooth_rows *rows, const cm_smooth_weights *weights,
                   size_t down);
-    void (*smooth)(size_t n, const cm_smooth_rows *rows, const cm_smooth_weights *weights,
-                   float *to);
+    void (*smooth)(size_t n, const cm_smooth_rows *rows, const cm_smooth_weights *weights);
+    void (*divide)(size_t n, const float *value, const float *sum, const float *weight, float *to);
     /* n pixels from two rows of 2 n. */
     void (*halve)(size_t n, const float *above, const float *below, float gap, float *to);
     /* n cells from two rows of 2 n pixels, or of 2 n cells. */
