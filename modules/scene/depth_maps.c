@@ -63,10 +63,11 @@ cm_status cm_depth_from_range(const cm_rays *rays, const float *range, unsigned 
 
 /* ---- maps ---- */
 
-/* Rows that a band needs of its neighbours, whose rows are written by them, and depths of ranges. */
+/* Rows of a band that are on the desk: three depths, in turn, and one without any. */
 enum
 {
-    DESK_ROWS = 7
+    DESK_DEPTHS = 3,
+    DESK_ROWS
 };
 
 typedef struct mapping_rows
@@ -75,20 +76,25 @@ typedef struct mapping_rows
     const float *image;
     const cm_depth_maps *maps;
     float gap;
-    int is_range; /* and the camera has depths */
-    float *desk;  /* DESK_ROWS of each band */
+    int is_range;  /* and the camera has depths */
+    size_t stride; /* floats of a row of the desk */
+    float *desk;   /* DESK_ROWS of each band */
 } mapping_rows;
 
-static void vertices_of(const mapping_rows *m, size_t row, float *depths, float *const vertex[3])
+/* A row's depths, NaN where there is none, to where they belong. */
+static void take_depths(const mapping_rows *m, size_t row, float *to)
 {
-    const cm_ray_row ray = cm_ray_row_at(m->rays, row);
-    const float *values = m->image + row * m->rays->width;
+    const cm_rays *rays = m->rays;
+    const float *values = m->image + row * rays->width;
     if (m->is_range)
     {
-        m->rays->set->from_range(m->rays->width, &ray, values, depths);
-        values = depths;
+        const cm_ray_row ray = cm_ray_row_at(rays, row);
+        rays->set->from_range(rays->width, &ray, values, to);
     }
-    m->rays->set->vertices(m->rays->width, &ray, values, vertex);
+    else
+    {
+        rays->set->clean(rays->width, values, to);
+    }
 }
 
 static void point_to_row(float *const planes[3], size_t width, size_t row, float *to[3])
@@ -121,73 +127,84 @@ static void radii_of(const mapping_rows *m, size_t row)
     }
 }
 
-/* Row -1, 0 or 1 from one of a band: its own, or one of the desk. */
-static void take_row(const mapping_rows *m, size_t row, int beside, size_t first, size_t last,
-                     float *desk, cm_normal_rows *rows)
+static float *desk_row(const mapping_rows *m, float *desk, size_t row)
 {
-    const size_t width = m->rays->width;
-    const size_t faces = m->rays->face_rows;
-    const size_t wanted = row + (size_t)beside;
-    rows->image[1 + beside] = NULL;
-    if ((beside < 0 && row % faces == 0) || (beside > 0 && (row + 1) % faces == 0))
-    {
-        return;
-    }
-    rows->image[1 + beside] = m->image + wanted * width;
-    for (size_t k = 0; k < 3; k++)
-    {
-        rows->vertex[1 + beside][k] = wanted < first   ? desk + (1 + k) * width
-                                      : wanted >= last ? desk + (4 + k) * width
-                                                       : m->maps->vertex[k] + wanted * width;
-    }
+    return desk + row % DESK_DEPTHS * m->stride + CM_DEPTH_SLACK;
 }
 
-static void normals_of(const mapping_rows *m, size_t row, size_t first, size_t last, float *desk)
+/* Row -1, 0 or 1 from one: what is beyond a face's end is empty, and its rays do not matter. */
+static void point_beside(const mapping_rows *m, size_t row, int beside, float *desk,
+                         cm_map_rows *rows)
 {
-    cm_normal_rows rows = {.gap = m->gap};
+    const size_t faces = m->rays->face_rows;
+    const int is_end = (beside < 0 && row % faces == 0) || (beside > 0 && (row + 1) % faces == 0);
+    const size_t wanted = is_end ? row : row + (size_t)beside;
+    rows->depth[1 + beside] =
+        is_end ? desk + DESK_DEPTHS * m->stride + CM_DEPTH_SLACK : desk_row(m, desk, wanted);
+    rows->ray[1 + beside] = cm_ray_row_at(m->rays, wanted);
+}
+
+static void map_row(const mapping_rows *m, size_t row, float *desk)
+{
+    const cm_rays *rays = m->rays;
+    cm_map_rows rows = {.gap = m->gap,
+                        .step_x = rays->step_x,
+                        .step_y = rays->step_y,
+                        .side = (rays->step_x < 0.0f) != (rays->step_y < 0.0f) ? -1.0f : 1.0f};
+    float *vertex[3];
     float *normal[3];
     for (int beside = -1; beside <= 1; beside++)
     {
-        take_row(m, row, beside, first, last, desk, &rows);
+        point_beside(m, row, beside, desk, &rows);
     }
-    point_to_row(m->maps->normal, m->rays->width, row, normal);
-    m->rays->set->normals(m->rays->width, &rows, normal);
+    point_to_row(m->maps->vertex, rays->width, row, vertex);
+    point_to_row(m->maps->normal, rays->width, row, normal);
+    rays->set->maps(rays->width, &rows, vertex, normal);
     if (m->maps->radius != NULL)
     {
         radii_of(m, row);
     }
 }
 
-/* Vertices one row ahead of normals, while they are in the cache. */
+static float *band_desk(const mapping_rows *m, size_t band)
+{
+    float *desk = m->desk + band * DESK_ROWS * m->stride;
+    for (size_t i = 0; i < DESK_ROWS * m->stride; i++)
+    {
+        desk[i] = NAN;
+    }
+    return desk;
+}
+
 static void map_band(size_t first, size_t last, size_t band, void *user)
 {
     const mapping_rows *m = user;
-    const size_t width = m->rays->width;
-    float *desk = m->desk + band * DESK_ROWS * width;
-    float *beside[2][3] = {{desk + width, desk + 2 * width, desk + 3 * width},
-                           {desk + 4 * width, desk + 5 * width, desk + 6 * width}};
-    const int has_normals = m->maps->normal[0] != NULL;
-    if (has_normals && first > 0)
+    float *desk = band_desk(m, band);
+    for (size_t row = first > 0 ? first - 1 : 0; row <= first && row < last; row++)
     {
-        vertices_of(m, first - 1, desk, beside[0]);
+        take_depths(m, row, desk_row(m, desk, row));
     }
     for (size_t row = first; row < last; row++)
     {
-        float *vertex[3];
-        point_to_row(m->maps->vertex, width, row, vertex);
-        vertices_of(m, row, desk, vertex);
-        if (has_normals && row > first)
+        if (row + 1 < m->rays->height)
         {
-            normals_of(m, row - 1, first, last, desk);
+            take_depths(m, row + 1, desk_row(m, desk, row + 1));
         }
+        map_row(m, row, desk);
     }
-    if (has_normals && last < m->rays->height)
+}
+
+static void vertex_band(size_t first, size_t last, size_t band, void *user)
+{
+    const mapping_rows *m = user;
+    float *depths = m->desk + band * DESK_ROWS * m->stride;
+    for (size_t row = first; row < last; row++)
     {
-        vertices_of(m, last, desk, beside[1]);
-    }
-    if (has_normals)
-    {
-        normals_of(m, last - 1, first, last, desk);
+        const cm_ray_row ray = cm_ray_row_at(m->rays, row);
+        float *vertex[3];
+        take_depths(m, row, depths);
+        point_to_row(m->maps->vertex, m->rays->width, row, vertex);
+        m->rays->set->vertices(m->rays->width, &ray, depths, vertex);
     }
 }
 
@@ -218,12 +235,15 @@ cm_status cm_depth_make_maps(const cm_rays *rays, const float *image, unsigned t
                       .maps = maps,
                       .gap = (float)(maps->gap == 0.0 ? GAP : maps->gap),
                       .is_range = maps->is_range && !rays->is_all_round,
-                      .desk = malloc(bands * DESK_ROWS * rays->width * sizeof *m.desk)};
-    if (m.desk == NULL)
+                      .stride = cm_row_stride(rays->width)};
+    cm_row_desk desk;
+    if (!cm_row_desk_make(bands * DESK_ROWS * m.stride, &desk))
     {
         return CM_ERROR_MEMORY;
     }
-    cm_run_bands(bands, rays->height, ROWS_AT_LEAST, map_band, &m);
-    free(m.desk);
+    m.desk = desk.rows;
+    cm_run_bands(bands, rays->height, ROWS_AT_LEAST,
+                 maps->normal[0] != NULL ? map_band : vertex_band, &m);
+    free(desk.memory);
     return CM_OK;
 }

@@ -11,7 +11,7 @@
 #define CM_SMOOTH_REACH 3
 #define CM_SMOOTH_WIDTH (2 * CM_SMOOTH_REACH + 1)
 
-/* Rows that are read in vectors have so many floats behind their end. */
+/* Rows that are read in vectors have so many floats before their beginning and behind their end. */
 #define CM_DEPTH_SLACK 16
 
 /* A row of rays. What is NULL is 1. */
@@ -23,13 +23,17 @@ typedef struct cm_ray_row
     float y_all;
 } cm_ray_row;
 
-/* A row of an image and of its vertices, and the rows above and below it: NULL where there is none. */
-typedef struct cm_normal_rows
+/* A row of depths, or of ranges for rays of length 1, and those above and below it: NaN where nothing is measured, and before
+ * and behind, by CM_DEPTH_SLACK. Rays have that slack, too. */
+typedef struct cm_map_rows
 {
-    const float *image[3];     /* above, at, below */
-    const float *vertex[3][3]; /* above, at, below; x, y, z */
+    const float *depth[3]; /* above, at, below */
+    cm_ray_row ray[3];
     float gap;
-} cm_normal_rows;
+    /* Where ray->y is NULL: from one ray to the next, and -1 where one of these is negative, else 1. */
+    float step_x, step_y;
+    float side;
+} cm_map_rows;
 
 /* Weights are 2 to the power of place[row][column] - scale d^2. */
 typedef struct cm_smooth_weights
@@ -38,24 +42,41 @@ typedef struct cm_smooth_weights
     float scale;
 } cm_smooth_weights;
 
+/* Rows around one that is smoothed, FLT_MAX where nothing is measured, and before and behind by CM_DEPTH_SLACK. Weights of
+ * pairs, CM_SMOOTH_WIDTH rows of them that are `stride` apart, with 0 before: own[down][k] are of pixels of the row and those
+ * down rows below and k - CM_SMOOTH_REACH to the right. Before they are, they are those of the row `down` above. */
+typedef struct cm_smooth_rows
+{
+    const float *value[CM_SMOOTH_WIDTH];
+    float *own[CM_SMOOTH_REACH + 1];
+    size_t stride;
+    float *sum; /* of weighted differences from the row's pixels, and of weights */
+    float *weight;
+} cm_smooth_rows;
+
 typedef struct cm_depth_set
 {
     const char *name; /* as in options.h */
     /* Times the length of rays whose z is 1, or divided by it. */
     void (*to_range)(size_t n, const cm_ray_row *ray, const float *from, float *to);
     void (*from_range)(size_t n, const cm_ray_row *ray, const float *from, float *to);
-    /* Values times rays. */
-    void (*vertices)(size_t n, const cm_ray_row *ray, const float *image, float *const vertex[3]);
-    void (*normals)(size_t n, const cm_normal_rows *rows, float *const normal[3]);
+    /* What is measured, and NaN; or FLT_MAX. */
+    void (*clean)(size_t n, const float *from, float *to);
+    void (*fill)(size_t n, const float *from, float *to);
+    /* Clean values times rays; and normals, too. */
+    void (*vertices)(size_t n, const cm_ray_row *ray, const float *depth, float *const vertex[3]);
+    void (*maps)(size_t n, const cm_map_rows *rows, float *const vertex[3], float *const normal[3]);
     /* Of perspective cameras by z and n_z; of others by the range and the ray. */
     void (*radii)(size_t n, const float *z, const float *normal_z, float side, float *radius);
     void (*radii_all_round)(size_t n, const float *range, const float *side,
                             const float *const vertex[3], const float *const normal[3],
                             float *radius);
-    /* A row of n pixels from rows, FLT_MAX where nothing is measured, that begin CM_SMOOTH_REACH before it and have
-     * CM_DEPTH_SLACK behind. */
-    void (*smooth)(size_t n, const float *const rows[CM_SMOOTH_WIDTH],
-                   const cm_smooth_weights *weights, float *to);
+    /* The weights of a row with the one that is `down` below; all sums of a row, whose own weights are made, too; and what
+     * comes out. */
+    void (*weigh)(size_t n, const cm_smooth_rows *rows, const cm_smooth_weights *weights,
+                  size_t down);
+    void (*smooth)(size_t n, const cm_smooth_rows *rows, const cm_smooth_weights *weights);
+    void (*divide)(size_t n, const float *value, const float *sum, const float *weight, float *to);
     /* n pixels from two rows of 2 n. */
     void (*halve)(size_t n, const float *above, const float *below, float gap, float *to);
     /* n cells from two rows of 2 n pixels, or of 2 n cells. */

@@ -11,6 +11,9 @@
 #define SIGMA_LEAST 1e-6
 #define SIGMA_MOST 1e6
 
+/* Columns that are smoothed together, with REACH more beside: their weights are to stay in the first cache. */
+#define STRIP 144
+
 typedef struct smoothing
 {
     const cm_rays *rays;
@@ -18,8 +21,29 @@ typedef struct smoothing
     float *to;
     cm_smooth_weights weights;
     size_t stride; /* floats of a row of the desk */
-    float *desk;   /* CM_SMOOTH_WIDTH rows of each band, in turn */
+    float *desk;   /* DESK_ROWS of each band */
 } smoothing;
+
+/* Rows of a band that are on the desk: of values, in turn; for each row down the weights of as many rows as wait for it;
+ * and two sums. */
+enum
+{
+    VALUE_ROWS = CM_SMOOTH_WIDTH,
+    WEIGHT_ROWS = (1 + CM_SMOOTH_REACH * (CM_SMOOTH_REACH + 1) / 2) * CM_SMOOTH_WIDTH,
+    SUM_ROW = VALUE_ROWS + WEIGHT_ROWS,
+    SUM_OF_WEIGHTS_ROW,
+    DESK_ROWS
+};
+
+/* Some columns of a face. */
+typedef struct strip
+{
+    const smoothing *all;
+    size_t face;    /* its first row in the image */
+    size_t column;  /* the first one that is smoothed: place REACH of rows of the desk */
+    size_t columns; /* that are smoothed */
+    float *desk;
+} strip;
 
 static void fill_weights(double pixels, double metres, cm_smooth_weights *weights)
 {
@@ -38,59 +62,112 @@ static void fill_weights(double pixels, double metres, cm_smooth_weights *weight
     weights->scale = (float)(log2_of_e / (2.0 * metres * metres));
 }
 
-/* A row with what is not measured told, and such pixels beyond its ends. */
-static void copy_row(const smoothing *s, size_t row, float *restrict to)
+static float *desk_row(const strip *s, size_t row)
 {
-    const size_t width = s->rays->width;
-    const float *restrict from = s->from + row * width;
-    for (size_t i = 0; i < CM_SMOOTH_REACH; i++)
+    return s->desk + row * s->all->stride + CM_DEPTH_SLACK;
+}
+
+/* A row of the image, with what is not measured told; rows are counted from REACH before the face on. What is beyond the
+ * face's ends is empty. */
+static void take_row(const strip *s, size_t row)
+{
+    const cm_rays *rays = s->all->rays;
+    float *to = desk_row(s, row % VALUE_ROWS) - CM_SMOOTH_REACH;
+    const size_t count = s->columns + 4 * (size_t)CM_SMOOTH_REACH;
+    const int is_there = row >= CM_SMOOTH_REACH && row < CM_SMOOTH_REACH + rays->face_rows;
+    /* place i is column i + s->column - 2 REACH */
+    const size_t left = 2 * (size_t)CM_SMOOTH_REACH;
+    const size_t begin = s->column < left ? left - s->column : 0;
+    const size_t to_end = rays->width - s->column + left;
+    const size_t end = !is_there ? begin : to_end < count ? to_end : count;
+    for (size_t i = 0; i < begin; i++)
     {
         to[i] = FLT_MAX;
     }
-    for (size_t i = 0; i < width; i++)
+    if (is_there)
     {
-        to[CM_SMOOTH_REACH + i] = from[i] > 0.0f && from[i] <= FLT_MAX ? from[i] : FLT_MAX;
+        const float *from = s->all->from + (s->face + row - CM_SMOOTH_REACH) * rays->width +
+                            (s->column + begin - left);
+        rays->set->fill(end - begin, from, to + begin);
     }
-    for (size_t i = CM_SMOOTH_REACH + width; i < s->stride; i++)
+    for (size_t i = end; i < count; i++)
     {
         to[i] = FLT_MAX;
     }
 }
 
-static void clear_row(const smoothing *s, float *to)
+/* Where a row keeps its weights with the one that is `down` below: until that has read them, and writes its own there. */
+static float *weights_of(const strip *s, size_t row, size_t down)
 {
-    for (size_t i = 0; i < s->stride; i++)
+    const size_t place = down == 0 ? 0 : 1 + down * (down - 1) / 2 + row % down;
+    return desk_row(s, VALUE_ROWS + place * CM_SMOOTH_WIDTH);
+}
+
+/* All that belongs to a row, counted from the face on. */
+static cm_smooth_rows rows_around(const strip *s, size_t row)
+{
+    cm_smooth_rows rows = {.stride = s->all->stride,
+                           .sum = desk_row(s, SUM_ROW),
+                           .weight = desk_row(s, SUM_OF_WEIGHTS_ROW)};
+    for (size_t j = 0; j < CM_SMOOTH_WIDTH; j++)
     {
-        to[i] = FLT_MAX;
+        rows.value[j] = desk_row(s, (row + j) % VALUE_ROWS);
+    }
+    for (size_t down = 0; down <= CM_SMOOTH_REACH; down++)
+    {
+        rows.own[down] = weights_of(s, row, down);
+    }
+    return rows;
+}
+
+/* Values and weights of the rows before; those of rows before the face are of nothing. */
+static void begin_rows(const strip *s, size_t first)
+{
+    const cm_depth_set *set = s->all->rays->set;
+    for (size_t i = 0; i < DESK_ROWS * s->all->stride; i++)
+    {
+        s->desk[i] = i < VALUE_ROWS * s->all->stride ? FLT_MAX : 0.0f;
+    }
+    const size_t begin = first > CM_SMOOTH_REACH ? first - CM_SMOOTH_REACH : 0;
+    for (size_t row = begin; row < begin + 2 * CM_SMOOTH_REACH; row++)
+    {
+        take_row(s, row);
+    }
+    for (size_t row = begin; row < first; row++)
+    {
+        take_row(s, row + 2 * CM_SMOOTH_REACH);
+        const cm_smooth_rows rows = rows_around(s, row);
+        for (size_t down = first - row; down <= CM_SMOOTH_REACH; down++)
+        {
+            set->weigh(s->columns + 2 * (size_t)CM_SMOOTH_REACH, &rows, &s->all->weights, down);
+        }
     }
 }
 
-/* Rows from a face on, as many before and behind as the filter reaches: those beyond the face's ends are empty. */
-static void smooth_face(const smoothing *s, size_t face, size_t first, size_t last, float *desk)
+/* Rows first to last - 1 of a face. */
+static void smooth_strip(const strip *s, size_t first, size_t last)
 {
-    const size_t end = face + s->rays->face_rows;
-    const float *rows[CM_SMOOTH_WIDTH];
-    for (size_t row = first; row < last + 2 * CM_SMOOTH_REACH; row++)
+    const cm_rays *rays = s->all->rays;
+    begin_rows(s, first);
+    for (size_t row = first; row < last; row++)
     {
-        /* the row that comes in is wanted - REACH */
-        float *in = desk + row % CM_SMOOTH_WIDTH * s->stride;
-        if (row < face + CM_SMOOTH_REACH || row >= end + CM_SMOOTH_REACH)
-        {
-            clear_row(s, in);
-        }
-        else
-        {
-            copy_row(s, row - CM_SMOOTH_REACH, in);
-        }
-        if (row >= first + 2 * CM_SMOOTH_REACH)
-        {
-            const size_t at = row - 2 * CM_SMOOTH_REACH;
-            for (size_t j = 0; j < CM_SMOOTH_WIDTH; j++)
-            {
-                rows[j] = desk + (at + j) % CM_SMOOTH_WIDTH * s->stride;
-            }
-            s->rays->set->smooth(s->rays->width, rows, &s->weights, s->to + at * s->rays->width);
-        }
+        take_row(s, row + 2 * CM_SMOOTH_REACH);
+        const cm_smooth_rows rows = rows_around(s, row);
+        rays->set->smooth(s->columns + 2 * (size_t)CM_SMOOTH_REACH, &rows, &s->all->weights);
+        rays->set->divide(s->columns, rows.value[CM_SMOOTH_REACH] + CM_SMOOTH_REACH,
+                          rows.sum + CM_SMOOTH_REACH, rows.weight + CM_SMOOTH_REACH,
+                          s->all->to + (s->face + row) * rays->width + s->column);
+    }
+}
+
+static void smooth_face(const smoothing *all, size_t face, size_t first, size_t last, float *desk)
+{
+    const size_t most = STRIP - 2 * (size_t)CM_SMOOTH_REACH;
+    for (size_t column = 0; column < all->rays->width; column += most)
+    {
+        const size_t left = all->rays->width - column;
+        const strip s = {all, face, column, left < most ? left : most, desk};
+        smooth_strip(&s, first, last);
     }
 }
 
@@ -98,12 +175,12 @@ static void smooth_band(size_t first, size_t last, size_t band, void *user)
 {
     const smoothing *s = user;
     const size_t rows = s->rays->face_rows;
-    float *desk = s->desk + band * CM_SMOOTH_WIDTH * s->stride;
+    float *desk = s->desk + band * DESK_ROWS * s->stride;
     while (first < last)
     {
         const size_t face = first - first % rows;
         const size_t end = face + rows < last ? face + rows : last;
-        smooth_face(s, face, first, end, desk);
+        smooth_face(s, face, first - face, end - face, desk);
         first = end;
     }
 }
@@ -126,14 +203,15 @@ cm_status cm_depth_smooth(const cm_rays *rays, const float *from, double pixels,
     }
     const size_t bands = cm_band_count(threads, rays->height, ROWS_AT_LEAST);
     smoothing s = {.rays = rays, .from = from, .to = to};
-    s.stride = rays->width + (size_t)(2 * CM_SMOOTH_REACH + CM_DEPTH_SLACK);
-    s.desk = malloc(bands * CM_SMOOTH_WIDTH * s.stride * sizeof *s.desk);
-    if (s.desk == NULL)
+    s.stride = cm_row_stride(STRIP);
+    cm_row_desk desk;
+    if (!cm_row_desk_make(bands * DESK_ROWS * s.stride, &desk))
     {
         return CM_ERROR_MEMORY;
     }
+    s.desk = desk.rows;
     fill_weights(pixels, metres, &s.weights);
     cm_run_bands(bands, rays->height, ROWS_AT_LEAST, smooth_band, &s);
-    free(s.desk);
+    free(desk.memory);
     return CM_OK;
 }

@@ -6,6 +6,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "bands.h"
 #include "exact_side.h"
@@ -40,9 +41,20 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* Not fmax and fmin, which are calls: here nothing is NaN. */
+static double more_of(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static double less_of(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 static double largest_of(const double v[3])
 {
-    return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+    return more_of(fabs(v[0]), more_of(fabs(v[1]), fabs(v[2])));
 }
 
 int cm_raster_take_corners(const cm_pose *pose, const cm_triangles *triangles, size_t which,
@@ -59,19 +71,30 @@ int cm_raster_take_corners(const cm_pose *pose, const cm_triangles *triangles, s
     return sum < COORDINATE_MOST;
 }
 
+/* The power of two that brings a number from 2^-1022 to 1e100 to 1/2 and more, below 1. */
+static double scale_of(double number)
+{
+    uint64_t bits;
+    double scale;
+    memcpy(&bits, &number, sizeof bits);
+    const uint64_t exponent = bits >> 52;
+    bits = (2 * (uint64_t)1023 - 1 - exponent) << 52;
+    memcpy(&scale, &bits, sizeof scale);
+    return scale;
+}
+
 /* A corner's direction, by its own numbers alone: the largest from 1/2 to 1. */
 static int direction_of(const double corner[3], double to[3])
 {
-    int exponent;
     const double most = largest_of(corner);
-    if (!(most > DBL_MIN))
+    if (!(most > 2.0 * DBL_MIN))
     {
         return 0;
     }
-    frexp(most, &exponent);
+    const double scale = scale_of(most);
     for (int k = 0; k < 3; k++)
     {
-        to[k] = ldexp(corner[k], -exponent);
+        to[k] = corner[k] * scale;
         to[k] = fabs(to[k]) < CORNER_LEAST ? 0.0 : to[k];
     }
     return 1;
@@ -100,7 +123,7 @@ static int take_plane(const cm_raster *raster, double corner[3][3], cm_raster_tr
         down[k] = corner[2][k] - corner[0][k];
         middle[k] = (corner[0][k] + corner[1][k] + corner[2][k]) / 3.0;
     }
-    const double size = fmax(largest_of(across), largest_of(down));
+    const double size = more_of(largest_of(across), largest_of(down));
     if (!(size > 0.0))
     {
         return 0;
@@ -126,8 +149,8 @@ static int take_plane(const cm_raster *raster, double corner[3][3], cm_raster_tr
     const double z[3] = {corner[0][2], corner[1][2], corner[2][2]};
     if (!raster->is_all_round && z[0] > 0.0 && z[1] > 0.0 && z[2] > 0.0)
     {
-        shape->least = 1.0 / fmax(z[0], fmax(z[1], z[2]));
-        shape->most = 1.0 / fmin(z[0], fmin(z[1], z[2]));
+        shape->least = 1.0 / more_of(z[0], more_of(z[1], z[2]));
+        shape->most = 1.0 / less_of(z[0], less_of(z[1], z[2]));
     }
     return 1;
 }
@@ -210,13 +233,25 @@ static void draw_tile(cm_raster *raster, const void *user, size_t column, size_t
     draw_rows(raster, &triangle->shape, triangle->id, &range);
 }
 
-/* The pixels of an interval, one more each way, within first to last - 1. */
-static void clip(double least, double most, size_t first, size_t last, size_t *begin, size_t *count)
+/* Rounding moves places of pixels by less: by a part of a pixel, and of the numbers that they are the sum of. */
+#define PIXEL_ROOM 1e-3
+#define SUM_ROOM 1e-12
+
+/* The pixels of an interval whose ends are sums of numbers up to `size`, within first to last - 1. */
+static void clip(double least, double most, double size, size_t first, size_t last, size_t *begin,
+                 size_t *count)
 {
-    const double low = fmax(floor(least) - 1.0, (double)first);
-    const double high = fmin(ceil(most) + 2.0, (double)last);
-    *begin = low < high ? (size_t)low : first;
-    *count = low < high ? (size_t)high - *begin : 0;
+    const double room = PIXEL_ROOM + SUM_ROOM * size;
+    const double low = more_of(least - room, (double)first);
+    const double high = less_of(most + room, (double)last - 1.0);
+    *begin = first;
+    *count = 0;
+    if (low <= high)
+    {
+        const size_t down = (size_t)low;
+        *begin = (double)down < low ? down + 1 : down;
+        *count = (size_t)high + 1 - *begin;
+    }
 }
 
 /* The box of a triangle wholly in front of a plain camera. */
@@ -233,15 +268,19 @@ static pixel_range box_of(const cm_raster *raster, double corner[3][3], size_t f
         {
             return range;
         }
-        const double column = options->fx * (p[0] / p[2]) + options->cx - options->pixel_centre;
-        const double row = options->fy * (p[1] / p[2]) + options->cy - options->pixel_centre;
-        least[0] = fmin(least[0], column);
-        most[0] = fmax(most[0], column);
-        least[1] = fmin(least[1], row);
-        most[1] = fmax(most[1], row);
+        const double column = options->fx * (p[0] / p[2]);
+        const double row = options->fy * (p[1] / p[2]);
+        least[0] = less_of(least[0], column);
+        most[0] = more_of(most[0], column);
+        least[1] = less_of(least[1], row);
+        most[1] = more_of(most[1], row);
     }
-    clip(least[0], most[0], 0, raster->width, &range.column, &range.columns);
-    clip(least[1], most[1], first, last, &range.row, &range.rows);
+    const double cx = options->cx - options->pixel_centre;
+    const double cy = options->cy - options->pixel_centre;
+    clip(least[0] + cx, most[0] + cx, more_of(fabs(least[0]), fabs(most[0])) + fabs(cx), 0,
+         raster->width, &range.column, &range.columns);
+    clip(least[1] + cy, most[1] + cy, more_of(fabs(least[1]), fabs(most[1])) + fabs(cy), first,
+         last, &range.row, &range.rows);
     range.is_known = range.columns * range.rows <= BOX_MOST;
     return range;
 }

@@ -20,6 +20,20 @@ size_t cm_camera_face_rows(const cm_camera_options *options)
     return has_six ? options->width : options->height;
 }
 
+size_t cm_row_stride(size_t width)
+{
+    return (width + 3 * (size_t)CM_DEPTH_SLACK - 1) / CM_DEPTH_SLACK * CM_DEPTH_SLACK;
+}
+
+int cm_row_desk_make(size_t count, cm_row_desk *desk)
+{
+    const size_t line = CM_DEPTH_SLACK * sizeof *desk->rows;
+    desk->memory = malloc(count * sizeof *desk->rows + line);
+    const size_t off = (uintptr_t)desk->memory % line;
+    desk->rows = (float *)((char *)desk->memory + (off == 0 ? 0 : line - off));
+    return desk->memory != NULL;
+}
+
 cm_ray_row cm_ray_row_at(const cm_rays *rays, size_t row)
 {
     if (rays->is_separable)
@@ -107,15 +121,18 @@ static void fill_separable(const cm_camera_options *options, const cm_rays *rays
 static cm_status fill(const cm_camera *camera, cm_rays *rays)
 {
     const size_t pixels = rays->width * rays->height;
-    rays->x = malloc((rays->is_separable ? rays->width : pixels) * sizeof *rays->x);
-    rays->y = malloc((rays->is_separable ? rays->height : pixels) * sizeof *rays->y);
-    rays->z = rays->is_separable ? NULL : malloc(pixels * sizeof *rays->z);
+    const size_t columns = (rays->is_separable ? rays->width : pixels) + CM_DEPTH_SLACK;
+    const size_t rows = (rays->is_separable ? rays->height : pixels) + CM_DEPTH_SLACK;
+    const size_t all = columns + rows + (rays->is_separable ? 0 : columns) + CM_DEPTH_SLACK;
+    rays->memory = calloc(all, sizeof *rays->memory);
     rays->pixel_side = rays->is_all_round ? malloc(pixels * sizeof *rays->pixel_side) : NULL;
-    if (rays->x == NULL || rays->y == NULL || (!rays->is_separable && rays->z == NULL) ||
-        (rays->is_all_round && rays->pixel_side == NULL))
+    if (rays->memory == NULL || (rays->is_all_round && rays->pixel_side == NULL))
     {
         return CM_ERROR_MEMORY;
     }
+    rays->x = rays->memory + CM_DEPTH_SLACK;
+    rays->y = rays->x + columns;
+    rays->z = rays->is_separable ? NULL : rays->y + rows;
     if (rays->is_separable)
     {
         fill_separable(cm_camera_describe(camera), rays);
@@ -147,6 +164,8 @@ cm_status cm_rays_create(const cm_camera *camera, const char *instructions, cm_r
                       .face_rows = cm_camera_face_rows(options),
                       .is_all_round = options->mapping != NULL,
                       .is_separable = cm_camera_is_plain(options),
+                      .step_x = (float)(1.0 / options->fx),
+                      .step_y = (float)(1.0 / options->fy),
                       .focal = (float)(0.5 * (fabs(options->fx) + fabs(options->fy)))};
     const cm_status status = fill(camera, made);
     if (status != CM_OK)
@@ -162,9 +181,7 @@ void cm_rays_destroy(cm_rays *rays)
 {
     if (rays != NULL)
     {
-        free(rays->x);
-        free(rays->y);
-        free(rays->z);
+        free(rays->memory);
         free(rays->pixel_side);
         free(rays);
     }
