@@ -632,7 +632,7 @@ static void check_speed_closely(const cm_colormap *map, const char *text)
 {
     const double h = 1e-4;
     double length = cm_colormap_length(map);
-    for (int i = 3; i < 9997; i += (int)step_of(20))
+    for (int i = 3; i < 9997; i += (int)long_step_of(4, 20))
     {
         double t = i / 1e4, velocity[3], at[4][3];
         if (crosses_corner(map, t - 3.0 * h, t + 3.0 * h))
@@ -909,7 +909,8 @@ START_TEST(samples_of_other_maps_are_even)
 {
     static const size_t sizes[] = {33, 64, 100, 255, 256, 257, 1000, 0};
     state = 9;
-    require_evenness("other maps", sizes, is_quick() ? 6 : 24, is_quick() ? 200 : 800);
+    const int others = is_long() ? 24 : is_quick() ? 6 : 10;
+    require_evenness("other maps", sizes, others, (size_t)others * 33);
 }
 END_TEST
 
@@ -918,7 +919,7 @@ START_TEST(samples_are_even_with_every_number)
 {
     size_t sizes[400];
     size_t count = 0;
-    for (size_t n = 28; n < 427; n += long_step_of(3, 9))
+    for (size_t n = 28; n < 427; n += long_step_of(7, 9))
     {
         sizes[count++] = n;
     }

@@ -365,7 +365,7 @@ static cm_frame exchanged_frame(void)
 }
 
 /* Call check for every mapping, every variant and every end of a parameter, in every frame and in that one; unless it is
- * the long run, in every second of them, others for the next. */
+ * the long run, in every second of them, others for the next, and the ends, which are many, in one each. */
 static void for_every_variant(void (*check)(const cm_mapping *))
 {
     const cm_frame exchanged = exchanged_frame();
@@ -378,7 +378,8 @@ static void for_every_variant(void (*check)(const cm_mapping *))
                                     : end < ends.count
                                         ? ends.specification[end]
                                         : cm_catalogue_at(end - ends.count)->identifier;
-        const size_t step = long_step_of(2, frames);
+        const int is_end = i >= COUNT(variants) && end < ends.count;
+        const size_t step = long_step_of(is_end ? frames : 2, frames);
         for (size_t f = i % step; f < frames; f += step)
         {
             cm_mapping *mapping =

@@ -688,8 +688,9 @@ START_TEST(test_progress)
     REQUIRE(seen.count > 5 && seen.last == 1.0, "%d calls to %g", seen.count, seen.last);
     cm_mapping *mapping = make_mapping("tangent", NULL);
     const int all = seen.count;
-    const size_t most[] = {SIZE_MAX, 0}; /* begin in the same way */
-    for (size_t i = 0; i < COUNT(most); i++)
+    const size_t most[] = {
+        0, SIZE_MAX}; /* begin in the same way, but the latter's grid takes seconds */
+    for (size_t i = 0; i < (is_long() ? COUNT(most) : 1); i++)
     {
         cm_orient_result result = {.size = sizeof result};
         seen = (calls){0.0, 0, 1};
