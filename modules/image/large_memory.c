@@ -47,3 +47,11 @@ void cm_large_free(const cm_memory *memory, void *pointer, size_t bytes)
         memory->release(memory->context, pointer, bytes);
     }
 }
+
+void cm_large_touched(const cm_memory *memory, size_t bytes)
+{
+    if (memory != NULL && memory->touched != NULL)
+    {
+        memory->touched(memory->context, bytes);
+    }
+}

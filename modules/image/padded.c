@@ -52,6 +52,7 @@ static void clear_rows(size_t begin, size_t end, void *user)
             memset(row, 0, (is_inside ? before : 0) * size);
             memset(row + kept * size, 0, (line - kept) * size);
         }
+        cm_large_touched(padded->owner, CM_TOUCHED_AROUND);
     }
 }
 
@@ -201,6 +202,7 @@ static void load_rows(size_t begin, size_t end, void *user)
     for (size_t at = begin; at < end; at++)
     {
         has_more |= load_row(job, at, run);
+        cm_large_touched(job->padded->owner, (size_t)job->padded->row * sizeof(float));
     }
     if (has_more)
     {

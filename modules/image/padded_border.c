@@ -4,6 +4,7 @@
  * inside of it, as in surface_beyond.c, which rows of the border share; values are those of border_values.c.
  */
 #include "border_values.h"
+#include "large_memory.h"
 
 #include <cubemap/threads.h>
 
@@ -279,6 +280,7 @@ static void do_tasks(size_t begin, size_t end, void *user)
         {
             do_corner(job, plane, task % 2 == 0, task < 2);
         }
+        cm_large_touched(job->values.padded->owner, BLOCK * CM_TOUCHED_AROUND);
     }
 }
 

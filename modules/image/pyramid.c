@@ -6,6 +6,7 @@
  */
 #include "pyramid.h"
 #include "filter_set.h"
+#include "large_memory.h"
 
 #include <cubemap/threads.h>
 
@@ -413,6 +414,8 @@ static void do_rows(size_t begin, size_t end, void *user)
             const strip at = strip_at(job, first);
             do_strip(job, plane, &at, (uint32_t)(begin - plane * to->height),
                      (uint32_t)(next - plane * to->height), &desk);
+            cm_large_touched(to->owner,
+                             (next - begin) * at.count * to->channels * number_size(job));
             first += at.count;
         }
         begin = next;

@@ -3,6 +3,7 @@
  * From a source to a target, block by block.
  */
 #include "geometry.h"
+#include "large_memory.h"
 #include "source.h"
 
 #include <cubemap/threads.h>
@@ -17,6 +18,9 @@
 
 /* Elements of cm_run_threads for a row of blocks: chunks begin at multiples of it (threads.h). */
 #define ROW_WEIGHT 64
+
+/* What a block reads of a source: so many rows. */
+#define BLOCK_TOUCHES (CM_BLOCK_EDGE * CM_TOUCHED_AROUND)
 
 #ifdef __GNUC__
 #define CM_FETCH(place) __builtin_prefetch(place)
@@ -471,6 +475,7 @@ static cm_status do_block_row(const resample_job *job, resample_desk *desk, unsi
         const unsigned next =
             column < last ? place_block(job, desk, plane, column + 1, block_row) : 0;
         status = fill_block(job, desk, plane, column, block_row, count);
+        cm_large_touched(job->plan->options.memory, BLOCK_TOUCHES);
         count = next;
     }
     return status;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "spline.h"
 #include "filter_set.h"
+#include "large_memory.h"
 #include "spline_holes.h"
 
 #include <cubemap/threads.h>
@@ -40,6 +41,7 @@ static void do_rows(size_t begin, size_t end, void *user)
         const size_t rows = job->high - row < CM_BUNDLE_ROWS ? job->high - row : CM_BUNDLE_ROWS;
         job->set->spline_rows(corner_of(padded, at / per_plane) + row * (size_t)padded->row, rows,
                               padded->row, job->floats, padded->channels, desk);
+        cm_large_touched(padded->owner, rows * (size_t)padded->row * sizeof(float));
     }
     free(desk);
 }
@@ -87,6 +89,7 @@ static void do_part(size_t begin, size_t end, void *user)
                                            left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS,
                                            job->rows, job->all->padded->row, job->way,
                                            job->is_begin, job->state + at * 2 * CM_BUNDLE_COLUMNS);
+        cm_large_touched(job->all->padded->owner, job->rows * CM_BUNDLE_COLUMNS * sizeof(float));
     }
 }
 

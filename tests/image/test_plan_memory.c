@@ -6,6 +6,7 @@
 
 #include <cubemap/mips.h>
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +17,7 @@ typedef struct keeper
     size_t bytes;   /* that are given */
     size_t most;    /* that were at any time */
     size_t refused; /* from which allocation on there is nothing; 0: never */
+    atomic_size_t touched;
 } keeper;
 
 static void *allocate(void *context, size_t bytes)
@@ -42,9 +44,15 @@ static void release(void *context, void *pointer, size_t bytes)
     free(pointer);
 }
 
+static void touched(void *context, size_t bytes)
+{
+    keeper *kept = context;
+    atomic_fetch_add(&kept->touched, bytes);
+}
+
 static cm_memory memory_of(keeper *kept)
 {
-    const cm_memory memory = {sizeof memory, allocate, release, kept};
+    const cm_memory memory = {sizeof memory, allocate, release, kept, touched};
     return memory;
 }
 
@@ -76,6 +84,8 @@ START_TEST(same_bits)
         resample(&from, &kept_one, &options, 3);
         check_same(&free_one, &kept_one);
         ck_assert_int_eq(kept.allocations > 0, filters[i % 3] != CM_FILTER_BILINEAR);
+        /* rows as they are written, and once more as they are read */
+        ck_assert_uint_ge(atomic_load(&kept.touched), kept.most / 2);
         ck_assert_uint_eq(kept.bytes, 0);
         free_pictures(&from);
         free_pictures(&free_one);

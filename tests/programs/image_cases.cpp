@@ -197,7 +197,11 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
     const std::map<std::string, const std::vector<Subject> &> all = {
         {"compare", compare_subjects()},
         {"reproject", reproject_subjects()},
+        {"charts", reproject_chart_subjects()},
+        {"pixels", reproject_pixel_subjects()},
+        {"mistakes", reproject_mistake_subjects()},
         {"surfaces", reproject_surface_subjects()},
+        {"tags", reproject_tag_subjects()},
         {"outputs", reproject_output_subjects()},
         {"tiles", reproject_tile_subjects()},
         {"streams", reproject_stream_subjects()},

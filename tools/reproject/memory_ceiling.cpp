@@ -34,6 +34,9 @@ constexpr std::size_t small_bytes = std::size_t{64} << 10;
 // How often the watcher looks. In that time a process can touch some ten megabytes.
 constexpr std::chrono::milliseconds interval(2);
 
+// Where others keep all cores busy, the watcher waits for its turn: so threads look themselves, after so many bytes.
+constexpr std::uint64_t touched_between_looks = std::uint64_t{16} << 20;
+
 // Bytes of the process in memory; 0 where the system does not tell.
 std::uint64_t resident_bytes()
 {
@@ -152,6 +155,8 @@ MemoryCeiling::MemoryCeiling(std::uint64_t ceiling_bytes, const std::string &out
     };
     table.release = [](void *context, void *pointer, std::size_t size)
     { static_cast<MemoryCeiling *>(context)->release(pointer, size); };
+    table.touched = [](void *context, std::size_t size)
+    { static_cast<MemoryCeiling *>(context)->touched(size); };
 }
 
 MemoryCeiling::~MemoryCeiling()
@@ -339,6 +344,22 @@ void MemoryCeiling::watch()
         }
         before = resident_bytes();
         changed.wait_for(lock, interval, [this] { return over; });
+    }
+}
+
+// Whoever has the lock looks, even if it waits for its turn of a core: nobody touches more meanwhile.
+void MemoryCeiling::touched(std::size_t size)
+{
+    if (file_bytes == 0 || touched_bytes.fetch_add(size) + size < touched_between_looks)
+    {
+        return;
+    }
+    touched_bytes = 0;
+    const std::lock_guard<std::mutex> lock(mutex);
+    const std::uint64_t spare = std::max(ceiling / 6, 2 * touched_between_looks);
+    if (resident_bytes() + spare > ceiling)
+    {
+        drop_pages();
     }
 }
 

@@ -73,6 +73,7 @@ private:
     int open_file(std::size_t size, const std::string &what, const std::string &kept) const;
     const Mapping *mapping_of(const void *pointer) const;
     void watch();
+    void touched(std::size_t size);
     void drop_pages();
 
     const std::uint64_t ceiling;
@@ -82,6 +83,7 @@ private:
     std::uint64_t other_bytes = 0;  // of the process, when it was first asked
     std::uint64_t memory_bytes = 0; // that allocate() has given
     std::atomic<std::uint64_t> file_bytes{0};
+    std::atomic<std::uint64_t> touched_bytes{0}; // since somebody looked
     std::vector<Mapping> mappings;
     std::exception_ptr failure;
     std::mutex mutex; // of all above

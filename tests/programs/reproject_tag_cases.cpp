@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+//
+// What files say of the surfaces that they show: tags, metadata of panoramas, rasters, sidecars.
+
+#include "direction_image.hpp"
+#include "image_cases.hpp"
+#include "picture.hpp"
+#include "picture_checks.hpp"
+#include "tiff_file.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+
+namespace
+{
+
+// The program must succeed, say one line on standard error that matches, and what it did.
+Ran warns(const std::string &name, const std::string &expression, const std::string &line)
+{
+    const Ran ran = run(line);
+    result(ran.status == 0 && matches(ran.err, expression) &&
+               ran.err.find('\n') == ran.err.size() - 1,
+           name, ran.err + ran.out);
+    return ran;
+}
+
+// ---- what files say
+
+void surface_tags()
+{
+    make_noise(64, 32, "noise.ppm");
+    for (const std::string extension : {"png", "tif", "jpg", "exr"})
+    {
+        does(
+            "reproject --quiet --to cube:qsc --frame gl --layout cross --rotate 10,20,30 noise.ppm "
+            "cross." +
+            extension);
+        says("a tag in ." + extension,
+             "^cross\\." + extension + " \\(cube:qsc, frame gl, cross 64x48, turned by 10,20,30,",
+             "reproject cross." + extension + " back." + extension);
+        const std::string again = describe_image("back." + extension);
+        result(matches(again, "cubemap:surface=equirect;size=64;height=32") &&
+                   !matches(again, "cube:qsc|cubemap:rotation"),
+               "the tag is the output's own, ." + extension, again);
+    }
+    warns("what the command line says counts",
+          "'cross.png' says that it is cube:qsc;frame=gl;layout=cross;size=16; it is taken as "
+          "cube:coupled;",
+          "reproject --quiet --from cube cross.png back.png");
+    warns("turned otherwise", "turned by 10,20,30; it is taken as turned by 0,0,0",
+          "reproject --quiet --from cube:qsc --from-frame gl cross.png back.png");
+    fails("a shape that cannot be", 1, "must be 6N x N",
+          "reproject --from cube --from-layout strip cross.png made/a.png");
+    passes("the same in words", "reproject --quiet --from cube:qsc --from-frame gl --from-rotate "
+                                "10,20,30 cross.png back.png");
+    does("reproject --quiet noise.ppm face_%f.png");
+    fails("one of six", 1, "one of six faces", "reproject face_0.png made/a.png");
+    make_constant(32, 16, 3, "uint8", 0.5f, "scaled.png",
+                  {"cubemap:surface=cube:qsc;layout=cross"});
+    const Ran ran = warns("a picture that was scaled", "but is 32 x 16; its shape counts",
+                          "reproject scaled.png back_%f.png");
+    result(matches(ran.out, "^scaled\\.png \\(equirect 32x16"), "is taken by its shape", ran.out);
+    make_constant(32, 16, 3, "uint8", 0.5f, "people.tif", {"ImageDescription=Two people"});
+    does("reproject --quiet people.tif strip.tif --layout strip");
+    does("reproject --quiet strip.tif back.tif");
+    const std::string text = describe_image("back.tif");
+    result(matches(text, "ImageDescription=Two people\ncubemap:surface=equirect;") &&
+               !matches(text, "layout=strip"),
+           "what people have written stays", text);
+}
+
+void photo_spheres()
+{
+    make_constant(40, 20, 3, "uint8", 0.5f, "part.jpg",
+                  {"GPano:ProjectionType=equirectangular", "GPano:FullPanoWidthPixels=160",
+                   "GPano:FullPanoHeightPixels=80", "GPano:CroppedAreaLeftPixels=80",
+                   "GPano:CroppedAreaTopPixels=20", "GPano:CroppedAreaImageWidthPixels=40",
+                   "GPano:CroppedAreaImageHeightPixels=20"});
+    says("a part of a photo sphere",
+         "^part\\.jpg \\(equirect;west=0;east=90;south=0;north=45 40x20,",
+         "reproject part.jpg face_%f.png");
+    does("reproject --quiet --to equirect --size 64 part.jpg whole.jpg");
+    const std::string text = content_of("whole.jpg");
+    result(matches(text.substr(text.find("<x:xmpmeta")), "GPano:ProjectionType=.equirectangular.*"
+                                                         "GPano:FullPanoWidthPixels=.64"),
+           "an equirectangular JPEG is one");
+    const std::string face =
+        (does("reproject --quiet part.jpg face_%f.jpg"), content_of("face_0.jpg"));
+    result(face.find("GPano") == std::string::npos, "a face is none");
+}
+
+// Keys: version, then of geographic coordinates, pixels that are areas, in degrees of EPSG:4326.
+TiffTag geo_keys(std::uint16_t model, std::uint16_t raster, std::uint16_t key, std::uint16_t code)
+{
+    return shorts(34735, {1, 1, 0, 3, 1024, 0, 1, model, 1025, 0, 1, raster, key, 0, 1, code});
+}
+
+void georeferences()
+{
+    const std::vector<float> pixels(32, 0.5f);
+    const TiffTag scale = doubles(33550, {10, 10, 0});
+    const TiffTag tie = doubles(33922, {0, 0, 0, 20, 50, 0});
+    write_tiff("area.tif", 8, 4, pixels, {scale, tie, geo_keys(2, 1, 2048, 4326)});
+    says("placed by longitude and latitude",
+         "^area\\.tif \\(equirect;west=20;east=100;south=10;north=50 8x4,",
+         "reproject --to equirect --size 36 area.tif whole.tif");
+    holds("it is where it says",
+          []
+          {
+              check_pixel("whole.tif", 18 + 2, 4, {0.5});
+              check_pixel("whole.tif", 18 + 9, 7, {0.5});
+              check_pixel("whole.tif", 18 + 1, 4, {0});
+              check_pixel("whole.tif", 18 + 5, 3, {0});
+          });
+    write_tiff("point.tif", 8, 4, pixels, {scale, tie, geo_keys(2, 2, 2048, 4326)});
+    says("pixels that are points", "west=15;east=95;south=15;north=55 8x4,",
+         "reproject --to equirect --size 36 point.tif out.tif");
+    const double turned[] = {45, 0, 0, -180, 0, -45, 0, 90, 0, 0, 0, 0, 0, 0, 0, 1};
+    write_tiff(
+        "whole.tif", 8, 4, pixels,
+        {doubles(34264, {std::begin(turned), std::end(turned)}), geo_keys(2, 1, 2048, 4326)});
+    says("the whole Earth", "^whole\\.tif \\(equirect 8x4,", "reproject whole.tif face_%f.tif");
+    write_tiff("utm.tif", 8, 4, pixels, {scale, tie, geo_keys(1, 1, 3072, 32632)});
+    fails("placed in metres", 1, "by EPSG:32632; make it EPSG:4326 \\(gdalwarp",
+          "reproject utm.tif made/a.tif");
+    passes("unless --from says what it is", "reproject --quiet --from equirect utm.tif out.tif");
+    // a web map of the north-eastern quarter: 20037508.342789244 is pi times the radius
+    write_tiff("web.tif", 8, 8, std::vector<float>(64, 0.5f),
+               {doubles(33550, {2504688.5428486555, 2504688.5428486555, 0}),
+                doubles(33922, {0, 0, 0, 0, 20037508.342789244, 0}), geo_keys(1, 1, 3072, 3857)});
+    says("placed as web maps are", "^web\\.tif \\(mercator;west=0;south=0 8x8",
+         "reproject --to equirect --size 36 web.tif whole.tif");
+    holds("it is where it says",
+          []
+          {
+              check_pixel("whole.tif", 18 + 9, 4, {0.5});
+              check_pixel("whole.tif", 9, 4, {0});
+              check_pixel("whole.tif", 18 + 9, 12, {0});
+          });
+}
+
+// Where the file's own tag of the surface is not understood, its georeference counts.
+void without_tag(const std::string &name)
+{
+    std::string content = content_of(name);
+    const std::size_t at = content.find("cubemap:surface");
+    result(at != std::string::npos, "there is a tag in " + name);
+    content.replace(at, 7, "another");
+    write_file(name, content);
+}
+
+void written_georeferences()
+{
+    make_noise(64, 32, "noise.ppm");
+    const std::string to = "reproject --quiet --georeference --to ";
+    does(to + "equirect --size 64 noise.ppm whole.tif");
+    without_tag("whole.tif");
+    says("the whole Earth", "^whole\\.tif \\(equirect 64x32,", "reproject whole.tif back_%f.png");
+    does(to + "equirect;west=10;east=30;south=40;north=50;size=20 noise.ppm part.tif");
+    does("reproject --quiet --to equirect --size 64 part.tif part.png");
+    without_tag("part.tif");
+    says("a part", "^part\\.tif \\(equirect;west=10;east=30;south=40;north=50 20x10,",
+         "reproject --to mercator;west=12;east=28;south=42;north=48;size=20 part.tif web.tif");
+    without_tag("web.tif");
+    says("what had a georeference has one again, of web maps",
+         "^web\\.tif \\(mercator;west=12;east=28;south=42;north=48(\\.000000000000*[0-9]*)? 20x",
+         "reproject --to equirect --size 64 web.tif back.png");
+    does("reproject --quiet --to equirect --size 64 noise.ppm plain.tif");
+    without_tag("plain.tif");
+    does("reproject --quiet --layout strip plain.tif strip.tif");
+    result(content_of("plain.tif").find(bytes_of(std::uint16_t{34735})) == std::string::npos,
+           "else there is none");
+    fails("of a cube", 2, "OUTPUT is cube:coupled",
+          "reproject --georeference noise.ppm made/a_%f.tif");
+    fails("of what is turned", 2, "that are not turned",
+          "reproject --georeference --rotate 1,2 --to equirect noise.ppm made/a.tif");
+    fails("of a format without", 2, "is for TIFF files",
+          "reproject --georeference --to equirect noise.ppm made/a.png");
+}
+
+// What people have: each is done, or refused in one line with what would help.
+void odd_pictures()
+{
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet noise.ppm face_%f.png");
+    std::filesystem::remove("face_3.png");
+    fails("a face is missing", 1,
+          "'face_3.png' cannot be read: No such file or directory; all six faces are needed, "
+          "'face_0.png' to 'face_5.png'",
+          "reproject face_%f.png made/a.png");
+    fails("six faces by the name of none", 1, "'face_0.png' is; 'face_%f.png' stands for six",
+          "reproject face.png made/a.png");
+    make_constant(16, 16, 1, "uint8", 0.5f, "face_3.png");
+    fails("a face of gray", 1, "16 x 16 with 1 channel, .* alike",
+          "reproject face_%f.png made/a.png");
+    for (const int channels : {1, 2, 5, 70})
+    {
+        std::vector<std::string> none;
+        make_constant(64, 32, channels, "float", 0.25f, "many.tif", none);
+        make_constant(16, 16, channels, "float", 0.25f, "wanted.tif", none);
+        says(std::to_string(channels) + " channels",
+             channels == 1 ? "1 channel, " : "channels, float", "reproject many.tif many_%f.tif");
+        if (channels < 64) // what compare takes
+        {
+            passes("each of them", "compare --max 1e-6 many_4.tif wanted.tif");
+        }
+        holds("and their values",
+              [channels]
+              {
+                  check_pixel("many_4.tif", 7, 9,
+                              std::vector<double>(static_cast<std::size_t>(channels), 0.25));
+              });
+    }
+    fails("more than a format holds", 1, "PNG holds 1 to 4 channels, the image has 70",
+          "reproject --to equirect many.tif made/a.png");
+    fails("vectors of so many", 1, "64 at most can be resampled with a vector",
+          "reproject --to equirect --vector 1 many.tif made/a.tif");
+    std::string text = "P6\n300000 150000\n255\n";
+    write_file("huge.ppm", text);
+    const Ran ran = run("reproject huge.ppm huge.png --to equirect --size 64");
+    result(ran.status == 1 && matches(ran.err, "GB of memory"), "135 GB in 24 bytes", ran.err);
+}
+
+// GDAL's virtual format over area.img: a system, where it is, a type and what the band has.
+void write_virtual(const std::string &name, const std::string &system, const std::string &transform,
+                   const std::string &type, const std::string &band)
+{
+    write_file(name, "<VRTDataset rasterXSize=\"8\" rasterYSize=\"4\"><SRS>" + system +
+                         "</SRS><GeoTransform>" + transform +
+                         "</GeoTransform><VRTRasterBand dataType=\"" + type + "\" band=\"1\">" +
+                         band +
+                         "<SimpleSource><SourceFilename relativeToVRT=\"1\">area.img"
+                         "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
+                         "</VRTRasterBand></VRTDataset>\n");
+}
+
+void virtual_rasters()
+{
+    const std::string degrees = "20, 10, 0, 50, 0, -10";
+    const std::string nearest = "reproject --to equirect --size 36 --filter nearest ";
+    write_virtual("web.vrt", "EPSG:3857", "0, 1000000, 0, 4000000, 0, -1000000", "Byte", "");
+    says("web maps", "^web\\.vrt \\(mercator;west=0;east=71\\.8", nearest + "web.vrt out.png");
+    write_virtual("moon.vrt", "+proj=longlat +a=1737400 +b=1737400 +no_defs", degrees, "UInt16",
+                  "");
+    says("another body", "^moon\\.vrt \\(equirect;west=20;.*, 1 channel, uint16\\)",
+         nearest + "moon.vrt out.png");
+    write_virtual("turned.vrt", "EPSG:4326", "20, 5, 5, 50, 5, -5", "Byte", "");
+    says("turned rasters", "^turned\\.vrt \\(equirect;west=", nearest + "turned.vrt out.png");
+    write_virtual("none.vrt", "EPSG:4326", degrees, "Float32", "<NoDataValue>72</NoDataValue>");
+    says("no data is left out", "1 value that is not finite kept", nearest + "none.vrt out.tif");
+    write_virtual(
+        "colors.vrt", "EPSG:4326", degrees, "Byte",
+        "<ColorInterp>Palette</ColorInterp><ColorTable>" +
+            []
+            {
+                std::string entries;
+                for (int i = 0; i < 256; ++i)
+                {
+                    entries += "<Entry c1=\"" + std::to_string(255 - i) + "\" c2=\"" +
+                               std::to_string(i) + "\" c3=\"17\" c4=\"255\"/>";
+                }
+                return entries;
+            }() +
+            "</ColorTable>");
+    says("a palette", "3 channels, uint8", nearest + "colors.vrt out.png");
+    holds("is colours",
+          [] {
+              check_pixel("out.png", 18 + 3, 5, {183 / 255.0, 72 / 255.0, 17 / 255.0});
+          });
+    write_virtual("far.vrt", "EPSG:32633", "1e12, 1, 0, 1e12, 0, -1", "Byte", "");
+    fails("a place that is none", 1, "and it cannot be warped to EPSG:4326",
+          "reproject far.vrt made/a.png");
+    write_virtual("nowhere.vrt", "", "0, 1, 0, 0, 0, 1", "Byte", "");
+    says("a raster that is not placed", "^nowhere\\.vrt \\(equirect 8x4",
+         nearest + "nowhere.vrt out.png");
+}
+
+// Of Earth's systems by GDAL, where it is.
+void rasters()
+{
+    if (!open_gdal())
+    {
+        result(true, "rasters # SKIP GDAL is not built in");
+        return;
+    }
+    // from 9 E, 45.15 N: EPSG:32632 has 500 km at its middle, 9 E
+    const TiffTag scale = doubles(33550, {10000, 10000, 0});
+    const TiffTag tie = doubles(33922, {0, 0, 0, 500000, 5000000, 0});
+    write_tiff("utm.tif", 32, 16, std::vector<float>(std::size_t{32} * 16, 0.5f),
+               {scale, tie, geo_keys(1, 1, 3072, 32632)});
+    const std::string part = "equirect;west=8;east=14;south=43;north=46;size=60";
+    says("a raster in metres is warped",
+         "^utm\\.tif \\(equirect;west=(8\\.9|9).*, 1 channel, float\\)",
+         "reproject --filter bilinear --to " + part + " utm.tif part.tif");
+    holds("to where it is",
+          []
+          {
+              check_pixel("part.tif", 15, 11, {0.5}); // 9.55 E, 44.85 N
+              check_pixel("part.tif", 4, 11, {0});
+              check_pixel("part.tif", 15, 4, {0});
+          });
+    std::string pixels;
+    for (int i = 0; i < 32; ++i)
+    {
+        pixels += static_cast<char>(8 * i);
+    }
+    write_file("area.img", pixels);
+    write_file("area.hdr",
+               "ENVI\nsamples = 8\nlines = 4\nbands = 1\nheader offset = 0\nfile type = ENVI "
+               "Standard\ndata type = 1\ninterleave = bsq\nbyte order = 0\nmap info = {Geographic "
+               "Lat/Lon, 1, 1, 20, 50, 10, 10, WGS-84}\n");
+    says("a format of GDAL alone",
+         "^area\\.img \\(equirect;west=20;east=100;south=10;north=50 8x4, 1 channel, uint8\\)",
+         "reproject --to equirect --size 36 --filter nearest area.img whole.png");
+    holds("and its pixels", [] { check_pixel("whole.png", 18 + 3, 5, {8 * 9 / 255.0}); });
+    virtual_rasters();
+    write_file("no.img", "nothing");
+    fails("what GDAL does not read either", 1,
+          "is not an image that can be read: .*, and it is not a raster that GDAL reads",
+          "reproject no.img made/a.png");
+}
+
+void sidecars()
+{
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet --sidecar --filter nearest --for opengl noise.ppm sky_%f.png");
+    const std::string text = content_of("sky.json");
+    result(matches(text, "\"surface\": \"cube:gnomonic;frame=gl;layout=faces;size=16\"") &&
+               matches(text, "\"rotation\": \\[90,0,90\\]") &&
+               matches(text, "\"sky_0.png\", .*\"sky_5.png\"") &&
+               matches(text, "\"filter\": \"nearest\""),
+           "a file beside the pictures", text);
+    does("reproject --quiet --sidecar noise.ppm --layout strip strip.hdr");
+    result(std::filesystem::exists("strip.json"), "for formats without tags, too");
+    does("reproject --quiet --sidecar noise.ppm --to cube:qsc --frame gl --layout vcross --rotate "
+         "10,20,30 turned.ppm");
+    const std::string wanted = "\\(cube:qsc, frame gl, vcross 48x64, turned by 10,20,30,";
+    says("and is read again", "^turned\\.ppm " + wanted, "reproject turned.ppm back.png");
+    warns("the command line counts more",
+          "'turned\\.json' says that 'turned\\.ppm' is cube:qsc;frame=gl;layout=vcross;size=16; it "
+          "is taken as cube:coupled;",
+          "reproject --quiet --from cube --from-layout vcross turned.ppm back.png");
+    std::filesystem::rename("turned.ppm", "other.ppm");
+    fails("a file that does not name the picture says nothing", 1, "neither 2:1",
+          "reproject other.ppm made/a.png");
+    says("unless --from names it", "^other\\.ppm " + wanted,
+         "reproject --from turned.json other.ppm back.png");
+    says("and --from-rotate says otherwise", "turned by 1,2,3,",
+         "reproject --from-rotate 1,2,3 --from turned.json other.ppm back.png");
+    does("reproject --quiet --sidecar noise.ppm six_%f.ppm --frame s2");
+    says("of six pictures", "^six_0.ppm .. six_5.ppm \\(cube:coupled, frame s2, 16x16,",
+         "reproject six_%f.ppm back.png");
+    make_noise(32, 16, "strip.hdr.ppm");
+    std::filesystem::rename("strip.hdr.ppm", "turned.ppm");
+    warns("a picture that was scaled", "but that is 32 x 16; its shape counts",
+          "reproject --quiet turned.ppm back_%f.png");
+    does("reproject --quiet --sidecar --layout cross noise.ppm cross.png");
+    std::string other = content_of("cross.json");
+    other.replace(other.find("coupled"), 7, "qsc");
+    write_file("cross.json", other);
+    warns("what the picture says counts",
+          "'cross\\.png' says that it is cube:coupled;.*, and 'cross\\.json' cube:qsc;",
+          "reproject --quiet cross.png back.png");
+    write_file("written.json",
+               "{\"other\": {\"a\": [[1], {}, null]}, \"note\": \"\\u00e9\\u20ac\\n\",\n"
+               " \"surface\":\"cube:qs\\u0063;layout=vcross\", \"rotation\": [ 0, 0.0, -0e1 ] }");
+    says("as others write it", "\\(cube:qsc, frame geo, vcross 48x64,",
+         "reproject --from written.json --from-frame geo other.ppm back.png");
+    write_file("bad.json", "{\"surface\": \"cube:nothing\"}");
+    for (const std::string broken : {"", "[]", "{", "{\"a\" 1}", "{\"a\": yes}", "{\"a\": \"\\q\"}",
+                                     "{\"a\": \"\\u12\"}", "{\"a\": [1}", "{} 1"})
+    {
+        write_file("bad.json", broken + "\n");
+        fails("JSON that is none: " + broken, 1, "'bad.json' says no surface",
+              "reproject --from bad.json noise.ppm made/a.png");
+    }
+    write_file("bad.json", "{\"surface\": \"cube:nothing\"}");
+    fails("a file that says nothing", 1, "'bad.json' says no surface",
+          "reproject --from bad.json noise.ppm made/a.png");
+    fails("a file that is not there", 1, "'no.json' cannot be read: No such file",
+          "reproject --from no.json noise.ppm made/a.png");
+    write_file("cross.json", "{\"pictures\": [\"cross.png\"], \"surface\": ");
+    passes("a file beside that is none", "reproject --quiet cross.png back.png");
+}
+
+} // namespace
+
+const std::vector<Subject> &reproject_tag_subjects()
+{
+    static const std::vector<Subject> subjects = {{"surface_tags", surface_tags},
+                                                  {"photo_spheres", photo_spheres},
+                                                  {"georeferences", georeferences},
+                                                  {"written_georeferences", written_georeferences},
+                                                  {"odd_pictures", odd_pictures},
+                                                  {"rasters", rasters},
+                                                  {"sidecars", sidecars}};
+    return subjects;
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// TIFF files, byte by byte, for machines with the lowest byte first.
+
+#ifndef TESTS_TIFF_FILE_HPP
+#define TESTS_TIFF_FILE_HPP
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+template <typename Number> std::string bytes_of(Number number)
+{
+    char bytes[sizeof number];
+    std::memcpy(bytes, &number, sizeof number);
+    return std::string(bytes, sizeof number);
+}
+
+struct TiffTag
+{
+    std::uint16_t number;
+    std::uint16_t type; // 3: short, 4: long, 12: double
+    std::uint32_t count;
+    std::string values;
+};
+
+// Tags of such values.
+TiffTag shorts(std::uint16_t number, const std::vector<std::uint16_t> &values);
+TiffTag doubles(std::uint16_t number, const std::vector<double> &values);
+
+// One channel of floats, with further tags in the order of their numbers.
+void write_tiff(const std::string &name, std::uint16_t width, std::uint16_t height,
+                const std::vector<float> &pixels, const std::vector<TiffTag> &more = {});
+
+#endif
