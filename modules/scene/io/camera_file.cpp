@@ -221,6 +221,10 @@ CameraNumbers CameraText::read() const
             fail(key, std::string(key) + " is of cameras without a mapping");
         }
     }
+    if (cJSON_GetObjectItemCaseSensitive(object.get(), "size") == nullptr)
+    {
+        fail_line(name, 1, "size is missing", CM_ERROR_CAMERA);
+    }
     check_size(camera.size, 6.0 * camera.size);
     return camera;
 }
