@@ -10,7 +10,6 @@
 #include <array>
 #include <filesystem>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace
@@ -184,28 +183,29 @@ std::string stream_of_views(const std::string &folder)
     return bytes;
 }
 
-// While it lives, standard input, which the library reads, is this file.
+// While it lives, standard input, which the library reads, is this file; then there is nothing.
 class OtherInput
 {
 public:
-    explicit OtherInput(const std::string &name) : kept(dup(STDIN_FILENO))
+    explicit OtherInput(const std::string &name)
     {
-        const int file = open(name.c_str(), O_RDONLY);
-        dup2(file, STDIN_FILENO);
-        close(file);
-        std::rewind(stdin);
+        take(name);
     }
     ~OtherInput()
     {
-        dup2(kept, STDIN_FILENO);
-        close(kept);
-        std::clearerr(stdin);
+        take("/dev/null");
     }
     OtherInput(const OtherInput &) = delete;
     OtherInput &operator=(const OtherInput &) = delete;
 
 private:
-    int kept;
+    static void take(const std::string &name)
+    {
+        if (std::freopen(name.c_str(), "rb", stdin) == nullptr)
+        {
+            result(false, name + " as standard input");
+        }
+    }
 };
 
 void streams()
