@@ -3,7 +3,7 @@
 #include "camera_file.h"
 
 #include "file_failure.hpp"
-#include "json_text.hpp"
+#include "parsed_json.hpp"
 
 #include <cubemap/catalogue.h>
 
