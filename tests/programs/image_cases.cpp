@@ -210,6 +210,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"orient", orient_subjects()},
 #ifdef HAVE_SCENE
         {"scene", scene_subjects()},
+        {"scene refusals", scene_refusal_subjects()},
 #endif
         {"colormap", colormap_subjects()}};
     const bool every = names.empty();

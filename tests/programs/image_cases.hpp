@@ -105,5 +105,6 @@ const std::vector<Subject> &distortion_subjects();
 const std::vector<Subject> &orient_subjects();
 const std::vector<Subject> &colormap_subjects();
 const std::vector<Subject> &scene_subjects();
+const std::vector<Subject> &scene_refusal_subjects();
 
 #endif

@@ -1,59 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * A system that refuses memory once: for suites that are linked with --wrap of malloc, calloc, realloc and free against the
- * static libraries. One program reads this once.
+ * A system that refuses memory once. In refused_allocation.c the libraries' own calls, where they are linked with --wrap; in
+ * replaced_allocation.c those of all libraries that the program has.
  */
 #ifndef TESTS_SCENE_REFUSED_ALLOCATION_H
 #define TESTS_SCENE_REFUSED_ALLOCATION_H
 
-#include <stddef.h>
+/* Allocations of this thread until one fails; below 0: none does. */
+extern _Thread_local int blocks_until_refusal;
 
-void *__real_malloc(size_t size);
-void *__wrap_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__real_realloc(void *block, size_t size);
-void *__wrap_realloc(void *block, size_t size);
-void __real_free(void *block);
-void __wrap_free(void *block);
+/* Blocks that were not given back, of all threads. */
+int blocks_alive(void);
 
-/* Allocations until one fails; below 0: none does. */
-static int left = -1;
-/* Blocks that were not given back. */
-static int live;
-
-static int is_refused(void)
-{
-    return left >= 0 && left-- == 0;
-}
-
-static void *counted(void *block)
-{
-    live += block != NULL;
-    return block;
-}
-
-void *__wrap_malloc(size_t size)
-{
-    return is_refused() ? NULL : counted(__real_malloc(size));
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    return is_refused() ? NULL : counted(__real_calloc(count, size));
-}
-
-void *__wrap_realloc(void *block, size_t size)
-{
-    void *grown = is_refused() ? NULL : __real_realloc(block, size);
-    live += grown != NULL && block == NULL;
-    return grown;
-}
-
-void __wrap_free(void *block)
-{
-    live -= block != NULL;
-    __real_free(block);
-}
+/* From now on nothing is refused to what this process forks. Of replaced_allocation.c alone. */
+void spare_children(void);
 
 #endif

@@ -113,7 +113,7 @@ START_TEST(bad_cameras_are_refused)
          "c.json:1: ", "2^31"},
         {"{\"width\":640.5,\"height\":480,\"fx\":1,\"fy\":1,\"cx\":1,\"cy\":1}", CM_ERROR_CAMERA,
          "c.json:1: ", "whole"},
-        {"{\"mapping\":\"coupled\"}", CM_ERROR_CAMERA, "c.json:1: ", "0 x 0"},
+        {"{\"mapping\":\"coupled\"}", CM_ERROR_CAMERA, "c.json:1: ", "size is missing"},
         {"{\"mapping\":\"coupled\",\"size\":20000}", CM_ERROR_CAMERA, "c.json:1: ", "2^31"},
         {"{\"mapping\":\"no such\",\"size\":2}", CM_ERROR_CAMERA, "c.json:1: ", "mapping"},
         {"{\"mapping\":\"coupled\",\"frame\":\"x\",\"size\":2}", CM_ERROR_CAMERA,

@@ -5,7 +5,7 @@
  * given back, no file is left behind. The C library's own functions are replaced, as glibc allows. OpenImageIO has what it asks
  * for: it ends the program otherwise.
  */
-#define _GNU_SOURCE
+#define _POSIX_C_SOURCE 200809L
 
 #include "modules/scene/io/camera_file.h"
 #include "modules/scene/io/npy_file.h"
@@ -18,81 +18,12 @@
 #include "modules/scene/io/mesh_file.h"
 #endif
 
-#include <errno.h>
-#include <stdatomic.h>
 #include <unistd.h>
 
 #include "tests/memory_stream.h"
 #include "tests/suite.h"
+#include "refused_allocation.h"
 #include "written_files.h"
-
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t count, size_t size);
-void *__libc_realloc(void *block, size_t size);
-void *__libc_memalign(size_t alignment, size_t size);
-void *memalign(size_t alignment, size_t size);
-void __libc_free(void *block);
-
-/* Allocations of this thread of this process until one fails; below 0: none does. */
-static _Thread_local int left = -1;
-static pid_t owner;
-static atomic_int live;
-
-static int is_refused(void)
-{
-    if (left < 0 || getpid() != owner || left-- > 0)
-    {
-        return 0;
-    }
-    errno = ENOMEM;
-    return 1;
-}
-
-static void *counted(void *block)
-{
-    live += block != NULL;
-    return block;
-}
-
-void *malloc(size_t size)
-{
-    return is_refused() ? NULL : counted(__libc_malloc(size));
-}
-
-void *calloc(size_t count, size_t size)
-{
-    return is_refused() ? NULL : counted(__libc_calloc(count, size));
-}
-
-void *realloc(void *block, size_t size)
-{
-    void *grown = is_refused() ? NULL : __libc_realloc(block, size);
-    live += grown != NULL && block == NULL;
-    return grown;
-}
-
-void *memalign(size_t alignment, size_t size)
-{
-    return is_refused() ? NULL : counted(__libc_memalign(alignment, size));
-}
-
-void *aligned_alloc(size_t alignment, size_t size)
-{
-    return memalign(alignment, size);
-}
-
-int posix_memalign(void **block, size_t alignment, size_t size)
-{
-    void *made = memalign(alignment, size);
-    *block = made == NULL ? *block : made;
-    return made == NULL ? ENOMEM : 0;
-}
-
-void free(void *block)
-{
-    live -= block != NULL;
-    __libc_free(block);
-}
 
 /* ---- pictures, whose library is linked with --wrap ---- */
 
@@ -103,10 +34,10 @@ static const cm_image_io *pictures;
 
 /* What is called between has its memory. */
 #define AT_EASE(type, call)                                                                        \
-    const int kept = left;                                                                         \
-    left = -1;                                                                                     \
+    const int kept = blocks_until_refusal;                                                         \
+    blocks_until_refusal = -1;                                                                     \
     const type result = pictures->call;                                                            \
-    left = kept;                                                                                   \
+    blocks_until_refusal = kept;                                                                   \
     return result
 
 static cm_status open_picture(const char *path, uint32_t subimage, cm_image_reader **reader,
@@ -338,12 +269,12 @@ static cm_status write_sequence(const char *name, cm_sequence_layout layout, con
     }
     status = status == CM_OK ? cm_sequence_finish(writer, text) : status;
     cm_sequence_drop(writer);
-    const int kept = left;
-    left = -1;
+    const int kept = blocks_until_refusal;
+    blocks_until_refusal = -1;
     const int entries = count_entries(name);
     *wrong = status != CM_OK && entries >= 0 ? "a folder is there" : *wrong;
     remove_all(name);
-    left = kept;
+    blocks_until_refusal = kept;
     return status;
 }
 
@@ -405,8 +336,8 @@ static cm_status put_blob(cm_store *store, unsigned char byte)
 /* What was committed is there, whatever came after it. */
 static const char *check_store(void)
 {
-    const int kept = left;
-    left = -1;
+    const int kept = blocks_until_refusal;
+    blocks_until_refusal = -1;
     cm_store *store = NULL;
     const cm_store_key key = {"a", 1};
     cm_blob blob = {.size = sizeof blob};
@@ -419,7 +350,7 @@ static const char *check_store(void)
                                                               : NULL;
     cm_blob_clear(&blob);
     cm_store_destroy(store);
-    left = kept;
+    blocks_until_refusal = kept;
     return wrong;
 }
 
@@ -456,10 +387,10 @@ static cm_status use_store(const char **wrong)
     if (status != CM_OK && store != NULL)
     {
         *wrong = cm_store_message(store)[0] == '\0' ? "no message" : NULL;
-        const int kept = left;
-        left = -1;
+        const int kept = blocks_until_refusal;
+        blocks_until_refusal = -1;
         *wrong = cm_store_rollback(store) != CM_OK ? "no rollback" : *wrong;
-        left = kept;
+        blocks_until_refusal = kept;
     }
     cm_blob_clear(&blob);
     cm_store_destroy(store);
@@ -505,12 +436,12 @@ static int fail_each(const char *name, trial call)
     for (int i = 0;; i++)
     {
         const char *wrong = NULL;
-        const int before = live;
+        const int before = blocks_alive();
         text[0] = '\0';
-        left = i;
+        blocks_until_refusal = i;
         const cm_status status = call(&wrong);
-        const int met = left < 0;
-        left = -1;
+        const int met = blocks_until_refusal < 0;
+        blocks_until_refusal = -1;
         if (wrong != NULL)
         {
             complain(name, i, wrong);
@@ -519,7 +450,7 @@ static int fail_each(const char *name, trial call)
         {
             complain(name, i, cm_status_text(status));
         }
-        if (live != before)
+        if (blocks_alive() != before)
         {
             complain(name, i, "blocks are lost");
         }
@@ -604,7 +535,7 @@ START_TEST(each_allocation_fails_once)
                  {"TUM written", write_tum},
                  {"Open3D written", write_open3d},
                  {"7-Scenes written", write_seven_scenes}};
-    owner = getpid();
+    spare_children();
     make_files();
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
     {

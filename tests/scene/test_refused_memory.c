@@ -61,11 +61,11 @@ static int fail_each(cm_status (*call)(outputs *out))
     {
         outputs out;
         memcpy(&out, &clean, sizeof out);
-        const int before = live;
-        left = i;
+        const int before = blocks_alive();
+        blocks_until_refusal = i;
         const cm_status status = call(&out);
-        const int met = left < 0;
-        left = -1;
+        const int met = blocks_until_refusal < 0;
+        blocks_until_refusal = -1;
         if (!met)
         {
             ck_assert_int_eq(status, CM_OK);
@@ -75,7 +75,7 @@ static int fail_each(cm_status (*call)(outputs *out))
             return i;
         }
         ck_assert_int_eq(status, CM_ERROR_MEMORY);
-        ck_assert_int_eq(live, before);
+        ck_assert_int_eq(blocks_alive(), before);
         ck_assert(memcmp(&out, &clean, sizeof out) == 0);
     }
 }

@@ -171,11 +171,11 @@ static int fail_each(trial call, const char *name)
     for (int i = 0;; i++)
     {
         void *output = NULL;
-        const int before = live;
-        left = i;
+        const int before = blocks_alive();
+        blocks_until_refusal = i;
         const cm_status status = call(&output);
-        const int met = left < 0;
-        left = -1;
+        const int met = blocks_until_refusal < 0;
+        blocks_until_refusal = -1;
         REQUIRE(output == NULL, "%s: allocation %d: something was touched", name, i);
         REQUIRE(status == (met ? CM_ERROR_MEMORY : CM_OK), "%s: allocation %d: %d", name, i,
                 (int)status);
@@ -183,7 +183,8 @@ static int fail_each(trial call, const char *name)
         {
             return i;
         }
-        REQUIRE(live == before, "%s: allocation %d: %d blocks are lost", name, i, live - before);
+        REQUIRE(blocks_alive() == before, "%s: allocation %d: %d blocks are lost", name, i,
+                blocks_alive() - before);
     }
 }
 
@@ -273,7 +274,7 @@ static cm_status change(int *undone)
     }
     if (status != CM_OK)
     {
-        left = -1;
+        blocks_until_refusal = -1;
         ck_assert_int_eq(put_blob(1, 1, 1), CM_ERROR_MEMORY);
         ck_assert_int_eq(cm_store_commit(store), CM_ERROR_MEMORY);
         REQUIRE(cm_store_message(store)[0] != '\0', "no message");
@@ -284,7 +285,7 @@ static cm_status change(int *undone)
 
 START_TEST(stores_go_back_to_their_last_commit)
 {
-    const int blocks = live;
+    const int blocks = blocks_alive();
     ck_assert_int_eq(cm_store_create_in_memory(&store), CM_OK);
     for (unsigned char letter = 0; letter < BLOBS; letter++)
     {
@@ -296,9 +297,9 @@ START_TEST(stores_go_back_to_their_last_commit)
     for (int i = 0;; i++)
     {
         const int before = undone;
-        left = i;
+        blocks_until_refusal = i;
         const cm_status status = change(&undone);
-        left = -1;
+        blocks_until_refusal = -1;
         REQUIRE(status == CM_OK || status == CM_ERROR_MEMORY, "%d", (int)status);
         ck_assert_int_eq(cm_store_rollback(store), CM_OK);
         check_committed();
@@ -309,7 +310,7 @@ START_TEST(stores_go_back_to_their_last_commit)
     }
     ck_assert_int_ge(undone, BLOBS / 2);
     cm_store_destroy(store);
-    ck_assert_int_eq(live, blocks);
+    ck_assert_int_eq(blocks_alive(), blocks);
 }
 END_TEST
 

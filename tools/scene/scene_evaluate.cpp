@@ -77,7 +77,11 @@ int evaluate_scene(int argc, char **argv, const cm_streams &streams)
         throw Failure("no stamp of " + in_quotes(names[1]) + " is within 0.02 s of one of " +
                       in_quotes(names[0]));
     }
-    check_scene(status, "");
+    if (status != CM_OK)
+    {
+        throw Failure(in_quotes(names[0]) + " and " + in_quotes(names[1]) + ": " +
+                      cm_status_text(status));
+    }
     print(streams, json ? evaluation_json(found) : evaluation_text(found));
     return 0;
 }

@@ -7,6 +7,7 @@
 #include "scene_table.h"
 #include "scene_view.hpp"
 #include "scene_world.hpp"
+#include "tools/cli/image_file.hpp"
 #include "tools/cli/image_writer.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
@@ -178,6 +179,17 @@ void make_folder(const std::string &name)
     }
 }
 
+// The system gives more than it has, and ends the program later.
+void check_room(const RenderOptions &options, const cm_camera_options &shape)
+{
+    const std::size_t depths = 2 * sizeof(std::uint16_t); // and the copy that is written
+    const std::size_t truths = options.truth ? truth_channels.size() * sizeof(float) : 0;
+    check_memory(in_quotes(options.camera) + ": a view of " + std::to_string(shape.width) + " x " +
+                     std::to_string(shape.height) + " pixels",
+                 std::int64_t{shape.width} * shape.height, 1, depths + 3 + truths,
+                 options.truth ? "; without --truth it needs less" : "");
+}
+
 int render(const RenderOptions &options, const cm_streams &streams)
 {
     const int threads = thread_count(options.threads);
@@ -192,6 +204,7 @@ int render(const RenderOptions &options, const cm_streams &streams)
     making.seed = options.seed;
     making.truth = options.truth;
     const cm_camera_options &shape = *cm_camera_describe(making.camera);
+    check_room(options, shape);
     const SequenceWriterPointer writer =
         create_sequence(options.output, CM_SEQUENCE_TUM, camera.camera.get(), camera.depth_scale);
     const std::string truth = std::string(cm_sequence_writer_folder(writer.get())) + "/truth";

@@ -2,7 +2,7 @@
 
 #include "scene_world.hpp"
 
-#include "modules/scene/io/json_text.hpp"
+#include "modules/scene/io/parsed_json.hpp"
 #include "modules/scene/io/mesh_file.h"
 #include "tools/cli/catalogue_name.h"
 #include "tools/cli/program.hpp"

@@ -3,7 +3,7 @@
 #include "camera_file.h"
 
 #include "file_failure.hpp"
-#include "json_text.hpp"
+#include "parsed_json.hpp"
 
 #include <cubemap/catalogue.h>
 
@@ -220,6 +220,10 @@ CameraNumbers CameraText::read() const
         {
             fail(key, std::string(key) + " is of cameras without a mapping");
         }
+    }
+    if (cJSON_GetObjectItemCaseSensitive(object.get(), "size") == nullptr)
+    {
+        fail_line(name, 1, "size is missing", CM_ERROR_CAMERA);
     }
     check_size(camera.size, 6.0 * camera.size);
     return camera;

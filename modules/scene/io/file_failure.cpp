@@ -49,6 +49,29 @@ void put_line(const std::string &text, char *message) noexcept
     message[length] = '\0';
 }
 
+namespace
+{
+
+// The beginning of a word of a file, for a message; bytes that end a line, or the message, are question marks.
+std::string quoted(std::string_view word)
+{
+    std::string shown(word.substr(0, 40));
+    std::replace_if(
+        shown.begin(), shown.end(), [](unsigned char byte) { return byte < ' ' || byte == 0x7f; },
+        '?');
+    return "\"" + shown + "\"";
+}
+
+} // namespace
+
+LineWords::LineWords(std::string file_name, std::string_view whole)
+    : name(std::move(file_name)), text(whole)
+{
+    constexpr std::string_view mark =
+        "\xef\xbb\xbf"; // of UTF-8, which some editors begin a text with
+    at = text.compare(0, mark.size(), mark) == 0 ? mark.size() : 0;
+}
+
 bool LineWords::next()
 {
     constexpr std::string_view apart = " \t\r,";
@@ -80,11 +103,11 @@ double LineWords::number(std::size_t index) const
     const std::string_view word = parts.at(index);
     if (!word_number(word, value))
     {
-        fail("\"" + std::string(word.substr(0, 40)) + "\" is no number");
+        fail(quoted(word) + " is no number");
     }
     if (!(value - value == 0.0))
     {
-        fail("\"" + std::string(word.substr(0, 40)) + "\" is not finite");
+        fail(quoted(word) + " is not finite");
     }
     return value;
 }

@@ -78,10 +78,7 @@ class LineWords
 {
 public:
     // The text must outlive this.
-    LineWords(std::string file_name, std::string_view whole)
-        : name(std::move(file_name)), text(whole)
-    {
-    }
+    LineWords(std::string file_name, std::string_view whole);
     // To the next line that says something; false at the end.
     bool next();
     const std::vector<std::string_view> &words() const

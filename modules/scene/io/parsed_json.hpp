@@ -2,8 +2,8 @@
 //
 // JSON of a whole text, by cJSON.
 
-#ifndef CUBEMAP_MODULES_SCENE_JSON_TEXT_HPP
-#define CUBEMAP_MODULES_SCENE_JSON_TEXT_HPP
+#ifndef CUBEMAP_MODULES_SCENE_PARSED_JSON_HPP
+#define CUBEMAP_MODULES_SCENE_PARSED_JSON_HPP
 
 #include <cstddef>
 #include <memory>

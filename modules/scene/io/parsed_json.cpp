@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include "json_text.hpp"
+#include "parsed_json.hpp"
 
 #include <algorithm>
 #include <cstdlib>
