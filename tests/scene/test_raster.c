@@ -140,8 +140,8 @@ enum
     MANY = 3000
 };
 
-static void draw_many(const some_camera *c, unsigned threads, int is_back, float *image,
-                      uint32_t *id)
+static void draw_many(const some_camera *c, cm_pool *pool, unsigned threads, int is_back,
+                      float *image, uint32_t *id)
 {
     static float v[7][MANY];
     static double position[MANY][3];
@@ -174,6 +174,7 @@ static void draw_many(const some_camera *c, unsigned threads, int is_back, float
     const cm_points points = {
         .size = sizeof points, .count = MANY, .position = position[0], .first_id = 30000};
     cm_raster *raster = canvas(c, NULL);
+    ck_assert_int_eq(cm_raster_use_pool(raster, pool), CM_OK);
     ck_assert_int_eq(cm_raster_discs(raster, NULL, is_back ? &again : &discs, threads), CM_OK);
     ck_assert_int_eq(cm_raster_points(raster, NULL, &points, threads), CM_OK);
     ck_assert_int_eq(cm_raster_triangles(raster, NULL, &triangles, threads), CM_OK);
@@ -190,16 +191,19 @@ START_TEST(threads_and_order_do_not_matter)
         const size_t pixels = c.width * c.height;
         float *image = calloc(2 * pixels, sizeof *image);
         uint32_t *id = calloc(2 * pixels, sizeof *id);
-        const unsigned threads[] = {1, 2, 7, 1};
+        const unsigned threads[] = {1, 2, 7, 1, 0};
+        cm_pool *pool = NULL;
+        ck_assert_int_eq(cm_pool_create(3, &pool), CM_OK);
         size_t seen = 0;
-        draw_many(&c, 1, 0, image, id);
-        for (int i = 0; i < 4; i++)
+        draw_many(&c, NULL, 1, 0, image, id);
+        for (int i = 0; i < 5; i++)
         {
-            draw_many(&c, threads[i], i % 2, image + pixels, id + pixels);
+            draw_many(&c, i < 3 ? NULL : pool, threads[i], i % 2, image + pixels, id + pixels);
             REQUIRE(memcmp(image, image + pixels, pixels * sizeof *image) == 0 &&
                         memcmp(id, id + pixels, pixels * sizeof *id) == 0,
                     "%s, %u threads", c.name, threads[i]);
         }
+        cm_pool_destroy(pool);
         for (size_t i = 0; i < pixels; i++)
         {
             seen += id[i] != CM_RASTER_NOTHING;
@@ -256,6 +260,7 @@ START_TEST(what_is_no_primitive_is_left_out)
         triangle.first_id = CM_RASTER_NOTHING;
         ck_assert_int_eq(cm_raster_triangles(raster, NULL, &triangle, 1), CM_ERROR_RANGE);
         ck_assert_int_eq(cm_raster_triangles(NULL, NULL, &triangle, 1), CM_ERROR_ARGUMENT);
+        ck_assert_int_eq(cm_raster_use_pool(NULL, NULL), CM_ERROR_ARGUMENT);
         cm_raster *refused = NULL;
         ck_assert_int_eq(cm_raster_create(c.camera, -1.0, NULL, &refused), CM_ERROR_RANGE);
         ck_assert_int_eq(cm_raster_create(c.camera, 0.0, "abacus", &refused),
