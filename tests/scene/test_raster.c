@@ -49,6 +49,7 @@ START_TEST(discs_are_where_rays_meet_them)
         uint32_t state = 11;
         const size_t pixels = c.width * c.height;
         float *image = calloc(pixels, sizeof *image);
+        cm_raster *raster = canvas(&c, NULL);
         for (int k = 0; k < 60; k++)
         {
             float v[7];
@@ -63,7 +64,7 @@ START_TEST(discs_are_where_rays_meet_them)
                                    .centre = {v, v + 1, v + 2},
                                    .normal = {v + 3, v + 4, v + 5},
                                    .radius = v + 6};
-            cm_raster *raster = canvas(&c, NULL);
+            cm_raster_clear(raster);
             ck_assert_int_eq(cm_raster_discs(raster, NULL, &disc, 1), CM_OK);
             cm_raster_read(raster, image, NULL);
             for (size_t i = 0; i < pixels; i++)
@@ -88,8 +89,8 @@ START_TEST(discs_are_where_rays_meet_them)
                 REQUIRE(!is_out || isnan(image[i]), "%s disc %d pixel %zu: %g", c.name, k, i,
                         (double)image[i]);
             }
-            cm_raster_destroy(raster);
         }
+        cm_raster_destroy(raster);
         free(image);
         drop(&c);
     }
