@@ -39,6 +39,8 @@ const char *system_commit(
 double system_free_memory(void); /* bytes; 0 if unknown */
 
 double seconds(void);
+/* Of this process, which others do not make longer by their waiting. */
+double processor_seconds(void);
 
 enum
 {

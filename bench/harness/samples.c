@@ -18,6 +18,11 @@ double seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+double processor_seconds(void)
+{
+    return (double)clock() / CLOCKS_PER_SEC;
+}
+
 void date_now(char text[DATE_SIZE])
 {
     const time_t now = time(NULL);

@@ -14,7 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum
 {
@@ -57,9 +56,9 @@ static void report(const char *name, work *run, const cm_camera *camera, const c
     double took[RUNS];
     for (int i = 0; i < RUNS; i++)
     {
-        const clock_t begin = clock();
+        const double begin = processor_seconds();
         run(camera);
-        took[i] = 1e3 * (double)(clock() - begin) / CLOCKS_PER_SEC;
+        took[i] = 1e3 * (processor_seconds() - begin);
     }
     qsort(took, RUNS, sizeof *took, earlier);
     printf("%-34s %8.3f ms, best %8.3f ms%s\n", name, took[RUNS / 2], took[0], target);

@@ -22,6 +22,7 @@
 #include <cubemap/camera.h>
 #include <cubemap/export.h>
 #include <cubemap/image.h>
+#include <cubemap/pool.h>
 #include <cubemap/status.h>
 
 #ifdef __cplusplus
@@ -61,7 +62,7 @@ CM_API cm_status cm_depth_clean(const cm_image *picture, const cm_depth_limits *
 
 /* ---- the rays of all pixels ---- */
 
-/* What functions here need of a camera: its rays in float, from cm_rays_create to cm_rays_destroy. It is constant. */
+/* What functions here need of a camera: its rays in float, from cm_rays_create to cm_rays_destroy. */
 typedef struct cm_rays cm_rays;
 
 /* instructions as in cm_options. The camera is not needed afterwards. 12 bytes a pixel, or 16 of omnidirectional cameras;
@@ -69,6 +70,11 @@ typedef struct cm_rays cm_rays;
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_INSTRUCTIONS; CM_ERROR_MEMORY. */
 CM_API cm_status cm_rays_create(const cm_camera *camera, const char *instructions, cm_rays **rays);
 CM_API void cm_rays_destroy(cm_rays *rays);
+
+/* From now on the functions that are given these rays have the threads of a pool, which must outlive that: as many as
+ * `threads` says, 0 for all. NULL: threads are made for each call. The same bits either way. Not while a call is at work.
+ * CM_OK; CM_ERROR_ARGUMENT (no rays). */
+CM_API cm_status cm_rays_use_pool(cm_rays *rays, cm_pool *pool);
 
 /* Depth to range and back. to may be from. Omnidirectional cameras have no depth: CM_ERROR_UNSUPPORTED. */
 CM_API cm_status cm_depth_to_range(const cm_rays *rays, const float *depth, unsigned threads,
@@ -84,7 +90,7 @@ typedef struct cm_depth_maps
     size_t size;  /* sizeof(cm_depth_maps) */
     int is_range; /* 1: the image holds range. Those of omnidirectional cameras do in any case */
     double
-        gap; /* neighbours whose values differ by more than this part of the pixel's own are of another
+        gap; /* neighbours whose depths differ by more than this part of the pixel's own are of another
                          surface. Above 0; 0 stands for 0.05 */
     float *vertex[3]; /* x, y and z of the points */
     float *normal[3]; /* unit normals, towards the camera; all NULL: not wanted */
@@ -152,6 +158,9 @@ typedef struct cm_depth_bounds
 CM_API cm_status cm_depth_pyramid_create(uint32_t width, uint32_t height, const char *instructions,
                                          cm_depth_pyramid **pyramid);
 CM_API void cm_depth_pyramid_destroy(cm_depth_pyramid *pyramid);
+
+/* As cm_rays_use_pool. */
+CM_API cm_status cm_depth_pyramid_use_pool(cm_depth_pyramid *pyramid, cm_pool *pool);
 
 /* Fill all levels from an image, which is not needed afterwards. CM_OK; CM_ERROR_ARGUMENT. */
 CM_API cm_status cm_depth_pyramid_fill(cm_depth_pyramid *pyramid, const float *image,

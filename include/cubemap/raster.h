@@ -21,6 +21,7 @@
 
 #include <cubemap/camera.h>
 #include <cubemap/export.h>
+#include <cubemap/pool.h>
 #include <cubemap/pose.h>
 #include <cubemap/status.h>
 
@@ -40,6 +41,10 @@ typedef struct cm_raster cm_raster;
 CM_API cm_status cm_raster_create(const cm_camera *camera, double nearest, const char *instructions,
                                   cm_raster **raster);
 CM_API void cm_raster_destroy(cm_raster *raster);
+
+/* From now on the threads of a pool draw, which must outlive that: as many as `threads` says, 0 for all. NULL: threads are
+ * made for each call. The same bits either way. CM_OK; CM_ERROR_ARGUMENT (no canvas). */
+CM_API cm_status cm_raster_use_pool(cm_raster *raster, cm_pool *pool);
 
 /* Empty again. */
 CM_API void cm_raster_clear(cm_raster *raster);

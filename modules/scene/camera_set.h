@@ -33,7 +33,7 @@ typedef struct cm_camera_block
 
 typedef struct cm_camera_set
 {
-    const char *name; /* as in options.h */
+    const char *name; /* first: as in options.h */
     /* Points to columns and rows; within so much of the axis (the square of a ray's length beside it) the lens's signs
      * alone say whether a ray is inside. The number of open ones. */
     int64_t (*project)(const cm_lens *lens, double within, cm_camera_block *block);

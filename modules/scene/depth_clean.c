@@ -126,7 +126,7 @@ cm_status cm_depth_clean(const cm_image *picture, const cm_depth_limits *limits,
     }
     const ptrdiff_t size = (ptrdiff_t)cm_pixel_size(picture->type);
     const ptrdiff_t step = picture->pixel_stride == 0 ? size : picture->pixel_stride;
-    const size_t bands = cm_band_count(threads, picture->height, 16);
+    const size_t bands = cm_band_count(NULL, threads, picture->height, 16);
     cleaning c = {.data = picture->data,
                   .row_stride = picture->row_stride == 0 ? step * (ptrdiff_t)picture->width
                                                          : picture->row_stride,
@@ -142,7 +142,7 @@ cm_status cm_depth_clean(const cm_image *picture, const cm_depth_limits *limits,
     {
         return CM_ERROR_MEMORY;
     }
-    cm_run_bands(bands, picture->height, 16, clean_band, &c);
+    cm_run_bands(NULL, bands, picture->height, 16, clean_band, &c);
     cm_depth_count all = {.size = sizeof all};
     for (size_t i = 0; i < bands; i++)
     {

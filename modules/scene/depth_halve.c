@@ -42,7 +42,8 @@ cm_status cm_depth_halve(const cm_rays *rays, const float *from, double gap, uns
     }
     halving h = {rays, from, to, (float)gap};
     const size_t rows = rays->height / 2;
-    cm_run_bands(cm_band_count(threads, rows, ROWS_AT_LEAST), rows, ROWS_AT_LEAST, halve_band, &h);
+    cm_run_bands(rays->pool, cm_band_count(rays->pool, threads, rows, ROWS_AT_LEAST), rows,
+                 ROWS_AT_LEAST, halve_band, &h);
     return CM_OK;
 }
 

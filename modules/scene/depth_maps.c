@@ -45,8 +45,8 @@ static cm_status change(const cm_rays *rays, const float *from, unsigned threads
         return CM_ERROR_UNSUPPORTED;
     }
     ranging r = {rays, from, to, is_back};
-    cm_run_bands(cm_band_count(threads, rays->height, ROWS_AT_LEAST), rays->height, ROWS_AT_LEAST,
-                 range_band, &r);
+    cm_run_bands(rays->pool, cm_band_count(rays->pool, threads, rays->height, ROWS_AT_LEAST),
+                 rays->height, ROWS_AT_LEAST, range_band, &r);
     return CM_OK;
 }
 
@@ -229,7 +229,7 @@ cm_status cm_depth_make_maps(const cm_rays *rays, const float *image, unsigned t
     {
         return CM_ERROR_RANGE;
     }
-    const size_t bands = cm_band_count(threads, rays->height, ROWS_AT_LEAST);
+    const size_t bands = cm_band_count(rays->pool, threads, rays->height, ROWS_AT_LEAST);
     mapping_rows m = {.rays = rays,
                       .image = image,
                       .maps = maps,
@@ -242,7 +242,7 @@ cm_status cm_depth_make_maps(const cm_rays *rays, const float *image, unsigned t
         return CM_ERROR_MEMORY;
     }
     m.desk = desk.rows;
-    cm_run_bands(bands, rays->height, ROWS_AT_LEAST,
+    cm_run_bands(rays->pool, bands, rays->height, ROWS_AT_LEAST,
                  maps->normal[0] != NULL ? map_band : vertex_band, &m);
     free(desk.memory);
     return CM_OK;

@@ -26,6 +26,7 @@ typedef struct pyramid_level
 struct cm_depth_pyramid
 {
     const cm_depth_set *set;
+    cm_pool *pool; /* whose threads do the work; NULL: threads are made for it */
     size_t width;
     size_t height;
     uint32_t last;
@@ -185,6 +186,16 @@ static void fill_band(size_t first, size_t last, size_t band, void *user)
     }
 }
 
+cm_status cm_depth_pyramid_use_pool(cm_depth_pyramid *pyramid, cm_pool *pool)
+{
+    if (pyramid == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    pyramid->pool = pool;
+    return CM_OK;
+}
+
 cm_status cm_depth_pyramid_fill(cm_depth_pyramid *pyramid, const float *image, unsigned threads)
 {
     if (pyramid == NULL || image == NULL)
@@ -192,8 +203,8 @@ cm_status cm_depth_pyramid_fill(cm_depth_pyramid *pyramid, const float *image, u
         return CM_ERROR_ARGUMENT;
     }
     filling f = {pyramid, image};
-    cm_run_bands(cm_band_count(threads, pyramid->height, GROUP), pyramid->height, GROUP, fill_band,
-                 &f);
+    cm_run_bands(pyramid->pool, cm_band_count(pyramid->pool, threads, pyramid->height, GROUP),
+                 pyramid->height, GROUP, fill_band, &f);
     for (uint32_t level = GROUP_LEVEL + 1; level <= pyramid->last; level++)
     {
         for (size_t row = 0; row < pyramid->level[level].height; row++)

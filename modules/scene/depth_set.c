@@ -1,16 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "depth_set.h"
 
-#include "set_name.h"
+#include "instruction_set.h"
 
-#include <string.h>
-
-enum
-{
-    SETS_MOST = 5
-};
-
-static const cm_depth_set *const sets[] = {
+static const void *const sets[] = {
     &cm_depth_scalar,
 #ifdef CM_HAVE_SSE2
     &cm_depth_sse2,
@@ -28,19 +21,5 @@ static const cm_depth_set *const sets[] = {
 
 const cm_depth_set *cm_depth_set_find(const char *name)
 {
-    const char *names[SETS_MOST];
-    const size_t count = sizeof sets / sizeof *sets;
-    for (size_t i = 0; i < count; i++)
-    {
-        names[i] = sets[i]->name;
-    }
-    const char *found = cm_scene_set_name(name, names, count);
-    for (size_t i = 0; found != NULL && i < count; i++)
-    {
-        if (strcmp(names[i], found) == 0)
-        {
-            return sets[i];
-        }
-    }
-    return NULL;
+    return cm_scene_set_find(name, sets, sizeof sets / sizeof *sets);
 }

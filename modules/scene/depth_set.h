@@ -56,7 +56,7 @@ typedef struct cm_smooth_rows
 
 typedef struct cm_depth_set
 {
-    const char *name; /* as in options.h */
+    const char *name; /* first: as in options.h */
     /* Times the length of rays whose z is 1, or divided by it. */
     void (*to_range)(size_t n, const cm_ray_row *ray, const float *from, float *to);
     void (*from_range)(size_t n, const cm_ray_row *ray, const float *from, float *to);

@@ -201,7 +201,7 @@ cm_status cm_depth_smooth(const cm_rays *rays, const float *from, double pixels,
     {
         return CM_ERROR_RANGE;
     }
-    const size_t bands = cm_band_count(threads, rays->height, ROWS_AT_LEAST);
+    const size_t bands = cm_band_count(rays->pool, threads, rays->height, ROWS_AT_LEAST);
     smoothing s = {.rays = rays, .from = from, .to = to};
     s.stride = cm_row_stride(STRIP);
     cm_row_desk desk;
@@ -211,7 +211,7 @@ cm_status cm_depth_smooth(const cm_rays *rays, const float *from, double pixels,
     }
     s.desk = desk.rows;
     fill_weights(pixels, metres, &s.weights);
-    cm_run_bands(bands, rays->height, ROWS_AT_LEAST, smooth_band, &s);
+    cm_run_bands(rays->pool, bands, rays->height, ROWS_AT_LEAST, smooth_band, &s);
     free(desk.memory);
     return CM_OK;
 }

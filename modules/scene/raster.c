@@ -153,6 +153,16 @@ void cm_raster_destroy(cm_raster *raster)
     }
 }
 
+cm_status cm_raster_use_pool(cm_raster *raster, cm_pool *pool)
+{
+    if (raster == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    raster->pool = pool;
+    return CM_OK;
+}
+
 void cm_raster_clear(cm_raster *raster)
 {
     for (size_t i = 0; raster != NULL && i < raster->stride * raster->height; i++)

@@ -33,6 +33,7 @@ struct cm_raster
 {
     const cm_camera *camera;
     const cm_raster_set *set;
+    cm_pool *pool; /* whose threads draw; NULL: threads are made for it */
     size_t width;
     size_t height;
     size_t stride;     /* of a row of pixels: vectors may write behind its end */

@@ -94,7 +94,7 @@ cm_status cm_raster_points(cm_raster *raster, const cm_pose *pose, const cm_poin
         return CM_ERROR_RANGE;
     }
     drawing d = {raster, pose, points};
-    cm_run_bands(cm_band_count(threads, raster->height, CM_TILE), raster->height, CM_TILE,
-                 draw_band, &d);
+    cm_run_bands(raster->pool, cm_band_count(raster->pool, threads, raster->height, CM_TILE),
+                 raster->height, CM_TILE, draw_band, &d);
     return CM_OK;
 }

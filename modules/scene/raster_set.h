@@ -83,7 +83,7 @@ typedef struct cm_disc_block
 
 typedef struct cm_raster_set
 {
-    const char *name; /* as in options.h */
+    const char *name; /* first: as in options.h */
     void (*triangle_row)(size_t n, const cm_raster_rays *rays, const cm_raster_triangle *shape,
                          const cm_raster_pixels *pixels);
     void (*disc_row)(size_t n, const cm_raster_rays *rays, const cm_raster_disc *shape,

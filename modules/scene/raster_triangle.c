@@ -354,7 +354,7 @@ cm_status cm_raster_triangles(cm_raster *raster, const cm_pose *pose, const cm_t
         return status;
     }
     drawing d = {raster, pose, triangles};
-    cm_run_bands(cm_band_count(threads, raster->height, CM_TILE), raster->height, CM_TILE,
-                 draw_band, &d);
+    cm_run_bands(raster->pool, cm_band_count(raster->pool, threads, raster->height, CM_TILE),
+                 raster->height, CM_TILE, draw_band, &d);
     return CM_OK;
 }

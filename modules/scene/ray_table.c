@@ -177,6 +177,16 @@ cm_status cm_rays_create(const cm_camera *camera, const char *instructions, cm_r
     return CM_OK;
 }
 
+cm_status cm_rays_use_pool(cm_rays *rays, cm_pool *pool)
+{
+    if (rays == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    rays->pool = pool;
+    return CM_OK;
+}
+
 void cm_rays_destroy(cm_rays *rays)
 {
     if (rays != NULL)

@@ -12,6 +12,7 @@
 struct cm_rays
 {
     const cm_depth_set *set;
+    cm_pool *pool; /* whose threads do the work; NULL: threads are made for it */
     size_t width;
     size_t height;
     size_t face_rows; /* rows of a face of a cube; else all */

@@ -68,6 +68,8 @@ static cm_rays *take_rays(supply *from, cm_camera_options *options)
     const char *set = cm_instructions_at(take_byte(from) % cm_instructions_count());
     EXPECT(cm_rays_create(NULL, set, &rays) == CM_ERROR_ARGUMENT, "no camera");
     EXPECT(cm_rays_create(camera, set, &rays) == CM_OK, "%s", set);
+    EXPECT(cm_rays_use_pool(rays, NULL) == CM_OK, "pool");
+    EXPECT(cm_rays_use_pool(NULL, NULL) == CM_ERROR_ARGUMENT, "no rays");
     *options = *cm_camera_describe(camera);
     return rays;
 }
@@ -119,6 +121,7 @@ static void check_bounds(supply *from, const float *image, uint32_t width, uint3
     }
     EXPECT(cm_depth_pyramid_create(box[0], 0, NULL, &pyramid) == CM_ERROR_RANGE, "no rows");
     EXPECT(cm_depth_pyramid_create(width, height, NULL, &pyramid) == CM_OK, "%u", width);
+    EXPECT(cm_depth_pyramid_use_pool(pyramid, NULL) == CM_OK, "pool");
     EXPECT(cm_depth_pyramid_fill(pyramid, image, threads) == CM_OK, "fill");
     const uint32_t last = cm_depth_pyramid_last(pyramid);
     EXPECT(cm_depth_pyramid_level(pyramid, last + 1, &level) == CM_ERROR_ARGUMENT, "%u", last);

@@ -118,6 +118,7 @@ static void draw(cm_raster *raster, const cm_pose *pose, const all_shapes *all, 
                  float *image, uint32_t *id)
 {
     const unsigned threads = is_back == 2 ? 2 : 1;
+    EXPECT(cm_raster_use_pool(raster, NULL) == CM_OK, "pool");
     cm_raster_clear(raster);
     for (int i = 0; i < 3; i++)
     {

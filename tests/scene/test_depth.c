@@ -101,6 +101,19 @@ END_TEST
 
 /* ---- a plane, end to end ---- */
 
+/* Columns and rows of all pixels' centres, and room for three numbers each. */
+static double *all_pixels(const cm_camera_options *options, size_t pixels)
+{
+    double *all = calloc(5 * pixels, sizeof *all);
+    ck_assert_ptr_nonnull(all);
+    for (size_t i = 0; i < pixels; i++)
+    {
+        all[i] = (double)(i % options->width) + options->pixel_centre;
+        all[pixels + i] = (double)(i / options->width) + options->pixel_centre;
+    }
+    return all;
+}
+
 /* Depth (or range) where the rays that the camera itself tells meet the plane normal x = distance. */
 static float *image_of_plane(const cm_camera_options *options, const double normal[3],
                              double distance, int is_range)
@@ -108,16 +121,18 @@ static float *image_of_plane(const cm_camera_options *options, const double norm
     cm_camera *camera = camera_of(options);
     const size_t pixels = (size_t)options->width * options->height;
     float *image = floats(pixels);
+    double *all = all_pixels(options, pixels);
+    double *x = all + 2 * pixels;
+    double *y = all + 3 * pixels;
+    double *z = all + 4 * pixels;
+    cm_camera_ray_array(camera, pixels, all, all + pixels, x, y, z);
     for (size_t i = 0; i < pixels; i++)
     {
-        const double column = (double)(i % options->width) + options->pixel_centre;
-        const double row = (double)(i / options->width) + options->pixel_centre;
-        double r[3];
-        cm_camera_ray_array(camera, 1, &column, &row, &r[0], &r[1], &r[2]);
-        const double t = distance / (normal[0] * r[0] + normal[1] * r[1] + normal[2] * r[2]);
-        const double length = is_range ? sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) : 1.0;
+        const double t = distance / (normal[0] * x[i] + normal[1] * y[i] + normal[2] * z[i]);
+        const double length = is_range ? sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]) : 1.0;
         image[i] = t > 0.0 && t < 50.0 ? (float)(t * length) : NAN;
     }
+    free(all);
     cm_camera_destroy(camera);
     return image;
 }
@@ -138,6 +153,15 @@ static void check_plane(const cm_camera_options *options, int is_range)
         .normal = {planes + 3 * pixels, planes + 4 * pixels, planes + 5 * pixels}};
     ck_assert_int_eq(cm_depth_make_maps(rays, image, 1, &maps), CM_OK);
     size_t seen = 0;
+    double *at = all_pixels(options, pixels);
+    for (size_t i = 0; i < 3 * pixels; i++)
+    {
+        at[2 * pixels + i] = (double)planes[i];
+    }
+    double *column = calloc(2 * pixels, sizeof *column);
+    double *row = column + pixels;
+    cm_camera_project_array(camera, pixels, at + 2 * pixels, at + 3 * pixels, at + 4 * pixels,
+                            column, row);
     for (size_t i = 0; i < pixels; i++)
     {
         const double v[3] = {(double)maps.vertex[0][i], (double)maps.vertex[1][i],
@@ -151,12 +175,8 @@ static void check_plane(const cm_camera_options *options, int is_range)
         const double off = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2] - distance;
         const double size = fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
         REQUIRE(fabs(off) <= 3e-7 * size, "%zu: %g", i, off);
-        double column;
-        double row;
-        cm_camera_project_array(camera, 1, &v[0], &v[1], &v[2], &column, &row);
-        REQUIRE(fabs(column - options->pixel_centre - (double)(i % options->width)) <= 1e-3 &&
-                    fabs(row - options->pixel_centre - (double)(i / options->width)) <= 1e-3,
-                "%zu: %g %g", i, column, row);
+        REQUIRE(fabs(column[i] - at[i]) <= 1e-3 && fabs(row[i] - at[pixels + i]) <= 1e-3,
+                "%zu: %g %g", i, column[i], row[i]);
         const double n =
             -((double)maps.normal[0][i] * normal[0] + (double)maps.normal[1][i] * normal[1] +
               (double)maps.normal[2][i] * normal[2]);
@@ -167,6 +187,8 @@ static void check_plane(const cm_camera_options *options, int is_range)
         }
     }
     REQUIRE(seen > pixels / 8, "%zu normals of %zu", seen, pixels);
+    free(at);
+    free(column);
     cm_camera_destroy(camera);
     cm_rays_destroy(rays);
     free(image);

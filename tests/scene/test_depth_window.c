@@ -153,13 +153,14 @@ END_TEST
 /* ---- threads, sizes ---- */
 
 /* Everything there is of an image, one behind the other. */
-static float *all_of(const cm_camera_options *options, const float *image, unsigned threads,
-                     size_t *count)
+static float *all_of(const cm_camera_options *options, const float *image, cm_pool *pool,
+                     unsigned threads, size_t *count)
 {
     const size_t pixels = (size_t)options->width * options->height;
     *count = 10 * pixels;
     float *all = floats(*count);
     cm_rays *rays = rays_of(options, NULL);
+    ck_assert_int_eq(cm_rays_use_pool(rays, pool), CM_OK);
     cm_depth_maps maps = {.size = sizeof maps, .is_range = 1, .radius = all + 6 * pixels};
     for (size_t k = 0; k < 3; k++)
     {
@@ -174,6 +175,7 @@ static float *all_of(const cm_camera_options *options, const float *image, unsig
     cm_depth_level level = {.size = sizeof level};
     ck_assert_int_eq(cm_depth_pyramid_create(options->width, options->height, NULL, &pyramid),
                      CM_OK);
+    ck_assert_int_eq(cm_depth_pyramid_use_pool(pyramid, pool), CM_OK);
     ck_assert_int_eq(cm_depth_pyramid_fill(pyramid, image, threads), CM_OK);
     ck_assert_int_eq(cm_depth_pyramid_level(pyramid, cm_depth_pyramid_last(pyramid), &level),
                      CM_OK);
@@ -187,14 +189,19 @@ START_TEST(threads_do_not_matter)
 {
     float *image = rough_image(PIXELS, WIDTH);
     size_t count;
-    float *one = all_of(&plain, image, 1, &count);
-    const unsigned threads[] = {2, 7};
-    for (int i = 0; i < 2; i++)
+    float *one = all_of(&plain, image, NULL, 1, &count);
+    cm_pool *pool = NULL;
+    ck_assert_int_eq(cm_pool_create(3, &pool), CM_OK);
+    const unsigned threads[] = {2, 7, 0, 7};
+    for (int i = 0; i < 4; i++)
     {
-        float *many = all_of(&plain, image, threads[i], &count);
-        REQUIRE(memcmp(one, many, count * sizeof *one) == 0, "%u threads", threads[i]);
+        float *many = all_of(&plain, image, i < 2 ? NULL : pool, threads[i], &count);
+        REQUIRE(memcmp(one, many, count * sizeof *one) == 0, "%u threads, %d", threads[i], i);
         free(many);
     }
+    ck_assert_int_eq(cm_rays_use_pool(NULL, pool), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_depth_pyramid_use_pool(NULL, pool), CM_ERROR_ARGUMENT);
+    cm_pool_destroy(pool);
     free(one);
     free(image);
 }
@@ -211,7 +218,7 @@ START_TEST(small_images_work)
             options.height = height;
             float *image = rough_image((size_t)width * height, width);
             size_t count;
-            float *all = all_of(&options, image, 1, &count);
+            float *all = all_of(&options, image, NULL, 1, &count);
             free(all);
             free(image);
         }

@@ -49,6 +49,7 @@ START_TEST(discs_are_where_rays_meet_them)
         uint32_t state = 11;
         const size_t pixels = c.width * c.height;
         float *image = calloc(pixels, sizeof *image);
+        cm_raster *raster = canvas(&c, NULL);
         for (int k = 0; k < 60; k++)
         {
             float v[7];
@@ -63,7 +64,7 @@ START_TEST(discs_are_where_rays_meet_them)
                                    .centre = {v, v + 1, v + 2},
                                    .normal = {v + 3, v + 4, v + 5},
                                    .radius = v + 6};
-            cm_raster *raster = canvas(&c, NULL);
+            cm_raster_clear(raster);
             ck_assert_int_eq(cm_raster_discs(raster, NULL, &disc, 1), CM_OK);
             cm_raster_read(raster, image, NULL);
             for (size_t i = 0; i < pixels; i++)
@@ -88,8 +89,8 @@ START_TEST(discs_are_where_rays_meet_them)
                 REQUIRE(!is_out || isnan(image[i]), "%s disc %d pixel %zu: %g", c.name, k, i,
                         (double)image[i]);
             }
-            cm_raster_destroy(raster);
         }
+        cm_raster_destroy(raster);
         free(image);
         drop(&c);
     }
@@ -140,8 +141,8 @@ enum
     MANY = 3000
 };
 
-static void draw_many(const some_camera *c, unsigned threads, int is_back, float *image,
-                      uint32_t *id)
+static void draw_many(const some_camera *c, cm_pool *pool, unsigned threads, int is_back,
+                      float *image, uint32_t *id)
 {
     static float v[7][MANY];
     static double position[MANY][3];
@@ -174,6 +175,7 @@ static void draw_many(const some_camera *c, unsigned threads, int is_back, float
     const cm_points points = {
         .size = sizeof points, .count = MANY, .position = position[0], .first_id = 30000};
     cm_raster *raster = canvas(c, NULL);
+    ck_assert_int_eq(cm_raster_use_pool(raster, pool), CM_OK);
     ck_assert_int_eq(cm_raster_discs(raster, NULL, is_back ? &again : &discs, threads), CM_OK);
     ck_assert_int_eq(cm_raster_points(raster, NULL, &points, threads), CM_OK);
     ck_assert_int_eq(cm_raster_triangles(raster, NULL, &triangles, threads), CM_OK);
@@ -190,16 +192,19 @@ START_TEST(threads_and_order_do_not_matter)
         const size_t pixels = c.width * c.height;
         float *image = calloc(2 * pixels, sizeof *image);
         uint32_t *id = calloc(2 * pixels, sizeof *id);
-        const unsigned threads[] = {1, 2, 7, 1};
+        const unsigned threads[] = {1, 2, 7, 1, 0};
+        cm_pool *pool = NULL;
+        ck_assert_int_eq(cm_pool_create(3, &pool), CM_OK);
         size_t seen = 0;
-        draw_many(&c, 1, 0, image, id);
-        for (int i = 0; i < 4; i++)
+        draw_many(&c, NULL, 1, 0, image, id);
+        for (int i = 0; i < 5; i++)
         {
-            draw_many(&c, threads[i], i % 2, image + pixels, id + pixels);
+            draw_many(&c, i < 3 ? NULL : pool, threads[i], i % 2, image + pixels, id + pixels);
             REQUIRE(memcmp(image, image + pixels, pixels * sizeof *image) == 0 &&
                         memcmp(id, id + pixels, pixels * sizeof *id) == 0,
                     "%s, %u threads", c.name, threads[i]);
         }
+        cm_pool_destroy(pool);
         for (size_t i = 0; i < pixels; i++)
         {
             seen += id[i] != CM_RASTER_NOTHING;
@@ -256,6 +261,7 @@ START_TEST(what_is_no_primitive_is_left_out)
         triangle.first_id = CM_RASTER_NOTHING;
         ck_assert_int_eq(cm_raster_triangles(raster, NULL, &triangle, 1), CM_ERROR_RANGE);
         ck_assert_int_eq(cm_raster_triangles(NULL, NULL, &triangle, 1), CM_ERROR_ARGUMENT);
+        ck_assert_int_eq(cm_raster_use_pool(NULL, NULL), CM_ERROR_ARGUMENT);
         cm_raster *refused = NULL;
         ck_assert_int_eq(cm_raster_create(c.camera, -1.0, NULL, &refused), CM_ERROR_RANGE);
         ck_assert_int_eq(cm_raster_create(c.camera, 0.0, "abacus", &refused),

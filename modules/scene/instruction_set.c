@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "set_name.h"
+#include "instruction_set.h"
 
 #include <cubemap/options.h>
 
@@ -20,20 +20,20 @@ static int equal_words(const char *a, const char *b)
     return *a == *b;
 }
 
-static int has(const char *const *names, size_t count, const char *name)
+static const void *named(const void *const *sets, size_t count, const char *name)
 {
     for (size_t i = 0; i < count; i++)
     {
-        if (strcmp(names[i], name) == 0)
+        if (strcmp(*(const char *const *)sets[i], name) == 0)
         {
-            return 1;
+            return sets[i];
         }
     }
-    return 0;
+    return NULL;
 }
 
 /* Libcubemap may be newer or older than this library: a set that only one of them has is not taken. */
-const char *cm_scene_set_name(const char *instructions, const char *const *names, size_t count)
+const void *cm_scene_set_find(const char *instructions, const void *const *sets, size_t count)
 {
     if (cm_instructions_check(instructions, NULL, 0) != CM_OK)
     {
@@ -41,14 +41,12 @@ const char *cm_scene_set_name(const char *instructions, const char *const *names
     }
     const char *wanted = instructions != NULL ? instructions : getenv("CUBEMAP_INSTRUCTIONS");
     const int any = wanted == NULL || *wanted == '\0';
-    const char *best = NULL;
+    const void *best = NULL;
     for (size_t i = 0; i < cm_instructions_count(); i++)
     {
         const char *name = cm_instructions_at(i);
-        if (has(names, count, name) && (any || equal_words(name, wanted)))
-        {
-            best = name;
-        }
+        const void *set = any || equal_words(name, wanted) ? named(sets, count, name) : NULL;
+        best = set != NULL ? set : best;
     }
     return best;
 }
