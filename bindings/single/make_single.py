@@ -31,6 +31,7 @@ SETS = {
     "avx2": "defined(__AVX2__) && defined(__FMA__)",
     "sse2": "defined(__x86_64__) && !defined(_WIN32)",
     "neon": "defined(__aarch64__) && !defined(__ARM_BIG_ENDIAN)",
+    "wasm128": "defined(__wasm_simd128__)",
 }
 
 # Those that this machine's compiler can read, with its options.
@@ -249,6 +250,25 @@ def sources_of(tree):
     return ["libcubemap/" + name for name in re.findall(r"'([^']+\.c)'", "".join(listed))]
 
 
+def system_headers(text):
+    """The lines that include the system's, with the conditions around them."""
+    lines, opened = [], []  # opened: where in lines a condition begins that is open
+    for line in text.splitlines():
+        word = re.match(r"[ \t]*#[ \t]*(if|elif|else|endif|include)\w*", line)
+        if not word:
+            continue
+        if word[1] == "if":
+            opened.append(len(lines))
+        header = SYSTEM.match(line + "\n")
+        if word[1] != "include" or header and not header[1].startswith("cubemap/"):
+            lines.append(line)
+        if word[1] == "endif" and not any("include" in one for one in lines[opened[-1]:]):
+            del lines[opened[-1]:]
+        if word[1] == "endif":
+            opened.pop()
+    return "".join(line + "\n" for line in lines)
+
+
 def unit_of(tree, file, unit, own):
     """A source in the scope of all: its words and its names are taken back behind it."""
     stem = pathlib.PurePath(unit).stem
@@ -256,7 +276,7 @@ def unit_of(tree, file, unit, own):
     lines = [f"#define {name} {name}_of_{stem}" for name in own]
     lines += [f"#define CM_SINGLE_LANES(name, bits) name##_{stem}##bits"]
     ends = [f"#undef {name}" for name in [*own, "CM_SINGLE_LANES", *macros]]
-    systems = "".join(f"#include <{name}>\n" for name in SYSTEM.findall(tree.text(unit)) if not name.startswith("cubemap/"))
+    systems = system_headers(tree.text(unit))
     body = SYSTEM.sub("", file.body(unit))
     return systems + "\n".join(lines) + "\n" + body + "\n".join(ends) + "\n"
 
@@ -273,8 +293,8 @@ COMMENT = """ * libcubemap in one file: the interface of <cubemap/cubemap.h> and
  *     cc -O2 -ffp-contract=off -fno-math-errno -fno-trapping-math program.c -lm -pthread
  *
  * With these options, which the library is built with, the bits are those of the library with the same instruction set:
- * plain C ("scalar"), and the best that the compiler is told to use, by -mavx2 -mfma say. CUBEMAP_WITHOUT_THREADS leaves
- * out POSIX threads, which other systems than POSIX's do in any case.
+ * plain C ("scalar"), and the best that the compiler is told to use, by -mavx2 -mfma or -msimd128 say.
+ * CUBEMAP_WITHOUT_THREADS leaves out POSIX threads, which other systems than POSIX's do in any case.
  * Made by bindings/single/make_single.py. If the file gets another name, define CM_SINGLE_FILE as that, in quotes.
 """
 
@@ -318,7 +338,7 @@ def cubemap_single(tree):
 #if defined(__GNUC__)
 {chosen}#endif
 #endif
-#if !defined(CUBEMAP_WITHOUT_THREADS) && (defined(__unix__) || defined(__APPLE__))
+#if !defined(CUBEMAP_WITHOUT_THREADS) && !defined(__wasm__) && (defined(__unix__) || defined(__APPLE__))
 #define CM_HAVE_PTHREADS
 #endif
 {headers}

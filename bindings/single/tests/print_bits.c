@@ -11,6 +11,7 @@
 #endif
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -29,6 +30,15 @@ static void add(const void *bytes, size_t size)
     }
 }
 
+/* All NaN are one here: which of them comes, machines are free to choose. */
+static void add_reals(const double *numbers, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        add(isnan(numbers[i]) ? "NaN" : (const void *)&numbers[i], isnan(numbers[i]) ? 3 : 8);
+    }
+}
+
 /* The hash so far, which begins anew. */
 static void say(const char *what, const char *of, const char *instructions)
 {
@@ -36,16 +46,14 @@ static void say(const char *what, const char *of, const char *instructions)
     hash = 14695981039346656037u;
 }
 
+/* By sums and products alone, which are the same with every C library. */
 static void spread(double x[POINTS], double y[POINTS], double z[POINTS])
 {
     for (int i = 0; i < POINTS; i++)
     {
-        double lonlat[2] = {2.4 * i, 0.00314 * (i - POINTS / 2)};
-        double direction[3];
-        cm_direction_from_lonlat(lonlat[0], lonlat[1], direction);
-        x[i] = direction[0];
-        y[i] = direction[1];
-        z[i] = direction[2];
+        x[i] = 1e-3 * ((7 * i) % POINTS) - 0.4995;
+        y[i] = 1e-3 * ((39 * i + 5) % POINTS) - 0.4995;
+        z[i] = 1e-3 * ((271 * i + 3) % POINTS) - 0.4995;
     }
 }
 
@@ -71,11 +79,15 @@ static void print_mapping(const cm_mapping_info *info, const cm_options *options
     cm_forward_array_f32(mapping, POINTS, xf, yf, zf, face, uf, vf);
     double jacobian[6], direction[3] = {0.3, -0.9, 0.2};
     cm_forward_jacobian(mapping, direction, jacobian);
-    add(u, sizeof u);
-    add(x, sizeof x);
-    add(uf, sizeof uf);
+    for (int i = 0; i < POINTS; i++)
+    {
+        z[i] = (double)uf[i];
+    }
+    add_reals(u, POINTS);
+    add_reals(x, POINTS);
+    add_reals(z, POINTS);
     add(face, sizeof face);
-    add(jacobian, sizeof jacobian);
+    add_reals(jacobian, 6);
     say("mapping", info->identifier, options->instructions);
     cm_mapping_destroy(mapping);
 }
