@@ -12,17 +12,10 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <time.h>
 
 static const char *const mappings[] = {"slice",     "s2",         "coupled",
                                        "conformal", "difference", "smoothstep"};
 static const char *const ellipsoids[] = {"WGS84", "6378137,1.25"};
-
-/* Of the processor's time, so that other programs do not count. */
-static double processor_seconds(void)
-{
-    return (double)clock() / CLOCKS_PER_SEC;
-}
 
 /* Seconds of a call, the least of some repetitions, each of as many calls as take 2 milliseconds. */
 static double time_of(void (*call)(const void *subject, cm_cell cell), const void *subject,

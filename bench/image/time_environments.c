@@ -26,7 +26,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define CHANNELS 3
 #define TARGET 16
@@ -42,12 +41,6 @@ typedef struct faces
     cm_image image[6];
     float *value;
 } faces;
-
-/* Of the processor, so that other programs do not count. */
-static double processor_seconds(void)
-{
-    return (double)clock() / CLOCKS_PER_SEC;
-}
 
 static void fail(const char *what, cm_status status)
 {
