@@ -195,7 +195,7 @@ START_TEST(objects_say_that_there_is_no_memory)
         const char *name;
         trial call;
         int least; /* allocations, of the camera with the fewest */
-    } calls[] = {{"rays", make_rays, 3}, {"pyramid", make_pyramid, 2}, {"clean", clean, 1},
+    } calls[] = {{"rays", make_rays, 2}, {"pyramid", make_pyramid, 2}, {"clean", clean, 1},
                  {"maps", make_maps, 1}, {"smooth", smooth, 1},        {"raster", make_raster, 5},
                  {"mesh", make_mesh, 5}, {"room", make_world, 2},      {"store", make_store, 2}};
     for (int i = 0; i < PIXELS; i++)
