@@ -29,9 +29,13 @@ int cm_row_desk_make(size_t count, cm_row_desk *desk)
 {
     const size_t line = CM_DEPTH_SLACK * sizeof *desk->rows;
     desk->memory = malloc(count * sizeof *desk->rows + line);
+    if (desk->memory == NULL)
+    {
+        return 0;
+    }
     const size_t off = (uintptr_t)desk->memory % line;
     desk->rows = (float *)((char *)desk->memory + (off == 0 ? 0 : line - off));
-    return desk->memory != NULL;
+    return 1;
 }
 
 cm_ray_row cm_ray_row_at(const cm_rays *rays, size_t row)
