@@ -330,7 +330,7 @@ cm_status cm_octree_extract(const cm_octree *octree, int level, size_t capacity,
         return status;
     }
     *count = work.count;
-    return work.count > capacity && voxel != NULL ? CM_ERROR_SPACE : CM_OK;
+    return work.count > capacity ? CM_ERROR_SPACE : CM_OK;
 }
 
 /* ---- counts ---- */

@@ -215,10 +215,10 @@ static cm_status go_down(cm_update *update, uint32_t node, const uint32_t place[
 
 /* ---- regions ---- */
 
-static void update_regions(size_t first, size_t count, void *user)
+static void update_regions(size_t first, size_t end, void *user)
 {
     cm_update *update = user;
-    for (size_t i = first; i < first + count; i++)
+    for (size_t i = first; i < end; i++)
     {
         const cm_node *node = &update->octree->node[update->desk->list[i]];
         cm_update_region(update, update->octree->region[node->link]);

@@ -185,11 +185,11 @@ typedef struct fill_work
     double first_row;
 } fill_work;
 
-static void invert_rows(size_t first, size_t count, void *user)
+static void invert_rows(size_t first, size_t end, void *user)
 {
     const fill_work *work = user;
     cm_view_desk *desk = work->desk;
-    for (size_t row = first; row < first + count; row++)
+    for (size_t row = first; row < end; row++)
     {
         float *depth = desk->depth + row * desk->stride;
         memcpy(depth, desk->packed + row * desk->width, desk->width * sizeof *depth);
@@ -197,12 +197,12 @@ static void invert_rows(size_t first, size_t count, void *user)
     }
 }
 
-static void reach_rows(size_t first, size_t count, void *user)
+static void reach_rows(size_t first, size_t end, void *user)
 {
     const fill_work *work = user;
     cm_view_desk *desk = work->desk;
     const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK;
-    for (size_t row = first; row < first + count; row++)
+    for (size_t row = first; row < end; row++)
     {
         cm_rule_row at = work->row;
         at.depth = desk->depth + row * desk->stride;
@@ -216,13 +216,13 @@ static void reach_rows(size_t first, size_t count, void *user)
 }
 
 /* The least of 5 x 5 is that of five rows, then of five columns. */
-static void rule_rows(size_t first, size_t count, void *user)
+static void rule_rows(size_t first, size_t end, void *user)
 {
     const fill_work *work = user;
     cm_view_desk *desk = work->desk;
     const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK;
     const ptrdiff_t stride = (ptrdiff_t)desk->stride;
-    for (size_t row = first; row < first + count; row++)
+    for (size_t row = first; row < end; row++)
     {
         const size_t at = row * desk->stride;
         const float *front = desk->front + at;
