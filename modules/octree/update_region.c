@@ -69,6 +69,16 @@ static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_
     }
 }
 
+/* Hits without a color: what was no longer occupied has none of its former life. */
+static void forget_colors(const uint8_t alpha[64], uint32_t *color, uint64_t hits)
+{
+    for (; hits != 0; hits &= hits - 1)
+    {
+        const unsigned i = (unsigned)__builtin_ctzll(hits);
+        color[i] = alpha[i] > CM_UNKNOWN ? color[i] : 0;
+    }
+}
+
 int cm_update_block(cm_update *update, cm_region *region, unsigned block, const cm_block_change *change)
 {
     const cm_count_rule *rule = &update->octree->rule;
@@ -92,6 +102,10 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block, const 
             }
             color_hits(update, alpha + 64 * group, color + 64 * group, change->hits[group],
                        change->pixel[group]);
+        }
+        else if (change->hits[group] != 0 && region->color != NULL && region->color[block] != NULL)
+        {
+            forget_colors(alpha + 64 * group, region->color[block] + 64 * group, change->hits[group]);
         }
         if ((change->hits[group] | change->misses[group]) != 0)
         {
