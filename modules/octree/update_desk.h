@@ -78,6 +78,12 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block, const 
 /* All of a block is missed. */
 void cm_update_free_block(cm_update *update, cm_region *region, unsigned block);
 
+/* How many details a map may have: cells of more are not of a small map alone. */
+static inline unsigned cm_update_details(const cm_octree *octree)
+{
+    return octree->options.levels < CM_DETAILS ? (unsigned)octree->options.levels : CM_DETAILS;
+}
+
 /* Which cells of a group are voxels of the map, and not beyond a small one. */
 uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block, unsigned detail,
                          unsigned group);

@@ -150,7 +150,7 @@ static unsigned detail_at(const cm_update *update, const cm_region *region, unsi
 {
     unsigned detail = 0;
     const double wanted = update->pixel * (double)z;
-    while (detail + 1 < CM_DETAILS && (double)(1u << detail) < wanted)
+    while (detail + 1 < cm_update_details(update->octree) && (double)(1u << detail) < wanted)
     {
         detail++;
     }

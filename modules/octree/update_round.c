@@ -393,7 +393,7 @@ static unsigned detail_of(const round_work *work, const cm_region *region, unsig
     const double distance =
         sqrt(centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2]);
     unsigned detail = 0;
-    while (detail + 1 < CM_DETAILS && (double)(1u << detail) < update->pixel * distance)
+    while (detail + 1 < cm_update_details(update->octree) && (double)(1u << detail) < update->pixel * distance)
     {
         detail++;
     }
