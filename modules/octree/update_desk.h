@@ -34,9 +34,8 @@ typedef struct cm_update
     float block_half[3];      /* half a box along the camera's axes around the centres of a block's voxels */
     float group_half[3];      /* of 4^3 voxels */
     double pixel;             /* edges that a pixel is wide at distance 1, times the footprint */
-    const uint8_t *color;     /* NULL: none */
-    ptrdiff_t color_row;      /* bytes */
-    ptrdiff_t color_pixel;    /* bytes */
+    int has_color;
+    uint8_t hits_of[256]; /* the weight of a color where alpha is that */
     cm_cell_offsets offset[CM_DETAILS];
     cm_cell_offsets block;    /* of the blocks of a region */
     int failed;               /* 1: no memory */

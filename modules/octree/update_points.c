@@ -274,7 +274,7 @@ static int apply(cm_octree *octree, cm_region *region, const voxel_event *event,
         {
             return 0;
         }
-        color[cell] = cm_color_mix(old > CM_UNKNOWN ? color[cell] : 0, rgb + 3 * event->point,
+        color[cell] = cm_color_mix(old > CM_UNKNOWN ? color[cell] : 0, cm_color_word(rgb + 3 * event->point),
                                    cm_hits_of(rule, alpha[cell]));
     }
     else if (is_hit && old <= CM_UNKNOWN && region->color != NULL && region->color[block] != NULL)
