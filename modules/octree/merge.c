@@ -480,10 +480,10 @@ static cm_status merge_sampled(merge_work *work, cm_walk *walk)
     return status;
 }
 
-/* A root that is wider than the other's is taken in parts. */
+/* Cubes of a wider root may be around all of the other. */
 static int is_wider(const cm_octree *to, const cm_octree *from)
 {
-    return from->node[0].kind == CM_NODE_LEAF && from->tree_level > to->tree_level;
+    return from->tree_level > to->tree_level;
 }
 
 cm_status cm_octree_merge(cm_octree *to, const cm_octree *from, const cm_pose *pose)

@@ -226,7 +226,7 @@ static void update_regions(size_t first, size_t end, void *user)
 }
 
 /* What is even again needs no region. */
-static void close_regions(cm_update *update)
+void cm_update_close_regions(cm_update *update)
 {
     cm_octree *octree = update->octree;
     for (size_t i = 0; i < update->desk->count; i++)
@@ -247,7 +247,7 @@ static void close_regions(cm_update *update)
     }
 }
 
-static uint64_t listed_bytes(const cm_update *update)
+uint64_t cm_update_listed_bytes(const cm_update *update)
 {
     uint64_t bytes = 0;
     for (size_t i = 0; i < update->desk->count; i++)
@@ -300,13 +300,13 @@ static cm_status update_straight(cm_update *update, cm_pool *pool)
     cm_update_half(update, 2, reach, update->group_half);
     const uint32_t first[3] = {0, 0, 0};
     status = go_down(update, 0, first, octree->tree_level, CM_CUBE_PART);
-    const uint64_t before = listed_bytes(update);
+    const uint64_t before = cm_update_listed_bytes(update);
     if (status == CM_OK)
     {
         cm_pool_run(pool, update->desk->count, 1, update_regions, update);
     }
-    octree->bytes += listed_bytes(update) - before;
-    close_regions(update);
+    octree->bytes += cm_update_listed_bytes(update) - before;
+    cm_update_close_regions(update);
     return status != CM_OK ? status : update->failed ? CM_ERROR_MEMORY : CM_OK;
 }
 

@@ -55,6 +55,10 @@ void cm_update_half(const cm_update *update, int level, double distance, float h
 /* A node in which something may happen: its region comes to the list. */
 cm_status cm_update_list_region(cm_update *update, uint32_t node, const uint32_t place[3]);
 
+/* The memory of listed regions; and those that are even again are given back. */
+uint64_t cm_update_listed_bytes(const cm_update *update);
+void cm_update_close_regions(cm_update *update);
+
 /* Update a region of a straight camera's view. */
 void cm_update_region(cm_update *update, cm_region *region);
 
