@@ -1,0 +1,413 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Voxels of a map, one after the other: those of a level, of a box, and those that changed; and how many there are.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "block_access.h"
+#include "interleave.h"
+#include "node_tree.h"
+#include "walk.h"
+
+/* ---- walks ---- */
+
+typedef struct voxel_walk
+{
+    const cm_octree *octree;
+    const cm_walk *walk;
+    cm_voxel_job job;
+    void *user;
+} voxel_walk;
+
+/* Is the centre of a voxel in the box? Doubled places, since centres are between. */
+static int has_centre(const cm_walk *walk, const uint32_t place[3], int level)
+{
+    int has = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const uint64_t centre = 2 * (uint64_t)place[axis] + (1u << level);
+        has &= centre > 2 * (uint64_t)walk->first[axis] && centre < 2 * (uint64_t)walk->beyond[axis];
+    }
+    return has;
+}
+
+static int is_within(const cm_walk *walk, const uint32_t place[3], int level)
+{
+    int within = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        within &= place[axis] >= walk->first[axis] && (uint64_t)place[axis] + (1u << level) <= walk->beyond[axis];
+    }
+    return within;
+}
+
+/* A cube in the box, or those parts of it that are. */
+static int give_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
+{
+    const voxel_walk *work = user;
+    const cm_walk *walk = work->walk;
+    if (alpha == CM_UNKNOWN)
+    {
+        return 0;
+    }
+    if (is_within(walk, place, level) || (level == 0 && has_centre(walk, place, 0)))
+    {
+        const cm_voxel voxel = cm_voxel_at(work->octree, place, level, alpha, 0);
+        return work->job(work->user, &voxel);
+    }
+    int stops = 0;
+    for (unsigned child = 0; level > 0 && !stops && child < 8; child++)
+    {
+        uint32_t below[3];
+        int meets = 1;
+        for (int axis = 0; axis < 3; axis++)
+        {
+            below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
+            meets &= below[axis] < walk->beyond[axis] &&
+                     (uint64_t)below[axis] + (1u << (level - 1)) > walk->first[axis];
+        }
+        stops = meets && give_even(user, below, level - 1, alpha);
+    }
+    return stops;
+}
+
+static int give_block(void *user, const cm_region *region, unsigned block, unsigned misses)
+{
+    const voxel_walk *work = user;
+    uint8_t alpha[512];
+    uint32_t color[512];
+    const unsigned detail = cm_block_read(region, block, &work->octree->rule, misses, alpha, color);
+    unsigned at[3];
+    cm_divide_3(block, at);
+    for (unsigned cell = 0; cell < cm_cell_count(detail); cell++)
+    {
+        unsigned in[3];
+        cm_divide_3(cell << 3 * detail, in);
+        const uint32_t place[3] = {region->place[0] + 8 * at[0] + in[0], region->place[1] + 8 * at[1] + in[1],
+                                   region->place[2] + 8 * at[2] + in[2]};
+        if (alpha[cell] != CM_UNKNOWN && has_centre(work->walk, place, (int)detail))
+        {
+            const cm_voxel voxel = cm_voxel_at(work->octree, place, (int)detail, alpha[cell], color[cell]);
+            if (work->job(work->user, &voxel))
+            {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+static cm_status walk_voxels(const cm_octree *octree, cm_walk *walk, cm_voxel_job job, void *user)
+{
+    voxel_walk work = {octree, walk, job, user};
+    walk->user = &work;
+    walk->even = give_even;
+    walk->block = give_block;
+    return cm_walk_run(octree, walk);
+}
+
+cm_status cm_octree_walk_box(const cm_octree *octree, const double least[3], const double greatest[3],
+                             cm_voxel_job job, void *user)
+{
+    if (octree == NULL || least == NULL || greatest == NULL || job == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    cm_walk walk = {.since = 0};
+    for (int axis = 0; axis < 3; axis++)
+    {
+        /* voxels whose centres are between: from the first centre not below, to the last not above */
+        const double half = 0.5 * octree->options.edge;
+        const double first = cm_world_place(octree, axis, least[axis] + half);
+        const double exact = cm_place_world(octree, axis, first - 0.5) >= least[axis] ? first - 1.0 : first;
+        const double last = cm_world_place(octree, axis, greatest[axis] - half);
+        const double from = exact > octree->first[axis] ? exact : octree->first[axis];
+        const double to = last + 1.0 < octree->beyond[axis] ? last + 1.0 : octree->beyond[axis];
+        if (!(from < to))
+        {
+            return CM_OK;
+        }
+        walk.first[axis] = (uint32_t)from;
+        walk.beyond[axis] = (uint32_t)to;
+    }
+    return walk_voxels(octree, &walk, job, user);
+}
+
+cm_status cm_octree_walk_changes(const cm_octree *octree, uint64_t since, cm_voxel_job job, void *user)
+{
+    if (octree == NULL || job == NULL)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    cm_walk walk = {.since = since};
+    cm_walk_all(octree, &walk);
+    return walk_voxels(octree, &walk, job, user);
+}
+
+/* ---- blocks with what is occupied ---- */
+
+typedef struct block_walk
+{
+    const cm_octree *octree;
+    cm_block_job job;
+    void *user;
+    uint8_t alpha[512];
+    uint8_t color[512][3];
+    uint32_t word[512];
+} block_walk;
+
+static int give_values(block_walk *work, const uint32_t place[3], unsigned detail, int has_color)
+{
+    const int64_t middle = (int64_t)1 << (work->octree->tree_level - 1);
+    const cm_block_values values = {
+        .corner = {place[0] - middle, place[1] - middle, place[2] - middle},
+        .detail = (int)detail,
+        .alpha = work->alpha,
+        .color = has_color ? (const uint8_t(*)[3])work->color : NULL,
+    };
+    return work->job(work->user, &values);
+}
+
+static int give_occupied_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
+{
+    block_walk *work = user;
+    if (alpha <= CM_UNKNOWN)
+    {
+        return 0;
+    }
+    memset(work->alpha, alpha, sizeof work->alpha);
+    int stops = 0;
+    const uint64_t blocks = (uint64_t)1 << 3 * (level - CM_BLOCK_LEVEL);
+    for (uint64_t i = 0; !stops && i < blocks; i++)
+    {
+        uint32_t at[3] = {0, 0, 0};
+        for (int bit = 0; bit < level - CM_BLOCK_LEVEL; bit++)
+        {
+            for (int axis = 0; axis < 3; axis++)
+            {
+                at[axis] |= (uint32_t)(i >> (3 * bit + axis) & 1u) << bit;
+            }
+        }
+        const uint32_t below[3] = {place[0] + 8 * at[0], place[1] + 8 * at[1], place[2] + 8 * at[2]};
+        stops = give_values(work, below, 0, 0);
+    }
+    return stops;
+}
+
+static int give_occupied_block(void *user, const cm_region *region, unsigned block, unsigned misses)
+{
+    block_walk *work = user;
+    uint8_t alpha[512];
+    uint32_t color[512];
+    const unsigned detail = cm_block_read(region, block, &work->octree->rule, misses, alpha, color);
+    int is_occupied = 0, has_color = 0;
+    for (unsigned cell = 0; cell < 512; cell++)
+    {
+        work->alpha[cell] = alpha[cell >> 3 * detail];
+        const uint32_t word = color[cell >> 3 * detail];
+        is_occupied |= work->alpha[cell] > CM_UNKNOWN;
+        has_color |= word != 0;
+        cm_color_to(word, work->color[cell]);
+    }
+    unsigned at[3];
+    cm_divide_3(block, at);
+    const uint32_t place[3] = {region->place[0] + 8 * at[0], region->place[1] + 8 * at[1],
+                               region->place[2] + 8 * at[2]};
+    return is_occupied && give_values(work, place, detail, has_color);
+}
+
+cm_status cm_octree_occupied_blocks(const cm_octree *octree, cm_block_job job, void *user)
+{
+    block_walk work = {.octree = octree, .job = job, .user = user};
+    cm_walk walk = {.user = &work, .even = give_occupied_even, .block = give_occupied_block};
+    cm_walk_all(octree, &walk);
+    return cm_walk_run(octree, &walk);
+}
+
+/* ---- a level ---- */
+
+typedef struct extraction
+{
+    const cm_octree *octree;
+    int level;
+    size_t capacity;
+    cm_voxel *voxel;
+    size_t count;
+    uint64_t last[3]; /* the cube above blocks that was given last, and 1 */
+} extraction;
+
+static void give(extraction *work, const cm_voxel *voxel)
+{
+    if (work->count < work->capacity)
+    {
+        work->voxel[work->count] = *voxel;
+    }
+    work->count++;
+}
+
+/* Cells of a level up to that of a block: averages of eights. */
+static void extract_cells(extraction *work, const cm_block_values *block)
+{
+    const int64_t middle = (int64_t)1 << (work->octree->tree_level - 1);
+    const unsigned step = 1u << 3 * work->level;
+    for (unsigned cell = 0; cell < 512; cell += step)
+    {
+        unsigned in[3];
+        cm_divide_3(cell, in);
+        if (work->level < block->detail && (cell & ((1u << 3 * block->detail) - 1u)) != 0)
+        {
+            continue; /* a coarser one was given as one */
+        }
+        if (work->level <= block->detail && block->alpha[cell] <= CM_UNKNOWN)
+        {
+            continue;
+        }
+        double centre[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            const double place = (double)(block->corner[axis] + middle) + in[axis];
+            centre[axis] = cm_place_world(work->octree, axis, place + 0.5);
+        }
+        cm_voxel voxel;
+        if (cm_octree_at(work->octree, centre, work->level, &voxel) == CM_VOXEL_OCCUPIED)
+        {
+            give(work, &voxel);
+        }
+    }
+}
+
+/* Each cube above blocks is met by its first occupied block. */
+static void extract_cube(extraction *work, const cm_block_values *block)
+{
+    const int64_t middle = (int64_t)1 << (work->octree->tree_level - 1);
+    uint64_t cube[3];
+    double centre[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        cube[axis] = ((uint64_t)(block->corner[axis] + middle) >> work->level) + 1;
+        centre[axis] = cm_place_world(work->octree, axis, (double)(block->corner[axis] + middle) + 0.5);
+    }
+    if (memcmp(cube, work->last, sizeof cube) != 0)
+    {
+        memcpy(work->last, cube, sizeof cube);
+        cm_voxel voxel;
+        if (cm_octree_at(work->octree, centre, work->level, &voxel) == CM_VOXEL_OCCUPIED)
+        {
+            give(work, &voxel);
+        }
+    }
+}
+
+static int extract_block(void *user, const cm_block_values *block)
+{
+    extraction *work = user;
+    if (work->level <= CM_BLOCK_LEVEL)
+    {
+        extract_cells(work, block);
+    }
+    else
+    {
+        extract_cube(work, block);
+    }
+    return 0;
+}
+
+cm_status cm_octree_extract(const cm_octree *octree, int level, size_t capacity, cm_voxel *voxel, size_t *count)
+{
+    if (octree == NULL || count == NULL || (voxel == NULL && capacity > 0))
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    if (level < 0 || level > octree->options.levels)
+    {
+        return CM_ERROR_RANGE;
+    }
+    extraction work = {.octree = octree, .level = level, .capacity = capacity, .voxel = voxel};
+    const cm_status status = cm_octree_occupied_blocks(octree, extract_block, &work);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    *count = work.count;
+    return work.count > capacity ? CM_ERROR_SPACE : CM_OK;
+}
+
+/* ---- counts ---- */
+
+typedef struct voxel_count
+{
+    const cm_octree *octree;
+    uint64_t occupied;
+    uint64_t free;
+    uint64_t cells;
+} voxel_count;
+
+/* Voxels of a cube that are the map's: a small map does not fill its region. */
+static uint64_t voxels_of(const cm_octree *octree, const uint32_t place[3], int level)
+{
+    uint64_t voxels = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const uint64_t end = (uint64_t)place[axis] + (1u << level);
+        const uint64_t first = place[axis] > octree->first[axis] ? place[axis] : octree->first[axis];
+        const uint64_t beyond = end < octree->beyond[axis] ? end : octree->beyond[axis];
+        voxels *= beyond > first ? beyond - first : 0;
+    }
+    return voxels;
+}
+
+static int count_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
+{
+    voxel_count *count = user;
+    if (alpha != CM_UNKNOWN)
+    {
+        const uint64_t voxels = voxels_of(count->octree, place, level);
+        count->occupied += alpha > CM_UNKNOWN ? voxels : 0;
+        count->free += alpha < CM_UNKNOWN ? voxels : 0;
+    }
+    return 0;
+}
+
+static int count_block(void *user, const cm_region *region, unsigned block, unsigned misses)
+{
+    voxel_count *count = user;
+    uint8_t alpha[512];
+    const unsigned detail = cm_block_read(region, block, &count->octree->rule, misses, alpha, NULL);
+    const size_t cells = cm_cell_count(detail);
+    for (size_t cell = 0; cell < cells; cell++)
+    {
+        count->occupied += alpha[cell] > CM_UNKNOWN ? (uint64_t)1 << 3 * detail : 0;
+        count->free += alpha[cell] < CM_UNKNOWN ? (uint64_t)1 << 3 * detail : 0;
+    }
+    count->cells += cells;
+    return 0;
+}
+
+cm_status cm_octree_count_voxels(const cm_octree *octree, cm_octree_count *count)
+{
+    if (octree == NULL || count == NULL || count->size != sizeof *count)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    voxel_count sum = {.octree = octree};
+    cm_walk walk = {.user = &sum, .even = count_even, .block = count_block};
+    cm_walk_all(octree, &walk);
+    const cm_status status = cm_walk_run(octree, &walk);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    count->occupied = sum.occupied;
+    count->free = sum.free;
+    count->nodes = octree->node_count;
+    count->paged = 0;
+    for (size_t i = 0; i < octree->node_count; i++)
+    {
+        count->nodes += octree->node[i].kind == CM_NODE_REGION ? CM_REGION_BLOCKS : 0;
+        count->paged += octree->node[i].kind == CM_NODE_PAGED;
+    }
+    count->nodes += sum.cells;
+    count->bytes = octree->bytes + octree->node_count * sizeof *octree->node;
+    return CM_OK;
+}

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A voxel of any level: what is there, or the average of what is below it.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "interleave.h"
+#include "node_tree.h"
+#include "walk.h"
+
+static const cm_voxel nothing = {0};
+
+/* Sums over a cube. */
+typedef struct cube_sum
+{
+    uint32_t place[3];
+    int level;
+    uint64_t alpha; /* less 127, of what is free, and more, apart, so that sums are not negative */
+    uint64_t above;
+    uint64_t below;
+    uint64_t color[3]; /* of occupied voxels that have one, weighted by them */
+    uint64_t colored;
+    const cm_octree *octree;
+} cube_sum;
+
+static void add(cube_sum *sum, uint8_t alpha, uint32_t color, uint64_t voxels)
+{
+    sum->above += alpha > CM_UNKNOWN ? (alpha - CM_UNKNOWN) * voxels : 0;
+    sum->below += alpha < CM_UNKNOWN ? (CM_UNKNOWN - alpha) * voxels : 0;
+    if (alpha > CM_UNKNOWN && color != 0)
+    {
+        uint8_t rgb[3];
+        cm_color_to(color, rgb);
+        const uint64_t weight = (alpha - CM_UNKNOWN) * voxels;
+        for (int i = 0; i < 3; i++)
+        {
+            sum->color[i] += rgb[i] * weight;
+        }
+        sum->colored += weight;
+    }
+}
+
+static int add_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
+{
+    cube_sum *sum = user;
+    (void)place;
+    const int shared = level < sum->level ? level : sum->level;
+    add(sum, alpha, 0, (uint64_t)1 << 3 * shared);
+    return 0;
+}
+
+static int add_block(void *user, const cm_region *region, unsigned block, unsigned misses)
+{
+    cube_sum *sum = user;
+    uint8_t alpha[512];
+    uint32_t color[512];
+    const unsigned detail = cm_block_read(region, block, &sum->octree->rule, misses, alpha, color);
+    /* a cube of less than a block is some of its cells, one after the other */
+    unsigned first = 0, count = 512;
+    if (sum->level < CM_BLOCK_LEVEL)
+    {
+        first = cm_interleave_3(sum->place[0] & 7u, sum->place[1] & 7u, sum->place[2] & 7u);
+        count = 1u << 3 * sum->level;
+    }
+    for (unsigned cell = first; cell < first + count; cell++)
+    {
+        add(sum, alpha[cell >> 3 * detail], color[cell >> 3 * detail], 1);
+    }
+    return 0;
+}
+
+/* The average, to the nearest; halves go away from 127, which is that of nothing known. */
+static uint8_t average(const cube_sum *sum)
+{
+    const uint64_t voxels = (uint64_t)1 << 3 * sum->level;
+    const int is_above = sum->above >= sum->below;
+    const uint64_t size = is_above ? sum->above - sum->below : sum->below - sum->above;
+    const uint64_t mean = (size + voxels / 2) / voxels;
+    return (uint8_t)(is_above ? CM_UNKNOWN + mean : CM_UNKNOWN - mean);
+}
+
+static cm_voxel average_at(const cm_octree *octree, const uint32_t place[3], int level)
+{
+    cube_sum sum = {.level = level, .octree = octree};
+    cm_walk walk = {.user = &sum, .even = add_even, .block = add_block};
+    for (int axis = 0; axis < 3; axis++)
+    {
+        sum.place[axis] = place[axis] >> level << level;
+        walk.first[axis] = sum.place[axis];
+        walk.beyond[axis] = sum.place[axis] + (1u << level);
+    }
+    if (cm_walk_run(octree, &walk) != CM_OK)
+    {
+        return nothing;
+    }
+    cm_voxel voxel = cm_voxel_at(octree, sum.place, level, average(&sum), 0);
+    if (voxel.state == CM_VOXEL_OCCUPIED && sum.colored > 0)
+    {
+        voxel.has_color = 1;
+        for (int i = 0; i < 3; i++)
+        {
+            voxel.color[i] = (uint8_t)((sum.color[i] + sum.colored / 2) / sum.colored);
+        }
+    }
+    return voxel;
+}
+
+/* The voxel that was updated as one. */
+static cm_voxel finest_at(const cm_octree *octree, const uint32_t place[3])
+{
+    const cm_spot spot = cm_node_find(octree, place);
+    const cm_node *node = &octree->node[spot.node];
+    if (node->kind == CM_NODE_LEAF)
+    {
+        return cm_voxel_at(octree, place, 0, cm_after_misses(&octree->rule, node->value, spot.misses), 0);
+    }
+    const cm_region *region = NULL;
+    if (cm_node_look(octree, spot.node, place, &region) != CM_OK)
+    {
+        return nothing;
+    }
+    const unsigned block = cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3);
+    const unsigned cell = cm_interleave_3(place[0], place[1], place[2]);
+    uint32_t color = 0;
+    const uint8_t alpha = cm_block_cell(region, block, &octree->rule, spot.misses, cell, &color);
+    const unsigned detail = region->detail[block];
+    const uint32_t corner[3] = {place[0] >> detail << detail, place[1] >> detail << detail,
+                                place[2] >> detail << detail};
+    return cm_voxel_at(octree, corner, (int)detail, alpha, color);
+}
+
+int cm_octree_at(const cm_octree *octree, const double point[3], int level, cm_voxel *voxel)
+{
+    cm_voxel found = nothing;
+    uint32_t place[3];
+    int is_inside = octree != NULL && point != NULL && level >= 0 && level <= octree->options.levels;
+    for (int axis = 0; is_inside && axis < 3; axis++)
+    {
+        const double at = cm_world_place(octree, axis, point[axis]);
+        is_inside = at >= octree->first[axis] && at < octree->beyond[axis];
+        place[axis] = is_inside ? (uint32_t)at : 0;
+    }
+    if (is_inside)
+    {
+        found = level == 0 ? finest_at(octree, place) : average_at(octree, place, level);
+    }
+    if (voxel != NULL)
+    {
+        *voxel = found;
+    }
+    return found.state;
+}

@@ -1,0 +1,520 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Maps into maps. Where voxels fall on voxels and blocks on blocks, cubes and blocks are added as they are; else each voxel of the
+ * one map takes what is at its centre in the other.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "interleave.h"
+#include "node_tree.h"
+#include "page.h"
+#include "walk.h"
+
+/* ---- sums ---- */
+
+static uint8_t sum_of(const cm_count_rule *rule, unsigned a, unsigned b)
+{
+    const int sum = (int)a + (int)b - CM_UNKNOWN;
+    return (uint8_t)(sum < rule->low ? rule->low : sum > rule->high ? rule->high : sum);
+}
+
+/* The mean of colors, weighted by hits; one that is none weighs nothing. */
+static uint32_t mean_of(uint32_t a, unsigned hits_a, uint32_t b, unsigned hits_b)
+{
+    if (a == 0 || b == 0)
+    {
+        return a == 0 ? b : a;
+    }
+    const uint32_t sum = hits_a + hits_b;
+    const uint32_t red = ((a >> 21) * hits_a + (b >> 21) * hits_b + sum / 2) / sum;
+    const uint32_t green = ((a >> 10 & 2047u) * hits_a + (b >> 10 & 2047u) * hits_b + sum / 2) / sum;
+    const uint32_t blue = ((a & 1023u) * hits_a + (b & 1023u) * hits_b + sum / 2) / sum;
+    return red << 21 | green << 10 | blue;
+}
+
+/* A block of values, one a voxel, and of which detail they are. */
+typedef struct added_block
+{
+    uint8_t alpha[512];
+    uint32_t color[512];
+    unsigned detail;
+} added_block;
+
+static int add_cells(cm_octree *to, cm_region *region, unsigned block, const added_block *added)
+{
+    const cm_count_rule *rule = &to->rule;
+    uint8_t *alpha = cm_block_open(region, block, rule, added->detail);
+    if (alpha == NULL)
+    {
+        return 0;
+    }
+    const unsigned shift = 3 * region->detail[block];
+    uint32_t *color = region->color == NULL ? NULL : region->color[block];
+    for (unsigned cell = 0; cell < 512u >> shift; cell++)
+    {
+        const uint8_t more = added->alpha[cell << shift];
+        const uint32_t word = to->options.color ? added->color[cell << shift] : 0;
+        const uint8_t sum = sum_of(rule, alpha[cell], more);
+        if (sum > CM_UNKNOWN && word != 0 && color == NULL)
+        {
+            color = cm_block_colors(region, block);
+            if (color == NULL)
+            {
+                return 0;
+            }
+        }
+        if (color != NULL)
+        {
+            const uint32_t old = alpha[cell] > CM_UNKNOWN ? color[cell] : 0;
+            color[cell] = sum <= CM_UNKNOWN
+                              ? 0
+                              : mean_of(old, cm_hits_of(rule, alpha[cell]), word, cm_hits_of(rule, more));
+        }
+        alpha[cell] = sum;
+    }
+    region->changed[block] = to->step;
+    cm_block_settle(region, block);
+    return 1;
+}
+
+static cm_status add_block(cm_octree *to, const uint32_t place[3], const added_block *added)
+{
+    const uint32_t corner[3] = {place[0] >> CM_REGION_LEVEL << CM_REGION_LEVEL,
+                                place[1] >> CM_REGION_LEVEL << CM_REGION_LEVEL,
+                                place[2] >> CM_REGION_LEVEL << CM_REGION_LEVEL};
+    uint32_t node = 0;
+    cm_region *region = NULL;
+    cm_status status = cm_node_reach(to, corner, CM_REGION_LEVEL, &node);
+    status = status == CM_OK ? cm_node_region(to, node, corner, &region) : status;
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    to->bytes -= cm_region_size(region);
+    const int good = add_cells(to, region, cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3), added);
+    to->bytes += cm_region_size(region);
+    region->is_dirty = 1;
+    return good ? cm_pages_trim(to) : CM_ERROR_MEMORY;
+}
+
+/* ---- the same places ---- */
+
+typedef struct merge_work
+{
+    cm_octree *to;
+    const cm_octree *from;
+    int64_t shift[3]; /* from places of `from` to places of `to` */
+    cm_status status;
+    uint64_t *key; /* of blocks of `to` that are to be sampled */
+    size_t count;
+    size_t room;
+    const cm_pose *pose;
+} merge_work;
+
+/* To a place of the other map; 0 if it is beyond it. */
+static int shifted(const merge_work *work, const uint32_t place[3], uint32_t to[3])
+{
+    int is_inside = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const int64_t at = (int64_t)place[axis] + work->shift[axis];
+        is_inside &= at >= 0 && at < (int64_t)1 << work->to->tree_level;
+        to[axis] = is_inside ? (uint32_t)at : 0;
+    }
+    return is_inside;
+}
+
+static cm_status add_even_region(cm_octree *to, uint32_t node, const uint32_t place[3], uint8_t alpha)
+{
+    cm_region *region = NULL;
+    cm_status status = cm_node_region(to, node, place, &region);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    added_block added = {.detail = 3};
+    memset(added.alpha, alpha, sizeof added.alpha);
+    to->bytes -= cm_region_size(region);
+    for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
+    {
+        if (region->form[block] == CM_BLOCK_EVEN)
+        {
+            region->value[block] = sum_of(&to->rule, region->value[block], alpha);
+            region->changed[block] = to->step;
+        }
+        else if (!add_cells(to, region, block, &added))
+        {
+            status = CM_ERROR_MEMORY;
+        }
+    }
+    to->bytes += cm_region_size(region);
+    region->is_dirty = 1;
+    const cm_status trimmed = cm_pages_trim(to);
+    return status != CM_OK ? status : trimmed;
+}
+
+/* All of a node. */
+static cm_status add_to_node(cm_octree *to, uint32_t index, const uint32_t place[3], int level, uint8_t alpha)
+{
+    cm_node *node = &to->node[index];
+    if (node->kind == CM_NODE_LEAF)
+    {
+        node->value = sum_of(&to->rule, node->value, alpha);
+        node->changed = to->step;
+        return CM_OK;
+    }
+    if (node->kind != CM_NODE_INNER)
+    {
+        return add_even_region(to, index, place, alpha);
+    }
+    cm_node_push(to, index);
+    const uint32_t link = node->link;
+    cm_status status = CM_OK;
+    for (uint32_t child = 0; status == CM_OK && child < 8; child++)
+    {
+        uint32_t below[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
+        }
+        status = add_to_node(to, link + child, below, level - 1, alpha);
+    }
+    return status;
+}
+
+static int add_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
+{
+    merge_work *work = user;
+    uint32_t at[3], node = 0;
+    if (alpha == CM_UNKNOWN || !shifted(work, place, at))
+    {
+        return 0;
+    }
+    if (level >= CM_REGION_LEVEL && work->to->tree_level >= level)
+    {
+        work->status = cm_node_reach(work->to, at, level, &node);
+        work->status = work->status == CM_OK ? add_to_node(work->to, node, at, level, alpha) : work->status;
+        return work->status != CM_OK;
+    }
+    added_block added = {.detail = 3};
+    memset(added.alpha, alpha, sizeof added.alpha);
+    work->status = add_block(work->to, at, &added);
+    return work->status != CM_OK;
+}
+
+static void expand(const cm_octree *octree, const cm_region *region, unsigned block, unsigned misses,
+                   added_block *added)
+{
+    uint8_t alpha[512];
+    uint32_t color[512];
+    added->detail = cm_block_read(region, block, &octree->rule, misses, alpha, color);
+    for (unsigned cell = 0; cell < 512; cell++)
+    {
+        added->alpha[cell] = alpha[cell >> 3 * added->detail];
+        added->color[cell] = color[cell >> 3 * added->detail];
+    }
+}
+
+static void block_place(const cm_region *region, unsigned block, uint32_t place[3])
+{
+    unsigned in[3];
+    cm_divide_3(block, in);
+    for (int axis = 0; axis < 3; axis++)
+    {
+        place[axis] = region->place[axis] + 8 * in[axis];
+    }
+}
+
+static int add_same_block(void *user, const cm_region *region, unsigned block, unsigned misses)
+{
+    merge_work *work = user;
+    uint32_t place[3], at[3];
+    block_place(region, block, place);
+    if (!shifted(work, place, at))
+    {
+        return 0;
+    }
+    added_block added;
+    expand(work->from, region, block, misses, &added);
+    work->status = add_block(work->to, at, &added);
+    return work->status != CM_OK;
+}
+
+/* ---- other places ---- */
+
+static void to_world(const merge_work *work, const double in_from[3], double world[3])
+{
+    double at[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        at[axis] = cm_place_world(work->from, axis, in_from[axis]);
+    }
+    if (work->pose != NULL)
+    {
+        cm_pose_apply_back(work->pose, at, world);
+        return;
+    }
+    memcpy(world, at, sizeof at);
+}
+
+static int push_key(merge_work *work, const uint32_t block[3])
+{
+    if (work->count == work->room)
+    {
+        const size_t room = work->room == 0 ? 1024 : 2 * work->room;
+        uint64_t *more = realloc(work->key, room * sizeof *more);
+        if (more == NULL)
+        {
+            return 0;
+        }
+        work->key = more;
+        work->room = room;
+    }
+    work->key[work->count++] = cm_interleave(block);
+    return 1;
+}
+
+static int by_key(const void *a, const void *b)
+{
+    const uint64_t *p = a, *q = b;
+    return *p < *q ? -1 : *p > *q;
+}
+
+static void make_unique(merge_work *work)
+{
+    if (work->count > 1)
+    {
+        qsort(work->key, work->count, sizeof *work->key, by_key);
+    }
+    size_t kept = 0;
+    for (size_t i = 0; i < work->count; i++)
+    {
+        if (i == 0 || work->key[i] != work->key[i - 1])
+        {
+            work->key[kept++] = work->key[i];
+        }
+    }
+    work->count = kept;
+}
+
+/* Blocks of `to` that a cube of `from` may reach into. */
+static int list_cube(merge_work *work, const uint32_t place[3], int level)
+{
+    const cm_octree *to = work->to;
+    const double size = ldexp(1.0, level);
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (unsigned corner = 0; corner < 8; corner++)
+    {
+        double in_from[3], world[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            in_from[axis] = place[axis] + (corner >> axis & 1u ? size : 0.0);
+        }
+        to_world(work, in_from, world);
+        for (int axis = 0; axis < 3; axis++)
+        {
+            const double at = cm_world_place(to, axis, world[axis]);
+            low[axis] = fmin(low[axis], at - 1.0);
+            high[axis] = fmax(high[axis], at + 1.0);
+        }
+    }
+    uint32_t first[3], last[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        low[axis] = fmax(low[axis], to->first[axis]);
+        high[axis] = fmin(high[axis], to->beyond[axis] - 1.0);
+        if (!(low[axis] <= high[axis]))
+        {
+            return 1;
+        }
+        first[axis] = (uint32_t)low[axis] >> 3;
+        last[axis] = (uint32_t)high[axis] >> 3;
+    }
+    for (uint32_t z = first[2]; z <= last[2]; z++)
+    {
+        for (uint32_t y = first[1]; y <= last[1]; y++)
+        {
+            for (uint32_t x = first[0]; x <= last[0]; x++)
+            {
+                if (!push_key(work, (const uint32_t[3]){x, y, z}))
+                {
+                    return 0;
+                }
+            }
+        }
+    }
+    if (work->count > (size_t)1 << 22)
+    {
+        make_unique(work);
+    }
+    return 1;
+}
+
+static int list_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
+{
+    merge_work *work = user;
+    if (alpha != CM_UNKNOWN && !list_cube(work, place, level))
+    {
+        work->status = CM_ERROR_MEMORY;
+        return 1;
+    }
+    return 0;
+}
+
+static int list_block(void *user, const cm_region *region, unsigned block, unsigned misses)
+{
+    uint32_t place[3];
+    (void)misses;
+    block_place(region, block, place);
+    return list_even(user, place, CM_BLOCK_LEVEL, 0);
+}
+
+static void place_of_key(uint64_t key, uint32_t place[3])
+{
+    place[0] = place[1] = place[2] = 0;
+    for (unsigned bit = 0; bit < 21; bit++)
+    {
+        for (unsigned axis = 0; axis < 3; axis++)
+        {
+            place[axis] |= (uint32_t)(key >> (3 * bit + axis) & 1u) << bit;
+        }
+    }
+}
+
+/* What is at a point of the world of `to` in `from`. */
+static uint8_t sample(const merge_work *work, const double world[3], uint32_t *color)
+{
+    const cm_octree *from = work->from;
+    double at[3];
+    if (work->pose != NULL)
+    {
+        cm_pose_apply(work->pose, world, at);
+    }
+    else
+    {
+        memcpy(at, world, sizeof at);
+    }
+    uint32_t place[3];
+    *color = 0;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const double in_from = cm_world_place(from, axis, at[axis]);
+        if (!(in_from >= from->first[axis] && in_from < from->beyond[axis]))
+        {
+            return CM_UNKNOWN;
+        }
+        place[axis] = (uint32_t)in_from;
+    }
+    const cm_spot spot = cm_node_find(from, place);
+    const cm_node *node = &from->node[spot.node];
+    const cm_region *region = NULL;
+    if (node->kind == CM_NODE_LEAF)
+    {
+        return cm_after_misses(&from->rule, node->value, spot.misses);
+    }
+    if (cm_node_look(from, spot.node, place, &region) != CM_OK)
+    {
+        return CM_UNKNOWN;
+    }
+    return cm_block_cell(region, cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3), &from->rule,
+                         spot.misses, cm_interleave_3(place[0], place[1], place[2]), color);
+}
+
+static cm_status add_sampled(merge_work *work, uint64_t key)
+{
+    uint32_t place[3];
+    place_of_key(key << 9, place);
+    added_block added = {.detail = 0};
+    int is_known = 0;
+    for (unsigned cell = 0; cell < 512; cell++)
+    {
+        unsigned in[3];
+        double world[3];
+        int is_own = 1;
+        cm_divide_3(cell, in);
+        for (int axis = 0; axis < 3; axis++)
+        {
+            const uint32_t at = place[axis] + in[axis];
+            is_own &= at >= work->to->first[axis] && at < work->to->beyond[axis];
+            world[axis] = cm_place_world(work->to, axis, at + 0.5);
+        }
+        added.alpha[cell] = is_own ? sample(work, world, &added.color[cell]) : CM_UNKNOWN;
+        is_known |= added.alpha[cell] != CM_UNKNOWN;
+    }
+    return is_known ? add_block(work->to, place, &added) : CM_OK;
+}
+
+/* ---- maps ---- */
+
+/* Do voxels fall on voxels and blocks on blocks? */
+static int are_aligned(merge_work *work)
+{
+    const cm_octree *to = work->to, *from = work->from;
+    int aligned = work->pose == NULL && to->options.edge == from->options.edge &&
+                  to->options.levels >= CM_REGION_LEVEL && from->options.levels >= CM_REGION_LEVEL;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const double away = (from->options.centre[axis] - to->options.centre[axis]) / to->options.edge;
+        const double whole = floor(away + 0.5);
+        aligned &= fabs(away - whole) < 1e-6 && fabs(whole) < 1e15 && fmod(whole, 64.0) == 0.0;
+        work->shift[axis] = aligned ? (int64_t)whole + ((int64_t)1 << (to->tree_level - 1)) -
+                                          ((int64_t)1 << (from->tree_level - 1))
+                                    : 0;
+    }
+    return aligned;
+}
+
+static cm_status merge_sampled(merge_work *work, cm_walk *walk)
+{
+    walk->even = list_even;
+    walk->block = list_block;
+    cm_status status = cm_walk_run(work->from, walk);
+    status = status == CM_ERROR_STOPPED ? work->status : status;
+    make_unique(work);
+    for (size_t i = 0; status == CM_OK && i < work->count; i++)
+    {
+        status = add_sampled(work, work->key[i]);
+    }
+    return status;
+}
+
+/* Cubes of a wider root may be around all of the other. */
+static int is_wider(const cm_octree *to, const cm_octree *from)
+{
+    return from->tree_level > to->tree_level;
+}
+
+cm_status cm_octree_merge(cm_octree *to, const cm_octree *from, const cm_pose *pose)
+{
+    if (to == NULL || from == NULL || to == from)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    cm_status status = pose == NULL ? CM_OK : cm_pose_check(pose);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    if (memcmp(&to->rule, &from->rule, sizeof to->rule) != 0)
+    {
+        return CM_ERROR_UNSUPPORTED;
+    }
+    merge_work work = {.to = to, .from = from, .pose = pose, .status = CM_OK};
+    cm_walk walk = {.user = &work, .even = add_even, .block = add_same_block};
+    cm_walk_all(from, &walk);
+    to->step++;
+    to->clock++;
+    if (are_aligned(&work) && !is_wider(to, from))
+    {
+        status = cm_walk_run(from, &walk);
+        status = status == CM_ERROR_STOPPED ? work.status : status;
+    }
+    else
+    {
+        status = merge_sampled(&work, &walk);
+    }
+    free(work.key);
+    return status;
+}

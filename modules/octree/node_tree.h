@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The nodes above regions.
+ */
+#ifndef MODULES_OCTREE_NODE_TREE_H
+#define MODULES_OCTREE_NODE_TREE_H
+
+#include "region.h"
+
+/* Where a place is found: the node at which the tree ends there, a leaf or a region, and the misses that wait in nodes above
+ * it and in itself, if it is a region. */
+typedef struct cm_spot
+{
+    uint32_t node;
+    int level;
+    unsigned misses;
+} cm_spot;
+
+/* The root, a leaf of what is unknown. 0 if there is no memory. */
+int cm_nodes_make(cm_octree *octree);
+void cm_nodes_drop(cm_octree *octree);
+
+/* The finest node at a place, in voxels. */
+cm_spot cm_node_find(const cm_octree *octree, const uint32_t place[3]);
+
+/* A leaf becomes an inner node with eight leaves; what waits in an inner node is brought down to its children. 0 if there is no
+ * memory: nothing changes. */
+int cm_node_divide(cm_octree *octree, uint32_t node);
+
+/* What waits in a node is brought down, whatever it is; leaves have nothing. */
+void cm_node_push(cm_octree *octree, uint32_t node);
+
+/* Misses of all that a node has. */
+void cm_node_miss(cm_octree *octree, uint32_t node, unsigned misses);
+
+/* The region of a node at CM_REGION_LEVEL, in memory, with nothing waiting above its blocks; it is made of a leaf, and got from
+ * pages. */
+cm_status cm_node_region(cm_octree *octree, uint32_t node, const uint32_t place[3], cm_region **region);
+
+/* A region that was made or got becomes that of a node, which keeps the misses that wait. It is given back on failure. */
+cm_status cm_node_take_region(cm_octree *octree, uint32_t node, cm_region *region);
+
+/* The region of a node for reading; from pages, what is there goes back into memory. Misses that wait stay where they are. */
+cm_status cm_node_look(const cm_octree *octree, uint32_t node, const uint32_t place[3], const cm_region **region);
+
+/* A node becomes a leaf, and all below it is given back. */
+void cm_node_close(cm_octree *octree, uint32_t node, uint8_t alpha);
+
+/* Nodes of whom all eight children are equal leaves become leaves. */
+void cm_nodes_join(cm_octree *octree);
+
+/* The region of a node is put away: it keeps its place in the tree. */
+void cm_node_forget_region(cm_octree *octree, uint32_t node);
+
+/* Go down to a cube of 2^level voxels, level CM_REGION_LEVEL or more: its node. CM_ERROR_MEMORY. */
+cm_status cm_node_reach(cm_octree *octree, const uint32_t place[3], int level, uint32_t *node);
+
+#endif

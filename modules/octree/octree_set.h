@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The loops of an update, once for each instruction set, all with the same bits: no operation is fused, quotients are true
+ * ones, and what a pixel is depends on the place of a voxel's centre alone.
+ */
+#ifndef MODULES_OCTREE_OCTREE_SET_H
+#define MODULES_OCTREE_OCTREE_SET_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Rows of images have so many floats before their beginning and behind their end that can be read. */
+#define CM_OCTREE_SLACK 16
+
+/* What a pixel says of a voxel whose centre falls on it at Z, depth or range: a hit if |Z - depth| <= reach, a miss if
+ * Z < depth - front. reach and front are the upper halves of floats, that of front upper. depth is NaN where nothing is
+ * said; reach is negative where nothing is hit. */
+typedef struct cm_pixel_rule
+{
+    float depth;
+    uint32_t reach_front;
+} cm_pixel_rule;
+
+/* Least and greatest of what pixels say within windows of 2 x 2 cells of 2^level pixels, at each cell: what is nearer than
+ * least is missed by all, what is farther than most is touched by none. */
+typedef struct cm_window_level
+{
+    uint32_t width;
+    uint32_t height;
+    float *least;
+    float *most;
+} cm_window_level;
+
+#define CM_WINDOW_LEVELS 32
+
+/* A view, as the loops have it. Places in its picture are columns and rows from the centre of the first pixel. */
+typedef struct cm_view_table
+{
+    uint32_t width;
+    uint32_t height;
+    uint32_t stride; /* of rules, from row to row */
+    float focal[2];  /* pixels along rows and columns */
+    float centre[2]; /* the principal point */
+    float near;      /* what is nearer is not seen */
+    const cm_pixel_rule *rule;
+    int levels;
+    cm_window_level level[CM_WINDOW_LEVELS];
+} cm_view_table;
+
+/* What is known of a cube of voxel centres. */
+typedef enum cm_cube_class
+{
+    CM_CUBE_OUTSIDE = 0, /* nothing happens in it */
+    CM_CUBE_FREE = 1,    /* all of it is missed */
+    CM_CUBE_BAND = 2,    /* perhaps not, and all of it falls on the picture */
+    CM_CUBE_PART = 3     /* perhaps not */
+} cm_cube_class;
+
+/* Offsets of the cells' centres of a block from that of its first voxel, in the camera's axes; those of each detail. */
+typedef struct cm_cell_offsets
+{
+    float x[512];
+    float y[512];
+    float z[512];
+} cm_cell_offsets;
+
+/* A row of a depth image and its surroundings: 1 / depth, NaN where nothing was measured. */
+typedef struct cm_rule_row
+{
+    const float *depth; /* clean */
+    const float *at;    /* 1 / depth of this row, `apart` above and below */
+    const float *above;
+    const float *below;
+    uint32_t apart;     /* pixels between those that slopes are found by */
+    float column_place; /* of the first column from the principal point */
+    float row_place;
+    float step;            /* 1 / apart */
+    float focal[2];
+    float axes[3][3];      /* columns are of the world's axes in the camera */
+    float half;            /* an edge */
+    float more;            /* added to each reach */
+    float relative;        /* times depth, added, too: the sensor's noise */
+    float most;            /* no reach is more, but for noise */
+    float front_relative;  /* times depth: what noise adds to the front */
+    float far;             /* what is farther is no hit, and free up to here */
+} cm_rule_row;
+
+typedef struct cm_octree_set
+{
+    const char *name; /* first: as in options.h */
+    /* 1 / depth. */
+    void (*invert)(size_t n, const float *depth, float *inverse);
+    /* How far a hit reaches around each depth, and depth less reach and noise: what is nearer is in front of it; infinite where
+     * nothing was measured. */
+    void (*reaches)(size_t n, const cm_rule_row *row, float *reach, float *front);
+    /* The least of five. */
+    void (*least_of_five)(size_t n, const float *const from[5], float *to);
+    /* Rules and bounds of a row; five: the least front around each pixel; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
+    void (*rules)(size_t n, const float *depth, const float *reach, const float *five, float far, float free_far,
+                  cm_pixel_rule *rule, float *least, float *most);
+    /* Cells of twice the size from two rows of cells; n of the new ones. */
+    void (*halve)(size_t n, const float *const least_of[2], const float *const most_of[2], float *least,
+                  float *most);
+    /* Windows of 2 x 2 cells from two rows: n of them. */
+    void (*windows)(size_t n, const float *const least_of[2], const float *const most_of[2], float *least,
+                    float *most);
+    /* Classes of n cubes with centres x, y, z in the camera's axes, all with the half lengths of a box along those axes.
+     * Arrays have room for a multiple of 16. */
+    void (*classify)(const cm_view_table *view, size_t n, const float *x, const float *y, const float *z,
+                     const float half[3], uint8_t *class_of);
+    /* What happens to the 64 cells of a group at offsets from a first voxel, cells of `scale` edges: bits of hits and misses;
+     * pixel has the rules' indices of them all, NULL: not wanted. is_inside: all fall on the picture. */
+    void (*visit)(const cm_view_table *view, const float first[3], const float *x, const float *y, const float *z,
+                  float scale, int is_inside, uint64_t *hits, uint64_t *misses, int32_t pixel[64]);
+    /* 64 alphas after hits and misses: saturating. Returns 1 if any changed. */
+    int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss, uint8_t low, uint8_t high);
+} cm_octree_set;
+
+extern const cm_octree_set cm_octree_scalar;
+#ifdef CM_HAVE_SSE2
+extern const cm_octree_set cm_octree_sse2;
+#endif
+#ifdef CM_HAVE_AVX2
+extern const cm_octree_set cm_octree_avx2;
+#endif
+#ifdef CM_HAVE_AVX512
+extern const cm_octree_set cm_octree_avx512;
+#endif
+#ifdef CM_HAVE_NEON
+extern const cm_octree_set cm_octree_neon;
+#endif
+
+/* The set of that name, the scalar one if this build has none. */
+const cm_octree_set *cm_octree_set_find(const char *name);
+
+#endif

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Regions and their blocks: reading cells, writing them, packing them.
+ */
+#ifndef MODULES_OCTREE_REGION_H
+#define MODULES_OCTREE_REGION_H
+
+#include "octree_object.h"
+
+/* Cells of a block of that detail. */
+static inline size_t cm_cell_count(unsigned detail)
+{
+    return (size_t)512 >> 3 * detail;
+}
+
+/* One whose blocks all have an alpha; NULL if there is no memory. */
+cm_region *cm_region_make(const uint32_t place[3], uint8_t alpha);
+void cm_region_drop(cm_region *region);
+
+/* The memory of a region with its blocks. */
+uint64_t cm_region_size(const cm_region *region);
+
+/* Bring down misses to its blocks. */
+void cm_region_miss(cm_region *region, const cm_count_rule *rule, unsigned misses);
+
+/* Alphas of a block, cm_cell_count of them, with the misses that wait; and colors, 0 where there is none (NULL: not wanted).
+ * more: misses that wait above the region. Returns the detail. */
+unsigned cm_block_read(const cm_region *region, unsigned block, const cm_count_rule *rule,
+                       unsigned more, uint8_t alpha[512], uint32_t *color);
+
+/* One cell of it, as cm_block_read has them; cell is of level 0. */
+uint8_t cm_block_cell(const cm_region *region, unsigned block, const cm_count_rule *rule,
+                      unsigned more, unsigned cell, uint32_t *color);
+
+/* The bytes of a block that can be written, with no misses waiting: plain, of that detail or a finer one. NULL if there is no
+ * memory: nothing is lost then. */
+uint8_t *cm_block_open(cm_region *region, unsigned block, const cm_count_rule *rule, unsigned detail);
+
+/* The colors of an open block, which are made if there are none; NULL if there is no memory. */
+uint32_t *cm_block_colors(cm_region *region, unsigned block);
+
+/* If all cells of an open block are equal and none is occupied with a color, it is even from now on. */
+void cm_block_settle(cm_region *region, unsigned block);
+
+/* Is a block even whatever was lowest before, since so many misses wait? Then it becomes so. */
+void cm_block_drain(cm_region *region, unsigned block, const cm_count_rule *rule);
+
+/* Less memory for the same cells; open blocks are made of it again when they are written. 0 if there is no memory: it is
+ * as it was. */
+int cm_block_pack(cm_region *region, unsigned block, const cm_count_rule *rule);
+
+/* Make it even. */
+void cm_block_even(cm_region *region, unsigned block, uint8_t alpha);
+
+/* All blocks are even and of one alpha: it is in *alpha. */
+int cm_region_is_even(const cm_region *region, uint8_t *alpha);
+
+/* Colors are kept in 32 bits, 11, 11 and 10 of them, so that an average follows small changes. */
+uint32_t cm_color_from(const uint8_t rgb[3]);
+void cm_color_to(uint32_t color, uint8_t rgb[3]);
+/* A color that is averaged with one more, the weight-th. */
+uint32_t cm_color_mix(uint32_t color, const uint8_t rgb[3], unsigned weight);
+
+#endif

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One update at work.
+ */
+#ifndef MODULES_OCTREE_UPDATE_DESK_H
+#define MODULES_OCTREE_UPDATE_DESK_H
+
+#include "node_tree.h"
+#include "view_table.h"
+
+#define CM_DETAILS 4
+#define CM_REGION_GROUPS (8 * CM_REGION_BLOCKS)
+
+/* Kept from update to update: the memory of images and lists. */
+typedef struct cm_update_desk
+{
+    cm_view_desk view;
+    uint32_t *list; /* nodes of regions in which something may happen */
+    size_t count;
+    size_t room;
+    void *rounds; /* of cameras that are not straight: update_round.c */
+    void (*rounds_destroy)(void *rounds);
+} cm_update_desk;
+
+/* What all regions of an update share. */
+typedef struct cm_update
+{
+    cm_octree *octree;
+    cm_update_desk *desk;
+    const cm_view *view;
+    const cm_octree_set *set;
+    double step[3][3];        /* a finest edge along each axis of the world, in the camera's axes */
+    double origin[3];         /* the centre of the first voxel of the tree, in the camera's axes */
+    float block_half[3];      /* half a box along the camera's axes around the centres of a block's voxels */
+    float group_half[3];      /* of 4^3 voxels */
+    double pixel;             /* edges that a pixel is wide at distance 1, times the footprint */
+    const uint8_t *color;     /* NULL: none */
+    ptrdiff_t color_row;      /* bytes */
+    ptrdiff_t color_pixel;    /* bytes */
+    cm_cell_offsets offset[CM_DETAILS];
+    cm_cell_offsets block;    /* of the blocks of a region */
+    int failed;               /* 1: no memory */
+} cm_update;
+
+/* The desk of a map, which is made if there is none; NULL if there is no memory. */
+cm_update_desk *cm_update_desk_of(cm_octree *octree);
+
+/* A voxel's centre in the camera's axes. */
+void cm_update_place(const cm_update *update, const double place[3], double at[3]);
+
+/* Half lengths of a box along the camera's axes around the centres of a cube of 2^level voxels, a little more for rounding at a
+ * distance. */
+void cm_update_half(const cm_update *update, int level, double distance, float half[3]);
+
+/* A node in which something may happen: its region comes to the list. */
+cm_status cm_update_list_region(cm_update *update, uint32_t node, const uint32_t place[3]);
+
+/* The memory of listed regions; and those that are even again are given back. */
+uint64_t cm_update_listed_bytes(const cm_update *update);
+void cm_update_close_regions(cm_update *update);
+
+/* Update a region of a straight camera's view. */
+void cm_update_region(cm_update *update, cm_region *region);
+
+/* What a block's cells get: bits of hits and misses of eight groups of 64 cells, fewer of coarser details, and the pixels of hits.
+ * all_missed: 1 if each cell of the block is missed. */
+typedef struct cm_block_change
+{
+    unsigned detail;
+    uint64_t hits[8];
+    uint64_t misses[8];
+    int32_t pixel[8][64];
+} cm_block_change;
+
+/* Into the block; pixels are indices into rules, of rows `stride` wide. 0 if there is no memory. */
+int cm_update_block(cm_update *update, cm_region *region, unsigned block, const cm_block_change *change);
+
+/* All of a block is missed. */
+void cm_update_free_block(cm_update *update, cm_region *region, unsigned block);
+
+/* Which cells of a group are voxels of the map, and not beyond a small one. */
+uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block, unsigned detail,
+                         unsigned group);
+
+#endif

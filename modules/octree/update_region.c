@@ -1,0 +1,304 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A region in front of a straight camera: its blocks are classified together, then groups of 64 voxels of those that a surface
+ * may be in, then their voxels one by one.
+ */
+#include "update_desk.h"
+
+#include <string.h>
+
+#include "interleave.h"
+
+/* ---- one block ---- */
+
+/* Is a small map, which does not fill its region, wholly around a block? */
+static int is_within(const cm_octree *octree, const cm_region *region, unsigned block)
+{
+    unsigned at[3];
+    cm_divide_3(block, at);
+    int within = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const uint32_t first = region->place[axis] + 8 * at[axis];
+        within &= first >= octree->first[axis] && first + 8 <= octree->beyond[axis];
+    }
+    return within;
+}
+
+uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block, unsigned detail,
+                         unsigned group)
+{
+    if (is_within(octree, region, block))
+    {
+        return ~(uint64_t)0;
+    }
+    unsigned at[3];
+    cm_divide_3(block, at);
+    uint64_t valid = 0;
+    const size_t cells = cm_cell_count(detail);
+    for (unsigned i = 0; i < 64 && i < cells; i++)
+    {
+        unsigned in[3];
+        cm_divide_3((64 * group + i) << 3 * detail, in);
+        int is_valid = 1;
+        for (int axis = 0; axis < 3; axis++)
+        {
+            const uint32_t place = region->place[axis] + 8 * at[axis] + in[axis];
+            is_valid &= place >= octree->first[axis] && place < octree->beyond[axis];
+        }
+        valid |= (uint64_t)is_valid << i;
+    }
+    return valid;
+}
+
+static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color, uint64_t hits,
+                       const int32_t pixel[64])
+{
+    const cm_count_rule *rule = &update->octree->rule;
+    const size_t stride = update->desk->view.stride;
+    for (; hits != 0; hits &= hits - 1)
+    {
+        const unsigned i = (unsigned)__builtin_ctzll(hits);
+        const unsigned sum = (unsigned)alpha[i] + rule->hit;
+        const unsigned now = sum < rule->high ? sum : rule->high;
+        const uint32_t old = alpha[i] > CM_UNKNOWN ? color[i] : 0;
+        const size_t row = (size_t)pixel[i] / stride, column = (size_t)pixel[i] % stride;
+        const uint8_t *rgb = update->color + (ptrdiff_t)row * update->color_row +
+                             (ptrdiff_t)column * update->color_pixel;
+        color[i] = now > CM_UNKNOWN ? cm_color_mix(old, rgb, cm_hits_of(rule, now)) : 0;
+    }
+}
+
+int cm_update_block(cm_update *update, cm_region *region, unsigned block, const cm_block_change *change)
+{
+    const cm_count_rule *rule = &update->octree->rule;
+    uint8_t *alpha = cm_block_open(region, block, rule, change->detail);
+    if (alpha == NULL)
+    {
+        return 0;
+    }
+    const size_t cells = cm_cell_count(region->detail[block]);
+    uint64_t any_hits = 0;
+    int has_changed = 0;
+    for (size_t group = 0; group * 64 < cells; group++)
+    {
+        any_hits |= change->hits[group];
+        if (change->hits[group] != 0 && update->color != NULL)
+        {
+            uint32_t *color = cm_block_colors(region, block);
+            if (color == NULL)
+            {
+                return 0;
+            }
+            color_hits(update, alpha + 64 * group, color + 64 * group, change->hits[group],
+                       change->pixel[group]);
+        }
+        if ((change->hits[group] | change->misses[group]) != 0)
+        {
+            has_changed |= update->set->count(alpha + 64 * group, change->hits[group], change->misses[group],
+                                              rule->hit, rule->miss, rule->low, rule->high);
+        }
+    }
+    if (has_changed)
+    {
+        region->changed[block] = update->octree->step;
+    }
+    if (any_hits == 0)
+    {
+        cm_block_settle(region, block);
+    }
+    return 1;
+}
+
+void cm_update_free_block(cm_update *update, cm_region *region, unsigned block)
+{
+    const cm_count_rule *rule = &update->octree->rule;
+    const uint8_t old = region->value[block];
+    if (region->form[block] == CM_BLOCK_EVEN)
+    {
+        region->value[block] = cm_after_misses(rule, old, 1);
+    }
+    else
+    {
+        region->value[block] = cm_more_misses(old, 1);
+        cm_block_drain(region, block, rule);
+    }
+    if (region->value[block] != old)
+    {
+        region->changed[block] = update->octree->step;
+    }
+}
+
+/* ---- details ---- */
+
+/* Voxels no finer than so many pixels, where the block is. */
+static unsigned detail_at(const cm_update *update, const cm_region *region, unsigned block, float z)
+{
+    unsigned detail = 0;
+    const double wanted = update->pixel * (double)z;
+    while (detail + 1 < CM_DETAILS && (double)(1u << detail) < wanted)
+    {
+        detail++;
+    }
+    const int is_even = region->form[block] == CM_BLOCK_EVEN;
+    return is_even || detail < region->detail[block] ? detail : region->detail[block];
+}
+
+/* ---- voxels ---- */
+
+typedef struct block_work
+{
+    float first[3]; /* the first voxel's centre, in the camera's axes */
+    uint8_t block_class;
+    const uint8_t *group_class; /* of eight groups */
+} block_work;
+
+static void first_voxel(const cm_update *update, const cm_region *region, unsigned block, float first[3])
+{
+    unsigned at[3];
+    cm_divide_3(block, at);
+    double place[3], in_camera[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        place[axis] = (double)region->place[axis] + 8.0 * at[axis];
+    }
+    cm_update_place(update, place, in_camera);
+    for (int axis = 0; axis < 3; axis++)
+    {
+        first[axis] = (float)in_camera[axis];
+    }
+}
+
+/* Hits and misses of a group; nothing of one that nothing happens in. */
+static void visit_group(const cm_update *update, const block_work *work, unsigned detail, unsigned group,
+                        cm_block_change *change)
+{
+    const unsigned class_of = detail == 0 ? work->group_class[group] : (unsigned)CM_CUBE_PART;
+    if (class_of == CM_CUBE_FREE)
+    {
+        change->misses[group] = ~(uint64_t)0;
+        return;
+    }
+    if (class_of == CM_CUBE_OUTSIDE)
+    {
+        return;
+    }
+    const cm_cell_offsets *offset = &update->offset[detail];
+    update->set->visit(&update->desk->view.table, work->first, offset->x + 64 * group, offset->y + 64 * group,
+                       offset->z + 64 * group, (float)(1u << detail), class_of == CM_CUBE_BAND,
+                       &change->hits[group], &change->misses[group],
+                       update->color != NULL ? change->pixel[group] : NULL);
+}
+
+static void visit_block(cm_update *update, cm_region *region, unsigned block, const block_work *work,
+                        unsigned detail)
+{
+    cm_block_change change;
+    change.detail = detail;
+    memset(change.hits, 0, sizeof change.hits);
+    memset(change.misses, 0, sizeof change.misses);
+    const size_t cells = cm_cell_count(detail);
+    const uint64_t all = cells < 64 ? ((uint64_t)1 << cells) - 1 : ~(uint64_t)0;
+    uint64_t any = 0, every_miss = all;
+    for (unsigned group = 0; group * 64 < cells; group++)
+    {
+        visit_group(update, work, detail, group, &change);
+        const uint64_t valid = cm_update_valid(update->octree, region, block, detail, group) & all;
+        change.hits[group] &= valid;
+        change.misses[group] &= valid & ~change.hits[group];
+        any |= change.hits[group] | change.misses[group];
+        every_miss &= change.misses[group];
+    }
+    if (any == 0)
+    {
+        return;
+    }
+    if (every_miss == all && region->form[block] == CM_BLOCK_EVEN)
+    {
+        cm_update_free_block(update, region, block);
+    }
+    else if (!cm_update_block(update, region, block, &change))
+    {
+        update->failed = 1;
+    }
+}
+
+/* ---- a region ---- */
+
+/* The centres of blocks, then of groups, in the camera's axes; arrays have room for 4096. */
+typedef struct cube_places
+{
+    float x[CM_REGION_GROUPS];
+    float y[CM_REGION_GROUPS];
+    float z[CM_REGION_GROUPS];
+    uint8_t class_of[CM_REGION_GROUPS];
+} cube_places;
+
+static void classify_blocks(const cm_update *update, const cm_region *region, cube_places *places,
+                            uint8_t class_of[CM_REGION_BLOCKS], float z[CM_REGION_BLOCKS])
+{
+    float first[3];
+    first_voxel(update, region, 0, first);
+    for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
+    {
+        places->x[block] = first[0] + update->block.x[block];
+        places->y[block] = first[1] + update->block.y[block];
+        places->z[block] = first[2] + update->block.z[block];
+    }
+    update->set->classify(&update->desk->view.table, CM_REGION_BLOCKS, places->x, places->y, places->z,
+                          update->block_half, class_of);
+    memcpy(z, places->z, CM_REGION_BLOCKS * sizeof *z);
+}
+
+/* Groups of the listed blocks; first has their first voxels. */
+static void classify_groups(const cm_update *update, size_t count, const float (*first)[3],
+                            cube_places *places)
+{
+    const cm_cell_offsets *offset = &update->offset[2]; /* cells of 4^3 voxels are those of detail 2 */
+    for (size_t i = 0; i < count; i++)
+    {
+        for (size_t group = 0; group < 8; group++)
+        {
+            places->x[8 * i + group] = first[i][0] + offset->x[group];
+            places->y[8 * i + group] = first[i][1] + offset->y[group];
+            places->z[8 * i + group] = first[i][2] + offset->z[group];
+        }
+    }
+    for (size_t i = 8 * count; i % 16 != 0; i++)
+    {
+        places->x[i] = places->y[i] = places->z[i] = 0.0f;
+    }
+    update->set->classify(&update->desk->view.table, 8 * count, places->x, places->y, places->z,
+                          update->group_half, places->class_of);
+}
+
+void cm_update_region(cm_update *update, cm_region *region)
+{
+    cube_places places;
+    uint8_t class_of[CM_REGION_BLOCKS];
+    float z[CM_REGION_BLOCKS];
+    uint16_t listed[CM_REGION_BLOCKS];
+    float first[CM_REGION_BLOCKS][3];
+    classify_blocks(update, region, &places, class_of, z);
+    size_t count = 0;
+    for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
+    {
+        if (class_of[block] == CM_CUBE_FREE && is_within(update->octree, region, block))
+        {
+            cm_update_free_block(update, region, block);
+        }
+        else if (class_of[block] != CM_CUBE_OUTSIDE)
+        {
+            first_voxel(update, region, block, first[count]);
+            listed[count++] = (uint16_t)block;
+        }
+    }
+    classify_groups(update, count, (const float(*)[3])first, &places);
+    for (size_t i = 0; i < count; i++)
+    {
+        block_work work = {.block_class = class_of[listed[i]], .group_class = places.class_of + 8 * i};
+        memcpy(work.first, first[i], sizeof work.first);
+        visit_block(update, region, listed[i], &work, detail_at(update, region, listed[i], z[listed[i]]));
+    }
+    region->is_dirty = 1;
+}

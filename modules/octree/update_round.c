@@ -1,0 +1,517 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Views of lenses and of whole surroundings: cubes are compared with cones around tiles of pixels, and voxels are asked of the camera
+ * one by one. What a pixel says of a voxel is as for straight cameras.
+ */
+#include "update_round.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "interleave.h"
+#include "pixel_tree.h"
+
+/* As in view_table.c, in edges. */
+#define REACH_MOST 8.0
+#define REACH_MORE 0.25
+
+typedef struct round_desk
+{
+    cm_camera_options camera; /* whose cones these are */
+    cm_pixel_tree tree;
+    cm_rays *rays;
+    float *memory; /* eight images */
+    float *vertex[3], *normal[3];
+    float *front, *five;
+    cm_pixel_rule *rule;
+    int is_range;
+} round_desk;
+
+typedef struct round_work
+{
+    cm_update *update;
+    round_desk *round;
+    double centre; /* of pixels */
+} round_work;
+
+static void clear_round(round_desk *round)
+{
+    cm_pixel_tree_clear(&round->tree);
+    cm_rays_destroy(round->rays);
+    free(round->memory);
+    free(round->rule);
+    memset(round, 0, sizeof *round);
+}
+
+static void destroy_round(void *memory)
+{
+    clear_round(memory);
+    free(memory);
+}
+
+/* ---- the camera's cones, which stay from view to view ---- */
+
+static int is_same_camera(const round_desk *round, const cm_camera_options *camera)
+{
+    cm_camera_options other = *camera;
+    other.mapping = NULL;
+    /* mappings and their frames are told apart by rays of each face */
+    return round->memory != NULL && round->is_range == (camera->mapping != NULL) &&
+           memcmp(&round->camera, &other, sizeof other) == 0;
+}
+
+static int has_same_rays(const round_desk *round, const cm_camera *camera)
+{
+    const cm_pixel_tree *tree = &round->tree;
+    for (uint32_t face = 0; face < tree->faces; face++)
+    {
+        const uint32_t r = face * tree->face_rows + tree->face_rows / 3, c = tree->width / 4;
+        const double column = c + round->camera.pixel_centre, row = r + round->camera.pixel_centre;
+        double ray[3];
+        cm_camera_ray_array(camera, 1, &column, &row, ray, ray + 1, ray + 2);
+        const double length = sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]);
+        for (int axis = 0; axis < 3; axis++)
+        {
+            const float now = (float)(ray[axis] / length);
+            const float then = tree->ray[axis][(size_t)r * tree->width + c];
+            if (memcmp(&now, &then, sizeof now) != 0)
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+static cm_status make_round(round_desk *round, const cm_octree *octree, const cm_camera *camera)
+{
+    const cm_camera_options *options = cm_camera_describe(camera);
+    const size_t pixels = (size_t)options->width * options->height;
+    clear_round(round);
+    round->camera = *options;
+    round->camera.mapping = NULL;
+    round->is_range = options->mapping != NULL;
+    cm_status status = cm_pixel_tree_make(camera, &round->tree);
+    status = status == CM_OK ? cm_rays_create(camera, octree->set->name, &round->rays) : status;
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    round->memory = malloc(8 * pixels * sizeof *round->memory);
+    round->rule = malloc(pixels * sizeof *round->rule);
+    if (round->memory == NULL || round->rule == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    for (size_t i = 0; i < 3; i++)
+    {
+        round->vertex[i] = round->memory + i * pixels;
+        round->normal[i] = round->memory + (3 + i) * pixels;
+    }
+    round->front = round->memory + 6 * pixels;
+    round->five = round->memory + 7 * pixels;
+    return CM_OK;
+}
+
+static cm_status round_of(cm_update *update, round_desk **round)
+{
+    cm_update_desk *desk = update->desk;
+    if (desk->rounds == NULL)
+    {
+        desk->rounds = calloc(1, sizeof(round_desk));
+        desk->rounds_destroy = destroy_round;
+    }
+    if (desk->rounds == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    *round = desk->rounds;
+    const cm_camera *camera = update->view->camera;
+    if (is_same_camera(*round, cm_camera_describe(camera)) && has_same_rays(*round, camera))
+    {
+        return CM_OK;
+    }
+    const cm_status status = make_round(*round, update->octree, camera);
+    if (status != CM_OK)
+    {
+        clear_round(*round);
+    }
+    return status;
+}
+
+/* ---- rules of pixels ---- */
+
+/* How far along a pixel's ray the surface may cross a voxel: as in octree_set.inc, from the normal. */
+static double reach_of(const cm_update *update, const round_desk *round, size_t pixel, double value)
+{
+    const double edge = update->octree->options.edge;
+    double point[3], normal[3], along = 0.0, square = 0.0;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        point[axis] = (double)round->vertex[axis][pixel];
+        normal[axis] = (double)round->normal[axis][pixel];
+        along += normal[axis] * point[axis];
+        square += point[axis] * point[axis];
+    }
+    if (!(fabs(along) > 0.0))
+    {
+        return edge * (0.5 * sqrt(3.0) + REACH_MORE);
+    }
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        sum += fabs(normal[0] * update->step[axis][0] + normal[1] * update->step[axis][1] +
+                    normal[2] * update->step[axis][2]);
+    }
+    const double range = sqrt(square);
+    const double cosine = fmin(fabs(along) / range, 1.0);
+    const double tangent = sqrt(1.0 - cosine * cosine) / cosine;
+    const double side = sqrt(cm_camera_solid_angle(update->view->camera,
+                                                   (double)(pixel % round->tree.width) + round->camera.pixel_centre,
+                                                   (double)(pixel / round->tree.width) + round->camera.pixel_centre));
+    const double beside = isfinite(side) ? 0.5 * side * tangent * value : 0.0;
+    return fmin(0.5 * sum * value / fabs(along) + beside + REACH_MORE * edge, REACH_MOST * edge);
+}
+
+static void reach_rows(size_t first, size_t end, void *user)
+{
+    const round_work *work = user;
+    round_desk *round = work->round;
+    const cm_octree_options *options = &work->update->octree->options;
+    const float *value = work->update->desk->view.packed;
+    const float far = options->far > 0.0 ? (float)options->far : INFINITY;
+    const size_t width = round->tree.width;
+    for (size_t pixel = first * width; pixel < end * width; pixel++)
+    {
+        const float v = value[pixel];
+        round->rule[pixel].depth = -1.0f; /* the reach, for now */
+        round->front[pixel] = v > far ? far : INFINITY;
+        if (v <= far)
+        {
+            const double d = (double)v;
+            const double reach = reach_of(work->update, round, pixel, d) + options->noise * d;
+            round->rule[pixel].depth = (float)reach;
+            round->front[pixel] = (float)(d - reach - options->noise * d);
+        }
+    }
+}
+
+/* The least front of 5 x 5 pixels of a face. */
+static float least_around(const round_desk *round, uint32_t column, uint32_t row)
+{
+    const cm_pixel_tree *tree = &round->tree;
+    const uint32_t face = row / tree->face_rows * tree->face_rows;
+    const uint32_t first_row = row >= face + 2 ? row - 2 : face;
+    const uint32_t last_row = row + 2 < face + tree->face_rows ? row + 2 : face + tree->face_rows - 1;
+    const uint32_t first_column = column >= 2 ? column - 2 : 0;
+    const uint32_t last_column = column + 2 < tree->width ? column + 2 : tree->width - 1;
+    float least = INFINITY;
+    for (uint32_t r = first_row; r <= last_row; r++)
+    {
+        for (uint32_t c = first_column; c <= last_column; c++)
+        {
+            const float front = round->front[(size_t)r * tree->width + c];
+            least = front < least ? front : least;
+        }
+    }
+    return least;
+}
+
+static void least_rows(size_t first, size_t end, void *user)
+{
+    const round_work *work = user;
+    for (size_t row = first; row < end; row++)
+    {
+        for (uint32_t column = 0; column < work->round->tree.width; column++)
+        {
+            work->round->five[row * work->round->tree.width + column] =
+                least_around(work->round, column, (uint32_t)row);
+        }
+    }
+}
+
+/* Range of omnidirectional cameras, depth of lenses. */
+static cm_status take_values(round_work *work)
+{
+    const cm_view *view = work->update->view;
+    float *value = work->update->desk->view.packed;
+    round_desk *round = work->round;
+    cm_status status = CM_OK;
+    if (!round->is_range && view->depth_is_range)
+    {
+        status = cm_depth_from_range(round->rays, value, 1, value);
+    }
+    const cm_depth_maps maps = {.size = sizeof maps,
+                                .is_range = round->is_range,
+                                .vertex = {round->vertex[0], round->vertex[1], round->vertex[2]},
+                                .normal = {round->normal[0], round->normal[1], round->normal[2]}};
+    return status == CM_OK ? cm_depth_make_maps(round->rays, value, 1, &maps) : status;
+}
+
+static cm_status make_rules(round_work *work, cm_pool *pool)
+{
+    cm_update *update = work->update;
+    round_desk *round = work->round;
+    const cm_octree_options *options = &update->octree->options;
+    const size_t width = round->tree.width, height = round->tree.height;
+    cm_status status = take_values(work);
+    float *reach = status == CM_OK ? malloc(width * sizeof *reach) : NULL;
+    if (status != CM_OK || reach == NULL)
+    {
+        return status != CM_OK ? status : CM_ERROR_MEMORY;
+    }
+    cm_pool_run(pool, height, 4, reach_rows, work);
+    cm_pool_run(pool, height, 4, least_rows, work);
+    const float far = options->far > 0.0 ? (float)options->far : INFINITY;
+    const float free_far = options->no_return_is_free ? (float)options->far : NAN;
+    /* the maps have served: their memory takes the bounds */
+    for (size_t row = 0; row < height; row++)
+    {
+        const size_t at = row * width;
+        for (size_t i = 0; i < width; i++)
+        {
+            reach[i] = round->rule[at + i].depth;
+        }
+        update->set->rules(width, update->desk->view.packed + at, reach, round->five + at, far, free_far,
+                           round->rule + at, round->vertex[0] + at, round->vertex[1] + at);
+    }
+    free(reach);
+    cm_pixel_tree_fill(&round->tree, round->vertex[0], round->vertex[1]);
+    return CM_OK;
+}
+
+/* ---- cubes ---- */
+
+/* The class of a cube of 2^level voxels at a place. */
+static unsigned class_of_cube(const round_work *work, const uint32_t place[3], int level)
+{
+    const cm_update *update = work->update;
+    const double middle = 0.5 * (ldexp(1.0, level) - 1.0), edge = update->octree->options.edge;
+    double at[3], centre[3], square = 0.0;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        at[axis] = place[axis] + middle;
+    }
+    cm_update_place(update, at, centre);
+    for (int axis = 0; axis < 3; axis++)
+    {
+        square += centre[axis] * centre[axis];
+    }
+    const double distance = sqrt(square);
+    const double radius = middle * sqrt(3.0) * edge + 1e-4 * edge + 1e-6 * distance;
+    double near = distance - radius, far = distance + radius;
+    if (!work->round->is_range)
+    {
+        float half[3];
+        cm_update_half(update, level, distance, half);
+        near = centre[2] - (double)half[2];
+        far = centre[2] + (double)half[2];
+    }
+    if (far <= update->octree->options.near || (!work->round->is_range && far <= 0.0))
+    {
+        return CM_CUBE_OUTSIDE;
+    }
+    if (distance <= radius || near <= update->octree->options.near)
+    {
+        return CM_CUBE_PART;
+    }
+    const double sine = radius / distance;
+    const float axis[3] = {(float)(centre[0] / distance), (float)(centre[1] / distance),
+                           (float)(centre[2] / distance)};
+    const cm_cone_bounds bounds =
+        cm_pixel_tree_ask(&work->round->tree, axis, (float)sqrt(1.0 - sine * sine), (float)sine);
+    return bounds.is_empty || near > (double)bounds.most            ? CM_CUBE_OUTSIDE
+           : !bounds.is_border && far < (double)bounds.least ? CM_CUBE_FREE
+                                                             : CM_CUBE_PART;
+}
+
+/* ---- voxels ---- */
+
+static void cell_centres(const cm_update *update, const uint32_t place[3], unsigned detail, size_t cells,
+                         double *x, double *y, double *z)
+{
+    const double half = 0.5 * ((1u << detail) - 1u);
+    for (size_t cell = 0; cell < cells; cell++)
+    {
+        unsigned in[3];
+        cm_divide_3((unsigned)cell << 3 * detail, in);
+        const double at[3] = {place[0] + in[0] + half, place[1] + in[1] + half, place[2] + in[2] + half};
+        double centre[3];
+        cm_update_place(update, at, centre);
+        x[cell] = centre[0];
+        y[cell] = centre[1];
+        z[cell] = centre[2];
+    }
+}
+
+/* What a pixel says of a value: 1 a hit, -1 a miss, 0 nothing. */
+static int word_of(const cm_pixel_rule *rule, float value, float scale)
+{
+    const uint32_t lower = rule->reach_front << 16, upper = rule->reach_front & 0xffff0000u;
+    float reach, front;
+    memcpy(&reach, &lower, sizeof reach);
+    memcpy(&front, &upper, sizeof front);
+    const float away = value - rule->depth;
+    front += (reach > 0.0f ? reach : 0.0f) * (scale - 1.0f);
+    return fabsf(away) <= reach * scale ? 1 : away + front < 0.0f ? -1 : 0;
+}
+
+static void visit_block(round_work *work, cm_region *region, unsigned block, const uint32_t place[3], unsigned detail)
+{
+    cm_update *update = work->update;
+    const cm_pixel_tree *tree = &work->round->tree;
+    const size_t cells = cm_cell_count(detail), stride = update->desk->view.stride;
+    double x[512] = {0}, y[512] = {0}, z[512] = {0}, column[512], row[512];
+    cell_centres(update, place, detail, cells, x, y, z);
+    cm_camera_project_array(update->view->camera, cells, x, y, z, column, row);
+    cm_block_change change;
+    memset(&change, 0, sizeof change);
+    change.detail = detail;
+    uint64_t any = 0;
+    for (size_t cell = 0; cell < cells; cell++)
+    {
+        const double c = floor(column[cell] - work->centre + 0.5), r = floor(row[cell] - work->centre + 0.5);
+        if (!(c >= 0.0 && c < tree->width && r >= 0.0 && r < tree->height))
+        {
+            continue;
+        }
+        const double value = work->round->is_range
+                                 ? sqrt(x[cell] * x[cell] + y[cell] * y[cell] + z[cell] * z[cell])
+                                 : z[cell];
+        const size_t at_row = (size_t)r, at_column = (size_t)c;
+        const int word = value > update->octree->options.near
+                             ? word_of(&work->round->rule[at_row * tree->width + at_column], (float)value,
+                                       (float)(1u << detail))
+                             : 0;
+        const uint64_t valid = cm_update_valid(update->octree, region, block, detail, (unsigned)(cell / 64));
+        const uint64_t bit = (uint64_t)1 << cell % 64 & valid;
+        change.hits[cell / 64] |= word > 0 ? bit : 0;
+        change.misses[cell / 64] |= word < 0 ? bit : 0;
+        change.pixel[cell / 64][cell % 64] = (int32_t)(at_row * stride + at_column);
+        any |= word != 0 ? bit : 0;
+    }
+    if (any != 0 && !cm_update_block(update, region, block, &change))
+    {
+        update->failed = 1;
+    }
+}
+
+static unsigned detail_of(const round_work *work, const cm_region *region, unsigned block, const uint32_t place[3])
+{
+    const cm_update *update = work->update;
+    const double at[3] = {place[0] + 3.5, place[1] + 3.5, place[2] + 3.5};
+    double centre[3];
+    cm_update_place(update, at, centre);
+    const double distance =
+        sqrt(centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2]);
+    unsigned detail = 0;
+    while (detail + 1 < CM_DETAILS && (double)(1u << detail) < update->pixel * distance)
+    {
+        detail++;
+    }
+    const int is_even = region->form[block] == CM_BLOCK_EVEN;
+    return is_even || detail < region->detail[block] ? detail : region->detail[block];
+}
+
+static void update_region(round_work *work, cm_region *region)
+{
+    for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
+    {
+        unsigned in[3];
+        cm_divide_3(block, in);
+        const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
+                                   region->place[2] + 8 * in[2]};
+        const unsigned class_of = class_of_cube(work, place, CM_BLOCK_LEVEL);
+        if (class_of == CM_CUBE_FREE && cm_update_valid(work->update->octree, region, block, 0, 0) == UINT64_MAX &&
+            cm_update_valid(work->update->octree, region, block, 0, 7) == UINT64_MAX)
+        {
+            cm_update_free_block(work->update, region, block);
+        }
+        else if (class_of != CM_CUBE_OUTSIDE)
+        {
+            visit_block(work, region, block, place, detail_of(work, region, block, place));
+        }
+    }
+    region->is_dirty = 1;
+}
+
+static void update_regions(size_t first, size_t end, void *user)
+{
+    round_work *work = user;
+    const cm_octree *octree = work->update->octree;
+    for (size_t i = first; i < end; i++)
+    {
+        update_region(work, octree->region[octree->node[work->update->desk->list[i]].link]);
+    }
+}
+
+/* ---- the tree ---- */
+
+static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3], int level)
+{
+    cm_octree *octree = work->update->octree;
+    const unsigned class_of = class_of_cube(work, place, level);
+    if (class_of == CM_CUBE_OUTSIDE)
+    {
+        return CM_OK;
+    }
+    if (class_of == CM_CUBE_FREE && octree->options.levels >= CM_REGION_LEVEL)
+    {
+        cm_node_miss(octree, node, 1);
+        return CM_OK;
+    }
+    if (level == CM_REGION_LEVEL)
+    {
+        return cm_update_list_region(work->update, node, place);
+    }
+    if (!cm_node_divide(octree, node))
+    {
+        return CM_ERROR_MEMORY;
+    }
+    cm_status status = CM_OK;
+    for (unsigned child = 0; status == CM_OK && child < 8; child++)
+    {
+        uint32_t below[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
+        }
+        status = go_down(work, octree->node[node].link + child, below, level - 1);
+    }
+    return status;
+}
+
+/* Pixels of the whole picture are as wide as these in the mean, at distance 1. */
+static double mean_pixel(const cm_camera_options *camera)
+{
+    if (camera->mapping == NULL)
+    {
+        return 2.0 / (fabs(camera->fx) + fabs(camera->fy));
+    }
+    return sqrt(4.0 * 3.14159265358979 / ((double)camera->width * camera->height));
+}
+
+cm_status cm_update_round(cm_update *update, cm_pool *pool)
+{
+    const cm_octree_options *options = &update->octree->options;
+    const cm_camera_options *camera = cm_camera_describe(update->view->camera);
+    round_work work = {.update = update, .centre = camera->pixel_centre};
+    cm_status status = round_of(update, &work.round);
+    status = status == CM_OK ? make_rules(&work, pool) : status;
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    update->pixel = options->footprint * mean_pixel(camera) / options->edge;
+    const uint32_t first[3] = {0, 0, 0};
+    status = go_down(&work, 0, first, update->octree->tree_level);
+    const uint64_t before = cm_update_listed_bytes(update);
+    if (status == CM_OK)
+    {
+        cm_pool_run(pool, update->desk->count, 1, update_regions, &work);
+    }
+    update->octree->bytes += cm_update_listed_bytes(update) - before;
+    cm_update_close_regions(update);
+    return status != CM_OK ? status : update->failed ? CM_ERROR_MEMORY : CM_OK;
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A view made ready for the loops: what its pixels say, and bounds of that.
+ */
+#ifndef MODULES_OCTREE_VIEW_TABLE_H
+#define MODULES_OCTREE_VIEW_TABLE_H
+
+#include <cubemap/depth.h>
+
+#include "octree_object.h"
+
+/* The images of a view and the memory of tables, kept from view to view. */
+typedef struct cm_view_desk
+{
+    cm_view_table table;
+    size_t stride; /* floats from row to row */
+    uint32_t width;
+    uint32_t height;
+    float *memory; /* all images below; each has CM_OCTREE_SLACK floats and two rows beside */
+    float *depth;
+    float *inverse;
+    float *reach;
+    float *front;
+    float *five;
+    float *least[2]; /* cells of two levels in turn */
+    float *most[2];
+    cm_pixel_rule *rule;
+    float *windows; /* of all levels */
+    float *packed;  /* the cleaned image, dense */
+    float greatest; /* of all that pixels say: nothing happens beyond */
+    cm_rays *rays;  /* of the camera below, where needed */
+    const cm_camera *rays_of;
+} cm_view_desk;
+
+void cm_view_desk_clear(cm_view_desk *desk);
+
+/* Is this a camera whose pixels and points are joined by a division? */
+int cm_camera_is_straight(const cm_camera_options *camera);
+
+/* The cleaned image of a view, dense, depth or range as the view has it; *valid: how many pixels measured something. */
+cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, size_t *valid);
+
+/* All of a straight camera's view, after cm_view_desk_clean. Bands of rows are handed to the pool. */
+cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, cm_pool *pool);
+
+/* Bounds in windows from rules: least and most of all pixels are in desk->least[0] and desk->most[0]. */
+void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set);
+
+#endif

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+#include "walk.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "interleave.h"
+#include "node_tree.h"
+#include "page.h"
+
+double cm_place_world(const cm_octree *octree, int axis, double place)
+{
+    const double middle = ldexp(1.0, octree->tree_level - 1);
+    return octree->options.centre[axis] + (place - middle) * octree->options.edge;
+}
+
+double cm_world_place(const cm_octree *octree, int axis, double world)
+{
+    const double middle = ldexp(1.0, octree->tree_level - 1);
+    return floor((world - octree->options.centre[axis]) / octree->options.edge) + middle;
+}
+
+cm_voxel cm_voxel_at(const cm_octree *octree, const uint32_t place[3], int level, uint8_t alpha, uint32_t color)
+{
+    const double half = 0.5 * ldexp(1.0, level);
+    cm_voxel voxel = {
+        .x = cm_place_world(octree, 0, place[0] + half),
+        .y = cm_place_world(octree, 1, place[1] + half),
+        .z = cm_place_world(octree, 2, place[2] + half),
+        .edge = ldexp(octree->options.edge, level),
+        .level = level,
+        .state = alpha > CM_UNKNOWN   ? CM_VOXEL_OCCUPIED
+                 : alpha < CM_UNKNOWN ? CM_VOXEL_FREE
+                                      : CM_VOXEL_UNKNOWN,
+        .alpha = alpha,
+        .has_color = alpha > CM_UNKNOWN && color != 0,
+    };
+    if (voxel.has_color)
+    {
+        cm_color_to(color, voxel.color);
+    }
+    return voxel;
+}
+
+void cm_walk_all(const cm_octree *octree, cm_walk *walk)
+{
+    memcpy(walk->first, octree->first, sizeof walk->first);
+    memcpy(walk->beyond, octree->beyond, sizeof walk->beyond);
+}
+
+static int meets(const cm_walk *walk, const uint32_t place[3], int level)
+{
+    int meets = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        meets &= place[axis] < walk->beyond[axis] && (uint64_t)place[axis] + (1u << level) > walk->first[axis];
+    }
+    return meets;
+}
+
+static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_region *region, unsigned misses,
+                       uint32_t changed)
+{
+    for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
+    {
+        unsigned in[3];
+        cm_divide_3(block, in);
+        const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
+                                   region->place[2] + 8 * in[2]};
+        const uint32_t last = changed > region->changed[block] ? changed : region->changed[block];
+        if (!meets(walk, place, CM_BLOCK_LEVEL) || (walk->since > 0 && last <= walk->since))
+        {
+            continue;
+        }
+        const int stops =
+            region->form[block] == CM_BLOCK_EVEN
+                ? walk->even(walk->user, place, CM_BLOCK_LEVEL,
+                             cm_after_misses(&octree->rule, region->value[block], misses))
+                : walk->block(walk->user, region, block, misses);
+        if (stops)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static cm_status walk_node(const cm_octree *octree, const cm_walk *walk, uint32_t index, const uint32_t place[3],
+                           int level, unsigned misses, uint32_t changed)
+{
+    const cm_node *node = &octree->node[index];
+    if (!meets(walk, place, level))
+    {
+        return CM_OK;
+    }
+    const uint32_t last = changed > node->changed ? changed : node->changed;
+    if (node->kind == CM_NODE_LEAF)
+    {
+        const int is_old = walk->since > 0 && last <= walk->since;
+        return !is_old && walk->even(walk->user, place, level, cm_after_misses(&octree->rule, node->value, misses))
+                   ? CM_ERROR_STOPPED
+                   : CM_OK;
+    }
+    const unsigned more = cm_more_misses(misses, node->value);
+    cm_status status = CM_OK;
+    if (node->kind == CM_NODE_INNER)
+    {
+        const uint32_t link = node->link;
+        for (uint32_t child = 0; status == CM_OK && child < 8; child++)
+        {
+            uint32_t below[3];
+            for (int axis = 0; axis < 3; axis++)
+            {
+                below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
+            }
+            status = walk_node(octree, walk, link + child, below, level - 1, more, last);
+        }
+        return status;
+    }
+    if (node->kind == CM_NODE_REGION)
+    {
+        return walk_region(octree, walk, octree->region[node->link], more, last) ? CM_ERROR_STOPPED : CM_OK;
+    }
+    /* it is only looked at: memory has room for one more */
+    cm_region *region = NULL;
+    status = cm_page_get(octree, octree->options.pages, place, &region);
+    if (status == CM_OK)
+    {
+        status = walk_region(octree, walk, region, more, last) ? CM_ERROR_STOPPED : CM_OK;
+        cm_region_drop(region);
+    }
+    return status;
+}
+
+cm_status cm_walk_run(const cm_octree *octree, const cm_walk *walk)
+{
+    const uint32_t first[3] = {0, 0, 0};
+    return walk_node(octree, walk, 0, first, octree->tree_level, 0, 0);
+}
