@@ -99,11 +99,9 @@ typedef struct walk
     uint32_t is_up[3]; /* 1: that coordinate grows */
 } walk;
 
-/* The voxel of a coordinate between two; NaN is the first. */
-static inline uint32_t place_at(double coordinate, double least, double most)
+static inline uint32_t place_at(double coordinate, uint32_t least, uint32_t most)
 {
-    const double above = coordinate > least ? coordinate : least;
-    return (uint32_t)(int32_t)(above < most ? above : most);
+    return coordinate <= least ? least : coordinate >= most ? most : (uint32_t)coordinate;
 }
 
 /* To where it enters the snapshot, at begin at least; 0: it does not up to end. */
@@ -131,7 +129,7 @@ static int enter(const cm_snapshot *snapshot, const cm_cone *cone, walk *w)
     return begin < end;
 }
 
-/* Out of the cube of a level that the place is in: through one of its sides, or two at once, to a voxel beside it, so that there is an end.
+/* Out of the cube of a level that the place is in: through one of its sides to a voxel beside it, so that there is an end.
  * 0: out of the snapshot. */
 static inline int leave(const cm_cone *cone, walk *w, int level)
 {
@@ -142,19 +140,17 @@ static inline int leave(const cm_cone *cone, walk *w, int level)
         const uint32_t low = w->place[axis] & ~within;
         side[axis] = ((double)(low + (w->is_up[axis] ? within + 1 : 0)) - cone->origin[axis]) * w->inverse[axis];
     }
-    const double two = side[0] < side[1] ? side[0] : side[1];
-    const double out = two < side[2] ? two : side[2];
-    w->at = out > w->at ? out : w->at;
-    uint32_t all = 0;
+    const int through = side[0] < side[1] ? (side[0] < side[2] ? 0 : 2) : side[1] < side[2] ? 1 : 2;
+    w->at = side[through] > w->at ? side[through] : w->at;
     for (int axis = 0; axis < 3; axis++)
     {
         const uint32_t low = w->place[axis] & ~within;
-        const uint32_t beside = w->is_up[axis] ? low + within + 1 : low - 1;
-        const uint32_t inside = place_at(cone->origin[axis] + w->at * cone->direction[axis], low, low + within);
-        w->place[axis] = side[axis] <= out ? beside : inside;
-        all |= w->place[axis];
+        w->place[axis] =
+            axis == through
+                ? (w->is_up[axis] ? low + within + 1 : low - 1)
+                : place_at(cone->origin[axis] + w->at * cone->direction[axis], low, low + within);
     }
-    return all < w->size;
+    return w->place[through] < w->size;
 }
 
 static inline void pass_half(cm_cone_view *view, double at, int level, const uint32_t place[3])
