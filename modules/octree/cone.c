@@ -33,8 +33,8 @@ static inline const cm_seen_cell *quarter_of(const cm_snapshot *snapshot, const 
 static inline cm_cone_cell look(const cm_snapshot *snapshot, cm_cone_path *path,
                                 const uint32_t place[3], int level)
 {
-    const uint32_t moved = (place[0] ^ path->place[0]) | (place[1] ^ path->place[1]) |
-                           (place[2] ^ path->place[2]);
+    const uint32_t moved =
+        (place[0] ^ path->place[0]) | (place[1] ^ path->place[1]) | (place[2] ^ path->place[2]);
     int stage = path->stage;
     while (stage < snapshot->top && moved >> (3 * stage + 3) != 0)
     {
@@ -45,8 +45,8 @@ static inline cm_cone_cell look(const cm_snapshot *snapshot, cm_cone_path *path,
     {
         const cm_seen_node *node = path->node[stage];
         const int finest = 3 * stage;
-        const unsigned child = cm_interleave_3(place[0] >> finest, place[1] >> finest,
-                                               place[2] >> finest);
+        const unsigned child =
+            cm_interleave_3(place[0] >> finest, place[1] >> finest, place[2] >> finest);
         const uint64_t word = node->mask[child / 64];
         path->stage = stage;
         if (word == 0)
@@ -55,7 +55,8 @@ static inline cm_cone_cell look(const cm_snapshot *snapshot, cm_cone_path *path,
         }
         if (level >= finest + 2)
         {
-            return (cm_cone_cell){.cell = quarter_of(snapshot, node, child / 64), .level = finest + 2};
+            return (cm_cone_cell){.cell = quarter_of(snapshot, node, child / 64),
+                                  .level = finest + 2};
         }
         if ((word >> (child & 56) & 255) == 0)
         {
@@ -71,10 +72,12 @@ static inline cm_cone_cell look(const cm_snapshot *snapshot, cm_cone_path *path,
         }
         if (stage == 0)
         {
-            const size_t before = node->before[child / 64] + cm_bit_count(word & cm_bits_below(child & 63));
+            const size_t before =
+                node->before[child / 64] + cm_bit_count(word & cm_bits_below(child & 63));
             return (cm_cone_cell){.color = snapshot->color[node->child + before]};
         }
-        const cm_seen_node *below = &snapshot->node[stage - 1][snapshot->children[node->child + child]];
+        const cm_seen_node *below =
+            &snapshot->node[stage - 1][snapshot->children[node->child + child]];
         if (level == finest)
         {
             return (cm_cone_cell){.cell = snapshot->cell + below->cell, .level = finest};
@@ -138,7 +141,8 @@ static inline int leave(const cm_cone *cone, walk *w, int level)
     for (int axis = 0; axis < 3; axis++)
     {
         const uint32_t low = w->place[axis] & ~within;
-        side[axis] = ((double)(low + (w->is_up[axis] ? within + 1 : 0)) - cone->origin[axis]) * w->inverse[axis];
+        side[axis] = ((double)(low + (w->is_up[axis] ? within + 1 : 0)) - cone->origin[axis]) *
+                     w->inverse[axis];
     }
     const int through = side[0] < side[1] ? (side[0] < side[2] ? 0 : 2) : side[1] < side[2] ? 1 : 2;
     w->at = side[through] > w->at ? side[through] : w->at;
@@ -181,13 +185,15 @@ static inline float power_of_half(float x)
     }
     const unsigned down = (unsigned)x;
     const float y = (float)down - x;
-    const float power = 1.0f + y * (0.6931389f + y * (0.2399597f + y * (0.0541432f + y * 0.0073298f)));
+    const float power =
+        1.0f + y * (0.6931389f + y * (0.2399597f + y * (0.0541432f + y * 0.0073298f)));
     return power / (float)((uint32_t)1 << down);
 }
 
 /* What a cell of a level lets through on a part of the way through it, in all three directions: so much of it as the part of its
  * edge that is covered along each has. */
-static float hidden(const cm_snapshot *snapshot, const cm_seen_cell *cell, const double direction[3], double part)
+static float hidden(const cm_snapshot *snapshot, const cm_seen_cell *cell,
+                    const double direction[3], double part)
 {
     float thickness = 0.0f;
     for (int axis = 0; axis < 3; axis++)
@@ -199,10 +205,11 @@ static float hidden(const cm_snapshot *snapshot, const cm_seen_cell *cell, const
 }
 
 /* A cell above level 0, between two distances. */
-static void cross(const cm_snapshot *snapshot, const cm_cone *cone, const cm_cone_cell *met, double from, double to,
-                  const uint32_t place[3], cm_cone_view *view)
+static void cross(const cm_snapshot *snapshot, const cm_cone *cone, const cm_cone_cell *met,
+                  double from, double to, const uint32_t place[3], cm_cone_view *view)
 {
-    const float opacity = hidden(snapshot, met->cell, cone->direction, (to - from) / (double)((uint32_t)1 << met->level));
+    const float opacity = hidden(snapshot, met->cell, cone->direction,
+                                 (to - from) / (double)((uint32_t)1 << met->level));
     const float before = view->opacity;
     add(view, (1.0f - before) * opacity, met->cell->color);
     if (before < 0.5f && view->opacity >= 0.5f)

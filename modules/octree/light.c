@@ -78,10 +78,10 @@ void cm_light_normal(const cm_snapshot *snapshot, cm_cone_path *path, const doub
             front[axis] = place[axis] + ahead * normal[axis];
         }
         gradient_at(snapshot, path, front, level + 1, gradient);
-        const double length = sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] +
-                                   gradient[2] * gradient[2]);
-        const double towards = gradient[0] * direction[0] + gradient[1] * direction[1] +
-                               gradient[2] * direction[2];
+        const double length =
+            sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2]);
+        const double towards =
+            gradient[0] * direction[0] + gradient[1] * direction[1] + gradient[2] * direction[2];
         for (int axis = 0; axis < 3 && length > 0.0; axis++)
         {
             normal[axis] = (towards < 0.0 ? gradient[axis] : -gradient[axis]) / length;
@@ -114,6 +114,7 @@ double cm_light_at(const cm_light *light, const cm_snapshot *snapshot, cm_cone_p
     {
         return light->ambient;
     }
-    const double shadow = cone.end > cone.begin ? cm_cone_trace(snapshot, path, &cone).opacity : 0.0;
+    const double shadow =
+        cone.end > cone.begin ? cm_cone_trace(snapshot, path, &cone).opacity : 0.0;
     return light->ambient + (1.0 - light->ambient) * cosine * (1.0 - shadow);
 }

@@ -10,9 +10,8 @@ cm_status cm_picture_check(const cm_image *image, uint32_t width, uint32_t heigh
     {
         return CM_ERROR_ARGUMENT;
     }
-    const int fits = image->width == width && image->height == height &&
-                     image->channels >= least && image->channels <= most &&
-                     cm_pixel_size(image->type) != 0;
+    const int fits = image->width == width && image->height == height && image->channels >= least &&
+                     image->channels <= most && cm_pixel_size(image->type) != 0;
     return fits ? CM_OK : CM_ERROR_RANGE;
 }
 

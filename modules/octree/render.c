@@ -162,7 +162,9 @@ static void add_behind(const rendering *r, cm_cone_path *path, const pixel_ray *
         double place[3];
         for (int k = 0; k < 3; k++)
         {
-            color[k] = r->shading->mesh_color == NULL ? 1.0f : r->shading->mesh_color[3 * pixel + (size_t)k];
+            color[k] = r->shading->mesh_color == NULL
+                           ? 1.0f
+                           : r->shading->mesh_color[3 * pixel + (size_t)k];
             place[k] = r->origin[k] + mesh * ray->direction[k];
         }
         const double bright =
@@ -254,8 +256,8 @@ static void measure_squares(size_t begin, size_t end, void *user)
     const rendering *r = user;
     for (size_t i = begin; i < end; i++)
     {
-        r->width[i] = (float)width_of_square(r, i % r->width_stride * SQUARE,
-                                             i / r->width_stride * SQUARE);
+        r->width[i] =
+            (float)width_of_square(r, i % r->width_stride * SQUARE, i / r->width_stride * SQUARE);
     }
 }
 

@@ -60,9 +60,9 @@ static uint64_t occupied_of(const uint8_t alpha[64])
     for (unsigned i = 0; i < 64; i += 8)
     {
         const uint8_t *a = alpha + i;
-        const uint64_t eight = a[0] | (uint64_t)a[1] << 8 | (uint64_t)a[2] << 16 | (uint64_t)a[3] << 24 |
-                               (uint64_t)a[4] << 32 | (uint64_t)a[5] << 40 | (uint64_t)a[6] << 48 |
-                               (uint64_t)a[7] << 56;
+        const uint64_t eight = a[0] | (uint64_t)a[1] << 8 | (uint64_t)a[2] << 16 |
+                               (uint64_t)a[3] << 24 | (uint64_t)a[4] << 32 | (uint64_t)a[5] << 40 |
+                               (uint64_t)a[6] << 48 | (uint64_t)a[7] << 56;
         bits |= ((eight >> 7 & 0x0101010101010101u) * 0x0102040810204080u >> 56) << i;
     }
     return bits;
@@ -173,7 +173,8 @@ static void group(cm_snapshot *snapshot, int stage, const int32_t *corner)
         for (int axis = 0; axis < 3; axis++)
         {
             place[axis] = corner != NULL ? 0 : below[i].place[axis] >> 3;
-            within[axis] = corner != NULL ? below[i].place[axis] - corner[axis] : below[i].place[axis] & 7;
+            within[axis] =
+                corner != NULL ? below[i].place[axis] - corner[axis] : below[i].place[axis] & 7;
         }
         if (count == 0 || memcmp(node[count - 1].place, place, sizeof place) != 0)
         {
@@ -271,8 +272,8 @@ static cm_status build_above(cm_snapshot *snapshot, cm_pool *pool)
     return fill_all(snapshot, pool);
 }
 
-cm_status cm_snapshot_make(const cm_octree *octree, const double least[3],
-                           const double greatest[3], cm_pool *pool, cm_snapshot *snapshot)
+cm_status cm_snapshot_make(const cm_octree *octree, const double least[3], const double greatest[3],
+                           cm_pool *pool, cm_snapshot *snapshot)
 {
     *snapshot = (cm_snapshot){.top = -1};
     for (int i = 0; i < 256; i++)

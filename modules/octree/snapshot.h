@@ -36,9 +36,9 @@ typedef struct cm_seen_node
     uint64_t mask[8];   /* of children that are not empty */
     uint64_t pairs;     /* of 2^3 children */
     uint16_t before[8]; /* children in the words before */
-    uint32_t child;     /* of stage 0: the first color; else the first of 512 children in `children` */
-    uint32_t cell;      /* the first */
-    uint8_t quarters;   /* of 4^3 children */
+    uint32_t child; /* of stage 0: the first color; else the first of 512 children in `children` */
+    uint32_t cell;  /* the first */
+    uint8_t quarters; /* of 4^3 children */
     uint8_t quarter_count;
     int32_t place[3]; /* of its lower corner, in its own size */
 } cm_seen_node;
@@ -47,8 +47,8 @@ typedef struct cm_snapshot
 {
     cm_seen_node *node[CM_SNAPSHOT_STAGES]; /* of each stage, in the order of keys */
     size_t node_count[CM_SNAPSHOT_STAGES];
-    int top;           /* the stage with one node; -1: nothing is occupied */
-    int64_t corner[3]; /* of the tree, in voxels from the root's centre */
+    int top;            /* the stage with one node; -1: nothing is occupied */
+    int64_t corner[3];  /* of the tree, in voxels from the root's centre */
     uint32_t *children; /* tables of 512 nodes of the stage below */
     size_t table_count;
     cm_seen_cell *cell;
@@ -61,8 +61,8 @@ typedef struct cm_snapshot
 /* What is in a box [least, greatest] of places in voxels from the root's centre; blocks that touch it are taken whole. The
  * pool may be NULL. CM_OK; CM_ERROR_MEMORY; those of cm_octree_occupied_blocks. What was made is to be dropped, whatever is
  * returned. */
-cm_status cm_snapshot_make(const cm_octree *octree, const double least[3],
-                           const double greatest[3], cm_pool *pool, cm_snapshot *snapshot);
+cm_status cm_snapshot_make(const cm_octree *octree, const double least[3], const double greatest[3],
+                           cm_pool *pool, cm_snapshot *snapshot);
 void cm_snapshot_drop(cm_snapshot *snapshot);
 
 /* How many bits are 1. */

@@ -50,7 +50,8 @@ static cm_seen_cell joined(const cm_seen_cell from[8])
     }
     for (unsigned i = 0; i < 8; i++)
     {
-        const unsigned weight = (unsigned)from[i].opacity[0] + from[i].opacity[1] + from[i].opacity[2];
+        const unsigned weight =
+            (unsigned)from[i].opacity[0] + from[i].opacity[1] + from[i].opacity[2];
         weights += weight;
         parts += from[i].part;
         for (unsigned c = 0; c < 3; c++)

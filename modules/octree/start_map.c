@@ -65,7 +65,8 @@ static void draw_face(cm_start_map *map, int face, const double low[3], double s
     const double near = face % 2 == 0 ? low[axis] : -(low[axis] + size);
     int first[2], last[2];
     const double ahead = fmax(near, 1e-6 * size);
-    if (near + size <= 0.0 || !squares_of(low[u], low[u] + size, ahead, near + size, &first[0], &last[0]) ||
+    if (near + size <= 0.0 ||
+        !squares_of(low[u], low[u] + size, ahead, near + size, &first[0], &last[0]) ||
         !squares_of(low[v], low[v] + size, ahead, near + size, &first[1], &last[1]))
     {
         return;
@@ -103,7 +104,8 @@ static void draw_cube(const drawing *d, const uint32_t place[3], int level, doub
     }
 }
 
-static void draw_node(const drawing *d, int stage, const cm_seen_node *node, const uint32_t place[3])
+static void draw_node(const drawing *d, int stage, const cm_seen_node *node,
+                      const uint32_t place[3])
 {
     const int level = 3 * stage;
     for (unsigned child = 0; child < 512; child++)
