@@ -98,9 +98,9 @@ public:
         {
             const std::size_t begin = line.find_first_not_of(" \t,", at);
             at = begin == std::string::npos ? begin : line.find_first_of(" \t,", begin);
-            const std::optional<double> value =
-                begin == std::string::npos ? std::nullopt
-                                           : read_number(line.substr(begin, at - begin));
+            const std::optional<double> value = begin == std::string::npos
+                                                    ? std::nullopt
+                                                    : read_number(line.substr(begin, at - begin));
             if (!value)
             {
                 wrong(std::string("is not ") + wanted);
@@ -159,8 +159,7 @@ std::string color_words(const cm_voxel &voxel)
            std::to_string(voxel.color[2]);
 }
 
-template <typename Answer>
-void answer_all(const cm_streams &streams, const Answer &answer)
+template <typename Answer> void answer_all(const cm_streams &streams, const Answer &answer)
 {
     QuestionReader questions(streams.in);
     AnswerWriter answers(streams);
@@ -219,8 +218,7 @@ int cast_octree_rays(int argc, char **argv, const cm_streams &streams)
     answer_all(streams,
                [&](const QuestionReader &question)
                {
-                   const auto ray = question.numbers<6>(
-                       "six numbers ox oy oz dx dy dz");
+                   const auto ray = question.numbers<6>("six numbers ox oy oz dx dy dz");
                    cm_voxel voxel = {};
                    const int met = cm_octree_ray(open.map.get(), ray.data(), ray.data() + 3,
                                                  options.far, &voxel);

@@ -153,23 +153,21 @@ std::string budget_report(const cm_octree *map, const cm_octree_count &count, do
     entries.back().is_required = entries.back().is_kept = 1;
     entries.push_back(saving("finer voxels", corner * (made.edge - made.edge / ratio),
                              bytes * (ratio * ratio - 1), "the budget has room for this error"));
-    entries.push_back(saving("one size of voxels",
-                             corner * std::fmax(pieces.largest - made.edge, 0) *
-                                 (made.footprint > 0 ? 1 : 0),
-                             coarse * plain, "voxels are no finer than pixels, or alike"));
     entries.push_back(
-        saving("free space voxel by voxel", 0,
-               static_cast<double>(pieces.free_voxels - pieces.free_pieces),
-               "equal voxels are one"));
+        saving("one size of voxels",
+               corner * std::fmax(pieces.largest - made.edge, 0) * (made.footprint > 0 ? 1 : 0),
+               coarse * plain, "voxels are no finer than pixels, or alike"));
+    entries.push_back(saving("free space voxel by voxel", 0,
+                             static_cast<double>(pieces.free_voxels - pieces.free_pieces),
+                             "equal voxels are one"));
     entries.push_back(saving("a byte for each counter", 0,
                              known - coarse * plain -
                                  static_cast<double>(pieces.free_voxels - pieces.free_pieces) -
                                  bytes,
                              "blocks are packed"));
-    entries.push_back(saving("all in memory", 0,
-                             count.paged > 0 ? static_cast<double>(file_bytes) : 0,
-                             count.paged > 0 ? "--memory; they are in the file"
-                                             : "there was room for all"));
+    entries.push_back(
+        saving("all in memory", 0, count.paged > 0 ? static_cast<double>(file_bytes) : 0,
+               count.paged > 0 ? "--memory; they are in the file" : "there was room for all"));
     cm_budget all = {};
     all.size = sizeof all;
     all.subject = "octree";

@@ -45,8 +45,7 @@ void read_log_odds(OptionReader &reader, cm_octree_options &map)
 {
     std::string text = reader.text() + ",";
     double *const numbers[] = {&map.hit, &map.miss, &map.low, &map.high};
-    const char *const wanted =
-        "HIT,MISS,LOW,HIGH with HIT and HIGH above 0, MISS and LOW below 0";
+    const char *const wanted = "HIT,MISS,LOW,HIGH with HIT and HIGH above 0, MISS and LOW below 0";
     for (double *each : numbers)
     {
         const std::size_t end = text.find(',');
@@ -205,8 +204,8 @@ std::string settings_of(const IntegrateOptions &options, const cm_sequence_repor
                 message);
     const std::unique_ptr<char, void (*)(void *)> owned(camera, std::free);
     const std::string shape = camera;
-    text += "; camera " +
-            std::to_string(cm_check_sum(CM_CHECK_SUM_BEGIN, shape.data(), shape.size()));
+    text +=
+        "; camera " + std::to_string(cm_check_sum(CM_CHECK_SUM_BEGIN, shape.data(), shape.size()));
     if (options.folder != "-")
     {
         text += "; views " + std::to_string(report.count) + " " + json_number(report.first) + " " +
@@ -397,10 +396,14 @@ std::string integrate_json(const Working &working, const std::vector<double> &to
     const cm_octree_options &made = *cm_octree_describe(working.open.map.get());
     return "{\"views\": " + std::to_string(working.run.views) +
            ", \"ms_per_view\": {\"median\": " + json_number(median_of(took)) +
-           ", \"max\": " + json_number(most) + "}, \"occupied\": " + std::to_string(count.occupied) +
-           ", \"free\": " + std::to_string(count.free) + ", \"bytes\": " + std::to_string(count.bytes) +
-           ", \"nodes\": " + std::to_string(count.nodes) + ", \"paged\": " + std::to_string(count.paged) +
-           ", \"file_bytes\": " + std::to_string(file_bytes) + ", \"edge\": " + json_number(made.edge) +
+           ", \"max\": " + json_number(most) +
+           "}, \"occupied\": " + std::to_string(count.occupied) +
+           ", \"free\": " + std::to_string(count.free) +
+           ", \"bytes\": " + std::to_string(count.bytes) +
+           ", \"nodes\": " + std::to_string(count.nodes) +
+           ", \"paged\": " + std::to_string(count.paged) +
+           ", \"file_bytes\": " + std::to_string(file_bytes) +
+           ", \"edge\": " + json_number(made.edge) +
            ", \"levels\": " + std::to_string(made.levels) +
            ", \"views_without_depth\": " + std::to_string(working.run.empty) +
            ", \"resumed_at\": " + std::to_string(working.begun) +

@@ -105,6 +105,10 @@ OctreeMap open_map(const std::string &path, std::uint64_t memory)
     }
     check_map(status, in_quotes(path), store);
     opened.map.reset(map);
+    if (memory == 0)
+    {
+        opened.store.reset(); // all of it was loaded, and others may have the file
+    }
     return opened;
 }
 
@@ -117,8 +121,8 @@ void save_map(cm_octree *map, const std::string &path, const OctreeRun &run)
         options.create = 1;
         cm_store *made = nullptr;
         char message[CM_IMAGE_MESSAGE] = "";
-        check_scene(
-            cm_store_file_open(file.temporary_name().c_str(), &options, &made, message), message);
+        check_scene(cm_store_file_open(file.temporary_name().c_str(), &options, &made, message),
+                    message);
         const StorePointer store(made);
         const std::string note = note_of(run);
         check_map(cm_octree_save(map, made, note.data(), note.size()),

@@ -60,15 +60,15 @@ std::string count_json(const cm_octree_count &count)
 
 int merge(const MergeOptions &options, const cm_streams &streams)
 {
-    OctreeMap to = open_map(options.first, 0);
+    OctreeMap to = open_map(options.first, 0); // all of it, so that the output may be one of these
     OctreeMap from = open_map(options.second, 0);
     cm_pose pose = {};
     if (!options.pose.empty())
     {
         pose = read_one_pose(options.pose);
     }
-    const cm_status status = cm_octree_merge(to.map.get(), from.map.get(),
-                                             options.pose.empty() ? nullptr : &pose);
+    const cm_status status =
+        cm_octree_merge(to.map.get(), from.map.get(), options.pose.empty() ? nullptr : &pose);
     if (status == CM_ERROR_UNSUPPORTED)
     {
         throw Failure(in_quotes(options.first) + " and " + in_quotes(options.second) +
@@ -83,8 +83,6 @@ int merge(const MergeOptions &options, const cm_streams &streams)
     run.complete = true;
     run.settings = "merged";
     from.map.reset();
-    to.store.reset(); // all of it is in memory, and the output may be one of these
-    from.store.reset();
     save_map(to.map.get(), options.output, run);
     if (options.json)
     {
@@ -131,20 +129,18 @@ std::string info_text(const cm_octree_options &made, const cm_octree_count &coun
                       const OctreeRun &run)
 {
     char text[600];
-    std::snprintf(text, sizeof text,
-                  "voxels of %.9g, %d levels around %.9g %.9g %.9g, %s, %s\n%llu views%s\n%llu "
-                  "voxels occupied, %llu free; %llu nodes, %.4g MB in memory, %llu regions in the "
-                  "file alone\n",
-                  made.edge, made.levels, made.centre[0], made.centre[1], made.centre[2],
-                  made.rule == CM_OCTREE_COUNTS ? "counts" : "log-odds",
-                  made.color != 0 ? "with colours" : "without colours",
-                  static_cast<unsigned long long>(run.views),
-                  run.complete ? "" : ", not complete",
-                  static_cast<unsigned long long>(count.occupied),
-                  static_cast<unsigned long long>(count.free),
-                  static_cast<unsigned long long>(count.nodes),
-                  1e-6 * static_cast<double>(count.bytes),
-                  static_cast<unsigned long long>(count.paged));
+    std::snprintf(
+        text, sizeof text,
+        "voxels of %.9g, %d levels around %.9g %.9g %.9g, %s, %s\n%llu views%s\n%llu "
+        "voxels occupied, %llu free; %llu nodes, %.4g MB in memory, %llu regions in the "
+        "file alone\n",
+        made.edge, made.levels, made.centre[0], made.centre[1], made.centre[2],
+        made.rule == CM_OCTREE_COUNTS ? "counts" : "log-odds",
+        made.color != 0 ? "with colours" : "without colours",
+        static_cast<unsigned long long>(run.views), run.complete ? "" : ", not complete",
+        static_cast<unsigned long long>(count.occupied),
+        static_cast<unsigned long long>(count.free), static_cast<unsigned long long>(count.nodes),
+        1e-6 * static_cast<double>(count.bytes), static_cast<unsigned long long>(count.paged));
     return text;
 }
 

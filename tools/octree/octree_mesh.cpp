@@ -105,9 +105,9 @@ void MeshCanvas::shade(const cm_pose &pose, std::size_t pixels)
             {
                 mixed += weight[j] * shape.color[3 * std::size_t{of[j]} + k];
             }
-            color[3 * i + k] = static_cast<float>(shape.material.color[k] *
-                                                  (ambient + (1 - ambient) * facing)) *
-                               mixed;
+            color[3 * i + k] =
+                static_cast<float>(shape.material.color[k] * (ambient + (1 - ambient) * facing)) *
+                mixed;
         }
     }
 }

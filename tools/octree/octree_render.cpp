@@ -246,8 +246,7 @@ CameraPointer probe_camera(const SightOptions &options)
     cm_camera_options shape = {};
     shape.size = sizeof shape;
     shape.width = cm_surface_plane_width(surface.get());
-    shape.height =
-        shape.width * (cm_mapping_describe(mapping)->kind == CM_KIND_CUBE ? 6u : 1u);
+    shape.height = shape.width * (cm_mapping_describe(mapping)->kind == CM_KIND_CUBE ? 6u : 1u);
     shape.pixel_centre = 0.5;
     shape.mapping = mapping;
     cm_camera *camera = nullptr;
@@ -289,8 +288,8 @@ int probe(const SightOptions &options)
     std::vector<std::unique_ptr<AtomicFile>> files;
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-        files.push_back(write_rows(names[i], sight.color.data() + i * face, edge, edge, 3,
-                                   options.threads));
+        files.push_back(
+            write_rows(names[i], sight.color.data() + i * face, edge, edge, 3, options.threads));
     }
     appear_together(files);
     return 0;

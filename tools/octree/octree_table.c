@@ -16,8 +16,8 @@
 #define EDGE(words)                                                                                \
     {                                                                                              \
         .id = OCTREE_EDGE, .name = "edge", .kind = CM_OPTION_NUMBER, .argument = "LENGTH",         \
-        .help = "the edge of the finest voxel" words, .standard = "0.01", .low = 0,                 \
-        .high = INFINITY, .flags = CM_OPTION_ABOVE                                                  \
+        .help = "the edge of the finest voxel" words, .standard = "0.01", .low = 0,                \
+        .high = INFINITY, .flags = CM_OPTION_ABOVE                                                 \
     }
 #define CENTRE                                                                                     \
     {                                                                                              \
@@ -42,7 +42,7 @@
     {                                                                                              \
         .id = OCTREE_FAR, .name = "far", .kind = CM_OPTION_NUMBER, .argument = "LENGTH",           \
         .help = words, .standard = "no limit", .low = 0, .high = INFINITY,                         \
-        .flags = CM_OPTION_ABOVE                                                  \
+        .flags = CM_OPTION_ABOVE                                                                   \
     }
 #define LEVEL                                                                                      \
     {                                                                                              \
@@ -352,29 +352,29 @@ const cm_command octree_merge_command = {
 const cm_command octree_hull_command = {
     .name = "cubemap-octree hull",
     .usage = "[OPTION]... DIR -o MAP",
-    .summary = "Carves the visual hull of masks, which are the colours of a sequence, not 0 inside: "
-               "what all of them have inside is occupied, the rest free.",
+    .summary =
+        "Carves the visual hull of masks, which are the colours of a sequence, not 0 inside: "
+        "what all of them have inside is occupied, the rest free.",
     .groups = hull_groups,
     .group_count = 1,
     .words = "DIR MAP",
     .operand = CM_OPTION_FILE,
     .bare_version = 1};
 
-const cm_command octree_info_command = {
-    .name = "cubemap-octree info",
-    .usage = "[OPTION]... MAP",
-    .summary = "Tells how a map was made and what it holds.",
-    .groups = info_groups,
-    .group_count = 1,
-    .words = "MAP",
-    .operand = CM_OPTION_FILE,
-    .bare_version = 1};
+const cm_command octree_info_command = {.name = "cubemap-octree info",
+                                        .usage = "[OPTION]... MAP",
+                                        .summary = "Tells how a map was made and what it holds.",
+                                        .groups = info_groups,
+                                        .group_count = 1,
+                                        .words = "MAP",
+                                        .operand = CM_OPTION_FILE,
+                                        .bare_version = 1};
 
-static const cm_command *const commands[] = {
-    &octree_integrate_command, &octree_query_command, &octree_ray_command,
-    &octree_extract_command,   &octree_render_command, &octree_probe_command,
-    &octree_merge_command,     &octree_hull_command,  &octree_info_command,
-    NULL};
+static const cm_command *const commands[] = {&octree_integrate_command, &octree_query_command,
+                                             &octree_ray_command,       &octree_extract_command,
+                                             &octree_render_command,    &octree_probe_command,
+                                             &octree_merge_command,     &octree_hull_command,
+                                             &octree_info_command,      NULL};
 
 static const char *const command_names[] = {"integrate", "query", "ray",  "extract", "render",
                                             "probe",     "merge", "hull", "info",    NULL};

@@ -103,7 +103,8 @@ std::string_view without_blanks(std::string_view text)
 double edge_of(std::string_view word)
 {
     double edge = 0;
-    if (cm_number_parse(word.data(), word.size(), &edge) == 0 || !(edge > 0) || !std::isfinite(edge))
+    if (cm_number_parse(word.data(), word.size(), &edge) == 0 || !(edge > 0) ||
+        !std::isfinite(edge))
     {
         throw OctomapFailure("its res is no length above 0");
     }
@@ -278,7 +279,8 @@ private:
 
 std::uint8_t alpha_of(double log_odds)
 {
-    const double steps = std::round(std::clamp(log_odds, standard_low, standard_high) * 127.0 / 3.5);
+    const double steps =
+        std::round(std::clamp(log_odds, standard_low, standard_high) * 127.0 / 3.5);
     if (log_odds >= 0)
     {
         return static_cast<std::uint8_t>(127 + std::max(1, static_cast<int>(steps)));
@@ -412,7 +414,8 @@ private:
         if (head.id == "ColorOcTree" && value.alpha > unknown)
         {
             std::copy(bytes + 4, bytes + 7, value.color.begin());
-            value.has_color = value.color != std::array<std::uint8_t, 3>{255, 255, 255}; // was given none
+            value.has_color =
+                value.color != std::array<std::uint8_t, 3>{255, 255, 255}; // was given none
         }
         return value;
     }
@@ -521,9 +524,9 @@ cm_status cm_octomap_parse(const char *name, const void *bytes, size_t count, cm
     {
         return CM_ERROR_ARGUMENT;
     }
-    return tell_failure(
-        name, message,
-        [&] { *octree = read_map(static_cast<const unsigned char *>(bytes), count); });
+    return tell_failure(name, message,
+                        [&]
+                        { *octree = read_map(static_cast<const unsigned char *>(bytes), count); });
 }
 
 cm_status cm_octomap_read(const char *path, cm_octree **octree, char *message)

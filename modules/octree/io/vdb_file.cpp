@@ -96,7 +96,7 @@ cm_status cm_vdb_write(const char *path, const char *name, const cm_octree_optio
     }
     catch (const std::exception &failure)
     {
-        std::snprintf(message, CM_IMAGE_MESSAGE, "'%.200s': OpenVDB cannot write it: %.300s", name,
+        std::snprintf(message, CM_IMAGE_MESSAGE, "%.200s: OpenVDB cannot write it: %.300s", name,
                       failure.what());
         return CM_ERROR_FILE;
     }
@@ -119,7 +119,7 @@ cm_status cm_vdb_write(const char *path, const char *name, const cm_octree_optio
         return CM_ERROR_ARGUMENT;
     }
     std::snprintf(message, CM_IMAGE_MESSAGE,
-                  "'%.200s': this build has no OpenVDB; xyz and ply need none", name);
+                  "%.200s: this build has no OpenVDB; xyz and ply need none", name);
     return CM_ERROR_UNSUPPORTED;
 }
 
