@@ -101,6 +101,10 @@ std::string json_of(const cm_budget &budget)
     std::string text(length + 1, '\0');
     check_map(cm_budget_json(&budget, text.data(), text.size(), &length), "the budget");
     text.resize(length);
+    for (std::size_t end; (end = text.find('\n')) != std::string::npos;)
+    {
+        text.replace(end, text.find_first_not_of(" \n", end) - end, " "); // the result is a line
+    }
     return text;
 }
 
@@ -149,10 +153,10 @@ std::string budget_report(const cm_octree *map, const cm_octree_count &count, do
     const double coarse = static_cast<double>(pieces.coarse_voxels - pieces.coarse_pieces);
     const double ratio = finest > 0 ? made.edge / finest : 1;
     std::vector<cm_budget_entry> entries;
-    entries.push_back(saving("the map as it is", corner * made.edge, bytes, "what is needed"));
+    entries.push_back(saving("the map as it is", 0, bytes, "what is needed"));
     entries.back().is_required = entries.back().is_kept = 1;
-    entries.push_back(saving("finer voxels", corner * (made.edge - made.edge / ratio),
-                             bytes * (ratio * ratio - 1), "the budget has room for this error"));
+    entries.push_back(saving("finer voxels", corner * made.edge, bytes * (ratio * ratio - 1),
+                             "the budget has room for this error"));
     entries.push_back(
         saving("one size of voxels",
                corner * std::fmax(pieces.largest - made.edge, 0) * (made.footprint > 0 ? 1 : 0),

@@ -359,10 +359,11 @@ void integrate_all(const IntegrateOptions &options, cm_sequence *sequence, Worki
     Clock::time_point committed = Clock::now();
     const auto add = [&](const cm_view &view)
     {
-        check_near_map(options.map, view, working.run.views + 1, options.folder);
+        const double depth = greatest_depth(view);
+        check_near_map(options.map, view, depth, working.run.views + 1, options.folder);
         update(options, view, pool.get(), working, took);
         working.run.views++;
-        working.run.empty += is_measured(view) ? 0 : 1;
+        working.run.empty += depth > 0 ? 0 : 1;
         const double since = std::chrono::duration<double>(Clock::now() - committed).count();
         const bool is_due = options.save_every > 0 ? working.run.views % options.save_every == 0
                                                    : since >= seconds_between_commits;
@@ -460,7 +461,6 @@ void finish(const IntegrateOptions &options, Working &working, const std::vector
 int integrate(const IntegrateOptions &options, const cm_streams &streams)
 {
     const SequencePointer sequence = open_sequence(options.folder, options.camera);
-    check_poses(sequence.get(), options.map, options.folder);
     Working working =
         begin_run(options, settings_of(options, *cm_sequence_describe(sequence.get())));
     std::vector<double> took;
