@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What pictures of a map of the analytic room cost, by one thread: perspective ones of 640 x 480 pixels, without and with light,
+ * at levels 0 to 4, and a light probe of six faces of 128 x 128. Best and median of many runs, ms of the processor.
+ *
+ *   see-speed [EDGE [PICTURES]]     PICTURES: the beginning of names of files, portable pixmaps
+ */
+#include "bench/harness/harness.h"
+#include "truth/room_views.h"
+
+#include <cubemap/octree.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum
+{
+    WIDTH = 640,
+    HEIGHT = 480,
+    FACE = 128,
+    PIXELS = WIDTH * HEIGHT,
+    VIEWS = 60,
+    RUNS = 15
+};
+
+static uint8_t pixel[PIXELS][3];
+static float depth[PIXELS];
+
+static void need(cm_status status)
+{
+    if (status != CM_OK)
+    {
+        fprintf(stderr, "see-speed: %s\n", cm_status_text(status));
+        exit(1);
+    }
+}
+
+static cm_octree *map_room(const cm_camera *camera, double edge)
+{
+    cm_scene *scene = NULL;
+    cm_octree *octree = NULL;
+    room_picture picture;
+    const cm_octree_options options = {
+        .size = sizeof options, .edge = edge, .levels = 12, .color = 1};
+    need(cm_scene_create_named("room", &scene));
+    need(cm_octree_create(&options, &octree));
+    if (!room_picture_make(camera, &picture))
+    {
+        exit(1);
+    }
+    for (uint32_t i = 0; i < VIEWS; i++)
+    {
+        const cm_pose pose = room_pose(i, VIEWS);
+        room_picture_take(scene, camera, &pose, 0.0, i, &picture);
+        const cm_view view = room_picture_view(&picture, camera, &pose, 1);
+        need(cm_octree_update(octree, &view, NULL));
+    }
+    room_picture_free(&picture);
+    cm_scene_destroy(scene);
+    return octree;
+}
+
+static void write_picture(const char *begin, const char *name, const cm_image *image)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s%s.ppm", begin, name);
+    FILE *file = fopen(path, "wb");
+    if (file != NULL)
+    {
+        fprintf(file, "P6\n%u %u\n255\n", image->width, image->height);
+        fwrite(image->data, 3, (size_t)image->width * image->height, file);
+        fclose(file);
+    }
+}
+
+static void report(const char *name, const cm_octree *octree, const cm_camera *camera,
+                   const cm_pose *pose, const cm_octree_shading *shading, const char *pictures)
+{
+    const cm_camera_options *lens = cm_camera_describe(camera);
+    double took[RUNS];
+    cm_image color = {.size = sizeof color,
+                      .data = pixel,
+                      .type = CM_PIXEL_U8,
+                      .width = lens->width,
+                      .height = lens->height,
+                      .channels = 3};
+    cm_image range = color;
+    range.data = depth;
+    range.type = CM_PIXEL_FLOAT;
+    range.channels = 1;
+    for (int i = 0; i < RUNS; i++)
+    {
+        const double begin = processor_seconds();
+        need(cm_octree_render(octree, camera, pose, shading, &color, &range));
+        took[i] = processor_seconds() - begin;
+    }
+    const timing t = summary(took, RUNS);
+    printf("  %-16s %7.1f  %7.1f\n", name, 1e3 * t.best, 1e3 * t.median);
+    if (pictures != NULL)
+    {
+        write_picture(pictures, name, &color);
+    }
+}
+
+int main(int count, char **word)
+{
+    name_program("see-speed");
+    const double edge = count > 1 ? strtod(word[1], NULL) : 0.01;
+    const char *pictures = count > 2 ? word[2] : NULL;
+    const cm_camera_options lens = {.size = sizeof lens,
+                                    .width = WIDTH,
+                                    .height = HEIGHT,
+                                    .fx = 525,
+                                    .fy = 525,
+                                    .cx = 319.5,
+                                    .cy = 239.5};
+    cm_camera *camera = NULL, *probe = NULL;
+    cm_mapping *mapping = NULL;
+    need(cm_camera_create(&lens, &camera));
+    need(cm_mapping_create("coupled", NULL, &mapping));
+    const cm_camera_options faces = {.size = sizeof faces,
+                                     .width = FACE,
+                                     .height = 6 * FACE,
+                                     .pixel_centre = 0.5,
+                                     .mapping = mapping};
+    need(cm_camera_create(&faces, &probe));
+    cm_octree *octree = map_room(camera, edge);
+    const cm_pose pose = room_pose(2, VIEWS);
+    printf("%s\n  ms: best, median\n", system_cpu());
+    cm_octree_shading shading = {.size = sizeof shading};
+    report("level0", octree, camera, &pose, &shading, pictures);
+    static const char *const levels[] = {"level0", "level1", "level2", "level3", "level4"};
+    for (shading.coarsest = 1; shading.coarsest <= 4; shading.coarsest++)
+    {
+        report(levels[shading.coarsest], octree, camera, &pose, &shading, pictures);
+    }
+    shading =
+        (cm_octree_shading){.size = sizeof shading, .light = 1, .light_position = {0.5, -1.0, 2.4}};
+    report("light", octree, camera, &pose, &shading, pictures);
+    report("probe", octree, probe, &pose, NULL, pictures);
+    cm_octree_destroy(octree);
+    cm_camera_destroy(camera);
+    cm_camera_destroy(probe);
+    cm_mapping_destroy(mapping);
+    return close_standard_output();
+}
