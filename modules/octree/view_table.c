@@ -19,8 +19,6 @@
 #define HIT_SIGMAS 1.0
 #define FRONT_SIGMAS 1.0
 
-#define ROWS_BESIDE APART_WITH_NOISE
-
 void cm_view_desk_clear(cm_view_desk *desk)
 {
     free(desk->memory);
@@ -44,7 +42,7 @@ int cm_camera_is_straight(const cm_camera_options *camera)
 
 /* ---- memory ---- */
 
-#define IMAGES 9
+#define IMAGES 4
 
 static size_t level_cells(uint32_t pixels, int level)
 {
@@ -58,7 +56,7 @@ static int has_more_levels(const cm_view_desk *desk, int level)
 
 static int take_images(cm_view_desk *desk)
 {
-    const size_t image = desk->stride * (desk->height + 2 * ROWS_BESIDE);
+    const size_t image = desk->stride * (desk->height + 2);
     desk->memory = malloc(IMAGES * image * sizeof *desk->memory);
     desk->rule = malloc(desk->stride * desk->height * sizeof *desk->rule);
     desk->word = malloc(desk->stride * desk->height * sizeof *desk->word);
@@ -67,12 +65,10 @@ static int take_images(cm_view_desk *desk)
     {
         return 0;
     }
-    float **const images[IMAGES] = {&desk->depth,    &desk->inverse, &desk->reach,
-                                    &desk->front,    &desk->five,    &desk->least[0],
-                                    &desk->least[1], &desk->most[0], &desk->most[1]};
+    float **const images[IMAGES] = {&desk->least[0], &desk->least[1], &desk->most[0], &desk->most[1]};
     for (size_t i = 0; i < IMAGES; i++)
     {
-        *images[i] = desk->memory + i * image + ROWS_BESIDE * desk->stride + CM_OCTREE_SLACK;
+        *images[i] = desk->memory + i * image + CM_OCTREE_SLACK;
     }
     return 1;
 }
@@ -102,18 +98,6 @@ static int take_windows(cm_view_desk *desk)
     return desk->windows != NULL;
 }
 
-/* Around images nothing is measured, nothing in front and nothing to be hit. */
-static void fill_around(const cm_view_desk *desk, float *image, float value)
-{
-    const size_t beside = (size_t)ROWS_BESIDE * desk->stride + CM_OCTREE_SLACK;
-    float *first = image - beside;
-    const size_t all = desk->stride * (desk->height + 2 * ROWS_BESIDE);
-    for (size_t i = 0; i < all; i++)
-    {
-        first[i] = value;
-    }
-}
-
 static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
 {
     if (desk->memory != NULL && desk->windows != NULL && desk->width == width && desk->height == height)
@@ -129,11 +113,6 @@ static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
         cm_view_desk_clear(desk);
         return CM_ERROR_MEMORY;
     }
-    fill_around(desk, desk->depth, NAN);
-    fill_around(desk, desk->inverse, NAN);
-    fill_around(desk, desk->reach, -1.0f);
-    fill_around(desk, desk->front, INFINITY);
-    fill_around(desk, desk->five, INFINITY);
     return CM_OK;
 }
 
@@ -177,6 +156,27 @@ static cm_status to_depth(cm_view_desk *desk, const cm_octree *octree, const cm_
 
 /* ---- rules ---- */
 
+/* Rows that are made one after the other and forgotten soon, so that they stay near: a power of two of them. */
+typedef struct row_ring
+{
+    float *rows;
+    size_t stride;
+    size_t mask;
+    const float *beyond; /* of rows that the picture does not have */
+    size_t height;
+} row_ring;
+
+static float *ring_row(const row_ring *ring, size_t row)
+{
+    return ring->rows + (row & ring->mask) * ring->stride;
+}
+
+static const float *ring_row_or_beyond(const row_ring *ring, ptrdiff_t row)
+{
+    return row < 0 || row >= (ptrdiff_t)ring->height ? ring->beyond : ring_row(ring, (size_t)row);
+}
+
+/* Bands of rows, each of one thread with rings of its own. */
 typedef struct fill_work
 {
     cm_view_desk *desk;
@@ -185,61 +185,134 @@ typedef struct fill_work
     float free_far;
     double first_column;
     double first_row;
+    size_t bands;
+    float *rings; /* ring_floats each */
 } fill_work;
 
-static void invert_rows(size_t first, size_t end, void *user)
+typedef struct fill_band
 {
-    const fill_work *work = user;
-    cm_view_desk *desk = work->desk;
-    for (size_t row = first; row < end; row++)
-    {
-        float *depth = desk->depth + row * desk->stride;
-        memcpy(depth, desk->packed + row * desk->width, desk->width * sizeof *depth);
-        work->set->invert(desk->stride - 2 * CM_OCTREE_SLACK, depth, desk->inverse + row * desk->stride);
-    }
+    const fill_work *work;
+    row_ring depth, inverse, reach, front;
+    float *five, *columns;
+} fill_band;
+
+static size_t ring_length(const fill_work *work)
+{
+    return work->row.apart == APART ? 4 : 16;
 }
 
-static void reach_rows(size_t first, size_t end, void *user)
+#define FRONT_ROWS 8
+
+/* Rings, rows of what is beyond, and two rows for the least of five. */
+static size_t ring_floats(const fill_work *work)
 {
-    const fill_work *work = user;
-    cm_view_desk *desk = work->desk;
-    const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK;
-    for (size_t row = first; row < end; row++)
+    return (2 * ring_length(work) + 2 * FRONT_ROWS + 4) * work->desk->stride;
+}
+
+static row_ring make_ring(const fill_band *band, float **next, size_t rows, const float *beyond)
+{
+    const cm_view_desk *desk = band->work->desk;
+    const row_ring ring = {*next + CM_OCTREE_SLACK, desk->stride, rows - 1, beyond, desk->height};
+    *next += rows * desk->stride;
+    return ring;
+}
+
+static void begin_band(fill_band *band, const fill_work *work, size_t index)
+{
+    const size_t stride = work->desk->stride, length = ring_length(work);
+    float *next = work->rings + index * ring_floats(work);
+    float *no_inverse = next, *no_front = next + stride;
+    for (size_t i = 0; i < stride; i++)
     {
-        cm_rule_row at = work->row;
-        at.depth = desk->depth + row * desk->stride;
-        at.at = desk->inverse + row * desk->stride;
-        at.above = at.at - (ptrdiff_t)at.apart * (ptrdiff_t)desk->stride;
-        at.below = at.at + (size_t)at.apart * desk->stride;
-        at.column_place = (float)work->first_column;
-        at.row_place = (float)((double)row + work->first_row);
-        work->set->reaches(padded, &at, desk->reach + row * desk->stride, desk->front + row * desk->stride);
+        no_inverse[i] = NAN;
+        no_front[i] = INFINITY;
     }
+    next += 2 * stride;
+    /* what is beside rows is never written again: nothing measured, nothing in front */
+    for (size_t i = 0; i < 2 * length * stride; i++)
+    {
+        next[i] = NAN;
+    }
+    for (size_t i = 2 * length * stride; i < (2 * length + 2 * FRONT_ROWS + 2) * stride; i++)
+    {
+        next[i] = INFINITY;
+    }
+    band->work = work;
+    band->depth = make_ring(band, &next, length, no_inverse + CM_OCTREE_SLACK);
+    band->inverse = make_ring(band, &next, length, no_inverse + CM_OCTREE_SLACK);
+    band->reach = make_ring(band, &next, FRONT_ROWS, no_front + CM_OCTREE_SLACK);
+    band->front = make_ring(band, &next, FRONT_ROWS, no_front + CM_OCTREE_SLACK);
+    band->five = next + CM_OCTREE_SLACK;
+    band->columns = next + stride + CM_OCTREE_SLACK;
+}
+
+static void invert_row(fill_band *band, size_t row)
+{
+    const cm_view_desk *desk = band->work->desk;
+    float *depth = ring_row(&band->depth, row);
+    memcpy(depth, desk->packed + row * desk->width, desk->width * sizeof *depth);
+    band->work->set->invert(desk->stride - 2 * CM_OCTREE_SLACK, depth, ring_row(&band->inverse, row));
+}
+
+static void reach_row(fill_band *band, size_t row)
+{
+    const fill_work *work = band->work;
+    cm_rule_row at = work->row;
+    at.depth = ring_row(&band->depth, row);
+    at.at = ring_row(&band->inverse, row);
+    at.above = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row - (ptrdiff_t)at.apart);
+    at.below = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row + (ptrdiff_t)at.apart);
+    at.column_place = (float)work->first_column;
+    at.row_place = (float)((double)row + work->first_row);
+    work->set->reaches(work->desk->stride - 2 * CM_OCTREE_SLACK, &at, ring_row(&band->reach, row),
+                       ring_row(&band->front, row));
 }
 
 /* The least of 5 x 5 is that of five rows, then of five columns. */
-static void rule_rows(size_t first, size_t end, void *user)
+static void rule_row(fill_band *band, size_t row)
+{
+    const fill_work *work = band->work;
+    const cm_view_desk *desk = work->desk;
+    const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK, at = row * desk->stride;
+    const float *rows[5], *columns[5];
+    for (ptrdiff_t i = 0; i < 5; i++)
+    {
+        rows[i] = ring_row_or_beyond(&band->front, (ptrdiff_t)row + i - 2);
+        columns[i] = band->five + i - 2;
+    }
+    work->set->least_of_five(padded, rows, band->five);
+    work->set->least_of_five(padded, columns, band->columns);
+    work->set->rules(desk->width, desk->packed + row * desk->width, ring_row(&band->reach, row), band->columns,
+                     work->row.far, work->free_far, desk->rule + at, desk->least[0] + at, desk->most[0] + at);
+}
+
+static size_t behind(size_t row, size_t rows)
+{
+    return row > rows ? row - rows : 0;
+}
+
+static void fill_bands(size_t first, size_t end, void *user)
 {
     const fill_work *work = user;
-    cm_view_desk *desk = work->desk;
-    const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK;
-    const ptrdiff_t stride = (ptrdiff_t)desk->stride;
-    for (size_t row = first; row < end; row++)
+    const size_t height = work->desk->height, apart = work->row.apart;
+    for (size_t index = first; index < end; index++)
     {
-        const size_t at = row * desk->stride;
-        const float *front = desk->front + at;
-        float *five = desk->five + at;
-        const float *rows[5];
-        const float *columns[5];
-        for (ptrdiff_t i = 0; i < 5; i++)
+        fill_band band;
+        begin_band(&band, work, index);
+        const size_t from = height * index / work->bands, to = height * (index + 1) / work->bands;
+        size_t inverted = behind(from, 2 + apart), reached = behind(from, 2);
+        for (size_t row = from; row < to; row++)
         {
-            rows[i] = front + (i - 2) * stride;
-            columns[i] = five + i - 2;
+            for (; reached < height && reached < row + 3; reached++)
+            {
+                for (; inverted < height && inverted < reached + apart + 1; inverted++)
+                {
+                    invert_row(&band, inverted);
+                }
+                reach_row(&band, reached);
+            }
+            rule_row(&band, row);
         }
-        work->set->least_of_five(padded, rows, five);
-        work->set->least_of_five(padded, columns, desk->least[1] + at);
-        work->set->rules(desk->width, desk->depth + at, desk->reach + at, desk->least[1] + at, work->row.far,
-                         work->free_far, desk->rule + at, desk->least[0] + at, desk->most[0] + at);
     }
 }
 
@@ -289,12 +362,17 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     {
         return status;
     }
-    fill_work work = {.desk = desk, .set = octree->set};
+    fill_work work = {.desk = desk, .set = octree->set, .bands = cm_pool_threads(pool)};
     describe_rows(&work, octree, view);
     describe_table(desk, octree, cm_camera_describe(view->camera));
-    cm_pool_run(pool, desk->height, 16, invert_rows, &work);
-    cm_pool_run(pool, desk->height, 16, reach_rows, &work);
-    cm_pool_run(pool, desk->height, 16, rule_rows, &work);
+    work.bands = work.bands < desk->height ? work.bands : desk->height;
+    work.rings = malloc(work.bands * ring_floats(&work) * sizeof *work.rings);
+    if (work.rings == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    cm_pool_run(pool, work.bands, 1, fill_bands, &work);
+    free(work.rings);
     cm_view_desk_windows(desk, octree->set);
     return CM_OK;
 }

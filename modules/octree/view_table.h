@@ -16,12 +16,7 @@ typedef struct cm_view_desk
     size_t stride; /* floats from row to row */
     uint32_t width;
     uint32_t height;
-    float *memory; /* all images below; each has CM_OCTREE_SLACK floats and two rows beside */
-    float *depth;
-    float *inverse;
-    float *reach;
-    float *front;
-    float *five;
+    float *memory;   /* of cells */
     float *least[2]; /* cells of two levels in turn */
     float *most[2];
     cm_pixel_rule *rule;
