@@ -15,6 +15,11 @@
 /* Beyond half the edges that a plane crosses, in edges: pixels are not where the voxel's centre is. */
 #define REACH_MORE 0.25
 
+/* A voxel is no miss if anything nearer is seen this close to its centre, in edges: half its diagonal. Least fronts are taken over
+ * windows of 5 x 5 pixels, as many times one after the other as that needs for the nearest that is seen, but not more often. */
+#define AROUND_EDGES 0.87
+#define AROUND_MOST 4
+
 /* Sigmas around a noisy measurement that are hit, and more of them in front that are not missed. */
 #define HIT_SIGMAS 1.0
 #define FRONT_SIGMAS 1.0
@@ -137,6 +142,18 @@ cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const 
     return status;
 }
 
+int cm_view_desk_around(const cm_view_desk *desk, double focal_edges)
+{
+    float nearest = INFINITY;
+    const size_t pixels = (size_t)desk->width * desk->height;
+    for (size_t i = 0; i < pixels; i++)
+    {
+        nearest = desk->packed[i] < nearest ? desk->packed[i] : nearest;
+    }
+    const double around = ceil(0.5 * AROUND_EDGES * focal_edges / (double)nearest);
+    return around < 1.0 ? 1 : around > AROUND_MOST ? AROUND_MOST : (int)around;
+}
+
 /* Depth of what is range, by the rays of the camera. */
 static cm_status to_depth(cm_view_desk *desk, const cm_octree *octree, const cm_view *view)
 {
@@ -201,12 +218,15 @@ static size_t ring_length(const fill_work *work)
     return work->row.apart == APART ? 4 : 16;
 }
 
-#define FRONT_ROWS 8
+static size_t front_length(const fill_work *work)
+{
+    return work->desk->around == 1 ? 8 : 32;
+}
 
 /* Rings, rows of what is beyond, and two rows for the least of five. */
 static size_t ring_floats(const fill_work *work)
 {
-    return (2 * ring_length(work) + 2 * FRONT_ROWS + 4) * work->desk->stride;
+    return (2 * ring_length(work) + 2 * front_length(work) + 4) * work->desk->stride;
 }
 
 static row_ring make_ring(const fill_band *band, float **next, size_t rows, const float *beyond)
@@ -219,7 +239,7 @@ static row_ring make_ring(const fill_band *band, float **next, size_t rows, cons
 
 static void begin_band(fill_band *band, const fill_work *work, size_t index)
 {
-    const size_t stride = work->desk->stride, length = ring_length(work);
+    const size_t stride = work->desk->stride, length = ring_length(work), fronts = front_length(work);
     float *next = work->rings + index * ring_floats(work);
     float *no_inverse = next, *no_front = next + stride;
     for (size_t i = 0; i < stride; i++)
@@ -233,15 +253,15 @@ static void begin_band(fill_band *band, const fill_work *work, size_t index)
     {
         next[i] = NAN;
     }
-    for (size_t i = 2 * length * stride; i < (2 * length + 2 * FRONT_ROWS + 2) * stride; i++)
+    for (size_t i = 2 * length * stride; i < (2 * length + 2 * fronts + 2) * stride; i++)
     {
         next[i] = INFINITY;
     }
     band->work = work;
     band->depth = make_ring(band, &next, length, no_inverse + CM_OCTREE_SLACK);
     band->inverse = make_ring(band, &next, length, no_inverse + CM_OCTREE_SLACK);
-    band->reach = make_ring(band, &next, FRONT_ROWS, no_front + CM_OCTREE_SLACK);
-    band->front = make_ring(band, &next, FRONT_ROWS, no_front + CM_OCTREE_SLACK);
+    band->reach = make_ring(band, &next, fronts, no_front + CM_OCTREE_SLACK);
+    band->front = make_ring(band, &next, fronts, no_front + CM_OCTREE_SLACK);
     band->five = next + CM_OCTREE_SLACK;
     band->columns = next + stride + CM_OCTREE_SLACK;
 }
@@ -268,22 +288,51 @@ static void reach_row(fill_band *band, size_t row)
                        ring_row(&band->front, row));
 }
 
-/* The least of 5 x 5 is that of five rows, then of five columns. */
+/* The least front around: of rows, four more at a time, then of columns. */
+static float *least_around(fill_band *band, size_t row)
+{
+    const cm_octree_set *set = band->work->set;
+    const size_t padded = band->work->desk->stride - 2 * CM_OCTREE_SLACK;
+    const int around = band->work->desk->around;
+    float *from = band->five, *to = band->columns;
+    const float *five[5];
+    ptrdiff_t next = (ptrdiff_t)row - 2 * around;
+    for (int i = 0; i < 5; i++)
+    {
+        five[i] = ring_row_or_beyond(&band->front, next++);
+    }
+    set->least_of_five(padded, five, from);
+    for (int more = 1; more < around; more++)
+    {
+        five[0] = from;
+        for (int i = 1; i < 5; i++)
+        {
+            five[i] = ring_row_or_beyond(&band->front, next++);
+        }
+        set->least_of_five(padded, five, from);
+    }
+    for (int time = 0; time < around; time++)
+    {
+        for (ptrdiff_t i = 0; i < 5; i++)
+        {
+            five[i] = from + i - 2;
+        }
+        set->least_of_five(padded, five, to);
+        float *const swapped = from;
+        from = to;
+        to = swapped;
+    }
+    return from;
+}
+
 static void rule_row(fill_band *band, size_t row)
 {
     const fill_work *work = band->work;
     const cm_view_desk *desk = work->desk;
-    const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK, at = row * desk->stride;
-    const float *rows[5], *columns[5];
-    for (ptrdiff_t i = 0; i < 5; i++)
-    {
-        rows[i] = ring_row_or_beyond(&band->front, (ptrdiff_t)row + i - 2);
-        columns[i] = band->five + i - 2;
-    }
-    work->set->least_of_five(padded, rows, band->five);
-    work->set->least_of_five(padded, columns, band->columns);
-    work->set->rules(desk->width, desk->packed + row * desk->width, ring_row(&band->reach, row), band->columns,
-                     work->row.far, work->free_far, desk->rule + at, desk->least[0] + at, desk->most[0] + at);
+    const size_t at = row * desk->stride;
+    work->set->rules(desk->width, desk->packed + row * desk->width, ring_row(&band->reach, row),
+                     least_around(band, row), work->row.far, work->free_far, desk->rule + at,
+                     desk->least[0] + at, desk->most[0] + at);
 }
 
 static size_t behind(size_t row, size_t rows)
@@ -295,15 +344,16 @@ static void fill_bands(size_t first, size_t end, void *user)
 {
     const fill_work *work = user;
     const size_t height = work->desk->height, apart = work->row.apart;
+    const size_t beside = 2 * (size_t)work->desk->around;
     for (size_t index = first; index < end; index++)
     {
         fill_band band;
         begin_band(&band, work, index);
         const size_t from = height * index / work->bands, to = height * (index + 1) / work->bands;
-        size_t inverted = behind(from, 2 + apart), reached = behind(from, 2);
+        size_t inverted = behind(from, beside + apart), reached = behind(from, beside);
         for (size_t row = from; row < to; row++)
         {
-            for (; reached < height && reached < row + 3; reached++)
+            for (; reached < height && reached < row + beside + 1; reached++)
             {
                 for (; inverted < height && inverted < reached + apart + 1; inverted++)
                 {
@@ -365,6 +415,8 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     fill_work work = {.desk = desk, .set = octree->set, .bands = cm_pool_threads(pool)};
     describe_rows(&work, octree, view);
     describe_table(desk, octree, cm_camera_describe(view->camera));
+    desk->around = cm_view_desk_around(
+        desk, octree->options.edge * fmax(fabs((double)work.row.focal[0]), fabs((double)work.row.focal[1])));
     work.bands = work.bands < desk->height ? work.bands : desk->height;
     work.rings = malloc(work.bands * ring_floats(&work) * sizeof *work.rings);
     if (work.rings == NULL)
