@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "interleave.h"
+#include "snapshot_cells.h"
 
 /* What is more opaque than all but half a step of 255 hides the rest. */
 #define OPAQUE (1.0f - 0.5f / 255.0f)
@@ -74,7 +75,7 @@ static inline cm_cone_cell look(const cm_snapshot *snapshot, cm_cone_path *path,
         {
             const size_t before =
                 node->before[child / 64] + cm_bit_count(word & cm_bits_below(child & 63));
-            return (cm_cone_cell){.color = snapshot->color[node->child + before]};
+            return (cm_cone_cell){.color = snapshot->color + node->child + before};
         }
         const cm_seen_node *below =
             &snapshot->node[stage - 1][snapshot->children[node->child + child]];
@@ -242,7 +243,9 @@ cm_cone_view cm_cone_trace(const cm_snapshot *snapshot, cm_cone_path *path, cons
             {
                 pass_half(&view, w.at, 0, w.place);
             }
-            add(&view, 1.0f - view.opacity, met.color);
+            uint8_t rgb[3];
+            cm_seen_color(*met.color, rgb);
+            add(&view, 1.0f - view.opacity, rgb);
             break;
         }
         const double from = w.at;

@@ -284,6 +284,38 @@ static double measure_widths(rendering *r)
     return widest;
 }
 
+/* One side of the pyramid that a camera sees: where the product with a vector of its axes is not negative. */
+static void add_plane(const rendering *r, const double camera[3], double x, double y, double z,
+                      cm_snapshot_bounds *bounds)
+{
+    const double length = sqrt(x * x + y * y + z * z);
+    double *plane = bounds->plane[bounds->planes++];
+    plane[3] = 0.0;
+    for (int k = 0; k < 3; k++)
+    {
+        const double(*row)[3] = r->pose->rotation.row;
+        plane[k] = (x * row[0][k] + y * row[1][k] + z * row[2][k]) / length;
+        plane[3] += plane[k] * camera[k];
+    }
+}
+
+/* All that a camera sees without a lens; shadows are of what it does not see, too. */
+static void add_planes(const rendering *r, const double camera[3], double widest,
+                       cm_snapshot_bounds *bounds)
+{
+    const cm_camera_options *lens = r->lens;
+    const double left = (lens->pixel_centre - 0.5 - lens->cx) / lens->fx;
+    const double right = left + lens->width / lens->fx;
+    const double up = (lens->pixel_centre - 0.5 - lens->cy) / lens->fy;
+    const double down = up + lens->height / lens->fy;
+    add_plane(r, camera, 1.0, 0.0, -fmin(left, right), bounds);
+    add_plane(r, camera, -1.0, 0.0, fmax(left, right), bounds);
+    add_plane(r, camera, 0.0, 1.0, -fmin(up, down), bounds);
+    add_plane(r, camera, 0.0, -1.0, fmax(up, down), bounds);
+    /* cells that are read beyond the picture are whole */
+    bounds->margin = 2.0 * (ldexp(1.0, r->shading->coarsest) + widest * r->far);
+}
+
 /* The snapshot of all that cones reach, with places in it, and where they begin. */
 static cm_status prepare(const cm_octree *octree, rendering *r)
 {
@@ -293,22 +325,26 @@ static cm_status prepare(const cm_octree *octree, rendering *r)
         return CM_ERROR_MEMORY;
     }
     const double unit = r->map->edge;
-    double camera[3], light[3], least[3], greatest[3];
+    double camera[3], light[3];
+    cm_snapshot_bounds bounds = {.planes = 0};
     r->far = (r->shading->far > 0.0 ? r->shading->far : 10.0) / unit;
     for (int k = 0; k < 3; k++)
     {
         camera[k] = (r->pose->position[k] - r->map->centre[k]) / unit;
         light[k] = (r->shading->light_position[k] - r->map->centre[k]) / unit;
-        least[k] = camera[k] - r->far;
-        greatest[k] = camera[k] + r->far;
+        bounds.least[k] = camera[k] - r->far;
+        bounds.greatest[k] = camera[k] + r->far;
         if (r->shading->light)
         {
-            least[k] = fmin(least[k], light[k]);
-            greatest[k] = fmax(greatest[k], light[k]);
+            bounds.least[k] = fmin(bounds.least[k], light[k]);
+            bounds.greatest[k] = fmax(bounds.greatest[k], light[k]);
         }
     }
-    const cm_status status =
-        cm_snapshot_make(octree, least, greatest, r->shading->pool, &r->snapshot);
+    if (r->is_plain && !r->shading->light)
+    {
+        add_planes(r, camera, widest, &bounds);
+    }
+    const cm_status status = cm_snapshot_make(octree, &bounds, r->shading->pool, &r->snapshot);
     for (int k = 0; k < 3; k++)
     {
         r->origin[k] = camera[k] - (double)r->snapshot.corner[k];

@@ -48,21 +48,32 @@ typedef struct cm_snapshot
     cm_seen_node *node[CM_SNAPSHOT_STAGES]; /* of each stage, in the order of keys */
     size_t node_count[CM_SNAPSHOT_STAGES];
     int top;            /* the stage with one node; -1: nothing is occupied */
+    int64_t middle;     /* of the map, in voxels from the corner of its tree */
     int64_t corner[3];  /* of the tree, in voxels from the root's centre */
     uint32_t *children; /* tables of 512 nodes of the stage below */
     size_t table_count;
     cm_seen_cell *cell;
     size_t cell_count;
-    uint8_t (*color)[3]; /* of voxels */
+    uint32_t *color; /* of voxels, as color_word.c has them; 0: none */
     size_t color_count;
     float thickness[256]; /* of opacities: the logarithm to the base 1/2 of what is let through */
 } cm_snapshot;
 
-/* What is in a box [least, greatest] of places in voxels from the root's centre; blocks that touch it are taken whole. The
- * pool may be NULL. CM_OK; CM_ERROR_MEMORY; those of cm_octree_occupied_blocks. What was made is to be dropped, whatever is
+/* What of a map is wanted, in voxels from the root's centre: a box, and a pyramid whose planes look inwards. Blocks that have
+ * something of both, to `margin`, are taken whole. */
+typedef struct cm_snapshot_bounds
+{
+    double least[3];
+    double greatest[3];
+    int planes;
+    double plane[4][4]; /* a normal of length 1, and its product with a point of the plane */
+    double margin;
+} cm_snapshot_bounds;
+
+/* The pool may be NULL. CM_OK; CM_ERROR_MEMORY; CM_ERROR_FILE, _DATA (pages). What was made is to be dropped, whatever is
  * returned. */
-cm_status cm_snapshot_make(const cm_octree *octree, const double least[3], const double greatest[3],
-                           cm_pool *pool, cm_snapshot *snapshot);
+cm_status cm_snapshot_make(const cm_octree *octree, const cm_snapshot_bounds *bounds, cm_pool *pool,
+                           cm_snapshot *snapshot);
 void cm_snapshot_drop(cm_snapshot *snapshot);
 
 /* How many bits are 1. */
