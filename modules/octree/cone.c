@@ -209,8 +209,8 @@ static float hidden(const cm_snapshot *snapshot, const cm_seen_cell *cell,
 static void cross(const cm_snapshot *snapshot, const cm_cone *cone, const cm_cone_cell *met,
                   double from, double to, const uint32_t place[3], cm_cone_view *view)
 {
-    const float opacity = hidden(snapshot, met->cell, cone->direction,
-                                 (to - from) / (double)((uint32_t)1 << met->level));
+    const float opacity =
+        hidden(snapshot, met->cell, cone->direction, (to - from) / cm_size_of_level(met->level));
     const float before = view->opacity;
     add(view, (1.0f - before) * opacity, met->cell->color);
     if (before < 0.5f && view->opacity >= 0.5f)
@@ -229,7 +229,7 @@ cm_cone_view cm_cone_trace(const cm_snapshot *snapshot, cm_cone_path *path, cons
         return view;
     }
     int level = cone->coarsest;
-    double wider = ldexp(1.0, level + 1) / cone->width;
+    double wider = 2.0 * cm_size_of_level(level) / cone->width;
     for (int is_inside = 1; is_inside && w.at < cone->end;)
     {
         for (; w.at >= wider && level < 3 * CM_SNAPSHOT_STAGES; wider *= 2.0)

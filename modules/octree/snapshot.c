@@ -83,7 +83,7 @@ static void copy_colors(cm_snapshot *snapshot, const cm_seen_node *node, const u
     {
         for (uint64_t left = node->mask[w]; left != 0; left &= left - 1)
         {
-            *to++ = color == NULL ? 0 : color[64 * w + cm_bit_count((left & (~left + 1)) - 1)];
+            *to++ = color == NULL ? 0 : color[64 * w + cm_lowest_bit(left)];
         }
     }
     snapshot->color_count = (size_t)(to - snapshot->color);
@@ -121,7 +121,7 @@ static int add_block(gathering *g, const uint32_t place[3], cm_seen_node *node,
 static int gather_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
 {
     gathering *g = user;
-    if (alpha <= CM_UNKNOWN || is_beside(g, place, (double)((uint32_t)1 << level)))
+    if (alpha <= CM_UNKNOWN || is_beside(g, place, cm_size_of_level(level)))
     {
         return 0;
     }
@@ -163,6 +163,22 @@ static const uint32_t *unpack(const gathering *g, const cm_region *region, unsig
     return color;
 }
 
+/* What is read some blocks later comes to the cache meanwhile: most of the time is waiting for memory. */
+static void prefetch(const cm_region *region, unsigned block)
+{
+#if defined(__GNUC__)
+    const unsigned later = block + 4 < CM_REGION_BLOCKS ? block + 4 : block;
+    const uint8_t *alpha = region->alpha[later];
+    for (unsigned i = 0; alpha != NULL && region->form[later] == CM_BLOCK_PLAIN && i < 512; i += 64)
+    {
+        __builtin_prefetch(alpha + i);
+    }
+#else
+    (void)region;
+    (void)block;
+#endif
+}
+
 static int gather_block(void *user, const cm_region *region, unsigned block, unsigned misses)
 {
     gathering *g = user;
@@ -174,6 +190,7 @@ static int gather_block(void *user, const cm_region *region, unsigned block, uns
     {
         return 0;
     }
+    prefetch(region, block);
     cm_seen_node node = {.pairs = 0};
     uint32_t unpacked[512];
     const uint32_t *color = NULL;

@@ -85,6 +85,22 @@ static inline unsigned cm_bit_count(uint64_t bits)
     return (unsigned)(bits * 0x0101010101010101u >> 56);
 }
 
+/* The number of the lowest bit that is 1; there is one. */
+static inline unsigned cm_lowest_bit(uint64_t bits)
+{
+#if defined(__GNUC__)
+    return (unsigned)__builtin_ctzll(bits);
+#else
+    return cm_bit_count((bits & (~bits + 1)) - 1);
+#endif
+}
+
+/* 2 to the power of a level. */
+static inline double cm_size_of_level(int level)
+{
+    return (double)((uint64_t)1 << level);
+}
+
 /* Bits below number n of 0 to 63. */
 static inline uint64_t cm_bits_below(unsigned n)
 {
