@@ -12,6 +12,10 @@
 
 #include <cubemap/octree.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define CM_BLOCK_EDGE 8
 #define CM_BLOCK_CELLS 512
 
@@ -39,5 +43,9 @@ cm_status cm_octree_set_block(cm_octree *octree, const int64_t corner[3], const 
 
 /* 1 while no voxel is known. */
 int cm_octree_is_empty(const cm_octree *octree);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -1,18 +1,22 @@
-/* SPDX-License-Identifier: MIT
- *
- * Colors in a word. No word of a color is 0, which is that of none.
- */
-#include "region.h"
+/* SPDX-License-Identifier: MIT */
+#include "color_word.h"
 
-static uint32_t word_of(uint32_t red, uint32_t green, uint32_t blue)
-{
-    return red << 21 | green << 10 | blue;
-}
-
-uint32_t cm_color_from(const uint8_t rgb[3])
-{
-    return word_of(8u * rgb[0] + 1u, 8u * rgb[1] + 1u, 4u * rgb[2]);
-}
+/* [65536 / w + 1/2] */
+const uint32_t cm_color_part[256] = {
+    0, 65536, 32768, 21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041, 4681, 4369, 4096, 3855,
+    3641, 3449, 3277, 3121, 2979, 2849, 2731, 2621, 2521, 2427, 2341, 2260, 2185, 2114, 2048, 1986, 1928, 1872,
+    1820, 1771, 1725, 1680, 1638, 1598, 1560, 1524, 1489, 1456, 1425, 1394, 1365, 1337, 1311, 1285, 1260, 1237,
+    1214, 1192, 1170, 1150, 1130, 1111, 1092, 1074, 1057, 1040, 1024, 1008, 993, 978, 964, 950, 936, 923, 910, 898,
+    886, 874, 862, 851, 840, 830, 819, 809, 799, 790, 780, 771, 762, 753, 745, 736, 728, 720, 712, 705, 697, 690,
+    683, 676, 669, 662, 655, 649, 643, 636, 630, 624, 618, 612, 607, 601, 596, 590, 585, 580, 575, 570, 565, 560,
+    555, 551, 546, 542, 537, 533, 529, 524, 520, 516, 512, 508, 504, 500, 496, 493, 489, 485, 482, 478, 475, 471,
+    468, 465, 462, 458, 455, 452, 449, 446, 443, 440, 437, 434, 431, 428, 426, 423, 420, 417, 415, 412, 410, 407,
+    405, 402, 400, 397, 395, 392, 390, 388, 386, 383, 381, 379, 377, 374, 372, 370, 368, 366, 364, 362, 360, 358,
+    356, 354, 352, 350, 349, 347, 345, 343, 341, 340, 338, 336, 334, 333, 331, 329, 328, 326, 324, 323, 321, 320,
+    318, 317, 315, 314, 312, 311, 309, 308, 306, 305, 303, 302, 301, 299, 298, 297, 295, 294, 293, 291, 290, 289,
+    287, 286, 285, 284, 282, 281, 280, 279, 278, 277, 275, 274, 273, 272, 271, 270, 269, 267, 266, 265, 264, 263,
+    262, 261, 260, 259, 258, 257,
+};
 
 void cm_color_to(uint32_t color, uint8_t rgb[3])
 {
@@ -26,30 +30,4 @@ void cm_color_to(uint32_t color, uint8_t rgb[3])
         rgb[1] = (uint8_t)((green + 4u) / 8u < 255u ? (green + 4u) / 8u : 255u);
         rgb[2] = (uint8_t)((blue + 2u) / 4u < 255u ? (blue + 2u) / 4u : 255u);
     }
-}
-
-/* 65536 / weight, to the nearest; there are no more than 255 hits. */
-static uint32_t part_of(unsigned weight)
-{
-    return (65536u + weight / 2u) / weight;
-}
-
-static uint32_t mixed(uint32_t old, uint32_t more, uint32_t part)
-{
-    const int32_t difference = (int32_t)more - (int32_t)old;
-    const int32_t sum = (int32_t)(old << 16) + difference * (int32_t)part + 32768;
-    return (uint32_t)sum >> 16;
-}
-
-uint32_t cm_color_mix(uint32_t color, const uint8_t rgb[3], unsigned weight)
-{
-    const uint32_t more = cm_color_from(rgb);
-    if (color == 0 || weight <= 1)
-    {
-        return more;
-    }
-    const uint32_t part = part_of(weight);
-    return word_of(mixed(color >> 21, more >> 21, part),
-                   mixed(color >> 10 & 2047u, more >> 10 & 2047u, part),
-                   mixed(color & 1023u, more & 1023u, part));
 }

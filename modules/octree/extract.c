@@ -235,15 +235,22 @@ typedef struct extraction
     cm_voxel *voxel;
     size_t count;
     uint64_t last[3]; /* the cube above blocks that was given last, and 1 */
+    cm_status status; /* of pages */
 } extraction;
 
-static void give(extraction *work, const cm_voxel *voxel)
+static void give(extraction *work, const double point[3])
 {
-    if (work->count < work->capacity)
+    cm_voxel voxel;
+    const cm_status status = cm_look_at(work->octree, point, work->level, &voxel);
+    work->status = work->status == CM_OK ? status : work->status;
+    if (status == CM_OK && voxel.state == CM_VOXEL_OCCUPIED)
     {
-        work->voxel[work->count] = *voxel;
+        if (work->count < work->capacity)
+        {
+            work->voxel[work->count] = voxel;
+        }
+        work->count++;
     }
-    work->count++;
 }
 
 /* Cells of a level up to that of a block: averages of eights. */
@@ -255,7 +262,7 @@ static void extract_cells(extraction *work, const cm_block_values *block)
     {
         unsigned in[3];
         cm_divide_3(cell, in);
-        if (work->level < block->detail && (cell & ((1u << 3 * block->detail) - 1u)) != 0)
+        if (work->level == 0 && (cell & ((1u << 3 * block->detail) - 1u)) != 0)
         {
             continue; /* a coarser one was given as one */
         }
@@ -269,11 +276,7 @@ static void extract_cells(extraction *work, const cm_block_values *block)
             const double place = (double)(block->corner[axis] + middle) + in[axis];
             centre[axis] = cm_place_world(work->octree, axis, place + 0.5);
         }
-        cm_voxel voxel;
-        if (cm_octree_at(work->octree, centre, work->level, &voxel) == CM_VOXEL_OCCUPIED)
-        {
-            give(work, &voxel);
-        }
+        give(work, centre);
     }
 }
 
@@ -291,11 +294,7 @@ static void extract_cube(extraction *work, const cm_block_values *block)
     if (memcmp(cube, work->last, sizeof cube) != 0)
     {
         memcpy(work->last, cube, sizeof cube);
-        cm_voxel voxel;
-        if (cm_octree_at(work->octree, centre, work->level, &voxel) == CM_VOXEL_OCCUPIED)
-        {
-            give(work, &voxel);
-        }
+        give(work, centre);
     }
 }
 
@@ -310,7 +309,7 @@ static int extract_block(void *user, const cm_block_values *block)
     {
         extract_cube(work, block);
     }
-    return 0;
+    return work->status != CM_OK;
 }
 
 cm_status cm_octree_extract(const cm_octree *octree, int level, size_t capacity, cm_voxel *voxel, size_t *count)
@@ -324,7 +323,16 @@ cm_status cm_octree_extract(const cm_octree *octree, int level, size_t capacity,
         return CM_ERROR_RANGE;
     }
     extraction work = {.octree = octree, .level = level, .capacity = capacity, .voxel = voxel};
-    const cm_status status = cm_octree_occupied_blocks(octree, extract_block, &work);
+    cm_status status = CM_OK;
+    if (level == octree->options.levels)
+    {
+        give(&work, octree->options.centre); /* that of a small map is not a cube of the tree */
+    }
+    else
+    {
+        status = cm_octree_occupied_blocks(octree, extract_block, &work);
+    }
+    status = work.status != CM_OK ? work.status : status;
     if (status != CM_OK)
     {
         return status;

@@ -56,9 +56,10 @@ static int add_block(void *user, const cm_region *region, unsigned block, unsign
     uint8_t alpha[512];
     uint32_t color[512];
     const unsigned detail = cm_block_read(region, block, &sum->octree->rule, misses, alpha, color);
-    /* a cube of less than a block is some of its cells, one after the other */
+    /* a cube of less than a block is some of its cells, one after the other; but a whole small map is of several blocks,
+     * and what else they have is unknown */
     unsigned first = 0, count = 512;
-    if (sum->level < CM_BLOCK_LEVEL)
+    if (sum->level < CM_BLOCK_LEVEL && sum->level < sum->octree->options.levels)
     {
         first = cm_interleave_3(sum->place[0] & 7u, sum->place[1] & 7u, sum->place[2] & 7u);
         count = 1u << 3 * sum->level;
@@ -80,19 +81,21 @@ static uint8_t average(const cube_sum *sum)
     return (uint8_t)(is_above ? CM_UNKNOWN + mean : CM_UNKNOWN - mean);
 }
 
-static cm_voxel average_at(const cm_octree *octree, const uint32_t place[3], int level)
+static cm_status average_at(const cm_octree *octree, const uint32_t place[3], int level, cm_voxel *found)
 {
     cube_sum sum = {.level = level, .octree = octree};
     cm_walk walk = {.user = &sum, .even = add_even, .block = add_block};
     for (int axis = 0; axis < 3; axis++)
     {
-        sum.place[axis] = place[axis] >> level << level;
+        /* cubes are counted from the root, which is in the middle of the tree of a small map */
+        sum.place[axis] = octree->first[axis] + ((place[axis] - octree->first[axis]) >> level << level);
         walk.first[axis] = sum.place[axis];
         walk.beyond[axis] = sum.place[axis] + (1u << level);
     }
-    if (cm_walk_run(octree, &walk) != CM_OK)
+    const cm_status status = cm_walk_run(octree, &walk);
+    if (status != CM_OK)
     {
-        return nothing;
+        return status;
     }
     cm_voxel voxel = cm_voxel_at(octree, sum.place, level, average(&sum), 0);
     if (voxel.state == CM_VOXEL_OCCUPIED && sum.colored > 0)
@@ -103,22 +106,25 @@ static cm_voxel average_at(const cm_octree *octree, const uint32_t place[3], int
             voxel.color[i] = (uint8_t)((sum.color[i] + sum.colored / 2) / sum.colored);
         }
     }
-    return voxel;
+    *found = voxel;
+    return CM_OK;
 }
 
 /* The voxel that was updated as one. */
-static cm_voxel finest_at(const cm_octree *octree, const uint32_t place[3])
+static cm_status finest_at(const cm_octree *octree, const uint32_t place[3], cm_voxel *found)
 {
     const cm_spot spot = cm_node_find(octree, place);
     const cm_node *node = &octree->node[spot.node];
     if (node->kind == CM_NODE_LEAF)
     {
-        return cm_voxel_at(octree, place, 0, cm_after_misses(&octree->rule, node->value, spot.misses), 0);
+        *found = cm_voxel_at(octree, place, 0, cm_after_misses(&octree->rule, node->value, spot.misses), 0);
+        return CM_OK;
     }
     const cm_region *region = NULL;
-    if (cm_node_look(octree, spot.node, place, &region) != CM_OK)
+    const cm_status status = cm_node_look(octree, spot.node, place, &region);
+    if (status != CM_OK)
     {
-        return nothing;
+        return status;
     }
     const unsigned block = cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3);
     const unsigned cell = cm_interleave_3(place[0], place[1], place[2]);
@@ -127,23 +133,32 @@ static cm_voxel finest_at(const cm_octree *octree, const uint32_t place[3])
     const unsigned detail = region->detail[block];
     const uint32_t corner[3] = {place[0] >> detail << detail, place[1] >> detail << detail,
                                 place[2] >> detail << detail};
-    return cm_voxel_at(octree, corner, (int)detail, alpha, color);
+    *found = cm_voxel_at(octree, corner, (int)detail, alpha, color);
+    return CM_OK;
 }
 
-int cm_octree_at(const cm_octree *octree, const double point[3], int level, cm_voxel *voxel)
+cm_status cm_look_at(const cm_octree *octree, const double point[3], int level, cm_voxel *found)
 {
-    cm_voxel found = nothing;
     uint32_t place[3];
-    int is_inside = octree != NULL && point != NULL && level >= 0 && level <= octree->options.levels;
+    int is_inside = level >= 0 && level <= octree->options.levels;
+    *found = nothing;
     for (int axis = 0; is_inside && axis < 3; axis++)
     {
         const double at = cm_world_place(octree, axis, point[axis]);
         is_inside = at >= octree->first[axis] && at < octree->beyond[axis];
         place[axis] = is_inside ? (uint32_t)at : 0;
     }
-    if (is_inside)
+    return !is_inside  ? CM_OK
+           : level == 0 ? finest_at(octree, place, found)
+                        : average_at(octree, place, level, found);
+}
+
+int cm_octree_at(const cm_octree *octree, const double point[3], int level, cm_voxel *voxel)
+{
+    cm_voxel found = nothing;
+    if (octree != NULL && point != NULL && cm_look_at(octree, point, level, &found) != CM_OK)
     {
-        found = level == 0 ? finest_at(octree, place) : average_at(octree, place, level);
+        found = nothing;
     }
     if (voxel != NULL)
     {

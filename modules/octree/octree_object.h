@@ -60,6 +60,7 @@ typedef struct cm_region
     uint64_t used;        /* the clock when it was last needed */
     uint32_t node;        /* whose region it is */
     uint8_t is_dirty;     /* 1: it is not as it was last saved */
+    uint8_t is_held;      /* 1: a walk is in it, whose caller may ask for others: it stays in memory */
     uint64_t bytes;       /* of its blocks and colors, without this struct */
     uint32_t **color;     /* of blocks, NULL where there is none; the table is NULL if no block has any */
     uint8_t *alpha[CM_REGION_BLOCKS];   /* NULL: even */

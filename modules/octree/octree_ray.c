@@ -212,6 +212,8 @@ cm_status cm_octree_walk_ray(const cm_octree *octree, const double origin[3], co
             {
                 return CM_ERROR_STOPPED;
             }
+            /* who was called may have asked the same map, which with pages puts regions away */
+            ray.region = octree->options.pages == NULL ? ray.region : NULL;
         }
     } while (leave(&ray, &cube));
     return CM_OK;

@@ -56,6 +56,13 @@ typedef enum cm_cube_class
     CM_CUBE_PART = 3     /* perhaps not */
 } cm_cube_class;
 
+/* What is nearer than least is missed, what is farther than most is not touched; with a little room for rounding. */
+typedef struct cm_cube_bounds
+{
+    float least;
+    float most;
+} cm_cube_bounds;
+
 /* Offsets of the cells' centres of a block from that of its first voxel, in the camera's axes; those of each detail. */
 typedef struct cm_cell_offsets
 {
@@ -98,20 +105,24 @@ typedef struct cm_octree_set
     /* Rules and bounds of a row; five: the least front around each pixel; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
     void (*rules)(size_t n, const float *depth, const float *reach, const float *five, float far, float free_far,
                   cm_pixel_rule *rule, float *least, float *most);
+    /* Words of colors (region.h) of pixels that are `apart` bytes from each other. */
+    void (*words)(size_t n, const uint8_t *rgb, ptrdiff_t apart, uint32_t *word);
     /* Cells of twice the size from two rows of cells; n of the new ones. */
     void (*halve)(size_t n, const float *const least_of[2], const float *const most_of[2], float *least,
                   float *most);
     /* Windows of 2 x 2 cells from two rows: n of them. */
     void (*windows)(size_t n, const float *const least_of[2], const float *const most_of[2], float *least,
                     float *most);
-    /* Classes of n cubes with centres x, y, z in the camera's axes, all with the half lengths of a box along those axes.
-     * Arrays have room for a multiple of 16. */
+    /* Classes of n cubes with centres x, y, z in the camera's axes, all with the half lengths of a box along those axes; and, if
+     * bounds is not NULL, of each that may be something else than outside and free, bounds of what its pixels say. Arrays have
+     * room for a multiple of 16. */
     void (*classify)(const cm_view_table *view, size_t n, const float *x, const float *y, const float *z,
-                     const float half[3], uint8_t *class_of);
+                     const float half[3], uint8_t *class_of, cm_cube_bounds *bounds);
     /* What happens to the 64 cells of a group at offsets from a first voxel, cells of `scale` edges: bits of hits and misses;
-     * pixel has the rules' indices of them all, NULL: not wanted. is_inside: all fall on the picture. */
+     * pixel has the rules' indices of them all, NULL: not wanted. is_inside: all fall on the picture; bounds: of the pixels that they fall
+     * on. */
     void (*visit)(const cm_view_table *view, const float first[3], const float *x, const float *y, const float *z,
-                  float scale, int is_inside, uint64_t *hits, uint64_t *misses, int32_t pixel[64]);
+                  float scale, int is_inside, cm_cube_bounds bounds, uint64_t *hits, uint64_t *misses, int32_t pixel[64]);
     /* 64 alphas after hits and misses: saturating. Returns 1 if any changed. */
     int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss, uint8_t low, uint8_t high);
 } cm_octree_set;

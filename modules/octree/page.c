@@ -312,7 +312,7 @@ cm_status cm_pages_trim(cm_octree *octree)
     size_t count = 0;
     for (size_t i = 0; i < octree->region_count; i++)
     {
-        if (octree->region[i] != NULL)
+        if (octree->region[i] != NULL && !octree->region[i]->is_held)
         {
             list[count++] = octree->region[i];
         }

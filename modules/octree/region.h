@@ -5,6 +5,7 @@
 #ifndef MODULES_OCTREE_REGION_H
 #define MODULES_OCTREE_REGION_H
 
+#include "color_word.h"
 #include "octree_object.h"
 
 /* Cells of a block of that detail. */
@@ -54,11 +55,5 @@ void cm_block_even(cm_region *region, unsigned block, uint8_t alpha);
 
 /* All blocks are even and of one alpha: it is in *alpha. */
 int cm_region_is_even(const cm_region *region, uint8_t *alpha);
-
-/* Colors are kept in 32 bits, 11, 11 and 10 of them, so that an average follows small changes. */
-uint32_t cm_color_from(const uint8_t rgb[3]);
-void cm_color_to(uint32_t color, uint8_t rgb[3]);
-/* A color that is averaged with one more, the weight-th. */
-uint32_t cm_color_mix(uint32_t color, const uint8_t rgb[3], unsigned weight);
 
 #endif

@@ -103,7 +103,7 @@ static int put_values(cm_octree *octree, cm_region *region, unsigned block, cons
     }
     for (unsigned cell = 0; color != NULL && cell < 512; cell++)
     {
-        word[cell] = alpha[cell] > CM_UNKNOWN ? cm_color_from(color[cell]) : 0;
+        word[cell] = alpha[cell] > CM_UNKNOWN ? cm_color_word(color[cell]) : 0;
     }
     if (color == NULL && alpha[0] > CM_UNKNOWN && memcmp(alpha, alpha + 1, 511) == 0)
     {

@@ -115,11 +115,12 @@ static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, co
             update->step[axis][i] = options->edge * view->pose.rotation.row[i][axis];
         }
     }
-    update->color = options->color && view->color.data != NULL ? view->color.data : NULL;
-    update->color_pixel =
-        view->color.pixel_stride != 0 ? view->color.pixel_stride : (ptrdiff_t)view->color.channels;
-    update->color_row = view->color.row_stride != 0 ? view->color.row_stride
-                                                    : (ptrdiff_t)view->color.width * update->color_pixel;
+    update->has_color = options->color && view->color.data != NULL;
+    for (unsigned alpha = 0; alpha < 256; alpha++)
+    {
+        const unsigned hits = cm_hits_of(&octree->rule, alpha);
+        update->hits_of[alpha] = (uint8_t)(hits < 255 ? hits : 255);
+    }
     desk->count = 0;
     make_offsets(update);
 }
@@ -169,7 +170,7 @@ static void classify_eight(const cm_update *update, const uint32_t place[3], int
         farthest = fmax(farthest, fabs(centre[0]) + fabs(centre[1]) + fabs(centre[2]));
     }
     cm_update_half(update, level, farthest, half);
-    update->set->classify(&update->desk->view.table, 8, x, y, z, half, class_of);
+    update->set->classify(&update->desk->view.table, 8, x, y, z, half, class_of, NULL);
 }
 
 /* Does a small map not fill a cube? Then misses are not counted for all of it. */
@@ -327,6 +328,10 @@ cm_status cm_octree_update(cm_octree *octree, const cm_view *view, cm_pool *pool
         octree->step++;
         octree->clock++;
         begin(update, octree, desk, view);
+        if (update->has_color)
+        {
+            cm_view_desk_colors(&desk->view, octree, view, pool);
+        }
         status = cm_camera_is_straight(cm_camera_describe(view->camera)) ? update_straight(update, pool)
                                                                         : cm_update_round(update, pool);
         const cm_status trimmed = cm_pages_trim(octree);

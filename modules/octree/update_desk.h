@@ -34,9 +34,8 @@ typedef struct cm_update
     float block_half[3];      /* half a box along the camera's axes around the centres of a block's voxels */
     float group_half[3];      /* of 4^3 voxels */
     double pixel;             /* edges that a pixel is wide at distance 1, times the footprint */
-    const uint8_t *color;     /* NULL: none */
-    ptrdiff_t color_row;      /* bytes */
-    ptrdiff_t color_pixel;    /* bytes */
+    int has_color;
+    uint8_t hits_of[256]; /* the weight of a color where alpha is that */
     cm_cell_offsets offset[CM_DETAILS];
     cm_cell_offsets block;    /* of the blocks of a region */
     int failed;               /* 1: no memory */
@@ -77,6 +76,12 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block, const 
 
 /* All of a block is missed. */
 void cm_update_free_block(cm_update *update, cm_region *region, unsigned block);
+
+/* How many details a map may have: cells of more are not of a small map alone. */
+static inline unsigned cm_update_details(const cm_octree *octree)
+{
+    return octree->options.levels < CM_DETAILS ? (unsigned)octree->options.levels : CM_DETAILS;
+}
 
 /* Which cells of a group are voxels of the map, and not beyond a small one. */
 uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block, unsigned detail,

@@ -133,9 +133,11 @@ static int cut(const cm_octree *octree, double from[3], double to[3])
     }
     for (int axis = 0; axis < 3; axis++)
     {
+        /* from far away a place is rounded to beyond the map, where rays would go on and on */
         const double step = to[axis] - from[axis];
-        to[axis] = last < 1.0 ? from[axis] + last * step : to[axis];
-        from[axis] += first * step;
+        const double low = octree->first[axis], high = octree->beyond[axis] - 1e-6;
+        to[axis] = fmin(fmax(last < 1.0 ? from[axis] + last * step : to[axis], low), high);
+        from[axis] = fmin(fmax(from[axis] + first * step, low), high);
     }
     return 1;
 }
@@ -250,12 +252,17 @@ static int apply(cm_octree *octree, cm_region *region, const voxel_event *event,
 {
     const cm_count_rule *rule = &octree->rule;
     const unsigned block = (unsigned)(event->key >> 9 & 511u), cell = (unsigned)(event->key & 511u);
+    const int is_hit = event->point != NO_POINT;
+    const uint8_t even = region->value[block];
+    if (!is_hit && region->form[block] == CM_BLOCK_EVEN && cm_after_misses(rule, even, 1) == even)
+    {
+        return 1; /* it stays even */
+    }
     uint8_t *alpha = cm_block_open(region, block, rule, 0);
     if (alpha == NULL)
     {
         return 0;
     }
-    const int is_hit = event->point != NO_POINT;
     const unsigned old = alpha[cell];
     const unsigned more = old + rule->hit < rule->high ? old + rule->hit : rule->high;
     alpha[cell] = is_hit ? (uint8_t)more : cm_after_misses(rule, old, 1);
@@ -267,8 +274,12 @@ static int apply(cm_octree *octree, cm_region *region, const voxel_event *event,
         {
             return 0;
         }
-        color[cell] = cm_color_mix(old > CM_UNKNOWN ? color[cell] : 0, rgb + 3 * event->point,
+        color[cell] = cm_color_mix(old > CM_UNKNOWN ? color[cell] : 0, cm_color_word(rgb + 3 * event->point),
                                    cm_hits_of(rule, alpha[cell]));
+    }
+    else if (is_hit && old <= CM_UNKNOWN && region->color != NULL && region->color[block] != NULL)
+    {
+        region->color[block][cell] = 0; /* of its former life */
     }
     return 1;
 }

@@ -5,6 +5,7 @@
  */
 #include "update_desk.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "interleave.h"
@@ -55,17 +56,24 @@ static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_
                        const int32_t pixel[64])
 {
     const cm_count_rule *rule = &update->octree->rule;
-    const size_t stride = update->desk->view.stride;
+    const uint32_t *word = update->desk->view.word;
     for (; hits != 0; hits &= hits - 1)
     {
         const unsigned i = (unsigned)__builtin_ctzll(hits);
         const unsigned sum = (unsigned)alpha[i] + rule->hit;
         const unsigned now = sum < rule->high ? sum : rule->high;
         const uint32_t old = alpha[i] > CM_UNKNOWN ? color[i] : 0;
-        const size_t row = (size_t)pixel[i] / stride, column = (size_t)pixel[i] % stride;
-        const uint8_t *rgb = update->color + (ptrdiff_t)row * update->color_row +
-                             (ptrdiff_t)column * update->color_pixel;
-        color[i] = now > CM_UNKNOWN ? cm_color_mix(old, rgb, cm_hits_of(rule, now)) : 0;
+        color[i] = now > CM_UNKNOWN ? cm_color_mix(old, word[pixel[i]], update->hits_of[now]) : 0;
+    }
+}
+
+/* Hits without a color: what was no longer occupied has none of its former life. */
+static void forget_colors(const uint8_t alpha[64], uint32_t *color, uint64_t hits)
+{
+    for (; hits != 0; hits &= hits - 1)
+    {
+        const unsigned i = (unsigned)__builtin_ctzll(hits);
+        color[i] = alpha[i] > CM_UNKNOWN ? color[i] : 0;
     }
 }
 
@@ -83,7 +91,7 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block, const 
     for (size_t group = 0; group * 64 < cells; group++)
     {
         any_hits |= change->hits[group];
-        if (change->hits[group] != 0 && update->color != NULL)
+        if (change->hits[group] != 0 && update->has_color)
         {
             uint32_t *color = cm_block_colors(region, block);
             if (color == NULL)
@@ -92,6 +100,10 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block, const 
             }
             color_hits(update, alpha + 64 * group, color + 64 * group, change->hits[group],
                        change->pixel[group]);
+        }
+        else if (change->hits[group] != 0 && region->color != NULL && region->color[block] != NULL)
+        {
+            forget_colors(alpha + 64 * group, region->color[block] + 64 * group, change->hits[group]);
         }
         if ((change->hits[group] | change->misses[group]) != 0)
         {
@@ -136,7 +148,7 @@ static unsigned detail_at(const cm_update *update, const cm_region *region, unsi
 {
     unsigned detail = 0;
     const double wanted = update->pixel * (double)z;
-    while (detail + 1 < CM_DETAILS && (double)(1u << detail) < wanted)
+    while (detail + 1 < cm_update_details(update->octree) && (double)(1u << detail) < wanted)
     {
         detail++;
     }
@@ -149,8 +161,9 @@ static unsigned detail_at(const cm_update *update, const cm_region *region, unsi
 typedef struct block_work
 {
     float first[3]; /* the first voxel's centre, in the camera's axes */
-    uint8_t block_class;
     const uint8_t *group_class; /* of eight groups */
+    const cm_cube_bounds *bounds;
+    const uint32_t *color;      /* of an open block; NULL: none yet */
 } block_work;
 
 static void first_voxel(const cm_update *update, const cm_region *region, unsigned block, float first[3])
@@ -166,6 +179,19 @@ static void first_voxel(const cm_update *update, const cm_region *region, unsign
     for (int axis = 0; axis < 3; axis++)
     {
         first[axis] = (float)in_camera[axis];
+    }
+}
+
+/* What hits will need: colors of pixels, and those of a group's cells if there are any. */
+static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_t hits, const int32_t pixel[64])
+{
+    for (; hits != 0; hits &= hits - 1)
+    {
+        __builtin_prefetch(update->desk->view.word + pixel[__builtin_ctzll(hits)]);
+    }
+    for (size_t line = 0; color != NULL && line < 64; line += 16)
+    {
+        __builtin_prefetch(color + line, 1);
     }
 }
 
@@ -186,8 +212,14 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
     const cm_cell_offsets *offset = &update->offset[detail];
     update->set->visit(&update->desk->view.table, work->first, offset->x + 64 * group, offset->y + 64 * group,
                        offset->z + 64 * group, (float)(1u << detail), class_of == CM_CUBE_BAND,
+                       detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY},
                        &change->hits[group], &change->misses[group],
-                       update->color != NULL ? change->pixel[group] : NULL);
+                       update->has_color ? change->pixel[group] : NULL);
+    if (change->hits[group] != 0 && update->has_color)
+    {
+        fetch_colors(update, work->color == NULL ? NULL : work->color + 64 * group, change->hits[group],
+                     change->pixel[group]);
+    }
 }
 
 static void visit_block(cm_update *update, cm_region *region, unsigned block, const block_work *work,
@@ -232,6 +264,7 @@ typedef struct cube_places
     float y[CM_REGION_GROUPS];
     float z[CM_REGION_GROUPS];
     uint8_t class_of[CM_REGION_GROUPS];
+    cm_cube_bounds bounds[CM_REGION_GROUPS];
 } cube_places;
 
 static void classify_blocks(const cm_update *update, const cm_region *region, cube_places *places,
@@ -246,7 +279,7 @@ static void classify_blocks(const cm_update *update, const cm_region *region, cu
         places->z[block] = first[2] + update->block.z[block];
     }
     update->set->classify(&update->desk->view.table, CM_REGION_BLOCKS, places->x, places->y, places->z,
-                          update->block_half, class_of);
+                          update->block_half, class_of, NULL);
     memcpy(z, places->z, CM_REGION_BLOCKS * sizeof *z);
 }
 
@@ -269,12 +302,66 @@ static void classify_groups(const cm_update *update, size_t count, const float (
         places->x[i] = places->y[i] = places->z[i] = 0.0f;
     }
     update->set->classify(&update->desk->view.table, 8 * count, places->x, places->y, places->z,
-                          update->group_half, places->class_of);
+                          update->group_half, places->class_of, places->bounds);
+}
+
+static const uint32_t *open_colors(const cm_region *region, unsigned block)
+{
+    return region->color != NULL && region->form[block] == CM_BLOCK_PLAIN && region->detail[block] == 0
+               ? region->color[block]
+               : NULL;
+}
+
+/* A block that comes next is on its way from memory while this one is worked on. */
+static void fetch(const cm_region *region, unsigned block)
+{
+    const uint8_t *alpha = region->alpha[block];
+    for (size_t line = 0; alpha != NULL && line < cm_cell_count(region->detail[block]); line += 64)
+    {
+        __builtin_prefetch(alpha + line, 1);
+    }
+}
+
+/* Pixels that a region falls on are on their way, too: what they say is met in no order that processors know. */
+static void fetch_rules(const cm_update *update, const cm_region *region)
+{
+    const cm_view_table *table = &update->desk->view.table;
+    double place[3], centre[3];
+    float half[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        place[axis] = (double)region->place[axis] + 31.5;
+    }
+    cm_update_place(update, place, centre);
+    cm_update_half(update, CM_REGION_LEVEL, 0.0, half);
+    const double nearest = centre[2] - (double)half[2];
+    if (!(nearest > 0.0))
+    {
+        return;
+    }
+    double first[2], last[2];
+    const double size[2] = {table->width - 1.0, table->height - 1.0};
+    for (int axis = 0; axis < 2; axis++)
+    {
+        const double focal = fabs((double)table->focal[axis]);
+        const double middle = (double)table->focal[axis] * centre[axis] / centre[2] + (double)table->centre[axis];
+        const double wide = focal * (double)half[axis] / centre[2] * 0.8; /* most of it is enough */
+        first[axis] = middle - wide > 0.0 ? middle - wide : 0.0;
+        last[axis] = middle + wide < size[axis] ? middle + wide : size[axis];
+    }
+    for (uint32_t row = (uint32_t)first[1]; (double)row <= last[1]; row++)
+    {
+        for (uint32_t column = (uint32_t)first[0]; (double)column <= last[0]; column += 8)
+        {
+            __builtin_prefetch(table->rule + (size_t)row * table->stride + column, 0, 2);
+        }
+    }
 }
 
 void cm_update_region(cm_update *update, cm_region *region)
 {
     cube_places places;
+    fetch_rules(update, region);
     uint8_t class_of[CM_REGION_BLOCKS];
     float z[CM_REGION_BLOCKS];
     uint16_t listed[CM_REGION_BLOCKS];
@@ -296,7 +383,10 @@ void cm_update_region(cm_update *update, cm_region *region)
     classify_groups(update, count, (const float(*)[3])first, &places);
     for (size_t i = 0; i < count; i++)
     {
-        block_work work = {.block_class = class_of[listed[i]], .group_class = places.class_of + 8 * i};
+        block_work work = {.group_class = places.class_of + 8 * i,
+                           .bounds = places.bounds + 8 * i,
+                           .color = open_colors(region, listed[i])};
+        fetch(region, i + 1 < count ? listed[i + 1] : listed[i]);
         memcpy(work.first, first[i], sizeof work.first);
         visit_block(update, region, listed[i], &work, detail_at(update, region, listed[i], z[listed[i]]));
     }

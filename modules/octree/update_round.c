@@ -10,32 +10,19 @@
 #include <string.h>
 
 #include "interleave.h"
-#include "pixel_tree.h"
 
 /* As in view_table.c, in edges. */
 #define REACH_MOST 8.0
 #define REACH_MORE 0.25
 
-typedef struct round_desk
-{
-    cm_camera_options camera; /* whose cones these are */
-    cm_pixel_tree tree;
-    cm_rays *rays;
-    float *memory; /* eight images */
-    float *vertex[3], *normal[3];
-    float *front, *five;
-    cm_pixel_rule *rule;
-    int is_range;
-} round_desk;
-
 typedef struct round_work
 {
     cm_update *update;
-    round_desk *round;
+    cm_round_desk *round;
     double centre; /* of pixels */
 } round_work;
 
-static void clear_round(round_desk *round)
+static void clear_round(cm_round_desk *round)
 {
     cm_pixel_tree_clear(&round->tree);
     cm_rays_destroy(round->rays);
@@ -52,7 +39,7 @@ static void destroy_round(void *memory)
 
 /* ---- the camera's cones, which stay from view to view ---- */
 
-static int is_same_camera(const round_desk *round, const cm_camera_options *camera)
+static int is_same_camera(const cm_round_desk *round, const cm_camera_options *camera)
 {
     cm_camera_options other = *camera;
     other.mapping = NULL;
@@ -61,7 +48,7 @@ static int is_same_camera(const round_desk *round, const cm_camera_options *came
            memcmp(&round->camera, &other, sizeof other) == 0;
 }
 
-static int has_same_rays(const round_desk *round, const cm_camera *camera)
+static int has_same_rays(const cm_round_desk *round, const cm_camera *camera)
 {
     const cm_pixel_tree *tree = &round->tree;
     for (uint32_t face = 0; face < tree->faces; face++)
@@ -84,7 +71,7 @@ static int has_same_rays(const round_desk *round, const cm_camera *camera)
     return 1;
 }
 
-static cm_status make_round(round_desk *round, const cm_octree *octree, const cm_camera *camera)
+static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const cm_camera *camera)
 {
     const cm_camera_options *options = cm_camera_describe(camera);
     const size_t pixels = (size_t)options->width * options->height;
@@ -114,12 +101,12 @@ static cm_status make_round(round_desk *round, const cm_octree *octree, const cm
     return CM_OK;
 }
 
-static cm_status round_of(cm_update *update, round_desk **round)
+static cm_status round_of(cm_update *update, cm_round_desk **round)
 {
     cm_update_desk *desk = update->desk;
     if (desk->rounds == NULL)
     {
-        desk->rounds = calloc(1, sizeof(round_desk));
+        desk->rounds = calloc(1, sizeof(cm_round_desk));
         desk->rounds_destroy = destroy_round;
     }
     if (desk->rounds == NULL)
@@ -143,7 +130,7 @@ static cm_status round_of(cm_update *update, round_desk **round)
 /* ---- rules of pixels ---- */
 
 /* How far along a pixel's ray the surface may cross a voxel: as in octree_set.inc, from the normal. */
-static double reach_of(const cm_update *update, const round_desk *round, size_t pixel, double value)
+static double reach_of(const cm_update *update, const cm_round_desk *round, size_t pixel, double value)
 {
     const double edge = update->octree->options.edge;
     double point[3], normal[3], along = 0.0, square = 0.0;
@@ -177,7 +164,7 @@ static double reach_of(const cm_update *update, const round_desk *round, size_t 
 static void reach_rows(size_t first, size_t end, void *user)
 {
     const round_work *work = user;
-    round_desk *round = work->round;
+    cm_round_desk *round = work->round;
     const cm_octree_options *options = &work->update->octree->options;
     const float *value = work->update->desk->view.packed;
     const float far = options->far > 0.0 ? (float)options->far : INFINITY;
@@ -198,7 +185,7 @@ static void reach_rows(size_t first, size_t end, void *user)
 }
 
 /* The least front of 5 x 5 pixels of a face. */
-static float least_around(const round_desk *round, uint32_t column, uint32_t row)
+static float least_around(const cm_round_desk *round, uint32_t column, uint32_t row)
 {
     const cm_pixel_tree *tree = &round->tree;
     const uint32_t face = row / tree->face_rows * tree->face_rows;
@@ -236,7 +223,7 @@ static cm_status take_values(round_work *work)
 {
     const cm_view *view = work->update->view;
     float *value = work->update->desk->view.packed;
-    round_desk *round = work->round;
+    cm_round_desk *round = work->round;
     cm_status status = CM_OK;
     if (!round->is_range && view->depth_is_range)
     {
@@ -252,7 +239,7 @@ static cm_status take_values(round_work *work)
 static cm_status make_rules(round_work *work, cm_pool *pool)
 {
     cm_update *update = work->update;
-    round_desk *round = work->round;
+    cm_round_desk *round = work->round;
     const cm_octree_options *options = &update->octree->options;
     const size_t width = round->tree.width, height = round->tree.height;
     cm_status status = take_values(work);
@@ -406,7 +393,7 @@ static unsigned detail_of(const round_work *work, const cm_region *region, unsig
     const double distance =
         sqrt(centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2]);
     unsigned detail = 0;
-    while (detail + 1 < CM_DETAILS && (double)(1u << detail) < update->pixel * distance)
+    while (detail + 1 < cm_update_details(update->octree) && (double)(1u << detail) < update->pixel * distance)
     {
         detail++;
     }

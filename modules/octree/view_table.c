@@ -25,6 +25,7 @@ void cm_view_desk_clear(cm_view_desk *desk)
 {
     free(desk->memory);
     free(desk->rule);
+    free(desk->word);
     free(desk->windows);
     free(desk->packed);
     cm_rays_destroy(desk->rays);
@@ -60,8 +61,9 @@ static int take_images(cm_view_desk *desk)
     const size_t image = desk->stride * (desk->height + 2 * ROWS_BESIDE);
     desk->memory = malloc(IMAGES * image * sizeof *desk->memory);
     desk->rule = malloc(desk->stride * desk->height * sizeof *desk->rule);
+    desk->word = malloc(desk->stride * desk->height * sizeof *desk->word);
     desk->packed = malloc((size_t)desk->width * desk->height * sizeof *desk->packed);
-    if (desk->memory == NULL || desk->rule == NULL || desk->packed == NULL)
+    if (desk->memory == NULL || desk->rule == NULL || desk->word == NULL || desk->packed == NULL)
     {
         return 0;
     }
@@ -295,6 +297,34 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     cm_pool_run(pool, desk->height, 16, rule_rows, &work);
     cm_view_desk_windows(desk, octree->set);
     return CM_OK;
+}
+
+/* ---- colors ---- */
+
+typedef struct color_work
+{
+    cm_view_desk *desk;
+    const cm_octree_set *set;
+    const cm_image *color;
+} color_work;
+
+static void color_rows(size_t first, size_t end, void *user)
+{
+    const color_work *work = user;
+    const cm_image *color = work->color;
+    const ptrdiff_t apart = color->pixel_stride != 0 ? color->pixel_stride : (ptrdiff_t)color->channels;
+    const ptrdiff_t stride = color->row_stride != 0 ? color->row_stride : (ptrdiff_t)color->width * apart;
+    for (size_t row = first; row < end; row++)
+    {
+        const uint8_t *rgb = (const uint8_t *)color->data + (ptrdiff_t)row * stride;
+        work->set->words(color->width, rgb, apart, work->desk->word + row * work->desk->stride);
+    }
+}
+
+void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, cm_pool *pool)
+{
+    color_work work = {desk, octree->set, &view->color};
+    cm_pool_run(pool, desk->height, 16, color_rows, &work);
 }
 
 /* ---- windows ---- */

@@ -25,6 +25,7 @@ typedef struct cm_view_desk
     float *least[2]; /* cells of two levels in turn */
     float *most[2];
     cm_pixel_rule *rule;
+    uint32_t *word; /* of colors, in rows as the rules' */
     float *windows; /* of all levels */
     float *packed;  /* the cleaned image, dense */
     float greatest; /* of all that pixels say: nothing happens beyond */
@@ -42,6 +43,9 @@ cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const 
 
 /* All of a straight camera's view, after cm_view_desk_clean. Bands of rows are handed to the pool. */
 cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, cm_pool *pool);
+
+/* Words of a view's colors, if it has any. */
+void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, cm_pool *pool);
 
 /* Bounds in windows from rules: least and most of all pixels are in desk->least[0] and desk->most[0]. */
 void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set);

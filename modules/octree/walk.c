@@ -85,6 +85,21 @@ static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_re
     return 0;
 }
 
+/* Who is called may ask the same map, which with pages puts regions away: not this one. */
+static int walk_held(const cm_octree *octree, const cm_walk *walk, cm_region *region, unsigned misses,
+                     uint32_t changed)
+{
+    if (octree->options.pages == NULL)
+    {
+        return walk_region(octree, walk, region, misses, changed);
+    }
+    const uint8_t was_held = region->is_held;
+    region->is_held = 1;
+    const int stops = walk_region(octree, walk, region, misses, changed);
+    region->is_held = was_held;
+    return stops;
+}
+
 static cm_status walk_node(const cm_octree *octree, const cm_walk *walk, uint32_t index, const uint32_t place[3],
                            int level, unsigned misses, uint32_t changed)
 {
@@ -119,7 +134,7 @@ static cm_status walk_node(const cm_octree *octree, const cm_walk *walk, uint32_
     }
     if (node->kind == CM_NODE_REGION)
     {
-        return walk_region(octree, walk, octree->region[node->link], more, last) ? CM_ERROR_STOPPED : CM_OK;
+        return walk_held(octree, walk, octree->region[node->link], more, last) ? CM_ERROR_STOPPED : CM_OK;
     }
     /* it is only looked at: memory has room for one more */
     cm_region *region = NULL;

@@ -44,6 +44,8 @@ dll cubemap-image cubemap "${plain[@]}"
 dll cubemap-colormap cubemap "$root"/modules/colormap/*.c
 plain "$root"/modules/scene/*.c
 dll cubemap-scene 'cubemap cubemap-image' "${plain[@]}"
-for name in cubemap cubemap-colormap cubemap-image cubemap-scene; do
+plain "$root"/modules/octree/*.c
+dll cubemap-octree 'cubemap cubemap-image cubemap-scene' "${plain[@]}"
+for name in cubemap cubemap-colormap cubemap-image cubemap-scene cubemap-octree; do
     "$python" "$root/tests/include/check_exports.py" --library "$name" "$prefix-objdump" "$folder/$name.dll" "$root/include"
 done

@@ -9,6 +9,7 @@
 #include "tools/colormap/colormap_main.h"
 #include "tools/compare/compare_main.h"
 #include "tools/distortion/distortion_main.h"
+#include "tools/octree/octree_main.h"
 #include "tools/orient/orient_main.h"
 #include "tools/reproject/reproject_main.h"
 #ifdef HAVE_SCENE
@@ -43,6 +44,7 @@ const std::map<std::string, Program> programs = {{"colormap", cm_colormap_main},
                                                  {"distortion", cm_distortion_main},
                                                  {"orient", cm_orient_main},
 #ifdef HAVE_SCENE
+                                                 {"octree", cm_octree_main},
                                                  {"scene", cm_scene_main},
 #endif
                                                  {"reproject", cm_reproject_main}};
@@ -209,6 +211,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"distortion", distortion_subjects()},
         {"orient", orient_subjects()},
 #ifdef HAVE_SCENE
+        {"octree", octree_subjects()},
         {"scene", scene_subjects()},
         {"scene refusals", scene_refusal_subjects()},
 #endif

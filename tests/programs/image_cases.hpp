@@ -106,5 +106,6 @@ const std::vector<Subject> &orient_subjects();
 const std::vector<Subject> &colormap_subjects();
 const std::vector<Subject> &scene_subjects();
 const std::vector<Subject> &scene_refusal_subjects();
+const std::vector<Subject> &octree_subjects();
 
 #endif

@@ -19,6 +19,7 @@
 #include "tools/reproject/reproject_main.h"
 #endif
 #ifdef SCENE_PROGRAM
+#include "tools/octree/octree_main.h"
 #include "tools/scene/scene_main.h"
 #endif
 
@@ -46,6 +47,7 @@ static const struct
     {"cubemap-colormap", cm_colormap_main, &cm_colormap_command},
 #endif
 #ifdef SCENE_PROGRAM
+    {"cubemap-octree", cm_octree_main, &cm_octree_command},
     {"cubemap-scene", cm_scene_main, &cm_scene_command},
 #endif
 };

@@ -5,6 +5,7 @@
 #include "reproject_table.h"
 #include "sidecar.hpp"
 #include "surface_text.hpp"
+#include "tools/cli/byte_size.hpp"
 #include "tools/cli/catalogue_name.h"
 #include "tools/cli/program.hpp"
 
@@ -121,25 +122,12 @@ void set_transfer(const OptionReader &reader, cm_transfer transfer, Options &opt
 // Bytes, from a number with a unit or without one.
 std::uint64_t read_size(OptionReader &reader)
 {
-    const std::string text = reader.text();
-    const std::size_t end = text.find_first_not_of("0123456789.");
-    const std::string unit = end == std::string::npos ? "M" : text.substr(end);
-    const std::optional<double> number = read_number(text.substr(0, end));
-    static constexpr const char *units[] = {"K", "M", "G", "T"};
-    double bytes = 0;
-    double size = 1;
-    for (const char *each : units)
-    {
-        size *= 1024;
-        const bool meant = unit.size() <= 3 && (unit[0] & ~0x20) == each[0] &&
-                           (unit.size() == 1 || unit.substr(1) == "B" || unit.substr(1) == "iB");
-        bytes = meant && number ? *number * size : bytes;
-    }
-    if (bytes < 64.0 * 1024 * 1024 || bytes > 1e18)
+    const std::optional<std::uint64_t> bytes = read_byte_size(reader.text());
+    if (!bytes || *bytes < std::uint64_t{64} * 1024 * 1024)
     {
         reader.refuse("a size of 64M at least, such as 512M or 2G");
     }
-    return static_cast<std::uint64_t>(bytes);
+    return *bytes;
 }
 
 // What the pixels are and how they are mixed.

@@ -2,7 +2,7 @@
 
 #include "scene_sequence.hpp"
 
-#include "scene_handle.hpp"
+#include "tools/cli/scene_handle.hpp"
 #include "scene_table.h"
 #include "tools/cli/program.hpp"
 

@@ -3,7 +3,7 @@
 #include "scene_sequence.hpp"
 
 #include "modules/scene/io/camera_file.h"
-#include "scene_handle.hpp"
+#include "tools/cli/scene_handle.hpp"
 #include "scene_table.h"
 #include "tools/cli/program.hpp"
 

@@ -3,7 +3,7 @@
 #include "scene_render.hpp"
 
 #include "modules/scene/io/pose_words.hpp"
-#include "scene_handle.hpp"
+#include "tools/cli/scene_handle.hpp"
 #include "scene_table.h"
 #include "scene_view.hpp"
 #include "scene_world.hpp"

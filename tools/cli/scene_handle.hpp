@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the commands of cubemap-scene hold: cameras, trajectories, sequences, as long as they are needed; and their failures.
+// What programs of depth cameras hold: cameras, trajectories, sequences, as long as they are needed; and their failures.
 
 #ifndef CUBEMAP_TOOLS_SCENE_HANDLE_HPP
 #define CUBEMAP_TOOLS_SCENE_HANDLE_HPP

@@ -4,7 +4,7 @@
 
 #include "modules/scene/io/camera_file.h"
 #include "modules/scene/io/trajectory_file.h"
-#include "tools/cli/program.hpp"
+#include "program.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Updates by lenses and by cameras of whole surroundings: every voxel against what the pixel says that cm_camera_project_array
+ * finds for it, without cones and without misses that wait.
+ */
+#include "dense_map.h"
+
+#include "modules/octree/update_round.h"
+
+/* ---- cameras ---- */
+
+static cm_camera *lens(const double *distortion, size_t count)
+{
+    cm_camera_options options = {.size = sizeof options,
+                                 .width = 72,
+                                 .height = 50,
+                                 .fx = 44.0,
+                                 .fy = 45.0,
+                                 .cx = 35.1,
+                                 .cy = 25.7};
+    memcpy(options.distortion, distortion, count * sizeof *distortion);
+    cm_camera *camera = NULL;
+    ck_assert_int_eq(cm_camera_create(&options, &camera), CM_OK);
+    return camera;
+}
+
+static cm_camera *surroundings(const char *name, const char *frame, uint32_t edge, int faces)
+{
+    cm_mapping *mapping = make_mapping(name, frame == NULL ? NULL : cm_frame_find(frame));
+    const cm_camera_options options = {.size = sizeof options,
+                                       .width = edge,
+                                       .height = edge * (uint32_t)faces,
+                                       .pixel_centre = 0.5,
+                                       .mapping = mapping};
+    cm_camera *camera = NULL;
+    ck_assert_msg(cm_camera_create(&options, &camera) == CM_OK, "%s", name);
+    cm_mapping_destroy(mapping);
+    return camera;
+}
+
+/* ---- voxel by voxel ---- */
+
+static float half_of(uint32_t bits)
+{
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static int word_of(const cm_pixel_rule *rule, float value)
+{
+    const float reach = half_of(rule->reach_front << 16), front = half_of(rule->reach_front & 0xffff0000u);
+    const float away = value - rule->depth;
+    return fabsf(away) <= reach ? 1 : away + front < 0.0f ? -1 : 0;
+}
+
+static void centres_of_row(const cm_octree *octree, const cm_pose *pose, int64_t y, int64_t z, double *to[3])
+{
+    const cm_octree_options *options = &octree->options;
+    const int64_t n = (int64_t)1 << options->levels;
+    double corner[3], origin[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        corner[axis] = options->centre[axis] - ldexp(options->edge, octree->tree_level - 1) + 0.5 * options->edge;
+    }
+    cm_pose_apply(pose, corner, origin);
+    for (int64_t x = 0; x < n; x++)
+    {
+        const double place[3] = {(double)(x + octree->first[0]), (double)(y + octree->first[1]),
+                                 (double)(z + octree->first[2])};
+        for (int i = 0; i < 3; i++)
+        {
+            const double *row = pose->rotation.row[i];
+            to[i][x] = origin[i] + place[0] * (options->edge * row[0]) + place[1] * (options->edge * row[1]) +
+                       place[2] * (options->edge * row[2]);
+        }
+    }
+}
+
+static size_t update_dense(dense_map *map, const cm_octree *octree, const cm_view *view)
+{
+    const cm_update_desk *desk = octree->desk;
+    const cm_round_desk *round = desk->rounds;
+    const cm_camera_options *camera = cm_camera_describe(view->camera);
+    const int64_t n = map->n;
+    double memory[5][256], *const at[3] = {memory[0], memory[1], memory[2]};
+    size_t changed = 0;
+    ck_assert(n <= 256);
+    for (int64_t row = 0; row < n * n; row++)
+    {
+        centres_of_row(octree, &view->pose, row % n, row / n, (double **)(uintptr_t)at);
+        cm_camera_project_array(view->camera, (size_t)n, at[0], at[1], at[2], memory[3], memory[4]);
+        for (int64_t x = 0; x < n; x++)
+        {
+            const double c = floor(memory[3][x] - camera->pixel_centre + 0.5);
+            const double r = floor(memory[4][x] - camera->pixel_centre + 0.5);
+            const double value =
+                camera->mapping == NULL ? at[2][x]
+                                        : sqrt(at[0][x] * at[0][x] + at[1][x] * at[1][x] + at[2][x] * at[2][x]);
+            if (!(c >= 0.0 && c < camera->width && r >= 0.0 && r < camera->height && value > octree->options.near))
+            {
+                continue;
+            }
+            const int word = word_of(&round->rule[(size_t)r * camera->width + (size_t)c], (float)value);
+            uint8_t *alpha = &map->alpha[dense_at(map, x, row % n, row / n)];
+            const int now = *alpha + (word > 0 ? octree->rule.hit : word < 0 ? -octree->rule.miss : 0);
+            *alpha = (uint8_t)(now < octree->rule.low ? octree->rule.low : now > octree->rule.high ? octree->rule.high : now);
+            changed += word != 0;
+        }
+    }
+    return changed;
+}
+
+static void check_camera(cm_camera *camera, const char *name, int levels, double middle, uint64_t seed)
+{
+    dice from = {seed};
+    cm_octree_options options = {.size = sizeof options, .levels = levels, .edge = ldexp(4.0, -levels)};
+    options.centre[0] = dice_between(&from, -3.0, 3.0);
+    options.near = seed % 2 ? 0.3 : 0.0;
+    options.far = seed % 3 == 0 ? 1.7 : 0.0;
+    options.no_return_is_free = seed % 6 == 0;
+    options.noise = seed % 4 == 0 ? 0.01 : 0.0;
+    cm_octree *octree = make_map(&options);
+    dense_map map = dense_make(levels), read = dense_make(levels);
+    cm_pool *pool = make_pool(seed % 2 ? 2 : 1);
+    size_t changed = 0;
+    for (int i = 0; i < 4; i++)
+    {
+        double place[3], at[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            place[axis] = options.centre[axis] + dice_between(&from, -1.5, 1.5);
+            at[axis] = options.centre[axis] + dice_between(&from, -1.5, 1.5);
+        }
+        const cm_pose pose = look_at(place, at, 6.28 * throw_dice(&from));
+        drawn_view drawn;
+        draw_view(&drawn, camera, &pose, middle, 0, &from);
+        for (int k = 0; k < 1 + 69 * (i == 2 && levels < 5); k++)
+        {
+            ck_assert_int_eq(cm_octree_update(octree, &drawn.view, pool), CM_OK);
+            changed += update_dense(&map, octree, &drawn.view);
+        }
+        dense_read(octree, &read);
+        const char *text = dense_differs(&read, &map);
+        ck_assert_msg(text[0] == '\0', "%s, levels %d, view %d: %s", name, levels, i, text);
+        clear_view(&drawn);
+    }
+    ck_assert_msg(changed > 0, "%s: nothing happens", name);
+    cm_pool_destroy(pool);
+    dense_clear(&map);
+    dense_clear(&read);
+    cm_octree_destroy(octree);
+}
+
+START_TEST(lenses_are_exact)
+{
+    const double all[][8] = {{0.1, -0.05}, {-0.3, 0.1, 0.002, -0.001}, {0.4, 0.2, 0.0, 0.0, -0.1, 0.1, 0.0, 0.05}};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    {
+        cm_camera *camera = lens(all[i], 8);
+        for (int levels = 1; levels <= 6; levels++)
+        {
+            check_camera(camera, "lens", levels, 1.3, 10 * i + (uint64_t)levels);
+        }
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
+START_TEST(surroundings_are_exact)
+{
+    const struct
+    {
+        const char *name, *frame;
+        int faces;
+    } all[] = {{"gnomonic", NULL, 6},  {"coupled", "gl", 6},  {"tangent", "fits", 6},
+             {"conformal", "s2", 6}, {"octahedral", NULL, 1}, {"azimuthal:equidistant", NULL, 1},
+             {"quincuncial", "gl", 1}};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    {
+        cm_camera *camera = surroundings(all[i].name, all[i].frame, all[i].faces == 6 ? 23 : 61, all[i].faces);
+        for (int levels = 1 + (int)(i % 2); levels <= 6; levels += 2)
+        {
+            check_camera(camera, all[i].name, levels, 1.3, 10 * i + (uint64_t)levels);
+        }
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
+/* A distortion that is nothing is the other way to the same map, up to where a hit ends, since normals are found otherwise. */
+START_TEST(a_lens_of_no_distortion_is_nearly_straight)
+{
+    const double none = 0.0, almost = 1e-15;
+    cm_camera *camera[2] = {lens(&none, 1), lens(&almost, 1)};
+    cm_octree_options options = {.size = sizeof options, .levels = 6, .edge = 0.05, .far = 2.5};
+    dense_map map[2] = {dense_make(6), dense_make(6)};
+    for (int i = 0; i < 2; i++)
+    {
+        dice from = {5};
+        cm_octree *octree = make_map(&options);
+        for (int k = 0; k < 3; k++)
+        {
+            const double place[3] = {dice_between(&from, -0.5, 0.5), 0.1 * k, -1.2}, at[3] = {0.1, 0.2, 0.3};
+            const cm_pose pose = look_at(place, at, 0.2 * k);
+            drawn_view drawn;
+            draw_view(&drawn, camera[i], &pose, 1.3, 0, &from);
+            ck_assert_int_eq(cm_octree_update(octree, &drawn.view, NULL), CM_OK);
+            clear_view(&drawn);
+        }
+        dense_read(octree, &map[i]);
+        cm_octree_destroy(octree);
+        cm_camera_destroy(camera[i]);
+    }
+    size_t different = 0, opposed = 0, known = 0;
+    for (size_t i = 0; i < (size_t)1 << 18; i++)
+    {
+        const int a = map[0].alpha[i] - 127, b = map[1].alpha[i] - 127;
+        known += a != 0;
+        different += a != b;
+        opposed += a * b < 0;
+    }
+    ck_assert_msg(known > 20000, "%zu known", known);
+    ck_assert_msg(different < known / 10 && opposed < known / 200, "%zu of %zu differ, %zu opposed", different, known,
+                  opposed);
+    dense_clear(&map[0]);
+    dense_clear(&map[1]);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {lenses_are_exact, surroundings_are_exact, a_lens_of_no_distortion_is_nearly_straight, NULL};
+    return run_suite("octree round", tests);
+}

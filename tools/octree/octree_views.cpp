@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+
+#include "octree_views.hpp"
+
+#include "tools/cli/program.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+constexpr double farthest = 100; // in what a view measured
+
+double stored_at(const char *at, bool is_float)
+{
+    const double stored = is_float ? static_cast<double>(*reinterpret_cast<const float *>(at))
+                                   : *reinterpret_cast<const std::uint16_t *>(at);
+    return std::isfinite(stored) ? stored : 0;
+}
+
+} // namespace
+
+double greatest_depth(const cm_view &view)
+{
+    const cm_image &image = view.depth;
+    const bool is_float = image.type == CM_PIXEL_FLOAT;
+    const std::ptrdiff_t step = image.pixel_stride != 0 ? image.pixel_stride : (is_float ? 4 : 2);
+    const std::ptrdiff_t row_step =
+        image.row_stride != 0 ? image.row_stride : step * static_cast<std::ptrdiff_t>(image.width);
+    double greatest = 0;
+    for (std::uint32_t row = 0; row < image.height; ++row)
+    {
+        const char *at =
+            static_cast<const char *>(image.data) + static_cast<std::ptrdiff_t>(row) * row_step;
+        for (std::uint32_t column = 0; column < image.width; ++column, at += step)
+        {
+            greatest = std::max(greatest, stored_at(at, is_float));
+        }
+    }
+    return greatest * view.depth_unit;
+}
+
+void for_views_from(cm_sequence *sequence, std::size_t first,
+                    const std::function<void(const cm_view &)> &body)
+{
+    const std::size_t count = cm_sequence_count(sequence);
+    const bool is_stream = count == CM_SEQUENCE_UNKNOWN;
+    for (std::size_t i = is_stream ? 0 : first; i < count; ++i)
+    {
+        const cm_view *view = nullptr;
+        char message[CM_IMAGE_MESSAGE] = "";
+        const cm_status status = cm_sequence_view(sequence, i, &view, message);
+        if (status == CM_ERROR_RANGE && is_stream && i > 0)
+        {
+            return;
+        }
+        check_scene(status, message);
+        if (i >= first)
+        {
+            body(*view);
+        }
+    }
+}
+
+void check_near_map(const cm_octree_options &map, const cm_view &view, double depth,
+                    std::uint64_t number, const std::string &folder)
+{
+    const double edge = std::ldexp(map.edge, map.levels);
+    double beyond = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+        beyond = std::max(beyond, std::fabs(view.pose.position[i] - map.centre[i]) - 0.5 * edge);
+    }
+    if (beyond > std::max(edge, farthest * depth))
+    {
+        char text[300];
+        std::snprintf(text, sizeof text,
+                      ": view %llu at %.6f s is %.6g from the map, which is %.6g wide: its pose is "
+                      "wrong, or --centre, or --levels",
+                      static_cast<unsigned long long>(number), view.time, beyond, edge);
+        throw Failure(in_quotes(folder) + text);
+    }
+}
