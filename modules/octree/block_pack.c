@@ -59,29 +59,36 @@ static uint8_t *packed_cells(const uint8_t *alpha, size_t cells, unsigned form, 
     return to;
 }
 
-/* The colors of occupied cells that have one; *count 0 and NULL if none has. Not all may have one: 0 is none. */
+/* The colors of occupied cells that have one, or the only one; *count 0 and NULL if none has. Not all may have one: 0 is none. */
 static int packed_colors(const uint8_t *alpha, const uint32_t *color, size_t cells, uint32_t **to,
-                         size_t *count)
+                         size_t *count, int *is_one)
 {
     size_t occupied = 0;
-    uint32_t any = 0;
+    uint32_t any = 0, first = 0;
+    int are_equal = 1;
     for (size_t cell = 0; cell < cells; cell++)
     {
-        occupied += alpha[cell] > CM_UNKNOWN;
-        any |= alpha[cell] > CM_UNKNOWN ? color[cell] : 0;
+        if (alpha[cell] > CM_UNKNOWN)
+        {
+            first = occupied == 0 ? color[cell] : first;
+            are_equal &= color[cell] == first;
+            any |= color[cell];
+            occupied++;
+        }
     }
+    *is_one = any != 0 && are_equal;
     *to = NULL;
     *count = 0;
     if (any == 0)
     {
         return 1;
     }
-    *to = malloc(occupied * sizeof **to);
+    *to = malloc((*is_one ? 1 : occupied) * sizeof **to);
     if (*to == NULL)
     {
         return 0;
     }
-    for (size_t cell = 0; cell < cells; cell++)
+    for (size_t cell = 0; cell < cells && !(*is_one && *count == 1); cell++)
     {
         if (alpha[cell] > CM_UNKNOWN)
         {
@@ -112,8 +119,9 @@ int cm_block_pack(cm_region *region, unsigned block, const cm_count_rule *rule)
     const unsigned form = form_for(count);
     size_t bytes = 0, colors = 0;
     uint32_t *packed_color = NULL;
+    int is_one = 0;
     uint8_t *packed = packed_cells(alpha, cells, form, count, value, place, &bytes);
-    if (packed == NULL || !packed_colors(alpha, color, cells, &packed_color, &colors))
+    if (packed == NULL || !packed_colors(alpha, color, cells, &packed_color, &colors, &is_one))
     {
         free(packed);
         return 0;
@@ -125,6 +133,7 @@ int cm_block_pack(cm_region *region, unsigned block, const cm_count_rule *rule)
     if (packed_color != NULL)
     {
         region->color[block] = packed_color;
+        region->one_color[block / 8] |= (uint8_t)((is_one ? 1u : 0u) << block % 8);
     }
     region->bytes += bytes + colors * sizeof *packed_color;
     return 1;

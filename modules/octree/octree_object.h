@@ -67,8 +67,14 @@ typedef struct cm_region
     uint8_t value[CM_REGION_BLOCKS];    /* alpha of an even block, else misses that wait */
     uint8_t detail[CM_REGION_BLOCKS];   /* cells are of 2^detail voxels each way */
     uint8_t form[CM_REGION_BLOCKS];     /* a cm_block_form */
+    uint8_t one_color[CM_REGION_BLOCKS / 8]; /* bits: all occupied cells of a packed block have the only color */
     uint32_t changed[CM_REGION_BLOCKS]; /* the step */
 } cm_region;
+
+static inline int cm_has_one_color(const cm_region *region, unsigned block)
+{
+    return region->one_color[block / 8] >> block % 8 & 1;
+}
 
 /* What hits and misses do. */
 typedef struct cm_count_rule

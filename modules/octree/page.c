@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * A region as bytes, the least first: its place (3 u32), then of each block its form and detail (u8: detail << 4 | form), 1 if it
- * has colors (u8), alpha or misses (u8), the step of its last change (u32), and the bytes of the block itself: palette and bits,
- * or bytes, and a word of color for each occupied cell.
+ * has colors, 2 if all are one (u8), alpha or misses (u8), the step of its last change (u32), and the bytes of the block itself: palette and bits,
+ * or bytes, and a word of color for each occupied cell, or of all.
  */
 #include "page.h"
 
@@ -73,7 +73,9 @@ static size_t block_size(const cm_region *region, unsigned block)
     size_t bytes = BLOCK_HEAD_BYTES + packed_bytes(form, detail);
     if (region->color != NULL && region->color[block] != NULL)
     {
-        bytes += 4 * occupied_cells(region->alpha[block], form, cm_cell_count(detail));
+        bytes += 4 * (cm_has_one_color(region, block)
+                          ? 1
+                          : occupied_cells(region->alpha[block], form, cm_cell_count(detail)));
     }
     return bytes;
 }
@@ -83,7 +85,7 @@ static unsigned char *write_block(const cm_region *region, unsigned block, unsig
     const unsigned form = region->form[block], detail = region->detail[block];
     const int has_colors = region->color != NULL && region->color[block] != NULL;
     to[0] = (unsigned char)(detail << 4 | form);
-    to[1] = (unsigned char)has_colors;
+    to[1] = (unsigned char)(!has_colors ? 0 : cm_has_one_color(region, block) ? 2 : 1);
     to[2] = region->value[block];
     put_word(to + 3, region->changed[block]);
     to += BLOCK_HEAD_BYTES;
@@ -93,7 +95,8 @@ static unsigned char *write_block(const cm_region *region, unsigned block, unsig
         memcpy(to, region->alpha[block], bytes);
         to += bytes;
     }
-    const size_t colors = has_colors ? occupied_cells(region->alpha[block], form, cm_cell_count(detail)) : 0;
+    const size_t colors = has_colors && cm_has_one_color(region, block) ? 1
+                          : has_colors ? occupied_cells(region->alpha[block], form, cm_cell_count(detail)) : 0;
     for (size_t i = 0; i < colors; i++, to += 4)
     {
         put_word(to, region->color[block][i]);
@@ -202,7 +205,7 @@ static cm_status read_block(page_reader *reader, cm_region *region, unsigned blo
         return CM_ERROR_DATA;
     }
     const unsigned form = head[0] & 15u, detail = head[0] >> 4;
-    if (!is_form(form) || detail > 3 || head[1] > 1 || (form == CM_BLOCK_EVEN && head[1] == 1))
+    if (!is_form(form) || detail > 3 || head[1] > 2 || (form == CM_BLOCK_EVEN && head[1] != 0))
     {
         return CM_ERROR_DATA;
     }
@@ -229,7 +232,16 @@ static cm_status read_block(page_reader *reader, cm_region *region, unsigned blo
     region->form[block] = (uint8_t)form;
     region->bytes += bytes;
     const size_t colors = occupied_cells(alpha, form, cm_cell_count(detail));
-    return head[1] == 1 ? read_colors(reader, region, block, colors) : CM_OK;
+    if (head[1] == 0)
+    {
+        return CM_OK;
+    }
+    if (head[1] == 2 && colors > 0)
+    {
+        region->one_color[block / 8] |= (uint8_t)(1u << block % 8);
+        return read_colors(reader, region, block, 1);
+    }
+    return read_colors(reader, region, block, colors);
 }
 
 static cm_status read_region(page_reader *reader, const uint32_t place[3], cm_region *region)

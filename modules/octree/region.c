@@ -78,7 +78,9 @@ static size_t color_count(const cm_region *region, unsigned block)
     {
         return 0;
     }
-    return region->form[block] == CM_BLOCK_PLAIN ? cells : colored_cells(region, block, cells);
+    return region->form[block] == CM_BLOCK_PLAIN ? cells
+           : cm_has_one_color(region, block)     ? 1
+                                                 : colored_cells(region, block, cells);
 }
 
 static uint64_t block_bytes(const cm_region *region, unsigned block)
@@ -94,6 +96,7 @@ static void release(cm_region *region, unsigned block)
     region->bytes -= block_bytes(region, block);
     free(region->alpha[block]);
     region->alpha[block] = NULL;
+    region->one_color[block / 8] &= (uint8_t)~(1u << block % 8);
     if (region->color != NULL)
     {
         free(region->color[block]);
@@ -177,11 +180,12 @@ static void read_colors(const cm_region *region, unsigned block, size_t cells, u
         return;
     }
     const int is_plain = region->form[block] == CM_BLOCK_PLAIN;
+    const size_t step = cm_has_one_color(region, block) ? 0 : 1;
     for (size_t cell = 0, next = 0; cell < cells; cell++)
     {
         const int is_occupied = stored(region, block, cell) > CM_UNKNOWN;
         color[cell] = !is_occupied ? 0 : is_plain ? from[cell] : from[next];
-        next += (size_t)is_occupied;
+        next += is_occupied ? step : 0;
     }
 }
 
@@ -236,6 +240,8 @@ uint8_t cm_block_cell(const cm_region *region, unsigned block, const cm_count_ru
         *color = from == NULL || alpha <= CM_UNKNOWN ? 0
                  : region->form[block] == CM_BLOCK_PLAIN
                      ? from[at]
+                 : cm_has_one_color(region, block)
+                     ? from[0]
                      : from[colored_cells(region, block, at)];
     }
     return alpha;

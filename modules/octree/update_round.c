@@ -184,15 +184,17 @@ static void reach_rows(size_t first, size_t end, void *user)
     }
 }
 
-/* The least front of 5 x 5 pixels of a face. */
+/* The least front around a pixel of a face: as in view_table.c. */
 static float least_around(const cm_round_desk *round, uint32_t column, uint32_t row)
 {
     const cm_pixel_tree *tree = &round->tree;
     const uint32_t face = row / tree->face_rows * tree->face_rows;
-    const uint32_t first_row = row >= face + 2 ? row - 2 : face;
-    const uint32_t last_row = row + 2 < face + tree->face_rows ? row + 2 : face + tree->face_rows - 1;
-    const uint32_t first_column = column >= 2 ? column - 2 : 0;
-    const uint32_t last_column = column + 2 < tree->width ? column + 2 : tree->width - 1;
+    const uint32_t beside = 2 * (uint32_t)round->around;
+    const uint32_t last_of_face = face + tree->face_rows - 1;
+    const uint32_t first_row = row >= face + beside ? row - beside : face;
+    const uint32_t last_row = row + beside < last_of_face ? row + beside : last_of_face;
+    const uint32_t first_column = column >= beside ? column - beside : 0;
+    const uint32_t last_column = column + beside < tree->width ? column + beside : tree->width - 1;
     float least = INFINITY;
     for (uint32_t r = first_row; r <= last_row; r++)
     {
@@ -236,6 +238,16 @@ static cm_status take_values(round_work *work)
     return status == CM_OK ? cm_depth_make_maps(round->rays, value, 1, &maps) : status;
 }
 
+/* Pixels of the whole picture are as wide as these in the mean, at distance 1. */
+static double mean_pixel(const cm_camera_options *camera)
+{
+    if (camera->mapping == NULL)
+    {
+        return 2.0 / (fabs(camera->fx) + fabs(camera->fy));
+    }
+    return sqrt(4.0 * 3.14159265358979 / ((double)camera->width * camera->height));
+}
+
 static cm_status make_rules(round_work *work, cm_pool *pool)
 {
     cm_update *update = work->update;
@@ -248,6 +260,8 @@ static cm_status make_rules(round_work *work, cm_pool *pool)
     {
         return status != CM_OK ? status : CM_ERROR_MEMORY;
     }
+    round->around = cm_view_desk_around(
+        &update->desk->view, options->edge / mean_pixel(cm_camera_describe(update->view->camera)));
     cm_pool_run(pool, height, 4, reach_rows, work);
     cm_pool_run(pool, height, 4, least_rows, work);
     const float far = options->far > 0.0 ? (float)options->far : INFINITY;
@@ -467,16 +481,6 @@ static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3
         status = go_down(work, octree->node[node].link + child, below, level - 1);
     }
     return status;
-}
-
-/* Pixels of the whole picture are as wide as these in the mean, at distance 1. */
-static double mean_pixel(const cm_camera_options *camera)
-{
-    if (camera->mapping == NULL)
-    {
-        return 2.0 / (fabs(camera->fx) + fabs(camera->fy));
-    }
-    return sqrt(4.0 * 3.14159265358979 / ((double)camera->width * camera->height));
 }
 
 cm_status cm_update_round(cm_update *update, cm_pool *pool)

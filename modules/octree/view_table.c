@@ -15,11 +15,14 @@
 /* Beyond half the edges that a plane crosses, in edges: pixels are not where the voxel's centre is. */
 #define REACH_MORE 0.25
 
+/* A voxel is no miss if anything nearer is seen this close to its centre, in edges: half its diagonal. Least fronts are taken over
+ * windows of 5 x 5 pixels, as many times one after the other as that needs for the nearest that is seen, but not more often. */
+#define AROUND_EDGES 0.87
+#define AROUND_MOST 4
+
 /* Sigmas around a noisy measurement that are hit, and more of them in front that are not missed. */
 #define HIT_SIGMAS 1.0
 #define FRONT_SIGMAS 1.0
-
-#define ROWS_BESIDE APART_WITH_NOISE
 
 void cm_view_desk_clear(cm_view_desk *desk)
 {
@@ -44,7 +47,7 @@ int cm_camera_is_straight(const cm_camera_options *camera)
 
 /* ---- memory ---- */
 
-#define IMAGES 9
+#define IMAGES 4
 
 static size_t level_cells(uint32_t pixels, int level)
 {
@@ -58,7 +61,7 @@ static int has_more_levels(const cm_view_desk *desk, int level)
 
 static int take_images(cm_view_desk *desk)
 {
-    const size_t image = desk->stride * (desk->height + 2 * ROWS_BESIDE);
+    const size_t image = desk->stride * (desk->height + 2);
     desk->memory = malloc(IMAGES * image * sizeof *desk->memory);
     desk->rule = malloc(desk->stride * desk->height * sizeof *desk->rule);
     desk->word = malloc(desk->stride * desk->height * sizeof *desk->word);
@@ -67,12 +70,10 @@ static int take_images(cm_view_desk *desk)
     {
         return 0;
     }
-    float **const images[IMAGES] = {&desk->depth,    &desk->inverse, &desk->reach,
-                                    &desk->front,    &desk->five,    &desk->least[0],
-                                    &desk->least[1], &desk->most[0], &desk->most[1]};
+    float **const images[IMAGES] = {&desk->least[0], &desk->least[1], &desk->most[0], &desk->most[1]};
     for (size_t i = 0; i < IMAGES; i++)
     {
-        *images[i] = desk->memory + i * image + ROWS_BESIDE * desk->stride + CM_OCTREE_SLACK;
+        *images[i] = desk->memory + i * image + CM_OCTREE_SLACK;
     }
     return 1;
 }
@@ -102,18 +103,6 @@ static int take_windows(cm_view_desk *desk)
     return desk->windows != NULL;
 }
 
-/* Around images nothing is measured, nothing in front and nothing to be hit. */
-static void fill_around(const cm_view_desk *desk, float *image, float value)
-{
-    const size_t beside = (size_t)ROWS_BESIDE * desk->stride + CM_OCTREE_SLACK;
-    float *first = image - beside;
-    const size_t all = desk->stride * (desk->height + 2 * ROWS_BESIDE);
-    for (size_t i = 0; i < all; i++)
-    {
-        first[i] = value;
-    }
-}
-
 static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
 {
     if (desk->memory != NULL && desk->windows != NULL && desk->width == width && desk->height == height)
@@ -129,11 +118,6 @@ static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
         cm_view_desk_clear(desk);
         return CM_ERROR_MEMORY;
     }
-    fill_around(desk, desk->depth, NAN);
-    fill_around(desk, desk->inverse, NAN);
-    fill_around(desk, desk->reach, -1.0f);
-    fill_around(desk, desk->front, INFINITY);
-    fill_around(desk, desk->five, INFINITY);
     return CM_OK;
 }
 
@@ -158,6 +142,18 @@ cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const 
     return status;
 }
 
+int cm_view_desk_around(const cm_view_desk *desk, double focal_edges)
+{
+    float nearest = INFINITY;
+    const size_t pixels = (size_t)desk->width * desk->height;
+    for (size_t i = 0; i < pixels; i++)
+    {
+        nearest = desk->packed[i] < nearest ? desk->packed[i] : nearest;
+    }
+    const double around = ceil(0.5 * AROUND_EDGES * focal_edges / (double)nearest);
+    return around < 1.0 ? 1 : around > AROUND_MOST ? AROUND_MOST : (int)around;
+}
+
 /* Depth of what is range, by the rays of the camera. */
 static cm_status to_depth(cm_view_desk *desk, const cm_octree *octree, const cm_view *view)
 {
@@ -177,6 +173,27 @@ static cm_status to_depth(cm_view_desk *desk, const cm_octree *octree, const cm_
 
 /* ---- rules ---- */
 
+/* Rows that are made one after the other and forgotten soon, so that they stay near: a power of two of them. */
+typedef struct row_ring
+{
+    float *rows;
+    size_t stride;
+    size_t mask;
+    const float *beyond; /* of rows that the picture does not have */
+    size_t height;
+} row_ring;
+
+static float *ring_row(const row_ring *ring, size_t row)
+{
+    return ring->rows + (row & ring->mask) * ring->stride;
+}
+
+static const float *ring_row_or_beyond(const row_ring *ring, ptrdiff_t row)
+{
+    return row < 0 || row >= (ptrdiff_t)ring->height ? ring->beyond : ring_row(ring, (size_t)row);
+}
+
+/* Bands of rows, each of one thread with rings of its own. */
 typedef struct fill_work
 {
     cm_view_desk *desk;
@@ -185,61 +202,167 @@ typedef struct fill_work
     float free_far;
     double first_column;
     double first_row;
+    size_t bands;
+    float *rings; /* ring_floats each */
 } fill_work;
 
-static void invert_rows(size_t first, size_t end, void *user)
+typedef struct fill_band
 {
-    const fill_work *work = user;
-    cm_view_desk *desk = work->desk;
-    for (size_t row = first; row < end; row++)
-    {
-        float *depth = desk->depth + row * desk->stride;
-        memcpy(depth, desk->packed + row * desk->width, desk->width * sizeof *depth);
-        work->set->invert(desk->stride - 2 * CM_OCTREE_SLACK, depth, desk->inverse + row * desk->stride);
-    }
+    const fill_work *work;
+    row_ring depth, inverse, reach, front;
+    float *five, *columns;
+} fill_band;
+
+static size_t ring_length(const fill_work *work)
+{
+    return work->row.apart == APART ? 4 : 16;
 }
 
-static void reach_rows(size_t first, size_t end, void *user)
+static size_t front_length(const fill_work *work)
 {
-    const fill_work *work = user;
-    cm_view_desk *desk = work->desk;
-    const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK;
-    for (size_t row = first; row < end; row++)
-    {
-        cm_rule_row at = work->row;
-        at.depth = desk->depth + row * desk->stride;
-        at.at = desk->inverse + row * desk->stride;
-        at.above = at.at - (ptrdiff_t)at.apart * (ptrdiff_t)desk->stride;
-        at.below = at.at + (size_t)at.apart * desk->stride;
-        at.column_place = (float)work->first_column;
-        at.row_place = (float)((double)row + work->first_row);
-        work->set->reaches(padded, &at, desk->reach + row * desk->stride, desk->front + row * desk->stride);
-    }
+    return work->desk->around == 1 ? 8 : 32;
 }
 
-/* The least of 5 x 5 is that of five rows, then of five columns. */
-static void rule_rows(size_t first, size_t end, void *user)
+/* Rings, rows of what is beyond, and two rows for the least of five. */
+static size_t ring_floats(const fill_work *work)
 {
-    const fill_work *work = user;
-    cm_view_desk *desk = work->desk;
-    const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK;
-    const ptrdiff_t stride = (ptrdiff_t)desk->stride;
-    for (size_t row = first; row < end; row++)
+    return (2 * ring_length(work) + 2 * front_length(work) + 4) * work->desk->stride;
+}
+
+static row_ring make_ring(const fill_band *band, float **next, size_t rows, const float *beyond)
+{
+    const cm_view_desk *desk = band->work->desk;
+    const row_ring ring = {*next + CM_OCTREE_SLACK, desk->stride, rows - 1, beyond, desk->height};
+    *next += rows * desk->stride;
+    return ring;
+}
+
+static void begin_band(fill_band *band, const fill_work *work, size_t index)
+{
+    const size_t stride = work->desk->stride, length = ring_length(work), fronts = front_length(work);
+    float *next = work->rings + index * ring_floats(work);
+    float *no_inverse = next, *no_front = next + stride;
+    for (size_t i = 0; i < stride; i++)
     {
-        const size_t at = row * desk->stride;
-        const float *front = desk->front + at;
-        float *five = desk->five + at;
-        const float *rows[5];
-        const float *columns[5];
+        no_inverse[i] = NAN;
+        no_front[i] = INFINITY;
+    }
+    next += 2 * stride;
+    /* what is beside rows is never written again: nothing measured, nothing in front */
+    for (size_t i = 0; i < 2 * length * stride; i++)
+    {
+        next[i] = NAN;
+    }
+    for (size_t i = 2 * length * stride; i < (2 * length + 2 * fronts + 2) * stride; i++)
+    {
+        next[i] = INFINITY;
+    }
+    band->work = work;
+    band->depth = make_ring(band, &next, length, no_inverse + CM_OCTREE_SLACK);
+    band->inverse = make_ring(band, &next, length, no_inverse + CM_OCTREE_SLACK);
+    band->reach = make_ring(band, &next, fronts, no_front + CM_OCTREE_SLACK);
+    band->front = make_ring(band, &next, fronts, no_front + CM_OCTREE_SLACK);
+    band->five = next + CM_OCTREE_SLACK;
+    band->columns = next + stride + CM_OCTREE_SLACK;
+}
+
+static void invert_row(fill_band *band, size_t row)
+{
+    const cm_view_desk *desk = band->work->desk;
+    float *depth = ring_row(&band->depth, row);
+    memcpy(depth, desk->packed + row * desk->width, desk->width * sizeof *depth);
+    band->work->set->invert(desk->stride - 2 * CM_OCTREE_SLACK, depth, ring_row(&band->inverse, row));
+}
+
+static void reach_row(fill_band *band, size_t row)
+{
+    const fill_work *work = band->work;
+    cm_rule_row at = work->row;
+    at.depth = ring_row(&band->depth, row);
+    at.at = ring_row(&band->inverse, row);
+    at.above = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row - (ptrdiff_t)at.apart);
+    at.below = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row + (ptrdiff_t)at.apart);
+    at.column_place = (float)work->first_column;
+    at.row_place = (float)((double)row + work->first_row);
+    work->set->reaches(work->desk->stride - 2 * CM_OCTREE_SLACK, &at, ring_row(&band->reach, row),
+                       ring_row(&band->front, row));
+}
+
+/* The least front around: of rows, four more at a time, then of columns. */
+static float *least_around(fill_band *band, size_t row)
+{
+    const cm_octree_set *set = band->work->set;
+    const size_t padded = band->work->desk->stride - 2 * CM_OCTREE_SLACK;
+    const int around = band->work->desk->around;
+    float *from = band->five, *to = band->columns;
+    const float *five[5];
+    ptrdiff_t next = (ptrdiff_t)row - 2 * around;
+    for (int i = 0; i < 5; i++)
+    {
+        five[i] = ring_row_or_beyond(&band->front, next++);
+    }
+    set->least_of_five(padded, five, from);
+    for (int more = 1; more < around; more++)
+    {
+        five[0] = from;
+        for (int i = 1; i < 5; i++)
+        {
+            five[i] = ring_row_or_beyond(&band->front, next++);
+        }
+        set->least_of_five(padded, five, from);
+    }
+    for (int time = 0; time < around; time++)
+    {
         for (ptrdiff_t i = 0; i < 5; i++)
         {
-            rows[i] = front + (i - 2) * stride;
-            columns[i] = five + i - 2;
+            five[i] = from + i - 2;
         }
-        work->set->least_of_five(padded, rows, five);
-        work->set->least_of_five(padded, columns, desk->least[1] + at);
-        work->set->rules(desk->width, desk->depth + at, desk->reach + at, desk->least[1] + at, work->row.far,
-                         work->free_far, desk->rule + at, desk->least[0] + at, desk->most[0] + at);
+        set->least_of_five(padded, five, to);
+        float *const swapped = from;
+        from = to;
+        to = swapped;
+    }
+    return from;
+}
+
+static void rule_row(fill_band *band, size_t row)
+{
+    const fill_work *work = band->work;
+    const cm_view_desk *desk = work->desk;
+    const size_t at = row * desk->stride;
+    work->set->rules(desk->width, desk->packed + row * desk->width, ring_row(&band->reach, row),
+                     least_around(band, row), work->row.far, work->free_far, desk->rule + at,
+                     desk->least[0] + at, desk->most[0] + at);
+}
+
+static size_t behind(size_t row, size_t rows)
+{
+    return row > rows ? row - rows : 0;
+}
+
+static void fill_bands(size_t first, size_t end, void *user)
+{
+    const fill_work *work = user;
+    const size_t height = work->desk->height, apart = work->row.apart;
+    const size_t beside = 2 * (size_t)work->desk->around;
+    for (size_t index = first; index < end; index++)
+    {
+        fill_band band;
+        begin_band(&band, work, index);
+        const size_t from = height * index / work->bands, to = height * (index + 1) / work->bands;
+        size_t inverted = behind(from, beside + apart), reached = behind(from, beside);
+        for (size_t row = from; row < to; row++)
+        {
+            for (; reached < height && reached < row + beside + 1; reached++)
+            {
+                for (; inverted < height && inverted < reached + apart + 1; inverted++)
+                {
+                    invert_row(&band, inverted);
+                }
+                reach_row(&band, reached);
+            }
+            rule_row(&band, row);
+        }
     }
 }
 
@@ -289,12 +412,19 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     {
         return status;
     }
-    fill_work work = {.desk = desk, .set = octree->set};
+    fill_work work = {.desk = desk, .set = octree->set, .bands = cm_pool_threads(pool)};
     describe_rows(&work, octree, view);
     describe_table(desk, octree, cm_camera_describe(view->camera));
-    cm_pool_run(pool, desk->height, 16, invert_rows, &work);
-    cm_pool_run(pool, desk->height, 16, reach_rows, &work);
-    cm_pool_run(pool, desk->height, 16, rule_rows, &work);
+    desk->around = cm_view_desk_around(
+        desk, octree->options.edge * fmax(fabs((double)work.row.focal[0]), fabs((double)work.row.focal[1])));
+    work.bands = work.bands < desk->height ? work.bands : desk->height;
+    work.rings = malloc(work.bands * ring_floats(&work) * sizeof *work.rings);
+    if (work.rings == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    cm_pool_run(pool, work.bands, 1, fill_bands, &work);
+    free(work.rings);
     cm_view_desk_windows(desk, octree->set);
     return CM_OK;
 }

@@ -16,12 +16,8 @@ typedef struct cm_view_desk
     size_t stride; /* floats from row to row */
     uint32_t width;
     uint32_t height;
-    float *memory; /* all images below; each has CM_OCTREE_SLACK floats and two rows beside */
-    float *depth;
-    float *inverse;
-    float *reach;
-    float *front;
-    float *five;
+    int around;      /* least fronts are over so many windows of 5 x 5, one after the other */
+    float *memory;   /* of cells */
     float *least[2]; /* cells of two levels in turn */
     float *most[2];
     cm_pixel_rule *rule;
@@ -40,6 +36,9 @@ int cm_camera_is_straight(const cm_camera_options *camera);
 
 /* The cleaned image of a view, dense, depth or range as the view has it; *valid: how many pixels measured something. */
 cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, size_t *valid);
+
+/* How often windows of 5 x 5 pixels are to be taken for the cleaned image: pixels are 1 / focal_edges edges wide at distance 1. */
+int cm_view_desk_around(const cm_view_desk *desk, double focal_edges);
 
 /* All of a straight camera's view, after cm_view_desk_clean. Bands of rows are handed to the pool. */
 cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, cm_pool *pool);
