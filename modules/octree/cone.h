@@ -10,7 +10,7 @@
 #ifndef MODULES_OCTREE_CONE_H
 #define MODULES_OCTREE_CONE_H
 
-#include "snapshot.h"
+#include "seen_tree.h"
 
 typedef struct cm_cone
 {

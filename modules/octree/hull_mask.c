@@ -6,7 +6,7 @@
 
 #include "interleave.h"
 #include "picture.h"
-#include "snapshot.h"
+#include "seen_tree.h"
 
 /* What a float is off by, at most, of its size; and how many such errors a pixel's place may have. */
 #define FLOAT_ERROR 0x1p-24

@@ -9,6 +9,7 @@
 
 #include "light.h"
 #include "picture.h"
+#include "snapshot.h"
 #include "start_map.h"
 
 /* Rows and columns of a square whose pixels have the solid angle of its middle. */

@@ -5,7 +5,7 @@
 #ifndef MODULES_OCTREE_SNAPSHOT_CELLS_H
 #define MODULES_OCTREE_SNAPSHOT_CELLS_H
 
-#include "snapshot.h"
+#include "seen_tree.h"
 
 /* From a node's mask all that follows of it: which cells there are. Returns how many. */
 size_t cm_seen_node_count(cm_seen_node *node);
