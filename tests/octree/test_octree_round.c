@@ -135,7 +135,7 @@ static void check_camera(cm_camera *camera, const char *name, int levels, double
         const cm_pose pose = look_at(place, at, 6.28 * throw_dice(&from));
         drawn_view drawn;
         draw_view(&drawn, camera, &pose, middle, 0, &from);
-        for (int k = 0; k < 1 + 69 * (i == 2 && levels < 5); k++)
+        for (int k = 0; k < 1 + 69 * (i == 2 && levels < 4); k++)
         {
             ck_assert_int_eq(cm_octree_update(octree, &drawn.view, pool), CM_OK);
             changed += update_dense(&map, octree, &drawn.view);
