@@ -117,14 +117,16 @@ cm_status cm_octree_walk_box(const cm_octree *octree, const double least[3], con
     cm_walk walk = {.since = 0};
     for (int axis = 0; axis < 3; axis++)
     {
-        /* voxels whose centres are between: from the first centre not below, to the last not above */
-        const double half = 0.5 * octree->options.edge;
-        const double first = cm_world_place(octree, axis, least[axis] + half);
-        const double exact = cm_place_world(octree, axis, first - 0.5) >= least[axis] ? first - 1.0 : first;
-        const double last = cm_world_place(octree, axis, greatest[axis] - half);
-        const double from = exact > octree->first[axis] ? exact : octree->first[axis];
+        /* voxels whose centres are between: from the first centre not below, to the last not above, by the centres
+         * themselves, since places are rounded */
+        double first = cm_world_place(octree, axis, least[axis]), last = cm_world_place(octree, axis, greatest[axis]);
+        first += cm_place_world(octree, axis, first + 0.5) < least[axis];
+        first -= cm_place_world(octree, axis, first - 0.5) >= least[axis];
+        last -= cm_place_world(octree, axis, last + 0.5) > greatest[axis];
+        last += cm_place_world(octree, axis, last + 1.5) <= greatest[axis];
+        const double from = first > octree->first[axis] ? first : octree->first[axis];
         const double to = last + 1.0 < octree->beyond[axis] ? last + 1.0 : octree->beyond[axis];
-        if (!(from < to))
+        if (!(from < to && least[axis] <= greatest[axis]))
         {
             return CM_OK;
         }

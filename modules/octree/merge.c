@@ -184,23 +184,53 @@ static cm_status add_to_node(cm_octree *to, uint32_t index, const uint32_t place
     return status;
 }
 
+/* A cube at a place of the tree of `to`, of which it may not be one, and beyond which it may be. */
+static cm_status add_cube(cm_octree *to, const int64_t place[3], int level, uint8_t alpha)
+{
+    const int64_t length = (int64_t)1 << level, end = (int64_t)1 << to->tree_level;
+    int is_beside = 0, is_cube = level <= to->tree_level;
+    uint32_t at[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        is_beside |= place[axis] + length <= 0 || place[axis] >= end;
+        is_cube &= place[axis] >= 0 && place[axis] + length <= end && place[axis] % length == 0;
+        at[axis] = is_cube ? (uint32_t)place[axis] : 0;
+    }
+    if (is_beside)
+    {
+        return CM_OK;
+    }
+    if (is_cube && level >= CM_REGION_LEVEL)
+    {
+        uint32_t node = 0;
+        const cm_status status = cm_node_reach(to, at, level, &node);
+        return status == CM_OK ? add_to_node(to, node, at, level, alpha) : status;
+    }
+    if (level == CM_BLOCK_LEVEL)
+    {
+        added_block added = {.detail = 3};
+        memset(added.alpha, alpha, sizeof added.alpha);
+        return is_cube ? add_block(to, at, &added) : CM_OK;
+    }
+    cm_status status = CM_OK;
+    for (int child = 0; status == CM_OK && child < 8; child++)
+    {
+        const int64_t below[3] = {place[0] + (child & 1 ? length / 2 : 0), place[1] + (child & 2 ? length / 2 : 0),
+                                  place[2] + (child & 4 ? length / 2 : 0)};
+        status = add_cube(to, below, level - 1, alpha);
+    }
+    return status;
+}
+
 static int add_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
 {
     merge_work *work = user;
-    uint32_t at[3], node = 0;
-    if (alpha == CM_UNKNOWN || !shifted(work, place, at))
+    int64_t at[3];
+    for (int axis = 0; axis < 3; axis++)
     {
-        return 0;
+        at[axis] = (int64_t)place[axis] + work->shift[axis];
     }
-    if (level >= CM_REGION_LEVEL && work->to->tree_level >= level)
-    {
-        work->status = cm_node_reach(work->to, at, level, &node);
-        work->status = work->status == CM_OK ? add_to_node(work->to, node, at, level, alpha) : work->status;
-        return work->status != CM_OK;
-    }
-    added_block added = {.detail = 3};
-    memset(added.alpha, alpha, sizeof added.alpha);
-    work->status = add_block(work->to, at, &added);
+    work->status = alpha == CM_UNKNOWN ? CM_OK : add_cube(work->to, at, level, alpha);
     return work->status != CM_OK;
 }
 
@@ -384,7 +414,7 @@ static void place_of_key(uint64_t key, uint32_t place[3])
 }
 
 /* What is at a point of the world of `to` in `from`. */
-static uint8_t sample(const merge_work *work, const double world[3], uint32_t *color)
+static uint8_t sample(merge_work *work, const double world[3], uint32_t *color)
 {
     const cm_octree *from = work->from;
     double at[3];
@@ -414,8 +444,10 @@ static uint8_t sample(const merge_work *work, const double world[3], uint32_t *c
     {
         return cm_after_misses(&from->rule, node->value, spot.misses);
     }
-    if (cm_node_look(from, spot.node, place, &region) != CM_OK)
+    const cm_status status = cm_node_look(from, spot.node, place, &region);
+    if (status != CM_OK)
     {
+        work->status = status;
         return CM_UNKNOWN;
     }
     return cm_block_cell(region, cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3), &from->rule,
@@ -443,7 +475,7 @@ static cm_status add_sampled(merge_work *work, uint64_t key)
         added.alpha[cell] = is_own ? sample(work, world, &added.color[cell]) : CM_UNKNOWN;
         is_known |= added.alpha[cell] != CM_UNKNOWN;
     }
-    return is_known ? add_block(work->to, place, &added) : CM_OK;
+    return work->status != CM_OK ? work->status : is_known ? add_block(work->to, place, &added) : CM_OK;
 }
 
 /* ---- maps ---- */

@@ -144,7 +144,9 @@ void cm_node_push(cm_octree *octree, uint32_t index)
         for (uint32_t child = 0; child < 8; child++)
         {
             cm_node *below = &octree->node[node->link + child];
-            cm_node_miss(octree, node->link + child, node->value);
+            /* when it waited, not now */
+            below->value = below->kind == CM_NODE_LEAF ? cm_after_misses(&octree->rule, below->value, node->value)
+                                                       : cm_more_misses(below->value, node->value);
             below->changed = below->changed > node->changed ? below->changed : node->changed;
         }
         node->value = 0;

@@ -24,6 +24,7 @@ static void destroy_desk(void *memory)
     }
     cm_view_desk_clear(&desk->view);
     free(desk->list);
+    free(desk->missed);
     free(desk);
 }
 
@@ -122,24 +123,55 @@ static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, co
         update->hits_of[alpha] = (uint8_t)(hits < 255 ? hits : 255);
     }
     desk->count = 0;
+    desk->missed_count = 0;
     make_offsets(update);
 }
 
 /* ---- the tree ---- */
 
+static int has_room(uint32_t **list, size_t count, size_t *room)
+{
+    if (count == *room)
+    {
+        const size_t wanted = *room == 0 ? 256 : 2 * *room;
+        uint32_t *more = realloc(*list, wanted * sizeof *more);
+        if (more == NULL)
+        {
+            return 0;
+        }
+        *list = more;
+        *room = wanted;
+    }
+    return 1;
+}
+
+cm_status cm_update_list_miss(cm_update *update, uint32_t node)
+{
+    cm_update_desk *desk = update->desk;
+    if (!has_room(&desk->missed, desk->missed_count, &desk->missed_room))
+    {
+        return CM_ERROR_MEMORY;
+    }
+    desk->missed[desk->missed_count++] = node;
+    return CM_OK;
+}
+
+void cm_update_end_lists(cm_update *update, cm_status status)
+{
+    cm_update_desk *desk = update->desk;
+    update->octree->step -= status != CM_OK;
+    for (size_t i = 0; status == CM_OK && i < desk->missed_count; i++)
+    {
+        cm_node_miss(update->octree, desk->missed[i], 1);
+    }
+}
+
 cm_status cm_update_list_region(cm_update *update, uint32_t node, const uint32_t place[3])
 {
     cm_update_desk *desk = update->desk;
-    if (desk->count == desk->room)
+    if (!has_room(&desk->list, desk->count, &desk->room))
     {
-        const size_t room = desk->room == 0 ? 256 : 2 * desk->room;
-        uint32_t *more = realloc(desk->list, room * sizeof *more);
-        if (more == NULL)
-        {
-            return CM_ERROR_MEMORY;
-        }
-        desk->list = more;
-        desk->room = room;
+        return CM_ERROR_MEMORY;
     }
     cm_region *region = NULL;
     const cm_status status = cm_node_region(update->octree, node, place, &region);
@@ -188,8 +220,7 @@ static cm_status go_down(cm_update *update, uint32_t node, const uint32_t place[
     }
     if (class_of == CM_CUBE_FREE && is_whole(octree))
     {
-        cm_node_miss(octree, node, 1);
-        return CM_OK;
+        return cm_update_list_miss(update, node);
     }
     if (level == CM_REGION_LEVEL)
     {
@@ -292,6 +323,7 @@ static cm_status update_straight(cm_update *update, cm_pool *pool)
     cm_status status = cm_view_desk_fill(&update->desk->view, octree, update->view, pool);
     if (status != CM_OK)
     {
+        octree->step--;
         return status;
     }
     const double focal = 0.5 * (fabs(camera->fx) + fabs(camera->fy));
@@ -301,6 +333,7 @@ static cm_status update_straight(cm_update *update, cm_pool *pool)
     cm_update_half(update, 2, reach, update->group_half);
     const uint32_t first[3] = {0, 0, 0};
     status = go_down(update, 0, first, octree->tree_level, CM_CUBE_PART);
+    cm_update_end_lists(update, status);
     const uint64_t before = cm_update_listed_bytes(update);
     if (status == CM_OK)
     {

@@ -18,6 +18,9 @@ typedef struct cm_update_desk
     uint32_t *list; /* nodes of regions in which something may happen */
     size_t count;
     size_t room;
+    uint32_t *missed; /* nodes of which all is missed */
+    size_t missed_count;
+    size_t missed_room;
     void *rounds; /* of cameras that are not straight: update_round.c */
     void (*rounds_destroy)(void *rounds);
 } cm_update_desk;
@@ -53,6 +56,12 @@ void cm_update_half(const cm_update *update, int level, double distance, float h
 
 /* A node in which something may happen: its region comes to the list. */
 cm_status cm_update_list_region(cm_update *update, uint32_t node, const uint32_t place[3]);
+
+/* A node of which all is missed comes to the other list, since nothing is to change before all regions are there. */
+cm_status cm_update_list_miss(cm_update *update, uint32_t node);
+
+/* All regions are there: what is missed is. Else the map is as it was before the view. */
+void cm_update_end_lists(cm_update *update, cm_status status);
 
 /* The memory of listed regions; and those that are even again are given back. */
 uint64_t cm_update_listed_bytes(const cm_update *update);

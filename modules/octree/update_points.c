@@ -284,6 +284,32 @@ static int apply(cm_octree *octree, cm_region *region, const voxel_event *event,
     return 1;
 }
 
+static size_t end_of_region(const event_list *list, size_t first)
+{
+    const uint64_t key = list->event[first].key >> 3 * CM_REGION_LEVEL;
+    size_t end = first;
+    while (end < list->count && list->event[end].key >> 3 * CM_REGION_LEVEL == key)
+    {
+        end++;
+    }
+    return end;
+}
+
+/* All regions come into memory first, so that pages that fail leave the map as it was. */
+static cm_status get_regions(cm_octree *octree, const event_list *list)
+{
+    cm_status status = CM_OK;
+    for (size_t i = 0; status == CM_OK && i < list->count; i = end_of_region(list, i))
+    {
+        uint32_t place[3], node = 0;
+        place_of(list->event[i].key >> 3 * CM_REGION_LEVEL << 3 * CM_REGION_LEVEL, place);
+        cm_region *region = NULL;
+        status = cm_node_reach(octree, place, CM_REGION_LEVEL, &node);
+        status = status == CM_OK ? cm_node_region(octree, node, place, &region) : status;
+    }
+    return status;
+}
+
 static cm_status apply_all(cm_octree *octree, const event_list *list, const uint8_t *rgb)
 {
     cm_status status = CM_OK;
@@ -313,10 +339,9 @@ static cm_status apply_all(cm_octree *octree, const event_list *list, const uint
         }
         region->is_dirty = 1;
         octree->bytes += cm_region_size(region);
-        const cm_status trimmed = cm_pages_trim(octree);
-        status = status != CM_OK ? status : trimmed;
     }
-    return status;
+    const cm_status trimmed = cm_pages_trim(octree);
+    return status != CM_OK ? status : trimmed;
 }
 
 cm_status cm_octree_update_points(cm_octree *octree, const double origin[3], size_t n, const float *xyz,
@@ -347,9 +372,10 @@ cm_status cm_octree_update_points(cm_octree *octree, const double origin[3], siz
     if (status == CM_OK && list.count > 0)
     {
         make_unique(&list);
-        octree->step++;
         octree->clock++;
-        status = apply_all(octree, &list, octree->options.color ? rgb : NULL);
+        status = get_regions(octree, &list);
+        octree->step += status == CM_OK;
+        status = status == CM_OK ? apply_all(octree, &list, octree->options.color ? rgb : NULL) : status;
     }
     free(list.event);
     return status;

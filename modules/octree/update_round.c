@@ -459,8 +459,7 @@ static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3
     }
     if (class_of == CM_CUBE_FREE && octree->options.levels >= CM_REGION_LEVEL)
     {
-        cm_node_miss(octree, node, 1);
-        return CM_OK;
+        return cm_update_list_miss(work->update, node);
     }
     if (level == CM_REGION_LEVEL)
     {
@@ -492,11 +491,13 @@ cm_status cm_update_round(cm_update *update, cm_pool *pool)
     status = status == CM_OK ? make_rules(&work, pool) : status;
     if (status != CM_OK)
     {
+        update->octree->step--;
         return status;
     }
     update->pixel = options->footprint * mean_pixel(camera) / options->edge;
     const uint32_t first[3] = {0, 0, 0};
     status = go_down(&work, 0, first, update->octree->tree_level);
+    cm_update_end_lists(update, status);
     const uint64_t before = cm_update_listed_bytes(update);
     if (status == CM_OK)
     {

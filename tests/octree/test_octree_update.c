@@ -5,6 +5,7 @@
  */
 #include "dense_map.h"
 
+#include "modules/octree/color_word.h"
 #include "modules/octree/node_tree.h"
 #include "modules/octree/view_table.h"
 
@@ -117,7 +118,7 @@ static void apply_word(told_map *oracle, const voxel_rules *rules, size_t at, in
     else if (word > 0 && rules->octree->options.color && rules->view->color.data != NULL)
     {
         const uint8_t *rgb = (const uint8_t *)rules->view->color.data + rules->view->color.channels * pixel;
-        *color = cm_color_mix(*color, rgb, (unsigned)(now - 127 + rule->hit - 1) / rule->hit);
+        *color = cm_color_mix(*color, cm_color_word(rgb), (unsigned)(now - 127 + rule->hit - 1) / rule->hit);
     }
 }
 
