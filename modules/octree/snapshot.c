@@ -58,17 +58,32 @@ static int is_beside(const gathering *g, const uint32_t place[3], double size)
     return beside;
 }
 
+/* Eight bytes, the first lowest. */
+static uint64_t eight_of(const uint8_t *a)
+{
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    uint64_t eight;
+    memcpy(&eight, a, sizeof eight);
+    return eight;
+#else
+    return a[0] | (uint64_t)a[1] << 8 | (uint64_t)a[2] << 16 | (uint64_t)a[3] << 24 |
+           (uint64_t)a[4] << 32 | (uint64_t)a[5] << 40 | (uint64_t)a[6] << 48 |
+           (uint64_t)a[7] << 56;
+#endif
+}
+
 /* Which of 64 alphas are occupied after misses that take `less`, below 128: those of 128 + less and more. */
 static uint64_t occupied_of(const uint8_t alpha[64], unsigned less)
 {
     const uint64_t ones = 0x0101010101010101u, tops = 128 * ones;
-    uint64_t bits = 0;
+    uint64_t bits = 0, any = 0;
     for (unsigned i = 0; i < 64; i += 8)
     {
-        const uint8_t *a = alpha + i;
-        const uint64_t eight = a[0] | (uint64_t)a[1] << 8 | (uint64_t)a[2] << 16 |
-                               (uint64_t)a[3] << 24 | (uint64_t)a[4] << 32 | (uint64_t)a[5] << 40 |
-                               (uint64_t)a[6] << 48 | (uint64_t)a[7] << 56;
+        any |= eight_of(alpha + i);
+    }
+    for (unsigned i = 0; (any & tops) != 0 && i < 64; i += 8)
+    {
+        const uint64_t eight = eight_of(alpha + i);
         const uint64_t top = eight & ((eight & ~tops) + (128 - less) * ones) & tops;
         bits |= ((top >> 7) * 0x0102040810204080u >> 56) << i;
     }

@@ -92,10 +92,12 @@ static void mean_of(const uint32_t *color, unsigned n, uint8_t rgb[3])
         blue += color[i] & 1023;
         count += color[i] != 0;
     }
-    const uint32_t half = count / 2;
+    /* 2^17 / count, rounded up: products are exact quotients of what is below 2^14 */
+    static const uint32_t part[9] = {0, 131072, 65536, 43691, 32768, 26215, 21846, 18725, 16384};
+    const uint32_t half = count / 2, by = part[count];
     cm_seen_color(count == 0 ? 0
-                             : (red + half) / count << 21 | (green + half) / count << 10 |
-                                   (blue + half) / count,
+                             : ((red + half) * by >> 17) << 21 | ((green + half) * by >> 17) << 10 |
+                                   (blue + half) * by >> 17,
                   rgb);
 }
 
