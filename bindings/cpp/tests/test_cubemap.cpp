@@ -40,6 +40,11 @@ static void test_errors()
     auto good = cubemap::mapping::try_make("coupled");
     expect(bool(good) && good->has_bounds() == 1, "what is made can be used in place");
 
+    cm_options without_size = {};
+    const char *text = cubemap::status_text(
+        cubemap::mapping::try_make("coupled", nullptr, &without_size).status());
+    expect(std::strstr(text, "size of a struct") != nullptr, "a size that is missing has a word");
+
     cubemap::mapping healpix("healpix");
     const double pq[2] = {0.1, 0.2};
     double uv[2] = {7.0, 7.0};
