@@ -39,23 +39,16 @@ def _healpix(nside, nest):
     return Healpix(int(nside), "nested" if nest else "ring")
 
 
-class _Bound(dict):
-    """A method of Healpix by nside and order, bound: for single points, of which looking up took most of the time."""
-
-    def __init__(self, method):
-        super().__init__()
-        self.method = method
-
-    def __missing__(self, key):
-        bound = getattr(_healpix(*key), self.method)
-        if len(self) >= 128:
-            self.clear()
-        self[key] = bound
-        return bound
+# Methods of Healpix by nside and order, bound: for single points, of which looking up took most of the time.
+_from_angles, _to_angles, _from_direction, _to_direction = {}, {}, {}, {}
 
 
-_from_angles, _to_angles = _Bound("pixel_from_angles"), _Bound("angles_from_pixel")
-_from_direction, _to_direction = _Bound("pixel_from_direction"), _Bound("direction_from_pixel")
+def _bind(table, method, nside, nest):
+    bound = getattr(_healpix(nside, nest), method)
+    if len(table) >= 128:
+        table.clear()
+    table[nside, nest] = bound
+    return bound
 
 
 def _each(nside, nest, method, *arrays):
@@ -87,7 +80,11 @@ def ang2pix(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike, nest: bool = Fal
     if lonlat:
         return _checked(_each(nside, nest, "pixel_from_lonlat", np.radians(theta), np.radians(phi)), "THETA is out of range [0,pi]")
     if type(nside) is int:
-        pixel = _from_angles[nside, nest](theta, phi)
+        try:
+            bound = _from_angles[nside, nest]
+        except KeyError:
+            bound = _bind(_from_angles, "pixel_from_angles", nside, nest)
+        pixel = bound(theta, phi)
         if type(pixel) is int and pixel >= 0:
             return pixel
     else:
@@ -106,13 +103,19 @@ def pix2ang(nside: ArrayLike, ipix: ArrayLike, nest: bool = False, lonlat: bool 
         lon, lat = _each(nside, nest, "lonlat_from_pixel", ipix)
         lon, lat = np.degrees(lon), np.degrees(lat)
         return np.where(lon < 0, lon + 360.0, lon)[()], lat
-    return _to_angles[nside, nest](ipix) if type(nside) is int else _each(nside, nest, "angles_from_pixel", ipix)
+    if type(nside) is int:
+        return (_to_angles.get((nside, nest)) or _bind(_to_angles, "angles_from_pixel", nside, nest))(ipix)
+    return _each(nside, nest, "angles_from_pixel", ipix)
 
 
 def vec2pix(nside: ArrayLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, nest: bool = False) -> Any:
     """The pixels at vectors of any length."""
     if type(nside) is int:
-        pixel = _from_direction[nside, nest](x, y, z)
+        try:
+            bound = _from_direction[nside, nest]
+        except KeyError:
+            bound = _bind(_from_direction, "pixel_from_direction", nside, nest)
+        pixel = bound(x, y, z)
         if type(pixel) is int and pixel >= 0:
             return pixel
     else:
@@ -122,7 +125,9 @@ def vec2pix(nside: ArrayLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, nest: bo
 
 def pix2vec(nside: ArrayLike, ipix: ArrayLike, nest: bool = False) -> tuple[Any, Any, Any]:
     """The centres, as unit vectors x, y, z."""
-    return _to_direction[nside, nest](ipix) if type(nside) is int else _each(nside, nest, "direction_from_pixel", ipix)
+    if type(nside) is int:
+        return (_to_direction.get((nside, nest)) or _bind(_to_direction, "direction_from_pixel", nside, nest))(ipix)
+    return _each(nside, nest, "direction_from_pixel", ipix)
 
 
 def ang2vec(theta: ArrayLike, phi: ArrayLike, lonlat: bool = False) -> np.ndarray:
