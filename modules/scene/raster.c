@@ -163,6 +163,11 @@ cm_status cm_raster_use_pool(cm_raster *raster, cm_pool *pool)
     return CM_OK;
 }
 
+size_t cm_raster_pixel_count(const cm_raster *raster)
+{
+    return raster == NULL ? 0 : raster->width * raster->height;
+}
+
 void cm_raster_clear(cm_raster *raster)
 {
     for (size_t i = 0; raster != NULL && i < raster->stride * raster->height; i++)

@@ -64,6 +64,7 @@ START_TEST(discs_are_where_rays_meet_them)
                                    .centre = {v, v + 1, v + 2},
                                    .normal = {v + 3, v + 4, v + 5},
                                    .radius = v + 6};
+            ck_assert_uint_eq(cm_raster_pixel_count(raster), pixels);
             cm_raster_clear(raster);
             ck_assert_int_eq(cm_raster_discs(raster, NULL, &disc, 1), CM_OK);
             cm_raster_read(raster, image, NULL);
