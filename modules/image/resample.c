@@ -8,7 +8,6 @@
 
 #include <cubemap/threads.h>
 
-#include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,6 +40,14 @@ typedef struct resample_job
     atomic_int failed;
 } resample_job;
 
+/* Where a row of blocks goes. */
+typedef struct row_target
+{
+    unsigned char *first; /* the pixel of column 0; NULL: pixels go one by one */
+    ptrdiff_t right;      /* from column to column, in bytes */
+    ptrdiff_t down;       /* from row to row */
+} row_target;
+
 /* Where the rows of a block go. */
 typedef struct block_target
 {
@@ -54,6 +61,7 @@ typedef struct resample_desk
     cm_geometry *geometry;
     cm_scratch scratch;
     cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
+    row_target row;                    /* of the row of blocks that is done */
     block_target targets[2];
     unsigned char *pixels; /* of a group */
 } resample_desk;
@@ -69,16 +77,22 @@ typedef struct window_box
     int32_t height;
 } window_box;
 
+static int32_t floor_of(float x)
+{
+    const int32_t towards_zero = (int32_t)x;
+    return towards_zero - ((float)towards_zero > x);
+}
+
 /* What pixels touch whose x and y are between bounds, the least and the greatest x and those of y, once their positions
  * count from the box. That may round them up to a whole number, so that the last one is asked after it. */
 static window_box box_between(const cm_source *source, const float bounds[4])
 {
     const int32_t before = source->taps < 2 ? 0 : source->taps / 2 - 1;
     const int32_t after = source->taps < 2 ? 1 : source->taps / 2;
-    const int32_t column = (int32_t)floorf(bounds[0]) - before;
-    const int32_t row = (int32_t)floorf(bounds[2]) - before;
-    return (window_box){column, row, (int32_t)floorf(bounds[1] - (float)column) + after + 1,
-                        (int32_t)floorf(bounds[3] - (float)row) + after + 1};
+    const int32_t column = floor_of(bounds[0]) - before;
+    const int32_t row = floor_of(bounds[2]) - before;
+    return (window_box){column, row, floor_of(bounds[1] - (float)column) + after + 1,
+                        floor_of(bounds[3] - (float)row) + after + 1};
 }
 
 /* What n pixels of a group touch, a multiple of 16. */
@@ -310,26 +324,30 @@ static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to
     }
 }
 
-/* Where a block's rows go as they are; NULL if they do not. */
-static block_target target_of(const resample_job *job, unsigned plane, uint32_t column,
-                              uint32_t row)
+/* Where a row of blocks goes as it is; NULL if it does not. */
+static row_target target_of_row(const resample_job *job, unsigned plane, uint32_t row)
 {
     const cm_rows *wanted = &job->wanted;
     const cm_level *level = &job->source->level;
     uint32_t picture_column, picture_row;
     ptrdiff_t stride;
     if (!(level->is_bytes || cm_values_are_copied(&job->values)) || row < wanted->first_row ||
-        row + CM_BLOCK_EDGE > wanted->first_row + wanted->row_count ||
-        column < wanted->first_column ||
-        column + CM_BLOCK_EDGE > wanted->first_column + wanted->column_count)
+        row + CM_BLOCK_EDGE > wanted->first_row + wanted->row_count)
     {
-        return (block_target){NULL, 0};
+        return (row_target){NULL, 0, 0};
     }
-    unsigned char *to =
-        target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
+    unsigned char *to = target_pixel(job, plane, 0, row, &picture_column, &picture_row, &stride);
     const unsigned char *below =
-        target_pixel(job, plane, column, row + 1, &picture_column, &picture_row, &stride);
-    return (block_target){stride == (ptrdiff_t)level->pixel_size ? to : NULL, below - to};
+        target_pixel(job, plane, 0, row + 1, &picture_column, &picture_row, &stride);
+    return (row_target){stride == (ptrdiff_t)level->pixel_size ? to : NULL, stride, below - to};
+}
+
+static block_target target_of(const resample_job *job, const row_target *row, uint32_t column)
+{
+    const cm_rows *wanted = &job->wanted;
+    const int is_whole = row->first != NULL && column >= wanted->first_column &&
+                         column + CM_BLOCK_EDGE <= wanted->first_column + wanted->column_count;
+    return (block_target){is_whole ? row->first + column * row->right : NULL, row->down};
 }
 
 static void store_group(const resample_job *job, unsigned plane, uint32_t block_column,
@@ -427,8 +445,7 @@ static unsigned place_block(const resample_job *job, resample_desk *desk, unsign
                             uint32_t block_column, uint32_t block_row)
 {
     cm_group *groups = desk->groups[block_column % 2];
-    desk->targets[block_column % 2] =
-        target_of(job, plane, block_column * CM_BLOCK_EDGE, block_row * CM_BLOCK_EDGE);
+    desk->targets[block_column % 2] = target_of(job, &desk->row, block_column * CM_BLOCK_EDGE);
     const unsigned count =
         cm_geometry_block(desk->geometry, plane, block_column, block_row, groups);
     for (unsigned i = 0; i < count; i++)
@@ -469,6 +486,7 @@ static cm_status do_block_row(const resample_job *job, resample_desk *desk, unsi
     const uint32_t first = wanted->first_column / CM_BLOCK_EDGE;
     const uint32_t last = (wanted->first_column + wanted->column_count - 1) / CM_BLOCK_EDGE;
     cm_status status = CM_OK;
+    desk->row = target_of_row(job, plane, block_row * CM_BLOCK_EDGE);
     unsigned count = place_block(job, desk, plane, first, block_row);
     for (uint32_t column = first; column <= last && status == CM_OK; column++)
     {
