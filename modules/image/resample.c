@@ -4,6 +4,7 @@
  */
 #include "geometry.h"
 #include "large_memory.h"
+#include "past_caches.h"
 #include "source.h"
 
 #include <cubemap/threads.h>
@@ -40,12 +41,22 @@ typedef struct resample_job
     atomic_int failed;
 } resample_job;
 
+/* So many blocks side by side, at most, have rows of whole lines of memory. */
+#define BUNDLE_MOST 4
+
+/* Bytes of a pixel of which rows are bundled, at most: those of four floats. */
+#define BUNDLED_MOST 16
+
+/* Bytes of a target that caches do not keep. */
+#define LARGE_TARGET ((size_t)4 << 20)
+
 /* Where a row of blocks goes. */
 typedef struct row_target
 {
     unsigned char *first; /* the pixel of column 0; NULL: pixels go one by one */
     ptrdiff_t right;      /* from column to column, in bytes */
     ptrdiff_t down;       /* from row to row */
+    uint32_t bundle;      /* blocks that go to memory together, past the caches; 0: by themselves */
 } row_target;
 
 /* Where the rows of a block go. */
@@ -53,6 +64,10 @@ typedef struct block_target
 {
     unsigned char *first; /* NULL: pixels go one by one */
     ptrdiff_t down;       /* from row to row, in bytes */
+    unsigned char
+        *own; /* not NULL: first is in a bundle, and this is where the block's pixels come to be */
+    int is_last; /* of its bundle? */
+    int is_past; /* is it a bundle of its own, without a copy? */
 } block_target;
 
 /* What a thread works with. */
@@ -64,6 +79,7 @@ typedef struct resample_desk
     row_target row;                    /* of the row of blocks that is done */
     block_target targets[2];
     unsigned char *pixels; /* of a group */
+    unsigned char *bundle; /* of blocks, row by row */
 } resample_desk;
 
 /* ---- values of a group ---- */
@@ -324,6 +340,20 @@ static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to
     }
 }
 
+/* How many blocks of that row are bundled. */
+static uint32_t bundle_of(const resample_job *job, unsigned plane, const row_target *row)
+{
+    const cm_image *picture = &job->to[job->plan->to->placement[plane].picture];
+    const size_t size = job->source->level.pixel_size;
+    const size_t bytes = size * picture->width * picture->height * job->plan->to->pictures;
+    if (!CM_HAVE_PAST_CACHES || row->first == NULL || size > BUNDLED_MOST || bytes < LARGE_TARGET ||
+        row->down % CM_LINE != 0 || (uintptr_t)row->first % CM_BLOCK_EDGE != 0)
+    {
+        return 0;
+    }
+    return size % 4 == 0 ? 1 : size % 2 == 0 ? 2 : BUNDLE_MOST;
+}
+
 /* Where a row of blocks goes as it is; NULL if it does not. */
 static row_target target_of_row(const resample_job *job, unsigned plane, uint32_t row)
 {
@@ -334,20 +364,80 @@ static row_target target_of_row(const resample_job *job, unsigned plane, uint32_
     if (!(level->is_bytes || cm_values_are_copied(&job->values)) || row < wanted->first_row ||
         row + CM_BLOCK_EDGE > wanted->first_row + wanted->row_count)
     {
-        return (row_target){NULL, 0, 0};
+        return (row_target){NULL, 0, 0, 0};
     }
     unsigned char *to = target_pixel(job, plane, 0, row, &picture_column, &picture_row, &stride);
     const unsigned char *below =
         target_pixel(job, plane, 0, row + 1, &picture_column, &picture_row, &stride);
-    return (row_target){stride == (ptrdiff_t)level->pixel_size ? to : NULL, stride, below - to};
+    row_target found = {stride == (ptrdiff_t)level->pixel_size ? to : NULL, stride, below - to, 0};
+    found.bundle = bundle_of(job, plane, &found);
+    return found;
 }
 
-static block_target target_of(const resample_job *job, const row_target *row, uint32_t column)
+/* A block's place in the bundle, which begins where a line of memory does, if all of it is wanted. */
+static block_target target_in_bundle(const resample_job *job, const resample_desk *desk,
+                                     uint32_t column, unsigned char *own)
 {
     const cm_rows *wanted = &job->wanted;
-    const int is_whole = row->first != NULL && column >= wanted->first_column &&
-                         column + CM_BLOCK_EDGE <= wanted->first_column + wanted->column_count;
-    return (block_target){is_whole ? row->first + column * row->right : NULL, row->down};
+    const row_target *row = &desk->row;
+    const size_t width = CM_BLOCK_EDGE * job->source->level.pixel_size;
+    uint32_t before = 0;
+    while (before < row->bundle && ((uintptr_t)own - before * width) % CM_LINE != 0)
+    {
+        before++;
+    }
+    const uint32_t begin = before * CM_BLOCK_EDGE;
+    if (before >= row->bundle || column < wanted->first_column + begin ||
+        column - begin + row->bundle * CM_BLOCK_EDGE > wanted->first_column + wanted->column_count)
+    {
+        return (block_target){.first = own, .down = row->down};
+    }
+    if (row->bundle == 1)
+    {
+        return (block_target){.first = own, .down = row->down, .is_past = 1};
+    }
+    return (block_target){.first = desk->bundle + before * width,
+                          .down = (ptrdiff_t)(row->bundle * width),
+                          .own = own,
+                          .is_last = before + 1 == row->bundle};
+}
+
+static block_target target_of(const resample_job *job, const resample_desk *desk, uint32_t column)
+{
+    const cm_rows *wanted = &job->wanted;
+    const row_target *row = &desk->row;
+    if (row->first == NULL || column < wanted->first_column ||
+        column + CM_BLOCK_EDGE > wanted->first_column + wanted->column_count)
+    {
+        return (block_target){.down = row->down};
+    }
+    unsigned char *own = row->first + column * row->right;
+    return row->bundle == 0 ? (block_target){.first = own, .down = row->down}
+                            : target_in_bundle(job, desk, column, own);
+}
+
+static void store_past(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
+{
+    for (int i = 0; i < CM_BLOCK_EDGE; i++, from += bytes, to += down)
+    {
+        cm_store_past_caches(to, from, bytes);
+    }
+}
+
+/* The bundle of which this block is the last one goes to memory. */
+static void store_bundle(const resample_desk *desk, const block_target *last, size_t block)
+{
+    const size_t width = (size_t)last->down;
+    store_past(desk->bundle, width, last->own + block - width, desk->row.down);
+}
+
+/* A block that has not gone to its bundle as a whole is in its place already. */
+static void take_to_bundle(const resample_desk *desk, const block_target *target, size_t block)
+{
+    for (int i = 0; i < CM_BLOCK_EDGE; i++)
+    {
+        memcpy(target->first + i * target->down, target->own + i * desk->row.down, block);
+    }
 }
 
 static void store_group(const resample_job *job, unsigned plane, uint32_t block_column,
@@ -356,6 +446,11 @@ static void store_group(const resample_job *job, unsigned plane, uint32_t block_
 {
     const size_t size = job->source->level.pixel_size;
     const int is_whole = group->count == CM_BLOCK_PIXELS;
+    if (is_whole && target->is_past)
+    {
+        store_past(pixels, size * CM_BLOCK_EDGE, target->first, target->down);
+        return;
+    }
     if (is_whole && target->first != NULL)
     {
         copy_rows(pixels, size * CM_BLOCK_EDGE, target->first, target->down);
@@ -430,7 +525,8 @@ static void fetch_group(const cm_source *source, const cm_group *group)
 
 static void fetch_target(const block_target *target, size_t bytes)
 {
-    for (ptrdiff_t i = 0; i < CM_BLOCK_EDGE && target->first != NULL; i++)
+    const int has_rows = target->first != NULL && target->own == NULL && !target->is_past;
+    for (ptrdiff_t i = 0; i < CM_BLOCK_EDGE && has_rows; i++)
     {
         const unsigned char *row = target->first + i * target->down;
         CM_FETCH_TO_WRITE(row + bytes - 1);
@@ -445,7 +541,7 @@ static unsigned place_block(const resample_job *job, resample_desk *desk, unsign
                             uint32_t block_column, uint32_t block_row)
 {
     cm_group *groups = desk->groups[block_column % 2];
-    desk->targets[block_column % 2] = target_of(job, &desk->row, block_column * CM_BLOCK_EDGE);
+    desk->targets[block_column % 2] = target_of(job, desk, block_column * CM_BLOCK_EDGE);
     const unsigned count =
         cm_geometry_block(desk->geometry, plane, block_column, block_row, groups);
     for (unsigned i = 0; i < count; i++)
@@ -453,6 +549,20 @@ static unsigned place_block(const resample_job *job, resample_desk *desk, unsign
         fetch_group(job->source, &groups[i]);
     }
     return count;
+}
+
+/* A whole block of one group at once, where its rows are to be. 0 if that cannot be. */
+static int sample_in_place(const cm_source *source, const cm_group *group,
+                           const block_target *target)
+{
+    cm_window window;
+    if (source->apart == NULL || target->first == NULL || target->is_past ||
+        group->count != CM_BLOCK_PIXELS || !is_there(source, group))
+    {
+        return 0;
+    }
+    cm_level_own(&source->level, group->plane, group->column, group->row, &window);
+    return source->apart(&window, CM_BLOCK_PIXELS, group->x, group->y, target->first, target->down);
 }
 
 static cm_status fill_block(const resample_job *job, resample_desk *desk, unsigned plane,
@@ -463,6 +573,11 @@ static cm_status fill_block(const resample_job *job, resample_desk *desk, unsign
     cm_status status = CM_OK;
     unsigned pixels = 0;
     fetch_target(target, job->source->level.pixel_size * CM_BLOCK_EDGE);
+    if (count == 1 && sample_in_place(job->source, groups, target))
+    {
+        pixels = CM_BLOCK_PIXELS;
+        count = 0;
+    }
     for (unsigned i = 0; i < count && status == CM_OK; i++)
     {
         status = cm_source_sample(job->source, &groups[i], &desk->scratch, desk->pixels);
@@ -475,6 +590,15 @@ static cm_status fill_block(const resample_job *job, resample_desk *desk, unsign
     if (pixels < CM_BLOCK_PIXELS)
     {
         clear_rest(job, plane, block_column, block_row, groups, count);
+    }
+    const size_t block = CM_BLOCK_EDGE * job->source->level.pixel_size;
+    if (target->own != NULL && !(count <= 1 && pixels == CM_BLOCK_PIXELS))
+    {
+        take_to_bundle(desk, target, block);
+    }
+    if (target->is_last)
+    {
+        store_bundle(desk, target, block);
     }
     return status;
 }
@@ -520,7 +644,10 @@ static void do_rows(size_t begin, size_t end, void *user)
     {
         desk->geometry = cm_geometry_create(job->plan, job->source->filter == CM_FILTER_EWA);
         desk->pixels = malloc(CM_BLOCK_PIXELS * job->source->level.pixel_size + 64);
-        status = desk->geometry == NULL || desk->pixels == NULL ? CM_ERROR_MEMORY : CM_OK;
+        desk->bundle = malloc(CM_BLOCK_PIXELS * BUNDLE_MOST * BUNDLED_MOST);
+        status = desk->geometry == NULL || desk->pixels == NULL || desk->bundle == NULL
+                     ? CM_ERROR_MEMORY
+                     : CM_OK;
     }
     const uint32_t rows = block_rows_of(&job->wanted);
     /* a row counts as ROW_WEIGHT elements, so that a thread may have as few rows as it likes */
@@ -529,6 +656,7 @@ static void do_rows(size_t begin, size_t end, void *user)
         status = do_block_row(job, desk, job->wanted.plane + (unsigned)(at / rows),
                               block_rows_before(&job->wanted) + (uint32_t)(at % rows));
     }
+    cm_finish_past_caches();
     if (status != CM_OK)
     {
         atomic_store(&job->failed, (int)status);
@@ -538,6 +666,7 @@ static void do_rows(size_t begin, size_t end, void *user)
         cm_geometry_destroy(desk->geometry);
         free(desk->scratch.bytes);
         free(desk->pixels);
+        free(desk->bundle);
         free(desk);
     }
 }
