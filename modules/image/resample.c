@@ -2,7 +2,7 @@
  *
  * From a source to a target, block by block.
  */
-#include "geometry.h"
+#include "block_target.h"
 #include "large_memory.h"
 #include "past_caches.h"
 #include "source.h"
@@ -24,51 +24,16 @@
 
 #ifdef __GNUC__
 #define CM_FETCH(place) __builtin_prefetch(place)
-#define CM_FETCH_TO_WRITE(place) __builtin_prefetch(place, 1)
 #else
 #define CM_FETCH(place) (void)(place)
-#define CM_FETCH_TO_WRITE(place) (void)(place)
 #endif
 
 /* What all threads work on. */
 typedef struct resample_job
 {
-    const cm_plan *plan;
-    const cm_source *source;
-    const cm_image *to;
-    cm_values values; /* as they are stored in the target */
-    cm_rows wanted;   /* of one plane, or of all if row_count is 0 */
+    cm_target target;
     atomic_int failed;
 } resample_job;
-
-/* So many blocks side by side, at most, have rows of whole lines of memory. */
-#define BUNDLE_MOST 4
-
-/* Bytes of a pixel of which rows are bundled, at most: those of four floats. */
-#define BUNDLED_MOST 16
-
-/* Bytes of a target that caches do not keep. */
-#define LARGE_TARGET ((size_t)4 << 20)
-
-/* Where a row of blocks goes. */
-typedef struct row_target
-{
-    unsigned char *first; /* the pixel of column 0; NULL: pixels go one by one */
-    ptrdiff_t right;      /* from column to column, in bytes */
-    ptrdiff_t down;       /* from row to row */
-    uint32_t bundle;      /* blocks that go to memory together, past the caches; 0: by themselves */
-} row_target;
-
-/* Where the rows of a block go. */
-typedef struct block_target
-{
-    unsigned char *first; /* NULL: pixels go one by one */
-    ptrdiff_t down;       /* from row to row, in bytes */
-    unsigned char
-        *own; /* not NULL: first is in a bundle, and this is where the block's pixels come to be */
-    int is_last; /* of its bundle? */
-    int is_past; /* is it a bundle of its own, without a copy? */
-} block_target;
 
 /* What a thread works with. */
 typedef struct resample_desk
@@ -76,8 +41,8 @@ typedef struct resample_desk
     cm_geometry *geometry;
     cm_scratch scratch;
     cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
-    row_target row;                    /* of the row of blocks that is done */
-    block_target targets[2];
+    cm_row_target row;                 /* of the row of blocks that is done */
+    cm_block_target targets[2];
     unsigned char *pixels; /* of a group */
     unsigned char *bundle; /* of blocks, row by row */
 } resample_desk;
@@ -234,274 +199,6 @@ cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch 
                                : sample_run(source, group, 0, whole, box, scratch, to);
 }
 
-/* ---- into the target ---- */
-
-static unsigned char *target_pixel(const resample_job *job, unsigned plane, uint32_t column,
-                                   uint32_t row, uint32_t *picture_column, uint32_t *picture_row,
-                                   ptrdiff_t *stride)
-{
-    const cm_surface *to = job->plan->to;
-    const cm_placement *place = &to->placement[plane];
-    const cm_image *picture = &job->to[place->picture];
-    const ptrdiff_t size = (ptrdiff_t)(picture->channels * cm_pixel_size(picture->type));
-    const ptrdiff_t right = picture->pixel_stride != 0 ? picture->pixel_stride : size;
-    const ptrdiff_t down = picture->row_stride != 0 ? picture->row_stride : right * picture->width;
-    cm_placement_pixel(to, plane, column, row, picture_column, picture_row);
-    if (place->turn & CM_TURN_EXCHANGED)
-    {
-        *stride = place->turn & CM_TURN_ROWS ? -down : down;
-    }
-    else
-    {
-        *stride = place->turn & CM_TURN_COLUMNS ? -right : right;
-    }
-    return (unsigned char *)picture->data + *picture_row * down + *picture_column * right;
-}
-
-static void store_run(const resample_job *job, unsigned plane, uint32_t column, uint32_t row,
-                      size_t n, unsigned char *pixels)
-{
-    uint32_t picture_column, picture_row;
-    ptrdiff_t stride;
-    unsigned char *to =
-        target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
-    const cm_level *level = &job->source->level;
-    if (!level->is_bytes)
-    {
-        cm_values_store(&job->values, (float *)(void *)pixels, n, picture_column, picture_row, to,
-                        stride);
-    }
-    else if (stride == (ptrdiff_t)level->pixel_size)
-    {
-        memcpy(to, pixels, n * level->pixel_size);
-    }
-    else
-    {
-        for (size_t i = 0; i < n; i++)
-        {
-            memcpy(to + (ptrdiff_t)i * stride, pixels + i * level->pixel_size, level->pixel_size);
-        }
-    }
-}
-
-/* The wanted ones of n pixels of a row that lie side by side. */
-static void store_wanted(const resample_job *job, unsigned plane, uint32_t column, uint32_t row,
-                         uint32_t n, unsigned char *pixels)
-{
-    const cm_rows *wanted = &job->wanted;
-    const uint32_t first = column > wanted->first_column ? column : wanted->first_column;
-    const uint32_t last = wanted->first_column + wanted->column_count;
-    const uint32_t end = column + n < last ? column + n : last;
-    if (row >= wanted->first_row && row < wanted->first_row + wanted->row_count && first < end)
-    {
-        store_run(job, plane, first, row, end - first,
-                  pixels + (first - column) * job->source->level.pixel_size);
-    }
-}
-
-/* Pixels of a group that lie side by side, from the one at an index. */
-static uint32_t run_length(const cm_group *group, unsigned at)
-{
-    const uint8_t first = group->pixel[at];
-    const unsigned most = CM_BLOCK_EDGE - first % CM_BLOCK_EDGE;
-    uint32_t n = 1;
-    while (n < most && at + n < group->count && group->pixel[at + n] == first + n)
-    {
-        n++;
-    }
-    return n;
-}
-
-static inline void copy_each(const unsigned char *from, size_t bytes, unsigned char *to,
-                             ptrdiff_t down)
-{
-    for (int i = 0; i < CM_BLOCK_EDGE; i++, from += bytes, to += down)
-    {
-        memcpy(to, from, bytes);
-    }
-}
-
-/* Rows of a block one below the other, each of so many bytes. The frequent sizes are constants, which need no call. */
-static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
-{
-    switch (bytes)
-    {
-    case CM_BLOCK_EDGE * 3:
-        copy_each(from, CM_BLOCK_EDGE * 3, to, down);
-        break;
-    case CM_BLOCK_EDGE * 4:
-        copy_each(from, CM_BLOCK_EDGE * 4, to, down);
-        break;
-    case CM_BLOCK_EDGE * 12:
-        copy_each(from, CM_BLOCK_EDGE * 12, to, down);
-        break;
-    default:
-        copy_each(from, bytes, to, down);
-    }
-}
-
-/* How many blocks of that row are bundled. */
-static uint32_t bundle_of(const resample_job *job, unsigned plane, const row_target *row)
-{
-    const cm_image *picture = &job->to[job->plan->to->placement[plane].picture];
-    const size_t size = job->source->level.pixel_size;
-    const size_t bytes = size * picture->width * picture->height * job->plan->to->pictures;
-    if (!CM_HAVE_PAST_CACHES || row->first == NULL || size > BUNDLED_MOST || bytes < LARGE_TARGET ||
-        row->down % CM_LINE != 0 || (uintptr_t)row->first % CM_BLOCK_EDGE != 0)
-    {
-        return 0;
-    }
-    return size % 4 == 0 ? 1 : size % 2 == 0 ? 2 : BUNDLE_MOST;
-}
-
-/* Where a row of blocks goes as it is; NULL if it does not. */
-static row_target target_of_row(const resample_job *job, unsigned plane, uint32_t row)
-{
-    const cm_rows *wanted = &job->wanted;
-    const cm_level *level = &job->source->level;
-    uint32_t picture_column, picture_row;
-    ptrdiff_t stride;
-    if (!(level->is_bytes || cm_values_are_copied(&job->values)) || row < wanted->first_row ||
-        row + CM_BLOCK_EDGE > wanted->first_row + wanted->row_count)
-    {
-        return (row_target){NULL, 0, 0, 0};
-    }
-    unsigned char *to = target_pixel(job, plane, 0, row, &picture_column, &picture_row, &stride);
-    const unsigned char *below =
-        target_pixel(job, plane, 0, row + 1, &picture_column, &picture_row, &stride);
-    row_target found = {stride == (ptrdiff_t)level->pixel_size ? to : NULL, stride, below - to, 0};
-    found.bundle = bundle_of(job, plane, &found);
-    return found;
-}
-
-/* A block's place in the bundle, which begins where a line of memory does, if all of it is wanted. */
-static block_target target_in_bundle(const resample_job *job, const resample_desk *desk,
-                                     uint32_t column, unsigned char *own)
-{
-    const cm_rows *wanted = &job->wanted;
-    const row_target *row = &desk->row;
-    const size_t width = CM_BLOCK_EDGE * job->source->level.pixel_size;
-    uint32_t before = 0;
-    while (before < row->bundle && ((uintptr_t)own - before * width) % CM_LINE != 0)
-    {
-        before++;
-    }
-    const uint32_t begin = before * CM_BLOCK_EDGE;
-    if (before >= row->bundle || column < wanted->first_column + begin ||
-        column - begin + row->bundle * CM_BLOCK_EDGE > wanted->first_column + wanted->column_count)
-    {
-        return (block_target){.first = own, .down = row->down};
-    }
-    if (row->bundle == 1)
-    {
-        return (block_target){.first = own, .down = row->down, .is_past = 1};
-    }
-    return (block_target){.first = desk->bundle + before * width,
-                          .down = (ptrdiff_t)(row->bundle * width),
-                          .own = own,
-                          .is_last = before + 1 == row->bundle};
-}
-
-static block_target target_of(const resample_job *job, const resample_desk *desk, uint32_t column)
-{
-    const cm_rows *wanted = &job->wanted;
-    const row_target *row = &desk->row;
-    if (row->first == NULL || column < wanted->first_column ||
-        column + CM_BLOCK_EDGE > wanted->first_column + wanted->column_count)
-    {
-        return (block_target){.down = row->down};
-    }
-    unsigned char *own = row->first + column * row->right;
-    return row->bundle == 0 ? (block_target){.first = own, .down = row->down}
-                            : target_in_bundle(job, desk, column, own);
-}
-
-static void store_past(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
-{
-    for (int i = 0; i < CM_BLOCK_EDGE; i++, from += bytes, to += down)
-    {
-        cm_store_past_caches(to, from, bytes);
-    }
-}
-
-/* The bundle of which this block is the last one goes to memory. */
-static void store_bundle(const resample_desk *desk, const block_target *last, size_t block)
-{
-    const size_t width = (size_t)last->down;
-    store_past(desk->bundle, width, last->own + block - width, desk->row.down);
-}
-
-/* A block that has not gone to its bundle as a whole is in its place already. */
-static void take_to_bundle(const resample_desk *desk, const block_target *target, size_t block)
-{
-    for (int i = 0; i < CM_BLOCK_EDGE; i++)
-    {
-        memcpy(target->first + i * target->down, target->own + i * desk->row.down, block);
-    }
-}
-
-static void store_group(const resample_job *job, unsigned plane, uint32_t block_column,
-                        uint32_t block_row, const cm_group *group, const block_target *target,
-                        unsigned char *pixels)
-{
-    const size_t size = job->source->level.pixel_size;
-    const int is_whole = group->count == CM_BLOCK_PIXELS;
-    if (is_whole && target->is_past)
-    {
-        store_past(pixels, size * CM_BLOCK_EDGE, target->first, target->down);
-        return;
-    }
-    if (is_whole && target->first != NULL)
-    {
-        copy_rows(pixels, size * CM_BLOCK_EDGE, target->first, target->down);
-        return;
-    }
-    for (unsigned i = 0; i < group->count;)
-    {
-        const uint32_t n = is_whole ? CM_BLOCK_EDGE : run_length(group, i);
-        store_wanted(job, plane, block_column * CM_BLOCK_EDGE + group->pixel[i] % CM_BLOCK_EDGE,
-                     block_row * CM_BLOCK_EDGE + group->pixel[i] / CM_BLOCK_EDGE, n,
-                     pixels + i * size);
-        i += n;
-    }
-}
-
-/* What the source does not show is 0. */
-static void clear_pixel(const resample_job *job, unsigned plane, uint32_t column, uint32_t row)
-{
-    const cm_rows *wanted = &job->wanted;
-    if (row >= wanted->first_row && row < wanted->first_row + wanted->row_count &&
-        column >= wanted->first_column && column < wanted->first_column + wanted->column_count)
-    {
-        uint32_t picture_column, picture_row;
-        ptrdiff_t stride;
-        unsigned char *to =
-            target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
-        memset(to, 0, job->to->channels * cm_pixel_size(job->to->type));
-    }
-}
-
-static void clear_rest(const resample_job *job, unsigned plane, uint32_t block_column,
-                       uint32_t block_row, const cm_group *groups, unsigned count)
-{
-    unsigned char there[CM_BLOCK_PIXELS] = {0};
-    for (unsigned i = 0; i < count; i++)
-    {
-        for (unsigned k = 0; k < groups[i].count; k++)
-        {
-            there[groups[i].pixel[k]] = 1;
-        }
-    }
-    for (unsigned i = 0; i < CM_BLOCK_PIXELS; i++)
-    {
-        if (!there[i])
-        {
-            clear_pixel(job, plane, block_column * CM_BLOCK_EDGE + i % CM_BLOCK_EDGE,
-                        block_row * CM_BLOCK_EDGE + i / CM_BLOCK_EDGE);
-        }
-    }
-}
-
 /* Blocks go along curves in the source, which processors do not foresee: so what a block needs is asked for while the one
  * before it is done. Of eight pixels in a row one will do, of four where they are large, which has its last row of taps
  * asked for. */
@@ -523,37 +220,24 @@ static void fetch_group(const cm_source *source, const cm_group *group)
     }
 }
 
-static void fetch_target(const block_target *target, size_t bytes)
-{
-    const int has_rows = target->first != NULL && target->own == NULL && !target->is_past;
-    for (ptrdiff_t i = 0; i < CM_BLOCK_EDGE && has_rows; i++)
-    {
-        const unsigned char *row = target->first + i * target->down;
-        CM_FETCH_TO_WRITE(row + bytes - 1);
-        for (size_t at = 64; at < bytes; at += 64)
-        {
-            CM_FETCH_TO_WRITE(row + bytes - 1 - at);
-        }
-    }
-}
-
 static unsigned place_block(const resample_job *job, resample_desk *desk, unsigned plane,
                             uint32_t block_column, uint32_t block_row)
 {
     cm_group *groups = desk->groups[block_column % 2];
-    desk->targets[block_column % 2] = target_of(job, desk, block_column * CM_BLOCK_EDGE);
+    desk->targets[block_column % 2] =
+        cm_target_block(&job->target, &desk->row, block_column * CM_BLOCK_EDGE);
     const unsigned count =
         cm_geometry_block(desk->geometry, plane, block_column, block_row, groups);
     for (unsigned i = 0; i < count; i++)
     {
-        fetch_group(job->source, &groups[i]);
+        fetch_group(job->target.source, &groups[i]);
     }
     return count;
 }
 
 /* A whole block of one group at once, where its rows are to be. 0 if that cannot be. */
 static int sample_in_place(const cm_source *source, const cm_group *group,
-                           const block_target *target)
+                           const cm_block_target *target)
 {
     cm_window window;
     if (source->apart == NULL || target->first == NULL || target->is_past ||
@@ -569,55 +253,48 @@ static cm_status fill_block(const resample_job *job, resample_desk *desk, unsign
                             uint32_t block_column, uint32_t block_row, unsigned count)
 {
     cm_group *groups = desk->groups[block_column % 2];
-    const block_target *target = &desk->targets[block_column % 2];
+    const cm_block_target *target = &desk->targets[block_column % 2];
     cm_status status = CM_OK;
     unsigned pixels = 0;
-    fetch_target(target, job->source->level.pixel_size * CM_BLOCK_EDGE);
-    if (count == 1 && sample_in_place(job->source, groups, target))
+    cm_target_fetch(target, job->target.source->level.pixel_size * CM_BLOCK_EDGE);
+    if (count == 1 && sample_in_place(job->target.source, groups, target))
     {
         pixels = CM_BLOCK_PIXELS;
         count = 0;
     }
     for (unsigned i = 0; i < count && status == CM_OK; i++)
     {
-        status = cm_source_sample(job->source, &groups[i], &desk->scratch, desk->pixels);
+        status = cm_source_sample(job->target.source, &groups[i], &desk->scratch, desk->pixels);
         if (status == CM_OK)
         {
-            store_group(job, plane, block_column, block_row, &groups[i], target, desk->pixels);
+            cm_target_store(&job->target, plane, block_column, block_row, &groups[i], target,
+                            desk->pixels);
         }
         pixels += groups[i].count;
     }
     if (pixels < CM_BLOCK_PIXELS)
     {
-        clear_rest(job, plane, block_column, block_row, groups, count);
+        cm_target_clear(&job->target, plane, block_column, block_row, groups, count);
     }
-    const size_t block = CM_BLOCK_EDGE * job->source->level.pixel_size;
-    if (target->own != NULL && !(count <= 1 && pixels == CM_BLOCK_PIXELS))
-    {
-        take_to_bundle(desk, target, block);
-    }
-    if (target->is_last)
-    {
-        store_bundle(desk, target, block);
-    }
+    cm_target_finish(&job->target, &desk->row, target, count <= 1 && pixels == CM_BLOCK_PIXELS);
     return status;
 }
 
 static cm_status do_block_row(const resample_job *job, resample_desk *desk, unsigned plane,
                               uint32_t block_row)
 {
-    const cm_rows *wanted = &job->wanted;
+    const cm_rows *wanted = &job->target.wanted;
     const uint32_t first = wanted->first_column / CM_BLOCK_EDGE;
     const uint32_t last = (wanted->first_column + wanted->column_count - 1) / CM_BLOCK_EDGE;
     cm_status status = CM_OK;
-    desk->row = target_of_row(job, plane, block_row * CM_BLOCK_EDGE);
+    desk->row = cm_target_row(&job->target, plane, block_row * CM_BLOCK_EDGE, desk->bundle);
     unsigned count = place_block(job, desk, plane, first, block_row);
     for (uint32_t column = first; column <= last && status == CM_OK; column++)
     {
         const unsigned next =
             column < last ? place_block(job, desk, plane, column + 1, block_row) : 0;
         status = fill_block(job, desk, plane, column, block_row, count);
-        cm_large_touched(job->plan->options.memory, BLOCK_TOUCHES);
+        cm_large_touched(job->target.plan->options.memory, BLOCK_TOUCHES);
         count = next;
     }
     return status;
@@ -642,19 +319,20 @@ static void do_rows(size_t begin, size_t end, void *user)
     cm_status status = desk == NULL ? CM_ERROR_MEMORY : CM_OK;
     if (status == CM_OK)
     {
-        desk->geometry = cm_geometry_create(job->plan, job->source->filter == CM_FILTER_EWA);
-        desk->pixels = malloc(CM_BLOCK_PIXELS * job->source->level.pixel_size + 64);
-        desk->bundle = malloc(CM_BLOCK_PIXELS * BUNDLE_MOST * BUNDLED_MOST);
+        desk->geometry =
+            cm_geometry_create(job->target.plan, job->target.source->filter == CM_FILTER_EWA);
+        desk->pixels = malloc(CM_BLOCK_PIXELS * job->target.source->level.pixel_size + 64);
+        desk->bundle = malloc(CM_BUNDLE_BYTES);
         status = desk->geometry == NULL || desk->pixels == NULL || desk->bundle == NULL
                      ? CM_ERROR_MEMORY
                      : CM_OK;
     }
-    const uint32_t rows = block_rows_of(&job->wanted);
+    const uint32_t rows = block_rows_of(&job->target.wanted);
     /* a row counts as ROW_WEIGHT elements, so that a thread may have as few rows as it likes */
     for (size_t at = begin / ROW_WEIGHT; at < end / ROW_WEIGHT && status == CM_OK; at++)
     {
-        status = do_block_row(job, desk, job->wanted.plane + (unsigned)(at / rows),
-                              block_rows_before(&job->wanted) + (uint32_t)(at % rows));
+        status = do_block_row(job, desk, job->target.wanted.plane + (unsigned)(at / rows),
+                              block_rows_before(&job->target.wanted) + (uint32_t)(at % rows));
     }
     cm_finish_past_caches();
     if (status != CM_OK)
@@ -698,21 +376,21 @@ cm_status cm_resample_source(const cm_plan *plan, const cm_source *source, cm_im
     {
         return CM_ERROR_ARGUMENT;
     }
-    resample_job job = {.plan = plan, .source = source, .to = to, .wanted = rows};
+    resample_job job = {.target = {.plan = plan, .source = source, .to = to, .wanted = rows}};
     cm_status status = cm_pictures_check(plan->to, to);
     if (status != CM_OK)
     {
         return status;
     }
-    job.values = cm_values_of(plan, to);
-    job.values.working = source->values.working;
-    const uint32_t planes = complete(plan->to, &job.wanted);
+    job.target.values = cm_values_of(plan, to);
+    job.target.values.working = source->values.working;
+    const uint32_t planes = complete(plan->to, &job.target.wanted);
     if (planes == 0 || to->channels != source->values.channels || to->type != source->target_type)
     {
         return CM_ERROR_RANGE;
     }
     atomic_init(&job.failed, CM_OK);
-    cm_run_threads(threads, (size_t)planes * block_rows_of(&job.wanted) * ROW_WEIGHT,
+    cm_run_threads(threads, (size_t)planes * block_rows_of(&job.target.wanted) * ROW_WEIGHT,
                    4 * ROW_WEIGHT, do_rows, &job);
     return (cm_status)atomic_load(&job.failed);
 }
