@@ -670,17 +670,35 @@ static unsigned settle(const cm_geometry *geometry, uint32_t block_column, uint3
     return is_group_inside(from, groups, slack) ? 1 : bring_back(geometry, slack, groups);
 }
 
+/* A block of a patch. Returns 0 if it is none. */
+static int patch_block(cm_geometry *geometry, unsigned plane, uint32_t block_column,
+                       uint32_t block_row, cm_group *group)
+{
+    cm_patch_places places;
+    if (!cm_patches_block(geometry->patches, plane, block_column, block_row, &places, group->x,
+                          group->y))
+    {
+        return 0;
+    }
+    group->plane = places.plane;
+    group->column = places.column;
+    group->row = places.row;
+    group->count = CM_BLOCK_PIXELS;
+    group->is_bounded = 1;
+    memcpy(group->low, places.low, sizeof group->low);
+    memcpy(group->high, places.high, sizeof group->high);
+    memcpy(group->pixel, geometry->all_pixels, sizeof group->pixel);
+    return 1;
+}
+
 /* Returns how many groups there are; 0: the block is to be done exactly. */
 static unsigned near_block(cm_geometry *geometry, unsigned plane, uint32_t block_column,
                            uint32_t block_row, cm_group *groups)
 {
     const cm_plan *plan = geometry->plan;
     const double slack = fmin(plan->options.tolerance, SLACK_MOST);
-    if (geometry->patches != NULL &&
-        cm_patches_block(geometry->patches, plane, block_column, block_row, groups))
+    if (geometry->patches != NULL && patch_block(geometry, plane, block_column, block_row, groups))
     {
-        groups->count = CM_BLOCK_PIXELS;
-        memcpy(groups->pixel, geometry->all_pixels, sizeof groups->pixel);
         return settle(geometry, block_column, block_row, slack, groups);
     }
     const cm_lattice *lattice = lattice_at(geometry, plane, block_column, block_row);

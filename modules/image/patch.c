@@ -194,7 +194,7 @@ static const patch *patch_at(cm_patches *patches, unsigned plane, uint32_t colum
 }
 
 int cm_patches_block(cm_patches *patches, unsigned plane, uint32_t block_column, uint32_t block_row,
-                     cm_group *group)
+                     cm_patch_places *places, float *x, float *y)
 {
     const patch *found = patch_at(patches, plane, block_column / EDGE, block_row / EDGE);
     if (found->state != GOOD)
@@ -204,14 +204,10 @@ int cm_patches_block(cm_patches *patches, unsigned plane, uint32_t block_column,
     const cm_patches *kept = patches;
     const cm_wide_weights *across = &kept->weights[block_column % EDGE];
     const cm_wide_weights *along = &kept->weights[block_row % EDGE];
-    group->plane = found->plane;
-    group->column = found->column;
-    group->row = found->row;
-    group->is_bounded = 1;
-    for (int k = 0; k < 2; k++)
-    {
-        patches->set->place_wide(k == 0 ? found->x : found->y, across, along,
-                                 k == 0 ? group->x : group->y, &group->low[k], &group->high[k]);
-    }
+    places->plane = found->plane;
+    places->column = found->column;
+    places->row = found->row;
+    kept->set->place_wide(found->x, across, along, x, &places->low[0], &places->high[0]);
+    kept->set->place_wide(found->y, across, along, y, &places->low[1], &places->high[1]);
     return 1;
 }
