@@ -3,7 +3,7 @@
  * How exact depth images are, and what is drawn: the worst of a picture of 640 x 480 in the machine's best instruction set,
  * beside the same in double, a line each, tab-separated: what, the error, and its unit.
  *
- *   scene-errors
+ *   view-exactness
  */
 #include "bench/harness/harness.h"
 
@@ -45,7 +45,7 @@ static void must(cm_status status)
 {
     if (status != CM_OK)
     {
-        fprintf(stderr, "scene-errors: %s\n", cm_status_text(status));
+        fprintf(stderr, "view-exactness: %s\n", cm_status_text(status));
         exit(EXIT_FAILURE);
     }
 }
@@ -257,7 +257,7 @@ int main(void)
                                        .cy = 239.5};
     cm_camera *camera = NULL;
     cm_rays *rays = NULL;
-    name_program("scene-errors");
+    name_program("view-exactness");
     for (size_t i = 0; i < PIXELS; i++)
     {
         column[i] = (double)(i % WIDTH);
