@@ -12,7 +12,7 @@
 #define TURN 6.283185307179586476925286766559
 
 /* Corners of a chain, and halvings between two sides. */
-#define CORNERS_MOST 4096
+#define CORNERS_MOST 1024
 #define HALVINGS_MOST 24
 
 /* A line may be off by so much of a pixel, and of how far it is from the picture. */

@@ -289,7 +289,7 @@ static void mark_direction(const cm_camera *camera, double angle, double most, u
 {
     enum
     {
-        STEPS = 2500
+        STEPS = 1300
     };
     double ray[3][STEPS];
     double pixel[2][STEPS];
@@ -327,7 +327,7 @@ START_TEST(one_side_may_fold)
         .distortion = {-0.6, 0.3, 0.05, -0.1, 0.0, 0.0, 0.0, 0.0, 0.1, -0.05, 0.05}};
     cm_camera *camera = make(&options);
     unsigned char *mark = calloc(640 * 480, 1);
-    const int turns = 8000;
+    const int turns = 4000;
     int folds = 0;
     int seen[2] = {0, 0};
     for (int i = 0; i < turns; i++)
