@@ -115,6 +115,57 @@ one()
     end
 }
 
+# aside NAME COMMAND...: what counts for one, for a function that begin_aside runs.
+aside()
+{
+    local folder status=0 begun=$SECONDS
+    aside_count=$((aside_count + 1))
+    folder=$(printf '%s/%03d' "$aside_folder" "$aside_count")
+    mkdir "$folder"
+    echo "$1" >"$folder/name"
+    shift
+    "$@" >"$folder/output" 2>&1 || status=$?
+    echo "$((SECONDS - begun))" >"$folder/seconds"
+    echo "$status" >"$folder/status"
+}
+
+# begin_aside FUNCTION: runs it beside the stages that follow, until join_aside.
+begin_aside()
+{
+    aside_folder=$(mktemp -d)
+    aside_count=0
+    "$1" &
+    aside_process=$!
+    trap 'kill "$aside_process" 2>/dev/null || true; rm -rf "$output" "$ledger" "$failures" "$aside_folder"' EXIT
+}
+
+# join_aside COUNT: what the function has done, which must be so many stages.
+join_aside()
+{
+    local folder seconds status
+    wait "$aside_process" || true
+    for folder in "$aside_folder"/*/; do
+        [[ -f $folder/name ]] || continue
+        begin "$(cat "$folder/name")"
+        cat "$folder/output" | tee "$output"
+        seconds=$(cat "$folder/seconds" 2>/dev/null || echo 0)
+        status=$(cat "$folder/status" 2>/dev/null || echo 'no end')
+        if [[ $status == 0 ]]; then
+            count 1 0
+        else
+            note_failure "ended with $status"
+            count 0 1
+        fi
+        printf '%-56s %5d s beside others\n' "$stage" "$seconds" >>"$ledger"
+    done
+    if [[ $(find "$aside_folder" -name name | wc -l) -ne $1 ]]; then
+        stage='beside others'
+        note_failure 'some stages did not begin'
+        count 0 1
+    fi
+    rm -rf "$aside_folder"
+}
+
 # finish: the ledger, what failed, the total, and the exit status.
 finish()
 {

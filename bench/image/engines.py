@@ -286,7 +286,7 @@ def versions(engines):
 def contestants(build, only):
     """Those whose names have the word only and whose programs are here, and the names of programs that are not. All are
     compared with the first of them."""
-    engines = [Reproject(build, "bilinear"), Reproject(build, "nearest")]
+    engines = [Reproject(build, name) for name in ("bilinear", "nearest", "lanczos3", "bspline5", "ewa")]
     engines += [V360(name) for name in ("line", "cubic", "lanczos")] + [V360WithEnds("cubic")]
     engines += [Nona(name) for name in Nona.INTERPOLATORS]
     engines += [Gdalwarp(name, False) for name in ("bilinear", "cubic", "lanczos")] + [Gdalwarp("cubic", True)]

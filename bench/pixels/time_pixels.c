@@ -4,7 +4,8 @@
  * et al.), on the same points in one interleaved run on one core: nanoseconds a point, and beside them how many of the
  * points the arrays and chealpix put into a pixel that they are not in, or how far their centres are from the true ones,
  * by quadruple precision (truth/quad_healpix.h). That of a point alone is the arrays' to the bit, and
- * neighbours are healpix_cxx's: how many are not is said.
+ * neighbours are healpix_cxx's: how many are not is said. Who takes a vector of three is given it where it is, as a
+ * program has its points; healpix_cxx takes three numbers.
  *
  * Usage: pixels [--nside N] [--points N] [--repetitions N] [--set NAME] [--count]
  */
@@ -48,6 +49,9 @@ typedef struct batch
     double *phi;
     int64_t *number[2];
     double *made[3];
+    double (*vector)[3];      /* the directions again, as functions of one point take them */
+    double (*made_vector)[3]; /* and as they give them: made is of who gives arrays */
+    int are_vectors;          /* 1: the last centres are there */
     int64_t *pixel;
     int64_t (*around)[8];
 } batch;
@@ -66,8 +70,7 @@ static void alone_from_direction(batch *b, int order)
 {
     for (size_t i = 0; i < b->n; i++)
     {
-        const double v[3] = {b->direction[0][i], b->direction[1][i], b->direction[2][i]};
-        (void)cm_healpix_pixel_from_direction(b->healpix[order], v, &b->pixel[i]);
+        (void)cm_healpix_pixel_from_direction(b->healpix[order], b->vector[i], &b->pixel[i]);
     }
 }
 
@@ -75,8 +78,8 @@ static void their_from_direction(batch *b, int order)
 {
     for (size_t i = 0; i < b->n; i++)
     {
-        const double v[3] = {b->direction[0][i], b->direction[1][i], b->direction[2][i]};
-        (order == CM_HEALPIX_RING ? vec2pix_ring64 : vec2pix_nest64)(b->nside, v, &b->pixel[i]);
+        (order == CM_HEALPIX_RING ? vec2pix_ring64 : vec2pix_nest64)(b->nside, b->vector[i],
+                                                                     &b->pixel[i]);
     }
 }
 
@@ -112,25 +115,20 @@ static void alone_to_direction(batch *b, int order)
 {
     for (size_t i = 0; i < b->n; i++)
     {
-        double v[3];
-        (void)cm_healpix_direction_from_pixel(b->healpix[order], b->number[order][i], v);
-        b->made[0][i] = v[0];
-        b->made[1][i] = v[1];
-        b->made[2][i] = v[2];
+        (void)cm_healpix_direction_from_pixel(b->healpix[order], b->number[order][i],
+                                              b->made_vector[i]);
     }
+    b->are_vectors = 1;
 }
 
 static void their_to_direction(batch *b, int order)
 {
     for (size_t i = 0; i < b->n; i++)
     {
-        double v[3];
         (order == CM_HEALPIX_RING ? pix2vec_ring64 : pix2vec_nest64)(b->nside, b->number[order][i],
-                                                                     v);
-        b->made[0][i] = v[0];
-        b->made[1][i] = v[1];
-        b->made[2][i] = v[2];
+                                                                     b->made_vector[i]);
     }
+    b->are_vectors = 1;
 }
 
 static void our_to_angles(batch *b, int order)
@@ -230,6 +228,20 @@ static void cxx_neighbours(batch *b, int order)
 #else
 #define CXX(function) NULL
 #endif
+
+/* What was made as vectors, as arrays. */
+static void run_and_spread(batch *b, function run, int order)
+{
+    b->are_vectors = 0;
+    run(b, order);
+    for (size_t i = 0; b->are_vectors && i < b->n; i++)
+    {
+        for (size_t k = 0; k < 3; k++)
+        {
+            b->made[k][i] = b->made_vector[i][k];
+        }
+    }
+}
 
 /* ---- Errors ---- */
 
@@ -374,6 +386,8 @@ static void fill(batch *b)
     b->phi = allocate(b->n, sizeof(double));
     b->pixel = allocate(b->n, sizeof(int64_t));
     b->around = allocate(b->n, sizeof *b->around);
+    b->vector = allocate(b->n, sizeof *b->vector);
+    b->made_vector = allocate(b->n, sizeof *b->made_vector);
     b->number[0] = allocate(b->n, sizeof(int64_t));
     b->number[1] = allocate(b->n, sizeof(int64_t));
     for (size_t i = 0; i < b->n; i++)
@@ -382,7 +396,7 @@ static void fill(batch *b)
         next_direction(&state, d);
         for (int k = 0; k < 3; k++)
         {
-            b->direction[k][i] = d[k];
+            b->direction[k][i] = b->vector[i][k] = d[k];
         }
         b->theta[i] = atan2(hypot(d[0], d[1]), d[2]);
         b->phi[i] = atan2(d[1], d[0]);
@@ -421,7 +435,7 @@ static size_t count_apart(batch *b, size_t row, int order, int one, int other)
     for (int k = 0; k < 2; k++)
     {
         kept[k] = allocate(12 * b->n, sizeof(int64_t));
-        runs[k](b, order);
+        run_and_spread(b, runs[k], order);
         memcpy(kept[k], b->pixel, bytes);
         for (size_t c = 0; c < 3; c++)
         {
@@ -455,7 +469,7 @@ static void print_row(batch *b, size_t row, int order, const double best[CONTEST
         char text[32] = "";
         if (rows[row].run[c] != NULL)
         {
-            rows[row].run[c](b, order);
+            run_and_spread(b, rows[row].run[c], order);
             error_text(b, rows[row].kind, order, text, sizeof text);
         }
         printf("   %-12s", text);
@@ -611,6 +625,8 @@ int main(int argc, char **argv)
     free(b.phi);
     free(b.pixel);
     free(b.around);
+    free(b.vector);
+    free(b.made_vector);
     free(b.number[0]);
     free(b.number[1]);
     return status;

@@ -8,9 +8,11 @@
  *     mapping.forward(x, y, z, face, u, v);                 arrays, vectors, spans, of double or float
  *
  *   objects     NAME owns its object and can be moved, NAME_view does not; both have its methods
- *   arrays      spans, std::span where there is one; the first says how many there are, and the others must not be shorter
+ *   arrays      spans, std::span where there is one; the first says how many there are. What is shorter than the function
+ *               needs is refused as CM_ERROR_ARGUMENT, before anything is read or written; nobody looks into structs
  *   errors      what returns a cm_status in C throws; its twin that begins with try_ returns it
- *   modules     of the functions of colormap.h a program links cubemap-colormap, of those for pictures cubemap-image
+ *   modules     of the functions of colormap.h a program links cubemap-colormap, of those for pictures cubemap-image, of
+ *               those of scene.h cubemap-scene
  *
  * Made by bindings/cpp/make_header.py of bindings/functions.
  */
@@ -25,6 +27,7 @@
 #include <cubemap/image.h>
 #include <cubemap/mips.h>
 #include <cubemap/panorama.h>
+#include <cubemap/scene.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -111,9 +114,47 @@ inline void check(cm_status status)
     }
 }
 
-template <class N> constexpr N whole(std::size_t size) noexcept
+/* A number of things; C refuses one below 0 itself. */
+template <class N> constexpr std::size_t whole(N number) noexcept
 {
-    return static_cast<N>(size);
+    return number > N{0} ? static_cast<std::size_t>(number) : 0;
+}
+
+/* Is size at least the product of the others? */
+constexpr bool holds(std::size_t size, std::size_t factor) noexcept
+{
+    return size >= factor;
+}
+
+template <class... Rest> constexpr bool holds(std::size_t size, std::size_t factor, std::size_t next, Rest... rest) noexcept
+{
+    return factor == 0 || holds(size / factor, next, rest...);
+}
+
+/* Do three elements of each of n points have room, from stride to stride? Behind a span's end and ahead of its begin nothing does. */
+constexpr bool strides(std::size_t size, std::size_t n, std::ptrdiff_t stride) noexcept
+{
+    return n == 0 || (size >= 3 && stride >= 0 && (stride == 0 || (size - 3) / static_cast<std::size_t>(stride) >= n - 1));
+}
+
+constexpr std::size_t sum(span<const std::size_t> numbers) noexcept
+{
+    std::size_t all = 0;
+    for (std::size_t number : numbers)
+    {
+        all = number < SIZE_MAX - all ? all + number : SIZE_MAX;
+    }
+    return all;
+}
+
+constexpr std::size_t channels(const cm_image *picture) noexcept
+{
+    return picture != nullptr ? static_cast<std::size_t>(picture->channels) : 0;
+}
+
+constexpr std::size_t pixels(const cm_image &picture) noexcept
+{
+    return static_cast<std::size_t>(picture.width) * picture.height;
 }
 
 /* A view that owns what it shows. */
@@ -155,12 +196,33 @@ private:
 
 } // namespace detail
 
+/* A blob that store_view::get fills, and that gives its bytes back. */
+struct blob : cm_blob
+{
+    blob() noexcept : cm_blob{sizeof(cm_blob), 0, 0, nullptr, 0} {}
+    blob(const blob &) = delete;
+    blob &operator=(const blob &) = delete;
+    ~blob() { cm_blob_clear(this); }
+};
+
+/* A struct of C with its size set, and zeros else. */
+template <class T> T sized() noexcept
+{
+    T made{};
+    made.size = sizeof(T);
+    return made;
+}
+
 class advice_view;
 class advice;
+class camera_view;
+class camera;
 class cell_grid_view;
 class cell_grid;
 class colormap_view;
 class colormap;
+class depth_pyramid_view;
+class depth_pyramid;
 class environment_view;
 class environment;
 class errors_view;
@@ -173,16 +235,32 @@ class latitude_conversion_view;
 class latitude_conversion;
 class mapping_view;
 class mapping;
+class mesh_view;
+class mesh;
 class mips_view;
 class mips;
+class motion_view;
+class motion;
 class plan_view;
 class plan;
+class pool_view;
+class pool;
+class raster_view;
+class raster;
+class rays_view;
+class rays;
 class region_view;
 class region;
+class scene_view;
+class scene;
 class source_view;
 class source;
+class store_view;
+class store;
 class surface_view;
 class surface;
+class trajectory_view;
+class trajectory;
 
 /* An object cm_advice that somebody else owns. */
 class advice_view
@@ -211,6 +289,43 @@ public:
     // cm_advise
     static result<advice> try_make(const cm_advice_request &request, const cm_advice_costs &costs);
     advice(const cm_advice_request &request, const cm_advice_costs &costs);
+};
+
+/* An object cm_camera that somebody else owns. */
+class camera_view
+{
+public:
+    explicit camera_view(const cm_camera *handle) noexcept : handle_(handle) {}
+    const cm_camera *get() const noexcept { return handle_; }
+    // cm_camera_describe
+    const cm_camera_options * describe() const;
+    // cm_camera_project_array
+    void project(span<const double> x, span<const double> y, span<const double> z, span<double> column,
+        span<double> row) const;
+    // cm_camera_ray_array
+    void ray(span<const double> column, span<const double> row, span<double> x, span<double> y, span<double>
+        z) const;
+    // cm_camera_jacobian
+    void jacobian(const double (&point)[3], double (&jacobian)[6]) const;
+    // cm_camera_solid_angle
+    double solid_angle(double column, double row) const;
+    // cm_camera_has_ray
+    int has_ray(double column, double row) const;
+    // cm_camera_border
+    double border(double angle) const;
+
+private:
+    const cm_camera *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class camera : public detail::owner<camera_view, cm_camera, cm_camera_destroy>
+{
+public:
+    explicit camera(cm_camera *handle) noexcept : owner(handle) {}
+    // cm_camera_create
+    static result<camera> try_make(const cm_camera_options *options = nullptr);
+    explicit camera(const cm_camera_options *options = nullptr);
 };
 
 /* An object cm_cell_grid that somebody else owns. */
@@ -329,6 +444,45 @@ public:
     // cm_colormap_fit
     result<colormap> try_fit() const;
     colormap fit() const;
+};
+
+/* An object cm_depth_pyramid that somebody else owns. */
+class depth_pyramid_view
+{
+public:
+    explicit depth_pyramid_view(cm_depth_pyramid *handle) noexcept : handle_(handle) {}
+    cm_depth_pyramid *get() const noexcept { return handle_; }
+    // cm_depth_pyramid_use_pool
+    cm_status try_use_pool(pool_view pool) const;
+    void use_pool(pool_view pool) const;
+    // cm_depth_pyramid_pixel_count
+    size_t pixel_count() const;
+    // cm_depth_pyramid_fill
+    cm_status try_fill(span<const float> image, unsigned threads) const;
+    void fill(span<const float> image, unsigned threads) const;
+    // cm_depth_pyramid_last
+    uint32_t last() const;
+    // cm_depth_pyramid_level
+    cm_status try_level(uint32_t level, cm_depth_level *cells) const;
+    void level(uint32_t level, cm_depth_level *cells) const;
+    // cm_depth_pyramid_bounds
+    cm_status try_bounds(uint32_t column, uint32_t row, uint32_t last_column, uint32_t last_row,
+        cm_depth_bounds *bounds) const;
+    void bounds(uint32_t column, uint32_t row, uint32_t last_column, uint32_t last_row, cm_depth_bounds
+        *bounds) const;
+
+private:
+    cm_depth_pyramid *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class depth_pyramid : public detail::owner<depth_pyramid_view, cm_depth_pyramid, cm_depth_pyramid_destroy>
+{
+public:
+    explicit depth_pyramid(cm_depth_pyramid *handle) noexcept : owner(handle) {}
+    // cm_depth_pyramid_create
+    static result<depth_pyramid> try_make(uint32_t width, uint32_t height, const char *instructions);
+    depth_pyramid(uint32_t width, uint32_t height, const char *instructions);
 };
 
 /* An object cm_environment that somebody else owns. */
@@ -824,6 +978,31 @@ public:
     mapping(const char *specification, const cm_frame *frame, const cm_options *options);
 };
 
+/* An object cm_mesh that somebody else owns. */
+class mesh_view
+{
+public:
+    explicit mesh_view(const cm_mesh *handle) noexcept : handle_(handle) {}
+    const cm_mesh *get() const noexcept { return handle_; }
+    // cm_mesh_describe
+    const cm_mesh_options * describe() const;
+    // cm_mesh_bounds
+    void bounds(double (&least)[3], double (&greatest)[3]) const;
+
+private:
+    const cm_mesh *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class mesh : public detail::owner<mesh_view, cm_mesh, cm_mesh_destroy>
+{
+public:
+    explicit mesh(cm_mesh *handle) noexcept : owner(handle) {}
+    // cm_mesh_create
+    static result<mesh> try_make(const cm_mesh_options &options);
+    explicit mesh(const cm_mesh_options &options);
+};
+
 /* An object cm_mips that somebody else owns. */
 class mips_view
 {
@@ -848,6 +1027,35 @@ public:
     static result<mips> try_make(surface_view surface, const cm_image *pictures, const cm_plan_options
         *options, unsigned threads);
     mips(surface_view surface, const cm_image *pictures, const cm_plan_options *options, unsigned threads);
+};
+
+/* An object cm_motion that somebody else owns. */
+class motion_view
+{
+public:
+    explicit motion_view(const cm_motion *handle) noexcept : handle_(handle) {}
+    const cm_motion *get() const noexcept { return handle_; }
+    // cm_motion_at
+    cm_status try_at(double time, cm_motion_state *state) const;
+    void at(double time, cm_motion_state *state) const;
+    // cm_motion_inertial
+    cm_status try_inertial(const cm_inertial_options *options, span<double> stamp, span<double> acceleration,
+        span<double> rate, size_t *count) const;
+    void inertial(const cm_inertial_options *options, span<double> stamp, span<double> acceleration,
+        span<double> rate, size_t *count) const;
+
+private:
+    const cm_motion *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class motion : public detail::owner<motion_view, cm_motion, cm_motion_destroy>
+{
+public:
+    explicit motion(cm_motion *handle) noexcept : owner(handle) {}
+    // cm_motion_create
+    static result<motion> try_make(trajectory_view trajectory);
+    explicit motion(trajectory_view trajectory);
 };
 
 /* An object cm_plan that somebody else owns. */
@@ -884,6 +1092,120 @@ public:
     static plan read(span<const char> text, const char *instructions);
 };
 
+/* An object cm_pool that somebody else owns. */
+class pool_view
+{
+public:
+    explicit pool_view(cm_pool *handle) noexcept : handle_(handle) {}
+    cm_pool *get() const noexcept { return handle_; }
+    // cm_pool_threads
+    unsigned threads() const;
+    // cm_pool_run
+    void run(size_t n, size_t least, cm_job job, void *user) const;
+
+private:
+    cm_pool *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class pool : public detail::owner<pool_view, cm_pool, cm_pool_destroy>
+{
+public:
+    explicit pool(cm_pool *handle) noexcept : owner(handle) {}
+    // cm_pool_create
+    static result<pool> try_make(unsigned threads);
+    explicit pool(unsigned threads);
+};
+
+/* An object cm_raster that somebody else owns. */
+class raster_view
+{
+public:
+    explicit raster_view(cm_raster *handle) noexcept : handle_(handle) {}
+    cm_raster *get() const noexcept { return handle_; }
+    // cm_raster_use_pool
+    cm_status try_use_pool(pool_view pool) const;
+    void use_pool(pool_view pool) const;
+    // cm_raster_pixel_count
+    size_t pixel_count() const;
+    // cm_raster_clear
+    void clear() const;
+    // cm_raster_triangles
+    cm_status try_triangles(const cm_pose *pose, const cm_triangles &triangles, unsigned threads) const;
+    void triangles(const cm_pose *pose, const cm_triangles &triangles, unsigned threads) const;
+    // cm_raster_discs
+    cm_status try_discs(const cm_pose *pose, const cm_discs &discs, unsigned threads) const;
+    void discs(const cm_pose *pose, const cm_discs &discs, unsigned threads) const;
+    // cm_raster_points
+    cm_status try_points(const cm_pose *pose, const cm_points &points, unsigned threads) const;
+    void points(const cm_pose *pose, const cm_points &points, unsigned threads) const;
+    // cm_raster_read
+    cm_status try_read(span<float> image, span<uint32_t> id) const;
+    void read(span<float> image, span<uint32_t> id) const;
+    // cm_raster_weights
+    cm_status try_weights(const cm_pose *pose, const cm_triangles &triangles, span<float> second, span<float>
+        third) const;
+    void weights(const cm_pose *pose, const cm_triangles &triangles, span<float> second, span<float> third)
+        const;
+
+private:
+    cm_raster *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class raster : public detail::owner<raster_view, cm_raster, cm_raster_destroy>
+{
+public:
+    explicit raster(cm_raster *handle) noexcept : owner(handle) {}
+    // cm_raster_create
+    static result<raster> try_make(camera_view camera, double nearest, const char *instructions);
+    raster(camera_view camera, double nearest, const char *instructions);
+};
+
+/* An object cm_rays that somebody else owns. */
+class rays_view
+{
+public:
+    explicit rays_view(cm_rays *handle) noexcept : handle_(handle) {}
+    cm_rays *get() const noexcept { return handle_; }
+    // cm_rays_use_pool
+    cm_status try_use_pool(pool_view pool) const;
+    void use_pool(pool_view pool) const;
+    // cm_rays_pixel_count
+    size_t pixel_count() const;
+    // cm_rays_halved_pixel_count
+    size_t halved_pixel_count() const;
+    // cm_depth_to_range
+    cm_status try_to_range(span<const float> depth, unsigned threads, span<float> range) const;
+    void to_range(span<const float> depth, unsigned threads, span<float> range) const;
+    // cm_depth_from_range
+    cm_status try_from_range(span<const float> range, unsigned threads, span<float> depth) const;
+    void from_range(span<const float> range, unsigned threads, span<float> depth) const;
+    // cm_depth_make_maps
+    cm_status try_make_maps(span<const float> image, unsigned threads, const cm_depth_maps &maps) const;
+    void make_maps(span<const float> image, unsigned threads, const cm_depth_maps &maps) const;
+    // cm_depth_smooth
+    cm_status try_smooth(span<const float> from, double pixels, double metres, unsigned threads, span<float>
+        to) const;
+    void smooth(span<const float> from, double pixels, double metres, unsigned threads, span<float> to) const;
+    // cm_depth_halve
+    cm_status try_halve(span<const float> from, double gap, unsigned threads, span<float> to) const;
+    void halve(span<const float> from, double gap, unsigned threads, span<float> to) const;
+
+private:
+    cm_rays *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class rays : public detail::owner<rays_view, cm_rays, cm_rays_destroy>
+{
+public:
+    explicit rays(cm_rays *handle) noexcept : owner(handle) {}
+    // cm_rays_create
+    static result<rays> try_make(camera_view camera, const char *instructions);
+    rays(camera_view camera, const char *instructions);
+};
+
 /* An object cm_region that somebody else owns. */
 class region_view
 {
@@ -916,6 +1238,41 @@ public:
     static region polygon(span<const size_t> ring_length, span<const double> lonlat);
 };
 
+/* An object cm_scene that somebody else owns. */
+class scene_view
+{
+public:
+    explicit scene_view(cm_scene *handle) noexcept : handle_(handle) {}
+    cm_scene *get() const noexcept { return handle_; }
+    // cm_scene_add
+    cm_status try_add(const cm_primitive &primitive, uint32_t *id) const;
+    void add(const cm_primitive &primitive, uint32_t *id) const;
+    // cm_scene_count
+    size_t count() const;
+    // cm_scene_at
+    const cm_primitive * at(uint32_t id) const;
+    // cm_scene_cast_array
+    void cast(span<const double> origin_x, span<const double> origin_y, span<const double> origin_z,
+        span<const double> direction_x, span<const double> direction_y, span<const double> direction_z, const
+        cm_hit_arrays *hit) const;
+
+private:
+    cm_scene *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class scene : public detail::owner<scene_view, cm_scene, cm_scene_destroy>
+{
+public:
+    explicit scene(cm_scene *handle) noexcept : owner(handle) {}
+    // cm_scene_create
+    static result<scene> try_make();
+    explicit scene();
+    // cm_scene_create_named
+    static result<scene> try_named(const char *name);
+    static scene named(const char *name);
+};
+
 /* An object cm_source that somebody else owns. */
 class source_view
 {
@@ -938,6 +1295,50 @@ public:
     static result<source> try_make(plan_view plan, const cm_image *from, cm_pixel_type target_type, unsigned
         threads);
     source(plan_view plan, const cm_image *from, cm_pixel_type target_type, unsigned threads);
+};
+
+/* An object cm_store that somebody else owns. */
+class store_view
+{
+public:
+    explicit store_view(cm_store *handle) noexcept : handle_(handle) {}
+    cm_store *get() const noexcept { return handle_; }
+    // cm_store_get
+    cm_status try_get(const cm_store_key &key, uint32_t kind, uint32_t newest, cm_blob *blob) const;
+    void get(const cm_store_key &key, uint32_t kind, uint32_t newest, cm_blob *blob) const;
+    // cm_store_put
+    cm_status try_put(const cm_store_key &key, const cm_blob &blob) const;
+    void put(const cm_store_key &key, const cm_blob &blob) const;
+    // cm_store_remove
+    cm_status try_remove(const cm_store_key &key) const;
+    void remove(const cm_store_key &key) const;
+    // cm_store_next
+    cm_status try_next(const cm_store_key *after, unsigned char (&key)[255], size_t *count) const;
+    void next(const cm_store_key *after, unsigned char (&key)[255], size_t *count) const;
+    // cm_store_commit
+    cm_status try_commit() const;
+    void commit() const;
+    // cm_store_rollback
+    cm_status try_rollback() const;
+    void rollback() const;
+    // cm_store_message
+    const char * message() const;
+
+private:
+    cm_store *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class store : public detail::owner<store_view, cm_store, cm_store_destroy>
+{
+public:
+    explicit store(cm_store *handle) noexcept : owner(handle) {}
+    // cm_store_create
+    static result<store> try_make(const cm_store_methods &methods, void *context);
+    store(const cm_store_methods &methods, void *context);
+    // cm_store_create_in_memory
+    static result<store> try_in_memory();
+    static store in_memory();
 };
 
 /* An object cm_surface that somebody else owns. */
@@ -1001,6 +1402,48 @@ public:
     explicit surface(const char *specification, const cm_surface_options *options = nullptr);
 };
 
+/* An object cm_trajectory that somebody else owns. */
+class trajectory_view
+{
+public:
+    explicit trajectory_view(const cm_trajectory *handle) noexcept : handle_(handle) {}
+    const cm_trajectory *get() const noexcept { return handle_; }
+    // cm_trajectory_count
+    size_t count() const;
+    // cm_trajectory_at
+    cm_status try_at(size_t index, double *stamp, cm_pose *pose) const;
+    void at(size_t index, double *stamp, cm_pose *pose) const;
+    // cm_trajectory_nearest
+    cm_status try_nearest(double time, double apart, size_t *index) const;
+    void nearest(double time, double apart, size_t *index) const;
+    // cm_trajectory_interpolate
+    cm_status try_interpolate(double time, cm_pose *pose) const;
+    void interpolate(double time, cm_pose *pose) const;
+    // cm_trajectory_associate
+    cm_status try_associate(trajectory_view b, double apart, span<size_t> index_a, span<size_t> index_b,
+        size_t *count) const;
+    void associate(trajectory_view b, double apart, span<size_t> index_a, span<size_t> index_b, size_t *count)
+        const;
+    // cm_trajectory_evaluate
+    cm_status try_evaluate(trajectory_view estimate, const cm_evaluation_options *options, cm_evaluation
+        *evaluation) const;
+    void evaluate(trajectory_view estimate, const cm_evaluation_options *options, cm_evaluation *evaluation)
+        const;
+
+private:
+    const cm_trajectory *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class trajectory : public detail::owner<trajectory_view, cm_trajectory, cm_trajectory_destroy>
+{
+public:
+    explicit trajectory(cm_trajectory *handle) noexcept : owner(handle) {}
+    // cm_trajectory_create
+    static result<trajectory> try_make(span<const double> stamp, span<const cm_pose> pose, size_t *wrong);
+    trajectory(span<const double> stamp, span<const cm_pose> pose, size_t *wrong);
+};
+
 inline size_t advice_view::count() const { return cm_advice_count(get()); }
 inline size_t advice_view::qualified() const { return cm_advice_qualified(get()); }
 inline const cm_advice_candidate * advice_view::at(size_t index) const { return cm_advice_at(get(), index); }
@@ -1011,6 +1454,28 @@ inline result<advice> advice::try_make(const cm_advice_request &request, const c
     return status == CM_OK ? result<advice>(advice(made_object)) : result<advice>(status); }
 inline advice::advice(const cm_advice_request &request, const cm_advice_costs &costs) :
     advice(try_make(request, costs).value()) {}
+inline const cm_camera_options * camera_view::describe() const { return cm_camera_describe(get()); }
+inline void camera_view::project(span<const double> x, span<const double> y, span<const double> z,
+    span<double> column, span<double> row) const { detail::check(detail::holds(y.size(), x.size()) &&
+    detail::holds(z.size(), x.size()) && detail::holds(column.size(), x.size()) && detail::holds(row.size(),
+    x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_camera_project_array(get(), x.size(), x.data(), y.data(),
+    z.data(), column.data(), row.data()); }
+inline void camera_view::ray(span<const double> column, span<const double> row, span<double> x, span<double>
+    y, span<double> z) const { detail::check(detail::holds(row.size(), column.size()) &&
+    detail::holds(x.size(), column.size()) && detail::holds(y.size(), column.size()) &&
+    detail::holds(z.size(), column.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_camera_ray_array(get(),
+    column.size(), column.data(), row.data(), x.data(), y.data(), z.data()); }
+inline void camera_view::jacobian(const double (&point)[3], double (&jacobian)[6]) const {
+    cm_camera_jacobian(get(), point, jacobian); }
+inline double camera_view::solid_angle(double column, double row) const { return cm_camera_solid_angle(get(),
+    column, row); }
+inline int camera_view::has_ray(double column, double row) const { return cm_camera_has_ray(get(), column,
+    row); }
+inline double camera_view::border(double angle) const { return cm_camera_border(get(), angle); }
+inline result<camera> camera::try_make(const cm_camera_options *options) { cm_camera *made_object = nullptr;
+    const cm_status status = cm_camera_create(options, &made_object); return status == CM_OK ?
+    result<camera>(camera(made_object)) : result<camera>(status); }
+inline camera::camera(const cm_camera_options *options) : camera(try_make(options).value()) {}
 inline grid_view cell_grid_view::grid() const { return grid_view(cm_cell_grid_of(get())); }
 inline cm_curve cell_grid_view::curve() const { return cm_cell_grid_curve(get()); }
 inline int cell_grid_view::is_s2() const { return cm_cell_grid_is_s2(get()); }
@@ -1019,21 +1484,25 @@ inline cm_cell cell_grid_view::forward(int level, const double (&normal)[3]) con
 inline cm_cell cell_grid_view::forward_lonlat(int level, double lon, double lat) const { return
     cm_cell_forward_lonlat(get(), level, lon, lat); }
 inline void cell_grid_view::forward(int level, span<const double> x, span<const double> y, span<const double>
-    z, span<cm_cell> cell) const { cm_cell_forward_array(get(), level, detail::whole<size_t>(x.size()),
-    x.data(), y.data(), z.data(), cell.data()); }
+    z, span<cm_cell> cell) const { detail::check(detail::holds(y.size(), x.size()) && detail::holds(z.size(),
+    x.size()) && detail::holds(cell.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_cell_forward_array(get(), level, x.size(), x.data(), y.data(), z.data(), cell.data()); }
 inline void cell_grid_view::forward_lonlat(int level, span<const double> lon, span<const double> lat,
-    span<cm_cell> cell) const { cm_cell_forward_lonlat_array(get(), level, detail::whole<size_t>(lon.size()),
-    lon.data(), lat.data(), cell.data()); }
+    span<cm_cell> cell) const { detail::check(detail::holds(lat.size(), lon.size()) &&
+    detail::holds(cell.size(), lon.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_cell_forward_lonlat_array(get(),
+    level, lon.size(), lon.data(), lat.data(), cell.data()); }
 inline void cell_grid_view::centre(cm_cell cell, double (&normal)[3]) const { cm_cell_centre(get(), cell,
     normal); }
 inline void cell_grid_view::centre_lonlat(cm_cell cell, double (&lonlat)[2]) const {
     cm_cell_centre_lonlat(get(), cell, lonlat); }
 inline void cell_grid_view::centre(span<const cm_cell> cell, span<double> x, span<double> y, span<double> z)
-    const { cm_cell_centre_array(get(), detail::whole<size_t>(cell.size()), cell.data(), x.data(), y.data(),
-    z.data()); }
+    const { detail::check(detail::holds(x.size(), cell.size()) && detail::holds(y.size(), cell.size()) &&
+    detail::holds(z.size(), cell.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_cell_centre_array(get(),
+    cell.size(), cell.data(), x.data(), y.data(), z.data()); }
 inline void cell_grid_view::centre_lonlat(span<const cm_cell> cell, span<double> lon, span<double> lat) const
-    { cm_cell_centre_lonlat_array(get(), detail::whole<size_t>(cell.size()), cell.data(), lon.data(),
-    lat.data()); }
+    { detail::check(detail::holds(lon.size(), cell.size()) && detail::holds(lat.size(), cell.size()) ? CM_OK :
+    CM_ERROR_ARGUMENT); cm_cell_centre_lonlat_array(get(), cell.size(), cell.data(), lon.data(), lat.data());
+    }
 inline void cell_grid_view::corners(cm_cell cell, double (&normal)[4][3]) const { cm_cell_corners(get(), cell,
     normal); }
 inline void cell_grid_view::corners_lonlat(cm_cell cell, double (&lonlat)[4][2]) const {
@@ -1046,17 +1515,14 @@ inline int cell_grid_view::edge_neighbours(cm_cell cell, cm_cell (&to)[4]) const
 inline int cell_grid_view::neighbours(cm_cell cell, cm_cell (&to)[8]) const { return cm_cell_neighbours(get(),
     cell, to); }
 inline cm_status cell_grid_view::try_neighbours_at(cm_cell cell, int level, span<cm_cell> to, size_t *count)
-    const { return cm_cell_neighbours_at(get(), cell, level, detail::whole<size_t>(to.size()), to.data(),
-    count); }
+    const { return cm_cell_neighbours_at(get(), cell, level, to.size(), to.data(), count); }
 inline void cell_grid_view::neighbours_at(cm_cell cell, int level, span<cm_cell> to, size_t *count) const {
-    detail::check(cm_cell_neighbours_at(get(), cell, level, detail::whole<size_t>(to.size()), to.data(),
-    count)); }
+    detail::check(cm_cell_neighbours_at(get(), cell, level, to.size(), to.data(), count)); }
 inline cm_status cell_grid_view::try_cover(region_view region, const cm_cover_options *options, span<cm_cell>
-    to, size_t *count) const { return cm_cover(get(), region.get(), options, detail::whole<size_t>(to.size()),
-    to.data(), count); }
+    to, size_t *count) const { return cm_cover(get(), region.get(), options, to.size(), to.data(), count); }
 inline void cell_grid_view::cover(region_view region, const cm_cover_options *options, span<cm_cell> to,
-    size_t *count) const { detail::check(cm_cover(get(), region.get(), options,
-    detail::whole<size_t>(to.size()), to.data(), count)); }
+    size_t *count) const { detail::check(cm_cover(get(), region.get(), options, to.size(), to.data(), count));
+    }
 inline result<cell_grid> cell_grid::try_make(grid_view grid, cm_curve curve) { cm_cell_grid *made_object =
     nullptr; const cm_status status = cm_cell_grid_create(grid.get(), curve, &made_object); return status ==
     CM_OK ? result<cell_grid>(cell_grid(made_object)) : result<cell_grid>(status); }
@@ -1077,8 +1543,10 @@ inline void colormap_view::color_at(double t, cm_colormap_color *color) const { 
 inline double colormap_view::position(size_t n, size_t index) const { return cm_colormap_position(get(), n,
     index); }
 inline void colormap_view::samples(size_t n, span<double> srgb, cm_colormap_clipping *clipping) const {
+    detail::check(detail::holds(srgb.size(), detail::whole(n), 3) ? CM_OK : CM_ERROR_ARGUMENT);
     cm_colormap_samples(get(), n, srgb.data(), clipping); }
 inline void colormap_view::samples_u8(size_t n, span<uint8_t> srgb, cm_colormap_clipping *clipping) const {
+    detail::check(detail::holds(srgb.size(), detail::whole(n), 3) ? CM_OK : CM_ERROR_ARGUMENT);
     cm_colormap_samples_u8(get(), n, srgb.data(), clipping); }
 inline double colormap_view::length() const { return cm_colormap_length(get()); }
 inline size_t colormap_view::corner_count() const { return cm_colormap_corner_count(get()); }
@@ -1093,13 +1561,45 @@ inline result<colormap> colormap::try_fit() const { cm_colormap *made_object = n
     = cm_colormap_fit(get(), &made_object); return status == CM_OK ? result<colormap>(colormap(made_object)) :
     result<colormap>(status); }
 inline colormap colormap::fit() const { return try_fit().value(); }
+inline cm_status depth_pyramid_view::try_use_pool(pool_view pool) const { return
+    cm_depth_pyramid_use_pool(get(), pool.get()); }
+inline void depth_pyramid_view::use_pool(pool_view pool) const {
+    detail::check(cm_depth_pyramid_use_pool(get(), pool.get())); }
+inline size_t depth_pyramid_view::pixel_count() const { return cm_depth_pyramid_pixel_count(get()); }
+inline cm_status depth_pyramid_view::try_fill(span<const float> image, unsigned threads) const { return
+    detail::holds(image.size(), cm_depth_pyramid_pixel_count(get())) ? cm_depth_pyramid_fill(get(),
+    image.data(), threads) : CM_ERROR_ARGUMENT; }
+inline void depth_pyramid_view::fill(span<const float> image, unsigned threads) const {
+    detail::check(detail::holds(image.size(), cm_depth_pyramid_pixel_count(get())) ?
+    cm_depth_pyramid_fill(get(), image.data(), threads) : CM_ERROR_ARGUMENT); }
+inline uint32_t depth_pyramid_view::last() const { return cm_depth_pyramid_last(get()); }
+inline cm_status depth_pyramid_view::try_level(uint32_t level, cm_depth_level *cells) const { return
+    cm_depth_pyramid_level(get(), level, cells); }
+inline void depth_pyramid_view::level(uint32_t level, cm_depth_level *cells) const {
+    detail::check(cm_depth_pyramid_level(get(), level, cells)); }
+inline cm_status depth_pyramid_view::try_bounds(uint32_t column, uint32_t row, uint32_t last_column, uint32_t
+    last_row, cm_depth_bounds *bounds) const { return cm_depth_pyramid_bounds(get(), column, row, last_column,
+    last_row, bounds); }
+inline void depth_pyramid_view::bounds(uint32_t column, uint32_t row, uint32_t last_column, uint32_t last_row,
+    cm_depth_bounds *bounds) const { detail::check(cm_depth_pyramid_bounds(get(), column, row, last_column,
+    last_row, bounds)); }
+inline result<depth_pyramid> depth_pyramid::try_make(uint32_t width, uint32_t height, const char
+    *instructions) { cm_depth_pyramid *made_object = nullptr; const cm_status status =
+    cm_depth_pyramid_create(width, height, instructions, &made_object); return status == CM_OK ?
+    result<depth_pyramid>(depth_pyramid(made_object)) : result<depth_pyramid>(status); }
+inline depth_pyramid::depth_pyramid(uint32_t width, uint32_t height, const char *instructions) :
+    depth_pyramid(try_make(width, height, instructions).value()) {}
 inline uint32_t environment_view::size() const { return cm_environment_size(get()); }
 inline uint32_t environment_view::channels() const { return cm_environment_channels(get()); }
 inline uint32_t environment_view::level_count() const { return cm_environment_level_count(get()); }
 inline cm_status environment_view::try_project(uint32_t degree, unsigned threads, span<double> coefficients)
-    const { return cm_environment_project(get(), degree, threads, coefficients.data()); }
+    const { return detail::holds(coefficients.size(), detail::whole(degree) + 1, detail::whole(degree) + 1,
+    cm_environment_channels(get())) ? cm_environment_project(get(), degree, threads, coefficients.data()) :
+    CM_ERROR_ARGUMENT; }
 inline void environment_view::project(uint32_t degree, unsigned threads, span<double> coefficients) const {
-    detail::check(cm_environment_project(get(), degree, threads, coefficients.data())); }
+    detail::check(detail::holds(coefficients.size(), detail::whole(degree) + 1, detail::whole(degree) + 1,
+    cm_environment_channels(get())) ? cm_environment_project(get(), degree, threads, coefficients.data()) :
+    CM_ERROR_ARGUMENT); }
 inline cm_status environment_view::try_irradiance(mapping_view mapping, unsigned threads, const cm_image
     (&to)[6]) const { return cm_environment_irradiance(get(), mapping.get(), threads, to); }
 inline void environment_view::irradiance(mapping_view mapping, unsigned threads, const cm_image (&to)[6])
@@ -1142,32 +1642,48 @@ inline uint8_t grid_view::forward(const double (&normal)[3], double (&uv)[2]) co
 inline void grid_view::inverse(uint8_t face, const double (&uv)[2], double (&normal)[3]) const {
     cm_grid_inverse(get(), face, uv, normal); }
 inline void grid_view::forward_lonlat(span<const double> lon, span<const double> lat, span<uint8_t> face,
-    span<double> u, span<double> v) const { cm_grid_forward_lonlat_array(get(),
-    detail::whole<size_t>(lon.size()), lon.data(), lat.data(), face.data(), u.data(), v.data()); }
+    span<double> u, span<double> v) const { detail::check(detail::holds(lat.size(), lon.size()) &&
+    detail::holds(face.size(), lon.size()) && detail::holds(u.size(), lon.size()) && detail::holds(v.size(),
+    lon.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_grid_forward_lonlat_array(get(), lon.size(), lon.data(),
+    lat.data(), face.data(), u.data(), v.data()); }
 inline void grid_view::inverse_lonlat(span<const uint8_t> face, span<const double> u, span<const double> v,
-    span<double> lon, span<double> lat) const { cm_grid_inverse_lonlat_array(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), lon.data(), lat.data()); }
+    span<double> lon, span<double> lat) const { detail::check(detail::holds(u.size(), face.size()) &&
+    detail::holds(v.size(), face.size()) && detail::holds(lon.size(), face.size()) &&
+    detail::holds(lat.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_grid_inverse_lonlat_array(get(),
+    face.size(), face.data(), u.data(), v.data(), lon.data(), lat.data()); }
 inline void grid_view::forward(span<const double> x, span<const double> y, span<const double> z, span<uint8_t>
-    face, span<double> u, span<double> v) const { cm_grid_forward_array(get(),
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), face.data(), u.data(), v.data()); }
+    face, span<double> u, span<double> v) const { detail::check(detail::holds(y.size(), x.size()) &&
+    detail::holds(z.size(), x.size()) && detail::holds(face.size(), x.size()) && detail::holds(u.size(),
+    x.size()) && detail::holds(v.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_grid_forward_array(get(),
+    x.size(), x.data(), y.data(), z.data(), face.data(), u.data(), v.data()); }
 inline void grid_view::inverse(span<const uint8_t> face, span<const double> u, span<const double> v,
-    span<double> x, span<double> y, span<double> z) const { cm_grid_inverse_array(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(), z.data()); }
+    span<double> x, span<double> y, span<double> z) const { detail::check(detail::holds(u.size(), face.size())
+    && detail::holds(v.size(), face.size()) && detail::holds(x.size(), face.size()) && detail::holds(y.size(),
+    face.size()) && detail::holds(z.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_grid_inverse_array(get(), face.size(), face.data(), u.data(), v.data(), x.data(), y.data(), z.data());
+    }
 inline void grid_view::to_sphere(const double (&normal)[3], double (&direction)[3]) const {
     cm_grid_to_sphere(get(), normal, direction); }
 inline void grid_view::from_sphere(const double (&direction)[3], double (&normal)[3]) const {
     cm_grid_from_sphere(get(), direction, normal); }
 inline void grid_view::to_sphere(span<const double> x, span<const double> y, span<const double> z,
-    span<double> to_x, span<double> to_y, span<double> to_z) const { cm_grid_to_sphere_array(get(),
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), to_x.data(), to_y.data(), to_z.data()); }
+    span<double> to_x, span<double> to_y, span<double> to_z) const { detail::check(detail::holds(y.size(),
+    x.size()) && detail::holds(z.size(), x.size()) && detail::holds(to_x.size(), x.size()) &&
+    detail::holds(to_y.size(), x.size()) && detail::holds(to_z.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_grid_to_sphere_array(get(), x.size(), x.data(), y.data(), z.data(), to_x.data(), to_y.data(),
+    to_z.data()); }
 inline void grid_view::from_sphere(span<const double> x, span<const double> y, span<const double> z,
-    span<double> to_x, span<double> to_y, span<double> to_z) const { cm_grid_from_sphere_array(get(),
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), to_x.data(), to_y.data(), to_z.data()); }
+    span<double> to_x, span<double> to_y, span<double> to_z) const { detail::check(detail::holds(y.size(),
+    x.size()) && detail::holds(z.size(), x.size()) && detail::holds(to_x.size(), x.size()) &&
+    detail::holds(to_y.size(), x.size()) && detail::holds(to_z.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_grid_from_sphere_array(get(), x.size(), x.data(), y.data(), z.data(), to_x.data(), to_y.data(),
+    to_z.data()); }
 inline double grid_view::area_element(uint8_t face, const double (&uv)[2]) const { return
     cm_grid_area_element(get(), face, uv); }
 inline void grid_view::area_element(span<const uint8_t> face, span<const double> u, span<const double> v,
-    span<double> area) const { cm_grid_area_element_array(get(), detail::whole<size_t>(face.size()),
-    face.data(), u.data(), v.data(), area.data()); }
+    span<double> area) const { detail::check(detail::holds(u.size(), face.size()) && detail::holds(v.size(),
+    face.size()) && detail::holds(area.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_grid_area_element_array(get(), face.size(), face.data(), u.data(), v.data(), area.data()); }
 inline void grid_view::forward_distortion(const double (&normal)[3], cm_distortion *distortion) const {
     cm_grid_forward_distortion(get(), normal, distortion); }
 inline void grid_view::inverse_distortion(uint8_t face, const double (&uv)[2], cm_distortion *distortion)
@@ -1214,43 +1730,53 @@ inline cm_status healpix_view::try_ring_from_nested(int64_t nested, int64_t *rin
 inline void healpix_view::ring_from_nested(int64_t nested, int64_t *ring) const {
     detail::check(cm_healpix_ring_from_nested(get(), nested, ring)); }
 inline void healpix_view::pixel_from_direction(span<const double> x, span<const double> y, span<const double>
-    z, span<int64_t> pixel) const { cm_healpix_pixel_from_direction_array(get(),
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), pixel.data()); }
+    z, span<int64_t> pixel) const { detail::check(detail::holds(y.size(), x.size()) && detail::holds(z.size(),
+    x.size()) && detail::holds(pixel.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_healpix_pixel_from_direction_array(get(), x.size(), x.data(), y.data(), z.data(), pixel.data()); }
 inline void healpix_view::pixel_from_angles(span<const double> theta, span<const double> phi, span<int64_t>
-    pixel) const { cm_healpix_pixel_from_angles_array(get(), detail::whole<size_t>(theta.size()),
+    pixel) const { detail::check(detail::holds(phi.size(), theta.size()) && detail::holds(pixel.size(),
+    theta.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_healpix_pixel_from_angles_array(get(), theta.size(),
     theta.data(), phi.data(), pixel.data()); }
 inline void healpix_view::pixel_from_lonlat(span<const double> lon, span<const double> lat, span<int64_t>
-    pixel) const { cm_healpix_pixel_from_lonlat_array(get(), detail::whole<size_t>(lon.size()), lon.data(),
-    lat.data(), pixel.data()); }
+    pixel) const { detail::check(detail::holds(lat.size(), lon.size()) && detail::holds(pixel.size(),
+    lon.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_healpix_pixel_from_lonlat_array(get(), lon.size(),
+    lon.data(), lat.data(), pixel.data()); }
 inline void healpix_view::direction_from_pixel(span<const int64_t> pixel, span<double> x, span<double> y,
-    span<double> z) const { cm_healpix_direction_from_pixel_array(get(), detail::whole<size_t>(pixel.size()),
-    pixel.data(), x.data(), y.data(), z.data()); }
+    span<double> z) const { detail::check(detail::holds(x.size(), pixel.size()) && detail::holds(y.size(),
+    pixel.size()) && detail::holds(z.size(), pixel.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_healpix_direction_from_pixel_array(get(), pixel.size(), pixel.data(), x.data(), y.data(), z.data()); }
 inline void healpix_view::angles_from_pixel(span<const int64_t> pixel, span<double> theta, span<double> phi)
-    const { cm_healpix_angles_from_pixel_array(get(), detail::whole<size_t>(pixel.size()), pixel.data(),
+    const { detail::check(detail::holds(theta.size(), pixel.size()) && detail::holds(phi.size(), pixel.size())
+    ? CM_OK : CM_ERROR_ARGUMENT); cm_healpix_angles_from_pixel_array(get(), pixel.size(), pixel.data(),
     theta.data(), phi.data()); }
 inline void healpix_view::lonlat_from_pixel(span<const int64_t> pixel, span<double> lon, span<double> lat)
-    const { cm_healpix_lonlat_from_pixel_array(get(), detail::whole<size_t>(pixel.size()), pixel.data(),
+    const { detail::check(detail::holds(lon.size(), pixel.size()) && detail::holds(lat.size(), pixel.size()) ?
+    CM_OK : CM_ERROR_ARGUMENT); cm_healpix_lonlat_from_pixel_array(get(), pixel.size(), pixel.data(),
     lon.data(), lat.data()); }
 inline cm_status healpix_view::try_nested_from_ring(span<const int64_t> ring, span<int64_t> nested) const {
-    return cm_healpix_nested_from_ring_array(get(), detail::whole<size_t>(ring.size()), ring.data(),
-    nested.data()); }
+    return detail::holds(nested.size(), ring.size()) ? cm_healpix_nested_from_ring_array(get(), ring.size(),
+    ring.data(), nested.data()) : CM_ERROR_ARGUMENT; }
 inline void healpix_view::nested_from_ring(span<const int64_t> ring, span<int64_t> nested) const {
-    detail::check(cm_healpix_nested_from_ring_array(get(), detail::whole<size_t>(ring.size()), ring.data(),
-    nested.data())); }
+    detail::check(detail::holds(nested.size(), ring.size()) ? cm_healpix_nested_from_ring_array(get(),
+    ring.size(), ring.data(), nested.data()) : CM_ERROR_ARGUMENT); }
 inline cm_status healpix_view::try_ring_from_nested(span<const int64_t> nested, span<int64_t> ring) const {
-    return cm_healpix_ring_from_nested_array(get(), detail::whole<size_t>(nested.size()), nested.data(),
-    ring.data()); }
+    return detail::holds(ring.size(), nested.size()) ? cm_healpix_ring_from_nested_array(get(), nested.size(),
+    nested.data(), ring.data()) : CM_ERROR_ARGUMENT; }
 inline void healpix_view::ring_from_nested(span<const int64_t> nested, span<int64_t> ring) const {
-    detail::check(cm_healpix_ring_from_nested_array(get(), detail::whole<size_t>(nested.size()),
-    nested.data(), ring.data())); }
+    detail::check(detail::holds(ring.size(), nested.size()) ? cm_healpix_ring_from_nested_array(get(),
+    nested.size(), nested.data(), ring.data()) : CM_ERROR_ARGUMENT); }
 inline cm_status healpix_view::try_neighbours(int64_t pixel, int64_t (&neighbour)[8]) const { return
     cm_healpix_neighbours(get(), pixel, neighbour); }
 inline void healpix_view::neighbours(int64_t pixel, int64_t (&neighbour)[8]) const {
     detail::check(cm_healpix_neighbours(get(), pixel, neighbour)); }
 inline cm_status healpix_view::try_boundary(int64_t pixel, size_t steps, span<double> x, span<double> y,
-    span<double> z) const { return cm_healpix_boundary(get(), pixel, steps, x.data(), y.data(), z.data()); }
+    span<double> z) const { return detail::holds(x.size(), 4, detail::whole(steps)) && detail::holds(y.size(),
+    4, detail::whole(steps)) && detail::holds(z.size(), 4, detail::whole(steps)) ? cm_healpix_boundary(get(),
+    pixel, steps, x.data(), y.data(), z.data()) : CM_ERROR_ARGUMENT; }
 inline void healpix_view::boundary(int64_t pixel, size_t steps, span<double> x, span<double> y, span<double>
-    z) const { detail::check(cm_healpix_boundary(get(), pixel, steps, x.data(), y.data(), z.data())); }
+    z) const { detail::check(detail::holds(x.size(), 4, detail::whole(steps)) && detail::holds(y.size(), 4,
+    detail::whole(steps)) && detail::holds(z.size(), 4, detail::whole(steps)) ? cm_healpix_boundary(get(),
+    pixel, steps, x.data(), y.data(), z.data()) : CM_ERROR_ARGUMENT); }
 inline cm_status healpix_view::try_ring_info(int64_t ring, cm_healpix_ring *info) const { return
     cm_healpix_ring_info(get(), ring, info); }
 inline void healpix_view::ring_info(int64_t ring, cm_healpix_ring *info) const {
@@ -1260,17 +1786,29 @@ inline cm_status healpix_view::try_ring_from_pixel(int64_t pixel, int64_t *ring,
 inline void healpix_view::ring_from_pixel(int64_t pixel, int64_t *ring, int64_t *index) const {
     detail::check(cm_healpix_ring_from_pixel(get(), pixel, ring, index)); }
 inline cm_status healpix_view::try_regrade(span<const double> map, healpix_view to, span<double> result, const
-    cm_healpix_regrade_options *options) const { return cm_healpix_regrade(get(), map.data(), to.get(),
-    result.data(), options); }
+    cm_healpix_regrade_options *options) const { return detail::holds(map.size(), 12,
+    detail::whole(cm_healpix_nside(get())), detail::whole(cm_healpix_nside(get()))) &&
+    detail::holds(result.size(), 12, detail::whole(cm_healpix_nside(to.get())),
+    detail::whole(cm_healpix_nside(to.get()))) ? cm_healpix_regrade(get(), map.data(), to.get(),
+    result.data(), options) : CM_ERROR_ARGUMENT; }
 inline void healpix_view::regrade(span<const double> map, healpix_view to, span<double> result, const
-    cm_healpix_regrade_options *options) const { detail::check(cm_healpix_regrade(get(), map.data(), to.get(),
-    result.data(), options)); }
+    cm_healpix_regrade_options *options) const { detail::check(detail::holds(map.size(), 12,
+    detail::whole(cm_healpix_nside(get())), detail::whole(cm_healpix_nside(get()))) &&
+    detail::holds(result.size(), 12, detail::whole(cm_healpix_nside(to.get())),
+    detail::whole(cm_healpix_nside(to.get()))) ? cm_healpix_regrade(get(), map.data(), to.get(),
+    result.data(), options) : CM_ERROR_ARGUMENT); }
 inline cm_status healpix_view::try_regrade(span<const float> map, healpix_view to, span<float> result, const
-    cm_healpix_regrade_options *options) const { return cm_healpix_regrade_f32(get(), map.data(), to.get(),
-    result.data(), options); }
+    cm_healpix_regrade_options *options) const { return detail::holds(map.size(), 12,
+    detail::whole(cm_healpix_nside(get())), detail::whole(cm_healpix_nside(get()))) &&
+    detail::holds(result.size(), 12, detail::whole(cm_healpix_nside(to.get())),
+    detail::whole(cm_healpix_nside(to.get()))) ? cm_healpix_regrade_f32(get(), map.data(), to.get(),
+    result.data(), options) : CM_ERROR_ARGUMENT; }
 inline void healpix_view::regrade(span<const float> map, healpix_view to, span<float> result, const
-    cm_healpix_regrade_options *options) const { detail::check(cm_healpix_regrade_f32(get(), map.data(),
-    to.get(), result.data(), options)); }
+    cm_healpix_regrade_options *options) const { detail::check(detail::holds(map.size(), 12,
+    detail::whole(cm_healpix_nside(get())), detail::whole(cm_healpix_nside(get()))) &&
+    detail::holds(result.size(), 12, detail::whole(cm_healpix_nside(to.get())),
+    detail::whole(cm_healpix_nside(to.get()))) ? cm_healpix_regrade_f32(get(), map.data(), to.get(),
+    result.data(), options) : CM_ERROR_ARGUMENT); }
 inline result<healpix> healpix::try_make(int64_t nside, cm_healpix_order order, const cm_options *options) {
     cm_healpix *made_object = nullptr; const cm_status status = cm_healpix_create(nside, order, options,
     &made_object); return status == CM_OK ? result<healpix>(healpix(made_object)) : result<healpix>(status); }
@@ -1287,11 +1825,14 @@ inline double latitude_conversion_view::convert(double latitude) const { return 
 inline void latitude_conversion_view::convert_direction(const double (&from)[3], double (&to)[3]) const {
     cm_latitude_convert_direction(get(), from, to); }
 inline void latitude_conversion_view::convert(span<const double> from, span<double> to) const {
-    cm_latitude_convert_array(get(), detail::whole<size_t>(from.size()), from.data(), to.data()); }
+    detail::check(detail::holds(to.size(), from.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_latitude_convert_array(get(), from.size(), from.data(), to.data()); }
 inline void latitude_conversion_view::convert_direction(span<const double> x, span<const double> y, span<const
     double> z, span<double> to_x, span<double> to_y, span<double> to_z) const {
-    cm_latitude_convert_direction_array(get(), detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(),
-    to_x.data(), to_y.data(), to_z.data()); }
+    detail::check(detail::holds(y.size(), x.size()) && detail::holds(z.size(), x.size()) &&
+    detail::holds(to_x.size(), x.size()) && detail::holds(to_y.size(), x.size()) && detail::holds(to_z.size(),
+    x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_latitude_convert_direction_array(get(), x.size(), x.data(),
+    y.data(), z.data(), to_x.data(), to_y.data(), to_z.data()); }
 inline result<latitude_conversion> latitude_conversion::try_make(const cm_ellipsoid &ellipsoid, cm_latitude
     from, cm_latitude to, const cm_latitude_options *options) { cm_latitude_conversion *made_object = nullptr;
     const cm_status status = cm_latitude_conversion_create(&ellipsoid, from, to, options, &made_object);
@@ -1309,9 +1850,11 @@ inline cm_status mapping_view::try_advise_precision(double metres, cm_advice_pre
 inline void mapping_view::advise_precision(double metres, cm_advice_precision *precision) const {
     detail::check(cm_advise_precision(get(), metres, precision)); }
 inline cm_status mapping_view::try_face_weights(uint8_t face, uint32_t edge, unsigned threads, span<float>
-    weights) const { return cm_face_weights(get(), face, edge, threads, weights.data()); }
+    weights) const { return detail::holds(weights.size(), detail::whole(edge), detail::whole(edge)) ?
+    cm_face_weights(get(), face, edge, threads, weights.data()) : CM_ERROR_ARGUMENT; }
 inline void mapping_view::face_weights(uint8_t face, uint32_t edge, unsigned threads, span<float> weights)
-    const { detail::check(cm_face_weights(get(), face, edge, threads, weights.data())); }
+    const { detail::check(detail::holds(weights.size(), detail::whole(edge), detail::whole(edge)) ?
+    cm_face_weights(get(), face, edge, threads, weights.data()) : CM_ERROR_ARGUMENT); }
 inline void mapping_view::forward_distortion(const double (&direction)[3], cm_distortion *distortion) const {
     cm_forward_distortion(get(), direction, distortion); }
 inline void mapping_view::forward_distortion(const float (&direction)[3], cm_distortion_f32 *distortion) const
@@ -1321,21 +1864,27 @@ inline void mapping_view::inverse_distortion(uint8_t face, const double (&uv)[2]
 inline void mapping_view::inverse_distortion(uint8_t face, const float (&uv)[2], cm_distortion_f32
     *distortion) const { cm_inverse_distortion_f32(get(), face, uv, distortion); }
 inline void mapping_view::forward_distortion(span<const double> x, span<const double> y, span<const double> z,
-    const cm_distortion_arrays *distortion) const { cm_forward_distortion_array(get(),
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), distortion); }
+    const cm_distortion_arrays *distortion) const { detail::check(detail::holds(y.size(), x.size()) &&
+    detail::holds(z.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_forward_distortion_array(get(),
+    x.size(), x.data(), y.data(), z.data(), distortion); }
 inline void mapping_view::forward_distortion(span<const float> x, span<const float> y, span<const float> z,
-    const cm_distortion_arrays_f32 *distortion) const { cm_forward_distortion_array_f32(get(),
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), distortion); }
+    const cm_distortion_arrays_f32 *distortion) const { detail::check(detail::holds(y.size(), x.size()) &&
+    detail::holds(z.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_forward_distortion_array_f32(get(),
+    x.size(), x.data(), y.data(), z.data(), distortion); }
 inline void mapping_view::inverse_distortion(span<const uint8_t> face, span<const double> u, span<const
-    double> v, const cm_distortion_arrays *distortion) const { cm_inverse_distortion_array(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), distortion); }
+    double> v, const cm_distortion_arrays *distortion) const { detail::check(detail::holds(u.size(),
+    face.size()) && detail::holds(v.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_inverse_distortion_array(get(), face.size(), face.data(), u.data(), v.data(), distortion); }
 inline void mapping_view::inverse_distortion(span<const uint8_t> face, span<const float> u, span<const float>
-    v, const cm_distortion_arrays_f32 *distortion) const { cm_inverse_distortion_array_f32(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), distortion); }
+    v, const cm_distortion_arrays_f32 *distortion) const { detail::check(detail::holds(u.size(), face.size())
+    && detail::holds(v.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_inverse_distortion_array_f32(get(), face.size(), face.data(), u.data(), v.data(), distortion); }
 inline cm_status mapping_view::try_texel_solid_angles(uint8_t face, uint32_t size, span<double> angle) const {
-    return cm_texel_solid_angles(get(), face, size, angle.data()); }
+    return detail::holds(angle.size(), detail::whole(size), detail::whole(size)) ?
+    cm_texel_solid_angles(get(), face, size, angle.data()) : CM_ERROR_ARGUMENT; }
 inline void mapping_view::texel_solid_angles(uint8_t face, uint32_t size, span<double> angle) const {
-    detail::check(cm_texel_solid_angles(get(), face, size, angle.data())); }
+    detail::check(detail::holds(angle.size(), detail::whole(size), detail::whole(size)) ?
+    cm_texel_solid_angles(get(), face, size, angle.data()) : CM_ERROR_ARGUMENT); }
 inline const cm_mapping_info * mapping_view::describe() const { return cm_mapping_describe(get()); }
 inline const cm_frame * mapping_view::frame() const { return cm_mapping_frame(get()); }
 inline double mapping_view::parameter(size_t index) const { return cm_mapping_parameter(get(), index); }
@@ -1353,35 +1902,53 @@ inline uint8_t mapping_view::forward_lonlat(double lon, double lat, double (&uv)
 inline void mapping_view::inverse_lonlat(uint8_t face, const double (&uv)[2], double (&lonlat)[2]) const {
     cm_inverse_lonlat(get(), face, uv, lonlat); }
 inline void mapping_view::forward_lonlat(span<const double> lon, span<const double> lat, span<uint8_t> face,
-    span<double> u, span<double> v) const { cm_forward_lonlat_array(get(), detail::whole<size_t>(lon.size()),
-    lon.data(), lat.data(), face.data(), u.data(), v.data()); }
+    span<double> u, span<double> v) const { detail::check(detail::holds(lat.size(), lon.size()) &&
+    detail::holds(face.size(), lon.size()) && detail::holds(u.size(), lon.size()) && detail::holds(v.size(),
+    lon.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_forward_lonlat_array(get(), lon.size(), lon.data(),
+    lat.data(), face.data(), u.data(), v.data()); }
 inline void mapping_view::inverse_lonlat(span<const uint8_t> face, span<const double> u, span<const double> v,
-    span<double> lon, span<double> lat) const { cm_inverse_lonlat_array(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), lon.data(), lat.data()); }
+    span<double> lon, span<double> lat) const { detail::check(detail::holds(u.size(), face.size()) &&
+    detail::holds(v.size(), face.size()) && detail::holds(lon.size(), face.size()) &&
+    detail::holds(lat.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_inverse_lonlat_array(get(),
+    face.size(), face.data(), u.data(), v.data(), lon.data(), lat.data()); }
 inline void mapping_view::forward(span<const double> x, span<const double> y, span<const double> z,
-    span<uint8_t> face, span<double> u, span<double> v) const { cm_forward_array(get(),
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), face.data(), u.data(), v.data()); }
+    span<uint8_t> face, span<double> u, span<double> v) const { detail::check(detail::holds(y.size(),
+    x.size()) && detail::holds(z.size(), x.size()) && detail::holds(face.size(), x.size()) &&
+    detail::holds(u.size(), x.size()) && detail::holds(v.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_forward_array(get(), x.size(), x.data(), y.data(), z.data(), face.data(), u.data(), v.data()); }
 inline void mapping_view::forward(span<const float> x, span<const float> y, span<const float> z, span<uint8_t>
-    face, span<float> u, span<float> v) const { cm_forward_array_f32(get(), detail::whole<size_t>(x.size()),
-    x.data(), y.data(), z.data(), face.data(), u.data(), v.data()); }
+    face, span<float> u, span<float> v) const { detail::check(detail::holds(y.size(), x.size()) &&
+    detail::holds(z.size(), x.size()) && detail::holds(face.size(), x.size()) && detail::holds(u.size(),
+    x.size()) && detail::holds(v.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_forward_array_f32(get(),
+    x.size(), x.data(), y.data(), z.data(), face.data(), u.data(), v.data()); }
 inline void mapping_view::inverse(span<const uint8_t> face, span<const double> u, span<const double> v,
-    span<double> x, span<double> y, span<double> z) const { cm_inverse_array(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(), z.data()); }
+    span<double> x, span<double> y, span<double> z) const { detail::check(detail::holds(u.size(), face.size())
+    && detail::holds(v.size(), face.size()) && detail::holds(x.size(), face.size()) && detail::holds(y.size(),
+    face.size()) && detail::holds(z.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_inverse_array(get(),
+    face.size(), face.data(), u.data(), v.data(), x.data(), y.data(), z.data()); }
 inline void mapping_view::inverse(span<const uint8_t> face, span<const float> u, span<const float> v,
-    span<float> x, span<float> y, span<float> z) const { cm_inverse_array_f32(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(), z.data()); }
+    span<float> x, span<float> y, span<float> z) const { detail::check(detail::holds(u.size(), face.size()) &&
+    detail::holds(v.size(), face.size()) && detail::holds(x.size(), face.size()) && detail::holds(y.size(),
+    face.size()) && detail::holds(z.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_inverse_array_f32(get(), face.size(), face.data(), u.data(), v.data(), x.data(), y.data(), z.data()); }
 inline void mapping_view::forward_strided(span<const double> xyz, ptrdiff_t stride, span<uint8_t> face,
-    span<double> u, span<double> v) const { cm_forward_strided(get(), detail::whole<size_t>(face.size()),
-    xyz.data(), stride, face.data(), u.data(), v.data()); }
+    span<double> u, span<double> v) const { detail::check(detail::strides(xyz.size(), face.size(), stride) &&
+    detail::holds(u.size(), face.size()) && detail::holds(v.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_forward_strided(get(), face.size(), xyz.data(), stride, face.data(), u.data(), v.data()); }
 inline void mapping_view::forward_strided(span<const float> xyz, ptrdiff_t stride, span<uint8_t> face,
-    span<float> u, span<float> v) const { cm_forward_strided_f32(get(), detail::whole<size_t>(face.size()),
-    xyz.data(), stride, face.data(), u.data(), v.data()); }
+    span<float> u, span<float> v) const { detail::check(detail::strides(xyz.size(), face.size(), stride) &&
+    detail::holds(u.size(), face.size()) && detail::holds(v.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_forward_strided_f32(get(), face.size(), xyz.data(), stride, face.data(), u.data(), v.data()); }
 inline void mapping_view::inverse_strided(span<const uint8_t> face, span<const double> u, span<const double>
-    v, span<double> xyz, ptrdiff_t stride) const { cm_inverse_strided(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), xyz.data(), stride); }
+    v, span<double> xyz, ptrdiff_t stride) const { detail::check(detail::holds(u.size(), face.size()) &&
+    detail::holds(v.size(), face.size()) && detail::strides(xyz.size(), face.size(), stride) ? CM_OK :
+    CM_ERROR_ARGUMENT); cm_inverse_strided(get(), face.size(), face.data(), u.data(), v.data(), xyz.data(),
+    stride); }
 inline void mapping_view::inverse_strided(span<const uint8_t> face, span<const float> u, span<const float> v,
-    span<float> xyz, ptrdiff_t stride) const { cm_inverse_strided_f32(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), xyz.data(), stride); }
+    span<float> xyz, ptrdiff_t stride) const { detail::check(detail::holds(u.size(), face.size()) &&
+    detail::holds(v.size(), face.size()) && detail::strides(xyz.size(), face.size(), stride) ? CM_OK :
+    CM_ERROR_ARGUMENT); cm_inverse_strided_f32(get(), face.size(), face.data(), u.data(), v.data(),
+    xyz.data(), stride); }
 inline void mapping_view::forward_jacobian(const double (&direction)[3], double (&jacobian)[6]) const {
     cm_forward_jacobian(get(), direction, jacobian); }
 inline void mapping_view::forward_jacobian(const float (&direction)[3], float (&jacobian)[6]) const {
@@ -1391,17 +1958,21 @@ inline void mapping_view::inverse_jacobian(uint8_t face, const double (&uv)[2], 
 inline void mapping_view::inverse_jacobian(uint8_t face, const float (&uv)[2], float (&jacobian)[6]) const {
     cm_inverse_jacobian_f32(get(), face, uv, jacobian); }
 inline void mapping_view::forward_jacobian(span<const double> x, span<const double> y, span<const double> z,
-    double *const (&jacobian)[6]) const { cm_forward_jacobian_array(get(), detail::whole<size_t>(x.size()),
+    double *const (&jacobian)[6]) const { detail::check(detail::holds(y.size(), x.size()) &&
+    detail::holds(z.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_forward_jacobian_array(get(), x.size(),
     x.data(), y.data(), z.data(), jacobian); }
 inline void mapping_view::forward_jacobian(span<const float> x, span<const float> y, span<const float> z,
-    float *const (&jacobian)[6]) const { cm_forward_jacobian_array_f32(get(), detail::whole<size_t>(x.size()),
-    x.data(), y.data(), z.data(), jacobian); }
+    float *const (&jacobian)[6]) const { detail::check(detail::holds(y.size(), x.size()) &&
+    detail::holds(z.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_forward_jacobian_array_f32(get(),
+    x.size(), x.data(), y.data(), z.data(), jacobian); }
 inline void mapping_view::inverse_jacobian(span<const uint8_t> face, span<const double> u, span<const double>
-    v, double *const (&jacobian)[6]) const { cm_inverse_jacobian_array(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), jacobian); }
+    v, double *const (&jacobian)[6]) const { detail::check(detail::holds(u.size(), face.size()) &&
+    detail::holds(v.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_inverse_jacobian_array(get(),
+    face.size(), face.data(), u.data(), v.data(), jacobian); }
 inline void mapping_view::inverse_jacobian(span<const uint8_t> face, span<const float> u, span<const float> v,
-    float *const (&jacobian)[6]) const { cm_inverse_jacobian_array_f32(get(),
-    detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), jacobian); }
+    float *const (&jacobian)[6]) const { detail::check(detail::holds(u.size(), face.size()) &&
+    detail::holds(v.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_inverse_jacobian_array_f32(get(),
+    face.size(), face.data(), u.data(), v.data(), jacobian); }
 inline cm_status mapping_view::try_warp(const double (&pq)[2], double (&uv)[2]) const { return cm_warp(get(),
     pq, uv); }
 inline void mapping_view::warp(const double (&pq)[2], double (&uv)[2]) const { detail::check(cm_warp(get(),
@@ -1419,29 +1990,37 @@ inline cm_status mapping_view::try_unwarp(const float (&uv)[2], float (&pq)[2]) 
 inline void mapping_view::unwarp(const float (&uv)[2], float (&pq)[2]) const {
     detail::check(cm_unwarp_f32(get(), uv, pq)); }
 inline cm_status mapping_view::try_warp(span<const double> p, span<const double> q, span<double> u,
-    span<double> v) const { return cm_warp_array(get(), detail::whole<size_t>(p.size()), p.data(), q.data(),
-    u.data(), v.data()); }
+    span<double> v) const { return detail::holds(q.size(), p.size()) && detail::holds(u.size(), p.size()) &&
+    detail::holds(v.size(), p.size()) ? cm_warp_array(get(), p.size(), p.data(), q.data(), u.data(), v.data())
+    : CM_ERROR_ARGUMENT; }
 inline void mapping_view::warp(span<const double> p, span<const double> q, span<double> u, span<double> v)
-    const { detail::check(cm_warp_array(get(), detail::whole<size_t>(p.size()), p.data(), q.data(), u.data(),
-    v.data())); }
+    const { detail::check(detail::holds(q.size(), p.size()) && detail::holds(u.size(), p.size()) &&
+    detail::holds(v.size(), p.size()) ? cm_warp_array(get(), p.size(), p.data(), q.data(), u.data(), v.data())
+    : CM_ERROR_ARGUMENT); }
 inline cm_status mapping_view::try_warp(span<const float> p, span<const float> q, span<float> u, span<float>
-    v) const { return cm_warp_array_f32(get(), detail::whole<size_t>(p.size()), p.data(), q.data(), u.data(),
-    v.data()); }
+    v) const { return detail::holds(q.size(), p.size()) && detail::holds(u.size(), p.size()) &&
+    detail::holds(v.size(), p.size()) ? cm_warp_array_f32(get(), p.size(), p.data(), q.data(), u.data(),
+    v.data()) : CM_ERROR_ARGUMENT; }
 inline void mapping_view::warp(span<const float> p, span<const float> q, span<float> u, span<float> v) const {
-    detail::check(cm_warp_array_f32(get(), detail::whole<size_t>(p.size()), p.data(), q.data(), u.data(),
-    v.data())); }
+    detail::check(detail::holds(q.size(), p.size()) && detail::holds(u.size(), p.size()) &&
+    detail::holds(v.size(), p.size()) ? cm_warp_array_f32(get(), p.size(), p.data(), q.data(), u.data(),
+    v.data()) : CM_ERROR_ARGUMENT); }
 inline cm_status mapping_view::try_unwarp(span<const double> u, span<const double> v, span<double> p,
-    span<double> q) const { return cm_unwarp_array(get(), detail::whole<size_t>(u.size()), u.data(), v.data(),
-    p.data(), q.data()); }
+    span<double> q) const { return detail::holds(v.size(), u.size()) && detail::holds(p.size(), u.size()) &&
+    detail::holds(q.size(), u.size()) ? cm_unwarp_array(get(), u.size(), u.data(), v.data(), p.data(),
+    q.data()) : CM_ERROR_ARGUMENT; }
 inline void mapping_view::unwarp(span<const double> u, span<const double> v, span<double> p, span<double> q)
-    const { detail::check(cm_unwarp_array(get(), detail::whole<size_t>(u.size()), u.data(), v.data(),
-    p.data(), q.data())); }
+    const { detail::check(detail::holds(v.size(), u.size()) && detail::holds(p.size(), u.size()) &&
+    detail::holds(q.size(), u.size()) ? cm_unwarp_array(get(), u.size(), u.data(), v.data(), p.data(),
+    q.data()) : CM_ERROR_ARGUMENT); }
 inline cm_status mapping_view::try_unwarp(span<const float> u, span<const float> v, span<float> p, span<float>
-    q) const { return cm_unwarp_array_f32(get(), detail::whole<size_t>(u.size()), u.data(), v.data(),
-    p.data(), q.data()); }
+    q) const { return detail::holds(v.size(), u.size()) && detail::holds(p.size(), u.size()) &&
+    detail::holds(q.size(), u.size()) ? cm_unwarp_array_f32(get(), u.size(), u.data(), v.data(), p.data(),
+    q.data()) : CM_ERROR_ARGUMENT; }
 inline void mapping_view::unwarp(span<const float> u, span<const float> v, span<float> p, span<float> q) const
-    { detail::check(cm_unwarp_array_f32(get(), detail::whole<size_t>(u.size()), u.data(), v.data(), p.data(),
-    q.data())); }
+    { detail::check(detail::holds(v.size(), u.size()) && detail::holds(p.size(), u.size()) &&
+    detail::holds(q.size(), u.size()) ? cm_unwarp_array_f32(get(), u.size(), u.data(), v.data(), p.data(),
+    q.data()) : CM_ERROR_ARGUMENT); }
 inline cm_status mapping_view::try_warp_jacobian(const double (&pq)[2], double (&jacobian)[4]) const { return
     cm_warp_jacobian(get(), pq, jacobian); }
 inline void mapping_view::warp_jacobian(const double (&pq)[2], double (&jacobian)[4]) const {
@@ -1451,17 +2030,17 @@ inline cm_status mapping_view::try_warp_jacobian(const float (&pq)[2], float (&j
 inline void mapping_view::warp_jacobian(const float (&pq)[2], float (&jacobian)[4]) const {
     detail::check(cm_warp_jacobian_f32(get(), pq, jacobian)); }
 inline cm_status mapping_view::try_warp_jacobian(span<const double> p, span<const double> q, double *const
-    (&jacobian)[4]) const { return cm_warp_jacobian_array(get(), detail::whole<size_t>(p.size()), p.data(),
-    q.data(), jacobian); }
+    (&jacobian)[4]) const { return detail::holds(q.size(), p.size()) ? cm_warp_jacobian_array(get(), p.size(),
+    p.data(), q.data(), jacobian) : CM_ERROR_ARGUMENT; }
 inline void mapping_view::warp_jacobian(span<const double> p, span<const double> q, double *const
-    (&jacobian)[4]) const { detail::check(cm_warp_jacobian_array(get(), detail::whole<size_t>(p.size()),
-    p.data(), q.data(), jacobian)); }
+    (&jacobian)[4]) const { detail::check(detail::holds(q.size(), p.size()) ? cm_warp_jacobian_array(get(),
+    p.size(), p.data(), q.data(), jacobian) : CM_ERROR_ARGUMENT); }
 inline cm_status mapping_view::try_warp_jacobian(span<const float> p, span<const float> q, float *const
-    (&jacobian)[4]) const { return cm_warp_jacobian_array_f32(get(), detail::whole<size_t>(p.size()),
-    p.data(), q.data(), jacobian); }
+    (&jacobian)[4]) const { return detail::holds(q.size(), p.size()) ? cm_warp_jacobian_array_f32(get(),
+    p.size(), p.data(), q.data(), jacobian) : CM_ERROR_ARGUMENT; }
 inline void mapping_view::warp_jacobian(span<const float> p, span<const float> q, float *const (&jacobian)[4])
-    const { detail::check(cm_warp_jacobian_array_f32(get(), detail::whole<size_t>(p.size()), p.data(),
-    q.data(), jacobian)); }
+    const { detail::check(detail::holds(q.size(), p.size()) ? cm_warp_jacobian_array_f32(get(), p.size(),
+    p.data(), q.data(), jacobian) : CM_ERROR_ARGUMENT); }
 inline cm_tier mapping_view::tier() const { return cm_mapping_tier(get()); }
 inline const char * mapping_view::instructions() const { return cm_mapping_instructions(get()); }
 inline cm_status mapping_view::try_orient(const cm_mask &mask, const cm_orient_options *options,
@@ -1482,52 +2061,76 @@ inline void mapping_view::distortion_statistics(cm_quantity quantity, const cm_s
     statistics)); }
 inline cm_status mapping_view::try_distortion_percentiles(cm_quantity quantity, const cm_statistics_options
     *options, span<const double> percent, span<double> value, span<double> doubt) const { return
-    cm_distortion_percentiles(get(), quantity, options, detail::whole<size_t>(percent.size()), percent.data(),
-    value.data(), doubt.data()); }
+    detail::holds(value.size(), percent.size()) && (doubt.data() == nullptr || detail::holds(doubt.size(),
+    percent.size())) ? cm_distortion_percentiles(get(), quantity, options, percent.size(), percent.data(),
+    value.data(), doubt.data()) : CM_ERROR_ARGUMENT; }
 inline void mapping_view::distortion_percentiles(cm_quantity quantity, const cm_statistics_options *options,
     span<const double> percent, span<double> value, span<double> doubt) const {
-    detail::check(cm_distortion_percentiles(get(), quantity, options, detail::whole<size_t>(percent.size()),
-    percent.data(), value.data(), doubt.data())); }
+    detail::check(detail::holds(value.size(), percent.size()) && (doubt.data() == nullptr ||
+    detail::holds(doubt.size(), percent.size())) ? cm_distortion_percentiles(get(), quantity, options,
+    percent.size(), percent.data(), value.data(), doubt.data()) : CM_ERROR_ARGUMENT); }
 inline void mapping_view::forward(unsigned threads, span<const double> x, span<const double> y, span<const
-    double> z, span<uint8_t> face, span<double> u, span<double> v) const { cm_forward_array_threads(get(),
-    threads, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), face.data(), u.data(), v.data());
-    }
+    double> z, span<uint8_t> face, span<double> u, span<double> v) const {
+    detail::check(detail::holds(y.size(), x.size()) && detail::holds(z.size(), x.size()) &&
+    detail::holds(face.size(), x.size()) && detail::holds(u.size(), x.size()) && detail::holds(v.size(),
+    x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_forward_array_threads(get(), threads, x.size(), x.data(),
+    y.data(), z.data(), face.data(), u.data(), v.data()); }
 inline void mapping_view::forward(unsigned threads, span<const float> x, span<const float> y, span<const
-    float> z, span<uint8_t> face, span<float> u, span<float> v) const { cm_forward_array_threads_f32(get(),
-    threads, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), face.data(), u.data(), v.data());
-    }
+    float> z, span<uint8_t> face, span<float> u, span<float> v) const { detail::check(detail::holds(y.size(),
+    x.size()) && detail::holds(z.size(), x.size()) && detail::holds(face.size(), x.size()) &&
+    detail::holds(u.size(), x.size()) && detail::holds(v.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_forward_array_threads_f32(get(), threads, x.size(), x.data(), y.data(), z.data(), face.data(),
+    u.data(), v.data()); }
 inline void mapping_view::inverse(unsigned threads, span<const uint8_t> face, span<const double> u, span<const
-    double> v, span<double> x, span<double> y, span<double> z) const { cm_inverse_array_threads(get(),
-    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(),
+    double> v, span<double> x, span<double> y, span<double> z) const { detail::check(detail::holds(u.size(),
+    face.size()) && detail::holds(v.size(), face.size()) && detail::holds(x.size(), face.size()) &&
+    detail::holds(y.size(), face.size()) && detail::holds(z.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_inverse_array_threads(get(), threads, face.size(), face.data(), u.data(), v.data(), x.data(), y.data(),
     z.data()); }
 inline void mapping_view::inverse(unsigned threads, span<const uint8_t> face, span<const float> u, span<const
-    float> v, span<float> x, span<float> y, span<float> z) const { cm_inverse_array_threads_f32(get(),
-    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), x.data(), y.data(),
-    z.data()); }
+    float> v, span<float> x, span<float> y, span<float> z) const { detail::check(detail::holds(u.size(),
+    face.size()) && detail::holds(v.size(), face.size()) && detail::holds(x.size(), face.size()) &&
+    detail::holds(y.size(), face.size()) && detail::holds(z.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_inverse_array_threads_f32(get(), threads, face.size(), face.data(), u.data(), v.data(), x.data(),
+    y.data(), z.data()); }
 inline void mapping_view::forward_strided(unsigned threads, span<const double> xyz, ptrdiff_t stride,
-    span<uint8_t> face, span<double> u, span<double> v) const { cm_forward_strided_threads(get(), threads,
-    detail::whole<size_t>(face.size()), xyz.data(), stride, face.data(), u.data(), v.data()); }
+    span<uint8_t> face, span<double> u, span<double> v) const { detail::check(detail::strides(xyz.size(),
+    face.size(), stride) && detail::holds(u.size(), face.size()) && detail::holds(v.size(), face.size()) ?
+    CM_OK : CM_ERROR_ARGUMENT); cm_forward_strided_threads(get(), threads, face.size(), xyz.data(), stride,
+    face.data(), u.data(), v.data()); }
 inline void mapping_view::forward_strided(unsigned threads, span<const float> xyz, ptrdiff_t stride,
-    span<uint8_t> face, span<float> u, span<float> v) const { cm_forward_strided_threads_f32(get(), threads,
-    detail::whole<size_t>(face.size()), xyz.data(), stride, face.data(), u.data(), v.data()); }
+    span<uint8_t> face, span<float> u, span<float> v) const { detail::check(detail::strides(xyz.size(),
+    face.size(), stride) && detail::holds(u.size(), face.size()) && detail::holds(v.size(), face.size()) ?
+    CM_OK : CM_ERROR_ARGUMENT); cm_forward_strided_threads_f32(get(), threads, face.size(), xyz.data(),
+    stride, face.data(), u.data(), v.data()); }
 inline void mapping_view::inverse_strided(unsigned threads, span<const uint8_t> face, span<const double> u,
-    span<const double> v, span<double> xyz, ptrdiff_t stride) const { cm_inverse_strided_threads(get(),
-    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), xyz.data(), stride); }
+    span<const double> v, span<double> xyz, ptrdiff_t stride) const { detail::check(detail::holds(u.size(),
+    face.size()) && detail::holds(v.size(), face.size()) && detail::strides(xyz.size(), face.size(), stride) ?
+    CM_OK : CM_ERROR_ARGUMENT); cm_inverse_strided_threads(get(), threads, face.size(), face.data(), u.data(),
+    v.data(), xyz.data(), stride); }
 inline void mapping_view::inverse_strided(unsigned threads, span<const uint8_t> face, span<const float> u,
-    span<const float> v, span<float> xyz, ptrdiff_t stride) const { cm_inverse_strided_threads_f32(get(),
-    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), xyz.data(), stride); }
+    span<const float> v, span<float> xyz, ptrdiff_t stride) const { detail::check(detail::holds(u.size(),
+    face.size()) && detail::holds(v.size(), face.size()) && detail::strides(xyz.size(), face.size(), stride) ?
+    CM_OK : CM_ERROR_ARGUMENT); cm_inverse_strided_threads_f32(get(), threads, face.size(), face.data(),
+    u.data(), v.data(), xyz.data(), stride); }
 inline void mapping_view::forward_jacobian(unsigned threads, span<const double> x, span<const double> y,
-    span<const double> z, double *const (&jacobian)[6]) const { cm_forward_jacobian_array_threads(get(),
-    threads, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), jacobian); }
+    span<const double> z, double *const (&jacobian)[6]) const { detail::check(detail::holds(y.size(),
+    x.size()) && detail::holds(z.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_forward_jacobian_array_threads(get(), threads, x.size(), x.data(), y.data(), z.data(), jacobian); }
 inline void mapping_view::forward_jacobian(unsigned threads, span<const float> x, span<const float> y,
-    span<const float> z, float *const (&jacobian)[6]) const { cm_forward_jacobian_array_threads_f32(get(),
-    threads, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), jacobian); }
+    span<const float> z, float *const (&jacobian)[6]) const { detail::check(detail::holds(y.size(), x.size())
+    && detail::holds(z.size(), x.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_forward_jacobian_array_threads_f32(get(), threads, x.size(), x.data(), y.data(), z.data(), jacobian); }
 inline void mapping_view::inverse_jacobian(unsigned threads, span<const uint8_t> face, span<const double> u,
-    span<const double> v, double *const (&jacobian)[6]) const { cm_inverse_jacobian_array_threads(get(),
-    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), jacobian); }
+    span<const double> v, double *const (&jacobian)[6]) const { detail::check(detail::holds(u.size(),
+    face.size()) && detail::holds(v.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_inverse_jacobian_array_threads(get(), threads, face.size(), face.data(), u.data(), v.data(), jacobian);
+    }
 inline void mapping_view::inverse_jacobian(unsigned threads, span<const uint8_t> face, span<const float> u,
-    span<const float> v, float *const (&jacobian)[6]) const { cm_inverse_jacobian_array_threads_f32(get(),
-    threads, detail::whole<size_t>(face.size()), face.data(), u.data(), v.data(), jacobian); }
+    span<const float> v, float *const (&jacobian)[6]) const { detail::check(detail::holds(u.size(),
+    face.size()) && detail::holds(v.size(), face.size()) ? CM_OK : CM_ERROR_ARGUMENT);
+    cm_inverse_jacobian_array_threads_f32(get(), threads, face.size(), face.data(), u.data(), v.data(),
+    jacobian); }
 inline result<mapping> mapping::try_make(const char *specification, const cm_frame *frame) { cm_mapping
     *made_object = nullptr; const cm_status status = cm_mapping_create(specification, frame, &made_object);
     return status == CM_OK ? result<mapping>(mapping(made_object)) : result<mapping>(status); }
@@ -1539,6 +2142,13 @@ inline result<mapping> mapping::try_make(const char *specification, const cm_fra
     result<mapping>(mapping(made_object)) : result<mapping>(status); }
 inline mapping::mapping(const char *specification, const cm_frame *frame, const cm_options *options) :
     mapping(try_make(specification, frame, options).value()) {}
+inline const cm_mesh_options * mesh_view::describe() const { return cm_mesh_describe(get()); }
+inline void mesh_view::bounds(double (&least)[3], double (&greatest)[3]) const { cm_mesh_bounds(get(), least,
+    greatest); }
+inline result<mesh> mesh::try_make(const cm_mesh_options &options) { cm_mesh *made_object = nullptr; const
+    cm_status status = cm_mesh_create(&options, &made_object); return status == CM_OK ?
+    result<mesh>(mesh(made_object)) : result<mesh>(status); }
+inline mesh::mesh(const cm_mesh_options &options) : mesh(try_make(options).value()) {}
 inline uint32_t mips_view::count() const { return cm_mips_count(get()); }
 inline const cm_image * mips_view::pictures(uint32_t level) const { return cm_mips_pictures(get(), level); }
 inline result<mips> mips::try_make(surface_view surface, const cm_image *pictures, const cm_plan_options
@@ -1547,6 +2157,23 @@ inline result<mips> mips::try_make(surface_view surface, const cm_image *picture
     result<mips>(mips(made_object)) : result<mips>(status); }
 inline mips::mips(surface_view surface, const cm_image *pictures, const cm_plan_options *options, unsigned
     threads) : mips(try_make(surface, pictures, options, threads).value()) {}
+inline cm_status motion_view::try_at(double time, cm_motion_state *state) const { return cm_motion_at(get(),
+    time, state); }
+inline void motion_view::at(double time, cm_motion_state *state) const { detail::check(cm_motion_at(get(),
+    time, state)); }
+inline cm_status motion_view::try_inertial(const cm_inertial_options *options, span<double> stamp,
+    span<double> acceleration, span<double> rate, size_t *count) const { return
+    detail::holds(acceleration.size(), stamp.size(), 3) && detail::holds(rate.size(), stamp.size(), 3) ?
+    cm_motion_inertial(get(), options, stamp.size(), stamp.data(), acceleration.data(), rate.data(), count) :
+    CM_ERROR_ARGUMENT; }
+inline void motion_view::inertial(const cm_inertial_options *options, span<double> stamp, span<double>
+    acceleration, span<double> rate, size_t *count) const { detail::check(detail::holds(acceleration.size(),
+    stamp.size(), 3) && detail::holds(rate.size(), stamp.size(), 3) ? cm_motion_inertial(get(), options,
+    stamp.size(), stamp.data(), acceleration.data(), rate.data(), count) : CM_ERROR_ARGUMENT); }
+inline result<motion> motion::try_make(trajectory_view trajectory) { cm_motion *made_object = nullptr; const
+    cm_status status = cm_motion_create(trajectory.get(), &made_object); return status == CM_OK ?
+    result<motion>(motion(made_object)) : result<motion>(status); }
+inline motion::motion(trajectory_view trajectory) : motion(try_make(trajectory).value()) {}
 inline cm_status plan_view::try_write(char *text, size_t size, size_t *length) const { return
     cm_plan_write(get(), text, size, length); }
 inline void plan_view::write(char *text, size_t size, size_t *length) const {
@@ -1565,11 +2192,104 @@ inline result<plan> plan::try_make(surface_view from, surface_view to, const cm_
 inline plan::plan(surface_view from, surface_view to, const cm_plan_options *options) : plan(try_make(from,
     to, options).value()) {}
 inline result<plan> plan::try_read(span<const char> text, const char *instructions) { cm_plan *made_object =
-    nullptr; const cm_status status = cm_plan_read(text.data(), detail::whole<size_t>(text.size()),
-    instructions, &made_object); return status == CM_OK ? result<plan>(plan(made_object)) :
-    result<plan>(status); }
+    nullptr; const cm_status status = cm_plan_read(text.data(), text.size(), instructions, &made_object);
+    return status == CM_OK ? result<plan>(plan(made_object)) : result<plan>(status); }
 inline plan plan::read(span<const char> text, const char *instructions) { return try_read(text,
     instructions).value(); }
+inline unsigned pool_view::threads() const { return cm_pool_threads(get()); }
+inline void pool_view::run(size_t n, size_t least, cm_job job, void *user) const { cm_pool_run(get(), n,
+    least, job, user); }
+inline result<pool> pool::try_make(unsigned threads) { cm_pool *made_object = nullptr; const cm_status status
+    = cm_pool_create(threads, &made_object); return status == CM_OK ? result<pool>(pool(made_object)) :
+    result<pool>(status); }
+inline pool::pool(unsigned threads) : pool(try_make(threads).value()) {}
+inline cm_status raster_view::try_use_pool(pool_view pool) const { return cm_raster_use_pool(get(),
+    pool.get()); }
+inline void raster_view::use_pool(pool_view pool) const { detail::check(cm_raster_use_pool(get(),
+    pool.get())); }
+inline size_t raster_view::pixel_count() const { return cm_raster_pixel_count(get()); }
+inline void raster_view::clear() const { cm_raster_clear(get()); }
+inline cm_status raster_view::try_triangles(const cm_pose *pose, const cm_triangles &triangles, unsigned
+    threads) const { return cm_raster_triangles(get(), pose, &triangles, threads); }
+inline void raster_view::triangles(const cm_pose *pose, const cm_triangles &triangles, unsigned threads) const
+    { detail::check(cm_raster_triangles(get(), pose, &triangles, threads)); }
+inline cm_status raster_view::try_discs(const cm_pose *pose, const cm_discs &discs, unsigned threads) const {
+    return cm_raster_discs(get(), pose, &discs, threads); }
+inline void raster_view::discs(const cm_pose *pose, const cm_discs &discs, unsigned threads) const {
+    detail::check(cm_raster_discs(get(), pose, &discs, threads)); }
+inline cm_status raster_view::try_points(const cm_pose *pose, const cm_points &points, unsigned threads) const
+    { return cm_raster_points(get(), pose, &points, threads); }
+inline void raster_view::points(const cm_pose *pose, const cm_points &points, unsigned threads) const {
+    detail::check(cm_raster_points(get(), pose, &points, threads)); }
+inline cm_status raster_view::try_read(span<float> image, span<uint32_t> id) const { return (image.data() ==
+    nullptr || detail::holds(image.size(), cm_raster_pixel_count(get()))) && (id.data() == nullptr ||
+    detail::holds(id.size(), cm_raster_pixel_count(get()))) ? cm_raster_read(get(), image.data(), id.data()) :
+    CM_ERROR_ARGUMENT; }
+inline void raster_view::read(span<float> image, span<uint32_t> id) const { detail::check((image.data() ==
+    nullptr || detail::holds(image.size(), cm_raster_pixel_count(get()))) && (id.data() == nullptr ||
+    detail::holds(id.size(), cm_raster_pixel_count(get()))) ? cm_raster_read(get(), image.data(), id.data()) :
+    CM_ERROR_ARGUMENT); }
+inline cm_status raster_view::try_weights(const cm_pose *pose, const cm_triangles &triangles, span<float>
+    second, span<float> third) const { return detail::holds(second.size(), cm_raster_pixel_count(get())) &&
+    detail::holds(third.size(), cm_raster_pixel_count(get())) ? cm_raster_weights(get(), pose, &triangles,
+    second.data(), third.data()) : CM_ERROR_ARGUMENT; }
+inline void raster_view::weights(const cm_pose *pose, const cm_triangles &triangles, span<float> second,
+    span<float> third) const { detail::check(detail::holds(second.size(), cm_raster_pixel_count(get())) &&
+    detail::holds(third.size(), cm_raster_pixel_count(get())) ? cm_raster_weights(get(), pose, &triangles,
+    second.data(), third.data()) : CM_ERROR_ARGUMENT); }
+inline result<raster> raster::try_make(camera_view camera, double nearest, const char *instructions) {
+    cm_raster *made_object = nullptr; const cm_status status = cm_raster_create(camera.get(), nearest,
+    instructions, &made_object); return status == CM_OK ? result<raster>(raster(made_object)) :
+    result<raster>(status); }
+inline raster::raster(camera_view camera, double nearest, const char *instructions) : raster(try_make(camera,
+    nearest, instructions).value()) {}
+inline cm_status rays_view::try_use_pool(pool_view pool) const { return cm_rays_use_pool(get(), pool.get()); }
+inline void rays_view::use_pool(pool_view pool) const { detail::check(cm_rays_use_pool(get(), pool.get())); }
+inline size_t rays_view::pixel_count() const { return cm_rays_pixel_count(get()); }
+inline size_t rays_view::halved_pixel_count() const { return cm_rays_halved_pixel_count(get()); }
+inline cm_status rays_view::try_to_range(span<const float> depth, unsigned threads, span<float> range) const {
+    return detail::holds(depth.size(), cm_rays_pixel_count(get())) && detail::holds(range.size(),
+    cm_rays_pixel_count(get())) ? cm_depth_to_range(get(), depth.data(), threads, range.data()) :
+    CM_ERROR_ARGUMENT; }
+inline void rays_view::to_range(span<const float> depth, unsigned threads, span<float> range) const {
+    detail::check(detail::holds(depth.size(), cm_rays_pixel_count(get())) && detail::holds(range.size(),
+    cm_rays_pixel_count(get())) ? cm_depth_to_range(get(), depth.data(), threads, range.data()) :
+    CM_ERROR_ARGUMENT); }
+inline cm_status rays_view::try_from_range(span<const float> range, unsigned threads, span<float> depth) const
+    { return detail::holds(range.size(), cm_rays_pixel_count(get())) && detail::holds(depth.size(),
+    cm_rays_pixel_count(get())) ? cm_depth_from_range(get(), range.data(), threads, depth.data()) :
+    CM_ERROR_ARGUMENT; }
+inline void rays_view::from_range(span<const float> range, unsigned threads, span<float> depth) const {
+    detail::check(detail::holds(range.size(), cm_rays_pixel_count(get())) && detail::holds(depth.size(),
+    cm_rays_pixel_count(get())) ? cm_depth_from_range(get(), range.data(), threads, depth.data()) :
+    CM_ERROR_ARGUMENT); }
+inline cm_status rays_view::try_make_maps(span<const float> image, unsigned threads, const cm_depth_maps
+    &maps) const { return detail::holds(image.size(), cm_rays_pixel_count(get())) ? cm_depth_make_maps(get(),
+    image.data(), threads, &maps) : CM_ERROR_ARGUMENT; }
+inline void rays_view::make_maps(span<const float> image, unsigned threads, const cm_depth_maps &maps) const {
+    detail::check(detail::holds(image.size(), cm_rays_pixel_count(get())) ? cm_depth_make_maps(get(),
+    image.data(), threads, &maps) : CM_ERROR_ARGUMENT); }
+inline cm_status rays_view::try_smooth(span<const float> from, double pixels, double metres, unsigned threads,
+    span<float> to) const { return detail::holds(from.size(), cm_rays_pixel_count(get())) &&
+    detail::holds(to.size(), cm_rays_pixel_count(get())) ? cm_depth_smooth(get(), from.data(), pixels, metres,
+    threads, to.data()) : CM_ERROR_ARGUMENT; }
+inline void rays_view::smooth(span<const float> from, double pixels, double metres, unsigned threads,
+    span<float> to) const { detail::check(detail::holds(from.size(), cm_rays_pixel_count(get())) &&
+    detail::holds(to.size(), cm_rays_pixel_count(get())) ? cm_depth_smooth(get(), from.data(), pixels, metres,
+    threads, to.data()) : CM_ERROR_ARGUMENT); }
+inline cm_status rays_view::try_halve(span<const float> from, double gap, unsigned threads, span<float> to)
+    const { return detail::holds(from.size(), cm_rays_pixel_count(get())) && detail::holds(to.size(),
+    cm_rays_halved_pixel_count(get())) ? cm_depth_halve(get(), from.data(), gap, threads, to.data()) :
+    CM_ERROR_ARGUMENT; }
+inline void rays_view::halve(span<const float> from, double gap, unsigned threads, span<float> to) const {
+    detail::check(detail::holds(from.size(), cm_rays_pixel_count(get())) && detail::holds(to.size(),
+    cm_rays_halved_pixel_count(get())) ? cm_depth_halve(get(), from.data(), gap, threads, to.data()) :
+    CM_ERROR_ARGUMENT); }
+inline result<rays> rays::try_make(camera_view camera, const char *instructions) { cm_rays *made_object =
+    nullptr; const cm_status status = cm_rays_create(camera.get(), instructions, &made_object); return status
+    == CM_OK ? result<rays>(rays(made_object)) : result<rays>(status); }
+inline rays::rays(camera_view camera, const char *instructions) : rays(try_make(camera, instructions).value())
+    {}
 inline int region_view::contains(const double (&normal)[3]) const { return cm_region_contains(get(), normal);
     }
 inline result<region> region::try_cap(const double (&normal)[3], double radius) { cm_region *made_object =
@@ -1588,11 +2308,33 @@ inline result<region> region::try_box(double west, double south, double east, do
 inline region region::box(double west, double south, double east, double north) { return try_box(west, south,
     east, north).value(); }
 inline result<region> region::try_polygon(span<const size_t> ring_length, span<const double> lonlat) {
-    cm_region *made_object = nullptr; const cm_status status =
-    cm_region_polygon(detail::whole<size_t>(ring_length.size()), ring_length.data(), lonlat.data(),
-    &made_object); return status == CM_OK ? result<region>(region(made_object)) : result<region>(status); }
+    cm_region *made_object = nullptr; const cm_status status = detail::holds(lonlat.size(),
+    detail::sum(ring_length), 2) ? cm_region_polygon(ring_length.size(), ring_length.data(), lonlat.data(),
+    &made_object) : CM_ERROR_ARGUMENT; return status == CM_OK ? result<region>(region(made_object)) :
+    result<region>(status); }
 inline region region::polygon(span<const size_t> ring_length, span<const double> lonlat) { return
     try_polygon(ring_length, lonlat).value(); }
+inline cm_status scene_view::try_add(const cm_primitive &primitive, uint32_t *id) const { return
+    cm_scene_add(get(), &primitive, id); }
+inline void scene_view::add(const cm_primitive &primitive, uint32_t *id) const {
+    detail::check(cm_scene_add(get(), &primitive, id)); }
+inline size_t scene_view::count() const { return cm_scene_count(get()); }
+inline const cm_primitive * scene_view::at(uint32_t id) const { return cm_scene_at(get(), id); }
+inline void scene_view::cast(span<const double> origin_x, span<const double> origin_y, span<const double>
+    origin_z, span<const double> direction_x, span<const double> direction_y, span<const double> direction_z,
+    const cm_hit_arrays *hit) const { detail::check(detail::holds(origin_y.size(), origin_x.size()) &&
+    detail::holds(origin_z.size(), origin_x.size()) && detail::holds(direction_x.size(), origin_x.size()) &&
+    detail::holds(direction_y.size(), origin_x.size()) && detail::holds(direction_z.size(), origin_x.size()) ?
+    CM_OK : CM_ERROR_ARGUMENT); cm_scene_cast_array(get(), origin_x.size(), origin_x.data(), origin_y.data(),
+    origin_z.data(), direction_x.data(), direction_y.data(), direction_z.data(), hit); }
+inline result<scene> scene::try_make() { cm_scene *made_object = nullptr; const cm_status status =
+    cm_scene_create(&made_object); return status == CM_OK ? result<scene>(scene(made_object)) :
+    result<scene>(status); }
+inline scene::scene() : scene(try_make().value()) {}
+inline result<scene> scene::try_named(const char *name) { cm_scene *made_object = nullptr; const cm_status
+    status = cm_scene_create_named(name, &made_object); return status == CM_OK ?
+    result<scene>(scene(made_object)) : result<scene>(status); }
+inline scene scene::named(const char *name) { return try_named(name).value(); }
 inline cm_filter source_view::filter() const { return cm_source_filter(get()); }
 inline result<source> source::try_make(plan_view plan, const cm_image *from, cm_pixel_type target_type,
     unsigned threads) { cm_source *made_object = nullptr; const cm_status status =
@@ -1600,6 +2342,35 @@ inline result<source> source::try_make(plan_view plan, const cm_image *from, cm_
     result<source>(source(made_object)) : result<source>(status); }
 inline source::source(plan_view plan, const cm_image *from, cm_pixel_type target_type, unsigned threads) :
     source(try_make(plan, from, target_type, threads).value()) {}
+inline cm_status store_view::try_get(const cm_store_key &key, uint32_t kind, uint32_t newest, cm_blob *blob)
+    const { return cm_store_get(get(), &key, kind, newest, blob); }
+inline void store_view::get(const cm_store_key &key, uint32_t kind, uint32_t newest, cm_blob *blob) const {
+    detail::check(cm_store_get(get(), &key, kind, newest, blob)); }
+inline cm_status store_view::try_put(const cm_store_key &key, const cm_blob &blob) const { return
+    cm_store_put(get(), &key, &blob); }
+inline void store_view::put(const cm_store_key &key, const cm_blob &blob) const {
+    detail::check(cm_store_put(get(), &key, &blob)); }
+inline cm_status store_view::try_remove(const cm_store_key &key) const { return cm_store_remove(get(), &key);
+    }
+inline void store_view::remove(const cm_store_key &key) const { detail::check(cm_store_remove(get(), &key)); }
+inline cm_status store_view::try_next(const cm_store_key *after, unsigned char (&key)[255], size_t *count)
+    const { return cm_store_next(get(), after, key, count); }
+inline void store_view::next(const cm_store_key *after, unsigned char (&key)[255], size_t *count) const {
+    detail::check(cm_store_next(get(), after, key, count)); }
+inline cm_status store_view::try_commit() const { return cm_store_commit(get()); }
+inline void store_view::commit() const { detail::check(cm_store_commit(get())); }
+inline cm_status store_view::try_rollback() const { return cm_store_rollback(get()); }
+inline void store_view::rollback() const { detail::check(cm_store_rollback(get())); }
+inline const char * store_view::message() const { return cm_store_message(get()); }
+inline result<store> store::try_make(const cm_store_methods &methods, void *context) { cm_store *made_object =
+    nullptr; const cm_status status = cm_store_create(&methods, context, &made_object); return status == CM_OK
+    ? result<store>(store(made_object)) : result<store>(status); }
+inline store::store(const cm_store_methods &methods, void *context) : store(try_make(methods,
+    context).value()) {}
+inline result<store> store::try_in_memory() { cm_store *made_object = nullptr; const cm_status status =
+    cm_store_create_in_memory(&made_object); return status == CM_OK ? result<store>(store(made_object)) :
+    result<store>(status); }
+inline store store::in_memory() { return try_in_memory().value(); }
 inline const char * surface_view::specification() const { return cm_surface_specification(get()); }
 inline size_t surface_view::picture_count() const { return cm_surface_picture_count(get()); }
 inline uint32_t surface_view::width() const { return cm_surface_width(get()); }
@@ -1615,18 +2386,27 @@ inline void surface_view::pixel(uint32_t plane, uint32_t column, uint32_t row, u
     picture, picture_column, picture_row)); }
 inline mapping_view surface_view::mapping() const { return mapping_view(cm_surface_mapping(get())); }
 inline void surface_view::positions(span<const double> x, span<const double> y, span<const double> z,
-    span<uint8_t> plane, span<double> column, span<double> row) const { cm_surface_positions(get(),
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), plane.data(), column.data(), row.data()); }
+    span<uint8_t> plane, span<double> column, span<double> row) const { detail::check(detail::holds(y.size(),
+    x.size()) && detail::holds(z.size(), x.size()) && detail::holds(plane.size(), x.size()) &&
+    detail::holds(column.size(), x.size()) && detail::holds(row.size(), x.size()) ? CM_OK :
+    CM_ERROR_ARGUMENT); cm_surface_positions(get(), x.size(), x.data(), y.data(), z.data(), plane.data(),
+    column.data(), row.data()); }
 inline void surface_view::directions(span<const uint8_t> plane, span<const double> column, span<const double>
-    row, span<double> x, span<double> y, span<double> z) const { cm_surface_directions(get(),
-    detail::whole<size_t>(plane.size()), plane.data(), column.data(), row.data(), x.data(), y.data(),
-    z.data()); }
+    row, span<double> x, span<double> y, span<double> z) const { detail::check(detail::holds(column.size(),
+    plane.size()) && detail::holds(row.size(), plane.size()) && detail::holds(x.size(), plane.size()) &&
+    detail::holds(y.size(), plane.size()) && detail::holds(z.size(), plane.size()) ? CM_OK :
+    CM_ERROR_ARGUMENT); cm_surface_directions(get(), plane.size(), plane.data(), column.data(), row.data(),
+    x.data(), y.data(), z.data()); }
 inline cm_status surface_view::try_sample(const cm_image *pictures, cm_filter filter, span<const double> x,
-    span<const double> y, span<const double> z, span<float> out) const { return cm_sample(get(), pictures,
-    filter, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), out.data()); }
+    span<const double> y, span<const double> z, span<float> out) const { return detail::holds(y.size(),
+    x.size()) && detail::holds(z.size(), x.size()) && detail::holds(out.size(), x.size(),
+    detail::channels(pictures)) ? cm_sample(get(), pictures, filter, x.size(), x.data(), y.data(), z.data(),
+    out.data()) : CM_ERROR_ARGUMENT; }
 inline void surface_view::sample(const cm_image *pictures, cm_filter filter, span<const double> x, span<const
-    double> y, span<const double> z, span<float> out) const { detail::check(cm_sample(get(), pictures, filter,
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), out.data())); }
+    double> y, span<const double> z, span<float> out) const { detail::check(detail::holds(y.size(), x.size())
+    && detail::holds(z.size(), x.size()) && detail::holds(out.size(), x.size(), detail::channels(pictures)) ?
+    cm_sample(get(), pictures, filter, x.size(), x.data(), y.data(), z.data(), out.data()) :
+    CM_ERROR_ARGUMENT); }
 inline cm_status surface_view::try_border(const cm_image *pictures, uint32_t border, const cm_plan_options
     *options, unsigned threads, cm_image *to) const { return cm_border(get(), pictures, border, options,
     threads, to); }
@@ -1642,6 +2422,40 @@ inline result<surface> surface::try_make(const char *specification, const cm_sur
     &made_object); return status == CM_OK ? result<surface>(surface(made_object)) : result<surface>(status); }
 inline surface::surface(const char *specification, const cm_surface_options *options) :
     surface(try_make(specification, options).value()) {}
+inline size_t trajectory_view::count() const { return cm_trajectory_count(get()); }
+inline cm_status trajectory_view::try_at(size_t index, double *stamp, cm_pose *pose) const { return
+    cm_trajectory_at(get(), index, stamp, pose); }
+inline void trajectory_view::at(size_t index, double *stamp, cm_pose *pose) const {
+    detail::check(cm_trajectory_at(get(), index, stamp, pose)); }
+inline cm_status trajectory_view::try_nearest(double time, double apart, size_t *index) const { return
+    cm_trajectory_nearest(get(), time, apart, index); }
+inline void trajectory_view::nearest(double time, double apart, size_t *index) const {
+    detail::check(cm_trajectory_nearest(get(), time, apart, index)); }
+inline cm_status trajectory_view::try_interpolate(double time, cm_pose *pose) const { return
+    cm_trajectory_interpolate(get(), time, pose); }
+inline void trajectory_view::interpolate(double time, cm_pose *pose) const {
+    detail::check(cm_trajectory_interpolate(get(), time, pose)); }
+inline cm_status trajectory_view::try_associate(trajectory_view b, double apart, span<size_t> index_a,
+    span<size_t> index_b, size_t *count) const { return detail::holds(index_b.size(), index_a.size()) ?
+    cm_trajectory_associate(get(), b.get(), apart, index_a.size(), index_a.data(), index_b.data(), count) :
+    CM_ERROR_ARGUMENT; }
+inline void trajectory_view::associate(trajectory_view b, double apart, span<size_t> index_a, span<size_t>
+    index_b, size_t *count) const { detail::check(detail::holds(index_b.size(), index_a.size()) ?
+    cm_trajectory_associate(get(), b.get(), apart, index_a.size(), index_a.data(), index_b.data(), count) :
+    CM_ERROR_ARGUMENT); }
+inline cm_status trajectory_view::try_evaluate(trajectory_view estimate, const cm_evaluation_options *options,
+    cm_evaluation *evaluation) const { return cm_trajectory_evaluate(get(), estimate.get(), options,
+    evaluation); }
+inline void trajectory_view::evaluate(trajectory_view estimate, const cm_evaluation_options *options,
+    cm_evaluation *evaluation) const { detail::check(cm_trajectory_evaluate(get(), estimate.get(), options,
+    evaluation)); }
+inline result<trajectory> trajectory::try_make(span<const double> stamp, span<const cm_pose> pose, size_t
+    *wrong) { cm_trajectory *made_object = nullptr; const cm_status status = detail::holds(pose.size(),
+    stamp.size()) ? cm_trajectory_create(stamp.size(), stamp.data(), pose.data(), &made_object, wrong) :
+    CM_ERROR_ARGUMENT; return status == CM_OK ? result<trajectory>(trajectory(made_object)) :
+    result<trajectory>(status); }
+inline trajectory::trajectory(span<const double> stamp, span<const cm_pose> pose, size_t *wrong) :
+    trajectory(try_make(stamp, pose, wrong).value()) {}
 
 // cm_precision_name
 inline const char * precision_name(cm_precision precision) { return cm_precision_name(precision); }
@@ -1652,6 +2466,24 @@ inline cm_status try_advise_terms(const cm_ellipsoid &ellipsoid, cm_latitude fro
     metres, cm_advice_terms *terms) { return cm_advise_terms(&ellipsoid, from, to, metres, terms); }
 inline void advise_terms(const cm_ellipsoid &ellipsoid, cm_latitude from, cm_latitude to, double metres,
     cm_advice_terms *terms) { detail::check(cm_advise_terms(&ellipsoid, from, to, metres, terms)); }
+// cm_budget_limit_error
+inline cm_status try_budget_limit_error(cm_budget *budget, double limit) { return
+    cm_budget_limit_error(budget, limit); }
+inline void budget_limit_error(cm_budget *budget, double limit) { detail::check(cm_budget_limit_error(budget,
+    limit)); }
+// cm_budget_limit_cost
+inline cm_status try_budget_limit_cost(cm_budget *budget, double limit) { return cm_budget_limit_cost(budget,
+    limit); }
+inline void budget_limit_cost(cm_budget *budget, double limit) { detail::check(cm_budget_limit_cost(budget,
+    limit)); }
+// cm_budget_sum
+inline cm_status try_budget_sum(cm_budget *budget) { return cm_budget_sum(budget); }
+inline void budget_sum(cm_budget *budget) { detail::check(cm_budget_sum(budget)); }
+// cm_budget_json
+inline cm_status try_budget_json(const cm_budget &budget, char *text, size_t size, size_t *length) { return
+    cm_budget_json(&budget, text, size, length); }
+inline void budget_json(const cm_budget &budget, char *text, size_t size, size_t *length) {
+    detail::check(cm_budget_json(&budget, text, size, length)); }
 // cm_smoothness_name
 inline const char * smoothness_name(cm_smoothness smoothness) { return cm_smoothness_name(smoothness); }
 // cm_catalogue_count
@@ -1720,14 +2552,14 @@ inline cm_status try_cell_parse(const char *text, cm_cell *cell, char *message, 
 inline void cell_parse(const char *text, cm_cell *cell, char *message, size_t message_size) {
     detail::check(cm_cell_parse(text, cell, message, message_size)); }
 // cm_cell_union_normalise
-inline size_t cell_union_normalise(span<cm_cell> cells) { return
-    cm_cell_union_normalise(detail::whole<size_t>(cells.size()), cells.data()); }
+inline size_t cell_union_normalise(span<cm_cell> cells) { return cm_cell_union_normalise(cells.size(),
+    cells.data()); }
 // cm_cell_union_contains
 inline int cell_union_contains(span<const cm_cell> cells, cm_cell cell) { return
-    cm_cell_union_contains(detail::whole<size_t>(cells.size()), cells.data(), cell); }
+    cm_cell_union_contains(cells.size(), cells.data(), cell); }
 // cm_cell_union_intersects
 inline int cell_union_intersects(span<const cm_cell> cells, cm_cell cell) { return
-    cm_cell_union_intersects(detail::whole<size_t>(cells.size()), cells.data(), cell); }
+    cm_cell_union_intersects(cells.size(), cells.data(), cell); }
 // cm_colormap_count
 inline size_t colormap_count() { return cm_colormap_count(); }
 // cm_colormap_at
@@ -1787,17 +2619,24 @@ inline void compare_errors(const cm_image &reference, const cm_image &picture, c
 // cm_compare_values
 inline cm_status try_compare_values(size_t n, uint32_t channels, span<const float> reference, span<const
     float> picture, const cm_compare_options *options, cm_error_figures *figures) { return
-    cm_compare_values(n, channels, reference.data(), picture.data(), options, figures); }
+    detail::holds(reference.size(), detail::whole(n), detail::whole(channels)) &&
+    detail::holds(picture.size(), detail::whole(n), detail::whole(channels)) ? cm_compare_values(n, channels,
+    reference.data(), picture.data(), options, figures) : CM_ERROR_ARGUMENT; }
 inline void compare_values(size_t n, uint32_t channels, span<const float> reference, span<const float>
     picture, const cm_compare_options *options, cm_error_figures *figures) {
-    detail::check(cm_compare_values(n, channels, reference.data(), picture.data(), options, figures)); }
+    detail::check(detail::holds(reference.size(), detail::whole(n), detail::whole(channels)) &&
+    detail::holds(picture.size(), detail::whole(n), detail::whole(channels)) ? cm_compare_values(n, channels,
+    reference.data(), picture.data(), options, figures) : CM_ERROR_ARGUMENT); }
 // cm_ssim
 inline cm_status try_ssim(const cm_image &reference, const cm_image &picture, const cm_compare_options
     *options, cm_map_figures *figures, const cm_image *map, span<double> channel_means) { return
-    cm_ssim(&reference, &picture, options, figures, map, channel_means.data()); }
+    (channel_means.data() == nullptr || detail::holds(channel_means.size(), detail::channels(&reference))) ?
+    cm_ssim(&reference, &picture, options, figures, map, channel_means.data()) : CM_ERROR_ARGUMENT; }
 inline void ssim(const cm_image &reference, const cm_image &picture, const cm_compare_options *options,
     cm_map_figures *figures, const cm_image *map, span<double> channel_means) {
-    detail::check(cm_ssim(&reference, &picture, options, figures, map, channel_means.data())); }
+    detail::check((channel_means.data() == nullptr || detail::holds(channel_means.size(),
+    detail::channels(&reference))) ? cm_ssim(&reference, &picture, options, figures, map,
+    channel_means.data()) : CM_ERROR_ARGUMENT); }
 // cm_flip
 inline cm_status try_flip(const cm_image &reference, const cm_image &picture, const cm_compare_options
     *options, cm_map_figures *figures, const cm_image *map) { return cm_flip(&reference, &picture, options,
@@ -1814,15 +2653,16 @@ inline void flip_hdr(const cm_image &reference, const cm_image &picture, const c
     figures, map)); }
 // cm_equirect_weights
 inline cm_status try_equirect_weights(uint32_t width, span<float> weights) { return cm_equirect_weights(width,
-    detail::whole<uint32_t>(weights.size()), weights.data()); }
+    static_cast<uint32_t>(weights.size()), weights.data()); }
 inline void equirect_weights(uint32_t width, span<float> weights) { detail::check(cm_equirect_weights(width,
-    detail::whole<uint32_t>(weights.size()), weights.data())); }
+    static_cast<uint32_t>(weights.size()), weights.data())); }
 // cm_sphere_points
 inline cm_status try_sphere_points(uint64_t n, uint64_t first, span<double> x, span<double> y, span<double> z)
-    { return cm_sphere_points(n, first, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data()); }
+    { return detail::holds(y.size(), x.size()) && detail::holds(z.size(), x.size()) ? cm_sphere_points(n,
+    first, x.size(), x.data(), y.data(), z.data()) : CM_ERROR_ARGUMENT; }
 inline void sphere_points(uint64_t n, uint64_t first, span<double> x, span<double> y, span<double> z) {
-    detail::check(cm_sphere_points(n, first, detail::whole<size_t>(x.size()), x.data(), y.data(), z.data()));
-    }
+    detail::check(detail::holds(y.size(), x.size()) && detail::holds(z.size(), x.size()) ? cm_sphere_points(n,
+    first, x.size(), x.data(), y.data(), z.data()) : CM_ERROR_ARGUMENT); }
 // cm_difference_map
 inline cm_status try_difference_map(const cm_image &reference, const cm_image &picture, unsigned threads,
     const cm_image *map) { return cm_difference_map(&reference, &picture, threads, map); }
@@ -1836,6 +2676,18 @@ inline void draw_map(const cm_image &map, double low, double high, cm_map_color 
 // cm_cap_radius
 inline double cap_radius(const cm_ellipsoid &ellipsoid, double metres) { return cm_cap_radius(&ellipsoid,
     metres); }
+// cm_depth_clean
+inline cm_status try_depth_clean(const cm_image &picture, const cm_depth_limits *limits, unsigned threads,
+    span<float> depth, cm_depth_count *count) { return detail::holds(depth.size(), detail::pixels(picture)) ?
+    cm_depth_clean(&picture, limits, threads, depth.data(), count) : CM_ERROR_ARGUMENT; }
+inline void depth_clean(const cm_image &picture, const cm_depth_limits *limits, unsigned threads, span<float>
+    depth, cm_depth_count *count) { detail::check(detail::holds(depth.size(), detail::pixels(picture)) ?
+    cm_depth_clean(&picture, limits, threads, depth.data(), count) : CM_ERROR_ARGUMENT); }
+// cm_depth_halve_camera
+inline cm_status try_depth_halve_camera(const cm_camera_options &from, cm_camera_options *to) { return
+    cm_depth_halve_camera(&from, to); }
+inline void depth_halve_camera(const cm_camera_options &from, cm_camera_options *to) {
+    detail::check(cm_depth_halve_camera(&from, to)); }
 // cm_direction_from_lonlat
 inline void direction_from_lonlat(double lon, double lat, double (&direction)[3]) {
     cm_direction_from_lonlat(lon, lat, direction); }
@@ -1844,12 +2696,16 @@ inline void lonlat_from_direction(const double (&direction)[3], double (&lonlat)
     cm_lonlat_from_direction(direction, lonlat); }
 // cm_direction_from_lonlat_array
 inline void direction_from_lonlat(span<const double> lon, span<const double> lat, span<double> x, span<double>
-    y, span<double> z) { cm_direction_from_lonlat_array(detail::whole<size_t>(lon.size()), lon.data(),
-    lat.data(), x.data(), y.data(), z.data()); }
+    y, span<double> z) { detail::check(detail::holds(lat.size(), lon.size()) && detail::holds(x.size(),
+    lon.size()) && detail::holds(y.size(), lon.size()) && detail::holds(z.size(), lon.size()) ? CM_OK :
+    CM_ERROR_ARGUMENT); cm_direction_from_lonlat_array(lon.size(), lon.data(), lat.data(), x.data(), y.data(),
+    z.data()); }
 // cm_lonlat_from_direction_array
 inline void lonlat_from_direction(span<const double> x, span<const double> y, span<const double> z,
-    span<double> lon, span<double> lat) { cm_lonlat_from_direction_array(detail::whole<size_t>(x.size()),
-    x.data(), y.data(), z.data(), lon.data(), lat.data()); }
+    span<double> lon, span<double> lat) { detail::check(detail::holds(y.size(), x.size()) &&
+    detail::holds(z.size(), x.size()) && detail::holds(lon.size(), x.size()) && detail::holds(lat.size(),
+    x.size()) ? CM_OK : CM_ERROR_ARGUMENT); cm_lonlat_from_direction_array(x.size(), x.data(), y.data(),
+    z.data(), lon.data(), lat.data()); }
 // cm_ellipsoid_count
 inline size_t ellipsoid_count() { return cm_ellipsoid_count(); }
 // cm_ellipsoid_at
@@ -1873,62 +2729,89 @@ inline double ellipsoid_authalic_radius(const cm_ellipsoid &ellipsoid) { return
 inline size_t harmonics_count(uint32_t degree) { return cm_harmonics_count(degree); }
 // cm_harmonics_basis
 inline cm_status try_harmonics_basis(uint32_t degree, span<const double> x, span<const double> y, span<const
-    double> z, span<double> value) { return cm_harmonics_basis(degree, detail::whole<size_t>(x.size()),
-    x.data(), y.data(), z.data(), value.data()); }
+    double> z, span<double> value) { return detail::holds(y.size(), x.size()) && detail::holds(z.size(),
+    x.size()) && detail::holds(value.size(), x.size(), detail::whole(degree) + 1, detail::whole(degree) + 1) ?
+    cm_harmonics_basis(degree, x.size(), x.data(), y.data(), z.data(), value.data()) : CM_ERROR_ARGUMENT; }
 inline void harmonics_basis(uint32_t degree, span<const double> x, span<const double> y, span<const double> z,
-    span<double> value) { detail::check(cm_harmonics_basis(degree, detail::whole<size_t>(x.size()), x.data(),
-    y.data(), z.data(), value.data())); }
+    span<double> value) { detail::check(detail::holds(y.size(), x.size()) && detail::holds(z.size(), x.size())
+    && detail::holds(value.size(), x.size(), detail::whole(degree) + 1, detail::whole(degree) + 1) ?
+    cm_harmonics_basis(degree, x.size(), x.data(), y.data(), z.data(), value.data()) : CM_ERROR_ARGUMENT); }
 // cm_harmonics_evaluate
 inline cm_status try_harmonics_evaluate(uint32_t degree, uint32_t channels, span<const double> coefficients,
     span<const double> x, span<const double> y, span<const double> z, span<double> value) { return
-    cm_harmonics_evaluate(degree, channels, coefficients.data(), detail::whole<size_t>(x.size()), x.data(),
-    y.data(), z.data(), value.data()); }
+    detail::holds(coefficients.size(), detail::whole(degree) + 1, detail::whole(degree) + 1,
+    detail::whole(channels)) && detail::holds(y.size(), x.size()) && detail::holds(z.size(), x.size()) &&
+    detail::holds(value.size(), x.size(), detail::whole(channels)) ? cm_harmonics_evaluate(degree, channels,
+    coefficients.data(), x.size(), x.data(), y.data(), z.data(), value.data()) : CM_ERROR_ARGUMENT; }
 inline void harmonics_evaluate(uint32_t degree, uint32_t channels, span<const double> coefficients, span<const
     double> x, span<const double> y, span<const double> z, span<double> value) {
-    detail::check(cm_harmonics_evaluate(degree, channels, coefficients.data(),
-    detail::whole<size_t>(x.size()), x.data(), y.data(), z.data(), value.data())); }
+    detail::check(detail::holds(coefficients.size(), detail::whole(degree) + 1, detail::whole(degree) + 1,
+    detail::whole(channels)) && detail::holds(y.size(), x.size()) && detail::holds(z.size(), x.size()) &&
+    detail::holds(value.size(), x.size(), detail::whole(channels)) ? cm_harmonics_evaluate(degree, channels,
+    coefficients.data(), x.size(), x.data(), y.data(), z.data(), value.data()) : CM_ERROR_ARGUMENT); }
 // cm_harmonics_cosine_lobe
 inline cm_status try_harmonics_cosine_lobe(uint32_t degree, span<double> factor) { return
-    cm_harmonics_cosine_lobe(degree, factor.data()); }
+    detail::holds(factor.size(), detail::whole(degree) + 1) ? cm_harmonics_cosine_lobe(degree, factor.data())
+    : CM_ERROR_ARGUMENT; }
 inline void harmonics_cosine_lobe(uint32_t degree, span<double> factor) {
-    detail::check(cm_harmonics_cosine_lobe(degree, factor.data())); }
+    detail::check(detail::holds(factor.size(), detail::whole(degree) + 1) ? cm_harmonics_cosine_lobe(degree,
+    factor.data()) : CM_ERROR_ARGUMENT); }
 // cm_harmonics_ggx_lobe
 inline cm_status try_harmonics_ggx_lobe(uint32_t degree, double roughness, span<double> factor) { return
-    cm_harmonics_ggx_lobe(degree, roughness, factor.data()); }
+    detail::holds(factor.size(), detail::whole(degree) + 1) ? cm_harmonics_ggx_lobe(degree, roughness,
+    factor.data()) : CM_ERROR_ARGUMENT; }
 inline void harmonics_ggx_lobe(uint32_t degree, double roughness, span<double> factor) {
-    detail::check(cm_harmonics_ggx_lobe(degree, roughness, factor.data())); }
+    detail::check(detail::holds(factor.size(), detail::whole(degree) + 1) ? cm_harmonics_ggx_lobe(degree,
+    roughness, factor.data()) : CM_ERROR_ARGUMENT); }
 // cm_harmonics_window_factors
 inline cm_status try_harmonics_window_factors(cm_harmonics_window window, double width, uint32_t degree,
-    span<double> factor) { return cm_harmonics_window_factors(window, width, degree, factor.data()); }
+    span<double> factor) { return detail::holds(factor.size(), detail::whole(degree) + 1) ?
+    cm_harmonics_window_factors(window, width, degree, factor.data()) : CM_ERROR_ARGUMENT; }
 inline void harmonics_window_factors(cm_harmonics_window window, double width, uint32_t degree, span<double>
-    factor) { detail::check(cm_harmonics_window_factors(window, width, degree, factor.data())); }
+    factor) { detail::check(detail::holds(factor.size(), detail::whole(degree) + 1) ?
+    cm_harmonics_window_factors(window, width, degree, factor.data()) : CM_ERROR_ARGUMENT); }
 // cm_harmonics_scale
 inline cm_status try_harmonics_scale(uint32_t degree, uint32_t channels, span<const double> factor,
-    span<double> coefficients) { return cm_harmonics_scale(degree, channels, factor.data(),
-    coefficients.data()); }
+    span<double> coefficients) { return detail::holds(factor.size(), detail::whole(degree) + 1) &&
+    detail::holds(coefficients.size(), detail::whole(degree) + 1, detail::whole(degree) + 1,
+    detail::whole(channels)) ? cm_harmonics_scale(degree, channels, factor.data(), coefficients.data()) :
+    CM_ERROR_ARGUMENT; }
 inline void harmonics_scale(uint32_t degree, uint32_t channels, span<const double> factor, span<double>
-    coefficients) { detail::check(cm_harmonics_scale(degree, channels, factor.data(), coefficients.data())); }
+    coefficients) { detail::check(detail::holds(factor.size(), detail::whole(degree) + 1) &&
+    detail::holds(coefficients.size(), detail::whole(degree) + 1, detail::whole(degree) + 1,
+    detail::whole(channels)) ? cm_harmonics_scale(degree, channels, factor.data(), coefficients.data()) :
+    CM_ERROR_ARGUMENT); }
 // cm_harmonics_rotate
 inline cm_status try_harmonics_rotate(uint32_t degree, uint32_t channels, const cm_rotation &rotation,
-    span<const double> from, span<double> to) { return cm_harmonics_rotate(degree, channels, &rotation,
-    from.data(), to.data()); }
+    span<const double> from, span<double> to) { return detail::holds(from.size(), detail::whole(degree) + 1,
+    detail::whole(degree) + 1, detail::whole(channels)) && detail::holds(to.size(), detail::whole(degree) + 1,
+    detail::whole(degree) + 1, detail::whole(channels)) ? cm_harmonics_rotate(degree, channels, &rotation,
+    from.data(), to.data()) : CM_ERROR_ARGUMENT; }
 inline void harmonics_rotate(uint32_t degree, uint32_t channels, const cm_rotation &rotation, span<const
-    double> from, span<double> to) { detail::check(cm_harmonics_rotate(degree, channels, &rotation,
-    from.data(), to.data())); }
+    double> from, span<double> to) { detail::check(detail::holds(from.size(), detail::whole(degree) + 1,
+    detail::whole(degree) + 1, detail::whole(channels)) && detail::holds(to.size(), detail::whole(degree) + 1,
+    detail::whole(degree) + 1, detail::whole(channels)) ? cm_harmonics_rotate(degree, channels, &rotation,
+    from.data(), to.data()) : CM_ERROR_ARGUMENT); }
 // cm_harmonics_json
 inline cm_status try_harmonics_json(uint32_t degree, uint32_t channels, span<const double> coefficients, char
-    *text, size_t size, size_t *length) { return cm_harmonics_json(degree, channels, coefficients.data(),
-    text, size, length); }
+    *text, size_t size, size_t *length) { return detail::holds(coefficients.size(), detail::whole(degree) + 1,
+    detail::whole(degree) + 1, detail::whole(channels)) ? cm_harmonics_json(degree, channels,
+    coefficients.data(), text, size, length) : CM_ERROR_ARGUMENT; }
 inline void harmonics_json(uint32_t degree, uint32_t channels, span<const double> coefficients, char *text,
-    size_t size, size_t *length) { detail::check(cm_harmonics_json(degree, channels, coefficients.data(),
-    text, size, length)); }
+    size_t size, size_t *length) { detail::check(detail::holds(coefficients.size(), detail::whole(degree) + 1,
+    detail::whole(degree) + 1, detail::whole(channels)) ? cm_harmonics_json(degree, channels,
+    coefficients.data(), text, size, length) : CM_ERROR_ARGUMENT); }
 // cm_harmonics_faces
 inline cm_status try_harmonics_faces(uint32_t degree, uint32_t channels, span<const double> coefficients,
-    mapping_view mapping, unsigned threads, const cm_image (&to)[6]) { return cm_harmonics_faces(degree,
-    channels, coefficients.data(), mapping.get(), threads, to); }
+    mapping_view mapping, unsigned threads, const cm_image (&to)[6]) { return
+    detail::holds(coefficients.size(), detail::whole(degree) + 1, detail::whole(degree) + 1,
+    detail::whole(channels)) ? cm_harmonics_faces(degree, channels, coefficients.data(), mapping.get(),
+    threads, to) : CM_ERROR_ARGUMENT; }
 inline void harmonics_faces(uint32_t degree, uint32_t channels, span<const double> coefficients, mapping_view
-    mapping, unsigned threads, const cm_image (&to)[6]) { detail::check(cm_harmonics_faces(degree, channels,
-    coefficients.data(), mapping.get(), threads, to)); }
+    mapping, unsigned threads, const cm_image (&to)[6]) { detail::check(detail::holds(coefficients.size(),
+    detail::whole(degree) + 1, detail::whole(degree) + 1, detail::whole(channels)) ?
+    cm_harmonics_faces(degree, channels, coefficients.data(), mapping.get(), threads, to) :
+    CM_ERROR_ARGUMENT); }
 // cm_brdf_integrate
 inline cm_status try_brdf_integrate(cm_brdf_shadowing shadowing, double cosine, double roughness,
     cm_brdf_terms *terms) { return cm_brdf_integrate(shadowing, cosine, roughness, terms); }
@@ -1989,10 +2872,10 @@ inline void latitude_find(const char *name, cm_latitude *latitude) { detail::che
     latitude)); }
 // cm_number_read
 inline size_t number_read(span<const char> text, double *value) { return cm_number_read(text.data(),
-    detail::whole<size_t>(text.size()), value); }
+    text.size(), value); }
 // cm_number_parse
 inline int number_parse(span<const char> text, double *value) { return cm_number_parse(text.data(),
-    detail::whole<size_t>(text.size()), value); }
+    text.size(), value); }
 // cm_number_write
 inline size_t number_write(double value, int digits, char (&text)[32]) { return cm_number_write(value, digits,
     text); }
@@ -2048,9 +2931,9 @@ inline cm_status try_panorama_check(const cm_panorama &panorama) { return cm_pan
 inline void panorama_check(const cm_panorama &panorama) { detail::check(cm_panorama_check(&panorama)); }
 // cm_panorama_read
 inline cm_status try_panorama_read(span<const char> text, cm_panorama *panorama) { return
-    cm_panorama_read(text.data(), detail::whole<size_t>(text.size()), panorama); }
+    cm_panorama_read(text.data(), text.size(), panorama); }
 inline void panorama_read(span<const char> text, cm_panorama *panorama) {
-    detail::check(cm_panorama_read(text.data(), detail::whole<size_t>(text.size()), panorama)); }
+    detail::check(cm_panorama_read(text.data(), text.size(), panorama)); }
 // cm_panorama_write
 inline cm_status try_panorama_write(const cm_panorama &panorama, char *text, size_t size) { return
     cm_panorama_write(&panorama, text, size); }
@@ -2063,19 +2946,94 @@ inline cm_status try_panorama_surface(const cm_panorama &panorama, uint32_t widt
 inline void panorama_surface(const cm_panorama &panorama, uint32_t width, uint32_t height, char
     *specification, size_t size, cm_rotation *rotation) { detail::check(cm_panorama_surface(&panorama, width,
     height, specification, size, rotation)); }
+// cm_pose_check
+inline cm_status try_pose_check(const cm_pose &pose) { return cm_pose_check(&pose); }
+inline void pose_check(const cm_pose &pose) { detail::check(cm_pose_check(&pose)); }
+// cm_pose_apply
+inline void pose_apply(const cm_pose &pose, const double (&world)[3], double (&camera)[3]) {
+    cm_pose_apply(&pose, world, camera); }
+// cm_pose_apply_back
+inline void pose_apply_back(const cm_pose &pose, const double (&camera)[3], double (&world)[3]) {
+    cm_pose_apply_back(&pose, camera, world); }
+// cm_pose_compose
+inline void pose_compose(const cm_pose &outer, const cm_pose &inner, cm_pose *product) {
+    cm_pose_compose(&outer, &inner, product); }
+// cm_pose_invert
+inline void pose_invert(const cm_pose &pose, cm_pose *inverse) { cm_pose_invert(&pose, inverse); }
+// cm_pose_between
+inline void pose_between(const cm_pose &from, const cm_pose &to, cm_pose *between) { cm_pose_between(&from,
+    &to, between); }
+// cm_pose_exp
+inline void pose_exp(const double (&twist)[6], cm_pose *pose) { cm_pose_exp(twist, pose); }
+// cm_pose_log
+inline void pose_log(const cm_pose &pose, double (&twist)[6]) { cm_pose_log(&pose, twist); }
+// cm_pose_angle
+inline double pose_angle(const cm_pose &pose) { return cm_pose_angle(&pose); }
+// cm_pose_interpolate
+inline void pose_interpolate(const cm_pose &from, const cm_pose &to, double t, cm_pose *pose) {
+    cm_pose_interpolate(&from, &to, t, pose); }
+// cm_pose_adjoint
+inline void pose_adjoint(const cm_pose &pose, double (&adjoint)[36]) { cm_pose_adjoint(&pose, adjoint); }
+// cm_pose_transport
+inline void pose_transport(const cm_pose &pose, const double (&covariance)[36], double (&transported)[36]) {
+    cm_pose_transport(&pose, covariance, transported); }
+// cm_pose_quaternion
+inline void pose_quaternion(const cm_pose &pose, double (&quaternion)[4]) { cm_pose_quaternion(&pose,
+    quaternion); }
+// cm_pose_from_quaternion
+inline cm_status try_pose_from_quaternion(const double (&position)[3], const double (&quaternion)[4], cm_pose
+    *pose) { return cm_pose_from_quaternion(position, quaternion, pose); }
+inline void pose_from_quaternion(const double (&position)[3], const double (&quaternion)[4], cm_pose *pose) {
+    detail::check(cm_pose_from_quaternion(position, quaternion, pose)); }
+// cm_random_block
+inline void random_block(uint64_t seed, uint32_t view, uint32_t pixel, uint32_t sample, uint32_t block,
+    uint32_t (&words)[4]) { cm_random_block(seed, view, pixel, sample, block, words); }
+// cm_random_uniform
+inline double random_uniform(uint64_t seed, uint32_t view, uint32_t pixel, uint32_t sample) { return
+    cm_random_uniform(seed, view, pixel, sample); }
+// cm_random_normal
+inline double random_normal(uint64_t seed, uint32_t view, uint32_t pixel, uint32_t sample) { return
+    cm_random_normal(seed, view, pixel, sample); }
+// cm_random_poisson
+inline double random_poisson(uint64_t seed, uint32_t view, uint32_t pixel, uint32_t sample, double mean) {
+    return cm_random_poisson(seed, view, pixel, sample, mean); }
+// cm_random_uniform_array
+inline void random_uniform(uint64_t seed, uint32_t view, uint32_t first, uint32_t sample, span<double> value)
+    { cm_random_uniform_array(seed, view, first, sample, value.size(), value.data()); }
+// cm_random_normal_array
+inline void random_normal(uint64_t seed, uint32_t view, uint32_t first, uint32_t sample, span<double> value) {
+    cm_random_normal_array(seed, view, first, sample, value.size(), value.data()); }
+// cm_random_poisson_array
+inline void random_poisson(uint64_t seed, uint32_t view, uint32_t first, uint32_t sample, span<const double>
+    mean, span<double> count) { detail::check(detail::holds(count.size(), mean.size()) ? CM_OK :
+    CM_ERROR_ARGUMENT); cm_random_poisson_array(seed, view, first, sample, mean.size(), mean.data(),
+    count.data()); }
 // cm_quantity_name
 inline const char * quantity_name(size_t index) { return cm_quantity_name(index); }
 // cm_quantity_find
 inline int quantity_find(const char *name) { return cm_quantity_find(name); }
 // cm_status_text
 inline const char * status_text(cm_status status) { return cm_status_text(status); }
+// cm_blob_clear
+inline void blob_clear(cm_blob *blob) { cm_blob_clear(blob); }
 // cm_threads_available
 inline unsigned threads_available() { return cm_threads_available(); }
 // cm_run_threads
 inline void run_threads(unsigned threads, size_t n, size_t least, cm_job job, void *user) {
     cm_run_threads(threads, n, least, job, user); }
+// cm_pose_align
+inline cm_status try_pose_align(size_t n, span<const double> from, span<const double> to, cm_pose *motion, int
+    *rank, int *is_determined) { return detail::holds(from.size(), detail::whole(n), 3) &&
+    detail::holds(to.size(), detail::whole(n), 3) ? cm_pose_align(n, from.data(), to.data(), motion, rank,
+    is_determined) : CM_ERROR_ARGUMENT; }
+inline void pose_align(size_t n, span<const double> from, span<const double> to, cm_pose *motion, int *rank,
+    int *is_determined) { detail::check(detail::holds(from.size(), detail::whole(n), 3) &&
+    detail::holds(to.size(), detail::whole(n), 3) ? cm_pose_align(n, from.data(), to.data(), motion, rank,
+    is_determined) : CM_ERROR_ARGUMENT); }
 // cm_version
 inline const char * version() { return cm_version(); }
+// cm_scene_name_at
+inline const char * scene_name_at(size_t index) { return cm_scene_name_at(index); }
 
 } // namespace cubemap
 

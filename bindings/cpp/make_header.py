@@ -5,7 +5,8 @@
 Usage: make_header.py [--check] ROOT
 
 A handle becomes two classes: NAME_view, which does not own it and has its methods, and NAME, which does. Arguments that
-say how much there is are taken from spans; a status becomes an exception, or stays one in functions that begin with try_.
+say how much there is are taken from spans, and spans that are shorter than the table says are refused; a status becomes an
+exception, or stays one in functions that begin with try_.
 What is before and behind the generated text stands in head.hpp.in. With --check nothing is written; the exit status is 1
 if the header says something else. Without pycparser it is 77.
 """
@@ -21,6 +22,19 @@ import function_table
 import public_headers
 
 KEYWORDS = {"union", "class", "this", "new", "delete"}
+
+# What the words of shapes are that no argument has: (function or None for all, word) -> C++.
+KNOWN = {
+    ("cm_sample", "channels"): "detail::channels(pictures)",
+    ("cm_ssim", "channels"): "detail::channels(&reference)",
+    ("cm_environment_project", "channels"): "cm_environment_channels(get())",
+    ("cm_depth_clean", "pixels"): "detail::pixels(picture)",
+}
+
+# What may be NULL, as the headers say, beside options.
+OPTIONAL = {("cm_ssim", "channel_means"), ("cm_raster_read", "image"), ("cm_raster_read", "id"),
+            ("cm_distortion_percentiles", "doubt"), ("cm_store_next", "after"),
+            *((f"cm_raster_{drawn}", "pose") for drawn in ("triangles", "discs", "points", "weights"))}
 
 
 class Argument:
@@ -70,10 +84,70 @@ class Writer:
 
     def count_of(self, function, name):
         """What says how many: the size of the first span whose shape is this count alone, or None."""
+        if not any(given.name == name and given.direction == "count" for given in function.arguments):
+            return None
         for given in function.arguments:
             if is_span(given) and given.shape == (name,):
                 return f"{given.name}.size()"
         return None
+
+    def is_given_as_span(self, given, declared):
+        """Pictures are no spans: how many there are the object knows. Nor are structs of arrays."""
+        is_struct = declared.base in self.interface.structs
+        return is_span(given) and declared.pointers == 1 and not declared.extents and declared.base != "void" and not (
+            is_struct and (given.shape[0] in ("pictures", "planes") or "arrays" in declared.base))
+
+    def factors(self, function, given):
+        """What a span's length must not be less than, as factors in C++."""
+        found = []
+        for extent in given.shape:
+            if extent == "sum(ring_length)":
+                found.append("detail::sum(ring_length)")
+                continue
+            if extent == "pixels/4":
+                found.append("cm_rays_halved_pixel_count(get())")
+                continue
+            number, word = re.match(r"(\d*)[*(]*([a-z_]*)", extent).groups()
+            value = self.value_of(function, given, word) + (" + 1" if "+1" in extent else "") if word else ""
+            found += ([number] if number else []) + ([value] if word else []) * (2 if extent.endswith("^2") else 1)
+        return found
+
+    def value_of(self, function, given, word):
+        """A word of a shape, in C++."""
+        size = self.count_of(function, word)
+        if size is not None:
+            return size
+        if word != "pixels" and any(argument.name == word for argument in function.arguments):
+            return f"detail::whole({word})"
+        if (function.name, word) in KNOWN:
+            return KNOWN[function.name, word]
+        handles = [argument for argument in function.arguments[:function.arguments.index(given)] if argument.direction == "handle"]
+        of = self.passed(function, handles[-1])
+        if word == "nside":
+            return f"detail::whole(cm_healpix_nside({of}))"
+        declared = self.interface.functions[function.name].arguments[function.arguments.index(handles[-1])]
+        return f"{declared.base}_pixel_count({of})"
+
+    def passed(self, function, handle):
+        """A handle as C is given it."""
+        own = handle is function.arguments[0] and "::" in function.names["cpp"]
+        return "get()" if own else f"{handle.name}.get()"
+
+    def lengths(self, function):
+        """Are the spans long enough? In C++, "" where there is nothing to ask."""
+        conditions, declared = [], self.interface.functions[function.name]
+        for given, one in zip(function.arguments, declared.arguments):
+            if not self.is_given_as_span(given, one) or self.count_of(function, given.shape[0]) == f"{given.name}.size()" \
+                    and len(given.shape) == 1:
+                continue
+            if any(argument.name == "stride" for argument in function.arguments) and given.name == "xyz":
+                condition = f"detail::strides({given.name}.size(), {self.value_of(function, given, 'n')}, stride)"
+            else:
+                condition = f"detail::holds({given.name}.size(), {', '.join(self.factors(function, given))})"
+            if (function.name, given.name) in OPTIONAL:
+                condition = f"({given.name}.data() == nullptr || {condition})"
+            conditions.append(condition)
+        return " && ".join(conditions)
 
     def argument(self, function, given, declared):
         name, const = given.name, "const " if declared.constant else ""
@@ -83,15 +157,16 @@ class Writer:
             return Argument("", "&made_object")
         if given.direction == "count" and declared.pointers == 0:
             size = self.count_of(function, name)
-            return Argument(f"{declared.base} {name}", name) if size is None else Argument("", f"detail::whole<{declared.base}>({size})")
+            return Argument(f"{declared.base} {name}", name) if size is None \
+                else Argument("", f"static_cast<{declared.base}>({size})" if declared.base != "size_t" else size)
         if declared.base in self.interface.structs and declared.pointers == 1 and given.shape == ():
-            if given.direction == "in" and declared.base != "cm_frame" and not declared.base.endswith("viewing"):
+            if given.direction == "in" and declared.base != "cm_frame" and not declared.base.endswith("viewing") \
+                    and (function.name, name) not in OPTIONAL:
                 return Argument(f"const {declared.base} &{name}", f"&{name}")
             if given.direction in ("option", "in"):
                 return Argument(f"const {declared.base} *{name}", name, " = nullptr")
             return Argument(f"{const}{declared.base} *{name}", name)
-        if is_span(given) and declared.pointers == 1 and not declared.extents and declared.base != "void" \
-                and declared.base not in self.interface.structs:
+        if self.is_given_as_span(given, declared):
             return Argument(f"span<{const}{declared.base}> {name}", f"{name}.data()")
         if declared.extents and not declared.pointers:
             extents = "".join(f"[{extent}]" for extent in declared.extents)
@@ -130,6 +205,8 @@ class Writer:
         name = function.names["cpp"].split("::")
         declared, arguments, listed = self.parts(function)
         call = f"{function.name}({', '.join(one.passed for one in arguments)})"
+        lengths = self.lengths(function)
+        asked = f"{lengths} ? {call} : CM_ERROR_ARGUMENT" if lengths else call
         made = next((one for one, given in zip(declared.arguments, function.arguments) if given.direction == "new"), None)
         owner = name[0] if len(name) == 2 or made else None
         method = name[-1] + ("_" if name[-1] in KEYWORDS else "")
@@ -141,7 +218,7 @@ class Writer:
             names = ", ".join(re.search(r"(\w+)\)?(?:\[[^]]*\])*$", one.declared)[1] for one in arguments if one.declared)
             factory = "make" if len(name) == 1 else method
             lines.append(Definition(before, f"result<{owner}> ", f"try_{factory}", f"({listed}){after}", f"""
-{{ {made.base} *made_object = nullptr; const cm_status status = {call};
+{{ {made.base} *made_object = nullptr; const cm_status status = {asked};
 return status == CM_OK ? result<{owner}>({owner}(made_object)) : result<{owner}>(status); }}"""))
             if len(name) == 1:
                 needed = sum(bool(one.declared and not one.standard) for one in arguments)
@@ -153,12 +230,13 @@ return status == CM_OK ? result<{owner}>({owner}(made_object)) : result<{owner}>
             self.made.setdefault(owner, []).extend(lines)
             return
         if declared.result is not None and declared.result.base == "cm_status":
-            lines.append(Definition(before, "cm_status ", f"try_{method}", f"({listed}){after}", f"{{ return {call}; }}"))
-            lines.append(Definition(before, "void ", method, f"({listed}){after}", f"{{ detail::check({call}); }}"))
+            lines.append(Definition(before, "cm_status ", f"try_{method}", f"({listed}){after}", f"{{ return {asked}; }}"))
+            lines.append(Definition(before, "void ", method, f"({listed}){after}", f"{{ detail::check({asked}); }}"))
         else:
             kind = self.result_type(declared)
             returned = f"return {kind}({call});" if kind.endswith("_view") else f"{call};" if kind == "void" else f"return {call};"
-            lines.append(Definition(before, kind + " ", method, f"({listed}){after}", f"{{ {returned} }}"))
+            needed = f"detail::check({lengths} ? CM_OK : CM_ERROR_ARGUMENT); " if lengths else ""
+            lines.append(Definition(before, kind + " ", method, f"({listed}){after}", f"{{ {needed}{returned} }}"))
         if owner:
             self.methods.setdefault(owner, []).extend(lines)
         else:
@@ -170,10 +248,7 @@ def generated(root):
     writer = Writer(table, public_headers.read(root))
     for function in table.functions:
         writer.write(function)
-    # objects whose module is not bound yet have no class
-    unbound = {function.name[: -len("_destroy")] for function in table.functions
-               if function.name.endswith("_destroy") and function.reasons.get("cpp") == "unbound"}
-    names = sorted(handle[3:] for handle in writer.interface.handles if handle not in unbound)
+    names = sorted(handle[3:] for handle in writer.interface.handles)
     parts = ["".join(f"class {name}_view;\nclass {name};\n" for name in names)]
     bodies = []
     for name in names:

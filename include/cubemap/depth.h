@@ -76,6 +76,10 @@ CM_API void cm_rays_destroy(cm_rays *rays);
  * CM_OK; CM_ERROR_ARGUMENT (no rays). */
 CM_API cm_status cm_rays_use_pool(cm_rays *rays, cm_pool *pool);
 
+/* How many pixels its images have, and how many those have that cm_depth_halve makes of them; 0 of NULL. */
+CM_API size_t cm_rays_pixel_count(const cm_rays *rays);
+CM_API size_t cm_rays_halved_pixel_count(const cm_rays *rays);
+
 /* Depth to range and back. to may be from. Omnidirectional cameras have no depth: CM_ERROR_UNSUPPORTED. */
 CM_API cm_status cm_depth_to_range(const cm_rays *rays, const float *depth, unsigned threads,
                                    float *range);
@@ -161,6 +165,9 @@ CM_API void cm_depth_pyramid_destroy(cm_depth_pyramid *pyramid);
 
 /* As cm_rays_use_pool. */
 CM_API cm_status cm_depth_pyramid_use_pool(cm_depth_pyramid *pyramid, cm_pool *pool);
+
+/* How many pixels its images have; 0 of NULL. */
+CM_API size_t cm_depth_pyramid_pixel_count(const cm_depth_pyramid *pyramid);
 
 /* Fill all levels from an image, which is not needed afterwards. CM_OK; CM_ERROR_ARGUMENT. */
 CM_API cm_status cm_depth_pyramid_fill(cm_depth_pyramid *pyramid, const float *image,

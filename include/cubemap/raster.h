@@ -46,6 +46,9 @@ CM_API void cm_raster_destroy(cm_raster *raster);
  * made for each call. The same bits either way. CM_OK; CM_ERROR_ARGUMENT (no canvas). */
 CM_API cm_status cm_raster_use_pool(cm_raster *raster, cm_pool *pool);
 
+/* How many pixels its camera has; 0 of NULL. */
+CM_API size_t cm_raster_pixel_count(const cm_raster *raster);
+
 /* Empty again. */
 CM_API void cm_raster_clear(cm_raster *raster);
 

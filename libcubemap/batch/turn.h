@@ -29,6 +29,17 @@ typedef struct cm_turn_axes
     uint32_t face; /* of the frame */
 } cm_turn_axes;
 
+/* The same the other way, for directions whose outward axis is known: in the lanes of u and v all bits are ones where they
+ * are of x, of y, of z, and the sign is to change. By masks, since a component that was just written is not to be read
+ * from a place that depends on the others. 128 bytes. */
+typedef struct cm_turn_ahead
+{
+    uint64_t of_f64[3][2];
+    uint64_t minus_f64[2];
+    uint32_t of_f32[3][4];
+    uint32_t minus_f32[4];
+} cm_turn_ahead;
+
 /* How a frame differs from geo. A point (a, b) of a face of geo is on the face of that number in the
  * frame, at u = sign_u * (swap ? b : a), v = sign_v * (swap ? a : b). */
 typedef struct cm_turn
@@ -48,7 +59,8 @@ typedef struct cm_turn
     cm_turn_face to_frame[6]; /* by face of geo */
     cm_turn_face to_geo[6];   /* by face of the frame, as axes */
     cm_turn_axes axes[6];
-    cm_turn_axes ahead[6]; /* the same by the outward axis: +z -z +y -y +x -x */
+    cm_turn_ahead ahead[6]; /* by the outward axis: +z -z +y -y +x -x */
+    uint8_t face_ahead[8];  /* the same of the frame's faces */
 } cm_turn;
 
 #endif

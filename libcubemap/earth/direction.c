@@ -14,12 +14,14 @@
 #define CM_BACKEND 1
 #define CM_LANES_BITS 64
 #define LONE_IS_EASY direction_is_easy
+#define LONE_ARE_EASY direction_are_easy
 #include <cubemap/kernel/dialect.h>
 
 #include "libcubemap/batch/lone_easy.inc"
 #undef CM_BACKEND
 #undef CM_LANES_BITS
 #undef LONE_IS_EASY
+#undef LONE_ARE_EASY
 
 static const double half_pi = 1.5707963267948966;
 
@@ -70,9 +72,7 @@ void cm_direction_from_lonlat(double lon, double lat, double direction[3])
 
 void cm_lonlat_from_direction(const double direction[3], double lonlat[2])
 {
-    if (direction_is_easy(direction[0], LONE_EASY_MOST) &&
-        direction_is_easy(direction[1], LONE_EASY_MOST) &&
-        direction_is_easy(direction[2], LONE_EASY_MOST))
+    if (direction_are_easy(direction))
     {
         lonlat_of(direction, lonlat);
         return;

@@ -177,6 +177,18 @@ static void fill_turn_axes(const cm_frame_face *face, unsigned number, cm_turn_a
     turn->minus_f32[3] = turn->minus_f32[1];
 }
 
+static void fill_turn_ahead(const cm_turn_axes *axes, cm_turn_ahead *turn)
+{
+    for (int lane = 0; lane < 4; lane++)
+    {
+        const int k = lane % 2;
+        turn->of_f32[axes->axis[k]][lane] = UINT32_MAX;
+        turn->minus_f32[lane] = axes->minus_f32[k];
+        turn->of_f64[axes->axis[k]][k] = UINT64_MAX;
+        turn->minus_f64[k] = axes->minus_f64[k];
+    }
+}
+
 void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn)
 {
     const cm_frame *geo = cm_frame_find("geo");
@@ -203,7 +215,9 @@ void cm_turn_from_frame(const cm_frame *frame, cm_turn *turn)
         fill_turn_face(swap, swap ? minus_v : minus_u, swap ? minus_u : minus_v, g,
                        &turn->to_geo[i]);
         fill_turn_axes(to, i, &turn->axes[i]);
-        turn->ahead[2 * (3 - abs(to->outward)) + (to->outward < 0)] = turn->axes[i];
+        const int ahead = 2 * (3 - abs(to->outward)) + (to->outward < 0);
+        fill_turn_ahead(&turn->axes[i], &turn->ahead[ahead]);
+        turn->face_ahead[ahead] = (uint8_t)i;
         if (i != g || swap || minus_u || minus_v)
         {
             turn->identity = 0;

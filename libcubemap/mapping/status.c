@@ -14,7 +14,7 @@ const char *cm_status_text(cm_status status)
     case CM_OK:
         return "success";
     case CM_ERROR_ARGUMENT:
-        return "an argument is NULL or out of range";
+        return "an argument is NULL or out of range, or the size of a struct is not set";
     case CM_ERROR_SYNTAX:
         return "a mapping is written NAME[:PARAMETER=VALUE[,PARAMETER=VALUE...]]";
     case CM_ERROR_MAPPING:

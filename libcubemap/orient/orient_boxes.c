@@ -134,10 +134,21 @@ static cm_quaternion place(const cm_box *box, const int at[3])
     return result;
 }
 
-static cm_quaternion corner_of(const cm_box *box, int corner)
+/* All eight; of tangents, which cost most, each is taken once. */
+static void find_corners(const cm_box *box, cm_quaternion corner[8])
 {
-    const int at[3] = {(corner & 1) * 2, (corner >> 1 & 1) * 2, (corner >> 2 & 1) * 2};
-    return place(box, at);
+    static const int low[3] = {0, 0, 0};
+    static const int high[3] = {2, 2, 2};
+    const cm_quaternion ends[2] = {place(box, low), place(box, high)};
+    for (unsigned c = 0; c < 8; c++)
+    {
+        unsigned next = 0;
+        for (unsigned i = 0; i < 4; i++)
+        {
+            corner[c].q[i] = ends[c >> next & 1].q[i];
+            next += i != box->axis;
+        }
+    }
 }
 
 void cm_box_find_shape(const cm_box *box, cm_box_shape *shape)
@@ -145,11 +156,12 @@ void cm_box_find_shape(const cm_box *box, cm_box_shape *shape)
     static const int middle[3] = {1, 1, 1};
     shape->centre = place(box, middle);
     const cm_quaternion back = conjugate(&shape->centre);
+    cm_quaternion corner[8];
+    find_corners(box, corner);
     double largest = 0.0;
     for (int c = 0; c < 8; c++)
     {
-        const cm_quaternion corner = corner_of(box, c);
-        const cm_quaternion turn = cm_quaternion_product(&corner, &back);
+        const cm_quaternion turn = cm_quaternion_product(&corner[c], &back);
         double square = 0.0;
         for (int i = 0; i < 3; i++)
         {
@@ -174,10 +186,7 @@ int cm_box_is_spare(const cm_box *box, const cm_symmetries *symmetries)
 {
     const double slack = 1e-9;
     cm_quaternion corner[8];
-    for (int c = 0; c < 8; c++)
-    {
-        corner[c] = corner_of(box, c);
-    }
+    find_corners(box, corner);
     for (unsigned i = 1; i < symmetries->count; i++)
     {
         const double *t = symmetries->turn[i].q;

@@ -371,35 +371,69 @@ int cm_mask_table(const cm_orient_task *task, double reach, double best, cm_orie
     return made;
 }
 
-/* The mask's pixel that a direction is in. */
-static double mask_at(const cm_mask *mask, const double d[3])
+/* Where a direction is in the mask, in pixels from its upper left corner. */
+typedef struct spot
+{
+    double row;
+    double column;
+} spot;
+
+static spot mask_spot(const cm_mask *mask, const double d[3])
+{
+    const double lat = atan2(d[2], sqrt(d[0] * d[0] + d[1] * d[1]));
+    return (spot){(0.5 - lat / PI) * (double)mask->height,
+                  (atan2(d[1], d[0]) / (2.0 * PI) + 0.5) * (double)mask->width};
+}
+
+static double mask_value(const cm_mask *mask, spot at)
 {
     const double width = (double)mask->width;
     const double height = (double)mask->height;
-    const double lat = atan2(d[2], sqrt(d[0] * d[0] + d[1] * d[1]));
-    const double column = (atan2(d[1], d[0]) / (2.0 * PI) + 0.5) * width;
-    const double row = (0.5 - lat / PI) * height;
-    return (double)mask
-        ->value[(size_t)fmin(row, height - 1.0) * mask->width + (size_t)fmin(column, width - 1.0)];
+    return (double)mask->value[(size_t)fmin(at.row, height - 1.0) * mask->width +
+                               (size_t)fmin(at.column, width - 1.0)];
+}
+
+/* Is all within reach of the direction in its pixel? A cap reaches sin(longitude) = sin(reach) / cos(latitude) to its sides,
+ * if the pole is not in it. */
+static int is_in_pixel(const cm_mask *mask, const double d[3], spot at, double reach)
+{
+    const double above = at.row - floor(at.row);
+    const double left = at.column - floor(at.column);
+    const double up = fmin(above, 1.0 - above) * PI / (double)mask->height;
+    const double aside = fmin(left, 1.0 - left) * 2.0 * PI / (double)mask->width;
+    const double wide = reach + 1e-6;
+    return up > wide && sqrt(d[0] * d[0] + d[1] * d[1]) * sin(fmin(aside, 0.5 * PI)) > sin(wide);
+}
+
+/* The mean over a piece. */
+static double mean_value(const cm_mask *mask, const cm_orient_table *table, unsigned i)
+{
+    const unsigned side = table->side;
+    const double fine = PLACES * side;
+    double sum = 0.0;
+    double d[3];
+    cm_table_middle(side, i, d);
+    const spot middle = mask_spot(mask, d);
+    if (is_in_pixel(mask, d, middle, table->half_diagonal))
+    {
+        return mask_value(mask, middle);
+    }
+    for (unsigned k = 0; k < PLACES * PLACES; k++)
+    {
+        const double row = PLACES * (i / side % side) + k / PLACES;
+        const double column = PLACES * (i % side) + k % PLACES;
+        cm_table_direction(i / side / side, (2.0 * row + 1.0) / fine - 1.0,
+                           (2.0 * column + 1.0) / fine - 1.0, d);
+        sum += mask_value(mask, mask_spot(mask, d));
+    }
+    return sum / (PLACES * PLACES);
 }
 
 void cm_plain_table(const cm_orient_task *task, cm_orient_table *table)
 {
-    const unsigned side = table->side;
-    const double fine = PLACES * side;
-    for (unsigned i = 0; i < 6 * side * side; i++)
+    for (unsigned i = 0; i < 6 * table->side * table->side; i++)
     {
-        double sum = 0.0;
-        for (unsigned k = 0; k < PLACES * PLACES; k++)
-        {
-            const double row = PLACES * (i / side % side) + k / PLACES;
-            const double column = PLACES * (i % side) + k % PLACES;
-            double d[3];
-            cm_table_direction(i / side / side, (2.0 * row + 1.0) / fine - 1.0,
-                               (2.0 * column + 1.0) / fine - 1.0, d);
-            sum += mask_at(task->mask, d);
-        }
-        table->piece[i].base = (float)(sum / (PLACES * PLACES) / task->largest);
+        table->piece[i].base = (float)(mean_value(task->mask, table, i) / task->largest);
         table->piece[i].x = table->piece[i].y = table->piece[i].z = 0.0f;
     }
 }

@@ -4,7 +4,7 @@
  */
 #include "geometry.h"
 
-#include "lattice.h"
+#include "patch.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,8 +34,12 @@
 /* A footprint, which is some of the target's pixels wide, is placed so many times the tolerance in one of these pixels. */
 #define FOOTPRINT 4.0
 
+/* Of cm_lattice_fine. */
+#define BEYOND 2
+#define LATTICE_BLOCKS 8
+
 /* Lattices that are kept, each for its columns, from a row of blocks to the next. */
-#define LATTICES_MOST 64
+#define LATTICES_MOST 128
 
 /* Steps of differences for derivatives, in pixels. */
 #define STEP (1.0 / 4096.0)
@@ -59,39 +63,10 @@ struct cm_geometry
     uint8_t all_pixels[CM_BLOCK_PIXELS]; /* 0, 1, ... */
     uint32_t lattices;
     cm_lattice *lattice;
+    cm_patches *patches; /* NULL: there are none */
 };
 
 /* ---- life ---- */
-
-/* Lagrange's weights of so many nodes, of which the block's own begin at the one of that number, and their derivatives in
- * pixels. */
-static void weigh(int nodes, int own, float (*weights)[CM_BLOCK_EDGE],
-                  float (*slopes)[CM_BLOCK_EDGE])
-{
-    const double per_pixel = 3.0 / CM_BLOCK_EDGE;
-    for (int i = 0; i < CM_BLOCK_EDGE; i++)
-    {
-        const double at = own + (i + 0.5) * per_pixel;
-        for (int k = 0; k < nodes; k++)
-        {
-            double weight = 1.0;
-            double slope = 0.0;
-            for (int other = 0; other < nodes; other++)
-            {
-                if (other != k)
-                {
-                    slope = (slope * (at - other) + weight) / (k - other);
-                    weight *= (at - other) / (k - other);
-                }
-            }
-            weights[k][i] = (float)weight;
-            if (slopes != NULL)
-            {
-                slopes[k][i] = (float)(slope * per_pixel);
-            }
-        }
-    }
-}
 
 static uint32_t blocks_of(uint32_t pixels)
 {
@@ -105,21 +80,27 @@ cm_geometry *cm_geometry_create(const cm_plan *plan, int derivatives)
     {
         return NULL;
     }
-    const uint32_t chunks =
-        (blocks_of(plan->to->width) + CM_LATTICE_BLOCKS - 1) / CM_LATTICE_BLOCKS;
+    const uint32_t chunks = (blocks_of(plan->to->width) + LATTICE_BLOCKS - 1) / LATTICE_BLOCKS;
     made->plan = plan;
     made->set = cm_place_set_find(plan->options.instructions);
     made->derivatives = derivatives;
     made->is_creased = plan->from->creased || plan->to->creased;
-    weigh(CM_BLOCK_NODES, 0, made->weights, made->slopes);
-    weigh(CM_WIDE_NODES, 1, made->wide, NULL);
+    const double per_pixel = 3.0 / CM_BLOCK_EDGE;
+    cm_weigh_nodes(CM_BLOCK_NODES, 0.0, per_pixel, made->weights, made->slopes);
+    cm_weigh_nodes(CM_WIDE_NODES, 1.0, per_pixel, made->wide, NULL);
     for (unsigned i = 0; i < CM_BLOCK_PIXELS; i++)
     {
         made->all_pixels[i] = (uint8_t)i;
     }
     made->lattices = chunks < LATTICES_MOST ? chunks : LATTICES_MOST;
     made->lattice = calloc(made->lattices, sizeof *made->lattice);
-    if (made->lattice == NULL || made->set == NULL)
+    for (uint32_t i = 0; made->lattice != NULL && i < made->lattices; i++)
+    {
+        made->lattice[i].shape = &cm_lattice_fine;
+    }
+    const int has_patches = !derivatives && !made->is_creased;
+    made->patches = has_patches ? cm_patches_create(plan, made->set) : NULL;
+    if (made->lattice == NULL || made->set == NULL || (has_patches && made->patches == NULL))
     {
         cm_geometry_destroy(made);
         return NULL;
@@ -131,6 +112,7 @@ void cm_geometry_destroy(cm_geometry *geometry)
 {
     if (geometry != NULL)
     {
+        cm_patches_destroy(geometry->patches);
         free(geometry->lattice);
         free(geometry);
     }
@@ -419,7 +401,7 @@ static void bounds_of(const float *value, size_t n, float *low, float *high)
 /* The origin is a whole number near the middle. */
 static void begin_nodes(const cm_lattice_view *view, block_nodes *nodes)
 {
-    const size_t inner = (CM_LATTICE_BEYOND + 1) * (view->stride + 1);
+    const size_t inner = (BEYOND + 1) * (view->stride + 1);
     nodes->column = whole(view->x[inner]);
     nodes->row = whole(view->y[inner]);
 }
@@ -427,7 +409,7 @@ static void begin_nodes(const cm_lattice_view *view, block_nodes *nodes)
 /* Places are subtracted in double and go on as floats. */
 static void take_nodes(const cm_place_set *set, const cm_lattice_view *view, block_nodes *nodes)
 {
-    const size_t first = CM_LATTICE_BEYOND * (view->stride + 1);
+    const size_t first = BEYOND * (view->stride + 1);
     begin_nodes(view, nodes);
     set->take(view->x + first, view->stride, nodes->column + 0.5, nodes->x, &nodes->low[0],
               &nodes->high[0]);
@@ -438,7 +420,7 @@ static void take_nodes(const cm_place_set *set, const cm_lattice_view *view, blo
 static void take_wide_nodes(const cm_lattice_view *view, block_nodes *nodes)
 {
     const size_t count = CM_WIDE_NODES;
-    const size_t first = (CM_LATTICE_BEYOND - 1) * (view->stride + 1);
+    const size_t first = (BEYOND - 1) * (view->stride + 1);
     begin_nodes(view, nodes);
     for (size_t r = 0; r < count; r++)
     {
@@ -553,8 +535,13 @@ static void bound(const block_nodes *nodes, cm_group *group)
 
 static void interpolate_wide(const cm_geometry *geometry, const block_nodes *nodes, cm_group *group)
 {
-    geometry->set->place_wide(nodes->x, &geometry->wide, group->x);
-    geometry->set->place_wide(nodes->y, &geometry->wide, group->y);
+    const cm_wide_weights *weights = &geometry->wide;
+    group->is_bounded = 1;
+    for (int k = 0; k < 2; k++)
+    {
+        geometry->set->place_wide(k == 0 ? nodes->x : nodes->y, weights, weights,
+                                  k == 0 ? group->x : group->y, &group->low[k], &group->high[k]);
+    }
 }
 
 /* What all places of a block of one group reach. */
@@ -668,10 +655,40 @@ static unsigned bring_back(const cm_geometry *geometry, double slack, cm_group *
 static cm_lattice *lattice_at(cm_geometry *geometry, unsigned plane, uint32_t block_column,
                               uint32_t block_row)
 {
-    const uint32_t chunk = block_column / CM_LATTICE_BLOCKS;
+    const uint32_t chunk = block_column / LATTICE_BLOCKS;
     cm_lattice *lattice = &geometry->lattice[chunk % geometry->lattices];
     cm_lattice_fill(lattice, geometry->plan, geometry->set, plane, block_row, chunk);
     return lattice;
+}
+
+/* A block of which the bounds are known, and which may be beyond the source's plane. Returns as near_block. */
+static unsigned settle(const cm_geometry *geometry, uint32_t block_column, uint32_t block_row,
+                       double slack, cm_group *groups)
+{
+    const cm_surface *from = geometry->plan->from;
+    drop_beyond(geometry, block_column, block_row, groups);
+    return is_group_inside(from, groups, slack) ? 1 : bring_back(geometry, slack, groups);
+}
+
+/* A block of a patch. Returns 0 if it is none. */
+static int patch_block(cm_geometry *geometry, unsigned plane, uint32_t block_column,
+                       uint32_t block_row, cm_group *group)
+{
+    cm_patch_places places;
+    if (!cm_patches_block(geometry->patches, plane, block_column, block_row, &places, group->x,
+                          group->y))
+    {
+        return 0;
+    }
+    group->plane = places.plane;
+    group->column = places.column;
+    group->row = places.row;
+    group->count = CM_BLOCK_PIXELS;
+    group->is_bounded = 1;
+    memcpy(group->low, places.low, sizeof group->low);
+    memcpy(group->high, places.high, sizeof group->high);
+    memcpy(group->pixel, geometry->all_pixels, sizeof group->pixel);
+    return 1;
 }
 
 /* Returns how many groups there are; 0: the block is to be done exactly. */
@@ -680,11 +697,15 @@ static unsigned near_block(cm_geometry *geometry, unsigned plane, uint32_t block
 {
     const cm_plan *plan = geometry->plan;
     const double slack = fmin(plan->options.tolerance, SLACK_MOST);
+    if (geometry->patches != NULL && patch_block(geometry, plane, block_column, block_row, groups))
+    {
+        return settle(geometry, block_column, block_row, slack, groups);
+    }
     const cm_lattice *lattice = lattice_at(geometry, plane, block_column, block_row);
     cm_lattice_copy copy;
     block_nodes nodes;
     const cm_lattice_view view = cm_lattice_see(lattice, geometry->set, plan->from->period,
-                                                block_column % CM_LATTICE_BLOCKS, &copy);
+                                                block_column % LATTICE_BLOCKS, &copy);
     float across, along;
     int alone;
     if (!cm_lattice_bend(&view, lattice->is_uniform, &across, &along, &alone))
@@ -697,7 +718,7 @@ static unsigned near_block(cm_geometry *geometry, unsigned plane, uint32_t block
     {
         return 0;
     }
-    begin_group(groups, view.plane[CM_LATTICE_BEYOND * (view.stride + 1)], nodes.column, nodes.row);
+    begin_group(groups, view.plane[BEYOND * (view.stride + 1)], nodes.column, nodes.row);
     groups->count = CM_BLOCK_PIXELS;
     memcpy(groups->pixel, geometry->all_pixels, sizeof groups->pixel);
     (is_wide ? interpolate_wide : interpolate)(geometry, &nodes, groups);
@@ -707,9 +728,11 @@ static unsigned near_block(cm_geometry *geometry, unsigned plane, uint32_t block
         drop_beyond(geometry, block_column, block_row, groups);
         return 1;
     }
-    bound_places(geometry, groups);
-    drop_beyond(geometry, block_column, block_row, groups);
-    return is_group_inside(plan->from, groups, slack) ? 1 : bring_back(geometry, slack, groups);
+    if (!is_wide)
+    {
+        bound_places(geometry, groups);
+    }
+    return settle(geometry, block_column, block_row, slack, groups);
 }
 
 unsigned cm_geometry_block(cm_geometry *geometry, unsigned plane, uint32_t block_column,

@@ -4,25 +4,29 @@
 #include <math.h>
 #include <string.h>
 
-#define NODES (CM_LATTICE_ROWS * CM_LATTICE_COLUMNS)
+const cm_lattice_shape cm_lattice_fine = {
+    .edge = CM_BLOCK_EDGE, .steps = 3, .beyond = 2, .blocks = 8, .has_fourth = 1};
 
 /* Rows of nodes that a row of blocks shares with the next one. */
-#define SHARED (CM_LATTICE_ROWS - 3)
+static unsigned shared_rows(const cm_lattice *lattice)
+{
+    return CM_LATTICE_ROWS - (unsigned)lattice->shape->steps;
+}
 
 void cm_lattice_find(const cm_plan *plan, unsigned plane, size_t n, const double *column,
                      const double *row, uint8_t *found, double *x, double *y)
 {
-    double z[NODES];
+    double z[CM_LATTICE_NODES];
     cm_surface_own_directions(plan->to, plane, n, column, row, x, y, z);
     cm_surface_find(plan->from, n, x, y, z, found, x, y);
 }
 
 /* ---- filling ---- */
 
-/* Where node number 3 n is the first one of block n. */
-static double place_of(int64_t node)
+/* Where node number steps * n is the first one of block n. */
+static double place_of(const cm_lattice_shape *shape, int64_t node)
 {
-    return (double)(node * CM_BLOCK_EDGE) / 3.0;
+    return (double)(node * shape->edge) / shape->steps;
 }
 
 static double between(double low, double x, double high)
@@ -35,43 +39,48 @@ static double between(double low, double x, double high)
 static void find_rows(cm_lattice *lattice, const cm_plan *plan, unsigned first)
 {
     const cm_surface *to = plan->to;
-    double columns[NODES];
-    double rows[NODES];
-    uint8_t beyond[NODES];
-    const int64_t left = (int64_t)lattice->chunk * (3 * CM_LATTICE_BLOCKS) - CM_LATTICE_BEYOND;
-    const int64_t top = (int64_t)lattice->block_row * 3 - CM_LATTICE_BEYOND;
-    /* no kind is asked further beyond its edges than the blocks at them reach */
+    double columns[CM_LATTICE_NODES];
+    double rows[CM_LATTICE_NODES];
+    uint8_t beyond[CM_LATTICE_NODES];
+    const cm_lattice_shape *shape = lattice->shape;
+    const int64_t left = (int64_t)lattice->chunk * shape->steps * shape->blocks - shape->beyond;
+    const int64_t top = (int64_t)lattice->block_row * shape->steps - shape->beyond;
+    /* no kind is asked further beyond its edges than the small blocks at them reach */
     const double most = 2.0 * CM_BLOCK_EDGE;
     const double low = to->methods->can_go_beyond ? -most : 0.0;
-    uint8_t is_beyond[CM_LATTICE_COLUMNS];
-    for (int64_t k = 0; k < CM_LATTICE_COLUMNS; k++)
+    uint8_t is_beyond[CM_LATTICE_COLUMNS_MAX];
+    const size_t across = lattice->columns;
+    for (int64_t k = 0; k < (int64_t)across; k++)
     {
-        const double column = place_of(left + k);
+        const double column = place_of(shape, left + k);
         columns[k] = between(low, column, to->width - low);
         is_beyond[k] = columns[k] != column;
     }
     size_t n = 0;
-    for (int64_t r = first; r < CM_LATTICE_ROWS; r++, n += CM_LATTICE_COLUMNS)
+    int64_t r = first;
+    do
     {
-        const double row = place_of(top + r);
+        const double row = place_of(shape, top + r);
         const double at = between(low, row, to->height - low);
-        memmove(columns + n, columns, CM_LATTICE_COLUMNS * sizeof *columns);
-        for (size_t k = 0; k < CM_LATTICE_COLUMNS; k++)
+        memmove(columns + n, columns, across * sizeof *columns);
+        for (size_t k = 0; k < across; k++)
         {
             rows[n + k] = at;
         }
         if (at == row)
         {
-            memcpy(beyond + n, is_beyond, sizeof is_beyond);
+            memcpy(beyond + n, is_beyond, across);
         }
         else
         {
-            memset(beyond + n, 1, sizeof is_beyond);
+            memset(beyond + n, 1, across);
         }
-    }
-    uint8_t *plane = lattice->plane[first];
-    cm_lattice_find(plan, lattice->to_plane, n, columns, rows, plane, lattice->x[first],
-                    lattice->y[first]);
+        n += across;
+    } while (++r < CM_LATTICE_ROWS);
+    const size_t at = first * across;
+    uint8_t *plane = lattice->plane + at;
+    cm_lattice_find(plan, lattice->to_plane, n, columns, rows, plane, lattice->x + at,
+                    lattice->y + at);
     for (size_t i = 0; i < n; i++)
     {
         plane[i] = beyond[i] ? CM_NO_FACE : plane[i];
@@ -81,9 +90,10 @@ static void find_rows(cm_lattice *lattice, const cm_plan *plan, unsigned first)
 /* By rows, as compilers make vectors of it. */
 static int spans_more_than(const cm_lattice *lattice, double extent)
 {
-    double low[CM_LATTICE_COLUMNS];
-    double high[CM_LATTICE_COLUMNS];
-    for (size_t k = 0; k < CM_LATTICE_COLUMNS; k++)
+    double low[CM_LATTICE_COLUMNS_MAX];
+    double high[CM_LATTICE_COLUMNS_MAX];
+    const size_t columns = lattice->columns;
+    for (size_t k = 0; k < columns; k++)
     {
         /* NaN is neither less nor more */
         low[k] = INFINITY;
@@ -91,13 +101,14 @@ static int spans_more_than(const cm_lattice *lattice, double extent)
     }
     for (size_t r = 0; r < CM_LATTICE_ROWS; r++)
     {
-        for (size_t k = 0; k < CM_LATTICE_COLUMNS; k++)
+        const double *x = lattice->x + r * columns;
+        for (size_t k = 0; k < columns; k++)
         {
-            low[k] = lattice->x[r][k] < low[k] ? lattice->x[r][k] : low[k];
-            high[k] = lattice->x[r][k] > high[k] ? lattice->x[r][k] : high[k];
+            low[k] = x[k] < low[k] ? x[k] : low[k];
+            high[k] = x[k] > high[k] ? x[k] : high[k];
         }
     }
-    for (size_t k = 1; k < CM_LATTICE_COLUMNS; k++)
+    for (size_t k = 1; k < columns; k++)
     {
         low[0] = low[k] < low[0] ? low[k] : low[0];
         high[0] = high[k] > high[0] ? high[k] : high[0];
@@ -107,26 +118,24 @@ static int spans_more_than(const cm_lattice *lattice, double extent)
 
 static void keep_shared(cm_lattice *lattice)
 {
-    const size_t from = CM_LATTICE_ROWS - SHARED;
-    memmove(lattice->x, lattice->x + from, SHARED * sizeof *lattice->x);
-    memmove(lattice->y, lattice->y + from, SHARED * sizeof *lattice->y);
-    memmove(lattice->plane, lattice->plane + from, SHARED * sizeof *lattice->plane);
-    memmove(lattice->across, lattice->across + from, SHARED * sizeof *lattice->across);
+    const size_t shared = shared_rows(lattice) * lattice->columns;
+    const size_t from = CM_LATTICE_ROWS * lattice->columns - shared;
+    memmove(lattice->x, lattice->x + from, shared * sizeof *lattice->x);
+    memmove(lattice->y, lattice->y + from, shared * sizeof *lattice->y);
+    memmove(lattice->plane, lattice->plane + from, shared * sizeof *lattice->plane);
+    memmove(lattice->across, lattice->across + from, shared * sizeof *lattice->across);
 }
 
 /* Differences of the rows from first on, and of all columns. */
 static void difference(cm_lattice *lattice, const cm_place_set *set, unsigned first)
 {
-    for (unsigned r = first; r < CM_LATTICE_ROWS; r++)
+    const size_t columns = lattice->columns;
+    for (size_t at = first * columns; at < CM_LATTICE_ROWS * columns; at += columns)
     {
-        set->differences(CM_LATTICE_COLUMNS - 4, lattice->x[r], lattice->y[r], 1,
-                         lattice->across[r]);
+        set->differences(columns - 4, lattice->x + at, lattice->y + at, 1, lattice->across + at);
     }
-    for (unsigned r = 0; r < 2; r++)
-    {
-        set->differences(CM_LATTICE_COLUMNS, lattice->x[r + 1], lattice->y[r + 1],
-                         CM_LATTICE_COLUMNS, lattice->along[r]);
-    }
+    set->differences(2 * columns, lattice->x + columns, lattice->y + columns, columns,
+                     lattice->along);
 }
 
 void cm_lattice_fill(cm_lattice *lattice, const cm_plan *plan, const cm_place_set *set,
@@ -143,18 +152,21 @@ void cm_lattice_fill(cm_lattice *lattice, const cm_plan *plan, const cm_place_se
     {
         keep_shared(lattice);
     }
-    const unsigned first = has_shared ? SHARED : 0;
+    const unsigned first = has_shared ? shared_rows(lattice) : 0;
     const int has_differences = has_shared && !lattice->is_wrapped;
     lattice->is_there = 1;
     lattice->to_plane = to_plane;
     lattice->block_row = block_row;
     lattice->chunk = chunk;
+    lattice->columns =
+        (size_t)(lattice->shape->steps * lattice->shape->blocks + 1 + 2 * lattice->shape->beyond);
     find_rows(lattice, plan, first);
-    const uint8_t *plane = lattice->plane[0];
+    const uint8_t *plane = lattice->plane;
     const double period = plan->from->period;
-    lattice->is_uniform = plane[0] != CM_NO_FACE && memcmp(plane, plane + 1, NODES - 1) == 0;
+    lattice->is_uniform = plane[0] != CM_NO_FACE &&
+                          memcmp(plane, plane + 1, CM_LATTICE_ROWS * lattice->columns - 1) == 0;
     lattice->is_wrapped = period > 0.0 && spans_more_than(lattice, 0.5 * period);
-    if (!lattice->is_wrapped)
+    if (!lattice->is_wrapped && lattice->shape->has_fourth)
     {
         difference(lattice, set, has_differences ? first : 0);
     }
@@ -163,9 +175,9 @@ void cm_lattice_fill(cm_lattice *lattice, const cm_plan *plan, const cm_place_se
 /* ---- seeing ---- */
 
 /* Columns within half a period of the block's first node. */
-static void unwrap(const cm_lattice_view *from, double period, double *x)
+static void unwrap(const cm_lattice_view *from, size_t beyond, double period, double *x)
 {
-    const double first = from->x[CM_LATTICE_BEYOND * (from->stride + 1)];
+    const double first = from->x[beyond * (from->stride + 1)];
     for (size_t r = 0; r < CM_LATTICE_ROWS; r++)
     {
         for (size_t k = 0; k < CM_LATTICE_SEEN; k++)
@@ -182,27 +194,33 @@ static void unwrap(const cm_lattice_view *from, double period, double *x)
 cm_lattice_view cm_lattice_see(const cm_lattice *lattice, const cm_place_set *set, double period,
                                unsigned block, cm_lattice_copy *copy)
 {
-    const size_t first = 3 * (size_t)block;
-    cm_lattice_view view = {.stride = CM_LATTICE_COLUMNS,
-                            .x = lattice->x[0] + first,
-                            .y = lattice->y[0] + first,
-                            .plane = lattice->plane[0] + first,
-                            .across = lattice->across[0] + first,
-                            .along = lattice->along[0] + first};
+    const size_t first = (size_t)lattice->shape->steps * block;
+    cm_lattice_view view = {.stride = lattice->columns,
+                            .x = lattice->x + first,
+                            .y = lattice->y + first,
+                            .plane = lattice->plane + first,
+                            .across = lattice->across + first,
+                            .along = lattice->along + first};
     if (!lattice->is_wrapped)
     {
         return view;
     }
     const size_t seen = CM_LATTICE_SEEN;
-    unwrap(&view, period, copy->x);
+    unwrap(&view, (size_t)lattice->shape->beyond, period, copy->x);
     for (size_t r = 0; r < CM_LATTICE_ROWS; r++)
     {
         memcpy(copy->y + seen * r, view.y + r * view.stride, seen * sizeof *copy->y);
         memcpy(copy->plane + seen * r, view.plane + r * view.stride, seen * sizeof *copy->plane);
+    }
+    for (size_t r = 0; lattice->shape->has_fourth && r < CM_LATTICE_ROWS; r++)
+    {
         set->differences(seen - 4, copy->x + seen * r, copy->y + seen * r, 1,
                          copy->across + seen * r);
     }
-    set->differences(2 * seen, copy->x + seen, copy->y + seen, seen, copy->along);
+    if (lattice->shape->has_fourth)
+    {
+        set->differences(2 * seen, copy->x + seen, copy->y + seen, seen, copy->along);
+    }
     return (cm_lattice_view){seen, copy->x, copy->y, copy->plane, copy->across, copy->along};
 }
 
@@ -238,7 +256,7 @@ int cm_lattice_bend(const cm_lattice_view *view, int is_uniform, float *across, 
 {
     int left = 1, right = 1, above = 1, below = 1;
     const size_t stride = view->stride;
-    const size_t own = CM_LATTICE_BEYOND;
+    const size_t own = (size_t)cm_lattice_fine.beyond;
     if (!is_uniform)
     {
         const uint8_t plane = view->plane[own * (stride + 1)];
@@ -267,13 +285,14 @@ static double sixth(const double *at, size_t apart)
            15.0 * (at[2 * apart] + at[4 * apart]) - 20.0 * at[3 * apart];
 }
 
-/* Of two differences of each line but the first and the last. */
-static double greatest_sixth(const cm_lattice_view *view, size_t apart, size_t next)
+/* Of two differences of each line but the first and the last: from its first node on, and from its second. */
+static double greatest_sixth(const cm_lattice_view *view, size_t apart, size_t next, int first,
+                             int second)
 {
     double most = 0.0;
     for (size_t i = 1; i < CM_LATTICE_SEEN - 1; i++)
     {
-        for (size_t k = 0; k < 2; k++)
+        for (size_t k = first ? 0 : 1; k < (second ? 2 : 1); k++)
         {
             const size_t at = i * next + k * apart;
             const double right = sixth(view->x + at, apart);
@@ -293,7 +312,33 @@ int cm_lattice_bend_wide(const cm_lattice_view *view, int is_uniform, double *ac
     {
         return 0;
     }
-    *across = greatest_sixth(view, 1, view->stride);
-    *along = greatest_sixth(view, view->stride, 1);
+    *across = greatest_sixth(view, 1, view->stride, 1, 1);
+    *along = greatest_sixth(view, view->stride, 1, 1, 1);
+    return 1;
+}
+
+int cm_lattice_bend_six(const cm_lattice_view *view, int is_uniform, double *across, double *along,
+                        int *alone)
+{
+    int left = 1, right = 1, above = 1, below = 1;
+    if (!is_uniform)
+    {
+        const uint8_t plane = view->plane[view->stride + 1];
+        if (plane == CM_NO_FACE || !are_on(view, plane, 1, 6, 1, 6))
+        {
+            return 0;
+        }
+        left = are_on(view, plane, 1, 6, 0, 1);
+        right = are_on(view, plane, 1, 6, 7, 1);
+        above = are_on(view, plane, 0, 1, 1, 6);
+        below = are_on(view, plane, 7, 1, 1, 6);
+    }
+    if (!(left || right) || !(above || below))
+    {
+        return 0;
+    }
+    *across = greatest_sixth(view, 1, view->stride, left, right);
+    *along = greatest_sixth(view, view->stride, 1, above, below);
+    *alone = !(left && right && above && below);
     return 1;
 }

@@ -23,8 +23,9 @@ typedef float cm_wide_weights[CM_WIDE_NODES][CM_BLOCK_EDGE];
 typedef void cm_placer(const float *nodes, const cm_place_weights *across,
                        const cm_place_weights *along, float *to);
 
-/* The same from 6 x 6 nodes, with the weights of both ways. */
-typedef void cm_wide_placer(const float *nodes, const cm_wide_weights *weights, float *to);
+/* The same from 6 x 6 nodes, and the least and the greatest of what is found, which is no NaN. */
+typedef void cm_wide_placer(const float *nodes, const cm_wide_weights *across,
+                            const cm_wide_weights *along, float *to, float *low, float *high);
 
 /* 4 x 4 nodes by rows, which are stride elements apart, from an origin: subtracted in double, they go on as floats. And the
  * least and the greatest of them. What is read and nodes do not overlap. */

@@ -2,13 +2,13 @@
  *
  * From a source to a target, block by block.
  */
-#include "geometry.h"
+#include "block_target.h"
 #include "large_memory.h"
+#include "past_caches.h"
 #include "source.h"
 
 #include <cubemap/threads.h>
 
-#include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,29 +24,16 @@
 
 #ifdef __GNUC__
 #define CM_FETCH(place) __builtin_prefetch(place)
-#define CM_FETCH_TO_WRITE(place) __builtin_prefetch(place, 1)
 #else
 #define CM_FETCH(place) (void)(place)
-#define CM_FETCH_TO_WRITE(place) (void)(place)
 #endif
 
 /* What all threads work on. */
 typedef struct resample_job
 {
-    const cm_plan *plan;
-    const cm_source *source;
-    const cm_image *to;
-    cm_values values; /* as they are stored in the target */
-    cm_rows wanted;   /* of one plane, or of all if row_count is 0 */
+    cm_target target;
     atomic_int failed;
 } resample_job;
-
-/* Where the rows of a block go. */
-typedef struct block_target
-{
-    unsigned char *first; /* NULL: pixels go one by one */
-    ptrdiff_t down;       /* from row to row, in bytes */
-} block_target;
 
 /* What a thread works with. */
 typedef struct resample_desk
@@ -54,8 +41,10 @@ typedef struct resample_desk
     cm_geometry *geometry;
     cm_scratch scratch;
     cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
-    block_target targets[2];
+    cm_row_target row;                 /* of the row of blocks that is done */
+    cm_block_target targets[2];
     unsigned char *pixels; /* of a group */
+    unsigned char *bundle; /* of blocks, row by row */
 } resample_desk;
 
 /* ---- values of a group ---- */
@@ -69,16 +58,22 @@ typedef struct window_box
     int32_t height;
 } window_box;
 
+static int32_t floor_of(float x)
+{
+    const int32_t towards_zero = (int32_t)x;
+    return towards_zero - ((float)towards_zero > x);
+}
+
 /* What pixels touch whose x and y are between bounds, the least and the greatest x and those of y, once their positions
  * count from the box. That may round them up to a whole number, so that the last one is asked after it. */
 static window_box box_between(const cm_source *source, const float bounds[4])
 {
     const int32_t before = source->taps < 2 ? 0 : source->taps / 2 - 1;
     const int32_t after = source->taps < 2 ? 1 : source->taps / 2;
-    const int32_t column = (int32_t)floorf(bounds[0]) - before;
-    const int32_t row = (int32_t)floorf(bounds[2]) - before;
-    return (window_box){column, row, (int32_t)floorf(bounds[1] - (float)column) + after + 1,
-                        (int32_t)floorf(bounds[3] - (float)row) + after + 1};
+    const int32_t column = floor_of(bounds[0]) - before;
+    const int32_t row = floor_of(bounds[2]) - before;
+    return (window_box){column, row, floor_of(bounds[1] - (float)column) + after + 1,
+                        floor_of(bounds[3] - (float)row) + after + 1};
 }
 
 /* What n pixels of a group touch, a multiple of 16. */
@@ -204,191 +199,6 @@ cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch 
                                : sample_run(source, group, 0, whole, box, scratch, to);
 }
 
-/* ---- into the target ---- */
-
-static unsigned char *target_pixel(const resample_job *job, unsigned plane, uint32_t column,
-                                   uint32_t row, uint32_t *picture_column, uint32_t *picture_row,
-                                   ptrdiff_t *stride)
-{
-    const cm_surface *to = job->plan->to;
-    const cm_placement *place = &to->placement[plane];
-    const cm_image *picture = &job->to[place->picture];
-    const ptrdiff_t size = (ptrdiff_t)(picture->channels * cm_pixel_size(picture->type));
-    const ptrdiff_t right = picture->pixel_stride != 0 ? picture->pixel_stride : size;
-    const ptrdiff_t down = picture->row_stride != 0 ? picture->row_stride : right * picture->width;
-    cm_placement_pixel(to, plane, column, row, picture_column, picture_row);
-    if (place->turn & CM_TURN_EXCHANGED)
-    {
-        *stride = place->turn & CM_TURN_ROWS ? -down : down;
-    }
-    else
-    {
-        *stride = place->turn & CM_TURN_COLUMNS ? -right : right;
-    }
-    return (unsigned char *)picture->data + *picture_row * down + *picture_column * right;
-}
-
-static void store_run(const resample_job *job, unsigned plane, uint32_t column, uint32_t row,
-                      size_t n, unsigned char *pixels)
-{
-    uint32_t picture_column, picture_row;
-    ptrdiff_t stride;
-    unsigned char *to =
-        target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
-    const cm_level *level = &job->source->level;
-    if (!level->is_bytes)
-    {
-        cm_values_store(&job->values, (float *)(void *)pixels, n, picture_column, picture_row, to,
-                        stride);
-    }
-    else if (stride == (ptrdiff_t)level->pixel_size)
-    {
-        memcpy(to, pixels, n * level->pixel_size);
-    }
-    else
-    {
-        for (size_t i = 0; i < n; i++)
-        {
-            memcpy(to + (ptrdiff_t)i * stride, pixels + i * level->pixel_size, level->pixel_size);
-        }
-    }
-}
-
-/* The wanted ones of n pixels of a row that lie side by side. */
-static void store_wanted(const resample_job *job, unsigned plane, uint32_t column, uint32_t row,
-                         uint32_t n, unsigned char *pixels)
-{
-    const cm_rows *wanted = &job->wanted;
-    const uint32_t first = column > wanted->first_column ? column : wanted->first_column;
-    const uint32_t last = wanted->first_column + wanted->column_count;
-    const uint32_t end = column + n < last ? column + n : last;
-    if (row >= wanted->first_row && row < wanted->first_row + wanted->row_count && first < end)
-    {
-        store_run(job, plane, first, row, end - first,
-                  pixels + (first - column) * job->source->level.pixel_size);
-    }
-}
-
-/* Pixels of a group that lie side by side, from the one at an index. */
-static uint32_t run_length(const cm_group *group, unsigned at)
-{
-    const uint8_t first = group->pixel[at];
-    const unsigned most = CM_BLOCK_EDGE - first % CM_BLOCK_EDGE;
-    uint32_t n = 1;
-    while (n < most && at + n < group->count && group->pixel[at + n] == first + n)
-    {
-        n++;
-    }
-    return n;
-}
-
-static inline void copy_each(const unsigned char *from, size_t bytes, unsigned char *to,
-                             ptrdiff_t down)
-{
-    for (int i = 0; i < CM_BLOCK_EDGE; i++, from += bytes, to += down)
-    {
-        memcpy(to, from, bytes);
-    }
-}
-
-/* Rows of a block one below the other, each of so many bytes. The frequent sizes are constants, which need no call. */
-static void copy_rows(const unsigned char *from, size_t bytes, unsigned char *to, ptrdiff_t down)
-{
-    switch (bytes)
-    {
-    case CM_BLOCK_EDGE * 3:
-        copy_each(from, CM_BLOCK_EDGE * 3, to, down);
-        break;
-    case CM_BLOCK_EDGE * 4:
-        copy_each(from, CM_BLOCK_EDGE * 4, to, down);
-        break;
-    case CM_BLOCK_EDGE * 12:
-        copy_each(from, CM_BLOCK_EDGE * 12, to, down);
-        break;
-    default:
-        copy_each(from, bytes, to, down);
-    }
-}
-
-/* Where a block's rows go as they are; NULL if they do not. */
-static block_target target_of(const resample_job *job, unsigned plane, uint32_t column,
-                              uint32_t row)
-{
-    const cm_rows *wanted = &job->wanted;
-    const cm_level *level = &job->source->level;
-    uint32_t picture_column, picture_row;
-    ptrdiff_t stride;
-    if (!(level->is_bytes || cm_values_are_copied(&job->values)) || row < wanted->first_row ||
-        row + CM_BLOCK_EDGE > wanted->first_row + wanted->row_count ||
-        column < wanted->first_column ||
-        column + CM_BLOCK_EDGE > wanted->first_column + wanted->column_count)
-    {
-        return (block_target){NULL, 0};
-    }
-    unsigned char *to =
-        target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
-    const unsigned char *below =
-        target_pixel(job, plane, column, row + 1, &picture_column, &picture_row, &stride);
-    return (block_target){stride == (ptrdiff_t)level->pixel_size ? to : NULL, below - to};
-}
-
-static void store_group(const resample_job *job, unsigned plane, uint32_t block_column,
-                        uint32_t block_row, const cm_group *group, const block_target *target,
-                        unsigned char *pixels)
-{
-    const size_t size = job->source->level.pixel_size;
-    const int is_whole = group->count == CM_BLOCK_PIXELS;
-    if (is_whole && target->first != NULL)
-    {
-        copy_rows(pixels, size * CM_BLOCK_EDGE, target->first, target->down);
-        return;
-    }
-    for (unsigned i = 0; i < group->count;)
-    {
-        const uint32_t n = is_whole ? CM_BLOCK_EDGE : run_length(group, i);
-        store_wanted(job, plane, block_column * CM_BLOCK_EDGE + group->pixel[i] % CM_BLOCK_EDGE,
-                     block_row * CM_BLOCK_EDGE + group->pixel[i] / CM_BLOCK_EDGE, n,
-                     pixels + i * size);
-        i += n;
-    }
-}
-
-/* What the source does not show is 0. */
-static void clear_pixel(const resample_job *job, unsigned plane, uint32_t column, uint32_t row)
-{
-    const cm_rows *wanted = &job->wanted;
-    if (row >= wanted->first_row && row < wanted->first_row + wanted->row_count &&
-        column >= wanted->first_column && column < wanted->first_column + wanted->column_count)
-    {
-        uint32_t picture_column, picture_row;
-        ptrdiff_t stride;
-        unsigned char *to =
-            target_pixel(job, plane, column, row, &picture_column, &picture_row, &stride);
-        memset(to, 0, job->to->channels * cm_pixel_size(job->to->type));
-    }
-}
-
-static void clear_rest(const resample_job *job, unsigned plane, uint32_t block_column,
-                       uint32_t block_row, const cm_group *groups, unsigned count)
-{
-    unsigned char there[CM_BLOCK_PIXELS] = {0};
-    for (unsigned i = 0; i < count; i++)
-    {
-        for (unsigned k = 0; k < groups[i].count; k++)
-        {
-            there[groups[i].pixel[k]] = 1;
-        }
-    }
-    for (unsigned i = 0; i < CM_BLOCK_PIXELS; i++)
-    {
-        if (!there[i])
-        {
-            clear_pixel(job, plane, block_column * CM_BLOCK_EDGE + i % CM_BLOCK_EDGE,
-                        block_row * CM_BLOCK_EDGE + i / CM_BLOCK_EDGE);
-        }
-    }
-}
-
 /* Blocks go along curves in the source, which processors do not foresee: so what a block needs is asked for while the one
  * before it is done. Of eight pixels in a row one will do, of four where they are large, which has its last row of taps
  * asked for. */
@@ -410,72 +220,81 @@ static void fetch_group(const cm_source *source, const cm_group *group)
     }
 }
 
-static void fetch_target(const block_target *target, size_t bytes)
-{
-    for (ptrdiff_t i = 0; i < CM_BLOCK_EDGE && target->first != NULL; i++)
-    {
-        const unsigned char *row = target->first + i * target->down;
-        CM_FETCH_TO_WRITE(row + bytes - 1);
-        for (size_t at = 64; at < bytes; at += 64)
-        {
-            CM_FETCH_TO_WRITE(row + bytes - 1 - at);
-        }
-    }
-}
-
 static unsigned place_block(const resample_job *job, resample_desk *desk, unsigned plane,
                             uint32_t block_column, uint32_t block_row)
 {
     cm_group *groups = desk->groups[block_column % 2];
     desk->targets[block_column % 2] =
-        target_of(job, plane, block_column * CM_BLOCK_EDGE, block_row * CM_BLOCK_EDGE);
+        cm_target_block(&job->target, &desk->row, block_column * CM_BLOCK_EDGE);
     const unsigned count =
         cm_geometry_block(desk->geometry, plane, block_column, block_row, groups);
     for (unsigned i = 0; i < count; i++)
     {
-        fetch_group(job->source, &groups[i]);
+        fetch_group(job->target.source, &groups[i]);
     }
     return count;
+}
+
+/* A whole block of one group at once, where its rows are to be. 0 if that cannot be. */
+static int sample_in_place(const cm_source *source, const cm_group *group,
+                           const cm_block_target *target)
+{
+    cm_window window;
+    if (source->apart == NULL || target->first == NULL || target->is_past ||
+        group->count != CM_BLOCK_PIXELS || !is_there(source, group))
+    {
+        return 0;
+    }
+    cm_level_own(&source->level, group->plane, group->column, group->row, &window);
+    return source->apart(&window, CM_BLOCK_PIXELS, group->x, group->y, target->first, target->down);
 }
 
 static cm_status fill_block(const resample_job *job, resample_desk *desk, unsigned plane,
                             uint32_t block_column, uint32_t block_row, unsigned count)
 {
     cm_group *groups = desk->groups[block_column % 2];
-    const block_target *target = &desk->targets[block_column % 2];
+    const cm_block_target *target = &desk->targets[block_column % 2];
     cm_status status = CM_OK;
     unsigned pixels = 0;
-    fetch_target(target, job->source->level.pixel_size * CM_BLOCK_EDGE);
+    cm_target_fetch(target, job->target.source->level.pixel_size * CM_BLOCK_EDGE);
+    if (count == 1 && sample_in_place(job->target.source, groups, target))
+    {
+        pixels = CM_BLOCK_PIXELS;
+        count = 0;
+    }
     for (unsigned i = 0; i < count && status == CM_OK; i++)
     {
-        status = cm_source_sample(job->source, &groups[i], &desk->scratch, desk->pixels);
+        status = cm_source_sample(job->target.source, &groups[i], &desk->scratch, desk->pixels);
         if (status == CM_OK)
         {
-            store_group(job, plane, block_column, block_row, &groups[i], target, desk->pixels);
+            cm_target_store(&job->target, plane, block_column, block_row, &groups[i], target,
+                            desk->pixels);
         }
         pixels += groups[i].count;
     }
     if (pixels < CM_BLOCK_PIXELS)
     {
-        clear_rest(job, plane, block_column, block_row, groups, count);
+        cm_target_clear(&job->target, plane, block_column, block_row, groups, count);
     }
+    cm_target_finish(&job->target, &desk->row, target, count <= 1 && pixels == CM_BLOCK_PIXELS);
     return status;
 }
 
 static cm_status do_block_row(const resample_job *job, resample_desk *desk, unsigned plane,
                               uint32_t block_row)
 {
-    const cm_rows *wanted = &job->wanted;
+    const cm_rows *wanted = &job->target.wanted;
     const uint32_t first = wanted->first_column / CM_BLOCK_EDGE;
     const uint32_t last = (wanted->first_column + wanted->column_count - 1) / CM_BLOCK_EDGE;
     cm_status status = CM_OK;
+    desk->row = cm_target_row(&job->target, plane, block_row * CM_BLOCK_EDGE, desk->bundle);
     unsigned count = place_block(job, desk, plane, first, block_row);
     for (uint32_t column = first; column <= last && status == CM_OK; column++)
     {
         const unsigned next =
             column < last ? place_block(job, desk, plane, column + 1, block_row) : 0;
         status = fill_block(job, desk, plane, column, block_row, count);
-        cm_large_touched(job->plan->options.memory, BLOCK_TOUCHES);
+        cm_large_touched(job->target.plan->options.memory, BLOCK_TOUCHES);
         count = next;
     }
     return status;
@@ -500,17 +319,22 @@ static void do_rows(size_t begin, size_t end, void *user)
     cm_status status = desk == NULL ? CM_ERROR_MEMORY : CM_OK;
     if (status == CM_OK)
     {
-        desk->geometry = cm_geometry_create(job->plan, job->source->filter == CM_FILTER_EWA);
-        desk->pixels = malloc(CM_BLOCK_PIXELS * job->source->level.pixel_size + 64);
-        status = desk->geometry == NULL || desk->pixels == NULL ? CM_ERROR_MEMORY : CM_OK;
+        desk->geometry =
+            cm_geometry_create(job->target.plan, job->target.source->filter == CM_FILTER_EWA);
+        desk->pixels = malloc(CM_BLOCK_PIXELS * job->target.source->level.pixel_size + 64);
+        desk->bundle = malloc(CM_BUNDLE_BYTES);
+        status = desk->geometry == NULL || desk->pixels == NULL || desk->bundle == NULL
+                     ? CM_ERROR_MEMORY
+                     : CM_OK;
     }
-    const uint32_t rows = block_rows_of(&job->wanted);
+    const uint32_t rows = block_rows_of(&job->target.wanted);
     /* a row counts as ROW_WEIGHT elements, so that a thread may have as few rows as it likes */
     for (size_t at = begin / ROW_WEIGHT; at < end / ROW_WEIGHT && status == CM_OK; at++)
     {
-        status = do_block_row(job, desk, job->wanted.plane + (unsigned)(at / rows),
-                              block_rows_before(&job->wanted) + (uint32_t)(at % rows));
+        status = do_block_row(job, desk, job->target.wanted.plane + (unsigned)(at / rows),
+                              block_rows_before(&job->target.wanted) + (uint32_t)(at % rows));
     }
+    cm_finish_past_caches();
     if (status != CM_OK)
     {
         atomic_store(&job->failed, (int)status);
@@ -520,6 +344,7 @@ static void do_rows(size_t begin, size_t end, void *user)
         cm_geometry_destroy(desk->geometry);
         free(desk->scratch.bytes);
         free(desk->pixels);
+        free(desk->bundle);
         free(desk);
     }
 }
@@ -551,21 +376,21 @@ cm_status cm_resample_source(const cm_plan *plan, const cm_source *source, cm_im
     {
         return CM_ERROR_ARGUMENT;
     }
-    resample_job job = {.plan = plan, .source = source, .to = to, .wanted = rows};
+    resample_job job = {.target = {.plan = plan, .source = source, .to = to, .wanted = rows}};
     cm_status status = cm_pictures_check(plan->to, to);
     if (status != CM_OK)
     {
         return status;
     }
-    job.values = cm_values_of(plan, to);
-    job.values.working = source->values.working;
-    const uint32_t planes = complete(plan->to, &job.wanted);
+    job.target.values = cm_values_of(plan, to);
+    job.target.values.working = source->values.working;
+    const uint32_t planes = complete(plan->to, &job.target.wanted);
     if (planes == 0 || to->channels != source->values.channels || to->type != source->target_type)
     {
         return CM_ERROR_RANGE;
     }
     atomic_init(&job.failed, CM_OK);
-    cm_run_threads(threads, (size_t)planes * block_rows_of(&job.wanted) * ROW_WEIGHT,
+    cm_run_threads(threads, (size_t)planes * block_rows_of(&job.target.wanted) * ROW_WEIGHT,
                    4 * ROW_WEIGHT, do_rows, &job);
     return (cm_status)atomic_load(&job.failed);
 }

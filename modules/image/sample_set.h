@@ -33,6 +33,11 @@ typedef struct cm_window
 typedef void cm_sampler(const cm_window *window, size_t n, const float *x, const float *y,
                         const cm_filter_table *table, void *to);
 
+/* The same, but pixels go by sixteen, which are dense, and `down` bytes apart. 0, and nothing is done, for numbers of
+ * channels that there is no such loop of. */
+typedef int cm_apart_sampler(const cm_window *window, size_t n, const float *x, const float *y,
+                             void *to, ptrdiff_t down);
+
 /* n numbers, any n, to others: to = from * scale. from and to do not overlap. Whole numbers are rounded to nearest,
  * ties to even, and clamped; NaN is 0. Half precision is rounded likewise, overflows to infinity and keeps NaN. */
 typedef void cm_converter(size_t n, const void *from, float scale, void *to);
@@ -44,6 +49,7 @@ typedef struct cm_sample_set
     cm_sampler *nearest_u16; /* half too */
     cm_sampler *nearest_float;
     cm_sampler *bilinear_u8;
+    cm_apart_sampler *bilinear_u8_apart; /* NULL if the set has none */
     cm_sampler *bilinear_u16;
     cm_sampler *bilinear_float;
     cm_sampler *taps4_u8;

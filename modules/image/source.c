@@ -91,6 +91,7 @@ static void choose_sampler(cm_source *source, int is_bytes)
     case CM_FILTER_BILINEAR:
         source->taps = 2;
         source->sampler = is_bytes ? set->bilinear_u8 : set->bilinear_float;
+        source->apart = is_bytes ? set->bilinear_u8_apart : NULL;
         break;
     case CM_FILTER_CATMULL_ROM:
     case CM_FILTER_MITCHELL:

@@ -18,7 +18,8 @@ struct cm_source
     const cm_sample_set *set;
     const cm_place_set *places;
     cm_sampler *sampler;
-    int32_t taps; /* in a row: 1, 2, 4 or 6 */
+    cm_apart_sampler *apart; /* the same into rows; NULL if there is none */
+    int32_t taps;            /* in a row: 1, 2, 4 or 6 */
     cm_filter_table table;
     cm_level level;
     cm_ewa ewa;             /* of CM_FILTER_EWA */

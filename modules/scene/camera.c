@@ -11,6 +11,45 @@
 /* A row of pixels may be numbered by 31 bits. */
 #define PIXELS_MOST 2147483648.0
 
+/* A box around the picture and a pixel more, in focal lengths, the tilt undone. 0 if it reaches where no ray gets. */
+static int box_of(const cm_camera *camera, double box[4])
+{
+    const cm_lens *lens = &camera->lens;
+    const double *back = lens->level;
+    for (int i = 0; i < 4; i++)
+    {
+        const double column = i % 2 == 0 ? -1.0 : (double)camera->options.width + 1.0;
+        const double row = i < 2 ? -1.0 : (double)camera->options.height + 1.0;
+        double x = (column - lens->cx) * lens->per_x;
+        double y = (row - lens->cy) * lens->per_y;
+        const double third = LENS_MAD(back[6], x, LENS_MAD(back[7], y, back[8]));
+        if (lens->is_tilted)
+        {
+            const double plain[2] = {x, y};
+            x = cm_lens_turn(back, plain[0], plain[1], 1.0 / third);
+            y = cm_lens_turn(back + 3, plain[0], plain[1], 1.0 / third);
+        }
+        if (!(fabs(x) + fabs(y) < 1e100 && (third > 0.0 || !lens->is_tilted)))
+        {
+            return 0;
+        }
+        box[0] = i == 0 ? x : fmin(box[0], x);
+        box[1] = i == 0 ? y : fmin(box[1], y);
+        box[2] = i == 0 ? x : fmax(box[2], x);
+        box[3] = i == 0 ? y : fmax(box[3], y);
+    }
+    return box[2] > box[0] && box[3] > box[1];
+}
+
+/* 0 if there was no memory. */
+static int find_field(cm_camera *camera)
+{
+    double box[4];
+    cm_camera_field_find(&camera->lens, camera->set, &camera->field);
+    return cm_camera_image_find(&camera->lens, camera->set, &camera->field,
+                                box_of(camera, box) ? box : NULL, &camera->image);
+}
+
 cm_status cm_camera_create(const cm_camera_options *options, cm_camera **camera)
 {
     if (options == NULL || camera == NULL || options->size != sizeof *options)
@@ -39,9 +78,10 @@ cm_status cm_camera_create(const cm_camera_options *options, cm_camera **camera)
         cm_camera_destroy(made);
         return status;
     }
-    if (made->faces == 0)
+    if (made->faces == 0 && !find_field(made))
     {
-        cm_camera_field_find(&made->lens, made->set, &made->field);
+        cm_camera_destroy(made);
+        return CM_ERROR_MEMORY;
     }
     *camera = made;
     return CM_OK;
@@ -52,6 +92,7 @@ void cm_camera_destroy(cm_camera *camera)
     if (camera != NULL)
     {
         cm_mapping_destroy((cm_mapping *)camera->options.mapping);
+        free(camera->image.corner);
         free(camera);
     }
 }
@@ -85,18 +126,28 @@ static void settle_points(const cm_camera *camera, cm_camera_block *block, size_
     }
 }
 
+/* A ray that the loops found, if it is inside; or one that is looked for. */
+static int settle_pixel(const cm_camera *camera, const double aim[2], double slack, double ray[2])
+{
+    const cm_camera_reach reach = cm_camera_image_reaches(&camera->image, aim[0], aim[1]);
+    return reach != CM_IMAGE_MISSED &&
+           ((isfinite(ray[0]) &&
+             cm_camera_field_joins(&camera->lens, camera->set, &camera->field, ray[0], ray[1])) ||
+            cm_camera_solve(&camera->lens, camera->set, &camera->field, reach, aim, slack, ray));
+}
+
 static void settle_pixels(const cm_camera *camera, cm_camera_block *block, size_t count)
 {
     for (size_t i = 0; i < count; i++)
     {
-        double ray[2];
-        const double aim[2] = {block->aim_x[i], block->aim_y[i]};
-        if (block->mark[i] > 1.0 &&
-            cm_camera_solve(&camera->lens, camera->set, &camera->field, aim, block->slack[i], ray))
+        if (block->mark[i] > 1.0)
         {
-            block->x[i] = ray[0];
-            block->y[i] = ray[1];
-            block->z[i] = 1.0;
+            double ray[2] = {block->x[i], block->y[i]};
+            const double aim[2] = {block->aim_x[i], block->aim_y[i]};
+            const int is_ray = settle_pixel(camera, aim, block->slack[i], ray);
+            block->x[i] = is_ray ? ray[0] : (double)NAN;
+            block->y[i] = is_ray ? ray[1] : (double)NAN;
+            block->z[i] = is_ray ? 1.0 : (double)NAN;
         }
     }
 }

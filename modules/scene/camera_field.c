@@ -3,12 +3,10 @@
 
 #include <stddef.h>
 
-#define TURN 6.283185307179586476925286766559
-
 /* Along a direction signs are looked at in steps of an eighth of an octave, from 1e-4 to 4e5. */
 #define STEPS (4 * CM_CAMERA_BLOCK)
 #define FIRST 1e-4
-#define STEPS_OF_OCTAVE 8.0
+#define STEPS_OF_OCTAVE 8
 
 typedef struct direction
 {
@@ -72,13 +70,20 @@ static double lowest_between(const direction *along, double from, double to)
 static void look_along(const direction *along, const cm_camera_set *set, double *radius,
                        double *sign)
 {
+    for (size_t i = 0; i < STEPS_OF_OCTAVE; i++)
+    {
+        radius[i] = FIRST * exp2((double)i / STEPS_OF_OCTAVE);
+    }
+    for (size_t i = STEPS_OF_OCTAVE; i < STEPS; i++)
+    {
+        radius[i] = 2.0 * radius[i - STEPS_OF_OCTAVE];
+    }
     for (size_t i = 0; i < STEPS; i += CM_CAMERA_BLOCK)
     {
         double a[CM_CAMERA_BLOCK];
         double b[CM_CAMERA_BLOCK];
         for (size_t k = 0; k < CM_CAMERA_BLOCK; k++)
         {
-            radius[i + k] = FIRST * exp2((double)(i + k) / STEPS_OF_OCTAVE);
             a[k] = radius[i + k] * along->cosine;
             b[k] = radius[i + k] * along->sine;
         }
@@ -173,150 +178,117 @@ double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, dou
     return border;
 }
 
-/* Do the dividing lines of two neighbours stay between both borders and what is beyond both folds? */
-static int divides(const cm_camera_field *field, const double *beyond, size_t i)
+/* Directions are numbered along the square whose corners are on the axes: that needs no angles. */
+static void direction_of(double side, double *cosine, double *sine)
 {
-    const double low = fmin(field->divide[i], field->divide[i + 1]);
-    const double high = fmax(field->divide[i], field->divide[i + 1]);
-    const int none = field->border[i] == (double)INFINITY;
-    return none == (field->border[i + 1] == (double)INFINITY) &&
-           (none || (fmax(field->border[i], field->border[i + 1]) < low &&
-                     high < fmin(beyond[i], beyond[i + 1])));
+    const double along = side < CM_FIELD_SIDES ? side * (4.0 / CM_FIELD_SIDES) : 0.0;
+    const double a = fabs(along - 2.0) - 1.0;
+    const double b = along < 2.0 ? 1.0 - fabs(along - 1.0) : fabs(along - 3.0) - 1.0;
+    const double length = sqrt(a * a + b * b);
+    *cosine = a / length;
+    *sine = b / length;
 }
 
-/* Borders of all directions, and what divides them from the rest. */
+static double side_of(double a, double b)
+{
+    const double part = b / (fabs(a) + fabs(b));
+    const double along = a < 0.0 ? 2.0 - part : part < 0.0 ? 4.0 + part : part;
+    const double side = along * (CM_FIELD_SIDES / 4.0);
+    return side >= 0.0 ? side : 0.0; /* NaN: the axis */
+}
+
+/* Does the lower of two neighbours' lines stay between both borders and what is beyond both folds? */
+static int divides(const cm_field_end *one, const cm_field_end *next, double beyond)
+{
+    const double low = fmin(one->divide, next->divide);
+    const int none = one->border == (double)INFINITY;
+    return none == (next->border == (double)INFINITY) &&
+           (none || (fmax(one->border, next->border) < low && low < beyond));
+}
+
+/* Borders of directions, n from the first on and one more, so far from each other; and what divides them from the rest. */
+static void find_ends(const cm_lens *lens, const cm_camera_set *set, double first, double distance,
+                      size_t n, cm_field_end *end)
+{
+    double last_beyond = 0.0;
+    for (size_t i = 0; i <= n; i++)
+    {
+        double cosine;
+        double sine;
+        double beyond;
+        direction_of(first + distance * (double)i, &cosine, &sine);
+        const double border = cm_camera_field_border(lens, set, cosine, sine, &beyond);
+        /* close to the border, since before a pole steps may miss what is good again */
+        end[i] = (cm_field_end){border, fmin(sqrt(border * beyond), 1.02 * border), 0, -1};
+        if (i > 0)
+        {
+            end[i - 1].is_plain = divides(&end[i - 1], &end[i], fmin(last_beyond, beyond));
+        }
+        last_beyond = beyond;
+    }
+}
+
 static void find_borders(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field)
 {
-    double beyond[CM_FIELD_SIDES + 1];
     double within = (double)INFINITY;
-    for (size_t i = 0; i <= CM_FIELD_SIDES; i++)
-    {
-        const double angle = TURN * (double)(i % CM_FIELD_SIDES) / CM_FIELD_SIDES;
-        field->border[i] = cm_camera_field_border(lens, set, cos(angle), sin(angle), &beyond[i]);
-        /* close to the border, since before a pole steps may miss what is good again */
-        field->divide[i] = fmin(sqrt(field->border[i] * beyond[i]), 1.02 * field->border[i]);
-    }
+    int splits = 0;
+    find_ends(lens, set, 0.0, 1.0, CM_FIELD_SIDES, field->end);
     for (size_t i = 0; i < CM_FIELD_SIDES; i++)
     {
-        field->is_plain[i] = (unsigned char)divides(field, beyond, i);
-        const double line = fmin(field->divide[i], field->divide[i + 1]);
-        const double border = fmin(field->border[i], field->border[i + 1]);
-        within = fmin(within, field->is_plain[i] ? line : 0.98 * border);
+        cm_field_end *end = &field->end[i];
+        const double line = fmin(end[0].divide, end[1].divide);
+        const double border = fmin(end[0].border, end[1].border);
+        within = fmin(within, end->is_plain ? line : 0.98 * border);
+        if (!end->is_plain && splits < CM_FIELD_SPLITS)
+        {
+            end->split = splits++;
+            find_ends(lens, set, (double)i, 1.0 / CM_FIELD_PARTS, CM_FIELD_PARTS,
+                      field->part[end->split]);
+        }
     }
     field->within = within * within;
 }
 
-/* What the lens makes of the border, and how far that is from a chain of straight lines. */
-static void find_image(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field)
-{
-    double furthest = 0.0;
-    double sag = 0.0;
-    for (size_t i = 0; i < CM_FIELD_SIDES; i++)
-    {
-        const double angle = TURN * (double)i / CM_FIELD_SIDES;
-        const cm_lens_point at =
-            cm_lens_at(lens, field->border[i] * cos(angle), field->border[i] * sin(angle));
-        field->image[i][0] = at.x;
-        field->image[i][1] = at.y;
-        furthest = fmax(furthest, at.x * at.x + at.y * at.y);
-    }
-    for (size_t i = 0; i < CM_FIELD_SIDES; i++)
-    {
-        const double angle = TURN * ((double)i + 0.5) / CM_FIELD_SIDES;
-        const double border = cm_camera_field_border(lens, set, cos(angle), sin(angle), NULL);
-        const cm_lens_point at = cm_lens_at(lens, border * cos(angle), border * sin(angle));
-        const double *one = field->image[i];
-        const double *next = field->image[(i + 1) % CM_FIELD_SIDES];
-        const double off = hypot(at.x - 0.5 * (one[0] + next[0]), at.y - 0.5 * (one[1] + next[1]));
-        sag = off <= sag ? sag : off;
-    }
-    field->sag = 4.0 * sag;
-    const double most = sqrt(furthest) + field->sag;
-    field->furthest = most * most < 1e200 ? most * most : 1e200;
-}
-
 void cm_camera_field_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field)
 {
+    field->furthest = (double)INFINITY;
     if (lens->is_plain)
     {
         for (size_t i = 0; i <= CM_FIELD_SIDES; i++)
         {
-            field->border[i] = (double)INFINITY;
+            field->end[i] = (cm_field_end){(double)INFINITY, (double)INFINITY, 1, -1};
         }
-        field->within = field->furthest = field->sag = (double)INFINITY;
+        field->within = (double)INFINITY;
         return;
     }
     find_borders(lens, set, field);
-    double most = 0.0;
-    for (size_t i = 0; i < CM_FIELD_SIDES; i++)
-    {
-        most = fmax(most, field->border[i]);
-    }
-    if (most < (double)INFINITY)
-    {
-        find_image(lens, set, field);
-    }
-    else
-    {
-        field->sag = (double)INFINITY;
-        field->furthest = 1e200;
-    }
 }
 
 int cm_camera_field_joins(const cm_lens *lens, const cm_camera_set *set,
                           const cm_camera_field *field, double a, double b)
 {
-    if (LENS_MAD(a, a, b * b) < field->within)
+    const double square = LENS_MAD(a, a, b * b);
+    if (square < field->within)
     {
         return 1;
     }
-    const double radius = hypot(a, b);
-    double turns = atan2(b, a) / TURN;
-    turns -= floor(turns);
-    const double place = turns * CM_FIELD_SIDES;
-    const size_t i = place < CM_FIELD_SIDES ? (size_t)place : CM_FIELD_SIDES - 1;
-    if (field->is_plain[i])
+    const double radius = sqrt(square);
+    const double side = side_of(a, b);
+    const size_t i = side < CM_FIELD_SIDES ? (size_t)side : CM_FIELD_SIDES - 1;
+    const cm_field_end *end = &field->end[i];
+    if (end->split >= 0)
     {
-        const double share = place - (double)i;
-        const double line = field->border[i] == (double)INFINITY
-                                ? (double)INFINITY
-                                : (1.0 - share) * field->divide[i] + share * field->divide[i + 1];
-        return radius < line;
+        const double part = (side - (double)i) * CM_FIELD_PARTS;
+        end = &field->part[end->split][part < CM_FIELD_PARTS ? (size_t)part : CM_FIELD_PARTS - 1];
+    }
+    if (end[0].is_plain)
+    {
+        return radius < fmin(end[0].divide, end[1].divide);
     }
     /* not beside the border both neighbours are enough; beside it the direction itself is looked along */
-    const double low = fmin(field->border[i], field->border[i + 1]);
-    const double high = fmax(field->border[i], field->border[i + 1]);
+    const double low = fmin(end[0].border, end[1].border);
+    const double high = fmax(end[0].border, end[1].border);
     return radius < 0.98 * low ||
            (radius <= 1.05 * high &&
             radius <= cm_camera_field_border(lens, set, a / radius, b / radius, NULL));
-}
-
-/* Rays inside are mapped with their side kept, so the border's image goes around each of their images (the degree of a
- * map), and around nothing else. */
-cm_camera_reach cm_camera_field_reaches(const cm_camera_field *field, double x, double y)
-{
-    if (!(field->sag < (double)INFINITY))
-    {
-        return CM_FIELD_UNKNOWN;
-    }
-    int winding = 0;
-    double nearest = (double)INFINITY;
-    for (size_t i = 0; i < CM_FIELD_SIDES; i++)
-    {
-        const double *from = field->image[i];
-        const double *to = field->image[(i + 1) % CM_FIELD_SIDES];
-        const double way[2] = {to[0] - from[0], to[1] - from[1]};
-        const double off[2] = {x - from[0], y - from[1]};
-        const double side = way[0] * off[1] - way[1] * off[0];
-        const double length = way[0] * way[0] + way[1] * way[1];
-        double share = length > 0.0 ? (way[0] * off[0] + way[1] * off[1]) / length : 0.0;
-        share = share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
-        const double gap[2] = {off[0] - share * way[0], off[1] - share * way[1]};
-        nearest = fmin(nearest, gap[0] * gap[0] + gap[1] * gap[1]);
-        winding += from[1] <= y && to[1] > y && side > 0.0 ? 1 : 0;
-        winding -= from[1] > y && to[1] <= y && side < 0.0 ? 1 : 0;
-    }
-    return nearest <= field->sag * field->sag ? CM_FIELD_UNKNOWN
-           : winding != 0                     ? CM_FIELD_REACHED
-                                              : CM_FIELD_MISSED;
 }

@@ -10,26 +10,33 @@
 
 #define CM_FIELD_SIDES 128
 
-/* Directions about the axis are numbered from a towards b; the last is the first once more. */
+/* No ray is looked at that is further from the axis, whose length there is 1. */
+#define CM_FIELD_FURTHEST 3.9e5
+
+/* Sides that lines do not divide are split into so many parts, as long as they are few. */
+#define CM_FIELD_PARTS 16
+#define CM_FIELD_SPLITS 16
+
+/* Where the field ends in one direction: INFINITY where it does not; and a line between that and what is beyond the fold. */
+typedef struct cm_field_end
+{
+    double border;
+    double divide;
+    int is_plain; /* does the lower of the lines of this direction and the next divide all between them? */
+    int split; /* -1, or which one */
+} cm_field_end;
+
+/* Directions about the axis are numbered from a towards b, an eighth of them in an eighth of a turn; the last is the first
+ * once more. */
 typedef struct cm_camera_field
 {
-    double border[CM_FIELD_SIDES + 1];      /* where it ends; INFINITY where it does not */
-    double divide[CM_FIELD_SIDES + 1];      /* between the border and what is beyond the fold */
-    unsigned char is_plain[CM_FIELD_SIDES]; /* do dividing lines go on to the next direction? */
-    double image[CM_FIELD_SIDES][2];        /* what the lens makes of the border */
-    double sag;    /* how far that is from the straight lines between those; INFINITY: not known */
-    double within; /* the square up to which signs alone tell inside from outside */
+    cm_field_end end[CM_FIELD_SIDES + 1];
+    cm_field_end part[CM_FIELD_SPLITS][CM_FIELD_PARTS + 1];
+    double within;   /* the square up to which signs alone tell inside from outside */
     double furthest; /* the square up to which there are images */
 } cm_camera_field;
 
-typedef enum cm_camera_reach
-{
-    CM_FIELD_MISSED,
-    CM_FIELD_UNKNOWN,
-    CM_FIELD_REACHED
-} cm_camera_reach;
-
-/* Fills it in; some hundred thousand evaluations of the lens. */
+/* Fills it in but for furthest, which is infinite; some hundred thousand evaluations of the lens. */
 void cm_camera_field_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field);
 
 /* How far the field goes in one direction (cosine, sine); beyond, if it is not NULL, gets where signs are good again. */
@@ -39,8 +46,5 @@ double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, dou
 /* Is the ray inside, if signs are good there? */
 int cm_camera_field_joins(const cm_lens *lens, const cm_camera_set *set,
                           const cm_camera_field *field, double a, double b);
-
-/* Can the lens make (x, y) of an inside ray? */
-cm_camera_reach cm_camera_field_reaches(const cm_camera_field *field, double x, double y);
 
 #endif

@@ -88,22 +88,17 @@ static int descend(const search *of, double ray[2])
 }
 
 int cm_camera_solve(const cm_lens *lens, const cm_camera_set *set, const cm_camera_field *field,
-                    const double aim[2], double slack, double ray[2])
+                    cm_camera_reach reach, const double aim[2], double slack, double ray[2])
 {
     const search of = {lens, set, field, {aim[0], aim[1]}, slack};
-    const cm_camera_reach reach = cm_camera_field_reaches(field, aim[0], aim[1]);
-    if (reach == CM_FIELD_MISSED)
-    {
-        return 0;
-    }
     /* From the axis the way goes straight to the aim, as long as it does not leave the field: to all that there is if the
      * field's image is seen from the axis. Where there must be something else, from places around. */
-    const size_t starts = reach == CM_FIELD_REACHED ? STARTS_MOST : 1;
+    const size_t starts = reach == CM_IMAGE_REACHED ? STARTS_MOST : 1;
     for (size_t i = 0; i < starts; i++)
     {
         const size_t side = i * (CM_FIELD_SIDES / 8) % CM_FIELD_SIDES;
         const double angle = 6.283185307179586 * (double)i / 8.0;
-        const double radius = i == 0 ? 0.0 : fmin(0.5 * field->border[side], 1.0);
+        const double radius = i == 0 ? 0.0 : fmin(0.5 * field->end[side].border, 1.0);
         double at[2] = {radius * cos(angle), radius * sin(angle)};
         if (descend(&of, at))
         {

@@ -5,10 +5,10 @@
 #ifndef MODULES_SCENE_CAMERA_INVERSE_H
 #define MODULES_SCENE_CAMERA_INVERSE_H
 
-#include "camera_field.h"
+#include "camera_image.h"
 
 /* The inside ray of which the lens makes the aim, up to slack. 1, or 0 if there is none. */
 int cm_camera_solve(const cm_lens *lens, const cm_camera_set *set, const cm_camera_field *field,
-                    const double aim[2], double slack, double ray[2]);
+                    cm_camera_reach reach, const double aim[2], double slack, double ray[2]);
 
 #endif

@@ -7,13 +7,14 @@
 
 #include <cubemap/camera.h>
 
-#include "camera_field.h"
+#include "camera_image.h"
 
 struct cm_camera
 {
     cm_camera_options options; /* mapping is the camera's own */
     cm_lens lens;
     cm_camera_field field;
+    cm_camera_image image;
     const cm_camera_set *set;
     /* Of an omnidirectional camera: faces, half a face's width, the value of v in a face's first row, and what a column
      * has to be moved by to count from the picture's edge. */

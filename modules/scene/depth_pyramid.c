@@ -196,6 +196,11 @@ cm_status cm_depth_pyramid_use_pool(cm_depth_pyramid *pyramid, cm_pool *pool)
     return CM_OK;
 }
 
+size_t cm_depth_pyramid_pixel_count(const cm_depth_pyramid *pyramid)
+{
+    return pyramid == NULL ? 0 : pyramid->width * pyramid->height;
+}
+
 cm_status cm_depth_pyramid_fill(cm_depth_pyramid *pyramid, const float *image, unsigned threads)
 {
     if (pyramid == NULL || image == NULL)

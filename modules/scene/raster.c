@@ -24,15 +24,20 @@ cm_raster_rays cm_raster_rays_at(const cm_raster *raster, size_t column, size_t 
     return (cm_raster_rays){.x = raster->x + at, .y = raster->y + at, .z = raster->z + at};
 }
 
+cm_raster_pixels cm_raster_pixels_at(const cm_raster *raster, size_t column, size_t row,
+                                     uint32_t own)
+{
+    return (cm_raster_pixels){.row = raster->key + cm_raster_place(raster->stride, 0, row),
+                              .column = column,
+                              .near_most = raster->near_most,
+                              .own = own};
+}
+
 static void fill_plain(const cm_camera_options *options, cm_raster *raster)
 {
     for (size_t i = 0; i < raster->width; i++)
     {
         raster->x[i] = ((double)i + options->pixel_centre - options->cx) / options->fx;
-    }
-    for (size_t i = 0; i < raster->stride; i++)
-    {
-        raster->column_x[i] = i < raster->width ? (float)raster->x[i] : 0.0f;
     }
     for (size_t i = 0; i < raster->height; i++)
     {
@@ -61,22 +66,54 @@ static void settle_rays(cm_raster *raster, double *rays, size_t count)
     }
 }
 
-static cm_status fill(cm_raster *raster)
+/* Of pairs of rows. */
+static size_t keys_of(const cm_raster *raster)
+{
+    return (raster->height + 1 + CM_RASTER_SLACK) / 2 * raster->stride;
+}
+
+static void round_rays(cm_raster *raster)
+{
+    for (size_t i = 0; i < raster->width; i++)
+    {
+        raster->column_x[i] = (float)raster->x[i];
+    }
+    for (size_t i = 0; i < raster->height; i++)
+    {
+        raster->row_y[i] = (float)raster->y[i];
+    }
+}
+
+static cm_status take_memory(cm_raster *raster)
 {
     const size_t pixels = raster->width * raster->height;
     const size_t columns = raster->is_plain ? raster->width : pixels;
     const size_t rows = raster->is_plain ? raster->height : pixels;
-    const size_t cells = raster->stride * raster->height;
+    const size_t line = 64;
     raster->x = calloc(columns, sizeof *raster->x);
     raster->y = calloc(rows, sizeof *raster->y);
     raster->z = raster->is_plain ? NULL : calloc(pixels, sizeof *raster->z);
-    raster->column_x = raster->is_plain ? calloc(raster->stride, sizeof(float)) : NULL;
-    raster->nearness = malloc(cells * sizeof *raster->nearness);
-    raster->id = malloc(cells * sizeof *raster->id);
-    if (raster->x == NULL || raster->y == NULL || raster->nearness == NULL || raster->id == NULL ||
+    raster->column_x =
+        raster->is_plain ? calloc(columns + rows + 2 * CM_RASTER_SLACK, sizeof(float)) : NULL;
+    raster->key_memory = malloc(keys_of(raster) * sizeof *raster->key + line);
+    if (raster->x == NULL || raster->y == NULL || raster->key_memory == NULL ||
         (raster->is_plain ? raster->column_x == NULL : raster->z == NULL))
     {
         return CM_ERROR_MEMORY;
+    }
+    raster->row_y = raster->is_plain ? raster->column_x + columns + CM_RASTER_SLACK : NULL;
+    char *begin = raster->key_memory;
+    raster->key = (int64_t *)(void *)(begin + (line - (uintptr_t)begin % line));
+    return CM_OK;
+}
+
+static cm_status fill(cm_raster *raster)
+{
+    const size_t pixels = raster->width * raster->height;
+    const cm_status status = take_memory(raster);
+    if (status != CM_OK)
+    {
+        return status;
     }
     if (raster->is_plain)
     {
@@ -87,9 +124,13 @@ static cm_status fill(cm_raster *raster)
         fill_rays(raster);
     }
     raster->ray_most = 1.0;
-    settle_rays(raster, raster->x, columns);
-    settle_rays(raster, raster->y, rows);
+    settle_rays(raster, raster->x, raster->is_plain ? raster->width : pixels);
+    settle_rays(raster, raster->y, raster->is_plain ? raster->height : pixels);
     settle_rays(raster, raster->z, pixels);
+    if (raster->is_plain)
+    {
+        round_rays(raster);
+    }
     cm_raster_clear(raster);
     return cm_raster_make_tiles(raster);
 }
@@ -120,7 +161,7 @@ cm_status cm_raster_create(const cm_camera *camera, double nearest, const char *
                         .set = set,
                         .width = options->width,
                         .height = options->height,
-                        .stride = (size_t)options->width + CM_RASTER_SLACK,
+                        .stride = ((size_t)options->width + 1 + CM_RASTER_SLACK) / 2 * 4,
                         .is_plain =
                             cm_camera_is_plain(options) && options->fx > 0.0 && options->fy > 0.0,
                         .is_all_round = options->mapping != NULL,
@@ -147,8 +188,7 @@ void cm_raster_destroy(cm_raster *raster)
         free(raster->y);
         free(raster->z);
         free(raster->column_x);
-        free(raster->nearness);
-        free(raster->id);
+        free(raster->key_memory);
         free(raster);
     }
 }
@@ -163,12 +203,16 @@ cm_status cm_raster_use_pool(cm_raster *raster, cm_pool *pool)
     return CM_OK;
 }
 
+size_t cm_raster_pixel_count(const cm_raster *raster)
+{
+    return raster == NULL ? 0 : raster->width * raster->height;
+}
+
 void cm_raster_clear(cm_raster *raster)
 {
-    for (size_t i = 0; raster != NULL && i < raster->stride * raster->height; i++)
+    for (size_t i = 0; raster != NULL && i < keys_of(raster); i++)
     {
-        raster->nearness[i] = 0.0f;
-        raster->id[i] = CM_RASTER_NOTHING;
+        raster->key[i] = CM_RASTER_EMPTY;
     }
 }
 
@@ -180,17 +224,10 @@ cm_status cm_raster_read(const cm_raster *raster, float *image, uint32_t *id)
     }
     for (size_t row = 0; row < raster->height; row++)
     {
-        const float *nearness = raster->nearness + row * raster->stride;
-        for (size_t i = 0; image != NULL && i < raster->width; i++)
-        {
-            const float value = 1.0f / nearness[i];
-            image[row * raster->width + i] = nearness[i] > 0.0f ? value : NAN;
-        }
-        if (id != NULL)
-        {
-            memcpy(id + row * raster->width, raster->id + row * raster->stride,
-                   raster->width * sizeof *id);
-        }
+        const int64_t *key = raster->key + cm_raster_place(raster->stride, 0, row);
+        const size_t at = row * raster->width;
+        raster->set->read_row(raster->width, key, image == NULL ? NULL : image + at,
+                              id == NULL ? NULL : id + at);
     }
     return CM_OK;
 }

@@ -48,10 +48,8 @@ static void draw_tile(cm_raster *raster, const void *user, size_t column, size_t
     const named_disc *disc = user;
     for (size_t i = row; i < row + rows; i++)
     {
-        const size_t at = i * raster->stride + column;
         const cm_raster_rays rays = cm_raster_rays_at(raster, column, i);
-        const cm_raster_pixels pixels = {raster->nearness + at, raster->id + at, raster->near_most,
-                                         disc->id};
+        const cm_raster_pixels pixels = cm_raster_pixels_at(raster, column, i, disc->id);
         raster->set->disc_row(columns, &rays, &disc->shape, &pixels);
     }
 }
@@ -98,7 +96,7 @@ static void draw_by_tiles(const drawing *d, size_t i, size_t first, size_t last)
     }
 }
 
-/* A plain camera: many together, by boxes of pixels, but for those that reach behind it. */
+/* A plain camera: many together, by boxes of pixels, but for those that have none. */
 static void draw_block(const drawing *d, size_t begin, size_t n, size_t first, size_t last)
 {
     const cm_discs *discs = d->discs;
@@ -114,7 +112,7 @@ static void draw_block(const drawing *d, size_t begin, size_t n, size_t first, s
     d->raster->set->discs_draw(n, &d->view, &block, first, last, discs->first_id + (uint32_t)begin);
     for (size_t i = 0; i < n; i++)
     {
-        if (block.is_around[i])
+        if (block.is_odd[i])
         {
             draw_by_tiles(d, begin + i, first, last);
         }
@@ -124,13 +122,15 @@ static void draw_block(const drawing *d, size_t begin, size_t n, size_t first, s
 static void draw_band(size_t first, size_t last, size_t band, void *user)
 {
     const drawing *d = user;
+    const int has_blocks = d->raster->is_plain && d->raster->width <= CM_DISC_PIXELS_MOST &&
+                           d->raster->height <= CM_DISC_PIXELS_MOST;
     (void)band;
-    for (size_t i = 0; d->raster->is_plain && i < d->discs->count; i += CM_DISC_BLOCK)
+    for (size_t i = 0; has_blocks && i < d->discs->count; i += CM_DISC_BLOCK)
     {
         const size_t left = d->discs->count - i;
         draw_block(d, i, left < CM_DISC_BLOCK ? left : CM_DISC_BLOCK, first, last);
     }
-    for (size_t i = 0; !d->raster->is_plain && i < d->discs->count; i++)
+    for (size_t i = 0; !has_blocks && i < d->discs->count; i++)
     {
         draw_by_tiles(d, i, first, last);
     }
@@ -148,10 +148,9 @@ static cm_disc_view view_of(const cm_raster *raster, const cm_pose *pose)
                          .height = (float)raster->height,
                          .near_most = raster->near_most,
                          .column_x = raster->column_x,
-                         .row_y = raster->y,
+                         .row_y = raster->row_y,
                          .stride = raster->stride,
-                         .nearness = raster->nearness,
-                         .id = raster->id};
+                         .key = raster->key};
     for (int i = 0; pose != NULL && i < 3; i++)
     {
         const double axis[3] = {i == 0, i == 1, i == 2};

@@ -36,15 +36,16 @@ struct cm_raster
     cm_pool *pool; /* whose threads draw; NULL: threads are made for it */
     size_t width;
     size_t height;
-    size_t stride;     /* of a row of pixels: vectors may write behind its end */
+    size_t stride;     /* of two rows of pixels: raster_set.h */
     int is_plain;      /* rays: x is of the column alone, y of the row, z is 1 */
     int is_all_round;  /* rays of length 1 */
     double ray_most;   /* no coordinate of a ray is larger */
     float near_most;   /* 1 / nearest */
-    double *x, *y, *z; /* rays of pixels, stride floats a row; plain: of columns, of rows, NULL */
-    float *column_x;   /* plain: x in float */
-    float *nearness;   /* 1 / depth or range; 0: nothing */
-    uint32_t *id;
+    double *x, *y, *z; /* rays of pixels; plain: of columns, of rows, NULL */
+    float *column_x;   /* plain: x in float, with slack, */
+    float *row_y;      /* and y behind it */
+    int64_t *key;      /* of pixels; nearness is 1 / depth, or 1 / range */
+    void *key_memory;  /* where they begin at a line of the cache */
     size_t levels;
     cm_tile_level level[CM_TILE_LEVELS];
 };
@@ -61,8 +62,10 @@ cm_status cm_raster_make_tiles(cm_raster *raster);
 void cm_raster_visit(cm_raster *raster, const void *shape, cm_tile_test meets, cm_tile_draw draw,
                      size_t first, size_t last);
 
-/* A part of a row of rays. */
+/* A part of a row of rays, and its pixels. */
 cm_raster_rays cm_raster_rays_at(const cm_raster *raster, size_t column, size_t row);
+cm_raster_pixels cm_raster_pixels_at(const cm_raster *raster, size_t column, size_t row,
+                                     uint32_t own);
 
 /* Into the camera's axes; pose may be NULL. */
 void cm_raster_transform(const cm_pose *pose, const double world[3], double camera[3]);

@@ -60,13 +60,9 @@ static void draw_block(const drawing *d, size_t begin, size_t n, size_t first, s
         {
             continue;
         }
-        const size_t pixel = y * raster->stride + x;
-        if (near > raster->nearness[pixel] ||
-            (near == raster->nearness[pixel] && own < raster->id[pixel]))
-        {
-            raster->nearness[pixel] = near;
-            raster->id[pixel] = own;
-        }
+        int64_t *at_pixel = raster->key + cm_raster_place(raster->stride, x, y);
+        const int64_t key = cm_raster_key(near, own);
+        *at_pixel = key > *at_pixel ? key : *at_pixel;
     }
 }
 

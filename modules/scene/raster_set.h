@@ -7,12 +7,46 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
-/* Rows of pixels, and of columns' rays, have so many floats behind their end. */
-#define CM_RASTER_SLACK 16
+/* Pictures have so many more columns and rows in memory, which are drawn into and never read. */
+#define CM_RASTER_SLACK 4
 
 /* Discs that are made ready together. */
 #define CM_DISC_BLOCK 256
+
+/* Columns and rows of pictures into which discs are drawn by blocks, as floats and int32_t hold them. */
+#define CM_DISC_PIXELS_MOST 1048576
+
+/* A pixel is one number: the bits of its nearness above those of ~id. So the larger one is nearer, or as near with a smaller
+ * id; 0 is nothing. Pixels lie in quads, two columns by two rows: a small disc meets few lines of the cache. */
+#define CM_RASTER_EMPTY INT64_C(0)
+
+/* Where a pixel is; stride is that of two rows. */
+static inline size_t cm_raster_place(size_t stride, size_t column, size_t row)
+{
+    return (row >> 1) * stride + 4 * (column >> 1) + 2 * (row & 1) + (column & 1);
+}
+
+static inline int64_t cm_raster_key(float nearness, uint32_t id)
+{
+    uint32_t bits;
+    memcpy(&bits, &nearness, sizeof bits);
+    return (int64_t)((uint64_t)bits << 32 | (uint32_t)~id);
+}
+
+static inline float cm_raster_nearness(int64_t key)
+{
+    const uint32_t bits = (uint32_t)((uint64_t)key >> 32);
+    float nearness;
+    memcpy(&nearness, &bits, sizeof nearness);
+    return nearness;
+}
+
+static inline uint32_t cm_raster_id(int64_t key)
+{
+    return ~(uint32_t)((uint64_t)key & UINT32_MAX);
+}
 
 /* Rays of pixels beside each other. */
 typedef struct cm_raster_rays
@@ -23,13 +57,13 @@ typedef struct cm_raster_rays
     double y_all;
 } cm_raster_rays;
 
-/* Pixels beside each other, and what is to be nearest. */
+/* Pixels beside each other, and what is drawn there. */
 typedef struct cm_raster_pixels
 {
-    float *nearness;
-    uint32_t *id;
+    int64_t *row;  /* its first pixel */
+    size_t column; /* from which on */
     float near_most;
-    uint32_t own;
+    uint32_t own; /* id */
 } cm_raster_pixels;
 
 /* A triangle: what is on the inner side of three planes through the camera's centre. */
@@ -62,13 +96,12 @@ typedef struct cm_disc_view
     float width, height;
     float near_most;
     const float *column_x; /* rays of columns */
-    const double *row_y;
+    const float *row_y;    /* and of rows */
     size_t stride;
-    float *nearness;
-    uint32_t *id;
+    int64_t *key;
 } cm_disc_view;
 
-/* Discs in the camera's axes and in its picture; where first_column is greater than last_column there is none. */
+/* Discs in the camera's axes and in its picture. */
 typedef struct cm_disc_block
 {
     float centre[3][CM_DISC_BLOCK];
@@ -78,7 +111,9 @@ typedef struct cm_disc_block
     int32_t last_column[CM_DISC_BLOCK];
     int32_t first_row[CM_DISC_BLOCK];
     int32_t last_row[CM_DISC_BLOCK];
-    int32_t is_around[CM_DISC_BLOCK]; /* 1: it may reach behind the camera: there is no box */
+    int32_t is_boxed[CM_DISC_BLOCK]; /* not 0: it is seen, and what is above is all of it */
+    int32_t is_odd
+        [CM_DISC_BLOCK]; /* not 0: there is no box, since it may reach behind the camera, or floats do not hold it */
 } cm_disc_block;
 
 typedef struct cm_raster_set
@@ -94,6 +129,8 @@ typedef struct cm_raster_set
     /* Those that have boxes, in rows first to last - 1. */
     void (*discs_draw)(size_t n, const cm_disc_view *view, const cm_disc_block *block, size_t first,
                        size_t last, uint32_t id);
+    /* What is seen in n pixels from the first of a row on: 1 / nearness, NaN where nothing is. Each may be NULL. */
+    void (*read_row)(size_t n, const int64_t *row, float *depth, uint32_t *id);
 } cm_raster_set;
 
 extern const cm_raster_set cm_raster_scalar;

@@ -210,10 +210,8 @@ static void draw_rows(cm_raster *raster, const cm_raster_triangle *shape, uint32
 {
     for (size_t row = range->row; row < range->row + range->rows; row++)
     {
-        const size_t at = row * raster->stride + range->column;
         const cm_raster_rays rays = cm_raster_rays_at(raster, range->column, row);
-        const cm_raster_pixels pixels = {raster->nearness + at, raster->id + at, raster->near_most,
-                                         id};
+        const cm_raster_pixels pixels = cm_raster_pixels_at(raster, range->column, row, id);
         raster->set->triangle_row(range->columns, &rays, shape, &pixels);
     }
 }

@@ -32,7 +32,7 @@ cm_status cm_raster_weights(const cm_raster *raster, const cm_pose *pose,
     {
         const size_t row = i / raster->width;
         const size_t column = i % raster->width;
-        const uint32_t id = raster->id[row * raster->stride + column];
+        const uint32_t id = cm_raster_id(raster->key[cm_raster_place(raster->stride, column, row)]);
         double corner[3][3];
         second[i] = third[i] = NAN;
         if (id == CM_RASTER_NOTHING || id < triangles->first_id ||

@@ -191,6 +191,16 @@ cm_status cm_rays_use_pool(cm_rays *rays, cm_pool *pool)
     return CM_OK;
 }
 
+size_t cm_rays_pixel_count(const cm_rays *rays)
+{
+    return rays == NULL ? 0 : rays->width * rays->height;
+}
+
+size_t cm_rays_halved_pixel_count(const cm_rays *rays)
+{
+    return rays == NULL ? 0 : (rays->width / 2) * (rays->height / 2);
+}
+
 void cm_rays_destroy(cm_rays *rays)
 {
     if (rays != NULL)

@@ -69,6 +69,11 @@ static cm_rays *take_rays(supply *from, cm_camera_options *options)
     EXPECT(cm_rays_create(NULL, set, &rays) == CM_ERROR_ARGUMENT, "no camera");
     EXPECT(cm_rays_create(camera, set, &rays) == CM_OK, "%s", set);
     EXPECT(cm_rays_use_pool(rays, NULL) == CM_OK, "pool");
+    EXPECT(cm_rays_pixel_count(NULL) + cm_rays_halved_pixel_count(NULL) +
+                   cm_depth_pyramid_pixel_count(NULL) ==
+               0,
+           "pixels of nothing");
+    EXPECT(cm_rays_halved_pixel_count(rays) * 4 <= cm_rays_pixel_count(rays), "half of each side");
     EXPECT(cm_rays_use_pool(NULL, NULL) == CM_ERROR_ARGUMENT, "no rays");
     *options = *cm_camera_describe(camera);
     return rays;

@@ -162,6 +162,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         const cm_pose *taken = take_byte(&from) % 2 ? &pose : NULL;
         take_shapes(&from, &all);
         check_refusals(raster, &all);
+        EXPECT(cm_raster_pixel_count(raster) == pixels, "%zu", pixels);
         draw(raster, taken, &all, 0, image[0], id[0]);
         draw(raster, taken, &all, take_byte(&from) % 64 == 0 ? 2 : 1, image[1], id[1]);
         EXPECT(memcmp(id[0], id[1], pixels * sizeof **id) == 0, "ids");

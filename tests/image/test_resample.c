@@ -106,6 +106,68 @@ START_TEST(parts_and_threads)
 }
 END_TEST
 
+/* Large targets go to memory by whole lines, wherever they begin: the bits are those of parts of few rows, which do not. */
+#define LARGE 896 /* a side: rows of any pixels are whole lines */
+
+static void large_target(cm_pixel_type type, uint32_t channels, size_t offset, unsigned threads)
+{
+    const size_t bytes = LARGE * LARGE * channels * cm_pixel_size(type);
+    pictures from = make_pictures("equirect;size=700", NULL, type, channels, 0);
+    pictures parts = make_pictures("cube:coupled;size=896", NULL, type, channels, 2);
+    const cm_plan_options options = options_of(CM_FILTER_BILINEAR);
+    cm_plan *plan;
+    cm_source *source;
+    cm_image whole[6];
+    draw_scene(&from);
+    ck_assert_int_eq(cm_plan_create(from.surface, parts.surface, &options, &plan), CM_OK);
+    ck_assert_int_eq(cm_source_create(plan, from.image, type, 1, &source), CM_OK);
+    unsigned char *memory = aligned_alloc(64, 6 * bytes + 64);
+    memset(memory, 7, 6 * bytes + 64);
+    for (uint32_t plane = 0; plane < 6; plane++)
+    {
+        whole[plane] = parts.image[plane];
+        whole[plane].data = memory + offset + plane * bytes;
+        for (uint32_t row = 0; row < LARGE; row += 14)
+        {
+            ck_assert_int_eq(cm_resample_source(plan, source, parts.image,
+                                                (cm_rows){plane, row, 14, 0, LARGE}, 1),
+                             CM_OK);
+        }
+    }
+    ck_assert_int_eq(cm_resample_source(plan, source, whole, (cm_rows){0}, threads), CM_OK);
+    for (size_t plane = 0; plane < 6; plane++)
+    {
+        ck_assert_msg(memcmp(whole[plane].data, parts.image[plane].data, bytes) == 0,
+                      "%u channels of type %d, %zu bytes after a line: picture %zu differs",
+                      (unsigned)channels, (int)type, offset, plane);
+    }
+    for (size_t i = 0; i < 64; i++)
+    {
+        ck_assert_int_eq(memory[i < offset ? i : 6 * bytes + i], 7);
+    }
+    free(memory);
+    cm_source_destroy(source);
+    cm_plan_destroy(plan);
+    free_pictures(&from);
+    free_pictures(&parts);
+}
+
+START_TEST(large_targets)
+{
+    large_target(CM_PIXEL_U8, 3, 0, 1);
+    large_target(CM_PIXEL_U8, 3, 16, 3);
+    large_target(CM_PIXEL_U8, 3, 48, 1);
+    large_target(CM_PIXEL_U8, 3, 1, 1);
+    large_target(CM_PIXEL_U8, 1, 32, 1);
+    large_target(CM_PIXEL_U8, 2, 16, 1);
+    large_target(CM_PIXEL_U8, 2, 32, 1);
+    large_target(CM_PIXEL_U8, 4, 0, 2);
+    large_target(CM_PIXEL_U8, 4, 16, 1);
+    large_target(CM_PIXEL_FLOAT, 3, 0, 1);
+    large_target(CM_PIXEL_FLOAT, 1, 4, 1);
+}
+END_TEST
+
 /* A surface onto itself brings every pixel back. */
 START_TEST(identity)
 {
@@ -517,9 +579,24 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {
-        quality, splines_beside_a_map, parts_and_threads, identity, types_of_pixels, halves,
-        alpha,   opacity_at_the_end,   not_finite,        transfer, vectors,         dither,
-        strides, beyond_the_source,    plan_as_text,      smallest, bad_arguments,   NULL};
+    const TTest *const tests[] = {quality,
+                                  splines_beside_a_map,
+                                  parts_and_threads,
+                                  large_targets,
+                                  identity,
+                                  types_of_pixels,
+                                  halves,
+                                  alpha,
+                                  opacity_at_the_end,
+                                  not_finite,
+                                  transfer,
+                                  vectors,
+                                  dither,
+                                  strides,
+                                  beyond_the_source,
+                                  plan_as_text,
+                                  smallest,
+                                  bad_arguments,
+                                  NULL};
     return run_suite("resample", tests);
 }

@@ -7,8 +7,11 @@ Usage: api_reference.py DOXYGEN DOXYFILE SOURCE OUTPUT
 OUTPUT is where that Doxyfile has the pages written.
 """
 
+import importlib.machinery
+import importlib.util
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree
@@ -34,10 +37,26 @@ def described(output):
     return names
 
 
+def filtered(source, output):
+    """The public headers as Doxygen's filter writes them, in a folder: a process for each would take longer than Doxygen."""
+    loader = importlib.machinery.SourceFileLoader("header_comments", str(source / "docs/renew/header-comments"))
+    header_comments = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(header_comments)
+    folder = output / "headers"
+    shutil.rmtree(folder, ignore_errors=True)
+    for header in sorted((source / "include/cubemap").rglob("*.h")):
+        to = folder / header.relative_to(source / "include")
+        to.parent.mkdir(parents=True, exist_ok=True)
+        to.write_text(header_comments.filtered(header.read_text(encoding="utf-8"), header.name), encoding="utf-8")
+    return folder
+
+
 def main(arguments):
     doxygen, doxyfile, source, output = arguments
+    headers = filtered(pathlib.Path(source), pathlib.Path(output))
     # the pages for people take longer than all else, and nothing is seen only there
-    words = pathlib.Path(doxyfile).read_text(encoding="utf-8") + "\nGENERATE_HTML = NO\n"
+    words = (pathlib.Path(doxyfile).read_text(encoding="utf-8") + "\nGENERATE_HTML = NO\nINPUT_FILTER =\n"
+             f"INPUT = {headers}/cubemap\nSTRIP_FROM_PATH = {headers}\nSTRIP_FROM_INC_PATH = {headers}\n")
     run = subprocess.run([doxygen, "-"], input=words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                          check=False)
     print(run.stdout, end="")

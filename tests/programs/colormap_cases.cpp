@@ -57,7 +57,7 @@ Words lines_of(const std::string &text)
     return lines;
 }
 
-void talk()
+void colormap_talk()
 {
     result(matches(output_of("--help"), "^Usage: cubemap-colormap"), "help");
     result(matches(output_of("--version"), "^cubemap-colormap [0-9]+\\.[0-9]+\\.[0-9]+$"),
@@ -204,7 +204,7 @@ void test_patterns()
     result(good, "the test pattern fades from top to bottom");
 }
 
-void pictures()
+void colormap_pictures()
 {
     output_of("qualitative --samples 5 --size 50x4 -o bands.png");
     Words colors = hex_colors(output_of("qualitative --samples 5"));
@@ -316,14 +316,14 @@ void json()
 
 // ---- what is wrong
 
-struct Wrong
+struct WrongColormap
 {
     const char *name;
     const char *words;
     const char *arguments;
 };
 
-constexpr Wrong wrong_usage[] = {
+constexpr WrongColormap wrong_colormap_usage[] = {
     {"no map", "one MAP is needed, 0 are given", ""},
     {"two maps", "one MAP is needed, 2 are given", "single rainbow -o made/a.json"},
     {"unknown map", "no colour map is called 'viridis'.*see --list", "viridis -o made/a.json"},
@@ -349,9 +349,9 @@ constexpr Wrong wrong_usage[] = {
     {"a name that is no word", "'a\"b', not a word", "single --format gimp --name a\"b"},
 };
 
-void bad_arguments()
+void bad_colormap_arguments()
 {
-    for (const Wrong &wrong : wrong_usage)
+    for (const WrongColormap &wrong : wrong_colormap_usage)
     {
         fails(wrong.name, 2, wrong.words, std::string("colormap ") + wrong.arguments);
     }
@@ -389,13 +389,13 @@ void files()
 
 const std::vector<Subject> &colormap_subjects()
 {
-    static const std::vector<Subject> subjects = {{"colormap_talk", talk},
+    static const std::vector<Subject> subjects = {{"colormap_talk", colormap_talk},
                                                   {"text", text},
                                                   {"names_of_files", names_of_files},
-                                                  {"colormap_pictures", pictures},
+                                                  {"colormap_pictures", colormap_pictures},
                                                   {"gamut", gamut},
                                                   {"json", json},
-                                                  {"colormap_arguments", bad_arguments},
+                                                  {"colormap_arguments", bad_colormap_arguments},
                                                   {"colormap_files", files}};
     return subjects;
 }

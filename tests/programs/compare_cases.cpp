@@ -203,7 +203,7 @@ void pictures()
     result(std::filesystem::exists("seen.png"), "the picture of what is above the limit");
 }
 
-void wrong()
+void wrong_comparisons()
 {
     make_constant(4, 2, 3, "uint8", 0.2f, "a.png");
     const Words lines[] = {
@@ -236,6 +236,6 @@ const std::vector<Subject> &compare_subjects()
     static const std::vector<Subject> subjects = {
         {"compare_constants", constants}, {"compare_areas", areas},
         {"compare_surfaces", surfaces},   {"compare_range", high_dynamic_range},
-        {"compare_pictures", pictures},   {"compare_wrong", wrong}};
+        {"compare_pictures", pictures},   {"compare_wrong", wrong_comparisons}};
     return subjects;
 }

@@ -20,7 +20,7 @@
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double half_turn = 3.14159265358979323846;
 
 struct Tag
 {
@@ -155,8 +155,8 @@ public:
     {
         if (mapping == nullptr)
         {
-            const double lon = ((column + 0.5) / image.width - 0.5) * 2 * pi;
-            const double lat = (0.5 - (row + 0.5) / image.height) * pi;
+            const double lon = ((column + 0.5) / image.width - 0.5) * 2 * half_turn;
+            const double lat = (0.5 - (row + 0.5) / image.height) * half_turn;
             cm_direction_from_lonlat(lon, lat, out);
             return true;
         }

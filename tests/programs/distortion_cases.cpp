@@ -194,7 +194,7 @@ void files_and_metadata()
     }
 }
 
-void sizes()
+void distortion_sizes()
 {
     for (const int size : {1, 2, 3, 4097})
     {
@@ -475,7 +475,7 @@ const std::vector<Subject> &distortion_subjects()
                                                   {"colors", colors},
                                                   {"reports", reports},
                                                   {"files_and_metadata", files_and_metadata},
-                                                  {"sizes", sizes},
+                                                  {"sizes", distortion_sizes},
                                                   {"ellipses", ellipses},
                                                   {"counted_ellipses", counted_ellipses},
                                                   {"lines", lines},

@@ -234,7 +234,7 @@ struct WrongOutput
     const char *arguments;
 };
 
-constexpr WrongOutput wrong[] = {
+constexpr WrongOutput wrong_outputs[] = {
     {"another frame in a texture", 2, "frame gl, not geo", "--frame geo noise.ppm made/a.dds"},
     {"a strip in a texture", 2, "leave the layout strip out",
      "--layout strip noise.ppm made/a.ktx2"},
@@ -269,7 +269,7 @@ void refusals()
         write_file("cut." + extension, whole.substr(0, whole.size() / 2));
     }
     write_file("old.ktx2", "\xabKTX 11\xbb\r\n\x1a\n" + std::string(200, '\0'));
-    for (const WrongOutput &each : wrong)
+    for (const WrongOutput &each : wrong_outputs)
     {
         fails(each.name, each.status, each.words, std::string("reproject ") + each.arguments);
     }

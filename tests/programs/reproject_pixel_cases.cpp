@@ -59,7 +59,7 @@ void constant_of(int channels, const std::string &type)
 }
 
 // A constant image stays constant, to the last bit, in every type and number of channels.
-void constants()
+void constant_pictures()
 {
     for (int channels = 1; channels <= 5; channels += one_in(2))
     {
@@ -400,7 +400,7 @@ void files_and_filters()
 const std::vector<Subject> &reproject_pixel_subjects()
 {
     static const std::vector<Subject> subjects = {{"exactness", exactness},
-                                                  {"constants", constants},
+                                                  {"constants", constant_pictures},
                                                   {"formats", formats},
                                                   {"metadata", metadata},
                                                   {"depths", depths},

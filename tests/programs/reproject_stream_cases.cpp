@@ -13,16 +13,16 @@
 namespace
 {
 
-constexpr int width = 64;
-constexpr int height = 32;
-constexpr std::size_t samples = std::size_t{width} * height * 3;
+constexpr int frame_width = 64;
+constexpr int frame_height = 32;
+constexpr std::size_t samples = std::size_t{frame_width} * frame_height * 3;
 
-constexpr const char *same = "reproject --quiet --to equirect --filter nearest ";
+constexpr const char *same_to = "reproject --quiet --to equirect --filter nearest ";
 
 // The samples of a picture of noise; another number is another picture.
 std::string noise(int number)
 {
-    make_noise(width, height, "noise.ppm");
+    make_noise(frame_width, frame_height, "noise.ppm");
     const std::string content = content_of("noise.ppm");
     std::string values = content.substr(content.size() - samples);
     for (char &value : values)
@@ -47,7 +47,7 @@ void result_of(const Ran &ran, int status, const std::string &expression, const 
 // What goes in comes out again.
 void unchanged(const std::string &name, const std::string &options, const std::string &input)
 {
-    const Ran ran = run_with_input(input, same + options + " - -");
+    const Ran ran = run_with_input(input, same_to + options + " - -");
     result(ran.status == 0 && ran.err.empty() && ran.out == input, name,
            ran.err + std::to_string(ran.out.size()) + " of " + std::to_string(input.size()) +
                " bytes, " + ran.out.substr(0, 60));
@@ -73,13 +73,13 @@ void pipes()
     unchanged("PFM, from below", "", "Pf\n8 4\n-1.0\n" + light);
     unchanged("bare bytes", "--raw 64x32:rgb24 --pipe rgb24", values + noise(1));
     unchanged("bare planes of floats", "--raw 8x4:grayf32le --pipe grayf32le", light);
-    const Ran planes = run_with_input(picture(0), std::string(same) + "--pipe gbrpf32le - -");
+    const Ran planes = run_with_input(picture(0), std::string(same_to) + "--pipe gbrpf32le - -");
     float green = 0;
     float red = 0;
     if (planes.out.size() == samples * sizeof(float))
     {
         std::memcpy(&green, planes.out.data() + 4 * 5, sizeof green);
-        std::memcpy(&red, planes.out.data() + 4 * (2 * width * height + 5), sizeof red);
+        std::memcpy(&red, planes.out.data() + 4 * (2 * frame_width * frame_height + 5), sizeof red);
     }
     const auto value_at = [&values](std::size_t index)
     { return static_cast<float>(static_cast<unsigned char>(values[index])) / 255; };
@@ -87,7 +87,7 @@ void pipes()
                std::fabs(red - value_at(5 * 3)) < 1e-6f,
            "planes begin with green", planes.err);
     const Ran back =
-        run_with_input(planes.out, std::string(same) + "--raw 64x32:gbrpf32le --pipe rgb24 - -");
+        run_with_input(planes.out, std::string(same_to) + "--raw 64x32:gbrpf32le --pipe rgb24 - -");
     result(back.out == values, "and come back", back.err);
     const Ran said = run_with_input(picture(0) + picture(1), "reproject --layout 3x2 - -");
     result(said.status == 0 && matches(said.err, "^standard input \\(equirect 64x32, 3 channels, "
@@ -106,7 +106,7 @@ void names_of_netpbm()
     write_file("in.ppm", picture(0));
     for (const std::string name : {"out.ppm", "out.png"})
     {
-        does(same + std::string("in.ppm ") + name);
+        does(same_to + std::string("in.ppm ") + name);
         passes("a file " + name, "compare --max 0 in.ppm " + name);
     }
     does("reproject --quiet --filter nearest --to equirect in.ppm light.pfm");
@@ -161,7 +161,7 @@ void wrong_pipes()
     for (const WrongPipe &each : wrong)
     {
         std::filesystem::create_directory("made");
-        make_noise(width, height, "noise.ppm");
+        make_noise(frame_width, frame_height, "noise.ppm");
         const Ran ran = run_with_input(each.input, each.line);
         result_of(ran, each.status, each.words, each.name);
         result(ran.out.empty() && names_in("made").empty(), "and nothing is written",
@@ -170,7 +170,7 @@ void wrong_pipes()
     std::FILE *const full = std::fopen("/dev/full", "w");
     if (full != nullptr)
     {
-        result_of(run_with_input(whole, std::string(same) + "- -", full), 1,
+        result_of(run_with_input(whole, std::string(same_to) + "- -", full), 1,
                   "'standard output' cannot be written: No space left",
                   "a full disk behind the pipe");
         std::fclose(full);

@@ -80,7 +80,7 @@ struct WrongSurface
     const char *arguments;
 };
 
-constexpr WrongSurface wrong[] = {
+constexpr WrongSurface wrong_surfaces[] = {
     {"layout twice", "has layout=cross; leave one out",
      "--to cube;layout=cross --layout strip noise.ppm made/a.png"},
     {"frame twice", "has frame=gl; leave one out",
@@ -111,7 +111,7 @@ constexpr WrongSurface wrong[] = {
 void surface_arguments()
 {
     make_noise(64, 32, "noise.ppm");
-    for (const WrongSurface &each : wrong)
+    for (const WrongSurface &each : wrong_surfaces)
     {
         fails(each.name, 2, each.words, std::string("reproject ") + each.arguments);
     }

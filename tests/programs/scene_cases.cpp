@@ -463,7 +463,7 @@ void scenes_of_json()
     refuses("no such mesh", "{\"meshes\":[{\"file\":\"absent.obj\"}]}", "absent.obj");
 }
 
-void talk()
+void scene_talk()
 {
     write_scene_inputs();
     says("help", "^Usage: cubemap-scene render", "scene --help");
@@ -500,11 +500,9 @@ void talk()
 
 const std::vector<Subject> &scene_subjects()
 {
-    static const std::vector<Subject> subjects = {{"scene_talk", talk},
-                                                  {"scene_rendering", rendering},
-                                                  {"scene_telling", telling},
-                                                  {"scene_converting", converting},
-                                                  {"scene_evaluating", evaluating},
-                                                  {"scene_files", scenes_of_json}};
+    static const std::vector<Subject> subjects = {
+        {"scene_talk", scene_talk},       {"scene_rendering", rendering},
+        {"scene_telling", telling},       {"scene_converting", converting},
+        {"scene_evaluating", evaluating}, {"scene_files", scenes_of_json}};
     return subjects;
 }

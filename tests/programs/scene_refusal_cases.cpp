@@ -88,7 +88,7 @@ void poses()
     refuses_file("seven", "frame-000001.pose.txt", "", "frame-000001.pose.txt: has no pose");
 }
 
-void pictures()
+void refused_pictures()
 {
     make_sequences();
     const std::string depth = content_of("tum/depth/1.000000.png");
@@ -295,9 +295,11 @@ void trajectories()
 
 const std::vector<Subject> &scene_refusal_subjects()
 {
-    static const std::vector<Subject> subjects = {
-        {"scene_lists", lists},       {"scene_poses", poses},
-        {"scene_pictures", pictures}, {"scene_cameras", cameras},
-        {"scene_streams", streams},   {"scene_trajectories", trajectories}};
+    static const std::vector<Subject> subjects = {{"scene_lists", lists},
+                                                  {"scene_poses", poses},
+                                                  {"scene_pictures", refused_pictures},
+                                                  {"scene_cameras", cameras},
+                                                  {"scene_streams", streams},
+                                                  {"scene_trajectories", trajectories}};
     return subjects;
 }

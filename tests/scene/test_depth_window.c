@@ -161,6 +161,9 @@ static float *all_of(const cm_camera_options *options, const float *image, cm_po
     float *all = floats(*count);
     cm_rays *rays = rays_of(options, NULL);
     ck_assert_int_eq(cm_rays_use_pool(rays, pool), CM_OK);
+    ck_assert_uint_eq(cm_rays_pixel_count(rays), pixels);
+    ck_assert_uint_eq(cm_rays_halved_pixel_count(rays),
+                      (size_t)(options->width / 2) * (options->height / 2));
     cm_depth_maps maps = {.size = sizeof maps, .is_range = 1, .radius = all + 6 * pixels};
     for (size_t k = 0; k < 3; k++)
     {
@@ -176,6 +179,7 @@ static float *all_of(const cm_camera_options *options, const float *image, cm_po
     ck_assert_int_eq(cm_depth_pyramid_create(options->width, options->height, NULL, &pyramid),
                      CM_OK);
     ck_assert_int_eq(cm_depth_pyramid_use_pool(pyramid, pool), CM_OK);
+    ck_assert_uint_eq(cm_depth_pyramid_pixel_count(pyramid), pixels);
     ck_assert_int_eq(cm_depth_pyramid_fill(pyramid, image, threads), CM_OK);
     ck_assert_int_eq(cm_depth_pyramid_level(pyramid, cm_depth_pyramid_last(pyramid), &level),
                      CM_OK);

@@ -270,6 +270,91 @@ START_TEST(nothing_comes_from_beyond_a_fold)
 }
 END_TEST
 
+/* How many pixels are marked that are so near each way. */
+static int marks_around(const unsigned char *mark, int column, int row, int reach)
+{
+    int marks = 0;
+    for (int i = row - reach; i <= row + reach; i++)
+    {
+        for (int k = column - reach; k <= column + reach; k++)
+        {
+            marks += mark[i * 640 + k];
+        }
+    }
+    return marks;
+}
+
+/* The pixels of a direction's rays, which all have some. */
+static void mark_direction(const cm_camera *camera, double angle, double most, unsigned char *mark)
+{
+    enum
+    {
+        STEPS = 1300
+    };
+    double ray[3][STEPS];
+    double pixel[2][STEPS];
+    const size_t rays = (size_t)fmin(ceil(most * 1e3), STEPS);
+    for (size_t i = 0; i < STEPS; i++)
+    {
+        ray[0][i] = (double)i * 1e-3 * cos(angle);
+        ray[1][i] = (double)i * 1e-3 * sin(angle);
+        ray[2][i] = 1.0;
+    }
+    cm_camera_project_array(camera, rays, ray[0], ray[1], ray[2], pixel[0], pixel[1]);
+    for (size_t i = 0; i < rays; i++)
+    {
+        const double column = pixel[0][i] + 0.5;
+        const double row = pixel[1][i] + 0.5;
+        REQUIRE(!isnan(column), "%g of %g", (double)i * 1e-3, most);
+        if (column > 0.0 && column < 640.0 && row > 0.0 && row < 480.0)
+        {
+            mark[(int)row * 640 + (int)column] = 1;
+        }
+    }
+}
+
+/* A lens that folds to one side, where its border leaps to infinity: pixels have rays just where close rays have pixels. */
+START_TEST(one_side_may_fold)
+{
+    const cm_camera_options options = {
+        .size = sizeof options,
+        .width = 640,
+        .height = 480,
+        .fx = 525.0,
+        .fy = 525.0,
+        .cx = 319.5,
+        .cy = 239.5,
+        .distortion = {-0.6, 0.3, 0.05, -0.1, 0.0, 0.0, 0.0, 0.0, 0.1, -0.05, 0.05}};
+    cm_camera *camera = make(&options);
+    unsigned char *mark = calloc(640 * 480, 1);
+    const int turns = 4000;
+    int folds = 0;
+    int seen[2] = {0, 0};
+    for (int i = 0; i < turns; i++)
+    {
+        const double angle = TURN * i / turns;
+        const double border = cm_camera_border(camera, angle);
+        folds += border < (double)INFINITY;
+        mark_direction(camera, angle, border, mark);
+    }
+    for (int row = 2; row < 478; row++)
+    {
+        for (int column = 2; column < 638; column++)
+        {
+            double ray[3];
+            const int has_ray = ray_of(camera, (const double[2]){column, row}, ray);
+            seen[has_ray]++;
+            REQUIRE(has_ray || marks_around(mark, column, row, 1) < 9, "%d %d", column, row);
+            REQUIRE(!has_ray || marks_around(mark, column, row, 2) > 0, "%d %d", column, row);
+        }
+    }
+    REQUIRE(folds > turns / 8 && folds < turns / 2 && seen[0] > 40000 && seen[1] > 200000,
+            "%d of %d, %d, %d", folds, turns, seen[0], seen[1]);
+    free(mark);
+    cm_camera_destroy(camera);
+}
+END_TEST
+
 /* Ten rounds of a fixed point, which undistortPoints does by default, are not enough beside a fold, and diverge where
  * distortion is strong (opencv#27916, #6091; kornia#4285). */
 START_TEST(fixed_points_fail_where_newton_does_not)
@@ -349,6 +434,7 @@ int main(void)
                                   forward_and_derivatives_are_the_model,
                                   border_is_the_first_fold,
                                   nothing_comes_from_beyond_a_fold,
+                                  one_side_may_fold,
                                   fixed_points_fail_where_newton_does_not,
                                   solid_angles_are_those_of_small_squares,
                                   NULL};

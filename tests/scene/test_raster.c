@@ -50,20 +50,21 @@ START_TEST(discs_are_where_rays_meet_them)
         const size_t pixels = c.width * c.height;
         float *image = calloc(pixels, sizeof *image);
         cm_raster *raster = canvas(&c, NULL);
-        for (int k = 0; k < 60; k++)
+        for (int k = 0; k < 180; k++)
         {
             float v[7];
             for (int j = 0; j < 6; j++)
             {
                 v[j] = (float)(2.0 * next_random(&state));
             }
-            v[6] = (float)(0.3 + 0.25 * next_random(&state));
+            v[6] = (float)(0.3 + 0.25 * next_random(&state)) * (k < 60 ? 1.0f : 0.05f);
             v[2] = k % 3 == 0 ? v[2] : fabsf(v[2]) + 1.0f;
             const cm_discs disc = {.size = sizeof disc,
                                    .count = 1,
                                    .centre = {v, v + 1, v + 2},
                                    .normal = {v + 3, v + 4, v + 5},
                                    .radius = v + 6};
+            ck_assert_uint_eq(cm_raster_pixel_count(raster), pixels);
             cm_raster_clear(raster);
             ck_assert_int_eq(cm_raster_discs(raster, NULL, &disc, 1), CM_OK);
             cm_raster_read(raster, image, NULL);
@@ -158,6 +159,10 @@ static void draw_many(const some_camera *c, cm_pool *pool, unsigned threads, int
             position[i][k] = 3.0 * next_random(&state);
         }
         v[6][i] = (float)(0.1 + 0.09 * next_random(&state));
+        if (i % 8 == 0) /* seen from the edge, but for rounding */
+        {
+            v[5][i] = -(v[3][i] * v[0][i] + v[4][i] * v[1][i]) / v[2][i];
+        }
     }
     /* two that are the same: the smaller id wins, whichever comes first */
     const cm_discs discs = {.size = sizeof discs,

@@ -40,6 +40,11 @@ static void test_errors()
     auto good = cubemap::mapping::try_make("coupled");
     expect(bool(good) && good->has_bounds() == 1, "what is made can be used in place");
 
+    cm_options without_size = {};
+    const char *text = cubemap::status_text(
+        cubemap::mapping::try_make("coupled", nullptr, &without_size).status());
+    expect(std::strstr(text, "size of a struct") != nullptr, "a size that is missing has a word");
+
     cubemap::mapping healpix("healpix");
     const double pq[2] = {0.1, 0.2};
     double uv[2] = {7.0, 7.0};
@@ -134,8 +139,63 @@ static void test_others()
     expect(std::strcmp(cubemap::version(), CM_VERSION_STRING) == 0, "what is in no class");
 }
 
+template <class Call> static bool is_refused(Call call)
+{
+    try
+    {
+        call();
+    }
+    catch (const cubemap::error &error)
+    {
+        return error.status() == CM_ERROR_ARGUMENT;
+    }
+    return false;
+}
+
+/* What is too short by one element is refused, and nothing is written; what is long enough is not. */
+static void test_lengths()
+{
+    const cubemap::mapping mapping("coupled");
+    const std::vector<double> x = {2.0, -1.0, 0.3}, y = {1.0, 0.2, -4.0}, z = {0.5, 0.6, 0.7};
+    std::vector<double> u(3, 7.0), v(3), few(2);
+    std::vector<std::uint8_t> face(3);
+    expect(is_refused([&] { mapping.forward(x, y, few, face, u, v); }) && u[0] == 7.0,
+           "a short input");
+    expect(is_refused([&] { mapping.forward(x, y, z, face, u, few); }) && u[0] == 7.0,
+           "a short output");
+    expect(is_refused([&] { mapping.inverse(face, u, few, u, v, v); }), "of the inverse");
+    mapping.forward(few, x, y, face, u, v);
+    expect(u[0] != 7.0 && u[2] == 7.0, "longer ones are good");
+
+    const std::vector<double> xyz = {2.0, 1.0, 0.5, -1.0, 0.2, 0.6, 0.3, -4.0};
+    expect(is_refused([&] { mapping.forward_strided(xyz, 3, face, u, v); }), "points of three");
+    expect(is_refused([&] { mapping.forward_strided(xyz, -3, face, u, v); }), "backwards");
+    mapping.forward_strided(cubemap::span<const double>(xyz.data(), 6), 3,
+                            cubemap::span<std::uint8_t>(face.data(), 2), u, v);
+    double uv[2];
+    mapping.forward({-1.0, 0.2, 0.6}, uv);
+    expect(u[1] == uv[0] && v[1] == uv[1], "two are there");
+
+    std::vector<double> factor(3, 7.0), many(16);
+    expect(cubemap::try_harmonics_cosine_lobe(3, factor) == CM_ERROR_ARGUMENT && factor[0] == 7.0,
+           "factors of degree 3");
+    expect(cubemap::try_harmonics_cosine_lobe(2, factor) == CM_OK && factor[0] != 7.0, "of 2");
+    factor.resize(4);
+    expect(cubemap::try_harmonics_scale(3, 1, factor, many) == CM_OK, "16 coefficients");
+    expect(cubemap::try_harmonics_scale(3, 2, factor, many) == CM_ERROR_ARGUMENT, "not 32");
+    const std::vector<std::size_t> rings = {3};
+    const std::vector<double> corners(5);
+    expect(cubemap::region::try_polygon(rings, corners).status() == CM_ERROR_ARGUMENT,
+           "a corner of one number");
+    std::vector<double> map(12);
+    const cubemap::healpix one(1, CM_HEALPIX_RING), two(2, CM_HEALPIX_RING);
+    expect(one.try_regrade(map, two, map, nullptr) == CM_ERROR_ARGUMENT, "a map of 48 pixels");
+    expect(one.try_regrade(map, one, map, nullptr) == CM_OK, "of 12");
+}
+
 int main()
 {
+    test_lengths();
     test_errors();
     test_life();
     test_points();

@@ -39,6 +39,18 @@ def _healpix(nside, nest):
     return Healpix(int(nside), "nested" if nest else "ring")
 
 
+# Methods of Healpix by nside and order, bound: for single points, of which looking up took most of the time.
+_from_angles, _to_angles, _from_direction, _to_direction = {}, {}, {}, {}
+
+
+def _bind(table, method, nside, nest):
+    bound = getattr(_healpix(nside, nest), method)
+    if len(table) >= 128:
+        table.clear()
+    table[nside, nest] = bound
+    return bound
+
+
 def _each(nside, nest, method, *arrays):
     """A method of Healpix, also for an array of nsides."""
     if isinstance(nside, int) or np.ndim(nside) == 0:
@@ -67,7 +79,16 @@ def ang2pix(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike, nest: bool = Fal
     """The pixels at angles: colatitude and longitude in radians, or longitude and latitude in degrees."""
     if lonlat:
         return _checked(_each(nside, nest, "pixel_from_lonlat", np.radians(theta), np.radians(phi)), "THETA is out of range [0,pi]")
-    pixel = _each(nside, nest, "pixel_from_angles", theta, phi)
+    if type(nside) is int:
+        try:
+            bound = _from_angles[nside, nest]
+        except KeyError:
+            bound = _bind(_from_angles, "pixel_from_angles", nside, nest)
+        pixel = bound(theta, phi)
+        if type(pixel) is int and pixel >= 0:
+            return pixel
+    else:
+        pixel = _each(nside, nest, "pixel_from_angles", theta, phi)
     if (pixel < 0) if isinstance(pixel, int) else np.any(pixel < 0):  # healpy lets 1e-5 beyond the south pole pass
         theta = np.asarray(theta, dtype=np.float64)
         beyond = (theta > np.pi) & (theta <= np.pi + 1e-5)
@@ -82,16 +103,30 @@ def pix2ang(nside: ArrayLike, ipix: ArrayLike, nest: bool = False, lonlat: bool 
         lon, lat = _each(nside, nest, "lonlat_from_pixel", ipix)
         lon, lat = np.degrees(lon), np.degrees(lat)
         return np.where(lon < 0, lon + 360.0, lon)[()], lat
+    if type(nside) is int:
+        return (_to_angles.get((nside, nest)) or _bind(_to_angles, "angles_from_pixel", nside, nest))(ipix)
     return _each(nside, nest, "angles_from_pixel", ipix)
 
 
 def vec2pix(nside: ArrayLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, nest: bool = False) -> Any:
     """The pixels at vectors of any length."""
-    return _checked(_each(nside, nest, "pixel_from_direction", x, y, z), "a vector that is zero or not finite")
+    if type(nside) is int:
+        try:
+            bound = _from_direction[nside, nest]
+        except KeyError:
+            bound = _bind(_from_direction, "pixel_from_direction", nside, nest)
+        pixel = bound(x, y, z)
+        if type(pixel) is int and pixel >= 0:
+            return pixel
+    else:
+        pixel = _each(nside, nest, "pixel_from_direction", x, y, z)
+    return _checked(pixel, "a vector that is zero or not finite")
 
 
 def pix2vec(nside: ArrayLike, ipix: ArrayLike, nest: bool = False) -> tuple[Any, Any, Any]:
     """The centres, as unit vectors x, y, z."""
+    if type(nside) is int:
+        return (_to_direction.get((nside, nest)) or _bind(_to_direction, "direction_from_pixel", nside, nest))(ipix)
     return _each(nside, nest, "direction_from_pixel", ipix)
 
 
@@ -125,7 +160,7 @@ def nest2ring(nside: ArrayLike, ipix: ArrayLike) -> Any:
 
 def ring2nest(nside: ArrayLike, ipix: ArrayLike) -> Any:
     """From the order RING to NESTED."""
-    if np.any(~np.asarray(isnsideok(nside, True))):
+    if not (isnsideok(nside, True) if type(nside) is int else np.all(isnsideok(nside, True))):
         raise ValueError(f"{nside} is not a valid nside parameter (must be a power of 2, less than 2**30)")
     return _each(nside, False, "nested_from_ring", ipix)
 
@@ -134,7 +169,8 @@ def get_all_neighbours(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike | None
                        lonlat: bool = False) -> np.ndarray:
     """The neighbours SW, W, NW, N, NE, E, SE and S, along the first axis; -1 where there is none."""
     pixel = theta if phi is None else ang2pix(nside, theta, phi, nest, lonlat)
-    return np.moveaxis(_each(nside, nest, "neighbours", pixel), -1, 0)
+    found = _each(nside, nest, "neighbours", pixel)
+    return found if found.ndim == 1 else np.moveaxis(found, -1, 0)
 
 
 def boundaries(nside: int, pix: ArrayLike, step: int = 1, nest: bool = False) -> np.ndarray:
@@ -149,6 +185,8 @@ def boundaries(nside: int, pix: ArrayLike, step: int = 1, nest: bool = False) ->
 
 def isnsideok(nside: ArrayLike, nest: bool = False) -> Any:
     """Is there such a resolution: 1 to 2^29, in NESTED a power of two?"""
+    if type(nside) is int:
+        return 0 < nside <= NSIDE_MAX and not (nest and nside & (nside - 1))
     nside = np.asarray(nside)
     whole = nside.astype(np.int64)
     good = (nside == whole) & (whole > 0) & (whole <= NSIDE_MAX)

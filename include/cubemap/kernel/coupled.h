@@ -46,14 +46,14 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_coupled_forward)(CM_REAL p, CM_REAL q, CM_NAME(c
                            -((k.k1 * x) * (k.k1 * y)));
     CM_REAL alpha = k.k2 * x * cm_mad(k.k3, y, CM_LIT(1.0));
     CM_REAL beta = k.k2 * y * cm_mad(k.k3, x, CM_LIT(1.0));
-    CM_REAL r = delta + CM_NAME(cm_root)(cm_mad(k.k4, alpha * beta, delta * delta));
+    CM_REAL r = delta + cm_sqrt(cm_mad(k.k4, alpha * beta, delta * delta));
     CM_REAL g0r = k.k0 * r;
     CM_REAL n = cm_mad(CM_LIT(2.0) * k.k1, beta, g0r);
     CM_REAL m = cm_mad(CM_LIT(2.0) * k.k1, alpha, g0r);
     CM_REAL a = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
     CM_REAL b = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
-    return CM_NAME(cm_make_uv)(CM_NAME(cm_divide_by_root)(p, -CM_NAME(cm_quotient)(a * n, r + n)),
-                               CM_NAME(cm_divide_by_root)(q, -CM_NAME(cm_quotient)(b * m, r + m)));
+    return CM_NAME(cm_make_uv)(CM_NAME(cm_times_root_of_ratio)(p, r + n, cm_mad(x, n, r), a * n),
+                               CM_NAME(cm_times_root_of_ratio)(q, r + m, cm_mad(y, m, r), b * m));
 }
 
 CM_FN CM_NAME(cm_pq) CM_NAME(cm_coupled_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_constants) k)

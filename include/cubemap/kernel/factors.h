@@ -105,4 +105,13 @@ CM_FN CM_REAL CM_NAME(cm_divide_by_root)(CM_REAL w, CM_REAL h)
     return CM_NAME(cm_stretch)(w, CM_NAME(cm_inverse_root_excess)(h));
 }
 
+/* w sqrt(n / m) for n, m > 0 and n - m = d, which vanishes at the edge: with s = sqrt(n m) the root of the ratio is
+ * n / s = 1 + n d / (s (n + s)), which divides once. By the divider in all sets: its rounding is that of the excess alone,
+ * while that of a root of n m by multiplications would be of the whole. */
+CM_FN CM_REAL CM_NAME(cm_times_root_of_ratio)(CM_REAL w, CM_REAL n, CM_REAL m, CM_REAL d)
+{
+    CM_REAL s = cm_sqrt(n * m);
+    return CM_NAME(cm_stretch)(w, (n * d) / (s * (n + s)));
+}
+
 #endif

@@ -87,7 +87,7 @@ CM_FN CM_NAME(cm_healpix_place) CM_NAME(cm_healpix_locate)(CM_REAL x, CM_REAL y,
     /* at a pole any longitude will do */
     p.t = minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0));
     p.square = CM_LIT(1.0) + p.t * p.t;
-    p.root = CM_NAME(cm_root)(p.square); /* the distance from the axis is major times that */
+    p.root = cm_sqrt(p.square); /* the distance from the axis is major times that */
     p.polar = cm_less((CM_HEALPIX_POLAR * major) * p.root, height);
     p.r = (CM_SELECT(p.polar, major, height) / CM_SELECT(p.polar, height, major)) *
           CM_SELECT(p.polar, p.root, CM_LIT(1.0));

@@ -159,11 +159,14 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_qsc_inverse)(CM_REAL u, CM_REAL v, CM_NAME(cm_co
     CM_REAL t = CM_NAME(cm_qsc_across_inverse)(
         minor / CM_SELECT(cm_less(CM_LIT(0.0), major), major, CM_LIT(1.0)));
     CM_REAL t2 = t * t;
-    CM_REAL r1 = CM_LIT(1.0) + cm_sqrt(CM_LIT(2.0) + t2);
-    CM_REAL inverse_r1 = CM_LIT(1.0) / r1;
-    CM_REAL e = (CM_LIT(1.0) - major) * (CM_LIT(1.0) + major) * (CM_LIT(1.0) + t2) * inverse_r1;
-    /* p = u g / (1 + e) with g = sqrt(1 + e / r1), as u minus what is missing */
-    CM_REAL g1 = r1 * (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + e * inverse_r1));
+    /* with r^2 = 2 + t^2 and r1 = r + 1: e = (1 - u^2)(1 + t^2) / r1, where (1 + t^2) / r1 = r - 1, and
+     * p = u g / (1 + e) with g = sqrt(1 + e / r1), as u minus what is missing. The division does not wait for the root */
+    CM_REAL r = cm_sqrt(CM_LIT(2.0) + t2);
+    CM_REAL r1 = r + CM_LIT(1.0);
+    CM_REAL less = r - CM_LIT(1.0);
+    CM_REAL e = (CM_LIT(1.0) - major) * (CM_LIT(1.0) + major) * less;
+    CM_REAL over_r1 = less * (CM_LIT(1.0) / (CM_LIT(1.0) + t2));
+    CM_REAL g1 = r1 * (CM_LIT(1.0) + cm_sqrt(CM_LIT(1.0) + e * over_r1));
     CM_REAL p =
         major - major * CM_NAME(cm_quotient)(e * (g1 - CM_LIT(1.0)), g1 * (CM_LIT(1.0) + e));
     CM_REAL q = p * t;
