@@ -2,7 +2,7 @@
  *
  * Blocks with few values in few bits a cell, and with colors of occupied cells alone.
  */
-#include "region.h"
+#include "voxel_region.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #ifndef MODULES_OCTREE_NODE_TREE_H
 #define MODULES_OCTREE_NODE_TREE_H
 
-#include "region.h"
+#include "voxel_region.h"
 
 /* Where a place is found: the node at which the tree ends there, a leaf or a region, and the misses that wait in nodes above
  * it and in itself, if it is a region. */

@@ -5,7 +5,7 @@
 #ifndef MODULES_OCTREE_PAGE_H
 #define MODULES_OCTREE_PAGE_H
 
-#include "region.h"
+#include "voxel_region.h"
 
 /* The region at a place, as it was put; CM_ERROR_DATA if there is none. */
 cm_status cm_page_get(const cm_octree *octree, cm_store *store, const uint32_t place[3], cm_region **region);

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "region.h"
+#include "voxel_region.h"
 
 /* Of occupied voxels without colors. */
 #define GREY 178

@@ -5,7 +5,7 @@
 #ifndef MODULES_OCTREE_WALK_H
 #define MODULES_OCTREE_WALK_H
 
-#include "region.h"
+#include "voxel_region.h"
 
 /* Who is called; what is not 0 ends the walk with CM_ERROR_STOPPED. */
 typedef struct cm_walk

@@ -2,8 +2,8 @@
  *
  * Regions and their blocks: reading cells, writing them, packing them.
  */
-#ifndef MODULES_OCTREE_REGION_H
-#define MODULES_OCTREE_REGION_H
+#ifndef MODULES_OCTREE_VOXEL_REGION_H
+#define MODULES_OCTREE_VOXEL_REGION_H
 
 #include "color_word.h"
 #include "octree_object.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "region.h"
+#include "voxel_region.h"
 
 #include <stdlib.h>
 #include <string.h>
