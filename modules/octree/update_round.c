@@ -33,8 +33,11 @@ static void clear_round(cm_round_desk *round)
 
 static void destroy_round(void *memory)
 {
-    clear_round(memory);
-    free(memory);
+    if (memory != NULL)
+    {
+        clear_round(memory);
+        free(memory);
+    }
 }
 
 /* ---- the camera's cones, which stay from view to view ---- */
