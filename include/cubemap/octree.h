@@ -65,7 +65,7 @@ typedef struct cm_octree_options
     double near;           /* depths, or ranges, that are nearer say nothing */
     double far;            /* what is farther is free up to here and no hit; 0: no limit */
     int no_return_is_free; /* 1: pixels without a measurement are free up to far, which must be given */
-    double noise;          /* of the sensor: sigma / range; hits reach 2 sigma around what is seen */
+    double noise;     /* of the sensor: sigma / range; hits reach 2 sigma around what is seen */
     double footprint; /* voxels are no finer than so many pixels, up to 8 edges; 0: one size */
     int color;        /* 1: voxels have colors */
     uint64_t memory;  /* bytes that regions may take before some go to pages; 0: no limit */
@@ -176,9 +176,9 @@ typedef struct cm_octree_count
     size_t size;       /* sizeof(cm_octree_count) */
     uint64_t occupied; /* voxels of level 0 */
     uint64_t free;     /* voxels of level 0 */
-    uint64_t nodes;    /* of the tree that are in memory: inner ones, blocks and voxels on their own */
-    uint64_t bytes;    /* that regions, nodes and colors take in memory */
-    uint64_t paged;    /* regions that are in pages alone */
+    uint64_t nodes; /* of the tree that are in memory: inner ones, blocks and voxels on their own */
+    uint64_t bytes; /* that regions, nodes and colors take in memory */
+    uint64_t paged; /* regions that are in pages alone */
 } cm_octree_count;
 
 /* CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_FILE, _DATA, _MEMORY (pages). */
@@ -202,24 +202,29 @@ CM_API const void *cm_octree_user_data(const cm_octree *octree, size_t *count);
 
 /* ---- seeing it ---- */
 
-/* How a map looks. To be filled with zeros but for size and what is wanted. */
+/* How a map looks: occupied voxels are opaque however sure they are, those without color are grey; what is above level 0 is as
+ * opaque as what it hides along the ray. Without light colors are as they are kept. With it they are darker by ambient and the
+ * cosine to the light, which does not grow weaker with distance; a mesh by its shadow alone. To be filled with zeros but for size
+ * and what is wanted. */
 typedef struct cm_octree_shading
 {
-    size_t size;       /* sizeof(cm_octree_shading) */
-    int coarsest;      /* the finest level that is read: 0 for all */
-    double far;        /* the length of cones in units of the world; 0: 10 */
-    int light;         /* 1: one virtual light with a cone-traced shadow */
+    size_t size;  /* sizeof(cm_octree_shading) */
+    int coarsest; /* the finest level that is read: 0 for all */
+    double far;   /* the length of cones in units of the world; 0: 10 */
+    int light;    /* 1: one virtual light with a cone-traced shadow */
     double light_position[3];
-    double light_angle;    /* of the shadow's cone, full, in radians; 0: 0.1 */
-    double ambient;        /* of the light that is everywhere, 0 to 1; 0: 0.3 */
-    float background[3];   /* 0 to 1 */
-    const cm_raster *mesh; /* a canvas in front of the same camera, whose pixels hide what is behind; NULL */
+    double light_angle;  /* of the shadow's cone, full, in radians; 0: 0.1 */
+    double ambient;      /* of the light that is everywhere, 0 to 1; 0: 0.3 */
+    float background[3]; /* 0 to 1 */
+    const cm_raster
+        *mesh; /* a canvas in front of the same camera, whose pixels hide what is behind; NULL */
     const float *mesh_color; /* three floats a pixel of it, 0 to 1; NULL: white */
-    cm_pool *pool;         /* NULL: the calling thread */
+    cm_pool *pool;           /* NULL: the calling thread */
 } cm_octree_shading;
 
-/* Trace a cone for each pixel of a camera, whose solid angle says how wide it is: color of three or four channels, 0 to 1, and depth,
- * or range of omnidirectional cameras, one channel of CM_PIXEL_FLOAT, NaN where nothing is met. Either may be NULL. shading may be NULL.
+/* Trace a cone for each pixel of a camera, whose solid angle says how wide it is: color of three or four channels, 0 to 1, of
+ * CM_PIXEL_U8, _U16 or _FLOAT, the fourth what hides the background; and depth, or range of omnidirectional cameras, one channel of
+ * CM_PIXEL_FLOAT, where half is hidden, NaN where it is not. Either may be NULL, and so may shading.
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_CAMERA; CM_ERROR_RANGE (types, sizes, numbers); CM_ERROR_FILE, _DATA (pages);
  * CM_ERROR_MEMORY. */
 CM_API cm_status cm_octree_render(const cm_octree *octree, const cm_camera *camera,
@@ -228,9 +233,9 @@ CM_API cm_status cm_octree_render(const cm_octree *octree, const cm_camera *came
 
 /* ---- hulls ---- */
 
-/* Carve the visual hull of n masks, which are the views' colors, not 0 inside, into an empty map: what all masks have inside is
- * occupied (255), the rest free (0). A voxel is inside a mask where its centre falls on a pixel of it. outside_survives: 1: a view
- * that does not see the centre says nothing; 0: what it does not see is outside.
+/* Carve the visual hull of n masks, the views' colors, inside where any channel is not 0, into an empty map: what all masks have
+ * inside is occupied (255), the rest free (0). A voxel is inside a mask where its centre falls on such a pixel. outside_survives:
+ * 1: a view that does not see the centre, behind it or beside the picture, says nothing; 0: what it does not see is outside.
  * CM_OK; CM_ERROR_ARGUMENT (no views, no masks, a map that is not empty); CM_ERROR_CAMERA; CM_ERROR_RANGE; CM_ERROR_MEMORY. */
 CM_API cm_status cm_hull_carve(cm_octree *octree, size_t n, const cm_view *masks,
                                int outside_survives, cm_pool *pool);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "interleave.h"
+#include "snapshot_cells.h"
 
 /* What is more opaque than all but half a step of 255 hides the rest. */
 #define OPAQUE (1.0f - 0.5f / 255.0f)
@@ -74,7 +75,7 @@ static inline cm_cone_cell look(const cm_snapshot *snapshot, cm_cone_path *path,
         {
             const size_t before =
                 node->before[child / 64] + cm_bit_count(word & cm_bits_below(child & 63));
-            return (cm_cone_cell){.color = snapshot->color[node->child + before]};
+            return (cm_cone_cell){.color = snapshot->color + node->child + before};
         }
         const cm_seen_node *below =
             &snapshot->node[stage - 1][snapshot->children[node->child + child]];
@@ -208,8 +209,8 @@ static float hidden(const cm_snapshot *snapshot, const cm_seen_cell *cell,
 static void cross(const cm_snapshot *snapshot, const cm_cone *cone, const cm_cone_cell *met,
                   double from, double to, const uint32_t place[3], cm_cone_view *view)
 {
-    const float opacity = hidden(snapshot, met->cell, cone->direction,
-                                 (to - from) / (double)((uint32_t)1 << met->level));
+    const float opacity =
+        hidden(snapshot, met->cell, cone->direction, (to - from) / cm_size_of_level(met->level));
     const float before = view->opacity;
     add(view, (1.0f - before) * opacity, met->cell->color);
     if (before < 0.5f && view->opacity >= 0.5f)
@@ -228,7 +229,7 @@ cm_cone_view cm_cone_trace(const cm_snapshot *snapshot, cm_cone_path *path, cons
         return view;
     }
     int level = cone->coarsest;
-    double wider = ldexp(1.0, level + 1) / cone->width;
+    double wider = 2.0 * cm_size_of_level(level) / cone->width;
     for (int is_inside = 1; is_inside && w.at < cone->end;)
     {
         for (; w.at >= wider && level < 3 * CM_SNAPSHOT_STAGES; wider *= 2.0)
@@ -242,7 +243,9 @@ cm_cone_view cm_cone_trace(const cm_snapshot *snapshot, cm_cone_path *path, cons
             {
                 pass_half(&view, w.at, 0, w.place);
             }
-            add(&view, 1.0f - view.opacity, met.color);
+            uint8_t rgb[3];
+            cm_seen_color(*met.color, rgb);
+            add(&view, 1.0f - view.opacity, rgb);
             break;
         }
         const double from = w.at;

@@ -10,7 +10,7 @@
 #ifndef MODULES_OCTREE_CONE_H
 #define MODULES_OCTREE_CONE_H
 
-#include "snapshot.h"
+#include "seen_tree.h"
 
 typedef struct cm_cone
 {
@@ -44,7 +44,7 @@ typedef struct cm_cone_path
 typedef struct cm_cone_cell
 {
     const cm_seen_cell *cell; /* NULL: nothing, or a voxel */
-    const uint8_t *color;     /* of a voxel; NULL: nothing */
+    const uint32_t *color;    /* of a voxel; NULL: nothing */
     int level;                /* of the cell, or of a cube with nothing in it */
 } cm_cone_cell;
 

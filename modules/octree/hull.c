@@ -83,15 +83,13 @@ static void carve(size_t begin, size_t end, void *user)
     {
         const hull_cube *cube = &h->cube[h->first + i];
         uint64_t *alive = h->alive[i];
-        const double first[3] = {centre_of(h, cube, 0, 0.5), centre_of(h, cube, 1, 0.5),
-                                 centre_of(h, cube, 2, 0.5)};
         memset(alive, 0xff, sizeof h->alive[i]);
         uint64_t any = 1;
         for (size_t m = 0; m < h->count && any != 0; m++)
         {
             if (!is_known(cube, m))
             {
-                cm_hull_carve_block(&h->mask[m], h->set, first, alive);
+                cm_hull_carve_block(&h->mask[m], h->set, cube->corner, alive);
                 any = alive[0] | alive[1] | alive[2] | alive[3] | alive[4] | alive[5] | alive[6] |
                       alive[7];
             }
@@ -253,7 +251,7 @@ static void make_masks(size_t begin, size_t end, void *user)
     for (size_t i = begin; i < end; i++)
     {
         /* memory that is missing is found afterwards */
-        (void)cm_hull_mask_make(&m->masks[i], m->h->octree->options.edge, m->outside_survives,
+        (void)cm_hull_mask_make(&m->masks[i], &m->h->octree->options, m->outside_survives,
                                 &m->h->mask[i]);
     }
 }

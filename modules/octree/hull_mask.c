@@ -6,7 +6,7 @@
 
 #include "interleave.h"
 #include "picture.h"
-#include "snapshot.h"
+#include "seen_tree.h"
 
 /* What a float is off by, at most, of its size; and how many such errors a pixel's place may have. */
 #define FLOAT_ERROR 0x1p-24
@@ -92,19 +92,19 @@ static void fill_table(cm_hull_mask *mask)
         for (int axis = 0; axis < 3; axis++)
         {
             const double *row = mask->view->pose.rotation.row[axis];
-            to[axis][cell] =
-                (float)(mask->edge * (row[0] * place[0] + row[1] * place[1] + row[2] * place[2]));
+            to[axis][cell] = (float)(mask->map->edge *
+                                     (row[0] * place[0] + row[1] * place[1] + row[2] * place[2]));
         }
     }
 }
 
-cm_status cm_hull_mask_make(const cm_view *view, double edge, int outside_survives,
+cm_status cm_hull_mask_make(const cm_view *view, const cm_octree_options *map, int outside_survives,
                             cm_hull_mask *mask)
 {
     const cm_camera_options *lens = cm_camera_describe(view->camera);
     mask->view = view;
     mask->lens = lens;
-    mask->edge = edge;
+    mask->map = map;
     mask->outside_survives = outside_survives;
     mask->is_plain = is_plain(lens);
     mask->stride = (size_t)lens->width / 32 + 3;
@@ -244,8 +244,14 @@ static int is_inside(const cm_hull_mask *mask, double column, double row)
     return (int)(mask->bits[((size_t)r + 1) * mask->stride + 1 + u / 32] >> u % 32 & 1);
 }
 
+/* The centre of a voxel at a corner, one formula for all, since who asks on the border of two pixels has its rounding. */
+static double centre_of(const cm_hull_mask *mask, int axis, int64_t corner)
+{
+    return mask->map->centre[axis] + ((double)corner + 0.5) * mask->map->edge;
+}
+
 /* Those of a word's voxels that are asked for, as the camera has them. */
-static uint64_t ask_camera(const cm_hull_mask *mask, const double first[3], unsigned word,
+static uint64_t ask_camera(const cm_hull_mask *mask, const int64_t corner[3], unsigned word,
                            uint64_t asked)
 {
     double x[64], y[64], z[64], column[64], row[64];
@@ -259,7 +265,7 @@ static uint64_t ask_camera(const cm_hull_mask *mask, const double first[3], unsi
             cm_divide_3(64 * word + i, place);
             for (int axis = 0; axis < 3; axis++)
             {
-                at[axis] = first[axis] + place[axis] * mask->edge;
+                at[axis] = centre_of(mask, axis, corner[axis] + place[axis]);
             }
             cm_pose_apply(&mask->view->pose, at, at);
             x[count] = at[0];
@@ -280,7 +286,7 @@ static uint64_t ask_camera(const cm_hull_mask *mask, const double first[3], unsi
 /* How far off floats may be in pixels, for a block that begins there; what is above 0.5 is doubtful altogether. */
 static double margin_of(const cm_hull_mask *mask, const double at[3])
 {
-    const double length = 7.0 * 1.7320508075688773 * mask->edge;
+    const double length = 7.0 * 1.7320508075688773 * mask->map->edge;
     const double near = at[2] - length;
     const double size = fabs(at[0]) + fabs(at[1]) + fabs(at[2]) + length;
     const double focal = fmax(fabs(mask->lens->fx), fabs(mask->lens->fy));
@@ -289,9 +295,11 @@ static double margin_of(const cm_hull_mask *mask, const double at[3])
     return near > 0.0 ? ERRORS * FLOAT_ERROR * (focal * steep * steep + centre) : INFINITY;
 }
 
-void cm_hull_carve_block(const cm_hull_mask *mask, const cm_hull_set *set, const double first[3],
+void cm_hull_carve_block(const cm_hull_mask *mask, const cm_hull_set *set, const int64_t corner[3],
                          uint64_t alive[8])
 {
+    const double first[3] = {centre_of(mask, 0, corner[0]), centre_of(mask, 1, corner[1]),
+                             centre_of(mask, 2, corner[2])};
     double at[3];
     uint64_t doubtful[8] = {0}, before[8];
     cm_pose_apply(&mask->view->pose, first, at);
@@ -311,7 +319,7 @@ void cm_hull_carve_block(const cm_hull_mask *mask, const cm_hull_set *set, const
         if (doubtful[w] != 0)
         {
             alive[w] = (alive[w] & ~doubtful[w]) |
-                       (before[w] & ask_camera(mask, first, w, doubtful[w]) & doubtful[w]);
+                       (before[w] & ask_camera(mask, corner, w, doubtful[w]) & doubtful[w]);
         }
     }
 }

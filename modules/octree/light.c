@@ -19,52 +19,63 @@ static void spline_at(double u, double weight[3], double slope[3])
     slope[2] = u;
 }
 
-/* The part of a cell that is occupied: cells beside the snapshot are empty. */
-static double part_of(const cm_snapshot *snapshot, cm_cone_path *path, const double cell[3],
-                      int level)
+/* The parts of 27 cells that are occupied: cells beside the snapshot are empty. */
+static void read_parts(const cm_snapshot *snapshot, cm_cone_path *path, const int32_t first[3],
+                       int level, float part[27])
 {
-    const double size = (double)((uint32_t)1 << (3 * snapshot->top + 3));
-    uint32_t place[3];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        const double at = ldexp(cell[axis], level);
-        if (!(at >= 0.0 && at < size))
-        {
-            return 0.0;
-        }
-        place[axis] = (uint32_t)at;
-    }
-    const cm_cone_cell met = cm_cone_look(snapshot, path, place, level);
-    return met.cell == NULL ? 0.0 : met.cell->part;
-}
-
-/* The gradient at a place, in cells of a level. */
-static void gradient_at(const cm_snapshot *snapshot, cm_cone_path *path, const double place[3],
-                        int level, double gradient[3])
-{
-    double weight[3][3], slope[3][3], first[3];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        const double at = ldexp(place[axis], -level);
-        first[axis] = floor(at) - 1.0;
-        spline_at(at - floor(at), weight[axis], slope[axis]);
-        gradient[axis] = 0.0;
-    }
+    const int64_t size = (int64_t)1 << (3 * snapshot->top + 3);
     for (int i = 0; i < 27; i++)
     {
-        const int x = i % 3, y = i / 3 % 3, z = i / 9;
-        const double cell[3] = {first[0] + x, first[1] + y, first[2] + z};
-        const double part = part_of(snapshot, path, cell, level);
-        gradient[0] += part * slope[0][x] * weight[1][y] * weight[2][z];
-        gradient[1] += part * weight[0][x] * slope[1][y] * weight[2][z];
-        gradient[2] += part * weight[0][x] * weight[1][y] * slope[2][z];
+        const int64_t at[3] = {(int64_t)(first[0] + i % 3) * ((int64_t)1 << level),
+                               (int64_t)(first[1] + i / 3 % 3) * ((int64_t)1 << level),
+                               (int64_t)(first[2] + i / 9) * ((int64_t)1 << level)};
+        part[i] = 0.0f;
+        if (at[0] >= 0 && at[1] >= 0 && at[2] >= 0 && at[0] < size && at[1] < size && at[2] < size)
+        {
+            const uint32_t place[3] = {(uint32_t)at[0], (uint32_t)at[1], (uint32_t)at[2]};
+            const cm_cone_cell met = cm_cone_look(snapshot, path, place, level);
+            part[i] = met.cell == NULL ? 0.0f : met.cell->part;
+        }
     }
 }
 
-void cm_light_normal(const cm_snapshot *snapshot, cm_cone_path *path, const double place[3],
-                     const double direction[3], int level, double normal[3])
+/* The gradient at a place, in cells of a level; turn: whose window is taken. */
+static void gradient_at(const cm_snapshot *snapshot, cm_cone_path *path, cm_light_windows *windows,
+                        int turn, const double place[3], int level, double gradient[3])
 {
-    const double ahead = ldexp(AHEAD_OF_SURFACE, level + 1);
+    double weight[3][3], slope[3][3];
+    int32_t first[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const double at = place[axis] / cm_size_of_level(level), low = floor(at);
+        first[axis] = (int32_t)low - 1;
+        spline_at(at - low, weight[axis], slope[axis]);
+        gradient[axis] = 0.0;
+    }
+    if (windows->window[turn].level != level ||
+        memcmp(windows->window[turn].first, first, sizeof first) != 0)
+    {
+        read_parts(snapshot, path, first, level, windows->window[turn].part);
+        memcpy(windows->window[turn].first, first, sizeof first);
+        windows->window[turn].level = level;
+    }
+    const float *part = windows->window[turn].part;
+    for (int i = 0; i < 9; i++, part += 3)
+    {
+        const double *w = weight[0], *d = slope[0];
+        const double along = part[0] * w[0] + part[1] * w[1] + part[2] * w[2];
+        const double change = part[0] * d[0] + part[1] * d[1] + part[2] * d[2];
+        const int y = i % 3, z = i / 3;
+        gradient[0] += change * weight[1][y] * weight[2][z];
+        gradient[1] += along * slope[1][y] * weight[2][z];
+        gradient[2] += along * weight[1][y] * slope[2][z];
+    }
+}
+
+void cm_light_normal(const cm_snapshot *snapshot, cm_cone_path *path, cm_light_windows *windows,
+                     const double place[3], const double direction[3], int level, double normal[3])
+{
+    const double ahead = AHEAD_OF_SURFACE * cm_size_of_level(level + 1);
     for (int axis = 0; axis < 3; axis++)
     {
         normal[axis] = -direction[axis];
@@ -77,7 +88,7 @@ void cm_light_normal(const cm_snapshot *snapshot, cm_cone_path *path, const doub
         {
             front[axis] = place[axis] + ahead * normal[axis];
         }
-        gradient_at(snapshot, path, front, level + 1, gradient);
+        gradient_at(snapshot, path, windows, turn, front, level + 1, gradient);
         const double length =
             sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2]);
         const double towards =
@@ -93,13 +104,14 @@ double cm_light_at(const cm_light *light, const cm_snapshot *snapshot, cm_cone_p
                    const double place[3], const double normal[3], int level)
 {
     cm_cone cone = {.width = light->width,
-                    .begin = ldexp(1.0, level),
+                    .begin = cm_size_of_level(level),
                     .coarsest = level > light->coarsest ? level : light->coarsest};
     double squared = 0.0, cosine = 0.0;
     for (int axis = 0; axis < 3; axis++)
     {
         cone.origin[axis] =
-            place[axis] + (normal == NULL ? 0.0 : ldexp(OUT_OF_SURFACE, level) * normal[axis]);
+            place[axis] +
+            (normal == NULL ? 0.0 : OUT_OF_SURFACE * cm_size_of_level(level) * normal[axis]);
         cone.direction[axis] = light->place[axis] - cone.origin[axis];
         squared += cone.direction[axis] * cone.direction[axis];
     }

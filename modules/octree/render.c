@@ -9,6 +9,7 @@
 
 #include "light.h"
 #include "picture.h"
+#include "snapshot.h"
 #include "start_map.h"
 
 /* Rows and columns of a square whose pixels have the solid angle of its middle. */
@@ -36,6 +37,13 @@ typedef struct rendering
     const cm_image *color;
     const cm_image *depth;
 } rendering;
+
+/* What a thread keeps from one pixel to the next. */
+typedef struct desk
+{
+    cm_cone_path path;
+    cm_light_windows windows;
+} desk;
 
 /* Of a pixel. */
 typedef struct pixel_ray
@@ -137,21 +145,21 @@ static void make_rays(const rendering *r, size_t column, size_t row, size_t coun
 
 /* ---- pixels ---- */
 
-static double light_of(const rendering *r, cm_cone_path *path, const pixel_ray *ray,
-                       const cm_cone_view *seen)
+static double light_of(const rendering *r, desk *d, const pixel_ray *ray, const cm_cone_view *seen)
 {
     double place[3], normal[3];
     for (int k = 0; k < 3; k++)
     {
         place[k] = r->origin[k] + seen->half * ray->direction[k];
     }
-    cm_light_normal(&r->snapshot, path, place, ray->direction, seen->level, normal);
-    return cm_light_at(&r->light, &r->snapshot, path, place, normal, seen->level);
+    cm_light_normal(&r->snapshot, &d->path, &d->windows, place, ray->direction, seen->level,
+                    normal);
+    return cm_light_at(&r->light, &r->snapshot, &d->path, place, normal, seen->level);
 }
 
 /* What is behind the map: the mesh at a distance, or the background. */
-static void add_behind(const rendering *r, cm_cone_path *path, const pixel_ray *ray, size_t pixel,
-                       double mesh, cm_cone_view *seen, float rgba[4])
+static void add_behind(const rendering *r, desk *d, const pixel_ray *ray, size_t pixel, double mesh,
+                       cm_cone_view *seen, float rgba[4])
 {
     const float left = 1.0f - seen->opacity;
     const float *behind = r->shading->background;
@@ -167,8 +175,9 @@ static void add_behind(const rendering *r, cm_cone_path *path, const pixel_ray *
                            : r->shading->mesh_color[3 * pixel + (size_t)k];
             place[k] = r->origin[k] + mesh * ray->direction[k];
         }
-        const double bright =
-            r->shading->light ? cm_light_at(&r->light, &r->snapshot, path, place, NULL, 0) : 1.0;
+        const double bright = r->shading->light
+                                  ? cm_light_at(&r->light, &r->snapshot, &d->path, place, NULL, 0)
+                                  : 1.0;
         for (int k = 0; k < 3; k++)
         {
             color[k] *= (float)bright;
@@ -183,8 +192,7 @@ static void add_behind(const rendering *r, cm_cone_path *path, const pixel_ray *
     }
 }
 
-static void draw_pixel(const rendering *r, cm_cone_path *path, const pixel_ray *ray, size_t column,
-                       size_t row)
+static void draw_pixel(const rendering *r, desk *d, const pixel_ray *ray, size_t column, size_t row)
 {
     const size_t pixel = row * r->lens->width + column;
     const double unit = r->map->edge;
@@ -200,20 +208,20 @@ static void draw_pixel(const rendering *r, cm_cone_path *path, const pixel_ray *
     }
     if (r->snapshot.top >= 0 && ray->length > 0.0 && cm_start_map_shorten(r->start, &cone))
     {
-        cone.end = fmin(cone.end, mesh);
-        seen = cm_cone_trace(&r->snapshot, path, &cone);
+        cone.end = mesh < cone.end ? mesh : cone.end;
+        seen = cm_cone_trace(&r->snapshot, &d->path, &cone);
     }
     float rgba[4] = {seen.color[0], seen.color[1], seen.color[2], 0.0f};
     if (r->color != NULL)
     {
         if (r->shading->light && seen.opacity > 0.0f)
         {
-            const double bright = seen.half < INFINITY ? light_of(r, path, ray, &seen) : 1.0;
+            const double bright = seen.half < INFINITY ? light_of(r, d, ray, &seen) : 1.0;
             rgba[0] *= (float)bright;
             rgba[1] *= (float)bright;
             rgba[2] *= (float)bright;
         }
-        add_behind(r, path, ray, pixel, mesh, &seen, rgba);
+        add_behind(r, d, ray, pixel, mesh, &seen, rgba);
         cm_picture_write(r->color, column, row, rgba, r->color->channels);
     }
     if (r->depth != NULL)
@@ -229,10 +237,10 @@ static void draw_rows(size_t begin, size_t end, void *user)
     const rendering *r = user;
     const size_t width = r->lens->width;
     pixel_ray rays[PART];
-    cm_cone_path path;
+    desk d = {.windows = {{{{0}, 0, {0}}}}};
     if (r->snapshot.top >= 0)
     {
-        cm_cone_start(&r->snapshot, &path);
+        cm_cone_start(&r->snapshot, &d.path);
     }
     const size_t last = end * SQUARE < r->lens->height ? end * SQUARE : r->lens->height;
     for (size_t first = 0; first < width; first += PART)
@@ -243,7 +251,7 @@ static void draw_rows(size_t begin, size_t end, void *user)
             make_rays(r, first, row, count, rays);
             for (size_t i = 0; i < count; i++)
             {
-                draw_pixel(r, &path, &rays[i], first + i, row);
+                draw_pixel(r, &d, &rays[i], first + i, row);
             }
         }
     }
@@ -284,6 +292,38 @@ static double measure_widths(rendering *r)
     return widest;
 }
 
+/* One side of the pyramid that a camera sees: where the product with a vector of its axes is not negative. */
+static void add_plane(const rendering *r, const double camera[3], double x, double y, double z,
+                      cm_snapshot_bounds *bounds)
+{
+    const double length = sqrt(x * x + y * y + z * z);
+    double *plane = bounds->plane[bounds->planes++];
+    plane[3] = 0.0;
+    for (int k = 0; k < 3; k++)
+    {
+        const double(*row)[3] = r->pose->rotation.row;
+        plane[k] = (x * row[0][k] + y * row[1][k] + z * row[2][k]) / length;
+        plane[3] += plane[k] * camera[k];
+    }
+}
+
+/* All that a camera sees without a lens; shadows are of what it does not see, too. */
+static void add_planes(const rendering *r, const double camera[3], double widest,
+                       cm_snapshot_bounds *bounds)
+{
+    const cm_camera_options *lens = r->lens;
+    const double left = (lens->pixel_centre - 0.5 - lens->cx) / lens->fx;
+    const double right = left + lens->width / lens->fx;
+    const double up = (lens->pixel_centre - 0.5 - lens->cy) / lens->fy;
+    const double down = up + lens->height / lens->fy;
+    add_plane(r, camera, 1.0, 0.0, -fmin(left, right), bounds);
+    add_plane(r, camera, -1.0, 0.0, fmax(left, right), bounds);
+    add_plane(r, camera, 0.0, 1.0, -fmin(up, down), bounds);
+    add_plane(r, camera, 0.0, -1.0, fmax(up, down), bounds);
+    /* cells that are read beyond the picture are whole */
+    bounds->margin = 2.0 * (cm_size_of_level(r->shading->coarsest) + widest * r->far);
+}
+
 /* The snapshot of all that cones reach, with places in it, and where they begin. */
 static cm_status prepare(const cm_octree *octree, rendering *r)
 {
@@ -293,22 +333,26 @@ static cm_status prepare(const cm_octree *octree, rendering *r)
         return CM_ERROR_MEMORY;
     }
     const double unit = r->map->edge;
-    double camera[3], light[3], least[3], greatest[3];
+    double camera[3], light[3];
+    cm_snapshot_bounds bounds = {.planes = 0};
     r->far = (r->shading->far > 0.0 ? r->shading->far : 10.0) / unit;
     for (int k = 0; k < 3; k++)
     {
         camera[k] = (r->pose->position[k] - r->map->centre[k]) / unit;
         light[k] = (r->shading->light_position[k] - r->map->centre[k]) / unit;
-        least[k] = camera[k] - r->far;
-        greatest[k] = camera[k] + r->far;
+        bounds.least[k] = camera[k] - r->far;
+        bounds.greatest[k] = camera[k] + r->far;
         if (r->shading->light)
         {
-            least[k] = fmin(least[k], light[k]);
-            greatest[k] = fmax(greatest[k], light[k]);
+            bounds.least[k] = fmin(bounds.least[k], light[k]);
+            bounds.greatest[k] = fmax(bounds.greatest[k], light[k]);
         }
     }
-    const cm_status status =
-        cm_snapshot_make(octree, least, greatest, r->shading->pool, &r->snapshot);
+    if (r->is_plain && !r->shading->light)
+    {
+        add_planes(r, camera, widest, &bounds);
+    }
+    const cm_status status = cm_snapshot_make(octree, &bounds, r->shading->pool, &r->snapshot);
     for (int k = 0; k < 3; k++)
     {
         r->origin[k] = camera[k] - (double)r->snapshot.corner[k];

@@ -5,23 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "block_access.h"
 #include "interleave.h"
 #include "snapshot_cells.h"
-
-/* Places of blocks are not negative when this is added, and they have 18 bits: those of voxels 21. */
-#define OFFSET ((int64_t)1 << 20)
-
-/* Of occupied voxels of maps without colors. */
-#define GREY 178
+#include "walk.h"
 
 typedef struct gathering
 {
     cm_snapshot *snapshot;
     size_t block_room;
     size_t color_room;
-    const double *least;
-    const double *greatest;
+    const cm_count_rule *rule;
+    const cm_snapshot_bounds *bounds;
+    double middle; /* of the tree */
 } gathering;
 
 /* Room for so many elements more, at least doubled. 0 if there is no memory. */
@@ -42,88 +37,197 @@ static int make_room(void **list, size_t *room, size_t count, size_t more, size_
     return 1;
 }
 
-static int is_beside(const gathering *g, const int64_t corner[3])
+/* Is a cube beside of what is wanted? */
+static int is_beside(const gathering *g, const uint32_t place[3], double size)
 {
+    const cm_snapshot_bounds *b = g->bounds;
+    const double reach = 0.8661 * size + b->margin; /* of its corners from its middle */
+    double at[3];
     int beside = 0;
     for (int axis = 0; axis < 3; axis++)
     {
-        beside |= (double)corner[axis] > g->greatest[axis] ||
-                  (double)(corner[axis] + CM_BLOCK_EDGE) < g->least[axis];
+        const double low = place[axis] - g->middle;
+        at[axis] = low + 0.5 * size;
+        beside |= low > b->greatest[axis] || low + size < b->least[axis];
+    }
+    for (int i = 0; i < b->planes; i++)
+    {
+        const double *n = b->plane[i];
+        beside |= n[0] * at[0] + n[1] * at[1] + n[2] * at[2] < n[3] - reach;
     }
     return beside;
 }
 
-/* The highest bits of 64 bytes. */
-static uint64_t occupied_of(const uint8_t alpha[64])
+/* Eight bytes, the first lowest. */
+static uint64_t eight_of(const uint8_t *a)
 {
-    uint64_t bits = 0;
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    uint64_t eight;
+    memcpy(&eight, a, sizeof eight);
+    return eight;
+#else
+    return a[0] | (uint64_t)a[1] << 8 | (uint64_t)a[2] << 16 | (uint64_t)a[3] << 24 |
+           (uint64_t)a[4] << 32 | (uint64_t)a[5] << 40 | (uint64_t)a[6] << 48 |
+           (uint64_t)a[7] << 56;
+#endif
+}
+
+/* Which of 64 alphas are occupied after misses that take `less`, below 128: those of 128 + less and more. */
+static uint64_t occupied_of(const uint8_t alpha[64], unsigned less)
+{
+    const uint64_t ones = 0x0101010101010101u, tops = 128 * ones;
+    uint64_t bits = 0, any = 0;
     for (unsigned i = 0; i < 64; i += 8)
     {
-        const uint8_t *a = alpha + i;
-        const uint64_t eight = a[0] | (uint64_t)a[1] << 8 | (uint64_t)a[2] << 16 |
-                               (uint64_t)a[3] << 24 | (uint64_t)a[4] << 32 | (uint64_t)a[5] << 40 |
-                               (uint64_t)a[6] << 48 | (uint64_t)a[7] << 56;
-        bits |= ((eight >> 7 & 0x0101010101010101u) * 0x0102040810204080u >> 56) << i;
+        any |= eight_of(alpha + i);
+    }
+    for (unsigned i = 0; (any & tops) != 0 && i < 64; i += 8)
+    {
+        const uint64_t eight = eight_of(alpha + i);
+        const uint64_t top = eight & ((eight & ~tops) + (128 - less) * ones) & tops;
+        bits |= ((top >> 7) * 0x0102040810204080u >> 56) << i;
     }
     return bits;
 }
 
-static void copy_colors(const gathering *g, const cm_seen_node *node, const cm_block_values *block)
+/* Colors of what is occupied, from those of all cells; NULL: none. */
+static void copy_colors(cm_snapshot *snapshot, const cm_seen_node *node, const uint32_t *color)
 {
-    uint8_t(*to)[3] = g->snapshot->color + g->snapshot->color_count;
+    uint32_t *to = snapshot->color + snapshot->color_count;
     for (unsigned w = 0; w < 8; w++)
     {
-        const unsigned count = cm_bit_count(node->mask[w]);
-        uint64_t left = node->mask[w];
-        for (unsigned i = 0; i < count; i++, left &= left - 1)
+        for (uint64_t left = node->mask[w]; left != 0; left &= left - 1)
         {
-            const unsigned cell = 64 * w + cm_bit_count((left & (~left + 1)) - 1);
-            if (block->color == NULL)
-            {
-                memset(*to++, GREY, 3);
-            }
-            else
-            {
-                memcpy(*to++, block->color[cell], 3);
-            }
+            *to++ = color == NULL ? 0 : color[64 * w + cm_lowest_bit(left)];
         }
     }
-    g->snapshot->color_count = (size_t)(to - g->snapshot->color);
+    snapshot->color_count = (size_t)(to - snapshot->color);
 }
 
-static int gather(void *user, const cm_block_values *block)
+/* A block with what is occupied. Returns what is not 0 if there is no memory. */
+static int add_block(gathering *g, const uint32_t place[3], cm_seen_node *node,
+                     const uint32_t *color)
 {
-    gathering *g = user;
     cm_snapshot *snapshot = g->snapshot;
-    if (is_beside(g, block->corner))
-    {
-        return 0;
-    }
     void *nodes = snapshot->node[0];
     void *colors = snapshot->color;
     const int has_room =
         make_room(&nodes, &g->block_room, snapshot->node_count[0], 1, sizeof(cm_seen_node)) &&
-        make_room(&colors, &g->color_room, snapshot->color_count, CM_BLOCK_CELLS, 3);
+        make_room(&colors, &g->color_room, snapshot->color_count, 512, sizeof *snapshot->color);
     snapshot->node[0] = nodes;
     snapshot->color = colors;
     if (!has_room)
     {
         return 1;
     }
-    cm_seen_node node = {.child = (uint32_t)snapshot->color_count};
-    for (unsigned axis = 0; axis < 3; axis++)
+    node->child = (uint32_t)snapshot->color_count;
+    node->cell = (uint32_t)snapshot->cell_count;
+    for (int axis = 0; axis < 3; axis++)
     {
-        node.place[axis] = (int32_t)((block->corner[axis] + OFFSET) / CM_BLOCK_EDGE);
+        node->place[axis] = (int32_t)(place[axis] >> 3);
+    }
+    snapshot->cell_count += cm_seen_node_count(node);
+    copy_colors(snapshot, node, color);
+    snapshot->node[0][snapshot->node_count[0]++] = *node;
+    return 0;
+}
+
+/* All blocks of an even cube, in the order of keys. */
+static int gather_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
+{
+    gathering *g = user;
+    if (alpha <= CM_UNKNOWN || is_beside(g, place, cm_size_of_level(level)))
+    {
+        return 0;
+    }
+    if (level <= CM_BLOCK_LEVEL)
+    {
+        cm_seen_node node = {.pairs = 0};
+        memset(node.mask, 0xff, sizeof node.mask);
+        return add_block(g, place, &node, NULL);
+    }
+    int stops = 0;
+    for (unsigned child = 0; !stops && child < 8; child++)
+    {
+        uint32_t below[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
+        }
+        stops = gather_even(user, below, level - 1, alpha);
+    }
+    return stops;
+}
+
+/* The mask of a block that is not stored as a byte a voxel; its colors. */
+static const uint32_t *unpack(const gathering *g, const cm_region *region, unsigned block,
+                              unsigned misses, cm_seen_node *node, uint32_t color[512])
+{
+    uint8_t alpha[512], cell_alpha[512];
+    uint32_t cell_color[512];
+    const unsigned detail = cm_block_read(region, block, g->rule, misses, cell_alpha, cell_color);
+    for (unsigned cell = 0; cell < 512; cell++)
+    {
+        alpha[cell] = cell_alpha[cell >> 3 * detail];
+        color[cell] = cell_color[cell >> 3 * detail];
     }
     for (unsigned w = 0; w < 8; w++)
     {
-        node.mask[w] = occupied_of(block->alpha + 64 * w);
+        node->mask[w] = occupied_of(alpha + 64 * w, 0);
     }
-    node.cell = (uint32_t)snapshot->cell_count;
-    snapshot->cell_count += cm_seen_node_count(&node);
-    copy_colors(g, &node, block);
-    snapshot->node[0][snapshot->node_count[0]++] = node;
-    return 0;
+    return color;
+}
+
+/* What is read some blocks later comes to the cache meanwhile: most of the time is waiting for memory. */
+static void prefetch(const cm_region *region, unsigned block)
+{
+#if defined(__GNUC__)
+    const unsigned later = block + 4 < CM_REGION_BLOCKS ? block + 4 : block;
+    const uint8_t *alpha = region->alpha[later];
+    for (unsigned i = 0; alpha != NULL && region->form[later] == CM_BLOCK_PLAIN && i < 512; i += 64)
+    {
+        __builtin_prefetch(alpha + i);
+    }
+#else
+    (void)region;
+    (void)block;
+#endif
+}
+
+static int gather_block(void *user, const cm_region *region, unsigned block, unsigned misses)
+{
+    gathering *g = user;
+    unsigned in[3];
+    cm_divide_3(block, in);
+    const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
+                               region->place[2] + 8 * in[2]};
+    if (is_beside(g, place, 8.0))
+    {
+        return 0;
+    }
+    prefetch(region, block);
+    cm_seen_node node = {.pairs = 0};
+    uint32_t unpacked[512];
+    const uint32_t *color = NULL;
+    const unsigned less = cm_more_misses(region->value[block], misses) * (unsigned)g->rule->miss;
+    if (region->form[block] == CM_BLOCK_PLAIN && region->detail[block] == 0)
+    {
+        for (unsigned w = 0; less < 128 && w < 8; w++)
+        {
+            node.mask[w] = occupied_of(region->alpha[block] + 64 * w, less);
+        }
+        color = region->color == NULL ? NULL : region->color[block];
+    }
+    else
+    {
+        color = unpack(g, region, block, misses, &node, unpacked);
+    }
+    uint64_t any = 0;
+    for (unsigned w = 0; w < 8; w++)
+    {
+        any |= node.mask[w];
+    }
+    return any != 0 && add_block(g, place, &node, color);
 }
 
 typedef struct filling
@@ -267,21 +371,41 @@ static cm_status build_above(cm_snapshot *snapshot, cm_pool *pool)
     snapshot->top = stage;
     for (int axis = 0; axis < 3; axis++)
     {
-        snapshot->corner[axis] = ((int64_t)corner[axis] << 3 * stage) - OFFSET;
+        snapshot->corner[axis] = ((int64_t)corner[axis] << 3 * stage) - snapshot->middle;
     }
     return fill_all(snapshot, pool);
 }
 
-cm_status cm_snapshot_make(const cm_octree *octree, const double least[3], const double greatest[3],
-                           cm_pool *pool, cm_snapshot *snapshot)
+/* The box in voxels of the tree; 0 if nothing of it is in it. */
+static int cut_box(const cm_octree *octree, const gathering *g, cm_walk *walk)
 {
-    *snapshot = (cm_snapshot){.top = -1};
+    int is_there = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const double low = floor(g->bounds->least[axis] + g->middle);
+        const double high = ceil(g->bounds->greatest[axis] + g->middle);
+        const double first = octree->first[axis], beyond = octree->beyond[axis];
+        walk->first[axis] = (uint32_t)fmin(fmax(low, first), beyond);
+        walk->beyond[axis] = (uint32_t)fmin(fmax(high, first), beyond);
+        is_there = is_there && walk->first[axis] < walk->beyond[axis];
+    }
+    return is_there;
+}
+
+cm_status cm_snapshot_make(const cm_octree *octree, const cm_snapshot_bounds *bounds, cm_pool *pool,
+                           cm_snapshot *snapshot)
+{
+    *snapshot = (cm_snapshot){.top = -1, .middle = (int64_t)1 << (octree->tree_level - 1)};
     for (int i = 0; i < 256; i++)
     {
         snapshot->thickness[i] = i == 255 ? INFINITY : (float)-log2(1.0 - i / 255.0);
     }
-    gathering g = {.snapshot = snapshot, .least = least, .greatest = greatest};
-    const cm_status status = cm_octree_occupied_blocks(octree, gather, &g);
+    gathering g = {.snapshot = snapshot,
+                   .rule = &octree->rule,
+                   .bounds = bounds,
+                   .middle = (double)snapshot->middle};
+    cm_walk walk = {.user = &g, .even = gather_even, .block = gather_block};
+    const cm_status status = cut_box(octree, &g, &walk) ? cm_walk_run(octree, &walk) : CM_OK;
     if (status == CM_ERROR_STOPPED)
     {
         return CM_ERROR_MEMORY;

@@ -1,83 +1,27 @@
 /* SPDX-License-Identifier: MIT
  *
- * What is occupied in a map at a moment, for tracing: a tree whose nodes have 8^3 children, down to blocks of 8^3 voxels, with
- * averages of each level. It is read only.
- *
- *   place     of voxels: counted from the tree's lower corner, which is a multiple of the size of the top's children
- *   stage     of nodes: blocks are of stage 0; those of stage s have 8^(s + 1) voxels each way
- *   index     of children: in the order of keys, as cells of blocks are, so that a byte of the mask is a cube of 2^3 children
- *             and a word one of 4^3
- *   opacity   how much of a cell is hidden by what is occupied in it, seen along each axis. A voxel is occupied or it is not: its
- *             confidence makes nothing transparent. What a wall of one voxel hides does not grow less with the level
+ * How snapshots are made and dropped.
  */
 #ifndef MODULES_OCTREE_SNAPSHOT_H
 #define MODULES_OCTREE_SNAPSHOT_H
 
-#include <stddef.h>
-#include <stdint.h>
+#include "seen_tree.h"
 
-#include <cubemap/octree.h>
-
-#define CM_SNAPSHOT_STAGES 7
-
-/* A cell above level 0 that is not empty. 255 is 1. */
-typedef struct cm_seen_cell
+/* What of a map is wanted, in voxels from the root's centre: a box, and a pyramid whose planes look inwards. Blocks that have
+ * something of both, to `margin`, are taken whole. */
+typedef struct cm_snapshot_bounds
 {
-    uint8_t opacity[3]; /* along x, y, z */
-    uint8_t part;       /* of its volume; 1 at least */
-    uint8_t color[3];
-    uint8_t unused;
-} cm_seen_cell;
+    double least[3];
+    double greatest[3];
+    int planes;
+    double plane[4][4]; /* a normal of length 1, and its product with a point of the plane */
+    double margin;
+} cm_snapshot_bounds;
 
-/* Its cells lie together: the node's own, then those of 4^3 children that are not empty, in the order of words of the mask,
- * then those of 2^3 children. */
-typedef struct cm_seen_node
-{
-    uint64_t mask[8];   /* of children that are not empty */
-    uint64_t pairs;     /* of 2^3 children */
-    uint16_t before[8]; /* children in the words before */
-    uint32_t child; /* of stage 0: the first color; else the first of 512 children in `children` */
-    uint32_t cell;  /* the first */
-    uint8_t quarters; /* of 4^3 children */
-    uint8_t quarter_count;
-    int32_t place[3]; /* of its lower corner, in its own size */
-} cm_seen_node;
-
-typedef struct cm_snapshot
-{
-    cm_seen_node *node[CM_SNAPSHOT_STAGES]; /* of each stage, in the order of keys */
-    size_t node_count[CM_SNAPSHOT_STAGES];
-    int top;            /* the stage with one node; -1: nothing is occupied */
-    int64_t corner[3];  /* of the tree, in voxels from the root's centre */
-    uint32_t *children; /* tables of 512 nodes of the stage below */
-    size_t table_count;
-    cm_seen_cell *cell;
-    size_t cell_count;
-    uint8_t (*color)[3]; /* of voxels */
-    size_t color_count;
-    float thickness[256]; /* of opacities: the logarithm to the base 1/2 of what is let through */
-} cm_snapshot;
-
-/* What is in a box [least, greatest] of places in voxels from the root's centre; blocks that touch it are taken whole. The
- * pool may be NULL. CM_OK; CM_ERROR_MEMORY; those of cm_octree_occupied_blocks. What was made is to be dropped, whatever is
+/* The pool may be NULL. CM_OK; CM_ERROR_MEMORY; CM_ERROR_FILE, _DATA (pages). What was made is to be dropped, whatever is
  * returned. */
-cm_status cm_snapshot_make(const cm_octree *octree, const double least[3], const double greatest[3],
-                           cm_pool *pool, cm_snapshot *snapshot);
+cm_status cm_snapshot_make(const cm_octree *octree, const cm_snapshot_bounds *bounds, cm_pool *pool,
+                           cm_snapshot *snapshot);
 void cm_snapshot_drop(cm_snapshot *snapshot);
-
-/* How many bits are 1. */
-static inline unsigned cm_bit_count(uint64_t bits)
-{
-    bits -= bits >> 1 & 0x5555555555555555u;
-    bits = (bits & 0x3333333333333333u) + (bits >> 2 & 0x3333333333333333u);
-    bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fu;
-    return (unsigned)(bits * 0x0101010101010101u >> 56);
-}
-
-/* Bits below number n of 0 to 63. */
-static inline uint64_t cm_bits_below(unsigned n)
-{
-    return ((uint64_t)1 << n) - 1;
-}
 
 #endif

@@ -3,6 +3,20 @@
 
 #include <string.h>
 
+#include "region.h"
+
+/* Of occupied voxels without colors. */
+#define GREY 178
+
+void cm_seen_color(uint32_t color, uint8_t rgb[3])
+{
+    cm_color_to(color, rgb);
+    if (color == 0)
+    {
+        memset(rgb, GREY, 3);
+    }
+}
+
 size_t cm_seen_node_count(cm_seen_node *node)
 {
     unsigned before = 0;
@@ -67,8 +81,28 @@ static cm_seen_cell joined(const cm_seen_cell from[8])
     return cell;
 }
 
+/* The mean of colors, of those that there are. */
+static void mean_of(const uint32_t *color, unsigned n, uint8_t rgb[3])
+{
+    uint32_t red = 0, green = 0, blue = 0, count = 0;
+    for (unsigned i = 0; i < n; i++)
+    {
+        red += color[i] >> 21;
+        green += color[i] >> 10 & 2047;
+        blue += color[i] & 1023;
+        count += color[i] != 0;
+    }
+    /* 2^17 / count, rounded up: products are exact quotients of what is below 2^14 */
+    static const uint32_t part[9] = {0, 131072, 65536, 43691, 32768, 26215, 21846, 18725, 16384};
+    const uint32_t half = count / 2, by = part[count];
+    cm_seen_color(count == 0 ? 0
+                             : ((red + half) * by >> 17) << 21 | ((green + half) * by >> 17) << 10 |
+                                   (blue + half) * by >> 17,
+                  rgb);
+}
+
 /* A cell of 2^3 voxels, of which these are occupied, with colors in their order. */
-static cm_seen_cell joined_voxels(unsigned occupied, const uint8_t (*color)[3], unsigned *count)
+static cm_seen_cell joined_voxels(unsigned occupied, const uint32_t *color, unsigned *count)
 {
     static const uint8_t part_of_four[5] = {0, 64, 128, 191, 255};
     const unsigned n = cm_bit_count(occupied);
@@ -76,17 +110,7 @@ static cm_seen_cell joined_voxels(unsigned occupied, const uint8_t (*color)[3], 
     cell.opacity[0] = part_of_four[cm_bit_count((occupied | occupied >> 1) & 0x55)];
     cell.opacity[1] = part_of_four[cm_bit_count((occupied | occupied >> 2) & 0x33)];
     cell.opacity[2] = part_of_four[cm_bit_count((occupied | occupied >> 4) & 0x0f)];
-    unsigned sum[3] = {0};
-    for (unsigned i = 0; i < n; i++)
-    {
-        sum[0] += color[i][0];
-        sum[1] += color[i][1];
-        sum[2] += color[i][2];
-    }
-    for (unsigned c = 0; c < 3; c++)
-    {
-        cell.color[c] = (uint8_t)((sum[c] + n / 2) / n);
-    }
+    mean_of(color, n, cell.color);
     *count = n;
     return cell;
 }
@@ -121,7 +145,7 @@ static void join_upwards(const cm_snapshot *snapshot, const cm_seen_node *node)
 void cm_seen_block_fill(const cm_snapshot *snapshot, const cm_seen_node *node)
 {
     cm_seen_cell *pair = snapshot->cell + node->cell + 1 + node->quarter_count;
-    const uint8_t(*color)[3] = (const uint8_t(*)[3])(snapshot->color + node->child);
+    const uint32_t *color = snapshot->color + node->child;
     for (unsigned b = 0; b < 64; b++)
     {
         const unsigned occupied = (unsigned)(node->mask[b / 8] >> 8 * (b % 8) & 255);

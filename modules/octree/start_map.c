@@ -19,9 +19,14 @@ typedef struct drawing
     cm_start_map *map;
 } drawing;
 
-static double size_of(int level)
+static double larger(double a, double b)
 {
-    return (double)((uint32_t)1 << level);
+    return a > b ? a : b;
+}
+
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
 }
 
 /* How far a cube [low, low + size] from the origin is, and its farthest corner. */
@@ -32,7 +37,7 @@ static double nearest_of(const double low[3], double size, double *farthest)
     {
         const double high = low[axis] + size;
         const double outside = low[axis] > 0.0 ? low[axis] : high < 0.0 ? high : 0.0;
-        const double beyond = fmax(fabs(low[axis]), fabs(high));
+        const double beyond = larger(fabs(low[axis]), fabs(high));
         near += outside * outside;
         far += beyond * beyond;
     }
@@ -50,8 +55,8 @@ static int squares_of(double low, double high, double near, double far, int *fir
         return 0;
     }
     const double half = CM_START_EDGE / 2.0;
-    const double a = (fmax(least, -1.0) + 1.0 - ROUNDING) * half;
-    const double b = (fmin(most, 1.0) + 1.0 + ROUNDING) * half;
+    const double a = (larger(least, -1.0) + 1.0 - ROUNDING) * half;
+    const double b = (smaller(most, 1.0) + 1.0 + ROUNDING) * half;
     *first = a > 0.0 ? (int)a : 0;
     *last = b < CM_START_EDGE - 1 ? (int)b : CM_START_EDGE - 1;
     return 1;
@@ -64,7 +69,7 @@ static void draw_face(cm_start_map *map, int face, const double low[3], double s
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const double near = face % 2 == 0 ? low[axis] : -(low[axis] + size);
     int first[2], last[2];
-    const double ahead = fmax(near, 1e-6 * size);
+    const double ahead = larger(near, 1e-6 * size);
     if (near + size <= 0.0 ||
         !squares_of(low[u], low[u] + size, ahead, near + size, &first[0], &last[0]) ||
         !squares_of(low[v], low[v] + size, ahead, near + size, &first[1], &last[1]))
@@ -87,7 +92,7 @@ static void draw_face(cm_start_map *map, int face, const double low[3], double s
 static void draw_cube(const drawing *d, const uint32_t place[3], int level, double near)
 {
     level = level > d->coarsest ? level : d->coarsest;
-    double size = size_of(level);
+    double size = cm_size_of_level(level);
     for (; size < near * d->width; size *= 2.0)
     {
     }
@@ -122,7 +127,7 @@ static void draw_node(const drawing *d, int stage, const cm_seen_node *node,
             at[axis] = place[axis] + (((k & 1) | (k >> 2 & 2) | (k >> 4 & 4)) << level);
             low[axis] = at[axis] - d->origin[axis];
         }
-        const double size = size_of(level);
+        const double size = cm_size_of_level(level);
         const double near = nearest_of(low, size, &far);
         if (near > d->far)
         {
@@ -167,7 +172,7 @@ int cm_start_map_shorten(const cm_start_map *map, cm_cone *cone)
     const int row = (int)(d[(axis + 2) % 3] * scale + CM_START_EDGE / 2.0);
     const int c = column < CM_START_EDGE ? column : CM_START_EDGE - 1;
     const int r = row < CM_START_EDGE ? row : CM_START_EDGE - 1;
-    cone->begin = fmax(cone->begin, (double)map->begin[face][r][c]);
-    cone->end = fmin(cone->end, (double)map->end[face][r][c]);
+    cone->begin = larger(cone->begin, (double)map->begin[face][r][c]);
+    cone->end = smaller(cone->end, (double)map->end[face][r][c]);
     return cone->begin < cone->end;
 }

@@ -390,6 +390,42 @@ START_TEST(many_masks)
 }
 END_TEST
 
+/* Centres of a layer of voxels that fall on borders of pixels, to the rounding of doubles; each pixel is the other of those beside
+ * it. */
+START_TEST(centres_on_borders)
+{
+    static mask_view view;
+    cm_camera_options lens = {
+        .size = sizeof lens, .width = WIDTH, .height = HEIGHT, .cx = 80.0, .cy = 60.0};
+    for (size_t i = 0; i < WIDTH * HEIGHT; i++)
+    {
+        view.pixel[i] = (i + i / WIDTH) % 2 == 0;
+    }
+    for (int layer = -16; layer < 16; layer += 5)
+    {
+        const double edge = 0.1, depth = 3.7 + (layer + 0.5) * edge;
+        lens.fx = lens.fy = 3.0 * depth / edge;
+        ck_assert_int_eq(cm_camera_create(&lens, &view.camera), CM_OK);
+        view.view = (cm_view){.size = sizeof view.view,
+                              .camera = view.camera,
+                              .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.0, 0.0, -3.7}},
+                              .color = {.size = sizeof(cm_image),
+                                        .data = view.pixel,
+                                        .type = CM_PIXEL_U8,
+                                        .width = WIDTH,
+                                        .height = HEIGHT,
+                                        .channels = 1}};
+        for (int survives = 0; survives < 2; survives++)
+        {
+            cm_octree *octree = carve(&view, 1, edge, 5, survives, NULL);
+            compare_all(octree, &view, 1, survives);
+            cm_octree_destroy(octree);
+        }
+        cm_camera_destroy(view.camera);
+    }
+}
+END_TEST
+
 /* Every type of pixel: what is not 0 in any channel is inside. */
 START_TEST(types_of_masks)
 {
@@ -461,6 +497,7 @@ int main(void)
     const TTest *const tests[] = {bodies_are_as_each_voxel_says,
                                   silhouettes_are_the_masks,
                                   many_masks,
+                                  centres_on_borders,
                                   types_of_masks,
                                   refusals,
                                   NULL};

@@ -284,9 +284,9 @@ START_TEST(nodes_below_the_finest)
 {
     const file deep = chain_of_bits(LEVELS, (const int[8]){0}, "17");
     refuses(&deep, CM_ERROR_DATA, "below its finest voxels");
-    file values = chain_of_values("OcTree", LEVELS + 1, NULL, "18");
-    put_value(&values, 0.0f, NULL, 0);
-    refuses(&values, CM_ERROR_DATA, "below its finest voxels");
+    file below = chain_of_values("OcTree", LEVELS + 1, NULL, "18");
+    put_value(&below, 0.0f, NULL, 0);
+    refuses(&below, CM_ERROR_DATA, "below its finest voxels");
 }
 END_TEST
 
