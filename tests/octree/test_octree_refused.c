@@ -91,7 +91,8 @@ static void refuse_each(const char *name, trial try_it, int is_old)
         status = try_it(octree);
         const int is_refused = blocks_until_refusal < 0;
         blocks_until_refusal = -1;
-        ck_assert_msg(status == (is_refused ? CM_ERROR_MEMORY : CM_OK), "%s, block %d: %d", name, blocks, (int)status);
+        ck_assert_msg(status == (is_refused ? CM_ERROR_MEMORY : CM_OK), "%s, block %d: %d", name,
+                      blocks, (int)status);
         ck_assert(cm_octree_step(octree) <= step + 1);
         refused += is_refused;
         cm_octree_count number = {.size = sizeof number};
@@ -100,7 +101,8 @@ static void refuse_each(const char *name, trial try_it, int is_old)
         ck_assert_int_eq(cm_octree_compact(octree), CM_OK);
         cm_octree_destroy(octree);
         const int after = blocks_alive() + blocks_given;
-        ck_assert_msg(after == before, "%s, block %d: %d blocks leak", name, blocks, after - before);
+        ck_assert_msg(after == before, "%s, block %d: %d blocks leak", name, blocks,
+                      after - before);
     }
     ck_assert_msg(refused > 0, "%s", name);
 }
@@ -128,7 +130,13 @@ int main(void)
     const TTest *const tests[] = {refused_memory_is_told, NULL};
     const double place[3] = {0.0, 0.1, -1.4}, at[3] = {0.1, 0.2, 0.3};
     const cm_pose pose = look_at(place, at, 0.3);
-    cm_camera_options lens = {.size = sizeof lens, .width = 40, .height = 30, .fx = 36.0, .fy = 36.0, .cx = 20.0, .cy = 15.0};
+    cm_camera_options lens = {.size = sizeof lens,
+                              .width = 40,
+                              .height = 30,
+                              .fx = 36.0,
+                              .fy = 36.0,
+                              .cx = 20.0,
+                              .cy = 15.0};
     straight = straight_camera(40, 30, 0.5);
     lens.distortion[0] = 0.05;
     if (cm_camera_create(&lens, &bent) != CM_OK || cm_store_create_in_memory(&store) != CM_OK ||
