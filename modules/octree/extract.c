@@ -27,7 +27,8 @@ static int has_centre(const cm_walk *walk, const uint32_t place[3], int level)
     for (int axis = 0; axis < 3; axis++)
     {
         const uint64_t centre = 2 * (uint64_t)place[axis] + (1u << level);
-        has &= centre > 2 * (uint64_t)walk->first[axis] && centre < 2 * (uint64_t)walk->beyond[axis];
+        has &=
+            centre > 2 * (uint64_t)walk->first[axis] && centre < 2 * (uint64_t)walk->beyond[axis];
     }
     return has;
 }
@@ -37,7 +38,8 @@ static int is_within(const cm_walk *walk, const uint32_t place[3], int level)
     int within = 1;
     for (int axis = 0; axis < 3; axis++)
     {
-        within &= place[axis] >= walk->first[axis] && (uint64_t)place[axis] + (1u << level) <= walk->beyond[axis];
+        within &= place[axis] >= walk->first[axis] &&
+                  (uint64_t)place[axis] + (1u << level) <= walk->beyond[axis];
     }
     return within;
 }
@@ -84,11 +86,13 @@ static int give_block(void *user, const cm_region *region, unsigned block, unsig
     {
         unsigned in[3];
         cm_divide_3(cell << 3 * detail, in);
-        const uint32_t place[3] = {region->place[0] + 8 * at[0] + in[0], region->place[1] + 8 * at[1] + in[1],
+        const uint32_t place[3] = {region->place[0] + 8 * at[0] + in[0],
+                                   region->place[1] + 8 * at[1] + in[1],
                                    region->place[2] + 8 * at[2] + in[2]};
         if (alpha[cell] != CM_UNKNOWN && has_centre(work->walk, place, (int)detail))
         {
-            const cm_voxel voxel = cm_voxel_at(work->octree, place, (int)detail, alpha[cell], color[cell]);
+            const cm_voxel voxel =
+                cm_voxel_at(work->octree, place, (int)detail, alpha[cell], color[cell]);
             if (work->job(work->user, &voxel))
             {
                 return 1;
@@ -107,8 +111,8 @@ static cm_status walk_voxels(const cm_octree *octree, cm_walk *walk, cm_voxel_jo
     return cm_walk_run(octree, walk);
 }
 
-cm_status cm_octree_walk_box(const cm_octree *octree, const double least[3], const double greatest[3],
-                             cm_voxel_job job, void *user)
+cm_status cm_octree_walk_box(const cm_octree *octree, const double least[3],
+                             const double greatest[3], cm_voxel_job job, void *user)
 {
     if (octree == NULL || least == NULL || greatest == NULL || job == NULL)
     {
@@ -119,7 +123,8 @@ cm_status cm_octree_walk_box(const cm_octree *octree, const double least[3], con
     {
         /* voxels whose centres are between: from the first centre not below, to the last not above, by the centres
          * themselves, since places are rounded */
-        double first = cm_world_place(octree, axis, least[axis]), last = cm_world_place(octree, axis, greatest[axis]);
+        double first = cm_world_place(octree, axis, least[axis]),
+               last = cm_world_place(octree, axis, greatest[axis]);
         first += cm_place_world(octree, axis, first + 0.5) < least[axis];
         first -= cm_place_world(octree, axis, first - 0.5) >= least[axis];
         last -= cm_place_world(octree, axis, last + 0.5) > greatest[axis];
@@ -136,7 +141,8 @@ cm_status cm_octree_walk_box(const cm_octree *octree, const double least[3], con
     return walk_voxels(octree, &walk, job, user);
 }
 
-cm_status cm_octree_walk_changes(const cm_octree *octree, uint64_t since, cm_voxel_job job, void *user)
+cm_status cm_octree_walk_changes(const cm_octree *octree, uint64_t since, cm_voxel_job job,
+                                 void *user)
 {
     if (octree == NULL || job == NULL)
     {
@@ -191,7 +197,8 @@ static int give_occupied_even(void *user, const uint32_t place[3], int level, ui
                 at[axis] |= (uint32_t)(i >> (3 * bit + axis) & 1u) << bit;
             }
         }
-        const uint32_t below[3] = {place[0] + 8 * at[0], place[1] + 8 * at[1], place[2] + 8 * at[2]};
+        const uint32_t below[3] = {place[0] + 8 * at[0], place[1] + 8 * at[1],
+                                   place[2] + 8 * at[2]};
         stops = give_values(work, below, 0, 0);
     }
     return stops;
@@ -291,7 +298,8 @@ static void extract_cube(extraction *work, const cm_block_values *block)
     for (int axis = 0; axis < 3; axis++)
     {
         cube[axis] = ((uint64_t)(block->corner[axis] + middle) >> work->level) + 1;
-        centre[axis] = cm_place_world(work->octree, axis, (double)(block->corner[axis] + middle) + 0.5);
+        centre[axis] =
+            cm_place_world(work->octree, axis, (double)(block->corner[axis] + middle) + 0.5);
     }
     if (memcmp(cube, work->last, sizeof cube) != 0)
     {
@@ -314,7 +322,8 @@ static int extract_block(void *user, const cm_block_values *block)
     return work->status != CM_OK;
 }
 
-cm_status cm_octree_extract(const cm_octree *octree, int level, size_t capacity, cm_voxel *voxel, size_t *count)
+cm_status cm_octree_extract(const cm_octree *octree, int level, size_t capacity, cm_voxel *voxel,
+                            size_t *count)
 {
     if (octree == NULL || count == NULL || (voxel == NULL && capacity > 0))
     {
@@ -360,7 +369,8 @@ static uint64_t voxels_of(const cm_octree *octree, const uint32_t place[3], int 
     for (int axis = 0; axis < 3; axis++)
     {
         const uint64_t end = (uint64_t)place[axis] + (1u << level);
-        const uint64_t first = place[axis] > octree->first[axis] ? place[axis] : octree->first[axis];
+        const uint64_t first =
+            place[axis] > octree->first[axis] ? place[axis] : octree->first[axis];
         const uint64_t beyond = end < octree->beyond[axis] ? end : octree->beyond[axis];
         voxels *= beyond > first ? beyond - first : 0;
     }

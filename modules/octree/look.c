@@ -81,14 +81,16 @@ static uint8_t average(const cube_sum *sum)
     return (uint8_t)(is_above ? CM_UNKNOWN + mean : CM_UNKNOWN - mean);
 }
 
-static cm_status average_at(const cm_octree *octree, const uint32_t place[3], int level, cm_voxel *found)
+static cm_status average_at(const cm_octree *octree, const uint32_t place[3], int level,
+                            cm_voxel *found)
 {
     cube_sum sum = {.level = level, .octree = octree};
     cm_walk walk = {.user = &sum, .even = add_even, .block = add_block};
     for (int axis = 0; axis < 3; axis++)
     {
         /* cubes are counted from the root, which is in the middle of the tree of a small map */
-        sum.place[axis] = octree->first[axis] + ((place[axis] - octree->first[axis]) >> level << level);
+        sum.place[axis] =
+            octree->first[axis] + ((place[axis] - octree->first[axis]) >> level << level);
         walk.first[axis] = sum.place[axis];
         walk.beyond[axis] = sum.place[axis] + (1u << level);
     }
@@ -117,7 +119,8 @@ static cm_status finest_at(const cm_octree *octree, const uint32_t place[3], cm_
     const cm_node *node = &octree->node[spot.node];
     if (node->kind == CM_NODE_LEAF)
     {
-        *found = cm_voxel_at(octree, place, 0, cm_after_misses(&octree->rule, node->value, spot.misses), 0);
+        *found = cm_voxel_at(octree, place, 0,
+                             cm_after_misses(&octree->rule, node->value, spot.misses), 0);
         return CM_OK;
     }
     const cm_region *region = NULL;
@@ -148,7 +151,7 @@ cm_status cm_look_at(const cm_octree *octree, const double point[3], int level, 
         is_inside = at >= octree->first[axis] && at < octree->beyond[axis];
         place[axis] = is_inside ? (uint32_t)at : 0;
     }
-    return !is_inside  ? CM_OK
+    return !is_inside   ? CM_OK
            : level == 0 ? finest_at(octree, place, found)
                         : average_at(octree, place, level, found);
 }

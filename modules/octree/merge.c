@@ -29,7 +29,8 @@ static uint32_t mean_of(uint32_t a, unsigned hits_a, uint32_t b, unsigned hits_b
     }
     const uint32_t sum = hits_a + hits_b;
     const uint32_t red = ((a >> 21) * hits_a + (b >> 21) * hits_b + sum / 2) / sum;
-    const uint32_t green = ((a >> 10 & 2047u) * hits_a + (b >> 10 & 2047u) * hits_b + sum / 2) / sum;
+    const uint32_t green =
+        ((a >> 10 & 2047u) * hits_a + (b >> 10 & 2047u) * hits_b + sum / 2) / sum;
     const uint32_t blue = ((a & 1023u) * hits_a + (b & 1023u) * hits_b + sum / 2) / sum;
     return red << 21 | green << 10 | blue;
 }
@@ -68,9 +69,9 @@ static int add_cells(cm_octree *to, cm_region *region, unsigned block, const add
         if (color != NULL)
         {
             const uint32_t old = alpha[cell] > CM_UNKNOWN ? color[cell] : 0;
-            color[cell] = sum <= CM_UNKNOWN
-                              ? 0
-                              : mean_of(old, cm_hits_of(rule, alpha[cell]), word, cm_hits_of(rule, more));
+            color[cell] = sum <= CM_UNKNOWN ? 0
+                                            : mean_of(old, cm_hits_of(rule, alpha[cell]), word,
+                                                      cm_hits_of(rule, more));
         }
         alpha[cell] = sum;
     }
@@ -93,7 +94,8 @@ static cm_status add_block(cm_octree *to, const uint32_t place[3], const added_b
         return status;
     }
     to->bytes -= cm_region_size(region);
-    const int good = add_cells(to, region, cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3), added);
+    const int good =
+        add_cells(to, region, cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3), added);
     to->bytes += cm_region_size(region);
     region->is_dirty = 1;
     return good ? cm_pages_trim(to) : CM_ERROR_MEMORY;
@@ -126,7 +128,8 @@ static int shifted(const merge_work *work, const uint32_t place[3], uint32_t to[
     return is_inside;
 }
 
-static cm_status add_even_region(cm_octree *to, uint32_t node, const uint32_t place[3], uint8_t alpha)
+static cm_status add_even_region(cm_octree *to, uint32_t node, const uint32_t place[3],
+                                 uint8_t alpha)
 {
     cm_region *region = NULL;
     cm_status status = cm_node_region(to, node, place, &region);
@@ -156,7 +159,8 @@ static cm_status add_even_region(cm_octree *to, uint32_t node, const uint32_t pl
 }
 
 /* All of a node. */
-static cm_status add_to_node(cm_octree *to, uint32_t index, const uint32_t place[3], int level, uint8_t alpha)
+static cm_status add_to_node(cm_octree *to, uint32_t index, const uint32_t place[3], int level,
+                             uint8_t alpha)
 {
     cm_node *node = &to->node[index];
     if (node->kind == CM_NODE_LEAF)
@@ -215,7 +219,8 @@ static cm_status add_cube(cm_octree *to, const int64_t place[3], int level, uint
     cm_status status = CM_OK;
     for (int child = 0; status == CM_OK && child < 8; child++)
     {
-        const int64_t below[3] = {place[0] + (child & 1 ? length / 2 : 0), place[1] + (child & 2 ? length / 2 : 0),
+        const int64_t below[3] = {place[0] + (child & 1 ? length / 2 : 0),
+                                  place[1] + (child & 2 ? length / 2 : 0),
                                   place[2] + (child & 4 ? length / 2 : 0)};
         status = add_cube(to, below, level - 1, alpha);
     }
@@ -234,8 +239,8 @@ static int add_even(void *user, const uint32_t place[3], int level, uint8_t alph
     return work->status != CM_OK;
 }
 
-static void expand(const cm_octree *octree, const cm_region *region, unsigned block, unsigned misses,
-                   added_block *added)
+static void expand(const cm_octree *octree, const cm_region *region, unsigned block,
+                   unsigned misses, added_block *added)
 {
     uint8_t alpha[512];
     uint32_t color[512];
@@ -450,8 +455,9 @@ static uint8_t sample(merge_work *work, const double world[3], uint32_t *color)
         work->status = status;
         return CM_UNKNOWN;
     }
-    return cm_block_cell(region, cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3), &from->rule,
-                         spot.misses, cm_interleave_3(place[0], place[1], place[2]), color);
+    return cm_block_cell(region, cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3),
+                         &from->rule, spot.misses, cm_interleave_3(place[0], place[1], place[2]),
+                         color);
 }
 
 static cm_status add_sampled(merge_work *work, uint64_t key)
@@ -475,7 +481,9 @@ static cm_status add_sampled(merge_work *work, uint64_t key)
         added.alpha[cell] = is_own ? sample(work, world, &added.color[cell]) : CM_UNKNOWN;
         is_known |= added.alpha[cell] != CM_UNKNOWN;
     }
-    return work->status != CM_OK ? work->status : is_known ? add_block(work->to, place, &added) : CM_OK;
+    return work->status != CM_OK ? work->status
+           : is_known            ? add_block(work->to, place, &added)
+                                 : CM_OK;
 }
 
 /* ---- maps ---- */
@@ -488,7 +496,8 @@ static int are_aligned(merge_work *work)
                   to->options.levels >= CM_REGION_LEVEL && from->options.levels >= CM_REGION_LEVEL;
     for (int axis = 0; axis < 3; axis++)
     {
-        const double away = (from->options.centre[axis] - to->options.centre[axis]) / to->options.edge;
+        const double away =
+            (from->options.centre[axis] - to->options.centre[axis]) / to->options.edge;
         const double whole = floor(away + 0.5);
         aligned &= fabs(away - whole) < 1e-6 && fabs(whole) < 1e15 && fmod(whole, 64.0) == 0.0;
         work->shift[axis] = aligned ? (int64_t)whole + ((int64_t)1 << (to->tree_level - 1)) -

@@ -110,8 +110,8 @@ cm_spot cm_node_find(const cm_octree *octree, const uint32_t place[3])
         const cm_node *node = &octree->node[spot.node];
         spot.misses = cm_more_misses(spot.misses, node->value);
         spot.level--;
-        spot.node = node->link + (place[0] >> spot.level & 1u) + 2u * (place[1] >> spot.level & 1u) +
-                    4u * (place[2] >> spot.level & 1u);
+        spot.node = node->link + (place[0] >> spot.level & 1u) +
+                    2u * (place[1] >> spot.level & 1u) + 4u * (place[2] >> spot.level & 1u);
     }
     if (octree->node[spot.node].kind != CM_NODE_LEAF)
     {
@@ -127,8 +127,9 @@ void cm_node_miss(cm_octree *octree, uint32_t index, unsigned misses)
     {
         return;
     }
-    const uint8_t value = node->kind == CM_NODE_LEAF ? cm_after_misses(&octree->rule, node->value, misses)
-                                                     : cm_more_misses(node->value, misses);
+    const uint8_t value = node->kind == CM_NODE_LEAF
+                              ? cm_after_misses(&octree->rule, node->value, misses)
+                              : cm_more_misses(node->value, misses);
     if (value != node->value)
     {
         node->value = value;
@@ -145,8 +146,9 @@ void cm_node_push(cm_octree *octree, uint32_t index)
         {
             cm_node *below = &octree->node[node->link + child];
             /* when it waited, not now */
-            below->value = below->kind == CM_NODE_LEAF ? cm_after_misses(&octree->rule, below->value, node->value)
-                                                       : cm_more_misses(below->value, node->value);
+            below->value = below->kind == CM_NODE_LEAF
+                               ? cm_after_misses(&octree->rule, below->value, node->value)
+                               : cm_more_misses(below->value, node->value);
             below->changed = below->changed > node->changed ? below->changed : node->changed;
         }
         node->value = 0;
@@ -224,7 +226,8 @@ cm_status cm_node_take_region(cm_octree *octree, uint32_t index, cm_region *regi
     return CM_OK;
 }
 
-cm_status cm_node_region(cm_octree *octree, uint32_t index, const uint32_t place[3], cm_region **region)
+cm_status cm_node_region(cm_octree *octree, uint32_t index, const uint32_t place[3],
+                         cm_region **region)
 {
     cm_status status = CM_OK;
     const uint8_t kind = octree->node[index].kind;
@@ -255,7 +258,8 @@ cm_status cm_node_region(cm_octree *octree, uint32_t index, const uint32_t place
     return CM_OK;
 }
 
-cm_status cm_node_look(const cm_octree *octree, uint32_t index, const uint32_t place[3], const cm_region **region)
+cm_status cm_node_look(const cm_octree *octree, uint32_t index, const uint32_t place[3],
+                       const cm_region **region)
 {
     cm_status status = CM_OK;
     if (octree->node[index].kind == CM_NODE_PAGED)
@@ -319,7 +323,9 @@ static void join(cm_octree *octree, uint32_t index)
         uint32_t changed = 0;
         for (uint32_t child = 0; child < 8; child++)
         {
-            changed = octree->node[first + child].changed > changed ? octree->node[first + child].changed : changed;
+            changed = octree->node[first + child].changed > changed
+                          ? octree->node[first + child].changed
+                          : changed;
         }
         const uint8_t value = octree->node[first].value;
         cm_node_close(octree, index, value);

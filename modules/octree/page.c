@@ -20,7 +20,8 @@
 
 static void key_of(const uint32_t place[3], unsigned char key[9])
 {
-    const uint32_t at[3] = {place[0] >> CM_REGION_LEVEL, place[1] >> CM_REGION_LEVEL, place[2] >> CM_REGION_LEVEL};
+    const uint32_t at[3] = {place[0] >> CM_REGION_LEVEL, place[1] >> CM_REGION_LEVEL,
+                            place[2] >> CM_REGION_LEVEL};
     const uint64_t number = cm_interleave(at);
     key[0] = 'r';
     for (int i = 0; i < 8; i++)
@@ -39,7 +40,8 @@ static void put_word(unsigned char *to, uint32_t word)
 
 static uint32_t get_word(const unsigned char *from)
 {
-    return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 | (uint32_t)from[3] << 24;
+    return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 |
+           (uint32_t)from[3] << 24;
 }
 
 /* Bytes of a packed block: of its cells and their palette. */
@@ -57,9 +59,10 @@ static size_t occupied_cells(const unsigned char *alpha, unsigned form, size_t c
     for (size_t cell = 0; cell < cells; cell++)
     {
         const unsigned char *bits = alpha + ((size_t)1 << form);
-        const unsigned value = form == CM_BLOCK_BYTES
-                                   ? alpha[cell]
-                                   : alpha[bits[cell * form / 8] >> cell * form % 8 & ((1u << form) - 1u)];
+        const unsigned value =
+            form == CM_BLOCK_BYTES
+                ? alpha[cell]
+                : alpha[bits[cell * form / 8] >> cell * form % 8 & ((1u << form) - 1u)];
         count += value > CM_UNKNOWN;
     }
     return count;
@@ -96,7 +99,9 @@ static unsigned char *write_block(const cm_region *region, unsigned block, unsig
         to += bytes;
     }
     const size_t colors = has_colors && cm_has_one_color(region, block) ? 1
-                          : has_colors ? occupied_cells(region->alpha[block], form, cm_cell_count(detail)) : 0;
+                          : has_colors
+                              ? occupied_cells(region->alpha[block], form, cm_cell_count(detail))
+                              : 0;
     for (size_t i = 0; i < colors; i++, to += 4)
     {
         put_word(to, region->color[block][i]);
@@ -262,7 +267,8 @@ static cm_status read_region(page_reader *reader, const uint32_t place[3], cm_re
     return status == CM_OK && reader->left > 0 ? CM_ERROR_DATA : status;
 }
 
-cm_status cm_page_get(const cm_octree *octree, cm_store *store, const uint32_t place[3], cm_region **region)
+cm_status cm_page_get(const cm_octree *octree, cm_store *store, const uint32_t place[3],
+                      cm_region **region)
 {
     (void)octree;
     unsigned char bytes_of_key[9];

@@ -44,8 +44,8 @@ void cm_update_place(const cm_update *update, const double place[3], double at[3
 {
     for (int axis = 0; axis < 3; axis++)
     {
-        at[axis] = update->origin[axis] + place[0] * update->step[0][axis] + place[1] * update->step[1][axis] +
-                   place[2] * update->step[2][axis];
+        at[axis] = update->origin[axis] + place[0] * update->step[0][axis] +
+                   place[1] * update->step[1][axis] + place[2] * update->step[2][axis];
     }
 }
 
@@ -71,7 +71,8 @@ static void make_offsets(cm_update *update)
             unsigned in[3];
             cm_divide_3((unsigned)(cell < last ? cell : last) << 3 * detail, in);
             const double half = 0.5 * ((1u << detail) - 1u);
-            float *const to[3] = {update->offset[detail].x, update->offset[detail].y, update->offset[detail].z};
+            float *const to[3] = {update->offset[detail].x, update->offset[detail].y,
+                                  update->offset[detail].z};
             for (int axis = 0; axis < 3; axis++)
             {
                 to[axis][cell] = (float)((in[0] + half) * update->step[0][axis] +
@@ -183,7 +184,8 @@ cm_status cm_update_list_region(cm_update *update, uint32_t node, const uint32_t
 }
 
 /* Classes of the eight children of a cube at a place. */
-static void classify_eight(const cm_update *update, const uint32_t place[3], int level, uint8_t class_of[16])
+static void classify_eight(const cm_update *update, const uint32_t place[3], int level,
+                           uint8_t class_of[16])
 {
     float x[16] = {0}, y[16] = {0}, z[16] = {0}, half[3];
     const double middle = 0.5 * (ldexp(1.0, level) - 1.0);
@@ -193,7 +195,8 @@ static void classify_eight(const cm_update *update, const uint32_t place[3], int
         double at[3], centre[3];
         for (int axis = 0; axis < 3; axis++)
         {
-            at[axis] = (double)place[axis] + ((child >> axis & 1u) ? ldexp(1.0, level) : 0.0) + middle;
+            at[axis] =
+                (double)place[axis] + ((child >> axis & 1u) ? ldexp(1.0, level) : 0.0) + middle;
         }
         cm_update_place(update, at, centre);
         x[child] = (float)centre[0];
@@ -211,7 +214,8 @@ static int is_whole(const cm_octree *octree)
     return octree->options.levels >= CM_REGION_LEVEL;
 }
 
-static cm_status go_down(cm_update *update, uint32_t node, const uint32_t place[3], int level, unsigned class_of)
+static cm_status go_down(cm_update *update, uint32_t node, const uint32_t place[3], int level,
+                         unsigned class_of)
 {
     cm_octree *octree = update->octree;
     if (class_of == CM_CUBE_OUTSIDE)
@@ -284,7 +288,8 @@ uint64_t cm_update_listed_bytes(const cm_update *update)
     uint64_t bytes = 0;
     for (size_t i = 0; i < update->desk->count; i++)
     {
-        bytes += cm_region_size(update->octree->region[update->octree->node[update->desk->list[i]].link]);
+        bytes += cm_region_size(
+            update->octree->region[update->octree->node[update->desk->list[i]].link]);
     }
     return bytes;
 }
@@ -298,7 +303,8 @@ static cm_status check_color(const cm_octree *octree, const cm_view *view)
     {
         return CM_OK;
     }
-    if (color->size != sizeof *color || color->width != view->depth.width || color->height != view->depth.height)
+    if (color->size != sizeof *color || color->width != view->depth.width ||
+        color->height != view->depth.height)
     {
         return CM_ERROR_ARGUMENT;
     }
@@ -365,8 +371,9 @@ cm_status cm_octree_update(cm_octree *octree, const cm_view *view, cm_pool *pool
         {
             cm_view_desk_colors(&desk->view, octree, view, pool);
         }
-        status = cm_camera_is_straight(cm_camera_describe(view->camera)) ? update_straight(update, pool)
-                                                                        : cm_update_round(update, pool);
+        status = cm_camera_is_straight(cm_camera_describe(view->camera))
+                     ? update_straight(update, pool)
+                     : cm_update_round(update, pool);
         const cm_status trimmed = cm_pages_trim(octree);
         status = status != CM_OK ? status : trimmed;
     }

@@ -32,16 +32,17 @@ typedef struct cm_update
     cm_update_desk *desk;
     const cm_view *view;
     const cm_octree_set *set;
-    double step[3][3];        /* a finest edge along each axis of the world, in the camera's axes */
-    double origin[3];         /* the centre of the first voxel of the tree, in the camera's axes */
-    float block_half[3];      /* half a box along the camera's axes around the centres of a block's voxels */
-    float group_half[3];      /* of 4^3 voxels */
-    double pixel;             /* edges that a pixel is wide at distance 1, times the footprint */
+    double step[3][3]; /* a finest edge along each axis of the world, in the camera's axes */
+    double origin[3];  /* the centre of the first voxel of the tree, in the camera's axes */
+    float block_half
+        [3]; /* half a box along the camera's axes around the centres of a block's voxels */
+    float group_half[3]; /* of 4^3 voxels */
+    double pixel;        /* edges that a pixel is wide at distance 1, times the footprint */
     int has_color;
     uint8_t hits_of[256]; /* the weight of a color where alpha is that */
     cm_cell_offsets offset[CM_DETAILS];
-    cm_cell_offsets block;    /* of the blocks of a region */
-    int failed;               /* 1: no memory */
+    cm_cell_offsets block; /* of the blocks of a region */
+    int failed;            /* 1: no memory */
 } cm_update;
 
 /* The desk of a map, which is made if there is none; NULL if there is no memory. */
@@ -81,7 +82,8 @@ typedef struct cm_block_change
 } cm_block_change;
 
 /* Into the block; pixels are indices into rules, of rows `stride` wide. 0 if there is no memory. */
-int cm_update_block(cm_update *update, cm_region *region, unsigned block, const cm_block_change *change);
+int cm_update_block(cm_update *update, cm_region *region, unsigned block,
+                    const cm_block_change *change);
 
 /* All of a block is missed. */
 void cm_update_free_block(cm_update *update, cm_region *region, unsigned block);
@@ -93,7 +95,7 @@ static inline unsigned cm_update_details(const cm_octree *octree)
 }
 
 /* Which cells of a group are voxels of the map, and not beyond a small one. */
-uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block, unsigned detail,
-                         unsigned group);
+uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block,
+                         unsigned detail, unsigned group);
 
 #endif

@@ -49,7 +49,9 @@ static int push(event_list *list, const uint32_t place[3], uint64_t point)
 static int in_order(const void *a, const void *b)
 {
     const voxel_event *p = a, *q = b;
-    return p->key != q->key ? (p->key < q->key ? -1 : 1) : p->point < q->point ? -1 : p->point > q->point;
+    return p->key != q->key      ? (p->key < q->key ? -1 : 1)
+           : p->point < q->point ? -1
+                                 : p->point > q->point;
 }
 
 /* Each key once, the first of it. */
@@ -74,12 +76,12 @@ static void make_unique(event_list *list)
 
 typedef struct ray_walk
 {
-    double at[3];      /* voxels of the tree */
-    double step[3];    /* along the ray's whole length */
+    double at[3];   /* voxels of the tree */
+    double step[3]; /* along the ray's whole length */
     int32_t place[3];
     int32_t sign[3];
-    double next[3];    /* the part of the ray at which the next voxel along an axis begins */
-    double part[3];    /* of one voxel */
+    double next[3]; /* the part of the ray at which the next voxel along an axis begins */
+    double part[3]; /* of one voxel */
 } ray_walk;
 
 static void begin_ray(ray_walk *ray, const double from[3], const double to[3])
@@ -147,13 +149,15 @@ static int is_of_map(const cm_octree *octree, const int32_t place[3])
     int is = 1;
     for (int axis = 0; axis < 3; axis++)
     {
-        is &= place[axis] >= (int32_t)octree->first[axis] && place[axis] < (int32_t)octree->beyond[axis];
+        is &= place[axis] >= (int32_t)octree->first[axis] &&
+              place[axis] < (int32_t)octree->beyond[axis];
     }
     return is;
 }
 
 /* Misses along a ray up to the voxel of its end, which is its own. */
-static int add_misses(const cm_octree *octree, const double origin[3], const double end[3], event_list *list)
+static int add_misses(const cm_octree *octree, const double origin[3], const double end[3],
+                      event_list *list)
 {
     double from[3], to[3];
     memcpy(from, origin, sizeof from);
@@ -175,7 +179,8 @@ static int add_misses(const cm_octree *octree, const double origin[3], const dou
         {
             return 1;
         }
-        const uint32_t place[3] = {(uint32_t)ray.place[0], (uint32_t)ray.place[1], (uint32_t)ray.place[2]};
+        const uint32_t place[3] = {(uint32_t)ray.place[0], (uint32_t)ray.place[1],
+                                   (uint32_t)ray.place[2]};
         if (is_of_map(octree, ray.place) && !push(list, place, NO_POINT))
         {
             return 0;
@@ -195,8 +200,8 @@ static void to_voxels(const cm_octree *octree, const double world[3], double at[
     }
 }
 
-static int add_point(const cm_octree *octree, const double origin[3], const float *xyz, uint64_t index,
-                     event_list *list)
+static int add_point(const cm_octree *octree, const double origin[3], const float *xyz,
+                     uint64_t index, event_list *list)
 {
     const double point[3] = {(double)xyz[0], (double)xyz[1], (double)xyz[2]};
     double away[3], square = 0.0;
@@ -274,8 +279,9 @@ static int apply(cm_octree *octree, cm_region *region, const voxel_event *event,
         {
             return 0;
         }
-        color[cell] = cm_color_mix(old > CM_UNKNOWN ? color[cell] : 0, cm_color_word(rgb + 3 * event->point),
-                                   cm_hits_of(rule, alpha[cell]));
+        color[cell] =
+            cm_color_mix(old > CM_UNKNOWN ? color[cell] : 0, cm_color_word(rgb + 3 * event->point),
+                         cm_hits_of(rule, alpha[cell]));
     }
     else if (is_hit && old <= CM_UNKNOWN && region->color != NULL && region->color[block] != NULL)
     {
@@ -344,8 +350,8 @@ static cm_status apply_all(cm_octree *octree, const event_list *list, const uint
     return status != CM_OK ? status : trimmed;
 }
 
-cm_status cm_octree_update_points(cm_octree *octree, const double origin[3], size_t n, const float *xyz,
-                                  const uint8_t *rgb)
+cm_status cm_octree_update_points(cm_octree *octree, const double origin[3], size_t n,
+                                  const float *xyz, const uint8_t *rgb)
 {
     if (octree == NULL || origin == NULL || (xyz == NULL && n > 0))
     {
@@ -375,7 +381,8 @@ cm_status cm_octree_update_points(cm_octree *octree, const double origin[3], siz
         octree->clock++;
         status = get_regions(octree, &list);
         octree->step += status == CM_OK;
-        status = status == CM_OK ? apply_all(octree, &list, octree->options.color ? rgb : NULL) : status;
+        status =
+            status == CM_OK ? apply_all(octree, &list, octree->options.color ? rgb : NULL) : status;
     }
     free(list.event);
     return status;

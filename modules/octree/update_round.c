@@ -33,8 +33,11 @@ static void clear_round(cm_round_desk *round)
 
 static void destroy_round(void *memory)
 {
-    clear_round(memory);
-    free(memory);
+    if (memory != NULL)
+    {
+        clear_round(memory);
+        free(memory);
+    }
 }
 
 /* ---- the camera's cones, which stay from view to view ---- */
@@ -130,7 +133,8 @@ static cm_status round_of(cm_update *update, cm_round_desk **round)
 /* ---- rules of pixels ---- */
 
 /* How far along a pixel's ray the surface may cross a voxel: as in octree_set.inc, from the normal. */
-static double reach_of(const cm_update *update, const cm_round_desk *round, size_t pixel, double value)
+static double reach_of(const cm_update *update, const cm_round_desk *round, size_t pixel,
+                       double value)
 {
     const double edge = update->octree->options.edge;
     double point[3], normal[3], along = 0.0, square = 0.0;
@@ -154,9 +158,9 @@ static double reach_of(const cm_update *update, const cm_round_desk *round, size
     const double range = sqrt(square);
     const double cosine = fmin(fabs(along) / range, 1.0);
     const double tangent = sqrt(1.0 - cosine * cosine) / cosine;
-    const double side = sqrt(cm_camera_solid_angle(update->view->camera,
-                                                   (double)(pixel % round->tree.width) + round->camera.pixel_centre,
-                                                   (double)(pixel / round->tree.width) + round->camera.pixel_centre));
+    const double side = sqrt(cm_camera_solid_angle(
+        update->view->camera, (double)(pixel % round->tree.width) + round->camera.pixel_centre,
+        (double)(pixel / round->tree.width) + round->camera.pixel_centre));
     const double beside = isfinite(side) ? 0.5 * side * tangent * value : 0.0;
     return fmin(0.5 * sum * value / fabs(along) + beside + REACH_MORE * edge, REACH_MOST * edge);
 }
@@ -274,8 +278,9 @@ static cm_status make_rules(round_work *work, cm_pool *pool)
         {
             reach[i] = round->rule[at + i].depth;
         }
-        update->set->rules(width, update->desk->view.packed + at, reach, round->five + at, far, free_far,
-                           round->rule + at, round->vertex[0] + at, round->vertex[1] + at);
+        update->set->rules(width, update->desk->view.packed + at, reach, round->five + at, far,
+                           free_far, round->rule + at, round->vertex[0] + at,
+                           round->vertex[1] + at);
     }
     free(reach);
     cm_pixel_tree_fill(&round->tree, round->vertex[0], round->vertex[1]);
@@ -322,22 +327,23 @@ static unsigned class_of_cube(const round_work *work, const uint32_t place[3], i
                            (float)(centre[2] / distance)};
     const cm_cone_bounds bounds =
         cm_pixel_tree_ask(&work->round->tree, axis, (float)sqrt(1.0 - sine * sine), (float)sine);
-    return bounds.is_empty || near > (double)bounds.most            ? CM_CUBE_OUTSIDE
+    return bounds.is_empty || near > (double)bounds.most     ? CM_CUBE_OUTSIDE
            : !bounds.is_border && far < (double)bounds.least ? CM_CUBE_FREE
                                                              : CM_CUBE_PART;
 }
 
 /* ---- voxels ---- */
 
-static void cell_centres(const cm_update *update, const uint32_t place[3], unsigned detail, size_t cells,
-                         double *x, double *y, double *z)
+static void cell_centres(const cm_update *update, const uint32_t place[3], unsigned detail,
+                         size_t cells, double *x, double *y, double *z)
 {
     const double half = 0.5 * ((1u << detail) - 1u);
     for (size_t cell = 0; cell < cells; cell++)
     {
         unsigned in[3];
         cm_divide_3((unsigned)cell << 3 * detail, in);
-        const double at[3] = {place[0] + in[0] + half, place[1] + in[1] + half, place[2] + in[2] + half};
+        const double at[3] = {place[0] + in[0] + half, place[1] + in[1] + half,
+                              place[2] + in[2] + half};
         double centre[3];
         cm_update_place(update, at, centre);
         x[cell] = centre[0];
@@ -358,7 +364,8 @@ static int word_of(const cm_pixel_rule *rule, float value, float scale)
     return fabsf(away) <= reach * scale ? 1 : away + front < 0.0f ? -1 : 0;
 }
 
-static void visit_block(round_work *work, cm_region *region, unsigned block, const uint32_t place[3], unsigned detail)
+static void visit_block(round_work *work, cm_region *region, unsigned block,
+                        const uint32_t place[3], unsigned detail)
 {
     cm_update *update = work->update;
     const cm_pixel_tree *tree = &work->round->tree;
@@ -372,7 +379,8 @@ static void visit_block(round_work *work, cm_region *region, unsigned block, con
     uint64_t any = 0;
     for (size_t cell = 0; cell < cells; cell++)
     {
-        const double c = floor(column[cell] - work->centre + 0.5), r = floor(row[cell] - work->centre + 0.5);
+        const double c = floor(column[cell] - work->centre + 0.5),
+                     r = floor(row[cell] - work->centre + 0.5);
         if (!(c >= 0.0 && c < tree->width && r >= 0.0 && r < tree->height))
         {
             continue;
@@ -382,10 +390,11 @@ static void visit_block(round_work *work, cm_region *region, unsigned block, con
                                  : z[cell];
         const size_t at_row = (size_t)r, at_column = (size_t)c;
         const int word = value > update->octree->options.near
-                             ? word_of(&work->round->rule[at_row * tree->width + at_column], (float)value,
-                                       (float)(1u << detail))
+                             ? word_of(&work->round->rule[at_row * tree->width + at_column],
+                                       (float)value, (float)(1u << detail))
                              : 0;
-        const uint64_t valid = cm_update_valid(update->octree, region, block, detail, (unsigned)(cell / 64));
+        const uint64_t valid =
+            cm_update_valid(update->octree, region, block, detail, (unsigned)(cell / 64));
         const uint64_t bit = (uint64_t)1 << cell % 64 & valid;
         change.hits[cell / 64] |= word > 0 ? bit : 0;
         change.misses[cell / 64] |= word < 0 ? bit : 0;
@@ -398,7 +407,8 @@ static void visit_block(round_work *work, cm_region *region, unsigned block, con
     }
 }
 
-static unsigned detail_of(const round_work *work, const cm_region *region, unsigned block, const uint32_t place[3])
+static unsigned detail_of(const round_work *work, const cm_region *region, unsigned block,
+                          const uint32_t place[3])
 {
     const cm_update *update = work->update;
     const double at[3] = {place[0] + 3.5, place[1] + 3.5, place[2] + 3.5};
@@ -407,7 +417,8 @@ static unsigned detail_of(const round_work *work, const cm_region *region, unsig
     const double distance =
         sqrt(centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2]);
     unsigned detail = 0;
-    while (detail + 1 < cm_update_details(update->octree) && (double)(1u << detail) < update->pixel * distance)
+    while (detail + 1 < cm_update_details(update->octree) &&
+           (double)(1u << detail) < update->pixel * distance)
     {
         detail++;
     }
@@ -424,7 +435,8 @@ static void update_region(round_work *work, cm_region *region)
         const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
                                    region->place[2] + 8 * in[2]};
         const unsigned class_of = class_of_cube(work, place, CM_BLOCK_LEVEL);
-        if (class_of == CM_CUBE_FREE && cm_update_valid(work->update->octree, region, block, 0, 0) == UINT64_MAX &&
+        if (class_of == CM_CUBE_FREE &&
+            cm_update_valid(work->update->octree, region, block, 0, 0) == UINT64_MAX &&
             cm_update_valid(work->update->octree, region, block, 0, 7) == UINT64_MAX)
         {
             cm_update_free_block(work->update, region, block);

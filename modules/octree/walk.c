@@ -20,7 +20,8 @@ double cm_world_place(const cm_octree *octree, int axis, double world)
     return floor((world - octree->options.centre[axis]) / octree->options.edge) + middle;
 }
 
-cm_voxel cm_voxel_at(const cm_octree *octree, const uint32_t place[3], int level, uint8_t alpha, uint32_t color)
+cm_voxel cm_voxel_at(const cm_octree *octree, const uint32_t place[3], int level, uint8_t alpha,
+                     uint32_t color)
 {
     const double half = 0.5 * ldexp(1.0, level);
     cm_voxel voxel = {
@@ -53,13 +54,14 @@ static int meets(const cm_walk *walk, const uint32_t place[3], int level)
     int meets = 1;
     for (int axis = 0; axis < 3; axis++)
     {
-        meets &= place[axis] < walk->beyond[axis] && (uint64_t)place[axis] + (1u << level) > walk->first[axis];
+        meets &= place[axis] < walk->beyond[axis] &&
+                 (uint64_t)place[axis] + (1u << level) > walk->first[axis];
     }
     return meets;
 }
 
-static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_region *region, unsigned misses,
-                       uint32_t changed)
+static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_region *region,
+                       unsigned misses, uint32_t changed)
 {
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
@@ -86,8 +88,8 @@ static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_re
 }
 
 /* Who is called may ask the same map, which with pages puts regions away: not this one. */
-static int walk_held(const cm_octree *octree, const cm_walk *walk, cm_region *region, unsigned misses,
-                     uint32_t changed)
+static int walk_held(const cm_octree *octree, const cm_walk *walk, cm_region *region,
+                     unsigned misses, uint32_t changed)
 {
     if (octree->options.pages == NULL)
     {
@@ -100,8 +102,8 @@ static int walk_held(const cm_octree *octree, const cm_walk *walk, cm_region *re
     return stops;
 }
 
-static cm_status walk_node(const cm_octree *octree, const cm_walk *walk, uint32_t index, const uint32_t place[3],
-                           int level, unsigned misses, uint32_t changed)
+static cm_status walk_node(const cm_octree *octree, const cm_walk *walk, uint32_t index,
+                           const uint32_t place[3], int level, unsigned misses, uint32_t changed)
 {
     const cm_node *node = &octree->node[index];
     if (!meets(walk, place, level))
@@ -112,7 +114,8 @@ static cm_status walk_node(const cm_octree *octree, const cm_walk *walk, uint32_
     if (node->kind == CM_NODE_LEAF)
     {
         const int is_old = walk->since > 0 && last <= walk->since;
-        return !is_old && walk->even(walk->user, place, level, cm_after_misses(&octree->rule, node->value, misses))
+        return !is_old && walk->even(walk->user, place, level,
+                                     cm_after_misses(&octree->rule, node->value, misses))
                    ? CM_ERROR_STOPPED
                    : CM_OK;
     }
@@ -134,7 +137,8 @@ static cm_status walk_node(const cm_octree *octree, const cm_walk *walk, uint32_
     }
     if (node->kind == CM_NODE_REGION)
     {
-        return walk_held(octree, walk, octree->region[node->link], more, last) ? CM_ERROR_STOPPED : CM_OK;
+        return walk_held(octree, walk, octree->region[node->link], more, last) ? CM_ERROR_STOPPED
+                                                                               : CM_OK;
     }
     /* it is only looked at: memory has room for one more */
     cm_region *region = NULL;

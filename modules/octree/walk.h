@@ -33,6 +33,7 @@ double cm_world_place(const cm_octree *octree, int axis, double world);
 cm_status cm_look_at(const cm_octree *octree, const double point[3], int level, cm_voxel *found);
 
 /* A voxel of 2^level edges at a place. */
-cm_voxel cm_voxel_at(const cm_octree *octree, const uint32_t place[3], int level, uint8_t alpha, uint32_t color);
+cm_voxel cm_voxel_at(const cm_octree *octree, const uint32_t place[3], int level, uint8_t alpha,
+                     uint32_t color);
 
 #endif

@@ -51,17 +51,20 @@ static int read_voxel(void *user, const cm_voxel *voxel)
     int64_t first[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        const double low = (centre[axis] - options->centre[axis]) / options->edge - 0.5 * (double)size;
+        const double low =
+            (centre[axis] - options->centre[axis]) / options->edge - 0.5 * (double)size;
         first[axis] = (int64_t)floor(low + 0.5) + map->n / 2;
         ck_assert_msg(fabs(low - floor(low + 0.5)) < 1e-3, "a voxel between voxels");
         ck_assert_msg(first[axis] >= 0 && first[axis] + size <= map->n, "a voxel beyond the map");
     }
     /* keys from the corner of the tree, which a small map is in the middle of */
     const int64_t more = map->n < 64 ? 32 - map->n / 2 : 0;
-    const uint64_t key = key_of((const int64_t[3]){first[0] + more, first[1] + more, first[2] + more});
+    const uint64_t key =
+        key_of((const int64_t[3]){first[0] + more, first[1] + more, first[2] + more});
     ck_assert_msg(key >= reading->next, "voxels are not in the order of keys, or come twice");
     reading->next = key + 1;
-    ck_assert(voxel->alpha != 127 && voxel->edge == ldexp(options->edge, voxel->level) && voxel->distance == 0.0);
+    ck_assert(voxel->alpha != 127 && voxel->edge == ldexp(options->edge, voxel->level) &&
+              voxel->distance == 0.0);
     ck_assert(voxel->state == (voxel->alpha > 127 ? CM_VOXEL_OCCUPIED : CM_VOXEL_FREE));
     const uint32_t color = voxel->has_color ? 1u << 24 | (uint32_t)voxel->color[0] << 16 |
                                                   (uint32_t)voxel->color[1] << 8 | voxel->color[2]
@@ -109,15 +112,16 @@ const char *dense_differs(const dense_map *a, const dense_map *b)
         return "";
     }
     const size_t n = (size_t)a->n;
-    snprintf(text, sizeof text, "%zu of %zu voxels, first %zu %zu %zu: %d %06x, not %d %06x", different, voxels,
-             first % n, first / n % n, first / n / n, a->alpha[first], (unsigned)a->color[first], b->alpha[first],
-             (unsigned)b->color[first]);
+    snprintf(text, sizeof text, "%zu of %zu voxels, first %zu %zu %zu: %d %06x, not %d %06x",
+             different, voxels, first % n, first / n % n, first / n / n, a->alpha[first],
+             (unsigned)a->color[first], b->alpha[first], (unsigned)b->color[first]);
     return text;
 }
 
 const char *maps_differ(const cm_octree *a, const cm_octree *b)
 {
-    dense_map of_a = dense_make(cm_octree_describe(a)->levels), of_b = dense_make(cm_octree_describe(b)->levels);
+    dense_map of_a = dense_make(cm_octree_describe(a)->levels),
+              of_b = dense_make(cm_octree_describe(b)->levels);
     dense_read(a, &of_a);
     dense_read(b, &of_b);
     const char *text = dense_differs(&of_a, &of_b);
@@ -206,8 +210,8 @@ static double plane_depth(const double plane[3], double u, double v)
     return inverse > 1e-3 ? 1.0 / inverse : 1000.0;
 }
 
-void draw_view(drawn_view *drawn, const cm_camera *camera, const cm_pose *pose, double middle, int has_color,
-               dice *from)
+void draw_view(drawn_view *drawn, const cm_camera *camera, const cm_pose *pose, double middle,
+               int has_color, dice *from)
 {
     const cm_camera_options *options = cm_camera_describe(camera);
     const uint32_t width = options->width, height = options->height;
@@ -228,14 +232,17 @@ void draw_view(drawn_view *drawn, const cm_camera *camera, const cm_pose *pose, 
     {
         const double u = (double)(i % width) / width - 0.5, v = (double)(i / width) / height - 0.5;
         const int which = (u > step) + 2 * (v > 0.7 * u + step);
-        const double depth = plane_depth(plane[which], u, v) * (1.0 + noise * (throw_dice(from) - 0.5));
-        drawn->depth[i] = throw_dice(from) < holes ? (throw_dice(from) < 0.5 ? NAN : 0.0f) : (float)depth;
+        const double depth =
+            plane_depth(plane[which], u, v) * (1.0 + noise * (throw_dice(from) - 0.5));
+        drawn->depth[i] =
+            throw_dice(from) < holes ? (throw_dice(from) < 0.5 ? NAN : 0.0f) : (float)depth;
         for (int k = 0; k < 4; k++)
         {
             drawn->color[4 * i + (size_t)k] = (uint8_t)(256.0 * throw_dice(from));
         }
     }
-    drawn->view = (cm_view){.size = sizeof drawn->view, .camera = camera, .pose = *pose, .depth_unit = 1.0};
+    drawn->view =
+        (cm_view){.size = sizeof drawn->view, .camera = camera, .pose = *pose, .depth_unit = 1.0};
     drawn->view.depth = (cm_image){.size = sizeof(cm_image),
                                    .data = drawn->depth,
                                    .type = CM_PIXEL_FLOAT,

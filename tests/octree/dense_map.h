@@ -58,8 +58,8 @@ typedef struct drawn_view
 } drawn_view;
 
 /* Planes, steps, holes and noise at depths around a middle; colors at random. Pixels are no finer than the map's voxels need. */
-void draw_view(drawn_view *drawn, const cm_camera *camera, const cm_pose *pose, double middle, int has_color,
-               dice *from);
+void draw_view(drawn_view *drawn, const cm_camera *camera, const cm_pose *pose, double middle,
+               int has_color, dice *from);
 void clear_view(drawn_view *drawn);
 
 /* A map, which must be made. */

@@ -53,7 +53,8 @@ START_TEST(pages_change_nothing)
     cm_octree_count of_paged = {.size = sizeof of_paged}, of_whole = of_paged;
     ck_assert_int_eq(cm_octree_count_voxels(paged, &of_paged), CM_OK);
     ck_assert_int_eq(cm_octree_count_voxels(whole, &of_whole), CM_OK);
-    ck_assert(of_paged.paged > 4 && of_paged.occupied == of_whole.occupied && of_paged.free == of_whole.free);
+    ck_assert(of_paged.paged > 4 && of_paged.occupied == of_whole.occupied &&
+              of_paged.free == of_whole.free);
     ck_assert(of_paged.bytes < of_whole.bytes);
     const float point[3] = {0.5f, 0.5f, 3.0f};
     const double origin[3] = {-3.0, -3.0, -3.0};
@@ -156,7 +157,10 @@ static cm_status failing_get(void *context, const cm_store_key *key, cm_blob *bl
     }
     /* of any kind: first letters say which */
     const char letter = *(const char *)key->bytes;
-    const uint32_t kind = letter == 'm' ? 0x4f434d4du : letter == 't' ? 0x4f435454u : letter == 'u' ? 0x4f435555u : 0x4f435252u;
+    const uint32_t kind = letter == 'm'   ? 0x4f434d4du
+                          : letter == 't' ? 0x4f435454u
+                          : letter == 'u' ? 0x4f435555u
+                                          : 0x4f435252u;
     const cm_status status = cm_store_get(store->inner, key, kind, 1000, &got);
     *blob = status == CM_OK ? got : *blob;
     return status;
@@ -171,7 +175,8 @@ static cm_status failing_remove(void *context, const cm_store_key *key)
     failing_store *store = context;
     return fails(store) ? CM_ERROR_FILE : cm_store_remove(store->inner, key);
 }
-static cm_status failing_next(void *context, const cm_store_key *after, unsigned char key[CM_STORE_KEY_MAX], size_t *count)
+static cm_status failing_next(void *context, const cm_store_key *after,
+                              unsigned char key[CM_STORE_KEY_MAX], size_t *count)
 {
     failing_store *store = context;
     return fails(store) ? CM_ERROR_FILE : cm_store_next(store->inner, after, key, count);
@@ -197,8 +202,9 @@ static void failing_destroy(void *context)
 
 static cm_store *store_that_fails(failing_store *context)
 {
-    const cm_store_methods methods = {sizeof methods,  failing_get,      failing_put,     failing_remove, failing_next,
-                                      failing_commit, failing_rollback, failing_message, failing_destroy};
+    const cm_store_methods methods = {sizeof methods,   failing_get,     failing_put,
+                                      failing_remove,   failing_next,    failing_commit,
+                                      failing_rollback, failing_message, failing_destroy};
     cm_store *store = NULL;
     *context = (failing_store){memory_store(), -1};
     ck_assert_int_eq(cm_store_create(&methods, context, &store), CM_OK);
@@ -323,7 +329,8 @@ START_TEST(damaged_blobs_are_refused)
             back = NULL;
             const cm_status status = cm_octree_load(store, NULL, &back);
             ck_assert(status != CM_OK || back != NULL);
-            ck_assert_msg(status == CM_OK || status == CM_ERROR_DATA || status == CM_ERROR_VERSION, "%d", (int)status);
+            ck_assert_msg(status == CM_OK || status == CM_ERROR_DATA || status == CM_ERROR_VERSION,
+                          "%d", (int)status);
             ck_assert(i < 2 || bytes[0] == 'u' || status != CM_OK);
             if (status == CM_OK)
             {
@@ -351,9 +358,12 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {pages_change_nothing,       what_is_saved_is_loaded,
-                                  old_pages_do_not_come_back, pages_that_fail_leave_a_whole_map,
-                                  saving_and_loading_fail_whole, damaged_blobs_are_refused,
+    const TTest *const tests[] = {pages_change_nothing,
+                                  what_is_saved_is_loaded,
+                                  old_pages_do_not_come_back,
+                                  pages_that_fail_leave_a_whole_map,
+                                  saving_and_loading_fail_whole,
+                                  damaged_blobs_are_refused,
                                   NULL};
     camera = straight_camera(60, 44, 0.5);
     const int result = run_suite("octree keep", tests);

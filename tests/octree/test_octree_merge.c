@@ -9,7 +9,8 @@ static cm_camera *camera;
 static void update_drawn(cm_octree *octree, uint64_t seed, int has_color)
 {
     dice from = {seed};
-    const double place[3] = {dice_between(&from, -1.0, 1.0), dice_between(&from, -1.0, 1.0), dice_between(&from, -1.0, 1.0)};
+    const double place[3] = {dice_between(&from, -1.0, 1.0), dice_between(&from, -1.0, 1.0),
+                             dice_between(&from, -1.0, 1.0)};
     const double at[3] = {dice_between(&from, -0.5, 0.5), 0.1, 0.2};
     const cm_pose pose = look_at(place, at, 6.28 * throw_dice(&from));
     drawn_view drawn;
@@ -39,8 +40,10 @@ START_TEST(merging_is_as_updating_with_both)
     {
         for (int compacts = 0; compacts < 2; compacts++)
         {
-            const cm_octree_options options = {.size = sizeof options, .levels = levels, .edge = ldexp(3.0, -levels)};
-            cm_octree *a = drawn_map(&options, 0, 4), *b = drawn_map(&options, 4, 9), *all = drawn_map(&options, 0, 9);
+            const cm_octree_options options = {
+                .size = sizeof options, .levels = levels, .edge = ldexp(3.0, -levels)};
+            cm_octree *a = drawn_map(&options, 0, 4), *b = drawn_map(&options, 4, 9),
+                      *all = drawn_map(&options, 0, 9);
             cm_octree *c = drawn_map(&options, 0, 4);
             if (compacts)
             {
@@ -69,7 +72,8 @@ static int clamped(int alpha)
 }
 
 /* Each voxel of the one takes what is at its centre in the other. */
-static void add_dense(dense_map *to, const cm_octree_options *to_options, const cm_octree *from, const cm_pose *pose)
+static void add_dense(dense_map *to, const cm_octree_options *to_options, const cm_octree *from,
+                      const cm_pose *pose)
 {
     const int64_t n = to->n;
     for (size_t i = 0; i < (size_t)(n * n * n); i++)
@@ -78,7 +82,8 @@ static void add_dense(dense_map *to, const cm_octree_options *to_options, const 
         double at[3];
         for (int axis = 0; axis < 3; axis++)
         {
-            at[axis] = to_options->centre[axis] + ((double)(place[axis] - n / 2) + 0.5) * to_options->edge;
+            at[axis] =
+                to_options->centre[axis] + ((double)(place[axis] - n / 2) + 0.5) * to_options->edge;
         }
         if (pose != NULL)
         {
@@ -86,14 +91,16 @@ static void add_dense(dense_map *to, const cm_octree_options *to_options, const 
         }
         cm_voxel voxel;
         cm_octree_at(from, at, 0, &voxel);
-        to->alpha[i] = (uint8_t)(voxel.edge > 0.0 ? clamped(to->alpha[i] + voxel.alpha - 127) : to->alpha[i]);
+        to->alpha[i] =
+            (uint8_t)(voxel.edge > 0.0 ? clamped(to->alpha[i] + voxel.alpha - 127) : to->alpha[i]);
     }
 }
 
-static void check_other(const cm_octree_options *to_options, const cm_octree_options *from_options, const cm_pose *pose,
-                        int evens)
+static void check_other(const cm_octree_options *to_options, const cm_octree_options *from_options,
+                        const cm_pose *pose, int evens)
 {
-    cm_octree *to = drawn_map(to_options, 20, 23), *from = drawn_map(from_options, 30, 30 + (uint64_t)(3 * !evens));
+    cm_octree *to = drawn_map(to_options, 20, 23),
+              *from = drawn_map(from_options, 30, 30 + (uint64_t)(3 * !evens));
     if (evens)
     {
         /* all of it is free, up to the root */
@@ -123,8 +130,8 @@ static void check_other(const cm_octree_options *to_options, const cm_octree_opt
     drop_colors(&wanted);
     drop_colors(&is);
     const char *text = dense_differs(&is, &wanted);
-    ck_assert_msg(text[0] == '\0', "levels %d and %d, centre %g, %d: %s", to_options->levels, from_options->levels,
-                  from_options->centre[0], evens, text);
+    ck_assert_msg(text[0] == '\0', "levels %d and %d, centre %g, %d: %s", to_options->levels,
+                  from_options->levels, from_options->centre[0], evens, text);
     dense_clear(&wanted);
     dense_clear(&is);
     cm_octree_destroy(to);
@@ -163,7 +170,8 @@ START_TEST(poses_and_edges_are_sampled)
     const cm_pose pose = look_at(place, at, 0.5);
     for (int levels = 2; levels <= 6; levels++)
     {
-        const cm_octree_options to = {.size = sizeof to, .levels = levels, .edge = ldexp(3.0, -levels)};
+        const cm_octree_options to = {
+            .size = sizeof to, .levels = levels, .edge = ldexp(3.0, -levels)};
         cm_octree_options from = {.size = sizeof from, .levels = 6, .edge = 0.037};
         from.centre[1] = 0.111;
         check_other(&to, &from, &pose, 0);
@@ -175,7 +183,8 @@ END_TEST
 
 START_TEST(colors_are_averaged_by_hits)
 {
-    const cm_octree_options options = {.size = sizeof options, .levels = 6, .edge = 0.1, .color = 1};
+    const cm_octree_options options = {
+        .size = sizeof options, .levels = 6, .edge = 0.1, .color = 1};
     cm_octree *a = make_map(&options), *b = make_map(&options);
     const double origin[3] = {0.05, 0.05, 0.05};
     const float point[3] = {1.05f, 0.05f, 0.05f};
@@ -190,7 +199,8 @@ START_TEST(colors_are_averaged_by_hits)
     const double at[3] = {1.05, 0.05, 0.05};
     ck_assert_int_eq(cm_octree_at(a, at, 0, &voxel), CM_VOXEL_OCCUPIED);
     ck_assert(voxel.has_color && voxel.alpha == 127 + 8);
-    ck_assert_msg(abs(voxel.color[0] - 150) <= 1 && abs(voxel.color[1] - 25) <= 1 && abs(voxel.color[2] - 50) <= 1,
+    ck_assert_msg(abs(voxel.color[0] - 150) <= 1 && abs(voxel.color[1] - 25) <= 1 &&
+                      abs(voxel.color[2] - 50) <= 1,
                   "%d %d %d", voxel.color[0], voxel.color[1], voxel.color[2]);
     cm_octree_destroy(a);
     cm_octree_destroy(b);
@@ -220,8 +230,9 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {merging_is_as_updating_with_both, other_roots_are_sampled, poses_and_edges_are_sampled,
-                                  colors_are_averaged_by_hits, wrong_merges_are_refused, NULL};
+    const TTest *const tests[] = {merging_is_as_updating_with_both, other_roots_are_sampled,
+                                  poses_and_edges_are_sampled,      colors_are_averaged_by_hits,
+                                  wrong_merges_are_refused,         NULL};
     camera = straight_camera(60, 44, 0.5);
     const int result = run_suite("octree merge", tests);
     cm_camera_destroy(camera);

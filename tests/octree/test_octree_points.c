@@ -11,12 +11,14 @@ enum
 };
 
 /* How much of a segment from a to b is in the voxel made larger by so much; below 0: it is beside it. */
-static double part_within(const double a[3], const double b[3], const double low[3], double edge, double more)
+static double part_within(const double a[3], const double b[3], const double low[3], double edge,
+                          double more)
 {
     double first = 0.0, last = 1.0;
     for (int axis = 0; axis < 3; axis++)
     {
-        const double step = b[axis] - a[axis], l = low[axis] - more - a[axis], h = low[axis] + edge + more - a[axis];
+        const double step = b[axis] - a[axis], l = low[axis] - more - a[axis],
+                     h = low[axis] + edge + more - a[axis];
         if (step == 0.0)
         {
             last = l > 0.0 || h < 0.0 ? -1.0 : last;
@@ -38,7 +40,8 @@ typedef struct points_case
 
 static void draw_case(points_case *drawn, dice *from)
 {
-    *drawn = (points_case){.options = {.size = sizeof drawn->options, .levels = LEVELS, .edge = 0.1, .color = 1}};
+    *drawn = (points_case){
+        .options = {.size = sizeof drawn->options, .levels = LEVELS, .edge = 0.1, .color = 1}};
     drawn->options.far = throw_dice(from) < 0.5 ? 0.0 : 1.3;
     drawn->options.near = throw_dice(from) < 0.5 ? 0.0 : 0.4;
     const double away = throw_dice(from) < 0.5 ? 1.0 : 4.0;
@@ -51,7 +54,8 @@ static void draw_case(points_case *drawn, dice *from)
     {
         for (int axis = 0; axis < 3; axis++)
         {
-            drawn->xyz[i][axis] = (float)(drawn->options.centre[axis] + dice_between(from, -2.0, 2.0));
+            drawn->xyz[i][axis] =
+                (float)(drawn->options.centre[axis] + dice_between(from, -2.0, 2.0));
             drawn->rgb[i][axis] = (uint8_t)(256.0 * throw_dice(from));
         }
         /* along an axis of the map, and from within a voxel */
@@ -103,17 +107,20 @@ static size_t check_voxels(const points_case *drawn, const dense_map *map)
     size_t hits = 0, misses = 0;
     for (size_t i = 0; i < (size_t)1 << 3 * LEVELS; i++)
     {
-        const int64_t n = map->n, place[3] = {(int64_t)i % n, (int64_t)i / n % n, (int64_t)i / n / n};
+        const int64_t n = map->n,
+                      place[3] = {(int64_t)i % n, (int64_t)i / n % n, (int64_t)i / n / n};
         double low[3];
         for (int axis = 0; axis < 3; axis++)
         {
-            low[axis] = drawn->options.centre[axis] + (double)(place[axis] - n / 2) * drawn->options.edge;
+            low[axis] =
+                drawn->options.centre[axis] + (double)(place[axis] - n / 2) * drawn->options.edge;
         }
         int first;
         const int bits = expected(drawn, low, &first), is = map->alpha[i];
         ck_assert(is == 125 || is == 127 || is == 129);
         ck_assert_msg(is != 129 || (bits & 4), "a hit without a point");
-        ck_assert_msg(is != 125 || ((bits & 1) && !(bits & 8)), "a miss without a ray, or in spite of a hit");
+        ck_assert_msg(is != 125 || ((bits & 1) && !(bits & 8)),
+                      "a miss without a ray, or in spite of a hit");
         ck_assert_msg(is == 129 || !(bits & 8), "no hit where a point is");
         ck_assert_msg(is != 127 || !(bits & 2), "no miss where a ray goes");
         hits += is == 129;
@@ -121,7 +128,8 @@ static size_t check_voxels(const points_case *drawn, const dense_map *map)
         if (bits & 8)
         {
             const uint8_t *rgb = drawn->rgb[first];
-            ck_assert_uint_eq(map->color[i], 1u << 24 | (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
+            ck_assert_uint_eq(map->color[i],
+                              1u << 24 | (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
         }
     }
     return misses + hits;
@@ -137,7 +145,9 @@ START_TEST(points_are_as_their_rays)
         draw_case(&drawn, &from);
         cm_octree *octree = make_map(&drawn.options);
         dense_map map = dense_make(LEVELS);
-        ck_assert_int_eq(cm_octree_update_points(octree, drawn.origin, POINTS, drawn.xyz[0], drawn.rgb[0]), CM_OK);
+        ck_assert_int_eq(
+            cm_octree_update_points(octree, drawn.origin, POINTS, drawn.xyz[0], drawn.rgb[0]),
+            CM_OK);
         dense_read(octree, &map);
         known += check_voxels(&drawn, &map);
         ck_assert_uint_le(cm_octree_step(octree), 1);
@@ -151,7 +161,8 @@ END_TEST
 /* Free space that is free already takes no memory, and colors of a former life do not come back. */
 START_TEST(repeated_points_take_no_more)
 {
-    const cm_octree_options options = {.size = sizeof options, .levels = 6, .edge = 0.1, .color = 1};
+    const cm_octree_options options = {
+        .size = sizeof options, .levels = 6, .edge = 0.1, .color = 1};
     const double origin[3] = {-1.05, -0.05, 0.05};
     const float point[3] = {1.05f, 0.05f, 0.05f}, behind[3] = {2.55f, 0.05f, 0.05f};
     const uint8_t red[3] = {250, 3, 4};
@@ -160,7 +171,8 @@ START_TEST(repeated_points_take_no_more)
     cm_voxel voxel;
     const double at[3] = {1.05, 0.05, 0.05};
     ck_assert_int_eq(cm_octree_update_points(octree, origin, 1, point, red), CM_OK);
-    ck_assert(cm_octree_at(octree, at, 0, &voxel) == CM_VOXEL_OCCUPIED && voxel.has_color && voxel.color[0] == 250);
+    ck_assert(cm_octree_at(octree, at, 0, &voxel) == CM_VOXEL_OCCUPIED && voxel.has_color &&
+              voxel.color[0] == 250);
     for (int i = 0; i < 2; i++)
     {
         ck_assert_int_eq(cm_octree_update_points(octree, origin, 1, behind, NULL), CM_OK);
@@ -190,8 +202,13 @@ END_TEST
 START_TEST(strange_points_are_left_out)
 {
     const cm_octree_options options = {.size = sizeof options, .levels = 4, .edge = 0.1};
-    const double origin[3] = {0.01, 0.02, 0.03}, nowhere[3] = {0.0, NAN, 0.0}, away[3] = {1e90, 1e90, -1e90};
-    const float xyz[][3] = {{NAN, 0, 0}, {INFINITY, 0, 0}, {0.01f, 0.02f, 0.03f}, {3e38f, -3e38f, 3e38f}, {0, -INFINITY, 0}};
+    const double origin[3] = {0.01, 0.02, 0.03}, nowhere[3] = {0.0, NAN, 0.0},
+                 away[3] = {1e90, 1e90, -1e90};
+    const float xyz[][3] = {{NAN, 0, 0},
+                            {INFINITY, 0, 0},
+                            {0.01f, 0.02f, 0.03f},
+                            {3e38f, -3e38f, 3e38f},
+                            {0, -INFINITY, 0}};
     cm_octree *octree = make_map(&options);
     ck_assert_int_eq(cm_octree_update_points(octree, nowhere, 1, xyz[0], NULL), CM_ERROR_RANGE);
     ck_assert_int_eq(cm_octree_update_points(octree, origin, 1, NULL, NULL), CM_ERROR_ARGUMENT);
@@ -210,6 +227,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {points_are_as_their_rays, repeated_points_take_no_more, strange_points_are_left_out, NULL};
+    const TTest *const tests[] = {points_are_as_their_rays, repeated_points_take_no_more,
+                                  strange_points_are_left_out, NULL};
     return run_suite("octree points", tests);
 }

@@ -9,13 +9,17 @@ static cm_camera *camera;
 /* A map of views from some places, with colors, and one with coarser voxels. */
 static cm_octree *drawn_map(int levels, double footprint, int compacts)
 {
-    const cm_octree_options options = {
-        .size = sizeof options, .levels = levels, .edge = ldexp(3.2, -levels), .color = 1, .footprint = footprint};
+    const cm_octree_options options = {.size = sizeof options,
+                                       .levels = levels,
+                                       .edge = ldexp(3.2, -levels),
+                                       .color = 1,
+                                       .footprint = footprint};
     cm_octree *octree = make_map(&options);
     dice from = {7};
     for (int i = 0; i < 5; i++)
     {
-        const double place[3] = {dice_between(&from, -1.0, 1.0), dice_between(&from, -1.0, 1.0), -1.2};
+        const double place[3] = {dice_between(&from, -1.0, 1.0), dice_between(&from, -1.0, 1.0),
+                                 -1.2};
         const double at[3] = {0.1, 0.2, 0.3};
         const cm_pose pose = look_at(place, at, 0.3 * i);
         drawn_view drawn;
@@ -33,7 +37,8 @@ static cm_octree *drawn_map(int levels, double footprint, int compacts)
 static double centre_of(const cm_octree_options *options, int axis, int64_t place, int level)
 {
     const int64_t half = (int64_t)1 << (options->levels - 1);
-    return options->centre[axis] + options->edge * ((double)(place - half) + 0.5 * ldexp(1.0, level));
+    return options->centre[axis] +
+           options->edge * ((double)(place - half) + 0.5 * ldexp(1.0, level));
 }
 
 /* ---- levels ---- */
@@ -67,17 +72,20 @@ static void check_levels(cm_octree *octree, int first_level)
         size_t occupied = 0, extracted = 0;
         for (int64_t i = 0; i < count * count * count; i++)
         {
-            const int64_t first[3] = {i % count * size, i / count % count * size, i / count / count * size};
+            const int64_t first[3] = {i % count * size, i / count % count * size,
+                                      i / count / count * size};
             double point[3];
             for (int axis = 0; axis < 3; axis++)
             {
                 point[axis] = centre_of(options, axis, first[axis], level) + 0.3 * options->edge;
             }
             cm_voxel voxel;
-            const int state = cm_octree_at(octree, point, level, &voxel), wanted = average(&map, first, size);
-            ck_assert_msg(voxel.alpha == wanted, "levels %d, level %d: %d, not %d", options->levels, level, voxel.alpha,
-                          wanted);
-            ck_assert(state == voxel.state && voxel.level == level && voxel.edge == ldexp(options->edge, level));
+            const int state = cm_octree_at(octree, point, level, &voxel),
+                      wanted = average(&map, first, size);
+            ck_assert_msg(voxel.alpha == wanted, "levels %d, level %d: %d, not %d", options->levels,
+                          level, voxel.alpha, wanted);
+            ck_assert(state == voxel.state && voxel.level == level &&
+                      voxel.edge == ldexp(options->edge, level));
             for (int axis = 0; axis < 3; axis++)
             {
                 const double is = axis == 0 ? voxel.x : axis == 1 ? voxel.y : voxel.z;
@@ -85,9 +93,10 @@ static void check_levels(cm_octree *octree, int first_level)
             }
             occupied += state == CM_VOXEL_OCCUPIED;
         }
-        ck_assert_int_eq(cm_octree_extract(octree, level, 0, NULL, &extracted), occupied > 0 ? CM_ERROR_SPACE : CM_OK);
-        ck_assert_msg(extracted == occupied, "levels %d, level %d: %zu extracted, not %zu", options->levels, level,
-                      extracted, occupied);
+        ck_assert_int_eq(cm_octree_extract(octree, level, 0, NULL, &extracted),
+                         occupied > 0 ? CM_ERROR_SPACE : CM_OK);
+        ck_assert_msg(extracted == occupied, "levels %d, level %d: %zu extracted, not %zu",
+                      options->levels, level, extracted, occupied);
         cm_voxel *list = malloc((occupied + 1) * sizeof *list);
         ck_assert_int_eq(cm_octree_extract(octree, level, occupied, list, &extracted), CM_OK);
         for (size_t i = 0; i < occupied; i++)
@@ -95,8 +104,10 @@ static void check_levels(cm_octree *octree, int first_level)
             const double point[3] = {list[i].x, list[i].y, list[i].z};
             cm_voxel voxel;
             ck_assert(cm_octree_at(octree, point, level, &voxel) == CM_VOXEL_OCCUPIED);
-            ck_assert(voxel.x == list[i].x && voxel.alpha == list[i].alpha && voxel.color[1] == list[i].color[1]);
-            ck_assert(i == 0 || list[i].x != list[i - 1].x || list[i].y != list[i - 1].y || list[i].z != list[i - 1].z);
+            ck_assert(voxel.x == list[i].x && voxel.alpha == list[i].alpha &&
+                      voxel.color[1] == list[i].color[1]);
+            ck_assert(i == 0 || list[i].x != list[i - 1].x || list[i].y != list[i - 1].y ||
+                      list[i].z != list[i - 1].z);
         }
         free(list);
     }
@@ -108,8 +119,9 @@ static void check_levels(cm_octree *octree, int first_level)
         known[0] += map.alpha[i] < 127;
         known[1] += map.alpha[i] > 127;
     }
-    ck_assert_msg(number.free == known[0] && number.occupied == known[1], "levels %d: %d %d, not %d %d", options->levels,
-                  (int)number.free, (int)number.occupied, (int)known[0], (int)known[1]);
+    ck_assert_msg(number.free == known[0] && number.occupied == known[1],
+                  "levels %d: %d %d, not %d %d", options->levels, (int)number.free,
+                  (int)number.occupied, (int)known[0], (int)known[1]);
     dense_clear(&map);
 }
 
@@ -130,12 +142,14 @@ END_TEST
 START_TEST(beyond_the_map_is_nothing)
 {
     cm_octree *octree = drawn_map(5, 0.0, 0);
-    const double places[][3] = {{1.7, 0, 0}, {-1.601, 0, 0}, {NAN, 0, 0}, {0, INFINITY, 0}, {0, 1.6, 0}, {1e300, 0, 0}};
+    const double places[][3] = {{1.7, 0, 0},      {-1.601, 0, 0}, {NAN, 0, 0},
+                                {0, INFINITY, 0}, {0, 1.6, 0},    {1e300, 0, 0}};
     cm_voxel voxel;
     for (size_t i = 0; i < sizeof places / sizeof *places; i++)
     {
         memset(&voxel, 1, sizeof voxel);
-        ck_assert(cm_octree_at(octree, places[i], 0, &voxel) == CM_VOXEL_UNKNOWN && voxel.edge == 0.0);
+        ck_assert(cm_octree_at(octree, places[i], 0, &voxel) == CM_VOXEL_UNKNOWN &&
+                  voxel.edge == 0.0);
         ck_assert(cm_octree_at(octree, places[i], 3, NULL) == CM_VOXEL_UNKNOWN);
     }
     const double middle[3] = {0};
@@ -153,7 +167,8 @@ END_TEST
 /* ---- rays ---- */
 
 /* What part of the ray is in a voxel; 0 if none is. Infinite and NaN of axes that it stands still on are as none. */
-static int crosses(const double low[3], double edge, const double origin[3], const double direction[3], double narrow, double part[2])
+static int crosses(const double low[3], double edge, const double origin[3],
+                   const double direction[3], double narrow, double part[2])
 {
     part[0] = 0.0;
     part[1] = INFINITY;
@@ -192,11 +207,12 @@ static int walk_voxel(void *user, const cm_voxel *voxel)
     return walk->count > 100000;
 }
 
-static void check_ray(const cm_octree *octree, const dense_map *map, const double origin[3], const double towards[3],
-                      double far)
+static void check_ray(const cm_octree *octree, const dense_map *map, const double origin[3],
+                      const double towards[3], double far)
 {
     const cm_octree_options *options = cm_octree_describe(octree);
-    const double length = sqrt(towards[0] * towards[0] + towards[1] * towards[1] + towards[2] * towards[2]);
+    const double length =
+        sqrt(towards[0] * towards[0] + towards[1] * towards[1] + towards[2] * towards[2]);
     const double direction[3] = {towards[0] / length, towards[1] / length, towards[2] / length};
     double surely = INFINITY, perhaps = INFINITY;
     for (size_t i = 0; i < (size_t)(map->n * map->n * map->n); i++)
@@ -205,7 +221,8 @@ static void check_ray(const cm_octree *octree, const dense_map *map, const doubl
         {
             continue;
         }
-        const int64_t n = map->n, place[3] = {(int64_t)i % n, (int64_t)i / n % n, (int64_t)i / n / n};
+        const int64_t n = map->n,
+                      place[3] = {(int64_t)i % n, (int64_t)i / n % n, (int64_t)i / n / n};
         double low[3], wide[3], part[2];
         for (int axis = 0; axis < 3; axis++)
         {
@@ -230,12 +247,16 @@ static void check_ray(const cm_octree *octree, const dense_map *map, const doubl
     ck_assert(!met || voxel.distance == walk.first_occupied);
     if (surely < end - 1e-7)
     {
-        ck_assert_msg(met && voxel.distance <= surely + 1e-7, "a voxel at %g is passed by %d %g from %.17g %.17g %.17g towards %.17g %.17g %.17g",
-                      surely, met, met ? voxel.distance : 0.0, origin[0], origin[1], origin[2], towards[0], towards[1], towards[2]);
+        ck_assert_msg(
+            met && voxel.distance <= surely + 1e-7,
+            "a voxel at %g is passed by %d %g from %.17g %.17g %.17g towards %.17g %.17g %.17g",
+            surely, met, met ? voxel.distance : 0.0, origin[0], origin[1], origin[2], towards[0],
+            towards[1], towards[2]);
     }
     if (met)
     {
-        ck_assert_msg(voxel.distance >= perhaps - 1e-7 && voxel.distance <= end, "%g, before %g", voxel.distance, perhaps);
+        ck_assert_msg(voxel.distance >= perhaps - 1e-7 && voxel.distance <= end, "%g, before %g",
+                      voxel.distance, perhaps);
     }
 }
 
@@ -284,7 +305,8 @@ END_TEST
 START_TEST(strange_rays_end)
 {
     cm_octree *octree = drawn_map(6, 0.0, 0);
-    const double strange[] = {0.0, -0.0, 1e-300, 1e-12, 1.0, 1e12, 1e300, -1e20, INFINITY, NAN, -1.0};
+    const double strange[] = {0.0,   -0.0,  1e-300,   1e-12, 1.0, 1e12,
+                              1e300, -1e20, INFINITY, NAN,   -1.0};
     const size_t n = sizeof strange / sizeof *strange;
     for (size_t i = 0; i < n * n * n; i++)
     {
@@ -293,7 +315,8 @@ START_TEST(strange_rays_end)
         cm_voxel voxel;
         const int met = cm_octree_ray(octree, origin, towards, 0.0, &voxel);
         ray_walk walk = {.first_occupied = INFINITY};
-        ck_assert_int_eq(cm_octree_walk_ray(octree, origin, towards, 0.0, walk_voxel, &walk), CM_OK);
+        ck_assert_int_eq(cm_octree_walk_ray(octree, origin, towards, 0.0, walk_voxel, &walk),
+                         CM_OK);
         ck_assert_msg(!met || voxel.distance >= 0.0, "%g", voxel.distance);
     }
     cm_octree_destroy(octree);
@@ -317,11 +340,13 @@ START_TEST(the_nearest_is_the_nearest)
             for (int axis = 0; axis < 3; axis++)
             {
                 point[axis] = dice_between(&from, -3.0, 3.0);
-                point[axis] = i % 5 == 0 ? options->edge * floor(point[axis] / options->edge) : point[axis];
+                point[axis] =
+                    i % 5 == 0 ? options->edge * floor(point[axis] / options->edge) : point[axis];
             }
             for (size_t k = 0; k < (size_t)(map.n * map.n * map.n); k++)
             {
-                const int64_t n = map.n, place[3] = {(int64_t)k % n, (int64_t)k / n % n, (int64_t)k / n / n};
+                const int64_t n = map.n,
+                              place[3] = {(int64_t)k % n, (int64_t)k / n % n, (int64_t)k / n / n};
                 double square = 0.0;
                 for (int axis = 0; axis < 3; axis++)
                 {
@@ -338,7 +363,8 @@ START_TEST(the_nearest_is_the_nearest)
                 const double there[3] = {voxel.x, voxel.y, voxel.z};
                 const double x = voxel.x - point[0], y = voxel.y - point[1], z = voxel.z - point[2];
                 ck_assert(fabs(voxel.distance - sqrt(best)) < 1e-9);
-                ck_assert(fabs(sqrt(x * x + y * y + z * z) - voxel.distance) < 1e-9 && voxel.level == 0);
+                ck_assert(fabs(sqrt(x * x + y * y + z * z) - voxel.distance) < 1e-9 &&
+                          voxel.level == 0);
                 ck_assert_int_eq(cm_octree_at(octree, there, 0, NULL), CM_VOXEL_OCCUPIED);
             }
         }
@@ -381,13 +407,17 @@ START_TEST(boxes_have_what_is_centred_in_them)
                 least[axis] = dice_between(&from, -2.0, 1.0);
                 greatest[axis] = least[axis] + dice_between(&from, -0.1, 2.0);
                 /* on centres, which are in it, and on borders */
-                least[axis] = i % 3 == 0 ? centre_of(options, axis, (int64_t)(throw_dice(&from) * (double)map.n), 0) : least[axis];
+                least[axis] =
+                    i % 3 == 0
+                        ? centre_of(options, axis, (int64_t)(throw_dice(&from) * (double)map.n), 0)
+                        : least[axis];
                 greatest[axis] = i % 6 == 0 ? least[axis] : greatest[axis];
             }
             box_walk walk = {.voxels = 0}, wanted = {.voxels = 0};
             for (size_t k = 0; k < (size_t)(map.n * map.n * map.n); k++)
             {
-                const int64_t n = map.n, place[3] = {(int64_t)k % n, (int64_t)k / n % n, (int64_t)k / n / n};
+                const int64_t n = map.n,
+                              place[3] = {(int64_t)k % n, (int64_t)k / n % n, (int64_t)k / n / n};
                 int is_in = map.alpha[k] != 127;
                 for (int axis = 0; axis < 3; axis++)
                 {
@@ -398,8 +428,9 @@ START_TEST(boxes_have_what_is_centred_in_them)
                 wanted.sum += is_in ? map.alpha[k] : 0;
             }
             ck_assert_int_eq(cm_octree_walk_box(octree, least, greatest, add_voxel, &walk), CM_OK);
-            ck_assert_msg(walk.voxels == wanted.voxels && walk.sum == wanted.sum, "levels %d, box %d: %d voxels, not %d",
-                          levels, i, (int)walk.voxels, (int)wanted.voxels);
+            ck_assert_msg(walk.voxels == wanted.voxels && walk.sum == wanted.sum,
+                          "levels %d, box %d: %d voxels, not %d", levels, i, (int)walk.voxels,
+                          (int)wanted.voxels);
         }
         dense_clear(&map);
         cm_octree_destroy(octree);
@@ -424,12 +455,14 @@ static int see_voxel(void *user, const cm_voxel *voxel)
     for (int axis = 0; axis < 3; axis++)
     {
         const double centre = axis == 0 ? voxel->x : axis == 1 ? voxel->y : voxel->z;
-        first[axis] = (int64_t)floor((centre - options->centre[axis]) / options->edge - 0.5 * (double)size + 0.5) +
+        first[axis] = (int64_t)floor((centre - options->centre[axis]) / options->edge -
+                                     0.5 * (double)size + 0.5) +
                       walk->seen->n / 2;
     }
     for (int64_t i = 0; i < size * size * size; i++)
     {
-        walk->seen->alpha[dense_at(walk->seen, first[0] + i % size, first[1] + i / size % size, first[2] + i / size / size)] = 1;
+        walk->seen->alpha[dense_at(walk->seen, first[0] + i % size, first[1] + i / size % size,
+                                   first[2] + i / size / size)] = 1;
     }
     return 0;
 }
@@ -442,7 +475,8 @@ START_TEST(changes_are_in_what_is_walked)
     dice from = {9};
     for (int i = 0; i < 8; i++)
     {
-        const double place[3] = {dice_between(&from, -3.0, 3.0), dice_between(&from, -3.0, 3.0), -3.0};
+        const double place[3] = {dice_between(&from, -3.0, 3.0), dice_between(&from, -3.0, 3.0),
+                                 -3.0};
         const double at[3] = {0.1, 0.2, 0.3};
         const cm_pose pose = look_at(place, at, 0.3 * i);
         drawn_view drawn;
@@ -453,16 +487,19 @@ START_TEST(changes_are_in_what_is_walked)
         dense_read(octree, &after);
         memset(seen.alpha, 0, (size_t)1 << 21);
         change_walk walk = {octree, &seen};
-        ck_assert_int_eq(cm_octree_walk_changes(octree, cm_octree_step(octree) - 1, see_voxel, &walk), CM_OK);
+        ck_assert_int_eq(
+            cm_octree_walk_changes(octree, cm_octree_step(octree) - 1, see_voxel, &walk), CM_OK);
         size_t walked = 0, unseen = 0;
         for (size_t k = 0; k < (size_t)1 << 21; k++)
         {
-            unseen += cm_octree_step(octree) > 1 && before.alpha[k] != after.alpha[k] && after.alpha[k] != 127 && !seen.alpha[k];
+            unseen += cm_octree_step(octree) > 1 && before.alpha[k] != after.alpha[k] &&
+                      after.alpha[k] != 127 && !seen.alpha[k];
             walked += seen.alpha[k];
         }
         ck_assert_msg(unseen == 0, "view %d: %zu changes are not walked", i, unseen);
         memset(seen.alpha, 0, (size_t)1 << 21);
-        ck_assert_int_eq(cm_octree_walk_changes(octree, cm_octree_step(octree), see_voxel, &walk), CM_OK);
+        ck_assert_int_eq(cm_octree_walk_changes(octree, cm_octree_step(octree), see_voxel, &walk),
+                         CM_OK);
         for (size_t k = 0; k < (size_t)1 << 21; k++)
         {
             ck_assert(!seen.alpha[k]);
@@ -478,9 +515,9 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {levels_are_averages,         beyond_the_map_is_nothing,
-                                  rays_meet_the_first,         strange_rays_end,
-                                  the_nearest_is_the_nearest,  boxes_have_what_is_centred_in_them,
+    const TTest *const tests[] = {levels_are_averages,           beyond_the_map_is_nothing,
+                                  rays_meet_the_first,           strange_rays_end,
+                                  the_nearest_is_the_nearest,    boxes_have_what_is_centred_in_them,
                                   changes_are_in_what_is_walked, NULL};
     camera = straight_camera(60, 44, 0.5);
     const int result = run_suite("octree queries", tests);

@@ -49,19 +49,22 @@ static float half_of(uint32_t bits)
 
 static int word_of(const cm_pixel_rule *rule, float value)
 {
-    const float reach = half_of(rule->reach_front << 16), front = half_of(rule->reach_front & 0xffff0000u);
+    const float reach = half_of(rule->reach_front << 16),
+                front = half_of(rule->reach_front & 0xffff0000u);
     const float away = value - rule->depth;
     return fabsf(away) <= reach ? 1 : away + front < 0.0f ? -1 : 0;
 }
 
-static void centres_of_row(const cm_octree *octree, const cm_pose *pose, int64_t y, int64_t z, double *to[3])
+static void centres_of_row(const cm_octree *octree, const cm_pose *pose, int64_t y, int64_t z,
+                           double *to[3])
 {
     const cm_octree_options *options = &octree->options;
     const int64_t n = (int64_t)1 << options->levels;
     double corner[3], origin[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        corner[axis] = options->centre[axis] - ldexp(options->edge, octree->tree_level - 1) + 0.5 * options->edge;
+        corner[axis] = options->centre[axis] - ldexp(options->edge, octree->tree_level - 1) +
+                       0.5 * options->edge;
     }
     cm_pose_apply(pose, corner, origin);
     for (int64_t x = 0; x < n; x++)
@@ -71,8 +74,8 @@ static void centres_of_row(const cm_octree *octree, const cm_pose *pose, int64_t
         for (int i = 0; i < 3; i++)
         {
             const double *row = pose->rotation.row[i];
-            to[i][x] = origin[i] + place[0] * (options->edge * row[0]) + place[1] * (options->edge * row[1]) +
-                       place[2] * (options->edge * row[2]);
+            to[i][x] = origin[i] + place[0] * (options->edge * row[0]) +
+                       place[1] * (options->edge * row[1]) + place[2] * (options->edge * row[2]);
         }
     }
 }
@@ -95,26 +98,35 @@ static size_t update_dense(dense_map *map, const cm_octree *octree, const cm_vie
             const double c = floor(memory[3][x] - camera->pixel_centre + 0.5);
             const double r = floor(memory[4][x] - camera->pixel_centre + 0.5);
             const double value =
-                camera->mapping == NULL ? at[2][x]
-                                        : sqrt(at[0][x] * at[0][x] + at[1][x] * at[1][x] + at[2][x] * at[2][x]);
-            if (!(c >= 0.0 && c < camera->width && r >= 0.0 && r < camera->height && value > octree->options.near))
+                camera->mapping == NULL
+                    ? at[2][x]
+                    : sqrt(at[0][x] * at[0][x] + at[1][x] * at[1][x] + at[2][x] * at[2][x]);
+            if (!(c >= 0.0 && c < camera->width && r >= 0.0 && r < camera->height &&
+                  value > octree->options.near))
             {
                 continue;
             }
-            const int word = word_of(&round->rule[(size_t)r * camera->width + (size_t)c], (float)value);
+            const int word =
+                word_of(&round->rule[(size_t)r * camera->width + (size_t)c], (float)value);
             uint8_t *alpha = &map->alpha[dense_at(map, x, row % n, row / n)];
-            const int now = *alpha + (word > 0 ? octree->rule.hit : word < 0 ? -octree->rule.miss : 0);
-            *alpha = (uint8_t)(now < octree->rule.low ? octree->rule.low : now > octree->rule.high ? octree->rule.high : now);
+            const int now = *alpha + (word > 0   ? octree->rule.hit
+                                      : word < 0 ? -octree->rule.miss
+                                                 : 0);
+            *alpha = (uint8_t)(now < octree->rule.low    ? octree->rule.low
+                               : now > octree->rule.high ? octree->rule.high
+                                                         : now);
             changed += word != 0;
         }
     }
     return changed;
 }
 
-static void check_camera(cm_camera *camera, const char *name, int levels, double middle, uint64_t seed)
+static void check_camera(cm_camera *camera, const char *name, int levels, double middle,
+                         uint64_t seed)
 {
     dice from = {seed};
-    cm_octree_options options = {.size = sizeof options, .levels = levels, .edge = ldexp(4.0, -levels)};
+    cm_octree_options options = {
+        .size = sizeof options, .levels = levels, .edge = ldexp(4.0, -levels)};
     options.centre[0] = dice_between(&from, -3.0, 3.0);
     options.near = seed % 2 ? 0.3 : 0.0;
     options.far = seed % 3 == 0 ? 1.7 : 0.0;
@@ -154,7 +166,8 @@ static void check_camera(cm_camera *camera, const char *name, int levels, double
 
 START_TEST(lenses_are_exact)
 {
-    const double all[][8] = {{0.1, -0.05}, {-0.3, 0.1, 0.002, -0.001}, {0.4, 0.2, 0.0, 0.0, -0.1, 0.1, 0.0, 0.05}};
+    const double all[][8] = {
+        {0.1, -0.05}, {-0.3, 0.1, 0.002, -0.001}, {0.4, 0.2, 0.0, 0.0, -0.1, 0.1, 0.0, 0.05}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     {
         cm_camera *camera = lens(all[i], 8);
@@ -173,12 +186,13 @@ START_TEST(surroundings_are_exact)
     {
         const char *name, *frame;
         int faces;
-    } all[] = {{"gnomonic", NULL, 6},  {"coupled", "gl", 6},  {"tangent", "fits", 6},
-             {"conformal", "s2", 6}, {"octahedral", NULL, 1}, {"azimuthal:equidistant", NULL, 1},
-             {"quincuncial", "gl", 1}};
+    } all[] = {{"gnomonic", NULL, 6},   {"coupled", "gl", 6},    {"tangent", "fits", 6},
+               {"conformal", "s2", 6},  {"octahedral", NULL, 1}, {"azimuthal:equidistant", NULL, 1},
+               {"quincuncial", "gl", 1}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     {
-        cm_camera *camera = surroundings(all[i].name, all[i].frame, all[i].faces == 6 ? 23 : 61, all[i].faces);
+        cm_camera *camera =
+            surroundings(all[i].name, all[i].frame, all[i].faces == 6 ? 23 : 61, all[i].faces);
         for (int levels = 1 + (int)(i % 2); levels <= 6; levels += 2)
         {
             check_camera(camera, all[i].name, levels, 1.3, 10 * i + (uint64_t)levels);
@@ -201,7 +215,8 @@ START_TEST(a_lens_of_no_distortion_is_nearly_straight)
         cm_octree *octree = make_map(&options);
         for (int k = 0; k < 3; k++)
         {
-            const double place[3] = {dice_between(&from, -0.5, 0.5), 0.1 * k, -1.2}, at[3] = {0.1, 0.2, 0.3};
+            const double place[3] = {dice_between(&from, -0.5, 0.5), 0.1 * k, -1.2},
+                         at[3] = {0.1, 0.2, 0.3};
             const cm_pose pose = look_at(place, at, 0.2 * k);
             drawn_view drawn;
             draw_view(&drawn, camera[i], &pose, 1.3, 0, &from);
@@ -221,8 +236,8 @@ START_TEST(a_lens_of_no_distortion_is_nearly_straight)
         opposed += a * b < 0;
     }
     ck_assert_msg(known > 20000, "%zu known", known);
-    ck_assert_msg(different < known / 10 && opposed < known / 200, "%zu of %zu differ, %zu opposed", different, known,
-                  opposed);
+    ck_assert_msg(different < known / 10 && opposed < known / 200, "%zu of %zu differ, %zu opposed",
+                  different, known, opposed);
     dense_clear(&map[0]);
     dense_clear(&map[1]);
 }
@@ -230,6 +245,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {lenses_are_exact, surroundings_are_exact, a_lens_of_no_distortion_is_nearly_straight, NULL};
+    const TTest *const tests[] = {lenses_are_exact, surroundings_are_exact,
+                                  a_lens_of_no_distortion_is_nearly_straight, NULL};
     return run_suite("octree round", tests);
 }

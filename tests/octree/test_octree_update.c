@@ -20,7 +20,8 @@ typedef struct voxel_rules
     double step[3][3];
 } voxel_rules;
 
-static void begin_rules(voxel_rules *rules, const cm_octree *octree, const cm_view *view, size_t *valid)
+static void begin_rules(voxel_rules *rules, const cm_octree *octree, const cm_view *view,
+                        size_t *valid)
 {
     memset(rules, 0, sizeof *rules);
     rules->octree = octree;
@@ -30,7 +31,8 @@ static void begin_rules(voxel_rules *rules, const cm_octree *octree, const cm_vi
     double corner[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        corner[axis] = octree->options.centre[axis] - ldexp(octree->options.edge, octree->tree_level - 1) +
+        corner[axis] = octree->options.centre[axis] -
+                       ldexp(octree->options.edge, octree->tree_level - 1) +
                        0.5 * octree->options.edge;
         for (int i = 0; i < 3; i++)
         {
@@ -55,7 +57,8 @@ static void centre_of(const voxel_rules *rules, const int64_t place[3], int deta
     for (int i = 0; i < 3; i++)
     {
         first[i] = rules->origin[i] + (double)(place[0] & ~7) * rules->step[0][i] +
-                   (double)(place[1] & ~7) * rules->step[1][i] + (double)(place[2] & ~7) * rules->step[2][i];
+                   (double)(place[1] & ~7) * rules->step[1][i] +
+                   (double)(place[2] & ~7) * rules->step[2][i];
         const float offset = (float)(((double)(place[0] & 7) + more) * rules->step[0][i] +
                                      ((double)(place[1] & 7) + more) * rules->step[1][i] +
                                      ((double)(place[2] & 7) + more) * rules->step[2][i]);
@@ -74,7 +77,8 @@ static int word_of(const voxel_rules *rules, const float at[3], int detail, size
     const float by = 1.0f / at[2];
     const float u = at[0] * by * table->focal[0] + table->centre[0];
     const float v = at[1] * by * table->focal[1] + table->centre[1];
-    if (!(u >= -0.5f && u < (float)table->width - 0.5f && v >= -0.5f && v < (float)table->height - 0.5f))
+    if (!(u >= -0.5f && u < (float)table->width - 0.5f && v >= -0.5f &&
+          v < (float)table->height - 0.5f))
     {
         return 0;
     }
@@ -82,11 +86,12 @@ static int word_of(const voxel_rules *rules, const float at[3], int detail, size
     *pixel = row * table->width + column;
     const cm_pixel_rule *rule = &table->rule[row * table->stride + column];
     const float scale = (float)(1 << detail);
-    const float reach = half_of(rule->reach_front << 16), front = half_of(rule->reach_front & 0xffff0000u);
+    const float reach = half_of(rule->reach_front << 16),
+                front = half_of(rule->reach_front & 0xffff0000u);
     const float away = at[2] - rule->depth;
-    return fabsf(away) <= reach * scale                               ? 1
+    return fabsf(away) <= reach * scale                                  ? 1
            : away + (front + fmaxf(reach, 0.0f) * (scale - 1.0f)) < 0.0f ? -1
-                                                                      : 0;
+                                                                         : 0;
 }
 
 static int clamped(int value, int low, int high)
@@ -102,7 +107,8 @@ typedef struct told_map
     size_t misses;
 } told_map;
 
-static void apply_word(told_map *oracle, const voxel_rules *rules, size_t at, int word, size_t pixel)
+static void apply_word(told_map *oracle, const voxel_rules *rules, size_t at, int word,
+                       size_t pixel)
 {
     const cm_count_rule *rule = &rules->octree->rule;
     const int old = oracle->map.alpha[at];
@@ -117,8 +123,10 @@ static void apply_word(told_map *oracle, const voxel_rules *rules, size_t at, in
     }
     else if (word > 0 && rules->octree->options.color && rules->view->color.data != NULL)
     {
-        const uint8_t *rgb = (const uint8_t *)rules->view->color.data + rules->view->color.channels * pixel;
-        *color = cm_color_mix(*color, cm_color_word(rgb), (unsigned)(now - 127 + rule->hit - 1) / rule->hit);
+        const uint8_t *rgb =
+            (const uint8_t *)rules->view->color.data + rules->view->color.channels * pixel;
+        *color = cm_color_mix(*color, cm_color_word(rgb),
+                              (unsigned)(now - 127 + rule->hit - 1) / rule->hit);
     }
 }
 
@@ -139,7 +147,8 @@ static void update_oracle(told_map *oracle, const cm_octree *octree, const cm_vi
         {
             for (int64_t x = 0; x < n; x++)
             {
-                const int64_t place[3] = {x + octree->first[0], y + octree->first[1], z + octree->first[2]};
+                const int64_t place[3] = {x + octree->first[0], y + octree->first[1],
+                                          z + octree->first[2]};
                 float at[3];
                 size_t pixel = 0;
                 centre_of(&rules, place, 0, at);
@@ -178,7 +187,8 @@ static const char *oracle_differs(const told_map *oracle, const cm_octree *octre
 
 static cm_octree_options drawn_options(int levels, dice *from)
 {
-    cm_octree_options options = {.size = sizeof options, .levels = levels, .edge = ldexp(3.2, -levels)};
+    cm_octree_options options = {
+        .size = sizeof options, .levels = levels, .edge = ldexp(3.2, -levels)};
     options.edge *= dice_between(from, 0.8, 1.3);
     for (int axis = 0; axis < 3; axis++)
     {
@@ -234,14 +244,16 @@ static void check_case(int levels, int views, uint64_t seed)
     const cm_octree_options options = drawn_options(levels, &from);
     cm_octree *octree = make_map(&options);
     told_map oracle = {.map = dense_make(levels)};
-    cm_camera *camera = straight_camera(40 + (uint32_t)(seed % 60), 30 + (uint32_t)(seed % 37), 0.5 * (double)(seed % 2));
+    cm_camera *camera = straight_camera(40 + (uint32_t)(seed % 60), 30 + (uint32_t)(seed % 37),
+                                        0.5 * (double)(seed % 2));
     cm_pool *pool = make_pool(seed % 3 == 0 ? 2 : 1);
     cm_pose pose = drawn_pose(&options, &from);
     for (int i = 0; i < views; i++)
     {
         drawn_view drawn;
         pose = throw_dice(&from) < 0.5 ? pose : drawn_pose(&options, &from);
-        draw_view(&drawn, camera, &pose, dice_between(&from, 0.8, 2.5), throw_dice(&from) < 0.8, &from);
+        draw_view(&drawn, camera, &pose, dice_between(&from, 0.8, 2.5), throw_dice(&from) < 0.8,
+                  &from);
         drawn.view.depth_is_range = throw_dice(&from) < 0.3;
         spoil(&drawn, &from);
         const int repeats = throw_dice(&from) < 0.2 ? 70 : 1; /* up to the ends of the range */
@@ -269,7 +281,8 @@ START_TEST(every_counter_is_exact)
     const struct
     {
         int levels, views, cases;
-    } all[] = {{1, 6, 12}, {2, 6, 12}, {3, 6, 20}, {4, 6, 20}, {5, 5, 10}, {6, 3, 6}, {7, 2, 3}, {8, 1, 1}};
+    } all[] = {{1, 6, 12}, {2, 6, 12}, {3, 6, 20}, {4, 6, 20},
+               {5, 5, 10}, {6, 3, 6},  {7, 2, 3},  {8, 1, 1}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     {
         for (int k = 0; k < all[i].cases; k += is_quick() ? 4 : 1)

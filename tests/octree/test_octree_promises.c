@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What is promised of any update: the same bits for any instruction set and any threads, and what counts and colors become.
+ */
+#include "dense_map.h"
+
+static cm_octree *updated(const char *instructions, unsigned threads, double footprint,
+                          int is_round)
+{
+    const cm_octree_options options = {.size = sizeof options,
+                                       .levels = 7,
+                                       .edge = 0.04,
+                                       .noise = 0.01,
+                                       .color = 1,
+                                       .footprint = footprint,
+                                       .instructions = instructions};
+    cm_octree *octree = NULL;
+    const cm_status status = cm_octree_create(&options, &octree);
+    ck_assert(status == CM_OK || status == CM_ERROR_INSTRUCTIONS);
+    cm_camera_options lens = {.size = sizeof lens,
+                              .width = 61,
+                              .height = 47,
+                              .fx = 50.0,
+                              .fy = 50.0,
+                              .cx = 30.0,
+                              .cy = 23.0};
+    lens.distortion[0] = is_round ? 0.05 : 0.0;
+    cm_camera *camera = NULL;
+    ck_assert_int_eq(cm_camera_create(&lens, &camera), CM_OK);
+    cm_pool *pool = make_pool(threads);
+    dice from = {17};
+    for (int i = 0; octree != NULL && i < 5; i++)
+    {
+        const double place[3] = {dice_between(&from, -2.0, 2.0), dice_between(&from, -2.0, 2.0),
+                                 -2.3};
+        const double at[3] = {0.1, 0.2, 0.3};
+        const cm_pose pose = look_at(place, at, 0.4 * i);
+        drawn_view drawn;
+        draw_view(&drawn, camera, &pose, 2.0, 1, &from);
+        ck_assert_int_eq(cm_octree_update(octree, &drawn.view, pool), CM_OK);
+        clear_view(&drawn);
+    }
+    cm_pool_destroy(pool);
+    cm_camera_destroy(camera);
+    return octree;
+}
+
+START_TEST(bits_are_the_same)
+{
+    const char *const sets[] = {"scalar", "sse2", "avx2", "avx512", "neon", NULL};
+    const unsigned threads[] = {1, 2, 7};
+    for (int which = 0; which < 4; which++)
+    {
+        const double footprint = which & 1 ? 2.0 : 0.0;
+        cm_octree *first = updated("scalar", 1, footprint, which / 2);
+        for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
+        {
+            cm_octree *octree = updated(sets[i], threads[i % 3], footprint, which / 2);
+            if (octree != NULL)
+            {
+                const char *text = maps_differ(octree, first);
+                ck_assert_msg(text[0] == '\0', "%s, %u threads: %s",
+                              sets[i] == NULL ? "best" : sets[i], threads[i % 3], text);
+            }
+            cm_octree_destroy(octree);
+        }
+        cm_octree_destroy(first);
+    }
+}
+END_TEST
+
+/* ---- one wall, and a thing in front of it ---- */
+
+typedef struct wall
+{
+    cm_octree *octree;
+    cm_camera *camera;
+    drawn_view drawn;
+    int updates;
+} wall;
+
+static void show(wall *seen, float depth, const uint8_t rgb[3], int times)
+{
+    for (size_t i = 0; i < (size_t)40 * 30; i++)
+    {
+        seen->drawn.depth[i] = depth;
+        memcpy(seen->drawn.color + 4 * i, rgb, 3);
+    }
+    for (int i = 0; i < times; i++)
+    {
+        ck_assert_int_eq(cm_octree_update(seen->octree, &seen->drawn.view, NULL), CM_OK);
+        seen->updates++;
+    }
+}
+
+static wall make_wall(const cm_octree_options *options)
+{
+    wall seen = {.octree = make_map(options), .camera = straight_camera(40, 30, 0.5)};
+    const cm_pose pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.0, 0.0, 0.0}};
+    dice from = {1};
+    draw_view(&seen.drawn, seen.camera, &pose, 1.0, 1, &from);
+    return seen;
+}
+
+static void clear_wall(wall *seen)
+{
+    clear_view(&seen->drawn);
+    cm_camera_destroy(seen->camera);
+    cm_octree_destroy(seen->octree);
+}
+
+START_TEST(counts_and_colors_are_the_chapters)
+{
+    const cm_octree_options options = {.size = sizeof options,
+                                       .levels = 6,
+                                       .edge = 0.05,
+                                       .color = 1,
+                                       .far = 1.5,
+                                       .no_return_is_free = 1};
+    const uint8_t red[3] = {240, 10, 20}, grey[3] = {100, 100, 100}, black[3] = {0, 0, 0};
+    const double at[3] = {0.01, 0.01, 1.02}, before[3] = {0.01, 0.01, 0.52},
+                 behind[3] = {0.01, 0.01, 1.42};
+    cm_voxel voxel;
+    wall seen = make_wall(&options);
+    show(&seen, 1.02f, red, 1);
+    ck_assert(cm_octree_at(seen.octree, at, 0, &voxel) == CM_VOXEL_OCCUPIED && voxel.alpha == 129 &&
+              voxel.has_color);
+    ck_assert(voxel.color[0] == 240 && voxel.color[1] == 10 && voxel.color[2] == 20);
+    show(&seen, 1.02f, grey, 3);
+    cm_octree_at(seen.octree, at, 0, &voxel);
+    ck_assert(abs(voxel.color[0] - 135) <= 1 && abs(voxel.color[1] - 78) <= 1 &&
+              abs(voxel.color[2] - 80) <= 1);
+    show(&seen, 1.02f, black, 100);
+    cm_octree_at(seen.octree, at, 0, &voxel);
+    ck_assert_msg(voxel.alpha == 255 && voxel.color[0] < 45, "%d %d", voxel.alpha, voxel.color[0]);
+    ck_assert(cm_octree_at(seen.octree, before, 0, &voxel) == CM_VOXEL_FREE && voxel.alpha == 0);
+    ck_assert(cm_octree_at(seen.octree, behind, 0, &voxel) == CM_VOXEL_UNKNOWN);
+    /* the thing is taken away, and nothing is behind it */
+    show(&seen, NAN, red, 63);
+    ck_assert(cm_octree_at(seen.octree, at, 0, &voxel) == CM_VOXEL_OCCUPIED && voxel.alpha == 129);
+    show(&seen, NAN, red, 1);
+    ck_assert_int_eq(cm_octree_at(seen.octree, at, 0, &voxel), CM_VOXEL_UNKNOWN);
+    show(&seen, NAN, red, 1);
+    ck_assert_int_eq(cm_octree_at(seen.octree, at, 0, &voxel), CM_VOXEL_FREE);
+    show(&seen, NAN, red, 100);
+    ck_assert(cm_octree_at(seen.octree, at, 0, &voxel) == CM_VOXEL_FREE && voxel.alpha == 0 &&
+              !voxel.has_color);
+    ck_assert_int_eq((int)cm_octree_step(seen.octree), seen.updates);
+    clear_wall(&seen);
+}
+END_TEST
+
+START_TEST(views_that_say_nothing_change_nothing)
+{
+    const cm_octree_options options = {
+        .size = sizeof options, .levels = 10, .edge = 0.05, .far = 3.0};
+    const uint8_t red[3] = {240, 10, 20};
+    wall seen = make_wall(&options);
+    show(&seen, NAN, red, 2);
+    show(&seen, 0.0f, red, 2);
+    ck_assert_int_eq((int)cm_octree_step(seen.octree), 0);
+    cm_octree_count usual = {.size = sizeof usual}, after = usual;
+    show(&seen, 2.0f, red, 1);
+    ck_assert_int_eq(cm_octree_count_voxels(seen.octree, &usual), CM_OK);
+    seen.drawn.depth[600] = 1.7e7f;
+    ck_assert_int_eq(cm_octree_update(seen.octree, &seen.drawn.view, NULL), CM_OK);
+    ck_assert_int_eq(cm_octree_count_voxels(seen.octree, &after), CM_OK);
+    ck_assert_msg(after.bytes < 2 * usual.bytes, "one far pixel makes %d of %d bytes",
+                  (int)after.bytes, (int)usual.bytes);
+    /* poses beyond the map, and none */
+    seen.drawn.view.pose.position[0] = 1e6;
+    ck_assert_int_eq(cm_octree_update(seen.octree, &seen.drawn.view, NULL), CM_OK);
+    const uint64_t step = cm_octree_step(seen.octree);
+    seen.drawn.view.pose.rotation.row[0][0] = NAN;
+    ck_assert_int_eq(cm_octree_update(seen.octree, &seen.drawn.view, NULL), CM_ERROR_CAMERA);
+    ck_assert_int_eq(cm_octree_update(seen.octree, NULL, NULL), CM_ERROR_ARGUMENT);
+    seen.drawn.view.pose.rotation.row[0][0] = 1.0;
+    seen.drawn.view.depth.width = 39;
+    ck_assert_int_eq(cm_octree_update(seen.octree, &seen.drawn.view, NULL), CM_ERROR_ARGUMENT);
+    ck_assert_uint_eq(cm_octree_step(seen.octree), step);
+    clear_wall(&seen);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {bits_are_the_same, counts_and_colors_are_the_chapters,
+                                  views_that_say_nothing_change_nothing, NULL};
+    return run_suite("octree promises", tests);
+}
