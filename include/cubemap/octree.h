@@ -56,12 +56,11 @@ typedef struct cm_octree_options
     double centre[3]; /* of the root */
     int levels;       /* 1 to CM_OCTREE_LEVELS_MAX: the root has 2^levels voxels each way */
     int rule;         /* a cm_octree_rule */
-    /* Of log-odds, in steps of which 127 fit between 0 and the farther of low and high: what a hit adds, above 0; what a miss
-     * adds, below 0; and the bounds, below and above 0. Each step is a whole one at least */
-    double hit;
-    double miss;
-    double low;
-    double high;
+    /* Of log-odds, in steps of which 127 fit between 0 and the farther of low and high; each is a whole step at least: */
+    double hit;  /* what a hit adds, above 0 */
+    double miss; /* what a miss adds, below 0 */
+    double low;  /* the least, below 0 */
+    double high; /* the greatest, above 0 */
     double near;           /* depths, or ranges, that are nearer say nothing */
     double far;            /* what is farther is free up to here and no hit; 0: no limit */
     int no_return_is_free; /* 1: pixels without a measurement are free up to far, which must be given */
@@ -121,7 +120,9 @@ typedef enum cm_voxel_state
 /* A voxel. This struct will not change. */
 typedef struct cm_voxel
 {
-    double x, y, z;    /* its centre */
+    double x;          /* its centre */
+    double y;          /* and its second coordinate */
+    double z;          /* and its third */
     double edge;       /* its length */
     double distance;   /* of cm_octree_ray and cm_octree_nearest: to it; else 0 */
     int32_t level;     /* of its size: edge = 2^level finest edges */
@@ -212,7 +213,7 @@ typedef struct cm_octree_shading
     int coarsest; /* the finest level that is read: 0 for all */
     double far;   /* the length of cones in units of the world; 0: 10 */
     int light;    /* 1: one virtual light with a cone-traced shadow */
-    double light_position[3];
+    double light_position[3]; /* where it is, in the world */
     double light_angle;  /* of the shadow's cone, full, in radians; 0: 0.1 */
     double ambient;      /* of the light that is everywhere, 0 to 1; 0: 0.3 */
     float background[3]; /* 0 to 1 */

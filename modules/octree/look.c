@@ -7,6 +7,7 @@
 
 #include "interleave.h"
 #include "node_tree.h"
+#include "paging.h"
 #include "walk.h"
 
 static const cm_voxel nothing = {0};

@@ -9,7 +9,7 @@
 
 #include "interleave.h"
 #include "node_tree.h"
-#include "page.h"
+#include "paging.h"
 #include "walk.h"
 
 /* ---- sums ---- */

@@ -6,6 +6,7 @@
 
 #include "interleave.h"
 #include "node_tree.h"
+#include "paging.h"
 #include "walk.h"
 
 typedef struct nearest_work

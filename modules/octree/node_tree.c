@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "page.h"
-
 /* ---- memory ---- */
 
 int cm_nodes_make(cm_octree *octree)
@@ -224,62 +222,6 @@ cm_status cm_node_take_region(cm_octree *octree, uint32_t index, cm_region *regi
     node->kind = CM_NODE_REGION;
     node->link = link;
     return CM_OK;
-}
-
-cm_status cm_node_region(cm_octree *octree, uint32_t index, const uint32_t place[3],
-                         cm_region **region)
-{
-    cm_status status = CM_OK;
-    const uint8_t kind = octree->node[index].kind;
-    if (kind != CM_NODE_REGION)
-    {
-        cm_region *made = NULL;
-        if (kind == CM_NODE_PAGED)
-        {
-            status = cm_page_get(octree, octree->options.pages, place, &made);
-        }
-        else
-        {
-            made = cm_region_make(place, octree->node[index].value);
-            status = made == NULL ? CM_ERROR_MEMORY : CM_OK;
-        }
-        if (status == CM_OK)
-        {
-            status = cm_node_take_region(octree, index, made);
-        }
-        if (status != CM_OK)
-        {
-            return status;
-        }
-    }
-    cm_node_push(octree, index);
-    *region = octree->region[octree->node[index].link];
-    (*region)->used = octree->clock;
-    return CM_OK;
-}
-
-cm_status cm_node_look(const cm_octree *octree, uint32_t index, const uint32_t place[3],
-                       const cm_region **region)
-{
-    cm_status status = CM_OK;
-    if (octree->node[index].kind == CM_NODE_PAGED)
-    {
-        /* what the caller sees of the map does not change */
-        cm_octree *pager = (cm_octree *)(uintptr_t)octree;
-        const uint32_t corner[3] = {place[0] >> CM_REGION_LEVEL << CM_REGION_LEVEL,
-                                    place[1] >> CM_REGION_LEVEL << CM_REGION_LEVEL,
-                                    place[2] >> CM_REGION_LEVEL << CM_REGION_LEVEL};
-        cm_region *got = NULL;
-        pager->clock++;
-        status = cm_page_get(octree, octree->options.pages, corner, &got);
-        status = status == CM_OK ? cm_node_take_region(pager, index, got) : status;
-        status = status == CM_OK ? cm_pages_trim(pager) : status;
-    }
-    if (status == CM_OK)
-    {
-        *region = octree->region[octree->node[index].link];
-    }
-    return status;
 }
 
 void cm_node_close(cm_octree *octree, uint32_t index, uint8_t alpha)

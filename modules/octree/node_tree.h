@@ -33,15 +33,8 @@ void cm_node_push(cm_octree *octree, uint32_t node);
 /* Misses of all that a node has. */
 void cm_node_miss(cm_octree *octree, uint32_t node, unsigned misses);
 
-/* The region of a node at CM_REGION_LEVEL, in memory, with nothing waiting above its blocks; it is made of a leaf, and got from
- * pages. */
-cm_status cm_node_region(cm_octree *octree, uint32_t node, const uint32_t place[3], cm_region **region);
-
 /* A region that was made or got becomes that of a node, which keeps the misses that wait. It is given back on failure. */
 cm_status cm_node_take_region(cm_octree *octree, uint32_t node, cm_region *region);
-
-/* The region of a node for reading; from pages, what is there goes back into memory. Misses that wait stay where they are. */
-cm_status cm_node_look(const cm_octree *octree, uint32_t node, const uint32_t place[3], const cm_region **region);
 
 /* A node becomes a leaf, and all below it is given back. */
 void cm_node_close(cm_octree *octree, uint32_t node, uint8_t alpha);

@@ -8,6 +8,7 @@
 
 #include "interleave.h"
 #include "node_tree.h"
+#include "paging.h"
 #include "walk.h"
 
 /* A ray in voxels of the tree. */

@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "interleave.h"
-#include "node_tree.h"
 
 #define PAGE_KIND 0x4f435252u /* "RRCO" */
 #define PAGE_VERSION 1u
@@ -296,58 +295,4 @@ cm_status cm_page_get(const cm_octree *octree, cm_store *store, const uint32_t p
     got->is_dirty = 0;
     *region = got;
     return CM_OK;
-}
-
-/* ---- the least recently used ---- */
-
-static int by_use(const void *a, const void *b)
-{
-    const cm_region *const *p = a, *const *q = b;
-    return (*p)->used < (*q)->used ? -1 : (*p)->used > (*q)->used;
-}
-
-/* Of two that were used together the one that is first in the order of keys goes first, whatever the indices. */
-static int in_order(const void *a, const void *b)
-{
-    const cm_region *const *p = a, *const *q = b;
-    const int order = by_use(a, b);
-    const uint64_t k = cm_interleave((*p)->place), l = cm_interleave((*q)->place);
-    return order != 0 ? order : k < l ? -1 : k > l;
-}
-
-cm_status cm_pages_trim(cm_octree *octree)
-{
-    const uint64_t most = octree->options.memory;
-    if (most == 0 || octree->bytes <= most)
-    {
-        return CM_OK;
-    }
-    cm_region **list = malloc((octree->region_count + 1) * sizeof *list);
-    if (list == NULL)
-    {
-        return CM_ERROR_MEMORY;
-    }
-    size_t count = 0;
-    for (size_t i = 0; i < octree->region_count; i++)
-    {
-        if (octree->region[i] != NULL && !octree->region[i]->is_held)
-        {
-            list[count++] = octree->region[i];
-        }
-    }
-    qsort(list, count, sizeof *list, in_order);
-    cm_status status = CM_OK;
-    /* one stays, for who has just asked for it */
-    for (size_t i = 0; status == CM_OK && i + 1 < count && octree->bytes > most - most / 8; i++)
-    {
-        octree->bytes -= cm_region_size(list[i]);
-        status = list[i]->is_dirty ? cm_page_put(octree, octree->options.pages, list[i]) : CM_OK;
-        octree->bytes += cm_region_size(list[i]);
-        if (status == CM_OK)
-        {
-            cm_node_forget_region(octree, list[i]->node);
-        }
-    }
-    free(list);
-    return status;
 }

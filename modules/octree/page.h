@@ -16,8 +16,4 @@ cm_status cm_page_put(const cm_octree *octree, cm_store *store, cm_region *regio
 /* It is no region any more. */
 cm_status cm_page_remove(cm_store *store, const uint32_t place[3]);
 
-/* Regions that were not used for longest go to pages until those in memory take what options.memory says, but those that were
- * used in this step stay. */
-cm_status cm_pages_trim(cm_octree *octree);
-
 #endif

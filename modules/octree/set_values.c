@@ -7,7 +7,7 @@
 #include "block_access.h"
 #include "interleave.h"
 #include "node_tree.h"
-#include "page.h"
+#include "paging.h"
 #include "update_desk.h"
 
 /* From the root's centre to the tree's corner; 0 if the cube is not in the tree. */

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "interleave.h"
-#include "page.h"
+#include "paging.h"
 #include "update_desk.h"
 #include "update_round.h"
 

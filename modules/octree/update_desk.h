@@ -5,6 +5,8 @@
 #ifndef MODULES_OCTREE_UPDATE_DESK_H
 #define MODULES_OCTREE_UPDATE_DESK_H
 
+#include <stdatomic.h>
+
 #include "node_tree.h"
 #include "view_table.h"
 

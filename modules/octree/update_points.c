@@ -9,7 +9,7 @@
 
 #include "interleave.h"
 #include "node_tree.h"
-#include "page.h"
+#include "paging.h"
 #include "walk.h"
 
 /* A voxel that something happens to: its key, and the point whose hit it is; a miss has none. */
