@@ -241,6 +241,8 @@ class mips_view;
 class mips;
 class motion_view;
 class motion;
+class octree_view;
+class octree;
 class plan_view;
 class plan;
 class pool_view;
@@ -1056,6 +1058,24 @@ public:
     // cm_motion_create
     static result<motion> try_make(trajectory_view trajectory);
     explicit motion(trajectory_view trajectory);
+};
+
+/* An object cm_octree that somebody else owns. */
+class octree_view
+{
+public:
+    explicit octree_view(cm_octree *handle) noexcept : handle_(handle) {}
+    cm_octree *get() const noexcept { return handle_; }
+
+private:
+    cm_octree *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class octree : public detail::owner<octree_view, cm_octree, cm_octree_destroy>
+{
+public:
+    explicit octree(cm_octree *handle) noexcept : owner(handle) {}
 };
 
 /* An object cm_plan that somebody else owns. */
