@@ -26,6 +26,7 @@
 #include <cubemap/environment.h>
 #include <cubemap/image.h>
 #include <cubemap/mips.h>
+#include <cubemap/octree.h>
 #include <cubemap/panorama.h>
 #include <cubemap/scene.h>
 
@@ -1066,6 +1067,61 @@ class octree_view
 public:
     explicit octree_view(cm_octree *handle) noexcept : handle_(handle) {}
     cm_octree *get() const noexcept { return handle_; }
+    // cm_octree_describe
+    const cm_octree_options * describe() const;
+    // cm_octree_update
+    cm_status try_update(const cm_view &view, pool_view pool) const;
+    void update(const cm_view &view, pool_view pool) const;
+    // cm_octree_update_points
+    cm_status try_update_points(const double (&origin)[3], size_t n, span<const float> xyz, span<const
+        uint8_t> rgb) const;
+    void update_points(const double (&origin)[3], size_t n, span<const float> xyz, span<const uint8_t> rgb)
+        const;
+    // cm_octree_merge
+    cm_status try_merge(octree_view from, const cm_pose &pose) const;
+    void merge(octree_view from, const cm_pose &pose) const;
+    // cm_octree_compact
+    cm_status try_compact() const;
+    void compact() const;
+    // cm_octree_at
+    int at(const double (&point)[3], int level, cm_voxel *voxel) const;
+    // cm_octree_ray
+    int ray(const double (&origin)[3], const double (&direction)[3], double far, cm_voxel *voxel) const;
+    // cm_octree_nearest
+    int nearest(const double (&point)[3], double radius, cm_voxel *voxel) const;
+    // cm_octree_walk_ray
+    cm_status try_walk_ray(const double (&origin)[3], const double (&direction)[3], double far, cm_voxel_job
+        job, void *user) const;
+    void walk_ray(const double (&origin)[3], const double (&direction)[3], double far, cm_voxel_job job, void
+        *user) const;
+    // cm_octree_walk_box
+    cm_status try_walk_box(const double (&least)[3], const double (&greatest)[3], cm_voxel_job job, void
+        *user) const;
+    void walk_box(const double (&least)[3], const double (&greatest)[3], cm_voxel_job job, void *user) const;
+    // cm_octree_walk_changes
+    cm_status try_walk_changes(uint64_t since, cm_voxel_job job, void *user) const;
+    void walk_changes(uint64_t since, cm_voxel_job job, void *user) const;
+    // cm_octree_step
+    uint64_t step() const;
+    // cm_octree_extract
+    cm_status try_extract(int level, span<cm_voxel> voxel, size_t *count) const;
+    void extract(int level, span<cm_voxel> voxel, size_t *count) const;
+    // cm_octree_count_voxels
+    cm_status try_count_voxels(cm_octree_count *count) const;
+    void count_voxels(cm_octree_count *count) const;
+    // cm_octree_save
+    cm_status try_save(store_view store, const void *user_data, size_t count) const;
+    void save(store_view store, const void *user_data, size_t count) const;
+    // cm_octree_user_data
+    const void * user_data(size_t *count) const;
+    // cm_octree_render
+    cm_status try_render(camera_view camera, const cm_pose &pose, const cm_octree_shading &shading, cm_image
+        *color, cm_image *depth) const;
+    void render(camera_view camera, const cm_pose &pose, const cm_octree_shading &shading, cm_image *color,
+        cm_image *depth) const;
+    // cm_hull_carve
+    cm_status try_carve_hull(span<const cm_view> masks, int outside_survives, pool_view pool) const;
+    void carve_hull(span<const cm_view> masks, int outside_survives, pool_view pool) const;
 
 private:
     cm_octree *handle_;
@@ -1076,6 +1132,12 @@ class octree : public detail::owner<octree_view, cm_octree, cm_octree_destroy>
 {
 public:
     explicit octree(cm_octree *handle) noexcept : owner(handle) {}
+    // cm_octree_create
+    static result<octree> try_make(const cm_octree_options &options);
+    explicit octree(const cm_octree_options &options);
+    // cm_octree_load
+    static result<octree> try_load(store_view store, const cm_octree_options &options);
+    static octree load(store_view store, const cm_octree_options &options);
 };
 
 /* An object cm_plan that somebody else owns. */
@@ -2194,6 +2256,78 @@ inline result<motion> motion::try_make(trajectory_view trajectory) { cm_motion *
     cm_status status = cm_motion_create(trajectory.get(), &made_object); return status == CM_OK ?
     result<motion>(motion(made_object)) : result<motion>(status); }
 inline motion::motion(trajectory_view trajectory) : motion(try_make(trajectory).value()) {}
+inline const cm_octree_options * octree_view::describe() const { return cm_octree_describe(get()); }
+inline cm_status octree_view::try_update(const cm_view &view, pool_view pool) const { return
+    cm_octree_update(get(), &view, pool.get()); }
+inline void octree_view::update(const cm_view &view, pool_view pool) const {
+    detail::check(cm_octree_update(get(), &view, pool.get())); }
+inline cm_status octree_view::try_update_points(const double (&origin)[3], size_t n, span<const float> xyz,
+    span<const uint8_t> rgb) const { return detail::holds(xyz.size(), detail::whole(n), 3) &&
+    detail::holds(rgb.size(), detail::whole(n), 3) ? cm_octree_update_points(get(), origin, n, xyz.data(),
+    rgb.data()) : CM_ERROR_ARGUMENT; }
+inline void octree_view::update_points(const double (&origin)[3], size_t n, span<const float> xyz, span<const
+    uint8_t> rgb) const { detail::check(detail::holds(xyz.size(), detail::whole(n), 3) &&
+    detail::holds(rgb.size(), detail::whole(n), 3) ? cm_octree_update_points(get(), origin, n, xyz.data(),
+    rgb.data()) : CM_ERROR_ARGUMENT); }
+inline cm_status octree_view::try_merge(octree_view from, const cm_pose &pose) const { return
+    cm_octree_merge(get(), from.get(), &pose); }
+inline void octree_view::merge(octree_view from, const cm_pose &pose) const {
+    detail::check(cm_octree_merge(get(), from.get(), &pose)); }
+inline cm_status octree_view::try_compact() const { return cm_octree_compact(get()); }
+inline void octree_view::compact() const { detail::check(cm_octree_compact(get())); }
+inline int octree_view::at(const double (&point)[3], int level, cm_voxel *voxel) const { return
+    cm_octree_at(get(), point, level, voxel); }
+inline int octree_view::ray(const double (&origin)[3], const double (&direction)[3], double far, cm_voxel
+    *voxel) const { return cm_octree_ray(get(), origin, direction, far, voxel); }
+inline int octree_view::nearest(const double (&point)[3], double radius, cm_voxel *voxel) const { return
+    cm_octree_nearest(get(), point, radius, voxel); }
+inline cm_status octree_view::try_walk_ray(const double (&origin)[3], const double (&direction)[3], double
+    far, cm_voxel_job job, void *user) const { return cm_octree_walk_ray(get(), origin, direction, far, job,
+    user); }
+inline void octree_view::walk_ray(const double (&origin)[3], const double (&direction)[3], double far,
+    cm_voxel_job job, void *user) const { detail::check(cm_octree_walk_ray(get(), origin, direction, far, job,
+    user)); }
+inline cm_status octree_view::try_walk_box(const double (&least)[3], const double (&greatest)[3], cm_voxel_job
+    job, void *user) const { return cm_octree_walk_box(get(), least, greatest, job, user); }
+inline void octree_view::walk_box(const double (&least)[3], const double (&greatest)[3], cm_voxel_job job,
+    void *user) const { detail::check(cm_octree_walk_box(get(), least, greatest, job, user)); }
+inline cm_status octree_view::try_walk_changes(uint64_t since, cm_voxel_job job, void *user) const { return
+    cm_octree_walk_changes(get(), since, job, user); }
+inline void octree_view::walk_changes(uint64_t since, cm_voxel_job job, void *user) const {
+    detail::check(cm_octree_walk_changes(get(), since, job, user)); }
+inline uint64_t octree_view::step() const { return cm_octree_step(get()); }
+inline cm_status octree_view::try_extract(int level, span<cm_voxel> voxel, size_t *count) const { return
+    cm_octree_extract(get(), level, voxel.size(), voxel.data(), count); }
+inline void octree_view::extract(int level, span<cm_voxel> voxel, size_t *count) const {
+    detail::check(cm_octree_extract(get(), level, voxel.size(), voxel.data(), count)); }
+inline cm_status octree_view::try_count_voxels(cm_octree_count *count) const { return
+    cm_octree_count_voxels(get(), count); }
+inline void octree_view::count_voxels(cm_octree_count *count) const {
+    detail::check(cm_octree_count_voxels(get(), count)); }
+inline cm_status octree_view::try_save(store_view store, const void *user_data, size_t count) const { return
+    cm_octree_save(get(), store.get(), user_data, count); }
+inline void octree_view::save(store_view store, const void *user_data, size_t count) const {
+    detail::check(cm_octree_save(get(), store.get(), user_data, count)); }
+inline const void * octree_view::user_data(size_t *count) const { return cm_octree_user_data(get(), count); }
+inline cm_status octree_view::try_render(camera_view camera, const cm_pose &pose, const cm_octree_shading
+    &shading, cm_image *color, cm_image *depth) const { return cm_octree_render(get(), camera.get(), &pose,
+    &shading, color, depth); }
+inline void octree_view::render(camera_view camera, const cm_pose &pose, const cm_octree_shading &shading,
+    cm_image *color, cm_image *depth) const { detail::check(cm_octree_render(get(), camera.get(), &pose,
+    &shading, color, depth)); }
+inline cm_status octree_view::try_carve_hull(span<const cm_view> masks, int outside_survives, pool_view pool)
+    const { return cm_hull_carve(get(), masks.size(), masks.data(), outside_survives, pool.get()); }
+inline void octree_view::carve_hull(span<const cm_view> masks, int outside_survives, pool_view pool) const {
+    detail::check(cm_hull_carve(get(), masks.size(), masks.data(), outside_survives, pool.get())); }
+inline result<octree> octree::try_make(const cm_octree_options &options) { cm_octree *made_object = nullptr;
+    const cm_status status = cm_octree_create(&options, &made_object); return status == CM_OK ?
+    result<octree>(octree(made_object)) : result<octree>(status); }
+inline octree::octree(const cm_octree_options &options) : octree(try_make(options).value()) {}
+inline result<octree> octree::try_load(store_view store, const cm_octree_options &options) { cm_octree
+    *made_object = nullptr; const cm_status status = cm_octree_load(store.get(), &options, &made_object);
+    return status == CM_OK ? result<octree>(octree(made_object)) : result<octree>(status); }
+inline octree octree::load(store_view store, const cm_octree_options &options) { return try_load(store,
+    options).value(); }
 inline cm_status plan_view::try_write(char *text, size_t size, size_t *length) const { return
     cm_plan_write(get(), text, size, length); }
 inline void plan_view::write(char *text, size_t size, size_t *length) const {

@@ -7,7 +7,7 @@
 
 #include "dense_map.h"
 
-#include "tests/scene/refused_allocation.h"
+#include "tests/refused_allocation.h"
 
 static cm_camera *straight, *bent;
 static drawn_view seen[2];

@@ -22,7 +22,7 @@
 
 #include "tests/memory_stream.h"
 #include "tests/suite.h"
-#include "refused_allocation.h"
+#include "tests/refused_allocation.h"
 #include "written_files.h"
 
 /* ---- pictures, whose library is linked with --wrap ---- */

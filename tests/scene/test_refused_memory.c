@@ -7,7 +7,7 @@
 #include <cubemap/pool.h>
 
 #include "curved_trajectory.h"
-#include "refused_allocation.h"
+#include "tests/refused_allocation.h"
 
 typedef struct outputs
 {

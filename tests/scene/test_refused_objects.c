@@ -10,7 +10,7 @@
 #include <cubemap/world.h>
 
 #include "drawn_box.h"
-#include "refused_allocation.h"
+#include "tests/refused_allocation.h"
 
 enum
 {

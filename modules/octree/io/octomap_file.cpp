@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <new>
@@ -104,7 +105,7 @@ double edge_of(std::string_view word)
 {
     double edge = 0;
     if (cm_number_parse(word.data(), word.size(), &edge) == 0 || !(edge > 0) ||
-        !std::isfinite(edge))
+        !std::isnormal(edge))
     {
         throw OctomapFailure("its res is no length above 0");
     }
@@ -414,8 +415,7 @@ private:
         if (head.id == "ColorOcTree" && value.alpha > unknown)
         {
             std::copy(bytes + 4, bytes + 7, value.color.begin());
-            value.has_color =
-                value.color != std::array<std::uint8_t, 3>{255, 255, 255}; // was given none
+            value.has_color = true; // white, if it was given none
         }
         return value;
     }
@@ -473,6 +473,11 @@ cm_octree *read_map(const unsigned char *bytes, std::size_t count)
 
 std::vector<unsigned char> content_of(const char *path)
 {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+    {
+        throw OctomapFailure("is a folder", CM_ERROR_FILE);
+    }
     std::ifstream file(path, std::ios::binary);
     file.seekg(0, std::ios::end);
     const std::streamoff size = file.tellg();
