@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #define _GNU_SOURCE
 
-#include "tests/refused_allocation.h"
+#include "refused_allocation.h"
 
 #include <errno.h>
 #include <pthread.h>
