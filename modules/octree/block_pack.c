@@ -127,6 +127,7 @@ int cm_block_pack(cm_region *region, unsigned block, const cm_count_rule *rule)
         return 0;
     }
     cm_block_even(region, block, 0);
+    cm_region_mark(region, block, value[count - 1] > CM_UNKNOWN);
     region->detail[block] = (uint8_t)detail;
     region->form[block] = (uint8_t)form;
     region->alpha[block] = packed;

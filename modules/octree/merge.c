@@ -52,6 +52,7 @@ static int add_cells(cm_octree *to, cm_region *region, unsigned block, const add
         return 0;
     }
     const unsigned shift = 3 * region->detail[block];
+    int is_solid = 0;
     uint32_t *color = region->color == NULL ? NULL : region->color[block];
     for (unsigned cell = 0; cell < 512u >> shift; cell++)
     {
@@ -74,7 +75,9 @@ static int add_cells(cm_octree *to, cm_region *region, unsigned block, const add
                                                       cm_hits_of(rule, more));
         }
         alpha[cell] = sum;
+        is_solid |= sum > CM_UNKNOWN;
     }
+    cm_region_mark(region, block, is_solid);
     region->changed[block] = to->step;
     cm_block_settle(region, block);
     return 1;
@@ -145,6 +148,7 @@ static cm_status add_even_region(cm_octree *to, uint32_t node, const uint32_t pl
         if (region->form[block] == CM_BLOCK_EVEN)
         {
             region->value[block] = sum_of(&to->rule, region->value[block], alpha);
+            cm_region_mark(region, block, region->value[block] > CM_UNKNOWN);
             region->changed[block] = to->step;
         }
         else if (!add_cells(to, region, block, &added))

@@ -69,7 +69,14 @@ typedef struct cm_region
     uint8_t form[CM_REGION_BLOCKS];     /* a cm_block_form */
     uint8_t one_color[CM_REGION_BLOCKS / 8]; /* bits: all occupied cells of a packed block have the only color */
     uint32_t changed[CM_REGION_BLOCKS]; /* the step */
+    uint64_t solid[CM_REGION_BLOCKS / 64]; /* bits: a block may have an occupied cell; without one it has none */
 } cm_region;
+
+static inline void cm_region_mark(cm_region *region, unsigned block, int is_solid)
+{
+    const uint64_t bit = (uint64_t)1 << block % 64;
+    region->solid[block / 64] = is_solid ? region->solid[block / 64] | bit : region->solid[block / 64] & ~bit;
+}
 
 static inline int cm_has_one_color(const cm_region *region, unsigned block)
 {

@@ -21,9 +21,13 @@ typedef struct ray_state
     double at;      /* where it is, in units of the world */
     double end;
     int32_t place[3]; /* the voxel that it is in */
-    /* the block that was looked at last */
+    /* where it was looked up last: the region there, and the nodes above it with the misses that wait from each on upwards */
     const cm_region *region;
     unsigned misses;
+    uint32_t looked[3];
+    uint32_t node[CM_OCTREE_LEVELS_MAX + 1];
+    uint8_t waiting[CM_OCTREE_LEVELS_MAX + 1];
+    int has_nodes;
 } ray_state;
 
 /* A cube of one alpha: an even one, or a voxel. */
@@ -39,7 +43,7 @@ static int begin(ray_state *ray, const cm_octree *octree, const double origin[3]
                  double far)
 {
     double square = 0.0;
-    const double middle = ldexp(1.0, octree->tree_level - 1);
+    const double middle = (double)((uint64_t)1 << (octree->tree_level - 1));
     for (int axis = 0; axis < 3; axis++)
     {
         square += direction[axis] * direction[axis];
@@ -47,6 +51,7 @@ static int begin(ray_state *ray, const cm_octree *octree, const double origin[3]
     const double length = sqrt(square);
     ray->octree = octree;
     ray->region = NULL;
+    ray->has_nodes = 0;
     ray->at = 0.0;
     ray->end = far > 0.0 ? far : INFINITY;
     int good = length > 0.0 && length < 1e100 && far >= 0.0;
@@ -76,37 +81,82 @@ static int begin(ray_state *ray, const cm_octree *octree, const double origin[3]
     return good && ray->at <= ray->end;
 }
 
-/* What is where the ray is. */
-static cm_status look(ray_state *ray, ray_cube *cube)
+/* As cm_node_find, from the node that this place and the last one share. */
+static cm_spot find_spot(ray_state *ray, const uint32_t place[3])
+{
+    const cm_octree *octree = ray->octree;
+    int level = octree->tree_level;
+    if (ray->has_nodes)
+    {
+        const uint32_t other = (place[0] ^ ray->looked[0]) | (place[1] ^ ray->looked[1]) | (place[2] ^ ray->looked[2]);
+        const int shared = other == 0 ? 0 : 32 - __builtin_clz(other);
+        level = shared < ray->has_nodes ? ray->has_nodes : shared;
+    }
+    else
+    {
+        ray->node[level] = 0;
+        ray->waiting[level] = 0;
+    }
+    cm_spot spot = {ray->node[level], level, ray->waiting[level]};
+    while (octree->node[spot.node].kind == CM_NODE_INNER)
+    {
+        const cm_node *node = &octree->node[spot.node];
+        spot.misses = cm_more_misses(spot.misses, node->value);
+        spot.level--;
+        spot.node = node->link + (place[0] >> spot.level & 1u) + 2u * (place[1] >> spot.level & 1u) +
+                    4u * (place[2] >> spot.level & 1u);
+        ray->node[spot.level] = spot.node;
+        ray->waiting[spot.level] = (uint8_t)spot.misses;
+    }
+    if (octree->node[spot.node].kind != CM_NODE_LEAF)
+    {
+        spot.misses = cm_more_misses(spot.misses, octree->node[spot.node].value);
+    }
+    ray->has_nodes = spot.level;
+    memcpy(ray->looked, place, sizeof ray->looked);
+    return spot;
+}
+
+/* The region that the ray is in, or the cube of a leaf, which has none. */
+static cm_status find(ray_state *ray, ray_cube *cube)
 {
     const cm_octree *octree = ray->octree;
     const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1], (uint32_t)ray->place[2]};
     const cm_region *region = ray->region;
-    if (region == NULL || ((place[0] ^ region->place[0]) | (place[1] ^ region->place[1]) |
-                           (place[2] ^ region->place[2])) >> CM_REGION_LEVEL != 0)
+    if (region != NULL && ((place[0] ^ region->place[0]) | (place[1] ^ region->place[1]) |
+                           (place[2] ^ region->place[2])) >> CM_REGION_LEVEL == 0)
     {
-        const cm_spot spot = cm_node_find(octree, place);
-        const cm_node *node = &octree->node[spot.node];
-        ray->region = NULL;
-        if (node->kind == CM_NODE_LEAF)
-        {
-            for (int axis = 0; axis < 3; axis++)
-            {
-                cube->corner[axis] = place[axis] >> spot.level << spot.level;
-            }
-            cube->level = spot.level;
-            cube->alpha = cm_after_misses(&octree->rule, node->value, spot.misses);
-            cube->color = 0;
-            return CM_OK;
-        }
-        const cm_status status = cm_node_look(octree, spot.node, place, &region);
-        if (status != CM_OK)
-        {
-            return status;
-        }
-        ray->region = region;
-        ray->misses = spot.misses;
+        return CM_OK;
     }
+    const cm_spot spot = find_spot(ray, place);
+    const cm_node *node = &octree->node[spot.node];
+    ray->region = NULL;
+    if (node->kind == CM_NODE_LEAF)
+    {
+        for (int axis = 0; axis < 3; axis++)
+        {
+            cube->corner[axis] = place[axis] >> spot.level << spot.level;
+        }
+        cube->level = spot.level;
+        cube->alpha = cm_after_misses(&octree->rule, node->value, spot.misses);
+        cube->color = 0;
+        return CM_OK;
+    }
+    ray->misses = spot.misses;
+    return cm_node_look(octree, spot.node, place, &ray->region);
+}
+
+/* What is where the ray is. */
+static cm_status look(ray_state *ray, ray_cube *cube)
+{
+    const cm_octree *octree = ray->octree;
+    const cm_status status = find(ray, cube);
+    const cm_region *region = ray->region;
+    if (status != CM_OK || region == NULL)
+    {
+        return status;
+    }
+    const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1], (uint32_t)ray->place[2]};
     const unsigned block = cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3);
     const unsigned cell = cm_interleave_3(place[0], place[1], place[2]);
     const unsigned level =
@@ -127,7 +177,7 @@ static cm_status look(ray_state *ray, ray_cube *cube)
 /* To the cube behind this one; 0 at the ray's end. */
 static int leave(ray_state *ray, const ray_cube *cube)
 {
-    const double size = ldexp(1.0, cube->level);
+    const double size = (double)((uint64_t)1 << cube->level);
     double out[3];
     for (int axis = 0; axis < 3; axis++)
     {
@@ -136,7 +186,7 @@ static int leave(ray_state *ray, const ray_cube *cube)
     }
     int axis = out[0] <= out[1] ? 0 : 1;
     axis = out[axis] <= out[2] ? axis : 2;
-    ray->at = fmax(ray->at, out[axis]);
+    ray->at = ray->at > out[axis] ? ray->at : out[axis];
     if (!(ray->at < ray->end))
     {
         return 0;
@@ -144,7 +194,7 @@ static int leave(ray_state *ray, const ray_cube *cube)
     for (int i = 0; i < 3; i++)
     {
         const double low = cube->corner[i], high = cube->corner[i] + size - 1.0;
-        const double place = floor(ray->origin[i] + ray->at * ray->step[i]);
+        const double place = ray->origin[i] + ray->at * ray->step[i];
         ray->place[i] = (int32_t)(place < low ? low : place > high ? high : place);
     }
     ray->place[axis] = (int32_t)cube->corner[axis] + (ray->step[axis] > 0.0 ? (int32_t)size : -1);
@@ -159,31 +209,141 @@ static cm_voxel voxel_of(const ray_state *ray, const ray_cube *cube)
     return voxel;
 }
 
+/* The largest cube around a place of a region whose blocks have nothing occupied; 0 if its own block may have. */
+static int empty_level(const cm_region *region, unsigned block)
+{
+    const uint64_t word = region->solid[block / 64];
+    if (word >> block % 64 & 1u)
+    {
+        return 0;
+    }
+    if (word != 0)
+    {
+        return (word >> (block & 56u) & 255u) == 0 ? CM_BLOCK_LEVEL + 1 : CM_BLOCK_LEVEL;
+    }
+    uint64_t any = 0;
+    for (unsigned i = 0; i < CM_REGION_BLOCKS / 64; i++)
+    {
+        any |= region->solid[i];
+    }
+    return any == 0 ? CM_REGION_LEVEL : CM_REGION_LEVEL - 1;
+}
+
+/* From voxel to voxel in a block, up to the first that is occupied: 1. 0: it is in none, and the ray is where it leaves the block, or
+ * at its end, which it does not reach then. */
+static int march(ray_state *ray, unsigned block)
+{
+    static const uint8_t spread[8] = {0, 1, 8, 9, 64, 65, 72, 73};
+    const cm_region *region = ray->region;
+    const unsigned misses = cm_more_misses(ray->misses, region->value[block]);
+    const unsigned least = CM_UNKNOWN + misses * ray->octree->rule.miss;
+    const unsigned shift = 3 * region->detail[block];
+    double next[3], border[3];
+    int32_t in[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        border[axis] = ray->place[axis] + (ray->step[axis] > 0.0 ? 1.0 : 0.0);
+        next[axis] = ray->step[axis] == 0.0 ? INFINITY : (border[axis] - ray->origin[axis]) * ray->by[axis];
+        in[axis] = ray->place[axis] & 7;
+    }
+    for (;;)
+    {
+        const unsigned cell = (unsigned)spread[in[0]] | (unsigned)spread[in[1]] << 1 | (unsigned)spread[in[2]] << 2;
+        if (cm_block_stored(region, block, cell >> shift) > least)
+        {
+            return 1;
+        }
+        int axis = next[0] <= next[1] ? 0 : 1;
+        axis = next[axis] <= next[2] ? axis : 2;
+        ray->at = ray->at > next[axis] ? ray->at : next[axis];
+        if (!(ray->at < ray->end))
+        {
+            return 0;
+        }
+        const int sign = ray->step[axis] > 0.0 ? 1 : -1;
+        border[axis] += sign;
+        next[axis] = (border[axis] - ray->origin[axis]) * ray->by[axis];
+        in[axis] += sign;
+        ray->place[axis] += sign;
+        if (in[axis] & ~7)
+        {
+            return 0;
+        }
+    }
+}
+
+static int is_inside(const ray_state *ray)
+{
+    int inside = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        inside &= ray->place[axis] >= (int32_t)ray->octree->first[axis] &&
+                  ray->place[axis] < (int32_t)ray->octree->beyond[axis];
+    }
+    return inside;
+}
+
+/* On to the first occupied cube: 1, and it is in cube. 0: there is none. */
+static int cast(ray_state *ray, ray_cube *cube)
+{
+    while (find(ray, cube) == CM_OK)
+    {
+        const cm_region *region = ray->region;
+        int level = 0;
+        if (region != NULL)
+        {
+            const unsigned block = cm_interleave_3((unsigned)ray->place[0] >> 3, (unsigned)ray->place[1] >> 3,
+                                                   (unsigned)ray->place[2] >> 3);
+            level = empty_level(region, block);
+            if (level == 0 && region->form[block] != CM_BLOCK_EVEN)
+            {
+                if (march(ray, block))
+                {
+                    return look(ray, cube) == CM_OK;
+                }
+                if (!(ray->at < ray->end) || !is_inside(ray))
+                {
+                    return 0;
+                }
+                continue;
+            }
+            /* an even block of what is occupied may have misses waiting */
+            cube->alpha = level == 0 ? cm_after_misses(&ray->octree->rule, region->value[block], ray->misses)
+                                     : CM_UNKNOWN;
+            cube->color = 0;
+            cube->level = level == 0 ? CM_BLOCK_LEVEL : level;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                cube->corner[axis] = (uint32_t)ray->place[axis] >> cube->level << cube->level;
+            }
+        }
+        if (cube->alpha > CM_UNKNOWN)
+        {
+            return 1;
+        }
+        if (!leave(ray, cube))
+        {
+            return 0;
+        }
+    }
+    return 0;
+}
+
 int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3], double far,
                   cm_voxel *voxel)
 {
     ray_state ray;
     ray_cube cube;
-    if (octree == NULL || origin == NULL || direction == NULL || !begin(&ray, octree, origin, direction, far))
+    if (octree == NULL || origin == NULL || direction == NULL ||
+        !begin(&ray, octree, origin, direction, far) || !cast(&ray, &cube))
     {
         return 0;
     }
-    do
+    if (voxel != NULL)
     {
-        if (look(&ray, &cube) != CM_OK)
-        {
-            return 0;
-        }
-        if (cube.alpha > CM_UNKNOWN)
-        {
-            if (voxel != NULL)
-            {
-                *voxel = voxel_of(&ray, &cube);
-            }
-            return 1;
-        }
-    } while (leave(&ray, &cube));
-    return 0;
+        *voxel = voxel_of(&ray, &cube);
+    }
+    return 1;
 }
 
 cm_status cm_octree_walk_ray(const cm_octree *octree, const double origin[3], const double direction[3],

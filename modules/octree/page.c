@@ -218,6 +218,7 @@ static cm_status read_block(page_reader *reader, cm_region *region, unsigned blo
     region->changed[block] = get_word(head + 3);
     if (form == CM_BLOCK_EVEN)
     {
+        cm_region_mark(region, block, head[2] > CM_UNKNOWN);
         return CM_OK;
     }
     const size_t bytes = packed_bytes(form, detail);
@@ -236,6 +237,7 @@ static cm_status read_block(page_reader *reader, cm_region *region, unsigned blo
     region->form[block] = (uint8_t)form;
     region->bytes += bytes;
     const size_t colors = occupied_cells(alpha, form, cm_cell_count(detail));
+    cm_region_mark(region, block, colors > 0);
     if (head[1] == 0)
     {
         return CM_OK;

@@ -96,6 +96,12 @@ static int put_values(cm_octree *octree, cm_region *region, unsigned block, cons
     }
     memcpy(alpha, values, 512);
     keep_own(octree, region, block, alpha);
+    int is_solid = 0;
+    for (unsigned cell = 0; cell < 512; cell++)
+    {
+        is_solid |= alpha[cell] > CM_UNKNOWN;
+    }
+    cm_region_mark(region, block, is_solid);
     uint32_t *word = color == NULL ? NULL : cm_block_colors(region, block);
     if (color != NULL && word == NULL)
     {

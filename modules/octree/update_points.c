@@ -271,6 +271,10 @@ static int apply(cm_octree *octree, cm_region *region, const voxel_event *event,
     const unsigned old = alpha[cell];
     const unsigned more = old + rule->hit < rule->high ? old + rule->hit : rule->high;
     alpha[cell] = is_hit ? (uint8_t)more : cm_after_misses(rule, old, 1);
+    if (is_hit)
+    {
+        cm_region_mark(region, block, 1);
+    }
     region->changed[block] = alpha[cell] != old ? octree->step : region->changed[block];
     if (is_hit && rgb != NULL && alpha[cell] > CM_UNKNOWN)
     {

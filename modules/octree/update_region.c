@@ -115,7 +115,11 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block, const 
     {
         region->changed[block] = update->octree->step;
     }
-    if (any_hits == 0)
+    if (any_hits != 0)
+    {
+        cm_region_mark(region, block, 1);
+    }
+    else
     {
         cm_block_settle(region, block);
     }

@@ -13,6 +13,7 @@ cm_region *cm_region_make(const uint32_t place[3], uint8_t alpha)
     {
         memcpy(region->place, place, sizeof region->place);
         memset(region->value, alpha, sizeof region->value);
+        memset(region->solid, alpha > CM_UNKNOWN ? 0xff : 0, sizeof region->solid);
         region->is_dirty = 1;
     }
     return region;
@@ -26,11 +27,6 @@ uint64_t cm_region_size(const cm_region *region)
 
 /* ---- forms ---- */
 
-static unsigned palette_count(unsigned form)
-{
-    return form <= CM_BLOCK_BITS_4 ? 1u << form : 0u;
-}
-
 static size_t alpha_bytes(unsigned form, unsigned detail)
 {
     const size_t cells = cm_cell_count(detail);
@@ -43,21 +39,8 @@ static size_t alpha_bytes(unsigned form, unsigned detail)
     case CM_BLOCK_BYTES:
         return cells;
     default:
-        return palette_count(form) + (cells * form + 7) / 8;
+        return cm_palette_count(form) + (cells * form + 7) / 8;
     }
-}
-
-/* The alpha of a cell as it is stored, without the misses that wait. */
-static uint8_t stored(const cm_region *region, unsigned block, size_t cell)
-{
-    const uint8_t *alpha = region->alpha[block];
-    const unsigned form = region->form[block];
-    if (form == CM_BLOCK_PLAIN || form == CM_BLOCK_BYTES)
-    {
-        return alpha[cell];
-    }
-    const unsigned place = alpha[palette_count(form) + cell * form / 8];
-    return alpha[place >> cell * form % 8 & ((1u << form) - 1u)];
 }
 
 /* How many colors a packed block has: of its occupied cells. */
@@ -66,7 +49,7 @@ static size_t colored_cells(const cm_region *region, unsigned block, size_t end)
     size_t count = 0;
     for (size_t cell = 0; cell < end; cell++)
     {
-        count += stored(region, block, cell) > CM_UNKNOWN;
+        count += cm_block_stored(region, block, cell) > CM_UNKNOWN;
     }
     return count;
 }
@@ -125,6 +108,7 @@ void cm_region_drop(cm_region *region)
 void cm_block_even(cm_region *region, unsigned block, uint8_t alpha)
 {
     release(region, block);
+    cm_region_mark(region, block, alpha > CM_UNKNOWN);
     region->value[block] = alpha;
     region->form[block] = CM_BLOCK_EVEN;
     region->detail[block] = 0;
@@ -164,7 +148,7 @@ static void read_packed(const cm_region *region, unsigned block, size_t cells, u
         memcpy(alpha, from, cells);
         return;
     }
-    const uint8_t *bits = from + palette_count(form);
+    const uint8_t *bits = from + cm_palette_count(form);
     for (size_t cell = 0; cell < cells; cell++)
     {
         alpha[cell] = from[bits[cell * form / 8] >> cell * form % 8 & ((1u << form) - 1u)];
@@ -183,7 +167,7 @@ static void read_colors(const cm_region *region, unsigned block, size_t cells, u
     const size_t step = cm_has_one_color(region, block) ? 0 : 1;
     for (size_t cell = 0, next = 0; cell < cells; cell++)
     {
-        const int is_occupied = stored(region, block, cell) > CM_UNKNOWN;
+        const int is_occupied = cm_block_stored(region, block, cell) > CM_UNKNOWN;
         color[cell] = !is_occupied ? 0 : is_plain ? from[cell] : from[next];
         next += is_occupied ? step : 0;
     }
@@ -232,7 +216,7 @@ uint8_t cm_block_cell(const cm_region *region, unsigned block, const cm_count_ru
         return cm_after_misses(rule, region->value[block], more);
     }
     const size_t at = cell >> 3 * region->detail[block];
-    const uint8_t alpha = cm_after_misses(rule, stored(region, block, at),
+    const uint8_t alpha = cm_after_misses(rule, cm_block_stored(region, block, at),
                                           cm_more_misses(region->value[block], more));
     if (color != NULL)
     {

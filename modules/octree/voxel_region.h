@@ -14,6 +14,25 @@ static inline size_t cm_cell_count(unsigned detail)
     return (size_t)512 >> 3 * detail;
 }
 
+/* The alphas that a block of few values has a list of. */
+static inline unsigned cm_palette_count(unsigned form)
+{
+    return form <= CM_BLOCK_BITS_4 ? 1u << form : 0u;
+}
+
+/* The alpha of a cell as it is stored, without the misses that wait; the block is not even. */
+static inline uint8_t cm_block_stored(const cm_region *region, unsigned block, size_t cell)
+{
+    const uint8_t *alpha = region->alpha[block];
+    const unsigned form = region->form[block];
+    if (form == CM_BLOCK_PLAIN || form == CM_BLOCK_BYTES)
+    {
+        return alpha[cell];
+    }
+    const unsigned place = alpha[cm_palette_count(form) + cell * form / 8];
+    return alpha[place >> cell * form % 8 & ((1u << form) - 1u)];
+}
+
 /* One whose blocks all have an alpha; NULL if there is no memory. */
 cm_region *cm_region_make(const uint32_t place[3], uint8_t alpha);
 void cm_region_drop(cm_region *region);

@@ -10,25 +10,25 @@
 
 double cm_place_world(const cm_octree *octree, int axis, double place)
 {
-    const double middle = ldexp(1.0, octree->tree_level - 1);
+    const double middle = (double)((uint64_t)1 << (octree->tree_level - 1));
     return octree->options.centre[axis] + (place - middle) * octree->options.edge;
 }
 
 double cm_world_place(const cm_octree *octree, int axis, double world)
 {
-    const double middle = ldexp(1.0, octree->tree_level - 1);
+    const double middle = (double)((uint64_t)1 << (octree->tree_level - 1));
     return floor((world - octree->options.centre[axis]) / octree->options.edge) + middle;
 }
 
 cm_voxel cm_voxel_at(const cm_octree *octree, const uint32_t place[3], int level, uint8_t alpha,
                      uint32_t color)
 {
-    const double half = 0.5 * ldexp(1.0, level);
+    const double size = (double)((uint64_t)1 << level), half = 0.5 * size;
     cm_voxel voxel = {
         .x = cm_place_world(octree, 0, place[0] + half),
         .y = cm_place_world(octree, 1, place[1] + half),
         .z = cm_place_world(octree, 2, place[2] + half),
-        .edge = ldexp(octree->options.edge, level),
+        .edge = size * octree->options.edge,
         .level = level,
         .state = alpha > CM_UNKNOWN   ? CM_VOXEL_OCCUPIED
                  : alpha < CM_UNKNOWN ? CM_VOXEL_FREE
