@@ -226,7 +226,7 @@ typedef struct cm_octree_shading
 /* Trace a cone for each pixel of a camera, whose solid angle says how wide it is: color of three or four channels, 0 to 1, of
  * CM_PIXEL_U8, _U16 or _FLOAT, the fourth what hides the background; and depth, or range of omnidirectional cameras, one channel of
  * CM_PIXEL_FLOAT, where half is hidden, NaN where it is not. Either may be NULL, and so may shading.
- * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_CAMERA; CM_ERROR_RANGE (types, sizes, numbers); CM_ERROR_FILE, _DATA (pages);
+ * CM_OK; CM_ERROR_ARGUMENT (a canvas of another size, too); CM_ERROR_CAMERA; CM_ERROR_RANGE (types, sizes, numbers); CM_ERROR_FILE, _DATA (pages);
  * CM_ERROR_MEMORY. */
 CM_API cm_status cm_octree_render(const cm_octree *octree, const cm_camera *camera,
                                   const cm_pose *pose, const cm_octree_shading *shading,

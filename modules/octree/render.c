@@ -373,6 +373,10 @@ static cm_status draw(const cm_octree *octree, rendering *r)
 {
     const size_t pixels = (size_t)r->lens->width * r->lens->height;
     const cm_raster *raster = r->shading->mesh;
+    if (raster != NULL && cm_raster_pixel_count(raster) != pixels)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
     float *mesh = raster != NULL ? malloc(pixels * sizeof *mesh) : NULL;
     r->start = malloc(sizeof *r->start);
     cm_status status =

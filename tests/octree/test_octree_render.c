@@ -448,6 +448,33 @@ END_TEST
 
 /* ---- what there is beside ---- */
 
+START_TEST(canvas_of_another_camera)
+{
+    cm_octree *octree = make_map(is_table, 0);
+    seen *s = make_camera(0, look_along_z(0.3, -0.2, 2.2, 0));
+    const cm_camera_options small = {
+        .size = sizeof small, .width = 4, .height = 3, .fx = 3, .fy = 3, .cx = 1.5, .cy = 1};
+    cm_camera *other = NULL;
+    cm_raster *raster = NULL;
+    float depth[PIXELS];
+    cm_image image = {.size = sizeof image,
+                      .data = depth,
+                      .type = CM_PIXEL_FLOAT,
+                      .width = (uint32_t)s->width,
+                      .height = (uint32_t)s->height,
+                      .channels = 1};
+    ck_assert_int_eq(cm_camera_create(&small, &other), CM_OK);
+    ck_assert_int_eq(cm_raster_create(other, 0.0, NULL, &raster), CM_OK);
+    const cm_octree_shading shading = {.size = sizeof shading, .mesh = raster};
+    ck_assert_int_eq(cm_octree_render(octree, s->camera, &s->pose, &shading, NULL, &image),
+                     CM_ERROR_ARGUMENT);
+    cm_raster_destroy(raster);
+    cm_camera_destroy(other);
+    drop_camera(s);
+    cm_octree_destroy(octree);
+}
+END_TEST
+
 START_TEST(nothing_is_background)
 {
     cm_octree *octree = make_map(is_nothing, 1);
@@ -577,6 +604,7 @@ int main(void)
                                   shadows_fall_where_they_must,
                                   backs_are_dark,
                                   meshes_hide_and_are_hidden,
+                                  canvas_of_another_camera,
                                   nothing_is_background,
                                   far_ends_cones,
                                   types_of_pictures,

@@ -284,6 +284,15 @@ bool take_up(const IntegrateOptions &options, const std::string &settings, Worki
     return true;
 }
 
+void commit(const IntegrateOptions &options, Working &working)
+{
+    const std::string note = note_of(working.run);
+    cm_store *const store = working.open.store.get();
+    check_map(cm_octree_save(working.open.map.get(), store, note.data(), note.size()),
+              in_quotes(options.output), store);
+    working.is_new = false;
+}
+
 Working begin_run(const IntegrateOptions &options, const std::string &settings)
 {
     Working working;
@@ -310,17 +319,11 @@ Working begin_run(const IntegrateOptions &options, const std::string &settings)
         }
         check_map(status, in_quotes(options.output));
         working.open.map.reset(map);
+        // What is ended before its first views are kept opens, too. Until then the file goes if a view cannot be had.
+        commit(options, working);
+        working.is_new = true;
     }
     return working;
-}
-
-void commit(const IntegrateOptions &options, Working &working)
-{
-    const std::string note = note_of(working.run);
-    cm_store *const store = working.open.store.get();
-    check_map(cm_octree_save(working.open.map.get(), store, note.data(), note.size()),
-              in_quotes(options.output), store);
-    working.is_new = false;
 }
 
 void update(const IntegrateOptions &options, const cm_view &view, cm_pool *pool, Working &working,
