@@ -29,7 +29,7 @@ static room_work begin_work(void)
                                        .fy = 525.0,
                                        .cx = 319.5,
                                        .cy = 239.5};
-    room_work work = {.views = is_long() ? 60 : 10, .edge = 0.01};
+    room_work work = {.views = is_long() ? 60 : is_quick() ? 6 : 10, .edge = 0.01};
     ck_assert_int_eq(cm_scene_create_named("room", &work.scene), CM_OK);
     ck_assert_int_eq(cm_camera_create(&options, &work.camera), CM_OK);
     ck_assert_int_eq(room_picture_make(work.camera, &work.picture), 1);
