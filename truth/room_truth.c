@@ -270,6 +270,12 @@ static int is_crossed(const room_truth *truth, const int64_t corner[3], int64_t 
     return 0;
 }
 
+int room_truth_crossed(const room_truth *truth, const double point[3])
+{
+    int64_t voxel[3];
+    return find_voxel(truth, point, voxel) && is_crossed(truth, voxel, 1);
+}
+
 static void judge_crossed(const room_truth *truth, const int64_t corner[3], int64_t length,
                           const void *map, room_state state, room_errors *errors)
 {

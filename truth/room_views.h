@@ -76,6 +76,9 @@ void room_truth_see(room_truth *truth, const room_picture *picture);
 /* How far a point is from the nearest surface. */
 double room_truth_distance(const room_truth *truth, const double point[3]);
 
+/* Has a surface points inside of the voxel that has this point? */
+int room_truth_crossed(const room_truth *truth, const double point[3]);
+
 /* The map that is judged: 0 unknown, 1 free, 2 occupied at a point. */
 typedef int (*room_state)(const void *map, const double point[3]);
 
