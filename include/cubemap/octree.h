@@ -57,10 +57,10 @@ typedef struct cm_octree_options
     int levels;       /* 1 to CM_OCTREE_LEVELS_MAX: the root has 2^levels voxels each way */
     int rule;         /* a cm_octree_rule */
     /* Of log-odds, in steps of which 127 fit between 0 and the farther of low and high; each is a whole step at least: */
-    double hit;  /* what a hit adds, above 0 */
-    double miss; /* what a miss adds, below 0 */
-    double low;  /* the least, below 0 */
-    double high; /* the greatest, above 0 */
+    double hit;            /* what a hit adds, above 0 */
+    double miss;           /* what a miss adds, below 0 */
+    double low;            /* the least, below 0 */
+    double high;           /* the greatest, above 0 */
     double near;           /* depths, or ranges, that are nearer say nothing */
     double far;            /* what is farther is free up to here and no hit; 0: no limit */
     int no_return_is_free; /* 1: pixels without a measurement are free up to far, which must be given */
@@ -209,14 +209,14 @@ CM_API const void *cm_octree_user_data(const cm_octree *octree, size_t *count);
  * and what is wanted. */
 typedef struct cm_octree_shading
 {
-    size_t size;  /* sizeof(cm_octree_shading) */
-    int coarsest; /* the finest level that is read: 0 for all */
-    double far;   /* the length of cones in units of the world; 0: 10 */
-    int light;    /* 1: one virtual light with a cone-traced shadow */
+    size_t size;              /* sizeof(cm_octree_shading) */
+    int coarsest;             /* the finest level that is read: 0 for all */
+    double far;               /* the length of cones in units of the world; 0: 10 */
+    int light;                /* 1: one virtual light with a cone-traced shadow */
     double light_position[3]; /* where it is, in the world */
-    double light_angle;  /* of the shadow's cone, full, in radians; 0: 0.1 */
-    double ambient;      /* of the light that is everywhere, 0 to 1; 0: 0.3 */
-    float background[3]; /* 0 to 1 */
+    double light_angle;       /* of the shadow's cone, full, in radians; 0: 0.1 */
+    double ambient;           /* of the light that is everywhere, 0 to 1; 0: 0.3 */
+    float background[3];      /* 0 to 1 */
     const cm_raster
         *mesh; /* a canvas in front of the same camera, whose pixels hide what is behind; NULL */
     const float *mesh_color; /* three floats a pixel of it, 0 to 1; NULL: white */

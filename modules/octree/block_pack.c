@@ -8,7 +8,8 @@
 #include <string.h>
 
 /* The values that there are, in their order, and the place of each; how many. */
-static unsigned find_values(const uint8_t *alpha, size_t cells, uint8_t value[256], uint8_t place[256])
+static unsigned find_values(const uint8_t *alpha, size_t cells, uint8_t value[256],
+                            uint8_t place[256])
 {
     uint8_t is_there[256] = {0};
     for (size_t cell = 0; cell < cells; cell++)

@@ -39,4 +39,17 @@ static inline uint64_t cm_interleave(const uint32_t place[3])
     return key;
 }
 
+/* And back. */
+static inline void cm_divide(uint64_t key, uint32_t place[3])
+{
+    place[0] = place[1] = place[2] = 0;
+    for (unsigned bit = 0; bit < 21; bit++)
+    {
+        for (unsigned axis = 0; axis < 3; axis++)
+        {
+            place[axis] |= (uint32_t)(key >> (3 * bit + axis) & 1u) << bit;
+        }
+    }
+}
+
 #endif

@@ -102,8 +102,9 @@ static void write_options(const cm_octree *octree, byte_list *list)
     put(list, (uint64_t)(o->no_return_is_free != 0), 4);
     put(list, (uint64_t)(o->color != 0), 4);
     put(list, octree->step, 4);
-    const double numbers[] = {o->edge, o->centre[0], o->centre[1], o->centre[2], o->hit,   o->miss,
-                              o->low,  o->high,      o->near,      o->far,       o->noise, o->footprint};
+    const double numbers[] = {o->edge, o->centre[0], o->centre[1], o->centre[2],
+                              o->hit,  o->miss,      o->low,       o->high,
+                              o->near, o->far,       o->noise,     o->footprint};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
     {
         put_double(list, numbers[i]);
@@ -117,8 +118,9 @@ static void read_options(byte_reader *reader, cm_octree_options *o, uint32_t *st
     o->no_return_is_free = (int)(get(reader, 4) & 1u);
     o->color = (int)(get(reader, 4) & 1u);
     *step = (uint32_t)get(reader, 4);
-    double *const numbers[] = {&o->edge, &o->centre[0], &o->centre[1], &o->centre[2], &o->hit,   &o->miss,
-                               &o->low,  &o->high,      &o->near,      &o->far,       &o->noise, &o->footprint};
+    double *const numbers[] = {&o->edge, &o->centre[0], &o->centre[1], &o->centre[2],
+                               &o->hit,  &o->miss,      &o->low,       &o->high,
+                               &o->near, &o->far,       &o->noise,     &o->footprint};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
     {
         *numbers[i] = get_double(reader);
@@ -145,7 +147,8 @@ static cm_status read_node(cm_octree *octree, uint32_t index, int level, byte_re
     const unsigned kind = (unsigned)get(reader, 1);
     const uint8_t value = (uint8_t)get(reader, 1);
     const uint32_t changed = (uint32_t)get(reader, 4);
-    const int is_good = kind == CM_NODE_LEAF || (kind == CM_NODE_INNER && level > CM_REGION_LEVEL) ||
+    const int is_good = kind == CM_NODE_LEAF ||
+                        (kind == CM_NODE_INNER && level > CM_REGION_LEVEL) ||
                         (kind == CM_NODE_PAGED && level == CM_REGION_LEVEL);
     if (reader->failed || !is_good)
     {
@@ -188,7 +191,8 @@ static cm_status remove_regions(cm_store *store)
     return status;
 }
 
-static cm_status save_node(cm_octree *octree, cm_store *store, uint32_t index, const uint32_t place[3], int level)
+static cm_status save_node(cm_octree *octree, cm_store *store, uint32_t index,
+                           const uint32_t place[3], int level)
 {
     const cm_node *node = &octree->node[index];
     const int is_pages = store == octree->options.pages;
@@ -306,7 +310,8 @@ static cm_status make_map(cm_store *store, const cm_octree_options *options, cm_
     return status == CM_ERROR_RANGE ? CM_ERROR_DATA : status;
 }
 
-static cm_status load_regions(cm_octree *octree, cm_store *store, uint32_t index, const uint32_t place[3], int level)
+static cm_status load_regions(cm_octree *octree, cm_store *store, uint32_t index,
+                              const uint32_t place[3], int level)
 {
     cm_status status = CM_OK;
     if (octree->node[index].kind == CM_NODE_PAGED)
@@ -315,7 +320,8 @@ static cm_status load_regions(cm_octree *octree, cm_store *store, uint32_t index
         status = cm_page_get(octree, store, place, &region);
         return status == CM_OK ? cm_node_take_region(octree, index, region) : status;
     }
-    for (uint32_t child = 0; status == CM_OK && octree->node[index].kind == CM_NODE_INNER && child < 8; child++)
+    for (uint32_t child = 0;
+         status == CM_OK && octree->node[index].kind == CM_NODE_INNER && child < 8; child++)
     {
         uint32_t below[3];
         for (int axis = 0; axis < 3; axis++)
@@ -357,8 +363,8 @@ static cm_status load_user_data(cm_octree *octree, cm_store *store)
 cm_status cm_octree_load(cm_store *store, const cm_octree_options *options, cm_octree **octree)
 {
     if (store == NULL || octree == NULL ||
-        (options != NULL && (options->size != sizeof *options ||
-                             (options->pages != NULL && options->pages != store))))
+        (options != NULL &&
+         (options->size != sizeof *options || (options->pages != NULL && options->pages != store))))
     {
         return CM_ERROR_ARGUMENT;
     }

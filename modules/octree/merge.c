@@ -410,18 +410,6 @@ static int list_block(void *user, const cm_region *region, unsigned block, unsig
     return list_even(user, place, CM_BLOCK_LEVEL, 0);
 }
 
-static void place_of_key(uint64_t key, uint32_t place[3])
-{
-    place[0] = place[1] = place[2] = 0;
-    for (unsigned bit = 0; bit < 21; bit++)
-    {
-        for (unsigned axis = 0; axis < 3; axis++)
-        {
-            place[axis] |= (uint32_t)(key >> (3 * bit + axis) & 1u) << bit;
-        }
-    }
-}
-
 /* What is at a point of the world of `to` in `from`. */
 static uint8_t sample(merge_work *work, const double world[3], uint32_t *color)
 {
@@ -467,7 +455,7 @@ static uint8_t sample(merge_work *work, const double world[3], uint32_t *color)
 static cm_status add_sampled(merge_work *work, uint64_t key)
 {
     uint32_t place[3];
-    place_of_key(key << 9, place);
+    cm_divide(key << 9, place);
     added_block added = {.detail = 0};
     int is_known = 0;
     for (unsigned cell = 0; cell < 512; cell++)

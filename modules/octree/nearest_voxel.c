@@ -12,9 +12,9 @@
 typedef struct nearest_work
 {
     const cm_octree *octree;
-    double at[3];     /* voxels of the tree */
-    double best;      /* squared distance in voxels; nothing farther is wanted */
-    uint64_t key;     /* of the best */
+    double at[3]; /* voxels of the tree */
+    double best;  /* squared distance in voxels; nothing farther is wanted */
+    uint64_t key; /* of the best */
     int is_found;
     uint32_t place[3];
     unsigned detail;
@@ -36,7 +36,8 @@ static double least_distance(const nearest_work *work, const uint32_t place[3], 
     return square;
 }
 
-static void take(nearest_work *work, const uint32_t place[3], int level, uint8_t alpha, uint32_t color)
+static void take(nearest_work *work, const uint32_t place[3], int level, uint8_t alpha,
+                 uint32_t color)
 {
     /* the nearest voxel of a cube whose voxels are alike */
     uint32_t nearest[3];
@@ -48,7 +49,8 @@ static void take(nearest_work *work, const uint32_t place[3], int level, uint8_t
     }
     const double square = least_distance(work, nearest, 0);
     const uint64_t key = cm_interleave(nearest);
-    if (alpha > CM_UNKNOWN && (square < work->best || (square == work->best && (!work->is_found || key < work->key))))
+    if (alpha > CM_UNKNOWN &&
+        (square < work->best || (square == work->best && (!work->is_found || key < work->key))))
     {
         work->best = square;
         work->key = key;
@@ -62,7 +64,8 @@ static void take(nearest_work *work, const uint32_t place[3], int level, uint8_t
     }
 }
 
-static void search_block(nearest_work *work, const cm_region *region, unsigned block, unsigned misses)
+static void search_block(nearest_work *work, const cm_region *region, unsigned block,
+                         unsigned misses)
 {
     uint8_t alpha[512];
     uint32_t color[512];
@@ -73,7 +76,8 @@ static void search_block(nearest_work *work, const cm_region *region, unsigned b
     {
         unsigned in[3];
         cm_divide_3(cell << 3 * detail, in);
-        const uint32_t place[3] = {region->place[0] + 8 * at[0] + in[0], region->place[1] + 8 * at[1] + in[1],
+        const uint32_t place[3] = {region->place[0] + 8 * at[0] + in[0],
+                                   region->place[1] + 8 * at[1] + in[1],
                                    region->place[2] + 8 * at[2] + in[2]};
         if (alpha[cell] > CM_UNKNOWN)
         {
@@ -96,8 +100,8 @@ static void search_region(nearest_work *work, const cm_region *region, unsigned 
         }
         if (region->form[block] == CM_BLOCK_EVEN)
         {
-            take(work, place, CM_BLOCK_LEVEL, cm_after_misses(&work->octree->rule, region->value[block], misses),
-                 0);
+            take(work, place, CM_BLOCK_LEVEL,
+                 cm_after_misses(&work->octree->rule, region->value[block], misses), 0);
         }
         else
         {
@@ -106,7 +110,8 @@ static void search_region(nearest_work *work, const cm_region *region, unsigned 
     }
 }
 
-static void search(nearest_work *work, uint32_t index, const uint32_t place[3], int level, unsigned misses)
+static void search(nearest_work *work, uint32_t index, const uint32_t place[3], int level,
+                   unsigned misses)
 {
     const cm_octree *octree = work->octree;
     const cm_node *node = &octree->node[index];
@@ -147,7 +152,8 @@ static void search(nearest_work *work, uint32_t index, const uint32_t place[3], 
     }
 }
 
-int cm_octree_nearest(const cm_octree *octree, const double point[3], double radius, cm_voxel *voxel)
+int cm_octree_nearest(const cm_octree *octree, const double point[3], double radius,
+                      cm_voxel *voxel)
 {
     if (octree == NULL || point == NULL || !(radius >= 0.0))
     {
@@ -158,7 +164,8 @@ int cm_octree_nearest(const cm_octree *octree, const double point[3], double rad
     const double middle = ldexp(1.0, octree->tree_level - 1);
     for (int axis = 0; axis < 3; axis++)
     {
-        work.at[axis] = (point[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
+        work.at[axis] =
+            (point[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
         if (!(fabs(work.at[axis]) < 1e15))
         {
             return 0;

@@ -41,8 +41,8 @@ static cm_status make_rule(const cm_octree_options *options, cm_count_rule *rule
         *rule = (cm_count_rule){2, 2, 0, 255};
         return CM_OK;
     }
-    if (options->rule != CM_OCTREE_LOG_ODDS || !is_positive(options->hit) || !is_positive(-options->miss) ||
-        !is_positive(-options->low) || !is_positive(options->high))
+    if (options->rule != CM_OCTREE_LOG_ODDS || !is_positive(options->hit) ||
+        !is_positive(-options->miss) || !is_positive(-options->low) || !is_positive(options->high))
     {
         return CM_ERROR_RANGE;
     }
@@ -56,7 +56,8 @@ static cm_status make_rule(const cm_octree_options *options, cm_count_rule *rule
 
 static int are_good(const cm_octree_options *options)
 {
-    int good = is_positive(options->edge) && options->levels >= 1 && options->levels <= CM_OCTREE_LEVELS_MAX;
+    int good = is_positive(options->edge) && options->levels >= 1 &&
+               options->levels <= CM_OCTREE_LEVELS_MAX;
     for (int axis = 0; axis < 3; axis++)
     {
         good &= options->centre[axis] > -1e100 && options->centre[axis] < 1e100;

@@ -47,7 +47,8 @@ typedef enum cm_block_form
 {
     CM_BLOCK_EVEN = 0,  /* they have one alpha and no memory */
     CM_BLOCK_PLAIN = 8, /* a byte a cell, a color a cell if there are any */
-    CM_BLOCK_BITS_1 = 1, /* a palette, then so many bits a cell; colors of occupied cells, in their order */
+    CM_BLOCK_BITS_1 =
+        1, /* a palette, then so many bits a cell; colors of occupied cells, in their order */
     CM_BLOCK_BITS_2 = 2,
     CM_BLOCK_BITS_4 = 4,
     CM_BLOCK_BYTES = 7 /* a byte a cell; colors of occupied cells, in their order */
@@ -56,26 +57,30 @@ typedef enum cm_block_form
 /* Its blocks are in the order of keys. */
 typedef struct cm_region
 {
-    uint32_t place[3];    /* of its lower corner, in voxels */
-    uint64_t used;        /* the clock when it was last needed */
-    uint32_t node;        /* whose region it is */
-    uint8_t is_dirty;     /* 1: it is not as it was last saved */
-    uint8_t is_held;      /* 1: a walk is in it, whose caller may ask for others: it stays in memory */
-    uint64_t bytes;       /* of its blocks and colors, without this struct */
-    uint32_t **color;     /* of blocks, NULL where there is none; the table is NULL if no block has any */
-    uint8_t *alpha[CM_REGION_BLOCKS];   /* NULL: even */
-    uint8_t value[CM_REGION_BLOCKS];    /* alpha of an even block, else misses that wait */
-    uint8_t detail[CM_REGION_BLOCKS];   /* cells are of 2^detail voxels each way */
-    uint8_t form[CM_REGION_BLOCKS];     /* a cm_block_form */
-    uint8_t one_color[CM_REGION_BLOCKS / 8]; /* bits: all occupied cells of a packed block have the only color */
+    uint32_t place[3]; /* of its lower corner, in voxels */
+    uint64_t used;     /* the clock when it was last needed */
+    uint32_t node;     /* whose region it is */
+    uint8_t is_dirty;  /* 1: it is not as it was last saved */
+    uint8_t is_held;   /* 1: a walk is in it, whose caller may ask for others: it stays in memory */
+    uint64_t bytes;    /* of its blocks and colors, without this struct */
+    uint32_t *
+        *color; /* of blocks, NULL where there is none; the table is NULL if no block has any */
+    uint8_t *alpha[CM_REGION_BLOCKS]; /* NULL: even */
+    uint8_t value[CM_REGION_BLOCKS];  /* alpha of an even block, else misses that wait */
+    uint8_t detail[CM_REGION_BLOCKS]; /* cells are of 2^detail voxels each way */
+    uint8_t form[CM_REGION_BLOCKS];   /* a cm_block_form */
+    uint8_t one_color[CM_REGION_BLOCKS /
+                      8]; /* bits: all occupied cells of a packed block have the only color */
     uint32_t changed[CM_REGION_BLOCKS]; /* the step */
-    uint64_t solid[CM_REGION_BLOCKS / 64]; /* bits: a block may have an occupied cell; without one it has none */
+    uint64_t solid[CM_REGION_BLOCKS /
+                   64]; /* bits: a block may have an occupied cell; without one it has none */
 } cm_region;
 
 static inline void cm_region_mark(cm_region *region, unsigned block, int is_solid)
 {
     const uint64_t bit = (uint64_t)1 << block % 64;
-    region->solid[block / 64] = is_solid ? region->solid[block / 64] | bit : region->solid[block / 64] & ~bit;
+    region->solid[block / 64] =
+        is_solid ? region->solid[block / 64] | bit : region->solid[block / 64] & ~bit;
 }
 
 static inline int cm_has_one_color(const cm_region *region, unsigned block)
@@ -97,8 +102,9 @@ struct cm_octree
     cm_octree_options options;
     cm_count_rule rule;
     const cm_octree_set *set;
-    int tree_level;     /* of the root node: levels, but CM_REGION_LEVEL at least */
-    uint32_t first[3];  /* of the voxels of the map itself, which a small one does not fill its region with */
+    int tree_level; /* of the root node: levels, but CM_REGION_LEVEL at least */
+    uint32_t first
+        [3]; /* of the voxels of the map itself, which a small one does not fill its region with */
     uint32_t beyond[3]; /* and the first behind them */
     uint32_t step;
     uint64_t clock; /* counts what needs regions */
@@ -127,7 +133,9 @@ struct cm_octree
 static inline uint8_t cm_after_misses(const cm_count_rule *rule, unsigned alpha, unsigned misses)
 {
     const unsigned less = misses * rule->miss;
-    return (uint8_t)(alpha > rule->low + less ? alpha - less : rule->low < alpha ? rule->low : alpha);
+    return (uint8_t)(alpha > rule->low + less ? alpha - less
+                     : rule->low < alpha      ? rule->low
+                                              : alpha);
 }
 
 /* Misses that wait, and more. */

@@ -39,8 +39,8 @@ typedef struct ray_cube
     uint32_t color;
 } ray_cube;
 
-static int begin(ray_state *ray, const cm_octree *octree, const double origin[3], const double direction[3],
-                 double far)
+static int begin(ray_state *ray, const cm_octree *octree, const double origin[3],
+                 const double direction[3], double far)
 {
     double square = 0.0;
     const double middle = (double)((uint64_t)1 << (octree->tree_level - 1));
@@ -57,7 +57,8 @@ static int begin(ray_state *ray, const cm_octree *octree, const double origin[3]
     int good = length > 0.0 && length < 1e100 && far >= 0.0;
     for (int axis = 0; axis < 3; axis++)
     {
-        ray->origin[axis] = (origin[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
+        ray->origin[axis] =
+            (origin[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
         ray->step[axis] = direction[axis] / length / octree->options.edge;
         ray->by[axis] = 1.0 / ray->step[axis];
         good &= fabs(ray->origin[axis]) < 1e15;
@@ -88,7 +89,8 @@ static cm_spot find_spot(ray_state *ray, const uint32_t place[3])
     int level = octree->tree_level;
     if (ray->has_nodes)
     {
-        const uint32_t other = (place[0] ^ ray->looked[0]) | (place[1] ^ ray->looked[1]) | (place[2] ^ ray->looked[2]);
+        const uint32_t other =
+            (place[0] ^ ray->looked[0]) | (place[1] ^ ray->looked[1]) | (place[2] ^ ray->looked[2]);
         const int shared = other == 0 ? 0 : 32 - __builtin_clz(other);
         level = shared < ray->has_nodes ? ray->has_nodes : shared;
     }
@@ -103,8 +105,8 @@ static cm_spot find_spot(ray_state *ray, const uint32_t place[3])
         const cm_node *node = &octree->node[spot.node];
         spot.misses = cm_more_misses(spot.misses, node->value);
         spot.level--;
-        spot.node = node->link + (place[0] >> spot.level & 1u) + 2u * (place[1] >> spot.level & 1u) +
-                    4u * (place[2] >> spot.level & 1u);
+        spot.node = node->link + (place[0] >> spot.level & 1u) +
+                    2u * (place[1] >> spot.level & 1u) + 4u * (place[2] >> spot.level & 1u);
         ray->node[spot.level] = spot.node;
         ray->waiting[spot.level] = (uint8_t)spot.misses;
     }
@@ -121,10 +123,13 @@ static cm_spot find_spot(ray_state *ray, const uint32_t place[3])
 static cm_status find(ray_state *ray, ray_cube *cube)
 {
     const cm_octree *octree = ray->octree;
-    const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1], (uint32_t)ray->place[2]};
+    const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1],
+                               (uint32_t)ray->place[2]};
     const cm_region *region = ray->region;
     if (region != NULL && ((place[0] ^ region->place[0]) | (place[1] ^ region->place[1]) |
-                           (place[2] ^ region->place[2])) >> CM_REGION_LEVEL == 0)
+                           (place[2] ^ region->place[2])) >>
+                                  CM_REGION_LEVEL ==
+                              0)
     {
         return CM_OK;
     }
@@ -156,7 +161,8 @@ static cm_status look(ray_state *ray, ray_cube *cube)
     {
         return status;
     }
-    const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1], (uint32_t)ray->place[2]};
+    const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1],
+                               (uint32_t)ray->place[2]};
     const unsigned block = cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3);
     const unsigned cell = cm_interleave_3(place[0], place[1], place[2]);
     const unsigned level =
@@ -182,7 +188,8 @@ static int leave(ray_state *ray, const ray_cube *cube)
     for (int axis = 0; axis < 3; axis++)
     {
         const double border = cube->corner[axis] + (ray->step[axis] > 0.0 ? size : 0.0);
-        out[axis] = ray->step[axis] == 0.0 ? INFINITY : (border - ray->origin[axis]) * ray->by[axis];
+        out[axis] =
+            ray->step[axis] == 0.0 ? INFINITY : (border - ray->origin[axis]) * ray->by[axis];
     }
     int axis = out[0] <= out[1] ? 0 : 1;
     axis = out[axis] <= out[2] ? axis : 2;
@@ -243,12 +250,14 @@ static int march(ray_state *ray, unsigned block)
     for (int axis = 0; axis < 3; axis++)
     {
         border[axis] = ray->place[axis] + (ray->step[axis] > 0.0 ? 1.0 : 0.0);
-        next[axis] = ray->step[axis] == 0.0 ? INFINITY : (border[axis] - ray->origin[axis]) * ray->by[axis];
+        next[axis] =
+            ray->step[axis] == 0.0 ? INFINITY : (border[axis] - ray->origin[axis]) * ray->by[axis];
         in[axis] = ray->place[axis] & 7;
     }
     for (;;)
     {
-        const unsigned cell = (unsigned)spread[in[0]] | (unsigned)spread[in[1]] << 1 | (unsigned)spread[in[2]] << 2;
+        const unsigned cell =
+            (unsigned)spread[in[0]] | (unsigned)spread[in[1]] << 1 | (unsigned)spread[in[2]] << 2;
         if (cm_block_stored(region, block, cell >> shift) > least)
         {
             return 1;
@@ -292,8 +301,9 @@ static int cast(ray_state *ray, ray_cube *cube)
         int level = 0;
         if (region != NULL)
         {
-            const unsigned block = cm_interleave_3((unsigned)ray->place[0] >> 3, (unsigned)ray->place[1] >> 3,
-                                                   (unsigned)ray->place[2] >> 3);
+            const unsigned block =
+                cm_interleave_3((unsigned)ray->place[0] >> 3, (unsigned)ray->place[1] >> 3,
+                                (unsigned)ray->place[2] >> 3);
             level = empty_level(region, block);
             if (level == 0 && region->form[block] != CM_BLOCK_EVEN)
             {
@@ -308,8 +318,9 @@ static int cast(ray_state *ray, ray_cube *cube)
                 continue;
             }
             /* an even block of what is occupied may have misses waiting */
-            cube->alpha = level == 0 ? cm_after_misses(&ray->octree->rule, region->value[block], ray->misses)
-                                     : CM_UNKNOWN;
+            cube->alpha =
+                level == 0 ? cm_after_misses(&ray->octree->rule, region->value[block], ray->misses)
+                           : CM_UNKNOWN;
             cube->color = 0;
             cube->level = level == 0 ? CM_BLOCK_LEVEL : level;
             for (int axis = 0; axis < 3; axis++)
@@ -329,8 +340,8 @@ static int cast(ray_state *ray, ray_cube *cube)
     return 0;
 }
 
-int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3], double far,
-                  cm_voxel *voxel)
+int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3],
+                  double far, cm_voxel *voxel)
 {
     ray_state ray;
     ray_cube cube;
@@ -346,8 +357,8 @@ int cm_octree_ray(const cm_octree *octree, const double origin[3], const double 
     return 1;
 }
 
-cm_status cm_octree_walk_ray(const cm_octree *octree, const double origin[3], const double direction[3],
-                             double far, cm_voxel_job job, void *user)
+cm_status cm_octree_walk_ray(const cm_octree *octree, const double origin[3],
+                             const double direction[3], double far, cm_voxel_job job, void *user)
 {
     if (octree == NULL || origin == NULL || direction == NULL || job == NULL)
     {

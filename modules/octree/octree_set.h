@@ -81,15 +81,15 @@ typedef struct cm_rule_row
     uint32_t apart;     /* pixels between those that slopes are found by */
     float column_place; /* of the first column from the principal point */
     float row_place;
-    float step;            /* 1 / apart */
+    float step; /* 1 / apart */
     float focal[2];
-    float axes[3][3];      /* columns are of the world's axes in the camera */
-    float half;            /* an edge */
-    float more;            /* added to each reach */
-    float relative;        /* times depth, added, too: the sensor's noise */
-    float most;            /* no reach is more, but for noise */
-    float front_relative;  /* times depth: what noise adds to the front */
-    float far;             /* what is farther is no hit, and free up to here */
+    float axes[3][3];     /* columns are of the world's axes in the camera */
+    float half;           /* an edge */
+    float more;           /* added to each reach */
+    float relative;       /* times depth, added, too: the sensor's noise */
+    float most;           /* no reach is more, but for noise */
+    float front_relative; /* times depth: what noise adds to the front */
+    float far;            /* what is farther is no hit, and free up to here */
 } cm_rule_row;
 
 typedef struct cm_octree_set
@@ -103,28 +103,31 @@ typedef struct cm_octree_set
     /* The least of five. */
     void (*least_of_five)(size_t n, const float *const from[5], float *to);
     /* Rules and bounds of a row; five: the least front around each pixel; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
-    void (*rules)(size_t n, const float *depth, const float *reach, const float *five, float far, float free_far,
-                  cm_pixel_rule *rule, float *least, float *most);
+    void (*rules)(size_t n, const float *depth, const float *reach, const float *five, float far,
+                  float free_far, cm_pixel_rule *rule, float *least, float *most);
     /* Words of colors (region.h) of pixels that are `apart` bytes from each other. */
     void (*words)(size_t n, const uint8_t *rgb, ptrdiff_t apart, uint32_t *word);
     /* Cells of twice the size from two rows of cells; n of the new ones. */
-    void (*halve)(size_t n, const float *const least_of[2], const float *const most_of[2], float *least,
-                  float *most);
+    void (*halve)(size_t n, const float *const least_of[2], const float *const most_of[2],
+                  float *least, float *most);
     /* Windows of 2 x 2 cells from two rows: n of them. */
-    void (*windows)(size_t n, const float *const least_of[2], const float *const most_of[2], float *least,
-                    float *most);
+    void (*windows)(size_t n, const float *const least_of[2], const float *const most_of[2],
+                    float *least, float *most);
     /* Classes of n cubes with centres x, y, z in the camera's axes, all with the half lengths of a box along those axes; and, if
      * bounds is not NULL, of each that may be something else than outside and free, bounds of what its pixels say. Arrays have
      * room for a multiple of 16. */
-    void (*classify)(const cm_view_table *view, size_t n, const float *x, const float *y, const float *z,
-                     const float half[3], uint8_t *class_of, cm_cube_bounds *bounds);
+    void (*classify)(const cm_view_table *view, size_t n, const float *x, const float *y,
+                     const float *z, const float half[3], uint8_t *class_of,
+                     cm_cube_bounds *bounds);
     /* What happens to the 64 cells of a group at offsets from a first voxel, cells of `scale` edges: bits of hits and misses;
      * pixel has the rules' indices of them all, NULL: not wanted. is_inside: all fall on the picture; bounds: of the pixels that they fall
      * on. */
-    void (*visit)(const cm_view_table *view, const float first[3], const float *x, const float *y, const float *z,
-                  float scale, int is_inside, cm_cube_bounds bounds, uint64_t *hits, uint64_t *misses, int32_t pixel[64]);
+    void (*visit)(const cm_view_table *view, const float first[3], const float *x, const float *y,
+                  const float *z, float scale, int is_inside, cm_cube_bounds bounds, uint64_t *hits,
+                  uint64_t *misses, int32_t pixel[64]);
     /* 64 alphas after hits and misses: saturating. Returns 1 if any changed. */
-    int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss, uint8_t low, uint8_t high);
+    int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss,
+                 uint8_t low, uint8_t high);
 } cm_octree_set;
 
 extern const cm_octree_set cm_octree_scalar;

@@ -111,7 +111,8 @@ static void make_tile(const cm_pixel_tree *tree, uint32_t column, uint32_t row, 
             ray_of(tree, (size_t)r * tree->width + c, ray);
             if (!isnan(ray[0]))
             {
-                const double angle = angle_between(sum.axis, ray) + angle_beside(tree, c, r, &is_border);
+                const double angle =
+                    angle_between(sum.axis, ray) + angle_beside(tree, c, r, &is_border);
                 sum.angle = fmax(sum.angle, angle);
             }
         }
@@ -137,7 +138,8 @@ static void make_cell(const cm_pixel_level *below, uint32_t column, uint32_t row
             for (uint32_t c = column; c < column + 2 && c < below->width; c++)
             {
                 const cm_pixel_cell *part = &below->cell[(size_t)r * below->width + c];
-                const double axis[3] = {(double)part->axis[0], (double)part->axis[1], (double)part->axis[2]};
+                const double axis[3] = {(double)part->axis[0], (double)part->axis[1],
+                                        (double)part->axis[2]};
                 cell->is_border |= part->is_border;
                 if (part->is_empty)
                 {
@@ -171,7 +173,8 @@ static uint32_t divided(uint32_t a, uint32_t by)
 
 static cm_status take_memory(cm_pixel_tree *tree)
 {
-    uint32_t width = divided(tree->width, CM_TILE_EDGE), rows = divided(tree->face_rows, CM_TILE_EDGE);
+    uint32_t width = divided(tree->width, CM_TILE_EDGE),
+             rows = divided(tree->face_rows, CM_TILE_EDGE);
     size_t cells = 0;
     tree->levels = 0;
     for (;;)
@@ -248,7 +251,8 @@ static void make_cones(cm_pixel_tree *tree)
         for (uint32_t row = 0; row < at->height; row++)
         {
             const uint32_t face = row / rows, first = face * below_rows + row % rows * step;
-            const uint32_t end = (face + 1) * below_rows, last = first + step < end ? first + step : end;
+            const uint32_t end = (face + 1) * below_rows,
+                           last = first + step < end ? first + step : end;
             for (uint32_t column = 0; column < at->width; column++)
             {
                 cm_pixel_cell *cell = &at->cell[(size_t)row * at->width + column];
@@ -297,7 +301,8 @@ static void fill_tiles(const cm_pixel_tree *tree, const float *least, const floa
     const uint32_t rows = at->height / tree->faces;
     for (uint32_t row = 0; row < at->height; row++)
     {
-        const uint32_t face = row / rows, first = face * tree->face_rows + row % rows * CM_TILE_EDGE;
+        const uint32_t face = row / rows,
+                       first = face * tree->face_rows + row % rows * CM_TILE_EDGE;
         const uint32_t end = (face + 1) * tree->face_rows;
         for (uint32_t column = 0; column < at->width; column++)
         {
@@ -306,7 +311,8 @@ static void fill_tiles(const cm_pixel_tree *tree, const float *least, const floa
             cell->most = -INFINITY;
             for (uint32_t r = first; r < first + CM_TILE_EDGE && r < end; r++)
             {
-                for (uint32_t c = column * CM_TILE_EDGE; c < (column + 1) * CM_TILE_EDGE && c < tree->width; c++)
+                for (uint32_t c = column * CM_TILE_EDGE;
+                     c < (column + 1) * CM_TILE_EDGE && c < tree->width; c++)
                 {
                     const size_t pixel = (size_t)r * tree->width + c;
                     cell->least = least[pixel] < cell->least ? least[pixel] : cell->least;
@@ -379,8 +385,8 @@ static void ask(cone_question *question, int level, uint32_t column, uint32_t ro
         return;
     }
     cm_cone_bounds *bounds = &question->bounds;
-    const int tells_nothing = !bounds->is_empty && cell->least >= bounds->least && cell->most <= bounds->most &&
-                              (bounds->is_border || !cell->is_border);
+    const int tells_nothing = !bounds->is_empty && cell->least >= bounds->least &&
+                              cell->most <= bounds->most && (bounds->is_border || !cell->is_border);
     if (tells_nothing)
     {
         return;
@@ -395,7 +401,8 @@ static void ask(cone_question *question, int level, uint32_t column, uint32_t ro
     }
     const cm_pixel_level *below = &tree->level[level - 1];
     const uint32_t rows = at->height / tree->faces, below_rows = below->height / tree->faces;
-    const uint32_t first = row / rows * below_rows + row % rows * 2, end = (row / rows + 1) * below_rows;
+    const uint32_t first = row / rows * below_rows + row % rows * 2,
+                   end = (row / rows + 1) * below_rows;
     for (uint32_t r = first; r < first + 2 && r < end; r++)
     {
         for (uint32_t c = 2 * column; c < 2 * column + 2 && c < below->width; c++)
@@ -405,7 +412,8 @@ static void ask(cone_question *question, int level, uint32_t column, uint32_t ro
     }
 }
 
-cm_cone_bounds cm_pixel_tree_ask(const cm_pixel_tree *tree, const float axis[3], float cosine, float sine)
+cm_cone_bounds cm_pixel_tree_ask(const cm_pixel_tree *tree, const float axis[3], float cosine,
+                                 float sine)
 {
     cone_question question = {tree, axis, cosine, sine, {INFINITY, -INFINITY, 0, 1}};
     for (uint32_t face = 0; face < tree->faces; face++)

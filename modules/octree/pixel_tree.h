@@ -63,6 +63,7 @@ void cm_pixel_tree_clear(cm_pixel_tree *tree);
 void cm_pixel_tree_fill(cm_pixel_tree *tree, const float *least, const float *most);
 
 /* Of a cone around a unit axis. */
-cm_cone_bounds cm_pixel_tree_ask(const cm_pixel_tree *tree, const float axis[3], float cosine, float sine);
+cm_cone_bounds cm_pixel_tree_ask(const cm_pixel_tree *tree, const float axis[3], float cosine,
+                                 float sine);
 
 #endif

@@ -44,7 +44,8 @@ static cm_status region_at(cm_octree *octree, const uint32_t place[3], cm_region
 cm_status cm_octree_set_cube(cm_octree *octree, const int64_t corner[3], int level, uint8_t alpha)
 {
     uint32_t place[3], node = 0;
-    if (level < CM_BLOCK_LEVEL || level > octree->tree_level || !place_of(octree, corner, level, place))
+    if (level < CM_BLOCK_LEVEL || level > octree->tree_level ||
+        !place_of(octree, corner, level, place))
     {
         return CM_ERROR_ARGUMENT;
     }
@@ -73,7 +74,8 @@ cm_status cm_octree_set_cube(cm_octree *octree, const int64_t corner[3], int lev
 }
 
 /* Values of a small map's own voxels; the others stay unknown. */
-static void keep_own(const cm_octree *octree, const cm_region *region, unsigned block, uint8_t alpha[512])
+static void keep_own(const cm_octree *octree, const cm_region *region, unsigned block,
+                     uint8_t alpha[512])
 {
     for (unsigned group = 0; group < 8; group++)
     {
@@ -85,8 +87,8 @@ static void keep_own(const cm_octree *octree, const cm_region *region, unsigned 
     }
 }
 
-static int put_values(cm_octree *octree, cm_region *region, unsigned block, const uint8_t values[512],
-                      const uint8_t (*color)[3])
+static int put_values(cm_octree *octree, cm_region *region, unsigned block,
+                      const uint8_t values[512], const uint8_t (*color)[3])
 {
     cm_block_even(region, block, CM_UNKNOWN);
     uint8_t *alpha = cm_block_open(region, block, &octree->rule, 0);

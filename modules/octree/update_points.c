@@ -241,18 +241,6 @@ static int add_point(const cm_octree *octree, const double origin[3], const floa
 
 /* ---- into the tree ---- */
 
-static void place_of(uint64_t key, uint32_t place[3])
-{
-    place[0] = place[1] = place[2] = 0;
-    for (unsigned bit = 0; bit < 21; bit++)
-    {
-        for (unsigned axis = 0; axis < 3; axis++)
-        {
-            place[axis] |= (uint32_t)(key >> (3 * bit + axis) & 1u) << bit;
-        }
-    }
-}
-
 static int apply(cm_octree *octree, cm_region *region, const voxel_event *event, const uint8_t *rgb)
 {
     const cm_count_rule *rule = &octree->rule;
@@ -312,7 +300,7 @@ static cm_status get_regions(cm_octree *octree, const event_list *list)
     for (size_t i = 0; status == CM_OK && i < list->count; i = end_of_region(list, i))
     {
         uint32_t place[3], node = 0;
-        place_of(list->event[i].key >> 3 * CM_REGION_LEVEL << 3 * CM_REGION_LEVEL, place);
+        cm_divide(list->event[i].key >> 3 * CM_REGION_LEVEL << 3 * CM_REGION_LEVEL, place);
         cm_region *region = NULL;
         status = cm_node_reach(octree, place, CM_REGION_LEVEL, &node);
         status = status == CM_OK ? cm_node_region(octree, node, place, &region) : status;
@@ -327,7 +315,7 @@ static cm_status apply_all(cm_octree *octree, const event_list *list, const uint
     {
         const uint64_t key = list->event[i].key >> 3 * CM_REGION_LEVEL;
         uint32_t place[3], node = 0;
-        place_of(key << 3 * CM_REGION_LEVEL, place);
+        cm_divide(key << 3 * CM_REGION_LEVEL, place);
         cm_region *region = NULL;
         status = cm_node_reach(octree, place, CM_REGION_LEVEL, &node);
         status = status == CM_OK ? cm_node_region(octree, node, place, &region) : status;

@@ -26,8 +26,8 @@ static int is_within(const cm_octree *octree, const cm_region *region, unsigned 
     return within;
 }
 
-uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block, unsigned detail,
-                         unsigned group)
+uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block,
+                         unsigned detail, unsigned group)
 {
     if (is_within(octree, region, block))
     {
@@ -52,8 +52,8 @@ uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsig
     return valid;
 }
 
-static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color, uint64_t hits,
-                       const int32_t pixel[64])
+static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color,
+                       uint64_t hits, const int32_t pixel[64])
 {
     const cm_count_rule *rule = &update->octree->rule;
     const uint32_t *word = update->desk->view.word;
@@ -77,7 +77,8 @@ static void forget_colors(const uint8_t alpha[64], uint32_t *color, uint64_t hit
     }
 }
 
-int cm_update_block(cm_update *update, cm_region *region, unsigned block, const cm_block_change *change)
+int cm_update_block(cm_update *update, cm_region *region, unsigned block,
+                    const cm_block_change *change)
 {
     const cm_count_rule *rule = &update->octree->rule;
     uint8_t *alpha = cm_block_open(region, block, rule, change->detail);
@@ -103,12 +104,14 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block, const 
         }
         else if (change->hits[group] != 0 && region->color != NULL && region->color[block] != NULL)
         {
-            forget_colors(alpha + 64 * group, region->color[block] + 64 * group, change->hits[group]);
+            forget_colors(alpha + 64 * group, region->color[block] + 64 * group,
+                          change->hits[group]);
         }
         if ((change->hits[group] | change->misses[group]) != 0)
         {
-            has_changed |= update->set->count(alpha + 64 * group, change->hits[group], change->misses[group],
-                                              rule->hit, rule->miss, rule->low, rule->high);
+            has_changed |=
+                update->set->count(alpha + 64 * group, change->hits[group], change->misses[group],
+                                   rule->hit, rule->miss, rule->low, rule->high);
         }
     }
     if (has_changed)
@@ -164,13 +167,14 @@ static unsigned detail_at(const cm_update *update, const cm_region *region, unsi
 
 typedef struct block_work
 {
-    float first[3]; /* the first voxel's centre, in the camera's axes */
+    float first[3];             /* the first voxel's centre, in the camera's axes */
     const uint8_t *group_class; /* of eight groups */
     const cm_cube_bounds *bounds;
-    const uint32_t *color;      /* of an open block; NULL: none yet */
+    const uint32_t *color; /* of an open block; NULL: none yet */
 } block_work;
 
-static void first_voxel(const cm_update *update, const cm_region *region, unsigned block, float first[3])
+static void first_voxel(const cm_update *update, const cm_region *region, unsigned block,
+                        float first[3])
 {
     unsigned at[3];
     cm_divide_3(block, at);
@@ -187,7 +191,8 @@ static void first_voxel(const cm_update *update, const cm_region *region, unsign
 }
 
 /* What hits will need: colors of pixels, and those of a group's cells if there are any. */
-static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_t hits, const int32_t pixel[64])
+static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_t hits,
+                         const int32_t pixel[64])
 {
     for (; hits != 0; hits &= hits - 1)
     {
@@ -200,8 +205,8 @@ static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_
 }
 
 /* Hits and misses of a group; nothing of one that nothing happens in. */
-static void visit_group(const cm_update *update, const block_work *work, unsigned detail, unsigned group,
-                        cm_block_change *change)
+static void visit_group(const cm_update *update, const block_work *work, unsigned detail,
+                        unsigned group, cm_block_change *change)
 {
     const unsigned class_of = detail == 0 ? work->group_class[group] : (unsigned)CM_CUBE_PART;
     if (class_of == CM_CUBE_FREE)
@@ -214,20 +219,21 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
         return;
     }
     const cm_cell_offsets *offset = &update->offset[detail];
-    update->set->visit(&update->desk->view.table, work->first, offset->x + 64 * group, offset->y + 64 * group,
-                       offset->z + 64 * group, (float)(1u << detail), class_of == CM_CUBE_BAND,
+    update->set->visit(&update->desk->view.table, work->first, offset->x + 64 * group,
+                       offset->y + 64 * group, offset->z + 64 * group, (float)(1u << detail),
+                       class_of == CM_CUBE_BAND,
                        detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY},
                        &change->hits[group], &change->misses[group],
                        update->has_color ? change->pixel[group] : NULL);
     if (change->hits[group] != 0 && update->has_color)
     {
-        fetch_colors(update, work->color == NULL ? NULL : work->color + 64 * group, change->hits[group],
-                     change->pixel[group]);
+        fetch_colors(update, work->color == NULL ? NULL : work->color + 64 * group,
+                     change->hits[group], change->pixel[group]);
     }
 }
 
-static void visit_block(cm_update *update, cm_region *region, unsigned block, const block_work *work,
-                        unsigned detail)
+static void visit_block(cm_update *update, cm_region *region, unsigned block,
+                        const block_work *work, unsigned detail)
 {
     cm_block_change change;
     change.detail = detail;
@@ -282,8 +288,8 @@ static void classify_blocks(const cm_update *update, const cm_region *region, cu
         places->y[block] = first[1] + update->block.y[block];
         places->z[block] = first[2] + update->block.z[block];
     }
-    update->set->classify(&update->desk->view.table, CM_REGION_BLOCKS, places->x, places->y, places->z,
-                          update->block_half, class_of, NULL);
+    update->set->classify(&update->desk->view.table, CM_REGION_BLOCKS, places->x, places->y,
+                          places->z, update->block_half, class_of, NULL);
     memcpy(z, places->z, CM_REGION_BLOCKS * sizeof *z);
 }
 
@@ -291,7 +297,8 @@ static void classify_blocks(const cm_update *update, const cm_region *region, cu
 static void classify_groups(const cm_update *update, size_t count, const float (*first)[3],
                             cube_places *places)
 {
-    const cm_cell_offsets *offset = &update->offset[2]; /* cells of 4^3 voxels are those of detail 2 */
+    const cm_cell_offsets *offset =
+        &update->offset[2]; /* cells of 4^3 voxels are those of detail 2 */
     for (size_t i = 0; i < count; i++)
     {
         for (size_t group = 0; group < 8; group++)
@@ -311,7 +318,8 @@ static void classify_groups(const cm_update *update, size_t count, const float (
 
 static const uint32_t *open_colors(const cm_region *region, unsigned block)
 {
-    return region->color != NULL && region->form[block] == CM_BLOCK_PLAIN && region->detail[block] == 0
+    return region->color != NULL && region->form[block] == CM_BLOCK_PLAIN &&
+                   region->detail[block] == 0
                ? region->color[block]
                : NULL;
 }
@@ -348,7 +356,8 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
     for (int axis = 0; axis < 2; axis++)
     {
         const double focal = fabs((double)table->focal[axis]);
-        const double middle = (double)table->focal[axis] * centre[axis] / centre[2] + (double)table->centre[axis];
+        const double middle =
+            (double)table->focal[axis] * centre[axis] / centre[2] + (double)table->centre[axis];
         const double wide = focal * (double)half[axis] / centre[2] * 0.8; /* most of it is enough */
         first[axis] = middle - wide > 0.0 ? middle - wide : 0.0;
         last[axis] = middle + wide < size[axis] ? middle + wide : size[axis];
@@ -392,7 +401,8 @@ void cm_update_region(cm_update *update, cm_region *region)
                            .color = open_colors(region, listed[i])};
         fetch(region, i + 1 < count ? listed[i + 1] : listed[i]);
         memcpy(work.first, first[i], sizeof work.first);
-        visit_block(update, region, listed[i], &work, detail_at(update, region, listed[i], z[listed[i]]));
+        visit_block(update, region, listed[i], &work,
+                    detail_at(update, region, listed[i], z[listed[i]]));
     }
     region->is_dirty = 1;
 }

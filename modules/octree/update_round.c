@@ -11,10 +11,6 @@
 
 #include "interleave.h"
 
-/* As in view_table.c, in edges. */
-#define REACH_MOST 8.0
-#define REACH_MORE 0.25
-
 typedef struct round_work
 {
     cm_update *update;
@@ -147,7 +143,7 @@ static double reach_of(const cm_update *update, const cm_round_desk *round, size
     }
     if (!(fabs(along) > 0.0))
     {
-        return edge * (0.5 * sqrt(3.0) + REACH_MORE);
+        return edge * (0.5 * sqrt(3.0) + CM_REACH_MORE);
     }
     double sum = 0.0;
     for (int axis = 0; axis < 3; axis++)
@@ -162,7 +158,8 @@ static double reach_of(const cm_update *update, const cm_round_desk *round, size
         update->view->camera, (double)(pixel % round->tree.width) + round->camera.pixel_centre,
         (double)(pixel / round->tree.width) + round->camera.pixel_centre));
     const double beside = isfinite(side) ? 0.5 * side * tangent * value : 0.0;
-    return fmin(0.5 * sum * value / fabs(along) + beside + REACH_MORE * edge, REACH_MOST * edge);
+    return fmin(0.5 * sum * value / fabs(along) + beside + CM_REACH_MORE * edge,
+                CM_REACH_MOST * edge);
 }
 
 static void reach_rows(size_t first, size_t end, void *user)
@@ -176,15 +173,16 @@ static void reach_rows(size_t first, size_t end, void *user)
     for (size_t pixel = first * width; pixel < end * width; pixel++)
     {
         const float v = value[pixel];
-        round->rule[pixel].depth = -1.0f; /* the reach, for now */
+        float reach_here = -1.0f;
         round->front[pixel] = v > far ? far : INFINITY;
         if (v <= far)
         {
             const double d = (double)v;
             const double reach = reach_of(work->update, round, pixel, d) + options->noise * d;
-            round->rule[pixel].depth = (float)reach;
+            reach_here = (float)reach;
             round->front[pixel] = (float)(d - reach - options->noise * d);
         }
+        round->vertex[2][pixel] = reach_here; /* the pixel's maps have served */
     }
 }
 
@@ -259,10 +257,9 @@ static cm_status make_rules(round_work *work, cm_pool *pool)
     const cm_octree_options *options = &update->octree->options;
     const size_t width = round->tree.width, height = round->tree.height;
     cm_status status = take_values(work);
-    float *reach = status == CM_OK ? malloc(width * sizeof *reach) : NULL;
-    if (status != CM_OK || reach == NULL)
+    if (status != CM_OK)
     {
-        return status != CM_OK ? status : CM_ERROR_MEMORY;
+        return status;
     }
     round->around = cm_view_desk_around(
         &update->desk->view, options->edge / mean_pixel(cm_camera_describe(update->view->camera)));
@@ -274,15 +271,10 @@ static cm_status make_rules(round_work *work, cm_pool *pool)
     for (size_t row = 0; row < height; row++)
     {
         const size_t at = row * width;
-        for (size_t i = 0; i < width; i++)
-        {
-            reach[i] = round->rule[at + i].depth;
-        }
-        update->set->rules(width, update->desk->view.packed + at, reach, round->five + at, far,
-                           free_far, round->rule + at, round->vertex[0] + at,
+        update->set->rules(width, update->desk->view.packed + at, round->vertex[2] + at,
+                           round->five + at, far, free_far, round->rule + at, round->vertex[0] + at,
                            round->vertex[1] + at);
     }
-    free(reach);
     cm_pixel_tree_fill(&round->tree, round->vertex[0], round->vertex[1]);
     return CM_OK;
 }

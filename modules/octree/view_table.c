@@ -9,12 +9,6 @@
 #define APART 1
 #define APART_WITH_NOISE 4
 
-/* How far a hit reaches along a ray at most, in edges: on a grazing surface the tangent plane would let it go on. */
-#define REACH_MOST 8.0
-
-/* Beyond half the edges that a plane crosses, in edges: pixels are not where the voxel's centre is. */
-#define REACH_MORE 0.25
-
 /* A voxel is no miss if anything nearer is seen this close to its centre, in edges: half its diagonal. Least fronts are taken over
  * windows of 5 x 5 pixels, as many times one after the other as that needs for the nearest that is seen, but not more often. */
 #define AROUND_EDGES 0.87
@@ -70,7 +64,8 @@ static int take_images(cm_view_desk *desk)
     {
         return 0;
     }
-    float **const images[IMAGES] = {&desk->least[0], &desk->least[1], &desk->most[0], &desk->most[1]};
+    float **const images[IMAGES] = {&desk->least[0], &desk->least[1], &desk->most[0],
+                                    &desk->most[1]};
     for (size_t i = 0; i < IMAGES; i++)
     {
         *images[i] = desk->memory + i * image + CM_OCTREE_SLACK;
@@ -84,7 +79,8 @@ static int take_windows(cm_view_desk *desk)
     int levels = 0;
     do
     {
-        floats += 2 * (level_cells(desk->width, levels) * level_cells(desk->height, levels) + CM_OCTREE_SLACK);
+        floats += 2 * (level_cells(desk->width, levels) * level_cells(desk->height, levels) +
+                       CM_OCTREE_SLACK);
         levels++;
     } while (has_more_levels(desk, levels - 1));
     desk->windows = malloc(floats * sizeof *desk->windows);
@@ -105,7 +101,8 @@ static int take_windows(cm_view_desk *desk)
 
 static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
 {
-    if (desk->memory != NULL && desk->windows != NULL && desk->width == width && desk->height == height)
+    if (desk->memory != NULL && desk->windows != NULL && desk->width == width &&
+        desk->height == height)
     {
         return CM_OK;
     }
@@ -123,7 +120,8 @@ static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
 
 /* ---- from the view's picture to a clean image ---- */
 
-cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, size_t *valid)
+cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
+                             size_t *valid)
 {
     const cm_camera_options *camera = cm_camera_describe(view->camera);
     if (view->depth.width != camera->width || view->depth.height != camera->height)
@@ -239,7 +237,8 @@ static row_ring make_ring(const fill_band *band, float **next, size_t rows, cons
 
 static void begin_band(fill_band *band, const fill_work *work, size_t index)
 {
-    const size_t stride = work->desk->stride, length = ring_length(work), fronts = front_length(work);
+    const size_t stride = work->desk->stride, length = ring_length(work),
+                 fronts = front_length(work);
     float *next = work->rings + index * ring_floats(work);
     float *no_inverse = next, *no_front = next + stride;
     for (size_t i = 0; i < stride; i++)
@@ -271,7 +270,8 @@ static void invert_row(fill_band *band, size_t row)
     const cm_view_desk *desk = band->work->desk;
     float *depth = ring_row(&band->depth, row);
     memcpy(depth, desk->packed + row * desk->width, desk->width * sizeof *depth);
-    band->work->set->invert(desk->stride - 2 * CM_OCTREE_SLACK, depth, ring_row(&band->inverse, row));
+    band->work->set->invert(desk->stride - 2 * CM_OCTREE_SLACK, depth,
+                            ring_row(&band->inverse, row));
 }
 
 static void reach_row(fill_band *band, size_t row)
@@ -381,9 +381,9 @@ static void describe_rows(fill_work *work, const cm_octree *octree, const cm_vie
         row->axes[i / 3][i % 3] = (float)view->pose.rotation.row[i / 3][i % 3];
     }
     row->half = (float)(0.5 * options->edge);
-    row->more = (float)(REACH_MORE * options->edge);
+    row->more = (float)(CM_REACH_MORE * options->edge);
     row->relative = (float)(HIT_SIGMAS * options->noise);
-    row->most = (float)(REACH_MOST * options->edge);
+    row->most = (float)(CM_REACH_MOST * options->edge);
     row->front_relative = (float)(FRONT_SIGMAS * options->noise);
     row->far = options->far > 0.0 ? (float)options->far : INFINITY;
     work->free_far = options->no_return_is_free ? (float)options->far : NAN;
@@ -391,7 +391,8 @@ static void describe_rows(fill_work *work, const cm_octree *octree, const cm_vie
     work->first_row = camera->pixel_centre - camera->cy;
 }
 
-static void describe_table(cm_view_desk *desk, const cm_octree *octree, const cm_camera_options *camera)
+static void describe_table(cm_view_desk *desk, const cm_octree *octree,
+                           const cm_camera_options *camera)
 {
     cm_view_table *table = &desk->table;
     table->width = desk->width;
@@ -405,7 +406,8 @@ static void describe_table(cm_view_desk *desk, const cm_octree *octree, const cm
     table->rule = desk->rule;
 }
 
-cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, cm_pool *pool)
+cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
+                            cm_pool *pool)
 {
     cm_status status = to_depth(desk, octree, view);
     if (status != CM_OK)
@@ -415,8 +417,9 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     fill_work work = {.desk = desk, .set = octree->set, .bands = cm_pool_threads(pool)};
     describe_rows(&work, octree, view);
     describe_table(desk, octree, cm_camera_describe(view->camera));
-    desk->around = cm_view_desk_around(
-        desk, octree->options.edge * fmax(fabs((double)work.row.focal[0]), fabs((double)work.row.focal[1])));
+    desk->around =
+        cm_view_desk_around(desk, octree->options.edge * fmax(fabs((double)work.row.focal[0]),
+                                                              fabs((double)work.row.focal[1])));
     work.bands = work.bands < desk->height ? work.bands : desk->height;
     work.rings = malloc(work.bands * ring_floats(&work) * sizeof *work.rings);
     if (work.rings == NULL)
@@ -442,8 +445,10 @@ static void color_rows(size_t first, size_t end, void *user)
 {
     const color_work *work = user;
     const cm_image *color = work->color;
-    const ptrdiff_t apart = color->pixel_stride != 0 ? color->pixel_stride : (ptrdiff_t)color->channels;
-    const ptrdiff_t stride = color->row_stride != 0 ? color->row_stride : (ptrdiff_t)color->width * apart;
+    const ptrdiff_t apart =
+        color->pixel_stride != 0 ? color->pixel_stride : (ptrdiff_t)color->channels;
+    const ptrdiff_t stride =
+        color->row_stride != 0 ? color->row_stride : (ptrdiff_t)color->width * apart;
     for (size_t row = first; row < end; row++)
     {
         const uint8_t *rgb = (const uint8_t *)color->data + (ptrdiff_t)row * stride;
@@ -451,7 +456,8 @@ static void color_rows(size_t first, size_t end, void *user)
     }
 }
 
-void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, cm_pool *pool)
+void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
+                         cm_pool *pool)
 {
     color_work work = {desk, octree->set, &view->color};
     cm_pool_run(pool, desk->height, 16, color_rows, &work);
@@ -488,7 +494,8 @@ static void make_windows(cm_view_desk *desk, const cm_octree_set *set, int level
         const float *most = desk->most[which] + row * desk->stride;
         const float *const leasts[2] = {least, least + desk->stride};
         const float *const mosts[2] = {most, most + desk->stride};
-        set->windows(at->width, leasts, mosts, at->least + row * at->width, at->most + row * at->width);
+        set->windows(at->width, leasts, mosts, at->least + row * at->width,
+                     at->most + row * at->width);
     }
 }
 

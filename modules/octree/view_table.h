@@ -9,6 +9,12 @@
 
 #include "octree_object.h"
 
+/* How far a hit reaches along a ray at most, in edges: on a grazing surface the tangent plane would let it go on. */
+#define CM_REACH_MOST 8.0
+
+/* Beyond half the edges that a plane crosses, in edges: pixels are not where the voxel's centre is. */
+#define CM_REACH_MORE 0.25
+
 /* The images of a view and the memory of tables, kept from view to view. */
 typedef struct cm_view_desk
 {
@@ -35,16 +41,19 @@ void cm_view_desk_clear(cm_view_desk *desk);
 int cm_camera_is_straight(const cm_camera_options *camera);
 
 /* The cleaned image of a view, dense, depth or range as the view has it; *valid: how many pixels measured something. */
-cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, size_t *valid);
+cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
+                             size_t *valid);
 
 /* How often windows of 5 x 5 pixels are to be taken for the cleaned image: pixels are 1 / focal_edges edges wide at distance 1. */
 int cm_view_desk_around(const cm_view_desk *desk, double focal_edges);
 
 /* All of a straight camera's view, after cm_view_desk_clean. Bands of rows are handed to the pool. */
-cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, cm_pool *pool);
+cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
+                            cm_pool *pool);
 
 /* Words of a view's colors, if it has any. */
-void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_view *view, cm_pool *pool);
+void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
+                         cm_pool *pool);
 
 /* Bounds in windows from rules: least and most of all pixels are in desk->least[0] and desk->most[0]. */
 void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set);

@@ -79,7 +79,7 @@ static void release(cm_region *region, unsigned block)
     region->bytes -= block_bytes(region, block);
     free(region->alpha[block]);
     region->alpha[block] = NULL;
-    region->one_color[block / 8] &= (uint8_t)~(1u << block % 8);
+    region->one_color[block / 8] &= (uint8_t) ~(1u << block % 8);
     if (region->color != NULL)
     {
         free(region->color[block]);
@@ -221,12 +221,10 @@ uint8_t cm_block_cell(const cm_region *region, unsigned block, const cm_count_ru
     if (color != NULL)
     {
         const uint32_t *from = region->color == NULL ? NULL : region->color[block];
-        *color = from == NULL || alpha <= CM_UNKNOWN ? 0
-                 : region->form[block] == CM_BLOCK_PLAIN
-                     ? from[at]
-                 : cm_has_one_color(region, block)
-                     ? from[0]
-                     : from[colored_cells(region, block, at)];
+        *color = from == NULL || alpha <= CM_UNKNOWN     ? 0
+                 : region->form[block] == CM_BLOCK_PLAIN ? from[at]
+                 : cm_has_one_color(region, block)       ? from[0]
+                                                         : from[colored_cells(region, block, at)];
     }
     return alpha;
 }
@@ -247,7 +245,8 @@ static void refine(uint8_t *alpha, uint32_t *color, unsigned from, unsigned to)
     }
 }
 
-uint8_t *cm_block_open(cm_region *region, unsigned block, const cm_count_rule *rule, unsigned detail)
+uint8_t *cm_block_open(cm_region *region, unsigned block, const cm_count_rule *rule,
+                       unsigned detail)
 {
     const unsigned form = region->form[block];
     const unsigned old = form == CM_BLOCK_EVEN ? detail : region->detail[block];
@@ -265,7 +264,8 @@ uint8_t *cm_block_open(cm_region *region, unsigned block, const cm_count_rule *r
         return alpha;
     }
     const size_t cells = cm_cell_count(wanted);
-    uint8_t *alpha = malloc(cells < CM_BLOCK_CELLS ? CM_BLOCK_CELLS : alpha_bytes(CM_BLOCK_PLAIN, wanted));
+    uint8_t *alpha =
+        malloc(cells < CM_BLOCK_CELLS ? CM_BLOCK_CELLS : alpha_bytes(CM_BLOCK_PLAIN, wanted));
     uint32_t *color = has_colors ? malloc(CM_BLOCK_CELLS * sizeof *color) : NULL;
     if (alpha == NULL || (has_colors && color == NULL))
     {

@@ -54,7 +54,8 @@ uint8_t cm_block_cell(const cm_region *region, unsigned block, const cm_count_ru
 
 /* The bytes of a block that can be written, with no misses waiting: plain, of that detail or a finer one. NULL if there is no
  * memory: nothing is lost then. */
-uint8_t *cm_block_open(cm_region *region, unsigned block, const cm_count_rule *rule, unsigned detail);
+uint8_t *cm_block_open(cm_region *region, unsigned block, const cm_count_rule *rule,
+                       unsigned detail);
 
 /* The colors of an open block, which are made if there are none; NULL if there is no memory. */
 uint32_t *cm_block_colors(cm_region *region, unsigned block);
