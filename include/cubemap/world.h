@@ -21,10 +21,14 @@
 #include <cubemap/mesh.h>
 #include <cubemap/pose.h>
 #include <cubemap/status.h>
+#include <cubemap/trajectory.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* How a surface scatters light, of the library cubemap-sim (brdf.h). */
+typedef struct cm_brdf cm_brdf;
 
 /* A world, from cm_scene_create to cm_scene_destroy. */
 typedef struct cm_scene cm_scene;
@@ -53,6 +57,9 @@ typedef struct cm_primitive
     const cm_mesh *mesh;    /* not copied: it must outlive the world */
     cm_pose pose;           /* of a mesh: x_mesh = rotation (x_world - position) */
     cm_material material;   /* of a mesh, its colours and reflectance are multiplied */
+    /* The next two are kept for who simulates, not copied, and must outlive the world; casting below does not read them. */
+    const cm_trajectory *motion; /* poses that take it, as it stands above, to its place at their times; NULL: none */
+    const cm_brdf *brdf;         /* NULL: Lambert's, of the reflectance */
 } cm_primitive;
 
 /* An empty world. CM_OK; CM_ERROR_ARGUMENT (NULL); CM_ERROR_MEMORY. */

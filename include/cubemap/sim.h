@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Time-of-flight cameras, simulated to the electron. Of the library cubemap-sim.
+ *
+ *   units      SI: metres, seconds, watts, hertz, radians; charges in electrons
+ *   distance   along the ray (range), from the phase; depth is along the optical axis
+ *   axes       lights are in the camera's axes and move with it; a primitive's motion takes it to its place in the world
+ *   pixels     sums of what comes through all of a pixel, with its mask; the lens is a thin one
+ *   threads    pictures have the same bits for any number of them
+ *   sources    Lambers, Hoberg and Kolb 2015 (chip layout); Bulczak, Lambers and Kolb 2018 (multipath). Electrons are
+ *              efficiency times energy times wavelength / (h c): both papers print it upside down
+ */
+#ifndef CUBEMAP_SIM_H
+#define CUBEMAP_SIM_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cubemap/brdf.h>
+#include <cubemap/camera.h>
+#include <cubemap/export.h>
+#include <cubemap/mapping.h>
+#include <cubemap/pool.h>
+#include <cubemap/pose.h>
+#include <cubemap/status.h>
+#include <cubemap/trajectory.h>
+#include <cubemap/world.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Metres a second. */
+#define CM_SPEED_OF_LIGHT 299792458.0
+
+/* A world made ready for rays, from cm_tof_scene_create to cm_tof_scene_destroy. */
+typedef struct cm_tof_scene cm_tof_scene;
+
+/* Of all primitives of a world, which is not needed after; its meshes, motions and BRDFs are, as long as this lives.
+ * CM_OK; CM_ERROR_ARGUMENT (NULL); CM_ERROR_DATA (a world with nothing in it); CM_ERROR_MEMORY. */
+CM_API cm_status cm_tof_scene_create(const cm_scene *scene, cm_tof_scene **made);
+CM_API void cm_tof_scene_destroy(cm_tof_scene *scene);
+
+/* How many primitives there are. */
+CM_API size_t cm_tof_scene_count(const cm_tof_scene *scene);
+
+/* What measures. To be filled with zeros but for size and what is wanted; what is 0 means nothing of that kind, where
+ * nothing else is said. */
+typedef struct cm_tof_sensor
+{
+    size_t size;             /* sizeof(cm_tof_sensor) */
+    const cm_camera *camera; /* its picture is the sensor's */
+    double pitch;            /* metres, of a pixel, above 0 */
+    double f_number;         /* focal length by aperture, above 0 */
+    double wavelength;       /* metres, above 0 */
+    double efficiency;       /* electrons a photon, above 0 to 1 */
+    double exposure;         /* seconds of a phase image, above 0 */
+    double readout;          /* seconds after each phase image */
+    double pause;            /* seconds after the last of a frame */
+    double frequency;        /* of the modulation, above 0 */
+    double duty;             /* part of the time in which the light shines, above 0 to 1 */
+    double contrast;         /* of the demodulation, above 0 to 1 */
+    double full_well;        /* electrons that a readout circuit holds; 0: any number */
+    double dark;             /* electrons a second in each readout circuit */
+    double read_noise;       /* electrons, standard deviation of each circuit's reading */
+    int phases;              /* 3 or more, evenly apart */
+    int single_readout;      /* 1: circuits between pixels, each of two (2015, section IV-G) */
+    uint32_t mask_columns;   /* sub-pixels of the mask; 0: none */
+    uint32_t mask_rows;
+    const float *mask; /* the active part of each sub-pixel, 0..1, by rows; NULL: the whole pixel */
+    size_t harmonics;  /* of the correlation; 0: a cosine */
+    const double *harmonic; /* amplitude of cos(j x) for j from 1: 1 for the cosine itself; triangle: 1, 0, 1/9 */
+    double second_frequency; /* a second series of phase images, which resolves the ambiguity; 0: none */
+    double fixed_pattern;    /* standard deviation of the pixels' own phase offsets, radians; by seed and pixel */
+} cm_tof_sensor;
+
+/* What shines, beside the camera. */
+typedef struct cm_tof_light
+{
+    size_t size;         /* sizeof(cm_tof_light) */
+    double position[3];  /* in the camera's axes */
+    double direction[3]; /* of its axis, of any length; 0 0 0: along the optical axis */
+    double power;        /* watts, all of the cone, while it shines */
+    double aperture;     /* radians, full angle of the cone, above 0; 2 pi shines everywhere */
+    size_t n;            /* values of the table; 0: even */
+    const float *intensity; /* relative, evenly apart from the axis to the rim, linear between */
+} cm_tof_light;
+
+/* Light from all around, not modulated: a picture of six faces or one in a mapping, radiance in W/(m^2 sr) of what the
+ * camera's filter lets pass. */
+typedef struct cm_tof_environment
+{
+    size_t size;               /* sizeof(cm_tof_environment) */
+    const cm_mapping *mapping; /* in the world's axes */
+    uint32_t edge;             /* pixels of a face's side */
+    const float *radiance;     /* faces x edge x edge, 0 or more; NULL: constant everywhere */
+    double constant;           /* added to it */
+} cm_tof_environment;
+
+/* How it is simulated. To be filled with zeros but for size and what is wanted. */
+typedef struct cm_tof_options
+{
+    size_t size;             /* sizeof(cm_tof_options) */
+    int bounces;             /* 0: direct light; 1: and once scattered; more: as many, by paths */
+    uint32_t lights;         /* virtual lights of one bounce; 0: 338 */
+    int visibility;          /* 1: virtual lights cast shadows */
+    uint32_t paths;          /* paths a pixel; 0: 64 */
+    int traces;              /* 1: paths for one bounce, too */
+    uint32_t sample_columns; /* of a pixel; 0: 1 */
+    uint32_t sample_rows;
+    uint32_t sample_times;   /* of an exposure; 0: as many as what moves needs, 16 at most */
+    int full;                /* 1: all samples in all pixels; 0: only where a pixel sees edges */
+    int noise;               /* 1: shot noise, and the sensor's dark, read and fixed pattern noise */
+    uint64_t seed;
+    uint32_t view;             /* number of the frame, for the noise */
+    const cm_mapping *mapping; /* of the map in which virtual lights are found; NULL: the equal-area cube healpix */
+    uint32_t map_edge;         /* its cells along a face's side; 0: 64 */
+    const cm_tof_environment *environment; /* NULL: none */
+} cm_tof_options;
+
+/* Of a pixel of a result. */
+#define CM_TOF_SATURATED 1u /* a circuit was full: charges are cut there */
+#define CM_TOF_NOTHING 2u   /* no modulated light came */
+#define CM_TOF_FLYING 4u    /* surfaces apart from each other share the pixel */
+#define CM_TOF_MOTION 8u    /* phase images saw different surfaces */
+#define CM_TOF_MULTIPATH 16u /* scattered light moves the distance by more than 1 mm */
+
+/* What was done for a frame. */
+typedef struct cm_tof_report
+{
+    size_t size;          /* sizeof(cm_tof_report) */
+    uint64_t rays;        /* from the camera */
+    uint64_t oversampled; /* pixels with all their samples, over all times */
+    uint32_t times;       /* steps of an exposure; 1 where nothing moves */
+    uint32_t lights;      /* virtual ones */
+    uint64_t saturated;   /* pixels that are flagged so */
+} cm_tof_report;
+
+/* What came out; arrays that are NULL are left out. All are by rows of the camera's picture. */
+typedef struct cm_tof_result
+{
+    size_t size;        /* sizeof(cm_tof_result) */
+    float *phase;       /* series x phases x pixels: N_A - N_B, electrons; two series with a second frequency */
+    float *charge_a;    /* the same shape: N_A */
+    float *charge_b;    /* N_B */
+    float *distance;    /* metres, of the first series or, of two, unwrapped; NaN: nothing came */
+    float *amplitude;   /* electrons: 2 / phases |sum of phase e^(-i tau)| */
+    float *intensity;   /* electrons: the mean of N_A + N_B over phases */
+    uint8_t *flags;     /* CM_TOF_ words or'ed */
+    cm_tof_report *report; /* what was done; NULL: not wanted */
+} cm_tof_result;
+
+/* A frame that begins at a time, seen by a camera that the trajectory moves (NULL: it stands at the origin along the world's
+ * axes); before its first and after its last stamp the pose stays. A pool of NULL: the calling thread.
+ * CM_OK; CM_ERROR_ARGUMENT (NULL, size, no lights, a table without values); CM_ERROR_RANGE (numbers outside their range,
+ * NaN in tables); CM_ERROR_MEMORY. */
+CM_API cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
+                                 const cm_tof_light *light, size_t lights,
+                                 const cm_trajectory *trajectory, double time,
+                                 const cm_tof_options *options, cm_pool *pool,
+                                 cm_tof_result *result);
+
+/* Seconds from one frame's beginning to the next: phases and series with their readouts, and the pause. */
+CM_API double cm_tof_frame_time(const cm_tof_sensor *sensor);
+
+/* Distance, amplitude and intensity of n pixels' charges, as cm_tof_result has them: what a camera's driver does.
+ * CM_OK; CM_ERROR_ARGUMENT (NULL, size); CM_ERROR_RANGE. */
+CM_API cm_status cm_tof_reconstruct(const cm_tof_sensor *sensor, size_t n, const float *charge_a,
+                                    const float *charge_b, float *distance, float *amplitude,
+                                    float *intensity, uint8_t *flags);
+
+/* The standard deviation of the distance by shot noise, metres: signal and ambient electrons a phase image. */
+CM_API double cm_tof_noise_of_distance(const cm_tof_sensor *sensor, double signal, double ambient);
+
+/* What is truly there at a time; arrays that are NULL are left out. By rows; NaN and CM_SCENE_NOTHING for nothing. */
+typedef struct cm_tof_truth
+{
+    size_t size;         /* sizeof(cm_tof_truth) */
+    double *position[3]; /* in the world */
+    float *normal[3];    /* in the world, towards the camera */
+    uint32_t *object;    /* id of the primitive */
+    uint32_t *shape;     /* its kind */
+    uint32_t *triangle;
+    float *depth;       /* along the optical axis */
+    float *range;       /* along the ray */
+    float *flow_next[3];     /* pixels, pixels, metres of range: to the time next */
+    float *flow_before[3];   /* to the time before */
+} cm_tof_truth;
+
+/* CM_OK; CM_ERROR_ARGUMENT (NULL, size); CM_ERROR_RANGE (times that are not finite); CM_ERROR_MEMORY. */
+CM_API cm_status cm_tof_find_truth(const cm_tof_scene *scene, const cm_camera *camera,
+                                   const cm_trajectory *trajectory, double time, double next,
+                                   double before, cm_pool *pool, cm_tof_truth *truth);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
