@@ -4,7 +4,7 @@
  * runs: four phases and the result, with one sample a pixel, with 3 x 3 of them where they are needed and everywhere; and how
  * far those two are apart.
  *
- *   simulate-speed [RUNS]
+ *   simulate-speed [RUNS [ONE]]     ONE: the number of the only line wanted, from 0
  */
 #include "bench/harness/harness.h"
 
@@ -111,8 +111,13 @@ int main(int argc, char **argv)
         {"3 x 3, full",
          {.size = sizeof(cm_tof_options), .sample_columns = 3, .sample_rows = 3, .full = 1}},
     };
+    const int only = argc > 2 ? atoi(argv[2]) : -1;
     for (int i = 0; i < 4; i++)
     {
+        if (only >= 0 && i != only)
+        {
+            continue;
+        }
         measure(scene, &sensor, trajectory, &settings[i], runs < RUNS_MOST ? runs : RUNS_MOST,
                 distance[i == 3]);
     }

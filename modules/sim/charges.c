@@ -27,6 +27,8 @@ typedef struct phase_work
     const float *offset;
     double tau;
     float *charge_a, *charge_b;
+    const tof_set *set;
+    tof_charge_rule rule;
 } phase_work;
 
 /* What a cell brings to A and B: half of all light, and what the correlation moves from one to the other (2015, eqs. 13
@@ -66,7 +68,17 @@ static cell_charge charge_of(const phase_work *doing, size_t cell, size_t pixel)
 /* No fewer than none: correlations of more than 1 would take some away. */
 static float electrons_of(double charge)
 {
-    return (float)fmax(charge, 0.0);
+    return (float)(charge > 0.0 ? charge : 0.0);
+}
+
+/* A cell is a pixel, and all have one shift. */
+static void put_plain_pixels(size_t begin, size_t end, void *user)
+{
+    const phase_work *doing = user;
+    const tof_sums *sum = &doing->picture->sum;
+    doing->set->charge(&doing->rule, end - begin, sum->total + begin, sum->ambient + begin,
+                       sum->real + begin, sum->imaginary + begin, doing->charge_a + begin,
+                       doing->charge_b + begin);
 }
 
 static void put_pixels(size_t begin, size_t end, void *user)
@@ -95,10 +107,28 @@ static void put_pixels(size_t begin, size_t end, void *user)
     }
 }
 
-void charges_of_phase(const tof_sensor *sensor, const tof_picture *picture, size_t picture_wave,
+static void put_rule(phase_work *doing)
+{
+    const tof_sensor *sensor = doing->sensor;
+    const double signal = sensor->electrons * sensor->given.duty;
+    tof_charge_rule *rule = &doing->rule;
+    rule->half = 0.5 * signal;
+    rule->ambient = 0.5 * sensor->electrons;
+    rule->dark = sensor->given.dark * sensor->given.exposure;
+    rule->waves = doing->waves;
+    rule->stride = doing->picture->cells;
+    for (size_t j = 0; j < doing->waves; j++)
+    {
+        rule->cosine[j] = 0.5 * signal * sensor->given.contrast * doing->cosine[j];
+        rule->sine[j] = 0.5 * signal * sensor->given.contrast * doing->sine[j];
+    }
+}
+
+void charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_picture *picture, size_t picture_wave,
                       int series, int phase, const float *offset, cm_pool *pool, float *charge_a, float *charge_b)
 {
-    phase_work doing = {.sensor = sensor,
+    phase_work doing = {.set = set,
+                        .sensor = sensor,
                         .picture = picture,
                         .series = series,
                         .offset = offset,
@@ -122,7 +152,10 @@ void charges_of_phase(const tof_sensor *sensor, const tof_picture *picture, size
         doing.waves++;
     }
     doing.picture = &shifted;
-    cm_pool_run(pool, (size_t)sensor->width * sensor->height, 4096, put_pixels, &doing);
+    const int is_plain = offset == NULL && !sensor->given.single_readout;
+    put_rule(&doing);
+    cm_pool_run(pool, (size_t)sensor->width * sensor->height, 4096,
+                is_plain ? put_plain_pixels : put_pixels, &doing);
 }
 
 /* ---- noise ---- */

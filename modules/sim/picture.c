@@ -151,17 +151,33 @@ static void keep_status(work *doing, cm_status status)
     }
 }
 
-static void add_place(const tof_scenery *scenery, const tof_light_block *light, size_t i,
-                      double weight, size_t cell, size_t cells, const tof_sums *sum)
+static void add_values(const tile *at, const double *value, const double *weight, double *sum)
 {
-    sum->total[cell] += weight * light->total[i];
-    sum->ambient[cell] += weight * light->ambient[i];
-    sum->direct_real[cell] += weight * light->direct_real[i];
-    sum->direct_imaginary[cell] += weight * light->direct_imaginary[i];
-    for (size_t j = 0; j < scenery->waves.count; j++)
+    for (size_t i = 0; i < at->n; i++)
     {
-        sum->real[j * cells + cell] += weight * light->real[j][i];
-        sum->imaginary[j * cells + cell] += weight * light->imaginary[j][i];
+        sum[at->cell[i]] += weight[i] * value[i];
+    }
+}
+
+static void add_places(const work *doing, const tile *at, const tof_light_block *light,
+                       const double *weight)
+{
+    const tof_picture *picture = doing->picture;
+    const tof_sums *sum = &picture->sum;
+    add_values(at, light->total, weight, sum->total);
+    if (doing->scenery->options->environment != NULL)
+    {
+        add_values(at, light->ambient, weight, sum->ambient);
+    }
+    if (doing->scenery->options->bounces > 0)
+    {
+        add_values(at, light->direct_real, weight, sum->direct_real);
+        add_values(at, light->direct_imaginary, weight, sum->direct_imaginary);
+    }
+    for (size_t j = 0; j < doing->scenery->waves.count; j++)
+    {
+        add_values(at, light->real[j], weight, sum->real + j * picture->cells);
+        add_values(at, light->imaginary[j], weight, sum->imaginary + j * picture->cells);
     }
 }
 
@@ -174,7 +190,7 @@ static int is_odd(const tof_sensor *sensor, size_t cell)
 static void keep_middles(const work *doing, const tile *at, const tof_light_block *light)
 {
     tof_picture *picture = doing->picture;
-    for (size_t i = 0; i < at->n; i++)
+    for (size_t i = 0; picture->watches && i < at->n; i++)
     {
         const size_t cell = at->cell[i];
         if (doing->is_first)
@@ -203,13 +219,12 @@ static void add_middles(size_t begin, size_t end, void *user)
         keep_status(doing, tof_shade(doing->scenery, at.n, at.column, at.row, at.number, &light));
         keep_middles(doing, &at, &light);
         atomic_fetch_add(&doing->rays, at.n);
+        double weight[TOF_BLOCK];
         for (size_t i = 0; i < at.n; i++)
         {
-            const double weight =
-                doing->part * sensor->sample[0].weight[is_odd(sensor, at.cell[i])];
-            add_place(doing->scenery, &light, i, weight, at.cell[i], doing->picture->cells,
-                      &doing->picture->sum);
+            weight[i] = doing->part * sensor->sample[0].weight[is_odd(sensor, at.cell[i])];
         }
+        add_places(doing, &at, &light, weight);
     }
 }
 
@@ -241,7 +256,7 @@ static void see(seen *so_far, const tof_light_block *light, size_t i, size_t sam
 static void sample_cells(work *doing, const tile *at, int keeps_middles)
 {
     const tof_sensor *sensor = doing->scenery->sensor;
-    double column[TOF_BLOCK], row[TOF_BLOCK];
+    double column[TOF_BLOCK], row[TOF_BLOCK], weight[TOF_BLOCK];
     uint32_t number[TOF_BLOCK];
     seen of[TOF_BLOCK];
     _Alignas(64) tof_light_block light;
@@ -261,11 +276,9 @@ static void sample_cells(work *doing, const tile *at, int keeps_middles)
         for (size_t i = 0; i < at->n; i++)
         {
             see(&of[i], &light, i, s);
-            const double weight =
-                doing->part * sensor->sample[s].weight[is_odd(sensor, at->cell[i])];
-            add_place(doing->scenery, &light, i, weight, at->cell[i], doing->picture->cells,
-                      &doing->picture->sum);
+            weight[i] = doing->part * sensor->sample[s].weight[is_odd(sensor, at->cell[i])];
         }
+        add_places(doing, at, &light, weight);
     }
     for (size_t i = 0; i < at->n; i++)
     {

@@ -31,6 +31,7 @@ typedef struct tof_picture
     uint64_t *shadows;
     uint8_t *needs_samples;
     uint8_t *flags; /* CM_TOF_FLYING, CM_TOF_MOTION */
+    int watches; /* 1: for motion */
     uint64_t rays;
     uint64_t oversampled;
     void *memory;

@@ -2,7 +2,7 @@
  *
  * From charges to distances, as a camera's driver computes them.
  */
-#include "sensor.h"
+#include "reconstruct.h"
 
 #include <math.h>
 
@@ -21,41 +21,12 @@ typedef struct driver
     double cosine[MOST_PHASES], sine[MOST_PHASES];
     double unambiguous[2];
     int wraps; /* of the first series that are tried */
+    const tof_set *set;
+    size_t stride; /* pixels of a phase image */
+    const float *charge_a, *charge_b;
+    float *distance, *amplitude, *intensity;
+    uint8_t *flags;
 } driver;
-
-/* Of one series. */
-typedef struct phasor
-{
-    double real, imaginary; /* electrons */
-    double intensity;
-} phasor;
-
-/* Sum of phase images times e^(-i tau): for four of them D0 - D2 and D3 - D1 (2015, eq. 3). */
-static phasor sum_phases(const driver *with, size_t n, size_t i, const float *charge_a,
-                         const float *charge_b)
-{
-    phasor sum = {0.0, 0.0, 0.0};
-    const int phases = with->sensor->phases;
-    for (int k = 0; k < phases; k++)
-    {
-        const double a = (double)charge_a[(size_t)k * n + i];
-        const double b = (double)charge_b[(size_t)k * n + i];
-        sum.real += (a - b) * with->cosine[k];
-        sum.imaginary -= (a - b) * with->sine[k];
-        sum.intensity += a + b;
-    }
-    sum.real *= 2.0 / phases;
-    sum.imaginary *= 2.0 / phases;
-    sum.intensity /= phases;
-    return sum;
-}
-
-static double distance_of(const phasor *sum, double unambiguous)
-{
-    const double part = atan2(sum->imaginary, sum->real) / (2.0 * PI);
-    const double distance = (part < 0.0 ? part + 1.0 : part) * unambiguous;
-    return distance < unambiguous ? distance : 0.0;
-}
 
 /* The distance at which both series agree best, their mean weighted as their noise asks: by the squares of frequencies. */
 static double agree(const driver *with, double first, double second)
@@ -94,58 +65,110 @@ static int wraps_of(double frequency, double second)
     return MOST_WRAPS;
 }
 
+static void prepare(const cm_tof_sensor *sensor, driver *with)
+{
+    with->sensor = sensor;
+    with->series = sensor->second_frequency > 0.0 ? 2 : 1;
+    for (int k = 0; k < sensor->phases; k++)
+    {
+        with->cosine[k] = cos(2.0 * PI * k / sensor->phases);
+        with->sine[k] = sin(2.0 * PI * k / sensor->phases);
+    }
+    with->unambiguous[0] = sensor_unambiguous(sensor, 0);
+    if (with->series == 2)
+    {
+        with->unambiguous[1] = sensor_unambiguous(sensor, 1);
+        with->wraps = wraps_of(sensor->frequency, sensor->second_frequency);
+    }
+}
+
+/* Distances of a block from its phasors. */
+static void put_block(const driver *with, size_t first, size_t n, const tof_phasors *one,
+                      const tof_phasors *other)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        int is_there = one->amplitude[i] > 0.0;
+        double found = one->turns[i] * with->unambiguous[0];
+        if (with->series == 2)
+        {
+            is_there = is_there && other->amplitude[i] > 0.0;
+            found = agree(with, found, other->turns[i] * with->unambiguous[1]);
+        }
+        if (with->distance != NULL)
+        {
+            with->distance[first + i] = is_there ? (float)found : NAN;
+        }
+        if (with->flags != NULL && !is_there)
+        {
+            with->flags[first + i] |= CM_TOF_NOTHING;
+        }
+    }
+    for (size_t i = 0; with->amplitude != NULL && i < n; i++)
+    {
+        with->amplitude[first + i] = (float)one->amplitude[i];
+    }
+    for (size_t i = 0; with->intensity != NULL && i < n; i++)
+    {
+        with->intensity[first + i] = (float)one->intensity[i];
+    }
+}
+
+static void put_pixels(size_t begin, size_t end, void *user)
+{
+    const driver *with = user;
+    _Alignas(64) tof_phasors one, other;
+    const size_t series = (size_t)with->sensor->phases * with->stride;
+    for (size_t first = begin; first < end; first += TOF_BLOCK)
+    {
+        const size_t n = end - first < TOF_BLOCK ? end - first : TOF_BLOCK;
+        with->set->phasors(with->sensor->phases, with->cosine, with->sine, n, with->stride,
+                           with->charge_a + first, with->charge_b + first, &one);
+        if (with->series == 2)
+        {
+            with->set->phasors(with->sensor->phases, with->cosine, with->sine, n, with->stride,
+                               with->charge_a + series + first, with->charge_b + series + first,
+                               &other);
+        }
+        put_block(with, first, n, &one, &other);
+    }
+}
+
+void reconstruct(const tof_set *set, const cm_tof_sensor *sensor, size_t n, const float *charge_a,
+                 const float *charge_b, cm_pool *pool, const cm_tof_result *result, uint8_t *flags)
+{
+    driver with = {.set = set,
+                   .stride = n,
+                   .charge_a = charge_a,
+                   .charge_b = charge_b,
+                   .distance = result->distance,
+                   .amplitude = result->amplitude,
+                   .intensity = result->intensity,
+                   .flags = flags};
+    prepare(sensor, &with);
+    cm_pool_run(pool, n, 16 * TOF_BLOCK, put_pixels, &with);
+}
+
 cm_status cm_tof_reconstruct(const cm_tof_sensor *sensor, size_t n, const float *charge_a,
                              const float *charge_b, float *distance, float *amplitude,
                              float *intensity, uint8_t *flags)
 {
-    const cm_status status = sensor_check_signal(sensor);
-    if (status != CM_OK || (n > 0 && (charge_a == NULL || charge_b == NULL)))
+    cm_status status = sensor_check_signal(sensor);
+    if (status == CM_OK && n > 0 && (charge_a == NULL || charge_b == NULL))
     {
-        return status == CM_OK ? CM_ERROR_ARGUMENT : status;
+        status = CM_ERROR_ARGUMENT;
     }
-    driver with = {.sensor = sensor, .series = sensor->second_frequency > 0.0 ? 2 : 1};
-    for (int k = 0; k < sensor->phases; k++)
+    const tof_set *set = NULL;
+    status = status == CM_OK ? tof_set_choose(&set) : status;
+    if (status == CM_OK)
     {
-        with.cosine[k] = cos(2.0 * PI * k / sensor->phases);
-        with.sine[k] = sin(2.0 * PI * k / sensor->phases);
+        const cm_tof_result result = {.size = sizeof result,
+                                      .distance = distance,
+                                      .amplitude = amplitude,
+                                      .intensity = intensity};
+        reconstruct(set, sensor, n, charge_a, charge_b, NULL, &result, flags);
     }
-    with.unambiguous[0] = sensor_unambiguous(sensor, 0);
-    if (with.series == 2)
-    {
-        with.unambiguous[1] = sensor_unambiguous(sensor, 1);
-        with.wraps = wraps_of(sensor->frequency, sensor->second_frequency);
-    }
-    const size_t series_room = (size_t)sensor->phases * n;
-    for (size_t i = 0; i < n; i++)
-    {
-        const phasor sum = sum_phases(&with, n, i, charge_a, charge_b);
-        double found = distance_of(&sum, with.unambiguous[0]);
-        int is_there = hypot(sum.real, sum.imaginary) > 0.0;
-        if (with.series == 2)
-        {
-            const phasor second =
-                sum_phases(&with, n, i, charge_a + series_room, charge_b + series_room);
-            is_there = is_there && hypot(second.real, second.imaginary) > 0.0;
-            found = agree(&with, found, distance_of(&second, with.unambiguous[1]));
-        }
-        if (distance != NULL)
-        {
-            distance[i] = is_there ? (float)found : NAN;
-        }
-        if (amplitude != NULL)
-        {
-            amplitude[i] = (float)hypot(sum.real, sum.imaginary);
-        }
-        if (intensity != NULL)
-        {
-            intensity[i] = (float)sum.intensity;
-        }
-        if (flags != NULL && !is_there)
-        {
-            flags[i] |= CM_TOF_NOTHING;
-        }
-    }
-    return CM_OK;
+    return status;
 }
 
 /* Of Poisson's numbers: each phase image has the variance of all its electrons. */

@@ -20,6 +20,11 @@ typedef struct ray_block
 
 #define COLUMNS_OF(array) {(array)[0], (array)[1], (array)[2]}
 
+static size_t room_of(size_t n)
+{
+    return (n + TOF_ROOM - 1) / TOF_ROOM * TOF_ROOM;
+}
+
 static void make_rays(const tof_scenery *scenery, size_t n, const double *column,
                       const double *row, ray_block *rays)
 {
@@ -36,14 +41,15 @@ static void make_rays(const tof_scenery *scenery, size_t n, const double *column
     }
     const double origin[3] = {scenery->camera.position[0], scenery->camera.position[1],
                               scenery->camera.position[2]};
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = n; i < room_of(n); i++)
     {
-        const double shorten = 1.0 / sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-        const double a = x[i] * shorten, b = y[i] * shorten, c = z[i] * shorten;
-        rays->lens[i] = c * c * c * c;
-        for (int k = 0; k < 3; k++)
+        x[i] = y[i] = z[i] = 1.0;
+    }
+    scenery->set->aim(n, axes, x, y, z, rays->direction, rays->lens);
+    for (int k = 0; k < 3; k++)
+    {
+        for (size_t i = 0; i < n; i++)
         {
-            rays->direction[k][i] = a * axes[0][k] + b * axes[1][k] + c * axes[2][k];
             rays->origin[k][i] = origin[k];
         }
     }
@@ -288,7 +294,7 @@ cm_status tof_shade(const tof_scenery *scenery, size_t n, const double *column, 
 {
     _Alignas(64) ray_block rays;
     const cm_tof_options *options = scenery->options;
-    const size_t room = (n + TOF_ROOM - 1) / TOF_ROOM * TOF_ROOM;
+    const size_t room = room_of(n);
     make_rays(scenery, n, column, row, &rays);
     const double *const origin[3] = COLUMNS_OF(rays.origin);
     const double *const direction[3] = COLUMNS_OF(rays.direction);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "charges.h"
+#include "reconstruct.h"
 #include "tof_world.h"
 
 #include <math.h>
@@ -255,7 +256,7 @@ static int moves(const frame *doing, double end)
 static void keep_charges(frame *doing, size_t picture_wave, int series, int phase)
 {
     const size_t image = (size_t)series * (size_t)doing->sensor.given.phases + (size_t)phase;
-    charges_of_phase(&doing->sensor, &doing->picture, picture_wave, series, phase, doing->offset,
+    charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series, phase, doing->offset,
                      doing->pool, doing->charge_a + image * doing->pixels,
                      doing->charge_b + image * doing->pixels);
 }
@@ -284,6 +285,7 @@ static cm_status take_moving(frame *doing)
 {
     const cm_tof_sensor *given = &doing->sensor.given;
     cm_status status = find_times(doing);
+    doing->picture.watches = 1;
     for (int image = 0; status == CM_OK && image < doing->sensor.series * given->phases; image++)
     {
         const double begin = doing->time + image * (given->exposure + given->readout);
@@ -382,9 +384,8 @@ static void put_result(const frame *doing, cm_tof_result *result)
     {
         memcpy(result->charge_b, doing->charge_b, count * sizeof(float));
     }
-    (void)cm_tof_reconstruct(&doing->sensor.given, doing->pixels, doing->charge_a,
-                             doing->charge_b, result->distance, result->amplitude,
-                             result->intensity, doing->flags);
+    reconstruct(doing->scene->set, &doing->sensor.given, doing->pixels, doing->charge_a,
+                doing->charge_b, doing->pool, result, doing->flags);
     if (result->flags != NULL)
     {
         memcpy(result->flags, doing->flags, doing->pixels);

@@ -41,7 +41,7 @@ static cone cone_around(const tof_block *block, size_t n)
         const double cosine = block->direction[0][i] * around.axis[0] +
                               block->direction[1][i] * around.axis[1] +
                               block->direction[2][i] * around.axis[2];
-        around.cosine = fmin(around.cosine, cosine);
+        around.cosine = cosine < around.cosine ? cosine : around.cosine;
     }
     around.is_there &= around.cosine > 0.1;
     around.sine = sqrt(fmax(0.0, 1.0 - around.cosine * around.cosine)) + 1e-12;

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tof_world.h"
 
-#include <cubemap/options.h>
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,19 +45,6 @@ static cm_status copy_primitives(const cm_scene *scene, cm_tof_scene *made)
     return status;
 }
 
-/* The loops that libcubemap would take. */
-static cm_status find_set(const tof_set **set)
-{
-    cm_mapping *mapping = NULL;
-    const cm_status status = cm_mapping_create("gnomonic", NULL, &mapping);
-    if (status == CM_OK)
-    {
-        *set = cm_tof_set_find(cm_mapping_instructions(mapping));
-        cm_mapping_destroy(mapping);
-    }
-    return status;
-}
-
 cm_status cm_tof_scene_create(const cm_scene *scene, cm_tof_scene **made)
 {
     if (scene == NULL || made == NULL)
@@ -75,7 +60,7 @@ cm_status cm_tof_scene_create(const cm_scene *scene, cm_tof_scene **made)
     {
         return CM_ERROR_MEMORY;
     }
-    cm_status status = find_set(&ready->set);
+    cm_status status = tof_set_choose(&ready->set);
     if (status == CM_OK)
     {
         status = copy_primitives(scene, ready);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "tof_set.h"
 
+#include <cubemap/options.h>
+
 #include <string.h>
 
 static const tof_set *const sets[] = {
@@ -19,7 +21,7 @@ static const tof_set *const sets[] = {
 #endif
 };
 
-const tof_set *cm_tof_set_find(const char *name)
+static const tof_set *find(const char *name)
 {
     const tof_set *found = &cm_tof_scalar;
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
@@ -27,4 +29,16 @@ const tof_set *cm_tof_set_find(const char *name)
         found = strcmp(name, sets[i]->name) == 0 ? sets[i] : found;
     }
     return found;
+}
+
+cm_status tof_set_choose(const tof_set **set)
+{
+    cm_mapping *mapping = NULL;
+    const cm_status status = cm_mapping_create("gnomonic", NULL, &mapping);
+    if (status == CM_OK)
+    {
+        *set = find(cm_mapping_instructions(mapping));
+        cm_mapping_destroy(mapping);
+    }
+    return status;
 }

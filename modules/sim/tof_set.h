@@ -34,6 +34,26 @@ typedef struct tof_lit
     size_t stride;
 } tof_lit;
 
+/* What becomes of light in the circuits of a phase image: A and B have half of all, and what is moved between them. */
+typedef struct tof_charge_rule
+{
+    double half;    /* electrons a unit of total light */
+    double ambient; /* of the surroundings' */
+    double dark;
+    size_t waves;
+    double cosine[32]; /* of the waves' shifts, with all factors */
+    double sine[32];
+    size_t stride; /* of waves */
+} tof_charge_rule;
+
+/* Pixels of one block of phase images, to phasors. */
+typedef struct tof_phasors
+{
+    double turns[TOF_BLOCK];     /* 0..1 */
+    double amplitude[TOF_BLOCK]; /* electrons */
+    double intensity[TOF_BLOCK];
+} tof_phasors;
+
 typedef struct tof_set
 {
     const char *name; /* first: as in options.h */
@@ -41,8 +61,17 @@ typedef struct tof_set
     void (*meet)(const tof_solid *solid, size_t n, tof_block *block);
     /* Light of a lamp of even intensity, once scattered to the camera. */
     void (*light)(const tof_lamp *lamp, const tof_waves *waves, size_t n, const tof_lit *lit);
-    /* cos and sin of 2 pi turns. */
-    void (*turn)(size_t n, const double *turns, double *cosine, double *sine);
+    /* Rays of the camera's axes, of any length, to directions of length 1 in the world; cos^4 from its z. Rows of axes are the
+     * camera's. */
+    void (*aim)(size_t n, const double (*axes)[3], const double *x, const double *y,
+                const double *z, double (*direction)[TOF_BLOCK], double *lens);
+    /* Charges of n cells. No room is needed: what is written are n floats each. */
+    void (*charge)(const tof_charge_rule *rule, size_t n, const double *total,
+                   const double *ambient, const double *real, const double *imaginary,
+                   float *charge_a, float *charge_b);
+    /* n pixels, TOF_BLOCK at the most, of phase images that are stride apart. */
+    void (*phasors)(int phases, const double *cosine, const double *sine, size_t n, size_t stride,
+                    const float *charge_a, const float *charge_b, tof_phasors *to);
 } tof_set;
 
 extern const tof_set cm_tof_scalar;
@@ -59,7 +88,7 @@ extern const tof_set cm_tof_avx512;
 extern const tof_set cm_tof_neon;
 #endif
 
-/* The set of that name, the scalar one if this build has none. */
-const tof_set *cm_tof_set_find(const char *name);
+/* The set that libcubemap takes, too; the scalar one if this build has none of that name. Fails as cm_mapping_create does. */
+cm_status tof_set_choose(const tof_set **set);
 
 #endif
