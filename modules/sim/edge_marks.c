@@ -11,18 +11,21 @@
 
 #define PI 3.14159265358979323846
 
+enum
+{
+    DEEPEST = 14,
+    MOST_PLACES = 20000,
+    PLACES_AT_ONCE = 256
+};
+
 typedef struct drawing
 {
     const tof_scenery *scenery;
     uint8_t *mark;
     double step; /* radians between places of a line: half a cell */
+    size_t waiting;
+    double place[3][PLACES_AT_ONCE]; /* in the camera's axes */
 } drawing;
-
-enum
-{
-    DEEPEST = 14,
-    MOST_PLACES = 20000
-};
 
 static void mark_cell(const drawing *to, double column, double row)
 {
@@ -35,19 +38,37 @@ static void mark_cell(const drawing *to, double column, double row)
     }
 }
 
-static void mark_place(const drawing *to, const double world[3])
+static void mark_waiting(drawing *to)
 {
-    double camera[3], column, row;
-    cm_pose_apply(&to->scenery->camera, world, camera);
-    cm_camera_project_array(to->scenery->sensor->given.camera, 1, &camera[0], &camera[1],
-                            &camera[2], &column, &row);
-    if (column + row < INFINITY) /* not NaN */
+    double column[PLACES_AT_ONCE], row[PLACES_AT_ONCE];
+    const double beside = 0.3 * to->scenery->sensor->cells.width;
+    cm_camera_project_array(to->scenery->sensor->given.camera, to->waiting, to->place[0],
+                            to->place[1], to->place[2], column, row);
+    for (size_t i = 0; i < to->waiting; i++)
     {
-        const double beside = 0.3 * to->scenery->sensor->cells.width;
-        mark_cell(to, column - beside, row - 0.3);
-        mark_cell(to, column + beside, row - 0.3);
-        mark_cell(to, column - beside, row + 0.3);
-        mark_cell(to, column + beside, row + 0.3);
+        if (column[i] + row[i] < INFINITY) /* not NaN */
+        {
+            mark_cell(to, column[i] - beside, row[i] - 0.3);
+            mark_cell(to, column[i] + beside, row[i] - 0.3);
+            mark_cell(to, column[i] - beside, row[i] + 0.3);
+            mark_cell(to, column[i] + beside, row[i] + 0.3);
+        }
+    }
+    to->waiting = 0;
+}
+
+static void mark_place(drawing *to, const double world[3])
+{
+    double camera[3];
+    cm_pose_apply(&to->scenery->camera, world, camera);
+    for (int k = 0; k < 3; k++)
+    {
+        to->place[k][to->waiting] = camera[k];
+    }
+    to->waiting++;
+    if (to->waiting == PLACES_AT_ONCE)
+    {
+        mark_waiting(to);
     }
 }
 
@@ -66,7 +87,7 @@ static double angle_between(const drawing *to, const double a[3], const double b
     return atan2(sqrt(fmax(cross, 0.0)), ab);
 }
 
-static void mark_line(const drawing *to, const double a[3], const double b[3], int depth)
+static void mark_line(drawing *to, const double a[3], const double b[3], int depth)
 {
     mark_place(to, a);
     if (depth < DEEPEST && angle_between(to, a, b) > to->step)
@@ -105,7 +126,7 @@ static void make_across(const double axis[3], double one[3], double other[3])
     other[2] = axis[0] * one[1] - axis[1] * one[0];
 }
 
-static void mark_circle(const drawing *to, const double centre[3], const double axis[3],
+static void mark_circle(drawing *to, const double centre[3], const double axis[3],
                         double radius)
 {
     double one[3], other[3], square = 0.0;
@@ -129,7 +150,7 @@ static void mark_circle(const drawing *to, const double centre[3], const double 
     }
 }
 
-static void mark_box(const drawing *to, const tof_solid *box)
+static void mark_box(drawing *to, const tof_solid *box)
 {
     double corner[8][3];
     for (int i = 0; i < 8; i++)
@@ -156,7 +177,7 @@ static void mark_box(const drawing *to, const tof_solid *box)
 }
 
 /* The circle where tangents from the camera touch it. */
-static void mark_sphere(const drawing *to, const tof_solid *sphere)
+static void mark_sphere(drawing *to, const tof_solid *sphere)
 {
     double axis[3], square = 0.0;
     for (int k = 0; k < 3; k++)
@@ -179,7 +200,7 @@ static void mark_sphere(const drawing *to, const tof_solid *sphere)
 }
 
 /* Both rims, and the lines along which tangents touch the wall. */
-static void mark_cylinder(const drawing *to, const tof_solid *cylinder)
+static void mark_cylinder(drawing *to, const tof_solid *cylinder)
 {
     double from[3], one[3], other[3], along = 0.0, square = 0.0;
     const double *axis = cylinder->axis[0];
@@ -238,7 +259,7 @@ void mark_edges(const tof_scenery *scenery, uint8_t *mark)
         cm_camera_solid_angle(sensor->given.camera, 0.5 * (double)camera->width + sensor->cells.first,
                               0.5 * (double)camera->height + sensor->cells.top);
     const double pixel = solid_angle > 0.0 ? sqrt(solid_angle) : 1e-3;
-    const drawing to = {scenery, mark, 0.5 * pixel * sensor->cells.width};
+    drawing to = {.scenery = scenery, .mark = mark, .step = 0.5 * pixel * sensor->cells.width};
     for (size_t i = 0; i < scenery->instant->solids; i++)
     {
         const tof_solid *solid = &scenery->instant->solid[i];
@@ -255,4 +276,5 @@ void mark_edges(const tof_scenery *scenery, uint8_t *mark)
             mark_cylinder(&to, solid);
         }
     }
+    mark_waiting(&to);
 }

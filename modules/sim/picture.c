@@ -29,7 +29,7 @@ static size_t sums_room(size_t cells, size_t waves)
     return cells * (4 + 2 * waves);
 }
 
-static double *put_sums(tof_sums *sums, double *from, size_t cells, size_t waves)
+static void put_sums(tof_sums *sums, double *from, size_t cells, size_t waves)
 {
     sums->total = from;
     sums->ambient = from + cells;
@@ -37,7 +37,6 @@ static double *put_sums(tof_sums *sums, double *from, size_t cells, size_t waves
     sums->direct_imaginary = from + 3 * cells;
     sums->real = from + 4 * cells;
     sums->imaginary = sums->real + waves * cells;
-    return sums->imaginary + waves * cells;
 }
 
 static int needs_centres(const tof_sensor *sensor, const cm_tof_options *options)
@@ -45,48 +44,53 @@ static int needs_centres(const tof_sensor *sensor, const cm_tof_options *options
     return sensor->samples > 1 && !options->full;
 }
 
-cm_status picture_create(const tof_sensor *sensor, const cm_tof_options *options,
-                         tof_picture *picture)
+/* Where the arrays of a picture are in one piece of memory; NULL: how large that is. */
+static size_t put_arrays(const tof_sensor *sensor, const cm_tof_options *options,
+                         tof_picture *picture, void *memory)
 {
-    memset(picture, 0, sizeof *picture);
-    const size_t cells = (size_t)sensor->cells.columns * sensor->cells.rows;
-    const size_t waves = sensor->waves.count;
-    picture->cells = cells;
-    picture->waves = waves;
-    const size_t sums = (needs_centres(sensor, options) ? 2 : 1) * sums_room(cells, waves);
-    const size_t size = sums * sizeof(double) + cells * (2 * sizeof(double) + 4 * sizeof(float) +
-                                                         2 * sizeof(uint8_t));
-    if (cells > SIZE_MAX / 16 / (sizeof(double) * (8 + 4 * waves)))
-    {
-        return CM_ERROR_MEMORY;
-    }
-    picture->memory = calloc(1, size);
-    if (picture->memory == NULL)
-    {
-        return CM_ERROR_MEMORY;
-    }
-    double *next = put_sums(&picture->sum, picture->memory, cells, waves);
+    const size_t cells = picture->cells, waves = picture->waves;
+    double *const begin = memory;
+    size_t next = sums_room(cells, waves);
+    put_sums(&picture->sum, begin, cells, waves);
     if (needs_centres(sensor, options))
     {
-        next = put_sums(&picture->centre, next, cells, waves);
+        put_sums(&picture->centre, begin + next, cells, waves);
+        next += sums_room(cells, waves);
     }
-    picture->range = next;
-    picture->shadows = (uint64_t *)(void *)(next + cells);
-    float *floats = (float *)(void *)(picture->shadows + cells);
-    for (int k = 0; k < 3; k++, floats += cells)
+    picture->range = begin + next;
+    picture->shadows = (uint64_t *)(void *)(begin + next + cells);
+    next += 2 * cells;
+    float *const floats = (float *)(void *)(begin + next);
+    for (size_t k = 0; k < 3; k++)
     {
-        picture->normal[k] = floats;
+        picture->normal[k] = floats + k * cells;
     }
-    picture->id = (uint32_t *)(void *)floats;
-    picture->flags = (uint8_t *)(picture->id + cells);
+    picture->id = (uint32_t *)(void *)(floats + 3 * cells);
+    next += 2 * cells;
+    picture->flags = (uint8_t *)(void *)(begin + next);
     picture->needs_samples = picture->flags + cells;
-    return CM_OK;
+    picture->smooth = picture->flags + 2 * cells;
+    return next * sizeof(double) + 3 * cells;
 }
 
-void picture_destroy(tof_picture *picture)
+size_t picture_size(const tof_sensor *sensor, const cm_tof_options *options)
 {
-    free(picture->memory);
-    picture->memory = NULL;
+    tof_picture picture = {.cells = (size_t)sensor->cells.columns * sensor->cells.rows,
+                           .waves = sensor->waves.count};
+    return picture.cells > SIZE_MAX / 16 / (sizeof(double) * (8 + 4 * picture.waves))
+               ? 0
+               : put_arrays(sensor, options, &picture, &picture);
+}
+
+void picture_create(const tof_sensor *sensor, const cm_tof_options *options, void *memory,
+                    tof_picture *picture)
+{
+    memset(picture, 0, sizeof *picture);
+    picture->cells = (size_t)sensor->cells.columns * sensor->cells.rows;
+    picture->waves = sensor->waves.count;
+    put_arrays(sensor, options, picture, memory);
+    memset(picture->flags, 0, picture->cells);
+    picture_clear(picture);
 }
 
 void picture_clear(tof_picture *picture)
@@ -339,108 +343,102 @@ static void put_centres(size_t begin, size_t end, void *user)
     }
 }
 
-/* Does a cell see the same smooth surface as its neighbours? step: cells of a row. */
-static int is_smooth(const tof_picture *picture, size_t cell, size_t step)
+/* One plane of what the middles saw, into the sums of a row's smooth cells. */
+static void add_means(const work *doing, size_t row, size_t n, const double *from, double *to)
 {
-    const size_t places[8] = {cell - step - 1, cell - step, cell - step + 1, cell - 1,
-                              cell + 1,        cell + step - 1, cell + step, cell + step + 1};
-    const double range = picture->range[cell];
-    for (int i = 0; i < 8; i++)
-    {
-        const size_t at = places[i];
-        if (picture->id[at] != picture->id[cell] || picture->shadows[at] != picture->shadows[cell])
-        {
-            return 0;
-        }
-        for (int k = 0; k < 3; k++)
-        {
-            if (!(fabsf(picture->normal[k][at] - picture->normal[k][cell]) <= SMOOTH_NORMAL))
-            {
-                return 0;
-            }
-        }
-    }
-    if (picture->id[cell] == CM_SCENE_NOTHING)
-    {
-        return 1;
-    }
-    for (int i = 0; i < 4; i++)
-    {
-        if (!(fabs(picture->range[places[i]] - 2.0 * range + picture->range[places[7 - i]]) <=
-              SMOOTH_RANGE))
-        {
-            return 0;
-        }
-    }
-    return 1;
+    const tof_sensor *sensor = doing->scenery->sensor;
+    const size_t step = sensor->cells.columns;
+    const double *const middle = from + row * step + 1;
+    const double *const rows[3] = {middle - step, middle, middle + step};
+    const int is_half = sensor->cells.width < 1.0;
+    const tof_moments moments[2] = {sensor->moments[0], sensor->moments[is_half]};
+    doing->scenery->set->add_means(n, rows, moments, is_half, doing->part,
+                                   doing->picture->needs_samples + row * step + 1,
+                                   to + row * step + 1);
 }
 
-/* The weighted mean over a cell of the quadratic through nine values. */
-static double mean_of_quadratic(const double *value, size_t cell, size_t step,
-                                const sensor_moments *moments)
-{
-    const double *at = value + cell;
-    const double *above = at - step, *below = at + step;
-    const double x = 0.5 * (at[1] - at[-1]);
-    const double y = 0.5 * (below[0] - above[0]);
-    const double xx = at[1] - 2.0 * at[0] + at[-1];
-    const double yy = below[0] - 2.0 * at[0] + above[0];
-    const double xy = 0.25 * (below[1] - below[-1] - above[1] + above[-1]);
-    return moments->one * at[0] + moments->x * x + moments->y * y +
-           0.5 * (moments->xx * xx + moments->yy * yy) + moments->xy * xy;
-}
-
-static void add_mean(const work *doing, size_t cell, size_t step)
+/* The cells of a row but its first and last; where samples are needed becomes where they are not. */
+static void add_smooth(const work *doing, size_t row)
 {
     const tof_picture *picture = doing->picture;
+    const size_t step = doing->scenery->sensor->cells.columns, n = step - 2;
+    const size_t first = row * step + 1;
+    static const tof_smoothness than = {SMOOTH_NORMAL, SMOOTH_RANGE};
+    tof_rows rows;
+    uint8_t *const needs = picture->needs_samples + first;
+    for (size_t r = 0; r < 3; r++)
+    {
+        const size_t at = first + r * step - step;
+        rows.id[r] = picture->id + at;
+        rows.shadows[r] = picture->shadows + at;
+        rows.range[r] = picture->range + at;
+        for (int k = 0; k < 3; k++)
+        {
+            rows.normal[r][k] = picture->normal[k] + at;
+        }
+    }
+    uint8_t *const is_smooth = picture->smooth + first;
+    doing->scenery->set->smooth(n, &rows, &than, is_smooth);
+    for (size_t i = 0; i < n; i++)
+    {
+        needs[i] = (uint8_t)(is_smooth[i] & (needs[i] == 0));
+    }
     const tof_sums *from = &picture->centre, *to = &picture->sum;
-    const sensor_moments *moments =
-        &doing->scenery->sensor->moments[is_odd(doing->scenery->sensor, cell)];
-    const double part = doing->part;
-    to->total[cell] += part * mean_of_quadratic(from->total, cell, step, moments);
-    to->ambient[cell] += part * mean_of_quadratic(from->ambient, cell, step, moments);
-    to->direct_real[cell] += part * mean_of_quadratic(from->direct_real, cell, step, moments);
-    to->direct_imaginary[cell] +=
-        part * mean_of_quadratic(from->direct_imaginary, cell, step, moments);
+    add_means(doing, row, n, from->total, to->total);
+    if (doing->scenery->options->environment != NULL)
+    {
+        add_means(doing, row, n, from->ambient, to->ambient);
+    }
+    if (doing->scenery->options->bounces > 0)
+    {
+        add_means(doing, row, n, from->direct_real, to->direct_real);
+        add_means(doing, row, n, from->direct_imaginary, to->direct_imaginary);
+    }
     for (size_t j = 0; j < doing->scenery->waves.count; j++)
     {
-        const size_t k = j * picture->cells + cell;
-        to->real[k] += part * mean_of_quadratic(from->real, k, step, moments);
-        to->imaginary[k] += part * mean_of_quadratic(from->imaginary, k, step, moments);
+        const size_t plane = j * picture->cells;
+        add_means(doing, row, n, from->real + plane, to->real + plane);
+        add_means(doing, row, n, from->imaginary + plane, to->imaginary + plane);
     }
 }
 
-/* Of each row what is smooth, and the samples of all else, gathered to blocks. */
+/* The cells of a row that are not smooth, gathered to blocks. */
+static void sample_row(work *doing, size_t row, int has_smooth, tile *rest)
+{
+    const sensor_cells *cells = &doing->scenery->sensor->cells;
+    for (uint32_t column = 0; column < cells->columns; column++)
+    {
+        const int is_inside = has_smooth && column > 0 && column + 1 < cells->columns;
+        if (is_inside && doing->picture->needs_samples[row * cells->columns + column])
+        {
+            continue;
+        }
+        add_cell(cells, column, (uint32_t)row, rest);
+        if (rest->n == TOF_BLOCK)
+        {
+            sample_cells(doing, rest, 0);
+            rest->n = 0;
+        }
+    }
+}
+
+/* Blocks end with bands, so that they do not depend on who does which. */
 static void add_rows(size_t begin, size_t end, void *user)
 {
     work *const doing = user;
     const sensor_cells *cells = &doing->scenery->sensor->cells;
-    const tof_picture *picture = doing->picture;
     tile rest = {.n = 0};
     for (size_t band = begin; band < end; band++)
     {
         for (size_t row = band * TILE_ROWS; row < (band + 1) * TILE_ROWS && row < cells->rows; row++)
         {
-            for (uint32_t column = 0; column < cells->columns; column++)
+            const int has_smooth = row > 0 && row + 1 < cells->rows && cells->columns > 2;
+            if (has_smooth)
             {
-                const size_t cell = row * cells->columns + column;
-                const int is_inside = row > 0 && row + 1 < cells->rows && column > 0 &&
-                                      column + 1 < cells->columns;
-                if (is_inside && !picture->needs_samples[cell] &&
-                    is_smooth(picture, cell, cells->columns))
-                {
-                    add_mean(doing, cell, cells->columns);
-                    continue;
-                }
-                add_cell(cells, column, (uint32_t)row, &rest);
-                if (rest.n == TOF_BLOCK)
-                {
-                    sample_cells(doing, &rest, 0);
-                    rest.n = 0;
-                }
+                add_smooth(doing, row);
             }
+            sample_row(doing, row, has_smooth, &rest);
         }
-        /* blocks end with bands, so that they do not depend on who does which */
         if (rest.n > 0)
         {
             sample_cells(doing, &rest, 0);

@@ -29,17 +29,20 @@ typedef struct tof_picture
     double *range;
     float *normal[3];
     uint64_t *shadows;
-    uint8_t *needs_samples;
+    uint8_t *needs_samples; /* and then: cells that do not */
+    uint8_t *smooth;
     uint8_t *flags; /* CM_TOF_FLYING, CM_TOF_MOTION */
     int watches; /* 1: for motion */
     uint64_t rays;
     uint64_t oversampled;
-    void *memory;
 } tof_picture;
 
-cm_status picture_create(const tof_sensor *sensor, const cm_tof_options *options,
-                         tof_picture *picture);
-void picture_destroy(tof_picture *picture);
+/* Bytes; 0: more than there can be. */
+size_t picture_size(const tof_sensor *sensor, const cm_tof_options *options);
+
+/* In memory of that size, for doubles; sums are 0. */
+void picture_create(const tof_sensor *sensor, const cm_tof_options *options, void *memory,
+                    tof_picture *picture);
 
 /* Sums become 0. */
 void picture_clear(tof_picture *picture);

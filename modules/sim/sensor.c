@@ -123,7 +123,7 @@ static void put_sample(tof_sensor *sensor, uint32_t row, uint32_t column)
             active_part(&sensor->given, left + width * (double)column / columns,
                         left + width * ((double)column + 1.0) / columns, (double)row / rows,
                         ((double)row + 1.0) / rows);
-        sensor_moments *moments = &sensor->moments[odd];
+        tof_moments *moments = &sensor->moments[odd];
         moments->one += at->weight[odd];
         moments->x += at->weight[odd] * at->x;
         moments->y += at->weight[odd] * at->y;

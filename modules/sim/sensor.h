@@ -5,7 +5,7 @@
 #ifndef CUBEMAP_SIM_SENSOR_H
 #define CUBEMAP_SIM_SENSOR_H
 
-#include "tof_object.h"
+#include "tof_set.h"
 
 #define SENSOR_WAVES 32
 #define SENSOR_SAMPLES 4096
@@ -28,12 +28,6 @@ typedef struct sensor_sample
     double weight[2]; /* active part of the pixel, of even and odd cells */
 } sensor_sample;
 
-/* Sums over a cell's samples of weight times powers of their place. */
-typedef struct sensor_moments
-{
-    double one, x, y, xx, xy, yy;
-} sensor_moments;
-
 typedef struct tof_sensor
 {
     cm_tof_sensor given;
@@ -43,7 +37,7 @@ typedef struct tof_sensor
     uint32_t sample_columns, sample_rows; /* of a cell */
     size_t samples;
     sensor_sample *sample;
-    sensor_moments moments[2];
+    tof_moments moments[2];
     double electrons; /* of one circuit pair, by unmodulated radiance of 1 W/(m^2 sr) on the axis through a whole pixel */
     int series;
     tof_waves waves;  /* of all series */

@@ -34,9 +34,9 @@ typedef struct frame
     float *offset;
     uint8_t *flags;
     size_t pixels;
+    void *memory;
     int times;
     uint32_t virtual_lights;
-    float *direct; /* distance by direct light; NULL: not wanted */
 } frame;
 
 /* ---- what is asked ---- */
@@ -396,36 +396,44 @@ static void put_result(const frame *doing, cm_tof_result *result)
     }
 }
 
+/* All arrays of a frame are in one piece, which the next frame of the scene uses again. */
 static cm_status get_memory(frame *doing)
 {
     const size_t images = (size_t)(doing->sensor.series * doing->sensor.given.phases);
-    doing->pixels = (size_t)doing->sensor.width * doing->sensor.height;
-    doing->charge_a = calloc(images * doing->pixels, sizeof(float));
-    doing->charge_b = calloc(images * doing->pixels, sizeof(float));
-    doing->flags = calloc(doing->pixels, 1);
-    doing->table = lamps_tables(doing->light, doing->lights);
     const int has_offsets = doing->options.noise && doing->sensor.given.fixed_pattern > 0.0;
-    doing->offset = has_offsets ? calloc(doing->pixels, sizeof(float)) : NULL;
-    if (doing->charge_a == NULL || doing->charge_b == NULL || doing->flags == NULL ||
-        doing->table == NULL || (has_offsets && doing->offset == NULL))
+    doing->pixels = (size_t)doing->sensor.width * doing->sensor.height;
+    doing->table = lamps_tables(doing->light, doing->lights);
+    const size_t size = picture_size(&doing->sensor, &doing->options);
+    const size_t whole = (size + 63) / 64 * 64;
+    if (doing->table == NULL || size == 0 ||
+        doing->pixels > SIZE_MAX / 16 / (sizeof(float) * (2 * images + 2)))
     {
         return CM_ERROR_MEMORY;
     }
+    doing->memory = tof_scene_take((cm_tof_scene *)(uintptr_t)doing->scene,
+                                   whole + doing->pixels * ((2 * images + 1) * sizeof(float) + 1));
+    if (doing->memory == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    picture_create(&doing->sensor, &doing->options, doing->memory, &doing->picture);
+    doing->charge_a = (float *)(void *)((char *)doing->memory + whole);
+    doing->charge_b = doing->charge_a + images * doing->pixels;
+    float *const offset = doing->charge_b + images * doing->pixels;
+    doing->flags = (uint8_t *)(void *)(offset + doing->pixels);
+    memset(doing->flags, 0, doing->pixels);
     if (has_offsets)
     {
-        charges_offsets(&doing->sensor, &doing->options, doing->offset);
+        charges_offsets(&doing->sensor, &doing->options, offset);
+        doing->offset = offset;
     }
-    return picture_create(&doing->sensor, &doing->options, &doing->picture);
+    return CM_OK;
 }
 
 static void give_back(frame *doing)
 {
-    picture_destroy(&doing->picture);
+    tof_scene_return((cm_tof_scene *)(uintptr_t)doing->scene, doing->memory);
     lamps_free_tables(doing->table, doing->lights);
-    free(doing->offset);
-    free(doing->flags);
-    free(doing->charge_b);
-    free(doing->charge_a);
     sensor_release(&doing->sensor);
 }
 

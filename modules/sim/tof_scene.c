@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "tof_world.h"
 
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -82,10 +83,42 @@ void cm_tof_scene_destroy(cm_tof_scene *scene)
         {
             mesh_rays_destroy(scene->meshes[i]);
         }
+        free(atomic_load(&scene->spare));
         free(scene->meshes);
         free(scene->rays);
         free(scene->primitive);
         free(scene);
+    }
+}
+
+/* Before what is asked for. */
+typedef union memory_head
+{
+    size_t size;
+    max_align_t room[4];
+} memory_head;
+
+void *tof_scene_take(cm_tof_scene *scene, size_t size)
+{
+    memory_head *head = atomic_exchange(&scene->spare, NULL);
+    if (head == NULL || head->size < size)
+    {
+        free(head);
+        head = size > SIZE_MAX - sizeof *head ? NULL : malloc(sizeof *head + size);
+        if (head == NULL)
+        {
+            return NULL;
+        }
+        head->size = size;
+    }
+    return head + 1;
+}
+
+void tof_scene_return(cm_tof_scene *scene, void *memory)
+{
+    if (memory != NULL)
+    {
+        free(atomic_exchange(&scene->spare, (memory_head *)memory - 1));
     }
 }
 

@@ -54,6 +54,28 @@ typedef struct tof_phasors
     double intensity[TOF_BLOCK];
 } tof_phasors;
 
+/* Three rows of what the middles of cells see, the middle one second; from the first cell that is asked about. */
+typedef struct tof_rows
+{
+    const uint32_t *id[3];
+    const uint64_t *shadows[3];
+    const float *normal[3][3]; /* row, axis */
+    const double *range[3];
+} tof_rows;
+
+/* How far neighbours may be apart that one quadratic goes through. */
+typedef struct tof_smoothness
+{
+    float normal;
+    double range; /* second differences */
+} tof_smoothness;
+
+/* Sums over a cell's samples of weight times powers of their place. */
+typedef struct tof_moments
+{
+    double one, x, y, xx, xy, yy;
+} tof_moments;
+
 typedef struct tof_set
 {
     const char *name; /* first: as in options.h */
@@ -72,6 +94,13 @@ typedef struct tof_set
     /* n pixels, TOF_BLOCK at the most, of phase images that are stride apart. */
     void (*phasors)(int phases, const double *cosine, const double *sine, size_t n, size_t stride,
                     const float *charge_a, const float *charge_b, tof_phasors *to);
+    /* 1 for each of n cells that sees one smooth surface, or nothing, with its eight neighbours. Rows can be read from one cell
+     * before to one behind. */
+    void (*smooth)(size_t n, const tof_rows *rows, const tof_smoothness *than, uint8_t *is_smooth);
+    /* Adds part times the mean of the quadratic through nine values where is_smooth says so: moments of even and odd cells,
+     * the first one even or odd. */
+    void (*add_means)(size_t n, const double *const row[3], const tof_moments moments[2],
+                      int first_is_odd, double part, const uint8_t *is_smooth, double *sum);
 } tof_set;
 
 extern const tof_set cm_tof_scalar;

@@ -5,6 +5,8 @@
 #ifndef CUBEMAP_SIM_TOF_WORLD_H
 #define CUBEMAP_SIM_TOF_WORLD_H
 
+#include <stdatomic.h>
+
 #include "mesh_rays.h"
 #include "tof_object.h"
 #include "tof_set.h"
@@ -17,7 +19,14 @@ struct cm_tof_scene
     mesh_rays **meshes;     /* each mesh once */
     size_t mesh_count;
     const tof_set *set;
+    _Atomic(void *) spare; /* memory of a frame that is done, for the next one: its first word is its size */
 };
+
+/* Memory of at least so many bytes, for any type: the spare one if it is large enough. NULL: none. */
+void *tof_scene_take(cm_tof_scene *scene, size_t size);
+
+/* Gives it back, to be the spare one. */
+void tof_scene_return(cm_tof_scene *scene, void *memory);
 
 /* A mesh as it stands at a time. */
 typedef struct tof_body
