@@ -21,7 +21,8 @@ typedef struct phase_work
     const tof_sensor *sensor;
     const tof_picture *picture;
     int series;
-    double cosine[SENSOR_WAVES], sine[SENSOR_WAVES]; /* of the waves' shift, times half their amplitude */
+    double cosine[SENSOR_WAVES],
+        sine[SENSOR_WAVES]; /* of the waves' shift, times half their amplitude */
     size_t first_wave;
     size_t waves;
     const float *offset;
@@ -44,8 +45,8 @@ static cell_charge charge_of(const phase_work *doing, size_t cell, size_t pixel)
     const tof_sensor *sensor = doing->sensor;
     const tof_sums *sum = &doing->picture->sum;
     const double signal = sensor->electrons * sensor->given.duty;
-    cell_charge charge = {0.5 * (signal * sum->total[cell] + sensor->electrons * sum->ambient[cell]),
-                          0.0};
+    cell_charge charge = {
+        0.5 * (signal * sum->total[cell] + sensor->electrons * sum->ambient[cell]), 0.0};
     double moved = 0.0;
     for (size_t j = 0; j < doing->waves; j++)
     {
@@ -54,8 +55,8 @@ static cell_charge charge_of(const phase_work *doing, size_t cell, size_t pixel)
         if (doing->offset != NULL)
         {
             const size_t wave = doing->first_wave + j;
-            const double shift = (double)sensor->wave_harmonic[wave] *
-                                 (doing->tau + (double)doing->offset[pixel]);
+            const double shift =
+                (double)sensor->wave_harmonic[wave] * (doing->tau + (double)doing->offset[pixel]);
             cosine = sensor->wave_amplitude[wave] * cos(shift);
             sine = sensor->wave_amplitude[wave] * sin(shift);
         }
@@ -95,8 +96,8 @@ static void put_pixels(size_t begin, size_t end, void *user)
             doing->charge_b[pixel] = electrons_of(charge.half - charge.moved + dark);
             continue;
         }
-        const size_t cell = pixel / sensor->width * sensor->cells.columns +
-                            2 * (pixel % sensor->width);
+        const size_t cell =
+            pixel / sensor->width * sensor->cells.columns + 2 * (pixel % sensor->width);
         const cell_charge first = charge_of(doing, cell, pixel);
         const cell_charge middle = charge_of(doing, cell + 1, pixel);
         const cell_charge last = charge_of(doing, cell + 2, pixel);
@@ -124,8 +125,9 @@ static void put_rule(phase_work *doing)
     }
 }
 
-void charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_picture *picture, size_t picture_wave,
-                      int series, int phase, const float *offset, cm_pool *pool, float *charge_a, float *charge_b)
+void charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_picture *picture,
+                      size_t picture_wave, int series, int phase, const float *offset,
+                      cm_pool *pool, float *charge_a, float *charge_b)
 {
     phase_work doing = {.set = set,
                         .sensor = sensor,

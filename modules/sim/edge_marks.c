@@ -126,8 +126,7 @@ static void make_across(const double axis[3], double one[3], double other[3])
     other[2] = axis[0] * one[1] - axis[1] * one[0];
 }
 
-static void mark_circle(drawing *to, const double centre[3], const double axis[3],
-                        double radius)
+static void mark_circle(drawing *to, const double centre[3], const double axis[3], double radius)
 {
     double one[3], other[3], square = 0.0;
     make_across(axis, one, other);
@@ -242,8 +241,8 @@ static void mark_cylinder(drawing *to, const tof_solid *cylinder)
         double a[3], b[3];
         for (int k = 0; k < 3; k++)
         {
-            const double touch = cylinder->centre[k] +
-                                 cylinder->radius * (cosine * one[k] + side * sine * other[k]);
+            const double touch =
+                cylinder->centre[k] + cylinder->radius * (cosine * one[k] + side * sine * other[k]);
             a[k] = touch - cylinder->half[0] * axis[k];
             b[k] = touch + cylinder->half[0] * axis[k];
         }
@@ -255,9 +254,9 @@ void mark_edges(const tof_scenery *scenery, uint8_t *mark)
 {
     const tof_sensor *sensor = scenery->sensor;
     const cm_camera_options *camera = cm_camera_describe(sensor->given.camera);
-    const double solid_angle =
-        cm_camera_solid_angle(sensor->given.camera, 0.5 * (double)camera->width + sensor->cells.first,
-                              0.5 * (double)camera->height + sensor->cells.top);
+    const double solid_angle = cm_camera_solid_angle(
+        sensor->given.camera, 0.5 * (double)camera->width + sensor->cells.first,
+        0.5 * (double)camera->height + sensor->cells.top);
     const double pixel = solid_angle > 0.0 ? sqrt(solid_angle) : 1e-3;
     drawing to = {.scenery = scenery, .mark = mark, .step = 0.5 * pixel * sensor->cells.width};
     for (size_t i = 0; i < scenery->instant->solids; i++)

@@ -60,8 +60,7 @@ static double integral_of(const cm_tof_light *light)
     {
         const double from = step * (double)k, to = step * (double)(k + 1);
         const double first = (double)light->intensity[k], last = (double)light->intensity[k + 1];
-        sum += first * cos(from) - last * cos(to) +
-               (last - first) / step * (sin(to) - sin(from));
+        sum += first * cos(from) - last * cos(to) + (last - first) / step * (sin(to) - sin(from));
     }
     return 2.0 * PI * sum;
 }

@@ -203,12 +203,11 @@ static int meet_exactly(const mesh_rays *mesh, const double origin[3], const dou
                         uint32_t *triangle, triangle_hit *hit)
 {
     uint32_t id = CM_SCENE_NOTHING;
-    const cm_hit_arrays found = {
-        .size = sizeof found,
-        .distance = &hit->distance,
-        .id = &id,
-        .triangle = triangle,
-        .normal = {&hit->normal[0], &hit->normal[1], &hit->normal[2]}};
+    const cm_hit_arrays found = {.size = sizeof found,
+                                 .distance = &hit->distance,
+                                 .id = &id,
+                                 .triangle = triangle,
+                                 .normal = {&hit->normal[0], &hit->normal[1], &hit->normal[2]}};
     cm_scene_cast_array(mesh->exact, 1, &origin[0], &origin[1], &origin[2], &direction[0],
                         &direction[1], &direction[2], &found);
     return id != CM_SCENE_NOTHING;
@@ -272,10 +271,9 @@ void mesh_rays_cast(const mesh_rays *mesh, size_t n, double (*const origin)[3],
             }
             uint32_t found = packet.hit.primID[i];
             triangle_hit hit;
-            const int met =
-                (meet_triangle(options, found, origin[k], direction[k], &hit) &&
-                 hit.distance > 0.0) ||
-                meet_exactly(mesh, origin[k], direction[k], &found, &hit);
+            const int met = (meet_triangle(options, found, origin[k], direction[k], &hit) &&
+                             hit.distance > 0.0) ||
+                            meet_exactly(mesh, origin[k], direction[k], &found, &hit);
             if (met && hit.distance > 0.0 && hit.distance < distance[k])
             {
                 is_met[k] = 1;

@@ -430,7 +430,8 @@ static void add_rows(size_t begin, size_t end, void *user)
     tile rest = {.n = 0};
     for (size_t band = begin; band < end; band++)
     {
-        for (size_t row = band * TILE_ROWS; row < (band + 1) * TILE_ROWS && row < cells->rows; row++)
+        for (size_t row = band * TILE_ROWS; row < (band + 1) * TILE_ROWS && row < cells->rows;
+             row++)
         {
             const int has_smooth = row > 0 && row + 1 < cells->rows && cells->columns > 2;
             if (has_smooth)

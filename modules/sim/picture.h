@@ -32,7 +32,7 @@ typedef struct tof_picture
     uint8_t *needs_samples; /* and then: cells that do not */
     uint8_t *smooth;
     uint8_t *flags; /* CM_TOF_FLYING, CM_TOF_MOTION */
-    int watches; /* 1: for motion */
+    int watches;    /* 1: for motion */
     uint64_t rays;
     uint64_t oversampled;
 } tof_picture;

@@ -74,12 +74,12 @@ static cm_status check_mask(const cm_tof_sensor *given)
 
 static cm_status check_optics(const cm_tof_sensor *given)
 {
-    const int is_sensor =
-        is_positive(given->pitch) && is_positive(given->f_number) &&
-        is_positive(given->wavelength) && is_part(given->efficiency) &&
-        is_positive(given->exposure) && is_not_negative(given->readout) &&
-        is_not_negative(given->pause) && is_part(given->duty) && is_not_negative(given->dark) &&
-        is_not_negative(given->read_noise) && is_not_negative(given->fixed_pattern);
+    const int is_sensor = is_positive(given->pitch) && is_positive(given->f_number) &&
+                          is_positive(given->wavelength) && is_part(given->efficiency) &&
+                          is_positive(given->exposure) && is_not_negative(given->readout) &&
+                          is_not_negative(given->pause) && is_part(given->duty) &&
+                          is_not_negative(given->dark) && is_not_negative(given->read_noise) &&
+                          is_not_negative(given->fixed_pattern);
     return is_sensor ? CM_OK : CM_ERROR_RANGE;
 }
 
@@ -95,8 +95,7 @@ static double active_part(const cm_tof_sensor *given, double left, double right,
     double sum = 0.0;
     for (uint32_t r = 0; r < given->mask_rows; r++)
     {
-        const double high =
-            fmin(bottom, ((double)r + 1.0) / rows) - fmax(top, (double)r / rows);
+        const double high = fmin(bottom, ((double)r + 1.0) / rows) - fmax(top, (double)r / rows);
         for (uint32_t c = 0; high > 0.0 && c < given->mask_columns; c++)
         {
             const double wide =
@@ -119,10 +118,9 @@ static void put_sample(tof_sensor *sensor, uint32_t row, uint32_t column)
     {
         const double width = sensor->cells.width;
         const double left = width < 1.0 ? width * odd : 0.0;
-        at->weight[odd] =
-            active_part(&sensor->given, left + width * (double)column / columns,
-                        left + width * ((double)column + 1.0) / columns, (double)row / rows,
-                        ((double)row + 1.0) / rows);
+        at->weight[odd] = active_part(&sensor->given, left + width * (double)column / columns,
+                                      left + width * ((double)column + 1.0) / columns,
+                                      (double)row / rows, ((double)row + 1.0) / rows);
         tof_moments *moments = &sensor->moments[odd];
         moments->one += at->weight[odd];
         moments->x += at->weight[odd] * at->x;
@@ -165,8 +163,7 @@ static void put_cells(tof_sensor *sensor)
     sensor->height = camera->height;
     sensor->has_axis = camera->mapping == NULL;
     sensor->cells.rows = camera->height;
-    sensor->cells.columns =
-        sensor->given.single_readout ? 2 * camera->width + 1 : camera->width;
+    sensor->cells.columns = sensor->given.single_readout ? 2 * camera->width + 1 : camera->width;
     sensor->cells.width = sensor->given.single_readout ? 0.5 : 1.0;
     sensor->cells.first = camera->pixel_centre - 0.5;
     sensor->cells.top = camera->pixel_centre - 0.5;
@@ -190,8 +187,7 @@ static void put_waves(tof_sensor *sensor)
             {
                 continue;
             }
-            sensor->waves.number[j] =
-                2.0 * PI * frequency * (double)(k + 1) / CM_SPEED_OF_LIGHT;
+            sensor->waves.number[j] = 2.0 * PI * frequency * (double)(k + 1) / CM_SPEED_OF_LIGHT;
             sensor->wave_series[j] = series;
             sensor->wave_harmonic[j] = (int)k + 1;
             sensor->wave_amplitude[j] = amplitude[k];

@@ -38,9 +38,10 @@ typedef struct tof_sensor
     size_t samples;
     sensor_sample *sample;
     tof_moments moments[2];
-    double electrons; /* of one circuit pair, by unmodulated radiance of 1 W/(m^2 sr) on the axis through a whole pixel */
+    double
+        electrons; /* of one circuit pair, by unmodulated radiance of 1 W/(m^2 sr) on the axis through a whole pixel */
     int series;
-    tof_waves waves;  /* of all series */
+    tof_waves waves; /* of all series */
     int wave_series[SENSOR_WAVES];
     int wave_harmonic[SENSOR_WAVES]; /* 1: the modulation itself */
     double wave_amplitude[SENSOR_WAVES];

@@ -18,18 +18,21 @@ typedef struct ray_block
     uint8_t has_ray[TOF_BLOCK];
 } ray_block;
 
-#define COLUMNS_OF(array) {(array)[0], (array)[1], (array)[2]}
+#define COLUMNS_OF(array)                                                                          \
+    {                                                                                              \
+        (array)[0], (array)[1], (array)[2]                                                         \
+    }
 
 static size_t room_of(size_t n)
 {
     return (n + TOF_ROOM - 1) / TOF_ROOM * TOF_ROOM;
 }
 
-static void make_rays(const tof_scenery *scenery, size_t n, const double *column,
-                      const double *row, ray_block *rays)
+static void make_rays(const tof_scenery *scenery, size_t n, const double *column, const double *row,
+                      ray_block *rays)
 {
     double x[TOF_BLOCK], y[TOF_BLOCK], z[TOF_BLOCK];
-    const double (*const axes)[3] = scenery->camera.rotation.row;
+    const double(*const axes)[3] = scenery->camera.rotation.row;
     cm_camera_ray_array(scenery->sensor->given.camera, n, column, row, x, y, z);
     for (size_t i = 0; i < n; i++)
     {
@@ -125,8 +128,8 @@ static int is_beside(const tof_scenery *scenery, const tof_lamp *lamp)
 }
 
 /* Of a table's lamp intensity by the even one's; of other surfaces their BRDF. */
-static void weigh(const tof_scenery *scenery, const tof_lamp *lamp, size_t n,
-                  const ray_block *rays, const tof_light_block *light, double *strength)
+static void weigh(const tof_scenery *scenery, const tof_lamp *lamp, size_t n, const ray_block *rays,
+                  const tof_light_block *light, double *strength)
 {
     const tof_surface *surface = tof_instant_surfaces(scenery->instant);
     for (size_t i = 0; i < n; i++)
@@ -157,7 +160,8 @@ static void weigh(const tof_scenery *scenery, const tof_lamp *lamp, size_t n,
         }
         if (lamp->n > 0)
         {
-            strength[i] *= lamp->intensity > 0.0 ? tof_lamp_intensity(lamp, cosine) / lamp->intensity : 0.0;
+            strength[i] *=
+                lamp->intensity > 0.0 ? tof_lamp_intensity(lamp, cosine) / lamp->intensity : 0.0;
         }
         if (brdf != NULL)
         {
@@ -219,9 +223,8 @@ static cm_status scatter(const tof_scenery *scenery, size_t n, const ray_block *
     }
     memset(real, 0, sizeof *real * scenery->waves.count * count);
     memset(imaginary, 0, sizeof *imaginary * scenery->waves.count * count);
-    const tof_points points = {count,           COLUMNS_OF(position), COLUMNS_OF(normal),
-                               COLUMNS_OF(out), range,                id,
-                               numbers};
+    const tof_points points = {
+        count, COLUMNS_OF(position), COLUMNS_OF(normal), COLUMNS_OF(out), range, id, numbers};
     tof_radiance radiance = {total, real, imaginary, ambient};
     cm_status status = CM_OK;
     if (scenery->virtual_lights != NULL)
@@ -262,8 +265,7 @@ static void look_beyond(const tof_scenery *scenery, size_t n, const ray_block *r
         {
             const double direction[3] = {rays->direction[0][i], rays->direction[1][i],
                                          rays->direction[2][i]};
-            light->ambient[i] =
-                tof_environment_radiance(scenery->options->environment, direction);
+            light->ambient[i] = tof_environment_radiance(scenery->options->environment, direction);
         }
     }
 }

@@ -48,8 +48,7 @@ static cm_status check_environment(const cm_tof_environment *environment)
         return CM_OK;
     }
     if (environment->size != sizeof *environment ||
-        (environment->radiance != NULL &&
-         (environment->mapping == NULL || environment->edge == 0)))
+        (environment->radiance != NULL && (environment->mapping == NULL || environment->edge == 0)))
     {
         return CM_ERROR_ARGUMENT;
     }
@@ -58,9 +57,9 @@ static cm_status check_environment(const cm_tof_environment *environment)
         return CM_ERROR_RANGE;
     }
     const size_t faces = /* six, or one */
-        environment->radiance == NULL                                            ? 0
+        environment->radiance == NULL                                     ? 0
         : cm_mapping_describe(environment->mapping)->kind == CM_KIND_CUBE ? 6
-                                                                                 : 1;
+                                                                          : 1;
     for (size_t i = 0; i < faces * environment->edge * environment->edge; i++)
     {
         if (!(environment->radiance[i] >= 0.0f) || !isfinite(environment->radiance[i]))
@@ -227,8 +226,8 @@ static cm_status find_times(frame *doing)
         return CM_OK;
     }
     double most = 0.0;
-    const cm_status status = find_motion(
-        doing, doing->time, doing->time + doing->sensor.given.exposure, &most);
+    const cm_status status =
+        find_motion(doing, doing->time, doing->time + doing->sensor.given.exposure, &most);
     const double solid_angle =
         cm_camera_solid_angle(doing->sensor.given.camera, 0.5 * (double)doing->sensor.width,
                               0.5 * (double)doing->sensor.height);
@@ -256,8 +255,8 @@ static int moves(const frame *doing, double end)
 static void keep_charges(frame *doing, size_t picture_wave, int series, int phase)
 {
     const size_t image = (size_t)series * (size_t)doing->sensor.given.phases + (size_t)phase;
-    charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series, phase, doing->offset,
-                     doing->pool, doing->charge_a + image * doing->pixels,
+    charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series,
+                     phase, doing->offset, doing->pool, doing->charge_a + image * doing->pixels,
                      doing->charge_b + image * doing->pixels);
 }
 
@@ -438,9 +437,9 @@ static void give_back(frame *doing)
 }
 
 cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
-                          const cm_tof_light *light, size_t lights,
-                          const cm_trajectory *trajectory, double time,
-                          const cm_tof_options *options, cm_pool *pool, cm_tof_result *result)
+                          const cm_tof_light *light, size_t lights, const cm_trajectory *trajectory,
+                          double time, const cm_tof_options *options, cm_pool *pool,
+                          cm_tof_result *result)
 {
     static const cm_tof_options plain = {.size = sizeof plain};
     frame doing = {.scene = scene,

@@ -19,7 +19,8 @@ struct cm_tof_scene
     mesh_rays **meshes;     /* each mesh once */
     size_t mesh_count;
     const tof_set *set;
-    _Atomic(void *) spare; /* memory of a frame that is done, for the next one: its first word is its size */
+    _Atomic(void *)
+        spare; /* memory of a frame that is done, for the next one: its first word is its size */
 };
 
 /* Memory of at least so many bytes, for any type: the spare one if it is large enough. NULL: none. */

@@ -281,9 +281,8 @@ START_TEST(shot_noise_has_the_spread_that_the_formula_gives)
     ck_assert_double_eq_tol(spread, expected, 0.1 * expected); /* 400 of them: 3.5 % */
     ck_assert_double_lt(fabs(sum / views), 0.2 * expected);
     /* by hand: c / (4 pi f) sqrt(N) / (sqrt(2) D N) */
-    ck_assert_double_eq_tol(expected,
-                            299792458.0 / (4.0 * PI * 20e6) / (sqrt(2.0) * 0.8 * sqrt(electrons)),
-                            1e-12);
+    ck_assert_double_eq_tol(
+        expected, 299792458.0 / (4.0 * PI * 20e6) / (sqrt(2.0) * 0.8 * sqrt(electrons)), 1e-12);
     free_stage(&at);
 }
 END_TEST
@@ -351,9 +350,9 @@ START_TEST(samples_where_needed_are_as_good_as_all)
     options.full = 0;
     cm_tof_report report = {.size = sizeof report};
     cm_tof_result result = {.size = sizeof result, .distance = distance, .report = &report};
-    ck_assert_int_eq(cm_tof_simulate(at.scene, &at.sensor, &at.light, 1, NULL, 0.0, &options, NULL,
-                                     &result),
-                     CM_OK);
+    ck_assert_int_eq(
+        cm_tof_simulate(at.scene, &at.sensor, &at.light, 1, NULL, 0.0, &options, NULL, &result),
+        CM_OK);
     for (size_t i = 0; i < PIXELS; i++)
     {
         ck_assert_double_eq_tol((double)distance[i], (double)full[i], 1e-4);
@@ -545,9 +544,9 @@ START_TEST(bad_input_is_refused)
 #define REFUSES(change, status)                                                                    \
     at = good;                                                                                     \
     change;                                                                                        \
-    ck_assert_int_eq(cm_tof_simulate(at.scene, &at.sensor, &at.light, 1, NULL, 0.0, &options,      \
-                                     NULL, &result),                                               \
-                     status)
+    ck_assert_int_eq(                                                                              \
+        cm_tof_simulate(at.scene, &at.sensor, &at.light, 1, NULL, 0.0, &options, NULL, &result),   \
+        status)
     REFUSES(at.scene = NULL, CM_ERROR_ARGUMENT);
     REFUSES(at.sensor.size = 1, CM_ERROR_ARGUMENT);
     REFUSES(at.sensor.camera = NULL, CM_ERROR_ARGUMENT);
