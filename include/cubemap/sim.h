@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include <cubemap/brdf.h>
+#include <cubemap/budget.h>
 #include <cubemap/camera.h>
 #include <cubemap/export.h>
 #include <cubemap/mapping.h>
@@ -69,20 +70,23 @@ typedef struct cm_tof_sensor
     uint32_t mask_rows;
     const float *mask; /* the active part of each sub-pixel, 0..1, by rows; NULL: the whole pixel */
     size_t harmonics;  /* of the correlation; 0: a cosine */
-    const double *harmonic; /* amplitude of cos(j x) for j from 1: 1 for the cosine itself; triangle: 1, 0, 1/9 */
-    double second_frequency; /* a second series of phase images, which resolves the ambiguity; 0: none */
-    double fixed_pattern;    /* standard deviation of the pixels' own phase offsets, radians; by seed and pixel */
+    const double *
+        harmonic; /* amplitude of cos(j x) for j from 1: 1 for the cosine itself; triangle: 1, 0, 1/9 */
+    double
+        second_frequency; /* a second series of phase images, which resolves the ambiguity; 0: none */
+    double
+        fixed_pattern; /* standard deviation of the pixels' own phase offsets, radians; by seed and pixel */
 } cm_tof_sensor;
 
 /* What shines, beside the camera. */
 typedef struct cm_tof_light
 {
-    size_t size;         /* sizeof(cm_tof_light) */
-    double position[3];  /* in the camera's axes */
-    double direction[3]; /* of its axis, of any length; 0 0 0: along the optical axis */
-    double power;        /* watts, all of the cone, while it shines */
-    double aperture;     /* radians, full angle of the cone, above 0; 2 pi shines everywhere */
-    size_t n;            /* values of the table; 0: even */
+    size_t size;            /* sizeof(cm_tof_light) */
+    double position[3];     /* in the camera's axes */
+    double direction[3];    /* of its axis, of any length; 0 0 0: along the optical axis */
+    double power;           /* watts, all of the cone, while it shines */
+    double aperture;        /* radians, full angle of the cone, above 0; 2 pi shines everywhere */
+    size_t n;               /* values of the table; 0: even */
     const float *intensity; /* relative, evenly apart from the axis to the rim, linear between */
 } cm_tof_light;
 
@@ -108,21 +112,22 @@ typedef struct cm_tof_options
     int traces;              /* 1: paths for one bounce, too */
     uint32_t sample_columns; /* of a pixel; 0: 1 */
     uint32_t sample_rows;
-    uint32_t sample_times;   /* of an exposure; 0: as many as what moves needs, 16 at most */
-    int full;                /* 1: all samples in all pixels; 0: only where a pixel sees edges */
-    int noise;               /* 1: shot noise, and the sensor's dark, read and fixed pattern noise */
+    uint32_t sample_times; /* of an exposure; 0: as many as what moves needs, 16 at most */
+    int full;              /* 1: all samples in all pixels; 0: only where a pixel sees edges */
+    int noise;             /* 1: shot noise, and the sensor's dark, read and fixed pattern noise */
     uint64_t seed;
-    uint32_t view;             /* number of the frame, for the noise */
-    const cm_mapping *mapping; /* of the map in which virtual lights are found; NULL: the equal-area cube healpix */
-    uint32_t map_edge;         /* its cells along a face's side; 0: 64 */
+    uint32_t view; /* number of the frame, for the noise */
+    const cm_mapping *
+        mapping; /* of the map in which virtual lights are found; NULL: the equal-area cube healpix */
+    uint32_t map_edge;                     /* its cells along a face's side; 0: 64 */
     const cm_tof_environment *environment; /* NULL: none */
 } cm_tof_options;
 
 /* Of a pixel of a result. */
-#define CM_TOF_SATURATED 1u /* a circuit was full: charges are cut there */
-#define CM_TOF_NOTHING 2u   /* no modulated light came */
-#define CM_TOF_FLYING 4u    /* surfaces apart from each other share the pixel */
-#define CM_TOF_MOTION 8u    /* phase images saw different surfaces */
+#define CM_TOF_SATURATED 1u  /* a circuit was full: charges are cut there */
+#define CM_TOF_NOTHING 2u    /* no modulated light came */
+#define CM_TOF_FLYING 4u     /* surfaces apart from each other share the pixel */
+#define CM_TOF_MOTION 8u     /* phase images saw different surfaces */
 #define CM_TOF_MULTIPATH 16u /* scattered light moves the distance by more than 1 mm */
 
 /* What was done for a frame. */
@@ -139,14 +144,15 @@ typedef struct cm_tof_report
 /* What came out; arrays that are NULL are left out. All are by rows of the camera's picture. */
 typedef struct cm_tof_result
 {
-    size_t size;        /* sizeof(cm_tof_result) */
-    float *phase;       /* series x phases x pixels: N_A - N_B, electrons; two series with a second frequency */
-    float *charge_a;    /* the same shape: N_A */
-    float *charge_b;    /* N_B */
-    float *distance;    /* metres, of the first series or, of two, unwrapped; NaN: nothing came */
-    float *amplitude;   /* electrons: 2 / phases |sum of phase e^(-i tau)| */
-    float *intensity;   /* electrons: the mean of N_A + N_B over phases */
-    uint8_t *flags;     /* CM_TOF_ words or'ed */
+    size_t size; /* sizeof(cm_tof_result) */
+    float *
+        phase; /* series x phases x pixels: N_A - N_B, electrons; two series with a second frequency */
+    float *charge_a;  /* the same shape: N_A */
+    float *charge_b;  /* N_B */
+    float *distance;  /* metres, of the first series or, of two, unwrapped; NaN: nothing came */
+    float *amplitude; /* electrons: 2 / phases |sum of phase e^(-i tau)| */
+    float *intensity; /* electrons: the mean of N_A + N_B over phases */
+    uint8_t *flags;   /* CM_TOF_ words or'ed */
     cm_tof_report *report; /* what was done; NULL: not wanted */
 } cm_tof_result;
 
@@ -159,6 +165,22 @@ CM_API cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor 
                                  const cm_trajectory *trajectory, double time,
                                  const cm_tof_options *options, cm_pool *pool,
                                  cm_tof_result *result);
+
+/* Effects that cm_tof_plan measures, in this order. */
+#define CM_TOF_EFFECTS 7
+
+/* What a frame needs for an error of distance of at most limit metres: each effect of these is simulated with and without,
+ * and the root mean square over the pixels of what it changes is its contribution: oversampling, multipath (one bounce),
+ * visibility of virtual lights, further bounces (up to 4), noise, distortion (of the lens), motion within an exposure.
+ * Scattered light is measured in a smaller picture. most: samples and lights to take where they are needed, NULL: 3 x 3
+ * and 338; what is not dropped there is in *chosen. budget->entry has room for CM_TOF_EFFECTS; subject, unit (m), cost_unit
+ * (ms of the processor) and all else of the budget are set, and its limit of error is applied. A lens without distortion is
+ * the caller's to make, if "distortion" is dropped. CM_OK and errors as cm_tof_simulate; CM_ERROR_RANGE (limit). */
+CM_API cm_status cm_tof_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
+                             const cm_tof_light *light, size_t lights,
+                             const cm_trajectory *trajectory, double time, double limit,
+                             const cm_tof_options *most, cm_pool *pool, cm_tof_options *chosen,
+                             cm_budget *budget);
 
 /* Seconds from one frame's beginning to the next: phases and series with their readouts, and the pause. */
 CM_API double cm_tof_frame_time(const cm_tof_sensor *sensor);
@@ -181,10 +203,10 @@ typedef struct cm_tof_truth
     uint32_t *object;    /* id of the primitive */
     uint32_t *shape;     /* its kind */
     uint32_t *triangle;
-    float *depth;       /* along the optical axis */
-    float *range;       /* along the ray */
-    float *flow_next[3];     /* pixels, pixels, metres of range: to the time next */
-    float *flow_before[3];   /* to the time before */
+    float *depth;          /* along the optical axis */
+    float *range;          /* along the ray */
+    float *flow_next[3];   /* pixels, pixels, metres of range: to the time next */
+    float *flow_before[3]; /* to the time before */
 } cm_tof_truth;
 
 /* CM_OK; CM_ERROR_ARGUMENT (NULL, size); CM_ERROR_RANGE (times that are not finite); CM_ERROR_MEMORY. */

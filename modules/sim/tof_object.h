@@ -11,8 +11,9 @@
 typedef struct tof_solid
 {
     cm_primitive_kind kind;
-    uint32_t id;       /* of the primitive */
-    double centre[3];  /* of box and sphere; a point of the plane; the middle of the cylinder's axis */
+    uint32_t id; /* of the primitive */
+    double
+        centre[3]; /* of box and sphere; a point of the plane; the middle of the cylinder's axis */
     double axis[3][3]; /* of a box; [0] of a cylinder or the plane's normal; of length 1 */
     double half[3];    /* half edges of a box; [0] half the length of a cylinder */
     double radius;
@@ -23,7 +24,7 @@ typedef struct tof_surface
 {
     double reflectance; /* of the mesh, too */
     const cm_brdf *brdf;
-    cm_pose body;  /* from the world to the axes in which the primitive was added, at this time */
+    cm_pose body; /* from the world to the axes in which the primitive was added, at this time */
 } tof_surface;
 
 /* The world at a time. */
@@ -38,8 +39,8 @@ int tof_scene_moves(const cm_tof_scene *scene, double from, double to);
 /* What rays met, one value a ray; arrays that are NULL are left out. */
 typedef struct tof_hits
 {
-    double *distance;  /* infinite for nothing */
-    uint32_t *id;      /* CM_SCENE_NOTHING */
+    double *distance; /* infinite for nothing */
+    uint32_t *id;     /* CM_SCENE_NOTHING */
     uint32_t *triangle;
     double *normal[3]; /* of length 1, towards the origin; 0 for nothing */
 } tof_hits;

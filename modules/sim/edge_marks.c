@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Outlines and edges of what formulas give, drawn into a sensor's cells: what is thinner than a cell lies between the
+ * middles, and is sampled nevertheless.
+ */
+#include "picture.h"
+#include "tof_world.h"
+
+#include <math.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+enum
+{
+    DEEPEST = 14,
+    MOST_PLACES = 20000,
+    PLACES_AT_ONCE = 256
+};
+
+typedef struct drawing
+{
+    const tof_scenery *scenery;
+    uint8_t *mark;
+    double step; /* radians between places of a line: half a cell */
+    size_t waiting;
+    double place[3][PLACES_AT_ONCE]; /* in the camera's axes */
+} drawing;
+
+static void mark_cell(const drawing *to, double column, double row)
+{
+    const sensor_cells *cells = &to->scenery->sensor->cells;
+    const double c = floor((column - cells->first) / cells->width);
+    const double r = floor(row - cells->top);
+    if (c >= 0.0 && c < (double)cells->columns && r >= 0.0 && r < (double)cells->rows)
+    {
+        to->mark[(size_t)r * cells->columns + (size_t)c] = 1;
+    }
+}
+
+static void mark_waiting(drawing *to)
+{
+    double column[PLACES_AT_ONCE], row[PLACES_AT_ONCE];
+    const double beside = 0.3 * to->scenery->sensor->cells.width;
+    cm_camera_project_array(to->scenery->sensor->given.camera, to->waiting, to->place[0],
+                            to->place[1], to->place[2], column, row);
+    for (size_t i = 0; i < to->waiting; i++)
+    {
+        if (column[i] + row[i] < INFINITY) /* not NaN */
+        {
+            mark_cell(to, column[i] - beside, row[i] - 0.3);
+            mark_cell(to, column[i] + beside, row[i] - 0.3);
+            mark_cell(to, column[i] - beside, row[i] + 0.3);
+            mark_cell(to, column[i] + beside, row[i] + 0.3);
+        }
+    }
+    to->waiting = 0;
+}
+
+static void mark_place(drawing *to, const double world[3])
+{
+    double camera[3];
+    cm_pose_apply(&to->scenery->camera, world, camera);
+    for (int k = 0; k < 3; k++)
+    {
+        to->place[k][to->waiting] = camera[k];
+    }
+    to->waiting++;
+    if (to->waiting == PLACES_AT_ONCE)
+    {
+        mark_waiting(to);
+    }
+}
+
+/* Of two places, seen by the camera. */
+static double angle_between(const drawing *to, const double a[3], const double b[3])
+{
+    const double *eye = to->scenery->camera.position;
+    double aa = 0.0, bb = 0.0, ab = 0.0;
+    for (int k = 0; k < 3; k++)
+    {
+        aa += (a[k] - eye[k]) * (a[k] - eye[k]);
+        bb += (b[k] - eye[k]) * (b[k] - eye[k]);
+        ab += (a[k] - eye[k]) * (b[k] - eye[k]);
+    }
+    const double cross = aa * bb - ab * ab;
+    return atan2(sqrt(fmax(cross, 0.0)), ab);
+}
+
+static void mark_line(drawing *to, const double a[3], const double b[3], int depth)
+{
+    mark_place(to, a);
+    if (depth < DEEPEST && angle_between(to, a, b) > to->step)
+    {
+        const double middle[3] = {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
+        mark_line(to, a, middle, depth + 1);
+        mark_line(to, middle, b, depth + 1);
+    }
+    else
+    {
+        mark_place(to, b);
+    }
+}
+
+/* Two directions across an axis of length 1. */
+static void make_across(const double axis[3], double one[3], double other[3])
+{
+    const double least = fmin(fabs(axis[0]), fmin(fabs(axis[1]), fabs(axis[2])));
+    double square = 0.0, along = 0.0;
+    for (int k = 0; k < 3; k++)
+    {
+        one[k] = fabs(axis[k]) == least ? 1.0 : 0.0;
+        along += one[k] * axis[k];
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        one[k] -= along * axis[k];
+        square += one[k] * one[k];
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        one[k] /= sqrt(square);
+    }
+    other[0] = axis[1] * one[2] - axis[2] * one[1];
+    other[1] = axis[2] * one[0] - axis[0] * one[2];
+    other[2] = axis[0] * one[1] - axis[1] * one[0];
+}
+
+static void mark_circle(drawing *to, const double centre[3], const double axis[3], double radius)
+{
+    double one[3], other[3], square = 0.0;
+    make_across(axis, one, other);
+    for (int k = 0; k < 3; k++)
+    {
+        const double way = centre[k] - to->scenery->camera.position[k];
+        square += way * way;
+    }
+    const double nearest = fmax(sqrt(square) - radius, 1e-3 * radius);
+    const double places = fmin(ceil(2.0 * PI * radius / nearest / to->step), MOST_PLACES);
+    for (double i = 0.0; i < places; i++)
+    {
+        const double angle = 2.0 * PI * i / places;
+        double place[3];
+        for (int k = 0; k < 3; k++)
+        {
+            place[k] = centre[k] + radius * (cos(angle) * one[k] + sin(angle) * other[k]);
+        }
+        mark_place(to, place);
+    }
+}
+
+static void mark_box(drawing *to, const tof_solid *box)
+{
+    double corner[8][3];
+    for (int i = 0; i < 8; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            corner[i][k] = box->centre[k];
+            for (int axis = 0; axis < 3; axis++)
+            {
+                corner[i][k] += (i >> axis & 1 ? 1.0 : -1.0) * box->half[axis] * box->axis[axis][k];
+            }
+        }
+    }
+    for (int i = 0; i < 8; i++)
+    {
+        for (int axis = 0; axis < 3; axis++)
+        {
+            if ((i >> axis & 1) == 0)
+            {
+                mark_line(to, corner[i], corner[i | 1 << axis], 0);
+            }
+        }
+    }
+}
+
+/* The circle where tangents from the camera touch it. */
+static void mark_sphere(drawing *to, const tof_solid *sphere)
+{
+    double axis[3], square = 0.0;
+    for (int k = 0; k < 3; k++)
+    {
+        axis[k] = sphere->centre[k] - to->scenery->camera.position[k];
+        square += axis[k] * axis[k];
+    }
+    const double part = sphere->radius * sphere->radius / square;
+    if (!(part < 1.0))
+    {
+        return; /* seen from inside */
+    }
+    double centre[3];
+    for (int k = 0; k < 3; k++)
+    {
+        centre[k] = to->scenery->camera.position[k] + (1.0 - part) * axis[k];
+        axis[k] /= sqrt(square);
+    }
+    mark_circle(to, centre, axis, sphere->radius * sqrt(1.0 - part));
+}
+
+/* Both rims, and the lines along which tangents touch the wall. */
+static void mark_cylinder(drawing *to, const tof_solid *cylinder)
+{
+    double from[3], one[3], other[3], along = 0.0, square = 0.0;
+    const double *axis = cylinder->axis[0];
+    for (int k = 0; k < 3; k++)
+    {
+        from[k] = to->scenery->camera.position[k] - cylinder->centre[k];
+        along += from[k] * axis[k];
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        one[k] = from[k] - along * axis[k];
+        square += one[k] * one[k];
+    }
+    const double apart = sqrt(square);
+    for (int end = -1; end <= 1; end += 2)
+    {
+        double centre[3];
+        for (int k = 0; k < 3; k++)
+        {
+            centre[k] = cylinder->centre[k] + end * cylinder->half[0] * axis[k];
+        }
+        mark_circle(to, centre, axis, cylinder->radius);
+    }
+    if (!(apart > cylinder->radius))
+    {
+        return;
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        one[k] /= apart;
+    }
+    other[0] = axis[1] * one[2] - axis[2] * one[1];
+    other[1] = axis[2] * one[0] - axis[0] * one[2];
+    other[2] = axis[0] * one[1] - axis[1] * one[0];
+    const double cosine = cylinder->radius / apart;
+    const double sine = sqrt(1.0 - cosine * cosine);
+    for (int side = -1; side <= 1; side += 2)
+    {
+        double a[3], b[3];
+        for (int k = 0; k < 3; k++)
+        {
+            const double touch =
+                cylinder->centre[k] + cylinder->radius * (cosine * one[k] + side * sine * other[k]);
+            a[k] = touch - cylinder->half[0] * axis[k];
+            b[k] = touch + cylinder->half[0] * axis[k];
+        }
+        mark_line(to, a, b, 0);
+    }
+}
+
+void mark_edges(const tof_scenery *scenery, uint8_t *mark)
+{
+    const tof_sensor *sensor = scenery->sensor;
+    const cm_camera_options *camera = cm_camera_describe(sensor->given.camera);
+    const double solid_angle = cm_camera_solid_angle(
+        sensor->given.camera, 0.5 * (double)camera->width + sensor->cells.first,
+        0.5 * (double)camera->height + sensor->cells.top);
+    const double pixel = solid_angle > 0.0 ? sqrt(solid_angle) : 1e-3;
+    drawing to = {.scenery = scenery, .mark = mark, .step = 0.5 * pixel * sensor->cells.width};
+    for (size_t i = 0; i < scenery->instant->solids; i++)
+    {
+        const tof_solid *solid = &scenery->instant->solid[i];
+        if (solid->kind == CM_PRIMITIVE_BOX)
+        {
+            mark_box(&to, solid);
+        }
+        else if (solid->kind == CM_PRIMITIVE_SPHERE)
+        {
+            mark_sphere(&to, solid);
+        }
+        else if (solid->kind == CM_PRIMITIVE_CYLINDER)
+        {
+            mark_cylinder(&to, solid);
+        }
+    }
+    mark_waiting(&to);
+}

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+#include "lamp.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define PI 3.14159265358979323846
+
+static int is_number(const double vector[3])
+{
+    return isfinite(vector[0]) && isfinite(vector[1]) && isfinite(vector[2]);
+}
+
+static int is_even(const cm_tof_light *light)
+{
+    return light->n < 2;
+}
+
+cm_status lamps_check(const cm_tof_light *light, size_t lights)
+{
+    if (light == NULL || lights == 0)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    for (size_t i = 0; i < lights; i++)
+    {
+        const cm_tof_light *each = &light[i];
+        if (each->size != sizeof *each || (each->n > 0 && each->intensity == NULL))
+        {
+            return CM_ERROR_ARGUMENT;
+        }
+        if (!is_number(each->position) || !is_number(each->direction) || !(each->power >= 0.0) ||
+            !isfinite(each->power) || !(each->aperture > 0.0) ||
+            !(each->aperture <= 2.0 * PI * (1.0 + 1e-9)))
+        {
+            return CM_ERROR_RANGE;
+        }
+        for (size_t k = 0; k < each->n; k++)
+        {
+            if (!(each->intensity[k] >= 0.0f) || !isfinite(each->intensity[k]))
+            {
+                return CM_ERROR_RANGE;
+            }
+        }
+    }
+    return CM_OK;
+}
+
+static double step_of(const cm_tof_light *light)
+{
+    return 0.5 * light->aperture / (double)(light->n - 1);
+}
+
+/* The integral over the cone of a table that is linear between its values: by parts, of each piece. */
+static double integral_of(const cm_tof_light *light)
+{
+    const double step = step_of(light);
+    double sum = 0.0;
+    for (size_t k = 0; k + 1 < light->n; k++)
+    {
+        const double from = step * (double)k, to = step * (double)(k + 1);
+        const double first = (double)light->intensity[k], last = (double)light->intensity[k + 1];
+        sum += first * cos(from) - last * cos(to) + (last - first) / step * (sin(to) - sin(from));
+    }
+    return 2.0 * PI * sum;
+}
+
+double **lamps_tables(const cm_tof_light *light, size_t lights)
+{
+    double **table = calloc(lights, sizeof *table);
+    for (size_t i = 0; table != NULL && i < lights; i++)
+    {
+        if (is_even(&light[i]))
+        {
+            continue;
+        }
+        table[i] = calloc(light[i].n, sizeof **table);
+        if (table[i] == NULL)
+        {
+            lamps_free_tables(table, lights);
+            return NULL;
+        }
+        const double sum = integral_of(&light[i]);
+        for (size_t k = 0; k < light[i].n; k++)
+        {
+            table[i][k] = sum > 0.0 ? light[i].power * (double)light[i].intensity[k] / sum : 0.0;
+        }
+    }
+    return table;
+}
+
+void lamps_free_tables(double **table, size_t lights)
+{
+    for (size_t i = 0; table != NULL && i < lights; i++)
+    {
+        free(table[i]);
+    }
+    free(table);
+}
+
+void lamps_place(const cm_tof_light *light, size_t lights, double *const *table,
+                 const cm_pose *camera, tof_lamp *lamp)
+{
+    for (size_t i = 0; i < lights; i++)
+    {
+        double axis[3] = {light[i].direction[0], light[i].direction[1], light[i].direction[2]};
+        const double length = hypot(hypot(axis[0], axis[1]), axis[2]);
+        for (int k = 0; k < 3; k++)
+        {
+            axis[k] = length > 0.0 ? axis[k] / length : (double)(k == 2);
+        }
+        cm_pose_apply_back(camera, light[i].position, lamp[i].position);
+        cm_rotate_back(&camera->rotation, axis, lamp[i].axis);
+        /* beyond the rim by what rounding may take of a cosine, and all of it where it shines everywhere */
+        const double rim = cos(0.5 * light[i].aperture);
+        lamp[i].least_cosine = light[i].aperture >= 2.0 * PI * (1.0 - 1e-9) ? -2.0 : rim;
+        lamp[i].intensity = light[i].power / (2.0 * PI * (1.0 - rim));
+        lamp[i].n = is_even(&light[i]) ? 0 : light[i].n;
+        lamp[i].table = table[i];
+        lamp[i].step = is_even(&light[i]) ? 0.0 : step_of(&light[i]);
+    }
+}
+
+double tof_lamp_intensity(const tof_lamp *lamp, double cosine)
+{
+    if (!(cosine >= lamp->least_cosine))
+    {
+        return 0.0;
+    }
+    if (lamp->n == 0)
+    {
+        return lamp->intensity;
+    }
+    const double place = acos(fmin(fmax(cosine, -1.0), 1.0)) / lamp->step;
+    const double floor_place = fmin(floor(place), (double)(lamp->n - 2));
+    const size_t k = (size_t)floor_place;
+    const double part = fmin(place - floor_place, 1.0);
+    return lamp->table[k] + part * (lamp->table[k + 1] - lamp->table[k]);
+}

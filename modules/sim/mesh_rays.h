@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Rays to a mesh: Embree finds triangles in single precision; where they are is computed in double precision, and what does
+ * not lie on its triangle is looked for again (Embree's issues 387, 416 and 423 tell of such hits).
+ */
+#ifndef CUBEMAP_SIM_MESH_RAYS_H
+#define CUBEMAP_SIM_MESH_RAYS_H
+
+#include <cubemap/mesh.h>
+#include <cubemap/status.h>
+
+typedef struct mesh_rays mesh_rays;
+
+/* The mesh must outlive it. CM_OK; CM_ERROR_MEMORY. */
+cm_status mesh_rays_create(const cm_mesh *mesh, mesh_rays **made);
+void mesh_rays_destroy(mesh_rays *mesh);
+const cm_mesh *mesh_rays_mesh(const mesh_rays *mesh);
+
+/* Centre and radius of a sphere around all of it; radius below 0: it has no triangles. */
+void mesh_rays_bound(const mesh_rays *mesh, double centre[3], double *radius);
+
+/* For n rays in the mesh's axes, directions of length 1, whose distance so far is given: where a triangle is nearer,
+ * distance, triangle and its normal (of length 1, either way) are set, and is_met is 1. */
+void mesh_rays_cast(const mesh_rays *mesh, size_t n, double (*const origin)[3],
+                    double (*const direction)[3], double *distance, uint32_t *triangle,
+                    double (*normal)[3], uint8_t *is_met);
+
+#endif

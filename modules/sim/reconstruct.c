@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From charges to distances, as a camera's driver computes them.
+ */
+#include "reconstruct.h"
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+enum
+{
+    MOST_PHASES = 64,
+    MOST_WRAPS = 1000
+};
+
+typedef struct driver
+{
+    const cm_tof_sensor *sensor;
+    int series;
+    double cosine[MOST_PHASES], sine[MOST_PHASES];
+    double unambiguous[2];
+    int wraps; /* of the first series that are tried */
+    const tof_set *set;
+    size_t stride; /* pixels of a phase image */
+    const float *charge_a, *charge_b;
+    float *distance, *amplitude, *intensity;
+    uint8_t *flags;
+} driver;
+
+/* The distance at which both series agree best, their mean weighted as their noise asks: by the squares of frequencies. */
+static double agree(const driver *with, double first, double second)
+{
+    double best = INFINITY, distance = first;
+    const double one = with->unambiguous[0], other = with->unambiguous[1];
+    for (int k = 0; k < with->wraps; k++)
+    {
+        const double candidate = first + k * one;
+        const double apart = (candidate - second) / other;
+        const double rest = (apart - nearbyint(apart)) * other;
+        if (fabs(rest) < best * (1.0 - 1e-6) && candidate - rest > -0.5 * other)
+        {
+            const double weight = one * one / (one * one + other * other);
+            best = fabs(rest);
+            distance = candidate - weight * rest;
+        }
+    }
+    return distance;
+}
+
+/* How many wraps of the first series there are before both repeat together: the denominator of the frequencies' ratio by
+ * continued fractions, as far as a thousandth of a wrap counts. */
+static int wraps_of(double frequency, double second)
+{
+    const double ratio = frequency / second;
+    for (int k = 1; k < MOST_WRAPS; k++)
+    {
+        /* k wraps of the first are a whole number of the second's */
+        const double others = k / ratio;
+        if (fabs(others - nearbyint(others)) < 1e-3 && nearbyint(others) > 0.0)
+        {
+            return k;
+        }
+    }
+    return MOST_WRAPS;
+}
+
+static void prepare(const cm_tof_sensor *sensor, driver *with)
+{
+    with->sensor = sensor;
+    with->series = sensor->second_frequency > 0.0 ? 2 : 1;
+    for (int k = 0; k < sensor->phases; k++)
+    {
+        with->cosine[k] = cos(2.0 * PI * k / sensor->phases);
+        with->sine[k] = sin(2.0 * PI * k / sensor->phases);
+    }
+    with->unambiguous[0] = sensor_unambiguous(sensor, 0);
+    if (with->series == 2)
+    {
+        with->unambiguous[1] = sensor_unambiguous(sensor, 1);
+        with->wraps = wraps_of(sensor->frequency, sensor->second_frequency);
+    }
+}
+
+/* Distances of a block from its phasors. */
+static void put_block(const driver *with, size_t first, size_t n, const tof_phasors *one,
+                      const tof_phasors *other)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        int is_there = one->amplitude[i] > 0.0;
+        double found = one->turns[i] * with->unambiguous[0];
+        if (with->series == 2)
+        {
+            is_there = is_there && other->amplitude[i] > 0.0;
+            found = agree(with, found, other->turns[i] * with->unambiguous[1]);
+        }
+        if (with->distance != NULL)
+        {
+            with->distance[first + i] = is_there ? (float)found : NAN;
+        }
+        if (with->flags != NULL && !is_there)
+        {
+            with->flags[first + i] |= CM_TOF_NOTHING;
+        }
+    }
+    for (size_t i = 0; with->amplitude != NULL && i < n; i++)
+    {
+        with->amplitude[first + i] = (float)one->amplitude[i];
+    }
+    for (size_t i = 0; with->intensity != NULL && i < n; i++)
+    {
+        with->intensity[first + i] = (float)one->intensity[i];
+    }
+}
+
+static void put_pixels(size_t begin, size_t end, void *user)
+{
+    const driver *with = user;
+    _Alignas(64) tof_phasors one, other;
+    const size_t series = (size_t)with->sensor->phases * with->stride;
+    for (size_t first = begin; first < end; first += TOF_BLOCK)
+    {
+        const size_t n = end - first < TOF_BLOCK ? end - first : TOF_BLOCK;
+        with->set->phasors(with->sensor->phases, with->cosine, with->sine, n, with->stride,
+                           with->charge_a + first, with->charge_b + first, &one);
+        if (with->series == 2)
+        {
+            with->set->phasors(with->sensor->phases, with->cosine, with->sine, n, with->stride,
+                               with->charge_a + series + first, with->charge_b + series + first,
+                               &other);
+        }
+        put_block(with, first, n, &one, &other);
+    }
+}
+
+void reconstruct(const tof_set *set, const cm_tof_sensor *sensor, size_t n, const float *charge_a,
+                 const float *charge_b, cm_pool *pool, const cm_tof_result *result, uint8_t *flags)
+{
+    driver with = {.set = set,
+                   .stride = n,
+                   .charge_a = charge_a,
+                   .charge_b = charge_b,
+                   .distance = result->distance,
+                   .amplitude = result->amplitude,
+                   .intensity = result->intensity,
+                   .flags = flags};
+    prepare(sensor, &with);
+    cm_pool_run(pool, n, 16 * TOF_BLOCK, put_pixels, &with);
+}
+
+cm_status cm_tof_reconstruct(const cm_tof_sensor *sensor, size_t n, const float *charge_a,
+                             const float *charge_b, float *distance, float *amplitude,
+                             float *intensity, uint8_t *flags)
+{
+    cm_status status = sensor_check_signal(sensor);
+    if (status == CM_OK && n > 0 && (charge_a == NULL || charge_b == NULL))
+    {
+        status = CM_ERROR_ARGUMENT;
+    }
+    const tof_set *set = NULL;
+    status = status == CM_OK ? tof_set_choose(&set) : status;
+    if (status == CM_OK)
+    {
+        const cm_tof_result result = {.size = sizeof result,
+                                      .distance = distance,
+                                      .amplitude = amplitude,
+                                      .intensity = intensity};
+        reconstruct(set, sensor, n, charge_a, charge_b, NULL, &result, flags);
+    }
+    return status;
+}
+
+/* Of Poisson's numbers: each phase image has the variance of all its electrons. */
+double cm_tof_noise_of_distance(const cm_tof_sensor *sensor, double signal, double ambient)
+{
+    return CM_SPEED_OF_LIGHT / (4.0 * PI * sensor->frequency) *
+           sqrt(2.0 / sensor->phases * (signal + ambient)) / (sensor->contrast * signal);
+}

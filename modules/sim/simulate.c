@@ -1,0 +1,472 @@
+/* SPDX-License-Identifier: MIT */
+#include "charges.h"
+#include "reconstruct.h"
+#include "tof_world.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum
+{
+    MOST_TIMES = 16,
+    PROBE_COLUMNS = 16,
+    PROBE_ROWS = 12
+};
+
+#define MULTIPATH_APART 0.001 /* metres */
+
+/* A frame while it is made. */
+typedef struct frame
+{
+    const cm_tof_scene *scene;
+    const cm_tof_light *light;
+    size_t lights;
+    const cm_trajectory *trajectory;
+    double time;
+    cm_tof_options options;
+    cm_pool *pool;
+    cm_tof_result *result;
+    tof_sensor sensor;
+    tof_picture picture;
+    double **table;
+    float *charge_a, *charge_b; /* series x phases x pixels */
+    float *offset;
+    uint8_t *flags;
+    size_t pixels;
+    void *memory;
+    int times;
+    uint32_t virtual_lights;
+} frame;
+
+/* ---- what is asked ---- */
+
+static cm_status check_environment(const cm_tof_environment *environment)
+{
+    if (environment == NULL)
+    {
+        return CM_OK;
+    }
+    if (environment->size != sizeof *environment ||
+        (environment->radiance != NULL && (environment->mapping == NULL || environment->edge == 0)))
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    if (!(environment->constant >= 0.0) || !isfinite(environment->constant))
+    {
+        return CM_ERROR_RANGE;
+    }
+    const size_t faces = /* six, or one */
+        environment->radiance == NULL                                     ? 0
+        : cm_mapping_describe(environment->mapping)->kind == CM_KIND_CUBE ? 6
+                                                                          : 1;
+    for (size_t i = 0; i < faces * environment->edge * environment->edge; i++)
+    {
+        if (!(environment->radiance[i] >= 0.0f) || !isfinite(environment->radiance[i]))
+        {
+            return CM_ERROR_RANGE;
+        }
+    }
+    return CM_OK;
+}
+
+static cm_status check_options(const cm_tof_options *options)
+{
+    if (options->size != sizeof *options)
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    if (options->bounces < 0 || options->bounces > 1000 || options->sample_times > 1000 ||
+        options->lights > 1u << 20 || options->paths > 1u << 20 || options->map_edge > 4096)
+    {
+        return CM_ERROR_RANGE;
+    }
+    return check_environment(options->environment);
+}
+
+static cm_status check(const cm_tof_scene *scene, const cm_tof_light *light, size_t lights,
+                       double time, const cm_tof_options *options, const cm_tof_result *result)
+{
+    if (scene == NULL || result == NULL || result->size != sizeof *result ||
+        (result->report != NULL && result->report->size != sizeof *result->report))
+    {
+        return CM_ERROR_ARGUMENT;
+    }
+    if (lights > SHADE_LAMPS || !isfinite(time))
+    {
+        return CM_ERROR_RANGE;
+    }
+    const cm_status status = lamps_check(light, lights);
+    return status == CM_OK ? check_options(options) : status;
+}
+
+/* ---- one time ---- */
+
+static int needs_virtual_lights(const cm_tof_options *options)
+{
+    return options->bounces == 1 && !options->traces;
+}
+
+/* Light at a time, times part, into the picture's sums; of one series' waves, or all (series below 0). */
+static cm_status add_time(frame *doing, double time, int series, double part, int is_first)
+{
+    tof_scenery scenery = {.set = doing->scene->set,
+                           .sensor = &doing->sensor,
+                           .options = &doing->options,
+                           .lamps = doing->lights};
+    tof_instant *instant = NULL;
+    tof_virtual_lights *virtual_lights = NULL;
+    for (size_t j = 0; j < doing->sensor.waves.count; j++)
+    {
+        if (series < 0 || doing->sensor.wave_series[j] == series)
+        {
+            scenery.waves.number[scenery.waves.count++] = doing->sensor.waves.number[j];
+        }
+    }
+    cm_status status = tof_instant_create(doing->scene, time, &instant);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    scenery.instant = instant;
+    tof_pose_at(doing->trajectory, time, &scenery.camera);
+    lamps_place(doing->light, doing->lights, doing->table, &scenery.camera, scenery.lamp);
+    if (needs_virtual_lights(&doing->options))
+    {
+        status = tof_virtual_lights_create(instant, scenery.lamp, scenery.lamps, &doing->options,
+                                           &scenery.waves, doing->pool, &virtual_lights);
+        scenery.virtual_lights = virtual_lights;
+    }
+    if (status == CM_OK)
+    {
+        doing->virtual_lights =
+            virtual_lights == NULL ? 0 : tof_virtual_lights_count(virtual_lights);
+        status = picture_add(&scenery, part, is_first, doing->pool, &doing->picture);
+    }
+    tof_virtual_lights_destroy(virtual_lights);
+    tof_instant_destroy(instant);
+    return status;
+}
+
+/* ---- how things move ---- */
+
+static double angle_between(const double a[3], const double b[3])
+{
+    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                             a[0] * b[1] - a[1] * b[0]};
+    return atan2(sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]),
+                 a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+/* How far, in radians, what the camera sees moves between two times at the most: places that a coarse grid of rays meets,
+ * carried along with what they are on. */
+static cm_status find_motion(const frame *doing, double from, double to, double *most)
+{
+    tof_instant *before = NULL, *after = NULL;
+    cm_pose camera[2];
+    double x[PROBE_COLUMNS], y[PROBE_COLUMNS], z[PROBE_COLUMNS];
+    *most = 0.0;
+    cm_status status = tof_instant_create(doing->scene, from, &before);
+    status = status == CM_OK ? tof_instant_create(doing->scene, to, &after) : status;
+    tof_pose_at(doing->trajectory, from, &camera[0]);
+    tof_pose_at(doing->trajectory, to, &camera[1]);
+    for (int r = 0; status == CM_OK && r < PROBE_ROWS; r++)
+    {
+        double column[PROBE_COLUMNS], row[PROBE_COLUMNS];
+        for (int c = 0; c < PROBE_COLUMNS; c++)
+        {
+            column[c] = ((double)c + 0.5) * doing->sensor.width / PROBE_COLUMNS;
+            row[c] = ((double)r + 0.5) * doing->sensor.height / PROBE_ROWS;
+        }
+        cm_camera_ray_array(doing->sensor.given.camera, PROBE_COLUMNS, column, row, x, y, z);
+        for (int c = 0; c < PROBE_COLUMNS; c++)
+        {
+            double ray[3] = {x[c], y[c], z[c]}, world[3], place[3], seen[3], distance;
+            const double length = sqrt(x[c] * x[c] + y[c] * y[c] + z[c] * z[c]);
+            uint32_t id;
+            if (!(length > 0.0))
+            {
+                continue;
+            }
+            for (int k = 0; k < 3; k++)
+            {
+                ray[k] /= length;
+            }
+            cm_rotate_back(&camera[0].rotation, ray, world);
+            const double *const origins[3] = {&camera[0].position[0], &camera[0].position[1],
+                                              &camera[0].position[2]};
+            const double *const directions[3] = {&world[0], &world[1], &world[2]};
+            const tof_hits hits = {&distance, &id, NULL, {NULL, NULL, NULL}};
+            tof_cast(before, 1, origins, directions, &hits);
+            if (id == CM_SCENE_NOTHING)
+            {
+                continue;
+            }
+            for (int k = 0; k < 3; k++)
+            {
+                place[k] = camera[0].position[k] + distance * world[k];
+            }
+            cm_pose_apply(&before->surface[id].body, place, place);
+            cm_pose_apply_back(&after->surface[id].body, place, place);
+            cm_pose_apply(&camera[1], place, seen);
+            *most = fmax(*most, angle_between(ray, seen));
+        }
+    }
+    tof_instant_destroy(before);
+    tof_instant_destroy(after);
+    return status;
+}
+
+/* Steps of an exposure: no sample is to move by more than its width. */
+static cm_status find_times(frame *doing)
+{
+    doing->times = (int)doing->options.sample_times;
+    if (doing->times > 0)
+    {
+        return CM_OK;
+    }
+    double most = 0.0;
+    const cm_status status =
+        find_motion(doing, doing->time, doing->time + doing->sensor.given.exposure, &most);
+    const double solid_angle =
+        cm_camera_solid_angle(doing->sensor.given.camera, 0.5 * (double)doing->sensor.width,
+                              0.5 * (double)doing->sensor.height);
+    const double samples =
+        most / sqrt(solid_angle > 0.0 ? solid_angle : 1e-6) * (double)doing->sensor.sample_columns;
+    doing->times = samples < 1.0 ? 1 : (int)fmin(ceil(samples), MOST_TIMES);
+    return status;
+}
+
+static int moves(const frame *doing, double end)
+{
+    double first = 0.0, last = 0.0;
+    const size_t count = doing->trajectory == NULL ? 0 : cm_trajectory_count(doing->trajectory);
+    if (count > 1)
+    {
+        (void)cm_trajectory_at(doing->trajectory, 0, &first, NULL);
+        (void)cm_trajectory_at(doing->trajectory, count - 1, &last, NULL);
+    }
+    return (count > 1 && doing->time < last && end > first) ||
+           tof_scene_moves(doing->scene, doing->time, end);
+}
+
+/* ---- all of a frame ---- */
+
+static void keep_charges(frame *doing, size_t picture_wave, int series, int phase)
+{
+    const size_t image = (size_t)series * (size_t)doing->sensor.given.phases + (size_t)phase;
+    charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series,
+                     phase, doing->offset, doing->pool, doing->charge_a + image * doing->pixels,
+                     doing->charge_b + image * doing->pixels);
+}
+
+/* Nothing moves: one sum for all phases and frequencies. */
+static cm_status take_still(frame *doing)
+{
+    doing->times = 1;
+    const cm_status status = add_time(doing, doing->time, -1, 1.0, 1);
+    for (int series = 0; status == CM_OK && series < doing->sensor.series; series++)
+    {
+        size_t wave = 0;
+        while (doing->sensor.wave_series[wave] != series)
+        {
+            wave++;
+        }
+        for (int phase = 0; phase < doing->sensor.given.phases; phase++)
+        {
+            keep_charges(doing, wave, series, phase);
+        }
+    }
+    return status;
+}
+
+static cm_status take_moving(frame *doing)
+{
+    const cm_tof_sensor *given = &doing->sensor.given;
+    cm_status status = find_times(doing);
+    doing->picture.watches = 1;
+    for (int image = 0; status == CM_OK && image < doing->sensor.series * given->phases; image++)
+    {
+        const double begin = doing->time + image * (given->exposure + given->readout);
+        picture_clear(&doing->picture);
+        for (int step = 0; status == CM_OK && step < doing->times; step++)
+        {
+            const double time = begin + ((double)step + 0.5) / doing->times * given->exposure;
+            status = add_time(doing, time, image / given->phases, 1.0 / doing->times,
+                              image == 0 && step == 0);
+        }
+        keep_charges(doing, 0, image / given->phases, image % given->phases);
+    }
+    return status;
+}
+
+/* Where scattered light moves the distance. Of what moves it is that of the last phase image. */
+static void flag_multipath(frame *doing)
+{
+    const tof_sums *sum = &doing->picture.sum;
+    const double unambiguous = sensor_unambiguous(&doing->sensor.given, 0);
+    const double per_turn = unambiguous / 6.28318530717958647693;
+    for (size_t i = 0; doing->options.bounces > 0 && i < doing->pixels; i++)
+    {
+        const size_t cell = doing->sensor.given.single_readout
+                                ? i / doing->sensor.width * doing->sensor.cells.columns +
+                                      2 * (i % doing->sensor.width) + 1
+                                : i;
+        const double real = sum->direct_real[cell], imaginary = sum->direct_imaginary[cell];
+        const double all_real = sum->real[cell], all_imaginary = sum->imaginary[cell];
+        const double turn = atan2(all_imaginary * real - all_real * imaginary,
+                                  all_real * real + all_imaginary * imaginary);
+        if (fabs(turn * per_turn) > MULTIPATH_APART)
+        {
+            doing->flags[i] |= CM_TOF_MULTIPATH;
+        }
+    }
+}
+
+static void flag_pixels(frame *doing)
+{
+    const tof_sensor *sensor = &doing->sensor;
+    for (size_t i = 0; i < doing->pixels; i++)
+    {
+        const int single = sensor->given.single_readout;
+        const size_t cell =
+            single ? i / sensor->width * sensor->cells.columns + 2 * (i % sensor->width) : i;
+        for (size_t k = 0; k < (single ? 3u : 1u); k++)
+        {
+            doing->flags[i] |= doing->picture.flags[cell + k];
+        }
+    }
+    flag_multipath(doing);
+}
+
+static void disturb(frame *doing)
+{
+    for (int image = 0; image < doing->sensor.series * doing->sensor.given.phases; image++)
+    {
+        float *const a = doing->charge_a + (size_t)image * doing->pixels;
+        float *const b = doing->charge_b + (size_t)image * doing->pixels;
+        if (doing->options.noise)
+        {
+            charges_add_noise(&doing->sensor, &doing->options, image, doing->pool, a, b);
+        }
+        charges_fill(&doing->sensor, a, doing->flags);
+        charges_fill(&doing->sensor, b, doing->flags);
+    }
+}
+
+static void put_report(const frame *doing, cm_tof_report *report)
+{
+    report->rays = doing->picture.rays;
+    report->oversampled = doing->picture.oversampled;
+    report->times = (uint32_t)doing->times;
+    report->lights = doing->virtual_lights;
+    report->saturated = 0;
+    for (size_t i = 0; i < doing->pixels; i++)
+    {
+        report->saturated += doing->flags[i] & CM_TOF_SATURATED ? 1u : 0u;
+    }
+}
+
+static void put_result(const frame *doing, cm_tof_result *result)
+{
+    const size_t images = (size_t)(doing->sensor.series * doing->sensor.given.phases);
+    const size_t count = images * doing->pixels;
+    for (size_t i = 0; result->phase != NULL && i < count; i++)
+    {
+        result->phase[i] = doing->charge_a[i] - doing->charge_b[i];
+    }
+    if (result->charge_a != NULL)
+    {
+        memcpy(result->charge_a, doing->charge_a, count * sizeof(float));
+    }
+    if (result->charge_b != NULL)
+    {
+        memcpy(result->charge_b, doing->charge_b, count * sizeof(float));
+    }
+    reconstruct(doing->scene->set, &doing->sensor.given, doing->pixels, doing->charge_a,
+                doing->charge_b, doing->pool, result, doing->flags);
+    if (result->flags != NULL)
+    {
+        memcpy(result->flags, doing->flags, doing->pixels);
+    }
+    if (result->report != NULL)
+    {
+        put_report(doing, result->report);
+    }
+}
+
+/* All arrays of a frame are in one piece, which the next frame of the scene uses again. */
+static cm_status get_memory(frame *doing)
+{
+    const size_t images = (size_t)(doing->sensor.series * doing->sensor.given.phases);
+    const int has_offsets = doing->options.noise && doing->sensor.given.fixed_pattern > 0.0;
+    doing->pixels = (size_t)doing->sensor.width * doing->sensor.height;
+    doing->table = lamps_tables(doing->light, doing->lights);
+    const size_t size = picture_size(&doing->sensor, &doing->options);
+    const size_t whole = (size + 63) / 64 * 64;
+    if (doing->table == NULL || size == 0 ||
+        doing->pixels > SIZE_MAX / 16 / (sizeof(float) * (2 * images + 2)))
+    {
+        return CM_ERROR_MEMORY;
+    }
+    doing->memory = tof_scene_take((cm_tof_scene *)(uintptr_t)doing->scene,
+                                   whole + doing->pixels * ((2 * images + 1) * sizeof(float) + 1));
+    if (doing->memory == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    picture_create(&doing->sensor, &doing->options, doing->memory, &doing->picture);
+    doing->charge_a = (float *)(void *)((char *)doing->memory + whole);
+    doing->charge_b = doing->charge_a + images * doing->pixels;
+    float *const offset = doing->charge_b + images * doing->pixels;
+    doing->flags = (uint8_t *)(void *)(offset + doing->pixels);
+    memset(doing->flags, 0, doing->pixels);
+    if (has_offsets)
+    {
+        charges_offsets(&doing->sensor, &doing->options, offset);
+        doing->offset = offset;
+    }
+    return CM_OK;
+}
+
+static void give_back(frame *doing)
+{
+    tof_scene_return((cm_tof_scene *)(uintptr_t)doing->scene, doing->memory);
+    lamps_free_tables(doing->table, doing->lights);
+    sensor_release(&doing->sensor);
+}
+
+cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
+                          const cm_tof_light *light, size_t lights, const cm_trajectory *trajectory,
+                          double time, const cm_tof_options *options, cm_pool *pool,
+                          cm_tof_result *result)
+{
+    static const cm_tof_options plain = {.size = sizeof plain};
+    frame doing = {.scene = scene,
+                   .light = light,
+                   .lights = lights,
+                   .trajectory = trajectory,
+                   .time = time,
+                   .options = options == NULL ? plain : *options,
+                   .pool = pool};
+    cm_status status = check(scene, light, lights, time, &doing.options, result);
+    status = status == CM_OK ? sensor_prepare(sensor, &doing.options, &doing.sensor) : status;
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    status = get_memory(&doing);
+    if (status == CM_OK)
+    {
+        const double end = time + cm_tof_frame_time(sensor) - sensor->pause - sensor->readout;
+        status = moves(&doing, end) ? take_moving(&doing) : take_still(&doing);
+    }
+    if (status == CM_OK)
+    {
+        flag_pixels(&doing);
+        disturb(&doing);
+        put_result(&doing, result);
+    }
+    give_back(&doing);
+    return status;
+}
