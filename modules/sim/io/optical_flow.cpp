@@ -43,10 +43,12 @@ const char *cm_flow_method_name(cm_flow_method method)
 #include <limits>
 #include <new>
 #include <string>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 #include <opencv2/optflow.hpp>
 #include <opencv2/video/tracking.hpp>
+#include <opencv2/ximgproc/sparse_match_interpolator.hpp>
 
 namespace
 {
@@ -108,11 +110,12 @@ cv::Mat in_bytes(const cv::Mat &picture)
     return bytes;
 }
 
-cv::Mat in_color(const cv::Mat &bytes)
+// Of pictures without colours, which have no support regions along edges.
+cv::Ptr<cv::optflow::RLOFOpticalFlowParameter> rlof_parameters()
 {
-    cv::Mat color;
-    cv::cvtColor(bytes, color, cv::COLOR_GRAY2BGR);
-    return color;
+    const auto parameters = cv::optflow::RLOFOpticalFlowParameter::create();
+    parameters->setSupportRegionType(cv::optflow::SR_FIXED);
+    return parameters;
 }
 
 Scale scale_of_both(cv::Size size, const float *from, const float *to)
@@ -122,6 +125,80 @@ Scale scale_of_both(cv::Size size, const float *from, const float *to)
     scale.extend(from, count);
     scale.extend(to, count);
     return scale;
+}
+
+// Pixels between the points that are followed, at least; and how many there are at most, which the interpolator takes.
+constexpr int grid_step = 8;
+constexpr int points_most = 30000;
+// OpenCV's interpolator reads what is not there if it is asked for more neighbours than there are points
+// (opencv_contrib#4195), and so do its functions for whole flows.
+constexpr std::size_t neighbours_most = 128;
+constexpr std::size_t points_least = 8;
+
+struct FlowPoints
+{
+    std::vector<cv::Point2f> from;
+    std::vector<cv::Point2f> to;
+
+    void keep(const std::vector<unsigned char> &status, cv::Size size)
+    {
+        const cv::Rect2f whole(-1.0F, -1.0F, static_cast<float>(size.width) + 1.0F,
+                               static_cast<float>(size.height) + 1.0F);
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < from.size(); ++i)
+        {
+            if (status[i] != 0 && whole.contains(to[i]))
+            {
+                from[kept] = from[i];
+                to[kept++] = to[i];
+            }
+        }
+        from.resize(kept);
+        to.resize(kept);
+    }
+};
+
+FlowPoints grid_of(cv::Size size)
+{
+    const double least = std::sqrt(static_cast<double>(size.area()) / points_most);
+    const int step = std::max(grid_step, static_cast<int>(std::ceil(least)));
+    FlowPoints points;
+    for (int row = step / 2; row < size.height; row += step)
+    {
+        for (int column = step / 2; column < size.width; column += step)
+        {
+            points.from.emplace_back(static_cast<float>(column), static_cast<float>(row));
+        }
+    }
+    return points;
+}
+
+// Points of a grid are followed, and what they do is made dense along edges.
+cv::Mat flow_of_points(cm_flow_method method, const cv::Mat &from, const cv::Mat &to)
+{
+    FlowPoints points = grid_of(from.size());
+    std::vector<unsigned char> status;
+    std::vector<float> error;
+    if (method == CM_FLOW_LK)
+    {
+        cv::calcOpticalFlowPyrLK(from, to, points.from, points.to, status, error);
+    }
+    else
+    {
+        cv::optflow::calcOpticalFlowSparseRLOF(from, to, points.from, points.to, status, error,
+                                               rlof_parameters());
+    }
+    points.keep(status, from.size());
+    if (points.from.size() < points_least)
+    {
+        return cv::Mat(from.size(), CV_32FC2,
+                       cv::Scalar::all(std::numeric_limits<double>::quiet_NaN()));
+    }
+    const auto interpolator = cv::ximgproc::createEdgeAwareInterpolator();
+    interpolator->setK(static_cast<int>(std::min(neighbours_most, points.from.size() - 1)));
+    cv::Mat flow;
+    interpolator->interpolate(from, points.from, to, points.to, flow);
+    return flow;
 }
 
 cv::Mat flow_by(cm_flow_method method, const FlowInput &input)
@@ -142,12 +219,8 @@ cv::Mat flow_by(cm_flow_method method, const FlowInput &input)
     case CM_FLOW_FARNEBACK:
         cv::calcOpticalFlowFarneback(from, to, flow, 0.5, 3, 15, 3, 5, 1.2, 0);
         break;
-    case CM_FLOW_LK:
-        cv::optflow::calcOpticalFlowSparseToDense(from, to, flow);
-        break;
-    default: // its support regions, which follow edges, are of colours
-        cv::optflow::calcOpticalFlowDenseRLOF(in_color(from), in_color(to), flow);
-        break;
+    default:
+        return flow_of_points(method, from, to);
     }
     return flow;
 }
@@ -230,8 +303,8 @@ cm_status cm_flow_find(cm_flow_method method, uint32_t width, uint32_t height, c
     if (!is_side(method, width) || !is_side(method, height))
     {
         (void)std::snprintf(message, CM_FLOW_MESSAGE,
-                            "optical flow: sides must have %u to %u pixels",
-                            static_cast<unsigned>(least_side(method)), CM_FLOW_SIDE_MOST);
+                            "optical flow: sides must have %u to %u pixels", least_side(method),
+                            CM_FLOW_SIDE_MOST);
         return CM_ERROR_RANGE;
     }
 #ifdef HAVE_OPENCV

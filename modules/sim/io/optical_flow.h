@@ -29,13 +29,11 @@ extern "C" {
 
 typedef enum cm_flow_method
 {
-    CM_FLOW_DIS = 0, /* inverse search in patches, its preset MEDIUM: Kroeger and others 2016 */
-    CM_FLOW_FARNEBACK =
-        1,            /* polynomials, 3 levels, windows of 15, 5 for derivatives: Farneback 2003 */
-    CM_FLOW_TVL1 = 2, /* total variation and L1: Zach and others 2007 */
-    CM_FLOW_LK =
-        3, /* pyramids of Lucas and Kanade 1981 on a grid of 8 pixels, made dense along edges */
-    CM_FLOW_RLOF = 4 /* robust local: Geistert, Senst and Sikora 2016 */
+    CM_FLOW_DIS = 0,       /* inverse search in patches, MEDIUM: Kroeger and others 2016 */
+    CM_FLOW_FARNEBACK = 1, /* polynomials, 3 levels, windows of 15: Farneback 2003 */
+    CM_FLOW_TVL1 = 2,      /* total variation and L1: Zach and others 2007 */
+    CM_FLOW_LK = 3,        /* Lucas and Kanade 1981 at points of a grid, dense along edges */
+    CM_FLOW_RLOF = 4       /* the same, robust and local: Geistert and others 2016 */
 } cm_flow_method;
 
 #define CM_FLOW_METHODS 5
@@ -46,7 +44,8 @@ const char *cm_flow_method_name(cm_flow_method method);
 /* 1 if this was built with OpenCV. */
 int cm_flow_is_there(void);
 
-/* The flow from one picture to another: 2 floats for each pixel of from. */
+/* The flow from one picture to another: 2 floats for each pixel of from. All NaN where LK and RLOF follow less than 8
+ * points. */
 cm_status cm_flow_find(cm_flow_method method, uint32_t width, uint32_t height, const float *from,
                        const float *to, float *flow, char *message);
 
