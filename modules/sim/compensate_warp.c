@@ -34,16 +34,17 @@ typedef struct landing
 } landing;
 
 /* 0 if it leaves the picture or nothing is known of it. */
-static int find_landing(cm_picture_size size, const float *flow, double part, size_t pixel,
-                        landing *at)
+static int find_landing(cm_picture_size size, const float *flow, double part, uint32_t column,
+                        uint32_t row, landing *at)
 {
+    const size_t pixel = (size_t)row * size.width + column;
     const double dx = (double)flow[2 * pixel], dy = (double)flow[2 * pixel + 1];
     if (!isfinite(dx) || !isfinite(dy))
     {
         return 0;
     }
-    at->column = (double)(pixel % size.width) + part * dx;
-    at->row = (double)(pixel / size.width) + part * dy;
+    at->column = column + part * dx;
+    at->row = row + part * dy;
     return at->column > -1.0 && at->column < (double)size.width && at->row > -1.0 &&
            at->row < (double)size.height;
 }
@@ -65,6 +66,27 @@ static int is_before(const float *flow, const uint8_t *doubtful, size_t pixel, s
     return doubt != others ? others : speed_of(flow, pixel) > speed_of(flow, other);
 }
 
+/* The pixel before a number above -1: its floor, without a call. */
+static int64_t floor_of(double at)
+{
+    return (int64_t)(at + 1.0) - 1;
+}
+
+static void compete(cm_picture_size size, const float *flow, const uint8_t *doubtful, size_t pixel,
+                    const landing *at, uint32_t *front)
+{
+    const int64_t column = floor_of(at->column + 0.5), row = floor_of(at->row + 0.5);
+    if (column < 0 || row < 0 || column >= size.width || row >= size.height)
+    {
+        return;
+    }
+    const size_t to = (size_t)row * size.width + (size_t)column;
+    if (front[to] == NO_PIXEL || is_before(flow, doubtful, pixel, front[to]))
+    {
+        front[to] = (uint32_t)pixel;
+    }
+}
+
 /* The fastest of those that come nearest to each pixel, of the doubtful ones if there are no others. */
 static void find_fronts(cm_picture_size size, const float *flow, const uint8_t *doubtful,
                         double part, uint32_t *front)
@@ -74,22 +96,15 @@ static void find_fronts(cm_picture_size size, const float *flow, const uint8_t *
     {
         front[i] = NO_PIXEL;
     }
-    for (size_t i = 0; i < pixels; i++)
+    for (uint32_t row = 0; row < size.height; row++)
     {
-        landing at;
-        if (!find_landing(size, flow, part, i, &at))
+        for (uint32_t column = 0; column < size.width; column++)
         {
-            continue;
-        }
-        const double column = floor(at.column + 0.5), row = floor(at.row + 0.5);
-        if (column < 0.0 || row < 0.0 || column >= size.width || row >= size.height)
-        {
-            continue;
-        }
-        const size_t to = (size_t)row * size.width + (size_t)column;
-        if (front[to] == NO_PIXEL || is_before(flow, doubtful, i, front[to]))
-        {
-            front[to] = (uint32_t)i;
+            landing at;
+            if (find_landing(size, flow, part, column, row, &at))
+            {
+                compete(size, flow, doubtful, (size_t)row * size.width + column, &at, front);
+            }
         }
     }
 }
@@ -121,12 +136,12 @@ static void add_share(const float *flow, size_t pixel, size_t to, double weight,
 static void share_out(cm_picture_size size, const float *flow, size_t pixel, const landing *at,
                       double share, const cm_warp_desk *desk)
 {
-    const double column = floor(at->column), row = floor(at->row);
-    const double right = at->column - column, down = at->row - row;
+    const int64_t column = floor_of(at->column), row = floor_of(at->row);
+    const double right = at->column - (double)column, down = at->row - (double)row;
     for (int k = 0; k < 4; k++)
     {
-        const double x = column + (k & 1), y = row + (k >> 1);
-        if (x >= 0.0 && y >= 0.0 && x < size.width && y < size.height)
+        const int64_t x = column + (k & 1), y = row + (k >> 1);
+        if (x >= 0 && y >= 0 && x < size.width && y < size.height)
         {
             const double weight = (k & 1 ? right : 1.0 - right) * (k >> 1 ? down : 1.0 - down);
             add_share(flow, pixel, (size_t)y * size.width + (size_t)x, share * weight, desk);
@@ -162,12 +177,16 @@ void cm_carry_flow(cm_picture_size size, const float *flow, const uint8_t *doubt
     const size_t pixels = cm_pixels_of(size);
     find_fronts(size, flow, doubtful, part, desk->front);
     memset(desk->sum, 0, 3 * pixels * sizeof *desk->sum);
-    for (size_t i = 0; i < pixels; i++)
+    for (uint32_t row = 0; row < size.height; row++)
     {
-        landing at;
-        if (find_landing(size, flow, part, i, &at))
+        for (uint32_t column = 0; column < size.width; column++)
         {
-            share_out(size, flow, i, &at, is_doubtful(doubtful, i) ? DOUBT : 1.0, desk);
+            const size_t i = (size_t)row * size.width + column;
+            landing at;
+            if (find_landing(size, flow, part, column, row, &at))
+            {
+                share_out(size, flow, i, &at, is_doubtful(doubtful, i) ? DOUBT : 1.0, desk);
+            }
         }
     }
     divide(size, flow, desk, carried, coverage);
@@ -186,8 +205,8 @@ static place place_of(double at, uint32_t count)
 {
     const double most = (double)(count - 1);
     const double inside = at > 0.0 ? at < most ? at : most : 0.0;
-    const double pixel = floor(inside);
-    return (place){(int64_t)pixel, inside - pixel};
+    const int64_t pixel = (int64_t)inside;
+    return (place){pixel, inside - (double)pixel};
 }
 
 static size_t within(int64_t pixel, uint32_t count)
@@ -222,28 +241,38 @@ static void weigh(double t, double weight[4])
     weight[3] = t * t * (-0.5 + 0.5 * t);
 }
 
-static float value_at(cm_picture_size size, const float *picture, double column, double row)
+/* The sum over 4 x 4 pixels, of which the rows and columns are given. */
+static double weighted_sum(const float *const line[4], const size_t column[4],
+                           const double across[4], const double down[4])
 {
-    const place x = place_of(column, size.width), y = place_of(row, size.height);
-    double across[4], down[4], sum = 0.0;
-    weigh(x.beyond, across);
-    weigh(y.beyond, down);
+    double sum = 0.0;
     for (int j = 0; j < 4; j++)
     {
-        const float *line = picture + within(y.pixel + j - 1, size.height) * size.width;
         double part = 0.0;
         for (int i = 0; i < 4; i++)
         {
-            part += across[i] * (double)line[within(x.pixel + i - 1, size.width)];
+            part += across[i] * (double)line[j][column[i]];
         }
         sum += down[j] * part;
     }
-    if (isfinite(sum))
+    return sum;
+}
+
+static float value_at(cm_picture_size size, const float *picture, double column, double row)
+{
+    const place x = place_of(column, size.width), y = place_of(row, size.height);
+    const float *line[4];
+    size_t at[4];
+    for (int k = 0; k < 4; k++)
     {
-        return (float)sum;
+        line[k] = picture + within(y.pixel + k - 1, size.height) * size.width;
+        at[k] = within(x.pixel + k - 1, size.width);
     }
-    return picture[within(y.pixel + (y.beyond >= 0.5), size.height) * size.width +
-                   within(x.pixel + (x.beyond >= 0.5), size.width)];
+    double across[4], down[4];
+    weigh(x.beyond, across);
+    weigh(y.beyond, down);
+    const double sum = weighted_sum(line, at, across, down);
+    return isfinite(sum) ? (float)sum : line[1 + (y.beyond >= 0.5)][at[1 + (x.beyond >= 0.5)]];
 }
 
 void cm_draw_moved(cm_picture_size size, const float *picture, const float *carried, double part,
