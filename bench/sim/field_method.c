@@ -9,7 +9,7 @@
 enum
 {
     CHANGES = CHANGE_CENSUS + 1,
-    METHODS_MOST = 2 + CM_FLOW_METHODS * (4 + 2 * CHANGES),
+    METHODS_MOST = 8 + CM_FLOW_METHODS * (4 + 2 * CHANGES),
     FLOWS_MOST = 2 * FIELD_CHANNELS
 };
 
@@ -19,16 +19,25 @@ const char *field_change_name(field_change change)
     return names[change];
 }
 
+static int is_asked(const char *flow, const char *name)
+{
+    return flow == NULL || strcmp(flow, name) == 0;
+}
+
 size_t field_methods(const char *flow, const field_method **methods)
 {
     static field_method made[METHODS_MOST];
     size_t count = 0;
     made[count++] = (field_method){.kind = KIND_UNCOMPENSATED};
     made[count++] = (field_method){.kind = KIND_PIXELWISE};
+    for (int scheme = CM_CCM_B; scheme <= CM_NCM_NEAREST && is_asked(flow, "true"); scheme++)
+    {
+        made[count++] = (field_method){.kind = KIND_TRUTH, .scheme = (cm_compensation)scheme};
+    }
     for (int f = 0; f < CM_FLOW_METHODS; f++)
     {
         const cm_flow_method by = (cm_flow_method)f;
-        if (flow != NULL && strcmp(flow, cm_flow_method_name(by)) != 0)
+        if (!is_asked(flow, cm_flow_method_name(by)))
         {
             continue;
         }
@@ -46,12 +55,19 @@ size_t field_methods(const char *flow, const field_method **methods)
     return count;
 }
 
+const char *name_flow(const field_method *method)
+{
+    return method->kind == KIND_TRUTH  ? "true"
+           : method->kind == KIND_FLOW ? cm_flow_method_name(method->flow)
+                                       : "";
+}
+
 void name_method(const field_method *method, char *text, size_t size)
 {
-    if (method->kind == KIND_FLOW)
+    if (method->kind >= KIND_TRUTH)
     {
         snprintf(text, size, "%s-%s %s", cm_compensation_name(method->scheme),
-                 field_change_name(method->change), cm_flow_method_name(method->flow));
+                 field_change_name(method->change), name_flow(method));
         return;
     }
     snprintf(text, size, "%s", method->kind == KIND_PIXELWISE ? "PAC" : "uncompensated");
@@ -122,34 +138,55 @@ static void change_picture(field_change change, const float *picture, float *to)
 
 /* ---- flows ---- */
 
-static void find_flows(const field_method *method, const float *before, const float *now,
-                       float *flow)
+/* The pictures of a frame as flows are found of them, each changed once. */
+typedef struct changed_pictures
+{
+    const float *picture[2]; /* now, before */
+    int is_changed[2][FIELD_CHANNELS];
+} changed_pictures;
+
+static const float *changed_picture(changed_pictures *c, field_change change, int frame,
+                                    uint32_t channel)
 {
     static float changed[2][FIELD_CHANNELS][FIELD_PIXELS];
-    int is_changed[2][FIELD_CHANNELS] = {{0}};
+    float *to = changed[-frame][channel];
+    if (!c->is_changed[-frame][channel])
+    {
+        change_picture(change, c->picture[-frame] + channel * FIELD_PIXELS, to);
+        c->is_changed[-frame][channel] = 1;
+    }
+    return to;
+}
+
+static double time_of(int frame, uint32_t channel)
+{
+    return (double)frame * FIELD_CHANNELS + channel;
+}
+
+static void find_flows(const field_method *method, const field_scene *scene, double begin,
+                       changed_pictures *pictures, float *flow)
+{
     cm_flow_pair pair[FLOWS_MOST];
     size_t count = 0;
     expect(cm_compensation_flows(method->scheme, FIELD_CHANNELS, FLOWS_MOST, pair, &count),
            "flows");
     for (size_t i = 0; i < count; i++)
     {
-        const float *picture[2];
-        for (int end = 0; end < 2; end++)
+        const cm_flow_pair *p = &pair[i];
+        float *to = flow + 2 * i * FIELD_PIXELS;
+        if (method->kind == KIND_TRUTH)
         {
-            const int frame = end == 0 ? pair[i].from_frame : pair[i].to_frame;
-            const uint32_t w = end == 0 ? pair[i].from_channel : pair[i].to_channel;
-            float *to = changed[-frame][w];
-            if (!is_changed[-frame][w])
-            {
-                change_picture(method->change, (frame == 0 ? now : before) + w * FIELD_PIXELS, to);
-                is_changed[-frame][w] = 1;
-            }
-            picture[end] = to;
+            draw_flow(scene, begin + time_of(p->from_frame, p->from_channel),
+                      begin + time_of(p->to_frame, p->to_channel), to);
+            continue;
         }
         char message[CM_FLOW_MESSAGE] = "";
-        expect(cm_flow_find(method->flow, FIELD_WIDTH, FIELD_HEIGHT, picture[0], picture[1],
-                            flow + 2 * i * FIELD_PIXELS, message),
-               message);
+        expect(
+            cm_flow_find(method->flow, FIELD_WIDTH, FIELD_HEIGHT,
+                         changed_picture(pictures, method->change, p->from_frame, p->from_channel),
+                         changed_picture(pictures, method->change, p->to_frame, p->to_channel), to,
+                         message),
+            message);
     }
 }
 
@@ -165,7 +202,8 @@ static double pixelwise_threshold(const float *now)
     return 0.1 * (double)(most - least);
 }
 
-void run_method(const field_method *method, const float *before, const float *now, float *corrected)
+void run_method(const field_method *method, const field_scene *scene, double begin,
+                const float *before, const float *now, float *corrected)
 {
     static float flow[2 * FLOWS_MOST * FIELD_PIXELS];
     const cm_compensation_input input = {.size = sizeof input,
@@ -175,6 +213,7 @@ void run_method(const field_method *method, const float *before, const float *no
                                          .now = now,
                                          .before = before,
                                          .flow = flow};
+    changed_pictures pictures = {.picture = {now, before}};
     switch (method->kind)
     {
     case KIND_UNCOMPENSATED:
@@ -183,8 +222,9 @@ void run_method(const field_method *method, const float *before, const float *no
     case KIND_PIXELWISE:
         expect(cm_compensate_pixelwise(&input, pixelwise_threshold(now), corrected, NULL), "PAC");
         break;
+    case KIND_TRUTH:
     case KIND_FLOW:
-        find_flows(method, before, now, flow);
+        find_flows(method, scene, begin, &pictures, flow);
         expect(cm_compensate(&input, method->scheme, NULL, corrected), "compensation");
         break;
     }

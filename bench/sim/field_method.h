@@ -29,6 +29,7 @@ typedef enum field_kind
 {
     KIND_UNCOMPENSATED,
     KIND_PIXELWISE,
+    KIND_TRUTH, /* by the true flows: what is left is the scheme's own */
     KIND_FLOW
 } field_kind;
 
@@ -42,14 +43,17 @@ typedef struct field_method
 
 const char *field_change_name(field_change change);
 
-/* All of them; only one flow method's if flow is not NULL. */
+/* All of them; only one flow method's, or "true", if flow is not NULL. */
 size_t field_methods(const char *flow, const field_method **methods);
 
 /* As the paper writes them: "NCM-TG N dis". */
 void name_method(const field_method *method, char *text, size_t size);
 
-/* Frames of FIELD_CHANNELS pictures into one at the time of now's first. The program ends if that fails. */
-void run_method(const field_method *method, const float *before, const float *now,
-                float *corrected);
+/* How flows are found: "dis" and so on, "true"; "" where there are none. */
+const char *name_flow(const field_method *method);
+
+/* Frames of FIELD_CHANNELS pictures, of which `now` begins at a time, into one at that time. The program ends if that fails. */
+void run_method(const field_method *method, const field_scene *scene, double begin,
+                const float *before, const float *now, float *corrected);
 
 #endif

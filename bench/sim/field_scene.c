@@ -249,6 +249,64 @@ void draw_channel(const field_scene *scene, uint32_t channel, double time, float
     (scene->is_tof ? draw_phase : draw_band)(scene, channel, time, picture);
 }
 
+/* ---- true flows ---- */
+
+/* Whether a row's pixels see the thing at their centres. */
+static void find_thing(const field_scene *scene, const cm_scene *world, double time, size_t row,
+                       uint8_t *is_thing)
+{
+    static double origin[FIELD_WIDTH], x[FIELD_WIDTH], y[FIELD_WIDTH], z[FIELD_WIDTH];
+    static uint32_t id[FIELD_WIDTH];
+    const cm_hit_arrays hit = {.size = sizeof hit, .id = id};
+    for (size_t i = 0; i < FIELD_WIDTH; i++)
+    {
+        x[i] = (double)i - FIELD_WIDTH / 2.0;
+        y[i] = (double)row - FIELD_HEIGHT / 2.0;
+        z[i] = FOCAL_LENGTH;
+        double own[2];
+        to_own(scene, time, x[i], y[i], own);
+        is_thing[i] = (uint8_t)is_in_thing(scene, own);
+    }
+    if (world != NULL)
+    {
+        cm_scene_cast_array(world, FIELD_WIDTH, origin, origin, origin, x, y, z, &hit);
+        for (size_t i = 0; i < FIELD_WIDTH; i++)
+        {
+            is_thing[i] = id[i] != 0;
+        }
+    }
+}
+
+/* Where a place of the picture that belongs to the thing is some steps later. */
+static void follow(const field_scene *scene, double steps, double x, double y, double to[2])
+{
+    const double angle = scene->turns ? scene->speed * steps * PI / 180.0 : 0.0;
+    to[0] = cos(angle) * x - sin(angle) * y + (scene->turns ? 0.0 : scene->speed * steps);
+    to[1] = sin(angle) * x + cos(angle) * y;
+}
+
+void draw_flow(const field_scene *scene, double from, double to, float *flow)
+{
+    cm_scene *world = scene->is_tof ? world_at(scene, from) : NULL;
+    for (size_t row = 0; row < FIELD_HEIGHT; row++)
+    {
+        uint8_t is_thing[FIELD_WIDTH];
+        find_thing(scene, world, from, row, is_thing);
+        for (size_t i = 0; i < FIELD_WIDTH; i++)
+        {
+            const double x = (double)i - FIELD_WIDTH / 2.0, y = (double)row - FIELD_HEIGHT / 2.0;
+            double place[2];
+            follow(scene, to - from, x, y, place);
+            float *d = flow + 2 * (row * FIELD_WIDTH + i);
+            d[0] = is_thing[i] ? (float)(place[0] - x) : 0.0f;
+            d[1] = is_thing[i] ? (float)(place[1] - y) : 0.0f;
+        }
+    }
+    cm_scene_destroy(world);
+}
+
+/* ---- noise ---- */
+
 void add_noise(const field_scene *scene, uint32_t shot, float *picture)
 {
     for (uint32_t i = 0; i < FIELD_PIXELS; i++)

@@ -32,6 +32,9 @@ const field_scene *field_scene_at(size_t index);
 /* The picture that a channel has at a time in steps from channel to channel, without noise. */
 void draw_channel(const field_scene *scene, uint32_t channel, double time, float *picture);
 
+/* Where what is seen at one time is at another: columns, rows of each pixel of the first. */
+void draw_flow(const field_scene *scene, double from, double to, float *flow);
+
 /* With it: counts of electrons, or normal noise of 1; `shot` counts pictures, so that no two have the same. */
 void add_noise(const field_scene *scene, uint32_t shot, float *picture);
 

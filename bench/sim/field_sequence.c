@@ -9,7 +9,7 @@
  *   rank  among all methods, mean over scenes and the three
  *   ms    of the processor, a frame: changing pictures, flows and compensation
  *
- *   field-sequence [--flow dis|farneback|tvl1|lk|rlof] [--scene N] [--frames N] [--clean] [--json FILE]
+ *   field-sequence [--flow dis|farneback|tvl1|lk|rlof|true] [--scene N] [--frames N] [--clean] [--json FILE]
  *
  * --flow and --scene: that one alone; --frames: so many are compensated of each scene, 2 if not given; --clean: no noise.
  */
@@ -150,7 +150,8 @@ static void measure_scene(size_t index)
             name_method(&run.method[m], name, sizeof name);
             progress("%s, frame %d: %s", scene->name, frame, name);
             const double begin = processor_seconds();
-            run_method(&run.method[m], frames.before, frames.now, frames.corrected);
+            run_method(&run.method[m], scene, frame * (double)FIELD_CHANNELS, frames.before,
+                       frames.now, frames.corrected);
             field_score *score = &run.score[index][m];
             score->ms += 1e3 * (processor_seconds() - begin) / (double)run.frames;
             add_errors(score);
@@ -253,12 +254,12 @@ static void write_method(FILE *file, size_t m)
 {
     char name[64];
     name_method(&run.method[m], name, sizeof name);
-    const int has_flow = run.method[m].kind == KIND_FLOW;
+    const int has_flow = run.method[m].kind >= KIND_TRUTH;
     fprintf(file, "%s\n    {", m == 0 ? "" : ",");
     json_text(file, "name", name);
     json_text(file, "scheme", has_flow ? cm_compensation_name(run.method[m].scheme) : name);
     json_text(file, "change", has_flow ? field_change_name(run.method[m].change) : "");
-    json_text(file, "flow", has_flow ? cm_flow_method_name(run.method[m].flow) : "");
+    json_text(file, "flow", name_flow(&run.method[m]));
     json_number(file, "tof_error", mean_over(0, m, part_of, 0));
     json_number(file, "tof_rank", run.rank[m][0]);
     json_number(file, "bands_error", mean_over(1, m, part_of, 0));
