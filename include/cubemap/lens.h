@@ -73,33 +73,36 @@ CM_API void cm_lens_map_destroy(cm_lens_map *map);
 /* How many pixels have a ray that the pinhole does not show: 0 with that of cm_lens_pinhole; 0 of NULL. */
 CM_API size_t cm_lens_map_unfilled(const cm_lens_map *map);
 
-/* The places: columns and rows of the undistorted picture, one a pixel of the distorted one; NaN where there is none. They
- * live as long as the map. CM_OK; CM_ERROR_ARGUMENT. */
-CM_API cm_status cm_lens_map_places(const cm_lens_map *map, const double **column,
-                                    const double **row);
+/* How many pixels the distorted picture has, and how many the pinhole's; 0 of NULL. */
+CM_API size_t cm_lens_map_pixel_count(const cm_lens_map *map);
+CM_API size_t cm_lens_map_pinhole_pixel_count(const cm_lens_map *map);
+
+/* The places: columns and rows of the undistorted picture, one a pixel of the distorted one; NaN where there is none.
+ * CM_OK; CM_ERROR_ARGUMENT. */
+CM_API cm_status cm_lens_map_places(const cm_lens_map *map, double *column, double *row);
 
 /* Colours, or other values that may be mixed: bilinear. Where one of the four is not finite the nearest pixel is taken.
  * What is unfilled is NaN. CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE (no channels). */
 CM_API cm_status cm_lens_map_color(const cm_lens_map *map, uint32_t channels, const float *from,
-                                   cm_pool *pool, float *to);
+                                   float *to, cm_pool *pool);
 
 /* Depth along the axis: 1 / depth is interpolated, which is exact on planes. Of four pixels that are not of one surface, as
  * they differ by more than this part of the nearest depth, or of which one was not measured, the nearest pixel is taken:
  * nothing comes between surfaces. gap 0 stands for 0.05. NaN where nothing is.
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE (gap). */
 CM_API cm_status cm_lens_map_depth(const cm_lens_map *map, double gap, const float *from,
-                                   cm_pool *pool, float *to);
+                                   float *to, cm_pool *pool);
 
 /* Ids and all else that is never mixed: the bytes of the nearest pixel, so many each; of unfilled ones those of nothing.
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE (no bytes). */
 CM_API cm_status cm_lens_map_labels(const cm_lens_map *map, size_t bytes, const void *from,
-                                    const void *nothing, cm_pool *pool, void *to);
+                                    const void *nothing, void *to, cm_pool *pool);
 
 /* Flow, two floats a pixel, in pixels along columns and rows: that of the nearest pixel, never a mixture, whose end goes
  * through the lens like its beginning. NaN where a place has no flow, or where the lens does not see the end.
  * CM_OK; CM_ERROR_ARGUMENT. */
-CM_API cm_status cm_lens_map_flow(const cm_lens_map *map, const float *from, cm_pool *pool,
-                                  float *to);
+CM_API cm_status cm_lens_map_flow(const cm_lens_map *map, const float *from, float *to,
+                                  cm_pool *pool);
 
 #ifdef __cplusplus
 }

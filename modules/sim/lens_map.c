@@ -145,14 +145,25 @@ size_t cm_lens_map_unfilled(const cm_lens_map *map)
     return map == NULL ? 0 : map->unfilled;
 }
 
-cm_status cm_lens_map_places(const cm_lens_map *map, const double **column, const double **row)
+size_t cm_lens_map_pixel_count(const cm_lens_map *map)
+{
+    return map == NULL ? 0 : map->pixels;
+}
+
+size_t cm_lens_map_pinhole_pixel_count(const cm_lens_map *map)
+{
+    const cm_camera_options *shown = map == NULL ? NULL : cm_camera_describe(map->pinhole);
+    return shown == NULL ? 0 : (size_t)shown->width * shown->height;
+}
+
+cm_status cm_lens_map_places(const cm_lens_map *map, double *column, double *row)
 {
     if (map == NULL || column == NULL || row == NULL)
     {
         return CM_ERROR_ARGUMENT;
     }
-    *column = map->column;
-    *row = map->row;
+    memcpy(column, map->column, map->pixels * sizeof *column);
+    memcpy(row, map->row, map->pixels * sizeof *row);
     return CM_OK;
 }
 
@@ -321,14 +332,14 @@ static cm_status take(const picture *work, cm_pool *pool, cm_job job)
 }
 
 cm_status cm_lens_map_color(const cm_lens_map *map, uint32_t channels, const float *from,
-                            cm_pool *pool, float *to)
+                            float *to, cm_pool *pool)
 {
     const picture work = {.map = map, .from = from, .to = to, .channels = channels};
     return take(&work, pool, take_colors);
 }
 
-cm_status cm_lens_map_depth(const cm_lens_map *map, double gap, const float *from, cm_pool *pool,
-                            float *to)
+cm_status cm_lens_map_depth(const cm_lens_map *map, double gap, const float *from, float *to,
+                            cm_pool *pool)
 {
     const picture work = {.map = map,
                           .from = from,
@@ -339,14 +350,14 @@ cm_status cm_lens_map_depth(const cm_lens_map *map, double gap, const float *fro
 }
 
 cm_status cm_lens_map_labels(const cm_lens_map *map, size_t bytes, const void *from,
-                             const void *nothing, cm_pool *pool, void *to)
+                             const void *nothing, void *to, cm_pool *pool)
 {
     const picture work = {
         .map = map, .from = from, .to = to, .channels = bytes, .nothing = nothing};
     return nothing == NULL ? CM_ERROR_ARGUMENT : take(&work, pool, take_labels);
 }
 
-cm_status cm_lens_map_flow(const cm_lens_map *map, const float *from, cm_pool *pool, float *to)
+cm_status cm_lens_map_flow(const cm_lens_map *map, const float *from, float *to, cm_pool *pool)
 {
     const picture work = {.map = map, .from = from, .to = to, .channels = 2};
     return take(&work, pool, take_flows);

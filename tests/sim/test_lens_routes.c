@@ -266,8 +266,8 @@ START_TEST(images_are_right_on_planes)
         pictures p = make_pictures(200 * 150);
         const uint32_t nothing = UINT32_MAX;
         cast_room(way.camera, &room, p.true_depth, p.true_quad);
-        ck_assert_int_eq(cm_lens_map_depth(way.map, 0.0, way.depth, NULL, p.depth), CM_OK);
-        ck_assert_int_eq(cm_lens_map_labels(way.map, 4, way.quad, &nothing, NULL, p.quad), CM_OK);
+        ck_assert_int_eq(cm_lens_map_depth(way.map, 0.0, way.depth, p.depth, NULL), CM_OK);
+        ck_assert_int_eq(cm_lens_map_labels(way.map, 4, way.quad, &nothing, p.quad, NULL), CM_OK);
         ck_assert_uint_eq(cm_lens_map_unfilled(way.map), 0);
         const comparison made = compare_ways(p.n, p.depth, p.quad, p.true_depth, p.true_quad);
         /* beside folds of the room four pixels are of two planes, and mixed: there alone is there an error */
@@ -294,9 +294,9 @@ START_TEST(nothing_comes_between_surfaces)
     lens_room room = make_room(1);
     image_way way = begin_images(1, 0.0, &room);
     float *depth = malloc(200 * 150 * sizeof *depth);
-    ck_assert_int_eq(cm_lens_map_depth(way.map, 0.0, way.depth, NULL, depth), CM_OK);
-    const double *column, *row;
-    ck_assert_int_eq(cm_lens_map_places(way.map, &column, &row), CM_OK);
+    ck_assert_int_eq(cm_lens_map_depth(way.map, 0.0, way.depth, depth, NULL), CM_OK);
+    static double column[200 * 150], row[200 * 150];
+    ck_assert_int_eq(cm_lens_map_places(way.map, column, row), CM_OK);
     const cm_camera_options *wide = cm_camera_describe(way.pinhole);
     size_t jumps = 0;
     for (size_t i = 0; i < 200 * 150; i++)
@@ -361,9 +361,9 @@ START_TEST(the_pinhole_is_as_fine_as_the_lens)
     {
         lens_room room = make_room(1);
         image_way way = begin_images(lens, 0.0, &room);
-        const double *column, *row;
+        static double column[200 * 150], row[200 * 150];
         double least = INFINITY;
-        ck_assert_int_eq(cm_lens_map_places(way.map, &column, &row), CM_OK);
+        ck_assert_int_eq(cm_lens_map_places(way.map, column, row), CM_OK);
         for (size_t i = 0; i < 200 * 149; i++)
         {
             least = fmin(least, hypot(column[i + 200] - column[i], row[i + 200] - row[i]));
@@ -399,10 +399,10 @@ START_TEST(colors_are_interpolated_and_labels_are_not)
         label[3 * i + 1] = (unsigned char)(i / wide->width);
         label[3 * i + 2] = 7;
     }
-    const double *column, *row;
-    ck_assert_int_eq(cm_lens_map_places(way.map, &column, &row), CM_OK);
-    ck_assert_int_eq(cm_lens_map_color(way.map, 2, color, NULL, to), CM_OK);
-    ck_assert_int_eq(cm_lens_map_labels(way.map, 3, label, "...", NULL, taken), CM_OK);
+    static double column[200 * 150], row[200 * 150];
+    ck_assert_int_eq(cm_lens_map_places(way.map, column, row), CM_OK);
+    ck_assert_int_eq(cm_lens_map_color(way.map, 2, color, to, NULL), CM_OK);
+    ck_assert_int_eq(cm_lens_map_labels(way.map, 3, label, "...", taken, NULL), CM_OK);
     size_t none = 0;
     for (size_t i = 0; i < 200 * 150; i++)
     {
@@ -438,7 +438,7 @@ START_TEST(flows_go_through_the_lens)
         flow[2 * i + 1] = (float)(wide->fy * move[1]);
     }
     flow[0] = NAN;
-    ck_assert_int_eq(cm_lens_map_flow(way.map, flow, NULL, to), CM_OK);
+    ck_assert_int_eq(cm_lens_map_flow(way.map, flow, to, NULL), CM_OK);
     double least = INFINITY, most = 0.0;
     for (size_t i = 0; i < 200 * 150; i++)
     {
@@ -485,7 +485,7 @@ START_TEST(beyond_the_fold_nothing_is_shown)
     {
         depth[i] = 2.0f;
     }
-    ck_assert_int_eq(cm_lens_map_depth(map, 0.0, depth, NULL, to), CM_OK);
+    ck_assert_int_eq(cm_lens_map_depth(map, 0.0, depth, to, NULL), CM_OK);
     for (size_t i = 0; i < 200 * 150; i++)
     {
         const double column = 0.5 + (double)(i % 200), row = 0.5 + (double)(i / 200);
@@ -505,14 +505,14 @@ START_TEST(threads_have_the_same_bits)
     image_way way = begin_images(1, 0.0, &room);
     static const unsigned counts[2] = {2, 7};
     float *one = malloc(200 * 150 * sizeof *one), *many = malloc(200 * 150 * sizeof *many);
-    ck_assert_int_eq(cm_lens_map_depth(way.map, 0.0, way.depth, NULL, one), CM_OK);
+    ck_assert_int_eq(cm_lens_map_depth(way.map, 0.0, way.depth, one, NULL), CM_OK);
     for (int i = 0; i < 2; i++)
     {
         cm_pool *pool = NULL;
         cm_lens_map *map = NULL;
         ck_assert_int_eq(cm_pool_create(counts[i], &pool), CM_OK);
         ck_assert_int_eq(cm_lens_map_create(way.camera, way.pinhole, pool, &map), CM_OK);
-        ck_assert_int_eq(cm_lens_map_depth(map, 0.0, way.depth, pool, many), CM_OK);
+        ck_assert_int_eq(cm_lens_map_depth(map, 0.0, way.depth, many, pool), CM_OK);
         ck_assert_int_eq(memcmp(one, many, 200 * 150 * sizeof *one), 0);
         cm_lens_map_destroy(map);
         cm_pool_destroy(pool);
@@ -538,7 +538,7 @@ START_TEST(what_is_none_is_refused)
     float value = 0.0f;
     cm_camera_options wide = {.size = sizeof wide};
     cm_lens_map *map = NULL;
-    const double *place;
+    double place[1];
     ck_assert_int_eq(cm_lens_frustum(NULL, frustum), CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_lens_frustum(way.camera, NULL), CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_lens_frustum(round, frustum), CM_ERROR_UNSUPPORTED);
@@ -576,18 +576,22 @@ START_TEST(what_is_none_is_refused)
     ck_assert_int_eq(cm_lens_map_create(way.camera, round, NULL, &map), CM_ERROR_UNSUPPORTED);
     ck_assert_ptr_null(map);
     ck_assert_uint_eq(cm_lens_map_unfilled(NULL), 0);
+    ck_assert_uint_eq(cm_lens_map_pixel_count(NULL), 0);
+    ck_assert_uint_eq(cm_lens_map_pinhole_pixel_count(NULL), 0);
+    ck_assert_uint_eq(cm_lens_map_pixel_count(way.map), 200 * 150);
+    ck_assert_uint_eq(cm_lens_map_pinhole_pixel_count(way.map), way.pixels);
     cm_lens_map_destroy(NULL);
-    ck_assert_int_eq(cm_lens_map_places(NULL, &place, &place), CM_ERROR_ARGUMENT);
-    ck_assert_int_eq(cm_lens_map_places(way.map, &place, NULL), CM_ERROR_ARGUMENT);
-    ck_assert_int_eq(cm_lens_map_color(NULL, 1, &value, NULL, &value), CM_ERROR_ARGUMENT);
-    ck_assert_int_eq(cm_lens_map_color(way.map, 1, NULL, NULL, &value), CM_ERROR_ARGUMENT);
-    ck_assert_int_eq(cm_lens_map_color(way.map, 0, way.depth, NULL, &value), CM_ERROR_RANGE);
+    ck_assert_int_eq(cm_lens_map_places(NULL, place, place), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_lens_map_places(way.map, place, NULL), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_lens_map_color(NULL, 1, &value, &value, NULL), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_lens_map_color(way.map, 1, NULL, &value, NULL), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_lens_map_color(way.map, 0, way.depth, &value, NULL), CM_ERROR_RANGE);
     ck_assert_int_eq(cm_lens_map_depth(way.map, 0.0, way.depth, NULL, NULL), CM_ERROR_ARGUMENT);
-    ck_assert_int_eq(cm_lens_map_depth(way.map, -1.0, way.depth, NULL, &value), CM_ERROR_RANGE);
-    ck_assert_int_eq(cm_lens_map_depth(way.map, NAN, way.depth, NULL, &value), CM_ERROR_RANGE);
-    ck_assert_int_eq(cm_lens_map_labels(way.map, 4, way.quad, NULL, NULL, &value), CM_ERROR_ARGUMENT);
-    ck_assert_int_eq(cm_lens_map_labels(way.map, 0, way.quad, "", NULL, &value), CM_ERROR_RANGE);
-    ck_assert_int_eq(cm_lens_map_flow(NULL, &value, NULL, &value), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_lens_map_depth(way.map, -1.0, way.depth, &value, NULL), CM_ERROR_RANGE);
+    ck_assert_int_eq(cm_lens_map_depth(way.map, NAN, way.depth, &value, NULL), CM_ERROR_RANGE);
+    ck_assert_int_eq(cm_lens_map_labels(way.map, 4, way.quad, NULL, &value, NULL), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_lens_map_labels(way.map, 0, way.quad, "", &value, NULL), CM_ERROR_RANGE);
+    ck_assert_int_eq(cm_lens_map_flow(NULL, &value, &value, NULL), CM_ERROR_ARGUMENT);
     cm_camera_destroy(round);
     cm_mapping_destroy(mapping);
     end_images(&way);
