@@ -34,6 +34,8 @@ KNOWN = {
 # What may be NULL, as the headers say, beside options.
 OPTIONAL = {("cm_ssim", "channel_means"), ("cm_raster_read", "image"), ("cm_raster_read", "id"),
             ("cm_distortion_percentiles", "doubt"), ("cm_store_next", "after"),
+            ("cm_depth_error_sparsify", "error"), ("cm_depth_error_sparsify", "oracle"),
+            ("cm_depth_error_temporal", "deviation"),
             *((f"cm_raster_{drawn}", "pose") for drawn in ("triangles", "discs", "points", "weights"))}
 
 
@@ -106,6 +108,9 @@ class Writer:
                 continue
             if extent == "pixels/4":
                 found.append("cm_rays_halved_pixel_count(get())")
+                continue
+            if extent == "pinhole_pixels":
+                found.append("cm_lens_map_pinhole_pixel_count(get())")
                 continue
             number, word = re.match(r"(\d*)[*(]*([a-z_]*)", extent).groups()
             value = self.value_of(function, given, word) + (" + 1" if "+1" in extent else "") if word else ""

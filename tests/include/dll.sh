@@ -46,6 +46,8 @@ plain "$root"/modules/scene/*.c
 dll cubemap-scene 'cubemap cubemap-image' "${plain[@]}"
 plain "$root"/modules/octree/*.c
 dll cubemap-octree 'cubemap cubemap-image cubemap-scene' "${plain[@]}"
-for name in cubemap cubemap-colormap cubemap-image cubemap-scene cubemap-octree; do
+plain "$root"/modules/sim/*.c
+dll cubemap-sim 'cubemap cubemap-image cubemap-scene' "${plain[@]}"
+for name in cubemap cubemap-colormap cubemap-image cubemap-scene cubemap-octree cubemap-sim; do
     "$python" "$root/tests/include/check_exports.py" --library "$name" "$prefix-objdump" "$folder/$name.dll" "$root/include"
 done
