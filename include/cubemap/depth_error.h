@@ -28,16 +28,16 @@ extern "C" {
 /* What is said of all pixels at once. */
 typedef struct cm_depth_error
 {
-    size_t size;    /* sizeof(cm_depth_error) */
-    size_t count;   /* pixels that count */
-    size_t missing; /* truth is measured, depth is not */
-    size_t extra;   /* depth is measured, truth is not */
-    double bias;      /* mean error: accuracy */
-    double mae;       /* mean endpoint error */
-    double deviation; /* standard deviation of the error: precision, over the image */
-    double mse;       /* mean square; bias^2 + deviation^2 */
-    double rmse;      /* its root. It is not bias + deviation, as the chapter says */
-    double median;    /* of the error */
+    size_t size;            /* sizeof(cm_depth_error) */
+    size_t count;           /* pixels that count */
+    size_t missing;         /* truth is measured, depth is not */
+    size_t extra;           /* depth is measured, truth is not */
+    double bias;            /* mean error: accuracy */
+    double mae;             /* mean endpoint error */
+    double deviation;       /* standard deviation of the error: precision, over the image */
+    double mse;             /* mean square; bias^2 + deviation^2 */
+    double rmse;            /* its root. It is not bias + deviation, as the chapter says */
+    double median;          /* of the error */
     double median_absolute; /* of the endpoint error */
     double maximum;         /* of the endpoint error */
 } cm_depth_error;
@@ -80,14 +80,15 @@ CM_API cm_status cm_depth_error_slope(size_t n, const float *const normal[3],
 /* A plane through points, and how they leave it: what walls are made to by a camera. */
 typedef struct cm_depth_plane
 {
-    size_t size;       /* sizeof(cm_depth_plane) */
-    size_t count;      /* points that are finite */
-    double normal[3];  /* of length 1; towards the origin */
-    double distance;   /* from the origin to the plane, along the normal; not above 0 */
-    double centre[3];  /* of the points */
-    double rms;        /* of distances from the plane: planarity */
-    double maximum;    /* of their absolute values */
-    double curvature[2]; /* principal ones of the surface of second degree, 1 / unit; bent towards the origin is positive;
+    size_t size;      /* sizeof(cm_depth_plane) */
+    size_t count;     /* points that are finite */
+    double normal[3]; /* of length 1; towards the origin */
+    double distance;  /* from the origin to the plane, along the normal; not above 0 */
+    double centre[3]; /* of the points */
+    double rms;       /* of distances from the plane: planarity */
+    double maximum;   /* of their absolute values */
+    double curvature
+        [2]; /* principal ones of the surface of second degree, 1 / unit; bent towards the origin is positive;
                             the greater first. NaN where points are too few, or on a conic */
 } cm_depth_plane;
 

@@ -57,8 +57,8 @@ CM_API cm_status cm_lens_move_vertices(const cm_camera *camera, double guard, si
 /* The pinhole whose picture covers the whole distorted one, with a pixel more around it: options for cm_camera_create. Its
  * focal lengths are the camera's times scale; 0: so many times that neighbours in the distorted picture are nowhere less
  * than a pixel apart. Looks at every pixel.
- * CM_OK; CM_ERROR_ARGUMENT (size too); CM_ERROR_RANGE (scale; 2^31 pixels, as near to a right angle; no pixel has a ray);
- * CM_ERROR_UNSUPPORTED; CM_ERROR_MEMORY. */
+ * CM_OK; CM_ERROR_ARGUMENT (size too); CM_ERROR_RANGE (scale; 2^31 pixels, as near to a right angle, or so many to the
+ * axis; no pixel has a ray); CM_ERROR_UNSUPPORTED; CM_ERROR_MEMORY. */
 CM_API cm_status cm_lens_pinhole(const cm_camera *camera, double scale, cm_camera_options *pinhole);
 
 /* Where each pixel of a distorted picture is in the undistorted one, from cm_lens_map_create to cm_lens_map_destroy. */
@@ -90,8 +90,8 @@ CM_API cm_status cm_lens_map_color(const cm_lens_map *map, uint32_t channels, co
  * they differ by more than this part of the nearest depth, or of which one was not measured, the nearest pixel is taken:
  * nothing comes between surfaces. gap 0 stands for 0.05. NaN where nothing is.
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE (gap). */
-CM_API cm_status cm_lens_map_depth(const cm_lens_map *map, double gap, const float *from,
-                                   float *to, cm_pool *pool);
+CM_API cm_status cm_lens_map_depth(const cm_lens_map *map, double gap, const float *from, float *to,
+                                   cm_pool *pool);
 
 /* Ids and all else that is never mixed: the bytes of the nearest pixel, so many each; of unfilled ones those of nothing.
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE (no bytes). */

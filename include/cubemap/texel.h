@@ -37,14 +37,15 @@ typedef enum cm_texel_spacing
 /* To be filled with zeros but for size, field and what is wanted. */
 typedef struct cm_texel_options
 {
-    size_t size;              /* sizeof(cm_texel_options) */
-    double field;             /* radians from the left edge of the canvas to the right; below pi */
-    uint32_t width;           /* of the canvas, in pixels; 0: 1024 */
-    uint32_t height;          /* 0: as the width. Pixels are square: it says the field from top to bottom */
-    uint32_t columns;         /* of samples, no more than the width; 0: a sixteenth of the width, 1 at least */
-    uint32_t rows;            /* 0: a sixteenth of the height, 1 at least */
-    uint32_t window;          /* pixels of the canvas each way that a sample is the mean of; 0: 16 */
-    uint32_t oversampling;    /* rays each way through a pixel of the canvas, up to 16; 0: 1 */
+    size_t size;     /* sizeof(cm_texel_options) */
+    double field;    /* radians from the left edge of the canvas to the right; below pi */
+    uint32_t width;  /* of the canvas, in pixels; 0: 1024 */
+    uint32_t height; /* 0: as the width. Pixels are square: it says the field from top to bottom */
+    uint32_t
+        columns;   /* of samples, no more than the width; 0: a sixteenth of the width, 1 at least */
+    uint32_t rows; /* 0: a sixteenth of the height, 1 at least */
+    uint32_t window;       /* pixels of the canvas each way that a sample is the mean of; 0: 16 */
+    uint32_t oversampling; /* rays each way through a pixel of the canvas, up to 16; 0: 1 */
     cm_texel_spacing spacing; /* of samples */
     double unit;              /* metres per unit of the world; 0: 1 */
 } cm_texel_options;
@@ -52,12 +53,13 @@ typedef struct cm_texel_options
 /* Where arrays are; those that are NULL are left out. */
 typedef struct cm_texel_image
 {
-    size_t size;     /* sizeof(cm_texel_image) */
-    float *color;    /* height x width x 3, 0..1: of surfaces, as they are without light; 0 where nothing is */
+    size_t size; /* sizeof(cm_texel_image) */
+    float *
+        color; /* height x width x 3, 0..1: of surfaces, as they are without light; 0 where nothing is */
     float *depth;    /* rows x columns, metres */
     float *range;    /* rows x columns, metres: of the points */
     float *point[3]; /* x, y and z, rows x columns each, metres */
-    float *uv[2];    /* where on the canvas samples are: 0..1 from its left and from its upper edge */
+    float *uv[2]; /* where on the canvas samples are: 0..1 from its left and from its upper edge */
 } cm_texel_image;
 
 /* n values of a z-buffer, 0 at the near plane and 1 at the far one, to depth along the axis (eq. 3.1). far may be infinite.
@@ -78,7 +80,8 @@ CM_API cm_status cm_texel_places(const cm_texel_options *options, double *column
 /* Depths of the canvas to those of samples: each is the mean of the window around its place, in which pixels at the edge
  * count by their part, and only those that were measured. NaN where none was. No unit is changed.
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE; CM_ERROR_MEMORY. */
-CM_API cm_status cm_texel_sample(const cm_texel_options *options, const float *canvas, float *depth);
+CM_API cm_status cm_texel_sample(const cm_texel_options *options, const float *canvas,
+                                 float *depth);
 
 /* Points, ranges and places of samples, from their depths in metres; image->color is not looked at.
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE; CM_ERROR_MEMORY. */

@@ -70,12 +70,13 @@ static void count_edges(const float *image, uint32_t width, uint32_t height, dou
     for (uint32_t j = 0; j < height; j++)
     {
         uint32_t in_row = 0;
+        const uint32_t *above = table + (size_t)j * stride;
         uint32_t *below = table + ((size_t)j + 1) * stride;
         below[0] = 0;
         for (uint32_t i = 0; i < width; i++)
         {
             in_row += (uint32_t)is_edge(image, width, height, i, j, gap);
-            below[i + 1] = below[i + 1 - stride] + in_row;
+            below[i + 1] = above[i + 1] + in_row;
         }
     }
 }

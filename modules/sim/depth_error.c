@@ -158,8 +158,8 @@ static size_t count_bad(size_t n, const float *depth, const float *truth, double
     size_t bad = 0;
     for (size_t i = 0; i < n; i++)
     {
-        const int is_good = cm_error_is_measured(depth[i]) &&
-                            fabs(cm_error_of(depth[i], truth[i])) <= limit;
+        const int is_good =
+            cm_error_is_measured(depth[i]) && fabs(cm_error_of(depth[i], truth[i])) <= limit;
         bad += (size_t)(cm_error_is_measured(truth[i]) && !is_good);
     }
     return bad;

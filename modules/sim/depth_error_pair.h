@@ -32,8 +32,7 @@ typedef struct cm_error_sum
 static inline void cm_error_add(cm_error_sum *to, double value)
 {
     const double sum = to->sum + value;
-    to->lost +=
-        fabs(to->sum) >= fabs(value) ? (to->sum - sum) + value : (value - sum) + to->sum;
+    to->lost += fabs(to->sum) >= fabs(value) ? (to->sum - sum) + value : (value - sum) + to->sum;
     to->sum = sum;
 }
 

@@ -165,9 +165,9 @@ static int solve(double a[TERMS][TERMS + 1])
 static void bend(const double g[2], const double h[3], double curvature[2])
 {
     const double w = sqrt(1.0 + g[0] * g[0] + g[1] * g[1]);
-    const double mean = ((1.0 + g[1] * g[1]) * h[0] - 2.0 * g[0] * g[1] * h[1] +
-                         (1.0 + g[0] * g[0]) * h[2]) /
-                        (2.0 * w * w * w);
+    const double mean =
+        ((1.0 + g[1] * g[1]) * h[0] - 2.0 * g[0] * g[1] * h[1] + (1.0 + g[0] * g[0]) * h[2]) /
+        (2.0 * w * w * w);
     const double gauss = (h[0] * h[2] - h[1] * h[1]) / (w * w * w * w);
     const double apart = sqrt(fmax(mean * mean - gauss, 0.0));
     curvature[0] = mean + apart;

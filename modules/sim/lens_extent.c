@@ -14,7 +14,7 @@ typedef struct ray_rows
 
 cm_status cm_lens_check(const cm_camera *camera)
 {
-    return camera == NULL                                  ? CM_ERROR_ARGUMENT
+    return camera == NULL                                ? CM_ERROR_ARGUMENT
            : cm_camera_describe(camera)->mapping != NULL ? CM_ERROR_UNSUPPORTED
                                                          : CM_OK;
 }

@@ -197,7 +197,8 @@ static int find_quad(const cm_lens_map *map, size_t pixel, quad *around)
     {
         return 0;
     }
-    around->right = find_pair(map->column[pixel] - shown->pixel_centre, shown->width, &left, &right);
+    around->right =
+        find_pair(map->column[pixel] - shown->pixel_centre, shown->width, &left, &right);
     around->below = find_pair(map->row[pixel] - shown->pixel_centre, shown->height, &above, &below);
     around->at[0] = above * shown->width + left;
     around->at[1] = above * shown->width + right;
@@ -231,9 +232,10 @@ static void take_colors(size_t begin, size_t end, void *user)
                 value[k] = (double)from[around.at[k] * work->channels + c];
             }
             const double mixed = is_shown ? mix(&around, value) : (double)NAN;
-            to[i * work->channels + c] = !is_shown         ? (float)NAN
-                                         : isfinite(mixed) ? (float)mixed
-                                                           : from[around.nearest * work->channels + c];
+            to[i * work->channels + c] = !is_shown ? (float)NAN
+                                         : isfinite(mixed)
+                                             ? (float)mixed
+                                             : from[around.nearest * work->channels + c];
         }
     }
 }
@@ -331,8 +333,8 @@ static cm_status take(const picture *work, cm_pool *pool, cm_job job)
     return CM_OK;
 }
 
-cm_status cm_lens_map_color(const cm_lens_map *map, uint32_t channels, const float *from,
-                            float *to, cm_pool *pool)
+cm_status cm_lens_map_color(const cm_lens_map *map, uint32_t channels, const float *from, float *to,
+                            cm_pool *pool)
 {
     const picture work = {.map = map, .from = from, .to = to, .channels = channels};
     return take(&work, pool, take_colors);
@@ -341,11 +343,8 @@ cm_status cm_lens_map_color(const cm_lens_map *map, uint32_t channels, const flo
 cm_status cm_lens_map_depth(const cm_lens_map *map, double gap, const float *from, float *to,
                             cm_pool *pool)
 {
-    const picture work = {.map = map,
-                          .from = from,
-                          .to = to,
-                          .channels = gap >= 0.0,
-                          .gap = gap == 0.0 ? GAP : gap};
+    const picture work = {
+        .map = map, .from = from, .to = to, .channels = gap >= 0.0, .gap = gap == 0.0 ? GAP : gap};
     return take(&work, pool, take_depths);
 }
 

@@ -49,7 +49,7 @@ cm_status cm_lens_pinhole(const cm_camera *camera, double scale, cm_camera_optio
         make_side(made.fx, made.pixel_centre, extent.least[0], extent.greatest[0], &made.cx);
     const double height =
         make_side(made.fy, made.pixel_centre, extent.least[1], extent.greatest[1], &made.cy);
-    if (!(width * height < 0x1p31))
+    if (!(width * height < 0x1p31) || !(fmax(fabs(made.cx), fabs(made.cy)) < 0x1p31))
     {
         return CM_ERROR_RANGE;
     }

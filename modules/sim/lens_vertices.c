@@ -83,7 +83,8 @@ cm_status cm_lens_move_vertices(const cm_camera *camera, double guard, size_t n,
     {
         return status;
     }
-    if (n > 0 && (x == NULL || y == NULL || z == NULL || to_x == NULL || to_y == NULL || to_z == NULL))
+    if (n > 0 &&
+        (x == NULL || y == NULL || z == NULL || to_x == NULL || to_y == NULL || to_z == NULL))
     {
         return CM_ERROR_ARGUMENT;
     }
@@ -104,8 +105,8 @@ cm_status cm_lens_move_vertices(const cm_camera *camera, double guard, size_t n,
             const int is_kept =
                 !isnan(column[i - first]) && is_inside(frustum, guard, x[i], y[i], z[i]);
             const double depth = z[i];
-            to_x[i] = is_kept ? depth * ((column[i - first] - options->cx) / options->fx)
-                              : (double)NAN;
+            to_x[i] =
+                is_kept ? depth * ((column[i - first] - options->cx) / options->fx) : (double)NAN;
             to_y[i] =
                 is_kept ? depth * ((row[i - first] - options->cy) / options->fy) : (double)NAN;
             to_z[i] = is_kept ? depth : (double)NAN;

@@ -22,7 +22,8 @@ static int compare(const void *first, const void *second)
     {
         return a->rank > b->rank ? -1 : 1;
     }
-    return (a->value > b->value) - (a->value < b->value); /* so that sums are the same in any order */
+    return (a->value > b->value) -
+           (a->value < b->value); /* so that sums are the same in any order */
 }
 
 /* Sums of the first k of them, k from 0 to count. Pixels of one rank count by their mean. */

@@ -35,10 +35,14 @@ static void check_global(supply *from, const float *depth, const float *truth)
     EXPECT(cm_depth_error_local(N, depth, truth, local) == CM_OK, "local");
     if (cm_depth_error_measure(N, depth, truth, &error) == CM_OK)
     {
-        EXPECT(error.count > 0 && error.count + error.missing + error.extra <= N, "%zu", error.count);
-        EXPECT(error.mae <= error.maximum * 1.000001 && error.median_absolute <= error.maximum, "%g", error.mae);
-        EXPECT(cm_depth_error_quantiles(N, depth, truth, 3, fraction, quantile) == CM_OK, "quantiles");
-        EXPECT(quantile[0] <= quantile[1] && quantile[1] <= quantile[2] && quantile[2] == error.maximum,
+        EXPECT(error.count > 0 && error.count + error.missing + error.extra <= N, "%zu",
+               error.count);
+        EXPECT(error.mae <= error.maximum * 1.000001 && error.median_absolute <= error.maximum,
+               "%g", error.mae);
+        EXPECT(cm_depth_error_quantiles(N, depth, truth, 3, fraction, quantile) == CM_OK,
+               "quantiles");
+        EXPECT(quantile[0] <= quantile[1] && quantile[1] <= quantile[2] &&
+                   quantile[2] == error.maximum,
                "%g %g %g", quantile[0], quantile[1], quantile[2]);
     }
     const cm_status status = cm_depth_error_bad(N, depth, truth, 1, &limit, &ratio);
@@ -75,13 +79,14 @@ static void check_surfaces(supply *from, const float *depth, const float *truth)
     {
         EXPECT(plane.rms <= plane.maximum * 1.000001, "%g %g", plane.rms, plane.maximum);
     }
-    if (cm_depth_error_edges(6, 4, depth, truth, take_double(from), take_byte(from), &edges) == CM_OK)
+    if (cm_depth_error_edges(6, 4, depth, truth, take_double(from), take_byte(from), &edges) ==
+        CM_OK)
     {
         EXPECT(edges.right <= edges.measured && edges.found <= edges.true_ones, "%zu", edges.right);
     }
     EXPECT(cm_depth_error_temporal(4, 6, depth, angle, angle + 6) == CM_OK, "time");
-    const double e = cm_depth_error_checkerboard(take_double(from), take_double(from), take_double(from),
-                                                 take_double(from));
+    const double e = cm_depth_error_checkerboard(take_double(from), take_double(from),
+                                                 take_double(from), take_double(from));
     EXPECT(!(e < 0.0), "%g", e);
 }
 

@@ -22,7 +22,8 @@ static double take_number(supply *from, double scale)
 
 static cm_camera *take_camera(supply *from)
 {
-    static const double scales[14] = {0.4, 0.2, 0.02, 0.02, 0.1, 0.2, 0.1, 0.1, 0.02, 0.02, 0.02, 0.02, 0.1, 0.1};
+    static const double scales[14] = {0.4, 0.2,  0.02, 0.02, 0.1,  0.2, 0.1,
+                                      0.1, 0.02, 0.02, 0.02, 0.02, 0.1, 0.1};
     cm_camera *camera = NULL;
     cm_camera_options options = {.size = sizeof options};
     options.width = 1u + take_byte(from) % 24;
@@ -57,7 +58,8 @@ static void check_vertices(supply *from, const cm_camera *camera)
     {
         for (int i = 0; i < 4; i++)
         {
-            EXPECT(isnan(point[0][i]) == isnan(point[2][i]) && isnan(point[1][i]) == isnan(point[2][i]),
+            EXPECT(isnan(point[0][i]) == isnan(point[2][i]) &&
+                       isnan(point[1][i]) == isnan(point[2][i]),
                    "%g %g %g", point[0][i], point[1][i], point[2][i]);
             EXPECT(!(point[2][i] <= 0.0), "%g", point[2][i]);
         }
@@ -75,7 +77,9 @@ static void check_pictures(supply *from, const cm_lens_map *map)
     for (size_t i = 0; i < source; i++)
     {
         const unsigned char value = values[i % sizeof values];
-        picture[2 * i] = picture[2 * i + 1] = value == 0 ? NAN : value == 1 ? INFINITY : 0.1f * value;
+        picture[2 * i] = picture[2 * i + 1] = value == 0   ? NAN
+                                              : value == 1 ? INFINITY
+                                                           : 0.1f * value;
         label[i] = value;
     }
     EXPECT(cm_lens_map_places(map, column, row) == CM_OK, "places");
@@ -93,7 +97,8 @@ static void check_pictures(supply *from, const cm_lens_map *map)
     EXPECT(cm_lens_map_labels(map, 1, label, "\x80", taken, NULL) == CM_OK, "labels");
     for (size_t i = 0; i < n; i++)
     {
-        EXPECT(isnan(column[i]) ? taken[i] == 0x80 : memchr(values, taken[i], sizeof values) != NULL,
+        EXPECT(isnan(column[i]) ? taken[i] == 0x80
+                                : memchr(values, taken[i], sizeof values) != NULL,
                "%d", taken[i]);
     }
 }

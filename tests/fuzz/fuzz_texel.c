@@ -43,7 +43,8 @@ static void check_buffer(supply *from)
     {
         for (int i = 0; i < 4; i++)
         {
-            EXPECT(isnan(z[i]) || ((double)z[i] >= near * 0.999 - 1e-44 && (double)z[i] <= far * 1.001) ||
+            EXPECT(isnan(z[i]) ||
+                       ((double)z[i] >= near * 0.999 - 1e-44 && (double)z[i] <= far * 1.001) ||
                        isinf(z[i]),
                    "%g of %g to %g", (double)z[i], near, far);
         }
@@ -89,7 +90,8 @@ static void check_world(supply *from, const cm_texel_options *options)
     {
         EXPECT(matrix[15] == 1.0 && matrix[12] == 0.0, "%g", matrix[15]);
     }
-    EXPECT(cm_scene_create_named(cm_scene_name_at(take_byte(from) % 3), &scene) == CM_OK, "a world");
+    EXPECT(cm_scene_create_named(cm_scene_name_at(take_byte(from) % 3), &scene) == CM_OK,
+           "a world");
     if (cm_texel_render(scene, &scan, options, NULL, &image) == CM_OK)
     {
         for (uint32_t i = 0; i < 3 * options->width * options->height; i++)

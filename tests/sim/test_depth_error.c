@@ -79,7 +79,8 @@ END_TEST
 
 START_TEST(time_has_means_and_deviations)
 {
-    const float depth[3][4] = {{1.0f, 2.0f, NAN, 0.0f}, {2.0f, NAN, NAN, 7.0f}, {3.0f, 4.0f, 5.0f, NAN}};
+    const float depth[3][4] = {
+        {1.0f, 2.0f, NAN, 0.0f}, {2.0f, NAN, NAN, 7.0f}, {3.0f, 4.0f, 5.0f, NAN}};
     float mean[4], deviation[4];
     ck_assert_int_eq(cm_depth_error_temporal(3, 4, depth[0], mean, deviation), CM_OK);
     REQUIRE(mean[0] == 2.0f && mean[1] == 3.0f && mean[2] == 5.0f && mean[3] == 7.0f, "%g",
@@ -172,7 +173,8 @@ START_TEST(bent_walls_have_curvatures)
         }
         cm_depth_plane plane = {.size = sizeof plane};
         ck_assert_int_eq(cm_depth_error_plane(N, point_planes, &plane), CM_OK);
-        const double expected[2] = {kind == 3 ? 0.0 : sign / radius, kind == 2 ? 0.0 : sign / radius};
+        const double expected[2] = {kind == 3 ? 0.0 : sign / radius,
+                                    kind == 2 ? 0.0 : sign / radius};
         REQUIRE(fabs(plane.curvature[0] - expected[0]) < 2e-3 &&
                     fabs(plane.curvature[1] - expected[1]) < 2e-3,
                 "%d: %g %g", kind, plane.curvature[0], plane.curvature[1]);
@@ -218,9 +220,10 @@ START_TEST(edges_are_matched_within_reach)
         cm_depth_edges edges = {.size = sizeof edges};
         ck_assert_int_eq(cm_depth_error_edges(8, 6, depth, truth, 0.1, reach, &edges), CM_OK);
         REQUIRE(edges.measured == 8 && edges.true_ones == 6, "%zu", edges.measured);
-        REQUIRE(edges.right == (reach ? 6 : 0) && edges.found == (reach ? 6 : 0), "%zu", edges.right);
-        REQUIRE(edges.precision == (reach ? 0.75 : 0.0) && edges.recall == (reach ? 1.0 : 0.0), "%g",
-                edges.precision);
+        REQUIRE(edges.right == (reach ? 6 : 0) && edges.found == (reach ? 6 : 0), "%zu",
+                edges.right);
+        REQUIRE(edges.precision == (reach ? 0.75 : 0.0) && edges.recall == (reach ? 1.0 : 0.0),
+                "%g", edges.precision);
     }
     cm_depth_edges none = {.size = sizeof none};
     for (int i = 0; i < 48; i++)
@@ -232,10 +235,12 @@ START_TEST(edges_are_matched_within_reach)
     static const double gaps[4] = {0.0, -1.0, NAN, INFINITY};
     for (int i = 0; i < 4; i++)
     {
-        ck_assert_int_eq(cm_depth_error_edges(8, 6, depth, truth, gaps[i], 1, &none), CM_ERROR_RANGE);
+        ck_assert_int_eq(cm_depth_error_edges(8, 6, depth, truth, gaps[i], 1, &none),
+                         CM_ERROR_RANGE);
     }
     ck_assert_int_eq(cm_depth_error_edges(0, 6, depth, truth, 0.1, 1, &none), CM_ERROR_RANGE);
-    ck_assert_int_eq(cm_depth_error_edges(65536, 65536, depth, truth, 0.1, 1, &none), CM_ERROR_RANGE);
+    ck_assert_int_eq(cm_depth_error_edges(65536, 65536, depth, truth, 0.1, 1, &none),
+                     CM_ERROR_RANGE);
     ck_assert_int_eq(cm_depth_error_edges(8, 6, depth, truth, 0.1, 65536, &none), CM_ERROR_RANGE);
     ck_assert_int_eq(cm_depth_error_edges(8, 6, NULL, truth, 0.1, 1, &none), CM_ERROR_ARGUMENT);
     none.size = 0;
@@ -324,8 +329,8 @@ START_TEST(curves_are_between_chance_and_oracle)
             REQUIRE(i == 0 || error[i] < error[i - 1], "%d: %g", i, error[i]);
         }
         REQUIRE(area > 0.05 && area < 0.5, "%g", area);
-        ck_assert_int_eq(cm_depth_error_sparsify(N, depth, truth, confidence, measure, 0, NULL, NULL,
-                                                 NULL, NULL),
+        ck_assert_int_eq(cm_depth_error_sparsify(N, depth, truth, confidence, measure, 0, NULL,
+                                                 NULL, NULL, NULL),
                          CM_OK);
     }
 }
@@ -337,13 +342,15 @@ START_TEST(curves_of_nothing_are_refused)
     const double good = 0.5, bad[4] = {1.0, -0.1, NAN, INFINITY};
     double error = 3.0, area;
     const cm_sparsification_measure mae = CM_SPARSIFICATION_MAE;
-    ck_assert_int_eq(cm_depth_error_sparsify(2, one, one, one, mae, 1, &good, &error, NULL, &area), CM_OK);
+    ck_assert_int_eq(cm_depth_error_sparsify(2, one, one, one, mae, 1, &good, &error, NULL, &area),
+                     CM_OK);
     REQUIRE(error == 0.0 && area == 0.0, "%g", area);
     error = 3.0;
     ck_assert_int_eq(cm_depth_error_sparsify(2, one, one, none, mae, 1, &good, &error, NULL, &area),
                      CM_ERROR_RANK);
-    ck_assert_int_eq(cm_depth_error_sparsify(0, NULL, NULL, NULL, mae, 1, &good, &error, NULL, &area),
-                     CM_ERROR_RANK);
+    ck_assert_int_eq(
+        cm_depth_error_sparsify(0, NULL, NULL, NULL, mae, 1, &good, &error, NULL, &area),
+        CM_ERROR_RANK);
     ck_assert_int_eq(cm_depth_error_sparsify(2, one, none, one, mae, 1, &good, &error, NULL, &area),
                      CM_ERROR_RANK);
     for (int i = 0; i < 4; i++)
@@ -352,8 +359,8 @@ START_TEST(curves_of_nothing_are_refused)
             cm_depth_error_sparsify(2, one, one, one, mae, 1, &bad[i], &error, NULL, &area),
             CM_ERROR_RANGE);
     }
-    ck_assert_int_eq(cm_depth_error_sparsify(2, one, one, one, (cm_sparsification_measure)2, 1, &good,
-                                             &error, NULL, &area),
+    ck_assert_int_eq(cm_depth_error_sparsify(2, one, one, one, (cm_sparsification_measure)2, 1,
+                                             &good, &error, NULL, &area),
                      CM_ERROR_RANGE);
     ck_assert_int_eq(cm_depth_error_sparsify(2, one, one, NULL, mae, 1, &good, &error, NULL, &area),
                      CM_ERROR_ARGUMENT);

@@ -22,8 +22,8 @@ static cm_camera_options without_lens(cm_camera_options options)
 }
 
 /* A rasteriser of the pinhole: depth and quads of the room, whose vertices are where they are said to be. */
-static void draw(const cm_camera *pinhole, const lens_room *room, const double *position, float *depth,
-                 uint32_t *quad)
+static void draw(const cm_camera *pinhole, const lens_room *room, const double *position,
+                 float *depth, uint32_t *quad)
 {
     cm_raster *raster = NULL;
     const cm_triangles triangles = {.size = sizeof triangles,
@@ -47,8 +47,8 @@ typedef struct comparison
 {
     double error; /* the greatest relative error of depth where both show one quad */
     double mean;
-    size_t other;  /* pixels of another quad */
-    size_t holes;  /* pixels that rays fill and the way does not */
+    size_t other; /* pixels of another quad */
+    size_t holes; /* pixels that rays fill and the way does not */
 } comparison;
 
 static comparison compare_ways(size_t n, const float *depth, const uint32_t *quad,
@@ -206,7 +206,8 @@ START_TEST(vertices_go_where_the_lens_has_them)
         const cm_camera_options options = lens_options(lens), plain = without_lens(options);
         cm_camera *camera = make(&options), *pinhole = make(&plain);
         double to[3][4], column[2][4], row[2][4];
-        ck_assert_int_eq(cm_lens_move_vertices(camera, 1.5, 4, x, y, z, to[0], to[1], to[2]), CM_OK);
+        ck_assert_int_eq(cm_lens_move_vertices(camera, 1.5, 4, x, y, z, to[0], to[1], to[2]),
+                         CM_OK);
         cm_camera_project_array(camera, 4, x, y, z, column[0], row[0]);
         cm_camera_project_array(pinhole, 4, to[0], to[1], to[2], column[1], row[1]);
         for (int i = 0; i < 4; i++)
@@ -429,7 +430,8 @@ START_TEST(flows_go_through_the_lens)
 {
     lens_room room = make_room(1);
     image_way way = begin_images(1, 0.0, &room);
-    const cm_camera_options *wide = cm_camera_describe(way.pinhole), *options = cm_camera_describe(way.camera);
+    const cm_camera_options *wide = cm_camera_describe(way.pinhole),
+                            *options = cm_camera_describe(way.camera);
     const double move[2] = {0.05, -0.03}; /* of rays at z = 1 */
     float *flow = malloc(2 * way.pixels * sizeof *flow), *to = malloc(2 * 200 * 150 * sizeof *to);
     for (size_t i = 0; i < way.pixels; i++)
@@ -549,7 +551,8 @@ START_TEST(what_is_none_is_refused)
     ck_assert_int_eq(cm_lens_guard(way.camera, NAN, &guard), CM_ERROR_RANGE);
     ck_assert_int_eq(cm_lens_guard(way.camera, INFINITY, &guard), CM_ERROR_RANGE);
     REQUIRE(guard == 3.0 && frustum[0] == 3.0, "written");
-    ck_assert_int_eq(cm_lens_move_vertices(NULL, 0.0, 1, &x, &x, &x, &x, &x, &x), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_lens_move_vertices(NULL, 0.0, 1, &x, &x, &x, &x, &x, &x),
+                     CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_lens_move_vertices(round, 0.0, 1, &x, &x, &x, &x, &x, &x),
                      CM_ERROR_UNSUPPORTED);
     ck_assert_int_eq(cm_lens_move_vertices(way.camera, 0.0, 1, &x, &x, &x, &x, &x, NULL),
@@ -589,7 +592,8 @@ START_TEST(what_is_none_is_refused)
     ck_assert_int_eq(cm_lens_map_depth(way.map, 0.0, way.depth, NULL, NULL), CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_lens_map_depth(way.map, -1.0, way.depth, &value, NULL), CM_ERROR_RANGE);
     ck_assert_int_eq(cm_lens_map_depth(way.map, NAN, way.depth, &value, NULL), CM_ERROR_RANGE);
-    ck_assert_int_eq(cm_lens_map_labels(way.map, 4, way.quad, NULL, &value, NULL), CM_ERROR_ARGUMENT);
+    ck_assert_int_eq(cm_lens_map_labels(way.map, 4, way.quad, NULL, &value, NULL),
+                     CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_lens_map_labels(way.map, 0, way.quad, "", &value, NULL), CM_ERROR_RANGE);
     ck_assert_int_eq(cm_lens_map_flow(NULL, &value, &value, NULL), CM_ERROR_ARGUMENT);
     cm_camera_destroy(round);

@@ -32,14 +32,16 @@ START_TEST(the_buffer_is_linearised)
         ck_assert_int_eq(cm_texel_linearise(near, far, 1, &z, &depth), CM_OK);
         const long double printed =
             2.0L * near * far / (far + near - (2.0L * z - 1.0L) * (far - near));
-        REQUIRE(fabs((double)depth - (double)printed) <= 1e-7 * (double)printed, "%g: %g", (double)z,
-                (double)depth);
+        REQUIRE(fabs((double)depth - (double)printed) <= 1e-7 * (double)printed, "%g: %g",
+                (double)z, (double)depth);
         const double depth_there = near + (far - near) * i / 1000.0;
-        const double clip = (far + near) / (far - near) - 2.0 * far * near / (far - near) / depth_there;
+        const double clip =
+            (far + near) / (far - near) - 2.0 * far * near / (far - near) / depth_there;
         const float buffer = (float)(0.5 * clip + 0.5);
         ck_assert_int_eq(cm_texel_linearise(near, far, 1, &buffer, &depth), CM_OK);
         /* a float near 1 knows the buffer to 6e-8, which far away is a deal of depth */
-        REQUIRE(fabs((double)depth - depth_there) <= 1e-7 * depth_there * (1.0 + depth_there / near),
+        REQUIRE(fabs((double)depth - depth_there) <=
+                    1e-7 * depth_there * (1.0 + depth_there / near),
                 "%g: %g", depth_there, (double)depth);
     }
 }
@@ -195,7 +197,8 @@ START_TEST(points_lie_on_their_rays)
             continue;
         }
         REQUIRE(got[i] == depth[i] && point[2][i] == depth[i], "%d", i);
-        REQUIRE(fabs((double)point[0][i] - a * z) < 1e-6 && fabs((double)point[1][i] - b * z) < 1e-6,
+        REQUIRE(fabs((double)point[0][i] - a * z) < 1e-6 &&
+                    fabs((double)point[1][i] - b * z) < 1e-6,
                 "%d: %g", i, (double)point[0][i]);
         REQUIRE(fabs((double)range[i] - z * sqrt(1 + a * a + b * b)) < 1e-6, "%d", i);
     }
@@ -219,8 +222,7 @@ START_TEST(matrices_are_of_the_base)
     for (int i = 0; i < 3; i++)
     {
         const double *m = &matrix[4 * i];
-        const double got =
-            unit * (m[0] * seen[0] + m[1] * seen[1] + m[2] * seen[2]) + m[3];
+        const double got = unit * (m[0] * seen[0] + m[1] * seen[1] + m[2] * seen[2]) + m[3];
         REQUIRE(fabs(got - unit * wanted[i]) < 1e-15, "%d: %g", i, got - unit * wanted[i]);
         REQUIRE(matrix[12 + i] == 0.0, "%g", matrix[12 + i]);
     }
@@ -290,7 +292,8 @@ START_TEST(worlds_are_seen_in_metres)
         for (int i = 0; i < 96 * 128; i++)
         {
             const int is_box = i % 128 >= 68;
-            REQUIRE(color[3 * i] == (is_box ? 1.0f : 0.25f) && color[3 * i + 1] == (is_box ? 0.0f : 0.5f),
+            REQUIRE(color[3 * i] == (is_box ? 1.0f : 0.25f) &&
+                        color[3 * i + 1] == (is_box ? 0.0f : 0.5f),
                     "%d: %g", i, (double)color[3 * i]);
         }
         cm_pool_destroy(pool);
