@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The loop over places that a virtual light shines on, once for each instruction set.
+ */
+#ifndef CUBEMAP_SIM_GATHER_SET_H
+#define CUBEMAP_SIM_GATHER_SET_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Arrays of places have room for a multiple of so many; what is behind the last is any finite numbers. */
+#define GATHER_ROOM 16
+
+/* What shines by Lambert's law. */
+typedef struct gather_light
+{
+    float position[3];
+    float normal[3];
+    float strength; /* flux that it scatters, by pi */
+    float most;     /* of cosines by squared distance: where the light would fill a hemisphere */
+} gather_light;
+
+/* Waves, in turns: a wave has begun[j] behind it, and per_metre[j] to come. */
+typedef struct gather_waves
+{
+    size_t count;
+    const float *per_metre;
+    const float *begun;
+} gather_waves;
+
+/* Irradiance, to which is added; wave j at j stride. */
+typedef struct gather_sum
+{
+    float *total;
+    float *real;
+    float *imaginary;
+    size_t stride;
+} gather_sum;
+
+/* What a light sees in the cells of a map around it, each (face edge + row) edge + column: planes that face it, of a normal
+ * and a number, which are 0 0 0 and 1 where there is nothing. */
+typedef struct gather_shadow
+{
+    int edge;
+    const float (*plane)[4];
+} gather_shadow;
+
+typedef struct gather_set
+{
+    const char *name; /* first: as in options.h */
+    /* visible: 0 or 1 of each place; NULL: 1 */
+    void (*gather)(const gather_light *light, const gather_waves *waves, size_t n,
+                   const float *const position[3], const float *const normal[3],
+                   const float *visible, const gather_sum *sum);
+    /* Which of n places, that a mapping has at face, u and v, the light sees: those not behind the plane of their cell. */
+    void (*see)(const gather_light *light, const gather_shadow *shadow, size_t n,
+                const float *const position[3], const uint8_t *face, const float *u, const float *v,
+                float *visible);
+} gather_set;
+
+extern const gather_set cm_gather_scalar;
+#ifdef CM_HAVE_SSE2
+extern const gather_set cm_gather_sse2;
+#endif
+#ifdef CM_HAVE_AVX2
+extern const gather_set cm_gather_avx2;
+#endif
+#ifdef CM_HAVE_AVX512
+extern const gather_set cm_gather_avx512;
+#endif
+#ifdef CM_HAVE_NEON
+extern const gather_set cm_gather_neon;
+#endif
+
+/* The set of that name, as mappings tell theirs; the scalar one if this build has none of it. */
+const gather_set *gather_set_find(const char *name);
+
+#endif
