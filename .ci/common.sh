@@ -14,7 +14,7 @@ esac
 
 # What each job needs, by the names of Debian's and Ubuntu's packages.
 needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev zlib1g-dev libcfitsio-dev libjansson-dev
-    libsqlite3-dev libzstd-dev libcjson-dev libtinygltf-dev libtinyobjloader-dev check"
+    libsqlite3-dev libzstd-dev libcjson-dev libtinygltf-dev libtinyobjloader-dev libembree-dev check"
 needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath python3-pycparser doxygen"
 # The libraries that tests/peers and bench/side_by_side compare with are used where they are; .ci/run
 # and scripts/speed have them all.
@@ -24,6 +24,8 @@ needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographicl
 needs_for_images="ffmpeg hugin-tools gdal-bin"
 # What is built with tools where it is there, and its tests then run: rasters of GDAL, films through ffmpeg.
 needs_for_rasters="libgdal-dev ffmpeg"
+# Optical flows, for motion between phase images.
+needs_for_flows="libopencv-contrib-dev libopencv-dev"
 # A compiler for AArch64 and an emulator of it, for tests/batch/neon.sh.
 needs_for_neon="gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user"
 # A compiler for a processor of 32 bits, for .ci/long; the emulator is that of AArch64.
@@ -114,6 +116,9 @@ has()
     ffmpeg) command -v ffmpeg >/dev/null ;;
     hugin-tools) command -v nona >/dev/null ;;
     libgdal-dev) pkg-config --exists gdal 2>/dev/null ;;
+    libopencv-contrib-dev) [ -e /usr/include/opencv4/opencv2/optflow.hpp ] ;;
+    libopencv-dev) pkg-config --exists opencv4 2>/dev/null ;;
+    libembree-dev) compiles "${CC:-cc}" c embree3/rtcore.h || compiles "${CC:-cc}" c embree4/rtcore.h ;;
     gdal-bin) command -v gdalwarp >/dev/null ;;
     gcc-aarch64-linux-gnu) command -v aarch64-linux-gnu-gcc >/dev/null ;;
     libc6-dev-arm64-cross) compiles aarch64-linux-gnu-gcc c stdio.h ;;

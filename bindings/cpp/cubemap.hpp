@@ -23,6 +23,7 @@
 #include <cubemap/colormap.h>
 #include <cubemap/compare.h>
 #include <cubemap/cubemap.h>
+#include <cubemap/compensate.h>
 #include <cubemap/environment.h>
 #include <cubemap/image.h>
 #include <cubemap/mips.h>
@@ -2827,6 +2828,102 @@ inline cm_status try_draw_map(const cm_image &map, double low, double high, cm_m
     const cm_image *to, uint64_t *beyond) { return cm_draw_map(&map, low, high, color, user, to, beyond); }
 inline void draw_map(const cm_image &map, double low, double high, cm_map_color color, void *user, const
     cm_image *to, uint64_t *beyond) { detail::check(cm_draw_map(&map, low, high, color, user, to, beyond)); }
+// cm_compensation_name
+inline const char * compensation_name(cm_compensation scheme) { return cm_compensation_name(scheme); }
+// cm_compensation_flows
+inline cm_status try_compensation_flows(cm_compensation scheme, uint32_t channels, span<cm_flow_pair> pair,
+    size_t *count) { return cm_compensation_flows(scheme, channels, pair.size(), pair.data(), count); }
+inline void compensation_flows(cm_compensation scheme, uint32_t channels, span<cm_flow_pair> pair, size_t
+    *count) { detail::check(cm_compensation_flows(scheme, channels, pair.size(), pair.data(), count)); }
+// cm_compensate
+inline cm_status try_compensate(const cm_compensation_input &input, cm_compensation scheme, pool_view pool,
+    span<float> corrected) { return detail::holds(corrected.size(), detail::whole(input.channels),
+    detail::whole(input.width), detail::whole(input.height)) ? cm_compensate(&input, scheme, pool.get(),
+    corrected.data()) : CM_ERROR_ARGUMENT; }
+inline void compensate(const cm_compensation_input &input, cm_compensation scheme, pool_view pool, span<float>
+    corrected) { detail::check(detail::holds(corrected.size(), detail::whole(input.channels),
+    detail::whole(input.width), detail::whole(input.height)) ? cm_compensate(&input, scheme, pool.get(),
+    corrected.data()) : CM_ERROR_ARGUMENT); }
+// cm_flow_warp
+inline cm_status try_flow_warp(uint32_t width, uint32_t height, span<const float> picture, span<const float>
+    flow, double part, span<float> moved, span<float> coverage) { return detail::holds(picture.size(),
+    detail::whole(height), detail::whole(width)) && detail::holds(flow.size(), detail::whole(height),
+    detail::whole(width), 2) && detail::holds(moved.size(), detail::whole(height), detail::whole(width)) &&
+    (coverage.data() == nullptr || detail::holds(coverage.size(), detail::whole(height),
+    detail::whole(width))) ? cm_flow_warp(width, height, picture.data(), flow.data(), part, moved.data(),
+    coverage.data()) : CM_ERROR_ARGUMENT; }
+inline void flow_warp(uint32_t width, uint32_t height, span<const float> picture, span<const float> flow,
+    double part, span<float> moved, span<float> coverage) { detail::check(detail::holds(picture.size(),
+    detail::whole(height), detail::whole(width)) && detail::holds(flow.size(), detail::whole(height),
+    detail::whole(width), 2) && detail::holds(moved.size(), detail::whole(height), detail::whole(width)) &&
+    (coverage.data() == nullptr || detail::holds(coverage.size(), detail::whole(height),
+    detail::whole(width))) ? cm_flow_warp(width, height, picture.data(), flow.data(), part, moved.data(),
+    coverage.data()) : CM_ERROR_ARGUMENT); }
+// cm_compensate_pixelwise
+inline cm_status try_compensate_pixelwise(const cm_compensation_input &input, double threshold, span<float>
+    corrected, size_t *changed) { return detail::holds(corrected.size(), detail::whole(input.channels),
+    detail::whole(input.width), detail::whole(input.height)) ? cm_compensate_pixelwise(&input, threshold,
+    corrected.data(), changed) : CM_ERROR_ARGUMENT; }
+inline void compensate_pixelwise(const cm_compensation_input &input, double threshold, span<float> corrected,
+    size_t *changed) { detail::check(detail::holds(corrected.size(), detail::whole(input.channels),
+    detail::whole(input.width), detail::whole(input.height)) ? cm_compensate_pixelwise(&input, threshold,
+    corrected.data(), changed) : CM_ERROR_ARGUMENT); }
+// cm_channel_gradient
+inline cm_status try_channel_gradient(uint32_t width, uint32_t height, span<const float> picture, span<float>
+    gradient) { return detail::holds(picture.size(), detail::whole(height), detail::whole(width)) &&
+    detail::holds(gradient.size(), detail::whole(height), detail::whole(width)) ? cm_channel_gradient(width,
+    height, picture.data(), gradient.data()) : CM_ERROR_ARGUMENT; }
+inline void channel_gradient(uint32_t width, uint32_t height, span<const float> picture, span<float> gradient)
+    { detail::check(detail::holds(picture.size(), detail::whole(height), detail::whole(width)) &&
+    detail::holds(gradient.size(), detail::whole(height), detail::whole(width)) ? cm_channel_gradient(width,
+    height, picture.data(), gradient.data()) : CM_ERROR_ARGUMENT); }
+// cm_channel_census
+inline cm_status try_channel_census(uint32_t width, uint32_t height, span<const float> picture, span<uint8_t>
+    census) { return detail::holds(picture.size(), detail::whole(height), detail::whole(width)) &&
+    detail::holds(census.size(), detail::whole(height), detail::whole(width)) ? cm_channel_census(width,
+    height, picture.data(), census.data()) : CM_ERROR_ARGUMENT; }
+inline void channel_census(uint32_t width, uint32_t height, span<const float> picture, span<uint8_t> census) {
+    detail::check(detail::holds(picture.size(), detail::whole(height), detail::whole(width)) &&
+    detail::holds(census.size(), detail::whole(height), detail::whole(width)) ? cm_channel_census(width,
+    height, picture.data(), census.data()) : CM_ERROR_ARGUMENT); }
+// cm_channel_normalize
+inline cm_status try_channel_normalize(uint32_t width, uint32_t height, span<const float> picture, double
+    most, span<float> to) { return detail::holds(picture.size(), detail::whole(height), detail::whole(width))
+    && detail::holds(to.size(), detail::whole(height), detail::whole(width)) ? cm_channel_normalize(width,
+    height, picture.data(), most, to.data()) : CM_ERROR_ARGUMENT; }
+inline void channel_normalize(uint32_t width, uint32_t height, span<const float> picture, double most,
+    span<float> to) { detail::check(detail::holds(picture.size(), detail::whole(height), detail::whole(width))
+    && detail::holds(to.size(), detail::whole(height), detail::whole(width)) ? cm_channel_normalize(width,
+    height, picture.data(), most, to.data()) : CM_ERROR_ARGUMENT); }
+// cm_channel_normalize_locally
+inline cm_status try_channel_normalize_locally(uint32_t width, uint32_t height, span<const float> picture,
+    uint32_t radius, span<float> to) { return detail::holds(picture.size(), detail::whole(height),
+    detail::whole(width)) && detail::holds(to.size(), detail::whole(height), detail::whole(width)) ?
+    cm_channel_normalize_locally(width, height, picture.data(), radius, to.data()) : CM_ERROR_ARGUMENT; }
+inline void channel_normalize_locally(uint32_t width, uint32_t height, span<const float> picture, uint32_t
+    radius, span<float> to) { detail::check(detail::holds(picture.size(), detail::whole(height),
+    detail::whole(width)) && detail::holds(to.size(), detail::whole(height), detail::whole(width)) ?
+    cm_channel_normalize_locally(width, height, picture.data(), radius, to.data()) : CM_ERROR_ARGUMENT); }
+// cm_channel_equalize
+inline cm_status try_channel_equalize(uint32_t width, uint32_t height, span<const float> picture, uint32_t
+    bins, span<float> to) { return detail::holds(picture.size(), detail::whole(height), detail::whole(width))
+    && detail::holds(to.size(), detail::whole(height), detail::whole(width)) ? cm_channel_equalize(width,
+    height, picture.data(), bins, to.data()) : CM_ERROR_ARGUMENT; }
+inline void channel_equalize(uint32_t width, uint32_t height, span<const float> picture, uint32_t bins,
+    span<float> to) { detail::check(detail::holds(picture.size(), detail::whole(height), detail::whole(width))
+    && detail::holds(to.size(), detail::whole(height), detail::whole(width)) ? cm_channel_equalize(width,
+    height, picture.data(), bins, to.data()) : CM_ERROR_ARGUMENT); }
+// cm_channel_equalize_locally
+inline cm_status try_channel_equalize_locally(uint32_t width, uint32_t height, span<const float> picture,
+    uint32_t tiles, double limit, span<float> to) { return detail::holds(picture.size(),
+    detail::whole(height), detail::whole(width)) && detail::holds(to.size(), detail::whole(height),
+    detail::whole(width)) ? cm_channel_equalize_locally(width, height, picture.data(), tiles, limit,
+    to.data()) : CM_ERROR_ARGUMENT; }
+inline void channel_equalize_locally(uint32_t width, uint32_t height, span<const float> picture, uint32_t
+    tiles, double limit, span<float> to) { detail::check(detail::holds(picture.size(), detail::whole(height),
+    detail::whole(width)) && detail::holds(to.size(), detail::whole(height), detail::whole(width)) ?
+    cm_channel_equalize_locally(width, height, picture.data(), tiles, limit, to.data()) : CM_ERROR_ARGUMENT);
+    }
 // cm_cap_radius
 inline double cap_radius(const cm_ellipsoid &ellipsoid, double metres) { return cm_cap_radius(&ellipsoid,
     metres); }

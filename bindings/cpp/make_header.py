@@ -29,10 +29,12 @@ KNOWN = {
     ("cm_ssim", "channels"): "detail::channels(&reference)",
     ("cm_environment_project", "channels"): "cm_environment_channels(get())",
     ("cm_depth_clean", "pixels"): "detail::pixels(picture)",
+    **{(name, word): value for name in ("cm_compensate", "cm_compensate_pixelwise")
+       for word, value in (("channels", "detail::whole(input.channels)"), ("pixels", "detail::whole(input.width), detail::whole(input.height)"))},
 }
 
 # What may be NULL, as the headers say, beside options.
-OPTIONAL = {("cm_ssim", "channel_means"), ("cm_raster_read", "image"), ("cm_raster_read", "id"),
+OPTIONAL = {("cm_ssim", "channel_means"), ("cm_flow_warp", "coverage"), ("cm_raster_read", "image"), ("cm_raster_read", "id"),
             ("cm_distortion_percentiles", "doubt"), ("cm_store_next", "after"),
             *((f"cm_raster_{drawn}", "pose") for drawn in ("triangles", "discs", "points", "weights"))}
 

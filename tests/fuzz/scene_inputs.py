@@ -198,7 +198,20 @@ def view_stream_inputs():
     return {"whole": b"0" + whole, "mended": b"1" + whole, "cut": b"1" + whole[:-60], "empty": b"0" + head}
 
 
+def compensate_inputs():
+    """A size; a picture, a flow, a part; a count and a limit; a scheme and channels of pictures and flows."""
+    def values(count, step):
+        return bytes((i * step) % 220 for i in range(count))
+    def whole(width, height, scheme, channels):
+        pixels = width * height
+        return (bytes([width, height]) + values(pixels, 37) + values(2 * pixels, 3) + bytes([1]) + amounts(0.5) + word(15) +
+                number("d", 2.0) + bytes([scheme, channels]) + values(6 * pixels * channels, 11) + number("d", 5.0))
+    return {**{f"scheme-{scheme}": whole(7, 6, scheme, 4) for scheme in range(6)}, "pixel": whole(1, 1, 0, 2),
+            "unknown": bytes([5, 4]) + bytes([225]) * 400, "none": bytes([0, 3]) + bytes(60)}
+
+
 INPUTS = {
+    "compensate": compensate_inputs(),
     "camera": camera_inputs(),
     "depth": depth_inputs(),
     "raster": raster_inputs(),
