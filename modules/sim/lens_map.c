@@ -290,31 +290,42 @@ static void take_labels(size_t begin, size_t end, void *user)
     }
 }
 
-/* From a pixel's place by the flow to the end, and back through the lens. */
-static void take_flow(const picture *work, size_t pixel, const quad *around, float flow[2])
+/* Where flows that begin at pixels from first on end on the undistorted picture; NaN where there is none. */
+static void find_ends(const picture *work, size_t first, size_t count, double *column, double *row)
 {
     const cm_lens_map *map = work->map;
-    const cm_camera_options *options = cm_camera_describe(map->camera);
-    const float *from = (const float *)work->from + 2 * around->nearest;
-    const double end[2] = {map->column[pixel] + (double)from[0], map->row[pixel] + (double)from[1]};
-    double ray[3], column, row;
-    cm_camera_ray_array(map->pinhole, 1, &end[0], &end[1], &ray[0], &ray[1], &ray[2]);
-    cm_camera_project_array(map->camera, 1, &ray[0], &ray[1], &ray[2], &column, &row);
-    flow[0] = (float)(column - options->pixel_centre - (double)(pixel % options->width));
-    flow[1] = (float)(row - options->pixel_centre - (double)(pixel / options->width));
+    const float *from = work->from;
+    for (size_t i = 0; i < count; i++)
+    {
+        quad around;
+        column[i] = row[i] = (double)NAN;
+        if (find_quad(map, first + i, &around))
+        {
+            column[i] = map->column[first + i] + (double)from[2 * around.nearest];
+            row[i] = map->row[first + i] + (double)from[2 * around.nearest + 1];
+        }
+    }
 }
 
+/* From places by the flow to its ends, and back through the lens. */
 static void take_flows(size_t begin, size_t end, void *user)
 {
     const picture *work = user;
+    const cm_camera_options *options = cm_camera_describe(work->map->camera);
+    double column[BLOCK], row[BLOCK], x[BLOCK], y[BLOCK], z[BLOCK];
     float *to = work->to;
-    for (size_t i = begin; i < end; i++)
+    for (size_t first = begin; first < end; first += BLOCK)
     {
-        quad around;
-        to[2 * i] = to[2 * i + 1] = (float)NAN;
-        if (find_quad(work->map, i, &around))
+        const size_t count = end - first < BLOCK ? end - first : BLOCK;
+        find_ends(work, first, count, column, row);
+        cm_camera_ray_array(work->map->pinhole, count, column, row, x, y, z);
+        cm_camera_project_array(work->map->camera, count, x, y, z, column, row);
+        for (size_t i = 0; i < count; i++)
         {
-            take_flow(work, i, &around, to + 2 * i);
+            const double from_column = (double)((first + i) % options->width);
+            const double from_row = (double)((first + i) / options->width);
+            to[2 * (first + i)] = (float)(column[i] - options->pixel_centre - from_column);
+            to[2 * (first + i) + 1] = (float)(row[i] - options->pixel_centre - from_row);
         }
     }
 }

@@ -203,6 +203,16 @@ START_TEST(what_is_no_plane_is_refused)
     plane.size = sizeof plane;
     ck_assert_int_eq(cm_depth_error_plane(3, corner, &plane), CM_OK);
     REQUIRE(plane.rms < 1e-15 && isnan(plane.curvature[0]), "%g", plane.rms);
+    /* seven on a circle, which is a conic: neither */
+    const double turn = 2.0 * acos(-1.0) / 7.0;
+    for (int i = 0; i < 7; i++)
+    {
+        points[0][i] = (float)cos(turn * i);
+        points[1][i] = (float)sin(turn * i);
+        points[2][i] = 2.0f;
+    }
+    ck_assert_int_eq(cm_depth_error_plane(7, point_planes, &plane), CM_OK);
+    REQUIRE(isnan(plane.curvature[0]) && isnan(plane.curvature[1]), "%g", plane.curvature[0]);
 }
 END_TEST
 

@@ -327,6 +327,35 @@ START_TEST(nothing_comes_between_surfaces)
 }
 END_TEST
 
+/* Where one of the four was not measured the nearest pixel is taken, and that may be none. */
+START_TEST(holes_do_not_grow)
+{
+    lens_room room = make_room(1);
+    image_way way = begin_images(1, 0.0, &room);
+    const cm_camera_options *wide = cm_camera_describe(way.pinhole);
+    float *depth = malloc(200 * 150 * sizeof *depth);
+    static double column[200 * 150], row[200 * 150];
+    for (size_t i = 0; i < way.pixels; i += 5)
+    {
+        way.depth[i] = i % 2 ? NAN : i % 4 ? 0.0f : INFINITY;
+    }
+    ck_assert_int_eq(cm_lens_map_places(way.map, column, row), CM_OK);
+    ck_assert_int_eq(cm_lens_map_depth(way.map, 0.0, way.depth, depth, NULL), CM_OK);
+    size_t holes = 0;
+    for (size_t i = 0; i < 200 * 150; i++)
+    {
+        const size_t at = (size_t)(row[i] - wide->pixel_centre + 0.5) * wide->width +
+                          (size_t)(column[i] - wide->pixel_centre + 0.5);
+        REQUIRE((at % 5 == 0) == (isnan(depth[i]) != 0), "%zu: %g", i, (double)depth[i]);
+        holes += at % 5 == 0;
+    }
+    REQUIRE(holes > 3000 && holes < 9000, "%zu", holes);
+    free(depth);
+    end_images(&way);
+    drop_room(&room);
+}
+END_TEST
+
 /* The pinhole of the camera itself leaves a rim; the enlarged one leaves none, whatever its scale. */
 START_TEST(the_enlarged_frustum_leaves_no_rim)
 {
@@ -626,6 +655,7 @@ int main(void)
                                   vertices_go_where_the_lens_has_them,
                                   images_are_right_on_planes,
                                   nothing_comes_between_surfaces,
+                                  holes_do_not_grow,
                                   the_enlarged_frustum_leaves_no_rim,
                                   the_pinhole_is_as_fine_as_the_lens,
                                   colors_are_interpolated_and_labels_are_not,
