@@ -3,7 +3,7 @@
 // Worlds of JSON, as cubemap-scene reads them: a world, or a failure of one line. No mesh that is named is there.
 
 #include "tools/cli/program.hpp"
-#include "tools/scene/scene_world.hpp"
+#include "tools/cli/scene_world.hpp"
 
 #include "fuzz.h"
 

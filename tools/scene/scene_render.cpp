@@ -6,7 +6,7 @@
 #include "tools/cli/scene_handle.hpp"
 #include "scene_table.h"
 #include "scene_view.hpp"
-#include "scene_world.hpp"
+#include "tools/cli/scene_world.hpp"
 #include "tools/cli/image_file.hpp"
 #include "tools/cli/image_writer.hpp"
 #include "tools/cli/parallel.hpp"

@@ -3,6 +3,7 @@
 // cubemap-tof simulate: frames of a time-of-flight camera along a trajectory.
 
 #include "tof_command.hpp"
+#include "tof_brdf.hpp"
 #include "tof_frame.hpp"
 #include "tof_metadata.hpp"
 #include "tof_options.hpp"
@@ -12,7 +13,7 @@
 #include "tools/cli/image_file.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/progress.hpp"
-#include "tools/scene/scene_world.hpp"
+#include "tools/cli/scene_world.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -65,7 +66,7 @@ void check_tof(cm_status status, const Simulation &with)
 Simulation prepare(const SimulateOptions &options)
 {
     Simulation made;
-    made.world = load_world(options.scene); // forks, and so before all else
+    made.world = load_world(options.scene, make_brdf); // forks, and so before all else
     made.sensor =
         options.preset.empty() ? read_tof_sensor(options.sensor) : tof_preset(options.preset);
     made.poses = read_poses(options.trajectory);

@@ -4,8 +4,9 @@
 
 #include "modules/scene/io/parsed_json.hpp"
 #include "modules/scene/io/mesh_file.h"
-#include "tools/cli/catalogue_name.h"
-#include "tools/cli/program.hpp"
+#include "catalogue_name.h"
+#include "program.hpp"
+#include "scene_handle.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <sstream>
 
 namespace
 {
@@ -24,6 +26,7 @@ struct SceneNames
 {
     std::string file;
     std::string folder; // of the file, with a slash; "" for here
+    const BrdfMaker *maker;
 };
 
 [[noreturn]] void fail_scene(const std::string &file, const std::string &what)
@@ -65,6 +68,66 @@ const cm_mesh *add_mesh(World &world, const std::string &file)
     return mesh;
 }
 
+bool ends_with(const std::string &text, const std::string &ending)
+{
+    return text.size() >= ending.size() &&
+           text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+std::string text_of_file(const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(0, std::ios::end);
+    const std::streamoff size = file.tellg();
+    if (!file || size < 0)
+    {
+        throw Failure(in_quotes(path) + " cannot be read");
+    }
+    if (size > largest_scene_file)
+    {
+        throw Failure(in_quotes(path) + " is too long for a scene");
+    }
+    std::string text(static_cast<std::size_t>(size), '\0');
+    file.seekg(0);
+    file.read(text.data(), size);
+    if (!file)
+    {
+        throw Failure(in_quotes(path) + " cannot be read");
+    }
+    return text;
+}
+
+// Lines of four numbers, theta_in theta_out azimuth in degrees and the value, apart by blanks or commas; # begins a remark.
+std::vector<BrdfWord> read_brdf_table(const std::string &path)
+{
+    constexpr double degree = 3.14159265358979323846 / 180;
+    std::istringstream lines(text_of_file(path));
+    std::vector<BrdfWord> words;
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number)
+    {
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream parts(line.substr(0, line.find('#')));
+        std::vector<double> numbers;
+        for (std::string part; parts >> part;)
+        {
+            numbers.push_back(read_number(part).value_or(std::nan("")));
+        }
+        if (numbers.empty())
+        {
+            continue;
+        }
+        if (numbers.size() != 4 || std::isnan(numbers[0] + numbers[1] + numbers[2] + numbers[3]))
+        {
+            throw Failure(in_quotes(path) + ":" + std::to_string(number) +
+                          ": is not theta_in theta_out azimuth value");
+        }
+        words.push_back(
+            {numbers[0] * degree, numbers[1] * degree, numbers[2] * degree, numbers[3]});
+    }
+    return words;
+}
+
 // One object of a list, as far as it is read.
 class PrimitiveReader
 {
@@ -79,12 +142,37 @@ public:
         }
     }
 
-    // Every member has a meaning.
-    void check_members(const std::vector<std::string> &known) const
+    // A member of another object.
+    PrimitiveReader(const SceneNames &from, std::string name, const cJSON *json)
+        : names(from), where(std::move(name)), object(json)
+    {
+        if (!cJSON_IsObject(object))
+        {
+            fail_scene(names.file, where + " is no object");
+        }
+    }
+
+    // As check_members, where colours mean nothing.
+    void check_only(const std::vector<std::string> &known) const
     {
         for (const cJSON *each = object->child; each != nullptr; each = each->next)
         {
             if (std::find(known.begin(), known.end(), each->string) == known.end())
+            {
+                fail_scene(names.file, where + " has " + in_quotes(each->string) +
+                                           ", which means nothing there");
+            }
+        }
+    }
+
+    // Every member has a meaning.
+    void check_members(const std::vector<std::string> &known) const
+    {
+        static const std::array<std::string, 4> of_all = {"color", "reflectance", "motion", "brdf"};
+        for (const cJSON *each = object->child; each != nullptr; each = each->next)
+        {
+            if (std::find(known.begin(), known.end(), each->string) == known.end() &&
+                std::find(of_all.begin(), of_all.end(), each->string) == of_all.end())
             {
                 fail_scene(names.file, where + " has " + in_quotes(each->string) +
                                            ", which means nothing there");
@@ -153,11 +241,60 @@ public:
             fail_scene(names.file, where + ".quaternion is not of length 1, or more than 1e-3 off");
         }
         const std::string name = file->valuestring;
-        to.mesh = add_mesh(world, name[0] == '/' ? name : names.folder + name);
+        to.mesh = add_mesh(world, path_of(name));
     }
 
-    void add(World &world, const cm_primitive &made) const
+    // How it moves: key frames, or a file of them.
+    void motion(World &world, cm_primitive &to) const
     {
+        const cJSON *const keys = cJSON_GetObjectItemCaseSensitive(object, "motion");
+        if (keys == nullptr)
+        {
+            return;
+        }
+        const TimedPoses poses =
+            cJSON_IsString(keys) ? read_poses(path_of(keys->valuestring)) : poses_of(keys);
+        cm_trajectory *made = nullptr;
+        const cm_status status = cm_trajectory_create(poses.time.size(), poses.time.data(),
+                                                      poses.pose.data(), &made, nullptr);
+        if (status == CM_ERROR_MEMORY)
+        {
+            throw std::bad_alloc();
+        }
+        if (status != CM_OK)
+        {
+            fail_scene(names.file, where + ".motion has no times, or times that do not grow");
+        }
+        world.motions.emplace_back(made);
+        to.motion = made;
+    }
+
+    // How it scatters light, where somebody asks for that; what is written is checked in any case.
+    void brdf(World &world, cm_primitive &to) const
+    {
+        const cJSON *const json = cJSON_GetObjectItemCaseSensitive(object, "brdf");
+        if (json == nullptr)
+        {
+            return;
+        }
+        const BrdfDescription description = brdf_of(json);
+        if (*names.maker)
+        {
+            const std::shared_ptr<const cm_brdf> made = (*names.maker)(description);
+            if (made == nullptr)
+            {
+                fail_scene(names.file, where + ".brdf has numbers outside their ranges");
+            }
+            world.brdfs.push_back(made);
+            to.brdf = made.get();
+        }
+    }
+
+    void add(World &world, const cm_primitive &given) const
+    {
+        cm_primitive made = given;
+        motion(world, made);
+        brdf(world, made);
         const cm_status status = cm_scene_add(world.scene.get(), &made, nullptr);
         if (status == CM_ERROR_MEMORY)
         {
@@ -170,6 +307,83 @@ public:
     }
 
 private:
+    std::string path_of(const std::string &name) const
+    {
+        return name[0] == '/' ? name : names.folder + name;
+    }
+
+    TimedPoses poses_of(const cJSON *keys) const
+    {
+        TimedPoses poses;
+        for (const cJSON *key = cJSON_IsArray(keys) ? keys->child : nullptr; key != nullptr;
+             key = key->next)
+        {
+            std::array<double, 8> number = {};
+            std::size_t count = 0;
+            for (const cJSON *each = cJSON_IsArray(key) ? key->child : nullptr; each != nullptr;
+                 each = each->next, ++count)
+            {
+                if (count < number.size() && cJSON_IsNumber(each))
+                {
+                    number[count] = each->valuedouble;
+                }
+                else
+                {
+                    count = number.size(); // one more, or none
+                }
+            }
+            cm_pose pose;
+            if (count != number.size() ||
+                cm_pose_from_quaternion(number.data() + 1, number.data() + 4, &pose) != CM_OK)
+            {
+                fail_scene(
+                    names.file,
+                    where + ".motion is neither a file nor a list of [t, x, y, z, qx, qy, qz, qw]");
+            }
+            poses.time.push_back(number[0]);
+            poses.pose.push_back(pose);
+        }
+        return poses;
+    }
+
+    BrdfDescription brdf_of(const cJSON *json) const
+    {
+        const PrimitiveReader reader(names, where + ".brdf", json);
+        const cJSON *const kind = cJSON_GetObjectItemCaseSensitive(json, "kind");
+        const std::string name = cJSON_IsString(kind) ? kind->valuestring : "";
+        BrdfDescription made;
+        if (name == "cook-torrance")
+        {
+            made.kind = BrdfDescription::Kind::CookTorrance;
+            reader.check_only({"kind", "diffuse", "specular", "roughness", "eta", "absorption"});
+            reader.number("diffuse", &made.diffuse, false);
+            reader.number("specular", &made.specular, false);
+            reader.number("roughness", &made.roughness, true);
+            reader.number("eta", &made.eta, true);
+            reader.number("absorption", &made.absorption, false);
+        }
+        else if (name == "measured")
+        {
+            made.kind = BrdfDescription::Kind::Measured;
+            reader.check_only({"kind", "file"});
+            const cJSON *const file = cJSON_GetObjectItemCaseSensitive(json, "file");
+            if (!cJSON_IsString(file))
+            {
+                fail_scene(names.file, where + ".brdf.file is not the name of a table");
+            }
+            made.measured = read_brdf_table(path_of(file->valuestring));
+        }
+        else if (name == "lambert")
+        {
+            reader.check_only({"kind"});
+        }
+        else
+        {
+            fail_scene(names.file, where + ".brdf.kind is not lambert, cook-torrance or measured");
+        }
+        return made;
+    }
+
     static std::string wrong_of(const cm_primitive &made)
     {
         const double *const color = made.material.color;
@@ -194,7 +408,7 @@ private:
 void read_plane(const PrimitiveReader &reader, World &world)
 {
     cm_primitive made = empty_primitive(CM_PRIMITIVE_PLANE);
-    reader.check_members({"point", "normal", "color", "reflectance"});
+    reader.check_members({"point", "normal"});
     reader.numbers("point", made.first, 3, true);
     reader.numbers("normal", made.second, 3, true);
     reader.material(made.material);
@@ -204,7 +418,7 @@ void read_plane(const PrimitiveReader &reader, World &world)
 void read_box(const PrimitiveReader &reader, World &world)
 {
     cm_primitive made = empty_primitive(CM_PRIMITIVE_BOX);
-    reader.check_members({"min", "max", "color", "reflectance"});
+    reader.check_members({"min", "max"});
     reader.numbers("min", made.first, 3, true);
     reader.numbers("max", made.second, 3, true);
     reader.material(made.material);
@@ -214,7 +428,7 @@ void read_box(const PrimitiveReader &reader, World &world)
 void read_sphere(const PrimitiveReader &reader, World &world)
 {
     cm_primitive made = empty_primitive(CM_PRIMITIVE_SPHERE);
-    reader.check_members({"centre", "radius", "color", "reflectance"});
+    reader.check_members({"centre", "radius"});
     reader.numbers("centre", made.first, 3, true);
     reader.number("radius", &made.radius, true);
     reader.material(made.material);
@@ -224,7 +438,7 @@ void read_sphere(const PrimitiveReader &reader, World &world)
 void read_cylinder(const PrimitiveReader &reader, World &world)
 {
     cm_primitive made = empty_primitive(CM_PRIMITIVE_CYLINDER);
-    reader.check_members({"from", "to", "radius", "color", "reflectance"});
+    reader.check_members({"from", "to", "radius"});
     reader.numbers("from", made.first, 3, true);
     reader.numbers("to", made.second, 3, true);
     reader.number("radius", &made.radius, true);
@@ -235,44 +449,15 @@ void read_cylinder(const PrimitiveReader &reader, World &world)
 void read_mesh_object(const PrimitiveReader &reader, World &world)
 {
     cm_primitive made = empty_primitive(CM_PRIMITIVE_MESH);
-    reader.check_members({"file", "position", "quaternion", "color", "reflectance"});
+    reader.check_members({"file", "position", "quaternion"});
     reader.material(made.material);
     reader.standing(world, made);
     reader.add(world, made);
 }
 
-bool ends_with(const std::string &text, const std::string &ending)
-{
-    return text.size() >= ending.size() &&
-           text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-std::string text_of_file(const std::string &path)
-{
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(0, std::ios::end);
-    const std::streamoff size = file.tellg();
-    if (!file || size < 0)
-    {
-        throw Failure(in_quotes(path) + " cannot be read");
-    }
-    if (size > largest_scene_file)
-    {
-        throw Failure(in_quotes(path) + " is too long for a scene");
-    }
-    std::string text(static_cast<std::size_t>(size), '\0');
-    file.seekg(0);
-    file.read(text.data(), size);
-    if (!file)
-    {
-        throw Failure(in_quotes(path) + " cannot be read");
-    }
-    return text;
-}
-
 } // namespace
 
-World parse_world(const std::string &name, const std::string &text)
+World parse_world(const std::string &name, const std::string &text, const BrdfMaker &maker)
 {
     using Read = void (*)(const PrimitiveReader &, World &);
     static const std::map<std::string, Read> lists = {{"planes", read_plane},
@@ -286,7 +471,7 @@ World parse_world(const std::string &name, const std::string &text)
     {
         throw Failure(in_quotes(name) + ":" + std::to_string(line) + ": is no JSON object");
     }
-    const SceneNames names = {name, name.substr(0, name.rfind('/') + 1)};
+    const SceneNames names = {name, name.substr(0, name.rfind('/') + 1), &maker};
     World world = empty_scene();
     for (const cJSON *list = json->child; list != nullptr; list = list->next)
     {
@@ -309,7 +494,7 @@ World parse_world(const std::string &name, const std::string &text)
     return world;
 }
 
-World load_world(const std::string &scene)
+World load_world(const std::string &scene, const BrdfMaker &maker)
 {
     World world;
     cm_scene *named = nullptr;
@@ -320,7 +505,7 @@ World load_world(const std::string &scene)
     }
     if (ends_with(scene, ".json"))
     {
-        return parse_world(scene, text_of_file(scene));
+        return parse_world(scene, text_of_file(scene), maker);
     }
     if (!ends_with(scene, ".gltf") && !ends_with(scene, ".glb") && !ends_with(scene, ".obj"))
     {
