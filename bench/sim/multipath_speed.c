@@ -220,7 +220,7 @@ static void compare_in_corner(void)
                         .intensity = 1.0},
                        {1, {2.0 * PI * 20e6 / CM_SPEED_OF_LIGHT}}};
     const cm_tof_options traced = {
-        .size = sizeof traced, .bounces = 1, .traces = 1, .paths = 1024, .seed = 1};
+        .size = sizeof traced, .bounces = 1, .traces = 1, .paths = 4096, .seed = 1};
     add(&s, &traced, NULL, n);
     double square = 0.0;
     for (size_t i = 0; i < n; i++)

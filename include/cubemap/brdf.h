@@ -32,8 +32,8 @@ typedef struct cm_cook_torrance
     double diffuse;    /* 0..1: the part that Lambert's law scatters */
     double specular;   /* 0..1: the part of facets; both together are at most 1 */
     double roughness;  /* root mean square of the facets' slope, 0.01..1 */
-    double eta;        /* index of refraction, above 0; aluminium at 850 nm: 2.8 */
-    double absorption; /* its imaginary part, 0 or more; aluminium at 850 nm: 8.45 */
+    double eta;        /* index of refraction, above 0; aluminium in near infrared: 2.8 */
+    double absorption; /* its imaginary part, 0 or more; aluminium there: 8.45 */
 } cm_cook_torrance;
 
 /* CM_OK; CM_ERROR_ARGUMENT (NULL, size); CM_ERROR_RANGE; CM_ERROR_MEMORY. */
@@ -52,10 +52,12 @@ typedef struct cm_brdf_sample
  * detector, gamma raises the normal; radians. */
 CM_API void cm_brdf_goniometer(double alpha, double beta, double gamma, cm_brdf_sample *sample);
 
-/* A table of n isotropic measurements in any order. Between them, and in their gaps (beside the light's direction, at
- * grazing angles), values are means weighted by the inverse of the angles' distance to the power 5 (2018, eqs. 16
- * and 17), tabulated once. CM_OK; CM_ERROR_ARGUMENT (NULL, n 0); CM_ERROR_RANGE (a sample that is not finite, beyond a
- * right angle, or below 0); CM_ERROR_MEMORY. */
+/* A table of n isotropic measurements in any order; each holds for light that goes the other way, too. Between them, and in
+ * their gaps (beside the light's direction, at grazing angles), values are means weighted by the inverse of the angles'
+ * distance to the power 5 (2018, eqs. 16 and 17), of those up to twice as far as the nearest one, tabulated once. What
+ * measurements say of energy is not mended: they may scatter more than all light.
+ * CM_OK; CM_ERROR_ARGUMENT (NULL, n 0); CM_ERROR_RANGE (a sample that is not finite, beyond a right angle, or below 0);
+ * CM_ERROR_MEMORY. */
 CM_API cm_status cm_brdf_create_measured(size_t n, const cm_brdf_sample *sample, cm_brdf **brdf);
 
 CM_API void cm_brdf_destroy(cm_brdf *brdf);
@@ -64,11 +66,11 @@ CM_API void cm_brdf_destroy(cm_brdf *brdf);
 CM_API double cm_brdf_value(const cm_brdf *brdf, const double normal[3], const double in[3],
                             const double out[3]);
 
-/* The part of light from one direction that is scattered to all: 0..1 of what can be. */
+/* The part of light from one direction that is scattered to all, of an angle from 0 to a right one; 0 of others. */
 CM_API double cm_brdf_albedo(const cm_brdf *brdf, double theta_in);
 
-/* A direction to continue a path in, of a density near brdf times cosine, and that density per steradian. u are two
- * numbers in [0, 1), third one of a lobe. Returns brdf times cosine by density; 0 where the path ends. */
+/* A direction to continue a path in, of a density near brdf times cosine, and that density per steradian. Two of u are
+ * for the direction, the third one chooses a lobe, all in [0, 1). Returns brdf times cosine by density; 0 where the path ends. */
 CM_API double cm_brdf_sample_direction(const cm_brdf *brdf, const double normal[3],
                                        const double out[3], const double u[3], double in[3],
                                        double *density);

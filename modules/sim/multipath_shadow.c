@@ -12,7 +12,7 @@
 
 enum
 {
-    EDGE = 16,
+    EDGE = 24,
     BLOCK = 256
 };
 

@@ -333,6 +333,53 @@ START_TEST(instruction_sets)
 }
 END_TEST
 
+/* Heights above the planes of cells, also of places on a map's last rim, beside sums in double. */
+START_TEST(heights)
+{
+    enum
+    {
+        EDGE = 3,
+        CELLS = 6 * EDGE * EDGE
+    };
+    float plane[CELLS][4], place[4 * GATHER_ROOM][4], u[4 * GATHER_ROOM], v[4 * GATHER_ROOM],
+        height[4 * GATHER_ROOM];
+    uint8_t face[4 * GATHER_ROOM];
+    const gather_shadow shadow = {EDGE, (const float(*)[4])plane};
+    for (int i = 0; i < CELLS * 4; i++)
+    {
+        plane[i / 4][i % 4] = (float)sin(2.0 * i);
+    }
+    for (int i = 0; i < 4 * GATHER_ROOM; i++)
+    {
+        face[i] = (uint8_t)(i % 6);
+        u[i] = (float)(i % 9) / 4.0f - 1.0f;
+        v[i] = (float)(i % 5) / 2.0f - 1.0f;
+        for (int k = 0; k < 4; k++)
+        {
+            place[i][k] = k == 3 ? 1.0f : (float)cos(i + 7.0 * k);
+        }
+    }
+    for (size_t which = 0; cm_instructions_at(which) != NULL; which++)
+    {
+        const gather_set *set = gather_set_find(cm_instructions_at(which));
+        set->see(&shadow, 4 * GATHER_ROOM, (const float(*)[4])place, face, u, v, height);
+        for (int i = 0; i < 4 * GATHER_ROOM; i++)
+        {
+            const int column = i % 9 == 8 ? 2 : (int)((i % 9) / 8.0 * 3.0);
+            const int row = i % 5 == 4 ? 2 : (int)((i % 5) / 4.0 * 3.0);
+            const float *const p = plane[(face[i] * EDGE + row) * EDGE + column];
+            double right = 0.0;
+            for (int k = 0; k < 4; k++)
+            {
+                right += (double)p[k] * (double)place[i][k];
+            }
+            REQUIRE(fabs((double)height[i] - right) < 1e-6, "%s %d: %g, not %g", set->name, i,
+                    (double)height[i], right);
+        }
+    }
+}
+END_TEST
+
 /* A lamp that lights nothing leaves no lights. */
 START_TEST(dark)
 {
@@ -355,7 +402,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {sphere,    any_mapping,      ways, beside_paths, shadows,
-                                  same_bits, instruction_sets, dark, NULL};
+    const TTest *const tests[] = {sphere,    any_mapping,      ways,    beside_paths, shadows,
+                                  same_bits, instruction_sets, heights, dark,         NULL};
     return run_suite("multipath", tests);
 }
