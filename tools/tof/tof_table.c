@@ -99,19 +99,52 @@ const cm_command tof_simulate_command = {
     .operand = CM_OPTION_FILE,
     .bare_version = 1};
 
-static const cm_command *const commands[] = {&tof_simulate_command, NULL};
+static const cm_option reproduce_options[] = {
+    {.id = TOF_OUTPUT,
+     .letter = 'o',
+     .name = "output",
+     .kind = CM_OPTION_FILE,
+     .argument = "DIR",
+     .help = "the folder to write, which is made if it is absent"},
+    CM_USUAL_THREADS(TOF_THREADS),
+    CM_USUAL_QUIET(TOF_QUIET),
+};
 
-static const char *const command_names[] = {"simulate", NULL};
+static const cm_option_group reproduce_groups[] = {
+    {NULL, reproduce_options, sizeof reproduce_options / sizeof *reproduce_options}};
+
+const cm_command tof_reproduce_command = {
+    .name = "cubemap-tof reproduce",
+    .usage = "[OPTION]... [NAME]... -o DIR",
+    .summary =
+        "Does again what papers on time-of-flight cameras have measured, and says beside each "
+        "figure what came out here and whether it holds. NAME is exact (what formulas say), "
+        "layouts and resolution (Lambers, Hoberg and Kolb 2015) or multipath (Bulczak, Lambers and "
+        "Kolb 2018); all without one. DIR gets NAME.json with all numbers, report.md, and charts "
+        "as "
+        "PNG and SVG where Python has matplotlib.",
+    .groups = reproduce_groups,
+    .group_count = 1,
+    .notes = "Example:\n"
+             "  cubemap-tof reproduce exact -o made",
+    .words = "NAME DIR",
+    .operand = CM_OPTION_TEXT,
+    .bare_version = 1};
+
+static const cm_command *const commands[] = {&tof_simulate_command, &tof_reproduce_command, NULL};
+
+static const char *const command_names[] = {"simulate", "reproduce", NULL};
 
 /* --help and --version alone */
 static const cm_option_group tof_groups[] = {{NULL, NULL, 0}};
 
 const cm_command cm_tof_command = {
     .name = "cubemap-tof",
-    .usage = "simulate [OPTION]... SCENE SENSOR.json TRAJECTORY.txt -o DIR",
-    .summary =
-        "Time-of-flight cameras: simulates what they measure. Each command has a --help of its "
-        "own.",
+    .usage = "simulate [OPTION]... SCENE SENSOR.json TRAJECTORY.txt -o DIR\n"
+             "reproduce [OPTION]... [NAME]... -o DIR",
+    .summary = "Time-of-flight cameras: simulates what they measure, and does again what papers "
+               "found. Each command has a --help of its "
+               "own.",
     .groups = tof_groups,
     .group_count = 1,
     .words = "SCENE DIR",

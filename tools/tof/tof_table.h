@@ -33,6 +33,7 @@ enum
 extern const char *const tof_preset_names[];
 
 extern const cm_command tof_simulate_command;
+extern const cm_command tof_reproduce_command;
 
 #ifdef __cplusplus
 }
