@@ -12,6 +12,7 @@
 #include "tools/octree/octree_main.h"
 #include "tools/orient/orient_main.h"
 #include "tools/reproject/reproject_main.h"
+#include "tools/tof/tof_main.h"
 #ifdef HAVE_SCENE
 #include "tools/scene/scene_main.h"
 #endif
@@ -46,6 +47,9 @@ const std::map<std::string, Program> programs = {{"colormap", cm_colormap_main},
 #ifdef HAVE_SCENE
                                                  {"octree", cm_octree_main},
                                                  {"scene", cm_scene_main},
+#endif
+#ifdef HAVE_TOF
+                                                 {"tof", cm_tof_main},
 #endif
                                                  {"reproject", cm_reproject_main}};
 
@@ -214,6 +218,9 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"octree", octree_subjects()},
         {"scene", scene_subjects()},
         {"scene refusals", scene_refusal_subjects()},
+#endif
+#ifdef HAVE_TOF
+        {"tof", tof_subjects()},
 #endif
         {"colormap", colormap_subjects()}};
     const bool every = names.empty();

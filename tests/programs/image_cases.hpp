@@ -107,5 +107,6 @@ const std::vector<Subject> &colormap_subjects();
 const std::vector<Subject> &scene_subjects();
 const std::vector<Subject> &scene_refusal_subjects();
 const std::vector<Subject> &octree_subjects();
+const std::vector<Subject> &tof_subjects();
 
 #endif

@@ -22,6 +22,9 @@
 #include "tools/octree/octree_main.h"
 #include "tools/scene/scene_main.h"
 #endif
+#ifdef TOF_PROGRAM
+#include "tools/tof/tof_main.h"
+#endif
 
 enum
 {
@@ -49,6 +52,9 @@ static const struct
 #ifdef SCENE_PROGRAM
     {"cubemap-octree", cm_octree_main, &cm_octree_command},
     {"cubemap-scene", cm_scene_main, &cm_scene_command},
+#endif
+#ifdef TOF_PROGRAM
+    {"cubemap-tof", cm_tof_main, &cm_tof_command},
 #endif
 };
 

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+//
+// cubemap-tof: a sphere and walls whose distances are known, what lies in the folder, and what is refused in one line.
+
+#include "image_cases.hpp"
+#include "picture.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace
+{
+
+constexpr const char *camera_text =
+    R"("camera": {"width": 24, "height": 18, "fx": 20, "fy": 20, "cx": 11.5, "cy": 8.5})";
+constexpr const char *light_text = R"("lights": [{"power": 0.7, "aperture": 6.283185307179586}])";
+
+// A sensor with something else, or more, at its end.
+std::string sensor_text(const std::string &rest = light_text,
+                        const std::string &exposure = "\"exposure\": 5e-3")
+{
+    return std::string("{") + camera_text + ",\n\"pitch\": 12e-6, \"f_number\": 1.2, " +
+           "\"wavelength\": 850e-9, \"efficiency\": 0.4,\n" + exposure +
+           ", \"frequency\": 20e6, \"phases\": 4, \"duty\": 0.5, \"contrast\": 0.8,\n" + rest +
+           "}\n";
+}
+
+// A sphere around camera and light, a wall before them, and two poses.
+void make_tof_inputs()
+{
+    write_file("sphere.json",
+               R"({"spheres": [{"centre": [0, 0, 0], "radius": 1, "reflectance": 0.5}]})");
+    write_file("wall.json", R"({"planes": [{"point": [0, 0, 2], "normal": [0, 0, 1]}]})");
+    write_file("sensor.json", sensor_text());
+    write_file("pose.txt", "0 0 0 0 0 0 0 1\n");
+    write_file("path.txt", "0 0 0 0 0 0 0 1\n1 0 0 0.5 0 0 0 1\n");
+    std::filesystem::create_directory("made");
+}
+
+// All distances of a picture.
+void check_distances(const std::string &name, double lowest, double highest)
+{
+    const Picture seen(name);
+    if (seen.channels != 1 || seen.values.size() != 24 * 18)
+    {
+        throw std::runtime_error(name + " is not one channel of 24 x 18");
+    }
+    for (const float each : seen.values)
+    {
+        if (!(static_cast<double>(each) >= lowest && static_cast<double>(each) <= highest))
+        {
+            throw std::runtime_error(name + " has " + std::to_string(each));
+        }
+    }
+}
+
+void measures()
+{
+    make_tof_inputs();
+    says(
+        "simulate tells in JSON",
+        "^\\{\"frames\": 1, \"ms_per_frame\": \\{\"median\": [0-9.e-]+, \"max\": [0-9.e-]+\\}, "
+        "\"rays\": 432, \"oversampled\": 0, \"times\": 1, \"virtual_lights\": 0, \"saturated\": 0, "
+        "\"unmeasured\": 0\\}\n$",
+        "tof simulate sphere.json sensor.json pose.txt -o direct --json");
+    holds("the sphere is 1 m away",
+          [] { check_distances("direct/distance_0000.exr", 1 - 1e-6, 1 + 1e-6); });
+    passes("one bounce",
+           "tof simulate sphere.json sensor.json pose.txt -o once --bounces 1 --quiet");
+    holds(
+        "once scattered light makes it 1.216921 m", // by Lambers's integral; 338 lights are nearly even
+        [] { check_distances("once/distance_0000.exr", 1.16, 1.27); });
+    says("people are told",
+         "^'two': 2 frames, median .* ms; 0 pixels saturated, 0 without light\n$",
+         "tof simulate wall.json sensor.json path.txt -o two");
+    holds("the camera moves along the trajectory",
+          []
+          {
+              const double before = Picture("two/distance_0000.exr").first(11, 8);
+              const double after = Picture("two/distance_0001.exr").first(11, 8);
+              if (std::fabs(before - after - 0.5) > 0.01)
+              {
+                  throw std::runtime_error(std::to_string(before) + " " + std::to_string(after));
+              }
+          });
+    write_file("behind.json", sensor_text("\"lights\": [{\"position\": [0, 0, 3], \"power\": 1, "
+                                          "\"aperture\": 6.283185307179586}]"));
+    says("a light behind the wall lights nothing", "\"unmeasured\": 432\\}",
+         "tof simulate wall.json behind.json pose.txt -o dark --json");
+}
+
+void lies_in_a_folder()
+{
+    make_tof_inputs();
+    does("tof simulate wall.json sensor.json path.txt -o made/a --quiet --noise --seed 3 --samples "
+         "2x3");
+    result(names_in("made/a") == "amplitude_0000.exr amplitude_0001.exr distance_0000.exr "
+                                 "distance_0001.exr intensity_0000.exr intensity_0001.exr "
+                                 "metadata.json phase_0000_0.exr phase_0000_1.exr phase_0000_2.exr "
+                                 "phase_0000_3.exr phase_0001_0.exr phase_0001_1.exr "
+                                 "phase_0001_2.exr phase_0001_3.exr poses.txt ",
+           "the files of two frames", names_in("made/a"));
+    const std::string about = content_of("made/a/metadata.json");
+    result(matches(about, "\"program\":.\"cubemap-tof simulate\"") &&
+               matches(about, "\"seed\":.3") && matches(about, "\"samples\":.\"2x3\"") &&
+               matches(about, "\"noise\":.true") && matches(about, "\"wavelength\":.8.5e-07") &&
+               matches(about, "\"shape\":.\"plane\"") && matches(about, "\"temperature\":.null"),
+           "metadata says how it was made", about);
+    result(matches(content_of("made/a/poses.txt"), "^0.000000 0 0 0 [^\n]*\n1.000000 0 0 0.5 "),
+           "poses are the trajectory's", content_of("made/a/poses.txt"));
+    std::filesystem::create_directory("made/b");
+    does("tof simulate wall.json sensor.json path.txt -o made/b --quiet --noise --seed 3 --samples "
+         "2x3 "
+         "--threads 7");
+    does("tof simulate wall.json sensor.json path.txt -o made/c --quiet --noise --seed 4 --samples "
+         "2x3");
+    result(same_content("made/a/phase_0001_3.exr", "made/b/phase_0001_3.exr") &&
+               same_content("made/a/distance_0000.exr", "made/b/distance_0000.exr"),
+           "the same bits with seven threads");
+    result(!same_content("made/a/phase_0001_3.exr", "made/c/phase_0001_3.exr"),
+           "another seed has other noise");
+    says("two frequencies", "\"frames\": 1",
+         "tof simulate --preset pico-flexx room pose.txt -o made/d --json");
+    result(std::filesystem::exists("made/d/phase_0000_7.exr") &&
+               !std::filesystem::exists("made/d/phase_0000_8.exr"),
+           "phases of the second follow the first's");
+}
+
+void knows_sensors()
+{
+    make_tof_inputs();
+    write_file("mask.json",
+               sensor_text(std::string("\"mask\": [[0, 1], [1, 0.5]], \"harmonic\": [1, "
+                                       "0, 0.111], \"single_readout\": true, ") +
+                           light_text));
+    write_file("flat.json",
+               sensor_text(std::string("\"mask\": [0, 1, 1, 0.5], \"mask_columns\": 2, "
+                                       "\"mask_rows\": 2, \"harmonic\": [1, 0, 0.111], "
+                                       "\"harmonics\": 3, \"single_readout\": 1, ") +
+                           light_text));
+    does("tof simulate wall.json mask.json pose.txt -o rows --quiet");
+    does("tof simulate wall.json flat.json pose.txt -o flat --quiet");
+    result(same_content("rows/phase_0000_1.exr", "flat/phase_0000_1.exr"),
+           "a mask by rows is one in one list");
+    does("tof simulate wall.json sensor.json pose.txt -o whole --quiet");
+    result(!same_content("rows/phase_0000_1.exr", "whole/phase_0000_1.exr"), "a mask takes light");
+    write_file("spot.json", sensor_text("\"lights\": [{\"position\": [0.1, 0, 0], \"direction\": "
+                                        "[0, 0, 2], \"power\": 1, \"aperture\": 1, \"intensity\": "
+                                        "[1, 0.5, 0]}]"));
+    says("a cone lights a part", "\"unmeasured\": [1-9][0-9]*\\}",
+         "tof simulate wall.json spot.json pose.txt -o spot --json");
+    write_file("full.json", sensor_text(std::string("\"full_well\": 1000, ") + light_text));
+    says("saturation is told", "\"saturated\": [1-9][0-9]*, ",
+         "tof simulate wall.json full.json pose.txt -o full --json");
+    for (const std::string preset : {"camcube", "dual-12um", "single-8um"})
+    {
+        passes("preset " + preset,
+               "tof simulate --preset " + preset + " room pose.txt -o " + preset + " --quiet");
+    }
+    says("a budget is told",
+         "\"budget\": \\{ ?\"subject\": \"time-of-flight frame\", .*\"name\": \"multipath\"",
+         "tof simulate wall.json sensor.json pose.txt -o budget --budget 1mm --json");
+    result(matches(content_of("budget/metadata.json"), "\"budget\":.0.001"),
+           "and stands in the metadata");
+}
+
+void refuses_tof_words()
+{
+    make_tof_inputs();
+    const std::string good = "tof simulate wall.json sensor.json pose.txt -o made/x";
+    fails("no command", 2, "a command is needed: simulate", "tof");
+    fails("another command", 2, "'simulat' is not a command: .*did you mean simulate",
+          "tof simulat");
+    fails("no operands", 2, "are needed, 0 are given", "tof simulate -o made/x");
+    fails("a preset and a sensor", 2, "are needed with --preset, 3 are given",
+          good + " --preset camcube");
+    fails("no folder", 2, "-o DIR is needed", "tof simulate wall.json sensor.json pose.txt");
+    fails("a folder that is a stream", 2, "-o DIR is needed",
+          "tof simulate wall.json sensor.json pose.txt -o -");
+    fails("a preset that there is not", 2, "--preset is 'camcub'",
+          "tof simulate --preset camcub wall.json pose.txt -o made/x");
+    for (const std::string count : {"3", "0x3", "3x", "65x1", "axb", "1x1x1"})
+    {
+        fails("samples " + count, 2, "--samples is '.*', not COLUMNSxROWS",
+              good + " --samples " + count);
+    }
+    for (const std::string limit : {"0", "-1mm", "1km", "mm", "nan", "''"})
+    {
+        fails("budget " + limit, 2, "--budget is .*, not a length", good + " --budget " + limit);
+    }
+    fails("bounces below 0", 2, "--bounces", good + " --bounces -1");
+    fails("no such scene", 2, "SCENE is 'roam'",
+          "tof simulate roam sensor.json pose.txt -o made/x");
+    write_file("in_the_way", "");
+    fails("a file in the way", 1, "'in_the_way' cannot be made",
+          "tof simulate wall.json sensor.json pose.txt -o in_the_way");
+    does("tof simulate wall.json sensor.json pose.txt -o there --quiet");
+    fails("a folder with something in it", 1, "'there' has something in it",
+          "tof simulate wall.json sensor.json pose.txt -o there");
+}
+
+void refuses_tof_files()
+{
+    make_tof_inputs();
+    const std::string good = "tof simulate wall.json sensor.json pose.txt -o made/x";
+    const auto sensor_fails =
+        [](const std::string &name, const std::string &text, const std::string &expression)
+    {
+        write_file("bad.json", text);
+        fails(name, 1, "'?bad.json'?:.*" + expression,
+              "tof simulate wall.json bad.json pose.txt -o made/x");
+    };
+    fails("no such sensor", 1, "absent.json",
+          "tof simulate wall.json absent.json pose.txt -o made/x");
+    fails("no such trajectory", 1, "absent.txt",
+          "tof simulate wall.json sensor.json absent.txt -o made/x");
+    sensor_fails("no JSON", "{\n\"pitch\": }", "2: is no JSON object");
+    sensor_fails("no exposure", sensor_text(light_text, "\"readout\": 0"),
+                 "exposure is missing: a number above 0");
+    sensor_fails("an exposure of 0", sensor_text(light_text, "\"exposure\": 0"),
+                 "3: exposure is 0, not a number above 0");
+    sensor_fails("an exposure that is a text", sensor_text(light_text, "\"exposure\": \"1\""),
+                 "exposure is not a number above 0");
+    sensor_fails("an infinite number", sensor_text(light_text, "\"exposure\": 1e999"),
+                 "exposure is not a number above 0");
+    sensor_fails("a member that means nothing",
+                 sensor_text(std::string("\"lense\": 1, ") + light_text),
+                 "'lense' is no member of a sensor");
+    sensor_fails("a member twice", sensor_text(std::string("\"duty\": 0.5, ") + light_text),
+                 "duty is given twice");
+    sensor_fails("no lights", sensor_text("\"lights\": []"), "lights is not a list of one light");
+    sensor_fails("a light of nothing", sensor_text("\"lights\": [7]"),
+                 "lights\\[0\\] is no object");
+    sensor_fails("degrees for radians",
+                 sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 60}]"),
+                 "lights\\[0\\].aperture is a full angle in radians");
+    sensor_fails("a light with something else",
+                 sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 1, \"color\": 1}]"),
+                 "'lights\\[0\\].color' is no member");
+    sensor_fails("a place of two numbers",
+                 sensor_text("\"lights\": [{\"position\": [1, 2], \"power\": 1, \"aperture\": 1}]"),
+                 "lights\\[0\\].position is not a list of 3 numbers");
+    sensor_fails(
+        "light that is negative",
+        sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 1, \"intensity\": [1, -1]}]"),
+        "intensity is -1, not a number of 0 or more");
+    sensor_fails("a mask of unequal rows",
+                 sensor_text(std::string("\"mask\": [[1, 1], [1]], ") + light_text),
+                 "mask has rows that are not of 2 numbers");
+    sensor_fails("a mask without its shape",
+                 sensor_text(std::string("\"mask\": [1, 1], ") + light_text),
+                 "mask has 2 numbers, not 0 columns of 0");
+    sensor_fails("a mask above 1", sensor_text(std::string("\"mask\": [[2]], ") + light_text),
+                 "mask has what is not a number from 0 to 1");
+    std::string two = sensor_text();
+    two.replace(two.find("\"phases\": 4"), 11, "\"phases\": 2");
+    sensor_fails("two phases", two, "phases is not a whole number from 3");
+    std::string camera = sensor_text();
+    camera.replace(camera.find("\"fx\": 20"), 8, "\"fx\": 0");
+    sensor_fails("a camera without focal length", camera, "camera:1: a focal length of 0");
+    write_file("empty.json", "{}");
+    fails("an empty scene", 1, "'empty.json': has nothing in it",
+          "tof simulate empty.json sensor.json pose.txt -o made/x");
+    {
+        const SizeLimit limit(600);
+        fails("a disk that is full", 1, "made/x/.*: ", good);
+    }
+}
+
+} // namespace
+
+const std::vector<Subject> &tof_subjects()
+{
+    static const std::vector<Subject> subjects = {{"tof_measures", measures},
+                                                  {"tof_folder", lies_in_a_folder},
+                                                  {"tof_sensors", knows_sensors},
+                                                  {"tof_words", refuses_tof_words},
+                                                  {"tof_files", refuses_tof_files}};
+    return subjects;
+}
