@@ -5,6 +5,7 @@
 #include "tof_command.hpp"
 #include "tof_brdf.hpp"
 #include "tof_frame.hpp"
+#include "tof_truth.hpp"
 #include "tof_metadata.hpp"
 #include "tof_options.hpp"
 #include "tof_sensor.hpp"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <cmath>
 
 namespace
@@ -74,7 +76,7 @@ Simulation prepare(const SimulateOptions &options)
     check_memory(in_quotes(made.sensor.name) + ": a frame of " + std::to_string(shape.width) +
                      " x " + std::to_string(shape.height) + " pixels",
                  std::int64_t{shape.width} * shape.height, 1,
-                 frame_pixel_bytes(made.sensor.sensor));
+                 frame_pixel_bytes(made.sensor.sensor) + (options.truth ? truth_pixel_bytes() : 0));
     cm_trajectory *trajectory = nullptr;
     check_scene(cm_trajectory_create(made.poses.time.size(), made.poses.time.data(),
                                      made.poses.pose.data(), &trajectory, nullptr),
@@ -170,6 +172,11 @@ Done simulate_all(const SimulateOptions &options, Simulation &with, const cm_str
     const int threads = thread_count(options.threads);
     const std::size_t count = with.poses.time.size();
     TofFrame frame(with.sensor.sensor);
+    std::optional<TruthPictures> truth;
+    if (options.truth)
+    {
+        truth.emplace(with.sensor.sensor.camera);
+    }
     Done done;
     Progress progress(static_cast<std::int64_t>(count), !options.quiet, streams.err);
     for (std::size_t i = 0; i < count; ++i)
@@ -177,6 +184,14 @@ Done simulate_all(const SimulateOptions &options, Simulation &with, const cm_str
         FileList files;
         simulate_frame(with, i, frame, done);
         write_frame(folder, frame, i, threads, files);
+        if (truth)
+        {
+            const std::vector<double> &time = with.poses.time;
+            truth->find(with.scene.get(), with.trajectory.get(), time[i],
+                        time[std::min(i + 1, count - 1)], time[i == 0 ? 0 : i - 1], frame.flags,
+                        with.pool.get());
+            files.push_back(truth->write(folder.path_of(frame_file_name("truth", i)), threads));
+        }
         if (i == 0)
         {
             write_text(folder.path_of("metadata.json"),

@@ -71,6 +71,13 @@ static const cm_option simulate_options[] = {
          "LENGTH is in metres, or ends with m, cm, mm or um: `1mm`. Bounces, visibility, noise "
          "and samples are then chosen; --samples and --lights say how many where they are needed, "
          "3x3 and 338 without them."},
+    {.id = TOF_TRUTH,
+     .name = "truth",
+     .help = "write truth_FRAME.exr, too: what is truly there",
+     .more =
+         "It has seven parts: position and normal in the world, ids (object, shape, triangle; -1 "
+         "for nothing), ranges (range, depth, and where circuits were full), flow_next and "
+         "flow_before (columns, rows, range) and effects (flying, motion, multipath)."},
     CM_USUAL_THREADS(TOF_THREADS),
     {.id = TOF_JSON, .name = "json", .help = "print the result as JSON"},
     CM_USUAL_QUIET(TOF_QUIET),
@@ -90,7 +97,8 @@ const cm_command tof_simulate_command = {
         "frame; "
         "between lines the camera moves, before the first and after the last it stands. DIR gets "
         "for each frame phase_FRAME_PHASE.exr (electrons), distance_FRAME.exr (range in metres), "
-        "amplitude_FRAME.exr and intensity_FRAME.exr, and once metadata.json and poses.txt.",
+        "amplitude_FRAME.exr and intensity_FRAME.exr, with --truth truth_FRAME.exr, and once "
+        "metadata.json and poses.txt.",
     .groups = simulate_groups,
     .group_count = 1,
     .notes = "Example:\n"
