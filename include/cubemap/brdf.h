@@ -60,6 +60,7 @@ CM_API void cm_brdf_goniometer(double alpha, double beta, double gamma, cm_brdf_
  * CM_ERROR_MEMORY. */
 CM_API cm_status cm_brdf_create_measured(size_t n, const cm_brdf_sample *sample, cm_brdf **brdf);
 
+/* NULL is allowed. */
 CM_API void cm_brdf_destroy(cm_brdf *brdf);
 
 /* Per steradian, for directions of length 1 away from the surface; NULL is Lambert's. */
