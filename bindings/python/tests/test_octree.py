@@ -46,7 +46,7 @@ def test_points(room):
     assert one.state == FREE and abs(one.x - 1.025) < 1e-9
     several = room.at((1.01, 0.05, 1.2), np.arange(9))
     assert several.level.tolist() == list(range(9)) and np.allclose(several.edge, 0.05 * 2.0 ** np.arange(9))
-    assert room.at((1.0, 0.05, 1.2), 9).edge == 0 and np.isnan(room.at((np.nan, 0, 0), 0).x) == (room.at((np.nan, 0, 0), 0).edge != 0)
+    assert room.at((1.0, 0.05, 1.2), 9).edge == 0 and room.at((np.nan, 0, 0), 0).edge == 0
 
 
 def test_rays(room):
@@ -154,8 +154,8 @@ def test_pictures(room):
     red = np.zeros((72, 96, 3)) + (1, 0, 0)
     with_mesh = room.render(CAMERA, AHEAD, mesh=canvas, mesh_color=red)
     shown = canvas.read()[1] != cubemap.NO_ID
-    assert shown.any() and np.abs(with_mesh.depth[shown] - 0.9).max() < 1e-3 and (with_mesh.color[shown] > 0.99).any(0).tolist() == [
-        True, False, False]
+    assert shown.any() and np.abs(with_mesh.depth[shown] - 0.9).max() < 1e-3
+    assert (with_mesh.color[shown] > 0.99).any(0).tolist() == [True, False, False]
     for wrong in ({"channels": 2}, {"dtype": "float64"}, {"far": -1.0}, {"mesh_color": red[1:]}, {"light": (0, 0)}):
         with pytest.raises(ValueError):
             room.render(CAMERA, AHEAD, **wrong)
