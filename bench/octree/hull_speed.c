@@ -8,8 +8,8 @@
  *   hull-speed
  */
 #include "bench/harness/harness.h"
+#include "mapped_room.h"
 
-#include <cubemap/octree.h>
 #include <cubemap/world.h>
 
 #include <math.h>
@@ -54,23 +54,8 @@ static cm_scene *make_body(void)
 static void place(cm_pose *pose, int which)
 {
     const double angle = 2.0 * 3.14159265358979 * which / VIEWS, range = 520.0, up = 120.0;
-    double axis[3][3] = {{0}};
-    pose->position[0] = range * cos(angle);
-    pose->position[1] = range * sin(angle);
-    pose->position[2] = up;
-    const double length = hypot(range, up);
-    for (int k = 0; k < 3; k++)
-    {
-        axis[2][k] = -pose->position[k] / length;
-    }
-    axis[0][0] = -sin(angle);
-    axis[0][1] = cos(angle);
-    for (int k = 0; k < 3; k++)
-    {
-        axis[1][k] = axis[2][(k + 1) % 3] * axis[0][(k + 2) % 3] -
-                     axis[2][(k + 2) % 3] * axis[0][(k + 1) % 3];
-    }
-    memcpy(pose->rotation.row, axis, sizeof axis);
+    *pose = pose_towards((const double[3]){range * cos(angle), range * sin(angle), up},
+                         (const double[3]){0.0, 0.0, 0.0});
 }
 
 static void draw_mask(const cm_scene *scene, const cm_camera *camera, const cm_pose *pose,

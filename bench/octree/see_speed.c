@@ -6,72 +6,19 @@
  *   see-speed [EDGE [PICTURES]]     PICTURES: the beginning of names of files, portable pixmaps
  */
 #include "bench/harness/harness.h"
-#include "truth/room_views.h"
-
-#include <cubemap/octree.h>
+#include "mapped_room.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
 enum
 {
-    WIDTH = 640,
-    HEIGHT = 480,
     FACE = 128,
-    PIXELS = WIDTH * HEIGHT,
-    VIEWS = 60,
     RUNS = 15
 };
 
-static uint8_t pixel[PIXELS][3];
-static float depth[PIXELS];
-
-static void need(cm_status status)
-{
-    if (status != CM_OK)
-    {
-        fprintf(stderr, "see-speed: %s\n", cm_status_text(status));
-        exit(1);
-    }
-}
-
-static cm_octree *map_room(const cm_camera *camera, double edge)
-{
-    cm_scene *scene = NULL;
-    cm_octree *octree = NULL;
-    room_picture picture;
-    const cm_octree_options options = {
-        .size = sizeof options, .edge = edge, .levels = 12, .color = 1};
-    need(cm_scene_create_named("room", &scene));
-    need(cm_octree_create(&options, &octree));
-    if (!room_picture_make(camera, &picture))
-    {
-        exit(1);
-    }
-    for (uint32_t i = 0; i < VIEWS; i++)
-    {
-        const cm_pose pose = room_pose(i, VIEWS);
-        room_picture_take(scene, camera, &pose, 0.0, i, &picture);
-        const cm_view view = room_picture_view(&picture, camera, &pose, 1);
-        need(cm_octree_update(octree, &view, NULL));
-    }
-    room_picture_free(&picture);
-    cm_scene_destroy(scene);
-    return octree;
-}
-
-static void write_picture(const char *begin, const char *name, const cm_image *image)
-{
-    char path[256];
-    snprintf(path, sizeof path, "%s%s.ppm", begin, name);
-    FILE *file = fopen(path, "wb");
-    if (file != NULL)
-    {
-        fprintf(file, "P6\n%u %u\n255\n", image->width, image->height);
-        fwrite(image->data, 3, (size_t)image->width * image->height, file);
-        fclose(file);
-    }
-}
+static uint8_t pixel[ROOM_PIXELS][3];
+static float depth[ROOM_PIXELS];
 
 static void report(const char *name, const cm_octree *octree, const cm_camera *camera,
                    const cm_pose *pose, const cm_octree_shading *shading, const char *pictures)
@@ -91,14 +38,16 @@ static void report(const char *name, const cm_octree *octree, const cm_camera *c
     for (int i = 0; i < RUNS; i++)
     {
         const double begin = processor_seconds();
-        need(cm_octree_render(octree, camera, pose, shading, &color, &range));
+        need(cm_octree_render(octree, camera, pose, shading, &color, &range), "cones");
         took[i] = processor_seconds() - begin;
     }
     const timing t = summary(took, RUNS);
     printf("  %-16s %7.1f  %7.1f\n", name, 1e3 * t.best, 1e3 * t.median);
     if (pictures != NULL)
     {
-        write_picture(pictures, name, &color);
+        char path[256];
+        snprintf(path, sizeof path, "%s%s.ppm", pictures, name);
+        write_pixmap(path, &color);
     }
 }
 
@@ -107,25 +56,21 @@ int main(int count, char **word)
     name_program("see-speed");
     const double edge = count > 1 ? strtod(word[1], NULL) : 0.01;
     const char *pictures = count > 2 ? word[2] : NULL;
-    const cm_camera_options lens = {.size = sizeof lens,
-                                    .width = WIDTH,
-                                    .height = HEIGHT,
-                                    .fx = 525,
-                                    .fy = 525,
-                                    .cx = 319.5,
-                                    .cy = 239.5};
-    cm_camera *camera = NULL, *probe = NULL;
+    cm_camera *probe = NULL;
     cm_mapping *mapping = NULL;
-    need(cm_camera_create(&lens, &camera));
-    need(cm_mapping_create("coupled", NULL, &mapping));
+    need(cm_mapping_create("coupled", NULL, &mapping), "mapping");
     const cm_camera_options faces = {.size = sizeof faces,
                                      .width = FACE,
                                      .height = 6 * FACE,
                                      .pixel_centre = 0.5,
                                      .mapping = mapping};
-    need(cm_camera_create(&faces, &probe));
-    cm_octree *octree = map_room(camera, edge);
-    const cm_pose pose = room_pose(2, VIEWS);
+    need(cm_camera_create(&faces, &probe), "camera");
+    room_walk walk = room_walk_make(NULL, 0, 0.0);
+    const cm_octree_options options = {
+        .size = sizeof options, .edge = edge, .levels = 12, .color = 1};
+    cm_octree *octree = room_walk_map(&walk, &options);
+    const cm_camera *camera = walk.camera;
+    const cm_pose pose = walk.view[2].pose;
     printf("%s\n  ms: best, median\n", system_cpu());
     cm_octree_shading shading = {.size = sizeof shading};
     report("level0", octree, camera, &pose, &shading, pictures);
@@ -139,7 +84,7 @@ int main(int count, char **word)
     report("light", octree, camera, &pose, &shading, pictures);
     report("probe", octree, probe, &pose, NULL, pictures);
     cm_octree_destroy(octree);
-    cm_camera_destroy(camera);
+    room_walk_free(&walk);
     cm_camera_destroy(probe);
     cm_mapping_destroy(mapping);
     return close_standard_output();

@@ -18,7 +18,8 @@ import textwrap
 from loop_model import NUMBERS, Binding
 
 # what an output is where a function for one point has written nothing
-NOTHING = {"double": "NAN", "float": "NAN", "uint8_t": "255", "int": "-1", "uint32_t": "UINT32_MAX", "unsigned": "UINT32_MAX",
+NOTHING = {"double": "NAN", "float": "NAN", "uint8_t": "255", "int": "-1", "int32_t": "-1", "uint32_t": "UINT32_MAX",
+           "unsigned": "UINT32_MAX",
            "int64_t": "-1", "uint64_t": "0", "size_t": "0"}
 NO_INDEX = {"cm_trajectory_nearest": "SIZE_MAX"}  # where 0 is something
 # what the comment of a function in C does not say to users of Python
@@ -40,7 +41,7 @@ LEADS = {
 # outputs of these must not overlap inputs (healpix.h, world.h)
 APART = ("cm_healpix_", "cm_scene_")
 CTYPES = {"double": "c_double", "float": "c_float", "int": "c_int", "unsigned": "c_uint", "char": "c_char", "signed char": "c_byte",
-          "uint8_t": "c_uint8", "uint32_t": "c_uint32", "int64_t": "c_int64", "uint64_t": "c_uint64", "size_t": "c_size_t",
+          "uint8_t": "c_uint8", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64", "uint64_t": "c_uint64", "size_t": "c_size_t",
           "ptrdiff_t": "c_ssize_t", "uint16_t": "c_uint16", "unsigned int": "c_uint"}
 
 

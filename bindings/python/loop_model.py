@@ -8,7 +8,7 @@ import math
 import sys
 
 NUMBERS = {"double": ("CORE_DOUBLE", "float64"), "float": ("CORE_FLOAT", "float32"), "uint8_t": ("CORE_UINT8", "uint8"),
-           "int": ("CORE_INT", "intc"), "uint32_t": ("CORE_UINT32", "uint32"), "unsigned": ("CORE_UINT32", "uint32"),
+           "int": ("CORE_INT", "intc"), "int32_t": ("CORE_INT", "intc"), "uint32_t": ("CORE_UINT32", "uint32"), "unsigned": ("CORE_UINT32", "uint32"),
            "int64_t": ("CORE_INT64", "int64"), "uint64_t": ("CORE_UINT64", "uint64"), "size_t": ("CORE_UINT64", "uint64")}
 # how NumPy has what is so many numbers in a row in C, or so many arrays: matrices
 CORE_SHAPES = {"cm_forward_jacobian_array": (2, 3), "cm_inverse_jacobian_array": (3, 2),

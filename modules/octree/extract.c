@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Voxels of a map, one after the other: those of a level, of a box, and those that changed; and how many there are.
+ * Voxels of a map, one after the other: those of a box, and those that changed; and how many there are.
  */
 #include <math.h>
 #include <string.h>
@@ -232,124 +232,6 @@ cm_status cm_octree_occupied_blocks(const cm_octree *octree, cm_block_job job, v
     cm_walk walk = {.user = &work, .even = give_occupied_even, .block = give_occupied_block};
     cm_walk_all(octree, &walk);
     return cm_walk_run(octree, &walk);
-}
-
-/* ---- a level ---- */
-
-typedef struct extraction
-{
-    const cm_octree *octree;
-    int level;
-    size_t capacity;
-    cm_voxel *voxel;
-    size_t count;
-    uint64_t last[3]; /* the cube above blocks that was given last, and 1 */
-    cm_status status; /* of pages */
-} extraction;
-
-static void give(extraction *work, const double point[3])
-{
-    cm_voxel voxel;
-    const cm_status status = cm_look_at(work->octree, point, work->level, &voxel);
-    work->status = work->status == CM_OK ? status : work->status;
-    if (status == CM_OK && voxel.state == CM_VOXEL_OCCUPIED)
-    {
-        if (work->count < work->capacity)
-        {
-            work->voxel[work->count] = voxel;
-        }
-        work->count++;
-    }
-}
-
-/* Cells of a level up to that of a block: averages of eights. */
-static void extract_cells(extraction *work, const cm_block_values *block)
-{
-    const int64_t middle = (int64_t)1 << (work->octree->tree_level - 1);
-    const unsigned step = 1u << 3 * work->level;
-    for (unsigned cell = 0; cell < 512; cell += step)
-    {
-        unsigned in[3];
-        cm_divide_3(cell, in);
-        if (work->level == 0 && (cell & ((1u << 3 * block->detail) - 1u)) != 0)
-        {
-            continue; /* a coarser one was given as one */
-        }
-        if (work->level <= block->detail && block->alpha[cell] <= CM_UNKNOWN)
-        {
-            continue;
-        }
-        double centre[3];
-        for (int axis = 0; axis < 3; axis++)
-        {
-            const double place = (double)(block->corner[axis] + middle) + in[axis];
-            centre[axis] = cm_place_world(work->octree, axis, place + 0.5);
-        }
-        give(work, centre);
-    }
-}
-
-/* Each cube above blocks is met by its first occupied block. */
-static void extract_cube(extraction *work, const cm_block_values *block)
-{
-    const int64_t middle = (int64_t)1 << (work->octree->tree_level - 1);
-    uint64_t cube[3];
-    double centre[3];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        cube[axis] = ((uint64_t)(block->corner[axis] + middle) >> work->level) + 1;
-        centre[axis] =
-            cm_place_world(work->octree, axis, (double)(block->corner[axis] + middle) + 0.5);
-    }
-    if (memcmp(cube, work->last, sizeof cube) != 0)
-    {
-        memcpy(work->last, cube, sizeof cube);
-        give(work, centre);
-    }
-}
-
-static int extract_block(void *user, const cm_block_values *block)
-{
-    extraction *work = user;
-    if (work->level <= CM_BLOCK_LEVEL)
-    {
-        extract_cells(work, block);
-    }
-    else
-    {
-        extract_cube(work, block);
-    }
-    return work->status != CM_OK;
-}
-
-cm_status cm_octree_extract(const cm_octree *octree, int level, size_t capacity, cm_voxel *voxel,
-                            size_t *count)
-{
-    if (octree == NULL || count == NULL || (voxel == NULL && capacity > 0))
-    {
-        return CM_ERROR_ARGUMENT;
-    }
-    if (level < 0 || level > octree->options.levels)
-    {
-        return CM_ERROR_RANGE;
-    }
-    extraction work = {.octree = octree, .level = level, .capacity = capacity, .voxel = voxel};
-    cm_status status = CM_OK;
-    if (level == octree->options.levels)
-    {
-        give(&work, octree->options.centre); /* that of a small map is not a cube of the tree */
-    }
-    else
-    {
-        status = cm_octree_occupied_blocks(octree, extract_block, &work);
-    }
-    status = work.status != CM_OK ? work.status : status;
-    if (status != CM_OK)
-    {
-        return status;
-    }
-    *count = work.count;
-    return work.count > capacity ? CM_ERROR_SPACE : CM_OK;
 }
 
 /* ---- counts ---- */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "hull_set.h"
 
-#include <string.h>
+#include "named_set.h"
 
-static const cm_hull_set *const sets[] = {
+/* The scalar one first. */
+static const void *const sets[] = {
     &cm_hull_scalar,
 #ifdef CM_HAVE_SSE2
     &cm_hull_sse2,
@@ -21,10 +22,5 @@ static const cm_hull_set *const sets[] = {
 
 const cm_hull_set *cm_hull_set_find(const char *name)
 {
-    const cm_hull_set *found = &cm_hull_scalar;
-    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
-    {
-        found = strcmp(name, sets[i]->name) == 0 ? sets[i] : found;
-    }
-    return found;
+    return cm_named_set(name, sets, sizeof sets / sizeof *sets);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cube_sum.h"
 #include "interleave.h"
 #include "node_tree.h"
 #include "paging.h"
@@ -13,103 +14,60 @@
 static const cm_voxel nothing = {0};
 
 /* Sums over a cube. */
-typedef struct cube_sum
+typedef struct look
 {
+    const cm_octree *octree;
     uint32_t place[3];
     int level;
-    uint64_t alpha; /* less 127, of what is free, and more, apart, so that sums are not negative */
-    uint64_t above;
-    uint64_t below;
-    uint64_t color[3]; /* of occupied voxels that have one, weighted by them */
-    uint64_t colored;
-    const cm_octree *octree;
-} cube_sum;
-
-static void add(cube_sum *sum, uint8_t alpha, uint32_t color, uint64_t voxels)
-{
-    sum->above += alpha > CM_UNKNOWN ? (alpha - CM_UNKNOWN) * voxels : 0;
-    sum->below += alpha < CM_UNKNOWN ? (CM_UNKNOWN - alpha) * voxels : 0;
-    if (alpha > CM_UNKNOWN && color != 0)
-    {
-        uint8_t rgb[3];
-        cm_color_to(color, rgb);
-        const uint64_t weight = (alpha - CM_UNKNOWN) * voxels;
-        for (int i = 0; i < 3; i++)
-        {
-            sum->color[i] += rgb[i] * weight;
-        }
-        sum->colored += weight;
-    }
-}
+    cm_cube_sum sum;
+} look;
 
 static int add_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
 {
-    cube_sum *sum = user;
+    look *work = user;
     (void)place;
-    const int shared = level < sum->level ? level : sum->level;
-    add(sum, alpha, 0, (uint64_t)1 << 3 * shared);
+    const int shared = level < work->level ? level : work->level;
+    cm_cube_add(&work->sum, alpha, (uint64_t)1 << 3 * shared);
     return 0;
 }
 
 static int add_block(void *user, const cm_region *region, unsigned block, unsigned misses)
 {
-    cube_sum *sum = user;
+    look *work = user;
     uint8_t alpha[512];
     uint32_t color[512];
-    const unsigned detail = cm_block_read(region, block, &sum->octree->rule, misses, alpha, color);
+    const unsigned detail = cm_block_read(region, block, &work->octree->rule, misses, alpha, color);
     /* a cube of less than a block is some of its cells, one after the other; but a whole small map is of several blocks,
      * and what else they have is unknown */
     unsigned first = 0, count = 512;
-    if (sum->level < CM_BLOCK_LEVEL && sum->level < sum->octree->options.levels)
+    if (work->level < CM_BLOCK_LEVEL && work->level < work->octree->options.levels)
     {
-        first = cm_interleave_3(sum->place[0] & 7u, sum->place[1] & 7u, sum->place[2] & 7u);
-        count = 1u << 3 * sum->level;
+        first = cm_interleave_3(work->place[0] & 7u, work->place[1] & 7u, work->place[2] & 7u);
+        count = 1u << 3 * work->level;
     }
-    for (unsigned cell = first; cell < first + count; cell++)
-    {
-        add(sum, alpha[cell >> 3 * detail], color[cell >> 3 * detail], 1);
-    }
+    cm_cube_add_cells(&work->sum, alpha, color, detail, first, count);
     return 0;
-}
-
-/* The average, to the nearest; halves go away from 127, which is that of nothing known. */
-static uint8_t average(const cube_sum *sum)
-{
-    const uint64_t voxels = (uint64_t)1 << 3 * sum->level;
-    const int is_above = sum->above >= sum->below;
-    const uint64_t size = is_above ? sum->above - sum->below : sum->below - sum->above;
-    const uint64_t mean = (size + voxels / 2) / voxels;
-    return (uint8_t)(is_above ? CM_UNKNOWN + mean : CM_UNKNOWN - mean);
 }
 
 static cm_status average_at(const cm_octree *octree, const uint32_t place[3], int level,
                             cm_voxel *found)
 {
-    cube_sum sum = {.level = level, .octree = octree};
-    cm_walk walk = {.user = &sum, .even = add_even, .block = add_block};
+    look work = {.level = level, .octree = octree};
+    cm_walk walk = {.user = &work, .even = add_even, .block = add_block};
     for (int axis = 0; axis < 3; axis++)
     {
         /* cubes are counted from the root, which is in the middle of the tree of a small map */
-        sum.place[axis] =
+        work.place[axis] =
             octree->first[axis] + ((place[axis] - octree->first[axis]) >> level << level);
-        walk.first[axis] = sum.place[axis];
-        walk.beyond[axis] = sum.place[axis] + (1u << level);
+        walk.first[axis] = work.place[axis];
+        walk.beyond[axis] = work.place[axis] + (1u << level);
     }
     const cm_status status = cm_walk_run(octree, &walk);
     if (status != CM_OK)
     {
         return status;
     }
-    cm_voxel voxel = cm_voxel_at(octree, sum.place, level, average(&sum), 0);
-    if (voxel.state == CM_VOXEL_OCCUPIED && sum.colored > 0)
-    {
-        voxel.has_color = 1;
-        for (int i = 0; i < 3; i++)
-        {
-            voxel.color[i] = (uint8_t)((sum.color[i] + sum.colored / 2) / sum.colored);
-        }
-    }
-    *found = voxel;
+    *found = cm_cube_voxel(octree, &work.sum, work.place, level);
     return CM_OK;
 }
 

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "octree_set.h"
 
-#include <string.h>
+#include "named_set.h"
 
-static const cm_octree_set *const sets[] = {
+/* The scalar one first. */
+static const void *const sets[] = {
     &cm_octree_scalar,
 #ifdef CM_HAVE_SSE2
     &cm_octree_sse2,
@@ -21,10 +22,5 @@ static const cm_octree_set *const sets[] = {
 
 const cm_octree_set *cm_octree_set_find(const char *name)
 {
-    const cm_octree_set *found = &cm_octree_scalar;
-    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
-    {
-        found = strcmp(name, sets[i]->name) == 0 ? sets[i] : found;
-    }
-    return found;
+    return cm_named_set(name, sets, sizeof sets / sizeof *sets);
 }

@@ -283,3 +283,27 @@ cm_pool *make_pool(unsigned threads)
     }
     return pool;
 }
+
+cm_octree_options paged_options(cm_store *pages)
+{
+    return (cm_octree_options){.size = sizeof(cm_octree_options),
+                               .levels = 7,
+                               .edge = 0.06,
+                               .color = 1,
+                               .far = 6.0,
+                               .memory = pages != NULL ? 30000 : 0,
+                               .pages = pages};
+}
+
+cm_status update_drawn(cm_octree *octree, const cm_camera *camera, uint64_t seed)
+{
+    dice from = {seed};
+    const double place[3] = {dice_between(&from, -2.0, 2.0), dice_between(&from, -2.0, 2.0), -2.5};
+    const double at[3] = {0.1, 0.2, 0.3};
+    const cm_pose pose = look_at(place, at, 6.28 * throw_dice(&from));
+    drawn_view drawn;
+    draw_view(&drawn, camera, &pose, 2.2, 1, &from);
+    const cm_status status = cm_octree_update(octree, &drawn.view, NULL);
+    clear_view(&drawn);
+    return status;
+}

@@ -62,6 +62,12 @@ void draw_view(drawn_view *drawn, const cm_camera *camera, const cm_pose *pose, 
                int has_color, dice *from);
 void clear_view(drawn_view *drawn);
 
+/* Options of a map of which a part is in pages; NULL: without pages. */
+cm_octree_options paged_options(cm_store *pages);
+
+/* Draw a view and integrate it: the same for the same seed. */
+cm_status update_drawn(cm_octree *octree, const cm_camera *camera, uint64_t seed);
+
 /* A map, which must be made. */
 cm_octree *make_map(const cm_octree_options *options);
 

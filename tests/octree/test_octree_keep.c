@@ -8,30 +8,6 @@
 
 static cm_camera *camera;
 
-static cm_octree_options keep_options(cm_store *pages)
-{
-    return (cm_octree_options){.size = sizeof(cm_octree_options),
-                               .levels = 7,
-                               .edge = 0.06,
-                               .color = 1,
-                               .far = 6.0,
-                               .memory = pages != NULL ? 30000 : 0,
-                               .pages = pages};
-}
-
-static cm_status update_drawn(cm_octree *octree, uint64_t seed)
-{
-    dice from = {seed};
-    const double place[3] = {dice_between(&from, -2.0, 2.0), dice_between(&from, -2.0, 2.0), -2.5};
-    const double at[3] = {0.1, 0.2, 0.3};
-    const cm_pose pose = look_at(place, at, 6.28 * throw_dice(&from));
-    drawn_view drawn;
-    draw_view(&drawn, camera, &pose, 2.2, 1, &from);
-    const cm_status status = cm_octree_update(octree, &drawn.view, NULL);
-    clear_view(&drawn);
-    return status;
-}
-
 static cm_store *memory_store(void)
 {
     cm_store *store = NULL;
@@ -42,12 +18,12 @@ static cm_store *memory_store(void)
 START_TEST(pages_change_nothing)
 {
     cm_store *pages = memory_store();
-    const cm_octree_options with = keep_options(pages), without = keep_options(NULL);
+    const cm_octree_options with = paged_options(pages), without = paged_options(NULL);
     cm_octree *paged = make_map(&with), *whole = make_map(&without);
     for (uint64_t seed = 0; seed < 6; seed++)
     {
-        ck_assert_int_eq(update_drawn(paged, seed), CM_OK);
-        ck_assert_int_eq(update_drawn(whole, seed), CM_OK);
+        ck_assert_int_eq(update_drawn(paged, camera, seed), CM_OK);
+        ck_assert_int_eq(update_drawn(whole, camera, seed), CM_OK);
         ck_assert_str_eq(maps_differ(paged, whole), "");
     }
     cm_octree_count of_paged = {.size = sizeof of_paged}, of_whole = of_paged;
@@ -76,12 +52,12 @@ END_TEST
 START_TEST(what_is_saved_is_loaded)
 {
     cm_store *store = memory_store(), *pages = memory_store();
-    const cm_octree_options with = keep_options(pages), without = keep_options(NULL);
+    const cm_octree_options with = paged_options(pages), without = paged_options(NULL);
     cm_octree *paged = make_map(&with), *whole = make_map(&without), *back = NULL;
     for (uint64_t seed = 0; seed < 4; seed++)
     {
-        ck_assert_int_eq(update_drawn(paged, seed), CM_OK);
-        ck_assert_int_eq(update_drawn(whole, seed), CM_OK);
+        ck_assert_int_eq(update_drawn(paged, camera, seed), CM_OK);
+        ck_assert_int_eq(update_drawn(whole, camera, seed), CM_OK);
         ck_assert_int_eq(cm_octree_save(seed % 2 ? paged : whole, store, "user", seed), CM_OK);
         ck_assert_int_eq(cm_octree_load(store, NULL, &back), CM_OK);
         ck_assert_str_eq(maps_differ(back, whole), "");
@@ -93,13 +69,13 @@ START_TEST(what_is_saved_is_loaded)
     }
     /* into its own pages, and on from there */
     ck_assert_int_eq(cm_octree_save(paged, pages, NULL, 0), CM_OK);
-    ck_assert_int_eq(update_drawn(paged, 50), CM_OK);
+    ck_assert_int_eq(update_drawn(paged, camera, 50), CM_OK);
     cm_octree_destroy(paged);
     ck_assert_int_eq(cm_store_rollback(pages), CM_OK);
     ck_assert_int_eq(cm_octree_load(pages, &with, &back), CM_OK);
     ck_assert_str_eq(maps_differ(back, whole), "");
-    ck_assert_int_eq(update_drawn(back, 51), CM_OK);
-    ck_assert_int_eq(update_drawn(whole, 51), CM_OK);
+    ck_assert_int_eq(update_drawn(back, camera, 51), CM_OK);
+    ck_assert_int_eq(update_drawn(whole, camera, 51), CM_OK);
     ck_assert_str_eq(maps_differ(back, whole), "");
     cm_octree_destroy(back);
     cm_octree_destroy(whole);
@@ -113,7 +89,7 @@ END_TEST
 START_TEST(old_pages_do_not_come_back)
 {
     cm_store *pages = memory_store();
-    const cm_octree_options options = keep_options(pages);
+    const cm_octree_options options = paged_options(pages);
     cm_octree *octree = make_map(&options), *back = NULL;
     const double origin[3] = {-3.7, 0.01, 0.01}, at[3] = {1.0, 0.01, 0.01};
     const float near[3] = {1.0f, 0.01f, 0.01f}, far[3] = {2.2f, 0.01f, 0.01f};
@@ -216,20 +192,20 @@ START_TEST(pages_that_fail_leave_a_whole_map)
 {
     failing_store context;
     cm_store *pages = store_that_fails(&context);
-    const cm_octree_options with = keep_options(pages), without = keep_options(NULL);
+    const cm_octree_options with = paged_options(pages), without = paged_options(NULL);
     cm_octree *paged = make_map(&with), *before = make_map(&without), *after = make_map(&without);
     for (uint64_t seed = 0; seed < 3; seed++)
     {
-        ck_assert_int_eq(update_drawn(paged, seed), CM_OK);
-        ck_assert_int_eq(update_drawn(before, seed), CM_OK);
-        ck_assert_int_eq(update_drawn(after, seed), CM_OK);
+        ck_assert_int_eq(update_drawn(paged, camera, seed), CM_OK);
+        ck_assert_int_eq(update_drawn(before, camera, seed), CM_OK);
+        ck_assert_int_eq(update_drawn(after, camera, seed), CM_OK);
     }
     int failures = 0, is_done = 0;
     for (int call = 0; !is_done && call < 400; call += is_quick() ? 3 : 1)
     {
-        ck_assert_int_eq(update_drawn(after, 100 + (uint64_t)call), CM_OK);
+        ck_assert_int_eq(update_drawn(after, camera, 100 + (uint64_t)call), CM_OK);
         context.calls_until_failure = call;
-        const cm_status status = update_drawn(paged, 100 + (uint64_t)call);
+        const cm_status status = update_drawn(paged, camera, 100 + (uint64_t)call);
         is_done = context.calls_until_failure >= 0;
         context.calls_until_failure = -1;
         ck_assert_int_eq(status, is_done ? CM_OK : CM_ERROR_FILE);
@@ -240,9 +216,9 @@ START_TEST(pages_that_fail_leave_a_whole_map)
         ck_assert_uint_eq(cm_octree_step(paged), cm_octree_step(is_after ? after : before));
         if (!is_after)
         {
-            ck_assert_int_eq(update_drawn(paged, 100 + (uint64_t)call), CM_OK);
+            ck_assert_int_eq(update_drawn(paged, camera, 100 + (uint64_t)call), CM_OK);
         }
-        ck_assert_int_eq(update_drawn(before, 100 + (uint64_t)call), CM_OK);
+        ck_assert_int_eq(update_drawn(before, camera, 100 + (uint64_t)call), CM_OK);
     }
     ck_assert_msg(failures > 1 && is_done, "%d failures", failures);
     cm_octree_destroy(paged);
@@ -256,12 +232,12 @@ START_TEST(saving_and_loading_fail_whole)
 {
     failing_store context;
     cm_store *store = store_that_fails(&context);
-    const cm_octree_options options = keep_options(NULL);
+    const cm_octree_options options = paged_options(NULL);
     cm_octree *octree = make_map(&options), *kept = make_map(&options), *back = NULL;
-    ck_assert_int_eq(update_drawn(octree, 0), CM_OK);
-    ck_assert_int_eq(update_drawn(kept, 0), CM_OK);
+    ck_assert_int_eq(update_drawn(octree, camera, 0), CM_OK);
+    ck_assert_int_eq(update_drawn(kept, camera, 0), CM_OK);
     ck_assert_int_eq(cm_octree_save(octree, store, NULL, 0), CM_OK);
-    ck_assert_int_eq(update_drawn(octree, 1), CM_OK);
+    ck_assert_int_eq(update_drawn(octree, camera, 1), CM_OK);
     cm_status status = CM_ERROR_FILE;
     int call = 0;
     for (; status != CM_OK; call += 5)
@@ -296,9 +272,9 @@ END_TEST
 START_TEST(damaged_blobs_are_refused)
 {
     cm_store *store = memory_store();
-    const cm_octree_options options = keep_options(NULL);
+    const cm_octree_options options = paged_options(NULL);
     cm_octree *octree = make_map(&options), *back = NULL;
-    ck_assert_int_eq(update_drawn(octree, 0), CM_OK);
+    ck_assert_int_eq(update_drawn(octree, camera, 0), CM_OK);
     ck_assert_int_eq(cm_octree_save(octree, store, "abc", 3), CM_OK);
     unsigned char bytes[CM_STORE_KEY_MAX];
     size_t count = 0;
@@ -336,7 +312,7 @@ START_TEST(damaged_blobs_are_refused)
             {
                 size_t cells;
                 cm_octree_extract(back, 2, 0, NULL, &cells);
-                update_drawn(back, 5);
+                update_drawn(back, camera, 5);
                 cm_octree_compact(back);
                 cm_octree_destroy(back);
             }

@@ -12,13 +12,12 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "store_model.h"
+#include "tests/killed_child.h"
 #include "tests/suite.h"
 
-/* In memory where that can be: what a kill leaves does not depend on the disk, and a commit takes its time there. */
 static char folder[40];
 static char path[200];
 static char message[CM_IMAGE_MESSAGE];
@@ -112,7 +111,7 @@ START_TEST(is_there_when_it_is_opened_again)
 }
 END_TEST
 
-/* Steps without end, each told through the pipe when it is kept. */
+/* Steps without end. */
 static void write_until_killed(int pipe_end, unsigned step)
 {
     const cm_store_file_options options = {.size = sizeof options, .create = 1};
@@ -123,44 +122,12 @@ static void write_until_killed(int pipe_end, unsigned step)
     }
     for (;; step++)
     {
-        if (model_step_store(store, step) != CM_OK || cm_store_commit(store) != CM_OK ||
-            write(pipe_end, &step, sizeof step) != (ssize_t)sizeof step)
+        if (model_step_store(store, step) != CM_OK || cm_store_commit(store) != CM_OK)
         {
             _exit(4);
         }
+        tell_step(pipe_end, step);
     }
-}
-
-/* A child writes from a step on. It is killed so many steps and microseconds later: the last step that it has told of. */
-static unsigned run_and_kill(unsigned first, unsigned steps, long microseconds)
-{
-    int ends[2];
-    REQUIRE(pipe(ends) == 0, "no pipe");
-    const pid_t child = fork();
-    REQUIRE(child >= 0, "no child");
-    if (child == 0)
-    {
-        close(ends[0]);
-        write_until_killed(ends[1], first);
-    }
-    close(ends[1]);
-    unsigned last = first - 1, told;
-    while (steps-- > 0 && read(ends[0], &told, sizeof told) == (ssize_t)sizeof told)
-    {
-        last = told;
-    }
-    const struct timespec wait = {0, microseconds * 1000};
-    nanosleep(&wait, NULL);
-    kill(child, SIGKILL);
-    while (read(ends[0], &told, sizeof told) == (ssize_t)sizeof told)
-    {
-        last = told;
-    }
-    close(ends[0]);
-    int status = 0;
-    REQUIRE(waitpid(child, &status, 0) == child && WIFSIGNALED(status),
-            "the child ended itself: %d", status);
-    return last;
 }
 
 /* What is told is there, and at most the step after it, whole. */
@@ -170,17 +137,13 @@ START_TEST(every_committed_blob_is_back_after_a_kill)
     store_model model = {{0}};
     unsigned step = 1, kept = 0, journals = 0, random = 1;
     const unsigned kills = is_long() ? 1000 : is_quick() ? 50 : 250;
-    struct timespec begin, end;
-    clock_gettime(CLOCK_MONOTONIC, &begin);
-    run_and_kill(1, 4, 0);
-    clock_gettime(CLOCK_MONOTONIC, &end);
-    const long pause = (end.tv_sec - begin.tv_sec) * 400000 + (end.tv_nsec - begin.tv_nsec) / 2500;
+    const long pause = pause_within_step(write_until_killed);
     forget_file();
     for (unsigned i = 0; i < kills; i++)
     {
         random = random * 1664525u + 1013904223u;
         const unsigned last =
-            run_and_kill(step, i % 3, (long)(random >> 8) % (pause % 1000000 + 1));
+            run_and_kill(write_until_killed, step, i % 3, (long)(random >> 8) % pause);
         for (; step <= last; step++)
         {
             model_step(&model, step);
@@ -462,12 +425,7 @@ int main(void)
         damage_of_any_byte_is_seen,        files_that_end_early_are_refused,
         other_files_are_refused_by_name,   second_user_is_refused,
         options_that_are_none_are_refused, NULL};
-    strcpy(folder, "/dev/shm/cubemap-store-XXXXXX");
-    if (mkdtemp(folder) == NULL)
-    {
-        strcpy(folder, "/tmp/cubemap-store-XXXXXX");
-        REQUIRE(mkdtemp(folder) != NULL, "no folder");
-    }
+    make_quick_folder(folder, "cubemap-store");
     snprintf(path, sizeof path, "%s/store", folder);
     const int failed = run_suite("store file", tests);
     forget_file();

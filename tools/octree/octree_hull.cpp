@@ -15,7 +15,7 @@ struct HullOptions
     std::string folder;
     std::string output;
     std::string camera;
-    cm_octree_options map = {};
+    cm_octree_options map = standard_map();
     bool survives = true;
     int threads = 0;
     bool json = false;
@@ -26,29 +26,18 @@ struct HullOptions
 HullOptions parse_hull_options(int argc, char **argv, const cm_streams &streams)
 {
     HullOptions options;
-    options.map.size = sizeof options.map;
-    options.map.edge = 0.01;
-    options.map.levels = 16;
     OptionReader reader(octree_hull_command, argc, argv, streams);
     while (const int id = reader.next())
     {
+        if (read_grid_option(id, reader, options.map))
+        {
+            continue;
+        }
         switch (id)
         {
         case OCTREE_OUTPUT:
             options.output = reader.text();
             break;
-        case OCTREE_EDGE:
-            options.map.edge = reader.number();
-            break;
-        case OCTREE_LEVELS:
-            options.map.levels = reader.whole_number();
-            break;
-        case OCTREE_CENTRE:
-        {
-            const std::array<double, 3> centre = read_place(reader);
-            std::copy(centre.begin(), centre.end(), options.map.centre);
-            break;
-        }
         case OCTREE_OUTSIDE:
             options.survives = reader.choice() == 0;
             break;

@@ -21,8 +21,6 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double standard_edge = 0.01;
-constexpr int standard_levels = 16;
 constexpr double seconds_between_commits = 5;
 
 struct IntegrateOptions
@@ -30,8 +28,8 @@ struct IntegrateOptions
     std::string folder;
     std::string output;
     std::string camera;
-    cm_octree_options map = {};
-    std::optional<double> edge;
+    cm_octree_options map = standard_map();
+    std::optional<double> edge; // that was asked for
     std::optional<double> budget;
     std::uint64_t memory = 0;
     std::uint64_t save_every = 0;
@@ -71,7 +69,8 @@ bool read_map_option(int id, OptionReader &reader, IntegrateOptions &options)
     switch (id)
     {
     case OCTREE_EDGE:
-        options.edge = reader.number();
+        read_grid_option(id, reader, map);
+        options.edge = map.edge;
         return true;
     case OCTREE_COLOR:
         map.color = 1;
@@ -94,17 +93,8 @@ bool read_map_option(int id, OptionReader &reader, IntegrateOptions &options)
     case OCTREE_LOG_ODDS:
         read_log_odds(reader, map);
         return true;
-    case OCTREE_LEVELS:
-        map.levels = reader.whole_number();
-        return true;
-    case OCTREE_CENTRE:
-    {
-        const std::array<double, 3> centre = read_place(reader);
-        std::copy(centre.begin(), centre.end(), map.centre);
-        return true;
-    }
     default:
-        return false;
+        return read_grid_option(id, reader, map);
     }
 }
 
@@ -160,8 +150,6 @@ void check_integrate_options(const IntegrateOptions &options)
 IntegrateOptions parse_integrate_options(int argc, char **argv, const cm_streams &streams)
 {
     IntegrateOptions options;
-    options.map.size = sizeof options.map;
-    options.map.levels = standard_levels;
     OptionReader reader(octree_integrate_command, argc, argv, streams);
     while (const int id = reader.next())
     {
@@ -175,7 +163,6 @@ IntegrateOptions parse_integrate_options(int argc, char **argv, const cm_streams
     {
         options.folder = needed_operands(reader, 1, "DIR").front();
         check_integrate_options(options);
-        options.map.edge = options.edge.value_or(standard_edge);
         if (options.budget)
         {
             options.map.edge = edge_within_budget(*options.budget, options.edge);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 
 #include "octree_map.hpp"
+#include "octree_table.h"
 
 #include "modules/octree/io/octomap_file.h"
 #include "modules/scene/io/store_file.h"
 #include "tools/cli/atomic_file.hpp"
 #include "tools/cli/byte_size.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -169,6 +171,36 @@ std::uint64_t read_memory(OptionReader &reader)
         reader.refuse("a size, such as 256M or 2G");
     }
     return *bytes;
+}
+
+cm_octree_options standard_map()
+{
+    cm_octree_options map = {};
+    map.size = sizeof map;
+    map.edge = 0.01;
+    map.levels = 16;
+    return map;
+}
+
+bool read_grid_option(int id, OptionReader &reader, cm_octree_options &map)
+{
+    switch (id)
+    {
+    case OCTREE_EDGE:
+        map.edge = reader.number();
+        return true;
+    case OCTREE_LEVELS:
+        map.levels = reader.whole_number();
+        return true;
+    case OCTREE_CENTRE:
+    {
+        const std::array<double, 3> centre = read_place(reader);
+        std::copy(centre.begin(), centre.end(), map.centre);
+        return true;
+    }
+    default:
+        return false;
+    }
 }
 
 std::vector<std::string> needed_operands(const OptionReader &reader, std::size_t count,

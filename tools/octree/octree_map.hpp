@@ -54,6 +54,10 @@ cm_octree_count count_map(const cm_octree *map, const std::string &path);
 std::array<double, 3> read_place(OptionReader &reader);
 std::uint64_t read_memory(OptionReader &reader);
 
+// A map as it is without a word, and options that say where its voxels are: false if it is another option.
+cm_octree_options standard_map();
+bool read_grid_option(int id, OptionReader &reader, cm_octree_options &map);
+
 // The MAP and what else is asked for among the operands.
 std::vector<std::string> needed_operands(const OptionReader &reader, std::size_t count,
                                          const std::string &names);

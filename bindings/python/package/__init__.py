@@ -33,6 +33,7 @@ from .mapping import (NO_FACE, RECOMMENDED, Distortion, Face, Frame, Mapping, Ma
                       check_specification, find_mapping, frames, instruction_sets)
 from .measures import (ORIENT_MEASURES, QUANTITIES, FaceSize, Orient, Precision, Statistics, Terms, advise_precision, advise_size,
                        advise_terms, orient, orient_value, percentiles, statistics)
+from .octree import RULES, STATES, Octree, OctreeCount, OctreePicture, Voxels
 from .pixels import NO_PIXEL, ORDERS, UNSEEN, Healpix, Ring
 from .pose import Alignment, Pose, align
 from .raster import NO_ID, Raster

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Averages over cubes, of alphas and of the colors of what is occupied: what inner nodes have.
+ */
+#ifndef MODULES_OCTREE_CUBE_SUM_H
+#define MODULES_OCTREE_CUBE_SUM_H
+
+#include "octree_object.h"
+
+/* To begin with zeros. Alphas less 127, of what is free and of what is occupied apart, so that sums are not negative. */
+typedef struct cm_cube_sum
+{
+    uint64_t above;
+    uint64_t below;
+    uint64_t color[3]; /* of occupied voxels that have one, weighted by them */
+    uint64_t colored;
+} cm_cube_sum;
+
+/* So many voxels of an alpha, without a color. */
+void cm_cube_add(cm_cube_sum *sum, uint8_t alpha, uint64_t voxels);
+
+/* Voxels of a block, from a first one on, in the order of keys; cells are of that detail. */
+void cm_cube_add_cells(cm_cube_sum *sum, const uint8_t alpha[512], const uint32_t color[512],
+                       unsigned detail, unsigned first, unsigned count);
+
+/* The voxel of a level. Its alpha is rounded to the nearest; halves go away from 127, which is that of nothing known. */
+cm_voxel cm_cube_voxel(const cm_octree *octree, const cm_cube_sum *sum, const uint32_t place[3],
+                       int level);
+
+#endif
