@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * How far depth is from ground truth (Nair et al., "Ground Truth for Evaluating Time of Flight Imaging", 2013, section 5). Of
- * the library cubemap-sim.
+ * How far depth is from ground truth (Nair et al., "Ground Truth for Evaluating Time of Flight Imaging", 2013, section 5).
+ * Of the library cubemap-sim.
  *
  *   images      dense arrays of float, depth or range, both of one kind and in one unit, which results have
  *   measured    what is finite and above 0. A pixel counts where depth and truth are measured
@@ -110,7 +110,8 @@ typedef struct cm_depth_edges
 
 /* Edges: a pixel that differs from its right or its lower neighbour by more than this part of the nearer one. reach is in
  * pixels, in both directions. False edges, as of texture, lower precision.
- * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE (gap not above 0 or not finite; 2^31 pixels; reach from 65536); CM_ERROR_MEMORY. */
+ * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE (gap not above 0 or not finite; 2^31 pixels; reach from 65536);
+ * CM_ERROR_MEMORY. */
 CM_API cm_status cm_depth_error_edges(uint32_t width, uint32_t height, const float *depth,
                                       const float *truth, double gap, uint32_t reach,
                                       cm_depth_edges *edges);
@@ -125,8 +126,8 @@ typedef enum cm_sparsification_measure
 } cm_sparsification_measure;
 
 /* Sparsification: the error of the pixels that are left, when this fraction of them with the least confidence is removed;
- * and the oracle's, who removes those of the greatest error. Confidence may be of depth, or of weak ground truth; where it is NaN a
- * pixel does not count. Of pixels of one confidence each is removed by its part, so that no order of theirs matters, and
+ * and the oracle's, who removes those of the greatest error. Confidence may be of depth, or of weak ground truth;
+ * where it is NaN a pixel does not count. Of pixels of one confidence each is removed by its part, so that no order of theirs matters, and
  * a confidence that says nothing gives a level curve. fraction is from 0 to less than 1. error, oracle and area may be NULL;
  * area is that between both curves, over all fractions, by the error of all pixels: 0 is a perfect confidence.
  * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_RANGE; CM_ERROR_RANK (no pixel counts); CM_ERROR_MEMORY. */
@@ -139,7 +140,8 @@ CM_API cm_status cm_depth_error_sparsify(size_t n, const float *depth, const flo
 
 /* How wrong the distance of a checkerboard is at most that corners tell of (eq. 1): distance from the focal point,
  * spacing of the corners, focal length, and the error of each corner on the chip, all in one unit, which the result has. Of
- * many corners it is to be divided by the root of their number. NaN where that is no number, or where the error hides the corners. */
+ * many corners it is to be divided by the root of their number. NaN where that is no number, or where the error
+ * hides the corners. */
 CM_API double cm_depth_error_checkerboard(double distance, double spacing, double focal_length,
                                           double corner_error);
 
