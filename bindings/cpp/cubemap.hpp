@@ -1607,22 +1607,22 @@ public:
     // cm_tof_scene_count
     size_t count() const;
     // cm_tof_simulate
-    cm_status try_simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const cm_trajectory
-        *trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result *result) const;
-    void simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const cm_trajectory
-        *trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result *result) const;
+    cm_status try_simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light, trajectory_view
+        trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result *result) const;
+    void simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light, trajectory_view trajectory,
+        double time, const cm_tof_options *options, pool_view pool, cm_tof_result *result) const;
     // cm_tof_plan
-    cm_status try_plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const cm_trajectory
-        *trajectory, double time, double limit, const cm_tof_options *most, pool_view pool, cm_tof_options
+    cm_status try_plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, trajectory_view
+        trajectory, double time, double limit, const cm_tof_options *most, pool_view pool, cm_tof_options
         *chosen, cm_budget *budget) const;
-    void plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const cm_trajectory *trajectory,
-        double time, double limit, const cm_tof_options *most, pool_view pool, cm_tof_options *chosen,
-        cm_budget *budget) const;
+    void plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, trajectory_view trajectory, double
+        time, double limit, const cm_tof_options *most, pool_view pool, cm_tof_options *chosen, cm_budget
+        *budget) const;
     // cm_tof_find_truth
-    cm_status try_find_truth(camera_view camera, const cm_trajectory *trajectory, double time, double next,
-        double before, pool_view pool, cm_tof_truth *truth) const;
-    void find_truth(camera_view camera, const cm_trajectory *trajectory, double time, double next, double
+    cm_status try_find_truth(camera_view camera, trajectory_view trajectory, double time, double next, double
         before, pool_view pool, cm_tof_truth *truth) const;
+    void find_truth(camera_view camera, trajectory_view trajectory, double time, double next, double before,
+        pool_view pool, cm_tof_truth *truth) const;
 
 private:
     const cm_tof_scene *handle_;
@@ -2830,28 +2830,27 @@ inline surface::surface(const char *specification, const cm_surface_options *opt
     surface(try_make(specification, options).value()) {}
 inline size_t tof_scene_view::count() const { return cm_tof_scene_count(get()); }
 inline cm_status tof_scene_view::try_simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light,
-    const cm_trajectory *trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result
-    *result) const { return cm_tof_simulate(get(), &sensor, light.data(), light.size(), trajectory, time,
-    options, pool.get(), result); }
-inline void tof_scene_view::simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const
-    cm_trajectory *trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result
-    *result) const { detail::check(cm_tof_simulate(get(), &sensor, light.data(), light.size(), trajectory,
-    time, options, pool.get(), result)); }
-inline cm_status tof_scene_view::try_plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const
-    cm_trajectory *trajectory, double time, double limit, const cm_tof_options *most, pool_view pool,
+    trajectory_view trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result
+    *result) const { return cm_tof_simulate(get(), &sensor, light.data(), light.size(), trajectory.get(),
+    time, options, pool.get(), result); }
+inline void tof_scene_view::simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light,
+    trajectory_view trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result
+    *result) const { detail::check(cm_tof_simulate(get(), &sensor, light.data(), light.size(),
+    trajectory.get(), time, options, pool.get(), result)); }
+inline cm_status tof_scene_view::try_plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light,
+    trajectory_view trajectory, double time, double limit, const cm_tof_options *most, pool_view pool,
     cm_tof_options *chosen, cm_budget *budget) const { return cm_tof_plan(get(), &sensor, light.data(),
-    light.size(), trajectory, time, limit, most, pool.get(), chosen, budget); }
-inline void tof_scene_view::plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const
-    cm_trajectory *trajectory, double time, double limit, const cm_tof_options *most, pool_view pool,
-    cm_tof_options *chosen, cm_budget *budget) const { detail::check(cm_tof_plan(get(), &sensor, light.data(),
-    light.size(), trajectory, time, limit, most, pool.get(), chosen, budget)); }
-inline cm_status tof_scene_view::try_find_truth(camera_view camera, const cm_trajectory *trajectory, double
-    time, double next, double before, pool_view pool, cm_tof_truth *truth) const { return
-    cm_tof_find_truth(get(), camera.get(), trajectory, time, next, before, pool.get(), truth); }
-inline void tof_scene_view::find_truth(camera_view camera, const cm_trajectory *trajectory, double time,
-    double next, double before, pool_view pool, cm_tof_truth *truth) const {
-    detail::check(cm_tof_find_truth(get(), camera.get(), trajectory, time, next, before, pool.get(), truth));
-    }
+    light.size(), trajectory.get(), time, limit, most, pool.get(), chosen, budget); }
+inline void tof_scene_view::plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, trajectory_view
+    trajectory, double time, double limit, const cm_tof_options *most, pool_view pool, cm_tof_options *chosen,
+    cm_budget *budget) const { detail::check(cm_tof_plan(get(), &sensor, light.data(), light.size(),
+    trajectory.get(), time, limit, most, pool.get(), chosen, budget)); }
+inline cm_status tof_scene_view::try_find_truth(camera_view camera, trajectory_view trajectory, double time,
+    double next, double before, pool_view pool, cm_tof_truth *truth) const { return cm_tof_find_truth(get(),
+    camera.get(), trajectory.get(), time, next, before, pool.get(), truth); }
+inline void tof_scene_view::find_truth(camera_view camera, trajectory_view trajectory, double time, double
+    next, double before, pool_view pool, cm_tof_truth *truth) const { detail::check(cm_tof_find_truth(get(),
+    camera.get(), trajectory.get(), time, next, before, pool.get(), truth)); }
 inline result<tof_scene> tof_scene::try_make(scene_view scene) { cm_tof_scene *made_object = nullptr; const
     cm_status status = cm_tof_scene_create(scene.get(), &made_object); return status == CM_OK ?
     result<tof_scene>(tof_scene(made_object)) : result<tof_scene>(status); }

@@ -207,12 +207,16 @@ def c_text(text):
     return "\n".join(f'    "{line}\\n"' for line in escaped.splitlines())
 
 
+def is_bound(function):
+    """Libraries that Python does not bind are not in its module, which needs nothing of what they need."""
+    return function.reasons.get("python") != "unbound"
+
+
 def write_loops(binding):
     lines = ["/* Written by bindings/python/generate.py. */", '#include "core.h"', "", "#include <math.h>", "#include <string.h>", "",
              "#include <cubemap/colormap.h>", "#include <cubemap/compare.h>", "#include <cubemap/environment.h>",
              "#include <cubemap/image.h>", "#include <cubemap/mips.h>", "#include <cubemap/panorama.h>",
-             "#include <cubemap/octree.h>", "#include <cubemap/scene.h>", "#include <cubemap/depth_error.h>",
-             "#include <cubemap/lens.h>", "#include <cubemap/texel.h>", ""]
+             "#include <cubemap/octree.h>", "#include <cubemap/scene.h>", ""]
     loop_enumerations.update(binding.interface.enumerations)
     rows = []
     for name, loops in binding.loops.items():
@@ -238,7 +242,7 @@ def write_loops(binding):
                     f"{len(variants)}, {{{', '.join(variants)}}}}},")
     lines += ["const struct core_function core_functions[] = {", *rows, "    {NULL, NULL, NULL, NULL, 0, 0, 0, 0, 0, {NULL}},", "};", ""]
     destroyers = [function.name for function in binding.table.functions
-                  if any(argument.direction == "free" for argument in function.arguments)]
+                  if is_bound(function) and any(argument.direction == "free" for argument in function.arguments)]
     for name in destroyers:
         base = binding.interface.functions[name].arguments[0].base
         lines += [f"static void end_{name}(void *object)", "{", f"    {name}(({base} *)object);", "}", ""]
@@ -283,7 +287,7 @@ def write_library(binding):
     for name, values in binding.interface.enumerations.items():
         lines += [f"{constant} = {value}" for constant, value in values.items()]
     lines += ["", "_library = ctypes.CDLL(_core.__file__)", ""]
-    for function in binding.table.functions:
+    for function in filter(is_bound, binding.table.functions):
         declared = binding.interface.functions[function.name]
         # arrays in arguments are pointers
         words = [c_type(binding, argument, known) if not argument.extents else "c_void_p" for argument in declared.arguments]

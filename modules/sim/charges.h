@@ -5,7 +5,7 @@
 #ifndef CUBEMAP_SIM_CHARGES_H
 #define CUBEMAP_SIM_CHARGES_H
 
-#include "picture.h"
+#include "tof_picture.h"
 
 /* Electrons of both circuits of every pixel in a phase image, without noise and before anything is full. The picture's waves
  * from picture_wave on are those of the series. offset is the pixels' own phase, radians; NULL: 0. */

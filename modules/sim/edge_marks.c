@@ -3,7 +3,7 @@
  * Outlines and edges of what formulas give, drawn into a sensor's cells: what is thinner than a cell lies between the
  * middles, and is sampled nevertheless.
  */
-#include "picture.h"
+#include "tof_picture.h"
 #include "tof_world.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
 
 static cm_camera *camera;
 
-static void update_drawn(cm_octree *octree, uint64_t seed, int has_color)
+static void update_with_colors(cm_octree *octree, uint64_t seed, int has_color)
 {
     dice from = {seed};
     const double place[3] = {dice_between(&from, -1.0, 1.0), dice_between(&from, -1.0, 1.0),
@@ -24,7 +24,7 @@ static cm_octree *drawn_map(const cm_octree_options *options, uint64_t first, ui
     cm_octree *octree = make_map(options);
     for (uint64_t seed = first; seed < end; seed++)
     {
-        update_drawn(octree, seed, options->color);
+        update_with_colors(octree, seed, options->color);
     }
     return octree;
 }

@@ -8,6 +8,7 @@
 #include "tools/cli/streams.h"
 
 int simulate_tof(int argc, char **argv, const cm_streams &streams);
+int evaluate_tof(int argc, char **argv, const cm_streams &streams);
 int reproduce_papers(int argc, char **argv, const cm_streams &streams);
 
 #endif

@@ -107,6 +107,35 @@ const cm_command tof_simulate_command = {
     .operand = CM_OPTION_FILE,
     .bare_version = 1};
 
+static const cm_option evaluate_options[] = {
+    {.id = TOF_CONFIDENCE,
+     .name = "confidence",
+     .kind = CM_OPTION_FILE,
+     .argument = "FILE",
+     .help = "how sure each pixel is, such as amplitude_0000.exr: its sparsification is told, the "
+             "error "
+             "of what is left when the least sure pixels are removed, beside the best there is"},
+    {.id = TOF_JSON, .name = "json", .help = "print all measures as JSON"},
+};
+
+static const cm_option_group evaluate_groups[] = {
+    {NULL, evaluate_options, sizeof evaluate_options / sizeof *evaluate_options}};
+
+const cm_command tof_evaluate_command = {
+    .name = "cubemap-tof evaluate",
+    .usage = "[OPTION]... MEASURED.exr TRUTH.exr",
+    .summary =
+        "Measures how far distances are from the truth, metres along the ray. TRUTH.exr may be one "
+        "that simulate --truth has written, or any picture of distances; NaN and 0 are not "
+        "measured.",
+    .groups = evaluate_groups,
+    .group_count = 1,
+    .notes = "Example:\n"
+             "  cubemap-tof evaluate made/distance_0000.exr made/truth_0000.exr --json",
+    .words = "MEASURED TRUTH",
+    .operand = CM_OPTION_FILE,
+    .bare_version = 1};
+
 static const cm_option reproduce_options[] = {
     {.id = TOF_OUTPUT,
      .letter = 'o',
@@ -139,9 +168,10 @@ const cm_command tof_reproduce_command = {
     .operand = CM_OPTION_TEXT,
     .bare_version = 1};
 
-static const cm_command *const commands[] = {&tof_simulate_command, &tof_reproduce_command, NULL};
+static const cm_command *const commands[] = {&tof_simulate_command, &tof_evaluate_command,
+                                             &tof_reproduce_command, NULL};
 
-static const char *const command_names[] = {"simulate", "reproduce", NULL};
+static const char *const command_names[] = {"simulate", "evaluate", "reproduce", NULL};
 
 /* --help and --version alone */
 static const cm_option_group tof_groups[] = {{NULL, NULL, 0}};
@@ -150,7 +180,8 @@ const cm_command cm_tof_command = {
     .name = "cubemap-tof",
     .usage = "simulate [OPTION]... SCENE SENSOR.json TRAJECTORY.txt -o DIR\n"
              "reproduce [OPTION]... [NAME]... -o DIR",
-    .summary = "Time-of-flight cameras: simulates what they measure, and does again what papers "
+    .summary = "Time-of-flight cameras: simulates what they measure, tells how good that is, and "
+               "does again what papers "
                "found. Each command has a --help of its "
                "own.",
     .groups = tof_groups,

@@ -26,7 +26,8 @@ enum
     TOF_TRUTH,
     TOF_THREADS,
     TOF_JSON,
-    TOF_QUIET
+    TOF_QUIET,
+    TOF_CONFIDENCE
 };
 
 /* The sensors that are built in, up to NULL. */
@@ -34,6 +35,7 @@ extern const char *const tof_preset_names[];
 
 extern const cm_command tof_simulate_command;
 extern const cm_command tof_reproduce_command;
+extern const cm_command tof_evaluate_command;
 
 #ifdef __cplusplus
 }

@@ -2,8 +2,8 @@
  *
  * The light of all cells of a sensor, and how it is found with as few samples as a scene needs.
  */
-#ifndef CUBEMAP_SIM_PICTURE_H
-#define CUBEMAP_SIM_PICTURE_H
+#ifndef CUBEMAP_SIM_TOF_PICTURE_H
+#define CUBEMAP_SIM_TOF_PICTURE_H
 
 #include "shade.h"
 

@@ -3,7 +3,7 @@
  * Adaptive sampling: where a cell and its eight neighbours see one smooth surface, the mean over the samples is that of the
  * quadratic through their middles; all samples are taken elsewhere.
  */
-#include "picture.h"
+#include "tof_picture.h"
 
 #include <math.h>
 #include <stdatomic.h>
