@@ -24,12 +24,16 @@
 #include <cubemap/compare.h>
 #include <cubemap/cubemap.h>
 #include <cubemap/compensate.h>
+#include <cubemap/depth_error.h>
 #include <cubemap/environment.h>
 #include <cubemap/image.h>
+#include <cubemap/lens.h>
 #include <cubemap/mips.h>
 #include <cubemap/octree.h>
 #include <cubemap/panorama.h>
+#include <cubemap/sim.h>
 #include <cubemap/scene.h>
+#include <cubemap/texel.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -114,6 +118,12 @@ inline void check(cm_status status)
     {
         throw error(status);
     }
+}
+
+// Of both series, where there are two.
+inline std::size_t phase_images(const cm_tof_sensor &sensor)
+{
+    return static_cast<std::size_t>(sensor.phases < 0 ? 0 : sensor.phases) * (sensor.second_frequency > 0 ? 2 : 1);
 }
 
 /* A number of things; C refuses one below 0 itself. */
@@ -217,6 +227,8 @@ template <class T> T sized() noexcept
 
 class advice_view;
 class advice;
+class brdf_view;
+class brdf;
 class camera_view;
 class camera;
 class cell_grid_view;
@@ -235,6 +247,8 @@ class healpix_view;
 class healpix;
 class latitude_conversion_view;
 class latitude_conversion;
+class lens_map_view;
+class lens_map;
 class mapping_view;
 class mapping;
 class mesh_view;
@@ -263,6 +277,8 @@ class store_view;
 class store;
 class surface_view;
 class surface;
+class tof_scene_view;
+class tof_scene;
 class trajectory_view;
 class trajectory;
 
@@ -295,6 +311,42 @@ public:
     advice(const cm_advice_request &request, const cm_advice_costs &costs);
 };
 
+/* An object cm_brdf that somebody else owns. */
+class brdf_view
+{
+public:
+    explicit brdf_view(const cm_brdf *handle) noexcept : handle_(handle) {}
+    const cm_brdf *get() const noexcept { return handle_; }
+    // cm_brdf_value
+    double value(const double (&normal)[3], const double (&in)[3], const double (&out)[3]) const;
+    // cm_brdf_albedo
+    double albedo(double theta_in) const;
+    // cm_brdf_sample_direction
+    double sample_direction(const double (&normal)[3], const double (&out)[3], const double (&u)[3], double
+        (&in)[3], double *density) const;
+    // cm_brdf_density
+    double density(const double (&normal)[3], const double (&in)[3], const double (&out)[3]) const;
+
+private:
+    const cm_brdf *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class brdf : public detail::owner<brdf_view, cm_brdf, cm_brdf_destroy>
+{
+public:
+    explicit brdf(cm_brdf *handle) noexcept : owner(handle) {}
+    // cm_brdf_create_lambert
+    static result<brdf> try_lambert();
+    static brdf lambert();
+    // cm_brdf_create_cook_torrance
+    static result<brdf> try_cook_torrance(const cm_cook_torrance &options);
+    static brdf cook_torrance(const cm_cook_torrance &options);
+    // cm_brdf_create_measured
+    static result<brdf> try_measured(span<const cm_brdf_sample> sample);
+    static brdf measured(span<const cm_brdf_sample> sample);
+};
+
 /* An object cm_camera that somebody else owns. */
 class camera_view
 {
@@ -317,6 +369,20 @@ public:
     int has_ray(double column, double row) const;
     // cm_camera_border
     double border(double angle) const;
+    // cm_lens_frustum
+    cm_status try_lens_frustum(double (&frustum)[4]) const;
+    void lens_frustum(double (&frustum)[4]) const;
+    // cm_lens_guard
+    cm_status try_lens_guard(double delta, double *guard) const;
+    void lens_guard(double delta, double *guard) const;
+    // cm_lens_move_vertices
+    cm_status try_lens_move_vertices(double guard, span<const double> x, span<const double> y, span<const
+        double> z, span<double> to_x, span<double> to_y, span<double> to_z) const;
+    void lens_move_vertices(double guard, span<const double> x, span<const double> y, span<const double> z,
+        span<double> to_x, span<double> to_y, span<double> to_z) const;
+    // cm_lens_pinhole
+    cm_status try_lens_pinhole(double scale, cm_camera_options *pinhole) const;
+    void lens_pinhole(double scale, cm_camera_options *pinhole) const;
 
 private:
     const cm_camera *handle_;
@@ -757,6 +823,48 @@ public:
         to, const cm_latitude_options *options = nullptr);
     latitude_conversion(const cm_ellipsoid &ellipsoid, cm_latitude from, cm_latitude to, const
         cm_latitude_options *options = nullptr);
+};
+
+/* An object cm_lens_map that somebody else owns. */
+class lens_map_view
+{
+public:
+    explicit lens_map_view(const cm_lens_map *handle) noexcept : handle_(handle) {}
+    const cm_lens_map *get() const noexcept { return handle_; }
+    // cm_lens_map_unfilled
+    size_t unfilled() const;
+    // cm_lens_map_pixel_count
+    size_t pixel_count() const;
+    // cm_lens_map_pinhole_pixel_count
+    size_t pinhole_pixel_count() const;
+    // cm_lens_map_places
+    cm_status try_places(span<double> column, span<double> row) const;
+    void places(span<double> column, span<double> row) const;
+    // cm_lens_map_color
+    cm_status try_color(uint32_t channels, span<const float> from, span<float> to, pool_view pool) const;
+    void color(uint32_t channels, span<const float> from, span<float> to, pool_view pool) const;
+    // cm_lens_map_depth
+    cm_status try_depth(double gap, span<const float> from, span<float> to, pool_view pool) const;
+    void depth(double gap, span<const float> from, span<float> to, pool_view pool) const;
+    // cm_lens_map_labels
+    cm_status try_labels(size_t bytes, const void *from, const void *nothing, void *to, pool_view pool) const;
+    void labels(size_t bytes, const void *from, const void *nothing, void *to, pool_view pool) const;
+    // cm_lens_map_flow
+    cm_status try_flow(span<const float> from, span<float> to, pool_view pool) const;
+    void flow(span<const float> from, span<float> to, pool_view pool) const;
+
+private:
+    const cm_lens_map *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class lens_map : public detail::owner<lens_map_view, cm_lens_map, cm_lens_map_destroy>
+{
+public:
+    explicit lens_map(cm_lens_map *handle) noexcept : owner(handle) {}
+    // cm_lens_map_create
+    static result<lens_map> try_make(camera_view camera, camera_view pinhole, pool_view pool);
+    lens_map(camera_view camera, camera_view pinhole, pool_view pool);
 };
 
 /* An object cm_mapping that somebody else owns. */
@@ -1327,6 +1435,11 @@ class scene_view
 public:
     explicit scene_view(cm_scene *handle) noexcept : handle_(handle) {}
     cm_scene *get() const noexcept { return handle_; }
+    // cm_texel_render
+    cm_status try_texel_render(const cm_pose &pose, const cm_texel_options &options, pool_view pool, const
+        cm_texel_image &image) const;
+    void texel_render(const cm_pose &pose, const cm_texel_options &options, pool_view pool, const
+        cm_texel_image &image) const;
     // cm_scene_add
     cm_status try_add(const cm_primitive &primitive, uint32_t *id) const;
     void add(const cm_primitive &primitive, uint32_t *id) const;
@@ -1485,6 +1598,46 @@ public:
     explicit surface(const char *specification, const cm_surface_options *options = nullptr);
 };
 
+/* An object cm_tof_scene that somebody else owns. */
+class tof_scene_view
+{
+public:
+    explicit tof_scene_view(const cm_tof_scene *handle) noexcept : handle_(handle) {}
+    const cm_tof_scene *get() const noexcept { return handle_; }
+    // cm_tof_scene_count
+    size_t count() const;
+    // cm_tof_simulate
+    cm_status try_simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const cm_trajectory
+        *trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result *result) const;
+    void simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const cm_trajectory
+        *trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result *result) const;
+    // cm_tof_plan
+    cm_status try_plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const cm_trajectory
+        *trajectory, double time, double limit, const cm_tof_options *most, pool_view pool, cm_tof_options
+        *chosen, cm_budget *budget) const;
+    void plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const cm_trajectory *trajectory,
+        double time, double limit, const cm_tof_options *most, pool_view pool, cm_tof_options *chosen,
+        cm_budget *budget) const;
+    // cm_tof_find_truth
+    cm_status try_find_truth(camera_view camera, const cm_trajectory *trajectory, double time, double next,
+        double before, pool_view pool, cm_tof_truth *truth) const;
+    void find_truth(camera_view camera, const cm_trajectory *trajectory, double time, double next, double
+        before, pool_view pool, cm_tof_truth *truth) const;
+
+private:
+    const cm_tof_scene *handle_;
+};
+
+/* One of one's own: it can be moved, not copied. */
+class tof_scene : public detail::owner<tof_scene_view, cm_tof_scene, cm_tof_scene_destroy>
+{
+public:
+    explicit tof_scene(cm_tof_scene *handle) noexcept : owner(handle) {}
+    // cm_tof_scene_create
+    static result<tof_scene> try_make(scene_view scene);
+    explicit tof_scene(scene_view scene);
+};
+
 /* An object cm_trajectory that somebody else owns. */
 class trajectory_view
 {
@@ -1537,6 +1690,27 @@ inline result<advice> advice::try_make(const cm_advice_request &request, const c
     return status == CM_OK ? result<advice>(advice(made_object)) : result<advice>(status); }
 inline advice::advice(const cm_advice_request &request, const cm_advice_costs &costs) :
     advice(try_make(request, costs).value()) {}
+inline double brdf_view::value(const double (&normal)[3], const double (&in)[3], const double (&out)[3]) const
+    { return cm_brdf_value(get(), normal, in, out); }
+inline double brdf_view::albedo(double theta_in) const { return cm_brdf_albedo(get(), theta_in); }
+inline double brdf_view::sample_direction(const double (&normal)[3], const double (&out)[3], const double
+    (&u)[3], double (&in)[3], double *density) const { return cm_brdf_sample_direction(get(), normal, out, u,
+    in, density); }
+inline double brdf_view::density(const double (&normal)[3], const double (&in)[3], const double (&out)[3])
+    const { return cm_brdf_density(get(), normal, in, out); }
+inline result<brdf> brdf::try_lambert() { cm_brdf *made_object = nullptr; const cm_status status =
+    cm_brdf_create_lambert(&made_object); return status == CM_OK ? result<brdf>(brdf(made_object)) :
+    result<brdf>(status); }
+inline brdf brdf::lambert() { return try_lambert().value(); }
+inline result<brdf> brdf::try_cook_torrance(const cm_cook_torrance &options) { cm_brdf *made_object = nullptr;
+    const cm_status status = cm_brdf_create_cook_torrance(&options, &made_object); return status == CM_OK ?
+    result<brdf>(brdf(made_object)) : result<brdf>(status); }
+inline brdf brdf::cook_torrance(const cm_cook_torrance &options) { return try_cook_torrance(options).value();
+    }
+inline result<brdf> brdf::try_measured(span<const cm_brdf_sample> sample) { cm_brdf *made_object = nullptr;
+    const cm_status status = cm_brdf_create_measured(sample.size(), sample.data(), &made_object); return
+    status == CM_OK ? result<brdf>(brdf(made_object)) : result<brdf>(status); }
+inline brdf brdf::measured(span<const cm_brdf_sample> sample) { return try_measured(sample).value(); }
 inline const cm_camera_options * camera_view::describe() const { return cm_camera_describe(get()); }
 inline void camera_view::project(span<const double> x, span<const double> y, span<const double> z,
     span<double> column, span<double> row) const { detail::check(detail::holds(y.size(), x.size()) &&
@@ -1555,6 +1729,30 @@ inline double camera_view::solid_angle(double column, double row) const { return
 inline int camera_view::has_ray(double column, double row) const { return cm_camera_has_ray(get(), column,
     row); }
 inline double camera_view::border(double angle) const { return cm_camera_border(get(), angle); }
+inline cm_status camera_view::try_lens_frustum(double (&frustum)[4]) const { return cm_lens_frustum(get(),
+    frustum); }
+inline void camera_view::lens_frustum(double (&frustum)[4]) const { detail::check(cm_lens_frustum(get(),
+    frustum)); }
+inline cm_status camera_view::try_lens_guard(double delta, double *guard) const { return cm_lens_guard(get(),
+    delta, guard); }
+inline void camera_view::lens_guard(double delta, double *guard) const { detail::check(cm_lens_guard(get(),
+    delta, guard)); }
+inline cm_status camera_view::try_lens_move_vertices(double guard, span<const double> x, span<const double> y,
+    span<const double> z, span<double> to_x, span<double> to_y, span<double> to_z) const { return
+    detail::holds(y.size(), x.size()) && detail::holds(z.size(), x.size()) && detail::holds(to_x.size(),
+    x.size()) && detail::holds(to_y.size(), x.size()) && detail::holds(to_z.size(), x.size()) ?
+    cm_lens_move_vertices(get(), guard, x.size(), x.data(), y.data(), z.data(), to_x.data(), to_y.data(),
+    to_z.data()) : CM_ERROR_ARGUMENT; }
+inline void camera_view::lens_move_vertices(double guard, span<const double> x, span<const double> y,
+    span<const double> z, span<double> to_x, span<double> to_y, span<double> to_z) const {
+    detail::check(detail::holds(y.size(), x.size()) && detail::holds(z.size(), x.size()) &&
+    detail::holds(to_x.size(), x.size()) && detail::holds(to_y.size(), x.size()) && detail::holds(to_z.size(),
+    x.size()) ? cm_lens_move_vertices(get(), guard, x.size(), x.data(), y.data(), z.data(), to_x.data(),
+    to_y.data(), to_z.data()) : CM_ERROR_ARGUMENT); }
+inline cm_status camera_view::try_lens_pinhole(double scale, cm_camera_options *pinhole) const { return
+    cm_lens_pinhole(get(), scale, pinhole); }
+inline void camera_view::lens_pinhole(double scale, cm_camera_options *pinhole) const {
+    detail::check(cm_lens_pinhole(get(), scale, pinhole)); }
 inline result<camera> camera::try_make(const cm_camera_options *options) { cm_camera *made_object = nullptr;
     const cm_status status = cm_camera_create(options, &made_object); return status == CM_OK ?
     result<camera>(camera(made_object)) : result<camera>(status); }
@@ -1924,6 +2122,53 @@ inline result<latitude_conversion> latitude_conversion::try_make(const cm_ellips
 inline latitude_conversion::latitude_conversion(const cm_ellipsoid &ellipsoid, cm_latitude from, cm_latitude
     to, const cm_latitude_options *options) : latitude_conversion(try_make(ellipsoid, from, to,
     options).value()) {}
+inline size_t lens_map_view::unfilled() const { return cm_lens_map_unfilled(get()); }
+inline size_t lens_map_view::pixel_count() const { return cm_lens_map_pixel_count(get()); }
+inline size_t lens_map_view::pinhole_pixel_count() const { return cm_lens_map_pinhole_pixel_count(get()); }
+inline cm_status lens_map_view::try_places(span<double> column, span<double> row) const { return
+    detail::holds(column.size(), cm_lens_map_pixel_count(get())) && detail::holds(row.size(),
+    cm_lens_map_pixel_count(get())) ? cm_lens_map_places(get(), column.data(), row.data()) :
+    CM_ERROR_ARGUMENT; }
+inline void lens_map_view::places(span<double> column, span<double> row) const {
+    detail::check(detail::holds(column.size(), cm_lens_map_pixel_count(get())) && detail::holds(row.size(),
+    cm_lens_map_pixel_count(get())) ? cm_lens_map_places(get(), column.data(), row.data()) :
+    CM_ERROR_ARGUMENT); }
+inline cm_status lens_map_view::try_color(uint32_t channels, span<const float> from, span<float> to, pool_view
+    pool) const { return detail::holds(from.size(), cm_lens_map_pinhole_pixel_count(get()),
+    detail::whole(channels)) && detail::holds(to.size(), cm_lens_map_pixel_count(get()),
+    detail::whole(channels)) ? cm_lens_map_color(get(), channels, from.data(), to.data(), pool.get()) :
+    CM_ERROR_ARGUMENT; }
+inline void lens_map_view::color(uint32_t channels, span<const float> from, span<float> to, pool_view pool)
+    const { detail::check(detail::holds(from.size(), cm_lens_map_pinhole_pixel_count(get()),
+    detail::whole(channels)) && detail::holds(to.size(), cm_lens_map_pixel_count(get()),
+    detail::whole(channels)) ? cm_lens_map_color(get(), channels, from.data(), to.data(), pool.get()) :
+    CM_ERROR_ARGUMENT); }
+inline cm_status lens_map_view::try_depth(double gap, span<const float> from, span<float> to, pool_view pool)
+    const { return detail::holds(from.size(), cm_lens_map_pinhole_pixel_count(get())) &&
+    detail::holds(to.size(), cm_lens_map_pixel_count(get())) ? cm_lens_map_depth(get(), gap, from.data(),
+    to.data(), pool.get()) : CM_ERROR_ARGUMENT; }
+inline void lens_map_view::depth(double gap, span<const float> from, span<float> to, pool_view pool) const {
+    detail::check(detail::holds(from.size(), cm_lens_map_pinhole_pixel_count(get())) &&
+    detail::holds(to.size(), cm_lens_map_pixel_count(get())) ? cm_lens_map_depth(get(), gap, from.data(),
+    to.data(), pool.get()) : CM_ERROR_ARGUMENT); }
+inline cm_status lens_map_view::try_labels(size_t bytes, const void *from, const void *nothing, void *to,
+    pool_view pool) const { return cm_lens_map_labels(get(), bytes, from, nothing, to, pool.get()); }
+inline void lens_map_view::labels(size_t bytes, const void *from, const void *nothing, void *to, pool_view
+    pool) const { detail::check(cm_lens_map_labels(get(), bytes, from, nothing, to, pool.get())); }
+inline cm_status lens_map_view::try_flow(span<const float> from, span<float> to, pool_view pool) const {
+    return detail::holds(from.size(), cm_lens_map_pinhole_pixel_count(get()), 2) && detail::holds(to.size(),
+    cm_lens_map_pixel_count(get()), 2) ? cm_lens_map_flow(get(), from.data(), to.data(), pool.get()) :
+    CM_ERROR_ARGUMENT; }
+inline void lens_map_view::flow(span<const float> from, span<float> to, pool_view pool) const {
+    detail::check(detail::holds(from.size(), cm_lens_map_pinhole_pixel_count(get()), 2) &&
+    detail::holds(to.size(), cm_lens_map_pixel_count(get()), 2) ? cm_lens_map_flow(get(), from.data(),
+    to.data(), pool.get()) : CM_ERROR_ARGUMENT); }
+inline result<lens_map> lens_map::try_make(camera_view camera, camera_view pinhole, pool_view pool) {
+    cm_lens_map *made_object = nullptr; const cm_status status = cm_lens_map_create(camera.get(),
+    pinhole.get(), pool.get(), &made_object); return status == CM_OK ? result<lens_map>(lens_map(made_object))
+    : result<lens_map>(status); }
+inline lens_map::lens_map(camera_view camera, camera_view pinhole, pool_view pool) : lens_map(try_make(camera,
+    pinhole, pool).value()) {}
 inline cm_status mapping_view::try_advise_size(double angle, cm_advice_size *size) const { return
     cm_advise_size(get(), angle, size); }
 inline void mapping_view::advise_size(double angle, cm_advice_size *size) const {
@@ -2469,6 +2714,12 @@ inline result<region> region::try_polygon(span<const size_t> ring_length, span<c
     result<region>(status); }
 inline region region::polygon(span<const size_t> ring_length, span<const double> lonlat) { return
     try_polygon(ring_length, lonlat).value(); }
+inline cm_status scene_view::try_texel_render(const cm_pose &pose, const cm_texel_options &options, pool_view
+    pool, const cm_texel_image &image) const { return cm_texel_render(get(), &pose, &options, pool.get(),
+    &image); }
+inline void scene_view::texel_render(const cm_pose &pose, const cm_texel_options &options, pool_view pool,
+    const cm_texel_image &image) const { detail::check(cm_texel_render(get(), &pose, &options, pool.get(),
+    &image)); }
 inline cm_status scene_view::try_add(const cm_primitive &primitive, uint32_t *id) const { return
     cm_scene_add(get(), &primitive, id); }
 inline void scene_view::add(const cm_primitive &primitive, uint32_t *id) const {
@@ -2577,6 +2828,34 @@ inline result<surface> surface::try_make(const char *specification, const cm_sur
     &made_object); return status == CM_OK ? result<surface>(surface(made_object)) : result<surface>(status); }
 inline surface::surface(const char *specification, const cm_surface_options *options) :
     surface(try_make(specification, options).value()) {}
+inline size_t tof_scene_view::count() const { return cm_tof_scene_count(get()); }
+inline cm_status tof_scene_view::try_simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light,
+    const cm_trajectory *trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result
+    *result) const { return cm_tof_simulate(get(), &sensor, light.data(), light.size(), trajectory, time,
+    options, pool.get(), result); }
+inline void tof_scene_view::simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const
+    cm_trajectory *trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result
+    *result) const { detail::check(cm_tof_simulate(get(), &sensor, light.data(), light.size(), trajectory,
+    time, options, pool.get(), result)); }
+inline cm_status tof_scene_view::try_plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const
+    cm_trajectory *trajectory, double time, double limit, const cm_tof_options *most, pool_view pool,
+    cm_tof_options *chosen, cm_budget *budget) const { return cm_tof_plan(get(), &sensor, light.data(),
+    light.size(), trajectory, time, limit, most, pool.get(), chosen, budget); }
+inline void tof_scene_view::plan(const cm_tof_sensor &sensor, span<const cm_tof_light> light, const
+    cm_trajectory *trajectory, double time, double limit, const cm_tof_options *most, pool_view pool,
+    cm_tof_options *chosen, cm_budget *budget) const { detail::check(cm_tof_plan(get(), &sensor, light.data(),
+    light.size(), trajectory, time, limit, most, pool.get(), chosen, budget)); }
+inline cm_status tof_scene_view::try_find_truth(camera_view camera, const cm_trajectory *trajectory, double
+    time, double next, double before, pool_view pool, cm_tof_truth *truth) const { return
+    cm_tof_find_truth(get(), camera.get(), trajectory, time, next, before, pool.get(), truth); }
+inline void tof_scene_view::find_truth(camera_view camera, const cm_trajectory *trajectory, double time,
+    double next, double before, pool_view pool, cm_tof_truth *truth) const {
+    detail::check(cm_tof_find_truth(get(), camera.get(), trajectory, time, next, before, pool.get(), truth));
+    }
+inline result<tof_scene> tof_scene::try_make(scene_view scene) { cm_tof_scene *made_object = nullptr; const
+    cm_status status = cm_tof_scene_create(scene.get(), &made_object); return status == CM_OK ?
+    result<tof_scene>(tof_scene(made_object)) : result<tof_scene>(status); }
+inline tof_scene::tof_scene(scene_view scene) : tof_scene(try_make(scene).value()) {}
 inline size_t trajectory_view::count() const { return cm_trajectory_count(get()); }
 inline cm_status trajectory_view::try_at(size_t index, double *stamp, cm_pose *pose) const { return
     cm_trajectory_at(get(), index, stamp, pose); }
@@ -2621,6 +2900,9 @@ inline cm_status try_advise_terms(const cm_ellipsoid &ellipsoid, cm_latitude fro
     metres, cm_advice_terms *terms) { return cm_advise_terms(&ellipsoid, from, to, metres, terms); }
 inline void advise_terms(const cm_ellipsoid &ellipsoid, cm_latitude from, cm_latitude to, double metres,
     cm_advice_terms *terms) { detail::check(cm_advise_terms(&ellipsoid, from, to, metres, terms)); }
+// cm_brdf_goniometer
+inline void brdf_goniometer(double alpha, double beta, double gamma, cm_brdf_sample *sample) {
+    cm_brdf_goniometer(alpha, beta, gamma, sample); }
 // cm_budget_limit_error
 inline cm_status try_budget_limit_error(cm_budget *budget, double limit) { return
     cm_budget_limit_error(budget, limit); }
@@ -2939,6 +3221,88 @@ inline cm_status try_depth_halve_camera(const cm_camera_options &from, cm_camera
     cm_depth_halve_camera(&from, to); }
 inline void depth_halve_camera(const cm_camera_options &from, cm_camera_options *to) {
     detail::check(cm_depth_halve_camera(&from, to)); }
+// cm_depth_error_local
+inline cm_status try_depth_error_local(span<const float> depth, span<const float> truth, span<float> error) {
+    return detail::holds(truth.size(), depth.size()) && detail::holds(error.size(), depth.size()) ?
+    cm_depth_error_local(depth.size(), depth.data(), truth.data(), error.data()) : CM_ERROR_ARGUMENT; }
+inline void depth_error_local(span<const float> depth, span<const float> truth, span<float> error) {
+    detail::check(detail::holds(truth.size(), depth.size()) && detail::holds(error.size(), depth.size()) ?
+    cm_depth_error_local(depth.size(), depth.data(), truth.data(), error.data()) : CM_ERROR_ARGUMENT); }
+// cm_depth_error_measure
+inline cm_status try_depth_error_measure(span<const float> depth, span<const float> truth, cm_depth_error
+    *error) { return detail::holds(truth.size(), depth.size()) ? cm_depth_error_measure(depth.size(),
+    depth.data(), truth.data(), error) : CM_ERROR_ARGUMENT; }
+inline void depth_error_measure(span<const float> depth, span<const float> truth, cm_depth_error *error) {
+    detail::check(detail::holds(truth.size(), depth.size()) ? cm_depth_error_measure(depth.size(),
+    depth.data(), truth.data(), error) : CM_ERROR_ARGUMENT); }
+// cm_depth_error_quantiles
+inline cm_status try_depth_error_quantiles(span<const float> depth, span<const float> truth, span<const
+    double> fraction, span<double> quantile) { return detail::holds(truth.size(), depth.size()) &&
+    detail::holds(quantile.size(), fraction.size()) ? cm_depth_error_quantiles(depth.size(), depth.data(),
+    truth.data(), fraction.size(), fraction.data(), quantile.data()) : CM_ERROR_ARGUMENT; }
+inline void depth_error_quantiles(span<const float> depth, span<const float> truth, span<const double>
+    fraction, span<double> quantile) { detail::check(detail::holds(truth.size(), depth.size()) &&
+    detail::holds(quantile.size(), fraction.size()) ? cm_depth_error_quantiles(depth.size(), depth.data(),
+    truth.data(), fraction.size(), fraction.data(), quantile.data()) : CM_ERROR_ARGUMENT); }
+// cm_depth_error_bad
+inline cm_status try_depth_error_bad(span<const float> depth, span<const float> truth, span<const double>
+    limit, span<double> ratio) { return detail::holds(truth.size(), depth.size()) &&
+    detail::holds(ratio.size(), limit.size()) ? cm_depth_error_bad(depth.size(), depth.data(), truth.data(),
+    limit.size(), limit.data(), ratio.data()) : CM_ERROR_ARGUMENT; }
+inline void depth_error_bad(span<const float> depth, span<const float> truth, span<const double> limit,
+    span<double> ratio) { detail::check(detail::holds(truth.size(), depth.size()) &&
+    detail::holds(ratio.size(), limit.size()) ? cm_depth_error_bad(depth.size(), depth.data(), truth.data(),
+    limit.size(), limit.data(), ratio.data()) : CM_ERROR_ARGUMENT); }
+// cm_depth_error_temporal
+inline cm_status try_depth_error_temporal(size_t frames, span<const float> depth, span<float> mean,
+    span<float> deviation) { return detail::holds(depth.size(), detail::whole(frames), mean.size()) &&
+    (deviation.data() == nullptr || detail::holds(deviation.size(), mean.size())) ?
+    cm_depth_error_temporal(frames, mean.size(), depth.data(), mean.data(), deviation.data()) :
+    CM_ERROR_ARGUMENT; }
+inline void depth_error_temporal(size_t frames, span<const float> depth, span<float> mean, span<float>
+    deviation) { detail::check(detail::holds(depth.size(), detail::whole(frames), mean.size()) &&
+    (deviation.data() == nullptr || detail::holds(deviation.size(), mean.size())) ?
+    cm_depth_error_temporal(frames, mean.size(), depth.data(), mean.data(), deviation.data()) :
+    CM_ERROR_ARGUMENT); }
+// cm_depth_error_slope
+inline cm_status try_depth_error_slope(float *const (&normal)[3], float *const (&truth)[3], span<float> angle)
+    { return cm_depth_error_slope(angle.size(), normal, truth, angle.data()); }
+inline void depth_error_slope(float *const (&normal)[3], float *const (&truth)[3], span<float> angle) {
+    detail::check(cm_depth_error_slope(angle.size(), normal, truth, angle.data())); }
+// cm_depth_error_plane
+inline cm_status try_depth_error_plane(size_t n, float *const (&point)[3], cm_depth_plane *plane) { return
+    cm_depth_error_plane(n, point, plane); }
+inline void depth_error_plane(size_t n, float *const (&point)[3], cm_depth_plane *plane) {
+    detail::check(cm_depth_error_plane(n, point, plane)); }
+// cm_depth_error_edges
+inline cm_status try_depth_error_edges(uint32_t width, uint32_t height, span<const float> depth, span<const
+    float> truth, double gap, uint32_t reach, cm_depth_edges *edges) { return detail::holds(depth.size(),
+    detail::whole(height), detail::whole(width)) && detail::holds(truth.size(), detail::whole(height),
+    detail::whole(width)) ? cm_depth_error_edges(width, height, depth.data(), truth.data(), gap, reach, edges)
+    : CM_ERROR_ARGUMENT; }
+inline void depth_error_edges(uint32_t width, uint32_t height, span<const float> depth, span<const float>
+    truth, double gap, uint32_t reach, cm_depth_edges *edges) { detail::check(detail::holds(depth.size(),
+    detail::whole(height), detail::whole(width)) && detail::holds(truth.size(), detail::whole(height),
+    detail::whole(width)) ? cm_depth_error_edges(width, height, depth.data(), truth.data(), gap, reach, edges)
+    : CM_ERROR_ARGUMENT); }
+// cm_depth_error_sparsify
+inline cm_status try_depth_error_sparsify(span<const float> depth, span<const float> truth, span<const float>
+    confidence, cm_sparsification_measure measure, span<const double> fraction, span<double> error,
+    span<double> oracle, double *area) { return detail::holds(truth.size(), depth.size()) &&
+    detail::holds(confidence.size(), depth.size()) && (error.data() == nullptr || detail::holds(error.size(),
+    fraction.size())) && (oracle.data() == nullptr || detail::holds(oracle.size(), fraction.size())) ?
+    cm_depth_error_sparsify(depth.size(), depth.data(), truth.data(), confidence.data(), measure,
+    fraction.size(), fraction.data(), error.data(), oracle.data(), area) : CM_ERROR_ARGUMENT; }
+inline void depth_error_sparsify(span<const float> depth, span<const float> truth, span<const float>
+    confidence, cm_sparsification_measure measure, span<const double> fraction, span<double> error,
+    span<double> oracle, double *area) { detail::check(detail::holds(truth.size(), depth.size()) &&
+    detail::holds(confidence.size(), depth.size()) && (error.data() == nullptr || detail::holds(error.size(),
+    fraction.size())) && (oracle.data() == nullptr || detail::holds(oracle.size(), fraction.size())) ?
+    cm_depth_error_sparsify(depth.size(), depth.data(), truth.data(), confidence.data(), measure,
+    fraction.size(), fraction.data(), error.data(), oracle.data(), area) : CM_ERROR_ARGUMENT); }
+// cm_depth_error_checkerboard
+inline double depth_error_checkerboard(double distance, double spacing, double focal_length, double
+    corner_error) { return cm_depth_error_checkerboard(distance, spacing, focal_length, corner_error); }
 // cm_direction_from_lonlat
 inline void direction_from_lonlat(double lon, double lat, double (&direction)[3]) {
     cm_direction_from_lonlat(lon, lat, direction); }
@@ -3259,6 +3623,28 @@ inline void random_poisson(uint64_t seed, uint32_t view, uint32_t first, uint32_
     mean, span<double> count) { detail::check(detail::holds(count.size(), mean.size()) ? CM_OK :
     CM_ERROR_ARGUMENT); cm_random_poisson_array(seed, view, first, sample, mean.size(), mean.data(),
     count.data()); }
+// cm_tof_frame_time
+inline double tof_frame_time(const cm_tof_sensor &sensor) { return cm_tof_frame_time(&sensor); }
+// cm_tof_reconstruct
+inline cm_status try_tof_reconstruct(const cm_tof_sensor &sensor, span<const float> charge_a, span<const
+    float> charge_b, span<float> distance, span<float> amplitude, span<float> intensity, span<uint8_t> flags)
+    { return detail::holds(charge_a.size(), detail::phase_images(sensor), distance.size()) &&
+    detail::holds(charge_b.size(), detail::phase_images(sensor), distance.size()) &&
+    detail::holds(amplitude.size(), distance.size()) && detail::holds(intensity.size(), distance.size()) &&
+    detail::holds(flags.size(), distance.size()) ? cm_tof_reconstruct(&sensor, distance.size(),
+    charge_a.data(), charge_b.data(), distance.data(), amplitude.data(), intensity.data(), flags.data()) :
+    CM_ERROR_ARGUMENT; }
+inline void tof_reconstruct(const cm_tof_sensor &sensor, span<const float> charge_a, span<const float>
+    charge_b, span<float> distance, span<float> amplitude, span<float> intensity, span<uint8_t> flags) {
+    detail::check(detail::holds(charge_a.size(), detail::phase_images(sensor), distance.size()) &&
+    detail::holds(charge_b.size(), detail::phase_images(sensor), distance.size()) &&
+    detail::holds(amplitude.size(), distance.size()) && detail::holds(intensity.size(), distance.size()) &&
+    detail::holds(flags.size(), distance.size()) ? cm_tof_reconstruct(&sensor, distance.size(),
+    charge_a.data(), charge_b.data(), distance.data(), amplitude.data(), intensity.data(), flags.data()) :
+    CM_ERROR_ARGUMENT); }
+// cm_tof_noise_of_distance
+inline double tof_noise_of_distance(const cm_tof_sensor &sensor, double signal, double ambient) { return
+    cm_tof_noise_of_distance(&sensor, signal, ambient); }
 // cm_quantity_name
 inline const char * quantity_name(size_t index) { return cm_quantity_name(index); }
 // cm_quantity_find
@@ -3267,6 +3653,36 @@ inline int quantity_find(const char *name) { return cm_quantity_find(name); }
 inline const char * status_text(cm_status status) { return cm_status_text(status); }
 // cm_blob_clear
 inline void blob_clear(cm_blob *blob) { cm_blob_clear(blob); }
+// cm_texel_linearise
+inline cm_status try_texel_linearise(double near, double far, span<const float> z_buffer, span<float> depth) {
+    return detail::holds(depth.size(), z_buffer.size()) ? cm_texel_linearise(near, far, z_buffer.size(),
+    z_buffer.data(), depth.data()) : CM_ERROR_ARGUMENT; }
+inline void texel_linearise(double near, double far, span<const float> z_buffer, span<float> depth) {
+    detail::check(detail::holds(depth.size(), z_buffer.size()) ? cm_texel_linearise(near, far,
+    z_buffer.size(), z_buffer.data(), depth.data()) : CM_ERROR_ARGUMENT); }
+// cm_texel_complete
+inline cm_status try_texel_complete(cm_texel_options *options) { return cm_texel_complete(options); }
+inline void texel_complete(cm_texel_options *options) { detail::check(cm_texel_complete(options)); }
+// cm_texel_places
+inline cm_status try_texel_places(const cm_texel_options &options, double *column, double *row, double *x,
+    double *y) { return cm_texel_places(&options, column, row, x, y); }
+inline void texel_places(const cm_texel_options &options, double *column, double *row, double *x, double *y) {
+    detail::check(cm_texel_places(&options, column, row, x, y)); }
+// cm_texel_sample
+inline cm_status try_texel_sample(const cm_texel_options &options, const float *canvas, float *depth) { return
+    cm_texel_sample(&options, canvas, depth); }
+inline void texel_sample(const cm_texel_options &options, const float *canvas, float *depth) {
+    detail::check(cm_texel_sample(&options, canvas, depth)); }
+// cm_texel_points
+inline cm_status try_texel_points(const cm_texel_options &options, const float *depth, const cm_texel_image
+    &image) { return cm_texel_points(&options, depth, &image); }
+inline void texel_points(const cm_texel_options &options, const float *depth, const cm_texel_image &image) {
+    detail::check(cm_texel_points(&options, depth, &image)); }
+// cm_texel_matrix
+inline cm_status try_texel_matrix(const cm_pose &base, const cm_pose &scan, double unit, double (&matrix)[16])
+    { return cm_texel_matrix(&base, &scan, unit, matrix); }
+inline void texel_matrix(const cm_pose &base, const cm_pose &scan, double unit, double (&matrix)[16]) {
+    detail::check(cm_texel_matrix(&base, &scan, unit, matrix)); }
 // cm_threads_available
 inline unsigned threads_available() { return cm_threads_available(); }
 // cm_run_threads

@@ -29,6 +29,7 @@ KNOWN = {
     ("cm_ssim", "channels"): "detail::channels(&reference)",
     ("cm_environment_project", "channels"): "cm_environment_channels(get())",
     ("cm_depth_clean", "pixels"): "detail::pixels(picture)",
+    ("cm_tof_reconstruct", "images"): "detail::phase_images(sensor)",
     **{(name, word): value for name in ("cm_compensate", "cm_compensate_pixelwise")
        for word, value in (("channels", "detail::whole(input.channels)"), ("pixels", "detail::whole(input.width), detail::whole(input.height)"))},
 }
@@ -36,6 +37,8 @@ KNOWN = {
 # What may be NULL, as the headers say, beside options.
 OPTIONAL = {("cm_ssim", "channel_means"), ("cm_flow_warp", "coverage"), ("cm_raster_read", "image"), ("cm_raster_read", "id"),
             ("cm_distortion_percentiles", "doubt"), ("cm_store_next", "after"),
+            ("cm_depth_error_sparsify", "error"), ("cm_depth_error_sparsify", "oracle"),
+            ("cm_depth_error_temporal", "deviation"),
             *((f"cm_raster_{drawn}", "pose") for drawn in ("triangles", "discs", "points", "weights"))}
 
 
@@ -108,6 +111,9 @@ class Writer:
                 continue
             if extent == "pixels/4":
                 found.append("cm_rays_halved_pixel_count(get())")
+                continue
+            if extent == "pinhole_pixels":
+                found.append("cm_lens_map_pinhole_pixel_count(get())")
                 continue
             number, word = re.match(r"(\d*)[*(]*([a-z_]*)", extent).groups()
             value = self.value_of(function, given, word) + (" + 1" if "+1" in extent else "") if word else ""

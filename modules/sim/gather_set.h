@@ -37,6 +37,9 @@ typedef struct gather_sum
     size_t stride;
 } gather_sum;
 
+/* Planes of curved surfaces are met a little behind: by so much of the distance, in a small cell. */
+#define PLANE_REACH 0.01f
+
 /* What a light sees in the cells of a map around it, each (face edge + row) edge + column: planes that face it, of a normal
  * and a number, which are 0 0 0 and 1 where there is nothing. */
 typedef struct gather_shadow
@@ -48,14 +51,13 @@ typedef struct gather_shadow
 typedef struct gather_set
 {
     const char *name; /* first: as in options.h */
-    /* visible: 0 or 1 of each place; NULL: 1 */
+    /* height: above the planes that hide what is below them; NULL: nothing is hidden */
     void (*gather)(const gather_light *light, const gather_waves *waves, size_t n,
                    const float *const position[3], const float *const normal[3],
-                   const float *visible, const gather_sum *sum);
-    /* Which of n places, that a mapping has at face, u and v, the light sees: those not behind the plane of their cell. */
-    void (*see)(const gather_light *light, const gather_shadow *shadow, size_t n,
-                const float *const position[3], const uint8_t *face, const float *u, const float *v,
-                float *visible);
+                   const float *height, const gather_sum *sum);
+    /* Heights of n places, each three coordinates and 1, that a mapping has at face, u and v. */
+    void (*see)(const gather_shadow *shadow, size_t n, const float (*place)[4], const uint8_t *face,
+                const float *u, const float *v, float *height);
 } gather_set;
 
 extern const gather_set cm_gather_scalar;

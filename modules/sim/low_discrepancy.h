@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Numbers that fill the unit cube evenly: Sobol's first three dimensions (directions of Joe and Kuo 2008), in an order and
- * scrambled as Owen has it, by hashing (Burley 2020, "Practical hash-based Owen scrambling").
+ * Numbers that fill the unit square evenly, and one more that does the unit interval: Sobol's first two dimensions, in an order
+ * and scrambled as Owen has it, by hashing (Burley 2020, "Practical hash-based Owen scrambling"), and the first one in another
+ * order.
  */
 #ifndef CUBEMAP_SIM_LOW_DISCREPANCY_H
 #define CUBEMAP_SIM_LOW_DISCREPANCY_H
@@ -9,7 +10,7 @@
 #include <stdint.h>
 
 /* Point index of the sequence that the four random words make, in [0, 1). The first 2^k points are in different cells of any
- * division into 2^k ones, of the first two numbers. */
+ * division of the square into 2^k ones, and of the interval. */
 void low_discrepancy_point(const uint32_t words[4], uint32_t index, double u[3]);
 
 #endif

@@ -164,7 +164,8 @@ typedef struct block
     float way[3][BLOCK]; /* from a light */
     float u[BLOCK];
     float v[BLOCK];
-    float visible[BLOCK];
+    float place[BLOCK][4]; /* and 1 */
+    float height[BLOCK];
     uint8_t face[BLOCK];
     float total[BLOCK];
     float *real; /* waves x BLOCK */
@@ -192,8 +193,7 @@ static void see_block(const tof_virtual_lights *lights, uint32_t which, size_t n
     }
     const gather_shadow shadow = {lights->shadow_edge,
                                   (const float(*)[4])lights->plane + which * lights->shadow_cells};
-    const float *const position[3] = {b->position[0], b->position[1], b->position[2]};
-    lights->set->see(light, &shadow, n, position, b->face, b->u, b->v, b->visible);
+    lights->set->see(&shadow, n, (const float(*)[4])b->place, b->face, b->u, b->v, b->height);
 }
 
 static void load_block(const tof_virtual_lights *lights, const tof_points *points, size_t begin,
@@ -206,6 +206,8 @@ static void load_block(const tof_virtual_lights *lights, const tof_points *point
             const size_t from = begin + (i < n ? i : n - 1);
             b->position[k][i] = (float)(points->position[k][from] - lights->origin[k]);
             b->normal[k][i] = (float)points->normal[k][from];
+            b->place[i][k] = b->position[k][i];
+            b->place[i][3] = 1.0f;
         }
     }
     memset(b->total, 0, sizeof b->total);
@@ -228,7 +230,7 @@ static void gather_block(const tof_virtual_lights *lights, size_t n, block *b)
             see_block(lights, which, whole, b);
         }
         lights->set->gather(lights->fast + which, &waves, whole, position, normal,
-                            lights->plane != NULL ? b->visible : NULL, &sum);
+                            lights->plane != NULL ? b->height : NULL, &sum);
     }
 }
 

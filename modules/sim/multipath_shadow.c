@@ -124,22 +124,27 @@ cm_status draw_shadows(tof_virtual_lights *lights, cm_pool *pool)
 
 int is_seen(const tof_virtual_lights *lights, uint32_t which, const double position[3])
 {
-    const gather_shadow shadow = {lights->shadow_edge,
-                                  (const float(*)[4])lights->plane + which * lights->shadow_cells};
+    const float(*const plane)[4] = (const float(*)[4])lights->plane + which * lights->shadow_cells;
     float at[3];
     float way[3];
     float uv[2];
-    float visible = 1.0f;
+    double square = 0.0;
     for (int k = 0; k < 3; k++)
     {
         at[k] = (float)(position[k] - lights->origin[k]);
         way[k] = at[k] - lights->fast[which].position[k];
+        square += (double)way[k] * (double)way[k];
     }
-    const float *const places[3] = {at, at + 1, at + 2};
     const uint8_t face = cm_forward_f32(lights->mapping, way, uv);
-    if (face != CM_NO_FACE)
+    if (face == CM_NO_FACE)
     {
-        lights->set->see(lights->fast + which, &shadow, 1, places, &face, uv, uv + 1, &visible);
+        return 1;
     }
-    return visible != 0.0f;
+    const float scale = 0.5f * EDGE;
+    const int column = (int)(uv[0] * scale + scale);
+    const int row = (int)(uv[1] * scale + scale);
+    const float *const p = plane[(face * EDGE + (row < EDGE ? row : EDGE - 1)) * EDGE +
+                                 (column < EDGE ? column : EDGE - 1)];
+    const float height = p[0] * at[0] + p[1] * at[1] + p[2] * at[2] + p[3];
+    return (double)height >= -(double)PLANE_REACH * sqrt(square);
 }

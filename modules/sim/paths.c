@@ -14,6 +14,8 @@
 enum
 {
     BLOCK = 1024,
+    /* Caches take arrays that are a power of two apart for one place. */
+    ROOM = BLOCK + 40,
     PATHS = 64,
     NUMBERS = 1 /* block of the random generator */
 };
@@ -22,20 +24,20 @@ enum
 typedef struct path_block
 {
     size_t n;
-    size_t point[BLOCK];
-    uint32_t index[BLOCK]; /* of the path among the point's */
-    double at[3][BLOCK];
-    double normal[3][BLOCK];
-    double out[3][BLOCK]; /* to where the path came from */
-    uint32_t id[BLOCK];
-    double part[BLOCK];
-    double length[BLOCK]; /* metres to the camera */
-    double origin[3][BLOCK];
-    double direction[3][BLOCK];
-    double distance[BLOCK];
-    double light[BLOCK]; /* radiance, if the lamp is seen */
-    double to_lamp[BLOCK];
-    uint8_t blocked[BLOCK];
+    size_t point[ROOM];
+    uint32_t index[ROOM]; /* of the path among the point's */
+    double at[3][ROOM];
+    double normal[3][ROOM];
+    double out[3][ROOM]; /* to where the path came from */
+    uint32_t id[ROOM];
+    double part[ROOM];
+    double length[ROOM]; /* metres to the camera */
+    double origin[3][ROOM];
+    double direction[3][ROOM];
+    double distance[ROOM];
+    double light[ROOM]; /* radiance, if the lamp is seen */
+    double to_lamp[ROOM];
+    uint8_t blocked[ROOM];
 } path_block;
 
 typedef struct path_job
@@ -50,7 +52,7 @@ typedef struct path_job
     uint32_t paths;
 } path_job;
 
-static void vector_at(double (*const from)[BLOCK], size_t i, double to[3])
+static void vector_at(double (*const from)[ROOM], size_t i, double to[3])
 {
     for (int k = 0; k < 3; k++)
     {
@@ -58,7 +60,7 @@ static void vector_at(double (*const from)[BLOCK], size_t i, double to[3])
     }
 }
 
-static void set_vector(double (*const to)[BLOCK], size_t i, const double from[3])
+static void set_vector(double (*const to)[ROOM], size_t i, const double from[3])
 {
     for (int k = 0; k < 3; k++)
     {

@@ -131,6 +131,21 @@ static void put_sample(tof_sensor *sensor, uint32_t row, uint32_t column)
     }
 }
 
+/* What is not active needs no rays; one is kept where nothing is. */
+static void drop_dark_samples(tof_sensor *sensor)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < sensor->samples; i++)
+    {
+        const sensor_sample at = sensor->sample[i];
+        if (at.weight[0] > 0.0 || at.weight[1] > 0.0)
+        {
+            sensor->sample[kept++] = at;
+        }
+    }
+    sensor->samples = kept > 0 ? kept : 1;
+}
+
 static cm_status put_samples(const cm_tof_options *options, tof_sensor *sensor)
 {
     const uint32_t columns = options->sample_columns == 0 ? 1 : options->sample_columns;
@@ -153,6 +168,7 @@ static cm_status put_samples(const cm_tof_options *options, tof_sensor *sensor)
             put_sample(sensor, row, column);
         }
     }
+    drop_dark_samples(sensor);
     return CM_OK;
 }
 

@@ -231,8 +231,9 @@ static cm_status find_times(frame *doing)
     const double solid_angle =
         cm_camera_solid_angle(doing->sensor.given.camera, 0.5 * (double)doing->sensor.width,
                               0.5 * (double)doing->sensor.height);
-    const double samples =
-        most / sqrt(solid_angle > 0.0 ? solid_angle : 1e-6) * (double)doing->sensor.sample_columns;
+    const double fineness = fmax((double)doing->sensor.sample_columns / doing->sensor.cells.width,
+                                 (double)doing->sensor.sample_rows);
+    const double samples = most / sqrt(solid_angle > 0.0 ? solid_angle : 1e-6) * fineness;
     doing->times = samples < 1.0 ? 1 : (int)fmin(ceil(samples), MOST_TIMES);
     return status;
 }

@@ -1,228 +1,183 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a camera truly sees. Flows are those of the body that is seen: its point at the time is taken to its place at the other
- * time by the body's pose, and there to the picture by the camera's.
+ * What is truly there: rays through the middles of pixels, and where what they meet is at other times.
  */
 #include "tof_world.h"
 
 #include <math.h>
 
-/* A time to which there is flow. */
+/* Where bodies and the camera are at another time. */
 typedef struct other_time
 {
     tof_instant *instant;
     cm_pose camera;
-    float *const *flow; /* pixels, pixels, metres */
 } other_time;
 
 typedef struct truth_work
 {
-    const cm_tof_scene *scene;
     const tof_instant *instant;
     const cm_camera *camera;
-    const cm_tof_truth *truth;
+    const cm_primitive *primitive;
     cm_pose pose;
-    size_t width;
-    size_t pixels;
-    other_time other[2];
+    other_time other[2]; /* the next, the one before */
+    const cm_tof_truth *truth;
+    uint32_t width;
+    double pixel_centre;
 } truth_work;
 
-/* Pixels in a row, TOF_BLOCK at the most, and what their rays met. */
+/* Rays of up to TOF_BLOCK pixels, and what they met. */
 typedef struct truth_block
 {
-    size_t first; /* of the picture */
     size_t n;
     double column[TOF_BLOCK], row[TOF_BLOCK];
-    double origin[3][TOF_BLOCK];
-    double direction[3][TOF_BLOCK];
-    double cosine[TOF_BLOCK]; /* depth by range; NaN: no ray */
-    double range[TOF_BLOCK];  /* infinite for nothing */
-    double normal[3][TOF_BLOCK];
-    double position[3][TOF_BLOCK];
-    uint32_t id[TOF_BLOCK];
-    uint32_t triangle[TOF_BLOCK];
+    double origin[3][TOF_BLOCK], direction[3][TOF_BLOCK];
+    double along[TOF_BLOCK]; /* cosine from the optical axis */
+    double range[TOF_BLOCK], normal[3][TOF_BLOCK];
+    uint32_t id[TOF_BLOCK], triangle[TOF_BLOCK];
 } truth_block;
 
-static void aim(const truth_work *doing, truth_block *block)
+static void make_rays(const truth_work *doing, size_t first, truth_block *at)
 {
     double ray[3][TOF_BLOCK];
-    for (size_t i = 0; i < block->n; i++)
+    for (size_t i = 0; i < at->n; i++)
     {
-        block->column[i] = (double)((block->first + i) % doing->width);
-        block->row[i] = (double)((block->first + i) / doing->width);
+        at->column[i] = (double)((first + i) % doing->width) + doing->pixel_centre;
+        at->row[i] = (double)((first + i) / doing->width) + doing->pixel_centre;
     }
-    cm_camera_ray_array(doing->camera, block->n, block->column, block->row, ray[0], ray[1], ray[2]);
-    for (size_t i = 0; i < block->n; i++)
+    cm_camera_ray_array(doing->camera, at->n, at->column, at->row, ray[0], ray[1], ray[2]);
+    for (size_t i = 0; i < at->n; i++)
     {
+        double camera[3] = {ray[0][i], ray[1][i], ray[2][i]}, world[3];
         const double length =
-            sqrt(ray[0][i] * ray[0][i] + ray[1][i] * ray[1][i] + ray[2][i] * ray[2][i]);
-        const int is_ray = length > 0.0;
-        const double along[3] = {is_ray ? ray[0][i] / length : 0.0,
-                                 is_ray ? ray[1][i] / length : 0.0,
-                                 is_ray ? ray[2][i] / length : 1.0};
-        double turned[3];
-        cm_rotate_back(&doing->pose.rotation, along, turned);
-        block->cosine[i] = is_ray ? along[2] : (double)NAN;
+            sqrt(camera[0] * camera[0] + camera[1] * camera[1] + camera[2] * camera[2]);
         for (int k = 0; k < 3; k++)
         {
-            block->direction[k][i] = turned[k];
-            block->origin[k][i] = doing->pose.position[k];
+            camera[k] = length > 0.0 ? camera[k] / length : (double)NAN;
+        }
+        cm_rotate_back(&doing->pose.rotation, camera, world);
+        at->along[i] = camera[2];
+        for (int k = 0; k < 3; k++)
+        {
+            at->origin[k][i] = doing->pose.position[k];
+            at->direction[k][i] = world[k];
         }
     }
 }
 
-static int is_met(const truth_block *block, size_t i)
+/* Columns, rows and range of a place of a body at another time, less those here; NaN where the camera does not see it. */
+static void put_flow(const truth_work *doing, const other_time *then, const truth_block *at,
+                     size_t i, const double position[3], size_t pixel, float *const flow[3])
 {
-    return block->cosine[i] == block->cosine[i] && block->range[i] < INFINITY;
-}
-
-static void meet(const truth_work *doing, truth_block *block)
-{
-    const double *const origin[3] = {block->origin[0], block->origin[1], block->origin[2]};
-    const double *const direction[3] = {block->direction[0], block->direction[1],
-                                        block->direction[2]};
-    const tof_hits hits = {.distance = block->range,
-                           .id = block->id,
-                           .triangle = block->triangle,
-                           .normal = {block->normal[0], block->normal[1], block->normal[2]}};
-    tof_cast(doing->instant, block->n, origin, direction, &hits);
-    for (size_t i = 0; i < block->n; i++)
+    double place[3] = {NAN, NAN, NAN}, column = NAN, row = NAN;
+    if (at->id[i] != CM_SCENE_NOTHING)
     {
-        for (int k = 0; k < 3; k++)
+        double own[3], world[3];
+        cm_pose_apply(&doing->instant->surface[at->id[i]].body, position, own);
+        cm_pose_apply_back(&then->instant->surface[at->id[i]].body, own, world);
+        cm_pose_apply(&then->camera, world, place);
+        cm_camera_project_array(doing->camera, 1, &place[0], &place[1], &place[2], &column, &row);
+    }
+    const double range = sqrt(place[0] * place[0] + place[1] * place[1] + place[2] * place[2]);
+    const double moved[3] = {column - at->column[i], row - at->row[i], range - at->range[i]};
+    for (int k = 0; k < 3; k++)
+    {
+        if (flow[k] != NULL)
         {
-            block->position[k][i] =
-                is_met(block, i) ? origin[k][i] + block->range[i] * direction[k][i] : (double)NAN;
+            flow[k][pixel] = (float)moved[k];
         }
     }
 }
 
-static void put_ids(const truth_work *doing, const truth_block *block)
+static void put_names(const truth_work *doing, const truth_block *at, size_t i, size_t pixel)
 {
     const cm_tof_truth *truth = doing->truth;
-    for (size_t i = 0; i < block->n; i++)
+    const int is_there = at->id[i] != CM_SCENE_NOTHING;
+    if (truth->object != NULL)
     {
-        const size_t at = block->first + i;
-        const uint32_t id = is_met(block, i) ? block->id[i] : CM_SCENE_NOTHING;
-        const int is_there = id != CM_SCENE_NOTHING;
-        if (truth->object != NULL)
-        {
-            truth->object[at] = id;
-        }
-        if (truth->shape != NULL)
-        {
-            truth->shape[at] =
-                is_there ? (uint32_t)doing->scene->primitive[id].kind : CM_SCENE_NOTHING;
-        }
-        if (truth->triangle != NULL)
-        {
-            truth->triangle[at] = is_there ? block->triangle[i] : CM_SCENE_NOTHING;
-        }
+        truth->object[pixel] = at->id[i];
+    }
+    if (truth->shape != NULL)
+    {
+        truth->shape[pixel] =
+            is_there ? (uint32_t)doing->primitive[at->id[i]].kind : CM_SCENE_NOTHING;
+    }
+    if (truth->triangle != NULL)
+    {
+        truth->triangle[pixel] = is_there ? at->triangle[i] : CM_SCENE_NOTHING;
     }
 }
 
-static void put_places(const truth_work *doing, const truth_block *block)
+static void put_pixel(const truth_work *doing, const truth_block *at, size_t i, size_t pixel)
 {
     const cm_tof_truth *truth = doing->truth;
-    for (size_t i = 0; i < block->n; i++)
+    const int is_there = at->id[i] != CM_SCENE_NOTHING;
+    const double range = is_there ? at->range[i] : (double)NAN;
+    double position[3];
+    for (int k = 0; k < 3; k++)
     {
-        const size_t at = block->first + i;
-        const int is_there = is_met(block, i);
-        for (int k = 0; k < 3; k++)
+        position[k] = at->origin[k][i] + range * at->direction[k][i];
+        if (truth->position[k] != NULL)
         {
-            if (truth->position[k] != NULL)
-            {
-                truth->position[k][at] = block->position[k][i];
-            }
-            if (truth->normal[k] != NULL)
-            {
-                truth->normal[k][at] = is_there ? (float)block->normal[k][i] : NAN;
-            }
+            truth->position[k][pixel] = position[k];
         }
-        if (truth->range != NULL)
+        if (truth->normal[k] != NULL)
         {
-            truth->range[at] = is_there ? (float)block->range[i] : NAN;
+            truth->normal[k][pixel] = is_there ? (float)at->normal[k][i] : NAN;
         }
-        if (truth->depth != NULL)
-        {
-            truth->depth[at] = is_there ? (float)(block->range[i] * block->cosine[i]) : NAN;
-        }
+    }
+    if (truth->range != NULL)
+    {
+        truth->range[pixel] = (float)range;
+    }
+    if (truth->depth != NULL)
+    {
+        truth->depth[pixel] = (float)(range * at->along[i]);
+    }
+    put_names(doing, at, i, pixel);
+    if (doing->other[0].instant != NULL)
+    {
+        put_flow(doing, &doing->other[0], at, i, position, pixel, truth->flow_next);
+    }
+    if (doing->other[1].instant != NULL)
+    {
+        put_flow(doing, &doing->other[1], at, i, position, pixel, truth->flow_before);
     }
 }
 
-/* Where the places are at the other time, in the camera's axes of that time; and how far from it. */
-static void carry(const truth_work *doing, const other_time *other, const truth_block *block,
-                  double point[3][TOF_BLOCK], double *range)
-{
-    const tof_surface *now = tof_instant_surfaces(doing->instant);
-    const tof_surface *then = tof_instant_surfaces(other->instant);
-    for (size_t i = 0; i < block->n; i++)
-    {
-        double at[3] = {block->position[0][i], block->position[1][i], block->position[2][i]};
-        if (is_met(block, i))
-        {
-            cm_pose_apply(&now[block->id[i]].body, at, at);
-            cm_pose_apply_back(&then[block->id[i]].body, at, at);
-            cm_pose_apply(&other->camera, at, at);
-        }
-        range[i] = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
-        for (int k = 0; k < 3; k++)
-        {
-            point[k][i] = at[k];
-        }
-    }
-}
-
-static void put_flow(const truth_work *doing, const other_time *other, const truth_block *block)
-{
-    double point[3][TOF_BLOCK], range[TOF_BLOCK], column[TOF_BLOCK], row[TOF_BLOCK];
-    if (other->instant == NULL)
-    {
-        return;
-    }
-    carry(doing, other, block, point, range);
-    cm_camera_project_array(doing->camera, block->n, point[0], point[1], point[2], column, row);
-    for (size_t i = 0; i < block->n; i++)
-    {
-        const double flow[3] = {column[i] - block->column[i], row[i] - block->row[i],
-                                is_met(block, i) ? range[i] - block->range[i] : (double)NAN};
-        for (int k = 0; k < 3; k++)
-        {
-            if (other->flow[k] != NULL)
-            {
-                other->flow[k][block->first + i] = (float)flow[k];
-            }
-        }
-    }
-}
-
-static void find(size_t begin, size_t end, void *user)
+static void put_blocks(size_t begin, size_t end, void *user)
 {
     const truth_work *doing = user;
-    truth_block block;
-    for (size_t first = begin * TOF_BLOCK; first < end * TOF_BLOCK && first < doing->pixels;
-         first += TOF_BLOCK)
+    _Alignas(64) truth_block at;
+    for (size_t first = begin; first < end; first += at.n)
     {
-        block.first = first;
-        block.n = doing->pixels - first < TOF_BLOCK ? doing->pixels - first : TOF_BLOCK;
-        aim(doing, &block);
-        meet(doing, &block);
-        put_ids(doing, &block);
-        put_places(doing, &block);
-        put_flow(doing, &doing->other[0], &block);
-        put_flow(doing, &doing->other[1], &block);
+        at.n = end - first < TOF_BLOCK ? end - first : TOF_BLOCK;
+        make_rays(doing, first, &at);
+        const double *const origin[3] = {at.origin[0], at.origin[1], at.origin[2]};
+        const double *const direction[3] = {at.direction[0], at.direction[1], at.direction[2]};
+        const tof_hits hits = {
+            at.range, at.id, at.triangle, {at.normal[0], at.normal[1], at.normal[2]}};
+        tof_cast(doing->instant, at.n, origin, direction, &hits);
+        for (size_t i = 0; i < at.n; i++)
+        {
+            put_pixel(doing, &at, i, first + i);
+        }
     }
 }
 
-static cm_status prepare_other(const truth_work *doing, const cm_trajectory *trajectory,
-                               double time, float *const *flow, other_time *other)
+static int is_wanted(float *const flow[3])
 {
-    other->flow = flow;
-    if (flow[0] == NULL && flow[1] == NULL && flow[2] == NULL)
+    return flow[0] != NULL || flow[1] != NULL || flow[2] != NULL;
+}
+
+static cm_status make_other(const cm_tof_scene *scene, const cm_trajectory *trajectory, double time,
+                            float *const flow[3], other_time *then)
+{
+    if (!is_wanted(flow))
     {
         return CM_OK;
     }
-    tof_pose_at(trajectory, time, &other->camera);
-    return tof_instant_create(doing->scene, time, &other->instant);
+    tof_pose_at(trajectory, time, &then->camera);
+    return tof_instant_create(scene, time, &then->instant);
 }
 
 cm_status cm_tof_find_truth(const cm_tof_scene *scene, const cm_camera *camera,
@@ -239,28 +194,28 @@ cm_status cm_tof_find_truth(const cm_tof_scene *scene, const cm_camera *camera,
     }
     const cm_camera_options *shape = cm_camera_describe(camera);
     tof_instant *instant = NULL;
-    truth_work doing = {.scene = scene,
-                        .camera = camera,
+    truth_work doing = {.camera = camera,
+                        .primitive = scene->primitive,
                         .truth = truth,
                         .width = shape->width,
-                        .pixels = (size_t)shape->width * shape->height};
+                        .pixel_centre = shape->pixel_centre};
     tof_pose_at(trajectory, time, &doing.pose);
     cm_status status = tof_instant_create(scene, time, &instant);
-    doing.instant = instant;
     if (status == CM_OK)
     {
-        status = prepare_other(&doing, trajectory, next, truth->flow_next, &doing.other[0]);
+        status = make_other(scene, trajectory, next, truth->flow_next, &doing.other[0]);
     }
     if (status == CM_OK)
     {
-        status = prepare_other(&doing, trajectory, before, truth->flow_before, &doing.other[1]);
+        status = make_other(scene, trajectory, before, truth->flow_before, &doing.other[1]);
     }
     if (status == CM_OK)
     {
-        cm_pool_run(pool, (doing.pixels + TOF_BLOCK - 1) / TOF_BLOCK, 4, find, &doing);
+        doing.instant = instant;
+        cm_pool_run(pool, (size_t)shape->width * shape->height, 4 * TOF_BLOCK, put_blocks, &doing);
     }
-    tof_instant_destroy(doing.other[0].instant);
     tof_instant_destroy(doing.other[1].instant);
+    tof_instant_destroy(doing.other[0].instant);
     tof_instant_destroy(instant);
     return status;
 }

@@ -10,12 +10,13 @@ import pathlib
 import core_inputs
 import image_inputs
 import scene_inputs
+import sim_inputs
 
 CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
 
 
 def main():
-    for harness, inputs in {**core_inputs.INPUTS, **scene_inputs.INPUTS, **image_inputs.INPUTS}.items():
+    for harness, inputs in {**core_inputs.INPUTS, **scene_inputs.INPUTS, **sim_inputs.INPUTS, **image_inputs.INPUTS}.items():
         folder = CORPUS / harness
         folder.mkdir(parents=True, exist_ok=True)
         for name, content in inputs.items():

@@ -198,6 +198,13 @@ def view_stream_inputs():
     return {"whole": b"0" + whole, "mended": b"1" + whole, "cut": b"1" + whole[:-60], "empty": b"0" + head}
 
 
+def tof_inputs():
+    """What a frame is made of, in the order of the harness; bytes that turn its kinds on one after another."""
+    def frame(step, kinds):
+        return bytes((i * step + kinds) % 251 for i in range(700))
+    return {"plain": bytes(700), "kinds": frame(37, 0), "motion": frame(83, 64), "measured": frame(101, 1), "short": bytes([7] * 60)}
+
+
 def compensate_inputs():
     """A size; a picture, a flow, a part; a count and a limit; a scheme and channels of pictures and flows."""
     def values(count, step):
@@ -212,6 +219,7 @@ def compensate_inputs():
 
 INPUTS = {
     "compensate": compensate_inputs(),
+    "tof": tof_inputs(),
     "camera": camera_inputs(),
     "depth": depth_inputs(),
     "raster": raster_inputs(),

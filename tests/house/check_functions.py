@@ -67,7 +67,7 @@ def check_argument(function, given, declared, interface):
         yield f"{where} has the shape {given.shape}, but the header says {declared.text}"
     if given.is_text and not declared.base == "char":
         yield f"{where} is text, but {declared.text}"
-    known = {argument.name for argument in function.arguments} | {"nside", "pictures", "planes", "channels", "pixels"}
+    known = {argument.name for argument in function.arguments} | {"nside", "pictures", "planes", "channels", "pixels", "pinhole_pixels"}
     for word in re.findall(r"[a-z_]\w*", " ".join(given.shape)):
         if word not in known and given.shape not in (("text",), ("call",), ("pointer",)) and word != "sum":
             yield f"{where}: what is {word} in its shape?"

@@ -18,7 +18,7 @@ OTHERS = {"colormap.h": "cubemap-colormap", "compare.h": "cubemap-image", "envir
           "image.h": "cubemap-image", "mips.h": "cubemap-image", "panorama.h": "cubemap-image", "kernels.h": None,
           "srgb.h": None,
           "octree.h": "cubemap-octree",
-          **dict.fromkeys(("brdf.h", "compensate.h", "sim.h"), "cubemap-sim"),
+          **dict.fromkeys(("brdf.h", "compensate.h", "depth_error.h", "lens.h", "sim.h", "texel.h"), "cubemap-sim"),
           # the module scene
           **dict.fromkeys(("budget.h", "camera.h", "depth.h", "mesh.h", "pool.h", "pose.h", "random.h", "raster.h", "scene.h",
                            "store.h", "trajectory.h", "view.h", "world.h"), "cubemap-scene")}

@@ -4,8 +4,10 @@
 
 #include "modules/scene/io/camera_file.h"
 #include "modules/scene/io/trajectory_file.h"
+#include "parallel.hpp"
 #include "program.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -82,6 +84,44 @@ void finish_sequence(const SequenceWriterPointer &writer)
 {
     char message[CM_IMAGE_MESSAGE] = "";
     check_scene(cm_sequence_finish(writer.get(), message), message);
+}
+
+PoolPointer make_pool(int requested)
+{
+    const int threads = thread_count(requested);
+    cm_pool *pool = nullptr;
+    if (threads > 1 && cm_pool_create(static_cast<unsigned>(threads), &pool) != CM_OK)
+    {
+        throw std::bad_alloc();
+    }
+    return PoolPointer(pool);
+}
+
+double median_of(std::vector<double> numbers)
+{
+    if (numbers.empty())
+    {
+        return std::nan("");
+    }
+    std::sort(numbers.begin(), numbers.end());
+    const std::size_t middle = numbers.size() / 2;
+    return numbers.size() % 2 == 1 ? numbers[middle]
+                                   : 0.5 * (numbers[middle - 1] + numbers[middle]);
+}
+
+std::string budget_text(const cm_budget &budget)
+{
+    std::size_t length = 0;
+    cm_status status = cm_budget_json(&budget, nullptr, 0, &length);
+    check_scene(status == CM_ERROR_SPACE ? CM_OK : status, "");
+    std::string text(length + 1, '\0');
+    check_scene(cm_budget_json(&budget, text.data(), text.size(), &length), "");
+    text.resize(length);
+    for (std::size_t end; (end = text.find('\n')) != std::string::npos;)
+    {
+        text.replace(end, text.find_first_not_of(" \n", end) - end, " "); // the result is a line
+    }
+    return text;
 }
 
 std::string json_number(double number)

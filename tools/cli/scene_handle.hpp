@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What programs of depth cameras hold: cameras, trajectories, sequences, as long as they are needed; and their failures.
+// What programs of depth cameras hold: cameras, trajectories, sequences, pools, as long as they are needed; their
+// failures, and what is told of them.
 
 #ifndef CUBEMAP_TOOLS_SCENE_HANDLE_HPP
 #define CUBEMAP_TOOLS_SCENE_HANDLE_HPP
@@ -10,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <cubemap/budget.h>
+#include <cubemap/pool.h>
 #include <cubemap/trajectory.h>
 
 #include "modules/scene/io/sequence.h"
@@ -24,6 +27,7 @@ template <auto destroy> struct HandleDeleter
 
 using CameraPointer = std::unique_ptr<cm_camera, HandleDeleter<cm_camera_destroy>>;
 using TrajectoryPointer = std::unique_ptr<cm_trajectory, HandleDeleter<cm_trajectory_destroy>>;
+using PoolPointer = std::unique_ptr<cm_pool, HandleDeleter<cm_pool_destroy>>;
 using SequencePointer = std::unique_ptr<cm_sequence, HandleDeleter<cm_sequence_close>>;
 using SequenceWriterPointer = std::unique_ptr<cm_sequence_writer, HandleDeleter<cm_sequence_drop>>;
 
@@ -52,6 +56,15 @@ void for_each_view(cm_sequence *sequence, const std::function<void(const cm_view
 SequenceWriterPointer create_sequence(const std::string &folder, cm_sequence_layout layout,
                                       const cm_camera *camera, double depth_scale);
 void finish_sequence(const SequenceWriterPointer &writer);
+
+// Threads for a request, 0 for one each core; nothing if it is the calling one alone.
+PoolPointer make_pool(int requested);
+
+// NaN of none.
+double median_of(std::vector<double> numbers);
+
+// A budget as JSON, on one line.
+std::string budget_text(const cm_budget &budget);
 
 // A number of JSON that is the same again; null for what is not finite.
 std::string json_number(double number);

@@ -93,21 +93,6 @@ cm_budget_entry saving(const char *name, double contribution, double cost, const
     return entry;
 }
 
-std::string json_of(const cm_budget &budget)
-{
-    std::size_t length = 0;
-    cm_status status = cm_budget_json(&budget, nullptr, 0, &length);
-    check_map(status == CM_ERROR_SPACE ? CM_OK : status, "the budget");
-    std::string text(length + 1, '\0');
-    check_map(cm_budget_json(&budget, text.data(), text.size(), &length), "the budget");
-    text.resize(length);
-    for (std::size_t end; (end = text.find('\n')) != std::string::npos;)
-    {
-        text.replace(end, text.find_first_not_of(" \n", end) - end, " "); // the result is a line
-    }
-    return text;
-}
-
 } // namespace
 
 double edge_within_budget(double budget, std::optional<double> finest)
@@ -180,5 +165,5 @@ std::string budget_report(const cm_octree *map, const cm_octree_count &count, do
     all.count = entries.size();
     all.entry = entries.data();
     check_map(cm_budget_sum(&all), "the budget");
-    return json_of(all);
+    return budget_text(all);
 }

@@ -380,18 +380,6 @@ void integrate_all(const IntegrateOptions &options, cm_sequence *sequence, Worki
     for_views_from(sequence, static_cast<std::size_t>(working.begun), add);
 }
 
-double median_of(std::vector<double> numbers)
-{
-    if (numbers.empty())
-    {
-        return std::nan("");
-    }
-    std::sort(numbers.begin(), numbers.end());
-    const std::size_t middle = numbers.size() / 2;
-    return numbers.size() % 2 == 1 ? numbers[middle]
-                                   : 0.5 * (numbers[middle - 1] + numbers[middle]);
-}
-
 std::string integrate_json(const Working &working, const std::vector<double> &took,
                            const cm_octree_count &count, const std::string &budget,
                            std::uint64_t file_bytes)

@@ -6,7 +6,6 @@
 #include "modules/scene/io/store_file.h"
 #include "tools/cli/atomic_file.hpp"
 #include "tools/cli/byte_size.hpp"
-#include "tools/cli/parallel.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -170,17 +169,6 @@ std::uint64_t read_memory(OptionReader &reader)
         reader.refuse("a size, such as 256M or 2G");
     }
     return *bytes;
-}
-
-PoolPointer make_pool(int requested)
-{
-    const int threads = thread_count(requested);
-    cm_pool *pool = nullptr;
-    if (threads > 1 && cm_pool_create(static_cast<unsigned>(threads), &pool) != CM_OK)
-    {
-        throw std::bad_alloc();
-    }
-    return PoolPointer(pool);
 }
 
 std::vector<std::string> needed_operands(const OptionReader &reader, std::size_t count,

@@ -14,12 +14,10 @@
 #include <string>
 
 #include <cubemap/octree.h>
-#include <cubemap/pool.h>
 #include <cubemap/store.h>
 
 using StorePointer = std::unique_ptr<cm_store, HandleDeleter<cm_store_destroy>>;
 using OctreePointer = std::unique_ptr<cm_octree, HandleDeleter<cm_octree_destroy>>;
-using PoolPointer = std::unique_ptr<cm_pool, HandleDeleter<cm_pool_destroy>>;
 
 // A map, and the store that the rest of it is in if it has one, which must outlive it.
 struct OctreeMap
@@ -55,9 +53,6 @@ cm_octree_count count_map(const cm_octree *map, const std::string &path);
 // Arguments of options: UsageFailure if they are none.
 std::array<double, 3> read_place(OptionReader &reader);
 std::uint64_t read_memory(OptionReader &reader);
-
-// Threads for a request, 0 for one each core; nothing if it is the calling one alone.
-PoolPointer make_pool(int requested);
 
 // The MAP and what else is asked for among the operands.
 std::vector<std::string> needed_operands(const OptionReader &reader, std::size_t count,

@@ -7,8 +7,9 @@
 #include "octree_mesh.hpp"
 #include "octree_table.h"
 
+#include "tools/cli/float_picture.hpp"
 #include "tools/cli/image_file.hpp"
-#include "tools/cli/image_writer.hpp"
+#include "tools/cli/image_format.hpp"
 #include "tools/image/face_names.hpp"
 
 #include <algorithm>
@@ -147,21 +148,6 @@ Sight draw(const OctreeMap &open, const SightOptions &options, const cm_camera *
     return sight;
 }
 
-// Rows of floats into a file, which appears when it is complete: later, with others.
-std::unique_ptr<AtomicFile> write_rows(const std::string &path, const float *rows, int width,
-                                       int height, int channels, int threads)
-{
-    const std::string format = output_format(path);
-    const bool is_float = format == "openexr" || format == "hdr" || format == "tiff";
-    const ImageDescription description(channels, is_float ? CM_PIXEL_FLOAT : CM_PIXEL_U8);
-    auto file = std::make_unique<AtomicFile>(path);
-    ImageWriter writer(plan_image(format, description, format, path), width, height, path, *file,
-                       threads);
-    writer.write(0, height, rows, channels);
-    writer.close();
-    return file;
-}
-
 void check_depth_name(const std::string &path)
 {
     const std::string format = path.empty() ? "openexr" : output_format(path);
@@ -203,12 +189,12 @@ int render(const SightOptions &options)
     const int width = static_cast<int>(sight.width);
     const int height = static_cast<int>(sight.height);
     std::vector<std::unique_ptr<AtomicFile>> files;
-    files.push_back(
-        write_rows(options.output, sight.color.data(), width, height, 3, options.threads));
+    files.push_back(write_float_picture(options.output, sight.color.data(), width, height, 3, {},
+                                        options.threads));
     if (!options.depth.empty())
     {
-        files.push_back(
-            write_rows(options.depth, sight.depth.data(), width, height, 1, options.threads));
+        files.push_back(write_float_picture(options.depth, sight.depth.data(), width, height, 1, {},
+                                            options.threads));
     }
     appear_together(files);
     return 0;
@@ -288,8 +274,8 @@ int probe(const SightOptions &options)
     std::vector<std::unique_ptr<AtomicFile>> files;
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-        files.push_back(
-            write_rows(names[i], sight.color.data() + i * face, edge, edge, 3, options.threads));
+        files.push_back(write_float_picture(names[i], sight.color.data() + i * face, edge, edge, 3,
+                                            {}, options.threads));
     }
     appear_together(files);
     return 0;

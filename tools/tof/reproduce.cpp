@@ -119,24 +119,28 @@ std::string chart_script()
     return "";
 }
 
-// False if there are no charts, since Python or matplotlib is missing.
-bool draw(const std::string &json, const std::string &folder)
+// Did it draw? The system's Python has the system's matplotlib, where another comes first.
+bool draws(const char *python, const std::string &script, const std::string &json,
+           const std::string &folder)
 {
-    const std::string script = chart_script();
-    if (script.empty())
-    {
-        return false;
-    }
     const pid_t child = fork();
     if (child == 0)
     {
-        execlp("python3", "python3", script.c_str(), json.c_str(), folder.c_str(),
+        execlp(python, python, script.c_str(), json.c_str(), folder.c_str(),
                static_cast<char *>(nullptr));
         _exit(127);
     }
     int status = 0;
     return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) &&
            WEXITSTATUS(status) == 0;
+}
+
+// False if there are no charts, since Python or matplotlib is missing.
+bool draw(const std::string &json, const std::string &folder)
+{
+    const std::string script = chart_script();
+    return !script.empty() && (draws("python3", script, json, folder) ||
+                               draws("/usr/bin/python3", script, json, folder));
 }
 
 std::string table_of(const Experiment &experiment, const Reproduction &made)

@@ -12,8 +12,6 @@
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-
 // Every scattering multiplies the phasor by reflectance times this: the mean of e^(i k r) over the chords from a place on
 // the sphere, weighted by the light that comes along them.
 std::complex<double> chord_factor(double radius, double wave_number)
@@ -33,7 +31,7 @@ std::complex<double> chord_factor(double radius, double wave_number)
 // What is measured if the scattered light is that of so many bounces; below 0: of all.
 double sphere_distance(double radius, double reflectance, double frequency, int bounces)
 {
-    const double wave_number = 2 * pi * frequency / CM_SPEED_OF_LIGHT;
+    const double wave_number = 2 * half_turn * frequency / CM_SPEED_OF_LIGHT;
     const std::complex<double> factor = reflectance * chord_factor(radius, wave_number);
     std::complex<double> sum = bounces < 0 ? 1.0 / (1.0 - factor) : 1.0, power = 1;
     for (int i = 0; i < bounces; ++i)
@@ -42,7 +40,7 @@ double sphere_distance(double radius, double reflectance, double frequency, int 
         sum += power;
     }
     const double phase = std::arg(sum * std::polar(1.0, 2 * wave_number * radius));
-    return (phase < 0 ? phase + 2 * pi : phase) / (2 * wave_number);
+    return (phase < 0 ? phase + 2 * half_turn : phase) / (2 * wave_number);
 }
 
 double mean_of(const std::vector<float> &values)
@@ -57,7 +55,7 @@ double mean_of(const std::vector<float> &values)
 
 void reproduce_ball(const ReproduceSettings &settings, Reproduction &to)
 {
-    const TofPointer<cm_pool> pool = make_pool(settings.threads);
+    const PoolPointer pool = make_pool(settings.threads);
     const TofPointer<cm_camera> camera = make_pinhole(32, 24, 1);
     const TofPointer<cm_tof_scene> scene = make_stage({sphere_at(0, 0, 0, 1, 0.5)});
     struct Line
@@ -101,9 +99,9 @@ void reproduce_wall(Reproduction &to)
     result.intensity = intensity.data();
     const cm_tof_light light = plain_light();
     need(cm_tof_simulate(scene.get(), &sensor, &light, 1, nullptr, 0, nullptr, nullptr, &result));
-    const double radiance = 0.6 * light.power / (4 * pi) / (1.7 * 1.7) / pi;
+    const double radiance = 0.6 * light.power / (4 * half_turn) / (1.7 * 1.7) / half_turn;
     const double energy =
-        pi / 4 * radiance * sensor.pitch * sensor.pitch * sensor.exposure * sensor.duty;
+        half_turn / 4 * radiance * sensor.pitch * sensor.pitch * sensor.exposure * sensor.duty;
     const double expected =
         sensor.efficiency * energy * sensor.wavelength / (6.62607015e-34 * CM_SPEED_OF_LIGHT);
     const double measured = static_cast<double>(intensity[12 * 33 + 16]);

@@ -13,37 +13,52 @@
 namespace
 {
 
-constexpr double aperture = 70 * 3.14159265358979323846 / 180;
+constexpr double layout_aperture = 70 * half_turn / 180;
 constexpr double near_depth = 0.6;
 constexpr double far_depth = 1.5;
 constexpr double affected_apart = 0.001;
-constexpr int frames = 26;
+constexpr int layout_frames = 26;
 
-// A layout with its camera.
+// A layout with its camera. Circuits take 2 um and see nothing: dual readout has one at both sides of a pixel, single
+// readout one between any two active areas, which are half pixels.
 struct Layout
 {
     TofPointer<cm_camera> camera;
+    std::vector<float> mask;
     cm_tof_sensor sensor;
 };
+
+constexpr double circuit = 2e-6;
 
 Layout make_layout(bool is_single, double pitch)
 {
     const std::uint32_t columns = pitch < 10e-6 ? 384 : 256;
-    Layout made = {make_pinhole(columns, columns / 4 * 3, aperture), {}};
+    Layout made = {make_pinhole(columns, columns / 4 * 3, layout_aperture), {}, {}};
+    const int areas = is_single ? 2 : 1;
+    const std::uint32_t parts = static_cast<std::uint32_t>(std::lround(pitch / 1e-6));
+    for (std::uint32_t i = 0; i < parts; ++i)
+    {
+        const double place = std::fmod((i + 0.5) * 1e-6, pitch / areas);
+        const double border = is_single ? 0.5 * circuit : circuit;
+        made.mask.push_back(place > border && place < pitch / areas - border ? 1.0f : 0.0f);
+    }
     made.sensor = plain_sensor(made.camera.get());
     made.sensor.pitch = pitch;
     made.sensor.single_readout = is_single;
+    made.sensor.mask_columns = parts;
+    made.sensor.mask_rows = 1;
+    made.sensor.mask = made.mask.data();
     return made;
 }
 
-// Twelve samples to 12 um in each layout, so that none is drawn finer: four along each way of a pixel, six of half as wide
-// circuits' ones in the larger of pixels.
-cm_tof_options layout_options()
+// A sample each micrometre along rows, as the mask has it, and steps in time that are the same for all layouts.
+cm_tof_options options_of(const Layout &layout)
 {
     cm_tof_options options = {};
     options.size = sizeof options;
-    options.sample_columns = 4;
+    options.sample_columns = layout.sensor.mask_columns;
     options.sample_rows = 4;
+    options.sample_times = 4;
     return options;
 }
 
@@ -58,11 +73,11 @@ double affected(const Layout &layout, const cm_primitive &object, const double v
         make_stage({plane_at(0, 0, far_depth, 0, 0, 1, 0.8), moved});
     const cm_camera_options &shape = *cm_camera_describe(layout.camera.get());
     std::size_t wrong = 0, all = 0;
-    for (int frame = 0; frame < frames; ++frame)
+    for (int frame = 0; frame < layout_frames; ++frame)
     {
-        const double time = (frame - 0.5 * frames) * cm_tof_frame_time(&layout.sensor);
+        const double time = (frame - 0.5 * layout_frames) * cm_tof_frame_time(&layout.sensor);
         const std::vector<float> distance = distances(scene.get(), layout.sensor, plain_light(),
-                                                      nullptr, time, layout_options(), pool);
+                                                      nullptr, time, options_of(layout), pool);
         for (std::size_t i = 0; i < distance.size(); ++i)
         {
             const double x = (static_cast<double>(i % shape.width) + 0.5 - shape.cx) / shape.fx;
@@ -140,7 +155,7 @@ double most_difference(const std::vector<double> &one, const std::vector<double>
 
 void reproduce_motion(const ReproduceSettings &settings, Reproduction &to)
 {
-    const TofPointer<cm_pool> pool = make_pool(settings.threads);
+    const PoolPointer pool = make_pool(settings.threads);
     const Layout dual = make_layout(false, 12e-6), single = make_layout(true, 8e-6),
                  coarse = make_layout(true, 12e-6);
     const cm_primitive tall = rectangle(0.1, 0.5), bar = rectangle(4.0, 0.1);
@@ -250,9 +265,9 @@ ChartPicture picture_of(const std::string &name, const Layout &layout, const cm_
 {
     const double time = -0.5 * cm_tof_frame_time(&layout.sensor);
     const std::vector<float> moved =
-        distances(scene, layout.sensor, plain_light(), nullptr, time, layout_options(), pool);
+        distances(scene, layout.sensor, plain_light(), nullptr, time, options_of(layout), pool);
     const std::vector<float> truth =
-        distances(still, layout.sensor, plain_light(), nullptr, time, layout_options(), pool);
+        distances(still, layout.sensor, plain_light(), nullptr, time, options_of(layout), pool);
     ChartPicture picture = {name, "m", cm_camera_describe(layout.camera.get())->width, {}};
     for (std::size_t i = 0; i < moved.size(); ++i)
     {
@@ -271,7 +286,7 @@ double part_beyond(const ChartPicture &picture)
 // Fig. 10: a sphere that moves, and what is wrong about it.
 void reproduce_sphere(const ReproduceSettings &settings, Reproduction &to)
 {
-    const TofPointer<cm_pool> pool = make_pool(settings.threads);
+    const PoolPointer pool = make_pool(settings.threads);
     const double velocity[3] = {1, 0, 0};
     const TofPointer<cm_trajectory> motion = make_line(velocity);
     cm_primitive ball = sphere_at(0, 0, 0.75, 0.15, 0.8);

@@ -12,9 +12,9 @@
 namespace
 {
 
-constexpr std::uint32_t pixels = 100; // half of the camera's along each way
-constexpr double wall = 1.0;          // metres, edges of the corner's plates
-constexpr double cube = 0.3;
+constexpr std::uint32_t corner_pixels = 100; // half of the camera's along each way
+constexpr double corner_wall = 1.0;          // metres, edges of the corner's plates
+constexpr double corner_cube = 0.3;
 constexpr double small_cube = 0.05;
 constexpr int reference_bounces = 8;
 constexpr std::uint32_t reference_paths = 128;
@@ -35,16 +35,16 @@ cm_pose corner_pose(double apart)
 std::vector<cm_primitive> corner(double reflectance)
 {
     constexpr double thick = 0.01;
-    return {box_between(-thick, 0, 0, 0, wall, wall, reflectance),
-            box_between(0, -thick, 0, wall, 0, wall, reflectance),
-            box_between(-thick, -thick, -thick, wall, wall, 0, reflectance)};
+    return {box_between(-thick, 0, 0, 0, corner_wall, corner_wall, reflectance),
+            box_between(0, -thick, 0, corner_wall, 0, corner_wall, reflectance),
+            box_between(-thick, -thick, -thick, corner_wall, corner_wall, 0, reflectance)};
 }
 
 std::vector<cm_primitive> corner_with_cube(double reflectance, double shift)
 {
     std::vector<cm_primitive> made = corner(reflectance);
-    made.push_back(box_between(shift, shift, shift > 0 ? 0 : shift, shift + cube, shift + cube,
-                               cube, reflectance));
+    made.push_back(box_between(shift, shift, shift > 0 ? 0 : shift, shift + corner_cube,
+                               shift + corner_cube, corner_cube, reflectance));
     return made;
 }
 
@@ -53,12 +53,13 @@ struct CornerStage
     TofPointer<cm_camera> camera;
     cm_tof_sensor sensor;
     TofPointer<cm_trajectory> trajectory;
-    TofPointer<cm_pool> pool;
+    PoolPointer pool;
 };
 
 CornerStage make_corner_stage(int threads, double apart, double aperture)
 {
-    CornerStage made = {make_pinhole(pixels, pixels, aperture), {}, nullptr, make_pool(threads)};
+    CornerStage made = {
+        make_pinhole(corner_pixels, corner_pixels, aperture), {}, nullptr, make_pool(threads)};
     made.sensor = plain_sensor(made.camera.get());
     made.sensor.wavelength = 870e-9;
     const double stamp = 0;
@@ -144,8 +145,7 @@ std::string percent(double part)
 
 void reproduce_corners(const ReproduceSettings &settings, Reproduction &to)
 {
-    const CornerStage stage =
-        make_corner_stage(settings.threads, 1.3, 40 * 3.14159265358979323846 / 180);
+    const CornerStage stage = make_corner_stage(settings.threads, 1.3, 40 * half_turn / 180);
     const double reflectance = tuned_reflectance(stage, settings);
     struct Line
     {
@@ -172,7 +172,7 @@ void reproduce_corners(const ReproduceSettings &settings, Reproduction &to)
                  text_of_number(1e3 * removal.seen, 3) + " mm with visibility; reflectance " +
                  text_of_number(reflectance, 3) + ")",
              removal.part() > line.low - 0.03 && removal.part() < line.high + 0.03});
-        ChartPicture difference = {line.name, "m", pixels, removal.one};
+        ChartPicture difference = {line.name, "m", corner_pixels, removal.one};
         for (std::size_t i = 0; i < difference.value.size(); ++i)
         {
             difference.value[i] -= removal.reference[i];
@@ -195,8 +195,7 @@ void reproduce_aluminium(const ReproduceSettings &settings, Reproduction &to)
     cm_brdf *made = nullptr;
     need(cm_brdf_create_cook_torrance(&metal, &made));
     const TofPointer<cm_brdf> brdf(made);
-    const CornerStage stage =
-        make_corner_stage(settings.threads, 1.3, 10 * 3.14159265358979323846 / 180);
+    const CornerStage stage = make_corner_stage(settings.threads, 1.3, 10 * half_turn / 180);
     constexpr double reflectance = 0.85;
     std::vector<cm_primitive> with = corner(reflectance);
     with.push_back(box_between(0, 0, 0, small_cube, small_cube, small_cube, 1));
@@ -225,9 +224,8 @@ void reproduce_aluminium(const ReproduceSettings &settings, Reproduction &to)
             ++count;
         }
     }
-    const auto millimetres = [&](double sum) {
-        return text_of_number(1e3 * sum / static_cast<double>(count), 3) + " mm";
-    };
+    const auto millimetres = [&](double sum)
+    { return text_of_number(1e3 * sum / static_cast<double>(count), 3) + " mm"; };
     to.rows.push_back({"fig. 9: an aluminium cube, " + millimetres(height) +
                            " high in the mean, moves distances with one bounce",
                        "it stays", "by " + millimetres(by_one), std::abs(by_one) > 0.5 * height});
@@ -246,11 +244,11 @@ void reproduce_aluminium(const ReproduceSettings &settings, Reproduction &to)
     const std::vector<float> *const rows[] = {&truth, &one, &eight, &empty_eight};
     for (std::size_t curve = 0; curve < 4; ++curve)
     {
-        for (std::size_t column = 0; column < pixels; ++column)
+        for (std::size_t column = 0; column < corner_pixels; ++column)
         {
             chart.curves[curve].x.push_back(static_cast<double>(column));
             chart.curves[curve].y.push_back(
-                static_cast<double>((*rows[curve])[pixels / 2 * pixels + column]));
+                static_cast<double>((*rows[curve])[corner_pixels / 2 * corner_pixels + column]));
         }
     }
     to.charts.push_back(chart);

@@ -12,28 +12,27 @@
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double slant = 5 * pi / 180; // from the vertical
-constexpr double near_depth = 0.98, far_depth = 1.0;
-constexpr double focal = 3e-3;  // metres, of both
-constexpr double side = 1.2e-3; // metres of the sensor
-constexpr double bin = 1e-6;    // metres
-constexpr int bins = 400;
+constexpr double slant = 5 * half_turn / 180; // from the vertical
+constexpr double edge_near = 0.98, edge_far = 1.0;
+constexpr double edge_focal = 3e-3;  // metres, of both
+constexpr double edge_side = 1.2e-3; // metres of the sensor
+constexpr double edge_bin = 1e-6;    // metres
+constexpr int edge_bins = 400;
 
 // How distances go from the near to the far one across the edge, by the place on the sensor across it: of all pixels, as
-// the standard of slanted edges has it, in bins that are finer than pixels.
+// the standard of slanted edges has it, in edge_bins that are finer than pixels.
 std::vector<double> edge_profile(bool is_single, double pitch)
 {
-    const std::uint32_t count = static_cast<std::uint32_t>(std::lround(side / pitch));
+    const std::uint32_t count = static_cast<std::uint32_t>(std::lround(edge_side / pitch));
     const TofPointer<cm_camera> camera =
-        make_pinhole(count, count, 2 * std::atan(0.5 * count * pitch / focal));
+        make_pinhole(count, count, 2 * std::atan(0.5 * count * pitch / edge_focal));
     cm_tof_sensor sensor = plain_sensor(camera.get());
     sensor.pitch = pitch;
     sensor.single_readout = is_single;
     cm_primitive block = box_between(-2, -2, 0, 0, 2, 0.01, 0.8);
     const TofPointer<cm_trajectory> turned = []
     {
-        const double place[3] = {0, 0, near_depth};
+        const double place[3] = {0, 0, edge_near};
         const double turn[4] = {0, 0, std::sin(0.5 * slant), std::cos(0.5 * slant)};
         cm_pose pose;
         need(cm_pose_from_quaternion(place, turn, &pose));
@@ -48,18 +47,18 @@ std::vector<double> edge_profile(bool is_single, double pitch)
     options.sample_columns = 16;
     options.sample_rows = 8;
     const std::vector<float> distance =
-        distances(make_stage({plane_at(0, 0, far_depth, 0, 0, 1, 0.8), block}).get(), sensor,
+        distances(make_stage({plane_at(0, 0, edge_far, 0, 0, 1, 0.8), block}).get(), sensor,
                   plain_light(), nullptr, 0, options, nullptr);
-    std::vector<double> sum(bins, 0), weight(bins, 0);
+    std::vector<double> sum(edge_bins, 0), weight(edge_bins, 0);
     const cm_camera_options &shape = *cm_camera_describe(camera.get());
     for (std::size_t i = 0; i < distance.size(); ++i)
     {
         const double x = (static_cast<double>(i % count) + 0.5 - shape.cx) / shape.fx;
         const double y = (static_cast<double>(i / count) + 0.5 - shape.cy) / shape.fy;
         const double depth = static_cast<double>(distance[i]) / std::sqrt(1 + x * x + y * y);
-        const double across = (x * std::cos(slant) + y * std::sin(slant)) * focal;
-        const int at = static_cast<int>(std::floor(across / bin)) + bins / 2;
-        if (at >= 0 && at < bins)
+        const double across = (x * std::cos(slant) + y * std::sin(slant)) * edge_focal;
+        const int at = static_cast<int>(std::floor(across / edge_bin)) + edge_bins / 2;
+        if (at >= 0 && at < edge_bins)
         {
             sum[static_cast<std::size_t>(at)] += depth;
             weight[static_cast<std::size_t>(at)] += 1;
@@ -67,7 +66,7 @@ std::vector<double> edge_profile(bool is_single, double pitch)
     }
     for (std::size_t i = 0; i < sum.size(); ++i)
     {
-        sum[i] = weight[i] > 0 ? sum[i] / weight[i] : i > 0 ? sum[i - 1] : near_depth;
+        sum[i] = weight[i] > 0 ? sum[i] / weight[i] : i > 0 ? sum[i - 1] : edge_near;
     }
     return sum;
 }
@@ -79,14 +78,14 @@ ChartCurve transfer_of(const std::string &name, const std::vector<double> &profi
     for (int cycles = 0; cycles <= 80; cycles += 2)
     {
         std::complex<double> sum = 0;
-        for (int i = 1; i < bins; ++i)
+        for (int i = 1; i < edge_bins; ++i)
         {
-            const double window = 0.5 - 0.5 * std::cos(2 * pi * i / bins);
-            const double place = (i - bins / 2) * bin * 1e3;
+            const double window = 0.5 - 0.5 * std::cos(2 * half_turn * i / edge_bins);
+            const double place = (i - edge_bins / 2) * edge_bin * 1e3;
             sum +=
                 window *
                 (profile[static_cast<std::size_t>(i)] - profile[static_cast<std::size_t>(i - 1)]) *
-                std::polar(1.0, -2 * pi * cycles * place);
+                std::polar(1.0, -2 * half_turn * cycles * place);
         }
         curve.x.push_back(cycles);
         curve.y.push_back(std::abs(sum));

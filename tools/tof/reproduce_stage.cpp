@@ -48,13 +48,6 @@ TofPointer<cm_tof_scene> make_stage(const std::vector<cm_primitive> &primitives)
     return TofPointer<cm_tof_scene>(scene);
 }
 
-TofPointer<cm_pool> make_pool(int threads)
-{
-    cm_pool *pool = nullptr;
-    need(cm_pool_create(static_cast<unsigned>(threads), &pool));
-    return TofPointer<cm_pool>(pool);
-}
-
 TofPointer<cm_trajectory> make_line(const double velocity[3])
 {
     constexpr double stamps[2] = {-10, 10};

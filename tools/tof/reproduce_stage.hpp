@@ -11,6 +11,10 @@
 
 #include <cubemap/sim.h>
 
+#include "tools/cli/scene_handle.hpp"
+
+inline constexpr double half_turn = 3.14159265358979323846;
+
 struct TofDeleter
 {
     void operator()(cm_scene *owned) const noexcept
@@ -29,10 +33,6 @@ struct TofDeleter
     {
         cm_trajectory_destroy(owned);
     }
-    void operator()(cm_pool *owned) const noexcept
-    {
-        cm_pool_destroy(owned);
-    }
     void operator()(cm_brdf *owned) const noexcept
     {
         cm_brdf_destroy(owned);
@@ -49,8 +49,6 @@ TofPointer<cm_camera> make_pinhole(std::uint32_t width, std::uint32_t height, do
 
 // One object, or several; motions and BRDFs must outlive what is made.
 TofPointer<cm_tof_scene> make_stage(const std::vector<cm_primitive> &primitives);
-
-TofPointer<cm_pool> make_pool(int threads);
 
 // Along a straight line at a constant speed, from time -10 to 10, without turning; at time 0 it is where it was added.
 TofPointer<cm_trajectory> make_line(const double velocity[3]);

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+
+#include "tof_sensor.hpp"
+#include "tof_json.hpp"
+
+#include "modules/scene/io/camera_file.h"
+#include "modules/scene/io/file_failure.hpp"
+#include "tools/cli/program.hpp"
+
+#include <cmath>
+
+namespace
+{
+
+constexpr std::uint64_t sensor_bytes_most = std::uint64_t{1} << 26;
+constexpr double whole_turn = 6.283185307179586;
+constexpr double rounding = 1e-9;
+constexpr std::size_t lights_most = 64;
+constexpr std::size_t waves_most = 32; // of all series together
+constexpr long phases_most = 64;
+constexpr long mask_most = 4096;
+
+struct SensorNumber
+{
+    const char *key;
+    double cm_tof_sensor::*to;
+    Range range;
+};
+
+constexpr SensorNumber sensor_numbers[] = {
+    {"pitch", &cm_tof_sensor::pitch, Range::above_zero},
+    {"f_number", &cm_tof_sensor::f_number, Range::above_zero},
+    {"wavelength", &cm_tof_sensor::wavelength, Range::above_zero},
+    {"efficiency", &cm_tof_sensor::efficiency, Range::part},
+    {"exposure", &cm_tof_sensor::exposure, Range::above_zero},
+    {"readout", &cm_tof_sensor::readout, Range::zero_or_more},
+    {"pause", &cm_tof_sensor::pause, Range::zero_or_more},
+    {"frequency", &cm_tof_sensor::frequency, Range::above_zero},
+    {"duty", &cm_tof_sensor::duty, Range::part},
+    {"contrast", &cm_tof_sensor::contrast, Range::part},
+    {"full_well", &cm_tof_sensor::full_well, Range::zero_or_more},
+    {"dark", &cm_tof_sensor::dark, Range::zero_or_more},
+    {"read_noise", &cm_tof_sensor::read_noise, Range::zero_or_more},
+    {"second_frequency", &cm_tof_sensor::second_frequency, Range::zero_or_more},
+    {"fixed_pattern", &cm_tof_sensor::fixed_pattern, Range::zero_or_more}};
+
+// The camera is what a camera's file has.
+CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)
+{
+    const cJSON *const json = members.find("camera");
+    if (!cJSON_IsObject(json))
+    {
+        members.fail("camera", " is not an object, as a camera's file has it");
+    }
+    const std::unique_ptr<char, void (*)(void *)> text(cJSON_PrintUnformatted(json), cJSON_free);
+    if (text == nullptr)
+    {
+        throw std::bad_alloc();
+    }
+    cm_camera *camera = nullptr;
+    double depth_scale = 0;
+    char message[CM_IMAGE_MESSAGE] = "";
+    const cm_status status =
+        cm_camera_file_parse("camera", text.get(), std::char_traits<char>::length(text.get()),
+                             &camera, &depth_scale, message);
+    if (status == CM_ERROR_MEMORY)
+    {
+        throw std::bad_alloc();
+    }
+    if (status != CM_OK)
+    {
+        place.fail("camera", message);
+    }
+    return CameraPointer(camera);
+}
+
+// By rows, as lists of their own or one after another.
+void read_mask(JsonMembers &members, TofSensor &made)
+{
+    const cJSON *const rows = cJSON_IsArray(members.find("mask")) ? members.find("mask") : nullptr;
+    const bool nested = rows != nullptr && cJSON_IsArray(rows->child);
+    long columns = members.whole("mask_columns", 0, mask_most, 0);
+    long count = members.whole("mask_rows", 0, mask_most, 0);
+    if (!nested)
+    {
+        const std::vector<double> list = members.numbers("mask", Range::part_with_zero);
+        made.mask.assign(list.begin(), list.end());
+    }
+    for (const cJSON *row = nested ? rows->child : nullptr; row != nullptr; row = row->next)
+    {
+        const long wide = cJSON_IsArray(row) ? cJSON_GetArraySize(row) : 0;
+        columns = columns == 0 ? wide : columns;
+        if (wide != columns)
+        {
+            members.fail("mask",
+                         " has rows that are not of " + std::to_string(columns) + " numbers");
+        }
+        for (const cJSON *each = row->child; each != nullptr; each = each->next)
+        {
+            if (!cJSON_IsNumber(each) || !(each->valuedouble >= 0 && each->valuedouble <= 1))
+            {
+                members.fail("mask", " has what is not a number from 0 to 1");
+            }
+            made.mask.push_back(static_cast<float>(each->valuedouble));
+        }
+    }
+    count = count == 0 && nested ? cJSON_GetArraySize(rows) : count;
+    if (static_cast<std::size_t>(columns) * static_cast<std::size_t>(count) != made.mask.size())
+    {
+        members.fail("mask", " has " + std::to_string(made.mask.size()) + " numbers, not " +
+                                 std::to_string(columns) + " columns of " + std::to_string(count));
+    }
+    made.sensor.mask_columns = static_cast<std::uint32_t>(columns);
+    made.sensor.mask_rows = static_cast<std::uint32_t>(count);
+    made.sensor.mask = made.mask.empty() ? nullptr : made.mask.data();
+}
+
+void read_signal(JsonMembers &members, TofSensor &made)
+{
+    const cJSON *const single = members.find("single_readout");
+    made.sensor.single_readout = cJSON_IsBool(single)
+                                     ? cJSON_IsTrue(single)
+                                     : static_cast<int>(members.whole("single_readout", 0, 1, 0));
+    made.sensor.phases = static_cast<int>(members.whole("phases", 3, phases_most, 0));
+    if (made.sensor.phases == 0)
+    {
+        members.fail("phases",
+                     " is missing: a whole number from 3 to " + std::to_string(phases_most));
+    }
+    made.harmonic = members.numbers("harmonic", Range::any);
+    const long harmonics =
+        members.whole("harmonics", 0, waves_most, static_cast<long>(made.harmonic.size()));
+    const std::size_t series = made.sensor.second_frequency > 0 ? 2 : 1;
+    if (static_cast<std::size_t>(harmonics) != made.harmonic.size() ||
+        series * made.harmonic.size() > waves_most)
+    {
+        members.fail("harmonic",
+                     " has " + std::to_string(made.harmonic.size()) + " numbers; there may be " +
+                         std::to_string(waves_most / series) + ", and as many as harmonics says");
+    }
+    made.sensor.harmonics = made.harmonic.size();
+    made.sensor.harmonic = made.harmonic.empty() ? nullptr : made.harmonic.data();
+}
+
+void read_light(const JsonPlace &place, const cJSON *json, std::size_t number, TofSensor &made)
+{
+    const std::string path = "lights[" + std::to_string(number) + "]";
+    if (!cJSON_IsObject(json))
+    {
+        place.fail("lights", path + " is no object");
+    }
+    JsonMembers members(place, path + ".", json);
+    cm_tof_light light = {};
+    light.size = sizeof light;
+    members.vector("position", light.position);
+    members.vector("direction", light.direction);
+    light.power = members.number("power", Range::zero_or_more);
+    light.aperture = members.number("aperture", Range::above_zero);
+    if (light.aperture > whole_turn * (1 + rounding))
+    {
+        members.fail("aperture", " is a full angle in radians, at most 2 pi: 6.283185307");
+    }
+    const std::vector<double> table = members.numbers("intensity", Range::zero_or_more);
+    const long n = members.whole("n", 0, 1L << 24, static_cast<long>(table.size()));
+    if (static_cast<std::size_t>(n) != table.size())
+    {
+        members.fail("n", " is not how many numbers intensity has");
+    }
+    members.check_known();
+    made.intensity.emplace_back(table.begin(), table.end());
+    light.n = table.size();
+    made.light.push_back(light);
+}
+
+void read_lights(const JsonPlace &place, JsonMembers &members, TofSensor &made)
+{
+    const cJSON *const list = members.find("lights");
+    if (!cJSON_IsArray(list) || list->child == nullptr)
+    {
+        members.fail("lights", " is not a list of one light or more");
+    }
+    for (const cJSON *each = list->child; each != nullptr; each = each->next)
+    {
+        if (made.light.size() == lights_most)
+        {
+            members.fail("lights", " has more than " + std::to_string(lights_most));
+        }
+        read_light(place, each, made.light.size(), made);
+    }
+    for (std::size_t i = 0; i < made.light.size(); ++i)
+    {
+        made.light[i].intensity = made.light[i].n == 0 ? nullptr : made.intensity[i].data();
+    }
+}
+
+} // namespace
+
+TofSensor parse_tof_sensor(const std::string &name, std::string_view text)
+{
+    const JsonPlace place = {name, text};
+    std::size_t line = 0;
+    TofSensor made;
+    made.name = name;
+    made.text = parse_json_object(text, line);
+    if (made.text == nullptr)
+    {
+        throw Failure(in_quotes(name) + ":" + std::to_string(line) + ": is no JSON object");
+    }
+    JsonMembers members(place, "", made.text.get());
+    made.sensor.size = sizeof made.sensor;
+    made.camera = camera_of(place, members);
+    made.sensor.camera = made.camera.get();
+    for (const SensorNumber &each : sensor_numbers)
+    {
+        made.sensor.*each.to = members.number(each.key, each.range);
+    }
+    read_signal(members, made);
+    read_mask(members, made);
+    read_lights(place, members, made);
+    members.check_known();
+    return made;
+}
+
+TofSensor read_tof_sensor(const std::string &path)
+{
+    std::string text;
+    char message[CM_IMAGE_MESSAGE] = "";
+    check_scene(guarded_file(message, [&] { text = read_whole(path, sensor_bytes_most); }),
+                message);
+    return parse_tof_sensor(path, text);
+}

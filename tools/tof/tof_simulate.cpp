@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+//
+// cubemap-tof simulate: frames of a time-of-flight camera along a trajectory.
+
+#include "tof_command.hpp"
+#include "tof_frame.hpp"
+#include "tof_metadata.hpp"
+#include "tof_options.hpp"
+#include "tof_sensor.hpp"
+
+#include "modules/scene/io/pose_words.hpp"
+#include "tools/cli/image_file.hpp"
+#include "tools/cli/parallel.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/scene/scene_world.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace
+{
+
+using TofScenePointer = std::unique_ptr<cm_tof_scene, HandleDeleter<cm_tof_scene_destroy>>;
+
+// What was done for all frames.
+struct Done
+{
+    std::vector<double> milliseconds;
+    std::uint64_t rays = 0;
+    std::uint64_t oversampled = 0;
+    std::uint64_t saturated = 0;
+    std::uint64_t unmeasured = 0;
+    std::uint32_t times = 0;
+    std::uint32_t lights = 0;
+};
+
+// All that a frame is made of.
+struct Simulation
+{
+    World world;
+    TofScenePointer scene;
+    TofSensor sensor;
+    TimedPoses poses;
+    TrajectoryPointer trajectory;
+    PoolPointer pool;
+    cm_tof_options options = {};
+    CameraPointer plain; // without distortion, where the budget drops that
+    std::string budget;  // JSON
+};
+
+void check_tof(cm_status status, const Simulation &with)
+{
+    if (status == CM_ERROR_MEMORY)
+    {
+        throw std::bad_alloc();
+    }
+    if (status == CM_ERROR_RANGE)
+    {
+        throw Failure(in_quotes(with.sensor.name) + " has numbers outside what is simulated");
+    }
+    check_scene(status, "");
+}
+
+Simulation prepare(const SimulateOptions &options)
+{
+    Simulation made;
+    made.world = load_world(options.scene); // forks, and so before all else
+    made.sensor =
+        options.preset.empty() ? read_tof_sensor(options.sensor) : tof_preset(options.preset);
+    made.poses = read_poses(options.trajectory);
+    const cm_camera_options &shape = *cm_camera_describe(made.sensor.camera.get());
+    check_memory(in_quotes(made.sensor.name) + ": a frame of " + std::to_string(shape.width) +
+                     " x " + std::to_string(shape.height) + " pixels",
+                 std::int64_t{shape.width} * shape.height, 1,
+                 frame_pixel_bytes(made.sensor.sensor));
+    cm_trajectory *trajectory = nullptr;
+    check_scene(cm_trajectory_create(made.poses.time.size(), made.poses.time.data(),
+                                     made.poses.pose.data(), &trajectory, nullptr),
+                "");
+    made.trajectory.reset(trajectory);
+    cm_tof_scene *scene = nullptr;
+    check_tof(cm_tof_scene_create(made.world.scene.get(), &scene), made);
+    made.scene.reset(scene);
+    made.pool = make_pool(options.threads);
+    made.options = options.tof;
+    return made;
+}
+
+// ---- the budget
+
+void drop_distortion(Simulation &with)
+{
+    cm_camera_options shape = *cm_camera_describe(with.sensor.sensor.camera);
+    std::fill(std::begin(shape.distortion), std::end(shape.distortion), 0.0);
+    cm_camera *camera = nullptr;
+    check_scene(cm_camera_create(&shape, &camera), "");
+    with.plain.reset(camera);
+    with.sensor.sensor.camera = camera;
+}
+
+// Takes what the first frame needs for an error of at most that.
+void plan(const SimulateOptions &options, Simulation &with)
+{
+    cm_budget_entry entry[CM_TOF_EFFECTS] = {};
+    cm_budget budget = {};
+    budget.size = sizeof budget;
+    budget.entry = entry;
+    cm_tof_options most = options.tof;
+    if (!options.samples_given)
+    {
+        most.sample_columns = most.sample_rows = 3;
+    }
+    check_tof(cm_tof_plan(with.scene.get(), &with.sensor.sensor, with.sensor.light.data(),
+                          with.sensor.light.size(), with.trajectory.get(), with.poses.time.front(),
+                          *options.budget, &most, with.pool.get(), &with.options, &budget),
+              with);
+    with.budget = budget_text(budget);
+    for (const cm_budget_entry &each : entry)
+    {
+        if (std::string(each.name) == "distortion" && each.is_kept == 0)
+        {
+            drop_distortion(with);
+        }
+    }
+}
+
+// ---- frames
+
+void simulate_frame(Simulation &with, std::size_t number, TofFrame &frame, Done &done)
+{
+    cm_tof_options options = with.options;
+    options.view = static_cast<std::uint32_t>(number);
+    cm_tof_result result = frame.result();
+    const auto begin = std::chrono::steady_clock::now();
+    check_tof(cm_tof_simulate(with.scene.get(), &with.sensor.sensor, with.sensor.light.data(),
+                              with.sensor.light.size(), with.trajectory.get(),
+                              with.poses.time[number], &options, with.pool.get(), &result),
+              with);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    done.milliseconds.push_back(took.count());
+    done.rays += frame.report.rays;
+    done.oversampled += frame.report.oversampled;
+    done.saturated += frame.report.saturated;
+    done.times = std::max(done.times, frame.report.times);
+    done.lights = std::max(done.lights, frame.report.lights);
+    done.unmeasured += static_cast<std::uint64_t>(
+        std::count_if(frame.distance.begin(), frame.distance.end(),
+                      [](float distance) { return std::isnan(distance); }));
+}
+
+std::string poses_text(const TimedPoses &poses)
+{
+    std::string text;
+    for (std::size_t i = 0; i < poses.time.size(); ++i)
+    {
+        text += pose_line(poses.time[i], poses.pose[i]);
+    }
+    return text;
+}
+
+Done simulate_all(const SimulateOptions &options, Simulation &with, const cm_streams &streams)
+{
+    const OutputFolder folder(options.output);
+    if (options.budget)
+    {
+        plan(options, with);
+    }
+    const int threads = thread_count(options.threads);
+    const std::size_t count = with.poses.time.size();
+    TofFrame frame(with.sensor.sensor);
+    Done done;
+    Progress progress(static_cast<std::int64_t>(count), !options.quiet, streams.err);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        FileList files;
+        simulate_frame(with, i, frame, done);
+        write_frame(folder, frame, i, threads, files);
+        if (i == 0)
+        {
+            write_text(folder.path_of("metadata.json"),
+                       metadata_text(options, with.options, with.sensor, with.world.scene.get(),
+                                     with.poses, with.budget),
+                       files);
+        }
+        if (i + 1 == count)
+        {
+            write_text(folder.path_of("poses.txt"), poses_text(with.poses), files);
+        }
+        appear_together(files);
+        progress.advance(1);
+    }
+    return done;
+}
+
+// ---- what is told
+
+std::string done_json(const Done &done, const Simulation &with)
+{
+    return "{\"frames\": " + std::to_string(done.milliseconds.size()) +
+           ", \"ms_per_frame\": {\"median\": " + json_number(median_of(done.milliseconds)) +
+           ", \"max\": " +
+           json_number(*std::max_element(done.milliseconds.begin(), done.milliseconds.end())) +
+           "}, \"rays\": " + std::to_string(done.rays) +
+           ", \"oversampled\": " + std::to_string(done.oversampled) +
+           ", \"times\": " + std::to_string(done.times) +
+           ", \"virtual_lights\": " + std::to_string(done.lights) +
+           ", \"saturated\": " + std::to_string(done.saturated) +
+           ", \"unmeasured\": " + std::to_string(done.unmeasured) +
+           (with.budget.empty() ? "" : ", \"budget\": " + with.budget) + "}\n";
+}
+
+std::string done_text(const SimulateOptions &options, const Done &done)
+{
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  ": %zu frames, median %.3g ms; %llu pixels saturated, %llu without light\n",
+                  done.milliseconds.size(), median_of(done.milliseconds),
+                  static_cast<unsigned long long>(done.saturated),
+                  static_cast<unsigned long long>(done.unmeasured));
+    return in_quotes(options.output) + text;
+}
+
+} // namespace
+
+int simulate_tof(int argc, char **argv, const cm_streams &streams)
+{
+    const SimulateOptions options = parse_simulate_options(argc, argv, streams);
+    if (options.printed)
+    {
+        return 0;
+    }
+    Simulation with = prepare(options);
+    const Done done = simulate_all(options, with, streams);
+    if (options.json)
+    {
+        print(streams, done_json(done, with));
+    }
+    else if (!options.quiet)
+    {
+        print(streams, done_text(options, done));
+    }
+    return 0;
+}

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT */
+#include "tof_table.h"
+#include "tof_main.h"
+
+#include "tools/cli/usual_options.h"
+
+const char *const tof_preset_names[] = {"pico-flexx", "camcube", "dual-12um", "single-8um", NULL};
+
+static const cm_option simulate_options[] = {
+    {.id = TOF_OUTPUT,
+     .letter = 'o',
+     .name = "output",
+     .kind = CM_OPTION_FILE,
+     .argument = "DIR",
+     .help = "the folder to write, which must be absent or empty",
+     .more =
+         "The files of a frame appear together, when all of them are complete; poses.txt appears "
+         "with the last."},
+    {.id = TOF_PRESET,
+     .name = "preset",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "NAME",
+     .help = "a camera that is built in, in place of SENSOR.json",
+     .choices = tof_preset_names},
+    {.id = TOF_BOUNCES,
+     .name = "bounces",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help =
+         "how often light is scattered on its way, beyond the surface that is seen: 1 by virtual "
+         "lights, more by paths",
+     .standard = "0, direct light",
+     .low = 0,
+     .high = 1000},
+    {.id = TOF_LIGHTS,
+     .name = "lights",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "virtual lights of one bounce",
+     .standard = "338",
+     .low = 1,
+     .high = 1048576},
+    {.id = TOF_VISIBILITY, .name = "visibility", .help = "virtual lights cast shadows"},
+    {.id = TOF_SAMPLES,
+     .name = "samples",
+     .kind = CM_OPTION_TEXT,
+     .argument = "COLUMNSxROWS",
+     .help = "samples of a pixel, where it sees edges",
+     .more = "Each is from 1 to 64.",
+     .standard = "1x1"},
+    {.id = TOF_FULL, .name = "full", .help = "take all samples in all pixels"},
+    {.id = TOF_NOISE,
+     .name = "noise",
+     .help = "shot noise, and the dark, read and fixed pattern noise that the sensor has"},
+    {.id = TOF_SEED,
+     .name = "seed",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help = "of all random numbers, which depend on seed, frame and pixel alone",
+     .standard = "0",
+     .low = 0,
+     .high = 2147483647},
+    {.id = TOF_BUDGET,
+     .name = "budget",
+     .kind = CM_OPTION_TEXT,
+     .argument = "LENGTH",
+     .help =
+         "measure in the first frame what each effect does to the distance, simulate those that "
+         "are needed for an error of at most this, and tell all of them",
+     .more =
+         "LENGTH is in metres, or ends with m, cm, mm or um: `1mm`. Bounces, visibility, noise "
+         "and samples are then chosen; --samples and --lights say how many where they are needed, "
+         "3x3 and 338 without them."},
+    CM_USUAL_THREADS(TOF_THREADS),
+    {.id = TOF_JSON, .name = "json", .help = "print the result as JSON"},
+    CM_USUAL_QUIET(TOF_QUIET),
+};
+
+static const cm_option_group simulate_groups[] = {
+    {NULL, simulate_options, sizeof simulate_options / sizeof *simulate_options}};
+
+const cm_command tof_simulate_command = {
+    .name = "cubemap-tof simulate",
+    .usage = "[OPTION]... SCENE SENSOR.json TRAJECTORY.txt -o DIR\n"
+             "[OPTION]... --preset NAME SCENE TRAJECTORY.txt -o DIR",
+    .summary =
+        "Simulates what a time-of-flight camera measures, to the electron. SCENE is as "
+        "cubemap-scene has it. SENSOR.json has the camera, its sensor and its lights, in SI units. "
+        "Each line of TRAJECTORY.txt, `time tx ty tz qx qy qz qw`, camera to world, begins a "
+        "frame; "
+        "between lines the camera moves, before the first and after the last it stands. DIR gets "
+        "for each frame phase_FRAME_PHASE.exr (electrons), distance_FRAME.exr (range in metres), "
+        "amplitude_FRAME.exr and intensity_FRAME.exr, and once metadata.json and poses.txt.",
+    .groups = simulate_groups,
+    .group_count = 1,
+    .notes = "Example:\n"
+             "  cubemap-tof simulate --preset pico-flexx --noise room path.txt -o made",
+    .words = "SCENE DIR FRAME PHASE NAME COLUMNS ROWS LENGTH",
+    .operand = CM_OPTION_FILE,
+    .bare_version = 1};
+
+static const cm_option reproduce_options[] = {
+    {.id = TOF_OUTPUT,
+     .letter = 'o',
+     .name = "output",
+     .kind = CM_OPTION_FILE,
+     .argument = "DIR",
+     .help = "the folder to write, which is made if it is absent"},
+    CM_USUAL_THREADS(TOF_THREADS),
+    CM_USUAL_QUIET(TOF_QUIET),
+};
+
+static const cm_option_group reproduce_groups[] = {
+    {NULL, reproduce_options, sizeof reproduce_options / sizeof *reproduce_options}};
+
+const cm_command tof_reproduce_command = {
+    .name = "cubemap-tof reproduce",
+    .usage = "[OPTION]... [NAME]... -o DIR",
+    .summary =
+        "Does again what papers on time-of-flight cameras have measured, and says beside each "
+        "figure what came out here and whether it holds. NAME is exact (what formulas say), "
+        "layouts and resolution (Lambers, Hoberg and Kolb 2015) or multipath (Bulczak, Lambers and "
+        "Kolb 2018); all without one. DIR gets NAME.json with all numbers, report.md, and charts "
+        "as "
+        "PNG and SVG where Python has matplotlib.",
+    .groups = reproduce_groups,
+    .group_count = 1,
+    .notes = "Example:\n"
+             "  cubemap-tof reproduce exact -o made",
+    .words = "NAME DIR",
+    .operand = CM_OPTION_TEXT,
+    .bare_version = 1};
+
+static const cm_command *const commands[] = {&tof_simulate_command, &tof_reproduce_command, NULL};
+
+static const char *const command_names[] = {"simulate", "reproduce", NULL};
+
+/* --help and --version alone */
+static const cm_option_group tof_groups[] = {{NULL, NULL, 0}};
+
+const cm_command cm_tof_command = {
+    .name = "cubemap-tof",
+    .usage = "simulate [OPTION]... SCENE SENSOR.json TRAJECTORY.txt -o DIR\n"
+             "reproduce [OPTION]... [NAME]... -o DIR",
+    .summary = "Time-of-flight cameras: simulates what they measure, and does again what papers "
+               "found. Each command has a --help of its "
+               "own.",
+    .groups = tof_groups,
+    .group_count = 1,
+    .words = "SCENE DIR",
+    .operand = CM_OPTION_TEXT,
+    .choices = command_names,
+    .commands = commands,
+    .bare_version = 1};

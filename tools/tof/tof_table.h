@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the options of cubemap-tof are called in its source, and its commands.
+ */
+#ifndef CUBEMAP_TOOLS_TOF_TABLE_H
+#define CUBEMAP_TOOLS_TOF_TABLE_H
+
+#include "tools/cli/option_table.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum
+{
+    TOF_OUTPUT = 1,
+    TOF_PRESET,
+    TOF_BOUNCES,
+    TOF_LIGHTS,
+    TOF_VISIBILITY,
+    TOF_SAMPLES,
+    TOF_FULL,
+    TOF_NOISE,
+    TOF_SEED,
+    TOF_BUDGET,
+    TOF_TRUTH,
+    TOF_THREADS,
+    TOF_JSON,
+    TOF_QUIET
+};
+
+/* The sensors that are built in, up to NULL. */
+extern const char *const tof_preset_names[];
+
+extern const cm_command tof_simulate_command;
+extern const cm_command tof_reproduce_command;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
