@@ -59,8 +59,7 @@ void ImageDescription::set_number(const std::string &key, int number)
 }
 
 DescriptionView::DescriptionView(const ImageDescription &from, const std::string &format, int width,
-                                 int height, const std::vector<std::string> &parts,
-                                 const std::vector<std::string> &part_channels)
+                                 int height, const std::vector<std::string> &parts)
 {
     view.format = format.c_str();
     view.width = static_cast<std::uint32_t>(width);
@@ -94,11 +93,6 @@ DescriptionView::DescriptionView(const ImageDescription &from, const std::string
     {
         part_names.push_back(name.c_str());
     }
-    for (const std::string &name : part_channels)
-    {
-        part_channel_names.push_back(name.c_str());
-    }
-    view.part_channel_names = part_channel_names.empty() ? nullptr : part_channel_names.data();
     view.part_names = part_names.empty() ? nullptr : part_names.data();
     view.part_count = static_cast<std::uint32_t>(part_names.size());
     view.tags = tags.data();

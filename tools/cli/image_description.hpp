@@ -49,11 +49,9 @@ struct ImageDescription
 class DescriptionView
 {
 public:
-    // parts: the names of the file's pictures, if it has several; part_channels: of the channels of each, one picture's after
-    // another's, or none.
+    // parts: the names of the file's pictures, if it has several.
     DescriptionView(const ImageDescription &from, const std::string &format, int width, int height,
-                    const std::vector<std::string> &parts = {},
-                    const std::vector<std::string> &part_channels = {});
+                    const std::vector<std::string> &parts = {});
     DescriptionView(const DescriptionView &) = delete;
     DescriptionView &operator=(const DescriptionView &) = delete;
 
@@ -66,7 +64,6 @@ private:
     cm_image_description view = {};
     std::vector<const char *> names;
     std::vector<const char *> part_names;
-    std::vector<const char *> part_channel_names;
     std::vector<std::vector<const char *>> words;
     std::vector<cm_image_tag> tags;
 };

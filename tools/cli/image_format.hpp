@@ -18,8 +18,6 @@ struct ImagePlan
     bool alpha_dropped;           // the format has none
     bool multiply_alpha; // the format wants colours multiplied by alpha, and they are not yet
     std::vector<std::string> parts = {}; // the names of the file's pictures; none: it is one
-    std::vector<std::string> part_channels =
-        {}; // and of their channels, one after another; none: alike
 };
 
 // The file format that a name's extension stands for, UsageFailure if it is none that we write.

@@ -21,8 +21,7 @@ ImageWriter::ImageWriter(const ImagePlan &plan, int width, int height, const std
     {
         functions.set_threads(threads);
     }
-    const DescriptionView description(plan.description, plan.format, width, height, plan.parts,
-                                      plan.part_channels);
+    const DescriptionView description(plan.description, plan.format, width, height, plan.parts);
     cm_image_writer *begun = nullptr;
     char message[CM_IMAGE_MESSAGE] = "";
     const cm_status status = functions.create(file.temporary_name().c_str(), &stream,

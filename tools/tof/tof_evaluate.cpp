@@ -66,45 +66,31 @@ struct DistancePicture
 };
 
 // The part of a file that has ranges, if it has parts with names, as the truth's has.
-std::uint32_t part_of_ranges(const std::string &path)
+std::uint32_t part_of_range(const std::string &path)
 {
     for (std::uint32_t part = 0;; ++part)
     {
         const ImageFile file(path, 0, part);
         const char *const name = file.stored().subimage_name;
-        if (name == nullptr || std::string(name) == "ranges")
+        if (name == nullptr || std::string(name) == "range")
         {
             return part;
         }
     }
 }
 
-// Of its channels that of this name; the first one if there is none.
-std::size_t channel_of_ranges(const ImageFile &file)
-{
-    for (int channel = 0; channel < file.channels(); ++channel)
-    {
-        if (file.channel_name(channel) == "range")
-        {
-            return static_cast<std::size_t>(channel);
-        }
-    }
-    return 0;
-}
-
 DistancePicture read_distances(const std::string &path)
 {
-    ImageFile file(path, 0, part_of_ranges(path));
+    ImageFile file(path, 0, part_of_range(path));
     DistancePicture picture = {file.width(), file.height(), {}};
     const std::size_t channels = static_cast<std::size_t>(file.channels());
     const std::size_t width = static_cast<std::size_t>(picture.width);
     const std::size_t pixels = width * static_cast<std::size_t>(picture.height);
     std::vector<float> rows(pixels * channels);
     file.read(rows.data(), width * channels, Finite::any);
-    const std::size_t channel = channel_of_ranges(file);
     for (std::size_t i = 0; i < pixels; ++i)
     {
-        picture.value.push_back(rows[i * channels + channel]);
+        picture.value.push_back(rows[i * channels]);
     }
     return picture;
 }

@@ -190,7 +190,7 @@ Done simulate_all(const SimulateOptions &options, Simulation &with, const cm_str
             truth->find(with.scene.get(), with.trajectory.get(), time[i],
                         time[std::min(i + 1, count - 1)], time[i == 0 ? 0 : i - 1], frame.flags,
                         with.pool.get());
-            files.push_back(truth->write(folder.path_of(frame_file_name("truth", i)), threads));
+            files.push_back(truth->write(folder.path_of(frame_file_name("truth", i))));
         }
         if (i == 0)
         {

@@ -75,9 +75,9 @@ static const cm_option simulate_options[] = {
      .name = "truth",
      .help = "write truth_FRAME.exr, too: what is truly there",
      .more =
-         "It has seven parts: position and normal in the world, ids (object, shape, triangle; -1 "
-         "for nothing), ranges (range, depth, and where circuits were full), flow_next and "
-         "flow_before (columns, rows, range) and effects (flying, motion, multipath)."},
+         "It is an OpenEXR file of parts: position and normal in the world; object, shape and "
+         "triangle as whole numbers; depth and range; flow_next and flow_before in columns, rows "
+         "and metres; effects, masks of flying, motion, multipath, nothing and saturated."},
     CM_USUAL_THREADS(TOF_THREADS),
     {.id = TOF_JSON, .name = "json", .help = "print the result as JSON"},
     CM_USUAL_QUIET(TOF_QUIET),

@@ -21,11 +21,13 @@ public:
     void find(const cm_tof_scene *scene, const cm_trajectory *trajectory, double time, double next,
               double before, const std::vector<std::uint8_t> &flags, cm_pool *pool);
 
-    // OpenEXR of seven parts, each of three channels: position, normal, ids, ranges, flow_next, flow_before, effects. Complete,
-    // to appear later.
-    std::unique_ptr<AtomicFile> write(const std::string &path, int threads) const;
+    // All of it as modules/sim/io/truth_file.h has it; complete, to appear later.
+    std::unique_ptr<AtomicFile> write(const std::string &path) const;
 
 private:
+    // Where all is.
+    cm_tof_truth arrays() const;
+
     const cm_camera *camera;
     std::size_t pixels;
     std::vector<double> position;

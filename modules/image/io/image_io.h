@@ -110,8 +110,6 @@ typedef struct cm_image_description
      * in common. NULL and 0: the file is one picture */
     const char *const *part_names;
     uint32_t part_count;
-    /* written: names of the channels of each of these, channels a part; NULL: channel_names */
-    const char *const *part_channel_names;
     /* of tiles; 0: rows */
     uint32_t tile_width;
     uint32_t tile_height;

@@ -228,12 +228,6 @@ void LibraryWriter::open_parts(const cm_image_description &description)
     {
         parts.push_back(spec);
         parts.back().attribute("oiio:subimagename", description.part_names[i]);
-        if (description.part_channel_names != nullptr)
-        {
-            const char *const *const names =
-                description.part_channel_names + std::size_t{i} * description.channels;
-            parts.back().channelnames.assign(names, names + description.channels);
-        }
     }
     if (!output->open(path, static_cast<int>(parts.size()), parts.data()))
     {
