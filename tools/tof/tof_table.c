@@ -179,6 +179,7 @@ static const cm_option_group tof_groups[] = {{NULL, NULL, 0}};
 const cm_command cm_tof_command = {
     .name = "cubemap-tof",
     .usage = "simulate [OPTION]... SCENE SENSOR.json TRAJECTORY.txt -o DIR\n"
+             "evaluate [OPTION]... MEASURED.exr TRUTH.exr\n"
              "reproduce [OPTION]... [NAME]... -o DIR",
     .summary = "Time-of-flight cameras: simulates what they measure, tells how good that is, and "
                "does again what papers "
@@ -186,7 +187,7 @@ const cm_command cm_tof_command = {
                "own.",
     .groups = tof_groups,
     .group_count = 1,
-    .words = "SCENE DIR",
+    .words = "SCENE DIR MEASURED TRUTH NAME",
     .operand = CM_OPTION_TEXT,
     .choices = command_names,
     .commands = commands,
