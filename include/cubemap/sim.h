@@ -67,7 +67,7 @@ typedef struct cm_tof_sensor
     int phases;              /* 3 or more, evenly apart */
     int single_readout;      /* 1: circuits between pixels, each of two (2015, section IV-G) */
     uint32_t mask_columns;   /* sub-pixels of the mask; 0: none */
-    uint32_t mask_rows;
+    uint32_t mask_rows;      /* the same from top to bottom */
     const float *mask; /* the active part of each sub-pixel, 0..1, by rows; NULL: the whole pixel */
     size_t harmonics;  /* of the correlation; 0: a cosine */
     const double *
@@ -111,11 +111,11 @@ typedef struct cm_tof_options
     uint32_t paths;          /* paths a pixel; 0: 64 */
     int traces;              /* 1: paths for one bounce, too */
     uint32_t sample_columns; /* of a pixel; 0: 1 */
-    uint32_t sample_rows;
-    uint32_t sample_times; /* of an exposure; 0: as many as what moves needs, 16 at most */
-    int full;              /* 1: all samples in all pixels; 0: only where a pixel sees edges */
-    int noise;             /* 1: shot noise, and the sensor's dark, read and fixed pattern noise */
-    uint64_t seed;
+    uint32_t sample_rows;    /* of a pixel, from top to bottom; 0: 1 */
+    uint32_t sample_times;   /* of an exposure; 0: as many as what moves needs, 16 at most */
+    int full;                /* 1: all samples in all pixels; 0: only where a pixel sees edges */
+    int noise;     /* 1: shot noise, and the sensor's dark, read and fixed pattern noise */
+    uint64_t seed; /* of all random numbers */
     uint32_t view; /* number of the frame, for the noise */
     const cm_mapping *
         mapping; /* of the map in which virtual lights are found; NULL: the equal-area cube healpix */
@@ -197,12 +197,12 @@ CM_API double cm_tof_noise_of_distance(const cm_tof_sensor *sensor, double signa
 /* What is truly there at a time; arrays that are NULL are left out. By rows; NaN and CM_SCENE_NOTHING for nothing. */
 typedef struct cm_tof_truth
 {
-    size_t size;         /* sizeof(cm_tof_truth) */
-    double *position[3]; /* in the world */
-    float *normal[3];    /* in the world, towards the camera */
-    uint32_t *object;    /* id of the primitive */
-    uint32_t *shape;     /* its kind */
-    uint32_t *triangle;
+    size_t size;           /* sizeof(cm_tof_truth) */
+    double *position[3];   /* in the world */
+    float *normal[3];      /* in the world, towards the camera */
+    uint32_t *object;      /* id of the primitive */
+    uint32_t *shape;       /* its kind */
+    uint32_t *triangle;    /* of its mesh; 0 of other kinds */
     float *depth;          /* along the optical axis */
     float *range;          /* along the ray */
     float *flow_next[3];   /* pixels, pixels, metres of range: to the time next */
