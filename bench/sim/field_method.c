@@ -19,9 +19,20 @@ const char *field_change_name(field_change change)
     return names[change];
 }
 
+/* flow: words with commas between them, or NULL for all. */
 static int is_asked(const char *flow, const char *name)
 {
-    return flow == NULL || strcmp(flow, name) == 0;
+    const size_t length = strlen(name);
+    for (const char *at = flow; at != NULL && *at != '\0';)
+    {
+        const size_t word = strcspn(at, ",");
+        if (word == length && strncmp(at, name, length) == 0)
+        {
+            return 1;
+        }
+        at += word + (at[word] == ',');
+    }
+    return flow == NULL;
 }
 
 size_t field_methods(const char *flow, const field_method **methods)

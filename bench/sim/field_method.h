@@ -43,7 +43,7 @@ typedef struct field_method
 
 const char *field_change_name(field_change change);
 
-/* All of them; only one flow method's, or "true", if flow is not NULL. */
+/* All of them; only those of some flow methods, and of "true", with commas between them, if flow is not NULL. */
 size_t field_methods(const char *flow, const field_method **methods);
 
 /* As the paper writes them: "NCM-TG N dis". */

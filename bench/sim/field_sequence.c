@@ -9,9 +9,9 @@
  *   rank  among all methods, mean over scenes and the three
  *   ms    of the processor, a frame: changing pictures, flows and compensation
  *
- *   field-sequence [--flow dis|farneback|tvl1|lk|rlof|true] [--scene N] [--frames N] [--clean] [--json FILE]
+ *   field-sequence [--flow dis,farneback,tvl1,lk,rlof,true] [--scene N] [--frames N] [--clean] [--json FILE]
  *
- * --flow and --scene: that one alone; --frames: so many are compensated of each scene, 2 if not given; --clean: no noise.
+ * --flow and --scene: these alone, if not all; --frames: so many are compensated of each scene, 1 if not given; --clean: no noise.
  */
 #include "field_method.h"
 
@@ -60,7 +60,7 @@ typedef struct field_frames
     float corrected[FIELD_CHANNELS * FIELD_PIXELS];
 } field_frames;
 
-static field_run run = {.scene = -1, .frames = 2};
+static field_run run = {.scene = -1, .frames = 1};
 static field_frames frames;
 
 /* ---- one frame ---- */
