@@ -98,6 +98,11 @@ static cm_brdf *take_brdf(supply *from)
                                           .absorption = amount(from)};
         return cm_brdf_create_cook_torrance(&options, &brdf) == CM_OK ? brdf : NULL;
     }
+    if (take_byte(from) % 4 == 0)
+    {
+        EXPECT(cm_brdf_create_lambert(&brdf) == CM_OK, "no BRDF");
+        return brdf;
+    }
     cm_brdf_sample sample[3];
     for (int i = 0; i < 3; i++)
     {
@@ -251,10 +256,8 @@ static void check_truth(const cm_tof_scene *scene, const cm_camera *camera,
 {
     float range[PIXELS], depth[PIXELS];
     uint32_t object[PIXELS];
-    cm_tof_truth truth = {
-        .size = sizeof truth, .range = range, .depth = depth, .object = object};
-    const cm_status status =
-        cm_tof_find_truth(scene, camera, motion, 0.0, 0.01, 0.0, NULL, &truth);
+    cm_tof_truth truth = {.size = sizeof truth, .range = range, .depth = depth, .object = object};
+    const cm_status status = cm_tof_find_truth(scene, camera, motion, 0.0, 0.01, 0.0, NULL, &truth);
     EXPECT(status == CM_OK, "%d", (int)status);
     for (size_t i = 0; i < PIXELS; i++)
     {
@@ -271,9 +274,29 @@ static void check_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
     cm_budget_entry entry[CM_TOF_EFFECTS];
     cm_budget budget = {.size = sizeof budget, .entry = entry};
     cm_tof_options chosen;
-    const cm_status status = cm_tof_plan(scene, sensor, light, 1, NULL, 0.0, amount(from), NULL,
-                                         NULL, &chosen, &budget);
+    const cm_status status =
+        cm_tof_plan(scene, sensor, light, 1, NULL, 0.0, amount(from), NULL, NULL, &chosen, &budget);
     EXPECT(status != CM_OK || budget.count == CM_TOF_EFFECTS, "%zu effects", budget.count);
+}
+
+/* A driver of its own: charges of any size, and sensors that are none. */
+static void check_driver(const cm_tof_sensor *sensor, supply *from)
+{
+    static float charge_a[IMAGES * 3], charge_b[IMAGES * 3];
+    float distance[3], amplitude[3], intensity[3];
+    uint8_t flags[3] = {0};
+    for (size_t i = 0; i < IMAGES * 3; i++)
+    {
+        charge_a[i] = (float)amount(from);
+        charge_b[i] = (float)amount(from);
+    }
+    const cm_status status =
+        cm_tof_reconstruct(sensor, 3, charge_a, charge_b, distance, amplitude, intensity, flags);
+    EXPECT(status != CM_OK || !(amplitude[0] < 0.0f), "%g electrons", (double)amplitude[0]);
+    EXPECT(status == CM_OK || flags[0] == 0, "flags %d", flags[0]);
+    const double spread = cm_tof_noise_of_distance(sensor, 100.0, 5.0);
+    EXPECT(isnan(spread) || spread >= 0.0 || sensor->frequency < 0.0 || sensor->contrast < 0.0,
+           "%g m", spread);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -319,6 +342,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         EXPECT(cm_tof_scene_count(scene) == cm_scene_count(world), "count");
         EXPECT(isnan(cm_tof_frame_time(&sensor)) || cm_tof_frame_time(&sensor) != 0.0, "time");
         check_truth(scene, camera, moves);
+        check_driver(&sensor, &from);
         if (take_byte(&from) % 16 == 0)
         {
             check_plan(scene, &sensor, &light, &from);

@@ -89,7 +89,7 @@ static const cm_option_group simulate_groups[] = {
 const cm_command tof_simulate_command = {
     .name = "cubemap-tof simulate",
     .usage = "[OPTION]... SCENE SENSOR.json TRAJECTORY.txt -o DIR\n"
-             "[OPTION]... --preset NAME SCENE TRAJECTORY.txt -o DIR",
+             "--preset NAME [OPTION]... SCENE PATH.txt -o DIR",
     .summary =
         "Simulates what a time-of-flight camera measures, to the electron. SCENE is as "
         "cubemap-scene has it. SENSOR.json has the camera, its sensor and its lights, in SI units. "
