@@ -84,6 +84,23 @@ void measures()
                   throw std::runtime_error(std::to_string(before) + " " + std::to_string(after));
               }
           });
+    write_file("table.csv", "# degrees\n0, 0, 0, 0.3\n30 30 180 0.3\n60, 60, 90, 0.3\n");
+    write_file(
+        "matter.json",
+        R"({"planes": [{"point": [0, 0, 2], "normal": [0, 0, 1], "motion": [[0, 0, 0, 0, 0, 0, 0, 1],
+                  [1, 0, 0, 0.5, 0, 0, 0, 1]], "brdf": {"kind": "measured", "file": "table.csv"}}]})");
+    write_file("later.txt", "2 0 0 0 0 0 0 1\n");
+    passes("a wall that has moved, of a measured BRDF",
+           "tof simulate matter.json sensor.json later.txt -o moved --quiet");
+    holds("it stands where its motion ends",
+          []
+          {
+              const double distance = Picture("moved/distance_0000.exr").first(11, 8);
+              if (std::fabs(distance - 2.5) > 0.01)
+              {
+                  throw std::runtime_error(std::to_string(distance));
+              }
+          });
     write_file("behind.json", sensor_text("\"lights\": [{\"position\": [0, 0, 3], \"power\": 1, "
                                           "\"aperture\": 6.283185307179586}]"));
     says("a light behind the wall lights nothing", "\"unmeasured\": 432\\}",
@@ -196,8 +213,8 @@ void refuses_tof_words()
     fails("a file in the way", 1, "'in_the_way' cannot be made",
           "tof simulate wall.json sensor.json pose.txt -o in_the_way");
     does("tof simulate wall.json sensor.json pose.txt -o there --quiet");
-    fails("a folder with something in it", 1, "'there' has something in it",
-          "tof simulate wall.json sensor.json pose.txt -o there");
+    passes("a folder with something in it",
+           "tof simulate wall.json sensor.json pose.txt -o there --quiet");
 }
 
 void refuses_tof_files()
@@ -259,6 +276,32 @@ void refuses_tof_files()
     std::string camera = sensor_text();
     camera.replace(camera.find("\"fx\": 20"), 8, "\"fx\": 0");
     sensor_fails("a camera without focal length", camera, "camera:1: a focal length of 0");
+    const auto scene_fails =
+        [](const std::string &name, const std::string &members, const std::string &expression)
+    {
+        write_file("odd.json", "{\"planes\": [{\"point\": [0, 0, 2], \"normal\": [0, 0, 1], " +
+                                   members + "}]}");
+        fails(name, 1, "'odd.json': planes\\[0\\]" + expression,
+              "tof simulate odd.json sensor.json pose.txt -o made/x");
+    };
+    scene_fails("a motion that is a number", "\"motion\": 3", ".motion is neither");
+    scene_fails("a motion of seven numbers", "\"motion\": [[0, 0, 0, 0, 0, 0, 1]]",
+                ".motion is neither");
+    scene_fails("a motion backwards",
+                "\"motion\": [[1, 0, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 0, 1]]",
+                ".motion has no times, or times that do not grow");
+    scene_fails("no motion at all", "\"motion\": []", ".motion has no times");
+    scene_fails("a BRDF of no kind", "\"brdf\": {}", ".brdf.kind is not lambert");
+    scene_fails("a BRDF with something else", "\"brdf\": {\"kind\": \"lambert\", \"eta\": 1}",
+                ".brdf has 'eta', which means nothing there");
+    scene_fails("facets beyond all slopes",
+                "\"brdf\": {\"kind\": \"cook-torrance\", \"roughness\": 7, \"eta\": 1.5}",
+                ".brdf has numbers outside their ranges");
+    write_file("table.csv", "10, 20, 30\n");
+    write_file("measured.json", "{\"planes\": [{\"point\": [0, 0, 2], \"normal\": [0, 0, 1], "
+                                "\"brdf\": {\"kind\": \"measured\", \"file\": \"table.csv\"}}]}");
+    fails("a table of three columns", 1, "'table.csv':1: is not theta_in theta_out azimuth value",
+          "tof simulate measured.json sensor.json pose.txt -o made/x");
     write_file("empty.json", "{}");
     fails("an empty scene", 1, "'empty.json': has nothing in it",
           "tof simulate empty.json sensor.json pose.txt -o made/x");

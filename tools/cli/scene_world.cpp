@@ -312,36 +312,44 @@ private:
         return name[0] == '/' ? name : names.folder + name;
     }
 
+    // Are these eight numbers?
+    static bool read_key(const cJSON *key, std::array<double, 8> &number)
+    {
+        if (!cJSON_IsArray(key) || cJSON_GetArraySize(key) != static_cast<int>(number.size()))
+        {
+            return false;
+        }
+        const cJSON *each = key->child;
+        for (double &value : number)
+        {
+            if (!cJSON_IsNumber(each))
+            {
+                return false;
+            }
+            value = each->valuedouble;
+            each = each->next;
+        }
+        return true;
+    }
+
     TimedPoses poses_of(const cJSON *keys) const
     {
         TimedPoses poses;
-        for (const cJSON *key = cJSON_IsArray(keys) ? keys->child : nullptr; key != nullptr;
+        bool is_list = cJSON_IsArray(keys) != 0;
+        for (const cJSON *key = is_list ? keys->child : nullptr; key != nullptr && is_list;
              key = key->next)
         {
             std::array<double, 8> number = {};
-            std::size_t count = 0;
-            for (const cJSON *each = cJSON_IsArray(key) ? key->child : nullptr; each != nullptr;
-                 each = each->next, ++count)
-            {
-                if (count < number.size() && cJSON_IsNumber(each))
-                {
-                    number[count] = each->valuedouble;
-                }
-                else
-                {
-                    count = number.size(); // one more, or none
-                }
-            }
             cm_pose pose;
-            if (count != number.size() ||
-                cm_pose_from_quaternion(number.data() + 1, number.data() + 4, &pose) != CM_OK)
-            {
-                fail_scene(
-                    names.file,
-                    where + ".motion is neither a file nor a list of [t, x, y, z, qx, qy, qz, qw]");
-            }
+            is_list = read_key(key, number) &&
+                      cm_pose_from_quaternion(number.data() + 1, number.data() + 4, &pose) == CM_OK;
             poses.time.push_back(number[0]);
             poses.pose.push_back(pose);
+        }
+        if (!is_list)
+        {
+            fail_scene(names.file, where + ".motion is neither a file nor a list of [t, x, y, z, "
+                                           "qx, qy, qz, qw]");
         }
         return poses;
     }

@@ -64,12 +64,6 @@ OutputFolder::OutputFolder(const std::string &folder_name) : name(folder_name)
         throw Failure(in_quotes(name) + " cannot be made" +
                       (wrong ? ": " + wrong.message() : ": it is not a folder"));
     }
-    if (!made && !std::filesystem::is_empty(name, wrong))
-    {
-        throw Failure(in_quotes(name) +
-                      (wrong ? " cannot be read: " + wrong.message()
-                             : " has something in it; give a folder that is absent or empty"));
-    }
 }
 
 OutputFolder::~OutputFolder()

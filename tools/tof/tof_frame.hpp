@@ -40,7 +40,7 @@ std::size_t frame_pixel_bytes(const cm_tof_sensor &sensor);
 class OutputFolder
 {
 public:
-    // Failure if it cannot be made, or has something in it.
+    // Failure if it cannot be made.
     explicit OutputFolder(const std::string &folder_name);
     ~OutputFolder();
     OutputFolder(const OutputFolder &) = delete;

@@ -12,7 +12,7 @@ static const cm_option simulate_options[] = {
      .name = "output",
      .kind = CM_OPTION_FILE,
      .argument = "DIR",
-     .help = "the folder to write, which must be absent or empty",
+     .help = "the folder to write, which is made if it is absent; files of the same names are replaced",
      .more =
          "The files of a frame appear together, when all of them are complete; poses.txt appears "
          "with the last."},
