@@ -140,7 +140,7 @@ constexpr bool holds(std::size_t size, std::size_t factor) noexcept
 
 template <class... Rest> constexpr bool holds(std::size_t size, std::size_t factor, std::size_t next, Rest... rest) noexcept
 {
-    return factor == 0 || holds(size / factor, next, rest...);
+    return factor == 0 || holds(size / factor, next, static_cast<std::size_t>(rest)...);
 }
 
 /* Do three elements of each of n points have room, from stride to stride? Behind a span's end and ahead of its begin nothing does. */

@@ -216,7 +216,10 @@ def write_loops(binding):
     lines = ["/* Written by bindings/python/generate.py. */", '#include "core.h"', "", "#include <math.h>", "#include <string.h>", "",
              "#include <cubemap/colormap.h>", "#include <cubemap/compare.h>", "#include <cubemap/environment.h>",
              "#include <cubemap/image.h>", "#include <cubemap/mips.h>", "#include <cubemap/panorama.h>",
-             "#include <cubemap/octree.h>", "#include <cubemap/scene.h>", ""]
+             "#include <cubemap/octree.h>", "#include <cubemap/scene.h>",
+             # for the sizes of structs alone
+             "#include <cubemap/compensate.h>", "#include <cubemap/depth_error.h>", "#include <cubemap/lens.h>",
+             "#include <cubemap/sim.h>", "#include <cubemap/texel.h>", ""]
     loop_enumerations.update(binding.interface.enumerations)
     rows = []
     for name, loops in binding.loops.items():
