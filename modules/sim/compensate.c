@@ -307,8 +307,12 @@ static float *make_desks(channel_desk *desk, size_t count, size_t pixels)
         return NULL;
     }
     float *memory = malloc(each * count);
+    if (memory == NULL)
+    {
+        return NULL;
+    }
     float *at = memory;
-    for (size_t i = 0; i < count && memory != NULL; i++)
+    for (size_t i = 0; i < count; i++)
     {
         desk[i].warp.sum = at;
         desk[i].carried[0] = at + 3 * pixels;
@@ -320,7 +324,7 @@ static float *make_desks(channel_desk *desk, size_t count, size_t pixels)
     }
     uint32_t *front = (uint32_t *)(void *)at;
     uint8_t *doubtful = (uint8_t *)(front + count * pixels);
-    for (size_t i = 0; i < count && memory != NULL; i++)
+    for (size_t i = 0; i < count; i++)
     {
         desk[i].warp.front = front + i * pixels;
         desk[i].doubtful = doubtful + i * pixels;

@@ -2,6 +2,8 @@
 
 #include "optical_flow.h"
 
+#include <cstring>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -11,9 +13,13 @@ namespace
 
 const char *const method_names[CM_FLOW_METHODS] = {"dis", "farneback", "tvl1", "lk", "rlof"};
 
-bool is_method(cm_flow_method method)
+// C may hand over any number, and C++ must not look at one as an enumeration that has it not.
+bool is_method(const cm_flow_method &method)
 {
-    return static_cast<unsigned>(method) < CM_FLOW_METHODS;
+    unsigned number = 0;
+    static_assert(sizeof number == sizeof method, "the number of an enumeration");
+    std::memcpy(&number, &method, sizeof number);
+    return number < CM_FLOW_METHODS;
 }
 
 // OpenCV 4.6 asks for all memory there is where pictures for RLOF are smaller than its windows.
@@ -38,7 +44,6 @@ const char *cm_flow_method_name(cm_flow_method method)
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <exception>
 #include <limits>
 #include <new>
