@@ -215,22 +215,40 @@ static int meet_exactly(const mesh_rays *mesh, const double origin[3], const dou
 
 /* ---- packets ---- */
 
+/* Embree takes no rays beyond this, and none that are not numbers: it may end the program. */
+#define FARTHEST 1e18
+
+static int is_traceable(const double origin[3], const double direction[3], double distance)
+{
+    int is_good = !isnan(distance);
+    for (int k = 0; k < 3; k++)
+    {
+        is_good &= fabs(origin[k]) < FARTHEST && fabs(direction[k]) < FARTHEST;
+    }
+    return is_good;
+}
+
+/* Rays that are not traceable meet nothing. */
 static void trace(const mesh_rays *mesh, size_t count, double (*const origin)[3],
                   double (*const direction)[3], const double *distance, struct RTCRayHit16 *packet)
 {
+    static const double nowhere[3] = {0, 0, 0}, ahead[3] = {0, 0, 1};
     _Alignas(64) int valid[PACKET];
     for (size_t i = 0; i < PACKET; i++)
     {
-        valid[i] = i < count ? -1 : 0;
-        const size_t k = i < count ? i : 0;
-        packet->ray.org_x[i] = (float)origin[k][0];
-        packet->ray.org_y[i] = (float)origin[k][1];
-        packet->ray.org_z[i] = (float)origin[k][2];
-        packet->ray.dir_x[i] = (float)direction[k][0];
-        packet->ray.dir_y[i] = (float)direction[k][1];
-        packet->ray.dir_z[i] = (float)direction[k][2];
+        const int is_good = i < count && is_traceable(origin[i], direction[i], distance[i]);
+        const double *from = is_good ? origin[i] : nowhere;
+        const double *along = is_good ? direction[i] : ahead;
+        valid[i] = is_good ? -1 : 0;
+        packet->ray.org_x[i] = (float)from[0];
+        packet->ray.org_y[i] = (float)from[1];
+        packet->ray.org_z[i] = (float)from[2];
+        packet->ray.dir_x[i] = (float)along[0];
+        packet->ray.dir_y[i] = (float)along[1];
+        packet->ray.dir_z[i] = (float)along[2];
         packet->ray.tnear[i] = 0.0f;
-        packet->ray.tfar[i] = (float)fmin(distance[k] * (1.0 + 1e-6), (double)FLT_MAX);
+        packet->ray.tfar[i] =
+            is_good ? (float)fmin(distance[i] * (1.0 + 1e-6), (double)FLT_MAX) : 0.0f;
         packet->ray.time[i] = 0.0f;
         packet->ray.mask[i] = UINT32_MAX;
         packet->ray.id[i] = 0;

@@ -204,6 +204,51 @@ START_TEST(bodies_carry_their_places_along)
 }
 END_TEST
 
+/* Pixels beyond a fold of the lens have no ray; a mesh is asked of none such. */
+START_TEST(pixels_without_rays_see_nothing)
+{
+    const double corner[12] = {-9, -9, 1.7, 9, -9, 1.7, 9, 9, 1.7, -9, 9, 1.7};
+    const uint32_t index[6] = {0, 1, 2, 0, 2, 3};
+    const cm_mesh_options shape = {.size = sizeof shape,
+                                   .vertex_count = 4,
+                                   .position = corner,
+                                   .triangle_count = 2,
+                                   .index = index,
+                                   .material = {{1, 1, 1}, 1.0}};
+    const cm_camera_options folded = {.size = sizeof folded,
+                                      .width = WIDTH,
+                                      .height = HEIGHT,
+                                      .fx = 20.0,
+                                      .fy = 20.0,
+                                      .cx = 24.0,
+                                      .cy = 18.0,
+                                      .distortion = {-0.4}};
+    cm_mesh *mesh = NULL;
+    cm_scene *world = NULL;
+    cm_tof_scene *scene = NULL;
+    cm_camera *camera = NULL;
+    ck_assert_int_eq(cm_mesh_create(&shape, &mesh), CM_OK);
+    ck_assert_int_eq(cm_camera_create(&folded, &camera), CM_OK);
+    const cm_primitive body = {.size = sizeof body,
+                               .kind = CM_PRIMITIVE_MESH,
+                               .mesh = mesh,
+                               .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}},
+                               .material = {{1, 1, 1}, 0.5}};
+    ck_assert_int_eq(cm_scene_create(&world), CM_OK);
+    ck_assert_int_eq(cm_scene_add(world, &body, NULL), CM_OK);
+    ck_assert_int_eq(cm_tof_scene_create(world, &scene), CM_OK);
+    cm_tof_truth truth = truth_of(&seen);
+    ck_assert_int_eq(cm_tof_find_truth(scene, camera, NULL, 0, 0, 0, NULL, &truth), CM_OK);
+    ck_assert_uint_eq(seen.object[0], CM_SCENE_NOTHING);
+    ck_assert_uint_eq(seen.object[18 * WIDTH + 24], 0);
+    ck_assert_double_eq_tol((double)seen.range[18 * WIDTH + 24], 1.7, 1e-6);
+    cm_camera_destroy(camera);
+    cm_tof_scene_destroy(scene);
+    cm_scene_destroy(world);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
 START_TEST(refusals)
 {
     cm_scene *world = NULL;
@@ -232,7 +277,11 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {truth_is_what_the_world_says, flow_leads_to_the_same_place,
-                                  bodies_carry_their_places_along, refusals, NULL};
+    const TTest *const tests[] = {truth_is_what_the_world_says,
+                                  flow_leads_to_the_same_place,
+                                  bodies_carry_their_places_along,
+                                  pixels_without_rays_see_nothing,
+                                  refusals,
+                                  NULL};
     return run_suite("truth", tests);
 }
