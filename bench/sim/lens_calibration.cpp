@@ -54,11 +54,20 @@ void expect(cm_status status, const char *what)
 class camera
 {
 public:
-    explicit camera(const cm_camera_options &options) { expect(cm_camera_create(&options, &handle_), "camera"); }
-    ~camera() { cm_camera_destroy(handle_); }
+    explicit camera(const cm_camera_options &options)
+    {
+        expect(cm_camera_create(&options, &handle_), "camera");
+    }
+    ~camera()
+    {
+        cm_camera_destroy(handle_);
+    }
     camera(const camera &) = delete;
     camera &operator=(const camera &) = delete;
-    const cm_camera *get() const { return handle_; }
+    const cm_camera *get() const
+    {
+        return handle_;
+    }
 
 private:
     cm_camera *handle_ = nullptr;
@@ -84,7 +93,7 @@ cm_camera_options options_of(const setting &of, int times)
 
 struct pose
 {
-    std::array<double, 9> axes; // columns: the board's x, y and z in the camera's axes
+    std::array<double, 9> axes;  // columns: the board's x, y and z in the camera's axes
     std::array<double, 3> place; // of its middle
 
     std::array<double, 3> at(double x, double y) const
@@ -103,14 +112,16 @@ pose turned(int view, double distance, const setting &of)
 {
     const double around = view * 2.399963; // the golden angle: no two views are alike
     const double slant = view == 0 ? 0.0 : 0.2 + 0.15 * (view % 3);
-    const double x = slant * std::cos(around), y = slant * std::sin(around), roll = 0.12 * ((view % 5) - 2);
-    const double cx = std::cos(x), sx = std::sin(x), cy = std::cos(y), sy = std::sin(y), cr = std::cos(roll),
-                 sr = std::sin(roll);
+    const double x = slant * std::cos(around), y = slant * std::sin(around),
+                 roll = 0.12 * ((view % 5) - 2);
+    const double cx = std::cos(x), sx = std::sin(x), cy = std::cos(y), sy = std::sin(y),
+                 cr = std::cos(roll), sr = std::sin(roll);
     const double aside = 0.12 * (view % 4) * distance * width / of.fx;
-    return {{cy * cr, -cy * sr, sy, sx * sy * cr + cx * sr, -sx * sy * sr + cx * cr, -sx * cy, -cx * sy * cr + sx * sr,
-             cx * sy * sr + sx * cr, cx * cy},
+    return {{cy * cr, -cy * sr, sy, sx * sy * cr + cx * sr, -sx * sy * sr + cx * cr, -sx * cy,
+             -cx * sy * cr + sx * sr, cx * sy * sr + sx * cr, cx * cy},
             {(width * 0.5 - of.cx) / of.fx * distance + aside * std::cos(3.0 * around),
-             (height * 0.5 - of.cy) / of.fy * distance + 0.7 * aside * std::sin(3.0 * around), distance}};
+             (height * 0.5 - of.cy) / of.fy * distance + 0.7 * aside * std::sin(3.0 * around),
+             distance}};
 }
 
 bool is_whole(const cm_camera *lens, const pose &board)
@@ -122,7 +133,8 @@ bool is_whole(const cm_camera *lens, const pose &board)
                                  (i / (columns + 2) - 0.5 * (rows + 1)) * square);
         double column, row;
         cm_camera_project_array(lens, 1, &at[0], &at[1], &at[2], &column, &row);
-        if (!(column > margin && column < width - 1 - margin && row > margin && row < height - 1 - margin))
+        if (!(column > margin && column < width - 1 - margin && row > margin &&
+              row < height - 1 - margin))
         {
             return false;
         }
@@ -161,7 +173,8 @@ cv::Mat reduce(const std::vector<float> &fine, int times)
             sum += static_cast<double>(fine[row * width * static_cast<size_t>(times) +
                                             static_cast<size_t>(j % width * times + k % times)]);
         }
-        made.at<uint8_t>(j / width, j % width) = cv::saturate_cast<uint8_t>(255.0 * sum / times / times);
+        made.at<uint8_t>(j / width, j % width) =
+            cv::saturate_cast<uint8_t>(255.0 * sum / times / times);
     }
     return made;
 }
@@ -203,13 +216,16 @@ std::vector<float> shade_rays(const cm_camera *seen, const pose &board)
 struct ways
 {
     ways(const setting &which, int oversampling)
-        : of(which), times(oversampling), lens(options_of(of, times)), plain(without_lens(options_of(of, times))),
-          wide(wide_of(lens.get()))
+        : of(which), times(oversampling), lens(options_of(of, times)),
+          plain(without_lens(options_of(of, times))), wide(wide_of(lens.get()))
     {
         expect(cm_lens_guard(lens.get(), 0.1, &guard), "guard");
         expect(cm_lens_map_create(lens.get(), wide.get(), nullptr, &map), "map");
     }
-    ~ways() { cm_lens_map_destroy(map); }
+    ~ways()
+    {
+        cm_lens_map_destroy(map);
+    }
     ways(const ways &) = delete;
     ways &operator=(const ways &) = delete;
 
@@ -243,7 +259,8 @@ std::vector<float> draw_vertices(const ways &by, const pose &board)
     for (int v = 0; v < (across + 1) * (down + 1); v++)
     {
         const int i = v % (across + 1), j = v / (across + 1);
-        const auto at = board.at((i - across * 0.5) * square / parts, (j - down * 0.5) * square / parts);
+        const auto at =
+            board.at((i - across * 0.5) * square / parts, (j - down * 0.5) * square / parts);
         x.push_back(at[0]);
         y.push_back(at[1]);
         z.push_back(at[2]);
@@ -256,8 +273,8 @@ std::vector<float> draw_vertices(const ways &by, const pose &board)
             }
         }
     }
-    expect(cm_lens_move_vertices(by.lens.get(), by.guard, x.size(), x.data(), y.data(), z.data(), x.data(), y.data(),
-                                 z.data()),
+    expect(cm_lens_move_vertices(by.lens.get(), by.guard, x.size(), x.data(), y.data(), z.data(),
+                                 x.data(), y.data(), z.data()),
            "vertices");
     for (size_t v = 0; v < x.size(); v++)
     {
@@ -293,7 +310,8 @@ std::vector<float> draw_vertices(const ways &by, const pose &board)
 std::vector<float> take_images(const ways &by, const pose &board)
 {
     const std::vector<float> from = shade_rays(by.wide.get(), board);
-    std::vector<float> made(static_cast<size_t>(width) * height * static_cast<size_t>(by.times * by.times));
+    std::vector<float> made(static_cast<size_t>(width) * height *
+                            static_cast<size_t>(by.times * by.times));
     expect(cm_lens_map_color(by.map, 1, from.data(), made.data(), nullptr), "colours");
     if (cm_lens_map_unfilled(by.map) != 0)
     {
@@ -343,7 +361,8 @@ found calibrate(const std::vector<cv::Mat> &pictures)
     std::vector<cv::Point3f> corners;
     for (int i = 0; i < columns * rows; i++)
     {
-        corners.emplace_back(static_cast<float>(square * (i % columns)), static_cast<float>(square * (i / columns)), 0.0f);
+        corners.emplace_back(static_cast<float>(square * (i % columns)),
+                             static_cast<float>(square * (i / columns)), 0.0f);
     }
     for (const cv::Mat &picture : pictures)
     {
@@ -358,11 +377,13 @@ found calibrate(const std::vector<cv::Mat> &pictures)
     made.views = static_cast<int>(seen.size());
     cv::Mat matrix, distortion;
     std::vector<cv::Mat> rotation, translation;
-    made.rms = cv::calibrateCamera(board, seen, cv::Size(width, height), matrix, distortion, rotation, translation,
-                                   cv::CALIB_FIX_K3,
-                                   cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 200, 1e-12));
-    const double value[8] = {matrix.at<double>(0, 0),  matrix.at<double>(1, 1),  matrix.at<double>(0, 2),
-                             matrix.at<double>(1, 2),  distortion.at<double>(0), distortion.at<double>(1),
+    made.rms = cv::calibrateCamera(
+        board, seen, cv::Size(width, height), matrix, distortion, rotation, translation,
+        cv::CALIB_FIX_K3,
+        cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 200, 1e-12));
+    const double value[8] = {matrix.at<double>(0, 0),  matrix.at<double>(1, 1),
+                             matrix.at<double>(0, 2),  matrix.at<double>(1, 2),
+                             distortion.at<double>(0), distortion.at<double>(1),
                              distortion.at<double>(2), distortion.at<double>(3)};
     std::copy(value, value + 8, made.value);
     return made;
@@ -370,7 +391,9 @@ found calibrate(const std::vector<cv::Mat> &pictures)
 
 std::vector<float> picture_of(int way, const ways &by, const pose &board)
 {
-    return way == 0 ? shade_rays(by.lens.get(), board) : way == 1 ? draw_vertices(by, board) : take_images(by, board);
+    return way == 0   ? shade_rays(by.lens.get(), board)
+           : way == 1 ? draw_vertices(by, board)
+                      : take_images(by, board);
 }
 
 // The greatest error of a parameter, in per cent.
@@ -412,8 +435,10 @@ int main(int count, char **words)
     try
     {
         double worst = 0.0;
-        std::printf("Errors of what OpenCV finds in %d checkerboards of %d x %d pixels, in %%\n", views, width, height);
-        std::printf("lens        drawn by  views  rms/px    fx     fy     cx     cy     k1     k2     p1     p2\n");
+        std::printf("Errors of what OpenCV finds in %d checkerboards of %d x %d pixels, in %%\n",
+                    views, width, height);
+        std::printf("lens        drawn by  views  rms/px    fx     fy     cx     cy     k1     k2  "
+                    "   p1     p2\n");
         for (const setting &each : settings)
         {
             const ways by(each, times);

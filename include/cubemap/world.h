@@ -58,8 +58,9 @@ typedef struct cm_primitive
     cm_pose pose;           /* of a mesh: x_mesh = rotation (x_world - position) */
     cm_material material;   /* of a mesh, its colours and reflectance are multiplied */
     /* The next two are kept for who simulates, not copied, and must outlive the world; casting below does not read them. */
-    const cm_trajectory *motion; /* poses that take it, as it stands above, to its place at their times; NULL: none */
-    const cm_brdf *brdf;         /* NULL: Lambert's, of the reflectance */
+    const cm_trajectory *
+        motion; /* poses that take it, as it stands above, to its place at their times; NULL: none */
+    const cm_brdf *brdf; /* NULL: Lambert's, of the reflectance */
 } cm_primitive;
 
 /* An empty world. CM_OK; CM_ERROR_ARGUMENT (NULL); CM_ERROR_MEMORY. */

@@ -20,7 +20,6 @@ typedef struct phase_work
 {
     const tof_sensor *sensor;
     const tof_picture *picture;
-    int series;
     double cosine[SENSOR_WAVES],
         sine[SENSOR_WAVES]; /* of the waves' shift, times half their amplitude */
     size_t first_wave;
@@ -132,7 +131,6 @@ void charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_pi
     phase_work doing = {.set = set,
                         .sensor = sensor,
                         .picture = picture,
-                        .series = series,
                         .offset = offset,
                         .tau = 2.0 * PI * (double)phase / (double)sensor->given.phases,
                         .charge_a = charge_a,

@@ -7,7 +7,7 @@
 
 #include "tof_set.h"
 
-#define SENSOR_WAVES 32
+#define SENSOR_WAVES TOF_WAVES
 #define SENSOR_SAMPLES 4096
 
 /* Light is summed in cells: pixels, or half pixels where circuits are between pixels: those of pixel i are 2 i, 2 i + 1 and

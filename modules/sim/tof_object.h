@@ -30,10 +30,12 @@ typedef struct tof_surface
 /* The world at a time. */
 typedef struct tof_instant tof_instant;
 
-/* moves may be NULL: is there anything that moves? */
+/* All as it stands at a time; CM_ERROR_MEMORY. */
 cm_status tof_instant_create(const cm_tof_scene *scene, double time, tof_instant **made);
 void tof_instant_destroy(tof_instant *instant);
 const tof_surface *tof_instant_surfaces(const tof_instant *instant); /* by id */
+
+/* Does anything move between two times? */
 int tof_scene_moves(const cm_tof_scene *scene, double from, double to);
 
 /* What rays met, one value a ray; arrays that are NULL are left out. */

@@ -10,6 +10,7 @@
 
 #define TOF_ROOM 8
 #define TOF_BLOCK 256
+#define TOF_WAVES 32 /* at most, of all series */
 
 /* Rays of a block and what they met so far. */
 typedef struct tof_block
@@ -41,8 +42,8 @@ typedef struct tof_charge_rule
     double ambient; /* of the surroundings' */
     double dark;
     size_t waves;
-    double cosine[32]; /* of the waves' shifts, with all factors */
-    double sine[32];
+    double cosine[TOF_WAVES]; /* of the waves' shifts, with all factors */
+    double sine[TOF_WAVES];
     size_t stride; /* of waves */
 } tof_charge_rule;
 

@@ -154,6 +154,31 @@ START_TEST(all_of_a_wall_follows_the_cosines)
 }
 END_TEST
 
+/* Twenty-five pixels are no whole number of vectors: the last one is as the first, on the other side. */
+START_TEST(pixels_beyond_whole_vectors_are_as_the_others)
+{
+    stage at = make_stage(&wall, 1);
+    const cm_camera_options shape = {
+        .size = sizeof shape, .width = 5, .height = 5, .fx = 4, .fy = 4, .cx = 2, .cy = 2};
+    cm_camera_destroy(at.camera);
+    ck_assert_int_eq(cm_camera_create(&shape, &at.camera), CM_OK);
+    at.sensor.camera = at.camera;
+    at.sensor.second_frequency = 15e6;
+    ck_assert_int_eq(simulate(&at, NULL), CM_OK);
+    for (size_t i = 0; i < 12; i++)
+    {
+        for (size_t image = 0; image < 2 * PHASES; image++)
+        {
+            const double here = (double)phase[25 * image + i];
+            const double there = (double)phase[25 * image + 24 - i];
+            ck_assert_double_eq_tol(here, there, 1e-5 * (double)intensity[i]);
+        }
+        ck_assert_double_eq_tol((double)distance[i], (double)distance[24 - i], 1e-5);
+    }
+    free_stage(&at);
+}
+END_TEST
+
 /* All kinds, seen from outside and inside: as the library cubemap-scene casts rays. */
 START_TEST(ranges_are_those_of_the_world)
 {
@@ -587,6 +612,7 @@ int main(void)
 {
     const TTest *const tests[] = {the_middle_of_a_wall_is_as_worked_out_by_hand,
                                   all_of_a_wall_follows_the_cosines,
+                                  pixels_beyond_whole_vectors_are_as_the_others,
                                   ranges_are_those_of_the_world,
                                   tables_of_intensity_keep_the_power,
                                   a_light_beside_the_camera_throws_a_shadow,
