@@ -2,7 +2,8 @@
  *
  * One pixel alone: x86-64.
  */
-#include <emmintrin.h>
+/* what of it there is, the flags of the build say (-march=native) */
+#include <immintrin.h>
 
 #define CM_LANES "libcubemap/batch/lanes/sse2.inc"
 #define CM_SET sse2
