@@ -4,6 +4,8 @@
 
 check_exports.py --library NAME TOOL LIBRARY INCLUDE   LIBRARY: the file of the library NAME, which TOOL shows, nm if it is a
                                                        shared object, objdump if it is a DLL; INCLUDE: where headers are
+check_exports.py --msvc CLANG INCLUDE                  the same of MSVC's DLLs, which export what is declared so: CLANG reads
+                                                       the headers as MSVC does
 check_exports.py --self-test                           check that each fault is found that is made for it
 """
 
@@ -64,6 +66,52 @@ def compare(declared, exported, library):
             [f"{library} exports {name}, which no header declares" for name in sorted(exported - declared)])
 
 
+# With each macro, what clang says of a function for MSVC.
+STORAGE = {"": "DLLImportAttr", "-DCM_BUILD": "DLLExportAttr", "-DCM_STATIC": None}
+
+
+def storage_in(tree):
+    """Of clang's -ast-dump: {function: how it is shared}, or None where it is not, of those that are not static."""
+    found, name = {}, None
+    for line in tree.splitlines():
+        if re.match(r"[|`]-\w", line):
+            function = re.match(r"[|`]-FunctionDecl .*? (cm_\w+) '", line)
+            name = function[1] if function and not re.search(r"' (static|inline)\b", line) else None
+            if name:
+                found.setdefault(name, None)
+        elif name and (attribute := re.search(r"-(DLL(?:Ex|Im)portAttr)\b", line)):
+            found[name] = attribute[1]
+    return found
+
+
+def clang_for_msvc(clang, include, macro, *options, text=None):
+    command = [clang, "--target=x86_64-pc-windows-msvc", "-nostdlibinc", "-std=c11", "-Wall", "-Wextra", "-Wpedantic",
+               "-Werror", "-fno-color-diagnostics", "-I", include, *([macro] if macro else []), *options]
+    return subprocess.run(command, input=text, stdout=subprocess.PIPE, check=True, encoding="utf-8").stdout
+
+
+def check_msvc(clang, include):
+    headers = [os.path.basename(path) for path in sorted(glob.glob(os.path.join(include, "cubemap", "*.h")))]
+    headers = [name for name in headers if OTHERS.get(name, "") is not None]  # kernels have no functions of a library
+    declared = set()
+    for name in headers:
+        with open(os.path.join(include, "cubemap", name), encoding="utf-8") as file:
+            declared |= declared_in(file.read(), name)[0]
+    text = "".join(f"#include <cubemap/{name}>\n" for name in headers)
+    complaints = []
+    for macro, wanted in STORAGE.items():
+        tree = clang_for_msvc(clang, include, macro, "-fsyntax-only", "-Xclang", "-ast-dump", "-x", "c", "-", text=text)
+        found = storage_in(tree)
+        complaints += [f"with {macro or 'no macro'} {name} has {found.get(name, 'no declaration')}, not {wanted}"
+                       for name in sorted(declared) if found.get(name, "no declaration") != wanted]
+    # what is defined becomes an order to the linker
+    definition = "#include <cubemap/version.h>\nconst char *cm_version(void) { return CM_VERSION_STRING; }\n"
+    made = clang_for_msvc(clang, include, "-DCM_BUILD", "-S", "-o", "-", "-x", "c", "-", text=definition)
+    if "/EXPORT:cm_version" not in made:
+        complaints.append("an object does not export what it defines")
+    return complaints, len(declared)
+
+
 def self_test():
     header = ('typedef enum cm_e { CM_A /* cm_no(x) */ } cm_e;\ntypedef void (*cm_job)(int);\n#define cm_m(x) \\\n cm_k(x)\n'
               'static inline int cm_i(int a) { return cm_j(a); }\nCM_API const char *cm_text(cm_e e);\n'
@@ -76,6 +124,11 @@ def self_test():
     dll = exported_by_objdump("x\n[Ordinal/Name Pointer] Table -- Ordinal Base 1\n\t[   0] +base[   1]  0000 cm_text\n"
                               "\t[   1] cm_two\n\nThe Function Table\n\t[ 3] cm_three\n")
     assert dll == {"cm_text", "cm_two"}, dll
+    tree = ("|-FunctionDecl 0x1 <a:1, b:2> col:3 cm_out 'int (void)'\n| `-DLLExportAttr 0x2 <a>\n"
+            "|-FunctionDecl 0x1 <a:1, b:2> col:3 cm_bare 'int (int)'\n| |-ParmVarDecl 0x2 <a> col:1 b 'int'\n"
+            "|-FunctionDecl 0x1 <a:1, b:2> col:3 cm_own 'int (int)' static inline\n| `-DLLExportAttr 0x2 <a>\n"
+            "`-FunctionDecl 0x1 <a:1, b:2> line:3:4 used cm_in 'int (void)' extern\n  `-DLLImportAttr 0x2 <a>\n")
+    assert storage_in(tree) == {"cm_out": "DLLExportAttr", "cm_bare": None, "cm_in": "DLLImportAttr"}, storage_in(tree)
     assert len(compare({"a", "b"}, {"b", "c"}, "it")) == 2
     print("every fault was found")
 
@@ -84,6 +137,10 @@ def main(arguments):
     if arguments == ["--self-test"]:
         self_test()
         return 0
+    if len(arguments) == 3 and arguments[0] == "--msvc":
+        complaints, count = check_msvc(*arguments[1:])
+        print("\n".join(complaints) or f"{count} functions, declared as MSVC's DLLs need it")
+        return 1 if complaints or count == 0 else 0
     if len(arguments) != 5 or arguments[0] != "--library":
         print(__doc__, file=sys.stderr)
         return 2
