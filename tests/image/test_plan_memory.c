@@ -2,6 +2,7 @@
  *
  * Memory that a program gives for planes.
  */
+#include "aligned_memory.h"
 #include "drawn_scene.h"
 
 #include <cubemap/mips.h>
@@ -28,7 +29,7 @@ static void *allocate(void *context, size_t bytes)
     {
         return NULL;
     }
-    void *pointer = aligned_alloc(64, (bytes + 63) / 64 * 64);
+    void *pointer = allocate_aligned(bytes);
     ck_assert_ptr_nonnull(pointer);
     memset(pointer, 0xff, bytes); /* NaN, where it should not be read */
     kept->allocations++;
@@ -41,7 +42,7 @@ static void release(void *context, void *pointer, size_t bytes)
 {
     keeper *kept = context;
     kept->bytes -= bytes;
-    free(pointer);
+    free_aligned(pointer);
 }
 
 static void touched(void *context, size_t bytes)

@@ -2,6 +2,7 @@
  *
  * Resampling: quality, parts and threads, types and meanings of channels, bad input.
  */
+#include "aligned_memory.h"
 #include "drawn_scene.h"
 
 static const cm_filter filters[] = {CM_FILTER_NEAREST,  CM_FILTER_BILINEAR, CM_FILTER_CATMULL_ROM,
@@ -121,7 +122,7 @@ static void large_target(cm_pixel_type type, uint32_t channels, size_t offset, u
     draw_scene(&from);
     ck_assert_int_eq(cm_plan_create(from.surface, parts.surface, &options, &plan), CM_OK);
     ck_assert_int_eq(cm_source_create(plan, from.image, type, 1, &source), CM_OK);
-    unsigned char *memory = aligned_alloc(64, 6 * bytes + 64);
+    unsigned char *memory = allocate_aligned(6 * bytes + 64);
     memset(memory, 7, 6 * bytes + 64);
     for (uint32_t plane = 0; plane < 6; plane++)
     {
@@ -145,7 +146,7 @@ static void large_target(cm_pixel_type type, uint32_t channels, size_t offset, u
     {
         ck_assert_int_eq(memory[i < offset ? i : 6 * bytes + i], 7);
     }
-    free(memory);
+    free_aligned(memory);
     cm_source_destroy(source);
     cm_plan_destroy(plan);
     free_pictures(&from);

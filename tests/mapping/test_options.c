@@ -4,21 +4,12 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "tests/instructions_variable.h"
 #include "tests/suite.h"
 
 #include <cubemap/options.h>
 
 static const char variable[] = "CUBEMAP_INSTRUCTIONS";
-
-/* NULL: no value. */
-static void set_variable(const char *value)
-{
-#ifdef _WIN32
-    (void)_putenv_s(variable, value == NULL ? "" : value);
-#else
-    (void)(value == NULL ? unsetenv(variable) : setenv(variable, value, 1));
-#endif
-}
 
 static const char *best(void)
 {
@@ -77,7 +68,7 @@ static const char *refusal(const char *subject, const char *name)
 
 START_TEST(sets_have_names)
 {
-    set_variable(NULL);
+    set_instructions_variable(NULL);
     ck_assert_uint_ge(cm_instructions_count(), 1);
     ck_assert_str_eq(cm_instructions_at(0), "scalar");
     ck_assert_ptr_null(cm_instructions_at(cm_instructions_count()));
@@ -95,12 +86,12 @@ END_TEST
 
 START_TEST(the_best_set_is_the_default)
 {
-    set_variable(NULL);
+    set_instructions_variable(NULL);
     expect_set(NULL, best());
     expect_set("", best());
-    set_variable("");
+    set_instructions_variable("");
     expect_set(NULL, best());
-    set_variable(NULL);
+    set_instructions_variable(NULL);
 }
 END_TEST
 
@@ -108,20 +99,20 @@ START_TEST(the_environment_chooses)
 {
     for (size_t i = 0; i < cm_instructions_count(); i++)
     {
-        set_variable(cm_instructions_at(i));
+        set_instructions_variable(cm_instructions_at(i));
         expect_set(NULL, cm_instructions_at(i));
         expect_set("scalar", "scalar"); /* what the program says goes before */
     }
-    set_variable("abacus");
+    set_instructions_variable("abacus");
     expect_no_set(NULL, refusal(variable, "abacus"));
     expect_set("scalar", "scalar");
-    set_variable(NULL);
+    set_instructions_variable(NULL);
 }
 END_TEST
 
 START_TEST(other_sets_are_refused)
 {
-    set_variable(NULL);
+    set_instructions_variable(NULL);
     expect_no_set("abacus", refusal("the instruction set", "abacus"));
     expect_no_set("scala", refusal("the instruction set", "scala"));
     expect_no_set("avx\n2", refusal("the instruction set", "avx?2"));
@@ -139,7 +130,7 @@ static int is_offered(const cm_mapping_info *info)
 
 START_TEST(tiers)
 {
-    set_variable(NULL);
+    set_instructions_variable(NULL);
     for (size_t i = 0; i < cm_catalogue_count(); i++)
     {
         const cm_mapping_info *info = cm_catalogue_at(i);
@@ -167,7 +158,7 @@ END_TEST
  * it is not; derivatives have the same. */
 START_TEST(the_fast_tier_is_where_it_is_offered)
 {
-    set_variable(NULL);
+    set_instructions_variable(NULL);
     for (size_t i = 0; i < cm_catalogue_count(); i++)
     {
         const cm_mapping_info *info = cm_catalogue_at(i);

@@ -7,6 +7,7 @@
 #include <cubemap/camera.h>
 #include <cubemap/image.h>
 
+#include "tests/instructions_variable.h"
 #include "tests/suite.h"
 
 #ifdef WRAPS_ALLOCATION
@@ -289,7 +290,7 @@ START_TEST(instruction_sets_agree)
     for (size_t set = 0; set < cm_instructions_count(); set++)
     {
         cm_camera *camera = NULL;
-        ck_assert_int_eq(setenv("CUBEMAP_INSTRUCTIONS", cm_instructions_at(set), 1), 0);
+        set_instructions_variable(cm_instructions_at(set));
         ck_assert_int_eq(cm_camera_create(&options, &camera), CM_OK);
         cm_camera_ray_array(camera, MANY, column, row, x, y, z);
         cm_camera_project_array(camera, MANY, x, y, z, place[0], place[1]);
@@ -308,7 +309,7 @@ START_TEST(instruction_sets_agree)
         }
         cm_camera_destroy(camera);
     }
-    ck_assert_int_eq(setenv("CUBEMAP_INSTRUCTIONS", before, 1), 0);
+    set_instructions_variable(before);
 }
 END_TEST
 
