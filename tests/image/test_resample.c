@@ -113,7 +113,7 @@ END_TEST
 static void large_target(cm_pixel_type type, uint32_t channels, size_t offset, unsigned threads)
 {
     const size_t bytes = LARGE * LARGE * channels * cm_pixel_size(type);
-    pictures from = make_pictures("equirect;size=700", NULL, type, channels, 0);
+    pictures from = make_pictures("equirect;size=128", NULL, type, channels, 0);
     pictures parts = make_pictures("cube:coupled;size=896", NULL, type, channels, 2);
     const cm_plan_options options = options_of(CM_FILTER_BILINEAR);
     cm_plan *plan;
@@ -192,18 +192,21 @@ START_TEST(types_of_pixels)
 {
     static const cm_pixel_type types[] = {CM_PIXEL_U8, CM_PIXEL_U16, CM_PIXEL_FLOAT};
     static const double least[3] = {56.0, 85.0, 85.0};
-    for (size_t i = 0; i < 9; i++)
+    for (size_t i = 0; i < 3; i++)
     {
-        pictures from = make_pictures("cube:coupled;size=256", NULL, types[i / 3], 4, 0);
-        pictures to = make_pictures("equirect;size=300", NULL, types[i % 3], 4, 0);
+        pictures from = make_pictures("cube:coupled;size=256", NULL, types[i], 4, 0);
         draw_scene(&from);
-        const cm_plan_options options = options_of(CM_FILTER_SPLINE36);
-        resample(&from, &to, &options, 1);
-        const double decibels = -20.0 * log10(deviation(&from, &to));
-        ck_assert_msg(decibels >= fmin(least[i / 3], least[i % 3]), "type %zu to type %zu: %g dB",
-                      i / 3, i % 3, decibels);
+        for (size_t k = 0; k < 3; k++)
+        {
+            pictures to = make_pictures("equirect;size=300", NULL, types[k], 4, 0);
+            const cm_plan_options options = options_of(CM_FILTER_SPLINE36);
+            resample(&from, &to, &options, 1);
+            const double decibels = -20.0 * log10(deviation(&from, &to));
+            ck_assert_msg(decibels >= fmin(least[i], least[k]), "type %zu to type %zu: %g dB", i, k,
+                          decibels);
+            free_pictures(&to);
+        }
         free_pictures(&from);
-        free_pictures(&to);
     }
 }
 END_TEST

@@ -58,12 +58,21 @@ static cm_octree *empty_map(double edge, double aside, int no_return_is_free)
     return map;
 }
 
-static void add_view(cm_octree *map, room_work *work, const cm_scene *scene, size_t index)
+/* The view of that index, seen so many times: the camera takes one picture. */
+static void add_views(cm_octree *map, room_work *work, const cm_scene *scene, size_t index, int times)
 {
     const cm_pose pose = room_pose(index, work->views);
     room_picture_take(scene, work->camera, &pose, 0.0, (uint32_t)index, &work->picture);
     const cm_view view = room_picture_view(&work->picture, work->camera, &pose, 1);
-    ck_assert_int_eq(cm_octree_update(map, &view, NULL), CM_OK);
+    for (int i = 0; i < times; i++)
+    {
+        ck_assert_int_eq(cm_octree_update(map, &view, NULL), CM_OK);
+    }
+}
+
+static void add_view(cm_octree *map, room_work *work, const cm_scene *scene, size_t index)
+{
+    add_views(map, work, scene, index, 1);
 }
 
 static int state_at(const void *map, const double point[3])
@@ -246,15 +255,9 @@ static void check_moved_box(int has_wall)
     cm_scene *without = scene_with(0, has_wall);
     cm_octree *map = empty_map(0.02, 0.37, !has_wall);
     work.views = 1; /* from 0.7, 0, 1.3, ahead */
-    for (int i = 0; i < 100; i++)
-    {
-        add_view(map, &work, with, 0);
-    }
+    add_views(map, &work, with, 0, 100);
     ck_assert_uint_gt(occupied_at_box(map), 200);
-    for (int i = 0; i < 63; i++)
-    {
-        add_view(map, &work, without, 0);
-    }
+    add_views(map, &work, without, 0, 63);
     ck_assert_uint_gt(occupied_at_box(map), 200);
     add_view(map, &work, without, 0);
     ck_assert_uint_eq(occupied_at_box(map), 0);
@@ -298,6 +301,14 @@ static void same_maps(const cm_octree *one, const cm_octree *other)
     free(voxels[1]);
 }
 
+static void add_view_to_both(cm_octree *one, cm_octree *other, room_work *work, size_t index)
+{
+    add_view(one, work, work->scene, index);
+    const cm_pose pose = room_pose(index, work->views);
+    const cm_view view = room_picture_view(&work->picture, work->camera, &pose, 1);
+    ck_assert_int_eq(cm_octree_update(other, &view, NULL), CM_OK);
+}
+
 START_TEST(merged_maps_are_the_map_of_all_views)
 {
     room_work work = begin_work();
@@ -308,8 +319,7 @@ START_TEST(merged_maps_are_the_map_of_all_views)
     }
     for (size_t i = 0; i < 20; i++)
     {
-        add_view(map[0], &work, work.scene, i);
-        add_view(map[1 + i % 2], &work, work.scene, i);
+        add_view_to_both(map[0], map[1 + i % 2], &work, i);
         add_view(map[3], &work, work.scene, 19 - i);
     }
     same_maps(map[0], map[3]);

@@ -474,7 +474,7 @@ START_TEST(test_claims)
     add_cap(&r, 20.0, 5.0, 20.0, NULL);
     cm_orient_options options = options_of(CM_ORIENT_DEFORMATION);
     /* with all levels in the long run */
-    options.boxes_max = is_long() ? 100000 : is_quick() ? 11000 : 30000;
+    options.boxes_max = is_long() ? 100000 : 11000;
     check_claims("tangent", &r, &options);
     options.boxes_max = FEW_BOXES;
     options.over = CM_OVER_FACE;
