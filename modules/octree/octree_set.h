@@ -72,7 +72,8 @@ typedef struct cm_view_table
     float focal[2];  /* pixels along rows and columns */
     float centre[2]; /* the principal point */
     float near;      /* what is nearer is not seen */
-    float beside;    /* pixels at distance 1: voxels whose centres are no farther beside the picture are crossed by its rays */
+    float beside[2][2]; /* columns and rows: pixels at distance 1 that a voxel's centre may be before the first and behind the last
+                           while its corners are still in the picture */
     const cm_pixel_rule *rule;
     const cm_pixel_gap *gap; /* in rows as rules; of pixels that have one */
     int levels;
@@ -117,9 +118,12 @@ typedef struct cm_rule_row
     float focal[2];
     float axes[3][3];     /* columns are of the world's axes in the camera */
     float half;           /* an edge */
-    float more;           /* added to each reach */
+    float hit_aside;      /* of what a plane changes from a pixel's centre to its corners, what hits reach more */
+    float hit_more;       /* and added to that */
+    float front_aside;    /* the same of what is not missed */
+    float front_more;
     float relative;       /* times depth, added, too: the sensor's noise */
-    float most;           /* no reach is more, but for noise */
+    float most;           /* no hit reaches more, but for noise */
     float front_relative; /* times depth: what noise adds to the front */
     float far;            /* what is farther is no hit, and free up to here */
     float free_far;       /* what pixels without a measurement are free up to; NaN: nothing is said of them */

@@ -69,8 +69,8 @@ static int tell(const break_work *work, size_t from, size_t to, uint32_t apart)
     }
     if (back < desk->front[to])
     {
-        /* what is behind may be the side of the same body, as far as voxels reach its silhouette */
-        const float until = desk->heed / between;
+        /* what is closely behind may be the side of the same body, as far as voxels reach its silhouette */
+        const float until = smaller(desk->heed / between, back + desk->hides);
         const float hides = until > back ? until : back;
         slot->near_front = smaller(slot->near_front, front);
         slot->near_back = hides > slot->near_back ? hides : slot->near_back;

@@ -15,12 +15,12 @@
 #define AROUND_EDGES 0.87
 #define AROUND_MOST 4
 
+/* So far behind a silhouette, in edges, the unseen side of the same body may cross voxels that reach over to it. */
+#define HIDES_EDGES 8.0
+
 /* Sigmas around a noisy measurement that are hit, and more of them in front that are not missed. */
 #define HIT_SIGMAS 1.0
 #define FRONT_SIGMAS 1.0
-
-/* A voxel whose centre is this close beside the picture, in edges, is missed as on its border: a ray there crosses it. */
-#define BESIDE_EDGES 0.5
 
 /* A surface bends where the depth of a pixel differs by so many edges from between its neighbours, or so many sigmas: four of the
  * difference, whose own sigma is sqrt(6). */
@@ -378,7 +378,10 @@ static void describe_rows(fill_work *work, const cm_octree *octree, const cm_vie
         row->axes[i / 3][i % 3] = (float)view->pose.rotation.row[i / 3][i % 3];
     }
     row->half = (float)(0.5 * options->edge);
-    row->more = (float)(CM_REACH_MORE * options->edge);
+    row->hit_aside = (float)CM_HIT_ASIDE;
+    row->hit_more = (float)(CM_HIT_MORE * options->edge);
+    row->front_aside = (float)CM_FRONT_ASIDE;
+    row->front_more = (float)(CM_FRONT_MORE * options->edge);
     row->relative = (float)(HIT_SIGMAS * options->noise);
     row->most = (float)(CM_REACH_MOST * options->edge);
     row->front_relative = (float)(FRONT_SIGMAS * options->noise);
@@ -404,6 +407,28 @@ static void describe_table(cm_view_desk *desk, const cm_octree *octree,
     table->gap = desk->gap;
 }
 
+/* How far half a voxel reaches across the planes through the camera and the picture's borders: what is crossed by rays in the
+ * picture is missed, even if its centre is not seen. */
+static void describe_border(cm_view_table *table, double edge, const cm_pose *pose)
+{
+    const uint32_t size[2] = {table->width, table->height};
+    for (int axis = 0; axis < 2; axis++)
+    {
+        for (int side = 0; side < 2; side++)
+        {
+            const double at = side == 0 ? -0.5 : size[axis] - 0.5;
+            const double slope = (double)table->centre[axis] - at;
+            double sum = 0.0;
+            for (int i = 0; i < 3; i++)
+            {
+                sum += fabs((double)table->focal[axis] * pose->rotation.row[axis][i] +
+                            slope * pose->rotation.row[2][i]);
+            }
+            table->beside[axis][side] = (float)(0.5 * edge * sum);
+        }
+    }
+}
+
 cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
                             cm_pool *pool)
 {
@@ -418,7 +443,8 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     const float focal_edges =
         (float)octree->options.edge * fmaxf(fabsf(work.row.focal[0]), fabsf(work.row.focal[1]));
     desk->heed = (float)AROUND_EDGES * focal_edges;
-    desk->table.beside = (float)BESIDE_EDGES * focal_edges;
+    desk->hides = (float)(HIDES_EDGES * octree->options.edge);
+    describe_border(&desk->table, octree->options.edge, &view->pose);
     work.row.bend = (float)(BEND_EDGES * octree->options.edge);
     work.row.bend_relative = (float)(BEND_SIGMAS * octree->options.noise);
     work.bands = work.bands < desk->height ? work.bands : desk->height;

@@ -78,9 +78,9 @@ static int word_of(const voxel_rules *rules, const float at[3], int detail, size
     const float u = at[0] * by * table->focal[0] + table->centre[0];
     const float v = at[1] * by * table->focal[1] + table->centre[1];
     const float last_column = (float)(table->width - 1), last_row = (float)(table->height - 1);
-    const float beside = table->beside * by;
-    if (!(u + beside >= -0.5f && u - beside < last_column + 0.5f && v + beside >= -0.5f &&
-          v - beside < last_row + 0.5f))
+    if (!(u + table->beside[0][0] * by >= -0.5f && v + table->beside[1][0] * by >= -0.5f &&
+          u - table->beside[0][1] * by < last_column + 0.5f &&
+          v - table->beside[1][1] * by < last_row + 0.5f))
     {
         return 0;
     }
