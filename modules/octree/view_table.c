@@ -465,7 +465,7 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     {
         return CM_ERROR_MEMORY;
     }
-    cm_view_desk_windows(desk, octree->set);
+    cm_view_desk_windows(desk, octree->set, pool);
     return CM_OK;
 }
 

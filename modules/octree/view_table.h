@@ -71,7 +71,7 @@ void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_v
                          cm_pool *pool);
 
 /* Bounds in windows from rules: least and most of all pixels are in desk->least[0] and desk->most[0]. */
-void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set);
+void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool);
 
 /* A pixel beside a break, and the surfaces that it heeds. */
 typedef struct cm_break_slot
