@@ -47,13 +47,16 @@ void cm_cube_add_cells(cm_cube_sum *sum, const uint8_t alpha[512], const uint32_
     }
 }
 
+/* Free voxels do not outvote what is occupied: a wall is thin beside the room in front of it. */
 static uint8_t average(const cm_cube_sum *sum, int level)
 {
     const uint64_t voxels = (uint64_t)1 << 3 * level;
-    const int is_above = sum->above >= sum->below;
-    const uint64_t size = is_above ? sum->above - sum->below : sum->below - sum->above;
-    const uint64_t mean = (size + voxels / 2) / voxels;
-    return (uint8_t)(is_above ? CM_UNKNOWN + mean : CM_UNKNOWN - mean);
+    if (cm_cube_is_occupied(sum))
+    {
+        const uint64_t mean = (sum->above + voxels / 2) / voxels;
+        return (uint8_t)(CM_UNKNOWN + (mean > 0 ? mean : 1));
+    }
+    return (uint8_t)(CM_UNKNOWN - (sum->below + voxels / 2) / voxels);
 }
 
 cm_voxel cm_cube_voxel(const cm_octree *octree, const cm_cube_sum *sum, const uint32_t place[3],

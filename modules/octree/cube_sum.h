@@ -23,7 +23,14 @@ void cm_cube_add(cm_cube_sum *sum, uint8_t alpha, uint64_t voxels);
 void cm_cube_add_cells(cm_cube_sum *sum, const uint8_t alpha[512], const uint32_t color[512],
                        unsigned detail, unsigned first, unsigned count);
 
-/* The voxel of a level. Its alpha is rounded to the nearest; halves go away from 127, which is that of nothing known. */
+/* Is any of them occupied? Then the cube is. */
+static inline int cm_cube_is_occupied(const cm_cube_sum *sum)
+{
+    return sum->above > 0;
+}
+
+/* The voxel of a level. Its alpha is rounded to the nearest; halves go away from 127, which is that of nothing known. Where
+ * anything is occupied what is free counts as 127, and the least is 128. */
 cm_voxel cm_cube_voxel(const cm_octree *octree, const cm_cube_sum *sum, const uint32_t place[3],
                        int level);
 

@@ -42,7 +42,7 @@ static void give_average(extraction *work, const cm_cube_sum *sum, const uint32_
 
 static void end_cube(extraction *work)
 {
-    if (work->is_in_cube && work->sum.above > work->sum.below)
+    if (work->is_in_cube && cm_cube_is_occupied(&work->sum))
     {
         give_average(work, &work->sum, work->cube);
     }
@@ -151,7 +151,7 @@ static int extract_block(void *user, const cm_region *region, unsigned block, un
     {
         cm_cube_sum sum = {0};
         cm_cube_add_cells(&sum, alpha, color, detail, cell, step);
-        if (sum.above > sum.below)
+        if (cm_cube_is_occupied(&sum))
         {
             place_of(region, block, cell, place);
             give_average(work, &sum, place);

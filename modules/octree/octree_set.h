@@ -8,6 +8,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 /* Rows of images have so many floats before their beginning and behind their end that can be read. */
 #define CM_OCTREE_SLACK 16
@@ -20,6 +21,35 @@ typedef struct cm_pixel_rule
     float depth;
     uint32_t reach_front;
 } cm_pixel_rule;
+
+/* A bit of reach_front, the sign of a front above 0: the pixel has a gap, and what lies in it is a miss, too. */
+#define CM_RULE_HAS_GAP 0x80000000u
+
+/* The upper half of a number not below 0, rounded up. */
+static inline uint32_t cm_upper_half(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return (bits + 0xffffu) & 0xffff0000u;
+}
+
+static inline float cm_from_upper_half(uint32_t bits)
+{
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* Between what a nearer surface hides and the pixel's own: depths. */
+typedef struct cm_pixel_gap
+{
+    float from;
+    float to;
+} cm_pixel_gap;
+
+/* Kinds of pixels, bits: a neighbour sees something behind it, apart from it; its surface bends. */
+#define CM_BREAK_NEAR 1
+#define CM_BREAK_BEND 2
 
 /* Least and greatest of what pixels say within windows of 2 x 2 cells of 2^level pixels, at each cell: what is nearer than
  * least is missed by all, what is farther than most is touched by none. */
@@ -42,7 +72,10 @@ typedef struct cm_view_table
     float focal[2];  /* pixels along rows and columns */
     float centre[2]; /* the principal point */
     float near;      /* what is nearer is not seen */
+    float beside[2][2]; /* columns and rows: pixels at distance 1 that a voxel's centre may be before the first and behind the last
+                           while its corners are still in the picture */
     const cm_pixel_rule *rule;
+    const cm_pixel_gap *gap; /* in rows as rules; of pixels that have one */
     int levels;
     cm_window_level level[CM_WINDOW_LEVELS];
 } cm_view_table;
@@ -85,11 +118,17 @@ typedef struct cm_rule_row
     float focal[2];
     float axes[3][3];     /* columns are of the world's axes in the camera */
     float half;           /* an edge */
-    float more;           /* added to each reach */
+    float hit_aside;      /* of what a plane changes from a pixel's centre to its corners, what hits reach more */
+    float hit_more;       /* and added to that */
+    float front_aside;    /* the same of what is not missed */
+    float front_more;
     float relative;       /* times depth, added, too: the sensor's noise */
-    float most;           /* no reach is more, but for noise */
+    float most;           /* no hit reaches more, but for noise */
     float front_relative; /* times depth: what noise adds to the front */
     float far;            /* what is farther is no hit, and free up to here */
+    float free_far;       /* what pixels without a measurement are free up to; NaN: nothing is said of them */
+    float bend;           /* depths that differ by more from a plane show a bend, */
+    float bend_relative;  /* and times depth: what noise adds */
 } cm_rule_row;
 
 typedef struct cm_octree_set
@@ -97,13 +136,15 @@ typedef struct cm_octree_set
     const char *name; /* first: as in options.h */
     /* 1 / depth. */
     void (*invert)(size_t n, const float *depth, float *inverse);
-    /* How far a hit reaches around each depth, and depth less reach and noise: what is nearer is in front of it; infinite where
-     * nothing was measured. */
-    void (*reaches)(size_t n, const cm_rule_row *row, float *reach, float *front);
-    /* The least of five. */
-    void (*least_of_five)(size_t n, const float *const from[5], float *to);
-    /* Rules and bounds of a row; five: the least front around each pixel; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
-    void (*rules)(size_t n, const float *depth, const float *reach, const float *five, float far,
+    /* How far a hit reaches around each depth; depth less reach and noise: what is nearer is in front of the surface; depth with
+     * both. Where nothing was measured they are free_far and infinite. */
+    void (*reaches)(size_t n, const cm_rule_row *row, float *reach, float *front, float *back);
+    /* CM_BREAK_BEND or 0. */
+    void (*bends)(size_t n, const cm_rule_row *row, uint8_t *kind);
+    /* Adds CM_BREAK_NEAR to kinds of a row; rows of fronts are `stride` from each other. */
+    void (*breaks)(size_t n, size_t stride, const float *front, const float *back, uint8_t *kind);
+    /* Rules and bounds of a row; front_of: the least front that each pixel heeds; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
+    void (*rules)(size_t n, const float *depth, const float *reach, const float *front_of, float far,
                   float free_far, cm_pixel_rule *rule, float *least, float *most);
     /* Words of colors (region.h) of pixels that are `apart` bytes from each other. */
     void (*words)(size_t n, const uint8_t *rgb, ptrdiff_t apart, uint32_t *word);

@@ -128,9 +128,16 @@ static cm_status round_of(cm_update *update, cm_round_desk **round)
 
 /* ---- rules of pixels ---- */
 
-/* How far along a pixel's ray the surface may cross a voxel: as in octree_set.inc, from the normal. */
-static double reach_of(const cm_update *update, const cm_round_desk *round, size_t pixel,
-                       double value)
+/* How far along a pixel's ray the surface may cross a voxel, for a hit and for what is no miss. */
+typedef struct round_reach
+{
+    double hit;
+    double front;
+} round_reach;
+
+/* As in octree_set.inc, from the normal. */
+static round_reach reach_of(const cm_update *update, const cm_round_desk *round, size_t pixel,
+                            double value)
 {
     const double edge = update->octree->options.edge;
     double point[3], normal[3], along = 0.0, square = 0.0;
@@ -143,7 +150,8 @@ static double reach_of(const cm_update *update, const cm_round_desk *round, size
     }
     if (!(fabs(along) > 0.0))
     {
-        return edge * (0.5 * sqrt(3.0) + CM_REACH_MORE);
+        return (round_reach){(0.5 * sqrt(3.0) + CM_HIT_MORE) * edge,
+                             (0.5 * sqrt(3.0) + CM_FRONT_MORE) * edge};
     }
     double sum = 0.0;
     for (int axis = 0; axis < 3; axis++)
@@ -158,8 +166,9 @@ static double reach_of(const cm_update *update, const cm_round_desk *round, size
         update->view->camera, (double)(pixel % round->tree.width) + round->camera.pixel_centre,
         (double)(pixel / round->tree.width) + round->camera.pixel_centre));
     const double beside = isfinite(side) ? 0.5 * side * tangent * value : 0.0;
-    return fmin(0.5 * sum * value / fabs(along) + beside + CM_REACH_MORE * edge,
-                CM_REACH_MOST * edge);
+    const double crossed = 0.5 * sum * value / fabs(along), most = CM_REACH_MOST * edge;
+    return (round_reach){fmin(crossed + CM_HIT_ASIDE * beside + CM_HIT_MORE * edge, most),
+                         fmin(crossed + CM_FRONT_ASIDE * beside + CM_FRONT_MORE * edge, most)};
 }
 
 static void reach_rows(size_t first, size_t end, void *user)
@@ -178,9 +187,9 @@ static void reach_rows(size_t first, size_t end, void *user)
         if (v <= far)
         {
             const double d = (double)v;
-            const double reach = reach_of(work->update, round, pixel, d) + options->noise * d;
-            reach_here = (float)reach;
-            round->front[pixel] = (float)(d - reach - options->noise * d);
+            const round_reach reach = reach_of(work->update, round, pixel, d);
+            reach_here = (float)(reach.hit + options->noise * d);
+            round->front[pixel] = (float)(d - reach.front - 2.0 * options->noise * d);
         }
         round->vertex[2][pixel] = reach_here; /* the pixel's maps have served */
     }

@@ -19,7 +19,7 @@ typedef struct cm_round_desk
     float *front, *five;
     cm_pixel_rule *rule;
     int is_range;
-    int around; /* as in cm_view_desk */
+    int around; /* least fronts are over so many windows of 5 x 5, one after the other */
 } cm_round_desk;
 
 /* As the update of a straight camera, after cm_view_desk_clean. */

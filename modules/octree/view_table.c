@@ -2,6 +2,7 @@
 #include "view_table.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,14 +10,22 @@
 #define APART 1
 #define APART_WITH_NOISE 4
 
-/* A voxel is no miss if anything nearer is seen this close to its centre, in edges: half its diagonal. Least fronts are taken over
- * windows of 5 x 5 pixels, as many times one after the other as that needs for the nearest that is seen, but not more often. */
+/* A voxel is no miss if anything nearer is seen this close to its centre, in edges: half its diagonal. Views of round cameras
+ * take windows of 5 x 5 pixels, as many times one after the other as that needs for the nearest seen, but not more often. */
 #define AROUND_EDGES 0.87
 #define AROUND_MOST 4
+
+/* So far behind a silhouette, in edges, the unseen side of the same body may cross voxels that reach over to it. */
+#define HIDES_EDGES 8.0
 
 /* Sigmas around a noisy measurement that are hit, and more of them in front that are not missed. */
 #define HIT_SIGMAS 1.0
 #define FRONT_SIGMAS 1.0
+
+/* A surface bends where the depth of a pixel differs by so many edges from between its neighbours, or so many sigmas: four of the
+ * difference, whose own sigma is sqrt(6). */
+#define BEND_EDGES 0.1
+#define BEND_SIGMAS 10.0
 
 void cm_view_desk_clear(cm_view_desk *desk)
 {
@@ -25,6 +34,9 @@ void cm_view_desk_clear(cm_view_desk *desk)
     free(desk->word);
     free(desk->windows);
     free(desk->packed);
+    free(desk->gap);
+    free(desk->kind);
+    free(desk->slot_of);
     cm_rays_destroy(desk->rays);
     memset(desk, 0, sizeof *desk);
 }
@@ -41,7 +53,7 @@ int cm_camera_is_straight(const cm_camera_options *camera)
 
 /* ---- memory ---- */
 
-#define IMAGES 4
+#define IMAGES 7
 
 static size_t level_cells(uint32_t pixels, int level)
 {
@@ -55,20 +67,29 @@ static int has_more_levels(const cm_view_desk *desk, int level)
 
 static int take_images(cm_view_desk *desk)
 {
-    const size_t image = desk->stride * (desk->height + 2);
+    const size_t image = desk->stride * (desk->height + 3);
     desk->memory = malloc(IMAGES * image * sizeof *desk->memory);
     desk->rule = malloc(desk->stride * desk->height * sizeof *desk->rule);
     desk->word = malloc(desk->stride * desk->height * sizeof *desk->word);
     desk->packed = malloc((size_t)desk->width * desk->height * sizeof *desk->packed);
-    if (desk->memory == NULL || desk->rule == NULL || desk->word == NULL || desk->packed == NULL)
+    desk->gap = malloc(desk->stride * desk->height * sizeof *desk->gap);
+    desk->kind = malloc(desk->stride * desk->height);
+    desk->slot_of = calloc(desk->stride * desk->height, sizeof *desk->slot_of);
+    if (desk->memory == NULL || desk->rule == NULL || desk->word == NULL || desk->packed == NULL ||
+        desk->gap == NULL || desk->kind == NULL || desk->slot_of == NULL)
     {
         return 0;
     }
-    float **const images[IMAGES] = {&desk->least[0], &desk->least[1], &desk->most[0],
-                                    &desk->most[1]};
+    float **const images[IMAGES] = {&desk->reach,    &desk->front,   &desk->back,   &desk->least[0],
+                                    &desk->least[1], &desk->most[0], &desk->most[1]};
     for (size_t i = 0; i < IMAGES; i++)
     {
-        *images[i] = desk->memory + i * image + CM_OCTREE_SLACK;
+        *images[i] = desk->memory + i * image + desk->stride + CM_OCTREE_SLACK;
+    }
+    /* what is beside pictures joins everything */
+    for (size_t i = 0; i < 3 * image; i++)
+    {
+        desk->memory[i] = NAN;
     }
     return 1;
 }
@@ -197,18 +218,18 @@ typedef struct fill_work
     cm_view_desk *desk;
     const cm_octree_set *set;
     cm_rule_row row; /* what is the same of all */
-    float free_far;
-    double first_column;
-    double first_row;
     size_t bands;
-    float *rings; /* ring_floats each */
+    float first_column;
+    double first_row;
+    float *rings;          /* ring_floats each */
+    cm_break_slots *slots; /* a list each */
+    atomic_int failed;
 } fill_work;
 
 typedef struct fill_band
 {
     const fill_work *work;
-    row_ring depth, inverse, reach, front;
-    float *five, *columns;
+    row_ring depth, inverse;
 } fill_band;
 
 static size_t ring_length(const fill_work *work)
@@ -216,15 +237,10 @@ static size_t ring_length(const fill_work *work)
     return work->row.apart == APART ? 4 : 16;
 }
 
-static size_t front_length(const fill_work *work)
-{
-    return work->desk->around == 1 ? 8 : 32;
-}
-
-/* Rings, rows of what is beyond, and two rows for the least of five. */
+/* Rings, and a row of what is beyond. */
 static size_t ring_floats(const fill_work *work)
 {
-    return (2 * ring_length(work) + 2 * front_length(work) + 4) * work->desk->stride;
+    return (2 * ring_length(work) + 1) * work->desk->stride;
 }
 
 static row_ring make_ring(const fill_band *band, float **next, size_t rows, const float *beyond)
@@ -237,32 +253,17 @@ static row_ring make_ring(const fill_band *band, float **next, size_t rows, cons
 
 static void begin_band(fill_band *band, const fill_work *work, size_t index)
 {
-    const size_t stride = work->desk->stride, length = ring_length(work),
-                 fronts = front_length(work);
     float *next = work->rings + index * ring_floats(work);
-    float *no_inverse = next, *no_front = next + stride;
-    for (size_t i = 0; i < stride; i++)
-    {
-        no_inverse[i] = NAN;
-        no_front[i] = INFINITY;
-    }
-    next += 2 * stride;
-    /* what is beside rows is never written again: nothing measured, nothing in front */
-    for (size_t i = 0; i < 2 * length * stride; i++)
+    const float *const beyond = next + CM_OCTREE_SLACK;
+    /* what is beside rows is never written again: nothing measured */
+    for (size_t i = 0; i < ring_floats(work); i++)
     {
         next[i] = NAN;
     }
-    for (size_t i = 2 * length * stride; i < (2 * length + 2 * fronts + 2) * stride; i++)
-    {
-        next[i] = INFINITY;
-    }
+    next += work->desk->stride;
     band->work = work;
-    band->depth = make_ring(band, &next, length, no_inverse + CM_OCTREE_SLACK);
-    band->inverse = make_ring(band, &next, length, no_inverse + CM_OCTREE_SLACK);
-    band->reach = make_ring(band, &next, fronts, no_front + CM_OCTREE_SLACK);
-    band->front = make_ring(band, &next, fronts, no_front + CM_OCTREE_SLACK);
-    band->five = next + CM_OCTREE_SLACK;
-    band->columns = next + stride + CM_OCTREE_SLACK;
+    band->depth = make_ring(band, &next, ring_length(work), beyond);
+    band->inverse = make_ring(band, &next, ring_length(work), beyond);
 }
 
 static void invert_row(fill_band *band, size_t row)
@@ -277,62 +278,27 @@ static void invert_row(fill_band *band, size_t row)
 static void reach_row(fill_band *band, size_t row)
 {
     const fill_work *work = band->work;
+    cm_view_desk *desk = work->desk;
+    const size_t first = row * desk->stride, padded = desk->stride - 2 * CM_OCTREE_SLACK;
     cm_rule_row at = work->row;
     at.depth = ring_row(&band->depth, row);
     at.at = ring_row(&band->inverse, row);
     at.above = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row - (ptrdiff_t)at.apart);
     at.below = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row + (ptrdiff_t)at.apart);
-    at.column_place = (float)work->first_column;
+    at.column_place = work->first_column;
     at.row_place = (float)((double)row + work->first_row);
-    work->set->reaches(work->desk->stride - 2 * CM_OCTREE_SLACK, &at, ring_row(&band->reach, row),
-                       ring_row(&band->front, row));
+    work->set->reaches(padded, &at, desk->reach + first, desk->front + first, desk->back + first);
+    work->set->bends(desk->width, &at, desk->kind + first);
+    for (size_t i = desk->width; i < padded; i++)
+    {
+        desk->front[first + i] = desk->back[first + i] = NAN;
+    }
+    memset(desk->kind + first + desk->width, 0, desk->stride - desk->width);
 }
 
-/* The least front around: of rows, four more at a time, then of columns. */
-static float *least_around(fill_band *band, size_t row)
+static size_t band_begin(const fill_work *work, size_t index)
 {
-    const cm_octree_set *set = band->work->set;
-    const size_t padded = band->work->desk->stride - 2 * CM_OCTREE_SLACK;
-    const int around = band->work->desk->around;
-    float *from = band->five, *to = band->columns;
-    const float *five[5];
-    ptrdiff_t next = (ptrdiff_t)row - 2 * around;
-    for (int i = 0; i < 5; i++)
-    {
-        five[i] = ring_row_or_beyond(&band->front, next++);
-    }
-    set->least_of_five(padded, five, from);
-    for (int more = 1; more < around; more++)
-    {
-        five[0] = from;
-        for (int i = 1; i < 5; i++)
-        {
-            five[i] = ring_row_or_beyond(&band->front, next++);
-        }
-        set->least_of_five(padded, five, from);
-    }
-    for (int time = 0; time < around; time++)
-    {
-        for (ptrdiff_t i = 0; i < 5; i++)
-        {
-            five[i] = from + i - 2;
-        }
-        set->least_of_five(padded, five, to);
-        float *const swapped = from;
-        from = to;
-        to = swapped;
-    }
-    return from;
-}
-
-static void rule_row(fill_band *band, size_t row)
-{
-    const fill_work *work = band->work;
-    const cm_view_desk *desk = work->desk;
-    const size_t at = row * desk->stride;
-    work->set->rules(desk->width, desk->packed + row * desk->width, ring_row(&band->reach, row),
-                     least_around(band, row), work->row.far, work->free_far, desk->rule + at,
-                     desk->least[0] + at, desk->most[0] + at);
+    return work->desk->height * index / work->bands;
 }
 
 static size_t behind(size_t row, size_t rows)
@@ -340,29 +306,60 @@ static size_t behind(size_t row, size_t rows)
     return row > rows ? row - rows : 0;
 }
 
-static void fill_bands(size_t first, size_t end, void *user)
+static void reach_bands(size_t first, size_t end, void *user)
 {
     const fill_work *work = user;
     const size_t height = work->desk->height, apart = work->row.apart;
-    const size_t beside = 2 * (size_t)work->desk->around;
     for (size_t index = first; index < end; index++)
     {
         fill_band band;
         begin_band(&band, work, index);
-        const size_t from = height * index / work->bands, to = height * (index + 1) / work->bands;
-        size_t inverted = behind(from, beside + apart), reached = behind(from, beside);
+        const size_t to = band_begin(work, index + 1);
+        size_t row = band_begin(work, index), inverted = behind(row, apart);
+        for (; row < to; row++)
+        {
+            for (; inverted < height && inverted < row + apart + 1; inverted++)
+            {
+                invert_row(&band, inverted);
+            }
+            reach_row(&band, row);
+        }
+    }
+}
+
+static void break_bands(size_t first, size_t end, void *user)
+{
+    const fill_work *work = user;
+    const cm_view_desk *desk = work->desk;
+    for (size_t row = first; row < end; row++)
+    {
+        const size_t at = row * desk->stride;
+        work->set->breaks(desk->width, desk->stride, desk->front + at, desk->back + at,
+                          desk->kind + at);
+    }
+}
+
+static void rule_bands(size_t first, size_t end, void *user)
+{
+    fill_work *work = user;
+    cm_view_desk *desk = work->desk;
+    for (size_t index = first; index < end; index++)
+    {
+        const size_t from = band_begin(work, index), to = band_begin(work, index + 1);
+        cm_break_slots *slots = &work->slots[index];
+        if (!cm_breaks_find(desk, from, to, slots))
+        {
+            atomic_store(&work->failed, 1);
+        }
         for (size_t row = from; row < to; row++)
         {
-            for (; reached < height && reached < row + beside + 1; reached++)
-            {
-                for (; inverted < height && inverted < reached + apart + 1; inverted++)
-                {
-                    invert_row(&band, inverted);
-                }
-                reach_row(&band, reached);
-            }
-            rule_row(&band, row);
+            const size_t at = row * desk->stride;
+            work->set->rules(desk->width, desk->packed + row * desk->width, desk->reach + at,
+                             desk->front + at, work->row.far, work->row.free_far, desk->rule + at,
+                             desk->least[0] + at, desk->most[0] + at);
         }
+        cm_breaks_apply(desk, slots);
+        free(slots->slot);
     }
 }
 
@@ -381,13 +378,16 @@ static void describe_rows(fill_work *work, const cm_octree *octree, const cm_vie
         row->axes[i / 3][i % 3] = (float)view->pose.rotation.row[i / 3][i % 3];
     }
     row->half = (float)(0.5 * options->edge);
-    row->more = (float)(CM_REACH_MORE * options->edge);
+    row->hit_aside = (float)CM_HIT_ASIDE;
+    row->hit_more = (float)(CM_HIT_MORE * options->edge);
+    row->front_aside = (float)CM_FRONT_ASIDE;
+    row->front_more = (float)(CM_FRONT_MORE * options->edge);
     row->relative = (float)(HIT_SIGMAS * options->noise);
     row->most = (float)(CM_REACH_MOST * options->edge);
     row->front_relative = (float)(FRONT_SIGMAS * options->noise);
     row->far = options->far > 0.0 ? (float)options->far : INFINITY;
-    work->free_far = options->no_return_is_free ? (float)options->far : NAN;
-    work->first_column = camera->pixel_centre - camera->cx;
+    row->free_far = options->no_return_is_free ? (float)options->far : NAN;
+    work->first_column = (float)(camera->pixel_centre - camera->cx);
     work->first_row = camera->pixel_centre - camera->cy;
 }
 
@@ -404,6 +404,29 @@ static void describe_table(cm_view_desk *desk, const cm_octree *octree,
     table->centre[1] = (float)(camera->cy - camera->pixel_centre);
     table->near = (float)octree->options.near;
     table->rule = desk->rule;
+    table->gap = desk->gap;
+}
+
+/* How far half a voxel reaches across the planes through the camera and the picture's borders: what is crossed by rays in the
+ * picture is missed, even if its centre is not seen. */
+static void describe_border(cm_view_table *table, double edge, const cm_pose *pose)
+{
+    const uint32_t size[2] = {table->width, table->height};
+    for (int axis = 0; axis < 2; axis++)
+    {
+        for (int side = 0; side < 2; side++)
+        {
+            const double at = side == 0 ? -0.5 : size[axis] - 0.5;
+            const double slope = (double)table->centre[axis] - at;
+            double sum = 0.0;
+            for (int i = 0; i < 3; i++)
+            {
+                sum += fabs((double)table->focal[axis] * pose->rotation.row[axis][i] +
+                            slope * pose->rotation.row[2][i]);
+            }
+            table->beside[axis][side] = (float)(0.5 * edge * sum);
+        }
+    }
 }
 
 cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
@@ -417,18 +440,32 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     fill_work work = {.desk = desk, .set = octree->set, .bands = cm_pool_threads(pool)};
     describe_rows(&work, octree, view);
     describe_table(desk, octree, cm_camera_describe(view->camera));
-    desk->around =
-        cm_view_desk_around(desk, octree->options.edge * fmax(fabs((double)work.row.focal[0]),
-                                                              fabs((double)work.row.focal[1])));
+    const float focal_edges =
+        (float)octree->options.edge * fmaxf(fabsf(work.row.focal[0]), fabsf(work.row.focal[1]));
+    desk->heed = (float)AROUND_EDGES * focal_edges;
+    desk->hides = (float)(HIDES_EDGES * octree->options.edge);
+    describe_border(&desk->table, octree->options.edge, &view->pose);
+    work.row.bend = (float)(BEND_EDGES * octree->options.edge);
+    work.row.bend_relative = (float)(BEND_SIGMAS * octree->options.noise);
     work.bands = work.bands < desk->height ? work.bands : desk->height;
     work.rings = malloc(work.bands * ring_floats(&work) * sizeof *work.rings);
-    if (work.rings == NULL)
+    work.slots = calloc(work.bands, sizeof *work.slots);
+    if (work.rings == NULL || work.slots == NULL)
+    {
+        free(work.rings);
+        free(work.slots);
+        return CM_ERROR_MEMORY;
+    }
+    cm_pool_run(pool, work.bands, 1, reach_bands, &work);
+    cm_pool_run(pool, desk->height, 16, break_bands, &work);
+    cm_pool_run(pool, work.bands, 1, rule_bands, &work);
+    free(work.rings);
+    free(work.slots);
+    if (atomic_load(&work.failed))
     {
         return CM_ERROR_MEMORY;
     }
-    cm_pool_run(pool, work.bands, 1, fill_bands, &work);
-    free(work.rings);
-    cm_view_desk_windows(desk, octree->set);
+    cm_view_desk_windows(desk, octree->set, pool);
     return CM_OK;
 }
 
@@ -461,70 +498,4 @@ void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_v
 {
     color_work work = {desk, octree->set, &view->color};
     cm_pool_run(pool, desk->height, 16, color_rows, &work);
-}
-
-/* ---- windows ---- */
-
-/* One cell more to the right and below, where nothing is: windows there are of what there is. */
-static void close_cells(cm_view_desk *desk, int which, size_t width, size_t height)
-{
-    float *least = desk->least[which], *most = desk->most[which];
-    for (size_t row = 0; row < height; row++)
-    {
-        for (size_t i = width; i < width + CM_OCTREE_SLACK; i++)
-        {
-            least[row * desk->stride + i] = INFINITY;
-            most[row * desk->stride + i] = -INFINITY;
-        }
-    }
-    for (size_t i = 0; i < width + CM_OCTREE_SLACK; i++)
-    {
-        least[height * desk->stride + i] = INFINITY;
-        most[height * desk->stride + i] = -INFINITY;
-    }
-}
-
-static void make_windows(cm_view_desk *desk, const cm_octree_set *set, int level)
-{
-    cm_window_level *at = &desk->table.level[level];
-    const int which = level & 1;
-    for (size_t row = 0; row < at->height; row++)
-    {
-        const float *least = desk->least[which] + row * desk->stride;
-        const float *most = desk->most[which] + row * desk->stride;
-        const float *const leasts[2] = {least, least + desk->stride};
-        const float *const mosts[2] = {most, most + desk->stride};
-        set->windows(at->width, leasts, mosts, at->least + row * at->width,
-                     at->most + row * at->width);
-    }
-}
-
-static void make_cells(cm_view_desk *desk, const cm_octree_set *set, int level)
-{
-    const cm_window_level *at = &desk->table.level[level];
-    const int from = (level - 1) & 1, to = level & 1;
-    for (size_t row = 0; row < at->height; row++)
-    {
-        const float *least = desk->least[from] + 2 * row * desk->stride;
-        const float *most = desk->most[from] + 2 * row * desk->stride;
-        const float *const leasts[2] = {least, least + desk->stride};
-        const float *const mosts[2] = {most, most + desk->stride};
-        set->halve(at->width, leasts, mosts, desk->least[to] + row * desk->stride,
-                   desk->most[to] + row * desk->stride);
-    }
-}
-
-void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set)
-{
-    close_cells(desk, 0, desk->width, desk->height);
-    make_windows(desk, set, 0);
-    for (int level = 1; level < desk->table.levels; level++)
-    {
-        const cm_window_level *at = &desk->table.level[level];
-        make_cells(desk, set, level);
-        close_cells(desk, level & 1, at->width, at->height);
-        make_windows(desk, set, level);
-    }
-    const cm_window_level *last = &desk->table.level[desk->table.levels - 1];
-    desk->greatest = last->most[0];
 }

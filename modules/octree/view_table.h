@@ -12,8 +12,16 @@
 /* How far a hit reaches along a ray at most, in edges: on a grazing surface the tangent plane would let it go on. */
 #define CM_REACH_MOST 8.0
 
-/* Beyond half the edges that a plane crosses, in edges: pixels are not where the voxel's centre is. */
-#define CM_REACH_MORE 0.25
+/* Pixels are not where the voxel's centre is. Of what a plane changes from a pixel's centre to its corners, hits reach a part more, so
+ * that walls are thin, and so many edges, for walls on the border of two voxels. What is in front of its part and edges is a miss.
+ * Chosen by bench/octree: visible voxels that are occupied, crossed ones that are free, who is nearer where OctoMap disagrees. */
+#define CM_HIT_ASIDE 0.6
+#define CM_HIT_MORE 0.02
+#define CM_FRONT_ASIDE 0.75
+#define CM_FRONT_MORE 0.05
+
+/* Pixels beside a break are no farther from it. */
+#define CM_BREAK_RADIUS 8
 
 /* The images of a view and the memory of tables, kept from view to view. */
 typedef struct cm_view_desk
@@ -22,7 +30,6 @@ typedef struct cm_view_desk
     size_t stride; /* floats from row to row */
     uint32_t width;
     uint32_t height;
-    int around;      /* least fronts are over so many windows of 5 x 5, one after the other */
     float *memory;   /* of cells */
     float *least[2]; /* cells of two levels in turn */
     float *most[2];
@@ -30,6 +37,14 @@ typedef struct cm_view_desk
     uint32_t *word; /* of colors, in rows as the rules' */
     float *windows; /* of all levels */
     float *packed;  /* the cleaned image, dense */
+    float *reach;   /* of hits of each pixel; front and back of the surface there */
+    float *front;
+    float *back;
+    uint8_t *kind;     /* of each pixel, bits of CM_BREAK_... */
+    uint32_t *slot_of; /* of pixels beside breaks, 1 and up; 0 between views */
+    cm_pixel_gap *gap;
+    float heed;  /* half a voxel's diagonal in pixels at distance 1: so far pixels heed each other */
+    float hides; /* and no farther behind what they see */
     float greatest; /* of all that pixels say: nothing happens beyond */
     cm_rays *rays;  /* of the camera below, where needed */
     const cm_camera *rays_of;
@@ -56,6 +71,28 @@ void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_v
                          cm_pool *pool);
 
 /* Bounds in windows from rules: least and most of all pixels are in desk->least[0] and desk->most[0]. */
-void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set);
+void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool);
+
+/* A pixel beside a break, and the surfaces that it heeds. */
+typedef struct cm_break_slot
+{
+    uint32_t pixel;   /* its index, as of rules */
+    float own_front;  /* of its surface and those that join it */
+    float near_front; /* of all surfaces in front of it; infinite: none */
+    float near_back;  /* voxels that are farther do not reach them */
+} cm_break_slot;
+
+typedef struct cm_break_slots
+{
+    cm_break_slot *slot;
+    size_t count;
+    size_t room;
+} cm_break_slots;
+
+/* Pixels of some rows that are beside breaks of any row. 0: no memory. */
+int cm_breaks_find(cm_view_desk *desk, size_t first_row, size_t end_row, cm_break_slots *slots);
+
+/* Rules of those pixels, after the others'. */
+void cm_breaks_apply(cm_view_desk *desk, const cm_break_slots *slots);
 
 #endif

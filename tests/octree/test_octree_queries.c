@@ -43,9 +43,10 @@ static double centre_of(const cm_octree_options *options, int axis, int64_t plac
 
 /* ---- levels ---- */
 
+/* Free voxels count as unknown where any is occupied, which stays so. */
 static int average(const dense_map *map, const int64_t first[3], int64_t size)
 {
-    int64_t sum = 0;
+    int64_t above = 0, below = 0;
     const int64_t voxels = size * size * size;
     for (int64_t z = first[2]; z < first[2] + size; z++)
     {
@@ -53,12 +54,14 @@ static int average(const dense_map *map, const int64_t first[3], int64_t size)
         {
             for (int64_t x = first[0]; x < first[0] + size; x++)
             {
-                sum += map->alpha[dense_at(map, x, y, z)] - 127;
+                const int alpha = map->alpha[dense_at(map, x, y, z)];
+                above += alpha > 127 ? alpha - 127 : 0;
+                below += alpha < 127 ? 127 - alpha : 0;
             }
         }
     }
-    const int64_t mean = ((sum < 0 ? -sum : sum) + voxels / 2) / voxels;
-    return (int)(127 + (sum < 0 ? -mean : mean));
+    const int64_t mean = ((above > 0 ? above : below) + voxels / 2) / voxels;
+    return (int)(above > 0 ? (mean > 0 ? 127 + mean : 128) : 127 - mean);
 }
 
 static void check_levels(cm_octree *octree, int first_level)
@@ -243,8 +246,10 @@ static void check_ray(const cm_octree *octree, const dense_map *map, const doubl
     const double end = far > 0.0 ? far : INFINITY;
     ray_walk walk = {.first_occupied = INFINITY};
     ck_assert_int_eq(cm_octree_walk_ray(octree, origin, towards, far, walk_voxel, &walk), CM_OK);
-    ck_assert(met == isfinite(walk.first_occupied));
-    ck_assert(!met || voxel.distance == walk.first_occupied);
+    /* a ray along a border may meet either voxel beside it, each way its own */
+    ck_assert(!isfinite(walk.first_occupied) ||
+              (walk.first_occupied >= perhaps - 1e-7 && walk.first_occupied <= end));
+    ck_assert(!(surely < end - 1e-7) || walk.first_occupied <= surely + 1e-7);
     if (surely < end - 1e-7)
     {
         ck_assert_msg(

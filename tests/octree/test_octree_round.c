@@ -202,7 +202,8 @@ START_TEST(surroundings_are_exact)
 }
 END_TEST
 
-/* A distortion that is nothing is the other way to the same map, up to where a hit ends, since normals are found otherwise. */
+/* A distortion that is nothing is the other way to nearly the same map: a lens heeds all that is seen nearby, a straight camera only
+ * what voxels reach, so that the lens knows less; and hits end elsewhere, since normals are found otherwise. */
 START_TEST(a_lens_of_no_distortion_is_nearly_straight)
 {
     const double none = 0.0, almost = 1e-15;
@@ -227,17 +228,19 @@ START_TEST(a_lens_of_no_distortion_is_nearly_straight)
         cm_octree_destroy(octree);
         cm_camera_destroy(camera[i]);
     }
-    size_t different = 0, opposed = 0, known = 0;
+    size_t different = 0, opposed = 0, known = 0, missing = 0;
     for (size_t i = 0; i < (size_t)1 << 18; i++)
     {
         const int a = map[0].alpha[i] - 127, b = map[1].alpha[i] - 127;
         known += a != 0;
-        different += a != b;
+        different += b != 0 && a != b;
+        missing += b != 0 && a == 0;
         opposed += a * b < 0;
     }
     ck_assert_msg(known > 20000, "%zu known", known);
-    ck_assert_msg(different < known / 10 && opposed < known / 200, "%zu of %zu differ, %zu opposed",
-                  different, known, opposed);
+    ck_assert_msg(different < known / 8 && opposed < known / 200 && missing < known / 20,
+                  "%zu of %zu differ, %zu opposed, %zu missing", different, known, opposed,
+                  missing);
     dense_clear(&map[0]);
     dense_clear(&map[1]);
 }

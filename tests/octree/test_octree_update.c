@@ -77,21 +77,29 @@ static int word_of(const voxel_rules *rules, const float at[3], int detail, size
     const float by = 1.0f / at[2];
     const float u = at[0] * by * table->focal[0] + table->centre[0];
     const float v = at[1] * by * table->focal[1] + table->centre[1];
-    if (!(u >= -0.5f && u < (float)table->width - 0.5f && v >= -0.5f &&
-          v < (float)table->height - 0.5f))
+    const float last_column = (float)(table->width - 1), last_row = (float)(table->height - 1);
+    if (!(u + table->beside[0][0] * by >= -0.5f && v + table->beside[1][0] * by >= -0.5f &&
+          u - table->beside[0][1] * by < last_column + 0.5f &&
+          v - table->beside[1][1] * by < last_row + 0.5f))
     {
         return 0;
     }
-    const size_t column = (size_t)fmaxf(rintf(u), 0.0f), row = (size_t)fmaxf(rintf(v), 0.0f);
+    const int is_seen = u >= -0.5f && u < last_column + 0.5f && v >= -0.5f && v < last_row + 0.5f;
+    const size_t column = (size_t)rintf(fminf(fmaxf(u, 0.0f), last_column));
+    const size_t row = (size_t)rintf(fminf(fmaxf(v, 0.0f), last_row));
     *pixel = row * table->width + column;
-    const cm_pixel_rule *rule = &table->rule[row * table->stride + column];
-    const float scale = (float)(1 << detail);
+    const size_t index = row * table->stride + column;
+    const cm_pixel_rule *rule = &table->rule[index];
     const float reach = half_of(rule->reach_front << 16),
-                front = half_of(rule->reach_front & 0xffff0000u);
+                front = half_of(rule->reach_front & 0x7fff0000u);
+    const float more = fmaxf(reach, 0.0f) * ((float)(1 << detail) - 1.0f);
     const float away = at[2] - rule->depth;
-    return fabsf(away) <= reach * scale                                  ? 1
-           : away + (front + fmaxf(reach, 0.0f) * (scale - 1.0f)) < 0.0f ? -1
-                                                                         : 0;
+    const int has_gap = (rule->reach_front & CM_RULE_HAS_GAP) != 0;
+    const int is_in_gap =
+        has_gap && at[2] > table->gap[index].from + more && at[2] < table->gap[index].to - more;
+    return is_seen && fabsf(away) <= reach * (float)(1 << detail) ? 1
+           : away + (front + more) < 0.0f || is_in_gap            ? -1
+                                                                  : 0;
 }
 
 static int clamped(int value, int low, int high)

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Bounds of what the pixels of a view say, in windows of all levels.
+ */
+#include <math.h>
+
+#include "view_table.h"
+
+/* One cell more to the right and below, where nothing is: windows there are of what there is. */
+static void close_cells(cm_view_desk *desk, int which, size_t width, size_t height)
+{
+    float *least = desk->least[which], *most = desk->most[which];
+    for (size_t row = 0; row < height; row++)
+    {
+        for (size_t i = width; i < width + CM_OCTREE_SLACK; i++)
+        {
+            least[row * desk->stride + i] = INFINITY;
+            most[row * desk->stride + i] = -INFINITY;
+        }
+    }
+    for (size_t i = 0; i < width + CM_OCTREE_SLACK; i++)
+    {
+        least[height * desk->stride + i] = INFINITY;
+        most[height * desk->stride + i] = -INFINITY;
+    }
+}
+
+/* Rows of a level's windows or cells, for threads. */
+typedef struct window_work
+{
+    cm_view_desk *desk;
+    const cm_octree_set *set;
+    int level;
+} window_work;
+
+/* As many rows at a time: fewer are not worth a thread. */
+#define ROWS_AT_A_TIME 64
+
+/* Whole vectors are stored, over the first windows of the next row where they do not end with their own: then one thread goes down. */
+static size_t window_rows(const cm_window_level *level)
+{
+    return level->width % CM_OCTREE_SLACK == 0 ? ROWS_AT_A_TIME : level->height;
+}
+
+static void make_windows(size_t first, size_t end, void *user)
+{
+    const window_work *work = user;
+    const cm_view_desk *desk = work->desk;
+    const cm_window_level *at = &desk->table.level[work->level];
+    const int which = work->level & 1;
+    for (size_t row = first; row < end; row++)
+    {
+        const float *least = desk->least[which] + row * desk->stride;
+        const float *most = desk->most[which] + row * desk->stride;
+        const float *const leasts[2] = {least, least + desk->stride};
+        const float *const mosts[2] = {most, most + desk->stride};
+        work->set->windows(at->width, leasts, mosts, at->least + row * at->width,
+                           at->most + row * at->width);
+    }
+}
+
+static void make_cells(size_t first, size_t end, void *user)
+{
+    const window_work *work = user;
+    const cm_view_desk *desk = work->desk;
+    const cm_window_level *at = &desk->table.level[work->level];
+    const int from = (work->level - 1) & 1, to = work->level & 1;
+    for (size_t row = first; row < end; row++)
+    {
+        const float *least = desk->least[from] + 2 * row * desk->stride;
+        const float *most = desk->most[from] + 2 * row * desk->stride;
+        const float *const leasts[2] = {least, least + desk->stride};
+        const float *const mosts[2] = {most, most + desk->stride};
+        work->set->halve(at->width, leasts, mosts, desk->least[to] + row * desk->stride,
+                         desk->most[to] + row * desk->stride);
+    }
+}
+
+void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool)
+{
+    window_work work = {desk, set, 0};
+    close_cells(desk, 0, desk->width, desk->height);
+    cm_pool_run(pool, desk->height, window_rows(&desk->table.level[0]), make_windows, &work);
+    for (int level = 1; level < desk->table.levels; level++)
+    {
+        const cm_window_level *at = &desk->table.level[level];
+        work.level = level;
+        cm_pool_run(pool, at->height, ROWS_AT_A_TIME, make_cells, &work);
+        close_cells(desk, level & 1, at->width, at->height);
+        cm_pool_run(pool, at->height, window_rows(at), make_windows, &work);
+    }
+    const cm_window_level *last = &desk->table.level[desk->table.levels - 1];
+    desk->greatest = last->most[0];
+}
