@@ -7,7 +7,9 @@
     _methods.py   the methods of classes, and the functions, that are ufuncs
     _methods.pyi  their types and what they do
 
-usage: generate.py ROOT OUTPUT_FOLDER [NAME...]      (only those files)
+usage: generate.py [--without-sim] ROOT OUTPUT_FOLDER [NAME...]      (only those files)
+
+--without-sim   of a build that has no library cubemap-sim
 """
 
 import pathlib
@@ -86,7 +88,8 @@ def adapter_arrays(loop, operands):
     for index, operand in enumerate(operands):
         if operand.planar and not operand.member:
             planes = planes_of(operand, index)
-            lines.append(f"{operand.base} *const planes_{operand.name}[{operand.items}] = {{{planes}}};")
+            constant = "const " * (index < len(loop.inputs))
+            lines.append(f"{constant}{operand.base} *const planes_{operand.name}[{operand.items}] = {{{planes}}};")
     for argument in loop.declared.arguments:
         own = [operand for operand in operands_of(argument, operands) if operand.member]
         if own:
@@ -207,17 +210,12 @@ def c_text(text):
     return "\n".join(f'    "{line}\\n"' for line in escaped.splitlines())
 
 
-def is_bound(function):
-    """Libraries that Python does not bind are not in its module, which needs nothing of what they need."""
-    return function.reasons.get("python") != "unbound"
-
-
 def write_loops(binding):
     lines = ["/* Written by bindings/python/generate.py. */", '#include "core.h"', "", "#include <math.h>", "#include <string.h>", "",
              "#include <cubemap/colormap.h>", "#include <cubemap/compare.h>", "#include <cubemap/environment.h>",
              "#include <cubemap/image.h>", "#include <cubemap/mips.h>", "#include <cubemap/panorama.h>",
              "#include <cubemap/octree.h>", "#include <cubemap/scene.h>",
-             # for the sizes of structs alone
+             # without the library for the sizes of structs alone
              "#include <cubemap/compensate.h>", "#include <cubemap/depth_error.h>", "#include <cubemap/lens.h>",
              "#include <cubemap/sim.h>", "#include <cubemap/texel.h>", ""]
     loop_enumerations.update(binding.interface.enumerations)
@@ -245,7 +243,7 @@ def write_loops(binding):
                     f"{len(variants)}, {{{', '.join(variants)}}}}},")
     lines += ["const struct core_function core_functions[] = {", *rows, "    {NULL, NULL, NULL, NULL, 0, 0, 0, 0, 0, {NULL}},", "};", ""]
     destroyers = [function.name for function in binding.table.functions
-                  if is_bound(function) and any(argument.direction == "free" for argument in function.arguments)]
+                  if any(argument.direction == "free" for argument in function.arguments)]
     for name in destroyers:
         base = binding.interface.functions[name].arguments[0].base
         lines += [f"static void end_{name}(void *object)", "{", f"    {name}(({base} *)object);", "}", ""]
@@ -289,8 +287,8 @@ def write_library(binding):
         known.add(name)
     for name, values in binding.interface.enumerations.items():
         lines += [f"{constant} = {value}" for constant, value in values.items()]
-    lines += ["", "_library = ctypes.CDLL(_core.__file__)", ""]
-    for function in filter(is_bound, binding.table.functions):
+    lines += ["", f"HAS_SIM = {binding.has_sim}", "_library = ctypes.CDLL(_core.__file__)", ""]
+    for function in binding.table.functions:
         declared = binding.interface.functions[function.name]
         # arrays in arguments are pointers
         words = [c_type(binding, argument, known) if not argument.extents else "c_void_p" for argument in declared.arguments]
@@ -305,21 +303,25 @@ def write_library(binding):
 # ---- _methods.py and its types ----
 
 def groups(binding):
-    """{class, or "" for functions: {method: loops}}; what has options is the class's own."""
+    """{class, module, or "" for functions of the package: {method: loops}}; what has options is the class's own."""
     found = {}
     for name, loops in binding.loops.items():
         owner, _, method = name.rpartition(".")
-        owner = owner if owner[:1].isupper() else ""  # else it is a module
-        if not loops["double"].options and (owner or not loops["double"].handle):
+        owner = owner.rpartition(".")[2]
+        if not loops["double"].options and (is_class(owner) or not loops["double"].handle):
             found.setdefault(owner, {})[method] = loops
     return found
+
+
+def is_class(owner):
+    return owner[:1].isupper()
 
 
 def write_methods(binding):
     lines = ["# Written by bindings/python/generate.py.", '"""The methods and functions that are ufuncs."""', "", "from ._method import Method, function", ""]
     lines += [f"__all__ = {sorted(groups(binding).get('', {}))!r}", ""]
     for owner, methods in groups(binding).items():
-        if owner:
+        if is_class(owner):
             lines += ["", f"class {owner}Methods:"]
             lines += [f'    {method} = Method("{loops["double"].function.name}")' for method, loops in methods.items()]
             lines += [""]
@@ -341,9 +343,9 @@ def stub(method, loops, is_method):
 def write_stubs(binding):
     lines = ["# Written by bindings/python/generate.py.", "from typing import Any", "", "import numpy as np", "from numpy.typing import ArrayLike, NDArray", ""]
     for owner, methods in groups(binding).items():
-        lines += [f"class {owner}Methods:"] * bool(owner)
+        lines += [f"class {owner}Methods:"] * is_class(owner)
         for method, loops in methods.items():
-            lines += stub(method, loops, bool(owner))
+            lines += stub(method, loops, is_class(owner))
         lines += [""]
     return "\n".join(lines) + "\n"
 
@@ -352,11 +354,12 @@ FILES = {"loops.c": write_loops, "_library.py": write_library, "_methods.py": wr
 
 
 def main():
-    if len(sys.argv) < 3:
+    words = [word for word in sys.argv[1:] if word != "--without-sim"]
+    if len(words) < 2:
         sys.exit(__doc__)
-    binding = Binding(pathlib.Path(sys.argv[1]))
-    folder = pathlib.Path(sys.argv[2])
-    for name in sys.argv[3:] or FILES:
+    binding = Binding(pathlib.Path(words[0]), has_sim="--without-sim" not in sys.argv)
+    folder = pathlib.Path(words[1])
+    for name in words[2:] or FILES:
         (folder / name).write_text(FILES[name](binding), encoding="utf-8")
 
 

@@ -12,9 +12,12 @@ NUMBERS = {"double": ("CORE_DOUBLE", "float64"), "float": ("CORE_FLOAT", "float3
            "int64_t": ("CORE_INT64", "int64"), "uint64_t": ("CORE_UINT64", "uint64"), "size_t": ("CORE_UINT64", "uint64")}
 # how NumPy has what is so many numbers in a row in C, or so many arrays: matrices
 CORE_SHAPES = {"cm_forward_jacobian_array": (2, 3), "cm_inverse_jacobian_array": (3, 2),
-               "cm_warp_jacobian_array": (2, 2), "cm_camera_jacobian": (2, 3), "cm_pose_adjoint": (6, 6), "cm_pose_transport": (6, 6)}
+               "cm_warp_jacobian_array": (2, 2), "cm_camera_jacobian": (2, 3), "cm_pose_adjoint": (6, 6), "cm_pose_transport": (6, 6),
+               "cm_texel_matrix": (4, 4)}
 # functions that take every number of 32 bits: what has more must not become one that they take
 WIDE = "cm_random_"
+# what the library cubemap-sim declares, which a build may be without
+SIM_HEADERS = ("brdf.h", "compensate.h", "depth_error.h", "lens.h", "sim.h", "texel.h")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,12 +75,17 @@ def told_apart(*sides):
 
 
 class Binding:
-    def __init__(self, root):
+    """What there is to bind, with or without the library cubemap-sim."""
+
+    def __init__(self, root, has_sim=True):
         sys.path.insert(0, str(root / "bindings"))
         import function_table
         import public_headers
 
-        self.table = function_table.read(root / "bindings" / "functions")
+        self.has_sim = has_sim
+        table = function_table.read(root / "bindings" / "functions")
+        bound = (function for function in table.functions if has_sim or function.header not in SIM_HEADERS)
+        self.table = dataclasses.replace(table, functions=tuple(bound))
         self.interface = public_headers.read(root)
         self.loops = self.find_loops()
 
@@ -155,6 +163,8 @@ class Binding:
             elif row.direction == "count" and row.name == "n":
                 pass
             elif row.direction == "option" and arrays and self.base(argument.base) and not argument.pointers:
+                if argument.base in ("double", "float"):  # what a loop is bound to are whole numbers
+                    raise Unfit
                 options.append(argument.name)
             elif self.is_operand(argument, row, arrays):
                 found = self.array_operand(function, argument, row) if arrays else self.operand(function, argument, row)

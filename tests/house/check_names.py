@@ -21,7 +21,7 @@ AT_THE_TOP = {".clang-format", ".editorconfig", ".gitignore", "CHANGELOG.md", "C
               "meson.build", "meson_options.txt", "pyproject.toml"}
 
 # Each folder has one of its own.
-EVERYWHERE = ["meson.build", "README.md", "test"]
+EVERYWHERE = ["meson.build", "README.md", "test", "__init__.py"]
 
 # Data, which is called as what it is of, and what documents are made from.
 NOT_NAMED_HERE = ["tests/vectors/*", "tests/fuzz/corpus/*", "docs/*", "data/*", "*.png", "*.txt"]

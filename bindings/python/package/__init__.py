@@ -7,7 +7,8 @@
     x, y, z = m.inverse(face, u, v)
 
 Angles are radians, but those of rotations degrees. docs/guide/python.md is the guide. Further parts: cubemap.healpy, which is
-a drop-in for parts of healpy, cubemap.plot (matplotlib), cubemap.large (Dask and xarray).
+a drop-in for parts of healpy, cubemap.plot (matplotlib), cubemap.large (Dask and xarray), cubemap.sim (time-of-flight
+cameras).
 """
 
 import importlib
@@ -46,6 +47,6 @@ __version__ = _library.cm_version().decode()
 
 def __getattr__(name: str) -> object:
     """The further parts are imported when they are first asked for."""
-    if name in ("healpy", "large", "plot"):
+    if name in ("healpy", "large", "plot", "sim"):
         return importlib.import_module(f".{name}", __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

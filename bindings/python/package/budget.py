@@ -59,6 +59,13 @@ class Budget(NamedTuple):
                       entry=ctypes.cast(entries, ctypes.POINTER(library.cm_budget_entry)),
                       error=self.error, cost=self.cost, **texts)
 
+    @classmethod
+    def _read(cls, made):
+        """Of what the library has filled."""
+        entries = tuple(BudgetEntry(decoded(one.name), one.contribution, one.cost, decoded(one.unit), bool(one.is_required),
+                                    bool(one.is_kept), decoded(one.reason)) for one in made.entry[:made.count])
+        return cls(entries, *map(decoded, (made.subject, made.unit, made.cost_unit)), made.error, made.cost)
+
     def _chosen(self, choose, *limit):
         made = self._struct()
         choose(ctypes.byref(made), *limit)

@@ -17,6 +17,7 @@ What differs:
 from __future__ import annotations
 
 import functools
+import math
 from typing import Any
 
 import numpy as np
@@ -137,6 +138,9 @@ def ang2vec(theta: ArrayLike, phi: ArrayLike, lonlat: bool = False) -> np.ndarra
         if np.isnan(vectors).any():
             raise ValueError("THETA is out of range [0,pi]")
         return vectors
+    if type(theta) is float and type(phi) is float and 0 <= theta <= np.pi:  # the same, without arrays
+        rho = np.sin(theta)
+        return np.array((rho * np.cos(phi), rho * np.sin(phi), np.cos(theta)))
     theta, phi = np.asarray(theta, np.float64), np.asarray(phi, np.float64)
     if not ((theta >= 0) & (theta <= np.pi + 1e-5)).all():
         raise ValueError("THETA is out of range [0,pi]")
@@ -176,7 +180,7 @@ def get_all_neighbours(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike | None
 def boundaries(nside: int, pix: ArrayLike, step: int = 1, nest: bool = False) -> np.ndarray:
     """The boundary of pixels: x, y, z of 4 step points, (3, 4 step), or (n, 3, 4 step) of n pixels."""
     healpix = _healpix(nside, nest)
-    if np.ndim(pix) == 0:
+    if type(pix) is int or np.ndim(pix) == 0:
         return healpix.boundary(pix, step).T
     return np.stack([healpix.boundary(one, step).T for one in np.asarray(pix).tolist()])
 
@@ -195,7 +199,7 @@ def isnsideok(nside: ArrayLike, nest: bool = False) -> Any:
 
 
 def _checked_nside(nside, nest=False):
-    if not np.all(isnsideok(nside, nest)):
+    if not (isnsideok(nside, nest) if type(nside) is int else np.all(isnsideok(nside, nest))):
         raise ValueError(f"{nside} is not a valid nside parameter (must be a power of 2, less than 2**30)")
     return nside
 
@@ -209,11 +213,13 @@ def npix2nside(npix: int) -> int:
     """The nside of a number of pixels."""
     if not isnpixok(npix):
         raise ValueError("Wrong pixel number (it is not 12*nside**2)")
-    return int(np.sqrt(npix / 12))
+    return int(math.sqrt(npix / 12))
 
 
 def isnpixok(npix: ArrayLike) -> Any:
     """Is it 12 nside^2?"""
+    if type(npix) is int:
+        return npix > 0 and math.sqrt(npix / 12.0).is_integer()
     nside = np.sqrt(np.asarray(npix) / 12.0)
     good = (nside == np.floor(nside)) & (nside > 0)
     return good if good.ndim else bool(good)
@@ -247,7 +253,8 @@ def nside2pixarea(nside: Any, degrees: bool = False) -> Any:
 
 def nside2resol(nside: Any, arcmin: bool = False) -> Any:
     """The root of a pixel's area, radians or minutes of arc."""
-    side = np.sqrt(nside2pixarea(nside))
+    area = nside2pixarea(nside)
+    side = math.sqrt(area) if type(area) is float else np.sqrt(area)
     return np.degrees(side) * 60 if arcmin else side
 
 

@@ -242,6 +242,12 @@ def checked_threads(threads: int) -> int:
     return operator.index(threads) or library.cm_threads_available()
 
 
+def pool_of(threads: int) -> object:
+    """The threads that work together, for calls that take a pool; None for the calling one."""
+    threads = checked_threads(threads)
+    return None if threads == 1 else created(library.cm_pool_create, "cm_pool_destroy", threads)
+
+
 def mapping_of(mapping: str | Mapping) -> Mapping:
     """A mapping, also from its specification."""
     return mapping if isinstance(mapping, Mapping) else Mapping(mapping)

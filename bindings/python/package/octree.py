@@ -16,7 +16,7 @@ from ._methods import OctreeMethods
 from ._texts import checked_text, created, number_of, struct
 from .camera import DEPTH_KINDS, Camera
 from .images import PIXEL_TYPES, images_in
-from .mapping import checked_threads
+from .mapping import checked_threads, pool_of
 from .pose import Pose, pose_pointer
 from .raster import Raster, numbers_of
 from .store import Store
@@ -116,7 +116,7 @@ class Octree(OctreeMethods):
         self._handle = created(creator, "cm_octree_destroy", *arguments, keep=None if pages is None else pages._handle)
         self._pages = pages
         self._threads = threads if pages is None else 1
-        self._pool = None if threads == 1 else created(library.cm_pool_create, "cm_pool_destroy", threads)
+        self._pool = pool_of(threads)
 
     def __repr__(self):
         options = self._options

@@ -84,9 +84,10 @@ class Healpix(HealpixMethods, Specified):
         """4 steps unit directions of a pixel's boundary, from the north corner by the west: (4 steps, 3)."""
         if not 1 <= steps <= 2**20:
             raise Error(library.CM_ERROR_ARGUMENT, f"steps: 1 to 2^20, not {steps}")
-        x, y, z = np.empty((3, 4 * steps))
-        library.cm_healpix_boundary(self._handle, int(pixel), steps, x.ctypes.data, y.ctypes.data, z.ctypes.data)
-        return np.stack((x, y, z), axis=-1)
+        points = np.empty((3, 4 * steps))
+        x, plane = points.ctypes.data, 32 * steps  # bytes; asking for an address takes longer than a boundary
+        library.cm_healpix_boundary(self._handle, int(pixel), steps, x, x + plane, x + 2 * plane)
+        return points.T
 
     def ring_info(self, ring: int) -> Ring:
         """The ring of a number, 1 at the north pole, as Ring."""

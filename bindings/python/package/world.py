@@ -18,6 +18,7 @@ from .camera import Camera
 from .mapping import checked_threads
 from .pose import Pose
 from .raster import indices_of, numbers_of
+from .trajectory import Trajectory
 
 SCENES = words_of(library.cm_scene_name_at)
 PRIMITIVES = ("plane", "box", "sphere", "cylinder", "mesh")
@@ -125,7 +126,8 @@ def _set_material(to, material):
 
 class Primitive(NamedTuple):
     """A surface of a world, as Primitive.sphere and its like make it; cubemap/world.h says what first and second are
-    of each kind."""
+    of each kind. motion, poses that take it to its place at their times, and brdf, a cubemap.sim.Brdf, are for
+    cubemap.sim alone."""
 
     kind: str
     first: tuple = (0.0, 0.0, 0.0)
@@ -134,6 +136,8 @@ class Primitive(NamedTuple):
     of: Mesh | None = None
     pose: Pose = Pose()
     material: Material = Material()
+    motion: Trajectory | None = None
+    brdf: object = None
 
     @classmethod
     def plane(cls, point: ArrayLike, normal: ArrayLike, material: Material = Material()) -> Primitive:
@@ -163,16 +167,22 @@ class Primitive(NamedTuple):
     def _struct(self):
         made = struct(library.cm_primitive, kind=PRIMITIVES.index(self.kind), radius=self.radius,
                       pose=self.pose._struct(),
-                      mesh=None if self.of is None else self.of._handle.address)
+                      **{name: None if part is None else part._handle.address
+                         for name, part in zip(("mesh", "motion", "brdf"), self._parts, strict=True)})
         made.first[:], made.second[:] = self.first, self.second
         _set_material(made.material, self.material)
         return made
 
+    @property
+    def _parts(self):
+        """What must live as long as a world with it."""
+        return self.of, self.motion, self.brdf
+
     @classmethod
-    def _read(cls, made, mesh):
+    def _read(cls, made, parts):
+        mesh, motion, brdf = parts
         return cls(PRIMITIVES[made.kind], tuple(made.first), tuple(made.second), made.radius, mesh,
-                   Pose._read(made.pose),
-                   Material(tuple(made.material.color), made.material.reflectance))
+                   Pose._read(made.pose), Material(tuple(made.material.color), made.material.reflectance), motion, brdf)
 
 
 def _three(values):
@@ -191,15 +201,15 @@ class Scene(SceneMethods, Specified):
     _standard = {"threads": 1}
 
     def __init__(self, primitives: list | tuple = (), *, threads: int = 1) -> None:
-        meshes = tuple(one.of for one in primitives)
+        parts = tuple(one._parts for one in primitives)
         self._handle = created(library.cm_scene_create, "cm_scene_destroy",
-                               keep=tuple(mesh._handle for mesh in meshes if mesh is not None))
+                               keep=tuple(part._handle for own in parts for part in own if part is not None))
         for place, one in enumerate(primitives):
             try:
                 library.cm_scene_add(self._handle, ctypes.byref(one._struct()), None)
             except Error as error:
                 raise Error(error.status, f"primitives[{place}]: {error}") from None
-        self._meshes = meshes
+        self._parts = parts
         self._threads = checked_threads(threads)
 
     @classmethod
@@ -209,7 +219,7 @@ class Scene(SceneMethods, Specified):
             raise Error(library.CM_ERROR_ARGUMENT, f"no world {name!r}: there are {', '.join(SCENES)}")
         made = object.__new__(cls)
         made._handle = created(library.cm_scene_create_named, "cm_scene_destroy", checked_text(name, "name"))
-        made._meshes = (None,) * library.cm_scene_count(made._handle)
+        made._parts = ((None, None, None),) * library.cm_scene_count(made._handle)
         made._threads = checked_threads(threads)
         return made
 
@@ -219,8 +229,8 @@ class Scene(SceneMethods, Specified):
     @property
     def primitives(self) -> tuple[Primitive, ...]:
         """What it is made of; normals have length 1."""
-        return tuple(Primitive._read(library.cm_scene_at(self._handle, place).contents, mesh)
-                     for place, mesh in enumerate(self._meshes))
+        return tuple(Primitive._read(library.cm_scene_at(self._handle, place).contents, parts)
+                     for place, parts in enumerate(self._parts))
 
     def render(self, camera: Camera, pose: Pose = Pose()) -> Hit:
         """What all pixels of a camera see, as Hit of its shape: distance is depth, of omnidirectional cameras range."""

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""Time-of-flight cameras, simulated to the electron, and what is done with their pictures.
+
+    from cubemap import sim
+    scene = sim.TofScene(cubemap.Scene.named("room"))
+    frame = scene.simulate(sensor, [sim.Light(1.0)])
+
+docs/guide/sim.md, sim-lens.md and sim-motion.md say what is modelled. Units are SI, angles radians, charges electrons. A
+build without Embree has no such module: importing it then raises ImportError.
+"""
+
+from .. import _library
+
+if not _library.HAS_SIM:
+    raise ImportError("cubemap was built without its module sim, which needs Embree (libembree-dev) when it is built",
+                      name=__name__)
+
+from .._methods import depth_error_checkerboard
+from .brdf import Brdf, BrdfSample, brdf_goniometer
+from .channels import (COMPENSATIONS, FlowPair, channel_census, channel_equalize, channel_equalize_locally,
+                       channel_gradient, channel_normalize, channel_normalize_locally, compensate,
+                       compensate_pixelwise, compensation_flows, flow_warp)
+from .errors import (SPARSIFICATION_MEASURES, DepthEdges, DepthError, DepthPlane, Sparsification, depth_error,
+                     depth_error_bad, depth_error_edges, depth_error_local, depth_error_plane, depth_error_quantiles,
+                     depth_error_slope, depth_error_sparsify, depth_error_temporal)
+from .lens import LensMap, lens_frustum, lens_guard, lens_move_vertices, lens_pinhole
+from .texels import (SPACINGS, TexelImage, TexelOptions, TexelPlaces, texel_complete, texel_linearise, texel_matrix,
+                     texel_places, texel_points, texel_render, texel_sample)
+from .tof import (FLYING, MOTION, MULTIPATH, NOTHING, SATURATED, SPEED_OF_LIGHT, Light, Options, Reconstruction, Report,
+                  Sensor, Surroundings, TofFrame, TofScene, Truth)
+
+__all__ = [name for name in dir() if name[0] != "_" and name not in ("brdf", "channels", "errors", "lens", "texels", "tof")]

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+"""Arrays as the library reads and writes them: dense, of float32."""
+
+import numpy as np
+
+
+def dense(values, name, shape, dtype=np.float32):
+    """Dense numbers of a shape, in which None is any extent."""
+    made = np.ascontiguousarray(values, dtype)
+    if made.ndim != len(shape) or any(want not in (None, has) for want, has in zip(shape, made.shape)):
+        shown = ", ".join("any" if extent is None else str(extent) for extent in shape)
+        raise ValueError(f"{name}: an array of ({shown}), not {made.shape}")
+    return made
+
+
+def pair(depth, truth):
+    """Depth and truth, of any and the same shape."""
+    depth, truth = np.ascontiguousarray(depth, np.float32), np.ascontiguousarray(truth, np.float32)
+    if depth.shape != truth.shape:
+        raise ValueError(f"truth: of the depth's shape, {depth.shape}, not {truth.shape}")
+    return depth, truth
+
+
+def planes(points, name):
+    """Points (..., 3) as three dense arrays."""
+    points = np.asarray(points, np.float32)
+    if points.shape[-1:] != (3,):
+        raise ValueError(f"{name}: (..., 3), not {points.shape}")
+    return np.ascontiguousarray(np.moveaxis(points, -1, 0))
+
+
+def set_planes(members, planes):
+    """The members of a struct that are three pointers, or two, to these planes."""
+    for k, plane in enumerate(planes):
+        members[k] = plane.ctypes.data
+
+
+def address(array):
+    """Where an array is; None stays None."""
+    return None if array is None else array.ctypes.data
