@@ -25,7 +25,7 @@ namespace
 constexpr int board_width = 800, board_height = 600, board_views = 17;
 constexpr int board_columns = 13, board_rows = 9; // of inner corners
 constexpr double board_square = 0.1;
-constexpr int oversampling = 3; // rays and pixels each way in a pixel of the picture
+constexpr int oversampling = 4; // rays and pixels each way in a pixel of the picture
 
 struct Lens
 {
