@@ -28,7 +28,9 @@ constexpr Experiment experiments[] = {
     {"exact", "formulas", reproduce_exact},
     {"layouts", "Lambers, Hoberg and Kolb 2015, figures 6, 9 and 10", reproduce_layouts},
     {"resolution", "Lambers, Hoberg and Kolb 2015, figure 7", reproduce_resolution},
-    {"multipath", "Bulczak, Lambers and Kolb 2018, table 2 and figure 9", reproduce_multipath}};
+    {"multipath", "Bulczak, Lambers and Kolb 2018, table 2 and figure 9", reproduce_multipath},
+    {"lens", "Lambers, Sommerhoff and Kolb 2018, section 4", reproduce_lens},
+    {"motion", "Steiner and others 2019, table 2 and figure 6", reproduce_motion_compensation}};
 
 const char *experiment_at(std::size_t index)
 {
@@ -60,12 +62,19 @@ std::string chart_json(const Chart &chart)
 {
     std::string made = "{\"name\":" + quoted(chart.name) + ",\"title\":" + quoted(chart.title) +
                        ",\"x\":" + quoted(chart.x) + ",\"y\":" + quoted(chart.y) +
-                       ",\"scatter\":" + (chart.is_scatter ? "true" : "false") + ",\"curves\":[";
+                       ",\"scatter\":" + (chart.is_scatter ? "true" : "false") +
+                       ",\"logarithmic\":" + (chart.is_logarithmic ? "true" : "false") +
+                       ",\"curves\":[";
     for (const ChartCurve &curve : chart.curves)
     {
         made += &curve == chart.curves.data() ? "" : ",";
         made += "{\"name\":" + quoted(curve.name) + ",\"x\":" + list_of(curve.x) +
-                ",\"y\":" + list_of(curve.y) + "}";
+                ",\"y\":" + list_of(curve.y) + ",\"mark\":[";
+        for (const std::string &mark : curve.mark)
+        {
+            made += (&mark == curve.mark.data() ? "" : ",") + quoted(mark);
+        }
+        made += "]}";
     }
     made += "],\"pictures\":[";
     for (const ChartPicture &picture : chart.pictures)
@@ -81,7 +90,8 @@ std::string chart_json(const Chart &chart)
 std::string reproduction_json(const Experiment &experiment, const Reproduction &made)
 {
     std::string text = "{\"name\":" + quoted(experiment.name) +
-                       ",\"source\":" + quoted(experiment.source) + ",\"rows\":[";
+                       ",\"source\":" + quoted(experiment.source) +
+                       ",\"missing\":" + quoted(made.missing) + ",\"rows\":[";
     for (const ReproducedRow &row : made.rows)
     {
         text += &row == made.rows.data() ? "\n" : ",\n";
@@ -145,8 +155,12 @@ bool draw(const std::string &json, const std::string &folder)
 
 std::string table_of(const Experiment &experiment, const Reproduction &made)
 {
-    std::string text = std::string("## ") + experiment.name + ": " + experiment.source +
-                       "\n\n| what | paper | here | holds |\n| --- | --- | --- | --- |\n";
+    std::string text = std::string("## ") + experiment.name + ": " + experiment.source + "\n\n";
+    if (!made.missing.empty())
+    {
+        return text + "Not done: " + made.missing + ".\n\n";
+    }
+    text += "| what | paper | here | holds |\n| --- | --- | --- | --- |\n";
     for (const ReproducedRow &row : made.rows)
     {
         text += "| " + row.what + " | " + row.paper + " | " + row.ours + " | " +
@@ -174,7 +188,7 @@ const Experiment *find_experiment(const std::string &name)
         }
     }
     throw UsageFailure(in_quotes(name) +
-                       " is no experiment: exact, layouts, resolution or multipath" +
+                       " is no experiment: exact, layouts, resolution, multipath, lens or motion" +
                        suggestion(nearest_name(name.c_str(), experiment_at)));
 }
 

@@ -23,6 +23,7 @@ struct ChartCurve
     std::string name;
     std::vector<double> x;
     std::vector<double> y;
+    std::vector<std::string> mark = {}; // beside each point; none, or as many as points
 };
 
 // A picture in false colours; NaN is left white.
@@ -43,12 +44,14 @@ struct Chart
     bool is_scatter = false;
     std::vector<ChartCurve> curves;
     std::vector<ChartPicture> pictures;
+    bool is_logarithmic = false; // both axes
 };
 
 struct Reproduction
 {
     std::vector<ReproducedRow> rows;
     std::vector<Chart> charts;
+    std::string missing = {}; // why nothing was done
 };
 
 struct ReproduceSettings
@@ -69,6 +72,8 @@ Reproduction reproduce_exact(const ReproduceSettings &settings);
 Reproduction reproduce_layouts(const ReproduceSettings &settings);
 Reproduction reproduce_resolution(const ReproduceSettings &settings);
 Reproduction reproduce_multipath(const ReproduceSettings &settings);
+Reproduction reproduce_lens(const ReproduceSettings &settings);
+Reproduction reproduce_motion_compensation(const ReproduceSettings &settings);
 
 std::string text_of_number(double value, int digits);
 

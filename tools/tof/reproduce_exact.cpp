@@ -148,16 +148,23 @@ void reproduce_noise(const ReproduceSettings &settings, Reproduction &to)
     }
 }
 
-// Nair and others, Ground Truth for Evaluating Time of Flight Imaging, 2013, eq. 1, for a MESA SR 4000: pixels of 40 um behind 10 mm, by its maker. The chapter's figure
-// comes out with the corners of a board of 13 x 13, whose number it does not give.
+// Nair and others, Ground Truth for Evaluating Time of Flight Imaging, 2013, eq. 1, for a MESA SR 4000: pixels of 40 um behind
+// 10 mm, by its maker. The chapter names neither, and its figure comes of none of them: what would give it is said beside.
 void reproduce_checkerboard(Reproduction &to)
 {
-    const double one = cm_depth_error_checkerboard(1.0, 0.085, 0.01, 0.1 * 40e-6);
-    to.rows.push_back({"eq. 1 of 2013: error of a checkerboard's distance at 1 m by two corners",
-                       "0.73 mm",
-                       text_of_number(1e3 * one, 3) + " mm; " + text_of_number(1e3 * one / 13, 3) +
-                           " mm of 169 corners",
-                       std::abs(one - 0.73e-3) < 0.005e-3});
+    constexpr double apart = 0.085, focal_length = 0.01, pixel = 40e-6, found_within = 0.1;
+    constexpr double paper = 0.73e-3;
+    const double one = cm_depth_error_checkerboard(1.0, apart, focal_length, found_within * pixel);
+    // eq. 1, solved for the error on the chip
+    const double seen = apart * focal_length;
+    const double needed = paper * seen * seen / (2 * (apart * focal_length + paper * seen));
+    to.rows.push_back(
+        {"eq. 1 of 2013: error of a checkerboard's distance at 1 m by two corners", "0.73 mm",
+         text_of_number(1e3 * one, 3) + " mm; 0.73 mm is that of pixels of " +
+             text_of_number(1e6 * needed / found_within, 2) + " um, of corners found within " +
+             text_of_number(needed / pixel, 2) + " pixels, or of " +
+             text_of_number(std::pow(one / paper, 2), 3) + " corners",
+         std::abs(one - paper) < 0.005e-3});
 }
 
 } // namespace

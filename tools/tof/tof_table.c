@@ -12,7 +12,8 @@ static const cm_option simulate_options[] = {
      .name = "output",
      .kind = CM_OPTION_FILE,
      .argument = "DIR",
-     .help = "the folder to write, which is made if it is absent; files of the same names are replaced",
+     .help =
+         "the folder to write, which is made if it is absent; files of the same names are replaced",
      .more =
          "The files of a frame appear together, when all of them are complete; poses.txt appears "
          "with the last."},
@@ -156,10 +157,11 @@ const cm_command tof_reproduce_command = {
     .summary =
         "Does again what papers on time-of-flight cameras have measured, and says beside each "
         "figure what came out here and whether it holds. NAME is exact (what formulas say), "
-        "layouts and resolution (Lambers, Hoberg and Kolb 2015) or multipath (Bulczak, Lambers and "
-        "Kolb 2018); all without one. DIR gets NAME.json with all numbers, report.md, and charts "
-        "as "
-        "PNG and SVG where Python has matplotlib.",
+        "layouts and resolution (Lambers, Hoberg and Kolb 2015), multipath (Bulczak, Lambers and "
+        "Kolb 2018), lens (Lambers, Sommerhoff and Kolb 2018) or motion (Steiner and others 2019); "
+        "all without one. The last two need OpenCV. DIR gets NAME.json with all numbers, "
+        "report.md, "
+        "and charts as PNG and SVG where Python has matplotlib.",
     .groups = reproduce_groups,
     .group_count = 1,
     .notes = "Example:\n"

@@ -5,6 +5,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "image_gdal.h"
+#include "image_io_entry.h"
 #include "library_loader.h"
 
 #include <pthread.h>
@@ -14,9 +15,13 @@ static const cm_image_io *opened;
 
 const cm_image_io *cm_image_gdal_get(char *message)
 {
-    static const cm_library_place place = {"library for rasters of GDAL", "CUBEMAP_IMAGE_GDAL",
-                                           IMAGE_GDAL_FROM_BIN, IMAGE_GDAL_FROM_TOOLS,
-                                           IMAGE_GDAL_INSTALLED};
+    static const cm_library_place place = {"library for rasters of GDAL",
+                                           "CUBEMAP_IMAGE_GDAL",
+                                           IMAGE_GDAL_FROM_BIN,
+                                           IMAGE_GDAL_FROM_TOOLS,
+                                           IMAGE_GDAL_INSTALLED,
+                                           CM_IMAGE_IO_ENTRY,
+                                           {CM_IMAGE_IO_VERSION, sizeof(cm_image_io)}};
     pthread_mutex_lock(&lock);
     if (opened == NULL)
     {

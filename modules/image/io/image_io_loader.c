@@ -5,6 +5,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "image_io_entry.h"
 #include "library_loader.h"
 
 #include <pthread.h>
@@ -18,9 +19,13 @@ const cm_image_io *cm_image_io_get(char *message)
     pthread_mutex_lock(&lock);
     if (opened == NULL)
     {
-        static const cm_library_place place = {"library for image files", "CUBEMAP_IMAGE_IO",
-                                               IMAGE_IO_FROM_BIN, IMAGE_IO_FROM_TOOLS,
-                                               IMAGE_IO_INSTALLED};
+        static const cm_library_place place = {"library for image files",
+                                               "CUBEMAP_IMAGE_IO",
+                                               IMAGE_IO_FROM_BIN,
+                                               IMAGE_IO_FROM_TOOLS,
+                                               IMAGE_IO_INSTALLED,
+                                               CM_IMAGE_IO_ENTRY,
+                                               {CM_IMAGE_IO_VERSION, sizeof(cm_image_io)}};
         opened = cm_library_open(&place, message);
     }
     const cm_image_io *const table = opened;

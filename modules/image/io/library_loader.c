@@ -3,6 +3,8 @@
 
 #include "library_loader.h"
 
+#include "image_io.h"
+
 #include <dlfcn.h>
 #include <limits.h>
 #include <stdio.h>
@@ -24,8 +26,9 @@ static void clean(char *message)
     }
 }
 
-static const cm_image_io *open_library(const char *what, const char *path, char *message)
+static const void *open_library(const cm_library_place *place, const char *path, char *message)
 {
+    const char *const what = place->what;
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (library == NULL)
     {
@@ -42,15 +45,21 @@ static const cm_image_io *open_library(const char *what, const char *path, char 
         clean(message);
         return NULL;
     }
-    const cm_image_io *(*entry)(uint32_t) = NULL;
-    void *const symbol = dlsym(library, CM_IMAGE_IO_ENTRY);
+    const void *(*entry)(uint32_t) = NULL;
+    void *const symbol = dlsym(library, place->entry);
     memcpy(&entry, &symbol,
            sizeof entry); /* POSIX has objects and functions in pointers of one size */
-    const cm_image_io *table = symbol == NULL ? NULL : entry(CM_IMAGE_IO_VERSION);
-    if (table == NULL || table->version != CM_IMAGE_IO_VERSION || table->size < sizeof *table)
+    const void *const table = symbol == NULL ? NULL : entry(place->least.version);
+    cm_library_head head = {0, 0};
+    if (table != NULL)
     {
-        snprintf(message, CM_IMAGE_MESSAGE, "the %s, '%s', is %s", what, path,
-                 symbol == NULL ? "none: it has no " CM_IMAGE_IO_ENTRY : "of another version");
+        memcpy(&head, table, sizeof head);
+    }
+    if (head.version != place->least.version || head.size < place->least.size)
+    {
+        snprintf(message, CM_IMAGE_MESSAGE, "the %s, '%s', is %s%s", what, path,
+                 symbol == NULL ? "none: it has no " : "of another version",
+                 symbol == NULL ? place->entry : "");
         clean(message);
         dlclose(library);
         return NULL;
@@ -67,12 +76,12 @@ static void find_folder(char folder[PATH_MAX])
     folder[slash == NULL ? 0 : slash - folder + 1] = '\0';
 }
 
-const cm_image_io *cm_library_open(const cm_library_place *place, char *message)
+const void *cm_library_open(const cm_library_place *place, char *message)
 {
     const char *const named = getenv(place->variable);
     if (named != NULL && *named != '\0')
     {
-        return open_library(place->what, named, message);
+        return open_library(place, named, message);
     }
     char folder[PATH_MAX];
     find_folder(folder);
@@ -83,12 +92,12 @@ const cm_image_io *cm_library_open(const cm_library_place *place, char *message)
         const int length = snprintf(path, sizeof path, "%s%s", folder, places[i]);
         if (length > 0 && (size_t)length < sizeof path && access(path, F_OK) == 0)
         {
-            return open_library(place->what, path, message);
+            return open_library(place, path, message);
         }
     }
     if (access(place->installed, F_OK) == 0)
     {
-        return open_library(place->what, place->installed, message);
+        return open_library(place, place->installed, message);
     }
     snprintf(message, CM_IMAGE_MESSAGE,
              "there is no %s, neither '%s' nor from the program's folder '%s'; %s may name it",

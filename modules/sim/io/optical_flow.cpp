@@ -11,8 +11,6 @@
 namespace
 {
 
-const char *const method_names[CM_FLOW_METHODS] = {"dis", "farneback", "tvl1", "lk", "rlof"};
-
 // C may hand over any number, and C++ must not look at one as an enumeration that has it not.
 bool is_method(const cm_flow_method &method)
 {
@@ -34,11 +32,6 @@ bool is_side(cm_flow_method method, std::uint32_t side)
 }
 
 } // namespace
-
-const char *cm_flow_method_name(cm_flow_method method)
-{
-    return is_method(method) ? method_names[method] : nullptr;
-}
 
 #ifdef HAVE_OPENCV
 

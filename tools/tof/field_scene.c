@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "field_scene.h"
 
-#include "bench/harness/harness.h"
-
 #include <cubemap/random.h>
 #include <cubemap/world.h>
 
@@ -121,7 +119,7 @@ static double offset_of(int sample)
     return (sample + 0.5) / SAMPLES - 0.5;
 }
 
-static void draw_band(const field_scene *scene, uint32_t channel, double time, float *picture)
+static cm_status draw_band(const field_scene *scene, uint32_t channel, double time, float *picture)
 {
     for (size_t i = 0; i < FIELD_PIXELS; i++)
     {
@@ -135,6 +133,7 @@ static void draw_band(const field_scene *scene, uint32_t channel, double time, f
         }
         picture[i] = (float)(sum / (SAMPLES * SAMPLES));
     }
+    return CM_OK;
 }
 
 /* ---- phases ---- */
@@ -153,13 +152,13 @@ static void add(cm_scene *world, cm_primitive p)
     cm_scene_add(world, &p, NULL);
 }
 
-/* A box that goes to the right, or a star of cylinders, before a wall. */
+/* A box that goes to the right, or a star of cylinders, before a wall. NULL: there is no memory. */
 static cm_scene *world_at(const field_scene *scene, double time)
 {
     cm_scene *world = NULL;
     if (cm_scene_create(&world) != CM_OK)
     {
-        harness_end();
+        return NULL;
     }
     add(world,
         (cm_primitive){.kind = CM_PRIMITIVE_PLANE, .first = {0, 0, WALL}, .second = {0, 0, -1}});
@@ -207,7 +206,7 @@ static double phase_value(const field_scene *scene, uint32_t channel, double tim
     return electrons * (1.0 + CONTRAST * cos(tau + 4.0 * PI * FREQUENCY * range / LIGHT));
 }
 
-static void draw_phase(const field_scene *scene, uint32_t channel, double time, float *picture)
+static cm_status draw_phase(const field_scene *scene, uint32_t channel, double time, float *picture)
 {
     static double origin[ROW_SAMPLES], x[ROW_SAMPLES], y[ROW_SAMPLES], z[ROW_SAMPLES];
     static double distance[ROW_SAMPLES], normal[3][ROW_SAMPLES];
@@ -217,6 +216,10 @@ static void draw_phase(const field_scene *scene, uint32_t channel, double time, 
                                .id = id,
                                .normal = {normal[0], normal[1], normal[2]}};
     cm_scene *world = world_at(scene, time);
+    if (world == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
     for (size_t i = 0; i < FIELD_PIXELS; i++)
     {
         picture[i] = 0.0f;
@@ -242,11 +245,12 @@ static void draw_phase(const field_scene *scene, uint32_t channel, double time, 
         }
     }
     cm_scene_destroy(world);
+    return CM_OK;
 }
 
-void draw_channel(const field_scene *scene, uint32_t channel, double time, float *picture)
+cm_status draw_channel(const field_scene *scene, uint32_t channel, double time, float *picture)
 {
-    (scene->is_tof ? draw_phase : draw_band)(scene, channel, time, picture);
+    return (scene->is_tof ? draw_phase : draw_band)(scene, channel, time, picture);
 }
 
 /* ---- true flows ---- */
@@ -285,9 +289,13 @@ static void follow(const field_scene *scene, double steps, double x, double y, d
     to[1] = sin(angle) * x + cos(angle) * y;
 }
 
-void draw_flow(const field_scene *scene, double from, double to, float *flow)
+cm_status draw_flow(const field_scene *scene, double from, double to, float *flow)
 {
     cm_scene *world = scene->is_tof ? world_at(scene, from) : NULL;
+    if (scene->is_tof && world == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
     for (size_t row = 0; row < FIELD_HEIGHT; row++)
     {
         uint8_t is_thing[FIELD_WIDTH];
@@ -303,6 +311,7 @@ void draw_flow(const field_scene *scene, double from, double to, float *flow)
         }
     }
     cm_scene_destroy(world);
+    return CM_OK;
 }
 
 /* ---- noise ---- */

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "field_method.h"
 
-#include "bench/harness/harness.h"
-
 #include <stdio.h>
 #include <string.h>
 
@@ -19,46 +17,25 @@ const char *field_change_name(field_change change)
     return names[change];
 }
 
-/* flow: words with commas between them, or NULL for all. */
-static int is_asked(const char *flow, const char *name)
-{
-    const size_t length = strlen(name);
-    for (const char *at = flow; at != NULL && *at != '\0';)
-    {
-        const size_t word = strcspn(at, ",");
-        if (word == length && strncmp(at, name, length) == 0)
-        {
-            return 1;
-        }
-        at += word + (at[word] == ',');
-    }
-    return flow == NULL;
-}
-
-size_t field_methods(const char *flow, const field_method **methods)
+size_t field_methods(const int is_asked[CM_FLOW_METHODS], const field_method **methods)
 {
     static field_method made[METHODS_MOST];
     size_t count = 0;
     made[count++] = (field_method){.kind = KIND_UNCOMPENSATED};
     made[count++] = (field_method){.kind = KIND_PIXELWISE};
-    for (int scheme = CM_CCM_B; scheme <= CM_NCM_NEAREST && is_asked(flow, "true"); scheme++)
+    for (int scheme = CM_CCM_B; scheme <= CM_NCM_NEAREST; scheme++)
     {
         made[count++] = (field_method){.kind = KIND_TRUTH, .scheme = (cm_compensation)scheme};
     }
-    for (int f = 0; f < CM_FLOW_METHODS; f++)
+    for (int flow = 0; flow < CM_FLOW_METHODS; flow++)
     {
-        const cm_flow_method by = (cm_flow_method)f;
-        if (!is_asked(flow, cm_flow_method_name(by)))
-        {
-            continue;
-        }
-        for (int scheme = CM_CCM_B; scheme <= CM_NCM_NEAREST; scheme++)
+        for (int scheme = CM_CCM_B; scheme <= CM_NCM_NEAREST && is_asked[flow]; scheme++)
         {
             const int changes = scheme < CM_NCM ? 1 : CHANGES;
             for (int change = 0; change < changes; change++)
             {
-                made[count++] =
-                    (field_method){KIND_FLOW, (cm_compensation)scheme, (field_change)change, by};
+                made[count++] = (field_method){KIND_FLOW, (cm_compensation)scheme,
+                                               (field_change)change, (cm_flow_method)flow};
             }
         }
     }
@@ -84,22 +61,13 @@ void name_method(const field_method *method, char *text, size_t size)
     snprintf(text, size, "%s", method->kind == KIND_PIXELWISE ? "PAC" : "uncompensated");
 }
 
-static void expect(cm_status status, const char *what)
-{
-    if (status != CM_OK)
-    {
-        fprintf(harness_err(), "%s: %s: %s\n", program_name(), what, cm_status_text(status));
-        harness_end();
-    }
-}
-
 /* ---- before flows ---- */
 
 /* How many of the 8 neighbours are less: Zabih and Woodfill's rank. */
-static void take_census(const float *picture, float *to)
+static cm_status take_census(const float *picture, float *to)
 {
     static uint8_t census[FIELD_PIXELS];
-    expect(cm_channel_census(FIELD_WIDTH, FIELD_HEIGHT, picture, census), "census");
+    const cm_status status = cm_channel_census(FIELD_WIDTH, FIELD_HEIGHT, picture, census);
     for (size_t i = 0; i < FIELD_PIXELS; i++)
     {
         unsigned count = 0;
@@ -109,9 +77,10 @@ static void take_census(const float *picture, float *to)
         }
         to[i] = (float)count;
     }
+    return status;
 }
 
-static void change_picture(field_change change, const float *picture, float *to)
+static cm_status change_picture(field_change change, const float *picture, float *to)
 {
     const uint32_t w = FIELD_WIDTH, h = FIELD_HEIGHT;
     cm_status status = CM_OK;
@@ -141,10 +110,10 @@ static void change_picture(field_change change, const float *picture, float *to)
         }
         break;
     case CHANGE_CENSUS:
-        take_census(picture, to);
+        status = take_census(picture, to);
         break;
     }
-    expect(status, field_change_name(change));
+    return status;
 }
 
 /* ---- flows ---- */
@@ -154,6 +123,7 @@ typedef struct changed_pictures
 {
     const float *picture[2]; /* now, before */
     int is_changed[2][FIELD_CHANNELS];
+    cm_status status; /* of the changes */
 } changed_pictures;
 
 static const float *changed_picture(changed_pictures *c, field_change change, int frame,
@@ -163,7 +133,9 @@ static const float *changed_picture(changed_pictures *c, field_change change, in
     float *to = changed[-frame][channel];
     if (!c->is_changed[-frame][channel])
     {
-        change_picture(change, c->picture[-frame] + channel * FIELD_PIXELS, to);
+        const cm_status status =
+            change_picture(change, c->picture[-frame] + channel * FIELD_PIXELS, to);
+        c->status = c->status == CM_OK ? status : c->status;
         c->is_changed[-frame][channel] = 1;
     }
     return to;
@@ -174,31 +146,37 @@ static double time_of(int frame, uint32_t channel)
     return (double)frame * FIELD_CHANNELS + channel;
 }
 
-static void find_flows(const field_method *method, const field_scene *scene, double begin,
-                       changed_pictures *pictures, float *flow)
+static cm_status find_flow(const cm_vision *vision, const field_method *method,
+                           const cm_flow_pair *p, changed_pictures *pictures, float *to,
+                           char *message)
+{
+    const float *const from_picture =
+        changed_picture(pictures, method->change, p->from_frame, p->from_channel);
+    const float *const to_picture =
+        changed_picture(pictures, method->change, p->to_frame, p->to_channel);
+    return pictures->status != CM_OK ? pictures->status
+                                     : vision->find_flow(method->flow, FIELD_WIDTH, FIELD_HEIGHT,
+                                                         from_picture, to_picture, to, message);
+}
+
+static cm_status find_flows(const cm_vision *vision, const field_method *method,
+                            const field_scene *scene, double begin, changed_pictures *pictures,
+                            float *flow, char *message)
 {
     cm_flow_pair pair[FLOWS_MOST];
     size_t count = 0;
-    expect(cm_compensation_flows(method->scheme, FIELD_CHANNELS, FLOWS_MOST, pair, &count),
-           "flows");
-    for (size_t i = 0; i < count; i++)
+    cm_status status =
+        cm_compensation_flows(method->scheme, FIELD_CHANNELS, FLOWS_MOST, pair, &count);
+    for (size_t i = 0; i < count && status == CM_OK; i++)
     {
         const cm_flow_pair *p = &pair[i];
         float *to = flow + 2 * i * FIELD_PIXELS;
-        if (method->kind == KIND_TRUTH)
-        {
-            draw_flow(scene, begin + time_of(p->from_frame, p->from_channel),
-                      begin + time_of(p->to_frame, p->to_channel), to);
-            continue;
-        }
-        char message[CM_FLOW_MESSAGE] = "";
-        expect(
-            cm_flow_find(method->flow, FIELD_WIDTH, FIELD_HEIGHT,
-                         changed_picture(pictures, method->change, p->from_frame, p->from_channel),
-                         changed_picture(pictures, method->change, p->to_frame, p->to_channel), to,
-                         message),
-            message);
+        status = method->kind == KIND_TRUTH
+                     ? draw_flow(scene, begin + time_of(p->from_frame, p->from_channel),
+                                 begin + time_of(p->to_frame, p->to_channel), to)
+                     : find_flow(vision, method, p, pictures, to, message);
     }
+    return status;
 }
 
 /* A tenth of the first channel's range: more than noise, less than what comes from another surface. */
@@ -213,8 +191,9 @@ static double pixelwise_threshold(const float *now)
     return 0.1 * (double)(most - least);
 }
 
-void run_method(const field_method *method, const field_scene *scene, double begin,
-                const float *before, const float *now, float *corrected)
+cm_status run_method(const cm_vision *vision, const field_method *method, const field_scene *scene,
+                     double begin, const float *before, const float *now, float *corrected,
+                     char *message)
 {
     static float flow[2 * FLOWS_MOST * FIELD_PIXELS];
     const cm_compensation_input input = {.size = sizeof input,
@@ -225,18 +204,20 @@ void run_method(const field_method *method, const field_scene *scene, double beg
                                          .before = before,
                                          .flow = flow};
     changed_pictures pictures = {.picture = {now, before}};
+    cm_status status = CM_OK;
     switch (method->kind)
     {
     case KIND_UNCOMPENSATED:
         memcpy(corrected, now, FIELD_CHANNELS * FIELD_PIXELS * sizeof *now);
         break;
     case KIND_PIXELWISE:
-        expect(cm_compensate_pixelwise(&input, pixelwise_threshold(now), corrected, NULL), "PAC");
+        status = cm_compensate_pixelwise(&input, pixelwise_threshold(now), corrected, NULL);
         break;
     case KIND_TRUTH:
     case KIND_FLOW:
-        find_flows(method, scene, begin, &pictures, flow);
-        expect(cm_compensate(&input, method->scheme, NULL, corrected), "compensation");
+        status = find_flows(vision, method, scene, begin, &pictures, flow, message);
+        status = status == CM_OK ? cm_compensate(&input, method->scheme, NULL, corrected) : status;
         break;
     }
+    return status;
 }

@@ -4,11 +4,17 @@
  * wavebands, drawn, or of a time-of-flight camera's phases, cast by rays. Something textured goes sideways at a constant
  * speed, or a star turns, before a textured wall.
  */
-#ifndef BENCH_SIM_FIELD_SCENE_H
-#define BENCH_SIM_FIELD_SCENE_H
+#ifndef CUBEMAP_TOOLS_TOF_FIELD_SCENE_H
+#define CUBEMAP_TOOLS_TOF_FIELD_SCENE_H
 
 #include <stddef.h>
 #include <stdint.h>
+
+#include <cubemap/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 enum
 {
@@ -29,13 +35,17 @@ typedef struct field_scene
 size_t field_scene_count(void);
 const field_scene *field_scene_at(size_t index);
 
-/* The picture that a channel has at a time in steps from channel to channel, without noise. */
-void draw_channel(const field_scene *scene, uint32_t channel, double time, float *picture);
+/* The picture that a channel has at a time in steps from channel to channel, without noise. Not in several threads at a time. */
+cm_status draw_channel(const field_scene *scene, uint32_t channel, double time, float *picture);
 
 /* Where what is seen at one time is at another: columns, rows of each pixel of the first. */
-void draw_flow(const field_scene *scene, double from, double to, float *flow);
+cm_status draw_flow(const field_scene *scene, double from, double to, float *flow);
 
 /* With it: counts of electrons, or normal noise of 1; `shot` counts pictures, so that no two have the same. */
 void add_noise(const field_scene *scene, uint32_t shot, float *picture);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
