@@ -41,7 +41,7 @@ def _healpix(nside, nest):
 
 
 # Methods of Healpix by nside and order, bound: for single points, of which looking up took most of the time.
-_from_angles, _to_angles, _from_direction, _to_direction = {}, {}, {}, {}
+_from_angles, _to_angles, _from_direction, _to_direction, _to_nested = {}, {}, {}, {}, {}
 
 
 def _bind(table, method, nside, nest):
@@ -164,9 +164,10 @@ def nest2ring(nside: ArrayLike, ipix: ArrayLike) -> Any:
 
 def ring2nest(nside: ArrayLike, ipix: ArrayLike) -> Any:
     """From the order RING to NESTED."""
-    if not (isnsideok(nside, True) if type(nside) is int else np.all(isnsideok(nside, True))):
-        raise ValueError(f"{nside} is not a valid nside parameter (must be a power of 2, less than 2**30)")
-    return _each(nside, False, "nested_from_ring", ipix)
+    if type(nside) is int:
+        bound = _to_nested.get((nside, False)) or _bind(_to_nested, "nested_from_ring", _checked_nside(nside, True), False)
+        return bound(ipix)
+    return _each(_checked_nside(nside, True), False, "nested_from_ring", ipix)
 
 
 def get_all_neighbours(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike | None = None, nest: bool = False,
