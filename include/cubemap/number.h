@@ -24,8 +24,9 @@ extern "C" {
 #define CM_NUMBER_DIGITS 17
 
 /* Read the number that text begins with, of length bytes; no zero byte is needed. Returns how many bytes it has, and 0 if
- * none begins there: then *value is untouched. What follows DIGITS e and is no exponent does not belong to it. The value is the nearest double, ties to even, whatever
- * the number of digits; beyond the range of double it is an infinity, or zero. Its sign is kept with zero, too. */
+ * none begins there: then *value is untouched. Of length 0 text may be NULL. What follows DIGITS e and is no exponent does not
+ * belong to it. The value is the nearest double, ties to even, whatever the number of digits; beyond the range of double it is
+ * an infinity, or zero. Its sign is kept with zero, too. */
 CM_API size_t cm_number_read(const char *text, size_t length, double *value);
 
 /* The same of a number that is all of the text: 1 if it is, else 0, and *value is untouched. */

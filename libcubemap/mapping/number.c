@@ -369,6 +369,10 @@ static double decimal_value(const decimal *number, const char *end)
 
 size_t cm_number_read(const char *text, size_t length, double *value)
 {
+    if (length == 0) /* then text may be NULL */
+    {
+        return 0;
+    }
     decimal number = {0, 0, 0, true, NULL};
     const char *const end = text + length;
     const char *at = text;

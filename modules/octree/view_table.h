@@ -16,9 +16,9 @@
  * that walls are thin, and so many edges, for walls on the border of two voxels. What is in front of its part and edges is a miss.
  * Chosen by bench/octree: visible voxels that are occupied, crossed ones that are free, who is nearer where OctoMap disagrees. */
 #define CM_HIT_ASIDE 0.6
-#define CM_HIT_MORE 0.02
+#define CM_HIT_MORE 0.05
 #define CM_FRONT_ASIDE 0.75
-#define CM_FRONT_MORE 0.05
+#define CM_FRONT_MORE 0.08
 
 /* Pixels beside a break are no farther from it. */
 #define CM_BREAK_RADIUS 8

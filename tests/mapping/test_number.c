@@ -82,6 +82,7 @@ START_TEST(ends)
     ck_assert_double_eq(value, 123.0);
     ck_assert_uint_eq(cm_number_read("1e5", 2, &value), 1);
     ck_assert_uint_eq(cm_number_read("1", 0, &value), 0);
+    ck_assert_uint_eq(cm_number_read(NULL, 0, &value), 0);
     char *exact = malloc(4);
     memcpy(exact, "1e+5", 4);
     ck_assert_uint_eq(cm_number_read(exact, 4, &value), 4);
