@@ -65,8 +65,8 @@ static const char *take_exponent(const char *text, const char *end, decimal *num
         return text;
     }
     at++;
-    const bool negative = at < end && *at == '-';
-    at += at < end && (*at == '-' || *at == '+');
+    const bool negative = *at == '-';
+    at += *at == '-' || *at == '+';
     if (at == end || !is_digit(*at))
     {
         return text;
@@ -376,8 +376,8 @@ size_t cm_number_read(const char *text, size_t length, double *value)
     decimal number = {0, 0, 0, true, NULL};
     const char *const end = text + length;
     const char *at = text;
-    const bool negative = at < end && *at == '-';
-    at += at < end && (*at == '-' || *at == '+');
+    const bool negative = *at == '-';
+    at += *at == '-' || *at == '+';
     const char *const whole = at;
     at = take_digits(at, end, 0, &number);
     ptrdiff_t count = at - whole;
