@@ -38,7 +38,7 @@ FieldFrame draw_frame(const field_scene &scene)
     {
         const std::size_t at = std::size_t{channel} * FIELD_PIXELS;
         const double step = channel;
-        need(draw_channel(&scene, channel, step - FIELD_CHANNELS, made.before.data() + at));
+        need(draw_channel(&scene, channel, step - double{FIELD_CHANNELS}, made.before.data() + at));
         need(draw_channel(&scene, channel, step, made.now.data() + at));
         need(draw_channel(&scene, channel, 0, made.truth.data() + at));
         add_noise(&scene, channel, made.now.data() + at);
@@ -56,7 +56,7 @@ double interpolation_error(const std::vector<float> &found, const std::vector<fl
         const double off = static_cast<double>(found[i]) - static_cast<double>(truth[i]);
         squares += off * off;
     }
-    return std::sqrt(squares / FIELD_PIXELS);
+    return std::sqrt(squares / double{FIELD_PIXELS});
 }
 
 // Errors are parts of the uncompensated picture's, means over scenes.
