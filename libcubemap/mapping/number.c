@@ -65,8 +65,8 @@ static const char *take_exponent(const char *text, const char *end, decimal *num
         return text;
     }
     at++;
-    const bool negative = *at == '-';
-    at += *at == '-' || *at == '+';
+    const bool negative = at < end && *at == '-';
+    at += at < end && (*at == '-' || *at == '+');
     if (at == end || !is_digit(*at))
     {
         return text;

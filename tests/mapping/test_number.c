@@ -88,6 +88,12 @@ START_TEST(ends)
     ck_assert_uint_eq(cm_number_read(exact, 4, &value), 4);
     ck_assert_double_eq(value, 1e5);
     free(exact);
+    /* what would be a sign stands beyond the end */
+    exact = malloc(2);
+    memcpy(exact, "1e", 2);
+    ck_assert_uint_eq(cm_number_read(exact, 2, &value), 1);
+    ck_assert_double_eq(value, 1.0);
+    free(exact);
 }
 END_TEST
 
