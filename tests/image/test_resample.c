@@ -26,7 +26,8 @@ START_TEST(quality)
     {
         pictures from = make_pictures(pairs[pair][0], NULL, CM_PIXEL_FLOAT, 3, 0);
         draw_scene(&from);
-        for (size_t i = 0; i < FILTER_COUNT; i++)
+        /* each pair with some filters and each filter with some pair, where all would be slow */
+        for (size_t i = is_quick() ? pair % 2 : 0; i < FILTER_COUNT; i += step_of(2))
         {
             pictures to = make_pictures(pairs[pair][1], NULL, CM_PIXEL_FLOAT, 3, 77);
             const cm_plan_options options = options_of(filters[i]);
