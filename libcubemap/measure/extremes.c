@@ -155,11 +155,10 @@ static void search_piece(const cm_quadrature *quadrature, int piece, cm_statisti
     }
 }
 
-/* Faces meet at a corner of the cube in 270 degrees, on the sphere in 360: a mapping that keeps angles there
- * grows as a power of the distance. From a distance of 2^-20 to 2^-27 and on to 2^-34 the factor is the
- * same; where there is a limit it is near 1. */
-static void extend_to_corner(const cm_quadrature *quadrature, uint8_t face, double u, double v,
-                             cm_statistics *s)
+/* Where a quantity has no limit it grows as a power of the distance. From a distance of 2^-20 to 2^-27 and on to 2^-34 the
+ * factor is the same then; where there is a limit it is near 1. to is on the face's border, u and v across the way there. */
+static void extend_to(const cm_quadrature *quadrature, uint8_t face, const double to[2],
+                      const double across[2], cm_statistics *s)
 {
     cm_piece_points points;
     points.count = 3;
@@ -167,8 +166,8 @@ static void extend_to_corner(const cm_quadrature *quadrature, uint8_t face, doub
     {
         double distance = ldexp(1.0, -20 - 7 * i);
         points.face[i] = face;
-        points.u[i] = u - u * distance;
-        points.v[i] = v - v * (1.5 * distance); /* the diagonal may be a crease */
+        points.u[i] = to[0] - distance * across[0];
+        points.v[i] = to[1] - distance * across[1];
     }
     cm_quadrature_evaluate(quadrature, &points);
     s->evaluations += points.count;
@@ -176,17 +175,25 @@ static void extend_to_corner(const cm_quadrature *quadrature, uint8_t face, doub
     double second = points.value[2] / points.value[1];
     if (fabs(first - 1.0) > 0.5 && fabs(second - first) < 1e-3 * first)
     {
-        cm_quadrature_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, face, u, v);
+        cm_quadrature_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, face, to[0], to[1]);
     }
 }
 
-static void extend_to_corners(const cm_quadrature *quadrature, cm_statistics *s)
+/* Faces meet at a corner of the cube in 270 degrees, on the sphere in 360: a mapping that keeps angles there has no limit.
+ * Nor has one that stands still along its edges, as smoothstep:c=1, there. */
+static void extend_to_border(const cm_quadrature *quadrature, cm_statistics *s)
 {
+    static const double beside = 0.3125; /* no middle, no diagonal: those may be creases */
     for (uint8_t face = 0; face < 6; face++)
     {
-        for (int corner = 0; corner < 4 && cm_quadrature_has(quadrature, 8 * face); corner++)
+        for (int side = 0; side < 4 && cm_quadrature_has(quadrature, 8 * face); side++)
         {
-            extend_to_corner(quadrature, face, corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, s);
+            double u = side & 1 ? 1.0 : -1.0;
+            double v = side & 2 ? 1.0 : -1.0;
+            extend_to(quadrature, face, (double[]){u, v}, (double[]){u, 1.5 * v}, s);
+            int is_u = side & 2; /* the edge u = 1 or -1, or that of v */
+            double to[2] = {is_u ? u : beside, is_u ? beside : u};
+            extend_to(quadrature, face, to, (double[]){is_u ? u : 0.0, is_u ? 0.0 : u}, s);
         }
     }
 }
@@ -200,5 +207,5 @@ void cm_quadrature_search(const cm_quadrature *quadrature, cm_statistics *statis
             search_piece(quadrature, piece, statistics);
         }
     }
-    extend_to_corners(quadrature, statistics);
+    extend_to_border(quadrature, statistics);
 }
