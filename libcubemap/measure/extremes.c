@@ -155,45 +155,59 @@ static void search_piece(const cm_quadrature *quadrature, int piece, cm_statisti
     }
 }
 
-/* Where a quantity has no limit it grows as a power of the distance. From a distance of 2^-20 to 2^-27 and on to 2^-34 the
- * factor is the same then; where there is a limit it is near 1. to is on the face's border, u and v across the way there. */
-static void extend_to(const cm_quadrature *quadrature, uint8_t face, const double to[2],
-                      const double across[2], cm_statistics *s)
+/* A way to a point of a face's border, straight from inside. */
+typedef struct approach
+{
+    uint8_t face;
+    double to[2];
+    double across[2];
+} approach;
+
+/* Where a quantity has no limit it grows as a power of the distance: from one of 2^-nearer to 2^-(nearer + 7) and on as far
+ * again the factor is the same then; where there is a limit it is near 1. */
+static void extend_to(const cm_quadrature *quadrature, const approach *way, int nearer,
+                      int needs_no_end, cm_statistics *s)
 {
     cm_piece_points points;
-    points.count = 3;
-    for (int i = 0; i < 3; i++)
+    points.count = 4;
+    for (int i = 0; i < 4; i++)
     {
-        double distance = ldexp(1.0, -20 - 7 * i);
-        points.face[i] = face;
-        points.u[i] = to[0] - distance * across[0];
-        points.v[i] = to[1] - distance * across[1];
+        double distance = i < 3 ? ldexp(1.0, -nearer - 7 * i) : 0.0;
+        points.face[i] = way->face;
+        points.u[i] = way->to[0] - distance * way->across[0];
+        points.v[i] = way->to[1] - distance * way->across[1];
     }
     cm_quadrature_evaluate(quadrature, &points);
     s->evaluations += points.count;
     double first = points.value[1] / points.value[0];
     double second = points.value[2] / points.value[1];
-    if (fabs(first - 1.0) > 0.5 && fabs(second - first) < 1e-3 * first)
+    int has_end = isfinite(points.value[3]) && points.value[3] != 0.0;
+    if (fabs(first - 1.0) > 0.5 && fabs(second - first) < 1e-3 * first &&
+        !(needs_no_end && has_end))
     {
-        cm_quadrature_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, face, to[0], to[1]);
+        cm_quadrature_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, way->face, way->to[0],
+                              way->to[1]);
     }
 }
 
-/* Faces meet at a corner of the cube in 270 degrees, on the sphere in 360: a mapping that keeps angles there has no limit.
- * Nor has one that stands still along its edges, as smoothstep:c=1, there. */
+/* Faces meet at a corner of the cube in 270 degrees, on the sphere in 360: a mapping that keeps angles there has no limit,
+ * whatever rounding makes of the corner itself. Nor has one that stands still on its edges, as smoothstep:c=1; one that
+ * nearly does, has, and is told from it by what is there. */
 static void extend_to_border(const cm_quadrature *quadrature, cm_statistics *s)
 {
     static const double beside = 0.3125; /* no middle, no diagonal: those may be creases */
     for (uint8_t face = 0; face < 6; face++)
     {
-        for (int side = 0; side < 4 && cm_quadrature_has(quadrature, 8 * face); side++)
+        for (int k = 0; k < 4 && cm_quadrature_has(quadrature, 8 * face); k++)
         {
-            double u = side & 1 ? 1.0 : -1.0;
-            double v = side & 2 ? 1.0 : -1.0;
-            extend_to(quadrature, face, (double[]){u, v}, (double[]){u, 1.5 * v}, s);
-            int is_u = side & 2; /* the edge u = 1 or -1, or that of v */
-            double to[2] = {is_u ? u : beside, is_u ? beside : u};
-            extend_to(quadrature, face, to, (double[]){is_u ? u : 0.0, is_u ? 0.0 : u}, s);
+            double one = k & 1 ? 1.0 : -1.0;
+            double other = k & 2 ? 1.0 : -1.0;
+            approach corner = {face, {one, other}, {one, 1.5 * other}};
+            approach edge = k & 2 ? (approach){face, {one, beside}, {one, 0.0}}
+                                  : (approach){face, {beside, one}, {0.0, one}};
+            extend_to(quadrature, &corner, 20, 0, s);
+            extend_to(quadrature, &corner, 24, 1, s);
+            extend_to(quadrature, &edge, 24, 1, s);
         }
     }
 }
