@@ -155,38 +155,59 @@ static void search_piece(const cm_quadrature *quadrature, int piece, cm_statisti
     }
 }
 
-/* Faces meet at a corner of the cube in 270 degrees, on the sphere in 360: a mapping that keeps angles there
- * grows as a power of the distance. From a distance of 2^-20 to 2^-27 and on to 2^-34 the factor is the
- * same; where there is a limit it is near 1. */
-static void extend_to_corner(const cm_quadrature *quadrature, uint8_t face, double u, double v,
-                             cm_statistics *s)
+/* A way to a point of a face's border, straight from inside. */
+typedef struct approach
+{
+    uint8_t face;
+    double to[2];
+    double across[2];
+} approach;
+
+/* Where a quantity has no limit it grows as a power of the distance: from one of 2^-nearer to 2^-(nearer + 7) and on as far
+ * again the factor is the same then; where there is a limit it is near 1. */
+static void extend_to(const cm_quadrature *quadrature, const approach *way, int nearer,
+                      int needs_no_end, cm_statistics *s)
 {
     cm_piece_points points;
-    points.count = 3;
-    for (int i = 0; i < 3; i++)
+    points.count = 4;
+    for (int i = 0; i < 4; i++)
     {
-        double distance = ldexp(1.0, -20 - 7 * i);
-        points.face[i] = face;
-        points.u[i] = u - u * distance;
-        points.v[i] = v - v * (1.5 * distance); /* the diagonal may be a crease */
+        double distance = i < 3 ? ldexp(1.0, -nearer - 7 * i) : 0.0;
+        points.face[i] = way->face;
+        points.u[i] = way->to[0] - distance * way->across[0];
+        points.v[i] = way->to[1] - distance * way->across[1];
     }
     cm_quadrature_evaluate(quadrature, &points);
     s->evaluations += points.count;
     double first = points.value[1] / points.value[0];
     double second = points.value[2] / points.value[1];
-    if (fabs(first - 1.0) > 0.5 && fabs(second - first) < 1e-3 * first)
+    int has_end = isfinite(points.value[3]) && points.value[3] != 0.0;
+    if (fabs(first - 1.0) > 0.5 && fabs(second - first) < 1e-3 * first &&
+        !(needs_no_end && has_end))
     {
-        cm_quadrature_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, face, u, v);
+        cm_quadrature_extreme(s, first > 1.0 ? (double)INFINITY : 0.0, way->face, way->to[0],
+                              way->to[1]);
     }
 }
 
-static void extend_to_corners(const cm_quadrature *quadrature, cm_statistics *s)
+/* Faces meet at a corner of the cube in 270 degrees, on the sphere in 360: a mapping that keeps angles there has no limit,
+ * whatever rounding makes of the corner itself. Nor has one that stands still on its edges, as smoothstep:c=1; one that
+ * nearly does, has, and is told from it by what is there. */
+static void extend_to_border(const cm_quadrature *quadrature, cm_statistics *s)
 {
+    static const double beside = 0.3125; /* no middle, no diagonal: those may be creases */
     for (uint8_t face = 0; face < 6; face++)
     {
-        for (int corner = 0; corner < 4 && cm_quadrature_has(quadrature, 8 * face); corner++)
+        for (int k = 0; k < 4 && cm_quadrature_has(quadrature, 8 * face); k++)
         {
-            extend_to_corner(quadrature, face, corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, s);
+            double one = k & 1 ? 1.0 : -1.0;
+            double other = k & 2 ? 1.0 : -1.0;
+            approach corner = {face, {one, other}, {one, 1.5 * other}};
+            approach edge = k & 2 ? (approach){face, {one, beside}, {one, 0.0}}
+                                  : (approach){face, {beside, one}, {0.0, one}};
+            extend_to(quadrature, &corner, 20, 0, s);
+            extend_to(quadrature, &corner, 24, 1, s);
+            extend_to(quadrature, &edge, 24, 1, s);
         }
     }
 }
@@ -200,5 +221,5 @@ void cm_quadrature_search(const cm_quadrature *quadrature, cm_statistics *statis
             search_piece(quadrature, piece, statistics);
         }
     }
-    extend_to_corners(quadrature, statistics);
+    extend_to_border(quadrature, statistics);
 }

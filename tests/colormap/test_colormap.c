@@ -149,7 +149,7 @@ START_TEST(catalogue)
             ck_assert(strlen(p->name) > 0 && strlen(p->meaning) > 0);
             ck_assert(p->low < p->high);
             ck_assert(p->stops != NULL || (p->standard >= p->low && p->standard <= p->high));
-            ck_assert_int_eq(isnan(p->standard), p->stops != NULL);
+            ck_assert_int_eq(isnan(p->standard) != 0, p->stops != NULL);
         }
     }
 }

@@ -242,7 +242,7 @@ START_TEST(test_writing_without_heading)
         ck_assert_int_eq(strstr(text, "PoseRollDegrees") != NULL, cases[i].has_pose);
         ck_assert_ptr_null(strstr(text, "nan"));
         const cm_panorama again = read_good(text);
-        ck_assert(isnan(again.heading) == !cases[i].has_heading);
+        ck_assert((isnan(again.heading) != 0) == !cases[i].has_heading);
         ck_assert(!cases[i].has_heading || again.heading == cases[i].heading);
         ck_assert_double_eq(again.pitch, cases[i].pitch);
         ck_assert_double_eq(again.roll, cases[i].roll);

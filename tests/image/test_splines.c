@@ -316,7 +316,8 @@ START_TEST(what_is_no_number_stays_where_it_is)
             const double y = ((double)(k / SHOWN) + 0.5) * HOLED / SHOWN;
             const double away = fmax(pixels_away(x, at[0], at[2]), pixels_away(y, at[1], at[3]));
             const double change = fabs((double)holed[k] - (double)whole[k]);
-            ck_assert_msg(isnan(change) == (away < 3.0), "%zu: %g at %g, %g", i, change, x, y);
+            ck_assert_msg((isnan(change) != 0) == (away < 3.0), "%zu: %g at %g, %g", i, change, x,
+                          y);
             ck_assert_msg(isnan(change) ||
                               change < (at[2] > 1 ? 0.05 : 0.01) * pow(0.5, away - 3.0),
                           "%zu: %g at %g, %g", i, change, x, y);

@@ -314,7 +314,7 @@ def check_wrong_usage(program, folder):
                   ["advise", "--edge", "torn"], ["advise", "--max-area-rmse", "-1"],
                   ["advise", "--resolution", "30"], ["advise", "--resolution", "-1deg"],
                   ["advise", "--resolution", "arcsec"], ["advise", "--resolution", "nandeg"],
-                  ["advise", "--resolution", "181deg"], ["advise", "--source", "0"],
+                  ["advise", "--resolution", "181deg"], ["advise", "--source", "0"], ["advise", "--source", "1"],
                   ["advise", "--ellipsoid", "WGS48"], ["advise", "--form", "both"],
                   ["advise", "--form", "single", "--precision", "fast"],
                   ["no_such_*"], ["--precision", "half"], ["--tolerance", "1"], ["tangent:c=-1"],

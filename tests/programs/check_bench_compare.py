@@ -118,15 +118,21 @@ def check_gate(bench, results):
     level, slower = [10.0, 10.1, 10.2, 10.3, 10.4, 10.5], [11.0, 11.1, 11.2, 11.3, 11.4, 11.5] # by 9.76 %
     old, new = with_samples(results, level), with_samples(results, level, slower, level)
     for words, status in (([], 0), (["--gate", "9.7"], 1), (["--gate", "9.8"], 0), (["--gate", "0"], 1),
-                          (["--gate", "5", "--alpha", "0.001"], 0)):
+                          (["--gate", "5", "--alpha", "0.003"], 1)):
         done = bench.compare(old, new, *words)
         check(done.returncode == status and done.stderr.count("\n") == status, words, done)
         check(status == 0 or "by 9.76 %" in done.stderr and "1 of" in done.stderr, done)
         check(len(rows_of(done.stdout)) > 3, done)
     # faster is not past the gate, nor is what differs by chance
     check(bench.compare(new, old, "--gate", "0").returncode == 0, "faster")
-    check(bench.compare(with_samples(results, [10.0, 12.0, 14.0]), with_samples(results, [11.0, 13.0, 15.0]), "--gate",
-                        "0").returncode == 0, "by chance")
+    check(bench.compare(with_samples(results, [10.0, 12.0, 14.0, 16.0]), with_samples(results, [11.0, 13.0, 15.0, 17.0]),
+                        "--gate", "0").returncode == 0, "by chance")
+    # a gate that nothing could be past is no gate; without one there is a table
+    for some, words in (([10.0, 12.0, 14.0], []), (level, ["--alpha", "0.001"])):
+        few, slow = with_samples(results, some), with_samples(results, [100.0 * ns for ns in some])
+        done = bench.compare(few, slow, "--gate", "0", *words)
+        check(done.returncode == 1 and done.stderr.count("\n") == 1 and "too few samples" in done.stderr, words, done)
+        check(bench.compare(few, slow, *words).returncode == 0, words)
 
 
 def check_ways(bench, results):
@@ -169,7 +175,7 @@ def check_files(bench, results):
     for path in (["program"], ["format"], ["date"], ["commit"], ["version"], ["machine"], ["machine", "cpu"],
                  ["settings"], ["settings", "points"], ["mappings"], ["mappings", 0, "specification"],
                  ["mappings", 0, "speed"], ["mappings", 1, "speed", 2, "precision"], ["mappings", 0, "speed", 0, "ns_samples"]):
-        for wrong in (None, 7.5, [], {}, "\x1b[31m", "line\nline"):
+        for wrong in (None, 7.5, [], {}, "\x1b[31m", "\x9b31m", "line\nline"):
             made = copy.deepcopy(results)
             inner = made
             for key in path[:-1]:

@@ -280,7 +280,7 @@ START_TEST(what_is_no_ray_gives_nan)
         numbers[i % 6] = bad[i / 6];
         const answer found = cast(scene, numbers, numbers + 3);
         const int fine = i / 6 == 3 && i % 6 >= 3; /* a long direction is one */
-        ck_assert_msg(isnan(found.distance) == !fine, "%d: %g", i, found.distance);
+        ck_assert_msg((isnan(found.distance) != 0) == !fine, "%d: %g", i, found.distance);
         ck_assert(fine || (found.id == CM_SCENE_NOTHING && isnan(found.normal[0])));
     }
     const double origin[3] = {0, 0, 1};

@@ -180,7 +180,7 @@ static const cm_option sizes[] = {
      .kind = CM_OPTION_WHOLE,
      .argument = "W",
      .help = "the same for an equirectangular image so many pixels wide",
-     .low = 1,
+     .low = 2, /* pixels of half the way around: those of --resolution are no longer */
      .high = 1e12},
 };
 

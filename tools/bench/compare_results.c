@@ -62,8 +62,8 @@ const cm_command compare_command = {
              "of another run they cannot tell from slower code. Two runs of one build show how "
              "much that "
              "is; a gate should be beyond it.\n\n"
-             "Exit status: 0; 1 past the gate, or if a file cannot be read or nothing can be "
-             "compared; 2 for wrong usage.\n\n"
+             "Exit status: 0; 1 past the gate, if that could not be, if a file cannot be read or "
+             "if nothing can be compared; 2 for wrong usage.\n\n"
              "Example:\n"
              "  cubemap-bench --json old.json\n"
              "  cubemap-bench --json new.json\n"
@@ -111,9 +111,10 @@ static const series *find(const results *r, const series *like)
     return NULL;
 }
 
-static void count_pair(verdict *v, const pair *p, double gate)
+static void count_pair(verdict *v, const pair *p, double alpha, double gate)
 {
     v->compared++;
+    v->mute += least_rank_sum_probability(p->side[0]->count, p->side[1]->count) > alpha;
     if (!p->significant)
     {
         return;
@@ -233,32 +234,25 @@ static void print_others(FILE *out, const char *which, const results *of, const 
     }
 }
 
-typedef struct shortages
+static int has_interval(const pair *p)
 {
-    size_t intervals; /* pairs without one */
-    size_t tests;     /* pairs that no difference could show in */
-} shortages;
-
-static void count_shortages(shortages *s, const pair *p, double alpha)
-{
-    s->intervals += isinf(p->median[0].high) || isinf(p->median[1].high);
-    s->tests += least_rank_sum_probability(p->side[0]->count, p->side[1]->count) > alpha;
+    return isfinite(p->median[0].high) && isfinite(p->median[1].high);
 }
 
-static void print_notes(FILE *out, const verdict *v, const shortages *s, double alpha)
+static void print_notes(FILE *out, const verdict *v, size_t without_interval, double alpha)
 {
     fprintf(out, "\n%zu slower, %zu faster, %zu neither, at alpha %g", v->slower, v->faster,
             v->compared - v->slower - v->faster, alpha);
     fprintf(out, "; of %zu that are equal some %.3g would seem to differ\n", v->compared,
             alpha * (double)v->compared);
-    if (s->intervals > 0)
+    if (without_interval > 0)
     {
         fprintf(out, "%zu with too few samples for an interval at 95 %%: 6 are needed\n",
-                s->intervals);
+                without_interval);
     }
-    if (s->tests > 0)
+    if (v->mute > 0)
     {
-        fprintf(out, "%zu with too few samples for any difference to show at alpha %g\n", s->tests,
+        fprintf(out, "%zu with too few samples for any difference to show at alpha %g\n", v->mute,
                 alpha);
     }
 }
@@ -268,7 +262,7 @@ verdict print_comparison(FILE *out, const results *old, const results *new, doub
 {
     const columns w = widths_of(old);
     verdict v = {.compared = 0};
-    shortages few = {0, 0};
+    size_t without_interval = 0;
     double log_sum[2] = {0.0, 0.0};
     print_runs(out, old, new);
     print_heading(out, w);
@@ -279,8 +273,8 @@ verdict print_comparison(FILE *out, const results *old, const results *new, doub
         {
             const pair p = compare_pair(&old->list[i], other, alpha);
             print_pair(out, &p, w);
-            count_pair(&v, &p, gate);
-            count_shortages(&few, &p, alpha);
+            count_pair(&v, &p, alpha, gate);
+            without_interval += !has_interval(&p);
             log_sum[0] += log(p.median[0].median);
             log_sum[1] += log(p.median[1].median);
         }
@@ -289,7 +283,7 @@ verdict print_comparison(FILE *out, const results *old, const results *new, doub
     {
         print_means(out, w, v.compared, log_sum);
     }
-    print_notes(out, &v, &few, alpha);
+    print_notes(out, &v, without_interval, alpha);
     print_others(out, "old", old, new);
     print_others(out, "new", new, old);
     return v;
@@ -353,6 +347,14 @@ static int judge(const comparison *c, const verdict *v)
     {
         say(harness_err(), "%s: nothing can be compared: no way of %s is in %s", program_name(),
             c->name[0], c->name[1]);
+        return EXIT_FAILURE;
+    }
+    if (c->gate >= 0.0 && v->mute == v->compared)
+    {
+        say(harness_err(),
+            "%s: nothing can be past the gate: all have too few samples for any difference to "
+            "show at alpha %g",
+            program_name(), c->alpha);
         return EXIT_FAILURE;
     }
     if (c->gate >= 0.0 && v->past_gate > 0)

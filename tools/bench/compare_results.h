@@ -10,6 +10,7 @@
 typedef struct verdict
 {
     size_t compared;
+    size_t mute;   /* of too few samples for any difference to be significant */
     size_t slower; /* significantly */
     size_t faster;
     size_t past_gate;    /* slower by more than the gate */

@@ -45,6 +45,13 @@ static bool refuse(const reading *of, const char *where, const char *what)
                 of->name, where, what);
 }
 
+/* Of ASCII, or of the 32 behind it, which UTF-8 writes as c2 80 to c2 9f: some terminals obey those, too. */
+static bool is_control(const char *at)
+{
+    const unsigned char c = (unsigned char)at[0];
+    return c < ' ' || c == 0x7f || (c == 0xc2 && (unsigned char)at[1] < 0xa0);
+}
+
 /* A text that may go to a terminal. */
 static bool take_text(const reading *of, const json_t *from, const char *key, const char *where,
                       const char **text)
@@ -52,7 +59,7 @@ static bool take_text(const reading *of, const json_t *from, const char *key, co
     *text = json_string_value(json_object_get(from, key));
     for (const char *at = *text; at != NULL && *at != '\0'; at++)
     {
-        if ((unsigned char)*at < ' ' || *at == 0x7f)
+        if (is_control(at))
         {
             *text = NULL;
             break;
@@ -134,8 +141,9 @@ static bool take_conditions(const reading *of, const json_t *root, results *r)
     const json_t *const points = json_object_get(json_object_get(root, "settings"), "points");
     for (size_t i = 0; i < CONDITIONS - 1; i++)
     {
-        if (!take_text(of, i == 0 ? root : machine, condition_names[i], condition_names[i],
-                       &r->condition[i]))
+        char where[WHERE_MAX];
+        snprintf(where, sizeof where, "%s%s", i == 0 ? "" : "machine.", condition_names[i]);
+        if (!take_text(of, i == 0 ? root : machine, condition_names[i], where, &r->condition[i]))
         {
             return false;
         }
