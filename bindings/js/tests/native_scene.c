@@ -2,7 +2,7 @@
  *
  * What the native library's plain C computes of cameras, a world, and a map of it, for the tests of JavaScript: pixels and
  * rays of a camera with a lens, depths of a room seen by it from three places, maps of one, and the voxels of an octree that
- * has seen all three. tests/scene.test.mjs does the same and reads this in the same order.
+ * has seen all three. scene.test.mjs beside it does the same and reads this in the same order.
  * Usage: native_scene >FILE
  */
 #include <cubemap/camera.h>
