@@ -31,9 +31,10 @@ needs_for_neon="gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user"
 # A compiler for a processor of 32 bits, for .ci/long; the emulator is that of AArch64.
 needs_for_long="gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user"
 
-# The Python package, and what its tests compare and draw with; all of the system's Python.
+# The Python package (its module sim is built where Embree is), and what its tests compare and draw with; all of the
+# system's Python.
 needs_to_build_python="build-essential meson ninja-build python3-dev python3-numpy python3-mesonpy python3-pip python3-venv
-    python3-pycparser"
+    python3-pycparser libembree-dev"
 needs_for_python="python3-pytest python3-hypothesis python3-healpy python3-dask python3-distributed python3-xarray
     python3-matplotlib"
 

@@ -4,17 +4,13 @@
 import textwrap
 
 from layouts import SCALARS
-from wrappers import BIG, FINDERS, PREDICATE, camel, enumerators
+from special_cases import BY_HAND, FINDERS, SEEKERS, TELLERS
+from wrappers import BIG, KINDS, PREDICATE, camel, enumerators
 
 ARRAYS = {"F64": "Float64Array", "F32": "Float32Array", "U8": "Uint8Array", "U32": "Uint32Array", "I64": "BigInt64Array",
           "U64": "BigUint64Array"}
 
-BY_HAND = {
-    "cm_resample": "(from: readonly Picture[], to: Picture[]): Picture[]",
-    "cm_sample": "(pictures: readonly Picture[], filter: Filter, x: Reals, y: Reals, z: Reals): Float32Array",
-    "cm_region_polygon": "(rings: readonly ArrayLike<number>[]): Region",
-    "cm_healpix_regrade": "(map: Reals, to: Healpix, options?: HealpixRegradeOptions | null): Float64Array",
-}
+INPUTS = {"F64": "Reals", "F32": "Floats", "U8": "Bytes", "U32": "Wholes", "U64": "Cells", "I64": "Pixels"}
 
 HEAD = """// SPDX-License-Identifier: MIT
 //
@@ -23,8 +19,10 @@ HEAD = """// SPDX-License-Identifier: MIT
 import type { Vector } from "./memory.js";
 
 export type Reals = Float64Array | Float32Array | readonly number[] | Vector<Float64Array>;
+export type Floats = Float32Array | readonly number[] | Vector<Float32Array>;
 export type Bytes = Uint8Array | readonly number[] | Vector<Uint8Array>;
 export type Cells = BigUint64Array | readonly bigint[] | Vector<BigUint64Array>;
+export type Wholes = Uint32Array | readonly number[] | Vector<Uint32Array>;
 export type Pixels = BigInt64Array | readonly (bigint | number)[] | Vector<BigInt64Array>;
 
 """
@@ -34,13 +32,65 @@ export interface Picture {
     data: Uint8Array | Uint8ClampedArray | Uint16Array | Float32Array | Vector<Uint8Array> | Vector<Float32Array>;
     width: number;
     height: number;
-    channels: number;
+    channels?: number;
+}
+
+"""
+
+SCENE = """/** Bytes, or a text as UTF-8. */
+export type Key = string | Uint8Array;
+
+/** What a store keeps under a key. */
+export interface StoredBlob {
+    kind?: number;
+    version?: number;
+    data: Uint8Array;
+}
+
+/** Planes of x, y and z, a value a pixel. */
+export interface DepthMapArrays {
+    vertex: Float32Array[];
+    normal: Float32Array[] | null;
+    radius: Float32Array | null;
+}
+
+export interface DepthLevelArrays {
+    width: number;
+    height: number;
+    least: Float32Array;
+    most: Float32Array;
+}
+
+/** A value a ray; normals and colors are three arrays. */
+export interface HitArrays {
+    distance: Float64Array;
+    id: Uint32Array;
+    triangle: Uint32Array;
+    normal: Float64Array[];
+    color: Float64Array[];
+    reflectance: Float64Array;
+}
+
+/** Centres and colors are three numbers a voxel. */
+export interface VoxelArrays {
+    centre: Float64Array;
+    edge: Float64Array;
+    alpha: Uint8Array;
+    hasColor: Uint8Array;
+    color: Uint8Array;
+}
+
+export interface RenderedPictures {
+    color?: Picture;
+    depth?: Picture;
 }
 
 """
 
 
 def pascal(name):
+    if name == "cm_image":
+        return "Picture"
     return "".join(part.capitalize() for part in name.removeprefix("cm_").split("_"))
 
 
@@ -68,14 +118,13 @@ class Declarations:
         if one.base in self.interface.enumerations and not one.pointers:
             return pascal(one.base)
         if one.pointers or one.extents:
-            return {"F64": "Reals", "F32": "Float32Array | Vector<Float32Array>", "U8": "Bytes", "U64": "Cells",
-                    "I64": "Pixels"}.get(one.kind, "string")
+            return INPUTS.get(one.kind, "string")
         if one.base in BIG:
             return "bigint" if one.base != "int64_t" else "bigint | number"
         return "number"
 
     def is_optional(self, one):
-        return one.direction == "option" and not one.shape and (one.base in self.interface.structs) or one.name in ("frame", "instructions")
+        return one.is_nullable or one.direction == "option" and not one.shape and (one.base in self.interface.structs) or one.name in ("frame", "instructions")
 
     def parameters(self, inputs):
         """The last ones may be left out if they are options."""
@@ -148,15 +197,19 @@ class Declarations:
         made = next((one for one in call.arguments if one.direction == "new"), None)
         if made is not None:
             return f"({given})" + ("" if method == "constructor" else f": {self.writer.handle_classes[made.base]}")
-        capacity = any(one.name == "capacity" for one in call.arguments)
-        outs = [one for one in call.arguments if one.is_output and not one.is_text and not (one.name == "length" or (capacity and one.name == "count"))]
+        outs = [one for one in call.arguments if one.is_output and not one.is_text
+                and not (one.name == "length" or (call.room is not None and one.name == "count"))]
+        images = [one for one in outs if one.is_of_pixels]
+        if images:
+            places = "; ".join(f"{one.name}?: {ARRAYS[one.kind]} | Vector<{ARRAYS[one.kind]}>" for one in images)
+            given += (", " if given else "") + f"out?: {{ {places} }}"
         text = next((one for one in call.arguments if one.is_text and one.is_output), None)
         if text is not None and text.name == "message" and not outs:
             return f"({given}): string | null"
         if text is not None and text.name != "message":
             return f"({given}): string"
         parts = []
-        if call.result is not None and call.result.direction != "status":
+        if call.result is not None and call.result.direction != "status" and call.name not in SEEKERS | TELLERS:
             if call.result.base in ("int", "size_t") and len(outs) == 1 and len(outs[0].shape) == 1:
                 return f"({given}): {ARRAYS[outs[0].kind]}"
             parts.append(("face" if call.result.base == "uint8_t" else "value", self.returned(call.result, method)))
@@ -164,12 +217,12 @@ class Declarations:
         if not parts:
             return f"({given}): void"
         if len(parts) == 1:
-            return f"({given}): {parts[0][1]}"
+            return f"({given}): {parts[0][1]}" + (" | null" if call.name in SEEKERS else "")
         return f"({given}): {{ {'; '.join(f'{name}: {kind}' for name, kind in parts)} }}"
 
     def signatures(self, method, calls):
         if calls[0].name in BY_HAND:
-            return [BY_HAND[calls[0].name]]
+            return [BY_HAND[calls[0].name][1]]
         return self.over_arrays(calls) if calls[0].has_arrays else [self.once(calls[0], method)]
 
     @staticmethod
@@ -186,34 +239,49 @@ class Declarations:
             lines.append("    private constructor();")
         for method, calls in methods.items():
             lines.append(self.comment(calls[0].comment, "    ").rstrip("\n"))
-            static = "" if calls[0].handle() is not None or method == "constructor" else "static "
+            static = "" if calls[0].is_method or method == "constructor" else "static "
             for signature in self.signatures(method, calls):
-                if not static and signature.startswith("()") and method != "constructor":
+                if not static and signature.startswith("()") and method != "constructor" and calls[0].tells:
                     lines.append(f"    readonly {method}{signature[2:]};")
                 else:
                     lines.append(f"    {static}{method}{signature};")
         return "\n".join([*filter(None, lines), "    /** Gives the memory back now; else that happens when nobody has the object. */",
                           "    free(): void;", "}", ""])
 
+    def member_type(self, layout, member):
+        """The type of a struct's member; None of what JavaScript has not."""
+        if member.base == "cm_image":
+            return "Picture"
+        if member.words:
+            return pascal(member.words)
+        if member.extents is not None:
+            kind = f"{INPUTS[KINDS[member.base]]} | null"
+            return f"readonly ({kind})[]" if member.is_array else kind
+        if member.pointers and member.base in self.writer.handle_classes:
+            return f"{self.writer.handle_classes[member.base]} | null"
+        is_struct = member.base in self.interface.structs
+        if member.pointers and not (member.base == "char" or is_struct or member.base in self.interface.enumerations):
+            return None
+        kind = "string" if member.base == "char" and member.pointers else self.plain(member.base)
+        if member.pointers and is_struct:
+            kind = f"string | Partial<{kind}>" if member.base in FINDERS else f"Partial<{kind}>"
+        return kind + ("[]" if member.is_array else "")
+
     def struct_text(self, name):
         lines = [f"export interface {pascal(name)} {{"]
-        for member in self.writer.layouts.of(name).members:
+        layout = self.writer.layouts.of(name)
+        for member in layout.members:
             if member.name == "size" and member.base == "size_t" or member.base in ("void", "function", "cm_memory"):
                 continue
-            is_struct = member.base in self.interface.structs
-            if member.pointers and not (member.base == "char" or is_struct or member.base in self.interface.enumerations):
-                continue
-            kind = "string" if member.base == "char" and member.pointers else self.plain(member.base)
-            if member.pointers and is_struct:
-                kind = f"string | Partial<{kind}>" if member.base in FINDERS else f"Partial<{kind}>"
-            if member.is_array:
-                kind += "[]"
-            only_written = name not in self.writer.read
-            lines.append(f"    {camel(member.name)}{'?' if only_written else ''}: {kind};")
+            kind = self.member_type(layout, member)
+            if kind is not None:
+                is_handle = member.pointers and member.base in self.writer.handle_classes
+                may_lack = name not in self.writer.read or is_handle or self.writer.is_counter(layout, member)
+                lines.append(f"    {camel(member.name)}{'?' if may_lack else ''}: {kind};")
         return "\n".join([*lines, "}", ""])
 
     def text(self):
-        structs = {name for name in self.writer.structs_used()}
+        structs = self.writer.written | self.writer.read
         todo = list(structs)
         while todo:
             for member in self.writer.layouts.of(todo.pop()).members:
@@ -222,8 +290,10 @@ class Declarations:
                     todo.append(member.base)
         classes = self.writer.classes
         texts = [HEAD]
-        if any(call.name == "cm_resample" for calls in classes.get("Plan", {}).values() for call in calls):
+        if "cm_image" in structs:
             texts.append(PICTURE)
+        if "Octree" in classes:
+            texts.append(SCENE)
         for base, values in self.interface.enumerations.items():
             texts.append(f"export type {pascal(base)} = " + " | ".join(f'"{name}"' for name in enumerators(values)) + ";\n")
         texts += ["\n"] + [self.struct_text(name) + "\n" for name in sorted(structs - {"cm_image", "cm_memory", "cm_rows"})]

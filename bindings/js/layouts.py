@@ -4,6 +4,8 @@ hold against it what this says (assertions)."""
 
 import dataclasses
 
+from special_cases import EXTENTS, WORDS
+
 SCALARS = {  # type: (bytes, what DataView calls it)
     "char": (1, "Int8"), "signed char": (1, "Int8"), "uint8_t": (1, "Uint8"), "uint16_t": (2, "Uint16"),
     "int": (4, "Int32"), "unsigned": (4, "Uint32"), "unsigned int": (4, "Uint32"), "uint32_t": (4, "Uint32"),
@@ -21,6 +23,9 @@ class Member:
     is_array: bool
     offset: int
     size: int  # of one element
+    words: str = ""  # the enumeration that a whole number is of
+    extents: object = None  # of the array that a pointer points to (special_cases.py)
+    counter: int = 0  # where the number of its elements is
 
 
 @dataclasses.dataclass(frozen=True)
@@ -56,15 +61,20 @@ class Layouts:
                 for extent in member.extents:
                     count *= extent
                 at = -(-at // alignment) * alignment
-                members.append(Member(member.name, member.base, member.pointers, count, bool(member.extents), at, size))
+                extents = EXTENTS.get(name, {}).get(member.name)
+                members.append(Member(member.name, member.base, member.pointers, count, bool(member.extents), at, size,
+                                      WORDS.get((name, member.name), ""), extents))
                 at += size * count
                 widest = max(widest, alignment)
+            places = {one.name: one.offset for one in members}
+            members = [dataclasses.replace(one, counter=places[one.extents[0]]) if isinstance(one.extents, tuple) else one
+                       for one in members]
             self.known[name] = Layout(name, tuple(members), -(-at // widest) * widest, widest)
         return self.known[name]
 
-    def assertions(self, names):
+    def assertions(self, names, headers):
         """C that does not compile where a compiler sees another layout."""
-        lines = ["#include <cubemap/cubemap.h>", "#include <cubemap/image.h>", "#include <cubemap/pose.h>"]
+        lines = [f"#include <cubemap/{header}>" for header in sorted(headers)]
         for name in sorted(names):
             layout = self.of(name)
             lines.append(f'_Static_assert(sizeof({name}) == {layout.size}, "{name}");')

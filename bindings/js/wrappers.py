@@ -8,16 +8,13 @@ names in camel case, enumerators texts."""
 import re
 
 from layouts import SCALARS
+from special_cases import BY_HAND, CHECKS, COUNTED, EXTENTS, FINDERS, METHODS, NEEDS, NULLABLE, RESULTS, SEEKERS, TELLERS
 
 KINDS = {"double": "F64", "float": "F32", "uint8_t": "U8", "uint32_t": "U32", "size_t": "U32", "int64_t": "I64",
          "uint64_t": "U64", "cm_cell": "U64"}
 BIG = {"int64_t", "uint64_t", "cm_cell"}
-# what says in words why an object cannot be made: its function, and which of the arguments it takes
-CHECKS = {"cm_mapping_create_with": ("cm_specification_check", ["specification"]),
-          "cm_surface_create": ("cm_surface_check", ["specification", "options"]),
-          "cm_healpix_create": ("cm_healpix_check", ["nside", "order"])}
-FINDERS = {"cm_frame": "cm_frame_find", "cm_ellipsoid": "cm_ellipsoid_find"}  # structs that a text may stand for
-BY_HAND = {"cm_resample", "cm_sample", "cm_region_polygon", "cm_healpix_regrade"}  # src/by_hand.js
+OF_PIXELS = {("pixels",): "this.pixelCount", ("pixels/4",): "this.halvedPixelCount"}  # images of what an object is made for
+ROOMS = ("capacity", "room")  # how much there is room for: as much as the function says
 PREDICATE = re.compile(r"^(is|has|contains|intersects)|(Is|Has|Contains|Intersects)[A-Z]|(Contains|Intersects)$")
 
 
@@ -43,6 +40,9 @@ class Argument:
         self.name, self.direction, self.shape, self.is_text = camel(listed.name), listed.direction, listed.shape, listed.is_text
         self.base, self.pointers, self.extents = declared.base, declared.pointers, declared.extents
         self.kind = KINDS.get(declared.base)
+        self.is_nullable = False
+        if declared.base in RESULTS:
+            self.direction = "out"
 
     @property
     def is_input(self):
@@ -52,10 +52,21 @@ class Argument:
     def is_output(self):
         return self.direction in ("out", "inout", "new")
 
+    @property
+    def is_hidden(self):
+        """One thread is all there is."""
+        return self.name == "threads" or self.base == "cm_pool"
+
+    @property
+    def is_of_pixels(self):
+        return self.shape in OF_PIXELS
+
     def length(self):
         """Of its arrays, as JavaScript."""
         if not self.shape:
             return "1"
+        if self.is_of_pixels:
+            return OF_PIXELS[self.shape]
         return " * ".join(f"({re.sub(r'[a-z_]+', lambda m: camel(m.group()), part)})" for part in self.shape)
 
 
@@ -67,6 +78,8 @@ class Call:
         self.name, self.comment = listed.name, declared.comment
         self.arguments = [Argument(one, other) for one, other in zip(listed.arguments, declared.arguments)]
         self.result = Argument(listed.result, declared.result) if listed.result else None
+        for one in self.arguments:
+            one.is_nullable = (self.name, one.name) in NULLABLE
         self.js = listed.names["js"]
         self.has_arrays = any(one.shape == ("n",) or (len(one.shape) == 2 and one.shape[1] == "n") for one in self.arguments)
         self.is_float = self.name.endswith("_f32")
@@ -85,12 +98,30 @@ class Call:
         is_method = "." in self.js and first is not None and first.direction == "handle"
         return first if is_method and not any(one.direction == "new" for one in self.arguments) else None
 
+    @property
+    def is_method(self):
+        return self.handle() is not None or self.name in METHODS
+
+    @property
+    def room(self):
+        return next((one for one in self.arguments if one.direction == "count" and one.name in ROOMS), None)
+
+    @property
+    def tells(self):
+        """Does it return or write anything but its status, and is no making of an object?"""
+        is_told = (self.result is not None and not self.throws) or any(one.is_output for one in self.arguments)
+        return is_told and self.name not in METHODS
+
+    def needs(self):
+        """Statements in a method after the call."""
+        return [f"this.needs({', '.join(NEEDS[self.name])});"] if self.name in NEEDS else []
+
 
 class Writer:
     def __init__(self, listed, interface, layouts):
         self.interface, self.layouts = interface, layouts
         self.called = {"malloc", "free", "cm_status_text"}
-        self.written, self.read = set(), set()
+        self.written, self.read, self.laid = set(), set(), set()  # structs
         self.frees = {one.arguments[0].name: one.name for one in listed if one.arguments and one.arguments[0].direction == "free"}
         self.destructors = {interface.functions[one.name].arguments[0].base: one.name
                             for one in listed if one.arguments and one.arguments[0].direction == "free"}
@@ -126,7 +157,7 @@ class Writer:
     # ---- Structs
 
     def structs_used(self):
-        return self.written | self.read
+        return self.written | self.read | self.laid
 
     def write_struct(self, name):
         self.written.add(name)
@@ -140,22 +171,56 @@ class Writer:
         return "E_" + base
 
     def put(self, member, value, offset):
-        """Statements that put one element of a member from a JavaScript value."""
+        """Statements that put one element of a member from a JavaScript value; None of what JavaScript does not give."""
+        if member.base == "cm_image":
+            return f"picture({value}, p + {offset}, \"{camel(member.name)}\");"
         if member.pointers:
+            if member.extents is not None:
+                kind = KINDS[member.base]
+                return (f"const q = M.input({kind}, {value}, {self.extent(member)}, \"{camel(member.name)}\"); "
+                        f"M.data.setUint32(p + {offset}, q, true);")
+            if member.base in self.handle_classes:
+                return (f"M.data.setUint32(p + {offset}, pointerOf({value}, {self.handle_classes[member.base]}, "
+                        f"\"{camel(member.name)}\"), true);")
             if member.base == "char":
-                return f"{{ const q = M.text({value}, \"{camel(member.name)}\"); M.data.setUint32(p + {offset}, q, true); }}"
+                return f"const q = M.text({value}, \"{camel(member.name)}\"); M.data.setUint32(p + {offset}, q, true);"
             if member.base in self.interface.structs:
-                return f"{{ const q = {self.write_struct(member.base)}({value}); M.data.setUint32(p + {offset}, q, true); }}"
+                return f"const q = {self.write_struct(member.base)}({value}); M.data.setUint32(p + {offset}, q, true);"
             if member.base in self.interface.enumerations:
-                return (f"if ({value} != null) {{ const q = M.zeros(4); M.data.setInt32(q, code({self.enum_table(member.base)}, "
-                        f"{value}, \"{camel(member.name)}\"), true); M.data.setUint32(p + {offset}, q, true); }}")
+                return (f"const q = M.zeros(4); M.data.setInt32(q, code({self.enum_table(member.base)}, "
+                        f"{value}, \"{camel(member.name)}\"), true); M.data.setUint32(p + {offset}, q, true);")
             return None
-        if member.base in self.interface.enumerations:
-            return f"M.data.setInt32(p + {offset}, code({self.enum_table(member.base)}, {value}, \"{camel(member.name)}\"), true);"
+        if member.words or member.base in self.interface.enumerations:
+            table = self.enum_table(member.words or member.base)
+            return f"M.data.setInt32(p + {offset}, code({table}, {value}, \"{camel(member.name)}\"), true);"
         if member.base in SCALARS:
             number = f"BigInt({value})" if member.base in BIG else f"Number({value})"
             return f"M.data.set{SCALARS[member.base][1]}(p + {offset}, {number}, true);"
         return f"{self.write_struct(member.base)}({value}, p + {offset});"
+
+    @staticmethod
+    def extent(member):
+        """How many elements an array has that a struct points to, as JavaScript."""
+        return member.extents if isinstance(member.extents, str) else f"{camel(member.extents[0])} * {member.extents[1]}"
+
+    def counts_text(self, layout):
+        """Counts that follow from the arrays, which are all to say the same (M.input); the first that is there says it."""
+        lines = []
+        for counter in dict.fromkeys(one.extents[0] for one in layout.members if isinstance(one.extents, tuple)):
+            arrays = [one for one in layout.members if isinstance(one.extents, tuple) and one.extents[0] == counter]
+            name, other = camel(counter), COUNTED.get((layout.name, counter), "0")
+            pairs = ", ".join(f"[o.{camel(one.name)}{'?.[0]' if one.is_array else ''}, {one.extents[1]}]" for one in arrays)
+            offset = next(one.offset for one in layout.members if one.name == counter)
+            lines += [f"const {name} = rows([{pairs}], o.{name}, \"{name}\") ?? {other};",
+                      f"M.data.setUint32(p + {offset}, {name}, true);"]
+        return lines
+
+    def is_counter(self, layout, member):
+        return any(isinstance(one.extents, tuple) and one.extents[0] == member.name for one in layout.members)
+
+    def given(self, layout):
+        """The members that JavaScript gives."""
+        return [one for one in layout.members if one.name != "size" and self.put(one, "value", "0") is not None]
 
     def writer_text(self, name):
         layout = self.layouts.of(name)
@@ -164,24 +229,33 @@ class Writer:
             lines += [f"if (typeof o === \"string\") {{ const p = {self.call(FINDERS[name])}(M.text(o)); "
                       f"if (p === 0) {{ throw new ArgumentError(`there is no {name[3:]} '${{o}}'`, 1); }} return p; }}"]
         lines += ["if (o === undefined || o === null) { return 0; }",
-                  f"object(o, {sorted(camel(one.name) for one in layout.members if one.name != 'size')!r}, \"{camel(name[3:])}\");",
-                  f"const p = to ?? M.zeros({layout.size});"]
+                  f"object(o, {sorted(camel(one.name) for one in self.given(layout))!r}, \"{camel(name[3:])}\");",
+                  f"const p = to ?? M.zeros({layout.size});", *self.counts_text(layout)]
         for member in layout.members:
             if member.name == "size" and member.base == "size_t":
                 lines.append(f"M.data.setUint32(p + {member.offset}, {layout.size}, true);")
+                continue
+            if self.is_counter(layout, member):
                 continue
             value = f"o.{camel(member.name)}"
             if member.is_array:
                 put = self.put(member, "value", f"{member.offset} + {member.size} * i")
                 if put is not None:
-                    lines.append(f"if ({value} !== undefined) {{ elements({value}, {member.count}, \"{camel(member.name)}\").forEach((value, i) => {{ {put} }}); }}")
+                    parts = "arrays" if member.pointers else "elements"
+                    lines.append(f"if ({value} !== undefined) {{ {parts}({value}, {member.count}, \"{camel(member.name)}\").forEach((value, i) => {{ {put} }}); }}")
             else:
                 put = self.put(member, value, member.offset)
                 if put is not None:
-                    lines.append(f"if ({value} !== undefined) {{ {put} }}")
+                    there = "!= null" if member.pointers or member.base == "cm_image" else "!== undefined"
+                    lines.append(f"if ({value} {there}) {{ {put} }}")
         return "\n".join([*lines, "return p;", "}"])
 
     def get(self, member, offset):
+        if member.words:
+            return f"word({self.enum_table(member.words)}, M.data.get{SCALARS[member.base][1]}(p + {offset}, true))"
+        if member.pointers and isinstance(member.extents, tuple):
+            count = f"M.data.getUint32(p + {member.counter}, true) * {member.extents[1]}"
+            return f"M.copy({KINDS[member.base]}, M.data.getUint32(p + {offset}, true), {count})"
         if member.pointers:
             return f"M.string(M.data.getUint32(p + {offset}, true))" if member.base == "char" else None
         if member.base in self.interface.enumerations:
@@ -211,6 +285,8 @@ class Writer:
     def input(self, argument, n):
         """JavaScript for what is passed."""
         name, base = argument.name, argument.base
+        if argument.is_hidden:
+            return "1" if argument.name == "threads" else "0"
         if argument.direction == "handle":
             return f"pointerOf({name}, {self.handle_classes[base]}, \"{name}\")"
         if argument.is_text:
@@ -251,10 +327,10 @@ class Writer:
 
     def parameters(self, call):
         """Of the JavaScript function, in order, without the object itself."""
-        inputs = [one for one in call.arguments if one.is_input and one is not call.handle()]
+        inputs = [one for one in call.arguments if one.is_input and one is not call.handle() and not one.is_hidden]
         shapes = " ".join(" ".join(one.shape) for one in inputs)
         room = [one for one in call.arguments if one.direction == "count" and not re.search(rf"\b{one.name}\b", shapes)
-                and one.name not in ("n", "capacity", "messageSize", "size", "length")]
+                and one.name not in ("n", *ROOMS, "messageSize", "size", "length")]
         if call.message is None and any(one.name == "size" for one in call.arguments if one.direction == "count"):
             texts = [one for one in call.arguments if one.is_text and one.is_output]
             room += [one for one in call.arguments if one.name == "size" and not texts]
@@ -269,13 +345,19 @@ class Writer:
         return self.over_arrays(method, calls) if call.has_arrays else self.once(method, call)
 
     def by_hand(self, call):
-        inputs, _ = self.parameters(call)
-        names = {"cm_resample": "from, to", "cm_sample": "pictures, filter, x, y, z", "cm_region_polygon": "rings",
-                 "cm_healpix_regrade": "map, to, options"}[call.name]
-        self.write_struct("cm_image" if call.name in ("cm_resample", "cm_sample") else "cm_options")
-        if call.name == "cm_healpix_regrade":
-            self.write_struct("cm_healpix_regrade_options")
-        return names, f"return byHand.{call.name}({{ X, M, check, pointerOf, code, enumerations, structs, classes: kept }}, this, {names});"
+        names, _, needed = BY_HAND[call.name]
+        for one in needed:
+            if one.startswith("<"):
+                self.read_struct(one[1:])
+            elif one.startswith("@"):
+                self.laid.add(one[1:])
+            elif one in self.interface.structs:
+                self.write_struct(one)
+            else:
+                self.called.add(one)
+        rest = f", {names}" if names else ""
+        return names, (f"return byHand.{call.name}({{ X, M, check, number, pointerOf, code, enumerations, structs, layouts, classes: kept, "
+                       f"picture }}, this{rest});")
 
     def arguments_text(self, call, values):
         return ", ".join(values[one.name] for one in call.arguments)
@@ -370,7 +452,13 @@ class Writer:
             values[one.name] = f"number({one.name}, \"{one.name}\")"
         for one in call.arguments:
             if one.is_input and one.name not in values:
-                lines.append(f"const p_{one.name} = {self.input(one, '')};")
+                put = self.input(one, '')
+                if one.is_nullable and one.kind:
+                    put = f"{one.name} == null ? 0 : {put}"
+                if len(one.shape) == 2 and one.shape[0] == "n" and "n" not in values:
+                    lines.append(f"const n = rows([[{one.name}, {one.shape[1]}]], undefined, \"{one.name}\");")
+                    values["n"] = "n"
+                lines.append(f"const p_{one.name} = {put};")
                 values[one.name] = f"p_{one.name}"
                 for count in call.arguments:
                     if count.direction == "count" and one.shape == (count.name,) and one.kind:
@@ -390,22 +478,17 @@ class Writer:
         made = next((one for one in call.arguments if one.direction == "new"), None)
         if made is not None:
             return names, "\n".join([*lines, *self.make(call, values, method)])
-        capacity = next((one for one in call.arguments if one.name == "capacity"), None)
-        if capacity is not None:
-            to = next(one for one in outputs if one.shape == ("capacity",))
-            values.update({"count": "q_count", "capacity": "0", to.name: "0"})
-            lines += ["const q_count = M.zeros(4);", f"let r = {self.call(call.name)}({self.arguments_text(call, values)});",
-                      "const count = M.data.getUint32(q_count, true);", f"const p_to = M.room(count * {to.kind}.bytes);"]
-            values.update({"capacity": "count", to.name: "p_to"})
-            lines += [f"if (r === SPACE) {{ r = X.{call.name}({self.arguments_text(call, values)}); }}", "check(r);",
-                      f"return M.result({to.kind}, undefined, p_to, M.data.getUint32(q_count, true));"]
-            return names, "\n".join(lines)
+        if call.room is not None:
+            return names, "\n".join([*lines, *self.as_many_as_there_are(call, values, outputs)])
         text = next((one for one in call.arguments if one.is_text and one.is_output), None)
         shown = [one for one in outputs if one.name != "length"]
+        images = [one for one in shown if one.is_of_pixels]
+        names += (", out" if names else "out") if images else ""
         for one in shown:
             size, _ = self.layouts.element(one.base, 0)
             length = one.length() if one.shape else "1"
-            lines.append(f"const p_{one.name} = M.zeros({size} * {length});")
+            lines.append(f"const p_{one.name} = M.zeros({size} * {length});" if one not in images else
+                         f"const p_{one.name} = M.output({one.kind}, out?.{one.name}, {length}, \"{one.name}\");")
             values[one.name] = f"p_{one.name}"
             if one.base in self.interface.structs and self.layouts.of(one.base).members[0].name == "size":
                 lines.append(f"M.data.setUint32(p_{one.name}, {size}, true);")
@@ -418,11 +501,13 @@ class Writer:
                 return names, "\n".join([*lines, "return r === 0 ? null : M.string(q_text);"])
             lines.append("check(r, q_text);")
         elif call.throws:
-            lines.append("check(r);")
+            lines += ["check(r);", *call.needs()]
         if text is not None and text.name != "message":
             return names, "\n".join([*lines, "return M.string(q_text);"])
         parts = []
-        if call.result is not None and call.result.direction != "status":
+        if call.name in SEEKERS:
+            lines.append("if (r === 0) { return null; }")
+        if call.result is not None and call.result.direction != "status" and call.name not in SEEKERS | TELLERS:
             counts = call.result.base in ("int", "size_t") and len(shown) == 1 and len(shown[0].shape) == 1
             if counts:
                 one = shown[0]
@@ -430,13 +515,31 @@ class Writer:
             name = "face" if call.result.base == "uint8_t" else "value"
             parts.append((name, self.returned(call.result, method)))
         for one in shown:
-            value = self.plain(one, f"p_{one.name}") if not one.shape else f"M.result({one.kind}, undefined, p_{one.name}, {one.length()})"
+            value = self.plain(one, f"p_{one.name}") if not one.shape else \
+                f"M.result({one.kind}, {f'out?.{one.name}' if one in images else 'undefined'}, p_{one.name}, {one.length()})"
             parts.append((one.name, value))
         if len(parts) == 1:
             lines.append(f"return {parts[0][1]};")
         elif parts:
             lines.append(f"return {{ {', '.join(f'{name}: {value}' for name, value in parts)} }};")
         return names, "\n".join(lines)
+
+    def as_many_as_there_are(self, call, values, outputs):
+        """A function that says how many there are if there is no room: it is called twice."""
+        arrays = [one for one in outputs if one.name != "count"]
+        values.update({"count": "q_count", call.room.name: "0", **{one.name: "0" for one in arrays}})
+        lines = ["const q_count = M.zeros(4);", f"let r = {self.call(call.name)}({self.arguments_text(call, values)});",
+                 "const count = M.data.getUint32(q_count, true);"]
+        for one in arrays:
+            width = " * ".join(("count", *one.shape[1:]))
+            lines.append(f"const p_{one.name} = M.room({width} * {one.kind}.bytes);")
+        values.update({call.room.name: "count", **{one.name: f"p_{one.name}" for one in arrays}})
+        lines += [f"if (r === SPACE) {{ r = {self.call(call.name)}({self.arguments_text(call, values)}); }}", "check(r);"]
+        found = [(one.name, f"M.result({one.kind}, undefined, p_{one.name}, "
+                  f"{' * '.join(('M.data.getUint32(q_count, true)', *one.shape[1:]))})") for one in arrays]
+        if len(found) == 1:
+            return [*lines, f"return {found[0][1]};"]
+        return [*lines, f"return {{ {', '.join(f'{name}: {value}' for name, value in found)} }};"]
 
     def make(self, call, values, method):
         lines = [f"const r = {self.call(call.name)}({self.arguments_text(call, values)});"]
@@ -451,7 +554,8 @@ class Writer:
         if method == "constructor":
             return [*lines, f"return {made};"]
         owner = self.handle_classes[next(one.base for one in call.arguments if one.direction == "new")]
-        return [*lines, f"return new {owner}(OWNED, {made});"]
+        needs = f".needs({', '.join(NEEDS[call.name])})" if call.name in NEEDS else ""
+        return [*lines, f"return new {owner}(OWNED, {made}){needs};"]
 
     # ---- Classes
 
@@ -480,18 +584,27 @@ class Writer:
         lines = [f"class {owner} extends Owned {{"]
         if "constructor" in methods:
             names, body = self.function("constructor", methods["constructor"])
+            needs = NEEDS.get(methods["constructor"][0].name)
+            keeps = f" if (given[0] !== OWNED) {{ const [{names}] = given; this.needs({', '.join(needs)}); }}" if needs else ""
             lines += [f"static #make{self.wrapped(names, body)}",
-                      f"constructor(...given) {{ super(given[0] === OWNED ? given[1] : {owner}.#make(...given), \"{destroy}\", given[0] === OWNED ? given[2] : undefined); }}"]
+                      f"constructor(...given) {{ super(given[0] === OWNED ? given[1] : {owner}.#make(...given), \"{destroy}\", "
+                      f"given[0] === OWNED ? given[2] : undefined);{keeps} }}"]
         else:
             lines += [f"constructor(...given) {{ if (given[0] !== OWNED) {{ throw new TypeError(\"{owner} has no constructor\"); }} super(given[1], \"{destroy}\", given[2]); }}"]
         for name, calls in methods.items():
             if name == "constructor":
                 continue
             names, body = self.function(name, calls)
-            static = "" if calls[0].handle() is not None else "static "
-            getter = "get " if not static and not names else ""
+            static = "" if calls[0].is_method else "static "
+            getter = "get " if not static and not names and calls[0].tells else ""
             lines.append(f"{static}{getter}{name}{self.wrapped(names, body)}")
         return "\n".join([*lines, "}"])
+
+    def layouts_text(self):
+        """Where members are, for what is written by hand."""
+        return ",\n".join(f"{name}: {{ BYTES: {self.layouts.of(name).size}, " +
+                          ", ".join(f"{camel(one.name)}: {one.offset}" for one in self.layouts.of(name).members) + " }"
+                          for name in sorted(self.laid))
 
     def text(self):
         structs, done = [], set()
@@ -506,11 +619,13 @@ class Writer:
         tables = "\n".join(f"const E_{base} = {enumerators(values)!r};".replace("'", '"')
                            for base, values in self.interface.enumerations.items())
         exported = [name for name in self.classes if name] + list(self.classes.get("", {}))
-        head = (self.template()).replace("/*TABLES*/", tables).replace("/*STRUCTS*/", "\n\n".join(structs)) \
+        by_hand = "scene_by_hand" if "Octree" in self.classes else "by_hand"
+        head = (self.template()).replace("/*BY_HAND*/", by_hand).replace("/*TABLES*/", tables).replace("/*STRUCTS*/", "\n\n".join(structs)) \
             .replace("/*CLASSES*/", self.body).replace("/*NAMES*/", ", ".join(exported)) \
-            .replace("/*WRITERS*/", ", ".join(f"write_{name}" for name in sorted(self.written))) \
+            .replace("/*WRITERS*/", ", ".join([*(f"write_{name}" for name in sorted(self.written)),
+                                                 *(f"read_{name}" for name in sorted(self.read))])) \
             .replace("/*ENUMERATIONS*/", ", ".join(f"E_{base}" for base in self.interface.enumerations)) \
-            .replace("/*KEPT*/", ", ".join(sorted(set(self.handle_classes.values()))))
+            .replace("/*LAYOUTS*/", self.layouts_text()).replace("/*KEPT*/", ", ".join(sorted(set(self.handle_classes.values()))))
         return head
 
     @staticmethod

@@ -3,41 +3,18 @@
 // The few functions whose arguments no rule of the list describes: pictures, rings of polygons, whole maps of HEALPix.
 
 import { F32, F64 } from "./memory.js";
-
-const PIXELS = [[Uint8Array, "u8"], [Uint8ClampedArray, "u8"], [Uint16Array, "u16"], [Float32Array, "float"]];
+import { putPicture, takePicture } from "./pictures.js";
 
 /** No surface has more pictures; what is missing of them the library refuses, as it sees zeros. */
 const MOST_PICTURES = 6;
 
 /** Pictures as structs beside each other, their pixels in the module's memory. */
 function putPictures(of, pictures, name) {
-    const { M, structs } = of;
     if (!Array.isArray(pictures) || pictures.length > MOST_PICTURES) {
         throw new TypeError(`${name} is to be an array of at most ${MOST_PICTURES} pictures`);
     }
-    const places = [];
-    const all = M.zeros(32 * MOST_PICTURES);
-    pictures.forEach((picture, i) => {
-        const { data, width, height, channels } = picture;
-        const array = data.array ?? data;
-        const pair = PIXELS.find(([Type]) => array instanceof Type);
-        if (pair === undefined) {
-            throw new TypeError(`${name}: pixels are to be a Uint8Array, a Uint16Array or a Float32Array`);
-        }
-        if (array.length !== width * height * channels) {
-            throw new RangeError(`${name}: ${array.length} numbers are not ${width} x ${height} pixels of ${channels}`);
-        }
-        const isHere = array.buffer === M.buffer;
-        const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
-        const place = isHere ? array.byteOffset : M.room(bytes.length);
-        if (!isHere) {
-            new Uint8Array(M.buffer, place, bytes.length).set(bytes);
-        }
-        structs.write_cm_image({ type: pair[1], width, height, channels }, all + 32 * i);
-        M.data.setUint32(all + 32 * i + 4, place, true);
-        places.push({ place, isHere, bytes, type: pair[1] });
-    });
-    return { all, places };
+    const all = of.M.zeros(32 * MOST_PICTURES);
+    return { all, places: pictures.map((picture, i) => putPicture(of, picture, all + 32 * i, name)) };
 }
 
 export function cm_resample(of, plan, from, to) {
@@ -45,11 +22,7 @@ export function cm_resample(of, plan, from, to) {
     const sources = putPictures(of, from, "from");
     const targets = putPictures(of, to, "to");
     check(X.cm_resample(plan.pointer, sources.all, targets.all, M.zeros(20)));
-    for (const { place, isHere, bytes } of targets.places) {
-        if (!isHere) {
-            bytes.set(new Uint8Array(M.buffer, place, bytes.length));
-        }
-    }
+    targets.places.forEach((place) => takePicture(of, place));
     return to;
 }
 

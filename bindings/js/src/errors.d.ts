@@ -20,3 +20,8 @@ export class CellError extends CubemapError {}
 export class PixelError extends CubemapError {}
 export class SpaceError extends CubemapError {}
 export class StoppedError extends CubemapError {}
+export class CameraError extends CubemapError {}
+export class RankError extends CubemapError {}
+export class FileError extends CubemapError {}
+export class DataError extends CubemapError {}
+export class VersionError extends CubemapError {}

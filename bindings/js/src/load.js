@@ -22,12 +22,19 @@ async function bytesOf(url) {
     return answer.arrayBuffer();
 }
 
+/** The functions of JavaScript that the library calls, while it is called itself: by the exports of each instance. */
+const callbacks = new WeakMap();
+
+export function callbacksOf(exports) {
+    return callbacks.get(exports);
+}
+
 /** The library writes and reads no files: what its C library would ask the system for is refused, ENOSYS. */
-function refusals(module) {
+function importsOf(module, called) {
     const imports = {};
     for (const { module: from, name } of WebAssembly.Module.imports(module)) {
         imports[from] ??= {};
-        imports[from][name] = () => 52;
+        imports[from][name] = from === "cubemap" ? (...given) => called[name](...given) : () => 52;
     }
     return imports;
 }
@@ -40,6 +47,8 @@ export async function exportsOf(name, { simd = hasSimd(), source } = {}) {
         const isBytes = source instanceof ArrayBuffer || ArrayBuffer.isView(source);
         module = await WebAssembly.compile(isBytes ? source : await bytesOf(source === undefined ? url : new URL(source)));
     }
-    const instance = await WebAssembly.instantiate(module, refusals(module));
+    const called = {};
+    const instance = await WebAssembly.instantiate(module, importsOf(module, called));
+    callbacks.set(instance.exports, called);
     return instance.exports;
 }

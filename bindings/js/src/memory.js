@@ -223,6 +223,11 @@ export class Memory {
         return value;
     }
 
+    /** n elements that are there, as an array of the caller's; null where there are none. */
+    copy(of, pointer, n) {
+        return pointer === 0 ? null : new of.Type(this.buffer, pointer, n).slice();
+    }
+
     first(of, pointer) {
         return this.data[of.get](pointer, true);
     }

@@ -5,6 +5,8 @@
 import { CubemapError, Vector, load } from "cubemap";
 import type { Cells, Grid } from "cubemap";
 import { load as loadImage } from "cubemap/image";
+import { load as loadScene } from "cubemap/scene";
+import type { HitArrays, Octree, Picture, Voxel, VoxelArrays } from "cubemap/scene";
 
 const cubemap = await load({ simd: false });
 const mapping = new cubemap.Mapping("coupled", "gl", { tier: "fast" });
@@ -35,4 +37,29 @@ const image = await loadImage();
 const plan = new image.Plan(new image.Surface("equirect;size=8"), new image.Surface("cube:coupled;size=8"), { filter: "ewa" });
 const pictures = plan.resample([{ data: new Uint8Array(96), width: 8, height: 4, channels: 3 }], []);
 
+const scene = await loadScene();
+const camera = new scene.Camera({ width: 8, height: 6, fx: 8, fy: 8, cx: 3.5, cy: 2.5 });
+const octree: Octree = new scene.Octree({ edge: 0.05, levels: 8, rule: "log-odds", pages: new scene.Store(), memory: 1000000n });
+const depth: Picture = { data: new Uint16Array(48), width: 8, height: 6 };
+const pose = scene.Pose.exp([0, 0, 0, 0, 0, 1]);
+octree.update({ camera, pose, depth, depthUnit: 0.001 });
+const voxel: Voxel = octree.at([0, 0, 0], 0);
+const struck: Voxel | null = octree.ray([0, 0, 0], [1, 0, 0], 5);
+const voxels: VoxelArrays = octree.extract(2);
+octree.walkBox([0, 0, 0], [1, 1, 1], ({ state }) => state === "occupied");
+const hits: HitArrays = scene.Scene.named("room").cast([0], [0], [1], [1], [0], [0]);
+const range: Float32Array = new scene.Rays(camera).toRange(new Float32Array(48), { range: scene.float32(48) });
+new scene.Raster(camera, 0).triangles(null, { position: [0, 0, 1, 1, 0, 1, 0, 1, 1] });
+const counted: bigint = octree.count.occupied;
+
+// @ts-expect-error: what a ray meets may be nothing
+octree.ray([0, 0, 0], [1, 0, 0], 5).state;
+// @ts-expect-error: no such rule
+new scene.Octree({ edge: 0.05, levels: 8, rule: "odds" });
+// @ts-expect-error: a camera is no map
+octree.merge(camera);
+// @ts-expect-error: pixels of these types are none
+octree.update({ camera, depth: { data: new Float64Array(48), width: 8, height: 6 } });
+
+export { counted, hits, range, struck, voxel, voxels };
 export { CubemapError, cells, floats, jacobian, many, message, pictures, point };

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
-from . import _methods
+from . import _core, _methods
 from .pixels import UNSEEN, Healpix
 
 __all__ = ["UNSEEN", "ang2pix", "ang2vec", "boundaries", "get_all_neighbours", "get_map_size", "get_nside", "isnpixok", "isnsideok",
@@ -41,7 +41,7 @@ def _healpix(nside, nest):
 
 
 # Methods of Healpix by nside and order, bound: for single points, of which looking up took most of the time.
-_from_angles, _to_angles, _from_direction, _to_direction, _to_nested = {}, {}, {}, {}, {}
+_from_angles, _to_angles, _from_direction, _to_direction, _to_nested, _handles = {}, {}, {}, {}, {}, {}
 
 
 def _bind(table, method, nside, nest):
@@ -138,9 +138,8 @@ def ang2vec(theta: ArrayLike, phi: ArrayLike, lonlat: bool = False) -> np.ndarra
         if np.isnan(vectors).any():
             raise ValueError("THETA is out of range [0,pi]")
         return vectors
-    if type(theta) is float and type(phi) is float and 0 <= theta <= np.pi:  # the same, without arrays
-        rho = np.sin(theta)
-        return np.array((rho * np.cos(phi), rho * np.sin(phi), np.cos(theta)))
+    if type(theta) is float and type(phi) is float and 0 <= theta <= math.pi:  # the same, for a single point
+        return _core.angles_to_vector(theta, phi)
     theta, phi = np.asarray(theta, np.float64), np.asarray(phi, np.float64)
     if not ((theta >= 0) & (theta <= np.pi + 1e-5)).all():
         raise ValueError("THETA is out of range [0,pi]")
@@ -174,16 +173,18 @@ def get_all_neighbours(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike | None
                        lonlat: bool = False) -> np.ndarray:
     """The neighbours SW, W, NW, N, NE, E, SE and S, along the first axis; -1 where there is none."""
     pixel = theta if phi is None else ang2pix(nside, theta, phi, nest, lonlat)
+    if type(nside) is int and type(pixel) is int:
+        return _core.pixel_neighbours(_handles.get((nside, nest)) or _bind(_handles, "_handle", nside, nest), pixel)
     found = _each(nside, nest, "neighbours", pixel)
     return found if found.ndim == 1 else np.moveaxis(found, -1, 0)
 
 
 def boundaries(nside: int, pix: ArrayLike, step: int = 1, nest: bool = False) -> np.ndarray:
     """The boundary of pixels: x, y, z of 4 step points, (3, 4 step), or (n, 3, 4 step) of n pixels."""
-    healpix = _healpix(nside, nest)
+    handle = (_handles.get((nside, nest)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, nest)
     if type(pix) is int or np.ndim(pix) == 0:
-        return healpix.boundary(pix, step).T
-    return np.stack([healpix.boundary(one, step).T for one in np.asarray(pix).tolist()])
+        return _core.pixel_boundary(handle, int(pix), step, False)
+    return np.stack([_core.pixel_boundary(handle, one, step, False) for one in np.asarray(pix).tolist()])
 
 
 # ---- resolutions ----
@@ -259,6 +260,7 @@ def nside2resol(nside: Any, arcmin: bool = False) -> Any:
     return np.degrees(side) * 60 if arcmin else side
 
 
+@functools.lru_cache(maxsize=128)
 def max_pixrad(nside: int, degrees: bool = False) -> float:
     """The greatest angle between a pixel's centre and its corners."""
     _checked_nside(nside)
@@ -323,74 +325,13 @@ def ud_grade(map_in: ArrayLike, nside_out: int, pess: bool = False, order_in: st
 
 # ---- regions ----
 
-def _ring_counts(nside, ring):
-    """Of rings: pixels before them, how many each has, z and the longitude of the first centre."""
-    north = np.minimum(ring, 4 * nside - ring)
-    polar = north < nside
-    count = 4 * np.where(polar, north, nside)
-    cap = 2 * north * (north - 1)
-    npix = nside2npix(nside)
-    first = np.where(polar, np.where(ring < 2 * nside, cap, npix - cap - count), 2 * nside * (nside - 1) + (ring - nside) * 4 * nside)
-    z = np.where(polar, 1 - north * north / (3.0 * nside * nside), (4 / 3 - 2 * north / (3.0 * nside)))
-    z = np.where(ring > 2 * nside, -z, z)
-    shifted = polar | ((ring - nside) % 2 == 0)
-    return first, count, z, np.where(shifted, np.pi / count, 0.0)
-
-
-def _candidates(nside, vector, radius):
-    """Pixels in RING whose centre may be within a radius of a unit vector: those of the rings, and one more at each side."""
-    z0, rho0 = vector[2], np.hypot(vector[0], vector[1])
-    theta0, phi0 = np.arctan2(rho0, z0), np.arctan2(vector[1], vector[0])
-    rings = np.arange(1, 4 * nside)
-    first, count, z, start = _ring_counts(nside, rings)
-    theta = np.arctan2(np.sqrt((1 - z) * (1 + z)), z)
-    near = np.abs(theta - theta0) <= radius + 1e-9
-    first, count, z, start, theta = first[near], count[near], z[near], start[near], theta[near]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        # haversines, so that small discs are accurate
-        share = (np.sin(radius / 2) ** 2 - np.sin((theta - theta0) / 2) ** 2) / (np.sin(theta) * np.sin(theta0))
-    half = 2 * np.arcsin(np.sqrt(np.clip(np.where(np.isfinite(share), share, 1.0), 0, 1)))
-    if radius >= np.pi:
-        half[:] = np.pi
-    step = 2 * np.pi / count
-    low = np.floor((phi0 - half - start) / step).astype(np.int64)
-    high = np.ceil((phi0 + half - start) / step).astype(np.int64)
-    number = np.minimum(high - low + 1, count)
-    ends = np.cumsum(number)
-    place = np.arange(ends[-1] if ends.size else 0) - np.repeat(ends - number, number)
-    return np.repeat(first, number) + (np.repeat(low, number) + place) % np.repeat(count, number)
-
-
-def _squared_chords(vector, x, y, z):
-    """Of points to the unit vector: what small angles do not lose."""
-    return (x - vector[0]) ** 2 + (y - vector[1]) ** 2 + (z - vector[2]) ** 2
-
-
 def query_disc(nside: int, vec: ArrayLike, radius: float, inclusive: bool = False, fact: int = 4, nest: bool = False,
                buff: np.ndarray | None = None) -> np.ndarray:
     """The pixels, sorted, whose centre is within an angle of a vector; inclusive: those that overlap the disc, and a few more."""
-    healpix = _healpix(nside, nest)
-    ring = _healpix(nside, False)
-    vector = np.asarray(vec, np.float64)
-    length = np.linalg.norm(vector)
-    if vector.shape != (3,) or not np.isfinite(length) or length == 0 or not radius >= 0:
-        raise ValueError("a disc has a vector and a radius of 0 or more")
-    vector = vector / length
-    radius = min(float(radius), np.pi)
-    reach = min(radius + max_pixrad(nside), np.pi) if inclusive else radius
-    pixels = _candidates(nside, vector, reach)
-    inside = _squared_chords(vector, *ring.direction_from_pixel(pixels)) <= 4 * np.sin(radius / 2) ** 2
-    if inclusive:
-        side = np.pi / 2 / nside / fact  # no two points of a boundary that follow each other are farther apart
-        limit = 4 * np.sin(min(radius + side / 2, np.pi) / 2) ** 2
-        for index in np.flatnonzero(~inside):
-            inside[index] = _squared_chords(vector, *ring.boundary(pixels[index], fact).T).min() <= limit
-        pixels = np.union1d(pixels[inside], ring.pixel_from_direction(*vector.tolist()))
-    else:
-        pixels = pixels[inside]
+    ring = (_handles.get((nside, False)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, False)
+    pixels = _core.pixel_disc(ring, vec, radius, max_pixrad(nside) if inclusive else 0.0, fact if inclusive else 0)
     if nest:
-        pixels = healpix.nested_from_ring(pixels)
-    pixels = np.sort(pixels)
+        pixels = np.sort(_healpix(nside, True).nested_from_ring(pixels))
     if buff is not None:
         buff[:pixels.size] = pixels
         return buff[:pixels.size]

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _core
 from . import _library as library
 from ._errors import Error, in_words
 from ._methods import HealpixMethods
@@ -81,13 +82,10 @@ class Healpix(HealpixMethods, Specified):
         return library.cm_healpix_ring_count(self._handle)
 
     def boundary(self, pixel: int, steps: int = 1) -> np.ndarray:
-        """4 steps unit directions of a pixel's boundary, from the north corner by the west: (4 steps, 3)."""
+        """4 steps unit directions of a pixel's boundary, from the north corner by the west: (4 steps, 3), beside each other."""
         if not 1 <= steps <= 2**20:
             raise Error(library.CM_ERROR_ARGUMENT, f"steps: 1 to 2^20, not {steps}")
-        points = np.empty((3, 4 * steps))
-        x, plane = points.ctypes.data, 32 * steps  # bytes; asking for an address takes longer than a boundary
-        library.cm_healpix_boundary(self._handle, int(pixel), steps, x, x + plane, x + 2 * plane)
-        return points.T
+        return _core.pixel_boundary(self._handle, int(pixel), steps, True)
 
     def ring_info(self, ring: int) -> Ring:
         """The ring of a number, 1 at the north pole, as Ring."""

@@ -53,11 +53,25 @@ static int add_functions(PyObject *module)
     return status;
 }
 
+int core_check(cm_status status)
+{
+    if (status == CM_OK)
+    {
+        return 0;
+    }
+    PyObject *errors = PyImport_ImportModule("cubemap._errors");
+    PyObject *nothing = errors ? PyObject_CallMethod(errors, "check", "i", (int)status) : NULL;
+    Py_XDECREF(nothing);
+    Py_XDECREF(errors);
+    return -1;
+}
+
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT,
     .m_name = "cubemap._core",
     .m_doc = "The library and its ufuncs. What people use is in the package cubemap.",
     .m_size = -1,
+    .m_methods = core_methods,
 };
 
 PyMODINIT_FUNC PyInit__core(void);

@@ -123,6 +123,12 @@ struct core_handle
     PyObject *keep; /* what must live as long */
 };
 
+/* 0, or -1 with the package's own exception. */
+int core_check(cm_status status);
+
+/* Of the module: single pixels and points (pixel.c). */
+extern PyMethodDef core_methods[];
+
 extern PyTypeObject core_handle_type;
 extern PyTypeObject core_function_type;
 

@@ -259,16 +259,7 @@ static PyObject *make_ufunc(const struct core_function *function,
 static int probe(const struct core_function *function, const struct core_context *context)
 {
     void *pointers[CORE_OPERANDS_MAX] = {NULL};
-    const cm_status status = function->variant[0]->call(context, 0, pointers, 0);
-    if (status == CM_OK)
-    {
-        return 0;
-    }
-    PyObject *errors = PyImport_ImportModule("cubemap._errors");
-    PyObject *nothing = errors ? PyObject_CallMethod(errors, "check", "i", (int)status) : NULL;
-    Py_XDECREF(nothing);
-    Py_XDECREF(errors);
-    return -1;
+    return core_check(function->variant[0]->call(context, 0, pointers, 0));
 }
 
 static const struct core_function *find_function(const char *name)

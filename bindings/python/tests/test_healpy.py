@@ -134,6 +134,45 @@ def test_discs_with_all_that_overlaps(nest, random):
         assert got.size <= few.size + 0.3 * few.size + 10
 
 
+def test_single_points_are_as_arrays_of_them(random):
+    """Numbers of Python have ways of their own."""
+    for nside, nest in ((1, True), (64, False), (2**29, True)):
+        for pixel in (0, 3, 12 * nside**2 - 1, *random.integers(0, 12 * nside**2, 20).tolist()):
+            assert np.array_equal(healpy.get_all_neighbours(nside, pixel, nest=nest),
+                                  healpy.get_all_neighbours(nside, np.array([pixel]), nest=nest)[:, 0])
+            assert np.array_equal(healpy.boundaries(nside, pixel, 3, nest), healpy.boundaries(nside, np.array([pixel]), 3, nest)[0])
+        assert (healpy.get_all_neighbours(nside, -1, nest=nest) == -1).all()
+    for theta, phi in random.random((50, 2)).tolist():
+        assert np.abs(healpy.ang2vec(theta, phi) - healpy.ang2vec(np.array([theta]), np.array([phi]))[0]).max() < 2.3e-16
+    for what in (lambda: healpy.ang2vec(4.0, 0.0), lambda: healpy.boundaries(4, 192), lambda: healpy.boundaries(4, 0, 0),
+                 lambda: healpy.query_disc(4, (0, 0, 0), 1), lambda: healpy.query_disc(4, (0, 1), 1),
+                 lambda: healpy.query_disc(4, (0, 0, 1), -1), lambda: healpy.query_disc(4, (0, 0, 1), float("nan")),
+                 lambda: healpy.query_disc(4, (0, np.inf, 1), 1), lambda: healpy.query_disc(3, (0, 0, 1), 1, nest=True)):
+        with pytest.raises(ValueError):
+            what()
+
+
+def test_boundaries_lie_together():
+    """Nobody has to copy them."""
+    outline = Healpix(64).boundary(1234, 5)
+    assert outline.shape == (20, 3) and outline.flags.c_contiguous
+    assert healpy.boundaries(64, 1234, 5).flags.c_contiguous and np.array_equal(healpy.boundaries(64, 1234, 5), outline.T)
+
+
+def test_discs_around_a_pole_and_at_great_resolutions():
+    everything = np.arange(192)
+    for vector in ((0, 0, 1), (0, 0, -2), (1e-12, 0, 1)):
+        assert np.array_equal(healpy.query_disc(4, vector, 3.2), everything)
+        assert np.array_equal(healpy.query_disc(4, vector, np.pi), everything)
+        assert np.array_equal(healpy.query_disc(1024, vector, 0.002), np.sort(reference.query_disc(1024, np.array(vector), 0.002)))
+    # healpy's own cosines do not tell such angles from each other: chords do
+    nside, vector = 2**29, np.array([0.3, -0.5, 0.4])
+    pixels = healpy.query_disc(nside, vector, 5e-9)
+    vectors = np.array(healpy.pix2vec(nside, pixels))
+    assert pixels.size == pytest.approx(np.pi * 5e-9**2 / healpy.nside2pixarea(nside), rel=0.2)
+    assert np.linalg.norm(vectors.T - vector / np.linalg.norm(vector), axis=1).max() < 5.001e-9
+
+
 def test_sizes():
     for nside in (1, 2, 256, 2**20):
         for name in ("nside2npix", "nside2pixarea", "nside2resol", "max_pixrad", "nside2order"):

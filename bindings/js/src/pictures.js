@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// Pictures as structs of the library, with their pixels in the module's memory.
+
+const PIXELS = [[Uint8Array, "u8"], [Uint8ClampedArray, "u8"], [Uint16Array, "u16"], [Float32Array, "float"]];
+
+/** A picture, { data, width, height, channels }, at a place where 32 bytes are zero: where its pixels are then. */
+export function putPicture(of, picture, at, name) {
+    const { M, structs } = of;
+    if (typeof picture !== "object" || picture === null || picture.data === undefined || picture.data === null) {
+        throw new TypeError(`${name} is to be a picture: { data, width, height, channels }`);
+    }
+    const { data, width, height, channels = 1 } = picture;
+    const array = data.array ?? data;
+    const pair = PIXELS.find(([Type]) => array instanceof Type);
+    if (pair === undefined) {
+        throw new TypeError(`${name}: pixels are to be a Uint8Array, a Uint16Array or a Float32Array`);
+    }
+    if (array.length !== width * height * channels) {
+        throw new RangeError(`${name}: ${array.length} numbers are not ${width} x ${height} pixels of ${channels}`);
+    }
+    const isHere = array.buffer === M.buffer;
+    const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+    const place = isHere ? array.byteOffset : M.room(bytes.length);
+    if (!isHere) {
+        new Uint8Array(M.buffer, place, bytes.length).set(bytes);
+    }
+    structs.write_cm_image({ type: pair[1], width, height, channels }, at);
+    M.data.setUint32(at + 4, place, true);
+    return { place, isHere, bytes };
+}
+
+/** What the library has written, into the caller's picture. */
+export function takePicture(of, { place, isHere, bytes }) {
+    if (!isHere) {
+        bytes.set(new Uint8Array(of.M.buffer, place, bytes.length));
+    }
+}
