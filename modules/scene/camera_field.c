@@ -202,6 +202,18 @@ static int look_closer(const direction *along, const cm_camera_set *set, double 
     return 0;
 }
 
+/* Before the first of the steps, which is not good: a border may be as near as doubles are. */
+static double near_border(const direction *along, double bad)
+{
+    double good = 0.0625 * bad;
+    while (good > 0.0 && !(sign_at(along, good) > 0.0))
+    {
+        bad = good;
+        good *= 0.0625;
+    }
+    return good > 0.0 ? change_between(along, good, bad) : 0.0;
+}
+
 /* The first border at the steps, and the end of the fold behind it, if that is asked for. */
 static double first_border(steps *of, double *end)
 {
@@ -210,7 +222,7 @@ static double first_border(steps *of, double *end)
     if (!(sign_of(of, 0) > 0.0))
     {
         find_end(of, 1, radius[0], end);
-        return change_between(along, 0.0, radius[0]);
+        return near_border(along, radius[0]);
     }
     for (size_t i = 1; i < STEPS; i++)
     {
