@@ -153,7 +153,8 @@ void cameras()
     refuses("{\"width\":8,\n\"height\":6.5,\"fx\":8,\"fy\":8" + rest, "2: .*whole numbers");
     refuses("{\"mapping\":\"coupled\",\n\"frame\":\"geoo\",\"size\":8}", "2: no frame");
     refuses("{\"mapping\":\"coupled\",\n\"size\":18919}", "2: .*18919 x 113514 .*2\\^31 pixels");
-    refuses("{\"mapping\":\"equidistant\",\n\"size\":46341}", "2: .*46341 x 46341 .*2\\^31 pixels");
+    refuses("{\"mapping\":\"azimuthal:equidistant\",\n\"size\":46341}",
+            "2: .*46341 x 46341 .*2\\^31 pixels");
     refuses("{\"mapping\":\"coupled\"}", "1: size is missing");
     refuses("{\"mapping\":\"coupled\",\"size\":1e9}", "1: .*2\\^31 pixels");
     refuses("{\"mapping\":\"nothing\",\"size\":8}", "1: mapping: ");
