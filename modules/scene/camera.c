@@ -270,7 +270,7 @@ double cm_camera_border(const cm_camera *camera, double angle)
     {
         return (double)NAN;
     }
-    return camera->lens.is_plain
-               ? (double)INFINITY
-               : cm_camera_field_border(&camera->lens, camera->set, cos(angle), sin(angle), NULL);
+    return camera->lens.is_plain ? (double)INFINITY
+                                 : cm_camera_field_border(&camera->lens, camera->set, cos(angle),
+                                                          sin(angle), CM_FIELD_SLACK, NULL);
 }

@@ -2,16 +2,34 @@
 #include "camera_field.h"
 
 #include <stddef.h>
+#include <stdint.h>
 
 /* Along a direction signs are looked at in steps of an eighth of an octave, from 1e-4 to 4e5. */
 #define STEPS (4 * CM_CAMERA_BLOCK)
 #define FIRST 1e-4
 #define STEPS_OF_OCTAVE 8
 
+/* Evaluations between two radii: twice what halving takes. */
+#define STEPS_MOST 200
+
+/* Borders of whole directions are told apart from what is beyond by 2 %, and need no more than this. */
+#define COARSE 1e-9
+
+/* 2^(i/8) */
+static const double eighths[STEPS_OF_OCTAVE] = {1.0,
+                                                1.0905077326652577,
+                                                1.189207115002721,
+                                                1.2968395546510096,
+                                                1.4142135623730951,
+                                                1.5422108254079407,
+                                                1.681792830507429,
+                                                1.8340080864093424};
+
 typedef struct direction
 {
     const cm_lens *lens;
     double cosine, sine;
+    double slack; /* of the radii of borders: a part of them */
 } direction;
 
 static double sign_at(const direction *along, double radius)
@@ -19,20 +37,50 @@ static double sign_at(const direction *along, double radius)
     return cm_lens_sign(along->lens, radius * along->cosine, radius * along->sine);
 }
 
-/* Between a good radius and one that is not, or the other way round: the last double that is as the first. */
+/* Good where the sign is, and what of it goes through 0 there: at a pole the determinant leaps, but not the divisor. */
+static double crossing_at(const direction *along, double radius)
+{
+    const cm_lens_point at = cm_lens_at(along->lens, radius * along->cosine, radius * along->sine);
+    return at.divisor > 0.0    ? cm_lens_sign_there(along->lens, &at)
+           : at.divisor <= 0.0 ? at.divisor
+                               : -1.0;
+}
+
+/* Where a line through both crosses 0, moved towards the middle so that the far end comes near as well; or the middle. */
+static double crossing_between(double from, double to, double at_from, double at_to, double pad)
+{
+    const double middle = 0.5 * (from + to);
+    const double crossing = from + (to - from) * (at_from / (at_from - at_to));
+    const double moved =
+        crossing < middle ? fmin(crossing + pad, middle) : fmax(crossing - pad, middle);
+    return moved > fmin(from, to) && moved < fmax(from, to) ? moved : middle;
+}
+
+/* Between a good radius and one that is not, or the other way round: where it changes, or a little before that, where it is as
+ * at the first. By the secant, and by the middle whenever that has not made much of the way. */
 static double change_between(const direction *along, double from, double to)
 {
-    const int good = sign_at(along, from) > 0.0;
-    for (int i = 0; i < 80; i++)
+    double at_from = crossing_at(along, from);
+    double at_to = crossing_at(along, to);
+    const int good = at_from > 0.0;
+    const double slack = along->slack * fmax(fabs(from), fabs(to));
+    double pad = 0.5 * slack;
+    int is_slow = (at_to > 0.0) == good;
+    int last = -1;
+    for (int i = 0; i < STEPS_MOST && fabs(to - from) > slack; i++)
     {
-        const double middle = 0.5 * (from + to);
-        if (middle == from || middle == to)
-        {
-            break;
-        }
-        const int same = (sign_at(along, middle) > 0.0) == good;
-        from = same ? middle : from;
-        to = same ? to : middle;
+        const double width = fabs(to - from);
+        const double next =
+            is_slow ? 0.5 * (from + to) : crossing_between(from, to, at_from, at_to, pad);
+        const double at_next = crossing_at(along, next);
+        const int same = (at_next > 0.0) == good;
+        from = same ? next : from;
+        at_from = same ? at_next : at_from;
+        to = same ? to : next;
+        at_to = same ? at_to : at_next;
+        pad *= same == last ? 4.0 : 1.0;
+        last = same;
+        is_slow = !is_slow && fabs(to - from) > 0.25 * width;
     }
     return from;
 }
@@ -67,45 +115,55 @@ static double lowest_between(const direction *along, double from, double to)
     return at_low < at_high ? low : high;
 }
 
-static void look_along(const direction *along, const cm_camera_set *set, double *radius,
-                       double *sign)
+/* Signs along a direction, at as many steps as were asked for. */
+typedef struct steps
 {
-    for (size_t i = 0; i < STEPS_OF_OCTAVE; i++)
-    {
-        radius[i] = FIRST * exp2((double)i / STEPS_OF_OCTAVE);
-    }
-    for (size_t i = STEPS_OF_OCTAVE; i < STEPS; i++)
-    {
-        radius[i] = 2.0 * radius[i - STEPS_OF_OCTAVE];
-    }
-    for (size_t i = 0; i < STEPS; i += CM_CAMERA_BLOCK)
+    const direction *along;
+    const cm_camera_set *set;
+    size_t known;
+    double radius[STEPS];
+    double sign[STEPS];
+} steps;
+
+/* The sign at a step. */
+static double sign_of(steps *of, size_t step)
+{
+    while (of->known <= step)
     {
         double a[CM_CAMERA_BLOCK];
         double b[CM_CAMERA_BLOCK];
+        double *const radius = of->radius + of->known;
         for (size_t k = 0; k < CM_CAMERA_BLOCK; k++)
         {
-            a[k] = radius[i + k] * along->cosine;
-            b[k] = radius[i + k] * along->sine;
+            radius[k] = FIRST * eighths[k % STEPS_OF_OCTAVE] *
+                        (double)(UINT64_C(1) << (of->known + k) / STEPS_OF_OCTAVE);
+            a[k] = radius[k] * of->along->cosine;
+            b[k] = radius[k] * of->along->sine;
         }
-        set->signs(along->lens, a, b, sign + i);
+        of->set->signs(of->along->lens, a, b, of->sign + of->known);
+        of->known += CM_CAMERA_BLOCK;
     }
+    return of->sign[step];
 }
 
-/* The end of what begins beyond a border at one of the steps, or a place before it. */
-static double end_of_fold(const direction *along, const double *radius, const double *sign,
-                          size_t step, double bad)
+/* The end of what begins beyond a border at one of the steps, or a place before it; nothing where that is NULL. */
+static void find_end(steps *of, size_t step, double bad, double *end)
 {
-    for (size_t i = step; i < STEPS; i++)
+    if (end == NULL)
     {
-        if (sign[i] > 0.0)
-        {
-            return change_between(along, i > step ? radius[i - 1] : bad, radius[i]);
-        }
+        return;
     }
-    return (double)INFINITY;
+    size_t i = step;
+    while (i < STEPS && !(sign_of(of, i) > 0.0))
+    {
+        i++;
+    }
+    *end = i < STEPS ? change_between(of->along, i > step ? of->radius[i - 1] : bad, of->radius[i])
+                     : (double)INFINITY;
 }
 
-/* Before a pole a fold may begin and end within a step: looks once more, closer. 1 if there is something before the end. */
+/* Before a pole a fold may begin and end within a step: looks once more, closer. 1 if there is something before the end.
+ * end may be NULL. */
 static int look_closer(const direction *along, const cm_camera_set *set, double from,
                        double *border, double *end)
 {
@@ -127,6 +185,10 @@ static int look_closer(const direction *along, const cm_camera_set *set, double 
         {
             const double old = *border;
             *border = change_between(along, radius[i - 1], radius[i]);
+            if (end == NULL)
+            {
+                return 1;
+            }
             size_t good = i + 1;
             while (good + 1 < CM_CAMERA_BLOCK && !(sign[good] > 0.0))
             {
@@ -140,40 +202,63 @@ static int look_closer(const direction *along, const cm_camera_set *set, double 
     return 0;
 }
 
-double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, double cosine,
-                              double sine, double *beyond)
+/* Before the first of the steps, which is not good: a border may be as near as doubles are. */
+static double near_border(const direction *along, double bad)
 {
-    const direction along = {lens, cosine, sine};
-    double radius[STEPS];
-    double sign[STEPS];
-    look_along(&along, set, radius, sign);
-    double border = sign[0] > 0.0 ? (double)INFINITY : change_between(&along, 0.0, radius[0]);
-    double end = sign[0] > 0.0 ? (double)INFINITY : end_of_fold(&along, radius, sign, 1, radius[0]);
-    for (size_t i = 1; i < STEPS && border == (double)INFINITY; i++)
+    double good = 0.0625 * bad;
+    while (good > 0.0 && !(sign_at(along, good) > 0.0))
     {
+        bad = good;
+        good *= 0.0625;
+    }
+    return good > 0.0 ? change_between(along, good, bad) : 0.0;
+}
+
+/* The first border at the steps, and the end of the fold behind it, if that is asked for. */
+static double first_border(steps *of, double *end)
+{
+    const direction *const along = of->along;
+    const double *const radius = of->radius;
+    if (!(sign_of(of, 0) > 0.0))
+    {
+        find_end(of, 1, radius[0], end);
+        return near_border(along, radius[0]);
+    }
+    for (size_t i = 1; i < STEPS; i++)
+    {
+        const double sign = sign_of(of, i);
         double bad = radius[i];
-        const int is_dip = sign[i] > 0.0 && i + 1 < STEPS && sign[i] < sign[i - 1] &&
-                           sign[i] <= sign[i + 1] && sign[i] < 0.25;
+        const int is_dip = sign > 0.0 && sign < 0.25 && i + 1 < STEPS && sign < of->sign[i - 1] &&
+                           sign <= sign_of(of, i + 1);
         if (is_dip)
         {
-            bad = lowest_between(&along, radius[i - 1], radius[i + 1]);
+            bad = lowest_between(along, radius[i - 1], radius[i + 1]);
         }
-        if (is_dip ? !(sign_at(&along, bad) > 0.0) : !(sign[i] > 0.0))
+        if (is_dip ? !(sign_at(along, bad) > 0.0) : !(sign > 0.0))
         {
-            border = change_between(&along, radius[i - 1], bad);
-            end = end_of_fold(&along, radius, sign, bad >= radius[i] ? i + 1 : i, bad);
+            find_end(of, bad >= radius[i] ? i + 1 : i, bad, end);
+            return change_between(along, radius[i - 1], bad);
         }
     }
+    find_end(of, STEPS, (double)INFINITY, end);
+    return (double)INFINITY;
+}
+
+double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, double cosine,
+                              double sine, double slack, double *beyond)
+{
+    const direction along = {lens, cosine, sine, slack};
+    steps of;
+    of.along = &along;
+    of.set = set;
+    of.known = 0;
+    double border = first_border(&of, beyond);
     for (int i = 0; border > 0.0 && border < (double)INFINITY && i < 3; i++)
     {
-        if (!look_closer(&along, set, 0.8 * border, &border, &end))
+        if (!look_closer(&along, set, 0.8 * border, &border, beyond))
         {
             break;
         }
-    }
-    if (beyond != NULL)
-    {
-        *beyond = end;
     }
     return border;
 }
@@ -217,7 +302,7 @@ static void find_ends(const cm_lens *lens, const cm_camera_set *set, double firs
         double sine;
         double beyond;
         direction_of(first + distance * (double)i, &cosine, &sine);
-        const double border = cm_camera_field_border(lens, set, cosine, sine, &beyond);
+        const double border = cm_camera_field_border(lens, set, cosine, sine, COARSE, &beyond);
         /* close to the border, since before a pole steps may miss what is good again */
         end[i] = (cm_field_end){border, fmin(sqrt(border * beyond), 1.02 * border), 0, -1};
         if (i > 0)
@@ -290,5 +375,6 @@ int cm_camera_field_joins(const cm_lens *lens, const cm_camera_set *set,
     const double high = fmax(end[0].border, end[1].border);
     return radius < 0.98 * low ||
            (radius <= 1.05 * high &&
-            radius <= cm_camera_field_border(lens, set, a / radius, b / radius, NULL));
+            radius <=
+                cm_camera_field_border(lens, set, a / radius, b / radius, CM_FIELD_SLACK, NULL));
 }

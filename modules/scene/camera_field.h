@@ -39,9 +39,13 @@ typedef struct cm_camera_field
 /* Fills it in but for furthest, which is infinite; some hundred thousand evaluations of the lens. */
 void cm_camera_field_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field);
 
-/* How far the field goes in one direction (cosine, sine); beyond, if it is not NULL, gets where signs are good again. */
+/* Of a border as well as doubles tell it: rounding moves it more. */
+#define CM_FIELD_SLACK 1e-15
+
+/* How far the field goes in one direction (cosine, sine), or up to slack less, a part of that: signs are good there. beyond, if
+ * it is not NULL, gets where they are good again, or up to slack less. */
 double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, double cosine,
-                              double sine, double *beyond);
+                              double sine, double slack, double *beyond);
 
 /* Is the ray inside, if signs are good there? */
 int cm_camera_field_joins(const cm_lens *lens, const cm_camera_set *set,

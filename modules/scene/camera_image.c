@@ -50,7 +50,8 @@ static place place_on(const chain *c, double angle, double radius)
 
 static place place_at(const chain *c, double angle)
 {
-    const double border = cm_camera_field_border(c->lens, c->set, cos(angle), sin(angle), NULL);
+    const double border =
+        cm_camera_field_border(c->lens, c->set, cos(angle), sin(angle), CM_FIELD_SLACK, NULL);
     return place_on(c, angle, fmin(border, CM_FIELD_FURTHEST));
 }
 

@@ -93,15 +93,20 @@ static inline double cm_lens_turn(const double row[3], double x, double y, doubl
 }
 
 /* Positive where the map keeps its side: the least of what must not reach 0. NaN counts as no. */
+static inline double cm_lens_sign_there(const cm_lens *lens, const cm_lens_point *at)
+{
+    const double reach = cm_lens_reach(lens, at->x, at->y);
+    const double least = at->determinant < at->divisor ? at->determinant : at->divisor;
+    const double sign = reach < least ? reach : least;
+    return at->determinant > 0.0 && at->divisor > 0.0 && reach > 0.0 ? sign
+           : sign < 0.0                                              ? sign
+                                                                     : -1.0;
+}
+
 static inline double cm_lens_sign(const cm_lens *lens, double a, double b)
 {
     const cm_lens_point at = cm_lens_at(lens, a, b);
-    const double reach = cm_lens_reach(lens, at.x, at.y);
-    const double least = at.determinant < at.divisor ? at.determinant : at.divisor;
-    const double sign = reach < least ? reach : least;
-    return at.determinant > 0.0 && at.divisor > 0.0 && reach > 0.0 ? sign
-           : sign < 0.0                                            ? sign
-                                                                   : -1.0;
+    return cm_lens_sign_there(lens, &at);
 }
 
 #endif

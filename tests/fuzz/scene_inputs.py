@@ -128,6 +128,7 @@ def camera_inputs():
         "plain": bytes([1]) + size + sized(0.5, 0.5, 0.4, 0.3) + bytes([1, 0]) + sized(0.1) + places,
         "lens": bytes([1]) + size + sized(0.5, 0.5, 0.4, 0.3) + bytes([1, 14]) + lens + sized(0.1) + places,
         "fold": bytes([1]) + size + sized(0.5, -0.5, 0.4, 0.3) + bytes([1, 2]) + sized(-0.9, 0.3) + sized(0.1) + places,
+        "near": bytes([1]) + size + sized(0.5, 0.5, 0.4, 0.3) + bytes([1, 6]) + sized(*[0.0] * 5) + raw(-1e200) + sized(0.1) + places,
         "none": bytes([1]) + size + raw(float("nan"), 0.0, 1.0, 1.0) + bytes([1, 0]),
         "huge": bytes([1, 0]) + word(-1) + bytes([0]) + word(-1) + sized(0.5, 0.5, 0.4, 0.3),
         "coupled": bytes([0]) + subject(COUPLED) + bytes([63]) + places,

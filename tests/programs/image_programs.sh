@@ -110,19 +110,20 @@ P
     fi
 }
 
+# signals NAME COUNT COMMAND...: ended by a signal when it has so many names in the folder "made", it leaves none.
 signals()
 {
-    local signal status
+    local name=$1 signal status
+    shift
     for signal in INT TERM HUP; do
         mkdir made
         # From Python, as a shell starts what runs in its background with SIGINT ignored.
-        python3 - "$signal" "$programs/cubemap-reproject" "$earth" <<'P'
+        python3 - "$signal" "$@" <<'P'
 import os, signal, subprocess, sys, time
 number = getattr(signal, "SIG" + sys.argv[1])
-child = subprocess.Popen([sys.argv[2], "--size", "6000", sys.argv[3], "made/%f.tif"],
-                         preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
+child = subprocess.Popen(sys.argv[3:], preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
 for _ in range(1000):
-    if len(os.listdir("made")) == 6 or child.poll() is not None:
+    if len(os.listdir("made")) == int(sys.argv[2]) or child.poll() is not None:
         break
     time.sleep(0.01)
 time.sleep(0.2)
@@ -132,9 +133,18 @@ sys.exit(0 if child.wait() == -number and running else 1)
 P
         status=$?
         [ $status -eq 0 ] && [ -z "$(ls -A made)" ]
-        result $? "SIG$signal leaves nothing behind" "status $status; left: $(ls -A made)"
+        result $? "$name: SIG$signal leaves nothing behind" "status $status; left: $(ls -A made)"
         rm -rf made
     done
+}
+
+# A folder of views, too.
+signals_while_rendering()
+{
+    [ -x "$programs/cubemap-scene" ] || return 0
+    echo '{"width":1280,"height":960,"fx":900,"fy":900,"cx":640,"cy":480}' >camera.json
+    seq 1 200 | sed 's/$/ 0 0 1.2 0.5 -0.5 0.5 -0.5/' >path.txt
+    signals scene 1 "$programs/cubemap-scene" render room camera.json path.txt -o made/x --truth --quiet
 }
 
 # What was killed leaves its temporary files to the next that writes into the folder; files of who lives, and of who is no
@@ -282,7 +292,8 @@ full 'help to a full device' "$programs/cubemap-reproject" --help
 full 'standard output is full' "$programs/cubemap-colormap" single
 link_and_permissions
 progress_bar
-signals
+signals reproject 6 "$programs/cubemap-reproject" --size 6000 "$earth" made/%f.tif
+signals_while_rendering
 left_over
 killed_and_resumed
 memory_ceiling

@@ -17,6 +17,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <unistd.h>
+
 #include <cubemap/world.h>
 
 namespace
@@ -292,6 +294,11 @@ void rendering()
            "the folder has what it should", names_in("made/room"));
     result(names_in("made") == "room ", "nothing else is left", names_in("made"));
     holds("the room is as its closed forms", check_room);
+    sleep(1); // files have no time of writing in them
+    does("scene render room camera.json path.txt -o again --threads 7 --truth --quiet");
+    const std::string truth_file = "/truth/" + time_of(1) + ".exr";
+    result(content_of("made/room" + truth_file) == content_of("again" + truth_file),
+           "the same bits of truth a second later, and with 7 threads");
     does(
         "scene render room camera.json path.txt -o one --threads 1 --noise gaussian:0.01 --seed 3");
     does(
@@ -450,13 +457,37 @@ void scenes_of_json()
     refuses("an unknown member", "{\"spheres\":[{\"center\":[0,0,0]}]}",
             "spheres\\[0\\] has 'center'");
     refuses("too few numbers", "{\"spheres\":[{\"centre\":[0,0],\"radius\":1}]}",
-            "spheres\\[0\\].centre is not 3 numbers");
+            "bad.json':1: spheres\\[0\\].centre is not a list of 3 numbers");
     refuses("a radius of 0", "{\"spheres\":[{\"centre\":[0,0,0],\"radius\":0}]}",
-            "radius that is not above");
+            "bad.json':1: spheres\\[0\\].radius is 0, not a number above 0");
     refuses("a number too large", "{\"spheres\":[{\"centre\":[0,0,1e999],\"radius\":1}]}",
-            "3 numbers");
+            "centre is not a finite number");
     refuses("a colour outside",
-            "{\"spheres\":[{\"centre\":[0,0,0],\"radius\":1,\"color\":[2,0,0]}]}", "outside 0..1");
+            "{\"spheres\":[{\"centre\":[0,0,0],\"radius\":1,\"color\":[2,0,0]}]}",
+            "color is 2, not a number from 0 to 1");
+    refuses("a place too far", "{\"spheres\":[{\"centre\":[0,0,1e200],\"radius\":1}]}",
+            "spheres\\[0\\] has numbers that are too large");
+    const std::string ball = "{\"centre\":[0,0,1],\"radius\":1}";
+    refuses("the third of three",
+            "{\"spheres\":[" + ball + ",\n" + ball + ",\n\n{\"centre\":[0,0,1],\"radius\":-1}]}",
+            "bad.json':4: spheres\\[2\\].radius is -1");
+    refuses("a member twice", "{\"spheres\":[{\"centre\":[0,0,1],\n\"radius\":1,\n\"radius\":1}]}",
+            "bad.json':3: spheres\\[0\\].radius is given twice");
+    refuses("a list twice", "{\"spheres\":[" + ball + "],\n\"spheres\":[" + ball + "]}",
+            "bad.json':2: spheres is given twice");
+    refuses("words like members",
+            "{\"meshes\":[{\"file\":\"t.obj\"},\n{\"file\":\"\\\"position\\\": "
+            "\",\n\"position\":[1]}]}",
+            "bad.json':3: meshes\\[1\\].position is not a list");
+    refuses("a plane without normal", "{\"planes\":[{\"point\":[0,0,0],\"normal\":[0,0,0]}]}",
+            "planes\\[0\\] has no normal");
+    refuses("a cylinder without axis",
+            "{\"cylinders\":[{\"from\":[0,0,0],\"to\":[0,0,0],\"radius\":1}]}", "has no axis");
+    write_file("points.obj", "v 0 0 0\n");
+    refuses("a mesh without triangles", "{\"meshes\":[{\"file\":\"points.obj\"}]}",
+            "points.obj: has no triangle");
+    fails("such a mesh alone", 1, "points.obj: has no triangle",
+          "scene render points.obj camera.json path.txt -o made/x");
     refuses("a box turned over", "{\"boxes\":[{\"min\":[1,1,1],\"max\":[0,2,2]}]}", "below max");
     refuses("a quaternion off unit length",
             "{\"meshes\":[{\"file\":\"t.obj\",\"quaternion\":[0,0,0,1.01]}]}", "quaternion");

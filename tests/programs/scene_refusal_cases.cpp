@@ -57,6 +57,8 @@ void lists()
     refuses_file("tum", "depth.txt", "x" + first + "\n", "tum/depth.txt:1: .*no number");
     refuses_file("tum", "depth.txt", "1e999 depth/1.000000.png\n", "tum/depth.txt:1: .*not finite");
     refuses_file("tum", "depth.txt", "1 absent.png\n2 absent.png\n", "tum: .*2 are absent");
+    refuses_file("tum", "depth.txt", first + std::string(1, '\0') + "x\n",
+                 "tum/depth.txt:1: a name with a zero byte");
     refuses_file("tum", "rgb.txt", "1 a\n\n0 b\n", "tum/rgb.txt:3: .*not after");
     std::string equal = "# thousands of equal stamps\n";
     for (int i = 0; i < 5000; ++i)
@@ -76,6 +78,8 @@ void poses()
     refuses_file("tum", "groundtruth.txt", "", "groundtruth.txt: has no pose");
     write_file("tum/groundtruth.txt", "1 0 0 0 0 0 0 1.0009\n2 0 0 0 0 0 0 0.9991\n");
     passes("nearly of unit length", "scene info tum --json");
+    write_file("tum/groundtruth.txt", "1 0 0 0 0 0 0 1.001\n2 0 0 0 0 0 0 0.999\n");
+    passes("as far off as may be", "scene info tum --json");
     refuses_file("open", "trajectory.log", "0 0 1\n1 0 0 0\n0 1 0 0\n",
                  "trajectory.log:3: a matrix ends");
     refuses_file("open", "trajectory.log", "0 0 1\n1 0 0 nan\n", "trajectory.log:2: .*no number");
@@ -135,6 +139,22 @@ void cameras()
             "1: distortion .*finite");
     refuses("{\"width\":8,\"height\":6,\"fx\":8,\"fy\":8,\"k1\":0" + rest, "1: .*no k1");
     refuses("{\"width\":8,\"height\":6,\"fx\":8,\"fx\":8,\"fy\":8" + rest, "1: fx is given twice");
+    refuses("{\"width\":8,\"height\":6,\n\"fx\":8,\n\"fx\":8,\"fy\":8" + rest,
+            "3: fx is given twice");
+    refuses("{\"width\":8,\"height\":6,\"fx\":8,\n\"fy\":1e-320" + rest, "2: a focal length of");
+    refuses("{\"width\":8,\"height\":6,\"fx\":8,\"fy\":8,\n\"pixel_centre\":2" + rest,
+            "2: pixel_centre is 2, not from 0 to 1");
+    refuses("{\"width\":8,\"height\":6,\"fx\":8,\"fy\":8,\n\"distortion\":[0,0,0,0,0,0,0,0,0,0,0,0,"
+            "1.6]" +
+                rest,
+            "2: distortion has a tilt");
+    refuses("{\"width\":8,\"height\":6,\"fx\":8,\"fy\":8,\n\"depth_scale\":1e-310" + rest,
+            "2: depth_scale");
+    refuses("{\"width\":8,\n\"height\":6.5,\"fx\":8,\"fy\":8" + rest, "2: .*whole numbers");
+    refuses("{\"mapping\":\"coupled\",\n\"frame\":\"geoo\",\"size\":8}", "2: no frame");
+    refuses("{\"mapping\":\"coupled\",\n\"size\":18919}", "2: .*18919 x 113514 .*2\\^31 pixels");
+    refuses("{\"mapping\":\"azimuthal:equidistant\",\n\"size\":46341}",
+            "2: .*46341 x 46341 .*2\\^31 pixels");
     refuses("{\"mapping\":\"coupled\"}", "1: size is missing");
     refuses("{\"mapping\":\"coupled\",\"size\":1e9}", "1: .*2\\^31 pixels");
     refuses("{\"mapping\":\"nothing\",\"size\":8}", "1: mapping: ");

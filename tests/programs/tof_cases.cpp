@@ -243,7 +243,7 @@ void refuses_tof_files()
                  "exposure is not a number above 0");
     sensor_fails("a member that means nothing",
                  sensor_text(std::string("\"lense\": 1, ") + light_text),
-                 "'lense' is no member of a sensor");
+                 "'lense' means nothing there");
     sensor_fails("a member twice", sensor_text(std::string("\"duty\": 0.5, ") + light_text),
                  "duty is given twice");
     sensor_fails("no lights", sensor_text("\"lights\": []"), "lights is not a list of one light");
@@ -254,7 +254,7 @@ void refuses_tof_files()
                  "lights\\[0\\].aperture is a full angle in radians");
     sensor_fails("a light with something else",
                  sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 1, \"color\": 1}]"),
-                 "'lights\\[0\\].color' is no member");
+                 "lights\\[0\\] has 'color', which means nothing there");
     sensor_fails("a place of two numbers",
                  sensor_text("\"lights\": [{\"position\": [1, 2], \"power\": 1, \"aperture\": 1}]"),
                  "lights\\[0\\].position is not a list of 3 numbers");
@@ -281,7 +281,7 @@ void refuses_tof_files()
     {
         write_file("odd.json", "{\"planes\": [{\"point\": [0, 0, 2], \"normal\": [0, 0, 1], " +
                                    members + "}]}");
-        fails(name, 1, "'odd.json': planes\\[0\\]" + expression,
+        fails(name, 1, "'odd.json':1: planes\\[0\\]" + expression,
               "tof simulate odd.json sensor.json pose.txt -o made/x");
     };
     scene_fails("a motion that is a number", "\"motion\": 3", ".motion is neither");

@@ -221,6 +221,33 @@ START_TEST(border_is_the_first_fold)
 }
 END_TEST
 
+/* A pole nearer to the axis than the first step that is looked at: k4 r^2 = -1. */
+START_TEST(poles_may_be_next_to_the_axis)
+{
+    for (double size = 1e8; size < 1e250; size *= 1e11)
+    {
+        const cm_camera_options options = {.size = sizeof options,
+                                           .width = 640,
+                                           .height = 480,
+                                           .fx = 500.0,
+                                           .fy = 500.0,
+                                           .cx = 319.5,
+                                           .cy = 239.5,
+                                           .distortion = {[5] = -size}};
+        cm_camera *camera = make(&options);
+        const double pole = 1.0 / sqrt(size);
+        const double border = cm_camera_border(camera, 0.7);
+        REQUIRE(fabs(border / pole - 1.0) < 1e-12, "%g: %.17g, not %.17g", size, border, pole);
+        const double inside[3] = {0.9 * pole, 0.0, 1.0};
+        const double outside[3] = {1.1 * pole, 0.0, 1.0};
+        double pixel[2];
+        REQUIRE(pixel_of(camera, inside, pixel), "%g", size);
+        REQUIRE(!pixel_of(camera, outside, pixel), "%g: %g", size, pixel[0]);
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
 /* The radial model x = r (1 + k1 r^2) folds at r^2 = -1 / (3 k1), where x is two thirds of that. */
 START_TEST(nothing_comes_from_beyond_a_fold)
 {
@@ -434,6 +461,7 @@ int main(void)
                                   forward_and_derivatives_are_the_model,
                                   border_is_the_first_fold,
                                   nothing_comes_from_beyond_a_fold,
+                                  poles_may_be_next_to_the_axis,
                                   one_side_may_fold,
                                   fixed_points_fail_where_newton_does_not,
                                   solid_angles_are_those_of_small_squares,

@@ -55,32 +55,13 @@ void handle_ending_signal(int signal_number)
     }
 }
 
-// Puts off the ending signals while it lives, whichever thread they come to.
-class SignalsHeld
+void end_if_signal_has_come()
 {
-public:
-    SignalsHeld()
+    if (signal_come != 0)
     {
-        ++holders;
-        end_if_signal_has_come();
+        remove_temporary_files_and_end(signal_come);
     }
-    ~SignalsHeld()
-    {
-        --holders;
-        end_if_signal_has_come();
-    }
-    SignalsHeld(const SignalsHeld &) = delete;
-    SignalsHeld &operator=(const SignalsHeld &) = delete;
-
-private:
-    static void end_if_signal_has_come()
-    {
-        if (signal_come != 0)
-        {
-            remove_temporary_files_and_end(signal_come);
-        }
-    }
-};
+}
 
 std::size_t enter_temporary_name(const char *name)
 {
@@ -198,6 +179,30 @@ std::string follow_links(const std::string &path)
 }
 
 } // namespace
+
+SignalsHeld::SignalsHeld()
+{
+    if (++holders == 1)
+    {
+        end_if_signal_has_come();
+    }
+}
+
+SignalsHeld::~SignalsHeld()
+{
+    if (--holders == 0)
+    {
+        end_if_signal_has_come();
+    }
+}
+
+void check_held_signal()
+{
+    if (signal_come != 0)
+    {
+        throw Failure("a signal ends it");
+    }
+}
 
 AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_links(path))
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "progress.hpp"
+#include "temporary_guard.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,7 @@ Progress::~Progress()
 
 void Progress::advance(std::int64_t steps)
 {
+    check_held_signal();
     if (!shown)
     {
         return;

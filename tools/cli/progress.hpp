@@ -21,7 +21,7 @@ public:
     Progress(const Progress &) = delete;
     Progress &operator=(const Progress &) = delete;
 
-    // So many further steps are done. May be called from any thread.
+    // So many further steps are done. May be called from any thread. Failure if a signal is put off.
     void advance(std::int64_t steps);
 
 private:

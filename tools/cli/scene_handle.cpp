@@ -73,11 +73,12 @@ SequenceWriterPointer create_sequence(const std::string &folder, cm_sequence_lay
     {
         throw UsageFailure("-o is '-', not a folder to write");
     }
+    auto signals = std::make_unique<SignalsHeld>();
     cm_sequence_writer *writer = nullptr;
     char message[CM_IMAGE_MESSAGE] = "";
     check_scene(cm_sequence_create(folder.c_str(), layout, camera, depth_scale, &writer, message),
                 message);
-    return SequenceWriterPointer(writer);
+    return SequenceWriterPointer(writer, {std::move(signals)});
 }
 
 void finish_sequence(const SequenceWriterPointer &writer)

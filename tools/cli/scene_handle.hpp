@@ -16,6 +16,7 @@
 #include <cubemap/trajectory.h>
 
 #include "modules/scene/io/sequence.h"
+#include "temporary_guard.hpp"
 
 template <auto destroy> struct HandleDeleter
 {
@@ -29,7 +30,18 @@ using CameraPointer = std::unique_ptr<cm_camera, HandleDeleter<cm_camera_destroy
 using TrajectoryPointer = std::unique_ptr<cm_trajectory, HandleDeleter<cm_trajectory_destroy>>;
 using PoolPointer = std::unique_ptr<cm_pool, HandleDeleter<cm_pool_destroy>>;
 using SequencePointer = std::unique_ptr<cm_sequence, HandleDeleter<cm_sequence_close>>;
-using SequenceWriterPointer = std::unique_ptr<cm_sequence_writer, HandleDeleter<cm_sequence_drop>>;
+
+// A signal that would end the program waits until the folder is complete, or gone again.
+struct SequenceWriterDeleter
+{
+    void operator()(cm_sequence_writer *owned) noexcept
+    {
+        cm_sequence_drop(owned);
+        signals.reset();
+    }
+    std::unique_ptr<SignalsHeld> signals;
+};
+using SequenceWriterPointer = std::unique_ptr<cm_sequence_writer, SequenceWriterDeleter>;
 
 // A camera and its units of depth a metre.
 struct CameraFile

@@ -2,9 +2,9 @@
 
 #include "scene_world.hpp"
 
-#include "modules/scene/io/parsed_json.hpp"
 #include "modules/scene/io/mesh_file.h"
 #include "catalogue_name.h"
+#include "json_members.hpp"
 #include "program.hpp"
 #include "scene_handle.hpp"
 
@@ -15,6 +15,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace
@@ -22,17 +23,18 @@ namespace
 
 constexpr std::streamoff largest_scene_file = 1 << 26;
 
-struct SceneNames
+// What the objects of a file have in common.
+struct SceneFile
 {
-    std::string file;
+    JsonPlace place;
     std::string folder; // of the file, with a slash; "" for here
-    const BrdfMaker *maker;
-};
+    const BrdfMaker &maker;
 
-[[noreturn]] void fail_scene(const std::string &file, const std::string &what)
-{
-    throw Failure(in_quotes(file) + ": " + what);
-}
+    std::string path_of(const std::string &name) const
+    {
+        return name[0] == '/' ? name : folder + name;
+    }
+};
 
 cm_primitive empty_primitive(cm_primitive_kind kind)
 {
@@ -65,6 +67,10 @@ const cm_mesh *add_mesh(World &world, const std::string &file)
         throw Failure(message);
     }
     world.meshes.emplace_back(mesh);
+    if (cm_mesh_describe(mesh)->triangle_count == 0)
+    {
+        throw Failure(file + ": has no triangle"); // as the reader names it
+    }
     return mesh;
 }
 
@@ -132,169 +138,94 @@ std::vector<BrdfWord> read_brdf_table(const std::string &path)
 class PrimitiveReader
 {
 public:
-    PrimitiveReader(const SceneNames &from, std::string list_name, int number, const cJSON *json)
-        : names(from), where(std::move(list_name) + "[" + std::to_string(number) + "]"),
-          object(json)
+    cm_primitive made;
+
+    // members has what objects of this kind have; all may have more.
+    PrimitiveReader(const SceneFile &from, const std::string &path, const cJSON *json,
+                    cm_primitive_kind kind, std::vector<std::string> names)
+        : made(empty_primitive(kind)), file(from), members(from.place, path, json)
     {
-        if (!cJSON_IsObject(object))
-        {
-            fail_scene(names.file, where + " is no object");
-        }
+        names.insert(names.end(), {"color", "reflectance", "motion", "brdf"});
+        members.check_only(names);
+        members.take_numbers("color", Range::part_with_zero, made.material.color, 3);
+        members.take_number("reflectance", Range::part_with_zero, made.material.reflectance);
     }
 
-    // A member of another object.
-    PrimitiveReader(const SceneNames &from, std::string name, const cJSON *json)
-        : names(from), where(std::move(name)), object(json)
+    void place(const char *key, double to[3])
     {
-        if (!cJSON_IsObject(object))
-        {
-            fail_scene(names.file, where + " is no object");
-        }
+        members.need_numbers(key, Range::any, to, 3);
     }
 
-    // As check_members, where colours mean nothing.
-    void check_only(const std::vector<std::string> &known) const
+    void radius()
     {
-        for (const cJSON *each = object->child; each != nullptr; each = each->next)
-        {
-            if (std::find(known.begin(), known.end(), each->string) == known.end())
-            {
-                fail_scene(names.file, where + " has " + in_quotes(each->string) +
-                                           ", which means nothing there");
-            }
-        }
-    }
-
-    // Every member has a meaning.
-    void check_members(const std::vector<std::string> &known) const
-    {
-        static const std::array<std::string, 4> of_all = {"color", "reflectance", "motion", "brdf"};
-        for (const cJSON *each = object->child; each != nullptr; each = each->next)
-        {
-            if (std::find(known.begin(), known.end(), each->string) == known.end() &&
-                std::find(of_all.begin(), of_all.end(), each->string) == of_all.end())
-            {
-                fail_scene(names.file, where + " has " + in_quotes(each->string) +
-                                           ", which means nothing there");
-            }
-        }
-    }
-
-    std::size_t numbers(const char *key, double *to, std::size_t count, bool needed) const
-    {
-        const cJSON *const list = cJSON_GetObjectItemCaseSensitive(object, key);
-        if (list == nullptr && !needed)
-        {
-            return 0;
-        }
-        const std::string wanted = " is not " + std::to_string(count) + " numbers";
-        if (!cJSON_IsArray(list) || static_cast<std::size_t>(cJSON_GetArraySize(list)) != count)
-        {
-            fail_scene(names.file, where + "." + key + wanted);
-        }
-        const cJSON *each = list->child;
-        for (std::size_t i = 0; i < count; ++i, each = each->next)
-        {
-            if (!cJSON_IsNumber(each) || !std::isfinite(each->valuedouble))
-            {
-                fail_scene(names.file, where + "." + key + wanted);
-            }
-            to[i] = each->valuedouble;
-        }
-        return count;
-    }
-
-    void number(const char *key, double *to, bool needed) const
-    {
-        const cJSON *const item = cJSON_GetObjectItemCaseSensitive(object, key);
-        if (item == nullptr && !needed)
-        {
-            return;
-        }
-        if (!cJSON_IsNumber(item) || !std::isfinite(item->valuedouble))
-        {
-            fail_scene(names.file, where + "." + key + " is not a number");
-        }
-        *to = item->valuedouble;
-    }
-
-    void material(cm_material &to) const
-    {
-        numbers("color", to.color, 3, false);
-        number("reflectance", &to.reflectance, false);
+        made.radius = members.number("radius", Range::above_zero);
     }
 
     // A mesh's file and how it stands.
-    void standing(World &world, cm_primitive &to) const
+    void standing(World &world)
     {
-        const cJSON *const file = cJSON_GetObjectItemCaseSensitive(object, "file");
         std::array<double, 3> position = {0, 0, 0};
         std::array<double, 4> quaternion = {0, 0, 0, 1};
-        numbers("position", position.data(), 3, false);
-        numbers("quaternion", quaternion.data(), 4, false);
-        if (!cJSON_IsString(file))
+        members.take_numbers("position", Range::any, position.data(), position.size());
+        members.take_numbers("quaternion", Range::any, quaternion.data(), quaternion.size());
+        const std::string name = members.word("file", "the name of a mesh");
+        if (cm_pose_from_quaternion(position.data(), quaternion.data(), &made.pose) != CM_OK)
         {
-            fail_scene(names.file, where + ".file is not the name of a mesh");
+            members.fail("quaternion", " is not of length 1, or more than 1e-3 off");
         }
-        if (cm_pose_from_quaternion(position.data(), quaternion.data(), &to.pose) != CM_OK)
-        {
-            fail_scene(names.file, where + ".quaternion is not of length 1, or more than 1e-3 off");
-        }
-        const std::string name = file->valuestring;
-        to.mesh = add_mesh(world, path_of(name));
+        made.mesh = add_mesh(world, file.path_of(name));
     }
 
     // How it moves: key frames, or a file of them.
-    void motion(World &world, cm_primitive &to) const
+    void motion(World &world)
     {
-        const cJSON *const keys = cJSON_GetObjectItemCaseSensitive(object, "motion");
+        const cJSON *const keys = members.find("motion");
         if (keys == nullptr)
         {
             return;
         }
         const TimedPoses poses =
-            cJSON_IsString(keys) ? read_poses(path_of(keys->valuestring)) : poses_of(keys);
-        cm_trajectory *made = nullptr;
+            cJSON_IsString(keys) ? read_poses(file.path_of(keys->valuestring)) : poses_of(keys);
+        cm_trajectory *moved = nullptr;
         const cm_status status = cm_trajectory_create(poses.time.size(), poses.time.data(),
-                                                      poses.pose.data(), &made, nullptr);
+                                                      poses.pose.data(), &moved, nullptr);
         if (status == CM_ERROR_MEMORY)
         {
             throw std::bad_alloc();
         }
         if (status != CM_OK)
         {
-            fail_scene(names.file, where + ".motion has no times, or times that do not grow");
+            members.fail("motion", " has no times, or times that do not grow");
         }
-        world.motions.emplace_back(made);
-        to.motion = made;
+        world.motions.emplace_back(moved);
+        made.motion = moved;
     }
 
     // How it scatters light, where somebody asks for that; what is written is checked in any case.
-    void brdf(World &world, cm_primitive &to) const
+    void brdf(World &world)
     {
-        const cJSON *const json = cJSON_GetObjectItemCaseSensitive(object, "brdf");
+        const cJSON *const json = members.find("brdf");
         if (json == nullptr)
         {
             return;
         }
         const BrdfDescription description = brdf_of(json);
-        if (*names.maker)
+        if (file.maker)
         {
-            const std::shared_ptr<const cm_brdf> made = (*names.maker)(description);
-            if (made == nullptr)
+            const std::shared_ptr<const cm_brdf> scattering = file.maker(description);
+            if (scattering == nullptr)
             {
-                fail_scene(names.file, where + ".brdf has numbers outside their ranges");
+                members.fail("brdf", " has numbers outside their ranges");
             }
-            world.brdfs.push_back(made);
-            to.brdf = made.get();
+            world.brdfs.push_back(scattering);
+            made.brdf = scattering.get();
         }
     }
 
-    void add(World &world, const cm_primitive &given) const
+    void add(World &world)
     {
-        cm_primitive made = given;
-        motion(world, made);
-        brdf(world, made);
+        motion(world);
+        brdf(world);
         const cm_status status = cm_scene_add(world.scene.get(), &made, nullptr);
         if (status == CM_ERROR_MEMORY)
         {
@@ -302,16 +233,11 @@ public:
         }
         if (status != CM_OK)
         {
-            fail_scene(names.file, where + wrong_of(made));
+            members.fail_whole(wrong_of(made));
         }
     }
 
 private:
-    std::string path_of(const std::string &name) const
-    {
-        return name[0] == '/' ? name : names.folder + name;
-    }
-
     // Are these eight numbers?
     static bool read_key(const cJSON *key, std::array<double, 8> &number)
     {
@@ -335,169 +261,166 @@ private:
     TimedPoses poses_of(const cJSON *keys) const
     {
         TimedPoses poses;
-        bool is_list = cJSON_IsArray(keys) != 0;
-        for (const cJSON *key = is_list ? keys->child : nullptr; key != nullptr && is_list;
-             key = key->next)
+        if (!cJSON_IsArray(keys))
+        {
+            fail_motion(keys);
+        }
+        for (const cJSON *key = keys->child; key != nullptr; key = key->next)
         {
             std::array<double, 8> number = {};
             cm_pose pose;
-            is_list = read_key(key, number) &&
-                      cm_pose_from_quaternion(number.data() + 1, number.data() + 4, &pose) == CM_OK;
+            if (!read_key(key, number) ||
+                cm_pose_from_quaternion(number.data() + 1, number.data() + 4, &pose) != CM_OK)
+            {
+                fail_motion(key);
+            }
             poses.time.push_back(number[0]);
             poses.pose.push_back(pose);
-        }
-        if (!is_list)
-        {
-            fail_scene(names.file, where + ".motion is neither a file nor a list of [t, x, y, z, "
-                                           "qx, qy, qz, qw]");
         }
         return poses;
     }
 
+    [[noreturn]] void fail_motion(const cJSON *item) const
+    {
+        file.place.fail(item, members.name_of("motion") +
+                                  " is neither a file nor a list of [t, x, y, z, qx, qy, qz, qw]");
+    }
+
     BrdfDescription brdf_of(const cJSON *json) const
     {
-        const PrimitiveReader reader(names, where + ".brdf", json);
-        const cJSON *const kind = cJSON_GetObjectItemCaseSensitive(json, "kind");
-        const std::string name = cJSON_IsString(kind) ? kind->valuestring : "";
-        BrdfDescription made;
+        JsonMembers parts(file.place, members.name_of("brdf"), json);
+        const std::string wanted = "lambert, cook-torrance or measured";
+        const std::string name = parts.word("kind", wanted);
+        BrdfDescription read;
         if (name == "cook-torrance")
         {
-            made.kind = BrdfDescription::Kind::CookTorrance;
-            reader.check_only({"kind", "diffuse", "specular", "roughness", "eta", "absorption"});
-            reader.number("diffuse", &made.diffuse, false);
-            reader.number("specular", &made.specular, false);
-            reader.number("roughness", &made.roughness, true);
-            reader.number("eta", &made.eta, true);
-            reader.number("absorption", &made.absorption, false);
+            read.kind = BrdfDescription::Kind::CookTorrance;
+            parts.check_only({"kind", "diffuse", "specular", "roughness", "eta", "absorption"});
+            parts.take_number("diffuse", Range::any, read.diffuse);
+            parts.take_number("specular", Range::any, read.specular);
+            read.roughness = parts.number("roughness", Range::above_zero);
+            read.eta = parts.number("eta", Range::above_zero);
+            parts.take_number("absorption", Range::any, read.absorption);
         }
         else if (name == "measured")
         {
-            made.kind = BrdfDescription::Kind::Measured;
-            reader.check_only({"kind", "file"});
-            const cJSON *const file = cJSON_GetObjectItemCaseSensitive(json, "file");
-            if (!cJSON_IsString(file))
-            {
-                fail_scene(names.file, where + ".brdf.file is not the name of a table");
-            }
-            made.measured = read_brdf_table(path_of(file->valuestring));
+            read.kind = BrdfDescription::Kind::Measured;
+            parts.check_only({"kind", "file"});
+            read.measured =
+                read_brdf_table(file.path_of(parts.word("file", "the name of a table")));
         }
         else if (name == "lambert")
         {
-            reader.check_only({"kind"});
+            parts.check_only({"kind"});
         }
         else
         {
-            fail_scene(names.file, where + ".brdf.kind is not lambert, cook-torrance or measured");
+            parts.fail("kind", " is not " + wanted);
         }
-        return made;
+        return read;
     }
 
-    static std::string wrong_of(const cm_primitive &made)
+    // Why the library does not take it, whose radius is above 0.
+    static const char *wrong_of(const cm_primitive &given)
     {
-        const double *const color = made.material.color;
-        const auto is_part = [](double value) { return value >= 0 && value <= 1; };
-        if (!is_part(color[0]) || !is_part(color[1]) || !is_part(color[2]) ||
-            !is_part(made.material.reflectance))
+        const double *const a = given.first;
+        const double *const b = given.second;
+        if (given.kind == CM_PRIMITIVE_PLANE && b[0] == 0 && b[1] == 0 && b[2] == 0)
         {
-            return " has a color or reflectance outside 0..1";
+            return " has no normal";
         }
-        static const char *const wrong[] = {" has no normal", " has a min that is not below max",
-                                            " has a radius that is not above 0",
-                                            " has no axis, or a radius that is not above 0",
-                                            " is no mesh"};
-        return wrong[made.kind];
+        if (given.kind == CM_PRIMITIVE_BOX && !(a[0] < b[0] && a[1] < b[1] && a[2] < b[2]))
+        {
+            return " has a min that is not below max";
+        }
+        if (given.kind == CM_PRIMITIVE_CYLINDER && std::equal(a, a + 3, b))
+        {
+            return " has no axis: from and to are the same";
+        }
+        return " has numbers that are too large";
     }
 
-    const SceneNames &names;
-    std::string where;
-    const cJSON *object;
+    const SceneFile &file;
+    JsonMembers members;
 };
 
-void read_plane(const PrimitiveReader &reader, World &world)
+void read_plane(const SceneFile &file, const std::string &path, const cJSON *json, World &world)
 {
-    cm_primitive made = empty_primitive(CM_PRIMITIVE_PLANE);
-    reader.check_members({"point", "normal"});
-    reader.numbers("point", made.first, 3, true);
-    reader.numbers("normal", made.second, 3, true);
-    reader.material(made.material);
-    reader.add(world, made);
+    PrimitiveReader reader(file, path, json, CM_PRIMITIVE_PLANE, {"point", "normal"});
+    reader.place("point", reader.made.first);
+    reader.place("normal", reader.made.second);
+    reader.add(world);
 }
 
-void read_box(const PrimitiveReader &reader, World &world)
+void read_box(const SceneFile &file, const std::string &path, const cJSON *json, World &world)
 {
-    cm_primitive made = empty_primitive(CM_PRIMITIVE_BOX);
-    reader.check_members({"min", "max"});
-    reader.numbers("min", made.first, 3, true);
-    reader.numbers("max", made.second, 3, true);
-    reader.material(made.material);
-    reader.add(world, made);
+    PrimitiveReader reader(file, path, json, CM_PRIMITIVE_BOX, {"min", "max"});
+    reader.place("min", reader.made.first);
+    reader.place("max", reader.made.second);
+    reader.add(world);
 }
 
-void read_sphere(const PrimitiveReader &reader, World &world)
+void read_sphere(const SceneFile &file, const std::string &path, const cJSON *json, World &world)
 {
-    cm_primitive made = empty_primitive(CM_PRIMITIVE_SPHERE);
-    reader.check_members({"centre", "radius"});
-    reader.numbers("centre", made.first, 3, true);
-    reader.number("radius", &made.radius, true);
-    reader.material(made.material);
-    reader.add(world, made);
+    PrimitiveReader reader(file, path, json, CM_PRIMITIVE_SPHERE, {"centre", "radius"});
+    reader.place("centre", reader.made.first);
+    reader.radius();
+    reader.add(world);
 }
 
-void read_cylinder(const PrimitiveReader &reader, World &world)
+void read_cylinder(const SceneFile &file, const std::string &path, const cJSON *json, World &world)
 {
-    cm_primitive made = empty_primitive(CM_PRIMITIVE_CYLINDER);
-    reader.check_members({"from", "to", "radius"});
-    reader.numbers("from", made.first, 3, true);
-    reader.numbers("to", made.second, 3, true);
-    reader.number("radius", &made.radius, true);
-    reader.material(made.material);
-    reader.add(world, made);
+    PrimitiveReader reader(file, path, json, CM_PRIMITIVE_CYLINDER, {"from", "to", "radius"});
+    reader.place("from", reader.made.first);
+    reader.place("to", reader.made.second);
+    reader.radius();
+    reader.add(world);
 }
 
-void read_mesh_object(const PrimitiveReader &reader, World &world)
+void read_mesh_object(const SceneFile &file, const std::string &path, const cJSON *json,
+                      World &world)
 {
-    cm_primitive made = empty_primitive(CM_PRIMITIVE_MESH);
-    reader.check_members({"file", "position", "quaternion"});
-    reader.material(made.material);
-    reader.standing(world, made);
-    reader.add(world, made);
+    PrimitiveReader reader(file, path, json, CM_PRIMITIVE_MESH, {"file", "position", "quaternion"});
+    reader.standing(world);
+    reader.add(world);
 }
 
 } // namespace
 
 World parse_world(const std::string &name, const std::string &text, const BrdfMaker &maker)
 {
-    using Read = void (*)(const PrimitiveReader &, World &);
+    using Read = void (*)(const SceneFile &, const std::string &, const cJSON *, World &);
     static const std::map<std::string, Read> lists = {{"planes", read_plane},
                                                       {"boxes", read_box},
                                                       {"spheres", read_sphere},
                                                       {"cylinders", read_cylinder},
                                                       {"meshes", read_mesh_object}};
-    std::size_t line = 0;
-    const JsonPointer json = parse_json_object(text, line);
-    if (json == nullptr)
-    {
-        throw Failure(in_quotes(name) + ":" + std::to_string(line) + ": is no JSON object");
-    }
-    const SceneNames names = {name, name.substr(0, name.rfind('/') + 1), &maker};
+    const JsonPointer json = parse_json_file(name, text);
+    const SceneFile file = {{name, text, json.get()}, name.substr(0, name.rfind('/') + 1), maker};
+    std::set<std::string> seen;
     World world = empty_scene();
     for (const cJSON *list = json->child; list != nullptr; list = list->next)
     {
         const auto kind = lists.find(list->string);
         if (kind == lists.end() || !cJSON_IsArray(list))
         {
-            fail_scene(name, in_quotes(list->string) +
-                                 " is not a list of planes, boxes, spheres, cylinders or meshes");
+            file.place.fail(list,
+                            in_quotes(list->string) +
+                                " is not a list of planes, boxes, spheres, cylinders or meshes");
+        }
+        if (!seen.insert(kind->first).second)
+        {
+            file.place.fail(list, kind->first + " is given twice");
         }
         int number = 0;
         for (const cJSON *each = list->child; each != nullptr; each = each->next)
         {
-            kind->second(PrimitiveReader(names, list->string, number++, each), world);
+            kind->second(file, kind->first + "[" + std::to_string(number++) + "]", each, world);
         }
     }
     if (cm_scene_count(world.scene.get()) == 0)
     {
-        fail_scene(name, "has nothing in it");
+        throw Failure(in_quotes(name) + ": has nothing in it");
     }
     return world;
 }

@@ -11,4 +11,17 @@
 // error, not a signal.
 void guard_temporary_files();
 
+// Puts off the ending signals while it lives, whichever thread they come to: the program ends with them after that.
+class SignalsHeld
+{
+public:
+    SignalsHeld();
+    ~SignalsHeld();
+    SignalsHeld(const SignalsHeld &) = delete;
+    SignalsHeld &operator=(const SignalsHeld &) = delete;
+};
+
+// Failure if a signal is put off, so that what holds it ends soon. From any thread.
+void check_held_signal();
+
 #endif

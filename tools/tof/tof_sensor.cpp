@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 #include "tof_sensor.hpp"
-#include "tof_json.hpp"
 
 #include "modules/scene/io/camera_file.h"
 #include "modules/scene/io/file_failure.hpp"
+#include "tools/cli/json_members.hpp"
 #include "tools/cli/program.hpp"
 
 #include <cmath>
@@ -69,7 +69,7 @@ CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)
     }
     if (status != CM_OK)
     {
-        place.fail("camera", message);
+        place.fail(json, message);
     }
     return CameraPointer(camera);
 }
@@ -144,16 +144,11 @@ void read_signal(JsonMembers &members, TofSensor &made)
 
 void read_light(const JsonPlace &place, const cJSON *json, std::size_t number, TofSensor &made)
 {
-    const std::string path = "lights[" + std::to_string(number) + "]";
-    if (!cJSON_IsObject(json))
-    {
-        place.fail("lights", path + " is no object");
-    }
-    JsonMembers members(place, path + ".", json);
+    JsonMembers members(place, "lights[" + std::to_string(number) + "]", json);
     cm_tof_light light = {};
     light.size = sizeof light;
-    members.vector("position", light.position);
-    members.vector("direction", light.direction);
+    members.take_numbers("position", Range::any, light.position, 3);
+    members.take_numbers("direction", Range::any, light.direction, 3);
     light.power = members.number("power", Range::zero_or_more);
     light.aperture = members.number("aperture", Range::above_zero);
     if (light.aperture > whole_turn * (1 + rounding))
@@ -197,15 +192,10 @@ void read_lights(const JsonPlace &place, JsonMembers &members, TofSensor &made)
 
 TofSensor parse_tof_sensor(const std::string &name, std::string_view text)
 {
-    const JsonPlace place = {name, text};
-    std::size_t line = 0;
     TofSensor made;
     made.name = name;
-    made.text = parse_json_object(text, line);
-    if (made.text == nullptr)
-    {
-        throw Failure(in_quotes(name) + ":" + std::to_string(line) + ": is no JSON object");
-    }
+    made.text = parse_json_file(name, text);
+    const JsonPlace place = {name, text, made.text.get()};
     JsonMembers members(place, "", made.text.get());
     made.sensor.size = sizeof made.sensor;
     made.camera = camera_of(place, members);

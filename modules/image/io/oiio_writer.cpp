@@ -137,6 +137,13 @@ OIIO::ImageSpec spec_of(const cm_image_description &description)
         spec.attribute("oiio:ColorSpace",
                        description.color == CM_IMAGE_COLOR_SRGB ? "sRGB" : "Linear");
     }
+    // else the library puts the time of writing there, and no file would be the same again
+    if ((std::strcmp(description.format, "openexr") == 0 ||
+         std::strcmp(description.format, "tiff") == 0) &&
+        spec.get_string_attribute("DateTime").empty())
+    {
+        spec.attribute("DateTime", "1970:01:01 00:00:00");
+    }
     if (description.compression != nullptr)
     {
         spec.attribute("Compression", description.compression);

@@ -22,6 +22,8 @@ constexpr double camera_pixels_most = 2147483648.0;
 constexpr std::uint64_t camera_bytes_most = std::uint64_t{1} << 20;
 constexpr double usual_depth_scale = 5000.0;
 
+using MappingPointer = std::unique_ptr<cm_mapping, decltype(&cm_mapping_destroy)>;
+
 struct CameraNumbers
 {
     cm_camera_options options = {};
@@ -45,20 +47,28 @@ public:
     }
 
     CameraNumbers read() const;
+    cm_camera *make(CameraNumbers camera) const;
 
 private:
-    [[noreturn]] void fail(const std::string &key, const std::string &what,
-                           cm_status status = CM_ERROR_CAMERA) const
+    [[noreturn]] void fail(const cJSON *item, const std::string &what) const
     {
-        const std::size_t place = text.find("\"" + key + "\"");
-        fail_line(name, line_of_place(text, place == std::string_view::npos ? 0 : place), what,
-                  status);
+        fail_line(name, line_of_item(text, object.get(), item), what, CM_ERROR_CAMERA);
+    }
+    // Of a member, or of the whole if there is none.
+    [[noreturn]] void fail(const char *key, const std::string &what) const
+    {
+        const cJSON *const item = member(key);
+        fail(item == nullptr ? object.get() : item, what);
+    }
+    const cJSON *member(const char *key) const
+    {
+        return cJSON_GetObjectItemCaseSensitive(object.get(), key);
     }
     double number(const cJSON *item) const
     {
         if (!cJSON_IsNumber(item) || !std::isfinite(item->valuedouble))
         {
-            fail(item->string, std::string(item->string) + " is not a finite number");
+            fail(item, std::string(item->string) + " is not a finite number");
         }
         return item->valuedouble;
     }
@@ -66,7 +76,7 @@ private:
     {
         if (!cJSON_IsString(item))
         {
-            fail(item->string, std::string(item->string) + " is not a text");
+            fail(item, std::string(item->string) + " is not a text");
         }
         return item->valuestring;
     }
@@ -75,6 +85,8 @@ private:
     void check_keys() const;
     void check_perspective(CameraNumbers &camera) const;
     void check_size(double width, double height) const;
+    [[noreturn]] void fail_refused(const cm_camera_options &options) const;
+    MappingPointer make_mapping(const CameraNumbers &camera) const;
 
     std::string name;
     std::string_view text;
@@ -133,7 +145,7 @@ void CameraText::take(const cJSON *item, CameraNumbers &camera) const
     }
     else
     {
-        fail(key, "a camera has no " + key.substr(0, 40));
+        fail(item, "a camera has no " + key.substr(0, 40));
     }
 }
 
@@ -143,9 +155,13 @@ void CameraText::check_size(double width, double height) const
         width >= 1.0 && height >= 1.0 && width == std::floor(width) && height == std::floor(height);
     if (!whole || width * height >= camera_pixels_most)
     {
-        fail(cJSON_HasObjectItem(object.get(), "size") ? "size" : "width",
-             "a picture of " + number_text(width) + " x " + number_text(height) +
-                 " pixels; whole numbers are wanted, and less than 2^31 pixels");
+        const char *const key = member("size") != nullptr ? "size"
+                                : width == std::floor(width) && width >= 1.0 &&
+                                        !(height == std::floor(height) && height >= 1.0)
+                                    ? "height"
+                                    : "width";
+        fail(key, "a picture of " + number_text(width) + " x " + number_text(height) +
+                      " pixels; whole numbers are wanted, and less than 2^31 pixels");
     }
 }
 
@@ -153,27 +169,23 @@ void CameraText::check_perspective(CameraNumbers &camera) const
 {
     for (const char *const key : {"width", "height", "fx", "fy", "cx", "cy"})
     {
-        if (cJSON_GetObjectItemCaseSensitive(object.get(), key) == nullptr)
+        if (member(key) == nullptr)
         {
             fail_line(name, 1, std::string(key) + " is missing", CM_ERROR_CAMERA);
         }
     }
     for (const char *const key : {"frame", "size"})
     {
-        if (cJSON_GetObjectItemCaseSensitive(object.get(), key) != nullptr)
+        if (member(key) != nullptr)
         {
             fail(key, std::string(key) + " is of cameras with a mapping");
         }
     }
-    const double width = number(cJSON_GetObjectItemCaseSensitive(object.get(), "width"));
-    const double height = number(cJSON_GetObjectItemCaseSensitive(object.get(), "height"));
+    const double width = number(member("width"));
+    const double height = number(member("height"));
     check_size(width, height);
     camera.options.width = static_cast<std::uint32_t>(width);
     camera.options.height = static_cast<std::uint32_t>(height);
-    if (camera.options.fx == 0.0 || camera.options.fy == 0.0)
-    {
-        fail(camera.options.fx == 0.0 ? "fx" : "fy", "a focal length of 0");
-    }
 }
 
 void CameraText::check_keys() const
@@ -184,7 +196,7 @@ void CameraText::check_keys() const
         {
             if (std::strcmp(item->string, other->string) == 0)
             {
-                fail(item->string, std::string(item->string) + " is given twice");
+                fail(other, std::string(item->string) + " is given twice");
             }
         }
     }
@@ -205,7 +217,7 @@ CameraNumbers CameraText::read() const
         }
     }
     check_keys();
-    if (!(camera.depth_scale > 0.0))
+    if (!(camera.depth_scale > 0.0 && std::isfinite(1.0 / camera.depth_scale)))
     {
         fail("depth_scale", "depth_scale is units of depth a metre, and greater than 0");
     }
@@ -216,28 +228,24 @@ CameraNumbers CameraText::read() const
     }
     for (const char *const key : {"width", "height", "fx", "fy", "cx", "cy", "distortion"})
     {
-        if (cJSON_GetObjectItemCaseSensitive(object.get(), key) != nullptr)
+        if (member(key) != nullptr)
         {
             fail(key, std::string(key) + " is of cameras without a mapping");
         }
     }
-    if (cJSON_GetObjectItemCaseSensitive(object.get(), "size") == nullptr)
+    if (member("size") == nullptr)
     {
         fail_line(name, 1, "size is missing", CM_ERROR_CAMERA);
     }
-    check_size(camera.size, 6.0 * camera.size);
     return camera;
 }
 
-using MappingPointer = std::unique_ptr<cm_mapping, decltype(&cm_mapping_destroy)>;
-
-MappingPointer make_mapping_of(const std::string &name, const CameraNumbers &camera)
+MappingPointer CameraText::make_mapping(const CameraNumbers &camera) const
 {
     const cm_frame *const frame = cm_frame_find(camera.frame.c_str());
     if (frame == nullptr)
     {
-        fail_line(name, 1, "no frame is called \"" + camera.frame.substr(0, 40) + "\"",
-                  CM_ERROR_CAMERA);
+        fail("frame", "no frame is called \"" + camera.frame.substr(0, 40) + "\"");
     }
     char why[400] = "";
     cm_mapping *mapping = nullptr;
@@ -249,18 +257,58 @@ MappingPointer make_mapping_of(const std::string &name, const CameraNumbers &cam
     if (status != CM_OK)
     {
         cm_specification_check(camera.mapping.c_str(), why, sizeof why);
-        fail_line(name, 1, std::string("mapping: ") + why, CM_ERROR_CAMERA);
+        fail("mapping", std::string("mapping: ") + why);
     }
     return MappingPointer(mapping, cm_mapping_destroy);
 }
 
-cm_camera *make_camera(const std::string &name, CameraNumbers camera)
+// Which member it is without which the library would take the camera.
+void CameraText::fail_refused(const cm_camera_options &options) const
+{
+    struct Part
+    {
+        const char *key;
+        std::string what;
+        void (*clear)(cm_camera_options &);
+    };
+    const std::array<Part, 4> parts = {
+        {{"fx", "a focal length of " + number_text(options.fx),
+          [](cm_camera_options &to) { to.fx = 1.0; }},
+         {"fy", "a focal length of " + number_text(options.fy),
+          [](cm_camera_options &to) { to.fy = 1.0; }},
+         {"pixel_centre",
+          "pixel_centre is " + number_text(options.pixel_centre) + ", not from 0 to 1",
+          [](cm_camera_options &to) { to.pixel_centre = 0.0; }},
+         {"distortion", "distortion has a tilt, its numbers 13 and 14, of a right angle or more",
+          [](cm_camera_options &to) { to.distortion[12] = to.distortion[13] = 0.0; }}}};
+    cm_camera_options left = options;
+    for (const Part &part : parts)
+    {
+        cm_camera *made = nullptr;
+        part.clear(left);
+        const cm_status status = cm_camera_create(&left, &made);
+        cm_camera_destroy(made);
+        if (status == CM_OK)
+        {
+            fail(part.key, part.what);
+        }
+    }
+    fail(object.get(), "no camera has these numbers");
+}
+
+cm_camera *CameraText::make(CameraNumbers camera) const
 {
     MappingPointer mapping(nullptr, cm_mapping_destroy);
+    if (!(camera.options.pixel_centre >= 0.0 && camera.options.pixel_centre <= 1.0))
+    {
+        fail("pixel_centre",
+             "pixel_centre is " + number_text(camera.options.pixel_centre) + ", not from 0 to 1");
+    }
     if (!camera.mapping.empty())
     {
-        mapping = make_mapping_of(name, camera);
+        mapping = make_mapping(camera);
         const bool six = cm_mapping_describe(mapping.get())->kind == CM_KIND_CUBE;
+        check_size(camera.size, (six ? 6.0 : 1.0) * camera.size);
         camera.options.mapping = mapping.get();
         camera.options.width = static_cast<std::uint32_t>(camera.size);
         camera.options.height = camera.options.width * (six ? 6 : 1);
@@ -273,7 +321,7 @@ cm_camera *make_camera(const std::string &name, CameraNumbers camera)
     }
     if (status != CM_OK)
     {
-        fail_file(name, "no camera has these numbers", CM_ERROR_CAMERA);
+        fail_refused(camera.options);
     }
     return made;
 }
@@ -281,8 +329,9 @@ cm_camera *make_camera(const std::string &name, CameraNumbers camera)
 void read_camera(const std::string &name, std::string_view text, cm_camera **camera,
                  double *depth_scale)
 {
-    const CameraNumbers numbers = CameraText(name, text).read();
-    *camera = make_camera(name, numbers);
+    const CameraText read(name, text);
+    const CameraNumbers numbers = read.read();
+    *camera = read.make(numbers);
     *depth_scale = numbers.depth_scale;
 }
 

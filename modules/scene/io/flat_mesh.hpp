@@ -17,7 +17,7 @@ struct FlatMesh
     std::vector<std::uint32_t> index;
 };
 
-// What is wrong with a file, without its name.
+// What is wrong with a file, without its name; it may begin with ":LINE: ".
 class MeshFailure : public std::runtime_error
 {
 public:

@@ -33,7 +33,11 @@ bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::
 {
     const bool is_main = path == *static_cast<const std::string *>(main_file);
     std::ifstream file(path, std::ios::binary);
-    if (!is_main && path.find("..") != std::string::npos)
+    // the library looks beside the file, then where the program stands, and puts nothing before "/"
+    const std::string &main_path = *static_cast<const std::string *>(main_file);
+    const std::string folder = main_path.substr(0, main_path.rfind('/') + 1);
+    const bool is_beside = folder.empty() ? path[0] != '/' : path.rfind(folder, 0) == 0;
+    if (!is_main && (path.find("..", folder.size()) != std::string::npos || !is_beside))
     {
         *error = "names a file outside its folder";
         return false;

@@ -377,7 +377,7 @@ Reader reader_of(const std::string &path)
                           : "is no mesh that is read: .gltf, .glb or .obj");
 }
 
-// Of what a library says, the first line, without a full stop.
+// Of what a reader says, the first line, without a full stop. It begins with ":LINE: " where a line is wrong.
 std::string first_words(const std::string &text)
 {
     const std::string line = text.substr(0, text.find('\n'));
@@ -415,17 +415,18 @@ cm_status cm_mesh_file_read(const char *path, const cm_mesh_limits *limits, cm_m
     {
         return CM_ERROR_ARGUMENT;
     }
-    return guarded_file(message,
-                        [&]
-                        {
-                            try
-                            {
-                                *mesh =
-                                    read_mesh(path, limits == nullptr ? cm_mesh_limits{} : *limits);
-                            }
-                            catch (const MeshRefusal &refusal)
-                            {
-                                fail_file(path, first_words(refusal.what()), refusal.status());
-                            }
-                        });
+    return guarded_file(
+        message,
+        [&]
+        {
+            try
+            {
+                *mesh = read_mesh(path, limits == nullptr ? cm_mesh_limits{} : *limits);
+            }
+            catch (const MeshRefusal &refusal)
+            {
+                const std::string what = first_words(refusal.what());
+                throw FileFailure(refusal.status(), path + (what[0] == ':' ? what : ": " + what));
+            }
+        });
 }

@@ -2,15 +2,112 @@
 
 #include "flat_mesh.hpp"
 
+#include "file_failure.hpp"
+
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
 namespace
 {
+
+constexpr std::uint64_t largest_text = std::uint64_t{1} << 31;
+
+// Vertices and faces as they stand: the library takes what is no number for 0, and leaves out what is no face.
+class ObjLines
+{
+public:
+    explicit ObjLines(std::string_view text) : lines("", text)
+    {
+    }
+
+    void check()
+    {
+        while (lines.next())
+        {
+            const std::string_view first = lines.words()[0];
+            if (first == "v")
+            {
+                check_vertex();
+            }
+            else if (first == "f")
+            {
+                check_face();
+            }
+        }
+        if (highest > vertices)
+        {
+            fail(highest_line, "a face of a vertex that is not there");
+        }
+    }
+
+private:
+    [[noreturn]] static void fail(std::size_t line, const std::string &what)
+    {
+        throw MeshFailure(":" + std::to_string(line) + ": " + what);
+    }
+
+    void check_vertex()
+    {
+        if (lines.words().size() < 4)
+        {
+            fail(lines.line(), "a vertex of fewer than 3 numbers");
+        }
+        for (std::size_t i = 1; i < lines.words().size(); ++i)
+        {
+            double number = 0;
+            if (!word_number(lines.words()[i], number) || !(number - number == 0))
+            {
+                fail(lines.line(), "a vertex with what is no finite number");
+            }
+        }
+        ++vertices;
+    }
+
+    void check_face()
+    {
+        if (lines.words().size() < 4)
+        {
+            fail(lines.line(), "a face of fewer than 3 vertices");
+        }
+        for (std::size_t i = 1; i < lines.words().size(); ++i)
+        {
+            const std::string_view word = lines.words()[i];
+            double vertex = 0;
+            if (!word_number(word.substr(0, word.find('/')), vertex) || vertex == 0 ||
+                vertex != std::floor(vertex) || -vertex > vertices)
+            {
+                fail(lines.line(), "a face of what is no vertex");
+            }
+            if (vertex > highest)
+            {
+                highest = vertex;
+                highest_line = lines.line();
+            }
+        }
+    }
+
+    LineWords lines;
+    double vertices = 0;
+    double highest = 0; // of a face
+    std::size_t highest_line = 0;
+};
+
+// A file's text, whose lines end as they may anywhere.
+std::string text_of(const std::string &path)
+{
+    std::string text = read_whole(path, largest_text);
+    for (std::size_t i = 0; i < text.size(); ++i)
+    {
+        const bool ends_alone = text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
+        text[i] = ends_alone ? '\n' : text[i];
+    }
+    return text;
+}
 
 // Vertices are those of the file, once for each material that they are of.
 class ObjVertices
@@ -62,6 +159,7 @@ private:
 
 FlatMesh read_obj(const std::string &path)
 {
+    ObjLines(text_of(path)).check();
     tinyobj::ObjReader reader;
     tinyobj::ObjReaderConfig config;
     config.triangulate = true;

@@ -31,7 +31,96 @@ void note_memory_of_json()
     static_cast<void>(noted);
 }
 
+// Counts the items before this one, in the order of the text, from at on: what is in it, then what is behind it.
+bool count_before(const cJSON *at, const cJSON *item, std::size_t &count)
+{
+    for (; at != nullptr; at = at->next)
+    {
+        if (at == item)
+        {
+            return true;
+        }
+        ++count;
+        if (count_before(at->child, item, count))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool is_space(char letter)
+{
+    return static_cast<unsigned char>(letter) <= 32; // as cJSON has it
+}
+
+// Behind a text in quotes, a number or a word that begins here.
+std::size_t end_of_word(std::string_view text, std::size_t place)
+{
+    std::size_t end = place + 1;
+    if (text[place] == '"')
+    {
+        while (end < text.size() && text[end] != '"')
+        {
+            end += text[end] == '\\' ? 2 : 1;
+        }
+        return std::min(end + 1, text.size());
+    }
+    while (end < text.size() && !is_space(text[end]) &&
+           std::string_view(",:]}").find(text[end]) == std::string_view::npos)
+    {
+        ++end;
+    }
+    return end;
+}
+
+bool is_key(std::string_view text, std::size_t end)
+{
+    while (end < text.size() && is_space(text[end]))
+    {
+        ++end;
+    }
+    return end < text.size() && text[end] == ':';
+}
+
+// Where the item with this number begins, or its key.
+std::size_t place_of_item(std::string_view text, std::size_t number)
+{
+    constexpr std::string_view mark = "\xef\xbb\xbf"; // of UTF-8
+    std::size_t begin = std::string_view::npos;       // of the key, if there is one
+    std::size_t place = text.substr(0, mark.size()) == mark ? mark.size() : 0;
+    for (std::size_t seen = 0; place < text.size();)
+    {
+        if (is_space(text[place]) ||
+            std::string_view(",:]}").find(text[place]) != std::string_view::npos)
+        {
+            ++place;
+            continue;
+        }
+        const bool opens = text[place] == '{' || text[place] == '[';
+        const std::size_t end = opens ? place + 1 : end_of_word(text, place);
+        begin = begin == std::string_view::npos ? place : begin;
+        if (text[place] != '"' || !is_key(text, end))
+        {
+            if (seen == number)
+            {
+                return begin;
+            }
+            ++seen;
+            begin = std::string_view::npos;
+        }
+        place = end;
+    }
+    return 0;
+}
+
 } // namespace
+
+std::size_t line_of_item(std::string_view text, const cJSON *root, const cJSON *item)
+{
+    std::size_t number = 0;
+    return count_before(root, item, number) ? line_of_place(text, place_of_item(text, number)) : 1;
+}
 
 std::size_t line_of_place(std::string_view text, std::size_t place)
 {

@@ -222,6 +222,10 @@ std::vector<TimedName> parse_time_list(const std::string &name, std::string_view
             lines.fail("the time " + number_text(time) + " is not after the one before, " +
                        number_text(names.back().time));
         }
+        if (lines.words()[1].find('\0') != std::string_view::npos)
+        {
+            lines.fail("a name with a zero byte");
+        }
         names.push_back({time, std::string(lines.words()[1])});
     }
     return names;

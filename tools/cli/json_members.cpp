@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-#include "tof_json.hpp"
+#include "json_members.hpp"
 
-#include "tools/cli/program.hpp"
+#include "program.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,39 +46,72 @@ const char *words_of_range(Range range)
 
 } // namespace
 
-void JsonPlace::fail(const std::string &key, const std::string &what) const
+void JsonPlace::fail(const cJSON *item, const std::string &what) const
 {
-    const std::size_t at = text.find("\"" + key + "\"");
-    const std::size_t line = line_of_place(text, at == std::string_view::npos ? 0 : at);
-    throw Failure(in_quotes(name) + ":" + std::to_string(line) + ": " + what);
+    throw Failure(in_quotes(name) + ":" + std::to_string(line_of_item(text, root, item)) + ": " +
+                  what);
+}
+
+JsonPointer parse_json_file(const std::string &name, std::string_view text)
+{
+    std::size_t line = 0;
+    JsonPointer made = parse_json_object(text, line);
+    if (made == nullptr)
+    {
+        throw Failure(in_quotes(name) + ":" + std::to_string(line) + ": is no JSON object");
+    }
+    return made;
 }
 
 JsonMembers::JsonMembers(const JsonPlace &from, std::string path_name, const cJSON *json)
     : place(from), path(std::move(path_name)), object(json)
 {
+    if (!cJSON_IsObject(object))
+    {
+        fail_whole(" is no object");
+    }
+}
+
+std::string JsonMembers::name_of(const std::string &key) const
+{
+    return path.empty() ? key : path + "." + key;
 }
 
 void JsonMembers::fail(const std::string &key, const std::string &what) const
 {
-    place.fail(key, path + key + what);
+    const cJSON *const item = cJSON_GetObjectItemCaseSensitive(object, key.c_str());
+    place.fail(item == nullptr ? object : item, name_of(key) + what);
 }
 
-void JsonMembers::check_known() const
+void JsonMembers::fail_whole(const std::string &what) const
+{
+    place.fail(object, path + what);
+}
+
+void JsonMembers::check_only(const std::vector<std::string> &names) const
 {
     std::vector<std::string> seen;
     for (const cJSON *each = object->child; each != nullptr; each = each->next)
     {
         const std::string key = each->string;
-        if (std::find(known.begin(), known.end(), key) == known.end())
+        if (std::find(names.begin(), names.end(), key) == names.end())
         {
-            place.fail(key, in_quotes(path + key.substr(0, 60)) + " is no member of a sensor");
+            const std::string quoted = in_quotes(key.substr(0, 60));
+            place.fail(each, path.empty()
+                                 ? quoted + " means nothing there"
+                                 : path + " has " + quoted + ", which means nothing there");
         }
         if (std::find(seen.begin(), seen.end(), key) != seen.end())
         {
-            fail(key, " is given twice");
+            place.fail(each, name_of(key) + " is given twice");
         }
         seen.push_back(key);
     }
+}
+
+void JsonMembers::check_known() const
+{
+    check_only(known);
 }
 
 const cJSON *JsonMembers::find(const char *key)
@@ -110,6 +143,12 @@ double JsonMembers::number(const char *key, Range range)
         fail(key, std::string(" is missing: ") + words_of_range(range));
     }
     return item == nullptr ? 0 : checked(item, key, range);
+}
+
+void JsonMembers::take_number(const char *key, Range range, double &to)
+{
+    const cJSON *const item = find(key);
+    to = item == nullptr ? to : checked(item, key, range);
 }
 
 long JsonMembers::whole(const char *key, long low, long high, long absent)
@@ -148,12 +187,33 @@ std::vector<double> JsonMembers::numbers(const char *key, Range range)
     return list;
 }
 
-void JsonMembers::vector(const char *key, double to[3])
+void JsonMembers::take_numbers(const char *key, Range range, double *to, std::size_t count)
 {
-    const std::vector<double> list = numbers(key, Range::any);
-    if (!list.empty() && list.size() != 3)
+    if (find(key) != nullptr)
     {
-        fail(key, " is not a list of 3 numbers");
+        need_numbers(key, range, to, count);
     }
-    std::copy(list.begin(), list.end(), to);
+}
+
+void JsonMembers::need_numbers(const char *key, Range range, double *to, std::size_t count)
+{
+    const cJSON *const list = find(key);
+    if (!cJSON_IsArray(list) || static_cast<std::size_t>(cJSON_GetArraySize(list)) != count)
+    {
+        fail(key, " is not a list of " + std::to_string(count) + " numbers");
+    }
+    for (const cJSON *each = list->child; each != nullptr; each = each->next)
+    {
+        *to++ = checked(each, key, range);
+    }
+}
+
+std::string JsonMembers::word(const char *key, const std::string &wanted)
+{
+    const cJSON *const item = find(key);
+    if (!cJSON_IsString(item))
+    {
+        fail(key, " is not " + wanted);
+    }
+    return item->valuestring;
 }
