@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh_rays.h"
+#include "vector.h"
 
 #include <cubemap/world.h>
 
@@ -147,18 +148,6 @@ void mesh_rays_bound(const mesh_rays *mesh, double centre[3], double *radius)
 }
 
 /* ---- one triangle ---- */
-
-static void cross(const double a[3], const double b[3], double product[3])
-{
-    product[0] = a[1] * b[2] - a[2] * b[1];
-    product[1] = a[2] * b[0] - a[0] * b[2];
-    product[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 typedef struct triangle_hit
 {

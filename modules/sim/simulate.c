@@ -2,6 +2,7 @@
 #include "charges.h"
 #include "reconstruct.h"
 #include "tof_world.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -36,6 +37,7 @@ typedef struct frame
     size_t pixels;
     void *memory;
     int times;
+    int is_beyond; /* some charge is more than a float holds */
     uint32_t virtual_lights;
 } frame;
 
@@ -150,14 +152,6 @@ static cm_status add_time(frame *doing, double time, int series, double part, in
 
 /* ---- how things move ---- */
 
-static double angle_between(const double a[3], const double b[3])
-{
-    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                             a[0] * b[1] - a[1] * b[0]};
-    return atan2(sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]),
-                 a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
-
 /* How far, in radians, what the camera sees moves between two times at the most: places that a coarse grid of rays meets,
  * carried along with what they are on. */
 static cm_status find_motion(const frame *doing, double from, double to, double *most)
@@ -256,9 +250,10 @@ static int moves(const frame *doing, double end)
 static void keep_charges(frame *doing, size_t picture_wave, int series, int phase)
 {
     const size_t image = (size_t)series * (size_t)doing->sensor.given.phases + (size_t)phase;
-    charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series,
-                     phase, doing->offset, doing->pool, doing->charge_a + image * doing->pixels,
-                     doing->charge_b + image * doing->pixels);
+    doing->is_beyond |=
+        charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series,
+                         phase, doing->offset, doing->pool, doing->charge_a + image * doing->pixels,
+                         doing->charge_b + image * doing->pixels);
 }
 
 /* Nothing moves: one sum for all phases and frequencies. */
@@ -306,7 +301,7 @@ static void flag_multipath(frame *doing)
 {
     const tof_sums *sum = &doing->picture.sum;
     const double unambiguous = sensor_unambiguous(&doing->sensor.given, 0);
-    const double per_turn = unambiguous / 6.28318530717958647693;
+    const double per_turn = unambiguous / (2.0 * PI);
     for (size_t i = 0; doing->options.bounces > 0 && i < doing->pixels; i++)
     {
         const size_t cell = doing->sensor.given.single_readout
@@ -350,8 +345,11 @@ static void disturb(frame *doing)
         {
             charges_add_noise(&doing->sensor, &doing->options, image, doing->pool, a, b);
         }
-        charges_fill(&doing->sensor, a, doing->flags);
-        charges_fill(&doing->sensor, b, doing->flags);
+        if (doing->is_beyond || doing->sensor.given.full_well > 0.0)
+        {
+            charges_fill(&doing->sensor, a, doing->flags);
+            charges_fill(&doing->sensor, b, doing->flags);
+        }
     }
 }
 
