@@ -62,6 +62,19 @@ static int fill(const cm_mesh_options *from, RTCGeometry geometry)
     return 1;
 }
 
+/* Embree takes no coordinates beyond this, and none that are not numbers: it may end the program. */
+#define FARTHEST 1e18
+
+static int is_within_reach(const cm_mesh_options *from)
+{
+    int is_near = 1;
+    for (size_t i = 0; i < 3 * from->vertex_count; i++)
+    {
+        is_near &= fabs(from->position[i]) < FARTHEST;
+    }
+    return is_near;
+}
+
 /* One thread builds: a library that makes threads of its own surprises who forks. */
 static cm_status make_tree(mesh_rays *made)
 {
@@ -69,6 +82,10 @@ static cm_status make_tree(mesh_rays *made)
     if (from->triangle_count == 0)
     {
         return CM_OK;
+    }
+    if (!is_within_reach(from))
+    {
+        return CM_ERROR_RANGE;
     }
     made->device = rtcNewDevice("threads=1");
     RTCGeometry geometry =
@@ -203,9 +220,6 @@ static int meet_exactly(const mesh_rays *mesh, const double origin[3], const dou
 }
 
 /* ---- packets ---- */
-
-/* Embree takes no rays beyond this, and none that are not numbers: it may end the program. */
-#define FARTHEST 1e18
 
 static int is_traceable(const double origin[3], const double direction[3], double distance)
 {

@@ -103,6 +103,15 @@ void measures()
           });
     write_file("behind.json", sensor_text("\"lights\": [{\"position\": [0, 0, 3], \"power\": 1, "
                                           "\"aperture\": 6.283185307179586}]"));
+    write_file("strong.json", sensor_text("\"lights\": [{\"power\": 1e300, \"aperture\": 6}]"));
+    says("charges that no number holds are saturated", "\"saturated\": 432, ",
+         "tof simulate wall.json strong.json pose.txt -o strong --json --noise");
+    write_file("within.json", R"({"boxes": [{"min": [-1, -1, 0], "max": [1, 1, 1]}]})");
+    says("a camera in a wall sees what is behind", "\"unmeasured\": 0\\}",
+         "tof simulate within.json sensor.json pose.txt -o within --json --truth");
+    write_file("open.obj", "v -9 -9 2\nv 9 -9 2\nv 0 9 2\nv 0 0 1\nf 1 2 3\nf 4 4 4\nf 1 2 2\n");
+    says("an open mesh, and triangles of no area", "\"unmeasured\": 0\\}",
+         "tof simulate open.obj sensor.json pose.txt -o open --json --bounces 1");
     says("a light behind the wall lights nothing", "\"unmeasured\": 432\\}",
          "tof simulate wall.json behind.json pose.txt -o dark --json");
 }
@@ -273,6 +282,24 @@ void refuses_tof_files()
     std::string two = sensor_text();
     two.replace(two.find("\"phases\": 4"), 11, "\"phases\": 2");
     sensor_fails("two phases", two, "phases is not a whole number from 3");
+    two.replace(two.find("\"phases\": 2"), 11, "\"phases\": []");
+    sensor_fails("phases that are a list", two, "phases is not a whole number from 3");
+    sensor_fails("an empty mask", sensor_text(std::string("\"mask\": [[]], ") + light_text),
+                 "mask has rows that are not of");
+    sensor_fails("harmonics that are not there",
+                 sensor_text(std::string("\n\"harmonics\": 3, ") + light_text),
+                 "5: harmonic has 0 numbers");
+    sensor_fails("a NaN in a table", sensor_text(std::string("\"mask\": [[NaN]], ") + light_text),
+                 "4: is no JSON object");
+    sensor_fails("an empty place in a table",
+                 sensor_text(std::string("\"harmonic\": [1, null], ") + light_text),
+                 "harmonic is not a finite number");
+    sensor_fails("a cone of no width",
+                 sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 1e-300}]"),
+                 "aperture is a full angle in radians, from 1e-6");
+    write_file("strange.json", sensor_text(std::string("\"fixed_pattern\": 1e9, ") + light_text));
+    fails("noise beyond all bounds", 1, "'strange.json' has numbers outside what is simulated",
+          "tof simulate wall.json strange.json pose.txt -o made/x");
     std::string camera = sensor_text();
     camera.replace(camera.find("\"fx\": 20"), 8, "\"fx\": 0");
     sensor_fails("a camera without focal length", camera, "camera:1: a focal length of 0");
@@ -302,12 +329,50 @@ void refuses_tof_files()
                                 "\"brdf\": {\"kind\": \"measured\", \"file\": \"table.csv\"}}]}");
     fails("a table of three columns", 1, "'table.csv':1: is not theta_in theta_out azimuth value",
           "tof simulate measured.json sensor.json pose.txt -o made/x");
+    for (const std::string line : {"0 0 0 nan", "0 0 0", "0 0 0 NaN # none", "inf -inf 0 1"})
+    {
+        write_file("table.csv", line + "\n");
+        fails("a table with " + line, 1, "'table.csv':1: is not theta_in",
+              "tof simulate measured.json sensor.json pose.txt -o made/x");
+    }
+    write_file("table.csv", "# nothing\n");
+    fails("a table of no values", 1, "'table.csv' has no line of theta_in",
+          "tof simulate measured.json sensor.json pose.txt -o made/x");
+    write_file("points.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\n");
+    fails("a mesh of points", 1, "'points.obj' has no triangle in it",
+          "tof simulate points.obj sensor.json pose.txt -o made/x");
+    write_file("far.obj", "v 0 0 1\nv 1e20 0 1\nv 0 1 1\nf 1 2 3\n");
+    fails("a mesh beyond reach", 1, "'far.obj' has a mesh with coordinates of 1e18",
+          "tof simulate far.obj sensor.json pose.txt -o made/x");
+    write_file("odd.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 9\n");
+    fails("a mesh of a vertex that is not there", 1, "odd.obj: has a face of a vertex",
+          "tof simulate odd.obj sensor.json pose.txt -o made/x");
     write_file("empty.json", "{}");
     fails("an empty scene", 1, "'empty.json': has nothing in it",
           "tof simulate empty.json sensor.json pose.txt -o made/x");
     {
         const SizeLimit limit(600);
         fails("a disk that is full", 1, "made/x/.*: ", good);
+    }
+    {
+        const SizeLimit limit(16000); // between what a frame's pictures take and its truth
+        fails("a disk that is full of truth", 1, "made/x/truth_0000.*: ", good + " --truth");
+    }
+    does("tof simulate wall.json sensor.json pose.txt -o seen --quiet");
+    std::FILE *const full = std::fopen("/dev/full", "w");
+    for (const std::string way : {"", " --json"})
+    {
+        if (full != nullptr)
+        {
+            const Ran ran = run_with_input(
+                "", "tof evaluate seen/distance_0000.exr seen/distance_0000.exr" + way, full);
+            result(ran.status == 1 && matches(ran.err, "standard output: No space left"),
+                   "measures that nobody takes" + way, ran.err);
+        }
+    }
+    if (full != nullptr)
+    {
+        std::fclose(full);
     }
 }
 

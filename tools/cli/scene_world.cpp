@@ -65,6 +65,10 @@ const cm_mesh *add_mesh(World &world, const std::string &file)
         throw Failure(message);
     }
     world.meshes.emplace_back(mesh);
+    if (cm_mesh_describe(mesh)->triangle_count == 0)
+    {
+        throw Failure(in_quotes(file) + " has no triangle in it");
+    }
     return mesh;
 }
 
@@ -124,6 +128,10 @@ std::vector<BrdfWord> read_brdf_table(const std::string &path)
         }
         words.push_back(
             {numbers[0] * degree, numbers[1] * degree, numbers[2] * degree, numbers[3]});
+    }
+    if (words.empty())
+    {
+        throw Failure(in_quotes(path) + " has no line of theta_in theta_out azimuth value");
     }
     return words;
 }

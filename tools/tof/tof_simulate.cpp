@@ -83,7 +83,12 @@ Simulation prepare(const SimulateOptions &options)
                 "");
     made.trajectory.reset(trajectory);
     cm_tof_scene *scene = nullptr;
-    check_tof(cm_tof_scene_create(made.world.scene.get(), &scene), made);
+    const cm_status status = cm_tof_scene_create(made.world.scene.get(), &scene);
+    if (status == CM_ERROR_RANGE)
+    {
+        throw Failure(in_quotes(options.scene) + " has a mesh with coordinates of 1e18 or more");
+    }
+    check_tof(status, made);
     made.scene.reset(scene);
     made.pool = make_pool(options.threads);
     made.options = options.tof;
