@@ -288,7 +288,7 @@ void refuses_tof_files()
                  "mask has rows that are not of");
     sensor_fails("harmonics that are not there",
                  sensor_text(std::string("\n\"harmonics\": 3, ") + light_text),
-                 "5: harmonic has 0 numbers");
+                 "5: harmonics has 0 numbers");
     sensor_fails("a NaN in a table", sensor_text(std::string("\"mask\": [[NaN]], ") + light_text),
                  "4: is no JSON object");
     sensor_fails("an empty place in a table",
