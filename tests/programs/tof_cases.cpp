@@ -5,7 +5,11 @@
 #include "image_cases.hpp"
 #include "picture.hpp"
 
+#include "modules/scene/io/npy_file.h"
+
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
@@ -36,6 +40,12 @@ void make_tof_inputs()
     write_file("pose.txt", "0 0 0 0 0 0 0 1\n");
     write_file("path.txt", "0 0 0 0 0 0 0 1\n1 0 0 0.5 0 0 0 1\n");
     std::filesystem::create_directory("made");
+}
+
+// The files tell when they were written, too.
+bool same_pixels(const std::string &one, const std::string &other)
+{
+    return Picture(one).values == Picture(other).values;
 }
 
 // All distances of a picture.
@@ -141,16 +151,111 @@ void lies_in_a_folder()
          "--threads 7");
     does("tof simulate wall.json sensor.json path.txt -o made/c --quiet --noise --seed 4 --samples "
          "2x3");
-    result(same_content("made/a/phase_0001_3.exr", "made/b/phase_0001_3.exr") &&
-               same_content("made/a/distance_0000.exr", "made/b/distance_0000.exr"),
+    result(same_pixels("made/a/phase_0001_3.exr", "made/b/phase_0001_3.exr") &&
+               same_pixels("made/a/distance_0000.exr", "made/b/distance_0000.exr"),
            "the same bits with seven threads");
-    result(!same_content("made/a/phase_0001_3.exr", "made/c/phase_0001_3.exr"),
+    result(!same_pixels("made/a/phase_0001_3.exr", "made/c/phase_0001_3.exr"),
            "another seed has other noise");
     says("two frequencies", "\"frames\": 1",
          "tof simulate --preset pico-flexx room pose.txt -o made/d --json");
     result(std::filesystem::exists("made/d/phase_0000_7.exr") &&
                !std::filesystem::exists("made/d/phase_0000_8.exr"),
            "phases of the second follow the first's");
+}
+
+// The numbers of an array without its head.
+std::string numbers_of(const std::string &npy)
+{
+    const std::string whole = content_of(npy);
+    return whole.substr(10 + static_cast<unsigned char>(whole[8]) +
+                        256 * static_cast<unsigned char>(whole[9]));
+}
+
+constexpr const char *array_names[] = {
+    "phase",          "distance",     "amplitude",       "intensity",        "flags",
+    "truth_position", "truth_normal", "truth_object",    "truth_shape",      "truth_triangle",
+    "truth_depth",    "truth_range",  "truth_flow_next", "truth_flow_before"};
+
+void are_arrays()
+{
+    make_tof_inputs();
+    const std::string way = "tof simulate wall.json sensor.json path.txt --truth ";
+    does(way + "-o exr --quiet");
+    does(way + "-o npy --quiet --format npy");
+    for (const std::string name : {"distance", "amplitude", "intensity", "truth_range"})
+    {
+        cm_image picture = {};
+        char message[CM_IMAGE_MESSAGE] = "";
+        const std::string file = "npy/" + name + "_0001.npy";
+        const bool is_read = cm_npy_read(file.c_str(), &picture, message) == CM_OK;
+        result(is_read && picture.width == 24 && picture.height == 18, name + " is an array",
+               message);
+        const Picture seen("exr/" + (name == "truth_range" ? "distance" : name) + "_0001.exr");
+        const float *const value = static_cast<const float *>(picture.data);
+        double most = 0;
+        for (std::size_t i = 0; is_read && i < seen.values.size(); ++i)
+        {
+            most = std::max(most, std::fabs(static_cast<double>(value[i]) -
+                                            static_cast<double>(seen.values[i])));
+        }
+        result(most <= (name == "truth_range" ? 1e-5 : 0), name + " is what the picture has",
+               std::to_string(most));
+        std::free(picture.data);
+    }
+    result(numbers_of("npy/phase_0000.npy").size() == 4 * 4 * 18 * 24 &&
+               numbers_of("npy/truth_position_0000.npy").size() == 8 * 3 * 18 * 24 &&
+               content_of("npy/truth_object_0000.npy")
+                       .find("{'descr': '<u4', 'fortran_order': False, 'shape': (18, 24), }") == 10,
+           "shapes and types");
+    std::string all;
+    for (const std::string ending : {"_0000.npy", "_0001.npy"})
+    {
+        for (const std::string name : array_names)
+        {
+            all += content_of("npy/" + name + ending);
+        }
+    }
+    const Ran stream = passes("frames as a stream", way + "-o -");
+    result(stream.out == all, "the stream is the files one after another");
+    std::FILE *const full = std::fopen("/dev/full", "w");
+    if (full != nullptr)
+    {
+        const Ran ran = run_with_input("", way + "-o - --quiet", full);
+        result(ran.status == 1 && matches(ran.err, "'standard output' cannot be written: No space"),
+               "a stream that nobody takes", ran.err);
+        std::fclose(full);
+    }
+    const SizeLimit limit(6000);
+    fails("a disk that is full of arrays", 1, "made/x/truth_position_0000.npy'? cannot be written",
+          "tof simulate wall.json sensor.json path.txt --truth -o made/x --format npy");
+}
+
+void are_files_of_hdf5()
+{
+    make_tof_inputs();
+    const std::string way = "tof simulate wall.json sensor.json pose.txt --truth ";
+    if (std::getenv("CUBEMAP_SIM_HDF5") == nullptr)
+    {
+        return; // this build has none
+    }
+    does(way + "-o npy --quiet --format npy");
+    does(way + "-o one --quiet --format hdf5");
+    does(way + "-o other --quiet --format hdf5 --threads 2");
+    result(names_in("one") == "frame_0000.h5 metadata.json poses.txt ", "a file a frame",
+           names_in("one"));
+    const std::string whole = content_of("one/frame_0000.h5");
+    result(whole.compare(1, 3, "HDF") == 0, "of HDF5");
+    result(same_content("one/frame_0000.h5", "other/frame_0000.h5"), "the same bytes again");
+    for (const std::string name : array_names)
+    {
+        const bool is_truth = name.compare(0, 6, "truth_") == 0;
+        result(whole.find(is_truth ? name.substr(6) : name) != std::string::npos &&
+                   whole.find(numbers_of("npy/" + name + "_0000.npy")) != std::string::npos,
+               name + " is in it");
+    }
+    const SizeLimit limit(6000);
+    fails("a disk that is full of HDF5", 1, "made/x/frame_0000.h5'? cannot be written",
+          way + "-o made/x --format hdf5");
 }
 
 void knows_sensors()
@@ -167,10 +272,10 @@ void knows_sensors()
                            light_text));
     does("tof simulate wall.json mask.json pose.txt -o rows --quiet");
     does("tof simulate wall.json flat.json pose.txt -o flat --quiet");
-    result(same_content("rows/phase_0000_1.exr", "flat/phase_0000_1.exr"),
+    result(same_pixels("rows/phase_0000_1.exr", "flat/phase_0000_1.exr"),
            "a mask by rows is one in one list");
     does("tof simulate wall.json sensor.json pose.txt -o whole --quiet");
-    result(!same_content("rows/phase_0000_1.exr", "whole/phase_0000_1.exr"), "a mask takes light");
+    result(!same_pixels("rows/phase_0000_1.exr", "whole/phase_0000_1.exr"), "a mask takes light");
     write_file("spot.json", sensor_text("\"lights\": [{\"position\": [0.1, 0, 0], \"direction\": "
                                         "[0, 0, 2], \"power\": 1, \"aperture\": 1, \"intensity\": "
                                         "[1, 0.5, 0]}]"));
@@ -202,8 +307,13 @@ void refuses_tof_words()
     fails("a preset and a sensor", 2, "are needed with --preset, 3 are given",
           good + " --preset camcube");
     fails("no folder", 2, "-o DIR is needed", "tof simulate wall.json sensor.json pose.txt");
-    fails("a folder that is a stream", 2, "-o DIR is needed",
-          "tof simulate wall.json sensor.json pose.txt -o -");
+    fails("a stream of pictures", 2, "-o - writes arrays of NPY, not --format exr",
+          "tof simulate wall.json sensor.json pose.txt -o - --format exr");
+    fails("a stream of HDF5", 2, "-o - writes arrays of NPY, not --format hdf5",
+          "tof simulate wall.json sensor.json pose.txt -o - --format hdf5");
+    fails("JSON into a stream", 2, "--json has no place where -o - writes frames",
+          "tof simulate wall.json sensor.json pose.txt -o - --json");
+    fails("a format that there is not", 2, "--format is 'npz'", good + " --format npz");
     fails("a preset that there is not", 2, "--preset is 'camcub'",
           "tof simulate --preset camcub wall.json pose.txt -o made/x");
     for (const std::string count : {"3", "0x3", "3x", "65x1", "axb", "1x1x1"})
@@ -380,10 +490,10 @@ void refuses_tof_files()
 
 const std::vector<Subject> &tof_subjects()
 {
-    static const std::vector<Subject> subjects = {{"tof_measures", measures},
-                                                  {"tof_folder", lies_in_a_folder},
-                                                  {"tof_sensors", knows_sensors},
-                                                  {"tof_words", refuses_tof_words},
-                                                  {"tof_files", refuses_tof_files}};
+    static const std::vector<Subject> subjects = {
+        {"tof_measures", measures},      {"tof_folder", lies_in_a_folder},
+        {"tof_arrays", are_arrays},      {"tof_hdf5", are_files_of_hdf5},
+        {"tof_sensors", knows_sensors},  {"tof_words", refuses_tof_words},
+        {"tof_files", refuses_tof_files}};
     return subjects;
 }
