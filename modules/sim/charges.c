@@ -228,26 +228,54 @@ void charges_add_noise(const tof_sensor *sensor, const cm_tof_options *options, 
     }
 }
 
-void charges_fill(const tof_sensor *sensor, float *charge, uint8_t *flags)
+typedef struct well
 {
-    const float full = sensor->given.full_well > 0.0 && sensor->given.full_well < (double)FLT_MAX
-                           ? (float)sensor->given.full_well
-                           : FLT_MAX;
-    for (size_t i = 0; i < (size_t)sensor->width * sensor->height; i++)
+    float full;
+    float *charge;
+    uint8_t *flags;
+} well;
+
+static void fill_pixels(size_t begin, size_t end, void *user)
+{
+    const well *doing = user;
+    for (size_t i = begin; i < end; i++)
     {
-        if (!(charge[i] <= full))
+        if (!(doing->charge[i] <= doing->full))
         {
-            charge[i] = full;
-            flags[i] |= CM_TOF_SATURATED;
+            doing->charge[i] = doing->full;
+            doing->flags[i] |= CM_TOF_SATURATED;
         }
     }
 }
 
-void charges_offsets(const tof_sensor *sensor, const cm_tof_options *options, float *offset)
+void charges_fill(const tof_sensor *sensor, cm_pool *pool, float *charge, uint8_t *flags)
 {
-    for (size_t i = 0; i < (size_t)sensor->width * sensor->height; i++)
+    const double full_well = sensor->given.full_well;
+    const int is_limited = full_well > 0.0 && full_well < (double)FLT_MAX;
+    well doing = {is_limited ? (float)full_well : FLT_MAX, charge, flags};
+    cm_pool_run(pool, (size_t)sensor->width * sensor->height, 16384, fill_pixels, &doing);
+}
+
+typedef struct offset_work
+{
+    double deviation;
+    uint64_t seed;
+    float *offset;
+} offset_work;
+
+static void put_offsets(size_t begin, size_t end, void *user)
+{
+    const offset_work *doing = user;
+    for (size_t i = begin; i < end; i++)
     {
-        offset[i] = (float)(sensor->given.fixed_pattern *
-                            cm_random_normal(options->seed, OFFSET_VIEW, (uint32_t)i, 0));
+        doing->offset[i] =
+            (float)(doing->deviation * cm_random_normal(doing->seed, OFFSET_VIEW, (uint32_t)i, 0));
     }
+}
+
+void charges_offsets(const tof_sensor *sensor, const cm_tof_options *options, cm_pool *pool,
+                     float *offset)
+{
+    offset_work doing = {sensor->given.fixed_pattern, options->seed, offset};
+    cm_pool_run(pool, (size_t)sensor->width * sensor->height, 1024, put_offsets, &doing);
 }

@@ -19,9 +19,10 @@ void charges_add_noise(const tof_sensor *sensor, const cm_tof_options *options, 
                        cm_pool *pool, float *charge_a, float *charge_b);
 
 /* What is more than the full well, or than a float holds, is cut, and flagged. */
-void charges_fill(const tof_sensor *sensor, float *charge, uint8_t *flags);
+void charges_fill(const tof_sensor *sensor, cm_pool *pool, float *charge, uint8_t *flags);
 
 /* The pixels' own phase offsets. */
-void charges_offsets(const tof_sensor *sensor, const cm_tof_options *options, float *offset);
+void charges_offsets(const tof_sensor *sensor, const cm_tof_options *options, cm_pool *pool,
+                     float *offset);
 
 #endif

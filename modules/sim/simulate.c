@@ -12,7 +12,8 @@ enum
 {
     MOST_TIMES = 16,
     PROBE_COLUMNS = 16,
-    PROBE_ROWS = 12
+    PROBE_ROWS = 12,
+    PIXELS_AT_ONCE = 8192
 };
 
 #define MULTIPATH_APART 0.001 /* metres */
@@ -284,7 +285,7 @@ static cm_status take_moving(frame *doing)
     for (int image = 0; status == CM_OK && image < doing->sensor.series * given->phases; image++)
     {
         const double begin = doing->time + image * (given->exposure + given->readout);
-        picture_clear(&doing->picture);
+        picture_clear(&doing->picture, &doing->options, doing->pool);
         for (int step = 0; status == CM_OK && step < doing->times; step++)
         {
             const double time = begin + ((double)step + 0.5) / doing->times * given->exposure;
@@ -296,43 +297,37 @@ static cm_status take_moving(frame *doing)
     return status;
 }
 
-/* Where scattered light moves the distance. Of what moves it is that of the last phase image. */
-static void flag_multipath(frame *doing)
+/* Does scattered light move the distance? Of what moves that is so of the last phase image. */
+static int is_multipath(const frame *doing, size_t cell, double per_turn)
 {
     const tof_sums *sum = &doing->picture.sum;
-    const double unambiguous = sensor_unambiguous(&doing->sensor.given, 0);
-    const double per_turn = unambiguous / (2.0 * PI);
-    for (size_t i = 0; doing->options.bounces > 0 && i < doing->pixels; i++)
+    const double real = sum->direct_real[cell], imaginary = sum->direct_imaginary[cell];
+    const double all_real = sum->real[cell], all_imaginary = sum->imaginary[cell];
+    const double turn = atan2(all_imaginary * real - all_real * imaginary,
+                              all_real * real + all_imaginary * imaginary);
+    return fabs(turn * per_turn) > MULTIPATH_APART;
+}
+
+/* Of the cells of each pixel: one, or three between which circuits are, whose middle one is the pixel's own. */
+static void flag_pixels(size_t begin, size_t end, void *user)
+{
+    const frame *doing = user;
+    const tof_sensor *sensor = &doing->sensor;
+    const size_t single = sensor->given.single_readout ? 1 : 0;
+    const double per_turn = sensor_unambiguous(&sensor->given, 0) / (2.0 * PI);
+    for (size_t i = begin; i < end; i++)
     {
-        const size_t cell = doing->sensor.given.single_readout
-                                ? i / doing->sensor.width * doing->sensor.cells.columns +
-                                      2 * (i % doing->sensor.width) + 1
-                                : i;
-        const double real = sum->direct_real[cell], imaginary = sum->direct_imaginary[cell];
-        const double all_real = sum->real[cell], all_imaginary = sum->imaginary[cell];
-        const double turn = atan2(all_imaginary * real - all_real * imaginary,
-                                  all_real * real + all_imaginary * imaginary);
-        if (fabs(turn * per_turn) > MULTIPATH_APART)
+        const size_t cell =
+            single ? i / sensor->width * sensor->cells.columns + 2 * (i % sensor->width) : i;
+        for (size_t k = 0; k <= 2 * single; k++)
+        {
+            doing->flags[i] |= doing->picture.flags[cell + k];
+        }
+        if (doing->options.bounces > 0 && is_multipath(doing, cell + single, per_turn))
         {
             doing->flags[i] |= CM_TOF_MULTIPATH;
         }
     }
-}
-
-static void flag_pixels(frame *doing)
-{
-    const tof_sensor *sensor = &doing->sensor;
-    for (size_t i = 0; i < doing->pixels; i++)
-    {
-        const int single = sensor->given.single_readout;
-        const size_t cell =
-            single ? i / sensor->width * sensor->cells.columns + 2 * (i % sensor->width) : i;
-        for (size_t k = 0; k < (single ? 3u : 1u); k++)
-        {
-            doing->flags[i] |= doing->picture.flags[cell + k];
-        }
-    }
-    flag_multipath(doing);
 }
 
 static void disturb(frame *doing)
@@ -347,8 +342,8 @@ static void disturb(frame *doing)
         }
         if (doing->is_beyond || doing->sensor.given.full_well > 0.0)
         {
-            charges_fill(&doing->sensor, a, doing->flags);
-            charges_fill(&doing->sensor, b, doing->flags);
+            charges_fill(&doing->sensor, doing->pool, a, doing->flags);
+            charges_fill(&doing->sensor, doing->pool, b, doing->flags);
         }
     }
 }
@@ -366,13 +361,23 @@ static void put_report(const frame *doing, cm_tof_report *report)
     }
 }
 
-static void put_result(const frame *doing, cm_tof_result *result)
+static void put_phases(size_t begin, size_t end, void *user)
 {
+    const frame *doing = user;
+    for (size_t i = begin; i < end; i++)
+    {
+        doing->result->phase[i] = doing->charge_a[i] - doing->charge_b[i];
+    }
+}
+
+static void put_result(frame *doing)
+{
+    cm_tof_result *const result = doing->result;
     const size_t images = (size_t)(doing->sensor.series * doing->sensor.given.phases);
     const size_t count = images * doing->pixels;
-    for (size_t i = 0; result->phase != NULL && i < count; i++)
+    if (result->phase != NULL)
     {
-        result->phase[i] = doing->charge_a[i] - doing->charge_b[i];
+        cm_pool_run(doing->pool, count, PIXELS_AT_ONCE, put_phases, doing);
     }
     if (result->charge_a != NULL)
     {
@@ -414,7 +419,7 @@ static cm_status get_memory(frame *doing)
     {
         return CM_ERROR_MEMORY;
     }
-    picture_create(&doing->sensor, &doing->options, doing->memory, &doing->picture);
+    picture_create(&doing->sensor, &doing->options, doing->pool, doing->memory, &doing->picture);
     doing->charge_a = (float *)(void *)((char *)doing->memory + whole);
     doing->charge_b = doing->charge_a + images * doing->pixels;
     float *const offset = doing->charge_b + images * doing->pixels;
@@ -422,7 +427,7 @@ static cm_status get_memory(frame *doing)
     memset(doing->flags, 0, doing->pixels);
     if (has_offsets)
     {
-        charges_offsets(&doing->sensor, &doing->options, offset);
+        charges_offsets(&doing->sensor, &doing->options, doing->pool, offset);
         doing->offset = offset;
     }
     return CM_OK;
@@ -447,7 +452,8 @@ cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor *sensor
                    .trajectory = trajectory,
                    .time = time,
                    .options = options == NULL ? plain : *options,
-                   .pool = pool};
+                   .pool = pool,
+                   .result = result};
     cm_status status = check(scene, light, lights, time, &doing.options, result);
     status = status == CM_OK ? sensor_prepare(sensor, &doing.options, &doing.sensor) : status;
     if (status != CM_OK)
@@ -462,9 +468,9 @@ cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor *sensor
     }
     if (status == CM_OK)
     {
-        flag_pixels(&doing);
+        cm_pool_run(pool, doing.pixels, PIXELS_AT_ONCE, flag_pixels, &doing);
         disturb(&doing);
-        put_result(&doing, result);
+        put_result(&doing);
     }
     give_back(&doing);
     return status;
