@@ -22,8 +22,8 @@ needs_for_peers="wcslib-dev libproj-dev libchealpix-dev libs2-dev libgeographicl
     libhealpix-cxx-dev"
 # The programs that bench/image compares with, each where it is; scripts/renew image has them all.
 needs_for_images="ffmpeg hugin-tools gdal-bin"
-# What is built with tools where it is there, and its tests then run: rasters of GDAL, films through ffmpeg.
-needs_for_rasters="libgdal-dev ffmpeg"
+# What is built with tools where it is there, and its tests then run: rasters of GDAL, films through ffmpeg, frames of HDF5.
+needs_for_rasters="libgdal-dev ffmpeg libhdf5-dev"
 # Optical flows, for motion between phase images.
 needs_for_flows="libopencv-contrib-dev libopencv-dev"
 # A compiler for AArch64 and an emulator of it, for tests/batch/neon.sh.
@@ -117,6 +117,7 @@ has()
     ffmpeg) command -v ffmpeg >/dev/null ;;
     hugin-tools) command -v nona >/dev/null ;;
     libgdal-dev) pkg-config --exists gdal 2>/dev/null ;;
+    libhdf5-dev) pkg-config --exists hdf5 2>/dev/null ;;
     libopencv-contrib-dev) [ -e /usr/include/opencv4/opencv2/optflow.hpp ] ;;
     libopencv-dev) pkg-config --exists opencv4 2>/dev/null ;;
     libembree-dev) compiles "${CC:-cc}" c embree3/rtcore.h || compiles "${CC:-cc}" c embree4/rtcore.h ;;

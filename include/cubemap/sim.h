@@ -38,7 +38,8 @@ extern "C" {
 typedef struct cm_tof_scene cm_tof_scene;
 
 /* Of all primitives of a world, which is not needed after; its meshes, motions and BRDFs are, as long as this lives.
- * CM_OK; CM_ERROR_ARGUMENT (NULL); CM_ERROR_DATA (a world with nothing in it); CM_ERROR_MEMORY. */
+ * CM_OK; CM_ERROR_ARGUMENT (NULL); CM_ERROR_DATA (a world with nothing in it); CM_ERROR_RANGE (a mesh with coordinates of
+ * 1e18 or more); CM_ERROR_MEMORY. */
 CM_API cm_status cm_tof_scene_create(const cm_scene *scene, cm_tof_scene **made);
 CM_API void cm_tof_scene_destroy(cm_tof_scene *scene);
 
@@ -63,7 +64,7 @@ typedef struct cm_tof_sensor
     double contrast;         /* of the demodulation, above 0 to 1 */
     double full_well;        /* electrons that a readout circuit holds; 0: any number */
     double dark;             /* electrons a second in each readout circuit */
-    double read_noise;       /* electrons, standard deviation of each circuit's reading */
+    double read_noise;       /* electrons, standard deviation of a circuit's reading; to 1e30 */
     int phases;              /* 3 or more, evenly apart */
     int single_readout;      /* 1: circuits between pixels, each of two (2015, section IV-G) */
     uint32_t mask_columns;   /* sub-pixels of the mask; 0: none */
@@ -75,7 +76,7 @@ typedef struct cm_tof_sensor
     double
         second_frequency; /* a second series of phase images, which resolves the ambiguity; 0: none */
     double
-        fixed_pattern; /* standard deviation of the pixels' own phase offsets, radians; by seed and pixel */
+        fixed_pattern; /* standard deviation of the pixels' own phase offsets, radians, to 1000; by seed and pixel */
 } cm_tof_sensor;
 
 /* What shines, beside the camera. */
@@ -85,7 +86,7 @@ typedef struct cm_tof_light
     double position[3];     /* in the camera's axes */
     double direction[3];    /* of its axis, of any length; 0 0 0: along the optical axis */
     double power;           /* watts, all of the cone, while it shines */
-    double aperture;        /* radians, full angle of the cone, above 0; 2 pi shines everywhere */
+    double aperture;        /* radians, full angle of the cone, from 1e-6; 2 pi shines everywhere */
     size_t n;               /* values of the table; 0: even */
     const float *intensity; /* relative, evenly apart from the axis to the rim, linear between */
 } cm_tof_light;
@@ -124,7 +125,7 @@ typedef struct cm_tof_options
 } cm_tof_options;
 
 /* Of a pixel of a result. */
-#define CM_TOF_SATURATED 1u  /* a circuit was full: charges are cut there */
+#define CM_TOF_SATURATED 1u  /* a circuit was full, or has more than a float: it is cut there */
 #define CM_TOF_NOTHING 2u    /* no modulated light came */
 #define CM_TOF_FLYING 4u     /* surfaces apart from each other share the pixel */
 #define CM_TOF_MOTION 8u     /* phase images saw different surfaces */

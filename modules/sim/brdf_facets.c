@@ -42,7 +42,7 @@ static double beckmann(double cosine, double roughness)
 {
     const double c2 = cosine * cosine;
     const double m2 = roughness * roughness;
-    return exp(-(1.0 - c2) / (c2 * m2)) / (BRDF_PI * m2 * c2 * c2);
+    return exp(-(1.0 - c2) / (c2 * m2)) / (PI * m2 * c2 * c2);
 }
 
 static double value(const cm_brdf *brdf, const brdf_angles *at)
@@ -50,7 +50,7 @@ static double value(const cm_brdf *brdf, const brdf_angles *at)
     const cm_cook_torrance *f = &brdf->facets;
     const halfway h = halfway_of(at);
     const double seen = 2.0 * h.normal * fmin(at->in, at->out) / h.in; /* of the V-grooves' sides */
-    return f->diffuse / BRDF_PI + f->specular * fresnel(h.in, f->eta, f->absorption) *
+    return f->diffuse / PI + f->specular * fresnel(h.in, f->eta, f->absorption) *
                                       beckmann(h.normal, f->roughness) * fmin(1.0, seen) /
                                       (4.0 * at->in * at->out);
 }
@@ -59,7 +59,7 @@ static double density(const cm_brdf *brdf, const brdf_angles *at)
 {
     const halfway h = halfway_of(at);
     const double of_facets = beckmann(h.normal, brdf->facets.roughness) * h.normal / (4.0 * h.in);
-    return brdf->specular_part * of_facets + (1.0 - brdf->specular_part) * at->in / BRDF_PI;
+    return brdf->specular_part * of_facets + (1.0 - brdf->specular_part) * at->in / PI;
 }
 
 static void draw(const cm_brdf *brdf, double cosine_out, const double u[3], double in[3])
@@ -72,7 +72,7 @@ static void draw(const cm_brdf *brdf, double cosine_out, const double u[3], doub
     const double m = brdf->facets.roughness;
     const double cosine = 1.0 / sqrt(1.0 - m * m * log1p(-u[0]));
     const double sine = sqrt(fmax(0.0, 1.0 - cosine * cosine));
-    const double azimuth = 2.0 * BRDF_PI * u[1];
+    const double azimuth = 2.0 * PI * u[1];
     const double normal[3] = {sine * cos(azimuth), sine * sin(azimuth), cosine};
     const double out[3] = {sqrt(fmax(0.0, 1.0 - cosine_out * cosine_out)), 0.0, cosine_out};
     const double along = out[0] * normal[0] + out[2] * normal[2];
@@ -84,7 +84,7 @@ static void draw(const cm_brdf *brdf, double cosine_out, const double u[3], doub
 
 static double albedo(const cm_brdf *brdf, double theta)
 {
-    const double place = theta / (0.5 * BRDF_PI) * (BRDF_ALBEDOS - 1);
+    const double place = theta / (0.5 * PI) * (BRDF_ALBEDOS - 1);
     const int i = place < BRDF_ALBEDOS - 2 ? (int)place : BRDF_ALBEDOS - 2;
     const double part = place - i;
     return (1.0 - part) * brdf->albedo[i] + part * brdf->albedo[i + 1];
@@ -104,7 +104,7 @@ static void tabulate_albedo(cm_brdf *brdf)
     mirror.specular_part = 1.0;
     for (int i = 0; i < BRDF_ALBEDOS; i++)
     {
-        const double theta = 0.5 * BRDF_PI * fmin(i, BRDF_ALBEDOS - 1.001) / (BRDF_ALBEDOS - 1);
+        const double theta = 0.5 * PI * fmin(i, BRDF_ALBEDOS - 1.001) / (BRDF_ALBEDOS - 1);
         const double out[3] = {sin(theta), 0.0, cos(theta)};
         double sum = 0.0;
         for (int j = 0; j < DRAWS; j++)

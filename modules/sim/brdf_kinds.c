@@ -41,11 +41,6 @@ int brdf_is_lambert(const cm_brdf *brdf)
     return brdf == NULL || brdf->kind == NULL;
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static double in_range(double cosine)
 {
     return fmin(1.0, fmax(-1.0, cosine));
@@ -69,7 +64,7 @@ double cm_brdf_value(const cm_brdf *brdf, const double normal[3], const double i
     {
         return 0.0;
     }
-    return brdf_is_lambert(brdf) ? 1.0 / BRDF_PI : brdf->kind->value(brdf, &at);
+    return brdf_is_lambert(brdf) ? 1.0 / PI : brdf->kind->value(brdf, &at);
 }
 
 double cm_brdf_density(const cm_brdf *brdf, const double normal[3], const double in[3],
@@ -80,12 +75,12 @@ double cm_brdf_density(const cm_brdf *brdf, const double normal[3], const double
     {
         return 0.0;
     }
-    return brdf_is_lambert(brdf) ? at.in / BRDF_PI : brdf->kind->density(brdf, &at);
+    return brdf_is_lambert(brdf) ? at.in / PI : brdf->kind->density(brdf, &at);
 }
 
 double cm_brdf_albedo(const cm_brdf *brdf, double theta_in)
 {
-    if (!(theta_in >= 0.0 && theta_in <= 0.5 * BRDF_PI))
+    if (!(theta_in >= 0.0 && theta_in <= 0.5 * PI))
     {
         return 0.0;
     }
@@ -97,7 +92,7 @@ double cm_brdf_albedo(const cm_brdf *brdf, double theta_in)
 double brdf_draw_cosine(const double u[2], double in[3])
 {
     const double sine = sqrt(u[0]);
-    const double azimuth = 2.0 * BRDF_PI * u[1];
+    const double azimuth = 2.0 * PI * u[1];
     in[0] = sine * cos(azimuth);
     in[1] = sine * sin(azimuth);
     in[2] = sqrt(1.0 - u[0]);
@@ -172,7 +167,7 @@ double cm_brdf_sample_direction(const cm_brdf *brdf, const double normal[3], con
     }
     if (brdf_is_lambert(brdf))
     {
-        *density = at.in / BRDF_PI;
+        *density = at.in / PI;
         return 1.0;
     }
     *density = brdf->kind->density(brdf, &at);

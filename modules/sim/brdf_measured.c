@@ -116,14 +116,14 @@ static double density(const cm_brdf *brdf, const brdf_angles *at)
     const int row = row_of(t, at->out);
     if (t->whole[row] == 0.0)
     {
-        return at->in / BRDF_PI;
+        return at->in / PI;
     }
     const int in = place_between(acos(at->in), t->step, t->steps).below;
     const int azimuth = place_between(azimuth_of(at), t->step, 2 * t->steps).below;
     const double *sum = t->sum + (size_t)row * (cells_of(t) + 1);
     const size_t cell = 2 * (size_t)in * (size_t)t->steps + (size_t)azimuth;
     const double of_table = 0.5 * (sum[cell + 1] - sum[cell]) / cosines_of(t, in);
-    return at->in * (TABLE_PART * of_table + (1.0 - TABLE_PART) / BRDF_PI);
+    return at->in * (TABLE_PART * of_table + (1.0 - TABLE_PART) / PI);
 }
 
 static void draw(const cm_brdf *brdf, double cosine_out, const double u[3], double in[3])
@@ -208,7 +208,7 @@ static brdf_table *make_table(int steps)
     }
     const size_t side = (size_t)steps + 1;
     t->steps = steps;
-    t->step = 0.5 * BRDF_PI / steps;
+    t->step = 0.5 * PI / steps;
     t->value = malloc(side * side * (2 * (size_t)steps + 1) * sizeof *t->value);
     t->sum = malloc(side * (cells_of(t) + 1) * sizeof *t->sum);
     t->whole = malloc(side * sizeof *t->whole);
@@ -244,7 +244,7 @@ static void fill_table(brdf_table *t, const brdf_neighbours *neighbours)
 
 static int is_right(const cm_brdf_sample *s)
 {
-    const double most = 0.5 * BRDF_PI + 1e-9;
+    const double most = 0.5 * PI + 1e-9;
     return s->theta_in >= 0.0 && s->theta_in <= most && s->theta_out >= 0.0 &&
            s->theta_out <= most && isfinite(s->azimuth) && s->value >= 0.0 && s->value <= 1e30;
 }

@@ -14,7 +14,7 @@ enum
 {
     BINS = 36 /* of a right angle */
 };
-#define BIN (0.5 * BRDF_PI / BINS)
+#define BIN (0.5 * PI / BINS)
 
 /* A neighbourhood reaches so many times as far as the nearest measurement. */
 #define REACH 2.0

@@ -7,7 +7,7 @@
 
 #include <cubemap/brdf.h>
 
-#define BRDF_PI 3.14159265358979323846
+#include "vector.h"
 
 /* Two directions on the normal's side, where cosines of both are above 0. */
 typedef struct brdf_angles

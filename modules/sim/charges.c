@@ -1,161 +1,180 @@
 /* SPDX-License-Identifier: MIT */
 #include "charges.h"
+#include "vector.h"
 
 #include <cubemap/random.h>
 
+#include <float.h>
 #include <math.h>
-
-#define PI 3.14159265358979323846
+#include <stdatomic.h>
 
 /* Of the pixels' own offsets, which are the same in all views. */
 #define OFFSET_VIEW UINT32_MAX
 
 enum
 {
+    RUN = 64, /* pixels */
     RANDOM_BLOCK = 256,
     NUMBERS_A_PHASE = 4 /* shot noise of both circuits, their reading */
 };
 
 typedef struct phase_work
 {
-    const tof_sensor *sensor;
-    const tof_picture *picture;
-    double cosine[SENSOR_WAVES],
-        sine[SENSOR_WAVES]; /* of the waves' shift, times half their amplitude */
-    size_t first_wave;
-    size_t waves;
-    const float *offset;
-    double tau;
-    float *charge_a, *charge_b;
     const tof_set *set;
-    tof_charge_rule rule;
+    const tof_sensor *sensor;
+    tof_cells cells;      /* of all of the picture */
+    tof_charge_rule rule; /* of all pixels, but for their own offsets */
+    size_t first_wave;    /* of the sensor's */
+    const float *offset;  /* NULL: none */
+    double tau;           /* of the phase image */
+    float *charge_a, *charge_b;
+    atomic_int *is_beyond; /* is there a charge that no float holds? */
 } phase_work;
 
-/* What a cell brings to A and B: half of all light, and what the correlation moves from one to the other (2015, eqs. 13
- * and 14); the surroundings' light shines all the time. */
-typedef struct cell_charge
+static tof_cells cells_at(const phase_work *doing, size_t cell)
 {
-    double half;
-    double moved;
-} cell_charge;
-
-static cell_charge charge_of(const phase_work *doing, size_t cell, size_t pixel)
-{
-    const tof_sensor *sensor = doing->sensor;
-    const tof_sums *sum = &doing->picture->sum;
-    const double signal = sensor->electrons * sensor->given.duty;
-    cell_charge charge = {
-        0.5 * (signal * sum->total[cell] + sensor->electrons * sum->ambient[cell]), 0.0};
-    double moved = 0.0;
-    for (size_t j = 0; j < doing->waves; j++)
-    {
-        const size_t k = j * doing->picture->cells + cell;
-        double cosine = doing->cosine[j], sine = doing->sine[j];
-        if (doing->offset != NULL)
-        {
-            const size_t wave = doing->first_wave + j;
-            const double shift =
-                (double)sensor->wave_harmonic[wave] * (doing->tau + (double)doing->offset[pixel]);
-            cosine = sensor->wave_amplitude[wave] * cos(shift);
-            sine = sensor->wave_amplitude[wave] * sin(shift);
-        }
-        moved += cosine * sum->real[k] - sine * sum->imaginary[k];
-    }
-    charge.moved = 0.5 * signal * sensor->given.contrast * moved;
-    return charge;
+    const tof_cells *all = &doing->cells;
+    const tof_cells at = {all->total + cell, all->ambient + cell, all->real + cell,
+                          all->imaginary + cell, all->stride};
+    return at;
 }
 
-/* No fewer than none: correlations of more than 1 would take some away. */
+/* Of A and B: half of all light, and what the correlation moves from one to the other (2015, eqs. 13 and 14); the
+ * surroundings' light shines all the time. */
+static void put_waves(const tof_sensor *sensor, size_t first_wave, double tau,
+                      tof_charge_rule *rule)
+{
+    const double moved = 0.5 * sensor->electrons * sensor->given.duty * sensor->given.contrast;
+    for (size_t j = 0; j < rule->waves; j++)
+    {
+        const size_t wave = first_wave + j;
+        const double shift = (double)sensor->wave_harmonic[wave] * tau;
+        rule->cosine[j] = moved * (sensor->wave_amplitude[wave] * cos(shift));
+        rule->sine[j] = moved * (sensor->wave_amplitude[wave] * sin(shift));
+    }
+}
+
+/* No fewer than none, as the loops have it. */
 static float electrons_of(double charge)
 {
-    return (float)(charge > 0.0 ? charge : 0.0);
+    return (float)(0.0 > charge ? 0.0 : charge);
+}
+
+static void find_beyond(const phase_work *doing, const float *charge, size_t n)
+{
+    int any = 0;
+    for (size_t i = 0; i < n; i++)
+    {
+        any |= !(charge[i] <= FLT_MAX);
+    }
+    if (any)
+    {
+        atomic_store(doing->is_beyond, 1);
+    }
 }
 
 /* A cell is a pixel, and all have one shift. */
 static void put_plain_pixels(size_t begin, size_t end, void *user)
 {
     const phase_work *doing = user;
-    const tof_sums *sum = &doing->picture->sum;
-    doing->set->charge(&doing->rule, end - begin, sum->total + begin, sum->ambient + begin,
-                       sum->real + begin, sum->imaginary + begin, doing->charge_a + begin,
+    const tof_cells cells = cells_at(doing, begin);
+    doing->set->charge(&doing->rule, end - begin, &cells, doing->charge_a + begin,
                        doing->charge_b + begin);
+    find_beyond(doing, doing->charge_a + begin, end - begin);
+    find_beyond(doing, doing->charge_b + begin, end - begin);
 }
 
+/* Pixels of a row, whose cells are given: their own, or three between which circuits are (2015, section IV-G). */
+static void put_run(const phase_work *doing, size_t first, size_t run, const double *half,
+                    const double *moved)
+{
+    const double dark = doing->sensor->given.dark * doing->sensor->given.exposure;
+    for (size_t i = 0; i < run; i++)
+    {
+        double a = half[i] + moved[i], b = half[i] - moved[i];
+        if (doing->sensor->given.single_readout)
+        {
+            const size_t k = 2 * i;
+            a = half[k] + moved[k] + half[k + 1] + moved[k + 1] + dark;
+            b = half[k + 1] - moved[k + 1] + half[k + 2] - moved[k + 2] + dark;
+        }
+        doing->charge_a[first + i] = electrons_of(a);
+        doing->charge_b[first + i] = electrons_of(b);
+    }
+}
+
+/* Runs of pixels that have one shift: pieces of rows, or one pixel with an offset of its own. */
 static void put_pixels(size_t begin, size_t end, void *user)
 {
     const phase_work *doing = user;
     const tof_sensor *sensor = doing->sensor;
-    const double dark = sensor->given.dark * sensor->given.exposure;
-    for (size_t pixel = begin; pixel < end; pixel++)
+    const int is_single = sensor->given.single_readout;
+    double half[2 * RUN + 1], moved[2 * RUN + 1];
+    size_t run = 1;
+    for (size_t first = begin; first < end; first += run)
     {
-        if (!sensor->given.single_readout)
+        const size_t row = first / sensor->width, column = first % sensor->width;
+        tof_charge_rule rule = doing->rule;
+        if (doing->offset == NULL)
         {
-            const cell_charge charge = charge_of(doing, pixel, pixel);
-            doing->charge_a[pixel] = electrons_of(charge.half + charge.moved + dark);
-            doing->charge_b[pixel] = electrons_of(charge.half - charge.moved + dark);
-            continue;
+            const size_t left =
+                end - first < sensor->width - column ? end - first : sensor->width - column;
+            run = left < RUN ? left : RUN;
         }
-        const size_t cell =
-            pixel / sensor->width * sensor->cells.columns + 2 * (pixel % sensor->width);
-        const cell_charge first = charge_of(doing, cell, pixel);
-        const cell_charge middle = charge_of(doing, cell + 1, pixel);
-        const cell_charge last = charge_of(doing, cell + 2, pixel);
-        doing->charge_a[pixel] =
-            electrons_of(first.half + first.moved + middle.half + middle.moved + dark);
-        doing->charge_b[pixel] =
-            electrons_of(middle.half - middle.moved + last.half - last.moved + dark);
+        else
+        {
+            put_waves(sensor, doing->first_wave, doing->tau + (double)doing->offset[first], &rule);
+        }
+        const tof_cells cells =
+            cells_at(doing, is_single ? row * sensor->cells.columns + 2 * column : first);
+        doing->set->split(&rule, is_single ? 2 * run + 1 : run, &cells, half, moved);
+        put_run(doing, first, run, half, moved);
     }
+    find_beyond(doing, doing->charge_a + begin, end - begin);
+    find_beyond(doing, doing->charge_b + begin, end - begin);
 }
 
-static void put_rule(phase_work *doing)
+/* Dark charge comes with a cell where that is a pixel. */
+static void put_rule(phase_work *doing, int series)
 {
     const tof_sensor *sensor = doing->sensor;
-    const double signal = sensor->electrons * sensor->given.duty;
     tof_charge_rule *rule = &doing->rule;
-    rule->half = 0.5 * signal;
+    rule->half = 0.5 * sensor->electrons * sensor->given.duty;
     rule->ambient = 0.5 * sensor->electrons;
-    rule->dark = sensor->given.dark * sensor->given.exposure;
-    rule->waves = doing->waves;
-    rule->stride = doing->picture->cells;
-    for (size_t j = 0; j < doing->waves; j++)
+    rule->dark = sensor->given.single_readout ? 0.0 : sensor->given.dark * sensor->given.exposure;
+    while (sensor->wave_series[doing->first_wave] != series)
     {
-        rule->cosine[j] = 0.5 * signal * sensor->given.contrast * doing->cosine[j];
-        rule->sine[j] = 0.5 * signal * sensor->given.contrast * doing->sine[j];
+        doing->first_wave++;
     }
+    while (doing->first_wave + rule->waves < sensor->waves.count &&
+           sensor->wave_series[doing->first_wave + rule->waves] == series)
+    {
+        rule->waves++;
+    }
+    put_waves(sensor, doing->first_wave, doing->tau, rule);
 }
 
-void charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_picture *picture,
-                      size_t picture_wave, int series, int phase, const float *offset,
-                      cm_pool *pool, float *charge_a, float *charge_b)
+int charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_picture *picture,
+                     size_t picture_wave, int series, int phase, const float *offset, cm_pool *pool,
+                     float *charge_a, float *charge_b)
 {
+    const tof_sums *sum = &picture->sum;
+    const size_t wave = picture_wave * picture->cells; /* the first of this series */
+    atomic_int is_beyond = 0;
     phase_work doing = {.set = set,
                         .sensor = sensor,
-                        .picture = picture,
+                        .cells = {sum->total, sum->ambient, sum->real + wave, sum->imaginary + wave,
+                                  picture->cells},
                         .offset = offset,
                         .tau = 2.0 * PI * (double)phase / (double)sensor->given.phases,
                         .charge_a = charge_a,
-                        .charge_b = charge_b};
-    tof_picture shifted = *picture; /* whose first wave is the first of this series */
-    shifted.sum.real += picture_wave * picture->cells;
-    shifted.sum.imaginary += picture_wave * picture->cells;
-    while (sensor->wave_series[doing.first_wave] != series)
-    {
-        doing.first_wave++;
-    }
-    while (doing.first_wave + doing.waves < sensor->waves.count &&
-           sensor->wave_series[doing.first_wave + doing.waves] == series)
-    {
-        const size_t wave = doing.first_wave + doing.waves;
-        const double shift = (double)sensor->wave_harmonic[wave] * doing.tau;
-        doing.cosine[doing.waves] = sensor->wave_amplitude[wave] * cos(shift);
-        doing.sine[doing.waves] = sensor->wave_amplitude[wave] * sin(shift);
-        doing.waves++;
-    }
-    doing.picture = &shifted;
+                        .charge_b = charge_b,
+                        .is_beyond = &is_beyond};
     const int is_plain = offset == NULL && !sensor->given.single_readout;
-    put_rule(&doing);
+    put_rule(&doing, series);
     cm_pool_run(pool, (size_t)sensor->width * sensor->height, 4096,
                 is_plain ? put_plain_pixels : put_pixels, &doing);
+    return atomic_load(&is_beyond);
 }
 
 /* ---- noise ---- */
@@ -209,25 +228,54 @@ void charges_add_noise(const tof_sensor *sensor, const cm_tof_options *options, 
     }
 }
 
-void charges_fill(const tof_sensor *sensor, float *charge, uint8_t *flags)
+typedef struct well
 {
-    const float full = (float)sensor->given.full_well;
-    for (size_t i = 0; sensor->given.full_well > 0.0 && i < (size_t)sensor->width * sensor->height;
-         i++)
+    float full;
+    float *charge;
+    uint8_t *flags;
+} well;
+
+static void fill_pixels(size_t begin, size_t end, void *user)
+{
+    const well *doing = user;
+    for (size_t i = begin; i < end; i++)
     {
-        if (charge[i] > full)
+        if (!(doing->charge[i] <= doing->full))
         {
-            charge[i] = full;
-            flags[i] |= CM_TOF_SATURATED;
+            doing->charge[i] = doing->full;
+            doing->flags[i] |= CM_TOF_SATURATED;
         }
     }
 }
 
-void charges_offsets(const tof_sensor *sensor, const cm_tof_options *options, float *offset)
+void charges_fill(const tof_sensor *sensor, cm_pool *pool, float *charge, uint8_t *flags)
 {
-    for (size_t i = 0; i < (size_t)sensor->width * sensor->height; i++)
+    const double full_well = sensor->given.full_well;
+    const int is_limited = full_well > 0.0 && full_well < (double)FLT_MAX;
+    well doing = {is_limited ? (float)full_well : FLT_MAX, charge, flags};
+    cm_pool_run(pool, (size_t)sensor->width * sensor->height, 16384, fill_pixels, &doing);
+}
+
+typedef struct offset_work
+{
+    double deviation;
+    uint64_t seed;
+    float *offset;
+} offset_work;
+
+static void put_offsets(size_t begin, size_t end, void *user)
+{
+    const offset_work *doing = user;
+    for (size_t i = begin; i < end; i++)
     {
-        offset[i] = (float)(sensor->given.fixed_pattern *
-                            cm_random_normal(options->seed, OFFSET_VIEW, (uint32_t)i, 0));
+        doing->offset[i] =
+            (float)(doing->deviation * cm_random_normal(doing->seed, OFFSET_VIEW, (uint32_t)i, 0));
     }
+}
+
+void charges_offsets(const tof_sensor *sensor, const cm_tof_options *options, cm_pool *pool,
+                     float *offset)
+{
+    offset_work doing = {sensor->given.fixed_pattern, options->seed, offset};
+    cm_pool_run(pool, (size_t)sensor->width * sensor->height, 1024, put_offsets, &doing);
 }

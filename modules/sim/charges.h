@@ -8,19 +8,21 @@
 #include "tof_picture.h"
 
 /* Electrons of both circuits of every pixel in a phase image, without noise and before anything is full. The picture's waves
- * from picture_wave on are those of the series. offset is the pixels' own phase, radians; NULL: 0. */
-void charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_picture *picture,
-                      size_t picture_wave, int series, int phase, const float *offset,
-                      cm_pool *pool, float *charge_a, float *charge_b);
+ * from picture_wave on are those of the series. offset is the pixels' own phase, radians; NULL: 0. Returns whether there is a
+ * charge that no float holds. */
+int charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_picture *picture,
+                     size_t picture_wave, int series, int phase, const float *offset, cm_pool *pool,
+                     float *charge_a, float *charge_b);
 
 /* Shot and read noise of one phase image: Poisson's and normal numbers of seed, view, pixel and the number of the image. */
 void charges_add_noise(const tof_sensor *sensor, const cm_tof_options *options, int image,
                        cm_pool *pool, float *charge_a, float *charge_b);
 
-/* What is more than the full well is cut, and flagged. */
-void charges_fill(const tof_sensor *sensor, float *charge, uint8_t *flags);
+/* What is more than the full well, or than a float holds, is cut, and flagged. */
+void charges_fill(const tof_sensor *sensor, cm_pool *pool, float *charge, uint8_t *flags);
 
 /* The pixels' own phase offsets. */
-void charges_offsets(const tof_sensor *sensor, const cm_tof_options *options, float *offset);
+void charges_offsets(const tof_sensor *sensor, const cm_tof_options *options, cm_pool *pool,
+                     float *offset);
 
 #endif

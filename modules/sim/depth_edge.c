@@ -5,6 +5,7 @@
 #include <cubemap/depth_error.h>
 
 #include "depth_error_pair.h"
+#include "vector.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -14,16 +15,6 @@
 static int has_planes(const float *const plane[3])
 {
     return plane != NULL && plane[0] != NULL && plane[1] != NULL && plane[2] != NULL;
-}
-
-/* atan2 is exact for small angles, where the cosine is not. */
-static double angle_between(const double a[3], const double b[3])
-{
-    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                             a[0] * b[1] - a[1] * b[0]};
-    const double dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const double sine = sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
-    return sine == 0.0 && dot == 0.0 ? (double)NAN : atan2(sine, dot);
 }
 
 cm_status cm_depth_error_slope(size_t n, const float *const normal[3], const float *const truth[3],

@@ -4,6 +4,8 @@
  */
 #include <cubemap/depth_error.h>
 
+#include "vector.h"
+
 #include <float.h>
 #include <math.h>
 
@@ -17,11 +19,6 @@ static int take_point(const float *const point[3], size_t i, double at[3])
         at[k] = (double)point[k][i];
     }
     return isfinite(at[0]) && isfinite(at[1]) && isfinite(at[2]);
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* ---- axes ---- */

@@ -5,11 +5,10 @@
  */
 #include "tof_picture.h"
 #include "tof_world.h"
+#include "vector.h"
 
 #include <math.h>
 #include <string.h>
-
-#define PI 3.14159265358979323846
 
 enum
 {
@@ -73,24 +72,18 @@ static void mark_place(drawing *to, const double world[3])
 }
 
 /* Of two places, seen by the camera. */
-static double angle_between(const drawing *to, const double a[3], const double b[3])
+static double seen_apart(const drawing *to, const double a[3], const double b[3])
 {
     const double *eye = to->scenery->camera.position;
-    double aa = 0.0, bb = 0.0, ab = 0.0;
-    for (int k = 0; k < 3; k++)
-    {
-        aa += (a[k] - eye[k]) * (a[k] - eye[k]);
-        bb += (b[k] - eye[k]) * (b[k] - eye[k]);
-        ab += (a[k] - eye[k]) * (b[k] - eye[k]);
-    }
-    const double cross = aa * bb - ab * ab;
-    return atan2(sqrt(fmax(cross, 0.0)), ab);
+    const double one[3] = {a[0] - eye[0], a[1] - eye[1], a[2] - eye[2]};
+    const double other[3] = {b[0] - eye[0], b[1] - eye[1], b[2] - eye[2]};
+    return angle_between(one, other);
 }
 
 static void mark_line(drawing *to, const double a[3], const double b[3], int depth)
 {
     mark_place(to, a);
-    if (depth < DEEPEST && angle_between(to, a, b) > to->step)
+    if (depth < DEEPEST && seen_apart(to, a, b) > to->step)
     {
         const double middle[3] = {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
         mark_line(to, a, middle, depth + 1);
@@ -121,9 +114,7 @@ static void make_across(const double axis[3], double one[3], double other[3])
     {
         one[k] /= sqrt(square);
     }
-    other[0] = axis[1] * one[2] - axis[2] * one[1];
-    other[1] = axis[2] * one[0] - axis[0] * one[2];
-    other[2] = axis[0] * one[1] - axis[1] * one[0];
+    cross(axis, one, other);
 }
 
 static void mark_circle(drawing *to, const double centre[3], const double axis[3], double radius)
@@ -231,9 +222,7 @@ static void mark_cylinder(drawing *to, const tof_solid *cylinder)
     {
         one[k] /= apart;
     }
-    other[0] = axis[1] * one[2] - axis[2] * one[1];
-    other[1] = axis[2] * one[0] - axis[0] * one[2];
-    other[2] = axis[0] * one[1] - axis[1] * one[0];
+    cross(axis, one, other);
     const double cosine = cylinder->radius / apart;
     const double sine = sqrt(1.0 - cosine * cosine);
     for (int side = -1; side <= 1; side += 2)

@@ -3,6 +3,7 @@
  * What each effect does to distances here: a frame with it beside one without.
  */
 #include "sensor.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -212,7 +213,7 @@ static cm_status measure_noise(const planning *with, const cm_tof_sensor *sensor
     }
     const double extra =
         2.0 * (sensor->dark * sensor->exposure + sensor->read_noise * sensor->read_noise);
-    const double pattern = sensor->fixed_pattern * with->unambiguous / 6.28318530717958647693;
+    const double pattern = sensor->fixed_pattern * with->unambiguous / (2.0 * PI);
     double squares = 0.0;
     size_t count = 0;
     for (size_t i = 0; i < frame.pixels; i++)

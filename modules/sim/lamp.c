@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "lamp.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#define PI 3.14159265358979323846
+#define LEAST_APERTURE 1e-6 /* cosines tell rays of thinner cones no more apart */
 
 static int is_number(const double vector[3])
 {
@@ -30,7 +31,7 @@ cm_status lamps_check(const cm_tof_light *light, size_t lights)
             return CM_ERROR_ARGUMENT;
         }
         if (!is_number(each->position) || !is_number(each->direction) || !(each->power >= 0.0) ||
-            !isfinite(each->power) || !(each->aperture > 0.0) ||
+            !isfinite(each->power) || !(each->aperture >= LEAST_APERTURE) ||
             !(each->aperture <= 2.0 * PI * (1.0 + 1e-9)))
         {
             return CM_ERROR_RANGE;
@@ -98,23 +99,37 @@ void lamps_free_tables(double **table, size_t lights)
     free(table);
 }
 
+/* Of length 1, whatever length is given: squares of the greatest would be infinite. */
+static void put_axis(const double direction[3], double axis[3])
+{
+    const double most = fmax(fabs(direction[0]), fmax(fabs(direction[1]), fabs(direction[2])));
+    double square = 0.0;
+    for (int k = 0; k < 3; k++)
+    {
+        axis[k] = most > 0.0 ? direction[k] / most : (double)(k == 2);
+        square += axis[k] * axis[k];
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        axis[k] /= sqrt(square);
+    }
+}
+
 void lamps_place(const cm_tof_light *light, size_t lights, double *const *table,
                  const cm_pose *camera, tof_lamp *lamp)
 {
     for (size_t i = 0; i < lights; i++)
     {
-        double axis[3] = {light[i].direction[0], light[i].direction[1], light[i].direction[2]};
-        const double length = hypot(hypot(axis[0], axis[1]), axis[2]);
-        for (int k = 0; k < 3; k++)
-        {
-            axis[k] = length > 0.0 ? axis[k] / length : (double)(k == 2);
-        }
+        double axis[3];
+        put_axis(light[i].direction, axis);
         cm_pose_apply_back(camera, light[i].position, lamp[i].position);
         cm_rotate_back(&camera->rotation, axis, lamp[i].axis);
         /* beyond the rim by what rounding may take of a cosine, and all of it where it shines everywhere */
         const double rim = cos(0.5 * light[i].aperture);
         lamp[i].least_cosine = light[i].aperture >= 2.0 * PI * (1.0 - 1e-9) ? -2.0 : rim;
-        lamp[i].intensity = light[i].power / (2.0 * PI * (1.0 - rim));
+        /* 1 - cos, of small angles too */
+        const double sine = sin(0.25 * light[i].aperture);
+        lamp[i].intensity = light[i].power / (4.0 * PI * sine * sine);
         lamp[i].n = is_even(&light[i]) ? 0 : light[i].n;
         lamp[i].table = table[i];
         lamp[i].step = is_even(&light[i]) ? 0.0 : step_of(&light[i]);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh_rays.h"
+#include "vector.h"
 
 #include <cubemap/world.h>
 
@@ -61,6 +62,19 @@ static int fill(const cm_mesh_options *from, RTCGeometry geometry)
     return 1;
 }
 
+/* Embree takes no coordinates beyond this, and none that are not numbers: it may end the program. */
+#define FARTHEST 1e18
+
+static int is_within_reach(const cm_mesh_options *from)
+{
+    int is_near = 1;
+    for (size_t i = 0; i < 3 * from->vertex_count; i++)
+    {
+        is_near &= fabs(from->position[i]) < FARTHEST;
+    }
+    return is_near;
+}
+
 /* One thread builds: a library that makes threads of its own surprises who forks. */
 static cm_status make_tree(mesh_rays *made)
 {
@@ -68,6 +82,10 @@ static cm_status make_tree(mesh_rays *made)
     if (from->triangle_count == 0)
     {
         return CM_OK;
+    }
+    if (!is_within_reach(from))
+    {
+        return CM_ERROR_RANGE;
     }
     made->device = rtcNewDevice("threads=1");
     RTCGeometry geometry =
@@ -148,18 +166,6 @@ void mesh_rays_bound(const mesh_rays *mesh, double centre[3], double *radius)
 
 /* ---- one triangle ---- */
 
-static void cross(const double a[3], const double b[3], double product[3])
-{
-    product[0] = a[1] * b[2] - a[2] * b[1];
-    product[1] = a[2] * b[0] - a[0] * b[2];
-    product[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 typedef struct triangle_hit
 {
     double distance;
@@ -214,9 +220,6 @@ static int meet_exactly(const mesh_rays *mesh, const double origin[3], const dou
 }
 
 /* ---- packets ---- */
-
-/* Embree takes no rays beyond this, and none that are not numbers: it may end the program. */
-#define FARTHEST 1e18
 
 static int is_traceable(const double origin[3], const double direction[3], double distance)
 {

@@ -33,7 +33,7 @@ static void make_fast(tof_virtual_lights *lights)
     }
     for (size_t j = 0; j < lights->waves.count; j++)
     {
-        lights->per_metre[j] = (float)(lights->waves.number[j] / (2.0 * BRDF_PI));
+        lights->per_metre[j] = (float)(lights->waves.number[j] / (2.0 * PI));
     }
     for (uint32_t i = 0; i < lights->count; i++)
     {
@@ -44,11 +44,11 @@ static void make_fast(tof_virtual_lights *lights)
             f->position[k] = (float)(l->position[k] - lights->origin[k]);
             f->normal[k] = (float)l->normal[k];
         }
-        f->strength = (float)(l->flux / BRDF_PI);
-        f->most = (float)fmin(1e30, BRDF_PI / l->area);
+        f->strength = (float)(l->flux / PI);
+        f->most = (float)fmin(1e30, PI / l->area);
         for (size_t j = 0; j < lights->waves.count; j++)
         {
-            const double turns = l->length * lights->waves.number[j] / (2.0 * BRDF_PI);
+            const double turns = l->length * lights->waves.number[j] / (2.0 * PI);
             lights->begun[i * lights->waves.count + j] = (float)(turns - floor(turns));
         }
     }
@@ -247,7 +247,7 @@ static void keep_block(const tof_virtual_lights *lights, const tof_points *point
         {
             continue;
         }
-        const double scale = s->reflectance / BRDF_PI;
+        const double scale = s->reflectance / PI;
         radiance->total[to] += scale * (double)b->total[i];
         for (size_t j = 0; j < lights->waves.count; j++)
         {
@@ -293,7 +293,7 @@ static void add_pair(const tof_virtual_lights *lights, uint32_t which, const tof
     {
         return;
     }
-    const double pair = fmin(sent * received / square, BRDF_PI / l->area);
+    const double pair = fmin(sent * received / square, PI / l->area);
     const double here = surface[points->id[i]].reflectance *
                         cm_brdf_value(surface[points->id[i]].brdf, normal, back, out);
     const double there = cm_brdf_value(surface[l->id].brdf, l->normal, l->to_lamp, way);

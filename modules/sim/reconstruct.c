@@ -3,10 +3,9 @@
  * From charges to distances, as a camera's driver computes them.
  */
 #include "reconstruct.h"
+#include "vector.h"
 
 #include <math.h>
-
-#define PI 3.14159265358979323846
 
 enum
 {

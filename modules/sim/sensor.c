@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "sensor.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
+#define MOST_READ_NOISE 1e30 /* its numbers are floats */
+#define MOST_FIXED_PATTERN 1e3
 #define PLANCK 6.62607015e-34 /* J s, exact since 2019 */
 
 static int is_positive(double value)
@@ -33,7 +35,7 @@ cm_status sensor_check_signal(const cm_tof_sensor *given)
     if (!is_positive(given->frequency) || !is_part(given->contrast) || given->phases < 3 ||
         given->phases > 64 || !is_not_negative(given->second_frequency) ||
         !is_not_negative(given->full_well) ||
-        given->harmonics * (given->second_frequency > 0.0 ? 2 : 1) > SENSOR_WAVES)
+        given->harmonics > SENSOR_WAVES / (given->second_frequency > 0.0 ? 2 : 1))
     {
         return CM_ERROR_RANGE;
     }
@@ -74,12 +76,13 @@ static cm_status check_mask(const cm_tof_sensor *given)
 
 static cm_status check_optics(const cm_tof_sensor *given)
 {
-    const int is_sensor = is_positive(given->pitch) && is_positive(given->f_number) &&
-                          is_positive(given->wavelength) && is_part(given->efficiency) &&
-                          is_positive(given->exposure) && is_not_negative(given->readout) &&
-                          is_not_negative(given->pause) && is_part(given->duty) &&
-                          is_not_negative(given->dark) && is_not_negative(given->read_noise) &&
-                          is_not_negative(given->fixed_pattern);
+    const int is_sensor =
+        is_positive(given->pitch) && is_positive(given->f_number) &&
+        is_positive(given->wavelength) && is_part(given->efficiency) &&
+        is_positive(given->exposure) && is_not_negative(given->readout) &&
+        is_not_negative(given->pause) && is_part(given->duty) && is_not_negative(given->dark) &&
+        is_not_negative(given->read_noise) && given->read_noise <= MOST_READ_NOISE &&
+        is_not_negative(given->fixed_pattern) && given->fixed_pattern <= MOST_FIXED_PATTERN;
     return is_sensor ? CM_OK : CM_ERROR_RANGE;
 }
 

@@ -2,6 +2,7 @@
 #include "charges.h"
 #include "reconstruct.h"
 #include "tof_world.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,7 +12,8 @@ enum
 {
     MOST_TIMES = 16,
     PROBE_COLUMNS = 16,
-    PROBE_ROWS = 12
+    PROBE_ROWS = 12,
+    PIXELS_AT_ONCE = 8192
 };
 
 #define MULTIPATH_APART 0.001 /* metres */
@@ -36,6 +38,7 @@ typedef struct frame
     size_t pixels;
     void *memory;
     int times;
+    int is_beyond; /* some charge is more than a float holds */
     uint32_t virtual_lights;
 } frame;
 
@@ -150,14 +153,6 @@ static cm_status add_time(frame *doing, double time, int series, double part, in
 
 /* ---- how things move ---- */
 
-static double angle_between(const double a[3], const double b[3])
-{
-    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                             a[0] * b[1] - a[1] * b[0]};
-    return atan2(sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]),
-                 a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
-
 /* How far, in radians, what the camera sees moves between two times at the most: places that a coarse grid of rays meets,
  * carried along with what they are on. */
 static cm_status find_motion(const frame *doing, double from, double to, double *most)
@@ -256,9 +251,10 @@ static int moves(const frame *doing, double end)
 static void keep_charges(frame *doing, size_t picture_wave, int series, int phase)
 {
     const size_t image = (size_t)series * (size_t)doing->sensor.given.phases + (size_t)phase;
-    charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series,
-                     phase, doing->offset, doing->pool, doing->charge_a + image * doing->pixels,
-                     doing->charge_b + image * doing->pixels);
+    doing->is_beyond |=
+        charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series,
+                         phase, doing->offset, doing->pool, doing->charge_a + image * doing->pixels,
+                         doing->charge_b + image * doing->pixels);
 }
 
 /* Nothing moves: one sum for all phases and frequencies. */
@@ -289,7 +285,7 @@ static cm_status take_moving(frame *doing)
     for (int image = 0; status == CM_OK && image < doing->sensor.series * given->phases; image++)
     {
         const double begin = doing->time + image * (given->exposure + given->readout);
-        picture_clear(&doing->picture);
+        picture_clear(&doing->picture, &doing->options, doing->pool);
         for (int step = 0; status == CM_OK && step < doing->times; step++)
         {
             const double time = begin + ((double)step + 0.5) / doing->times * given->exposure;
@@ -301,43 +297,37 @@ static cm_status take_moving(frame *doing)
     return status;
 }
 
-/* Where scattered light moves the distance. Of what moves it is that of the last phase image. */
-static void flag_multipath(frame *doing)
+/* Does scattered light move the distance? Of what moves that is so of the last phase image. */
+static int is_multipath(const frame *doing, size_t cell, double per_turn)
 {
     const tof_sums *sum = &doing->picture.sum;
-    const double unambiguous = sensor_unambiguous(&doing->sensor.given, 0);
-    const double per_turn = unambiguous / 6.28318530717958647693;
-    for (size_t i = 0; doing->options.bounces > 0 && i < doing->pixels; i++)
+    const double real = sum->direct_real[cell], imaginary = sum->direct_imaginary[cell];
+    const double all_real = sum->real[cell], all_imaginary = sum->imaginary[cell];
+    const double turn = atan2(all_imaginary * real - all_real * imaginary,
+                              all_real * real + all_imaginary * imaginary);
+    return fabs(turn * per_turn) > MULTIPATH_APART;
+}
+
+/* Of the cells of each pixel: one, or three between which circuits are, whose middle one is the pixel's own. */
+static void flag_pixels(size_t begin, size_t end, void *user)
+{
+    const frame *doing = user;
+    const tof_sensor *sensor = &doing->sensor;
+    const size_t single = sensor->given.single_readout ? 1 : 0;
+    const double per_turn = sensor_unambiguous(&sensor->given, 0) / (2.0 * PI);
+    for (size_t i = begin; i < end; i++)
     {
-        const size_t cell = doing->sensor.given.single_readout
-                                ? i / doing->sensor.width * doing->sensor.cells.columns +
-                                      2 * (i % doing->sensor.width) + 1
-                                : i;
-        const double real = sum->direct_real[cell], imaginary = sum->direct_imaginary[cell];
-        const double all_real = sum->real[cell], all_imaginary = sum->imaginary[cell];
-        const double turn = atan2(all_imaginary * real - all_real * imaginary,
-                                  all_real * real + all_imaginary * imaginary);
-        if (fabs(turn * per_turn) > MULTIPATH_APART)
+        const size_t cell =
+            single ? i / sensor->width * sensor->cells.columns + 2 * (i % sensor->width) : i;
+        for (size_t k = 0; k <= 2 * single; k++)
+        {
+            doing->flags[i] |= doing->picture.flags[cell + k];
+        }
+        if (doing->options.bounces > 0 && is_multipath(doing, cell + single, per_turn))
         {
             doing->flags[i] |= CM_TOF_MULTIPATH;
         }
     }
-}
-
-static void flag_pixels(frame *doing)
-{
-    const tof_sensor *sensor = &doing->sensor;
-    for (size_t i = 0; i < doing->pixels; i++)
-    {
-        const int single = sensor->given.single_readout;
-        const size_t cell =
-            single ? i / sensor->width * sensor->cells.columns + 2 * (i % sensor->width) : i;
-        for (size_t k = 0; k < (single ? 3u : 1u); k++)
-        {
-            doing->flags[i] |= doing->picture.flags[cell + k];
-        }
-    }
-    flag_multipath(doing);
 }
 
 static void disturb(frame *doing)
@@ -350,8 +340,11 @@ static void disturb(frame *doing)
         {
             charges_add_noise(&doing->sensor, &doing->options, image, doing->pool, a, b);
         }
-        charges_fill(&doing->sensor, a, doing->flags);
-        charges_fill(&doing->sensor, b, doing->flags);
+        if (doing->is_beyond || doing->sensor.given.full_well > 0.0)
+        {
+            charges_fill(&doing->sensor, doing->pool, a, doing->flags);
+            charges_fill(&doing->sensor, doing->pool, b, doing->flags);
+        }
     }
 }
 
@@ -368,13 +361,23 @@ static void put_report(const frame *doing, cm_tof_report *report)
     }
 }
 
-static void put_result(const frame *doing, cm_tof_result *result)
+static void put_phases(size_t begin, size_t end, void *user)
 {
+    const frame *doing = user;
+    for (size_t i = begin; i < end; i++)
+    {
+        doing->result->phase[i] = doing->charge_a[i] - doing->charge_b[i];
+    }
+}
+
+static void put_result(frame *doing)
+{
+    cm_tof_result *const result = doing->result;
     const size_t images = (size_t)(doing->sensor.series * doing->sensor.given.phases);
     const size_t count = images * doing->pixels;
-    for (size_t i = 0; result->phase != NULL && i < count; i++)
+    if (result->phase != NULL)
     {
-        result->phase[i] = doing->charge_a[i] - doing->charge_b[i];
+        cm_pool_run(doing->pool, count, PIXELS_AT_ONCE, put_phases, doing);
     }
     if (result->charge_a != NULL)
     {
@@ -416,7 +419,7 @@ static cm_status get_memory(frame *doing)
     {
         return CM_ERROR_MEMORY;
     }
-    picture_create(&doing->sensor, &doing->options, doing->memory, &doing->picture);
+    picture_create(&doing->sensor, &doing->options, doing->pool, doing->memory, &doing->picture);
     doing->charge_a = (float *)(void *)((char *)doing->memory + whole);
     doing->charge_b = doing->charge_a + images * doing->pixels;
     float *const offset = doing->charge_b + images * doing->pixels;
@@ -424,7 +427,7 @@ static cm_status get_memory(frame *doing)
     memset(doing->flags, 0, doing->pixels);
     if (has_offsets)
     {
-        charges_offsets(&doing->sensor, &doing->options, offset);
+        charges_offsets(&doing->sensor, &doing->options, doing->pool, offset);
         doing->offset = offset;
     }
     return CM_OK;
@@ -449,7 +452,8 @@ cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor *sensor
                    .trajectory = trajectory,
                    .time = time,
                    .options = options == NULL ? plain : *options,
-                   .pool = pool};
+                   .pool = pool,
+                   .result = result};
     cm_status status = check(scene, light, lights, time, &doing.options, result);
     status = status == CM_OK ? sensor_prepare(sensor, &doing.options, &doing.sensor) : status;
     if (status != CM_OK)
@@ -464,9 +468,9 @@ cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor *sensor
     }
     if (status == CM_OK)
     {
-        flag_pixels(&doing);
+        cm_pool_run(pool, doing.pixels, PIXELS_AT_ONCE, flag_pixels, &doing);
         disturb(&doing);
-        put_result(&doing, result);
+        put_result(&doing);
     }
     give_back(&doing);
     return status;

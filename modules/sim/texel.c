@@ -3,12 +3,11 @@
  * Killpack 2016, sections 3.3 to 3.5: from a fine picture of depths to a coarse cloud of points.
  */
 #include "texel_canvas.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define PI 3.141592653589793
 
 /* ---- options ---- */
 

@@ -13,7 +13,8 @@
 enum
 {
     TILE_COLUMNS = 32,
-    TILE_ROWS = TOF_BLOCK / TILE_COLUMNS
+    TILE_ROWS = TOF_BLOCK / TILE_COLUMNS,
+    CLEARED_AT_ONCE = 8192
 };
 
 /* Second differences of range, metres, and differences of normals that a quadratic follows to much less than 0.1 mm. */
@@ -82,20 +83,46 @@ size_t picture_size(const tof_sensor *sensor, const cm_tof_options *options)
                : put_arrays(sensor, options, &picture, &picture);
 }
 
-void picture_create(const tof_sensor *sensor, const cm_tof_options *options, void *memory,
-                    tof_picture *picture)
+typedef struct clearing
+{
+    const tof_picture *picture;
+    int has_direct;
+} clearing;
+
+static void clear_cells(size_t begin, size_t end, void *user)
+{
+    const clearing *doing = user;
+    const tof_sums *sum = &doing->picture->sum;
+    const size_t bytes = (end - begin) * sizeof(double);
+    memset(sum->total + begin, 0, bytes);
+    memset(sum->ambient + begin, 0, bytes);
+    if (doing->has_direct)
+    {
+        memset(sum->direct_real + begin, 0, bytes);
+        memset(sum->direct_imaginary + begin, 0, bytes);
+    }
+    for (size_t j = 0; j < doing->picture->waves; j++)
+    {
+        memset(sum->real + j * doing->picture->cells + begin, 0, bytes);
+        memset(sum->imaginary + j * doing->picture->cells + begin, 0, bytes);
+    }
+}
+
+void picture_clear(tof_picture *picture, const cm_tof_options *options, cm_pool *pool)
+{
+    clearing doing = {picture, options->bounces > 0};
+    cm_pool_run(pool, picture->cells, CLEARED_AT_ONCE, clear_cells, &doing);
+}
+
+void picture_create(const tof_sensor *sensor, const cm_tof_options *options, cm_pool *pool,
+                    void *memory, tof_picture *picture)
 {
     memset(picture, 0, sizeof *picture);
     picture->cells = (size_t)sensor->cells.columns * sensor->cells.rows;
     picture->waves = sensor->waves.count;
     put_arrays(sensor, options, picture, memory);
     memset(picture->flags, 0, picture->cells);
-    picture_clear(picture);
-}
-
-void picture_clear(tof_picture *picture)
-{
-    memset(picture->sum.total, 0, sums_room(picture->cells, picture->waves) * sizeof(double));
+    picture_clear(picture, options, pool);
 }
 
 /* ---- tiles ---- */

@@ -41,11 +41,11 @@ typedef struct tof_picture
 size_t picture_size(const tof_sensor *sensor, const cm_tof_options *options);
 
 /* In memory of that size, for doubles; sums are 0. */
-void picture_create(const tof_sensor *sensor, const cm_tof_options *options, void *memory,
-                    tof_picture *picture);
+void picture_create(const tof_sensor *sensor, const cm_tof_options *options, cm_pool *pool,
+                    void *memory, tof_picture *picture);
 
-/* Sums become 0. */
-void picture_clear(tof_picture *picture);
+/* Sums become 0: those of direct light only where scattered light comes beside it. */
+void picture_clear(tof_picture *picture, const cm_tof_options *options, cm_pool *pool);
 
 /* Adds part times the light of a time to the sums. Flags of motion are set where the middles see something else than
  * before; is_first: there is no before. */

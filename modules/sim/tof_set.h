@@ -44,8 +44,17 @@ typedef struct tof_charge_rule
     size_t waves;
     double cosine[TOF_WAVES]; /* of the waves' shifts, with all factors */
     double sine[TOF_WAVES];
-    size_t stride; /* of waves */
 } tof_charge_rule;
+
+/* Light of cells that lie side by side. */
+typedef struct tof_cells
+{
+    const double *total;
+    const double *ambient;
+    const double *real; /* waves x stride */
+    const double *imaginary;
+    size_t stride;
+} tof_cells;
 
 /* Pixels of one block of phase images, to phasors. */
 typedef struct tof_phasors
@@ -88,10 +97,12 @@ typedef struct tof_set
      * camera's. */
     void (*aim)(size_t n, const double (*axes)[3], const double *x, const double *y,
                 const double *z, double (*direction)[TOF_BLOCK], double *lens);
-    /* Charges of n cells. No room is needed: what is written are n floats each. */
-    void (*charge)(const tof_charge_rule *rule, size_t n, const double *total,
-                   const double *ambient, const double *real, const double *imaginary,
-                   float *charge_a, float *charge_b);
+    /* Charges of n cells that are pixels. No room is needed: what is written are n floats each. */
+    void (*charge)(const tof_charge_rule *rule, size_t n, const tof_cells *cells, float *charge_a,
+                   float *charge_b);
+    /* The same before it comes into circuits: half of all, and what is moved; n numbers each. */
+    void (*split)(const tof_charge_rule *rule, size_t n, const tof_cells *cells, double *half,
+                  double *moved);
     /* n pixels, TOF_BLOCK at the most, of phase images that are stride apart. */
     void (*phasors)(int phases, const double *cosine, const double *sine, size_t n, size_t stride,
                     const float *charge_a, const float *charge_b, tof_phasors *to);

@@ -5,7 +5,11 @@
 #include "image_cases.hpp"
 #include "picture.hpp"
 
+#include "modules/scene/io/npy_file.h"
+
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
@@ -36,6 +40,12 @@ void make_tof_inputs()
     write_file("pose.txt", "0 0 0 0 0 0 0 1\n");
     write_file("path.txt", "0 0 0 0 0 0 0 1\n1 0 0 0.5 0 0 0 1\n");
     std::filesystem::create_directory("made");
+}
+
+// The files tell when they were written, too.
+bool same_pixels(const std::string &one, const std::string &other)
+{
+    return Picture(one).values == Picture(other).values;
 }
 
 // All distances of a picture.
@@ -103,6 +113,15 @@ void measures()
           });
     write_file("behind.json", sensor_text("\"lights\": [{\"position\": [0, 0, 3], \"power\": 1, "
                                           "\"aperture\": 6.283185307179586}]"));
+    write_file("strong.json", sensor_text("\"lights\": [{\"power\": 1e300, \"aperture\": 6}]"));
+    says("charges that no number holds are saturated", "\"saturated\": 432, ",
+         "tof simulate wall.json strong.json pose.txt -o strong --json --noise");
+    write_file("within.json", R"({"boxes": [{"min": [-1, -1, 0], "max": [1, 1, 1]}]})");
+    says("a camera in a wall sees what is behind", "\"unmeasured\": 0\\}",
+         "tof simulate within.json sensor.json pose.txt -o within --json --truth");
+    write_file("open.obj", "v -9 -9 2\nv 9 -9 2\nv 0 9 2\nv 0 0 1\nf 1 2 3\nf 4 4 4\nf 1 2 2\n");
+    says("an open mesh, and triangles of no area", "\"unmeasured\": 0\\}",
+         "tof simulate open.obj sensor.json pose.txt -o open --json --bounces 1");
     says("a light behind the wall lights nothing", "\"unmeasured\": 432\\}",
          "tof simulate wall.json behind.json pose.txt -o dark --json");
 }
@@ -132,16 +151,111 @@ void lies_in_a_folder()
          "--threads 7");
     does("tof simulate wall.json sensor.json path.txt -o made/c --quiet --noise --seed 4 --samples "
          "2x3");
-    result(same_content("made/a/phase_0001_3.exr", "made/b/phase_0001_3.exr") &&
-               same_content("made/a/distance_0000.exr", "made/b/distance_0000.exr"),
+    result(same_pixels("made/a/phase_0001_3.exr", "made/b/phase_0001_3.exr") &&
+               same_pixels("made/a/distance_0000.exr", "made/b/distance_0000.exr"),
            "the same bits with seven threads");
-    result(!same_content("made/a/phase_0001_3.exr", "made/c/phase_0001_3.exr"),
+    result(!same_pixels("made/a/phase_0001_3.exr", "made/c/phase_0001_3.exr"),
            "another seed has other noise");
     says("two frequencies", "\"frames\": 1",
          "tof simulate --preset pico-flexx room pose.txt -o made/d --json");
     result(std::filesystem::exists("made/d/phase_0000_7.exr") &&
                !std::filesystem::exists("made/d/phase_0000_8.exr"),
            "phases of the second follow the first's");
+}
+
+// The numbers of an array without its head.
+std::string numbers_of(const std::string &npy)
+{
+    const std::string whole = content_of(npy);
+    return whole.substr(10 + static_cast<unsigned char>(whole[8]) +
+                        256 * static_cast<unsigned char>(whole[9]));
+}
+
+constexpr const char *array_names[] = {
+    "phase",          "distance",     "amplitude",       "intensity",        "flags",
+    "truth_position", "truth_normal", "truth_object",    "truth_shape",      "truth_triangle",
+    "truth_depth",    "truth_range",  "truth_flow_next", "truth_flow_before"};
+
+void are_arrays()
+{
+    make_tof_inputs();
+    const std::string way = "tof simulate wall.json sensor.json path.txt --truth ";
+    does(way + "-o exr --quiet");
+    does(way + "-o npy --quiet --format npy");
+    for (const std::string name : {"distance", "amplitude", "intensity", "truth_range"})
+    {
+        cm_image picture = {};
+        char message[CM_IMAGE_MESSAGE] = "";
+        const std::string file = "npy/" + name + "_0001.npy";
+        const bool is_read = cm_npy_read(file.c_str(), &picture, message) == CM_OK;
+        result(is_read && picture.width == 24 && picture.height == 18, name + " is an array",
+               message);
+        const Picture seen("exr/" + (name == "truth_range" ? "distance" : name) + "_0001.exr");
+        const float *const value = static_cast<const float *>(picture.data);
+        double most = 0;
+        for (std::size_t i = 0; is_read && i < seen.values.size(); ++i)
+        {
+            most = std::max(most, std::fabs(static_cast<double>(value[i]) -
+                                            static_cast<double>(seen.values[i])));
+        }
+        result(most <= (name == "truth_range" ? 1e-5 : 0), name + " is what the picture has",
+               std::to_string(most));
+        std::free(picture.data);
+    }
+    result(numbers_of("npy/phase_0000.npy").size() == 4 * 4 * 18 * 24 &&
+               numbers_of("npy/truth_position_0000.npy").size() == 8 * 3 * 18 * 24 &&
+               content_of("npy/truth_object_0000.npy")
+                       .find("{'descr': '<u4', 'fortran_order': False, 'shape': (18, 24), }") == 10,
+           "shapes and types");
+    std::string all;
+    for (const std::string ending : {"_0000.npy", "_0001.npy"})
+    {
+        for (const std::string name : array_names)
+        {
+            all += content_of("npy/" + name + ending);
+        }
+    }
+    const Ran stream = passes("frames as a stream", way + "-o -");
+    result(stream.out == all, "the stream is the files one after another");
+    std::FILE *const full = std::fopen("/dev/full", "w");
+    if (full != nullptr)
+    {
+        const Ran ran = run_with_input("", way + "-o - --quiet", full);
+        result(ran.status == 1 && matches(ran.err, "'standard output' cannot be written: No space"),
+               "a stream that nobody takes", ran.err);
+        std::fclose(full);
+    }
+    const SizeLimit limit(6000);
+    fails("a disk that is full of arrays", 1, "made/x/truth_position_0000.npy'? cannot be written",
+          "tof simulate wall.json sensor.json path.txt --truth -o made/x --format npy");
+}
+
+void are_files_of_hdf5()
+{
+    make_tof_inputs();
+    const std::string way = "tof simulate wall.json sensor.json pose.txt --truth ";
+    if (std::getenv("CUBEMAP_SIM_HDF5") == nullptr)
+    {
+        return; // this build has none
+    }
+    does(way + "-o npy --quiet --format npy");
+    does(way + "-o one --quiet --format hdf5");
+    does(way + "-o other --quiet --format hdf5 --threads 2");
+    result(names_in("one") == "frame_0000.h5 metadata.json poses.txt ", "a file a frame",
+           names_in("one"));
+    const std::string whole = content_of("one/frame_0000.h5");
+    result(whole.compare(1, 3, "HDF") == 0, "of HDF5");
+    result(same_content("one/frame_0000.h5", "other/frame_0000.h5"), "the same bytes again");
+    for (const std::string name : array_names)
+    {
+        const bool is_truth = name.compare(0, 6, "truth_") == 0;
+        result(whole.find(is_truth ? name.substr(6) : name) != std::string::npos &&
+                   whole.find(numbers_of("npy/" + name + "_0000.npy")) != std::string::npos,
+               name + " is in it");
+    }
+    const SizeLimit limit(6000);
+    fails("a disk that is full of HDF5", 1, "made/x/frame_0000.h5'? cannot be written",
+          way + "-o made/x --format hdf5");
 }
 
 void knows_sensors()
@@ -158,10 +272,10 @@ void knows_sensors()
                            light_text));
     does("tof simulate wall.json mask.json pose.txt -o rows --quiet");
     does("tof simulate wall.json flat.json pose.txt -o flat --quiet");
-    result(same_content("rows/phase_0000_1.exr", "flat/phase_0000_1.exr"),
+    result(same_pixels("rows/phase_0000_1.exr", "flat/phase_0000_1.exr"),
            "a mask by rows is one in one list");
     does("tof simulate wall.json sensor.json pose.txt -o whole --quiet");
-    result(!same_content("rows/phase_0000_1.exr", "whole/phase_0000_1.exr"), "a mask takes light");
+    result(!same_pixels("rows/phase_0000_1.exr", "whole/phase_0000_1.exr"), "a mask takes light");
     write_file("spot.json", sensor_text("\"lights\": [{\"position\": [0.1, 0, 0], \"direction\": "
                                         "[0, 0, 2], \"power\": 1, \"aperture\": 1, \"intensity\": "
                                         "[1, 0.5, 0]}]"));
@@ -193,8 +307,13 @@ void refuses_tof_words()
     fails("a preset and a sensor", 2, "are needed with --preset, 3 are given",
           good + " --preset camcube");
     fails("no folder", 2, "-o DIR is needed", "tof simulate wall.json sensor.json pose.txt");
-    fails("a folder that is a stream", 2, "-o DIR is needed",
-          "tof simulate wall.json sensor.json pose.txt -o -");
+    fails("a stream of pictures", 2, "-o - writes arrays of NPY, not --format exr",
+          "tof simulate wall.json sensor.json pose.txt -o - --format exr");
+    fails("a stream of HDF5", 2, "-o - writes arrays of NPY, not --format hdf5",
+          "tof simulate wall.json sensor.json pose.txt -o - --format hdf5");
+    fails("JSON into a stream", 2, "--json has no place where -o - writes frames",
+          "tof simulate wall.json sensor.json pose.txt -o - --json");
+    fails("a format that there is not", 2, "--format is 'npz'", good + " --format npz");
     fails("a preset that there is not", 2, "--preset is 'camcub'",
           "tof simulate --preset camcub wall.json pose.txt -o made/x");
     for (const std::string count : {"3", "0x3", "3x", "65x1", "axb", "1x1x1"})
@@ -273,6 +392,24 @@ void refuses_tof_files()
     std::string two = sensor_text();
     two.replace(two.find("\"phases\": 4"), 11, "\"phases\": 2");
     sensor_fails("two phases", two, "phases is not a whole number from 3");
+    two.replace(two.find("\"phases\": 2"), 11, "\"phases\": []");
+    sensor_fails("phases that are a list", two, "phases is not a whole number from 3");
+    sensor_fails("an empty mask", sensor_text(std::string("\"mask\": [[]], ") + light_text),
+                 "mask has rows that are not of");
+    sensor_fails("harmonics that are not there",
+                 sensor_text(std::string("\n\"harmonics\": 3, ") + light_text),
+                 "5: harmonics has 0 numbers");
+    sensor_fails("a NaN in a table", sensor_text(std::string("\"mask\": [[NaN]], ") + light_text),
+                 "4: is no JSON object");
+    sensor_fails("an empty place in a table",
+                 sensor_text(std::string("\"harmonic\": [1, null], ") + light_text),
+                 "harmonic is not a finite number");
+    sensor_fails("a cone of no width",
+                 sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 1e-300}]"),
+                 "aperture is a full angle in radians, from 1e-6");
+    write_file("strange.json", sensor_text(std::string("\"fixed_pattern\": 1e9, ") + light_text));
+    fails("noise beyond all bounds", 1, "'strange.json' has numbers outside what is simulated",
+          "tof simulate wall.json strange.json pose.txt -o made/x");
     std::string camera = sensor_text();
     camera.replace(camera.find("\"fx\": 20"), 8, "\"fx\": 0");
     sensor_fails("a camera without focal length", camera, "camera:1: a focal length of 0");
@@ -302,6 +439,24 @@ void refuses_tof_files()
                                 "\"brdf\": {\"kind\": \"measured\", \"file\": \"table.csv\"}}]}");
     fails("a table of three columns", 1, "'table.csv':1: is not theta_in theta_out azimuth value",
           "tof simulate measured.json sensor.json pose.txt -o made/x");
+    for (const std::string line : {"0 0 0 nan", "0 0 0", "0 0 0 NaN # none", "inf -inf 0 1"})
+    {
+        write_file("table.csv", line + "\n");
+        fails("a table with " + line, 1, "'table.csv':1: is not theta_in",
+              "tof simulate measured.json sensor.json pose.txt -o made/x");
+    }
+    write_file("table.csv", "# nothing\n");
+    fails("a table of no values", 1, "'table.csv' has no line of theta_in",
+          "tof simulate measured.json sensor.json pose.txt -o made/x");
+    write_file("points.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\n");
+    fails("a mesh of points", 1, "points.obj: has no triangle",
+          "tof simulate points.obj sensor.json pose.txt -o made/x");
+    write_file("far.obj", "v 0 0 1\nv 1e20 0 1\nv 0 1 1\nf 1 2 3\n");
+    fails("a mesh beyond reach", 1, "'far.obj' has a mesh with coordinates of 1e18",
+          "tof simulate far.obj sensor.json pose.txt -o made/x");
+    write_file("odd.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 9\n");
+    fails("a mesh of a vertex that is not there", 1, "odd.obj: has a face of a vertex",
+          "tof simulate odd.obj sensor.json pose.txt -o made/x");
     write_file("empty.json", "{}");
     fails("an empty scene", 1, "'empty.json': has nothing in it",
           "tof simulate empty.json sensor.json pose.txt -o made/x");
@@ -309,16 +464,36 @@ void refuses_tof_files()
         const SizeLimit limit(600);
         fails("a disk that is full", 1, "made/x/.*: ", good);
     }
+    {
+        const SizeLimit limit(16000); // between what a frame's pictures take and its truth
+        fails("a disk that is full of truth", 1, "made/x/truth_0000.*: ", good + " --truth");
+    }
+    does("tof simulate wall.json sensor.json pose.txt -o seen --quiet");
+    std::FILE *const full = std::fopen("/dev/full", "w");
+    for (const std::string way : {"", " --json"})
+    {
+        if (full != nullptr)
+        {
+            const Ran ran = run_with_input(
+                "", "tof evaluate seen/distance_0000.exr seen/distance_0000.exr" + way, full);
+            result(ran.status == 1 && matches(ran.err, "standard output: No space left"),
+                   "measures that nobody takes" + way, ran.err);
+        }
+    }
+    if (full != nullptr)
+    {
+        std::fclose(full);
+    }
 }
 
 } // namespace
 
 const std::vector<Subject> &tof_subjects()
 {
-    static const std::vector<Subject> subjects = {{"tof_measures", measures},
-                                                  {"tof_folder", lies_in_a_folder},
-                                                  {"tof_sensors", knows_sensors},
-                                                  {"tof_words", refuses_tof_words},
-                                                  {"tof_files", refuses_tof_files}};
+    static const std::vector<Subject> subjects = {
+        {"tof_measures", measures},      {"tof_folder", lies_in_a_folder},
+        {"tof_arrays", are_arrays},      {"tof_hdf5", are_files_of_hdf5},
+        {"tof_sensors", knows_sensors},  {"tof_words", refuses_tof_words},
+        {"tof_files", refuses_tof_files}};
     return subjects;
 }

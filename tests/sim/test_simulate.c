@@ -2,111 +2,9 @@
  *
  * Time-of-flight cameras by direct light: against formulas worked out by hand, beside themselves, and what is refused.
  */
-#include <cubemap/sim.h>
+#include "tof_stage.h"
 
-#include "tests/suite.h"
-
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-#define PI 3.14159265358979323846
-
-enum
-{
-    WIDTH = 64,
-    HEIGHT = 48,
-    PIXELS = WIDTH * HEIGHT,
-    PHASES = 4
-};
-
-typedef struct stage
-{
-    cm_scene *world;
-    cm_tof_scene *scene;
-    cm_camera *camera;
-    cm_tof_sensor sensor;
-    cm_tof_light light;
-} stage;
-
-static float phase[8 * PIXELS], charge_a[8 * PIXELS], charge_b[8 * PIXELS], distance[PIXELS],
-    amplitude[PIXELS], intensity[PIXELS];
-static uint8_t flags[PIXELS];
-
-static cm_camera *make_camera(double focal)
-{
-    const cm_camera_options shape = {.size = sizeof shape,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .fx = focal,
-                                     .fy = focal,
-                                     .cx = 32.0, /* the middle of a pixel */
-                                     .cy = 24.0};
-    cm_camera *camera = NULL;
-    ck_assert_int_eq(cm_camera_create(&shape, &camera), CM_OK);
-    return camera;
-}
-
-static stage make_stage(const cm_primitive *primitive, size_t count)
-{
-    stage made;
-    memset(&made, 0, sizeof made);
-    ck_assert_int_eq(cm_scene_create(&made.world), CM_OK);
-    for (size_t i = 0; i < count; i++)
-    {
-        ck_assert_int_eq(cm_scene_add(made.world, &primitive[i], NULL), CM_OK);
-    }
-    ck_assert_int_eq(cm_tof_scene_create(made.world, &made.scene), CM_OK);
-    made.camera = make_camera(50.0);
-    const cm_tof_sensor sensor = {.size = sizeof sensor,
-                                  .camera = made.camera,
-                                  .pitch = 12e-6,
-                                  .f_number = 1.2,
-                                  .wavelength = 850e-9,
-                                  .efficiency = 0.4,
-                                  .exposure = 5e-3,
-                                  .frequency = 20e6,
-                                  .duty = 0.5,
-                                  .contrast = 0.8,
-                                  .phases = PHASES};
-    const cm_tof_light light = {.size = sizeof light, .power = 0.7, .aperture = 2.0 * PI};
-    made.sensor = sensor;
-    made.light = light;
-    return made;
-}
-
-static void free_stage(stage *made)
-{
-    cm_camera_destroy(made->camera);
-    cm_tof_scene_destroy(made->scene);
-    cm_scene_destroy(made->world);
-}
-
-static cm_tof_result whole_result(void)
-{
-    const cm_tof_result result = {.size = sizeof result,
-                                  .phase = phase,
-                                  .charge_a = charge_a,
-                                  .charge_b = charge_b,
-                                  .distance = distance,
-                                  .amplitude = amplitude,
-                                  .intensity = intensity,
-                                  .flags = flags};
-    return result;
-}
-
-static cm_status simulate(const stage *of, const cm_tof_options *options)
-{
-    cm_tof_result result = whole_result();
-    return cm_tof_simulate(of->scene, &of->sensor, &of->light, 1, NULL, 0.0, options, NULL,
-                           &result);
-}
-
-static const cm_primitive wall = {.size = sizeof wall,
-                                  .kind = CM_PRIMITIVE_PLANE,
-                                  .first = {0, 0, 1.7},
-                                  .second = {0, 0, 1},
-                                  .material = {{1, 1, 1}, 0.6}};
 
 /* Lambers, Hoberg and Kolb 2015, eqs. 4 to 15, with electrons as photons times efficiency. */
 START_TEST(the_middle_of_a_wall_is_as_worked_out_by_hand)
@@ -561,6 +459,7 @@ START_TEST(bad_input_is_refused)
     cm_scene *empty = NULL;
     cm_tof_scene *none = NULL;
     const float table[2] = {1.0f, NAN};
+    const double not_a_number = NAN;
     ck_assert_int_eq(cm_scene_create(&empty), CM_OK);
     ck_assert_int_eq(cm_tof_scene_create(empty, &none), CM_ERROR_DATA);
     ck_assert_int_eq(cm_tof_scene_create(NULL, &none), CM_ERROR_ARGUMENT);
@@ -585,12 +484,20 @@ START_TEST(bad_input_is_refused)
     REFUSES(at.light.size = 0, CM_ERROR_ARGUMENT);
     REFUSES(at.light.power = -1, CM_ERROR_RANGE);
     REFUSES(at.light.aperture = 0, CM_ERROR_RANGE);
+    REFUSES(at.light.aperture = 9e-7, CM_ERROR_RANGE);
     REFUSES(at.light.aperture = 7, CM_ERROR_RANGE);
     REFUSES((at.light.n = 2, at.light.intensity = table), CM_ERROR_RANGE);
     REFUSES((at.light.n = 2, at.light.intensity = NULL), CM_ERROR_ARGUMENT);
     REFUSES((at.sensor.mask = table, at.sensor.mask_columns = 2, at.sensor.mask_rows = 1),
             CM_ERROR_RANGE);
     REFUSES((at.sensor.harmonics = 1), CM_ERROR_ARGUMENT);
+    REFUSES((at.sensor.harmonics = 1, at.sensor.harmonic = &not_a_number), CM_ERROR_RANGE);
+    REFUSES((at.sensor.harmonics = SIZE_MAX / 2 + 1, at.sensor.harmonic = &not_a_number,
+             at.sensor.second_frequency = 15e6),
+            CM_ERROR_RANGE);
+    REFUSES(at.sensor.read_noise = 1e31, CM_ERROR_RANGE);
+    REFUSES(at.sensor.fixed_pattern = 1001, CM_ERROR_RANGE);
+    REFUSES(at.sensor.full_well = NAN, CM_ERROR_RANGE);
     at = good;
     ck_assert_int_eq(cm_tof_simulate(at.scene, &at.sensor, NULL, 1, NULL, 0.0, NULL, NULL, &result),
                      CM_ERROR_ARGUMENT);

@@ -158,9 +158,9 @@ long JsonMembers::whole(const char *key, long low, long high, long absent)
     {
         return absent;
     }
-    const double value = checked(item, key, Range::any);
-    if (value != std::floor(value) || value < static_cast<double>(low) ||
-        value > static_cast<double>(high))
+    const double value = cJSON_IsNumber(item) ? item->valuedouble : std::nan("");
+    if (value != std::floor(value) || !(value >= static_cast<double>(low)) ||
+        !(value <= static_cast<double>(high)))
     {
         fail(key,
              " is not a whole number from " + std::to_string(low) + " to " + std::to_string(high));

@@ -131,6 +131,10 @@ std::vector<BrdfWord> read_brdf_table(const std::string &path)
         words.push_back(
             {numbers[0] * degree, numbers[1] * degree, numbers[2] * degree, numbers[3]});
     }
+    if (words.empty())
+    {
+        throw Failure(in_quotes(path) + " has no line of theta_in theta_out azimuth value");
+    }
     return words;
 }
 

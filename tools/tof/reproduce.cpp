@@ -270,7 +270,7 @@ int reproduce_papers(int argc, char **argv, const cm_streams &streams)
         const std::string json = options.folder + "/" + experiment->name + ".json";
         write_text(json, reproduction_json(*experiment, made));
         const std::string table = table_of(*experiment, made);
-        std::fputs(table.c_str(), streams.out);
+        print(streams, table);
         report += table;
         if (!made.charts.empty() && !draw(json, options.folder))
         {

@@ -189,14 +189,16 @@ int evaluate_tof(int argc, char **argv, const cm_streams &streams)
             "}, \"bad\": {\"1mm\": " + json_number(bad[0]) + ", \"1cm\": " + json_number(bad[1]) +
             ", \"10cm\": " + json_number(bad[2]) + "}" +
             sparsification_json(options, measured, truth) + "}\n";
-        std::fputs(text.c_str(), streams.out);
+        print(streams, text);
         return 0;
     }
-    std::fprintf(streams.out,
-                 "mean error %.6g m, root of the mean square %.6g m, bias %.6g m, most %.6g m\n"
-                 "%.3g %% of the pixels are more than 1 mm off, %.3g %% more than 1 cm, %.3g %% "
-                 "more than 10 cm\n",
-                 errors.mae, errors.rmse, errors.bias, errors.maximum, 100 * bad[0], 100 * bad[1],
-                 100 * bad[2]);
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "mean error %.6g m, root of the mean square %.6g m, bias %.6g m, most %.6g m\n"
+                  "%.3g %% of the pixels are more than 1 mm off, %.3g %% more than 1 cm, %.3g %% "
+                  "more than 10 cm\n",
+                  errors.mae, errors.rmse, errors.bias, errors.maximum, 100 * bad[0], 100 * bad[1],
+                  100 * bad[2]);
+    print(streams, text);
     return 0;
 }

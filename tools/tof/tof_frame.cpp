@@ -80,10 +80,10 @@ std::string OutputFolder::path_of(const std::string &file) const
     return name + (name.back() == '/' ? "" : "/") + file;
 }
 
-std::string frame_file_name(const std::string &kind, std::size_t number)
+std::string frame_file_name(const std::string &kind, std::size_t number, const char *ending)
 {
     char text[40];
-    std::snprintf(text, sizeof text, "_%04zu.exr", number);
+    std::snprintf(text, sizeof text, "_%04zu.%s", number, ending);
     return kind + text;
 }
 

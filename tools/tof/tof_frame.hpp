@@ -54,7 +54,8 @@ private:
 };
 
 // "distance_0012.exr".
-std::string frame_file_name(const std::string &kind, std::size_t number);
+std::string frame_file_name(const std::string &kind, std::size_t number,
+                            const char *ending = "exr");
 
 using FileList = std::vector<std::unique_ptr<AtomicFile>>;
 

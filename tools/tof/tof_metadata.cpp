@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "tof_metadata.hpp"
+#include "tof_table.h"
 
 #include <cmath>
 #include <new>
@@ -102,15 +103,33 @@ void add_frames(cJSON *to, const TofSensor &sensor, const TimedPoses &poses)
     add_numbers(frames, "time", poses.time.data(), static_cast<int>(poses.time.size()));
 }
 
-void add_files(cJSON *to)
+// What a picture is called: a file of its own, or an array in one of HDF5.
+std::string picture_name(int format, const std::string &name)
 {
+    switch (format)
+    {
+    case TOF_FORMAT_NPY:
+        return name + "_FRAME.npy";
+    case TOF_FORMAT_HDF5:
+        return "frame_FRAME.h5/" + name;
+    default:
+        return name + (name == "phase" ? "_FRAME_PHASE.exr" : "_FRAME.exr");
+    }
+}
+
+void add_files(cJSON *to, int format)
+{
+    static const char *const pictures[][2] = {
+        {"phase", "electrons of circuit A less those of B; phases of the second frequency follow"},
+        {"distance", "metres along the ray; NaN where no light came back"},
+        {"amplitude", "electrons"},
+        {"intensity", "electrons of both circuits, mean over phases"}};
     cJSON *const files = cJSON_AddObjectToObject(to, "files");
     need(files);
-    add_text(files, "phase_FRAME_PHASE.exr",
-             "electrons of circuit A less those of B; phases of the second frequency follow");
-    add_text(files, "distance_FRAME.exr", "metres along the ray; NaN where no light came back");
-    add_text(files, "amplitude_FRAME.exr", "electrons");
-    add_text(files, "intensity_FRAME.exr", "electrons of both circuits, mean over phases");
+    for (const auto &[name, what] : pictures)
+    {
+        add_text(files, picture_name(format, name).c_str(), what);
+    }
     add_text(files, "poses.txt",
              "time tx ty tz qx qy qz qw, camera to world, at a frame's beginning");
 }
@@ -137,7 +156,7 @@ std::string metadata_text(const SimulateOptions &asked, const cm_tof_options &do
     add_options(all.get(), asked, done, budget);
     add_text(all.get(), "postprocessing", "none");
     add_frames(all.get(), sensor, poses);
-    add_files(all.get());
+    add_files(all.get(), asked.format);
     const std::unique_ptr<char, void (*)(void *)> text(cJSON_Print(all.get()), cJSON_free);
     need(text.get());
     return std::string(text.get()) + "\n";

@@ -86,6 +86,9 @@ void read_simulate_option(int id, OptionReader &reader, SimulateOptions &options
     case TOF_TRUTH:
         options.truth = true;
         break;
+    case TOF_FORMAT:
+        options.format = static_cast<int>(reader.choice());
+        break;
     case TOF_THREADS:
         options.threads = reader.whole_number();
         break;
@@ -101,6 +104,23 @@ void read_simulate_option(int id, OptionReader &reader, SimulateOptions &options
     }
 }
 
+void take_format(SimulateOptions &options)
+{
+    options.is_stream = options.output == "-";
+    if (options.is_stream && options.format >= 0 && options.format != TOF_FORMAT_NPY)
+    {
+        throw UsageFailure(std::string("-o - writes arrays of NPY, not --format ") +
+                           tof_format_names[options.format] + "; see --help");
+    }
+    if (options.is_stream && options.json)
+    {
+        throw UsageFailure("--json has no place where -o - writes frames; see --help");
+    }
+    options.format = options.is_stream    ? TOF_FORMAT_NPY
+                     : options.format < 0 ? TOF_FORMAT_EXR
+                                          : options.format;
+}
+
 void take_operands(const std::vector<std::string> &names, SimulateOptions &options)
 {
     const bool preset = !options.preset.empty();
@@ -112,10 +132,11 @@ void take_operands(const std::vector<std::string> &names, SimulateOptions &optio
                            std::to_string(names.size()) + (names.size() == 1 ? " is" : " are") +
                            " given; see --help");
     }
-    if (options.output.empty() || options.output == "-")
+    if (options.output.empty())
     {
         throw UsageFailure("-o DIR is needed: the folder to write; see --help");
     }
+    take_format(options);
     options.scene = names.front();
     options.sensor = preset ? "" : names[1];
     options.trajectory = names.back();

@@ -24,6 +24,8 @@ struct SimulateOptions
     bool samples_given = false;
     std::optional<double> budget; // metres
     bool truth = false;
+    int format = -1;        // TOF_FORMAT_EXR and so on; -1: as output asks
+    bool is_stream = false; // to standard output
     bool json = false;
     bool quiet = false;
     int threads = 0;

@@ -15,6 +15,7 @@ namespace
 constexpr std::uint64_t sensor_bytes_most = std::uint64_t{1} << 26;
 constexpr double whole_turn = 6.283185307179586;
 constexpr double rounding = 1e-9;
+constexpr double aperture_least = 1e-6;
 constexpr std::size_t lights_most = 64;
 constexpr std::size_t waves_most = 32; // of all series together
 constexpr long phases_most = 64;
@@ -90,7 +91,7 @@ void read_mask(JsonMembers &members, TofSensor &made)
     {
         const long wide = cJSON_IsArray(row) ? cJSON_GetArraySize(row) : 0;
         columns = columns == 0 ? wide : columns;
-        if (wide != columns)
+        if (wide != columns || wide == 0)
         {
             members.fail("mask",
                          " has rows that are not of " + std::to_string(columns) + " numbers");
@@ -134,7 +135,7 @@ void read_signal(JsonMembers &members, TofSensor &made)
     if (static_cast<std::size_t>(harmonics) != made.harmonic.size() ||
         series * made.harmonic.size() > waves_most)
     {
-        members.fail("harmonic",
+        members.fail(made.harmonic.empty() ? "harmonics" : "harmonic",
                      " has " + std::to_string(made.harmonic.size()) + " numbers; there may be " +
                          std::to_string(waves_most / series) + ", and as many as harmonics says");
     }
@@ -151,9 +152,10 @@ void read_light(const JsonPlace &place, const cJSON *json, std::size_t number, T
     members.take_numbers("direction", Range::any, light.direction, 3);
     light.power = members.number("power", Range::zero_or_more);
     light.aperture = members.number("aperture", Range::above_zero);
-    if (light.aperture > whole_turn * (1 + rounding))
+    if (light.aperture < aperture_least || light.aperture > whole_turn * (1 + rounding))
     {
-        members.fail("aperture", " is a full angle in radians, at most 2 pi: 6.283185307");
+        members.fail("aperture",
+                     " is a full angle in radians, from 1e-6 to 2 pi, which is 6.283185307");
     }
     const std::vector<double> table = members.numbers("intensity", Range::zero_or_more);
     const long n = members.whole("n", 0, 1L << 24, static_cast<long>(table.size()));

@@ -3,12 +3,14 @@
 // cubemap-tof simulate: frames of a time-of-flight camera along a trajectory.
 
 #include "tof_command.hpp"
+#include "tof_arrays.hpp"
 #include "tof_brdf.hpp"
 #include "tof_frame.hpp"
 #include "tof_truth.hpp"
 #include "tof_metadata.hpp"
 #include "tof_options.hpp"
 #include "tof_sensor.hpp"
+#include "tof_table.h"
 
 #include "modules/scene/io/pose_words.hpp"
 #include "tools/cli/image_file.hpp"
@@ -83,7 +85,12 @@ Simulation prepare(const SimulateOptions &options)
                 "");
     made.trajectory.reset(trajectory);
     cm_tof_scene *scene = nullptr;
-    check_tof(cm_tof_scene_create(made.world.scene.get(), &scene), made);
+    const cm_status status = cm_tof_scene_create(made.world.scene.get(), &scene);
+    if (status == CM_ERROR_RANGE)
+    {
+        throw Failure(in_quotes(options.scene) + " has a mesh with coordinates of 1e18 or more");
+    }
+    check_tof(status, made);
     made.scene.reset(scene);
     made.pool = make_pool(options.threads);
     made.options = options.tof;
@@ -162,14 +169,93 @@ std::string poses_text(const TimedPoses &poses)
     return text;
 }
 
+// The pictures of a frame, in the format that is asked for; truth may be nullptr.
+void write_pictures(const SimulateOptions &options, const OutputFolder &folder,
+                    const TofFrame &frame, const TruthPictures *truth, std::size_t number,
+                    FileList &files)
+{
+    if (options.format == TOF_FORMAT_EXR)
+    {
+        write_frame(folder, frame, number, thread_count(options.threads), files);
+        if (truth != nullptr)
+        {
+            files.push_back(truth->write(folder.path_of(frame_file_name("truth", number))));
+        }
+        return;
+    }
+    const auto write = options.format == TOF_FORMAT_NPY ? write_npy_files : write_hdf5_file;
+    write(folder, arrays_of(frame, truth), number, files);
+}
+
+// What stands beside the pictures: with the first frame, and with the last.
+void write_texts(const SimulateOptions &options, const Simulation &with, const OutputFolder &folder,
+                 std::size_t number, FileList &files)
+{
+    if (number == 0)
+    {
+        write_text(folder.path_of("metadata.json"),
+                   metadata_text(options, with.options, with.sensor, with.world.scene.get(),
+                                 with.poses, with.budget),
+                   files);
+    }
+    if (number + 1 == with.poses.time.size())
+    {
+        write_text(folder.path_of("poses.txt"), poses_text(with.poses), files);
+    }
+}
+
+// Where frames go as soon as they are made.
+class FrameOutput
+{
+public:
+    FrameOutput(const SimulateOptions &given, const cm_streams &streams)
+        : options(given), out(streams.out)
+    {
+        if (options.is_stream)
+        {
+            stream.emplace("standard output", streams.out);
+        }
+        else
+        {
+            folder.emplace(options.output);
+        }
+    }
+    void put(const Simulation &with, const TofFrame &frame, const TruthPictures *truth,
+             std::size_t number)
+    {
+        if (stream)
+        {
+            write_npy_stream(*stream, arrays_of(frame, truth));
+            std::fflush(out); // who reads need not wait for the next; what fails is told at the end
+            return;
+        }
+        FileList files;
+        write_pictures(options, *folder, frame, truth, number, files);
+        write_texts(options, with, *folder, number, files);
+        appear_together(files);
+    }
+    void finish()
+    {
+        if (stream)
+        {
+            stream->finish();
+        }
+    }
+
+private:
+    const SimulateOptions &options;
+    std::FILE *out;
+    std::optional<OutputFolder> folder;
+    std::optional<AtomicFile> stream;
+};
+
 Done simulate_all(const SimulateOptions &options, Simulation &with, const cm_streams &streams)
 {
-    const OutputFolder folder(options.output);
+    FrameOutput output(options, streams);
     if (options.budget)
     {
         plan(options, with);
     }
-    const int threads = thread_count(options.threads);
     const std::size_t count = with.poses.time.size();
     TofFrame frame(with.sensor.sensor);
     std::optional<TruthPictures> truth;
@@ -181,31 +267,18 @@ Done simulate_all(const SimulateOptions &options, Simulation &with, const cm_str
     Progress progress(static_cast<std::int64_t>(count), !options.quiet, streams.err);
     for (std::size_t i = 0; i < count; ++i)
     {
-        FileList files;
         simulate_frame(with, i, frame, done);
-        write_frame(folder, frame, i, threads, files);
         if (truth)
         {
             const std::vector<double> &time = with.poses.time;
             truth->find(with.scene.get(), with.trajectory.get(), time[i],
                         time[std::min(i + 1, count - 1)], time[i == 0 ? 0 : i - 1], frame.flags,
                         with.pool.get());
-            files.push_back(truth->write(folder.path_of(frame_file_name("truth", i))));
         }
-        if (i == 0)
-        {
-            write_text(folder.path_of("metadata.json"),
-                       metadata_text(options, with.options, with.sensor, with.world.scene.get(),
-                                     with.poses, with.budget),
-                       files);
-        }
-        if (i + 1 == count)
-        {
-            write_text(folder.path_of("poses.txt"), poses_text(with.poses), files);
-        }
-        appear_together(files);
+        output.put(with, frame, truth ? &*truth : nullptr, i);
         progress.advance(1);
     }
+    output.finish();
     return done;
 }
 
@@ -252,7 +325,7 @@ int simulate_tof(int argc, char **argv, const cm_streams &streams)
     {
         print(streams, done_json(done, with));
     }
-    else if (!options.quiet)
+    else if (!options.quiet && !options.is_stream)
     {
         print(streams, done_text(options, done));
     }

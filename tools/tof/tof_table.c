@@ -5,6 +5,7 @@
 #include "tools/cli/usual_options.h"
 
 const char *const tof_preset_names[] = {"pico-flexx", "camcube", "dual-12um", "single-8um", NULL};
+const char *const tof_format_names[] = {"exr", "npy", "hdf5", NULL};
 
 static const cm_option simulate_options[] = {
     {.id = TOF_OUTPUT,
@@ -16,7 +17,7 @@ static const cm_option simulate_options[] = {
          "the folder to write, which is made if it is absent; files of the same names are replaced",
      .more =
          "The files of a frame appear together, when all of them are complete; poses.txt appears "
-         "with the last."},
+         "with the last. `-` writes frames to standard output as they are made, as arrays of NPY."},
     {.id = TOF_PRESET,
      .name = "preset",
      .kind = CM_OPTION_CHOICE,
@@ -79,6 +80,16 @@ static const cm_option simulate_options[] = {
          "It is an OpenEXR file of parts: position and normal in the world; object, shape and "
          "triangle as whole numbers; depth and range; flow_next and flow_before in columns, rows "
          "and metres; effects, masks of flying, motion, multipath, nothing and saturated."},
+    {.id = TOF_FORMAT,
+     .name = "format",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "NAME",
+     .help = "what files are of: OpenEXR; arrays of NumPy, one a file; or HDF5, one file a frame",
+     .more = "Arrays are of rows and columns, phases and coordinates before them: phase, distance, "
+             "amplitude, intensity, flags (1 saturated, 2 nothing, 4 flying, 8 motion, 16 "
+             "multipath), and with --truth what it has, positions in double precision.",
+     .standard = "exr; npy for -o -",
+     .choices = tof_format_names},
     CM_USUAL_THREADS(TOF_THREADS),
     {.id = TOF_JSON, .name = "json", .help = "print the result as JSON"},
     CM_USUAL_QUIET(TOF_QUIET),

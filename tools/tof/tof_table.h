@@ -27,11 +27,21 @@ enum
     TOF_THREADS,
     TOF_JSON,
     TOF_QUIET,
-    TOF_CONFIDENCE
+    TOF_CONFIDENCE,
+    TOF_FORMAT
 };
 
 /* The sensors that are built in, up to NULL. */
 extern const char *const tof_preset_names[];
+
+/* What --format may be, in this order, up to NULL. */
+enum
+{
+    TOF_FORMAT_EXR,
+    TOF_FORMAT_NPY,
+    TOF_FORMAT_HDF5
+};
+extern const char *const tof_format_names[];
 
 extern const cm_command tof_simulate_command;
 extern const cm_command tof_reproduce_command;

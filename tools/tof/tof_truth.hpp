@@ -24,10 +24,10 @@ public:
     // All of it as modules/sim/io/truth_file.h has it; complete, to appear later.
     std::unique_ptr<AtomicFile> write(const std::string &path) const;
 
-private:
-    // Where all is.
+    // Where all is: what has three coordinates has them one after another.
     cm_tof_truth arrays() const;
 
+private:
     const cm_camera *camera;
     std::size_t pixels;
     std::vector<double> position;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -113,14 +114,30 @@ std::string text_of(const std::string &path)
 class ObjVertices
 {
 public:
-    ObjVertices(const tinyobj::ObjReader &from, FlatMesh &to) : reader(from), mesh(to)
+    ObjVertices(const tinyobj::ObjReader &from, FlatMesh &to)
+        : reader(from), mesh(to), first(from.GetAttrib().vertices.size() / 3, {nothing, 0})
     {
     }
 
     std::uint32_t find(int vertex, int material)
     {
-        const auto [place, is_new] = known.try_emplace(
-            {vertex, material}, static_cast<std::uint32_t>(mesh.position.size() / 3));
+        if (vertex < 0 || static_cast<std::size_t>(vertex) >= first.size())
+        {
+            throw MeshFailure("has a face of a vertex that is not there");
+        }
+        const auto next = static_cast<std::uint32_t>(mesh.position.size() / 3);
+        auto &[its_material, its_place] = first[static_cast<std::size_t>(vertex)];
+        if (its_material == nothing)
+        {
+            its_material = material;
+            its_place = next;
+            add(vertex, material);
+        }
+        if (its_material == material)
+        {
+            return its_place;
+        }
+        const auto [place, is_new] = others.try_emplace({vertex, material}, next);
         if (is_new)
         {
             add(vertex, material);
@@ -129,14 +146,12 @@ public:
     }
 
 private:
+    static constexpr int nothing = -2; // -1 is a face without material
+
     void add(int vertex, int material)
     {
         const tinyobj::attrib_t &from = reader.GetAttrib();
         const std::size_t at = 3 * static_cast<std::size_t>(vertex);
-        if (vertex < 0 || at + 3 > from.vertices.size())
-        {
-            throw MeshFailure("has a face of a vertex that is not there");
-        }
         for (std::size_t i = 0; i < 3; ++i)
         {
             const double own = at + i < from.colors.size() ? from.colors[at + i] : 1.0;
@@ -152,7 +167,9 @@ private:
 
     const tinyobj::ObjReader &reader;
     FlatMesh &mesh;
-    std::map<std::pair<int, int>, std::uint32_t> known;
+    // what most vertices are: of one material
+    std::vector<std::pair<int, std::uint32_t>> first;
+    std::map<std::pair<int, int>, std::uint32_t> others;
 };
 
 } // namespace
