@@ -49,6 +49,29 @@ int main(void)
     cm_surface_destroy(surface);
     return status == CM_OK ? 0 : 1;
 }' >"$work/project/pictures.c"
+echo '#include <cubemap/octree.h>
+#include <cubemap/world.h>
+#include <stddef.h>
+int main(void)
+{
+    cm_scene *scene = NULL;
+    cm_status status = cm_scene_create_named("room", &scene);
+    cm_scene_destroy(scene);
+    return status == CM_OK && cm_octree_create(NULL, NULL) == CM_ERROR_ARGUMENT ? 0 : 1;
+}' >"$work/project/maps.c"
+echo '#include <cubemap/sim.h>
+#include <cubemap/world.h>
+#include <stddef.h>
+int main(void)
+{
+    cm_scene *scene = NULL;
+    cm_tof_scene *tof = NULL;
+    cm_status status = cm_scene_create_named("room", &scene);
+    status = status == CM_OK ? cm_tof_scene_create(scene, &tof) : status;
+    cm_tof_scene_destroy(tof);
+    cm_scene_destroy(scene);
+    return status == CM_OK ? 0 : 1;
+}' >"$work/project/light.c"
 
 targets=cubemap
 [ "$kinds" != both ] || targets='cubemap cubemap-static'
@@ -70,6 +93,12 @@ foreach(kind "" -static)
     if(TARGET cubemap::cubemap-image${kind})
         add_executable(pictures${kind} pictures.c)
         target_link_libraries(pictures${kind} PRIVATE cubemap::cubemap-image${kind})
+        add_executable(maps${kind} maps.c)
+        target_link_libraries(maps${kind} PRIVATE cubemap::cubemap-octree${kind})
+    endif()
+    if(TARGET cubemap::cubemap-sim${kind})
+        add_executable(light${kind} light.c)
+        target_link_libraries(light${kind} PRIVATE cubemap::cubemap-sim${kind})
     endif()
 endforeach()
 END
@@ -93,7 +122,7 @@ for target in $targets; do
     diff "$work/expected" "$work/got"
     echo "ok: $target"
 done
-for program in colours pictures pictures-static; do
+for program in colours pictures pictures-static maps maps-static light light-static; do
     [ -e "$work/out/$program" ] || continue
     # a module's own path does not count for what it uses
     LD_LIBRARY_PATH=${config%/cmake/*} "$work/out/$program"
