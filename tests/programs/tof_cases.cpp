@@ -455,7 +455,7 @@ void refuses_tof_files()
     fails("a mesh beyond reach", 1, "'far.obj' has a mesh with coordinates of 1e18",
           "tof simulate far.obj sensor.json pose.txt -o made/x");
     write_file("odd.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 9\n");
-    fails("a mesh of a vertex that is not there", 1, "odd.obj: has a face of a vertex",
+    fails("a mesh of a vertex that is not there", 1, "odd.obj:4: a face of a vertex",
           "tof simulate odd.obj sensor.json pose.txt -o made/x");
     write_file("empty.json", "{}");
     fails("an empty scene", 1, "'empty.json': has nothing in it",
