@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "auto.h"
 #include "filter_set.h"
-#include "geometry.h"
 #include "level_object.h"
+#include "survey.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,7 +49,9 @@ typedef struct auto_desk
     cm_level level; /* of the pictures, without borders */
     const cm_filter_set *set;
     cm_scratch scratch;
-    cm_group groups[CM_GROUPS_MAX];
+    survey seen;
+    comparison values;
+    unsigned compared;        /* groups */
     cm_filter_table table[4]; /* of no use to bilinear; of catmull-rom, spline36, bspline5 */
     float *window;
     float *coefficients;
@@ -217,31 +219,11 @@ static double allowed(cm_pixel_type type, const comparison *seen)
 
 /* ---- the sample ---- */
 
-static cm_status survey_blocks(auto_desk *desk, cm_geometry *geometry, survey *seen,
-                               comparison *values)
+static cm_status look(void *user, const cm_group *group)
 {
-    const cm_surface *to = desk->plan->to;
-    const uint32_t columns = (to->width + CM_BLOCK_EDGE - 1) / CM_BLOCK_EDGE;
-    const uint32_t rows = (to->height + CM_BLOCK_EDGE - 1) / CM_BLOCK_EDGE;
-    const uint32_t per_plane = BLOCKS_MOST / to->planes > 4 ? BLOCKS_MOST / to->planes : 4;
-    const uint32_t across = (uint32_t)ceil(sqrt(per_plane));
-    const uint32_t down = (per_plane + across - 1) / across;
-    unsigned compared = 0;
-    cm_status status = CM_OK;
-    for (uint32_t i = 0; i < to->planes * across * down && status == CM_OK; i++)
-    {
-        const unsigned plane = (unsigned)(i / (across * down));
-        const uint32_t x = i % across, y = i / across % down;
-        const unsigned count = cm_geometry_block(
-            geometry, plane, (uint32_t)((2 * x + 1) * (uint64_t)columns / (2 * across)),
-            (uint32_t)((2 * y + 1) * (uint64_t)rows / (2 * down)), desk->groups);
-        for (unsigned k = 0; k < count && status == CM_OK; k++)
-        {
-            look_at_group(&desk->groups[k], desk->plan->options.tolerance, seen);
-            status = compare_group(desk, &desk->groups[k], values, &compared);
-        }
-    }
-    return status;
+    auto_desk *desk = user;
+    look_at_group(group, desk->plan->options.tolerance, &desk->seen);
+    return compare_group(desk, group, &desk->values, &desk->compared);
 }
 
 static cm_filter choose(const survey *seen, const comparison *values, cm_pixel_type type)
@@ -293,8 +275,7 @@ cm_status cm_auto_filter(const cm_plan *plan, const cm_image *from, const cm_val
                          const cm_sample_set *set, cm_pixel_type target_type, cm_filter *filter)
 {
     auto_desk *desk = calloc(1, sizeof *desk);
-    cm_geometry *geometry = cm_geometry_create(plan, 1);
-    cm_status status = desk == NULL || geometry == NULL ? CM_ERROR_MEMORY : CM_OK;
+    cm_status status = desk == NULL ? CM_ERROR_MEMORY : CM_OK;
     if (status == CM_OK)
     {
         desk->plan = plan;
@@ -305,18 +286,17 @@ cm_status cm_auto_filter(const cm_plan *plan, const cm_image *from, const cm_val
     }
     if (status == CM_OK)
     {
-        survey seen = {.is_exact = 1};
-        comparison compared = {.least = INFINITY, .most = -INFINITY};
+        desk->seen = (survey){.is_exact = 1};
+        desk->values = (comparison){.least = INFINITY, .most = -INFINITY};
         for (int f = 1; f < 3; f++)
         {
             cm_filter_table_fill(candidates[f], &desk->table[f]);
         }
         cm_filter_table_fill(CM_FILTER_BSPLINE5, &desk->table[3]);
-        status =
-            make_room(desk) ? survey_blocks(desk, geometry, &seen, &compared) : CM_ERROR_MEMORY;
+        status = make_room(desk) ? cm_survey(plan, BLOCKS_MOST, look, desk) : CM_ERROR_MEMORY;
         if (status == CM_OK)
         {
-            *filter = choose(&seen, &compared, target_type);
+            *filter = choose(&desk->seen, &desk->values, target_type);
         }
     }
     if (desk != NULL)
@@ -324,6 +304,5 @@ cm_status cm_auto_filter(const cm_plan *plan, const cm_image *from, const cm_val
         free_room(desk);
         free(desk);
     }
-    cm_geometry_destroy(geometry);
     return status;
 }

@@ -3,102 +3,94 @@
  * From derivatives to footprints, and which level of the pyramid they are laid on.
  */
 #include "ewa.h"
+#include "survey.h"
 
 #include <math.h>
 #include <string.h>
 
-/* ---- the kernel ---- */
+/* research/image/ewa-kernel has where the terms come from. The radius must not be less than 2: boxes and a pixel around them
+ * have what ewa_sharp reads. */
+static const cm_ewa_kernel kernel = {.term = {-0.27969866f, 0.92958960f, -1.40414468f, 1.00000000f},
+                                     .radius = 2.0f};
 
-/* The first two zeros of jinc. */
-#define JINC_ONE 1.2196698912665045
-#define JINC_TWO 2.2331305943815286
-
-#define PI 3.14159265358979323846
-
-/* Pixels beyond the edges of the pictures themselves: what is seldom more than 2.25 pixels wide reaches 5 of them. */
+/* Pixels beyond the edges of the pictures themselves: what is seldom more than 2 pixels wide reaches 4 of them. */
 #define PICTURE_BORDER 8
 
-/* 2 J1(pi x) / (pi x), by its series (Abramowitz, Stegun 9.1.10). */
-static double jinc(double x)
+/* ---- which levels ---- */
+
+/* Blocks of the target that are looked at. */
+#define BLOCKS_SEEN 24
+
+/* The squares of how many pixels minor axes have, summed over what has been seen, by cm_pyramid_steps. */
+typedef struct step_costs
 {
-    const double quarter = -0.25 * PI * PI * x * x;
-    double sum = 1.0;
-    double term = 1.0;
-    for (int k = 1; k < 40; k++)
+    const cm_filter_set *set;
+    double of[2];
+    cm_ewa_axes axes;
+} step_costs;
+
+/* How many pixels are one of the level for that minor axis, which is `first` of them or a power of 2 more; squares. */
+static float level_square(float minor, float first)
+{
+    const float least = (float)(CM_EWA_MINOR * CM_EWA_MINOR);
+    float square = first * first;
+    if (!(minor >= least * square))
     {
-        term *= quarter / ((double)k * (k + 1));
-        sum += term;
+        return 1.0f;
     }
-    return sum;
+    while (minor >= 4.0f * least * square && square < 1e18f)
+    {
+        square *= 4.0f;
+    }
+    return square;
 }
 
-/* Points at which the polynomial is fitted. */
-#define FITTED 256
-
-/* Adds one point's equation to the normal ones of coefficients, the right side last. */
-static void add_point(double r, double sums[CM_EWA_TERMS][CM_EWA_TERMS + 1])
+static cm_status add_costs(void *user, const cm_group *group)
 {
-    const double value = jinc(r) * jinc(r * JINC_ONE / JINC_TWO);
-    const double u = 1.0 - r * r / (JINC_TWO * JINC_TWO);
-    double power[CM_EWA_TERMS] = {u * u};
-    for (int k = 1; k < CM_EWA_TERMS; k++)
+    step_costs *costs = user;
+    const float none = 0.0f;
+    costs->set->ewa_axes(group->count, group->by_column[0], group->by_column[1], group->by_row[0],
+                         group->by_row[1], &none, 1, &costs->axes);
+    for (unsigned i = 0; i < group->count; i++)
     {
-        power[k] = power[k - 1] * u;
+        const float minor = costs->axes.minor[i];
+        costs->of[CM_PYRAMID_HALVES] += (double)(minor / level_square(minor, 2.0f));
+        costs->of[CM_PYRAMID_EIGHTHS] += (double)(minor / level_square(minor, 8.0f / 3.0f));
     }
-    for (int i = 0; i < CM_EWA_TERMS; i++)
-    {
-        for (int k = 0; k < CM_EWA_TERMS; k++)
-        {
-            sums[i][k] += r * power[i] * power[k];
-        }
-        sums[i][CM_EWA_TERMS] += r * power[i] * value;
-    }
+    return CM_OK;
 }
 
-/* The polynomial with the least squares over the kernel's area. Its stop band is that of the kernel itself to a decibel. */
-static void make_kernel(cm_ewa_kernel *kernel)
+/* What leaves fewer pixels to be summed. */
+static cm_status choose_steps(const cm_plan *plan, const cm_filter_set *set,
+                              cm_pyramid_steps *steps)
 {
-    enum
-    {
-        N = CM_EWA_TERMS
-    };
-    double sums[N][N + 1] = {{0.0}};
-    for (int i = 0; i < FITTED; i++)
-    {
-        add_point(JINC_TWO * (i + 0.5) / FITTED, sums);
-    }
-    for (int i = 0; i < N; i++)
-    {
-        for (int below = 0; below < N; below++)
-        {
-            const double share = below == i ? 0.0 : sums[below][i] / sums[i][i];
-            for (int k = i; k <= N; k++)
-            {
-                sums[below][k] -= share * sums[i][k];
-            }
-        }
-    }
-    for (int i = 0; i < N; i++)
-    {
-        kernel->term[i] = (float)(sums[i][N] / sums[i][i]);
-    }
-    kernel->radius = (float)JINC_TWO;
+    step_costs costs = {.set = set};
+    const cm_status status = cm_survey(plan, BLOCKS_SEEN, add_costs, &costs);
+    *steps = costs.of[CM_PYRAMID_HALVES] < costs.of[CM_PYRAMID_EIGHTHS] ? CM_PYRAMID_HALVES
+                                                                        : CM_PYRAMID_EIGHTHS;
+    return status;
 }
 
 /* ---- life ---- */
 
-cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const cm_values *values,
-                      const cm_sample_set *set, const cm_filter_table *table, double pixels_most,
-                      const cm_memory *memory, int is_whole, unsigned threads, cm_ewa *ewa)
+cm_status cm_ewa_make(const cm_plan *plan, const cm_image *pictures, const cm_values *values,
+                      const cm_sample_set *set, const cm_filter_table *table, int is_whole,
+                      unsigned threads, cm_ewa *ewa)
 {
+    const cm_surface *surface = plan->from;
+    cm_pyramid_steps steps;
     memset(ewa, 0, sizeof *ewa);
     ewa->set = cm_filter_set_find(set->name);
     ewa->table = table;
-    ewa->pixels_most = (float)fmin(pixels_most, 1e9);
-    make_kernel(&ewa->kernel);
-    const cm_status status =
-        cm_pyramid_make(surface, pictures, values, set, CM_PYRAMID_BETWEEN, PICTURE_BORDER,
-                        is_whole, memory, threads, &ewa->pyramid);
+    ewa->pixels_most = (float)fmin(plan->options.pixels_most, 1e9);
+    ewa->kernel = kernel;
+    cm_status status = choose_steps(plan, ewa->set, &steps);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    status = cm_pyramid_make(surface, pictures, values, set, steps, PICTURE_BORDER, is_whole,
+                             plan->options.memory, threads, &ewa->pyramid);
     for (unsigned k = 0; k < ewa->pyramid.count; k++)
     {
         ewa->width[k] = k == 0 ? surface->width : ewa->pyramid.level[k].width;
@@ -289,6 +281,25 @@ static int64_t box_pixels(const window_box *box)
     return ((int64_t)box->right - box->left + 1) * ((int64_t)box->bottom - box->top + 1);
 }
 
+/* So many rows further down. */
+#define FETCHED 8
+
+/* A row further down, which is read soon: rows of a window lie far from one another. */
+static void fetch_row(const cm_padded *level, const int16_t *from, int32_t row, size_t n)
+{
+#ifdef __GNUC__
+    for (size_t i = 0; i < n && row + FETCHED < (int32_t)level->height; i += 32)
+    {
+        __builtin_prefetch(from + FETCHED * level->row + i);
+    }
+#else
+    (void)level;
+    (void)from;
+    (void)row;
+    (void)n;
+#endif
+}
+
 /* A row of a window of level k, of channels `line` floats apart. Behind the row there are zeros, or other numbers of the
  * level, none of which is infinite. */
 static void read_row(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, int32_t left, int32_t row,
@@ -303,8 +314,9 @@ static void read_row(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, int32_
             level->whole[plane] + (desk->row + row) * level->row + desk->column + left;
         for (size_t c = 0; c < channels; c++)
         {
-            ewa->set->from_whole(line, from + (ptrdiff_t)c * level->channel, CM_PADDED_ONE,
-                                 to + c * line);
+            const int16_t *own = from + (ptrdiff_t)c * level->channel;
+            fetch_row(level, own, desk->row + row, line);
+            ewa->set->from_whole(line, own, CM_PADDED_ONE, to + c * line);
         }
         return;
     }

@@ -3,9 +3,10 @@
  * Elliptic footprints on a pyramid: P. S. Heckbert, Fundamentals of texture mapping and image warping, 1989; N. Greene,
  * P. S. Heckbert, Creating raster omnimax images from multiple perspective views using the elliptical weighted average
  * filter, IEEE Computer Graphics and Applications 6, 1986.
- *   kernel         jinc with a jinc's first lobe as its window, two lobes: 2.23 target pixels each way
+ *   kernel         a polynomial that stops 44 dB from 0.8 cycles on, 2 target pixels each way (research/image/ewa-kernel)
  *   level          the coarsest on which the ellipse's minor axis, of what is one target pixel across, has
- *                  CM_EWA_MINOR pixels or more
+ *                  CM_EWA_MINOR pixels or more, of halves or of three eighths and its halves, whichever leaves fewer
+ *                  pixels in the footprints of a sample of the target
  *   magnification  the axes are one source pixel at least, and where the major one is less than 5/4 of it, the value goes
  *                  over to that of spline36
  *   long ones      the major axis is shortened until there are no more pixels than the plan allows. What reaches beyond
@@ -18,8 +19,8 @@
 #include "geometry.h"
 #include "pyramid.h"
 
-/* Each level has what is finer than its pixels 50 dB down and more, so that the kernel needs no more of them. */
-#define CM_EWA_MINOR 1.125
+/* Each level has what is finer than three quarters of its frequency 50 dB down, so that the kernel needs no more pixels. */
+#define CM_EWA_MINOR 1.03
 
 typedef struct cm_ewa
 {
@@ -34,11 +35,11 @@ typedef struct cm_ewa
         [CM_LEVELS_MAX]; /* the square of the minor axis that a level needs, in source pixels */
 } cm_ewa;
 
-/* Ready for the surface's pictures, with levels in `memory` as of cm_padded_create; is_whole: they may be whole numbers
- * (pyramid.h). CM_OK or CM_ERROR_MEMORY; cm_ewa_free frees it. */
-cm_status cm_ewa_make(const cm_surface *surface, const cm_image *pictures, const cm_values *values,
-                      const cm_sample_set *set, const cm_filter_table *table, double pixels_most,
-                      const cm_memory *memory, int is_whole, unsigned threads, cm_ewa *ewa);
+/* Ready for pictures of the plan's source; is_whole: levels may be whole numbers (pyramid.h). CM_OK or CM_ERROR_MEMORY;
+ * cm_ewa_free frees it. */
+cm_status cm_ewa_make(const cm_plan *plan, const cm_image *pictures, const cm_values *values,
+                      const cm_sample_set *set, const cm_filter_table *table, int is_whole,
+                      unsigned threads, cm_ewa *ewa);
 
 void cm_ewa_free(cm_ewa *ewa);
 

@@ -25,32 +25,44 @@ typedef enum cm_spline_way
     CM_SPLINE_BACK
 } cm_spline_way;
 
-/* Of a new pixel: the first of the pixels that it is made of, and their weights, as whole numbers of CM_HALF_ONE, too. */
+/* Of a new pixel: the first of the pixels that it is made of, and their weights, as whole numbers of CM_HALF_ONE, too: 12
+ * where levels are halves, 16 where they are three eighths. */
 #define CM_HALF_TAPS 12
+#define CM_EIGHTHS_TAPS 16
+#define CM_TAPS_MOST CM_EIGHTHS_TAPS
+#define CM_HALF_DESK 8
 #define CM_HALF_BITS 14
 #define CM_HALF_ONE (1 << CM_HALF_BITS)
 
 /* Of bytes the weights are whole numbers of 64.25 times 512, so that sums are of numbers of which 16384 is 1. */
 #define CM_HALF_BYTE_BITS 9
 #define CM_HALF_BYTE_ONE 32896
+#define CM_ROWS_NEXT 8
+#define CM_EIGHTHS_ROWS (CM_EIGHTHS_TAPS + 6)
 typedef struct cm_half_taps
 {
     int32_t first;
-    float weight[CM_HALF_TAPS];
-    int16_t whole[CM_HALF_TAPS];
+    float weight[CM_TAPS_MOST];
+    int16_t whole[CM_TAPS_MOST];
 } cm_half_taps;
 
-/* What new pixels of a row have in common: two of the old ones are one, and all weights the same; or four are three, and
- * so many have the same weights again; or nothing. */
+/* What new pixels of a row have in common: two of the old ones are one, and all weights the same; or eight are three, and
+ * so many have the same weights again; or, of odd sizes, nothing. */
 typedef enum cm_half_steps
 {
     CM_HALF_ODD,
     CM_HALF_EVEN,
-    CM_HALF_THREE_OF_FOUR
+    CM_EIGHTHS_ODD,
+    CM_EIGHTHS_EVEN
 } cm_half_steps;
 
+static inline int cm_half_count(cm_half_steps steps)
+{
+    return steps == CM_EIGHTHS_ODD || steps == CM_EIGHTHS_EVEN ? CM_EIGHTHS_TAPS : CM_HALF_TAPS;
+}
+
 /* A kernel of elliptic footprints: u^2 times a polynomial of u, which is 1 less the square of the place, 0 at the
- * edge. */
+ * edge. The last term is 1: whatever else kernels have in common is left to the sum of weights. */
 #define CM_EWA_TERMS 4
 typedef struct cm_ewa_kernel
 {
@@ -96,6 +108,11 @@ typedef struct cm_ewa_shapes
     int32_t top[CM_EWA_MOST];
     int32_t bottom[CM_EWA_MOST];
     int32_t whole[CM_EWA_MOST]; /* are all pixels there, with those that ewa_sharp needs? */
+    /* where the box begins: x, and u = 1 - q = first_u - (a x + tilt) x; a row further it is less by b x + loss */
+    float first_x[CM_EWA_MOST];
+    float first_u[CM_EWA_MOST];
+    float tilt[CM_EWA_MOST];
+    float loss[CM_EWA_MOST];
 } cm_ewa_shapes;
 
 /* Pixels of a frame, each row channel by channel. Behind each row of a channel CM_WINDOW_SLACK bytes may be read. */
@@ -121,9 +138,10 @@ typedef struct cm_filter_set
      * channels are one beside the other, CM_SPLINE_CHANNELS at most. desk has room for CM_BUNDLE_ROWS * floats. */
     void (*spline_rows)(float *first, size_t rows, ptrdiff_t stride, size_t floats, size_t channels,
                         float *desk);
-    /* The weighted sum of CM_HALF_TAPS rows of n floats. */
-    void (*mix_rows)(const float *const *rows, const float *weight, size_t n, float *to);
-    /* The same, and of the rows two further, of which there are two more. */
+    /* The weighted sum of as many rows of n floats as there are taps. */
+    void (*mix_rows)(const float *const *rows, const float *weight, cm_half_steps steps, size_t n,
+                     float *to);
+    /* The same of halves, and of the rows two further, of which there are two more. */
     void (*mix_two_rows)(const float *const *rows, const float *weight, size_t n, float *to,
                          float *below);
     /* n pixels, whose channels are one beside the other, channel by channel, `channel` floats apart. */
@@ -133,17 +151,22 @@ typedef struct cm_filter_set
     void (*from_whole)(size_t n, const int16_t *from, float one, float *to);
     void (*to_whole)(size_t n, const float *from, float one, int16_t *to);
     /* n new pixels of one channel from a row of `length` floats, which begins one before the taps of the first of them.
-     * The desk has room for length + 4 floats. */
+     * The desk has room for length + CM_HALF_DESK floats. */
     void (*halve_row)(const float *row, size_t length, const cm_half_taps *taps,
                       cm_half_steps steps, size_t n, float *desk, float *to);
     /* The same of whole numbers of 16 bits, of which 16384 is 1, to such: whatever is done with them has the same bits in
      * all sets. */
-    void (*mix_whole)(const int16_t *const *rows, const int16_t *weight, size_t n, int16_t *to);
+    void (*mix_whole)(const int16_t *const *rows, const int16_t *weight, cm_half_steps steps,
+                      size_t n, int16_t *to);
     void (*mix_two_whole)(const int16_t *const *rows, const int16_t *weight, size_t n, int16_t *to,
                           int16_t *below);
-    /* A row of bytes' rows; weights are the same from both ends, of which half are here. Two more rows are those that are
-     * needed next. */
+    /* A row of halves of bytes; weights are the same from both ends, of which half are here. CM_ROWS_NEXT more rows are
+     * those that are needed next. */
     void (*mix_bytes)(const uint8_t *const *rows, const int16_t *weight, size_t n, int16_t *to);
+    /* Three rows of eighths of CM_EIGHTHS_ROWS rows of bytes, each of which begins three further; and those that are needed
+     * next. */
+    void (*mix_bytes_eighths)(const uint8_t *const *rows, const int16_t weight[3][CM_EIGHTHS_TAPS],
+                              size_t n, int16_t *const *to);
     void (*part_whole)(const int16_t *from, size_t channels, size_t n, int16_t *to,
                        ptrdiff_t channel);
     void (*halve_row_whole)(const int16_t *row, const cm_half_taps *taps, cm_half_steps steps,

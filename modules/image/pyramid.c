@@ -41,43 +41,38 @@ static double low_pass(double x)
     return inside > 0.0 ? sinc * bessel_i0(WINDOW * sqrt(inside)) : 0.0;
 }
 
-/* Halves, and three quarters, rounded up. */
+/* Rounded up. */
 static uint32_t half_of(uint32_t size)
 {
     return size / 2 + size % 2;
 }
 
-static uint32_t most_of(uint32_t size)
+static uint32_t eighths_of(uint32_t size)
 {
-    return size - size / 4;
+    return size - (uint32_t)(5 * (uint64_t)size / 8);
 }
 
-/* Rows and columns that a level between two others has at least; their borders cost more than they save where they are
- * small. */
-#define BETWEEN_LEAST 96
+/* Smaller planes have no borders that wide taps could use. */
+#define EIGHTHS_LEAST 96
 
-static int is_large(const cm_level_size *size)
+static int has_eighths(cm_pyramid_steps steps, uint32_t width, uint32_t height)
 {
-    return size->width >= BETWEEN_LEAST && size->height >= BETWEEN_LEAST;
+    return steps == CM_PYRAMID_EIGHTHS && width >= EIGHTHS_LEAST && height >= EIGHTHS_LEAST;
 }
 
 unsigned cm_pyramid_sizes(cm_pyramid_steps steps, uint32_t width, uint32_t height,
                           cm_level_size sizes[CM_LEVELS_MAX])
 {
     unsigned count = 1;
-    cm_level_size half = {width, height, 0};
-    unsigned last = 0; /* the half of halves that was the last */
-    sizes[0] = half;
-    while (half.width > 1 || half.height > 1)
+    sizes[0] = (cm_level_size){width, height};
+    if (has_eighths(steps, width, height))
     {
-        half = (cm_level_size){half_of(half.width), half_of(half.height), last};
-        last = count;
-        sizes[count++] = half;
-        const cm_level_size between = {most_of(half.width), most_of(half.height), last};
-        if (steps == CM_PYRAMID_BETWEEN && is_large(&between))
-        {
-            sizes[count++] = between;
-        }
+        sizes[count++] = (cm_level_size){eighths_of(width), eighths_of(height)};
+    }
+    while (sizes[count - 1].width > 1 || sizes[count - 1].height > 1)
+    {
+        const cm_level_size *last = &sizes[count - 1];
+        sizes[count++] = (cm_level_size){half_of(last->width), half_of(last->height)};
     }
     return count;
 }
@@ -87,7 +82,7 @@ static void round_taps(cm_half_taps *taps)
 {
     int left = CM_HALF_ONE;
     int largest = 0;
-    for (int k = 0; k < CM_HALF_TAPS; k++)
+    for (int k = 0; k < CM_TAPS_MOST; k++)
     {
         taps->whole[k] = (int16_t)lrintf(taps->weight[k] * CM_HALF_ONE);
         left -= taps->whole[k];
@@ -96,40 +91,48 @@ static void round_taps(cm_half_taps *taps)
     taps->whole[largest] = (int16_t)(taps->whole[largest] + left);
 }
 
-static cm_half_steps steps_of(uint32_t from, uint32_t to)
+static cm_half_steps steps_of(int are_eighths, uint32_t from, uint32_t to)
 {
-    return from == 2 * to                           ? CM_HALF_EVEN
-           : 3 * (uint64_t)from == 4 * (uint64_t)to ? CM_HALF_THREE_OF_FOUR
-                                                    : CM_HALF_ODD;
+    if (are_eighths)
+    {
+        return 3 * (uint64_t)from == 8 * (uint64_t)to ? CM_EIGHTHS_EVEN : CM_EIGHTHS_ODD;
+    }
+    return from == 2 * (uint64_t)to ? CM_HALF_EVEN : CM_HALF_ODD;
+}
+
+/* After so many new pixels weights come again; 0: never. */
+static uint32_t period_of(cm_half_steps steps)
+{
+    return steps == CM_HALF_EVEN ? 1 : steps == CM_EIGHTHS_EVEN ? 3 : 0;
 }
 
 /* Where each new pixel's taps begin, and their weights. NULL if there is no memory. */
-static cm_half_taps *make_taps(uint32_t from, uint32_t to)
+static cm_half_taps *make_taps(cm_half_steps steps, uint32_t from, uint32_t to)
 {
-    cm_half_taps *taps = malloc(to * sizeof *taps);
+    cm_half_taps *taps = calloc(to, sizeof *taps);
     const double ratio = (double)from / to;
-    const cm_half_steps steps = steps_of(from, to);
-    const uint32_t period = steps == CM_HALF_EVEN ? 1 : steps == CM_HALF_THREE_OF_FOUR ? 3 : 0;
+    const uint32_t period = period_of(steps);
+    const int count = cm_half_count(steps);
     for (uint32_t i = 0; taps != NULL && i < to; i++)
     {
         const double centre = (i + 0.5) * ratio - 0.5;
-        double weight[CM_HALF_TAPS];
+        double weight[CM_TAPS_MOST];
         double sum = 0.0;
-        taps[i].first = (int32_t)floor(centre) - (CM_HALF_TAPS / 2 - 1);
+        const int32_t first = (int32_t)floor(centre) - (count / 2 - 1);
         if (period > 0 && i >= period)
         {
             /* those are as far from their centres */
-            const int32_t first = taps[i].first;
             taps[i] = taps[i - period];
             taps[i].first = first;
             continue;
         }
-        for (int k = 0; k < CM_HALF_TAPS; k++)
+        taps[i].first = first;
+        for (int k = 0; k < count; k++)
         {
-            weight[k] = low_pass((taps[i].first + k - centre) / ratio);
+            weight[k] = low_pass((first + k - centre) / ratio);
             sum += weight[k];
         }
-        for (int k = 0; k < CM_HALF_TAPS; k++)
+        for (int k = 0; k < count; k++)
         {
             taps[i].weight[k] = (float)(weight[k] / sum);
         }
@@ -140,7 +143,7 @@ static cm_half_taps *make_taps(uint32_t from, uint32_t to)
 
 /* New columns that are made at once, so that the rows that they are made of stay in a cache of their own: a multiple of 3,
  * after which weights come again, and of what vectors have. */
-#define STRIP 1008
+#define STRIP 2016
 
 /* The rows of a strip that are kept: a power of 2. */
 #define KEPT 16
@@ -154,11 +157,12 @@ typedef struct halve_job
     const cm_filter_set *set;
     cm_half_taps *columns;
     cm_half_taps *rows;
-    cm_half_steps steps;
-    int is_even_down;                   /* is the height half the one above? */
-    int16_t of_bytes[CM_HALF_TAPS / 2]; /* weights of rows of bytes, if it is */
-    uint32_t lines;                     /* of a row above: channels that are apart */
-    uint32_t pixel;                     /* floats from a column of a line to the next */
+    cm_half_steps across;
+    cm_half_steps down;
+    int16_t of_bytes[3]
+                    [CM_EIGHTHS_TAPS]; /* weights of rows of bytes, of which so many come again */
+    uint32_t lines;                    /* of a row above: channels that are apart */
+    uint32_t pixel;                    /* floats from a column of a line to the next */
     atomic_int failed;
 } halve_job;
 
@@ -172,7 +176,7 @@ typedef struct strip
 } strip;
 
 /* Of pictures the first and the last columns are strips of their own, whose taps go beyond the edges. */
-#define STRIP_OF_EDGE 48
+#define STRIP_OF_EDGE 24
 
 static strip strip_at(const halve_job *job, uint32_t first)
 {
@@ -183,8 +187,8 @@ static strip strip_at(const halve_job *job, uint32_t first)
     strip at = {.first = first, .count = end - first};
     at.count = at.count < STRIP ? at.count : STRIP;
     at.first_above = job->columns[first].first - 1;
-    at.length = (size_t)(job->columns[first + at.count - 1].first + CM_HALF_TAPS - at.first_above +
-                         (job->steps == CM_HALF_EVEN));
+    at.length = (size_t)(job->columns[first + at.count - 1].first + cm_half_count(job->across) -
+                         at.first_above + (job->across == CM_HALF_EVEN));
     return at;
 }
 
@@ -192,7 +196,7 @@ static strip strip_at(const halve_job *job, uint32_t first)
 typedef struct halve_desk
 {
     char *kept;
-    void *mixed[2]; /* rows, pixel by pixel */
+    void *mixed[3]; /* rows, pixel by pixel */
     void *lines;    /* one of them, channel by channel */
     float *parts;
 } halve_desk;
@@ -228,6 +232,15 @@ static void read_row(const halve_job *job, size_t plane, const strip *at, int32_
     cm_level_read(job->pictures, (unsigned)plane, at->first_above, row, n, to);
 }
 
+/* The most rows that are mixed at once, or fetched. */
+#define ROWS_MOST (CM_EIGHTHS_ROWS + CM_ROWS_NEXT)
+
+/* The rows that a new one, or two, are made of. */
+static int32_t rows_for(const halve_job *job, uint32_t count)
+{
+    return cm_half_count(job->down) + 2 * (int32_t)(count - 1);
+}
+
 /* The rows that a new one is made of, or two of them, of a line. What is read is read once, up to row `end` by now, and kept
  * from row to row. */
 static void find_rows(const halve_job *job, size_t plane, uint32_t line, const strip *at,
@@ -252,21 +265,22 @@ static void find_rows(const halve_job *job, size_t plane, uint32_t line, const s
     }
 }
 
-/* The rows of pictures that a new one is made of, if they are bytes, and inside. */
+/* The rows of pictures that a new one is made of, or the three that come again, if they are bytes, and inside. */
 static int find_bytes(const halve_job *job, size_t plane, const strip *at, int32_t first,
                       const uint8_t **rows)
 {
     const cm_level_reader *reader = job->pictures;
-    if (job->above != NULL || !job->to->is_whole || !job->is_even_down ||
+    const int32_t count = job->down == CM_HALF_EVEN ? CM_HALF_TAPS : CM_EIGHTHS_ROWS;
+    if (job->above != NULL || !job->to->is_whole || period_of(job->down) == 0 ||
         reader->level->values->type != CM_PIXEL_U8)
     {
         return 0;
     }
-    for (int32_t k = 0; k < CM_HALF_TAPS + 2; k++)
+    for (int32_t k = 0; k < count + CM_ROWS_NEXT; k++)
     {
         rows[k] = cm_level_stored(reader, (unsigned)plane, at->first_above, first + k,
                                   (int32_t)at->length);
-        if (rows[k] == NULL && k < CM_HALF_TAPS)
+        if (rows[k] == NULL && k < count)
         {
             return 0;
         }
@@ -280,9 +294,9 @@ static int find_bytes(const halve_job *job, size_t plane, const strip *at, int32
 static void mix(const halve_job *job, const void *const *rows, const cm_half_taps *taps, size_t n,
                 uint32_t count, const halve_desk *desk)
 {
-    const float *floats[CM_HALF_TAPS + 2];
-    const int16_t *whole[CM_HALF_TAPS + 2];
-    for (uint32_t k = 0; k < CM_HALF_TAPS + 2 * (count - 1); k++)
+    const float *floats[ROWS_MOST];
+    const int16_t *whole[ROWS_MOST];
+    for (int32_t k = 0; k < rows_for(job, count); k++)
     {
         floats[k] = rows[k];
         whole[k] = rows[k];
@@ -293,7 +307,7 @@ static void mix(const halve_job *job, const void *const *rows, const cm_half_tap
     }
     else if (job->to->is_whole)
     {
-        job->set->mix_whole(whole, taps->whole, n, desk->mixed[0]);
+        job->set->mix_whole(whole, taps->whole, job->down, n, desk->mixed[0]);
     }
     else if (count == 2)
     {
@@ -301,7 +315,7 @@ static void mix(const halve_job *job, const void *const *rows, const cm_half_tap
     }
     else
     {
-        job->set->mix_rows(floats, taps->weight, n, desk->mixed[0]);
+        job->set->mix_rows(floats, taps->weight, job->down, n, desk->mixed[0]);
     }
 }
 
@@ -335,12 +349,12 @@ static void store_row(const halve_job *job, size_t plane, const strip *at, uint3
             (ptrdiff_t)row * to->row + (ptrdiff_t)(line + c) * to->channel + (ptrdiff_t)at->first;
         if (to->is_whole)
         {
-            job->set->halve_row_whole((const void *)lines, taps, job->steps, at->count,
+            job->set->halve_row_whole((const void *)lines, taps, job->across, at->count,
                                       to->whole[plane] + first);
         }
         else
         {
-            job->set->halve_row((const void *)lines, at->length, taps, job->steps, at->count,
+            job->set->halve_row((const void *)lines, at->length, taps, job->across, at->count,
                                 desk->parts, to->first[plane] + first);
         }
     }
@@ -348,39 +362,68 @@ static void store_row(const halve_job *job, size_t plane, const strip *at, uint3
 
 /* ---- strips ---- */
 
+/* New rows from `row` on, of bytes, up to `end` or the last one that comes again. Returns how many there are; 0: they are no
+ * bytes, or lie beyond the edges. It does not depend on where rows begin and end. */
+static uint32_t do_bytes(const halve_job *job, size_t plane, const strip *at, uint32_t row,
+                         uint32_t end, const halve_desk *desk)
+{
+    const uint8_t *rows[ROWS_MOST];
+    const uint32_t period = period_of(job->down);
+    const uint32_t first = period == 0 ? row : row - row % period;
+    const size_t n = at->length * job->pixel;
+    uint32_t count = 0;
+    if (!find_bytes(job, plane, at, job->rows[first].first, rows))
+    {
+        return 0;
+    }
+    if (job->down == CM_HALF_EVEN)
+    {
+        job->set->mix_bytes(rows, job->of_bytes[0], n, desk->mixed[0]);
+    }
+    else
+    {
+        int16_t *const mixed[3] = {desk->mixed[0], desk->mixed[1], desk->mixed[2]};
+        job->set->mix_bytes_eighths(rows, job->of_bytes, n, mixed);
+    }
+    for (; row + count < end && row + count < first + period; count++)
+    {
+        store_row(job, plane, at, row + count, 0, desk, desk->mixed[row + count - first]);
+    }
+    return count;
+}
+
+/* One new row, or two, of whatever numbers. */
+static uint32_t do_numbers(const halve_job *job, size_t plane, const strip *at, uint32_t row,
+                           uint32_t end, int32_t *read, const halve_desk *desk)
+{
+    const void *rows[ROWS_MOST];
+    const uint8_t *bytes[ROWS_MOST];
+    const cm_half_taps *taps = &job->rows[row];
+    const int are_two = job->down == CM_HALF_EVEN && row + 1 < end &&
+                        !find_bytes(job, plane, at, taps[1].first, bytes);
+    const uint32_t count = are_two ? 2 : 1;
+    for (uint32_t line = 0; line < job->lines; line++)
+    {
+        find_rows(job, plane, line, at, taps->first, rows_for(job, count), *read, desk, rows);
+        mix(job, rows, taps, at->length * job->pixel, count, desk);
+        for (uint32_t k = 0; k < count; k++)
+        {
+            store_row(job, plane, at, row + k, line, desk, desk->mixed[k]);
+        }
+    }
+    *read = taps->first + rows_for(job, count);
+    return count;
+}
+
 /* New rows of a strip of a plane. */
 static void do_strip(const halve_job *job, size_t plane, const strip *at, uint32_t begin,
                      uint32_t end, const halve_desk *desk)
 {
-    const void *rows[CM_HALF_TAPS + 2];
-    const uint8_t *bytes[CM_HALF_TAPS + 2];
     int32_t read = INT32_MIN;
-    uint32_t count;
-    for (uint32_t row = begin; row < end; row += count)
+    for (uint32_t row = begin; row < end;)
     {
-        const cm_half_taps *taps = &job->rows[row];
-        if (find_bytes(job, plane, at, taps->first, bytes))
-        {
-            count = 1;
-            job->set->mix_bytes(bytes, job->of_bytes, at->length * job->pixel, desk->mixed[0]);
-            store_row(job, plane, at, row, 0, desk, desk->mixed[0]);
-            continue;
-        }
-        count =
-            job->is_even_down && row + 1 < end && !find_bytes(job, plane, at, taps[1].first, bytes)
-                ? 2
-                : 1;
-        const int32_t many = CM_HALF_TAPS + 2 * (int32_t)(count - 1);
-        for (uint32_t line = 0; line < job->lines; line++)
-        {
-            find_rows(job, plane, line, at, taps->first, many, read, desk, rows);
-            mix(job, rows, taps, at->length * job->pixel, count, desk);
-            for (uint32_t k = 0; k < count; k++)
-            {
-                store_row(job, plane, at, row + k, line, desk, desk->mixed[k]);
-            }
-        }
-        read = taps->first + many;
+        const uint32_t count = do_bytes(job, plane, at, row, end, desk);
+        row += count > 0 ? count : do_numbers(job, plane, at, row, end, &read, desk);
     }
 }
 
@@ -389,11 +432,11 @@ static void do_rows(size_t begin, size_t end, void *user)
 {
     halve_job *job = user;
     const cm_padded *to = job->to;
-    const size_t length = 2 * (STRIP + CM_HALF_TAPS);
+    const size_t length = 3 * (STRIP + CM_TAPS_MOST);
     const size_t bytes = length * job->pixel * number_size(job);
     const size_t kept = job->above == NULL ? KEPT * bytes : 0;
-    const size_t parts = (length * job->pixel + 4) * sizeof(float);
-    char *memory = malloc(kept + 3 * bytes + parts);
+    const size_t parts = (length * job->pixel + CM_HALF_DESK) * sizeof(float);
+    char *memory = malloc(kept + 4 * bytes + parts);
     if (memory == NULL)
     {
         atomic_store(&job->failed, CM_ERROR_MEMORY);
@@ -401,9 +444,9 @@ static void do_rows(size_t begin, size_t end, void *user)
     }
     const halve_desk desk = {
         .kept = memory,
-        .mixed = {memory + kept, memory + kept + bytes},
-        .lines = memory + kept + 2 * bytes,
-        .parts = (float *)(void *)(memory + kept + 3 * bytes),
+        .mixed = {memory + kept, memory + kept + bytes, memory + kept + 2 * bytes},
+        .lines = memory + kept + 3 * bytes,
+        .parts = (float *)(void *)(memory + kept + 4 * bytes),
     };
     while (begin < end)
     {
@@ -423,34 +466,41 @@ static void do_rows(size_t begin, size_t end, void *user)
     free(memory);
 }
 
-/* The weights of bytes, whose sum is exact: the largest are in the middle. */
-static void weigh_bytes(const cm_half_taps *taps, int16_t *weight)
+/* The weights of bytes, whose sum is exact: the largest are in the middle. Of halves it is the first half of them. */
+static void weigh_bytes(const cm_half_taps *taps, cm_half_steps steps, int16_t *weight)
 {
-    int left = CM_HALF_BYTE_ONE / 2;
-    for (int k = 0; k < CM_HALF_TAPS / 2; k++)
+    const int is_half = steps == CM_HALF_EVEN;
+    const int count = is_half ? CM_HALF_TAPS / 2 : CM_EIGHTHS_TAPS;
+    int left = is_half ? CM_HALF_BYTE_ONE / 2 : CM_HALF_BYTE_ONE;
+    int largest = 0;
+    for (int k = 0; k < count; k++)
     {
         weight[k] = (int16_t)lrintf(taps->weight[k] * CM_HALF_BYTE_ONE);
         left -= weight[k];
+        largest = weight[k] > weight[largest] ? k : largest;
     }
-    weight[CM_HALF_TAPS / 2 - 1] = (int16_t)(weight[CM_HALF_TAPS / 2 - 1] + left);
+    weight[largest] = (int16_t)(weight[largest] + left);
 }
 
 /* A level from the pictures, or from the one above, which has that size. */
-static cm_status halve(const cm_level_reader *pictures, const cm_padded *above, uint32_t width,
-                       uint32_t height, const cm_padded *to, const cm_filter_set *set,
-                       unsigned threads)
+static cm_status halve(const cm_level_reader *pictures, const cm_padded *above, int are_eighths,
+                       uint32_t width, uint32_t height, const cm_padded *to,
+                       const cm_filter_set *set, unsigned threads)
 {
     halve_job job = {.pictures = pictures, .above = above, .to = to, .set = set};
-    job.columns = make_taps(width, to->width);
-    job.rows = make_taps(height, to->height);
-    job.steps = steps_of(width, to->width);
-    job.is_even_down = steps_of(height, to->height) == CM_HALF_EVEN;
+    job.across = steps_of(are_eighths, width, to->width);
+    job.down = steps_of(are_eighths, height, to->height);
+    job.columns = make_taps(job.across, width, to->width);
+    job.rows = make_taps(job.down, height, to->height);
     job.lines = above != NULL ? to->channels : 1;
     job.pixel = above != NULL ? 1 : to->channels;
     atomic_init(&job.failed, job.columns == NULL || job.rows == NULL ? CM_ERROR_MEMORY : CM_OK);
     if (atomic_load(&job.failed) == CM_OK)
     {
-        weigh_bytes(job.rows, job.of_bytes);
+        for (uint32_t k = 0; k < period_of(job.down) && k < to->height; k++)
+        {
+            weigh_bytes(&job.rows[k], job.down, job.of_bytes[k]);
+        }
         cm_run_threads(threads, (size_t)to->planes * to->height, 64, do_rows, &job);
     }
     free(job.columns);
@@ -507,14 +557,16 @@ cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
     while (status == CM_OK && pyramid->count < count)
     {
         const unsigned k = pyramid->count++;
-        const unsigned above = sizes[k].above;
+        const unsigned above = k - 1;
+        const int are_eighths = k == 1 && has_eighths(steps, surface->width, surface->height);
         cm_padded *level = &pyramid->level[k];
         status = make_level(surface, sizes[k].width, sizes[k].height, values->working, is_whole,
                             memory, threads, level);
-        status = status == CM_OK
-                     ? halve(&pyramid->reader, above > 0 ? &pyramid->level[above] : NULL,
-                             sizes[above].width, sizes[above].height, level, loops, threads)
-                     : status;
+        status =
+            status == CM_OK
+                ? halve(&pyramid->reader, above > 0 ? &pyramid->level[above] : NULL, are_eighths,
+                        sizes[above].width, sizes[above].height, level, loops, threads)
+                : status;
         if (status == CM_OK)
         {
             cm_padded_border(level, surface, threads);

@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: MIT
  *
- * Levels of a surface, each of half the size of the one above, with what the sphere has beyond their edges.
+ * Levels of a surface, each of half the size of the one above, the first perhaps of three eighths, with what the sphere has
+ * beyond their edges.
  */
 #ifndef MODULES_IMAGE_PYRAMID_H
 #define MODULES_IMAGE_PYRAMID_H
 
 #include "padded.h"
 
-/* Planes of 2^30 pixels have 31 halves, and so many with others between. */
-#define CM_LEVELS_MAX 62
+/* Planes of 2^30 pixels have 31 halves. */
+#define CM_LEVELS_MAX 32
 
-/* The sizes of levels: 1, 1/2, 1/4, ...; or 1, 1/2, 3/8, 1/4, 3/16, ... where they are large. */
+/* The sizes of levels: 1, 1/2, 1/4, ...; or 1, 3/8, 3/16, 3/32, ..., if level 0 is large enough for that. */
 typedef enum cm_pyramid_steps
 {
     CM_PYRAMID_HALVES,
-    CM_PYRAMID_BETWEEN
+    CM_PYRAMID_EIGHTHS
 } cm_pyramid_steps;
 
 typedef struct cm_level_size
 {
     uint32_t width;
     uint32_t height;
-    unsigned above; /* the level that it is made from */
 } cm_level_size;
 
 /* Pixels beyond the edges of planes: of all, and beside those whose columns come again after a period. */

@@ -141,8 +141,8 @@ static cm_status prepare(cm_source *source, const cm_image *from, unsigned threa
         /* what is between bytes as they are, for bytes again, needs no more than 14 bits behind the point */
         const int is_whole = from->type == CM_PIXEL_U8 && source->target_type == CM_PIXEL_U8 &&
                              plan->options.transfer == CM_TRANSFER_STORED;
-        return cm_ewa_make(plan->from, from, &source->values, source->set, &source->table,
-                           plan->options.pixels_most, memory, is_whole, threads, &source->ewa);
+        return cm_ewa_make(plan, from, &source->values, source->set, &source->table, is_whole,
+                           threads, &source->ewa);
     }
     const int32_t reach = source->taps < 2 ? 1 : source->taps / 2;
     return cm_level_of_pictures(plan->from, from, &source->values, is_bytes, reach, threads,

@@ -105,7 +105,7 @@ START_TEST(a_zone_plate_does_not_alias)
     const double decibels = left_of_plate(zone_plate, 8.0, MINIFIED);
     ck_assert_msg(decibels <= -50.0, "%.1f dB of its amplitude", decibels);
     /* where the level's pixels are as large as they get, between, and as small */
-    static const double others[] = {9.25, 12.0, 8.75};
+    static const double others[] = {8.25, 11.0, 9.25, 12.0, 8.75};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
     {
         const double of_half = left_of_plate(half_plate, 4.0, others[i]);

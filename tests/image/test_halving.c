@@ -12,8 +12,8 @@ enum
 {
     MOST = 230, /* new pixels of a row */
     CHANNELS_MOST = 5,
-    ROWS = CM_HALF_TAPS + 2,
-    OLD = 2 * MOST + 2 * CM_HALF_TAPS,
+    ROWS = CM_EIGHTHS_ROWS + CM_ROWS_NEXT,
+    OLD = 3 * MOST + 2 * CM_TAPS_MOST,
     GUARD = 4242
 };
 
@@ -32,15 +32,13 @@ static int16_t random_word(void)
     return (int16_t)(bits % 4 == 0 ? 32767 : bits % 4 == 1 ? -32768 : (int)(bits % 65536) - 32768);
 }
 
-/* Weights whose absolute values are no more than twice CM_HALF_ONE in all; the outer four of so many pixels are 0. */
-static void random_weights(int16_t *weight, int is_few)
+/* Weights whose absolute values are no more than twice CM_HALF_ONE in all. */
+static void random_weights(int16_t *weight, int count)
 {
-    for (int k = 0; k < CM_HALF_TAPS; k++)
+    const int most = 2 * CM_HALF_ONE / count;
+    for (int k = 0; k < count; k++)
     {
-        const int is_outer = k < 2 || k > CM_HALF_TAPS - 3;
-        const int most = 2 * CM_HALF_ONE / CM_HALF_TAPS;
-        weight[k] =
-            (int16_t)(is_few && is_outer ? 0 : (int)(random_bits() % (2u * (unsigned)most)) - most);
+        weight[k] = (int16_t)((int)(random_bits() % (2u * (unsigned)most)) - most);
     }
 }
 
@@ -65,29 +63,29 @@ static void fill(void)
     }
 }
 
-static int64_t sum_of_rows(const int16_t *weight, int first, size_t i)
+static int64_t sum_of_rows(const int16_t *weight, int count, int first, size_t i)
 {
     int64_t sum = 0;
-    for (int k = 0; k < CM_HALF_TAPS; k++)
+    for (int k = 0; k < count; k++)
     {
         sum += (int64_t)weight[k] * words[first + k][i];
     }
     return sum;
 }
 
-static void check_rows(const cm_filter_set *set, size_t n, int is_few)
+static void check_rows(const cm_filter_set *set, size_t n)
 {
     int16_t weight[CM_HALF_TAPS], one[MOST + 1], two[MOST + 1], below[MOST + 1], byte[MOST + 1];
     const int16_t *rows[ROWS];
     const uint8_t *byte_rows[ROWS];
-    random_weights(weight, is_few);
+    random_weights(weight, CM_HALF_TAPS);
     for (size_t k = 0; k < ROWS; k++)
     {
         rows[k] = words[k];
         byte_rows[k] = bytes[k];
     }
     one[n] = two[n] = below[n] = byte[n] = GUARD;
-    set->mix_whole(rows, weight, n, one);
+    set->mix_whole(rows, weight, CM_HALF_EVEN, n, one);
     set->mix_two_whole(rows, weight, n, two, below);
     set->mix_bytes(byte_rows, weight, n, byte);
     for (size_t i = 0; i < n; i++)
@@ -97,24 +95,63 @@ static void check_rows(const cm_filter_set *set, size_t n, int is_few)
         {
             sum += (int64_t)weight[k] * (bytes[k][i] + bytes[CM_HALF_TAPS - 1 - k][i]);
         }
-        ck_assert_int_eq(one[i], rounded(sum_of_rows(weight, 0, i), CM_HALF_BITS));
+        ck_assert_int_eq(one[i], rounded(sum_of_rows(weight, CM_HALF_TAPS, 0, i), CM_HALF_BITS));
         ck_assert_int_eq(two[i], one[i]);
-        ck_assert_int_eq(below[i], rounded(sum_of_rows(weight, 2, i), CM_HALF_BITS));
+        ck_assert_int_eq(below[i], rounded(sum_of_rows(weight, CM_HALF_TAPS, 2, i), CM_HALF_BITS));
         ck_assert_int_eq(byte[i], rounded(sum, CM_HALF_BYTE_BITS));
     }
     ck_assert(one[n] == GUARD && two[n] == GUARD && below[n] == GUARD && byte[n] == GUARD);
 }
 
+static void check_eighths(const cm_filter_set *set, size_t n)
+{
+    int16_t weight[3][CM_EIGHTHS_TAPS], one[MOST + 1], three[3][MOST + 1];
+    const int16_t(*const same)[CM_EIGHTHS_TAPS] = (const int16_t(*)[CM_EIGHTHS_TAPS])weight;
+    int16_t *const to[3] = {three[0], three[1], three[2]};
+    const int16_t *rows[ROWS];
+    const uint8_t *byte_rows[ROWS];
+    for (size_t k = 0; k < ROWS; k++)
+    {
+        rows[k] = words[k];
+        byte_rows[k] = bytes[k];
+    }
+    for (int third = 0; third < 3; third++)
+    {
+        random_weights(weight[third], CM_EIGHTHS_TAPS);
+        three[third][n] = GUARD;
+    }
+    one[n] = GUARD;
+    set->mix_whole(rows, weight[0], CM_EIGHTHS_ODD, n, one);
+    set->mix_bytes_eighths(byte_rows, same, n, to);
+    for (size_t i = 0; i < n; i++)
+    {
+        ck_assert_int_eq(one[i],
+                         rounded(sum_of_rows(weight[0], CM_EIGHTHS_TAPS, 0, i), CM_HALF_BITS));
+        for (int third = 0; third < 3; third++)
+        {
+            int64_t sum = 0;
+            for (int k = 0; k < CM_EIGHTHS_TAPS; k++)
+            {
+                sum += (int64_t)weight[third][k] * bytes[3 * third + k][i];
+            }
+            ck_assert_int_eq(three[third][i], rounded(sum, CM_HALF_BYTE_BITS));
+        }
+    }
+    ck_assert(one[n] == GUARD && three[0][n] == GUARD && three[1][n] == GUARD &&
+              three[2][n] == GUARD);
+}
+
 /* The taps of new pixels as cm_half_steps has them. */
 static void make_taps(cm_half_steps steps, size_t n, cm_half_taps *taps)
 {
-    const size_t period = steps == CM_HALF_EVEN ? 1 : steps == CM_HALF_THREE_OF_FOUR ? 3 : n;
+    const size_t period = steps == CM_HALF_EVEN ? 1 : steps == CM_EIGHTHS_EVEN ? 3 : n;
     for (size_t i = 0; i < n; i++)
     {
-        taps[i].first = (int32_t)(steps == CM_HALF_THREE_OF_FOUR ? 4 * i / 3 : 2 * i) + 7;
+        const int are_eighths = cm_half_count(steps) == CM_EIGHTHS_TAPS;
+        taps[i].first = (int32_t)(are_eighths ? (16 * i + 5) / 6 : 2 * i) + 7;
         if (i < period)
         {
-            random_weights(taps[i].whole, steps == CM_HALF_THREE_OF_FOUR);
+            random_weights(taps[i].whole, cm_half_count(steps));
         }
         else
         {
@@ -133,7 +170,7 @@ static void check_columns(const cm_filter_set *set, size_t n, cm_half_steps step
     for (size_t i = 0; i < n; i++)
     {
         int64_t sum = 0;
-        for (int k = 0; k < CM_HALF_TAPS; k++)
+        for (int k = 0; k < cm_half_count(steps); k++)
         {
             sum += (int64_t)taps[i].whole[k] * words[0][taps[i].first - taps[0].first + 1 + k];
         }
@@ -171,9 +208,11 @@ START_TEST(all_sets_have_the_same_whole_numbers)
         ck_assert_str_eq(set->name, name);
         for (size_t n = 1; n <= MOST; n += n < 60 ? 1 : 17)
         {
-            check_rows(set, n, n % 2 == 0);
+            check_rows(set, n);
+            check_eighths(set, n);
             check_columns(set, n, CM_HALF_EVEN);
-            check_columns(set, n, CM_HALF_THREE_OF_FOUR);
+            check_columns(set, n, CM_EIGHTHS_EVEN);
+            check_columns(set, n, CM_EIGHTHS_ODD);
             check_columns(set, n, CM_HALF_ODD);
             for (size_t channels = 1; channels <= CHANNELS_MOST; channels++)
             {
