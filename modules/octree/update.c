@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "color_word.h"
 #include "interleave.h"
 #include "paging.h"
 #include "update_desk.h"
@@ -95,6 +96,18 @@ static void make_offsets(cm_update *update)
     }
 }
 
+static void make_parts(cm_update *update)
+{
+    const cm_count_rule *rule = &update->octree->rule;
+    for (unsigned alpha = 0; alpha < 256; alpha++)
+    {
+        const unsigned sum = alpha + rule->hit;
+        const unsigned hits = cm_hits_of(rule, sum < rule->high ? sum : rule->high);
+        const uint32_t part = cm_color_part[hits < 255 ? hits : 255];
+        update->part_of[alpha] = hits > 0 && alpha <= CM_UNKNOWN ? 65536u : part;
+    }
+}
+
 static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, const cm_view *view)
 {
     const cm_octree_options *options = &octree->options;
@@ -118,11 +131,7 @@ static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, co
         }
     }
     update->has_color = options->color && view->color.data != NULL;
-    for (unsigned alpha = 0; alpha < 256; alpha++)
-    {
-        const unsigned hits = cm_hits_of(&octree->rule, alpha);
-        update->hits_of[alpha] = (uint8_t)(hits < 255 ? hits : 255);
-    }
+    make_parts(update);
     desk->count = 0;
     desk->missed_count = 0;
     make_offsets(update);
