@@ -345,6 +345,7 @@ static cm_status update_straight(cm_update *update, cm_pool *pool)
     update->pixel = octree->options.footprint / (focal * octree->options.edge);
     const double reach = fmin((double)update->desk->view.greatest, 1e9);
     cm_update_half(update, CM_BLOCK_LEVEL, reach, update->block_half);
+    cm_update_half(update, CM_BLOCK_LEVEL + 1, reach, update->eight_half);
     cm_update_half(update, 2, reach, update->group_half);
     const uint32_t first[3] = {0, 0, 0};
     status = go_down(update, 0, first, octree->tree_level, CM_CUBE_PART);

@@ -38,6 +38,7 @@ typedef struct cm_update
     double origin[3];  /* the centre of the first voxel of the tree, in the camera's axes */
     float block_half
         [3]; /* half a box along the camera's axes around the centres of a block's voxels */
+    float eight_half[3]; /* of eight blocks */
     float group_half[3]; /* of 4^3 voxels */
     double pixel;        /* edges that a pixel is wide at distance 1, times the footprint */
     int has_color;

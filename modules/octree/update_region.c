@@ -308,20 +308,48 @@ typedef struct cube_places
     cm_cube_bounds bounds[CM_REGION_GROUPS];
 } cube_places;
 
-static void classify_blocks(const cm_update *update, const cm_region *region, cube_places *places,
-                            uint8_t class_of[CM_REGION_BLOCKS], float z[CM_REGION_BLOCKS])
+/* Cubes of eight blocks. */
+static void classify_eights(const cm_update *update, const float first[3], cube_places *places)
+{
+    const cm_cell_offsets *of = &update->block;
+    for (unsigned eight = 0; eight < CM_REGION_BLOCKS / 8; eight++)
+    {
+        const unsigned low = 8 * eight, high = low + 7;
+        places->x[eight] = first[0] + 0.5f * (of->x[low] + of->x[high]);
+        places->y[eight] = first[1] + 0.5f * (of->y[low] + of->y[high]);
+        places->z[eight] = first[2] + 0.5f * (of->z[low] + of->z[high]);
+    }
+    update->set->classify(&update->desk->view.table, CM_REGION_BLOCKS / 8, places->x, places->y,
+                          places->z, update->eight_half, places->class_of, NULL);
+}
+
+/* Blocks in which something may happen, in their order, and how many; and their classes, and Z of their centres. */
+static size_t classify_blocks(const cm_update *update, const cm_region *region, cube_places *places,
+                              uint16_t listed[CM_REGION_BLOCKS + 1], uint8_t class_of[CM_REGION_BLOCKS],
+                              float z[CM_REGION_BLOCKS])
 {
     float first[3];
     first_voxel(update, region, 0, first);
+    classify_eights(update, first, places);
+    size_t count = 0;
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
-        places->x[block] = first[0] + update->block.x[block];
-        places->y[block] = first[1] + update->block.y[block];
-        places->z[block] = first[2] + update->block.z[block];
+        listed[count] = (uint16_t)block;
+        count += places->class_of[block / 8] != CM_CUBE_OUTSIDE;
     }
-    update->set->classify(&update->desk->view.table, CM_REGION_BLOCKS, places->x, places->y,
-                          places->z, update->block_half, class_of, NULL);
-    memcpy(z, places->z, CM_REGION_BLOCKS * sizeof *z);
+    for (size_t i = 0; i < count; i++)
+    {
+        places->x[i] = first[0] + update->block.x[listed[i]];
+        places->y[i] = first[1] + update->block.y[listed[i]];
+        places->z[i] = z[i] = first[2] + update->block.z[listed[i]];
+    }
+    for (size_t i = count; i % 16 != 0; i++)
+    {
+        places->x[i] = places->y[i] = places->z[i] = 0.0f;
+    }
+    update->set->classify(&update->desk->view.table, count, places->x, places->y, places->z,
+                          update->block_half, class_of, NULL);
+    return count;
 }
 
 /* Groups of the listed blocks; first has their first voxels. */
@@ -398,19 +426,21 @@ void cm_update_region(cm_update *update, cm_region *region)
     fetch_rules(update, region);
     uint8_t class_of[CM_REGION_BLOCKS];
     float z[CM_REGION_BLOCKS];
-    uint16_t listed[CM_REGION_BLOCKS];
+    uint16_t listed[CM_REGION_BLOCKS + 1];
     float first[CM_REGION_BLOCKS][3];
-    classify_blocks(update, region, &places, class_of, z);
+    const size_t classified = classify_blocks(update, region, &places, listed, class_of, z);
     size_t count = 0;
-    for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
+    for (size_t i = 0; i < classified; i++)
     {
-        if (class_of[block] == CM_CUBE_FREE && is_within(update->octree, region, block))
+        const unsigned block = listed[i];
+        if (class_of[i] == CM_CUBE_FREE && is_within(update->octree, region, block))
         {
             cm_update_free_block(update, region, block);
         }
-        else if (class_of[block] != CM_CUBE_OUTSIDE)
+        else if (class_of[i] != CM_CUBE_OUTSIDE)
         {
             first_voxel(update, region, block, first[count]);
+            z[count] = z[i];
             listed[count++] = (uint16_t)block;
         }
     }
@@ -429,7 +459,7 @@ void cm_update_region(cm_update *update, cm_region *region)
                            .bounds = places.bounds + 8 * i,
                            .color = open_colors(region, listed[i])};
         memcpy(work.first, first[i], sizeof work.first);
-        visit_block(update, region, &work, detail_at(update, region, listed[i], z[listed[i]]),
+        visit_block(update, region, &work, detail_at(update, region, listed[i], z[i]),
                     next);
     }
     for (size_t i = 0; i < BLOCKS_WAITING; i++)
