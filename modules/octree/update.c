@@ -370,8 +370,9 @@ cm_status cm_octree_update(cm_octree *octree, const cm_view *view, cm_pool *pool
     cm_update_desk *desk = cm_update_desk_of(octree);
     cm_update *update = malloc(sizeof *update);
     size_t valid = 0;
-    status = desk == NULL || update == NULL ? CM_ERROR_MEMORY
-                                            : cm_view_desk_clean(&desk->view, octree, view, &valid);
+    status = desk == NULL || update == NULL
+                 ? CM_ERROR_MEMORY
+                 : cm_view_desk_clean(&desk->view, octree, view, pool, &valid);
     if (status == CM_OK && (valid > 0 || octree->options.no_return_is_free))
     {
         octree->step++;

@@ -141,24 +141,53 @@ static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
 
 /* ---- from the view's picture to a clean image ---- */
 
+typedef struct clean_work
+{
+    cm_view_desk *desk;
+    const cm_view *view;
+    const cm_depth_limits *limits;
+    atomic_size_t valid;
+    atomic_int status;
+} clean_work;
+
+static void clean_rows(size_t first, size_t end, void *user)
+{
+    clean_work *work = user;
+    cm_image rows = work->view->depth;
+    const ptrdiff_t apart =
+        rows.pixel_stride != 0 ? rows.pixel_stride : (ptrdiff_t)cm_pixel_size(rows.type);
+    rows.row_stride = rows.row_stride != 0 ? rows.row_stride : apart * (ptrdiff_t)rows.width;
+    rows.data = (char *)rows.data + (ptrdiff_t)first * rows.row_stride;
+    rows.height = (uint32_t)(end - first);
+    cm_depth_count count = {.size = sizeof count};
+    const cm_status status = cm_depth_clean(&rows, work->limits, 1,
+                                            work->desk->packed + first * rows.width, &count);
+    if (status != CM_OK)
+    {
+        atomic_store(&work->status, (int)status);
+    }
+    atomic_fetch_add(&work->valid, count.valid);
+}
+
 cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
-                             size_t *valid)
+                             cm_pool *pool, size_t *valid)
 {
     const cm_camera_options *camera = cm_camera_describe(view->camera);
     if (view->depth.width != camera->width || view->depth.height != camera->height)
     {
         return CM_ERROR_ARGUMENT;
     }
-    cm_status status = desk_for(desk, camera->width, camera->height);
+    const cm_status status = desk_for(desk, camera->width, camera->height);
+    if (status != CM_OK)
+    {
+        return status;
+    }
     const cm_depth_limits limits = {
         .size = sizeof limits, .unit = view->depth_unit, .nearest = octree->options.near};
-    cm_depth_count count = {.size = sizeof count};
-    if (status == CM_OK)
-    {
-        status = cm_depth_clean(&view->depth, &limits, 1, desk->packed, &count);
-    }
-    *valid = count.valid;
-    return status;
+    clean_work work = {.desk = desk, .view = view, .limits = &limits};
+    cm_pool_run(pool, camera->height, 64, clean_rows, &work);
+    *valid = atomic_load(&work.valid);
+    return (cm_status)atomic_load(&work.status);
 }
 
 int cm_view_desk_around(const cm_view_desk *desk, double focal_edges)

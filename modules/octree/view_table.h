@@ -57,7 +57,7 @@ int cm_camera_is_straight(const cm_camera_options *camera);
 
 /* The cleaned image of a view, dense, depth or range as the view has it; *valid: how many pixels measured something. */
 cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
-                             size_t *valid);
+                             cm_pool *pool, size_t *valid);
 
 /* How often windows of 5 x 5 pixels are to be taken for the cleaned image: pixels are 1 / focal_edges edges wide at distance 1. */
 int cm_view_desk_around(const cm_view_desk *desk, double focal_edges);

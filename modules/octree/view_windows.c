@@ -85,10 +85,11 @@ void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool 
         work.level = level;
         if (level > 1)
         {
-            cm_pool_run(pool, at->height, ROWS_AT_A_TIME, make_cells, &work);
+            make_cells(0, at->height, &work);
         }
         close_cells(desk, level & 1, at->width, at->height);
-        cm_pool_run(pool, at->height, window_rows(at), make_windows, &work);
+        /* all levels above the first are less than its third: not worth waiting for threads */
+        cm_pool_run(level == 1 ? pool : NULL, at->height, window_rows(at), make_windows, &work);
     }
     const cm_window_level *last = &desk->table.level[desk->table.levels - 1];
     desk->greatest = last->most[0];
