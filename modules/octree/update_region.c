@@ -325,8 +325,8 @@ static void classify_eights(const cm_update *update, const float first[3], cube_
 
 /* Blocks in which something may happen, in their order, and how many; and their classes, and Z of their centres. */
 static size_t classify_blocks(const cm_update *update, const cm_region *region, cube_places *places,
-                              uint16_t listed[CM_REGION_BLOCKS + 1], uint8_t class_of[CM_REGION_BLOCKS],
-                              float z[CM_REGION_BLOCKS])
+                              uint16_t listed[CM_REGION_BLOCKS + 1],
+                              uint8_t class_of[CM_REGION_BLOCKS], float z[CM_REGION_BLOCKS])
 {
     float first[3];
     first_voxel(update, region, 0, first);
@@ -459,8 +459,7 @@ void cm_update_region(cm_update *update, cm_region *region)
                            .bounds = places.bounds + 8 * i,
                            .color = open_colors(region, listed[i])};
         memcpy(work.first, first[i], sizeof work.first);
-        visit_block(update, region, &work, detail_at(update, region, listed[i], z[i]),
-                    next);
+        visit_block(update, region, &work, detail_at(update, region, listed[i], z[i]), next);
     }
     for (size_t i = 0; i < BLOCKS_WAITING; i++)
     {

@@ -160,8 +160,8 @@ static void clean_rows(size_t first, size_t end, void *user)
     rows.data = (char *)rows.data + (ptrdiff_t)first * rows.row_stride;
     rows.height = (uint32_t)(end - first);
     cm_depth_count count = {.size = sizeof count};
-    const cm_status status = cm_depth_clean(&rows, work->limits, 1,
-                                            work->desk->packed + first * rows.width, &count);
+    const cm_status status =
+        cm_depth_clean(&rows, work->limits, 1, work->desk->packed + first * rows.width, &count);
     if (status != CM_OK)
     {
         atomic_store(&work->status, (int)status);
