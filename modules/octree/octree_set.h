@@ -52,7 +52,8 @@ typedef struct cm_pixel_gap
 #define CM_BREAK_BEND 2
 
 /* Least and greatest of what pixels say within windows of 2 x 2 cells of 2^level pixels, at each cell: what is nearer than
- * least is missed by all, what is farther than most is touched by none. */
+ * least is missed by all, what is farther than most is touched by none. Levels begin at 1: few cubes are so far that windows of
+ * pixels would say more. */
 typedef struct cm_window_level
 {
     uint32_t width;

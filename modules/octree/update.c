@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "color_word.h"
 #include "interleave.h"
 #include "paging.h"
 #include "update_desk.h"
@@ -95,6 +96,18 @@ static void make_offsets(cm_update *update)
     }
 }
 
+static void make_parts(cm_update *update)
+{
+    const cm_count_rule *rule = &update->octree->rule;
+    for (unsigned alpha = 0; alpha < 256; alpha++)
+    {
+        const unsigned sum = alpha + rule->hit;
+        const unsigned hits = cm_hits_of(rule, sum < rule->high ? sum : rule->high);
+        const uint32_t part = cm_color_part[hits < 255 ? hits : 255];
+        update->part_of[alpha] = hits > 0 && alpha <= CM_UNKNOWN ? 65536u : part;
+    }
+}
+
 static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, const cm_view *view)
 {
     const cm_octree_options *options = &octree->options;
@@ -118,11 +131,7 @@ static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, co
         }
     }
     update->has_color = options->color && view->color.data != NULL;
-    for (unsigned alpha = 0; alpha < 256; alpha++)
-    {
-        const unsigned hits = cm_hits_of(&octree->rule, alpha);
-        update->hits_of[alpha] = (uint8_t)(hits < 255 ? hits : 255);
-    }
+    make_parts(update);
     desk->count = 0;
     desk->missed_count = 0;
     make_offsets(update);
@@ -336,6 +345,7 @@ static cm_status update_straight(cm_update *update, cm_pool *pool)
     update->pixel = octree->options.footprint / (focal * octree->options.edge);
     const double reach = fmin((double)update->desk->view.greatest, 1e9);
     cm_update_half(update, CM_BLOCK_LEVEL, reach, update->block_half);
+    cm_update_half(update, CM_BLOCK_LEVEL + 1, reach, update->eight_half);
     cm_update_half(update, 2, reach, update->group_half);
     const uint32_t first[3] = {0, 0, 0};
     status = go_down(update, 0, first, octree->tree_level, CM_CUBE_PART);
@@ -360,8 +370,9 @@ cm_status cm_octree_update(cm_octree *octree, const cm_view *view, cm_pool *pool
     cm_update_desk *desk = cm_update_desk_of(octree);
     cm_update *update = malloc(sizeof *update);
     size_t valid = 0;
-    status = desk == NULL || update == NULL ? CM_ERROR_MEMORY
-                                            : cm_view_desk_clean(&desk->view, octree, view, &valid);
+    status = desk == NULL || update == NULL
+                 ? CM_ERROR_MEMORY
+                 : cm_view_desk_clean(&desk->view, octree, view, pool, &valid);
     if (status == CM_OK && (valid > 0 || octree->options.no_return_is_free))
     {
         octree->step++;

@@ -38,10 +38,12 @@ typedef struct cm_update
     double origin[3];  /* the centre of the first voxel of the tree, in the camera's axes */
     float block_half
         [3]; /* half a box along the camera's axes around the centres of a block's voxels */
+    float eight_half[3]; /* of eight blocks */
     float group_half[3]; /* of 4^3 voxels */
     double pixel;        /* edges that a pixel is wide at distance 1, times the footprint */
     int has_color;
-    uint8_t hits_of[256]; /* the weight of a color where alpha is that */
+    /* of a hit's color in its voxel's, in 65536ths, where alpha was that before; 0: it is not occupied even now */
+    uint32_t part_of[256];
     cm_cell_offsets offset[CM_DETAILS];
     cm_cell_offsets block; /* of the blocks of a region */
     int failed;            /* 1: no memory */

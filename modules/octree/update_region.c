@@ -55,15 +55,13 @@ uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsig
 static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color,
                        uint64_t hits, const int32_t pixel[64])
 {
-    const cm_count_rule *rule = &update->octree->rule;
     const uint32_t *word = update->desk->view.word;
     for (; hits != 0; hits &= hits - 1)
     {
         const unsigned i = (unsigned)__builtin_ctzll(hits);
-        const unsigned sum = (unsigned)alpha[i] + rule->hit;
-        const unsigned now = sum < rule->high ? sum : rule->high;
-        const uint32_t old = alpha[i] > CM_UNKNOWN ? color[i] : 0;
-        color[i] = now > CM_UNKNOWN ? cm_color_mix(old, word[pixel[i]], update->hits_of[now]) : 0;
+        const uint32_t more = word[pixel[i]], old = color[i], part = update->part_of[alpha[i]];
+        const uint32_t mixed = cm_color_blend(old, more, part);
+        color[i] = part == 0 ? 0 : old == 0 ? more : mixed;
     }
 }
 
@@ -165,6 +163,16 @@ static unsigned detail_at(const cm_update *update, const cm_region *region, unsi
 
 /* ---- voxels ---- */
 
+/* What blocks wait for while theirs is on its way from memory. */
+#define BLOCKS_WAITING 2
+
+typedef struct waiting_block
+{
+    unsigned block;
+    int is_changed;
+    cm_block_change change;
+} waiting_block;
+
 typedef struct block_work
 {
     float first[3];             /* the first voxel's centre, in the camera's axes */
@@ -194,13 +202,16 @@ static void first_voxel(const cm_update *update, const cm_region *region, unsign
 static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_t hits,
                          const int32_t pixel[64])
 {
+    for (size_t line = 0; color != NULL && line < 64; line += 16)
+    {
+        if (hits >> line & 0xffffu)
+        {
+            __builtin_prefetch(color + line, 1);
+        }
+    }
     for (; hits != 0; hits &= hits - 1)
     {
         __builtin_prefetch(update->desk->view.word + pixel[__builtin_ctzll(hits)]);
-    }
-    for (size_t line = 0; color != NULL && line < 64; line += 16)
-    {
-        __builtin_prefetch(color + line, 1);
     }
 }
 
@@ -232,37 +243,57 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
     }
 }
 
-static void visit_block(cm_update *update, cm_region *region, unsigned block,
-                        const block_work *work, unsigned detail)
+/* A block is on its way from memory while the next ones are worked on. */
+static void fetch(const cm_region *region, unsigned block)
 {
-    cm_block_change change;
-    change.detail = detail;
-    memset(change.hits, 0, sizeof change.hits);
-    memset(change.misses, 0, sizeof change.misses);
+    const uint8_t *alpha = region->alpha[block];
+    for (size_t line = 0; alpha != NULL && line < cm_cell_count(region->detail[block]); line += 64)
+    {
+        __builtin_prefetch(alpha + line, 1);
+    }
+}
+
+static void visit_block(cm_update *update, cm_region *region, const block_work *work,
+                        unsigned detail, waiting_block *to)
+{
+    const unsigned block = to->block;
+    cm_block_change *change = &to->change;
+    change->detail = detail;
+    memset(change->hits, 0, sizeof change->hits);
+    memset(change->misses, 0, sizeof change->misses);
     const size_t cells = cm_cell_count(detail);
     const uint64_t all = cells < 64 ? ((uint64_t)1 << cells) - 1 : ~(uint64_t)0;
+    const int is_whole = is_within(update->octree, region, block);
     uint64_t any = 0, every_miss = all;
     for (unsigned group = 0; group * 64 < cells; group++)
     {
-        visit_group(update, work, detail, group, &change);
-        const uint64_t valid = cm_update_valid(update->octree, region, block, detail, group) & all;
-        change.hits[group] &= valid;
-        change.misses[group] &= valid & ~change.hits[group];
-        any |= change.hits[group] | change.misses[group];
-        every_miss &= change.misses[group];
+        visit_group(update, work, detail, group, change);
+        const uint64_t valid =
+            is_whole ? all : cm_update_valid(update->octree, region, block, detail, group) & all;
+        change->hits[group] &= valid;
+        change->misses[group] &= valid & ~change->hits[group];
+        any |= change->hits[group] | change->misses[group];
+        every_miss &= change->misses[group];
     }
-    if (any == 0)
-    {
-        return;
-    }
+    to->is_changed = any != 0;
     if (every_miss == all && region->form[block] == CM_BLOCK_EVEN)
     {
         cm_update_free_block(update, region, block);
+        to->is_changed = 0;
     }
-    else if (!cm_update_block(update, region, block, &change))
+    else if (any != 0)
+    {
+        fetch(region, block);
+    }
+}
+
+static void change_block(cm_update *update, cm_region *region, waiting_block *from)
+{
+    if (from->is_changed && !cm_update_block(update, region, from->block, &from->change))
     {
         update->failed = 1;
     }
+    from->is_changed = 0;
 }
 
 /* ---- a region ---- */
@@ -277,20 +308,48 @@ typedef struct cube_places
     cm_cube_bounds bounds[CM_REGION_GROUPS];
 } cube_places;
 
-static void classify_blocks(const cm_update *update, const cm_region *region, cube_places *places,
-                            uint8_t class_of[CM_REGION_BLOCKS], float z[CM_REGION_BLOCKS])
+/* Cubes of eight blocks. */
+static void classify_eights(const cm_update *update, const float first[3], cube_places *places)
+{
+    const cm_cell_offsets *of = &update->block;
+    for (unsigned eight = 0; eight < CM_REGION_BLOCKS / 8; eight++)
+    {
+        const unsigned low = 8 * eight, high = low + 7;
+        places->x[eight] = first[0] + 0.5f * (of->x[low] + of->x[high]);
+        places->y[eight] = first[1] + 0.5f * (of->y[low] + of->y[high]);
+        places->z[eight] = first[2] + 0.5f * (of->z[low] + of->z[high]);
+    }
+    update->set->classify(&update->desk->view.table, CM_REGION_BLOCKS / 8, places->x, places->y,
+                          places->z, update->eight_half, places->class_of, NULL);
+}
+
+/* Blocks in which something may happen, in their order, and how many; and their classes, and Z of their centres. */
+static size_t classify_blocks(const cm_update *update, const cm_region *region, cube_places *places,
+                              uint16_t listed[CM_REGION_BLOCKS + 1],
+                              uint8_t class_of[CM_REGION_BLOCKS], float z[CM_REGION_BLOCKS])
 {
     float first[3];
     first_voxel(update, region, 0, first);
+    classify_eights(update, first, places);
+    size_t count = 0;
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
-        places->x[block] = first[0] + update->block.x[block];
-        places->y[block] = first[1] + update->block.y[block];
-        places->z[block] = first[2] + update->block.z[block];
+        listed[count] = (uint16_t)block;
+        count += places->class_of[block / 8] != CM_CUBE_OUTSIDE;
     }
-    update->set->classify(&update->desk->view.table, CM_REGION_BLOCKS, places->x, places->y,
-                          places->z, update->block_half, class_of, NULL);
-    memcpy(z, places->z, CM_REGION_BLOCKS * sizeof *z);
+    for (size_t i = 0; i < count; i++)
+    {
+        places->x[i] = first[0] + update->block.x[listed[i]];
+        places->y[i] = first[1] + update->block.y[listed[i]];
+        places->z[i] = z[i] = first[2] + update->block.z[listed[i]];
+    }
+    for (size_t i = count; i % 16 != 0; i++)
+    {
+        places->x[i] = places->y[i] = places->z[i] = 0.0f;
+    }
+    update->set->classify(&update->desk->view.table, count, places->x, places->y, places->z,
+                          update->block_half, class_of, NULL);
+    return count;
 }
 
 /* Groups of the listed blocks; first has their first voxels. */
@@ -322,16 +381,6 @@ static const uint32_t *open_colors(const cm_region *region, unsigned block)
                    region->detail[block] == 0
                ? region->color[block]
                : NULL;
-}
-
-/* A block that comes next is on its way from memory while this one is worked on. */
-static void fetch(const cm_region *region, unsigned block)
-{
-    const uint8_t *alpha = region->alpha[block];
-    for (size_t line = 0; alpha != NULL && line < cm_cell_count(region->detail[block]); line += 64)
-    {
-        __builtin_prefetch(alpha + line, 1);
-    }
 }
 
 /* Pixels that a region falls on are on their way, too: what they say is met in no order that processors know. */
@@ -377,32 +426,44 @@ void cm_update_region(cm_update *update, cm_region *region)
     fetch_rules(update, region);
     uint8_t class_of[CM_REGION_BLOCKS];
     float z[CM_REGION_BLOCKS];
-    uint16_t listed[CM_REGION_BLOCKS];
+    uint16_t listed[CM_REGION_BLOCKS + 1];
     float first[CM_REGION_BLOCKS][3];
-    classify_blocks(update, region, &places, class_of, z);
+    const size_t classified = classify_blocks(update, region, &places, listed, class_of, z);
     size_t count = 0;
-    for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
+    for (size_t i = 0; i < classified; i++)
     {
-        if (class_of[block] == CM_CUBE_FREE && is_within(update->octree, region, block))
+        const unsigned block = listed[i];
+        if (class_of[i] == CM_CUBE_FREE && is_within(update->octree, region, block))
         {
             cm_update_free_block(update, region, block);
         }
-        else if (class_of[block] != CM_CUBE_OUTSIDE)
+        else if (class_of[i] != CM_CUBE_OUTSIDE)
         {
             first_voxel(update, region, block, first[count]);
+            z[count] = z[i];
             listed[count++] = (uint16_t)block;
         }
     }
     classify_groups(update, count, (const float(*)[3])first, &places);
+    waiting_block waiting[BLOCKS_WAITING];
+    for (size_t i = 0; i < BLOCKS_WAITING; i++)
+    {
+        waiting[i].is_changed = 0;
+    }
     for (size_t i = 0; i < count; i++)
     {
+        waiting_block *next = &waiting[i % BLOCKS_WAITING];
+        change_block(update, region, next);
+        next->block = listed[i];
         block_work work = {.group_class = places.class_of + 8 * i,
                            .bounds = places.bounds + 8 * i,
                            .color = open_colors(region, listed[i])};
-        fetch(region, i + 1 < count ? listed[i + 1] : listed[i]);
         memcpy(work.first, first[i], sizeof work.first);
-        visit_block(update, region, listed[i], &work,
-                    detail_at(update, region, listed[i], z[listed[i]]));
+        visit_block(update, region, &work, detail_at(update, region, listed[i], z[i]), next);
+    }
+    for (size_t i = 0; i < BLOCKS_WAITING; i++)
+    {
+        change_block(update, region, &waiting[i]);
     }
     region->is_dirty = 1;
 }

@@ -147,28 +147,25 @@ int cm_breaks_find(cm_view_desk *desk, size_t first_row, size_t end_row, cm_brea
     return made;
 }
 
-/* The rule of a pixel that has a slot. */
-static void apply(cm_view_desk *desk, const cm_break_slot *slot)
-{
-    cm_pixel_rule *rule = &desk->rule[slot->pixel];
-    const float gap = rule->depth - least_heeded(slot);
-    const uint32_t front = cm_upper_half(gap > 0.0f ? gap : 0.0f);
-    rule->reach_front = (rule->reach_front & 0xffffu) | front;
-    desk->least[0][slot->pixel] = rule->depth - cm_from_upper_half(front);
-    if (slot->near_front < INFINITY && slot->near_back < slot->own_front && front != 0)
-    {
-        rule->reach_front |= CM_RULE_HAS_GAP;
-        desk->gap[slot->pixel] = (cm_pixel_gap){slot->near_back, slot->own_front};
-    }
-}
-
-void cm_breaks_apply(cm_view_desk *desk, const cm_break_slots *slots)
+void cm_breaks_heed(cm_view_desk *desk, const cm_break_slots *slots)
 {
     for (size_t i = 0; i < slots->count; i++)
     {
-        if (!isnan(desk->rule[slots->slot[i].pixel].depth))
+        desk->front[slots->slot[i].pixel] = least_heeded(&slots->slot[i]);
+    }
+}
+
+void cm_breaks_gaps(cm_view_desk *desk, const cm_break_slots *slots)
+{
+    for (size_t i = 0; i < slots->count; i++)
+    {
+        const cm_break_slot *slot = &slots->slot[i];
+        cm_pixel_rule *rule = &desk->rule[slot->pixel];
+        if (slot->near_front < INFINITY && slot->near_back < slot->own_front &&
+            rule->reach_front >> 16 != 0 && !isnan(rule->depth))
         {
-            apply(desk, &slots->slot[i]);
+            rule->reach_front |= CM_RULE_HAS_GAP;
+            desk->gap[slot->pixel] = (cm_pixel_gap){slot->near_back, slot->own_front};
         }
     }
 }

@@ -97,7 +97,7 @@ static int take_images(cm_view_desk *desk)
 static int take_windows(cm_view_desk *desk)
 {
     size_t floats = CM_OCTREE_SLACK;
-    int levels = 0;
+    int levels = 1;
     do
     {
         floats += 2 * (level_cells(desk->width, levels) * level_cells(desk->height, levels) +
@@ -107,7 +107,7 @@ static int take_windows(cm_view_desk *desk)
     desk->windows = malloc(floats * sizeof *desk->windows);
     float *next = desk->windows;
     desk->table.levels = levels;
-    for (int level = 0; desk->windows != NULL && level < levels; level++)
+    for (int level = 1; desk->windows != NULL && level < levels; level++)
     {
         cm_window_level *at = &desk->table.level[level];
         at->width = (uint32_t)level_cells(desk->width, level);
@@ -141,24 +141,53 @@ static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
 
 /* ---- from the view's picture to a clean image ---- */
 
+typedef struct clean_work
+{
+    cm_view_desk *desk;
+    const cm_view *view;
+    const cm_depth_limits *limits;
+    atomic_size_t valid;
+    atomic_int status;
+} clean_work;
+
+static void clean_rows(size_t first, size_t end, void *user)
+{
+    clean_work *work = user;
+    cm_image rows = work->view->depth;
+    const ptrdiff_t apart =
+        rows.pixel_stride != 0 ? rows.pixel_stride : (ptrdiff_t)cm_pixel_size(rows.type);
+    rows.row_stride = rows.row_stride != 0 ? rows.row_stride : apart * (ptrdiff_t)rows.width;
+    rows.data = (char *)rows.data + (ptrdiff_t)first * rows.row_stride;
+    rows.height = (uint32_t)(end - first);
+    cm_depth_count count = {.size = sizeof count};
+    const cm_status status =
+        cm_depth_clean(&rows, work->limits, 1, work->desk->packed + first * rows.width, &count);
+    if (status != CM_OK)
+    {
+        atomic_store(&work->status, (int)status);
+    }
+    atomic_fetch_add(&work->valid, count.valid);
+}
+
 cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
-                             size_t *valid)
+                             cm_pool *pool, size_t *valid)
 {
     const cm_camera_options *camera = cm_camera_describe(view->camera);
     if (view->depth.width != camera->width || view->depth.height != camera->height)
     {
         return CM_ERROR_ARGUMENT;
     }
-    cm_status status = desk_for(desk, camera->width, camera->height);
+    const cm_status status = desk_for(desk, camera->width, camera->height);
+    if (status != CM_OK)
+    {
+        return status;
+    }
     const cm_depth_limits limits = {
         .size = sizeof limits, .unit = view->depth_unit, .nearest = octree->options.near};
-    cm_depth_count count = {.size = sizeof count};
-    if (status == CM_OK)
-    {
-        status = cm_depth_clean(&view->depth, &limits, 1, desk->packed, &count);
-    }
-    *valid = count.valid;
-    return status;
+    clean_work work = {.desk = desk, .view = view, .limits = &limits};
+    cm_pool_run(pool, camera->height, 64, clean_rows, &work);
+    *valid = atomic_load(&work.valid);
+    return (cm_status)atomic_load(&work.status);
 }
 
 int cm_view_desk_around(const cm_view_desk *desk, double focal_edges)
@@ -296,9 +325,11 @@ static void reach_row(fill_band *band, size_t row)
     memset(desk->kind + first + desk->width, 0, desk->stride - desk->width);
 }
 
+/* Bands begin at even rows: cells of the first level are of two. */
 static size_t band_begin(const fill_work *work, size_t index)
 {
-    return work->desk->height * index / work->bands;
+    const size_t pairs = (work->desk->height + 1) / 2, row = 2 * (pairs * index / work->bands);
+    return row < work->desk->height ? row : work->desk->height;
 }
 
 static size_t behind(size_t row, size_t rows)
@@ -339,27 +370,78 @@ static void break_bands(size_t first, size_t end, void *user)
     }
 }
 
-static void rule_bands(size_t first, size_t end, void *user)
+static void find_bands(size_t first, size_t end, void *user)
 {
     fill_work *work = user;
-    cm_view_desk *desk = work->desk;
     for (size_t index = first; index < end; index++)
     {
-        const size_t from = band_begin(work, index), to = band_begin(work, index + 1);
-        cm_break_slots *slots = &work->slots[index];
-        if (!cm_breaks_find(desk, from, to, slots))
+        if (!cm_breaks_find(work->desk, band_begin(work, index), band_begin(work, index + 1),
+                            &work->slots[index]))
         {
             atomic_store(&work->failed, 1);
         }
-        for (size_t row = from; row < to; row++)
+    }
+}
+
+/* Bounds of two rows of pixels, and after them of what is beyond the picture. */
+typedef struct bound_rows
+{
+    float *least[3];
+    float *most[3];
+} bound_rows;
+
+/* The rings of a band have served. */
+static bound_rows make_bounds(const fill_work *work, size_t index)
+{
+    const size_t stride = work->desk->stride;
+    float *next = work->rings + index * ring_floats(work);
+    bound_rows rows;
+    for (size_t k = 0; k < 3; k++)
+    {
+        rows.least[k] = next + 2 * k * stride + CM_OCTREE_SLACK;
+        rows.most[k] = rows.least[k] + stride;
+        for (size_t i = 0; i < stride - CM_OCTREE_SLACK; i++)
         {
-            const size_t at = row * desk->stride;
-            work->set->rules(desk->width, desk->packed + row * desk->width, desk->reach + at,
-                             desk->front + at, work->row.far, work->row.free_far, desk->rule + at,
-                             desk->least[0] + at, desk->most[0] + at);
+            rows.least[k][i] = INFINITY;
+            rows.most[k][i] = -INFINITY;
         }
-        cm_breaks_apply(desk, slots);
-        free(slots->slot);
+    }
+    return rows;
+}
+
+/* Rules of two rows, and the cells of the first level that are theirs. */
+static void rule_rows(const fill_work *work, size_t row, const bound_rows *bounds)
+{
+    cm_view_desk *desk = work->desk;
+    const size_t to = row / 2 * desk->stride;
+    const size_t second = row + 1 < desk->height ? 1 : 2;
+    for (size_t k = 0; k < 2 && row + k < desk->height; k++)
+    {
+        const size_t at = (row + k) * desk->stride;
+        work->set->rules(desk->width, desk->packed + (row + k) * desk->width, desk->reach + at,
+                         desk->front + at, work->row.far, work->row.free_far, desk->rule + at,
+                         bounds->least[k], bounds->most[k]);
+    }
+    const float *const leasts[2] = {bounds->least[0], bounds->least[second]};
+    const float *const mosts[2] = {bounds->most[0], bounds->most[second]};
+    work->set->halve(desk->table.level[1].width, leasts, mosts, desk->least[1] + to,
+                     desk->most[1] + to);
+}
+
+static void rule_bands(size_t first, size_t end, void *user)
+{
+    const fill_work *work = user;
+    for (size_t index = first; index < end; index++)
+    {
+        const size_t to = band_begin(work, index + 1);
+        const bound_rows bounds = make_bounds(work, index);
+        cm_breaks_heed(work->desk, &work->slots[index]);
+        for (size_t row = band_begin(work, index); row < to; row += 2)
+        {
+            rule_rows(work, row, &bounds);
+        }
+        cm_breaks_gaps(work->desk, &work->slots[index]);
+        free(work->slots[index].slot);
     }
 }
 
@@ -447,7 +529,8 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     describe_border(&desk->table, octree->options.edge, &view->pose);
     work.row.bend = (float)(BEND_EDGES * octree->options.edge);
     work.row.bend_relative = (float)(BEND_SIGMAS * octree->options.noise);
-    work.bands = work.bands < desk->height ? work.bands : desk->height;
+    const size_t pairs = (desk->height + 1) / 2;
+    work.bands = work.bands < pairs ? work.bands : pairs;
     work.rings = malloc(work.bands * ring_floats(&work) * sizeof *work.rings);
     work.slots = calloc(work.bands, sizeof *work.slots);
     if (work.rings == NULL || work.slots == NULL)
@@ -458,6 +541,7 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     }
     cm_pool_run(pool, work.bands, 1, reach_bands, &work);
     cm_pool_run(pool, desk->height, 16, break_bands, &work);
+    cm_pool_run(pool, work.bands, 1, find_bands, &work);
     cm_pool_run(pool, work.bands, 1, rule_bands, &work);
     free(work.rings);
     free(work.slots);

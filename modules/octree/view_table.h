@@ -31,7 +31,7 @@ typedef struct cm_view_desk
     uint32_t width;
     uint32_t height;
     float *memory;   /* of cells */
-    float *least[2]; /* cells of two levels in turn */
+    float *least[2]; /* cells of two levels in turn, of the first in [1] */
     float *most[2];
     cm_pixel_rule *rule;
     uint32_t *word; /* of colors, in rows as the rules' */
@@ -57,7 +57,7 @@ int cm_camera_is_straight(const cm_camera_options *camera);
 
 /* The cleaned image of a view, dense, depth or range as the view has it; *valid: how many pixels measured something. */
 cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
-                             size_t *valid);
+                             cm_pool *pool, size_t *valid);
 
 /* How often windows of 5 x 5 pixels are to be taken for the cleaned image: pixels are 1 / focal_edges edges wide at distance 1. */
 int cm_view_desk_around(const cm_view_desk *desk, double focal_edges);
@@ -70,7 +70,7 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
 void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
                          cm_pool *pool);
 
-/* Bounds in windows from rules: least and most of all pixels are in desk->least[0] and desk->most[0]. */
+/* Bounds in windows from those in cells of the first level, desk->least[1] and desk->most[1]. */
 void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool);
 
 /* A pixel beside a break, and the surfaces that it heeds. */
@@ -92,7 +92,8 @@ typedef struct cm_break_slots
 /* Pixels of some rows that are beside breaks of any row. 0: no memory. */
 int cm_breaks_find(cm_view_desk *desk, size_t first_row, size_t end_row, cm_break_slots *slots);
 
-/* Rules of those pixels, after the others'. */
-void cm_breaks_apply(cm_view_desk *desk, const cm_break_slots *slots);
+/* The fronts that those pixels heed, after all are found; and after the rules, what lies in their gaps. */
+void cm_breaks_heed(cm_view_desk *desk, const cm_break_slots *slots);
+void cm_breaks_gaps(cm_view_desk *desk, const cm_break_slots *slots);
 
 #endif

@@ -78,16 +78,18 @@ static void make_cells(size_t first, size_t end, void *user)
 
 void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool)
 {
-    window_work work = {desk, set, 0};
-    close_cells(desk, 0, desk->width, desk->height);
-    cm_pool_run(pool, desk->height, window_rows(&desk->table.level[0]), make_windows, &work);
+    window_work work = {.desk = desk, .set = set};
     for (int level = 1; level < desk->table.levels; level++)
     {
         const cm_window_level *at = &desk->table.level[level];
         work.level = level;
-        cm_pool_run(pool, at->height, ROWS_AT_A_TIME, make_cells, &work);
+        if (level > 1)
+        {
+            make_cells(0, at->height, &work);
+        }
         close_cells(desk, level & 1, at->width, at->height);
-        cm_pool_run(pool, at->height, window_rows(at), make_windows, &work);
+        /* all levels above the first are less than its third: not worth waiting for threads */
+        cm_pool_run(level == 1 ? pool : NULL, at->height, window_rows(at), make_windows, &work);
     }
     const cm_window_level *last = &desk->table.level[desk->table.levels - 1];
     desk->greatest = last->most[0];

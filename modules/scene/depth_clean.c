@@ -77,6 +77,7 @@ static void count_one(const cleaning *c, float value, cm_depth_count *count)
 static void clean_band(size_t first, size_t last, size_t band, void *user)
 {
     const cleaning *c = user;
+    const float nearest = c->nearest, farthest = c->farthest;
     cm_depth_count count = {.size = sizeof count};
     for (size_t row = first; row < last; row++)
     {
@@ -85,7 +86,7 @@ static void clean_band(size_t first, size_t last, size_t band, void *user)
         read_row(c, row, to);
         for (size_t i = 0; i < c->width; i++)
         {
-            valid += to[i] >= c->nearest && to[i] <= c->farthest;
+            valid += (uint32_t)(to[i] >= nearest) & (uint32_t)(to[i] <= farthest);
         }
         count.valid += valid;
         for (size_t i = 0; valid < c->width && i < c->width; i++)

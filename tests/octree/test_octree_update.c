@@ -26,7 +26,7 @@ static void begin_rules(voxel_rules *rules, const cm_octree *octree, const cm_vi
     memset(rules, 0, sizeof *rules);
     rules->octree = octree;
     rules->view = view;
-    ck_assert_int_eq(cm_view_desk_clean(&rules->desk, octree, view, valid), CM_OK);
+    ck_assert_int_eq(cm_view_desk_clean(&rules->desk, octree, view, NULL, valid), CM_OK);
     ck_assert_int_eq(cm_view_desk_fill(&rules->desk, octree, view, NULL), CM_OK);
     double corner[3];
     for (int axis = 0; axis < 3; axis++)
