@@ -126,19 +126,24 @@ std::string first_present(const std::string &folder, std::initializer_list<std::
     return "";
 }
 
+std::string numbered_depth(const std::string &folder, std::size_t number)
+{
+    return first_present(folder, {numbered("depth_", number, 5, ".png"),
+                                  numbered("depth_", number, 5, ".npy"),
+                                  numbered("depth_", number, 5, ".exr")});
+}
+
 std::vector<SequenceItem> list_open3d(const std::string &folder, cm_sequence_report &report)
 {
     PoseList poses;
     char message[CM_IMAGE_MESSAGE] = "";
     const std::string log = path_in(folder, "trajectory.log");
     check_read(cm_trajectory_log_read(log.c_str(), &poses, message), message);
-    report.listed = report.poses = poses.count;
+    report.poses = poses.count;
     std::vector<SequenceItem> items;
     for (std::size_t i = 0; i < poses.count; ++i)
     {
-        const std::string depth = first_present(folder, {numbered("depth_", i, 5, ".png"),
-                                                         numbered("depth_", i, 5, ".npy"),
-                                                         numbered("depth_", i, 5, ".exr")});
+        const std::string depth = numbered_depth(folder, i);
         if (depth.empty())
         {
             ++report.absent;
@@ -148,6 +153,12 @@ std::vector<SequenceItem> list_open3d(const std::string &folder, cm_sequence_rep
                          first_present(folder, {numbered("image_", i, 5, ".jpg"),
                                                 numbered("image_", i, 5, ".png")})});
     }
+    // of a log that was cut off
+    while (!numbered_depth(folder, poses.count + report.without_pose).empty())
+    {
+        ++report.without_pose;
+    }
+    report.listed = poses.count + report.without_pose;
     return items;
 }
 
