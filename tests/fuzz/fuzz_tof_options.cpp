@@ -95,9 +95,12 @@ bool is_large(char letter, std::string_view text)
 // Whole papers, pictures of presets, budgets, and numbers of two digits.
 bool asks_much(const arguments &given)
 {
+    bool is_texel = false, has_size = false;
     for (int i = 1; i < given.count; ++i)
     {
         const std::string word = given.argument[i];
+        is_texel |= word == "texel";
+        has_size |= word == "--size"; // a million pixels without it
         const std::size_t digit = word.find_first_of("0123456789");
         const bool is_long_number =
             digit != std::string::npos && word.find_first_of("0123456789", digit + 1) == digit + 1;
@@ -106,7 +109,7 @@ bool asks_much(const arguments &given)
             return true;
         }
     }
-    return false;
+    return is_texel && !has_size;
 }
 
 // Frames before one that fails have been written to the stream.

@@ -248,14 +248,42 @@ void are_files_of_hdf5()
     result(same_content("one/frame_0000.h5", "other/frame_0000.h5"), "the same bytes again");
     for (const std::string name : array_names)
     {
-        const bool is_truth = name.compare(0, 6, "truth_") == 0;
-        result(whole.find(is_truth ? name.substr(6) : name) != std::string::npos &&
+        result(whole.find(name) != std::string::npos &&
                    whole.find(numbers_of("npy/" + name + "_0000.npy")) != std::string::npos,
                name + " is in it");
     }
     const SizeLimit limit(6000);
     fails("a disk that is full of HDF5", 1, "made/x/frame_0000.h5'? cannot be written",
           way + "-o made/x --format hdf5");
+}
+
+// Of a wall at 2 m, and from half a metre nearer to it.
+void renders_texels()
+{
+    make_tof_inputs();
+    does("tof texel wall.json path.txt -o texel --size 64 --depths 4 --field 90 --quiet");
+    result(names_in("texel") == "color_0000.exr color_0001.exr depth_0000.exr depth_0001.exr "
+                                "matrices.txt point_0000.exr point_0001.exr range_0000.exr "
+                                "range_0001.exr ",
+           "files of texel images", names_in("texel"));
+    const Picture color("texel/color_0000.exr"), depth("texel/depth_0001.exr"),
+        point("texel/point_0000.exr");
+    result(color.channels == 3 && color.values.size() == 3 * 64 * 64 && depth.channels == 1 &&
+               depth.values.size() == 16 && point.values.size() == 48,
+           "colours are fine, depths coarse");
+    double most = 0;
+    for (std::size_t i = 0; i < 16; ++i)
+    {
+        most = std::max({most, std::fabs(static_cast<double>(depth.values[i]) - 1.5),
+                         std::fabs(static_cast<double>(point.values[3 * i + 2]) - 2)});
+    }
+    result(most < 1e-6, "the wall is where it is", std::to_string(most));
+    result(content_of("texel/matrices.txt") == "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n"
+                                               "1 0 0 0 0 1 0 0 0 0 1 0.5 0 0 0 1\n",
+           "matrices begin at the first pose", content_of("texel/matrices.txt"));
+    does("tof texel wall.json pose.txt -o even --size 64 --depths 4 --field 90 --spacing angles "
+         "--rays 2 --window 3 --threads 2 --quiet");
+    result(!same_pixels("texel/range_0000.exr", "even/range_0000.exr"), "even angles are others");
 }
 
 void knows_sensors()
@@ -301,6 +329,13 @@ void refuses_tof_words()
     make_tof_inputs();
     const std::string good = "tof simulate wall.json sensor.json pose.txt -o made/x";
     fails("no command", 2, "a command is needed: simulate", "tof");
+    fails("no path of texel images", 2, "SCENE and PATH.txt are needed, 1 is given",
+          "tof texel room -o made/x");
+    fails("no folder for texel images", 2, "-o DIR is needed", "tof texel room pose.txt");
+    fails("more depths than pixels", 2, "--depths is more than --size",
+          "tof texel room pose.txt -o made/x --size 8 --depths 9");
+    fails("a spacing that there is not", 2, "--spacing is 'angle'",
+          "tof texel room pose.txt -o made/x --spacing angle");
     fails("another command", 2, "'simulat' is not a command: .*did you mean simulate",
           "tof simulat");
     fails("no operands", 2, "are needed, 0 are given", "tof simulate -o made/x");
@@ -491,9 +526,9 @@ void refuses_tof_files()
 const std::vector<Subject> &tof_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"tof_measures", measures},      {"tof_folder", lies_in_a_folder},
-        {"tof_arrays", are_arrays},      {"tof_hdf5", are_files_of_hdf5},
-        {"tof_sensors", knows_sensors},  {"tof_words", refuses_tof_words},
-        {"tof_files", refuses_tof_files}};
+        {"tof_measures", measures},       {"tof_folder", lies_in_a_folder},
+        {"tof_arrays", are_arrays},       {"tof_hdf5", are_files_of_hdf5},
+        {"tof_texel", renders_texels},    {"tof_sensors", knows_sensors},
+        {"tof_words", refuses_tof_words}, {"tof_files", refuses_tof_files}};
     return subjects;
 }

@@ -333,6 +333,63 @@ START_TEST(millions_of_triangles_are_a_surface_without_gaps)
 }
 END_TEST
 
+/* So large that every loop is in pieces of several threads: two circuits a pixel and shared ones, all kinds of noise. */
+START_TEST(large_pictures_have_the_same_bits_by_any_threads)
+{
+    enum
+    {
+        WIDE = 224,
+        HIGH = 171,
+        ALL = WIDE * HIGH
+    };
+    static float seen[2][5][ALL];
+    static uint8_t seen_flags[2][ALL];
+    const cm_camera_options shape = {.size = sizeof shape,
+                                     .width = WIDE,
+                                     .height = HIGH,
+                                     .fx = 190,
+                                     .fy = 190,
+                                     .cx = 111.5,
+                                     .cy = 85};
+    stage at = make_stage(&wall, 1);
+    at.sensor.read_noise = 5;
+    ck_assert_int_eq(simulate(&at, NULL), CM_OK);
+    cm_camera_destroy(at.camera);
+    ck_assert_int_eq(cm_camera_create(&shape, &at.camera), CM_OK);
+    at.sensor.full_well = 0.7 * (double)charge_a[24 * WIDTH + 32]; /* reached in the middle */
+    at.sensor.camera = at.camera;
+    for (int way = 0; way < 4; way++)
+    {
+        at.sensor.single_readout = way % 2;
+        at.sensor.fixed_pattern = way / 2 * 0.1;
+        const cm_tof_options options = {.size = sizeof options,
+                                        .noise = way > 0,
+                                        .bounces = way == 1,
+                                        .lights = 20,
+                                        .sample_columns = 2,
+                                        .sample_rows = 2};
+        for (int many = 0; many < 2; many++)
+        {
+            cm_pool *pool = NULL;
+            cm_tof_result to = {.size = sizeof to,
+                                .phase = seen[many][0],
+                                .distance = seen[many][4],
+                                .flags = seen_flags[many]};
+            at.sensor.phases = 4;
+            ck_assert_int_eq(cm_pool_create(many ? 7 : 1, &pool), CM_OK);
+            ck_assert_int_eq(
+                cm_tof_simulate(at.scene, &at.sensor, &at.light, 1, NULL, 0.0, &options, pool, &to),
+                CM_OK);
+            cm_pool_destroy(pool);
+        }
+        ck_assert_mem_eq(seen[0], seen[1], sizeof seen[0]);
+        ck_assert_mem_eq(seen_flags[0], seen_flags[1], sizeof seen_flags[0]);
+        ck_assert(seen_flags[0][HIGH / 2 * WIDE + WIDE / 2] & CM_TOF_SATURATED);
+    }
+    free_stage(&at);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {cameras_within_walls_see_what_is_behind,
@@ -344,6 +401,7 @@ int main(void)
                                   axes_of_lights_are_of_any_length,
                                   thin_cones_keep_their_power,
                                   millions_of_triangles_are_a_surface_without_gaps,
+                                  large_pictures_have_the_same_bits_by_any_threads,
                                   NULL};
     return run_suite("hard scenes", tests);
 }

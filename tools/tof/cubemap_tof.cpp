@@ -18,10 +18,12 @@ struct NamedTofCommand
     TofCommand run;
 };
 
-constexpr NamedTofCommand tof_commands[] = {
-    {"simulate", simulate_tof}, {"evaluate", evaluate_tof}, {"reproduce", reproduce_papers}};
+constexpr NamedTofCommand tof_commands[] = {{"simulate", simulate_tof},
+                                            {"evaluate", evaluate_tof},
+                                            {"texel", render_texels},
+                                            {"reproduce", reproduce_papers}};
 
-constexpr const char *tof_command_list = "simulate, evaluate or reproduce";
+constexpr const char *tof_command_list = "simulate, evaluate, texel or reproduce";
 
 const char *tof_command_at(std::size_t index)
 {

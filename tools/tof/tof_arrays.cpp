@@ -5,8 +5,6 @@
 #include "modules/sim/io/hdf5_file.h"
 #include "tools/cli/program.hpp"
 
-#include <algorithm>
-
 std::vector<cm_array> arrays_of(const TofFrame &frame, const TruthPictures *truth)
 {
     const auto height = static_cast<std::uint64_t>(frame.height);
@@ -30,15 +28,15 @@ std::vector<cm_array> arrays_of(const TofFrame &frame, const TruthPictures *trut
         const auto one = [&](const char *name, cm_array_type type, const void *data) {
             arrays.push_back({name, type, 2, {height, width, 0, 0}, data});
         };
-        three("truth/position", CM_ARRAY_DOUBLE, is.position[0]);
-        three("truth/normal", CM_ARRAY_FLOAT, is.normal[0]);
-        one("truth/object", CM_ARRAY_U32, is.object);
-        one("truth/shape", CM_ARRAY_U32, is.shape);
-        one("truth/triangle", CM_ARRAY_U32, is.triangle);
-        one("truth/depth", CM_ARRAY_FLOAT, is.depth);
-        one("truth/range", CM_ARRAY_FLOAT, is.range);
-        three("truth/flow_next", CM_ARRAY_FLOAT, is.flow_next[0]);
-        three("truth/flow_before", CM_ARRAY_FLOAT, is.flow_before[0]);
+        three("truth_position", CM_ARRAY_DOUBLE, is.position[0]);
+        three("truth_normal", CM_ARRAY_FLOAT, is.normal[0]);
+        one("truth_object", CM_ARRAY_U32, is.object);
+        one("truth_shape", CM_ARRAY_U32, is.shape);
+        one("truth_triangle", CM_ARRAY_U32, is.triangle);
+        one("truth_depth", CM_ARRAY_FLOAT, is.depth);
+        one("truth_range", CM_ARRAY_FLOAT, is.range);
+        three("truth_flow_next", CM_ARRAY_FLOAT, is.flow_next[0]);
+        three("truth_flow_before", CM_ARRAY_FLOAT, is.flow_before[0]);
     }
     return arrays;
 }
@@ -48,10 +46,8 @@ void write_npy_files(const OutputFolder &folder, const std::vector<cm_array> &ar
 {
     for (const cm_array &each : arrays)
     {
-        std::string name = each.name;
-        std::replace(name.begin(), name.end(), '/', '_');
-        files.push_back(
-            std::make_unique<AtomicFile>(folder.path_of(frame_file_name(name, number, "npy"))));
+        files.push_back(std::make_unique<AtomicFile>(
+            folder.path_of(frame_file_name(each.name, number, "npy"))));
         write_npy_stream(*files.back(), {each});
     }
 }

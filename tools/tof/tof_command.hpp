@@ -9,6 +9,7 @@
 
 int simulate_tof(int argc, char **argv, const cm_streams &streams);
 int evaluate_tof(int argc, char **argv, const cm_streams &streams);
+int render_texels(int argc, char **argv, const cm_streams &streams);
 int reproduce_papers(int argc, char **argv, const cm_streams &streams);
 
 #endif

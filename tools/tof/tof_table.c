@@ -148,6 +148,86 @@ const cm_command tof_evaluate_command = {
     .operand = CM_OPTION_FILE,
     .bare_version = 1};
 
+static const char *const spacing_names[] = {"spaces", "angles", NULL};
+
+static const cm_option texel_options[] = {
+    {.id = TOF_OUTPUT,
+     .letter = 'o',
+     .name = "output",
+     .kind = CM_OPTION_FILE,
+     .argument = "DIR",
+     .help = "the folder to write, which is made if it is absent"},
+    {.id = TOF_FIELD,
+     .name = "field",
+     .kind = CM_OPTION_NUMBER,
+     .argument = "DEGREES",
+     .help = "from the left edge to the right",
+     .standard = "60",
+     .low = 0.001,
+     .high = 179},
+    {.id = TOF_SIZE,
+     .name = "size",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "PIXELS",
+     .help = "of the colours, each way",
+     .standard = "1024",
+     .low = 1,
+     .high = 16384},
+    {.id = TOF_DEPTHS,
+     .name = "depths",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "COUNT",
+     .help = "depths each way, no more than pixels",
+     .standard = "a sixteenth of the pixels",
+     .low = 1,
+     .high = 16384},
+    {.id = TOF_WINDOW,
+     .name = "window",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "PIXELS",
+     .help = "each way, of which a depth is the mean",
+     .standard = "16",
+     .low = 1,
+     .high = 16384},
+    {.id = TOF_RAYS,
+     .name = "rays",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "COUNT",
+     .help = "through a pixel, each way",
+     .standard = "1",
+     .low = 1,
+     .high = 16},
+    {.id = TOF_SPACING,
+     .name = "spacing",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "NAME",
+     .help = "what is alike between depths: spaces on a wall, or angles",
+     .standard = "spaces",
+     .choices = spacing_names},
+    CM_USUAL_THREADS(TOF_THREADS),
+    CM_USUAL_QUIET(TOF_QUIET),
+};
+
+static const cm_option_group texel_groups[] = {
+    {NULL, texel_options, sizeof texel_options / sizeof *texel_options}};
+
+const cm_command tof_texel_command = {
+    .name = "cubemap-tof texel",
+    .usage = "[OPTION]... SCENE PATH.txt -o DIR",
+    .summary =
+        "Renders texel images: a fine picture of colours over a coarse cloud of depths behind one "
+        "lens (Killpack 2016, chapter 3). DIR gets for each line of PATH.txt, `time tx ty tz qx qy "
+        "qz qw`, camera to world, color_FRAME.exr, depth_FRAME.exr, range_FRAME.exr and "
+        "point_FRAME.exr (X, Y, Z in the camera's axes), in metres, and once matrices.txt: sixteen "
+        "numbers a line, by rows, that take points to the axes of the first line's camera.",
+    .groups = texel_groups,
+    .group_count = 1,
+    .notes = "Example:\n"
+             "  cubemap-tof texel room path.txt -o made --spacing angles",
+    .words = "SCENE DIR PATH FRAME NAME DEGREES PIXELS COUNT X Y Z",
+    .operand = CM_OPTION_FILE,
+    .bare_version = 1};
+
 static const cm_option reproduce_options[] = {
     {.id = TOF_OUTPUT,
      .letter = 'o',
@@ -182,9 +262,9 @@ const cm_command tof_reproduce_command = {
     .bare_version = 1};
 
 static const cm_command *const commands[] = {&tof_simulate_command, &tof_evaluate_command,
-                                             &tof_reproduce_command, NULL};
+                                             &tof_texel_command, &tof_reproduce_command, NULL};
 
-static const char *const command_names[] = {"simulate", "evaluate", "reproduce", NULL};
+static const char *const command_names[] = {"simulate", "evaluate", "texel", "reproduce", NULL};
 
 /* --help and --version alone */
 static const cm_option_group tof_groups[] = {{NULL, NULL, 0}};
@@ -193,14 +273,15 @@ const cm_command cm_tof_command = {
     .name = "cubemap-tof",
     .usage = "simulate [OPTION]... SCENE SENSOR.json TRAJECTORY.txt -o DIR\n"
              "evaluate [OPTION]... MEASURED.exr TRUTH.exr\n"
+             "texel [OPTION]... SCENE PATH.txt -o DIR\n"
              "reproduce [OPTION]... [NAME]... -o DIR",
-    .summary = "Time-of-flight cameras: simulates what they measure, tells how good that is, and "
-               "does again what papers "
+    .summary = "Time-of-flight cameras: simulates what they measure, tells how good that is, "
+               "renders texel images, and does again what papers "
                "found. Each command has a --help of its "
                "own.",
     .groups = tof_groups,
     .group_count = 1,
-    .words = "SCENE DIR MEASURED TRUTH NAME",
+    .words = "SCENE DIR MEASURED TRUTH NAME PATH",
     .operand = CM_OPTION_TEXT,
     .choices = command_names,
     .commands = commands,

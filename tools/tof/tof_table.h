@@ -28,7 +28,13 @@ enum
     TOF_JSON,
     TOF_QUIET,
     TOF_CONFIDENCE,
-    TOF_FORMAT
+    TOF_FORMAT,
+    TOF_FIELD,
+    TOF_SIZE,
+    TOF_DEPTHS,
+    TOF_WINDOW,
+    TOF_RAYS,
+    TOF_SPACING
 };
 
 /* The sensors that are built in, up to NULL. */
@@ -46,6 +52,7 @@ extern const char *const tof_format_names[];
 extern const cm_command tof_simulate_command;
 extern const cm_command tof_reproduce_command;
 extern const cm_command tof_evaluate_command;
+extern const cm_command tof_texel_command;
 
 #ifdef __cplusplus
 }

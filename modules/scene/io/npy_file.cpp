@@ -5,6 +5,7 @@
 #include "file_failure.hpp"
 
 #include "modules/image/io/file_words.h"
+#include "modules/image/io/npy_head.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -198,29 +199,13 @@ void parse_npy(const std::string &name, const unsigned char *bytes, std::size_t 
     picture->channels = 1;
 }
 
-std::string npy_head_of(const char *type, std::size_t rank, const std::uint64_t *shape)
-{
-    std::string dictionary =
-        std::string("{'descr': '") + type + "', 'fortran_order': False, 'shape': (";
-    for (std::size_t i = 0; i < rank; ++i)
-    {
-        dictionary += std::to_string(shape[i]) + (i + 1 < rank ? ", " : "");
-    }
-    dictionary += rank == 1 ? ",), }" : "), }";
-    // the numbers begin at a multiple of 64
-    dictionary.append(63 - (npy_head + dictionary.size()) % 64, ' ');
-    dictionary += '\n';
-    std::string bytes("\x93NUMPY\x01\x00", 8);
-    bytes += static_cast<char>(dictionary.size() % 256);
-    bytes += static_cast<char>(dictionary.size() / 256);
-    return bytes + dictionary;
-}
-
 std::string npy_bytes(const cm_image &picture)
 {
     const std::size_t size = picture.type == CM_PIXEL_U16 ? 2 : 4;
     const std::uint64_t shape[2] = {picture.height, picture.width};
-    std::string bytes = npy_head_of(picture.type == CM_PIXEL_U16 ? "<u2" : "<f4", 2, shape);
+    char head[CM_NPY_HEAD];
+    std::string bytes(head,
+                      cm_npy_head(picture.type == CM_PIXEL_U16 ? "<u2" : "<f4", 2, shape, head));
     const std::ptrdiff_t across =
         picture.pixel_stride != 0 ? picture.pixel_stride : static_cast<std::ptrdiff_t>(size);
     const std::ptrdiff_t down =
@@ -266,13 +251,6 @@ cm_status cm_npy_read(const char *path, cm_image *picture, char *message)
                             parse_npy(path, reinterpret_cast<const unsigned char *>(bytes.data()),
                                       bytes.size(), picture);
                         });
-}
-
-size_t cm_npy_head(const char *type, size_t rank, const uint64_t *shape, char *head)
-{
-    const std::string bytes = npy_head_of(type, rank, shape);
-    std::memcpy(head, bytes.data(), bytes.size());
-    return bytes.size();
 }
 
 cm_status cm_npy_write(const char *path, const cm_image *picture, char *message)

@@ -24,11 +24,6 @@ cm_status cm_npy_read(const char *path, cm_image *picture, char *message);
 /* Write a picture of one channel, CM_PIXEL_U16 or CM_PIXEL_FLOAT, as NPY 1.0. The file appears when it is complete. */
 cm_status cm_npy_write(const char *path, const cm_image *picture, char *message);
 
-/* What a file of NPY 1.0 begins with: the numbers' type as NumPy names it, such as "<f4", and up to 8 axes. Bytes into head,
- * which has room for CM_NPY_HEAD; returns how many, a multiple of 64. */
-#define CM_NPY_HEAD 320
-size_t cm_npy_head(const char *type, size_t rank, const uint64_t *shape, char *head);
-
 #ifdef __cplusplus
 }
 #endif

@@ -29,7 +29,7 @@ typedef enum cm_array_type
 /* A dense array, its last axis innermost. */
 typedef struct cm_array
 {
-    const char *name; /* with slashes between groups */
+    const char *name; /* with slashes between groups, where files have those */
     cm_array_type type;
     size_t rank; /* 1 to CM_ARRAY_RANK */
     uint64_t shape[CM_ARRAY_RANK];

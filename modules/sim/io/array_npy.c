@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "array_file.h"
 
-#include "modules/scene/io/npy_file.h"
+#include "modules/image/io/npy_head.h"
 
 #include <stdio.h>
 
