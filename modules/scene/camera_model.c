@@ -83,11 +83,24 @@ static void make_distortion(const double *k, cm_lens *lens)
     lens->is_plain = !is_distorted(k);
 }
 
+/* Products with a radius and sums of those stay finite. */
+static int are_coefficients(const double *k)
+{
+    for (int i = 0; i < 14; i++)
+    {
+        if (!(fabs(k[i]) <= 1e250))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 cm_status cm_camera_make_lens(const cm_camera_options *options, cm_lens *lens)
 {
     const double *k = options->distortion;
     if (!is_focal_length(options->fx) || !is_focal_length(options->fy) ||
-        !are_finite(&options->cx, 1) || !are_finite(&options->cy, 1) || !are_finite(k, 14) ||
+        !are_finite(&options->cx, 1) || !are_finite(&options->cy, 1) || !are_coefficients(k) ||
         fabs(k[12]) >= QUARTER_TURN || fabs(k[13]) >= QUARTER_TURN)
     {
         return CM_ERROR_CAMERA;
