@@ -182,7 +182,7 @@ class Declarations:
 
     def returned(self, one, method):
         if one.is_text or (one.base == "char" and one.pointers):
-            return "string"
+            return "string | null" if method.endswith("At") else "string"  # a list has an end
         if one.direction == "borrowed" or one.pointers:
             if one.base in self.interface.structs:
                 return f"{pascal(one.base)} | null"

@@ -18,7 +18,8 @@ TELLERS = {"cm_octree_at"}
 
 # What may be left out, beside options.
 NULLABLE = {("cm_octree_update_points", "rgb"), ("cm_octree_merge", "pose"), ("cm_raster_triangles", "pose"),
-            ("cm_raster_discs", "pose"), ("cm_raster_points", "pose"), ("cm_raster_weights", "pose")}
+            ("cm_raster_discs", "pose"), ("cm_raster_points", "pose"), ("cm_raster_weights", "pose"),
+            ("cm_octree_at", "level"), ("cm_octree_load", "options"), ("cm_raster_create", "nearest")}
 
 # Objects that must outlive what is made, or what they are added to, as JavaScript.
 NEEDS = {"cm_raster_create": ["camera"], "cm_octree_create": ["options?.pages"], "cm_octree_load": ["options?.pages"],

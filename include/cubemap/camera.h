@@ -47,7 +47,7 @@ typedef struct cm_camera_options
     double
         pixel_centre; /* 0: centres at integers (OpenCV, TUM); 0.5: as in this library's images; up to 1 */
     double distortion[14]; /* OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y; up to
-                              1e250; the last two in radians, less than a quarter turn */
+                              1e150; the last two in radians, less than a quarter turn */
     const cm_mapping
         *mapping; /* instead of all that: an omnidirectional image; the camera keeps a copy */
 } cm_camera_options;

@@ -44,7 +44,7 @@
 /* Steps of differences for derivatives, in pixels. */
 #define STEP (1.0 / 4096.0)
 
-/* No pixel is wider on a source that goes round, of its whole width: footprints reach 2.23 of it each way. */
+/* No pixel is wider on a source that goes round, of its whole width: footprints reach twice it each way. */
 #define POLE_MOST 0.5
 
 /* Places so far beyond a plane are still its own: filters reach beyond its edges. */

@@ -129,13 +129,24 @@ struct cm_octree
     void (*desk_destroy)(void *desk);
 };
 
+/* What misses take from alpha. */
+static inline uint8_t cm_taken_by(const cm_count_rule *rule, unsigned misses)
+{
+    return (uint8_t)(misses * rule->miss < 255 ? misses * rule->miss : 255);
+}
+
+/* alpha with so much taken, down to the lowest and no further; bytes and no branches, for many at a time. */
+static inline uint8_t cm_lowered(uint8_t alpha, uint8_t taken, uint8_t low)
+{
+    const uint8_t less = (uint8_t)(alpha > taken ? alpha - taken : 0);
+    const uint8_t bottom = alpha < low ? alpha : low;
+    return less > bottom ? less : bottom;
+}
+
 /* alpha after so many misses. */
 static inline uint8_t cm_after_misses(const cm_count_rule *rule, unsigned alpha, unsigned misses)
 {
-    const unsigned less = misses * rule->miss;
-    return (uint8_t)(alpha > rule->low + less ? alpha - less
-                     : rule->low < alpha      ? rule->low
-                                              : alpha);
+    return cm_lowered((uint8_t)alpha, cm_taken_by(rule, misses), (uint8_t)rule->low);
 }
 
 /* Misses that wait, and more. */

@@ -46,7 +46,7 @@ typedef struct cm_update
     uint32_t part_of[256];
     cm_cell_offsets offset[CM_DETAILS];
     cm_cell_offsets block; /* of the blocks of a region */
-    int failed;            /* 1: no memory */
+    atomic_int failed;     /* 1: no memory */
 } cm_update;
 
 /* The desk of a map, which is made if there is none; NULL if there is no memory. */

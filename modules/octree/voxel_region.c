@@ -245,18 +245,13 @@ static void refine(uint8_t *alpha, uint32_t *color, unsigned from, unsigned to)
     }
 }
 
-/* As cm_after_misses, without branches: of many cells at a time. */
 static void miss_cells(uint8_t *restrict alpha, size_t cells, const cm_count_rule *rule,
                        unsigned misses)
 {
-    const uint8_t low = rule->low;
-    const uint8_t less = (uint8_t)(misses * rule->miss < 255 ? misses * rule->miss : 255);
+    const uint8_t low = (uint8_t)rule->low, taken = cm_taken_by(rule, misses);
     for (size_t cell = 0; misses > 0 && cell < cells; cell++)
     {
-        const uint8_t a = alpha[cell];
-        const uint8_t lowered = (uint8_t)(a > less ? a - less : 0);
-        const uint8_t bottom = a < low ? a : low;
-        alpha[cell] = lowered > bottom ? lowered : bottom;
+        alpha[cell] = cm_lowered(alpha[cell], taken, low);
     }
 }
 

@@ -83,12 +83,12 @@ static void make_distortion(const double *k, cm_lens *lens)
     lens->is_plain = !is_distorted(k);
 }
 
-/* Products with a radius and sums of those stay finite. */
+/* Products of two stay finite. */
 static int are_coefficients(const double *k)
 {
     for (int i = 0; i < 14; i++)
     {
-        if (!(fabs(k[i]) <= 1e250))
+        if (!(fabs(k[i]) <= 1e150))
         {
             return 0;
         }

@@ -145,8 +145,8 @@ cm_status cm_pose_from_quaternion(const double position[3], const double quatern
     }
     const double length = sqrt(square);
     /* 0.999 and 1.001, which no double is, are 1e-3 off as well */
-    if (!(fabs(length - 1.0) <= 1e-3 + 4.0 * DBL_EPSILON) || !isfinite(position[0]) || !isfinite(position[1]) ||
-        !isfinite(position[2]))
+    if (!(fabs(length - 1.0) <= 1e-3 + 4.0 * DBL_EPSILON) || !isfinite(position[0]) ||
+        !isfinite(position[1]) || !isfinite(position[2]))
     {
         return CM_ERROR_CAMERA;
     }

@@ -20,6 +20,12 @@ constexpr const char *camera_text =
     R"("camera": {"width": 24, "height": 18, "fx": 20, "fy": 20, "cx": 11.5, "cy": 8.5})";
 constexpr const char *light_text = R"("lights": [{"power": 0.7, "aperture": 6.283185307179586}])";
 
+// One whose frames are shorter than any buffer.
+constexpr const char *small_sensor =
+    R"({"camera": {"width": 4, "height": 3, "fx": 4, "fy": 4, "cx": 1.5, "cy": 1}, "pitch": 12e-6, "f_number": 1,
+"wavelength": 850e-9, "efficiency": 0.4, "exposure": 1e-3, "frequency": 20e6, "phases": 4, "duty": 0.5, "contrast": 0.8,
+"lights": [{"power": 1, "aperture": 6.28}]})";
+
 // A sensor with something else, or more, at its end.
 std::string sensor_text(const std::string &rest = light_text,
                         const std::string &exposure = "\"exposure\": 5e-3")
@@ -40,12 +46,6 @@ void make_tof_inputs()
     write_file("pose.txt", "0 0 0 0 0 0 0 1\n");
     write_file("path.txt", "0 0 0 0 0 0 0 1\n1 0 0 0.5 0 0 0 1\n");
     std::filesystem::create_directory("made");
-}
-
-// The files tell when they were written, too.
-bool same_pixels(const std::string &one, const std::string &other)
-{
-    return Picture(one).values == Picture(other).values;
 }
 
 // All distances of a picture.
@@ -151,10 +151,10 @@ void lies_in_a_folder()
          "--threads 7");
     does("tof simulate wall.json sensor.json path.txt -o made/c --quiet --noise --seed 4 --samples "
          "2x3");
-    result(same_pixels("made/a/phase_0001_3.exr", "made/b/phase_0001_3.exr") &&
-               same_pixels("made/a/distance_0000.exr", "made/b/distance_0000.exr"),
+    result(same_content("made/a/phase_0001_3.exr", "made/b/phase_0001_3.exr") &&
+               same_content("made/a/distance_0000.exr", "made/b/distance_0000.exr"),
            "the same bits with seven threads");
-    result(!same_pixels("made/a/phase_0001_3.exr", "made/c/phase_0001_3.exr"),
+    result(!same_content("made/a/phase_0001_3.exr", "made/c/phase_0001_3.exr"),
            "another seed has other noise");
     says("two frequencies", "\"frames\": 1",
          "tof simulate --preset pico-flexx room pose.txt -o made/d --json");
@@ -223,6 +223,10 @@ void are_arrays()
         const Ran ran = run_with_input("", way + "-o - --quiet", full);
         result(ran.status == 1 && matches(ran.err, "'standard output' cannot be written: No space"),
                "a stream that nobody takes", ran.err);
+        write_file("few.json", small_sensor);
+        const Ran few = run_with_input("", "tof simulate wall.json few.json pose.txt -o - --quiet", full);
+        result(few.status == 1 && matches(few.err, "'standard output' cannot be written: No space"),
+               "a short stream that nobody takes", few.err);
         std::fclose(full);
     }
     const SizeLimit limit(6000);
@@ -283,7 +287,7 @@ void renders_texels()
            "matrices begin at the first pose", content_of("texel/matrices.txt"));
     does("tof texel wall.json pose.txt -o even --size 64 --depths 4 --field 90 --spacing angles "
          "--rays 2 --window 3 --threads 2 --quiet");
-    result(!same_pixels("texel/range_0000.exr", "even/range_0000.exr"), "even angles are others");
+    result(!same_content("texel/range_0000.exr", "even/range_0000.exr"), "even angles are others");
 }
 
 void knows_sensors()
@@ -300,10 +304,10 @@ void knows_sensors()
                            light_text));
     does("tof simulate wall.json mask.json pose.txt -o rows --quiet");
     does("tof simulate wall.json flat.json pose.txt -o flat --quiet");
-    result(same_pixels("rows/phase_0000_1.exr", "flat/phase_0000_1.exr"),
+    result(same_content("rows/phase_0000_1.exr", "flat/phase_0000_1.exr"),
            "a mask by rows is one in one list");
     does("tof simulate wall.json sensor.json pose.txt -o whole --quiet");
-    result(!same_pixels("rows/phase_0000_1.exr", "whole/phase_0000_1.exr"), "a mask takes light");
+    result(!same_content("rows/phase_0000_1.exr", "whole/phase_0000_1.exr"), "a mask takes light");
     write_file("spot.json", sensor_text("\"lights\": [{\"position\": [0.1, 0, 0], \"direction\": "
                                         "[0, 0, 2], \"power\": 1, \"aperture\": 1, \"intensity\": "
                                         "[1, 0.5, 0]}]"));
@@ -334,6 +338,10 @@ void refuses_tof_words()
     fails("no folder for texel images", 2, "-o DIR is needed", "tof texel room pose.txt");
     fails("more depths than pixels", 2, "--depths is more than --size",
           "tof texel room pose.txt -o made/x --size 8 --depths 9");
+    fails("a window beyond the image", 2, "--window is more than --size",
+          "tof texel room pose.txt -o made/x --size 8 --window 9");
+    fails("a budget that cannot be told", 2, "--budget has no place to tell",
+          "tof simulate wall.json sensor.json pose.txt -o - --budget 1mm");
     fails("a spacing that there is not", 2, "--spacing is 'angle'",
           "tof texel room pose.txt -o made/x --spacing angle");
     fails("another command", 2, "'simulat' is not a command: .*did you mean simulate",
@@ -490,6 +498,11 @@ void refuses_tof_files()
     fails("a mesh beyond reach", 1, "'far.obj' has a mesh with coordinates of 1e18",
           "tof simulate far.obj sensor.json pose.txt -o made/x");
     write_file("odd.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 9\n");
+    write_file("comma.obj", "v 0 0 1\nv 1,0 0 1\nv 0 1 1\nf 1 2 3\n");
+    fails("a number with a comma", 1, "comma.obj:2: a vertex with what is no finite number",
+          "tof simulate comma.obj sensor.json pose.txt -o made/x");
+    write_file("note.obj", "v 0 0 1 # here\nv 1 0 1\nv 0 1 1\nf 1 2 3\n");
+    passes("a note behind a vertex", "tof simulate note.obj sensor.json pose.txt -o note --quiet");
     fails("a mesh of a vertex that is not there", 1, "odd.obj:4: a face of a vertex",
           "tof simulate odd.obj sensor.json pose.txt -o made/x");
     write_file("empty.json", "{}");

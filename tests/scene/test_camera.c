@@ -89,7 +89,7 @@ START_TEST(what_is_no_camera_is_refused)
     refuse_number(&options.fy, &options, 5e-324);
     refuse_number(&options.pixel_centre, &options, -1e-9);
     refuse_number(&options.pixel_centre, &options, 1.0 + 1e-9);
-    refuse_number(&options.distortion[2], &options, -1.1e250);
+    refuse_number(&options.distortion[2], &options, -1.1e150);
     refuse_number(&options.distortion[11], &options, 7.8e307);
     refuse_number(&options.distortion[12], &options, 1.5708);
     refuse_number(&options.distortion[13], &options, -1.5708);

@@ -175,7 +175,7 @@ public:
         const std::string name = members.word("file", "the name of a mesh");
         if (cm_pose_from_quaternion(position.data(), quaternion.data(), &made.pose) != CM_OK)
         {
-            members.fail("quaternion", " is not of length 1, or more than 1e-3 off");
+            members.fail("quaternion", " is more than 1e-3 off length 1");
         }
         made.mesh = add_mesh(world, file.path_of(name));
     }

@@ -130,6 +130,11 @@ void add_files(cJSON *to, int format)
     {
         add_text(files, picture_name(format, name).c_str(), what);
     }
+    if (format != TOF_FORMAT_EXR)
+    {
+        add_text(files, picture_name(format, "flags").c_str(),
+                 "sums of 1 saturated, 2 nothing came back, 4 flying, 8 motion, 16 multipath");
+    }
     add_text(files, "poses.txt",
              "time tx ty tz qx qy qz qw, camera to world, at a frame's beginning");
 }

@@ -116,6 +116,10 @@ void take_format(SimulateOptions &options)
     {
         throw UsageFailure("--json has no place where -o - writes frames; see --help");
     }
+    if (options.is_stream && options.budget)
+    {
+        throw UsageFailure("--budget has no place to tell where -o - writes frames; see --help");
+    }
     options.format = options.is_stream    ? TOF_FORMAT_NPY
                      : options.format < 0 ? TOF_FORMAT_EXR
                                           : options.format;

@@ -19,9 +19,11 @@
 #include "tools/cli/scene_world.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <optional>
 #include <cmath>
+#include <cstring>
 
 namespace
 {
@@ -226,7 +228,11 @@ public:
         if (stream)
         {
             write_npy_stream(*stream, arrays_of(frame, truth));
-            std::fflush(out); // who reads need not wait for the next; what fails is told at the end
+            if (std::fflush(out) != 0) // who reads need not wait for the next
+            {
+                throw Failure(std::string("'standard output' cannot be written: ") +
+                              std::strerror(errno));
+            }
             return;
         }
         FileList files;

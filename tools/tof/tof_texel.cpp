@@ -92,9 +92,13 @@ TexelOptions parse_texel_options(int argc, char **argv, const cm_streams &stream
     {
         throw UsageFailure("-o DIR is needed: the folder to write; see --help");
     }
+    cm_texel_options of_standard_window = options.texel;
+    of_standard_window.window = 0;
+    const bool are_depths_good = cm_texel_complete(&of_standard_window) == CM_OK;
     if (cm_texel_complete(&options.texel) != CM_OK)
     {
-        throw UsageFailure("--depths is more than --size; see --help");
+        throw UsageFailure(std::string(are_depths_good ? "--window" : "--depths") +
+                           " is more than --size; see --help");
     }
     options.scene = names[0];
     options.path = names[1];

@@ -31,7 +31,7 @@ export function cm_sample(of, surface, pictures, filter, x, y, z) {
     const { all } = putPictures(of, pictures, "pictures");
     const n = x.length;
     const [px, py, pz] = [[x, "x"], [y, "y"], [z, "z"]].map(([values, name]) => M.input(F64, values, n, name));
-    const size = n * pictures[0].channels;
+    const size = n * (pictures[0].channels ?? 1);
     const out = M.room(size * F32.bytes);
     check(X.cm_sample(surface.pointer, all, code(enumerations.E_cm_filter, filter, "filter"), n, px, py, pz, out));
     return M.result(F32, undefined, out, size);

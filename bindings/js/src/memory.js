@@ -168,6 +168,9 @@ export class Memory {
             return value.pointer;
         }
         if (typeof value !== "object" || value === null) {
+            if (n > 1) {
+                throw new TypeError(`${name} is to be an array of ${n}`);
+            }
             const pointer = this.room(of.bytes);
             this.data[of.set](pointer, this.#number(of, value, name), true);
             return pointer;

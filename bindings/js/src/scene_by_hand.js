@@ -2,7 +2,7 @@
 //
 // Of cubemap/scene what no rule of the list describes: images and pictures, hits, keys and blobs, visits of voxels.
 
-import { ArgumentError } from "./errors.js";
+import { ArgumentError, CameraError, DataError } from "./errors.js";
 import { callbacksOf } from "./load.js";
 import { F32, F64, U32, U8 } from "./memory.js";
 import { putPicture, takePicture } from "./pictures.js";
@@ -105,7 +105,9 @@ export function cm_trajectory_create(of, Trajectory, stamp, pose) {
     try {
         check(X.cm_trajectory_create(n, stamps, poses, made, wrong));
     } catch (error) {
-        error.message += `, at index ${M.data.getUint32(wrong, true)}`;
+        if (error instanceof DataError || error instanceof CameraError) {
+            error.message += `, at index ${M.data.getUint32(wrong, true)}`;
+        }
         throw error;
     }
     return M.data.getUint32(made, true);

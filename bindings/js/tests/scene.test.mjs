@@ -275,6 +275,7 @@ test("worlds, meshes and what is drawn of them", () => {
     assert.deepEqual([...hit.id], [0, 1, 2 ** 32 - 1]);
     assert.deepEqual([hit.color[0][0], hit.color[1][0], hit.reflectance[0]], [1, 0.5, 0.5]);
     assert.equal(hit.normal[2][1], 1);
+    assert.throws(() => scene.cast([0.25, 0, 9], [0.25, 0, 9], 2, [0, 0, 0], [0, 0, 0], [-1, -1, 1]), TypeError);
     mesh.free();
     assert.throws(() => scene.cast([0], [0], [0], [0], [0], [1]), /the Mesh has been freed/);
     assert.equal(lib.Scene.nameAt(0), "room");

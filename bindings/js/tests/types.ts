@@ -50,6 +50,10 @@ octree.walkBox([0, 0, 0], [1, 1, 1], ({ state }) => state === "occupied");
 const hits: HitArrays = scene.Scene.named("room").cast([0], [0], [1], [1], [0], [0]);
 const range: Float32Array = new scene.Rays(camera).toRange(new Float32Array(48), { range: scene.float32(48) });
 new scene.Raster(camera, 0).triangles(null, { position: [0, 0, 1, 1, 0, 1, 0, 1, 1] });
+new scene.Raster(camera).points(null, { position: [0, 0, 1] });
+const finest: Voxel = octree.at([0, 0, 0]);
+const opened: Octree = scene.Octree.load(new scene.Store());
+const named: string | null = scene.Scene.nameAt(0);
 const counted: bigint = octree.count.occupied;
 
 // @ts-expect-error: what a ray meets may be nothing
@@ -61,5 +65,7 @@ octree.merge(camera);
 // @ts-expect-error: pixels of these types are none
 octree.update({ camera, depth: { data: new Float64Array(48), width: 8, height: 6 } });
 
-export { counted, hits, range, struck, voxel, voxels };
+export { counted, finest, hits, named, opened, range, struck, voxel, voxels };
+// @ts-expect-error: there may be no such scene
+scene.Scene.nameAt(0).length;
 export { CubemapError, cells, floats, jacobian, many, message, pictures, point };

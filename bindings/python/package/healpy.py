@@ -328,6 +328,8 @@ def ud_grade(map_in: ArrayLike, nside_out: int, pess: bool = False, order_in: st
 def query_disc(nside: int, vec: ArrayLike, radius: float, inclusive: bool = False, fact: int = 4, nest: bool = False,
                buff: np.ndarray | None = None) -> np.ndarray:
     """The pixels, sorted, whose centre is within an angle of a vector; inclusive: those that overlap the disc, and a few more."""
+    if inclusive and not 1 <= fact <= 1 << 20:
+        raise ValueError(f"fact: 1 to 2^20, not {fact}")
     ring = (_handles.get((nside, False)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, False)
     pixels = _core.pixel_disc(ring, vec, radius, max_pixrad(nside) if inclusive else 0.0, fact if inclusive else 0)
     if nest:

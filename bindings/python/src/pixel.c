@@ -96,7 +96,7 @@ static PyObject *boundary(PyObject *module, PyObject *const *args, Py_ssize_t co
         return NULL;
     }
     const long long pixel = PyLong_AsLongLong(args[1]);
-    const Py_ssize_t steps = PyErr_Occurred() ? -1 : PyLong_AsSsize_t(args[2]);
+    const Py_ssize_t steps = PyErr_Occurred() ? -1 : PyNumber_AsSsize_t(args[2], PyExc_ValueError);
     const int rows = PyErr_Occurred() ? -1 : PyObject_IsTrue(args[3]);
     if (rows < 0)
     {
@@ -401,7 +401,7 @@ static int fill_disc(struct disc *disc)
 /* Three numbers as a unit vector; 0 with an exception. */
 static int read_vector(PyObject *object, double unit[3])
 {
-    PyObject *array = PyArray_FROMANY(object, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO);
+    PyObject *array = PyArray_FROMANY(object, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST);
     if (!array)
     {
         return 0;
@@ -426,9 +426,14 @@ static int read_vector(PyObject *object, double unit[3])
     return 1;
 }
 
+/* Everything is within half a turn, whatever rounding says of the antipode. */
 static double square_of_chord(double angle)
 {
-    const double half = sin((angle < PI ? angle : PI) / 2);
+    if (angle >= PI)
+    {
+        return INFINITY;
+    }
+    const double half = sin(angle / 2);
     return 4 * half * half;
 }
 
@@ -442,7 +447,7 @@ static int read_disc(PyObject *const *args, struct disc *disc)
     }
     const double radius = PyFloat_AsDouble(args[2]);
     const double beyond = PyErr_Occurred() ? 0.0 : PyFloat_AsDouble(args[3]);
-    const Py_ssize_t steps = PyErr_Occurred() ? 0 : PyLong_AsSsize_t(args[4]);
+    const Py_ssize_t steps = PyErr_Occurred() ? 0 : PyNumber_AsSsize_t(args[4], PyExc_ValueError);
     if (PyErr_Occurred())
     {
         return 0;

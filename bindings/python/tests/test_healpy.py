@@ -173,6 +173,23 @@ def test_discs_around_a_pole_and_at_great_resolutions():
     assert np.linalg.norm(vectors.T - vector / np.linalg.norm(vector), axis=1).max() < 5.001e-9
 
 
+def test_discs_of_half_a_turn_have_all():
+    for nside in (1, 2, 5, 16):
+        for pixel in range(12 * nside**2):
+            around = -np.array(healpy.pix2vec(nside, pixel))
+            assert healpy.query_disc(nside, around, np.pi).size == 12 * nside**2
+
+
+def test_arguments_of_discs():
+    vector = np.array([1, 2, 3])
+    expected = healpy.query_disc(8, vector, 0.3, inclusive=True, fact=4)
+    assert np.array_equal(healpy.query_disc(8, vector.astype(object), 0.3, inclusive=True, fact=np.int64(4)), expected)
+    for fact in (0, -1, 2**20 + 1):
+        with pytest.raises(ValueError, match="fact: 1 to 2\\^20"):
+            healpy.query_disc(8, vector, 0.3, inclusive=True, fact=fact)
+    assert np.array_equal(healpy.boundaries(8, 3, step=np.int64(2)), healpy.boundaries(8, 3, step=2))
+
+
 def test_sizes():
     for nside in (1, 2, 256, 2**20):
         for name in ("nside2npix", "nside2pixarea", "nside2resol", "max_pixrad", "nside2order"):

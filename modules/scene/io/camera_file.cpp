@@ -271,7 +271,7 @@ void CameraText::fail_refused(const cm_camera_options &options) const
         std::string what;
         void (*clear)(cm_camera_options &);
     };
-    const std::array<Part, 4> parts = {
+    const std::array<Part, 5> parts = {
         {{"fx", "a focal length of " + number_text(options.fx),
           [](cm_camera_options &to) { to.fx = 1.0; }},
          {"fy", "a focal length of " + number_text(options.fy),
@@ -279,6 +279,8 @@ void CameraText::fail_refused(const cm_camera_options &options) const
          {"pixel_centre",
           "pixel_centre is " + number_text(options.pixel_centre) + ", not from 0 to 1",
           [](cm_camera_options &to) { to.pixel_centre = 0.0; }},
+         {"distortion", "distortion has a number beyond 1e150",
+          [](cm_camera_options &to) { std::fill_n(to.distortion, 12, 0.0); }},
          {"distortion", "distortion has a tilt, its numbers 13 and 14, of a right angle or more",
           [](cm_camera_options &to) { to.distortion[12] = to.distortion[13] = 0.0; }}}};
     cm_camera_options left = options;

@@ -35,7 +35,11 @@ bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::
     std::ifstream file(path, std::ios::binary);
     // the library looks beside the file, then where the program stands, and puts nothing before "/"
     const std::string &main_path = *static_cast<const std::string *>(main_file);
-    const std::string folder = main_path.substr(0, main_path.rfind('/') + 1);
+    std::string folder = main_path.substr(0, main_path.rfind('/') + 1);
+    while (folder.size() > 1 && folder[folder.size() - 2] == '/')
+    {
+        folder.pop_back(); // as the library has it
+    }
     const bool is_beside = folder.empty() ? path[0] != '/' : path.rfind(folder, 0) == 0;
     if (!is_main && (path.find("..", folder.size()) != std::string::npos || !is_beside))
     {

@@ -60,6 +60,10 @@ private:
         }
         for (std::size_t i = 1; i < lines.words().size(); ++i)
         {
+            if (i > 3 && lines.words()[i][0] == '#')
+            {
+                break;
+            }
             double number = 0;
             if (!word_number(lines.words()[i], number) || !(number - number == 0))
             {
@@ -98,14 +102,14 @@ private:
     std::size_t highest_line = 0;
 };
 
-// A file's text, whose lines end as they may anywhere.
+// A file's text as its check reads it: lines end as they may anywhere, and no comma parts words, as none does in OBJ.
 std::string text_of(const std::string &path)
 {
     std::string text = read_whole(path, largest_text);
     for (std::size_t i = 0; i < text.size(); ++i)
     {
         const bool ends_alone = text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
-        text[i] = ends_alone ? '\n' : text[i];
+        text[i] = ends_alone ? '\n' : text[i] == ',' ? ';' : text[i];
     }
     return text;
 }

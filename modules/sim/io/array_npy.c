@@ -21,6 +21,10 @@ cm_status cm_array_write_npy(const cm_image_stream *stream, const cm_array *arra
     char head[CM_NPY_HEAD];
     if (stream == NULL || bytes == 0)
     {
+        if (message != NULL)
+        {
+            snprintf(message, CM_IMAGE_MESSAGE, "%s", cm_status_text(CM_ERROR_ARGUMENT));
+        }
         return CM_ERROR_ARGUMENT;
     }
     const char *const type = is_little() ? little[array->type] : big[array->type];

@@ -21,8 +21,9 @@ static cm_status fail(cm_status status, const char *what, char *message)
     return status;
 }
 
-/* Properties by which a file is the same whenever it is made; groups come with names. */
-static int put_dataset(hid_t file, const cm_array *array)
+/* Properties by which a file is the same whenever it is made; groups come with names. CM_ERROR_ARGUMENT: no such name, or it is
+ * there; what else fails, in memory, fails for lack of it. */
+static cm_status put_dataset(hid_t file, const cm_array *array)
 {
     const hid_t in_memory[] = {H5T_NATIVE_UINT8, H5T_NATIVE_UINT32, H5T_NATIVE_FLOAT,
                                H5T_NATIVE_DOUBLE};
@@ -46,7 +47,7 @@ static int put_dataset(hid_t file, const cm_array *array)
     (void)(create >= 0 && H5Pclose(create));
     (void)(link >= 0 && H5Pclose(link));
     (void)(space >= 0 && H5Sclose(space));
-    return is_done;
+    return is_done ? CM_OK : is_ready && set < 0 ? CM_ERROR_ARGUMENT : CM_ERROR_MEMORY;
 }
 
 /* A file that is in memory only. */
@@ -99,11 +100,12 @@ static cm_status write_arrays(const cm_image_stream *stream, const cm_array *arr
     cm_status status = CM_OK;
     for (size_t i = 0; status == CM_OK && i < count; i++)
     {
-        if (!put_dataset(file, &array[i]))
+        status = put_dataset(file, &array[i]);
+        if (status != CM_OK)
         {
             char text[200];
             snprintf(text, sizeof text, "HDF5 does not take the array %.100s", array[i].name);
-            status = fail(CM_ERROR_ARGUMENT, text, message);
+            (void)fail(status, text, message);
         }
     }
     status = status == CM_OK ? send_file(file, stream, message) : status;
