@@ -117,7 +117,7 @@ static void tell_others(const cm_advice *advice, const cm_advice_candidate *c,
     if ((c->missed >> CM_LIMIT_PRECISION & 1u) != 0)
     {
         begin(text);
-        append(text, "in ");
+        append(text, "precision ");
         append(text, cm_precision_name(c->precision));
         append(text, advice->has_ellipsoid && c->precision == CM_PRECISION_FLOAT
                          ? ", which has no grids on ellipsoids"

@@ -207,7 +207,7 @@ START_TEST(reasons)
     ck_assert_str_eq(reason_at(advice, 0),
                      "deformation 31.08 degrees, 1.08 more than 30; ns 3, 1 more than 2; "
                      "error 0.5316 m, 0.0316 more than 0.5; not so smooth across edges; "
-                     "in float, which is not asked for");
+                     "precision float, which is not asked for");
     char little[12];
     cm_advice_reason(advice, 0, little, sizeof little);
     ck_assert_str_eq(little, "deformation");
@@ -263,7 +263,7 @@ START_TEST(double_would_do)
     const cm_advice_candidate *c = cm_advice_at(advice, 0);
     ck_assert_int_eq((int)c->precision, CM_PRECISION_DOUBLE);
     ck_assert_int_eq(c->is_near, 1);
-    ck_assert_str_eq(reason_at(advice, 0), "in double, which is not asked for");
+    ck_assert_str_eq(reason_at(advice, 0), "precision double, which is not asked for");
     ck_assert_int_eq(cm_advice_at(advice, 1)->is_near, 0);
     ck_assert_str_eq(reason_at(advice, 1), "error 1.025 m, 1.03 more than 1e-06");
     cm_advice_destroy(advice);
@@ -505,14 +505,14 @@ START_TEST(errors_on_ellipsoids)
     ck_assert_int_eq((int)cm_advice_at(advice, 0)->precision, CM_PRECISION_FAST);
     double error = cm_advice_at(advice, 1)->value[CM_LIMIT_ERROR];
     REQUIRE(error > 1e-3 && error < 0.5, "%g m", error);
-    ck_assert_str_eq(reason_at(advice, 2), "in float, which has no grids on ellipsoids");
+    ck_assert_str_eq(reason_at(advice, 2), "precision float, which has no grids on ellipsoids");
     ck_assert_int_eq(cm_advice_at(advice, 2)->is_near, 0);
     cm_advice_destroy(advice);
     request.precisions = 1u << CM_PRECISION_DOUBLE;
     advice = advise(&request, &t);
     ck_assert_uint_eq(cm_advice_qualified(advice), 1);
-    ck_assert_str_eq(reason_at(advice, 1), "in float, which has no grids on ellipsoids");
-    ck_assert_str_eq(reason_at(advice, 2), "in fast, which is not asked for");
+    ck_assert_str_eq(reason_at(advice, 1), "precision float, which has no grids on ellipsoids");
+    ck_assert_str_eq(reason_at(advice, 2), "precision fast, which is not asked for");
     ck_assert_int_eq(cm_advice_at(advice, 2)->is_near, 1);
     cm_advice_destroy(advice);
     request.precisions = 0;
