@@ -73,8 +73,9 @@ typedef struct cm_view_table
     float focal[2];  /* pixels along rows and columns */
     float centre[2]; /* the principal point */
     float near;      /* what is nearer is not seen */
-    float beside[2][2]; /* columns and rows: pixels at distance 1 that a voxel's centre may be before the first and behind the last
-                           while its corners are still in the picture */
+    /* columns and rows: pixels at distance 1 that a voxel's centre may be before the first and behind
+     * the last while its corners are still in the picture */
+    float beside[2][2];
     const cm_pixel_rule *rule;
     const cm_pixel_gap *gap; /* in rows as rules; of pixels that have one */
     int levels;
@@ -117,19 +118,21 @@ typedef struct cm_rule_row
     float row_place;
     float step; /* 1 / apart */
     float focal[2];
-    float axes[3][3];     /* columns are of the world's axes in the camera */
-    float half;           /* an edge */
-    float hit_aside;      /* of what a plane changes from a pixel's centre to its corners, what hits reach more */
-    float hit_more;       /* and added to that */
-    float front_aside;    /* the same of what is not missed */
+    float axes[3][3]; /* columns are of the world's axes in the camera */
+    float half;       /* an edge */
+    /* of what a plane changes from a pixel's centre to its corners, what hits reach more */
+    float hit_aside;
+    float hit_more;    /* and added to that */
+    float front_aside; /* the same of what is not missed */
     float front_more;
     float relative;       /* times depth, added, too: the sensor's noise */
     float most;           /* no hit reaches more, but for noise */
     float front_relative; /* times depth: what noise adds to the front */
     float far;            /* what is farther is no hit, and free up to here */
-    float free_far;       /* what pixels without a measurement are free up to; NaN: nothing is said of them */
-    float bend;           /* depths that differ by more from a plane show a bend, */
-    float bend_relative;  /* and times depth: what noise adds */
+    /* what pixels without a measurement are free up to; NaN: nothing is said of them */
+    float free_far;
+    float bend;          /* depths that differ by more from a plane show a bend, */
+    float bend_relative; /* and times depth: what noise adds */
 } cm_rule_row;
 
 typedef struct cm_octree_set
@@ -145,8 +148,8 @@ typedef struct cm_octree_set
     /* Adds CM_BREAK_NEAR to kinds of a row; rows of fronts are `stride` from each other. */
     void (*breaks)(size_t n, size_t stride, const float *front, const float *back, uint8_t *kind);
     /* Rules and bounds of a row; front_of: the least front that each pixel heeds; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
-    void (*rules)(size_t n, const float *depth, const float *reach, const float *front_of, float far,
-                  float free_far, cm_pixel_rule *rule, float *least, float *most);
+    void (*rules)(size_t n, const float *depth, const float *reach, const float *front_of,
+                  float far, float free_far, cm_pixel_rule *rule, float *least, float *most);
     /* Words of colors (region.h) of pixels that are `apart` bytes from each other. */
     void (*words)(size_t n, const uint8_t *rgb, ptrdiff_t apart, uint32_t *word);
     /* Cells of twice the size from two rows of cells; n of the new ones. */

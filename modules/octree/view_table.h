@@ -43,8 +43,8 @@ typedef struct cm_view_desk
     uint8_t *kind;     /* of each pixel, bits of CM_BREAK_... */
     uint32_t *slot_of; /* of pixels beside breaks, 1 and up; 0 between views */
     cm_pixel_gap *gap;
-    float heed;  /* half a voxel's diagonal in pixels at distance 1: so far pixels heed each other */
-    float hides; /* and no farther behind what they see */
+    float heed; /* half a voxel's diagonal in pixels at distance 1: so far pixels heed each other */
+    float hides;    /* and no farther behind what they see */
     float greatest; /* of all that pixels say: nothing happens beyond */
     cm_rays *rays;  /* of the camera below, where needed */
     const cm_camera *rays_of;

@@ -51,8 +51,8 @@ static double value(const cm_brdf *brdf, const brdf_angles *at)
     const halfway h = halfway_of(at);
     const double seen = 2.0 * h.normal * fmin(at->in, at->out) / h.in; /* of the V-grooves' sides */
     return f->diffuse / PI + f->specular * fresnel(h.in, f->eta, f->absorption) *
-                                      beckmann(h.normal, f->roughness) * fmin(1.0, seen) /
-                                      (4.0 * at->in * at->out);
+                                 beckmann(h.normal, f->roughness) * fmin(1.0, seen) /
+                                 (4.0 * at->in * at->out);
 }
 
 static double density(const cm_brdf *brdf, const brdf_angles *at)

@@ -61,7 +61,8 @@ static cm_octree *empty_map(double edge, double aside, int no_return_is_free)
 }
 
 /* The view of that index, seen so many times: the camera takes one picture. */
-static void add_views(cm_octree *map, room_work *work, const cm_scene *scene, size_t index, int times)
+static void add_views(cm_octree *map, room_work *work, const cm_scene *scene, size_t index,
+                      int times)
 {
     const cm_pose pose = room_pose(index, work->views);
     room_picture_take(scene, work->camera, &pose, 0.0, (uint32_t)index, &work->picture);

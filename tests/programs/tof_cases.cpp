@@ -224,7 +224,8 @@ void are_arrays()
         result(ran.status == 1 && matches(ran.err, "'standard output' cannot be written: No space"),
                "a stream that nobody takes", ran.err);
         write_file("few.json", small_sensor);
-        const Ran few = run_with_input("", "tof simulate wall.json few.json pose.txt -o - --quiet", full);
+        const Ran few =
+            run_with_input("", "tof simulate wall.json few.json pose.txt -o - --quiet", full);
         result(few.status == 1 && matches(few.err, "'standard output' cannot be written: No space"),
                "a short stream that nobody takes", few.err);
         std::fclose(full);

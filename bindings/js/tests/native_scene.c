@@ -23,7 +23,8 @@ enum
     MOST = 100000
 };
 
-static double column[PIXELS], row[PIXELS], ray[3][PIXELS], direction[3][PIXELS], origin[3][PIXELS], distance[PIXELS];
+static double column[PIXELS], row[PIXELS], ray[3][PIXELS], direction[3][PIXELS], origin[3][PIXELS],
+    distance[PIXELS];
 static float depth[PIXELS], map[7][PIXELS];
 static cm_voxel voxel[MOST];
 
@@ -58,12 +59,14 @@ static void look(const cm_scene *scene, int view)
         for (int k = 0; k < 3; k++)
         {
             origin[k][i] = pose.position[k];
-            direction[k][i] = pose.rotation.row[0][k] * ray[0][i] + pose.rotation.row[1][k] * ray[1][i] +
+            direction[k][i] = pose.rotation.row[0][k] * ray[0][i] +
+                              pose.rotation.row[1][k] * ray[1][i] +
                               pose.rotation.row[2][k] * ray[2][i];
         }
     }
     const cm_hit_arrays hit = {.size = sizeof hit, .distance = distance};
-    cm_scene_cast_array(scene, PIXELS, origin[0], origin[1], origin[2], direction[0], direction[1], direction[2], &hit);
+    cm_scene_cast_array(scene, PIXELS, origin[0], origin[1], origin[2], direction[0], direction[1],
+                        direction[2], &hit);
     put(distance, sizeof *distance, PIXELS);
     for (int i = 0; i < PIXELS; i++)
     {
@@ -76,8 +79,12 @@ static cm_view view_of(const cm_camera *camera, int view)
     return (cm_view){.size = sizeof(cm_view),
                      .camera = camera,
                      .pose = pose_of(view),
-                     .depth = {.size = sizeof(cm_image), .data = depth, .type = CM_PIXEL_FLOAT, .width = WIDTH,
-                               .height = HEIGHT, .channels = 1},
+                     .depth = {.size = sizeof(cm_image),
+                               .data = depth,
+                               .type = CM_PIXEL_FLOAT,
+                               .width = WIDTH,
+                               .height = HEIGHT,
+                               .channels = 1},
                      .depth_unit = 1};
 }
 
@@ -107,20 +114,29 @@ static void write_voxels(const cm_octree *octree, int level)
     put(&n, sizeof n, 1);
     for (size_t i = 0; i < count; i++)
     {
-        const double numbers[5] = {voxel[i].x, voxel[i].y, voxel[i].z, voxel[i].edge, voxel[i].alpha};
+        const double numbers[5] = {voxel[i].x, voxel[i].y, voxel[i].z, voxel[i].edge,
+                                   voxel[i].alpha};
         put(numbers, sizeof *numbers, 5);
     }
 }
 
 int main(void)
 {
-    const cm_camera_options options = {.size = sizeof options, .width = WIDTH, .height = HEIGHT, .fx = 40, .fy = 41,
-                                       .cx = 31.5, .cy = 23.5, .distortion = {-0.1, 0.02, 0.001, -0.0005}};
-    const cm_octree_options map_options = {.size = sizeof map_options, .edge = 0.05, .levels = 9, .instructions = "scalar"};
+    const cm_camera_options options = {.size = sizeof options,
+                                       .width = WIDTH,
+                                       .height = HEIGHT,
+                                       .fx = 40,
+                                       .fy = 41,
+                                       .cx = 31.5,
+                                       .cy = 23.5,
+                                       .distortion = {-0.1, 0.02, 0.001, -0.0005}};
+    const cm_octree_options map_options = {
+        .size = sizeof map_options, .edge = 0.05, .levels = 9, .instructions = "scalar"};
     cm_camera *camera;
     cm_scene *scene;
     cm_octree *octree;
-    need(cm_camera_create(&options, &camera) == CM_OK && cm_scene_create_named("room", &scene) == CM_OK &&
+    need(cm_camera_create(&options, &camera) == CM_OK &&
+         cm_scene_create_named("room", &scene) == CM_OK &&
          cm_octree_create(&map_options, &octree) == CM_OK);
     for (int i = 0; i < PIXELS; i++)
     {

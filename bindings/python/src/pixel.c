@@ -146,8 +146,8 @@ static PyObject *vector(PyObject *module, PyObject *const *args, Py_ssize_t coun
 
 /* ---- discs ---- */
 
-#define TOGETHER 64   /* pixels whose centres are asked for at once */
-#define ROUNDED 1e-9  /* more than angles of rings are off, in radians */
+#define TOGETHER 64  /* pixels whose centres are asked for at once */
+#define ROUNDED 1e-9 /* more than angles of rings are off, in radians */
 
 /* Pixels around a unit vector, in the order RING. */
 struct disc
@@ -342,7 +342,8 @@ static int keep_ring(struct disc *disc, const cm_healpix_ring *ring, double thet
     count = add_part(parts, count, ring->count, (struct part){sure_end, end, 0});
     for (int i = 0; i < count; i++)
     {
-        if (!keep_part(disc, ring->first + parts[i].begin, parts[i].end - parts[i].begin, parts[i].sure))
+        if (!keep_part(disc, ring->first + parts[i].begin, parts[i].end - parts[i].begin,
+                       parts[i].sure))
         {
             return 0;
         }
@@ -382,7 +383,8 @@ static int64_t first_ring(const cm_healpix *healpix, double theta)
 static int fill_disc(struct disc *disc)
 {
     const int64_t count = cm_healpix_ring_count(disc->healpix);
-    for (int64_t number = first_ring(disc->healpix, disc->theta - disc->reach - ROUNDED); number <= count; number++)
+    for (int64_t number = first_ring(disc->healpix, disc->theta - disc->reach - ROUNDED);
+         number <= count; number++)
     {
         cm_healpix_ring ring;
         const double theta = ring_theta(disc->healpix, number, &ring);
@@ -401,7 +403,8 @@ static int fill_disc(struct disc *disc)
 /* Three numbers as a unit vector; 0 with an exception. */
 static int read_vector(PyObject *object, double unit[3])
 {
-    PyObject *array = PyArray_FROMANY(object, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST);
+    PyObject *array =
+        PyArray_FROMANY(object, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST);
     if (!array)
     {
         return 0;
@@ -471,7 +474,8 @@ static int read_disc(PyObject *const *args, struct disc *disc)
         /* no two points of a boundary that follow each other are farther apart than twice this */
         const double side = PI / 4 / (double)(cm_healpix_nside(disc->healpix) * steps);
         disc->overlap = square_of_chord(radius + side);
-        cm_healpix_pixel_from_direction_array(disc->healpix, 1, centre, centre + 1, centre + 2, &disc->own);
+        cm_healpix_pixel_from_direction_array(disc->healpix, 1, centre, centre + 1, centre + 2,
+                                              &disc->own);
         disc->outline = malloc(12 * (size_t)steps * sizeof *disc->outline);
         if (!disc->outline)
         {
@@ -492,10 +496,9 @@ static PyObject *disc(PyObject *module, PyObject *const *args, Py_ssize_t count)
     PyObject *array = NULL;
     if (are_given(args, count, 5) && read_disc(args, &disc))
     {
-        int good;
-        Py_BEGIN_ALLOW_THREADS
-        good = fill_disc(&disc);
-        Py_END_ALLOW_THREADS
+        PyThreadState *const state = PyEval_SaveThread();
+        const int good = fill_disc(&disc);
+        PyEval_RestoreThread(state);
         array = good ? array_of(NPY_INT64, (npy_intp)disc.count, 0) : PyErr_NoMemory();
         if (array && disc.count)
         {
@@ -516,6 +519,7 @@ PyMethodDef core_methods[] = {
      "pixel_boundary(handle, pixel, steps, rows): (3, 4 steps), or (4 steps, 3)."},
     {"pixel_disc", FAST(disc), METH_FASTCALL,
      "pixel_disc(handle, vector, radius, beyond, steps): the pixels of a disc, in the order RING."},
-    {"angles_to_vector", FAST(vector), METH_FASTCALL, "angles_to_vector(theta, phi): a unit vector."},
+    {"angles_to_vector", FAST(vector), METH_FASTCALL,
+     "angles_to_vector(theta, phi): a unit vector."},
     {NULL, NULL, 0, NULL},
 };
