@@ -7,33 +7,16 @@
  *   simulate-speed [RUNS [ONE]]     ONE: the number of the only line wanted, from 0
  */
 #include "bench/harness/harness.h"
-
-#include <cubemap/sim.h>
+#include "room_stage.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
-enum
-{
-    WIDTH = 640,
-    HEIGHT = 480,
-    PIXELS = WIDTH * HEIGHT,
-    PHASES = 4,
-    RUNS_MOST = 101
-};
+#define RUNS_MOST 101
 
 static float phase[PHASES * PIXELS], distance[2][PIXELS], amplitude[PIXELS], intensity[PIXELS];
-
-static void need(cm_status status)
-{
-    if (status != CM_OK)
-    {
-        fprintf(stderr, "simulate-speed: %s\n", cm_status_text(status));
-        exit(1);
-    }
-}
 
 static int compare(const void *a, const void *b)
 {
@@ -47,10 +30,8 @@ typedef struct setting
     cm_tof_options options;
 } setting;
 
-static void measure(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
-                    const cm_trajectory *trajectory, const setting *with, int runs, float *result)
+static void measure(const room_stage *stage, const setting *with, int runs, float *result)
 {
-    const cm_tof_light light = {.size = sizeof light, .power = 1.0, .aperture = 6.28};
     double milliseconds[RUNS_MOST];
     cm_tof_report report = {.size = sizeof report};
     for (int i = 0; i < runs; i++)
@@ -62,7 +43,7 @@ static void measure(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
                             .intensity = intensity,
                             .report = &report};
         const clock_t begin = clock();
-        need(cm_tof_simulate(scene, sensor, &light, 1, trajectory, 0.0, &with->options, NULL, &to));
+        room_stage_simulate(stage, &with->options, NULL, &to);
         milliseconds[i] = 1e3 * (double)(clock() - begin) / CLOCKS_PER_SEC;
     }
     qsort(milliseconds, (size_t)runs, sizeof *milliseconds, compare);
@@ -74,35 +55,7 @@ static void measure(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
 int main(int argc, char **argv)
 {
     const int runs = argc > 1 ? atoi(argv[1]) : 15;
-    cm_scene *world = NULL;
-    cm_tof_scene *scene = NULL;
-    cm_camera *camera = NULL;
-    cm_trajectory *trajectory = NULL;
-    const cm_camera_options shape = {.size = sizeof shape,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .fx = 525,
-                                     .fy = 525,
-                                     .cx = 319.5,
-                                     .cy = 239.5};
-    const double stamp = 0.0, place[3] = {-2.0, 0.3, 1.4}, turn[4] = {0.5, -0.5, 0.5, -0.5};
-    cm_pose pose;
-    need(cm_pose_from_quaternion(place, turn, &pose));
-    need(cm_scene_create_named("room", &world));
-    need(cm_tof_scene_create(world, &scene));
-    need(cm_camera_create(&shape, &camera));
-    need(cm_trajectory_create(1, &stamp, &pose, &trajectory, NULL));
-    const cm_tof_sensor sensor = {.size = sizeof sensor,
-                                  .camera = camera,
-                                  .pitch = 12e-6,
-                                  .f_number = 1.0,
-                                  .wavelength = 850e-9,
-                                  .efficiency = 0.4,
-                                  .exposure = 1e-3,
-                                  .frequency = 20e6,
-                                  .duty = 0.5,
-                                  .contrast = 0.8,
-                                  .phases = PHASES};
+    room_stage stage = room_stage_make();
     const setting settings[] = {
         {"direct", {.size = sizeof(cm_tof_options)}},
         {"direct, noise", {.size = sizeof(cm_tof_options), .noise = 1}},
@@ -118,8 +71,7 @@ int main(int argc, char **argv)
         {
             continue;
         }
-        measure(scene, &sensor, trajectory, &settings[i], runs < RUNS_MOST ? runs : RUNS_MOST,
-                distance[i == 3]);
+        measure(&stage, &settings[i], runs < RUNS_MOST ? runs : RUNS_MOST, distance[i == 3]);
     }
     double most = 0.0;
     size_t apart = 0;
@@ -131,9 +83,6 @@ int main(int argc, char **argv)
     }
     printf("adaptive and full: %.3g m apart at the most, %zu pixels by more than 0.1 mm\n", most,
            apart);
-    cm_trajectory_destroy(trajectory);
-    cm_camera_destroy(camera);
-    cm_tof_scene_destroy(scene);
-    cm_scene_destroy(world);
+    room_stage_free(&stage);
     return 0;
 }

@@ -7,7 +7,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include <cubemap/sim.h>
+#include "room_stage.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,70 +15,13 @@
 #include <time.h>
 #include <unistd.h>
 
-enum
-{
-    WIDTH = 640,
-    HEIGHT = 480,
-    PIXELS = WIDTH * HEIGHT,
-    PHASES = 4,
-    ROUNDS_MOST = 1001
-};
+#define ROUNDS_MOST 1001
 
 static float phase[PHASES * PIXELS], distance[PIXELS], amplitude[PIXELS], intensity[PIXELS];
 
-static void need(int is_good)
+static void make_frames(const room_stage *of, const cm_tof_options *options, int frames,
+                        cm_pool *pool)
 {
-    if (!is_good)
-    {
-        fputs("simulate-threads: something failed\n", stderr);
-        exit(1);
-    }
-}
-
-typedef struct stage
-{
-    cm_scene *world;
-    cm_tof_scene *scene;
-    cm_camera *camera;
-    cm_trajectory *trajectory;
-    cm_tof_sensor sensor;
-} stage;
-
-static stage make_stage(void)
-{
-    stage made = {0};
-    const cm_camera_options shape = {.size = sizeof shape,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .fx = 525,
-                                     .fy = 525,
-                                     .cx = 319.5,
-                                     .cy = 239.5};
-    const double stamp = 0.0, place[3] = {-2.0, 0.3, 1.4}, turn[4] = {0.5, -0.5, 0.5, -0.5};
-    cm_pose pose;
-    need(cm_pose_from_quaternion(place, turn, &pose) == CM_OK);
-    need(cm_scene_create_named("room", &made.world) == CM_OK);
-    need(cm_tof_scene_create(made.world, &made.scene) == CM_OK);
-    need(cm_camera_create(&shape, &made.camera) == CM_OK);
-    need(cm_trajectory_create(1, &stamp, &pose, &made.trajectory, NULL) == CM_OK);
-    const cm_tof_sensor sensor = {.size = sizeof sensor,
-                                  .camera = made.camera,
-                                  .pitch = 12e-6,
-                                  .f_number = 1.0,
-                                  .wavelength = 850e-9,
-                                  .efficiency = 0.4,
-                                  .exposure = 1e-3,
-                                  .frequency = 20e6,
-                                  .duty = 0.5,
-                                  .contrast = 0.8,
-                                  .phases = PHASES};
-    made.sensor = sensor;
-    return made;
-}
-
-static void make_frames(const stage *of, const cm_tof_options *options, int frames, cm_pool *pool)
-{
-    const cm_tof_light light = {.size = sizeof light, .power = 1.0, .aperture = 6.28};
     for (int i = 0; i < frames; i++)
     {
         cm_tof_result to = {.size = sizeof to,
@@ -86,8 +29,16 @@ static void make_frames(const stage *of, const cm_tof_options *options, int fram
                             .distance = distance,
                             .amplitude = amplitude,
                             .intensity = intensity};
-        need(cm_tof_simulate(of->scene, &of->sensor, &light, 1, of->trajectory, 0.0, options, pool,
-                             &to) == CM_OK);
+        room_stage_simulate(of, options, pool, &to);
+    }
+}
+
+static void need_process(int is_good)
+{
+    if (!is_good)
+    {
+        fputs("simulate-threads: a process failed\n", stderr);
+        exit(1);
     }
 }
 
@@ -99,13 +50,13 @@ static double seconds(void)
 }
 
 /* Seconds until two processes have made so many frames each. */
-static double by_processes(const stage *of, const cm_tof_options *options, int frames)
+static double by_processes(const room_stage *of, const cm_tof_options *options, int frames)
 {
     const double begin = seconds();
     for (int i = 0; i < 2; i++)
     {
         const pid_t child = fork();
-        need(child >= 0);
+        need_process(child >= 0);
         if (child == 0)
         {
             make_frames(of, options, frames, NULL);
@@ -115,16 +66,16 @@ static double by_processes(const stage *of, const cm_tof_options *options, int f
     for (int i = 0; i < 2; i++)
     {
         int status = 0;
-        need(wait(&status) > 0 && status == 0);
+        need_process(wait(&status) > 0 && status == 0);
     }
     return seconds() - begin;
 }
 
 /* Threads are made anew: a process that has some may not be copied. */
-static double by_threads(const stage *of, const cm_tof_options *options, int frames)
+static double by_threads(const room_stage *of, const cm_tof_options *options, int frames)
 {
     cm_pool *pool = NULL;
-    need(cm_pool_create(2, &pool) == CM_OK);
+    need(cm_pool_create(2, &pool));
     const double begin = seconds();
     make_frames(of, options, 2 * frames, pool);
     const double took = seconds() - begin;
@@ -142,7 +93,7 @@ int main(int argc, char **argv)
 {
     const int asked = argc > 1 ? atoi(argv[1]) : 15, frames = argc > 2 ? atoi(argv[2]) : 10;
     const int rounds = asked < 1 ? 1 : asked < ROUNDS_MOST ? asked : ROUNDS_MOST;
-    const stage at = make_stage();
+    room_stage at = room_stage_make();
     static const struct
     {
         const char *name;
@@ -169,5 +120,6 @@ int main(int argc, char **argv)
                settings[s].name, quotient[rounds / 2], quotient[rounds / 4],
                quotient[3 * rounds / 4]);
     }
+    room_stage_free(&at);
     return 0;
 }
