@@ -14,7 +14,7 @@ esac
 
 # What each job needs, by the names of Debian's and Ubuntu's packages.
 needs_to_build="build-essential meson ninja-build pkg-config libopenimageio-dev zlib1g-dev libcfitsio-dev libjansson-dev
-    libsqlite3-dev libzstd-dev libcjson-dev libtinygltf-dev libtinyobjloader-dev libembree-dev check"
+    libopenexr-dev libsqlite3-dev libzstd-dev libcjson-dev libtinygltf-dev libtinyobjloader-dev libembree-dev check"
 needs_to_test="$needs_to_build glslang-tools python3 python3-mpmath python3-pycparser doxygen"
 # The libraries that tests/peers and bench/side_by_side compare with are used where they are; .ci/run
 # and scripts/speed have them all.
@@ -96,6 +96,7 @@ has()
     ninja-build) command -v ninja >/dev/null ;;
     pkg-config) command -v pkg-config >/dev/null ;;
     libopenimageio-dev) pkg-config --exists OpenImageIO 2>/dev/null ;;
+    libopenexr-dev) pkg-config --exists OpenEXR 2>/dev/null ;;
     zlib1g-dev) pkg-config --exists zlib 2>/dev/null ;;
     libcfitsio-dev) pkg-config --exists cfitsio 2>/dev/null ;;
     libjansson-dev) pkg-config --exists jansson 2>/dev/null ;;
