@@ -148,22 +148,26 @@ def comments_of(path, text):
     """Only the comments, with the lines where they are; all of a document."""
     if path.endswith(".md"):
         return text
-    kept = [" "] * len(text)
+    kept, end = [], 0
     marks = r"/\*.*?\*/|//[^\n]*" if path.endswith((".c", ".h", ".cpp", ".hpp", ".inc")) else r"(?m:^\s*#[^\n]*)"
     for match in re.finditer(marks, text, re.S):
-        kept[match.start():match.end()] = match[0]
-    return "".join(new if new != " " or old != "\n" else "\n" for new, old in zip(kept, text))
+        kept += ["\n" * text.count("\n", end, match.start()), match[0]]
+        end = match.end()
+    return " ".join(kept)
 
 
-def check_names(path, text, tree, complaints):
+def is_named(name, names):
+    pattern = pattern_of(name)
+    return name in names or name in FOREIGN or ("*" in pattern and any(fnmatch.fnmatchcase(each, pattern) for each in names))
+
+
+def check_names(path, text, names, complaints):
     """A file that is named without its folder is somewhere."""
-    names = {os.path.basename(each) for each in tree}
     for number, line in lines_of(comments_of(path, text)):
         if "<" in line and path.endswith(".md"):
             line = re.sub(r"<[^>]*>", "", line)
         for name in BARE.findall(line):
-            known = name in FOREIGN or any(fnmatch.fnmatchcase(each, pattern_of(name)) for each in names)
-            if not known:
+            if not is_named(name, names):
                 complaints.append(f"{path}:{number}: there is no file {name}")
 
 
@@ -178,6 +182,7 @@ def check(tree):
         while os.path.dirname(path):
             path = os.path.dirname(path)
             folders.add(path)
+    names = {os.path.basename(path) for path in tree}
     count = 0
     for path, text in sorted(tree.items()):
         if text is None:
@@ -186,7 +191,7 @@ def check(tree):
             count += check_links(path, text, tree, folders, complaints)
         text = comments_of(path, text) if path.endswith("meson.build") else text
         count += check_paths(path, text, tree, folders, complaints)
-        check_names(path, text, tree, complaints)
+        check_names(path, text, names, complaints)
     return complaints, count
 
 
