@@ -125,6 +125,12 @@ static block_walk walk_of(const cm_surface *to)
 
 /* ---- nearness ---- */
 
+/* Without hypot's care for what is huge or tiny, which places in pixels are not. */
+static double far_by(double x, double y)
+{
+    return sqrt(x * x + y * y);
+}
+
 static double wrapped(double difference, double period)
 {
     return period > 0.0 ? difference - period * floor(difference / period + 0.5) : difference;
@@ -165,8 +171,8 @@ static double distance(const pair *of, const places *near, const places *exact)
         double off = 0.0;
         if (near->plane[i] != CM_NO_FACE && near->plane[i] == exact->plane[i])
         {
-            off = hypot(wrapped(near->x[i] - exact->x[i], of->from->period),
-                        near->y[i] - exact->y[i]);
+            off = far_by(wrapped(near->x[i] - exact->x[i], of->from->period),
+                         near->y[i] - exact->y[i]);
         }
         else if (near->plane[i] != exact->plane[i])
         {
@@ -425,17 +431,17 @@ static size_t check_slopes(const pair *of, unsigned plane, uint32_t column, uint
         {
             const double dx = 32.0 * wrapped(x[1][i] - x[0][i], period);
             const double dy = 32.0 * (y[1][i] - y[0][i]);
-            const double wide = hypot(16.0 * wrapped(x[3][i] - x[2][i], period) - dx,
-                                      16.0 * (y[3][i] - y[2][i]) - dy);
-            const double side = hypot(64.0 * wrapped(x[1][i] - x[4][i], period) - dx,
-                                      64.0 * (y[1][i] - y[4][i]) - dy);
-            const double steep = hypot(dx, dy);
+            const double wide = far_by(16.0 * wrapped(x[3][i] - x[2][i], period) - dx,
+                                       16.0 * (y[3][i] - y[2][i]) - dy);
+            const double side = far_by(64.0 * wrapped(x[1][i] - x[4][i], period) - dx,
+                                       64.0 * (y[1][i] - y[4][i]) - dy);
+            const double steep = far_by(dx, dy);
             if (at->plane[i] == CM_NO_FACE || !(wide <= 1e-4 * steep && side <= 1e-3 * steep))
             {
                 continue;
             }
             const double off =
-                hypot(at->slope[2 * by][i] - dx, at->slope[2 * by + 1][i] - dy) / steep;
+                far_by(at->slope[2 * by][i] - dx, at->slope[2 * by + 1][i] - dy) / steep;
             REQUIRE(off <= 5e-3, "%s: plane %u, block %u, %u, pixel %u: %g", of->words, plane,
                     column, row, i, off);
             checked++;
