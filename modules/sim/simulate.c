@@ -80,7 +80,8 @@ static cm_status check_options(const cm_tof_options *options)
         return CM_ERROR_ARGUMENT;
     }
     if (options->bounces < 0 || options->bounces > 1000 || options->sample_times > 1000 ||
-        options->lights > 1u << 20 || options->paths > 1u << 20 || options->map_edge > 4096)
+        options->lights > 1u << 20 || options->paths > 1u << 20 || options->map_edge > 4096 ||
+        (options->shot != CM_TOF_POISSON && options->shot != CM_TOF_FREEMAN_TUKEY))
     {
         return CM_ERROR_RANGE;
     }

@@ -6,6 +6,7 @@
 
 const char *const tof_preset_names[] = {"pico-flexx", "camcube", "dual-12um", "single-8um", NULL};
 const char *const tof_format_names[] = {"exr", "npy", "hdf5", NULL};
+const char *const tof_shot_names[] = {"poisson", "freeman-tukey", NULL};
 
 static const cm_option simulate_options[] = {
     {.id = TOF_OUTPUT,
@@ -54,6 +55,16 @@ static const cm_option simulate_options[] = {
     {.id = TOF_NOISE,
      .name = "noise",
      .help = "shot noise, and the dark, read and fixed pattern noise that the sensor has"},
+    {.id = TOF_SHOT,
+     .name = "shot",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "NAME",
+     .help =
+         "where shot noise comes from: Poisson's distribution; or normal numbers in Freeman and "
+         "Tukey's space, of a variance by a polynomial (Bulczak, Lambers and Kolb 2018)",
+     .more = "The polynomial is the sensor's shot_variance, or Poisson's own.",
+     .standard = "poisson",
+     .choices = tof_shot_names},
     {.id = TOF_SEED,
      .name = "seed",
      .kind = CM_OPTION_WHOLE,
