@@ -236,10 +236,9 @@ static cm_status scatter(const tof_scenery *scenery, size_t n, const ray_block *
         status = tof_paths_add(scenery->instant, scenery->lamp, scenery->lamps, options,
                                &scenery->waves, &points, &radiance);
     }
-    if (status == CM_OK && options->environment != NULL)
+    if (status == CM_OK && scenery->sky != NULL)
     {
-        status = tof_environment_add(scenery->instant, options->environment, options, &points,
-                                     &radiance);
+        status = tof_environment_add(scenery->instant, scenery->sky, options, &points, &radiance);
     }
     for (size_t k = 0; k < count; k++)
     {
@@ -265,7 +264,7 @@ static void look_beyond(const tof_scenery *scenery, size_t n, const ray_block *r
         {
             const double direction[3] = {rays->direction[0][i], rays->direction[1][i],
                                          rays->direction[2][i]};
-            light->ambient[i] = tof_environment_radiance(scenery->options->environment, direction);
+            light->ambient[i] = sky_radiance(scenery->options->environment, direction);
         }
     }
 }

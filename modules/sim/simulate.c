@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "charges.h"
+#include "map_cells.h"
 #include "reconstruct.h"
 #include "tof_world.h"
 #include "vector.h"
@@ -37,6 +38,7 @@ typedef struct frame
     uint8_t *flags;
     size_t pixels;
     void *memory;
+    tof_sky *sky; /* NULL: no environment */
     int times;
     int is_beyond; /* some charge is more than a float holds */
     uint32_t virtual_lights;
@@ -59,10 +61,8 @@ static cm_status check_environment(const cm_tof_environment *environment)
     {
         return CM_ERROR_RANGE;
     }
-    const size_t faces = /* six, or one */
-        environment->radiance == NULL                                     ? 0
-        : cm_mapping_describe(environment->mapping)->kind == CM_KIND_CUBE ? 6
-                                                                          : 1;
+    const size_t faces =
+        environment->radiance == NULL ? 0 : (size_t)map_faces(environment->mapping);
     for (size_t i = 0; i < faces * environment->edge * environment->edge; i++)
     {
         if (!(environment->radiance[i] >= 0.0f) || !isfinite(environment->radiance[i]))
@@ -117,6 +117,7 @@ static cm_status add_time(frame *doing, double time, int series, double part, in
     tof_scenery scenery = {.set = doing->scene->set,
                            .sensor = &doing->sensor,
                            .options = &doing->options,
+                           .sky = doing->sky,
                            .lamps = doing->lights};
     tof_instant *instant = NULL;
     tof_virtual_lights *virtual_lights = NULL;
@@ -431,11 +432,14 @@ static cm_status get_memory(frame *doing)
         charges_offsets(&doing->sensor, &doing->options, doing->pool, offset);
         doing->offset = offset;
     }
-    return CM_OK;
+    return doing->options.environment == NULL
+               ? CM_OK
+               : sky_create(doing->options.environment, doing->pool, &doing->sky);
 }
 
 static void give_back(frame *doing)
 {
+    sky_destroy(doing->sky);
     tof_scene_return((cm_tof_scene *)(uintptr_t)doing->scene, doing->memory);
     lamps_free_tables(doing->table, doing->lights);
     sensor_release(&doing->sensor);
