@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * Outlines and edges of what formulas give, drawn into a sensor's cells: what is thinner than a cell lies between the
- * middles, and is sampled nevertheless.
+ * Outlines and edges of what formulas give, and outlines of meshes, drawn into a sensor's cells: what is thinner than a cell
+ * lies between the middles, and is sampled nevertheless.
  */
 #include "tof_picture.h"
 #include "tof_world.h"
 #include "vector.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum
@@ -239,8 +240,40 @@ static void mark_cylinder(drawing *to, const tof_solid *cylinder)
     }
 }
 
-void mark_edges(const tof_scenery *scenery, uint8_t *mark)
+/* Where a mesh has an outline it ends, or turns away: in between neighbours see what it is. */
+static cm_status mark_mesh(drawing *to, const tof_body *body, cm_pool *pool)
 {
+    const cm_mesh *mesh = mesh_rays_mesh(body->rays);
+    const cm_mesh_options *shape = cm_mesh_describe(mesh);
+    const mesh_edges *edges = NULL;
+    double eye[3];
+    const cm_status status = mesh_rays_edges((mesh_rays *)(uintptr_t)body->rays, &edges);
+    int8_t *const facing = malloc(shape->triangle_count + 1);
+    if (status != CM_OK || facing == NULL)
+    {
+        free(facing);
+        return CM_ERROR_MEMORY;
+    }
+    cm_pose_apply(&body->pose, to->scenery->camera.position, eye);
+    mesh_edges_face(mesh, eye, pool, facing);
+    for (size_t i = 0; i < edges->count; i++)
+    {
+        const mesh_edge *edge = &edges->edge[i];
+        if (mesh_edge_is_outline(edge, facing))
+        {
+            double a[3], b[3];
+            cm_pose_apply_back(&body->pose, shape->position + 3 * (size_t)edge->vertex[0], a);
+            cm_pose_apply_back(&body->pose, shape->position + 3 * (size_t)edge->vertex[1], b);
+            mark_line(to, a, b, 0);
+        }
+    }
+    free(facing);
+    return CM_OK;
+}
+
+cm_status mark_edges(const tof_scenery *scenery, cm_pool *pool, uint8_t *mark)
+{
+    cm_status status = CM_OK;
     const tof_sensor *sensor = scenery->sensor;
     const cm_camera_options *camera = cm_camera_describe(sensor->given.camera);
     const double solid_angle = cm_camera_solid_angle(
@@ -264,5 +297,10 @@ void mark_edges(const tof_scenery *scenery, uint8_t *mark)
             mark_cylinder(&to, solid);
         }
     }
+    for (size_t i = 0; status == CM_OK && i < scenery->instant->bodies; i++)
+    {
+        status = mark_mesh(&to, &scenery->instant->body[i], pool);
+    }
     mark_waiting(&to);
+    return status;
 }
