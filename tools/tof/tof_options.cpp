@@ -65,7 +65,7 @@ void read_way(int id, OptionReader &reader, SimulateOptions &options)
         options.tof.noise = 1;
         break;
     case TOF_SHOT:
-        options.tof.shot = reader.choice();
+        options.tof.shot = static_cast<int>(reader.choice());
         break;
     default:
         options.tof.seed = static_cast<std::uint64_t>(reader.whole_number());

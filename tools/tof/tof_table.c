@@ -8,6 +8,13 @@ const char *const tof_preset_names[] = {"pico-flexx", "camcube", "dual-12um", "s
 const char *const tof_format_names[] = {"exr", "npy", "hdf5", NULL};
 const char *const tof_shot_names[] = {"poisson", "freeman-tukey", NULL};
 
+/* Of commands that write a folder. */
+#define TOF_FOLDER                                                                                 \
+    {                                                                                              \
+        .id = TOF_OUTPUT, .letter = 'o', .name = "output", .kind = CM_OPTION_FILE,                 \
+        .argument = "DIR", .help = "the folder to write, which is made if it is absent"            \
+    }
+
 static const cm_option simulate_options[] = {
     {.id = TOF_OUTPUT,
      .letter = 'o',
@@ -162,12 +169,7 @@ const cm_command tof_evaluate_command = {
 static const char *const spacing_names[] = {"spaces", "angles", NULL};
 
 static const cm_option texel_options[] = {
-    {.id = TOF_OUTPUT,
-     .letter = 'o',
-     .name = "output",
-     .kind = CM_OPTION_FILE,
-     .argument = "DIR",
-     .help = "the folder to write, which is made if it is absent"},
+    TOF_FOLDER,
     {.id = TOF_FIELD,
      .name = "field",
      .kind = CM_OPTION_NUMBER,
@@ -240,12 +242,7 @@ const cm_command tof_texel_command = {
     .bare_version = 1};
 
 static const cm_option reproduce_options[] = {
-    {.id = TOF_OUTPUT,
-     .letter = 'o',
-     .name = "output",
-     .kind = CM_OPTION_FILE,
-     .argument = "DIR",
-     .help = "the folder to write, which is made if it is absent"},
+    TOF_FOLDER,
     CM_USUAL_THREADS(TOF_THREADS),
     CM_USUAL_QUIET(TOF_QUIET),
 };
