@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Light from all around that surfaces scatter: half of the rays go to where the surface scatters to, half to where the
- * picture is bright, and each counts by the power heuristic (Veach and Guibas 1995). What is everywhere is seen by the
- * first half alone, which is even there.
+ * Light from all around that surfaces scatter: rays go to where the surface scatters to, up to half of them to where the
+ * picture is brighter than in the mean, and each counts by the power heuristic (Veach and Guibas 1995). What is everywhere
+ * is seen by the first ones alone, which are even there.
  */
 #include "low_discrepancy.h"
 #include "sky.h"
@@ -145,7 +145,7 @@ cm_status tof_environment_add(const tof_instant *instant, const tof_sky *sky,
     {
         return CM_ERROR_MEMORY;
     }
-    at.by_sky = sky_has_light(sky) ? rays / 2 : 0;
+    at.by_sky = (uint32_t)fmin(rays / 2, ceil(rays * sky_contrast(sky)));
     at.by_surface = rays - at.by_sky;
     r->n = 0;
     for (size_t point = 0; point < points->n; point++)

@@ -14,14 +14,18 @@ struct tof_sky
 {
     const cm_tof_environment *environment;
     size_t cells;
-    double *until; /* light of all cells before each and its own; NULL: no picture */
+    double *until; /* what all cells to each one have more than the mean; NULL: no picture */
     double whole;
+    double light; /* of all of the picture */
 };
+
+/* What is more than the mean by rounding alone is not. */
+#define ROUNDING 1e-6
 
 /* ---- cells ---- */
 
-static void middle_of(const cm_tof_environment *environment, size_t cell, double u, double v,
-                      uint8_t *face, double uv[2])
+static void place_in_cell(const cm_tof_environment *environment, size_t cell, double u, double v,
+                          uint8_t *face, double uv[2])
 {
     const size_t edge = environment->edge;
     *face = (uint8_t)(cell / edge / edge);
@@ -53,16 +57,34 @@ static double stretch_at(const cm_tof_environment *environment, uint8_t face, co
     return map_stretch(jacobian);
 }
 
-static void weigh_cells(size_t begin, size_t end, void *user)
+/* What of a map's plane is behind a cell, times solid angle. */
+static void find_stretches(size_t begin, size_t end, void *user)
 {
     tof_sky *const sky = user;
     for (size_t i = begin; i < end; i++)
     {
-        const double radiance = (double)sky->environment->radiance[i];
         double uv[2];
         uint8_t face;
-        middle_of(sky->environment, i, 0.5, 0.5, &face, uv);
-        sky->until[i] = radiance > 0.0 ? radiance * stretch_at(sky->environment, face, uv) : 0.0;
+        place_in_cell(sky->environment, i, 0.5, 0.5, &face, uv);
+        sky->until[i] = stretch_at(sky->environment, face, uv);
+    }
+}
+
+/* From the cells' solid angles to what they have more than the mean, summed. */
+static void sum_cells(tof_sky *sky)
+{
+    double area = 0.0;
+    for (size_t i = 0; i < sky->cells; i++)
+    {
+        area += sky->until[i];
+        sky->light += sky->until[i] * (double)sky->environment->radiance[i];
+    }
+    const double mean = area > 0.0 ? sky->light / area * (1.0 + ROUNDING) : 0.0;
+    for (size_t i = 0; i < sky->cells; i++)
+    {
+        const double more = (double)sky->environment->radiance[i] - mean;
+        sky->whole += more > 0.0 ? more * sky->until[i] : 0.0;
+        sky->until[i] = sky->whole;
     }
 }
 
@@ -84,12 +106,8 @@ cm_status sky_create(const cm_tof_environment *environment, cm_pool *pool, tof_s
             sky_destroy(sky);
             return CM_ERROR_MEMORY;
         }
-        cm_pool_run(pool, sky->cells, CELLS_AT_ONCE, weigh_cells, sky);
-        for (size_t i = 0; i < sky->cells; i++)
-        {
-            sky->whole += sky->until[i];
-            sky->until[i] = sky->whole;
-        }
+        cm_pool_run(pool, sky->cells, CELLS_AT_ONCE, find_stretches, sky);
+        sum_cells(sky);
     }
     *made = sky;
     return CM_OK;
@@ -109,9 +127,9 @@ double sky_constant(const tof_sky *sky)
     return sky->environment->constant;
 }
 
-int sky_has_light(const tof_sky *sky)
+double sky_contrast(const tof_sky *sky)
 {
-    return sky->whole > 0.0;
+    return sky->whole > 0.0 ? sky->whole / sky->light : 0.0;
 }
 
 /* ---- directions ---- */
@@ -134,7 +152,7 @@ int sky_draw(const tof_sky *sky, const double u[3], double direction[3])
     }
     double uv[2], square = 0.0;
     uint8_t face;
-    middle_of(sky->environment, cell, u[1], u[2], &face, uv);
+    place_in_cell(sky->environment, cell, u[1], u[2], &face, uv);
     cm_inverse(sky->environment->mapping, face, uv, direction);
     for (int k = 0; k < 3; k++)
     {
@@ -152,7 +170,7 @@ double sky_look(const tof_sky *sky, const double direction[3], double *density)
     double uv[2];
     uint8_t face;
     *density = 0.0;
-    if (!sky_has_light(sky))
+    if (sky->until == NULL)
     {
         return 0.0;
     }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The surroundings, made ready: what they show in a direction, and directions drawn towards where they are bright.
+ * The surroundings, made ready: what they show in a direction, and directions drawn towards where they are brighter than in
+ * the mean. What is even others see as well (Karlik and others 2019, "MIS compensation").
  */
 #ifndef CUBEMAP_SIM_SKY_H
 #define CUBEMAP_SIM_SKY_H
@@ -16,10 +17,11 @@ void sky_destroy(tof_sky *sky);
 /* What is everywhere. */
 double sky_constant(const tof_sky *sky);
 
-/* Is there a picture with light in it? Only then directions can be drawn. */
-int sky_has_light(const tof_sky *sky);
+/* The part of the picture's light that is more than its mean; 0: none is, and no direction can be drawn. */
+double sky_contrast(const tof_sky *sky);
 
-/* A direction of length 1 by three numbers in [0, 1), of a density near radiance. Returns 0 where there is none. */
+/* A direction of length 1 by three numbers in [0, 1), of a density near what is more than the mean. Returns 0 where there is
+ * none. */
 int sky_draw(const tof_sky *sky, const double u[3], double direction[3]);
 
 /* What the picture shows in a direction, and the density of drawing it, per steradian. */

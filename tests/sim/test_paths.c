@@ -295,12 +295,48 @@ START_TEST(small_sun)
 }
 END_TEST
 
+/* Radiance 1 + z / 2 above a floor: its irradiance is pi (1 + 1 / 3), rays to the brighter half or not. */
+START_TEST(slope)
+{
+    static open_floor at;
+    static float radiance[SKY_CELLS];
+    make_floor(&at, NULL);
+    cm_mapping *mapping = make_mapping("coupled", NULL);
+    for (size_t k = 0; k < SKY_CELLS; k++)
+    {
+        const double uv[2] = {2.0 * ((double)(k % SKY_EDGE) + 0.5) / SKY_EDGE - 1.0,
+                              2.0 * ((double)(k / SKY_EDGE % SKY_EDGE) + 0.5) / SKY_EDGE - 1.0};
+        double d[3];
+        cm_inverse(mapping, (uint8_t)(k / SKY_EDGE / SKY_EDGE), uv, d);
+        radiance[k] = (float)(1.0 + 0.5 * d[2]);
+    }
+    const cm_tof_environment e = {
+        .size = sizeof e, .mapping = mapping, .edge = SKY_EDGE, .radiance = radiance};
+    const cm_tof_options options = {.size = sizeof options};
+    const tof_points points = points_of(&at.seen, PLACES);
+    tof_radiance found = radiance_of(&at.seen);
+    const double truth = 0.5 * (1.0 + 1.0 / 3.0);
+    double sum = 0.0;
+    add_surroundings(at.instant, &e, &options, &points, &found);
+    for (int k = 0; k < PLACES; k++)
+    {
+        sum += at.seen.ambient[k] / PLACES;
+        REQUIRE(fabs(at.seen.ambient[k] - truth) < 0.1 * truth, "place %d: %g, not %g", k,
+                at.seen.ambient[k], truth);
+    }
+    REQUIRE(fabs(sum - truth) < 3e-3 * truth, "%g, not %g", sum, truth);
+    cm_mapping_destroy(mapping);
+    free_floor(&at);
+}
+END_TEST
+
 /* A picture of one radiance, in a mapping to six faces or to one, is as what is everywhere. */
 START_TEST(even_picture)
 {
     const cm_cook_torrance metal = {sizeof metal, 0.2, 0.7, 0.4, 2.8, 8.45};
     static const char *const names[] = {"coupled", "healpix", "octahedral"};
     static open_floor at;
+    static seen_places other;
     static float radiance[SKY_CELLS];
     cm_brdf *brdf = NULL;
     ck_assert_int_eq(cm_brdf_create_cook_torrance(&metal, &brdf), CM_OK);
@@ -325,6 +361,14 @@ START_TEST(even_picture)
         }
         const double truth = 1.5 * cm_brdf_albedo(brdf, acos(0.8));
         REQUIRE(fabs(sum - truth) < 5e-3 * truth, "%s: %g, not %g", names[i], sum, truth);
+        const cm_tof_environment everywhere = {.size = sizeof everywhere, .constant = 3.0};
+        found = radiance_of(&other);
+        add_surroundings(at.instant, &everywhere, &options, &points, &found);
+        for (int k = 0; k < PLACES; k++)
+        {
+            REQUIRE(fabs(other.ambient[k] - at.seen.ambient[k]) < 1e-9 * truth,
+                    "%s, place %d: %g, not %g", names[i], k, at.seen.ambient[k], other.ambient[k]);
+        }
         cm_mapping_destroy(mapping);
     }
     free_floor(&at);
@@ -384,7 +428,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {bounces,      same_bits, surroundings, small_sun,
+    const TTest *const tests[] = {bounces,      same_bits, surroundings, small_sun, slope,
                                   even_picture, picture,   even_numbers, NULL};
     return run_suite("paths", tests);
 }
