@@ -114,19 +114,6 @@ static void cast_shadows(const tof_scenery *scenery, size_t lamp, size_t n, cons
     }
 }
 
-/* A lamp at the camera's own place sees what the camera sees. */
-static int is_beside(const tof_scenery *scenery, const tof_lamp *lamp)
-{
-    for (int k = 0; k < 3; k++)
-    {
-        if (lamp->position[k] != scenery->camera.position[k])
-        {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* Of a table's lamp intensity by the even one's; of other surfaces their BRDF. */
 static void weigh(const tof_scenery *scenery, const tof_lamp *lamp, size_t n, const ray_block *rays,
                   const tof_light_block *light, double *strength)
@@ -185,7 +172,7 @@ static void shine(const tof_scenery *scenery, size_t n, const ray_block *rays,
     for (size_t j = 0; j < scenery->lamps; j++)
     {
         memcpy(strength, rays->strength, sizeof strength);
-        if (is_beside(scenery, &scenery->lamp[j]))
+        if (lamp_is_beside(&scenery->lamp[j], scenery->camera.position))
         {
             cast_shadows(scenery, j, n, rays, light, strength);
         }

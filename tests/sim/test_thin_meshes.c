@@ -94,25 +94,18 @@ static void add_needle(soup *to, double x, double y, double length, double angle
 }
 
 /* Pixels with all samples, after the distances were found as with all of them in all pixels. */
-static uint64_t compare_with_full(const cm_mesh *mesh, cm_pool *pool, const char *what)
+static uint64_t compare_stage(const stage *at, cm_pool *pool, const char *what)
 {
     static float full[PIXELS];
-    const cm_primitive both[2] = {wall,
-                                  {.size = sizeof(cm_primitive),
-                                   .kind = CM_PRIMITIVE_MESH,
-                                   .mesh = mesh,
-                                   .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}},
-                                   .material = {{1, 1, 1}, 1.0}}};
-    stage at = make_stage(both, 2);
     cm_tof_options options = {
         .size = sizeof options, .sample_columns = 3, .sample_rows = 3, .full = 1};
-    ck_assert_int_eq(simulate(&at, &options), CM_OK);
+    ck_assert_int_eq(simulate(at, &options), CM_OK);
     memcpy(full, distance, sizeof full);
     options.full = 0;
     cm_tof_report report = {.size = sizeof report};
     cm_tof_result result = {.size = sizeof result, .distance = distance, .report = &report};
     ck_assert_int_eq(
-        cm_tof_simulate(at.scene, &at.sensor, &at.light, 1, NULL, 0.0, &options, pool, &result),
+        cm_tof_simulate(at->scene, &at->sensor, &at->light, 1, NULL, 0.0, &options, pool, &result),
         CM_OK);
     for (size_t i = 0; i < PIXELS; i++)
     {
@@ -120,8 +113,22 @@ static uint64_t compare_with_full(const cm_mesh *mesh, cm_pool *pool, const char
                 "%s, pixel %zu %zu: %g m, %g with all samples", what, i % WIDTH, i / WIDTH,
                 (double)distance[i], (double)full[i]);
     }
-    free_stage(&at);
     return report.oversampled;
+}
+
+/* The same of a mesh before the wall. */
+static uint64_t compare_with_full(const cm_mesh *mesh, cm_pool *pool, const char *what)
+{
+    const cm_primitive both[2] = {wall,
+                                  {.size = sizeof(cm_primitive),
+                                   .kind = CM_PRIMITIVE_MESH,
+                                   .mesh = mesh,
+                                   .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}},
+                                   .material = {{1, 1, 1}, 1.0}}};
+    stage at = make_stage(both, 2);
+    const uint64_t oversampled = compare_stage(&at, pool, what);
+    free_stage(&at);
+    return oversampled;
 }
 
 /* A pixel is 24 mm wide there. */
@@ -149,6 +156,50 @@ START_TEST(wires_thinner_than_a_pixel_are_never_missed)
             cm_mesh_destroy(mesh);
         }
     }
+}
+END_TEST
+
+/* Of wires, rods, boxes and balls, from several places of the lamp. */
+START_TEST(thin_shadows_are_never_missed)
+{
+    static soup wires;
+    static const double places[][3] = {{-0.4, 0, 0}, {0.2, 0.3, 0.1}, {0, -0.5, -0.2}};
+    wires.triangles = 0;
+    for (int i = 0; i < 8; i++)
+    {
+        add_wire(&wires, -0.6 + 0.15 * i, -0.5 + 0.011 * i, 1.0, 0.7 + 0.13 * i, 0.004);
+    }
+    cm_mesh *mesh = make_mesh(&wires);
+    const cm_primitive all[5] = {wall,
+                                 {.size = sizeof(cm_primitive),
+                                  .kind = CM_PRIMITIVE_MESH,
+                                  .mesh = mesh,
+                                  .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}},
+                                  .material = {{1, 1, 1}, 1.0}},
+                                 {.size = sizeof(cm_primitive),
+                                  .kind = CM_PRIMITIVE_CYLINDER,
+                                  .first = {-0.5, 0.3, 1.0},
+                                  .second = {0.5, 0.1, 1.3},
+                                  .radius = 0.003,
+                                  .material = {{1, 1, 1}, 0.5}},
+                                 {.size = sizeof(cm_primitive),
+                                  .kind = CM_PRIMITIVE_BOX,
+                                  .first = {-0.3, -0.4, 0.9},
+                                  .second = {-0.295, 0.2, 0.905},
+                                  .material = {{1, 1, 1}, 0.5}},
+                                 {.size = sizeof(cm_primitive),
+                                  .kind = CM_PRIMITIVE_SPHERE,
+                                  .first = {0.3, -0.2, 1.1},
+                                  .radius = 0.008,
+                                  .material = {{1, 1, 1}, 0.5}}};
+    stage at = make_stage(all, 5);
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+    {
+        memcpy(at.light.position, places[i], sizeof at.light.position);
+        ck_assert_uint_lt(compare_stage(&at, NULL, "shadows"), PIXELS);
+    }
+    free_stage(&at);
+    cm_mesh_destroy(mesh);
 }
 END_TEST
 
@@ -225,8 +276,8 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {wires_thinner_than_a_pixel_are_never_missed,
-                                  triangles_of_one_surface_are_no_edges,
-                                  balls_are_sampled_at_their_outline, NULL};
+    const TTest *const tests[] = {
+        wires_thinner_than_a_pixel_are_never_missed, thin_shadows_are_never_missed,
+        triangles_of_one_surface_are_no_edges, balls_are_sampled_at_their_outline, NULL};
     return run_suite("thin meshes", tests);
 }
