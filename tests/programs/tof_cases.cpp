@@ -156,11 +156,23 @@ void lies_in_a_folder()
            "the same bits with seven threads");
     result(!same_content("made/a/phase_0001_3.exr", "made/c/phase_0001_3.exr"),
            "another seed has other noise");
+    says("two frequencies", "\"frames\": 1",
+         "tof simulate --preset pico-flexx room pose.txt -o made/d --json");
+    result(std::filesystem::exists("made/d/phase_0000_7.exr") &&
+               !std::filesystem::exists("made/d/phase_0000_8.exr"),
+           "phases of the second follow the first's");
+}
+
+void has_shot_noise()
+{
+    make_tof_inputs();
+    does("tof simulate wall.json sensor.json path.txt -o made/poisson --quiet --noise --seed 3 "
+         "--samples 2x3");
     does("tof simulate wall.json sensor.json path.txt -o made/e --quiet --noise --seed 3 --samples "
          "2x3 --shot freeman-tukey");
     does("tof simulate wall.json sensor.json path.txt -o made/f --quiet --noise --seed 3 --samples "
          "2x3 --shot freeman-tukey --threads 7");
-    result(!same_content("made/a/phase_0001_3.exr", "made/e/phase_0001_3.exr") &&
+    result(!same_content("made/poisson/phase_0001_3.exr", "made/e/phase_0001_3.exr") &&
                same_content("made/e/phase_0001_3.exr", "made/f/phase_0001_3.exr"),
            "shot noise in Freeman and Tukey's space");
     result(matches(content_of("made/e/metadata.json"), "\"shot\":.\"freeman-tukey\""),
@@ -174,11 +186,6 @@ void lies_in_a_folder()
     result(std::fabs(Picture("made/g/distance_0000.exr").first(11, 8) -
                      Picture("made/h/distance_0000.exr").first(11, 8)) < 1e-6,
            "a measured polynomial of nothing is no noise");
-    says("two frequencies", "\"frames\": 1",
-         "tof simulate --preset pico-flexx room pose.txt -o made/d --json");
-    result(std::filesystem::exists("made/d/phase_0000_7.exr") &&
-               !std::filesystem::exists("made/d/phase_0000_8.exr"),
-           "phases of the second follow the first's");
 }
 
 // The numbers of an array without its head.
@@ -568,9 +575,10 @@ void refuses_tof_files()
 const std::vector<Subject> &tof_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"tof_measures", measures},       {"tof_folder", lies_in_a_folder},
-        {"tof_arrays", are_arrays},       {"tof_hdf5", are_files_of_hdf5},
-        {"tof_texel", renders_texels},    {"tof_sensors", knows_sensors},
-        {"tof_words", refuses_tof_words}, {"tof_files", refuses_tof_files}};
+        {"tof_measures", measures},        {"tof_folder", lies_in_a_folder},
+        {"tof_arrays", are_arrays},        {"tof_hdf5", are_files_of_hdf5},
+        {"tof_texel", renders_texels},     {"tof_sensors", knows_sensors},
+        {"tof_words", refuses_tof_words},  {"tof_files", refuses_tof_files},
+        {"tof_shot_noise", has_shot_noise}};
     return subjects;
 }

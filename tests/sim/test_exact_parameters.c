@@ -48,6 +48,32 @@ static cm_camera *any_camera(cm_camera_options *shape)
     return camera;
 }
 
+/* Lambers, Hoberg and Kolb 2015, eqs. 9 to 12, of radiance that comes at an angle from the axis. */
+static double electrons_of(const cm_tof_sensor *sensor, double radiance, double cosine)
+{
+    const double irradiance =
+        PI / 4.0 / (sensor->f_number * sensor->f_number) * pow(cosine, 4.0) * radiance;
+    const double energy =
+        irradiance * sensor->pitch * sensor->pitch * sensor->exposure * sensor->duty;
+    return sensor->efficiency * energy * sensor->wavelength / (PLANCK * CM_SPEED_OF_LIGHT);
+}
+
+/* Charges of a pixel's phase images. */
+static void check_charges(const cm_tof_sensor *sensor, size_t pixel, double electrons, double range)
+{
+    const double shift = 4.0 * PI * range * sensor->frequency / CM_SPEED_OF_LIGHT;
+    for (int k = 0; k < sensor->phases; k++)
+    {
+        const double moved =
+            electrons * sensor->contrast * cos(2.0 * PI * k / sensor->phases + shift);
+        const size_t j = (size_t)k * PIXELS + pixel;
+        ck_assert_double_eq_tol((double)charge_a[j], 0.5 * (electrons + moved),
+                                1e-6 * electrons + 1e-30);
+        ck_assert_double_eq_tol((double)charge_b[j], 0.5 * (electrons - moved),
+                                1e-6 * electrons + 1e-30);
+    }
+}
+
 /* Lambers, Hoberg and Kolb 2015, eqs. 4 to 11, with electrons as photons times efficiency, in every pixel of walls at any
  * distance, of any reflectance, under cones of any width. */
 START_TEST(all_pixels_of_walls_are_as_worked_out_by_hand)
@@ -79,27 +105,12 @@ START_TEST(all_pixels_of_walls_are_as_worked_out_by_hand)
             const double lit = acos(cosine) < 0.5 * at.light.aperture ? 1.0 : 0.0;
             const double radiance = lit * any.material.reflectance / PI * at.light.power / cone *
                                     cosine / (range * range);
-            const double energy = PI / 4.0 / (at.sensor.f_number * at.sensor.f_number) *
-                                  pow(cosine, 4.0) * radiance * at.sensor.pitch * at.sensor.pitch *
-                                  at.sensor.exposure * at.sensor.duty;
-            const double electrons =
-                at.sensor.efficiency * energy * at.sensor.wavelength / (PLANCK * CM_SPEED_OF_LIGHT);
+            const double electrons = electrons_of(&at.sensor, radiance, cosine);
             const double unambiguous = CM_SPEED_OF_LIGHT / (2.0 * at.sensor.frequency);
             ck_assert_double_eq_tol((double)intensity[i], electrons, 1e-6 * electrons + 1e-30);
             ck_assert_double_eq_tol((double)amplitude[i], at.sensor.contrast * electrons,
                                     1e-6 * electrons + 1e-30);
-            for (int k = 0; k < at.sensor.phases; k++)
-            {
-                const double moved =
-                    electrons * at.sensor.contrast *
-                    cos(2.0 * PI * k / at.sensor.phases +
-                        4.0 * PI * range * at.sensor.frequency / CM_SPEED_OF_LIGHT);
-                const size_t j = (size_t)k * PIXELS + i;
-                ck_assert_double_eq_tol((double)charge_a[j], 0.5 * (electrons + moved),
-                                        1e-6 * electrons + 1e-30);
-                ck_assert_double_eq_tol((double)charge_b[j], 0.5 * (electrons - moved),
-                                        1e-6 * electrons + 1e-30);
-            }
+            check_charges(&at.sensor, i, electrons, range);
             REQUIRE(lit > 0.0 ? fabs(remainder((double)distance[i] - range, unambiguous)) <
                                     1e-6 * unambiguous / at.sensor.contrast + 1e-6
                               : isnan(distance[i]),
@@ -109,6 +120,20 @@ START_TEST(all_pixels_of_walls_are_as_worked_out_by_hand)
     }
 }
 END_TEST
+
+/* Of all pixels, each by what the lens leaves of direct light, cos^4. */
+static double complex mean_phasor(void)
+{
+    double complex sum = 0.0;
+    for (size_t i = 0; i < PIXELS; i++)
+    {
+        const double u = ((double)(i % WIDTH) - 32.0) / 50.0;
+        const double v = ((double)(i / WIDTH) - 24.0) / 50.0;
+        const double lens = pow(1.0 + u * u + v * v, -2.0);
+        sum += ((double)phase[i] - I * (double)phase[PIXELS + i]) / lens;
+    }
+    return sum / PIXELS;
+}
 
 /* Every bounce in a sphere of radius R multiplies the phasor by rho K, K = int_0^2R r / (2 R^2) e^(ikr) dr. */
 START_TEST(spheres_of_any_size_are_as_the_integral_says)
@@ -136,8 +161,7 @@ START_TEST(spheres_of_any_size_are_as_the_integral_says)
                                             .bounces = ways[w].bounces,
                                             .traces = ways[w].traces,
                                             .paths = (uint32_t)ways[w].asked};
-            double complex truth = 0.0, power = 1.0, found = 0.0;
-            double whole = 0.0;
+            double complex truth = 0.0, power = 1.0;
             for (int i = 0; i <= ways[w].bounces; i++)
             {
                 truth += power;
@@ -145,19 +169,10 @@ START_TEST(spheres_of_any_size_are_as_the_integral_says)
             }
             truth *= cexp(2.0 * I * x);
             ck_assert_int_eq(simulate(&at, &options), CM_OK);
-            /* each pixel's phasor by what the lens leaves of direct light, cos^4 */
-            for (size_t i = 0; i < PIXELS; i++)
-            {
-                const double u = ((double)(i % WIDTH) - 32.0) / 50.0;
-                const double v = ((double)(i / WIDTH) - 24.0) / 50.0;
-                const double lens = pow(1.0 + u * u + v * v, -2.0);
-                found += ((double)phase[i] - I * (double)phase[PIXELS + i]) / lens;
-                whole++;
-            }
+            double complex found = mean_phasor();
             const double radiance = reflectance / PI * 0.7 / (4.0 * PI) / (radius * radius);
-            const double electrons = PI / 4.0 / (1.2 * 1.2) * radiance * 12e-6 * 12e-6 * 5e-3 *
-                                     0.5 * 0.4 * 850e-9 / (PLANCK * CM_SPEED_OF_LIGHT);
-            found /= whole * electrons * 0.8;
+            const double electrons = electrons_of(&at.sensor, radiance, 1.0);
+            found /= electrons * 0.8;
             REQUIRE(cabs(found - truth) < ways[w].bound,
                     "R %g, rho %g, %g Hz, %d bounces: %g %+gi, not %g %+gi", radius, reflectance,
                     at.sensor.frequency, ways[w].bounces, creal(found), cimag(found), creal(truth),
