@@ -156,8 +156,54 @@ START_TEST(threads_change_no_bit_of_any_effect)
 }
 END_TEST
 
+enum
+{
+    AT_ONCE = 6
+};
+
+typedef struct several
+{
+    const hall *of;
+    float distance[AT_ONCE][PIXELS];
+    cm_status status[AT_ONCE];
+} several;
+
+static void take_frames(size_t begin, size_t end, void *user)
+{
+    several *const to = user;
+    const cm_tof_options options = {.size = sizeof options, .sample_columns = 3, .sample_rows = 3};
+    for (size_t i = begin; i < end; i++)
+    {
+        const stage *at = &to->of->at;
+        cm_tof_result result = {.size = sizeof result, .distance = to->distance[i]};
+        to->status[i] = cm_tof_simulate(at->scene, &at->sensor, &at->light, 1, NULL, 0.2, &options,
+                                        NULL, &result);
+    }
+}
+
+/* Of a scene whose mesh no frame has asked for its edges so far. */
+START_TEST(frames_of_one_scene_may_be_made_at_once)
+{
+    static hall h;
+    static several all;
+    cm_pool *pool = NULL;
+    make_hall(&h);
+    all.of = &h;
+    ck_assert_int_eq(cm_pool_create(AT_ONCE, &pool), CM_OK);
+    cm_pool_run(pool, AT_ONCE, 1, take_frames, &all);
+    cm_pool_destroy(pool);
+    for (int i = 0; i < AT_ONCE; i++)
+    {
+        ck_assert_int_eq(all.status[i], CM_OK);
+        ck_assert_mem_eq(all.distance[i], all.distance[0], sizeof all.distance[0]);
+    }
+    free_hall(&h);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {threads_change_no_bit_of_any_effect, NULL};
+    const TTest *const tests[] = {threads_change_no_bit_of_any_effect,
+                                  frames_of_one_scene_may_be_made_at_once, NULL};
     return run_suite("frame bits", tests);
 }
