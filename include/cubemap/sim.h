@@ -77,6 +77,11 @@ typedef struct cm_tof_sensor
         second_frequency; /* a second series of phase images, which resolves the ambiguity; 0: none */
     double
         fixed_pattern; /* standard deviation of the pixels' own phase offsets, radians, to 1000; by seed and pixel */
+    size_t shot_terms; /* of a measured polynomial for CM_TOF_FREEMAN_TUKEY; 0: Poisson's own */
+    const double
+        *shot_variance; /* variance of y = sqrt(N) + sqrt(N + 1): factors of 1, y, y^2 .. */
+    double shot_least;  /* y from which on it was measured, 1 or more; below, the variance stays */
+    double shot_most;   /* the same to which it was */
 } cm_tof_sensor;
 
 /* What shines, beside the camera. */
@@ -102,6 +107,12 @@ typedef struct cm_tof_environment
     double constant;           /* added to it */
 } cm_tof_environment;
 
+/* Where shot noise comes from: Poisson's distribution itself; or, as Bulczak, Lambers and Kolb 2018, section 3.4, have it,
+ * normal numbers in Freeman and Tukey's space, whose variance is a polynomial of the charge there. Of many electrons N the
+ * latter's mean is N + 1/4, and their variance N + 1/2. */
+#define CM_TOF_POISSON 0
+#define CM_TOF_FREEMAN_TUKEY 1
+
 /* How it is simulated. To be filled with zeros but for size and what is wanted. */
 typedef struct cm_tof_options
 {
@@ -122,6 +133,7 @@ typedef struct cm_tof_options
         mapping; /* of the map in which virtual lights are found; NULL: the equal-area cube healpix */
     uint32_t map_edge;                     /* its cells along a face's side; 0: 64 */
     const cm_tof_environment *environment; /* NULL: none */
+    int shot;                              /* of the noise: CM_TOF_POISSON, CM_TOF_FREEMAN_TUKEY */
 } cm_tof_options;
 
 /* Of a pixel of a result. */

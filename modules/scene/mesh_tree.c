@@ -34,13 +34,40 @@ typedef struct builder
 
 static const box nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 
-static void widen(box *around, const double least[3], const double greatest[3])
+/* What a list of triangles has around itself, and their boxes' middles have. */
+typedef struct extent
+{
+    box around, middles;
+} extent;
+
+static const extent no_extent = {
+    {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}},
+    {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}};
+
+/* Of numbers; the C library's ask for NaN, too, and are calls. */
+static inline double lesser(double a, double b)
+{
+    return b < a ? b : a;
+}
+
+static inline double greater(double a, double b)
+{
+    return b > a ? b : a;
+}
+
+static inline void widen(box *around, const double least[3], const double greatest[3])
 {
     for (int i = 0; i < 3; i++)
     {
-        around->least[i] = fmin(around->least[i], least[i]);
-        around->greatest[i] = fmax(around->greatest[i], greatest[i]);
+        around->least[i] = lesser(around->least[i], least[i]);
+        around->greatest[i] = greater(around->greatest[i], greatest[i]);
     }
+}
+
+static void widen_extent(extent *to, const extent *by)
+{
+    widen(&to->around, by->around.least, by->around.greatest);
+    widen(&to->middles, by->middles.least, by->middles.greatest);
 }
 
 static const double *corner(const cm_mesh_options *mesh, uint32_t triangle, int which)
@@ -73,6 +100,32 @@ static double middle(const box *of, int axis)
     return 0.5 * of->least[axis] + 0.5 * of->greatest[axis];
 }
 
+static void add_box(extent *to, const box *one)
+{
+    const double at[3] = {middle(one, 0), middle(one, 1), middle(one, 2)};
+    widen(&to->around, one->least, one->greatest);
+    widen(&to->middles, at, at);
+}
+
+/* The middle of a triangle's box along one axis. */
+static double middle_of(const cm_mesh_options *mesh, uint32_t triangle, int axis)
+{
+    const double a = corner(mesh, triangle, 0)[axis], b = corner(mesh, triangle, 1)[axis];
+    const double c = corner(mesh, triangle, 2)[axis];
+    return 0.5 * lesser(lesser(a, b), c) + 0.5 * greater(greater(a, b), c);
+}
+
+static extent extent_of(const cm_mesh_options *mesh, const uint32_t *list, uint32_t count)
+{
+    extent all = no_extent;
+    for (uint32_t i = 0; i < count; i++)
+    {
+        const box one = box_of(mesh, list[i]);
+        add_box(&all, &one);
+    }
+    return all;
+}
+
 /* Of the middle of a triangle's box. */
 static int bin_of(const box *middles, int axis, double at)
 {
@@ -82,14 +135,14 @@ static int bin_of(const box *middles, int axis, double at)
 }
 
 /* The first bin of the second part where splitting costs least. */
-static int best_bin(const box bins[BINS], const uint32_t count[BINS])
+static int best_bin(const extent bins[BINS], const uint32_t count[BINS])
 {
     double after[BINS];
     box around = nothing;
     uint32_t sum = 0;
     for (int i = BINS - 1; i > 0; i--)
     {
-        widen(&around, bins[i].least, bins[i].greatest);
+        widen(&around, bins[i].around.least, bins[i].around.greatest);
         sum += count[i];
         after[i] = area(&around) * sum;
     }
@@ -99,7 +152,7 @@ static int best_bin(const box bins[BINS], const uint32_t count[BINS])
     double least = INFINITY;
     for (int i = 1; i < BINS; i++)
     {
-        widen(&around, bins[i - 1].least, bins[i - 1].greatest);
+        widen(&around, bins[i - 1].around.least, bins[i - 1].around.greatest);
         sum += count[i - 1];
         const double cost = area(&around) * sum + after[i];
         if (cost < least)
@@ -111,76 +164,84 @@ static int best_bin(const box bins[BINS], const uint32_t count[BINS])
     return best;
 }
 
-/* Orders a part of the list: how many belong to the first half. */
-static uint32_t split(const builder *with, uint32_t *list, uint32_t count, const box *middles)
+static int longest_axis(const box *of)
 {
     int axis = 0;
     for (int i = 1; i < 3; i++)
     {
-        axis = middles->greatest[i] - middles->least[i] >
-                       middles->greatest[axis] - middles->least[axis]
-                   ? i
-                   : axis;
+        axis = of->greatest[i] - of->least[i] > of->greatest[axis] - of->least[axis] ? i : axis;
     }
+    return axis;
+}
+
+/* Orders a part of the list: how many belong to the first half, and what both have around them; 0: it cannot be split so. */
+static uint32_t split(const builder *with, uint32_t *list, uint32_t count, const box *middles,
+                      extent half[2])
+{
+    const int axis = longest_axis(middles);
     if (!(middles->greatest[axis] > middles->least[axis]))
     {
-        return count / 2;
+        return 0;
     }
-    box bins[BINS];
+    extent bins[BINS];
     uint32_t counts[BINS] = {0};
     for (int i = 0; i < BINS; i++)
     {
-        bins[i] = nothing;
+        bins[i] = no_extent;
     }
     for (uint32_t i = 0; i < count; i++)
     {
         const box around = box_of(with->mesh, list[i]);
         const int bin = bin_of(middles, axis, middle(&around, axis));
-        widen(&bins[bin], around.least, around.greatest);
+        add_box(&bins[bin], &around);
         counts[bin]++;
     }
     const int first = best_bin(bins, counts);
+    half[0] = half[1] = no_extent;
+    for (int i = 0; i < BINS; i++)
+    {
+        widen_extent(&half[i >= first], &bins[i]);
+    }
     uint32_t begin = 0;
     for (uint32_t i = 0; i < count; i++)
     {
-        const box around = box_of(with->mesh, list[i]);
-        if (bin_of(middles, axis, middle(&around, axis)) < first)
+        if (bin_of(middles, axis, middle_of(with->mesh, list[i], axis)) < first)
         {
             const uint32_t other = list[begin];
             list[begin++] = list[i];
             list[i] = other;
         }
     }
-    return begin > 0 && begin < count ? begin : count / 2;
+    return begin < count ? begin : 0;
 }
 
-static void build(builder *with, uint32_t node, uint32_t first, uint32_t count, int level)
+static void build(builder *with, uint32_t node, uint32_t first, uint32_t count, int level,
+                  const extent *of)
 {
-    box around = nothing, middles = nothing;
     uint32_t *list = with->tree->triangle + first;
-    for (uint32_t i = 0; i < count; i++)
-    {
-        const box one = box_of(with->mesh, list[i]);
-        const double at[3] = {middle(&one, 0), middle(&one, 1), middle(&one, 2)};
-        widen(&around, one.least, one.greatest);
-        widen(&middles, at, at);
-    }
     mesh_node *made = &with->tree->node[node];
     for (int i = 0; i < 3; i++)
     {
-        made->least[i] = around.least[i];
-        made->greatest[i] = around.greatest[i];
+        made->least[i] = of->around.least[i];
+        made->greatest[i] = of->around.greatest[i];
     }
     made->first = first;
     made->count = count;
     if (count > LEAF)
     {
-        const uint32_t begin = level < LEVELS_SAH ? split(with, list, count, &middles) : count / 2;
+        extent half[2];
+        uint32_t begin = level < LEVELS_SAH ? split(with, list, count, &of->middles, half) : 0;
+        if (begin == 0)
+        {
+            begin = count / 2;
+            half[0] = extent_of(with->mesh, list, begin);
+            half[1] = extent_of(with->mesh, list + begin, count - begin);
+        }
         made->first = with->used;
         made->count = 0;
         with->used += 2;
-        build(with, made->first, first, begin, level + 1);
-        build(with, made->first + 1, first + begin, count - begin, level + 1);
+        build(with, made->first, first, begin, level + 1, &half[0]);
+        build(with, made->first + 1, first + begin, count - begin, level + 1, &half[1]);
     }
 }
 
@@ -203,7 +264,8 @@ cm_status mesh_tree_make(const cm_mesh_options *mesh, mesh_tree *tree)
             made.triangle[i] = (uint32_t)i;
         }
         builder with = {mesh, &made, 1};
-        build(&with, 0, 0, (uint32_t)count, 0);
+        const extent all = extent_of(mesh, made.triangle, (uint32_t)count);
+        build(&with, 0, 0, (uint32_t)count, 0, &all);
     }
     *tree = made;
     return CM_OK;

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Light from all around: what is shown of it, and what surfaces scatter of what they see of it.
+ * Light from all around that surfaces scatter: rays go to where the surface scatters to, up to half of them to where the
+ * picture is brighter than in the mean, and each counts by the power heuristic (Veach and Guibas 1995). What is everywhere
+ * is seen by the first ones alone, which are even there.
  */
 #include "low_discrepancy.h"
+#include "sky.h"
 #include "surface_ray.h"
 
 #include <cubemap/random.h>
@@ -14,29 +17,9 @@ enum
 {
     BLOCK = 256,
     RAYS = 64,
-    NUMBERS = 2 /* block of the random generator */
+    NUMBERS = 2,    /* block of the random generator */
+    SKY_NUMBERS = 3 /* the same, of rays to the sky */
 };
-
-double tof_environment_radiance(const cm_tof_environment *environment, const double direction[3])
-{
-    if (environment->radiance == NULL)
-    {
-        return environment->constant;
-    }
-    double uv[2];
-    const uint8_t face = cm_forward(environment->mapping, direction, uv);
-    if (face == CM_NO_FACE)
-    {
-        return environment->constant;
-    }
-    const uint32_t edge = environment->edge;
-    const double column = fmax(0.0, 0.5 * (uv[0] + 1.0) * edge);
-    const double row = fmax(0.0, 0.5 * (uv[1] + 1.0) * edge);
-    const size_t i = column < edge ? (size_t)column : edge - 1;
-    const size_t j = row < edge ? (size_t)row : edge - 1;
-    return environment->constant +
-           (double)environment->radiance[(face * (size_t)edge + j) * edge + i];
-}
 
 typedef struct ambient_rays
 {
@@ -44,86 +27,147 @@ typedef struct ambient_rays
     double origin[3][BLOCK];
     double direction[3][BLOCK];
     double far[BLOCK];
-    double part[BLOCK];
+    double scattered[BLOCK]; /* BRDF times cosine */
+    double density[BLOCK];   /* of the BRDF's directions */
+    double even[BLOCK];      /* how much what is everywhere counts; 0 of rays to the sky */
     uint8_t blocked[BLOCK];
 } ambient_rays;
 
-static double sum_of_seen(const tof_instant *instant, const cm_tof_environment *environment,
-                          ambient_rays *r)
+/* A place, and how it is looked from. */
+typedef struct ambient_place
+{
+    const tof_instant *instant;
+    const tof_sky *sky;
+    const cm_brdf *brdf;
+    double normal[3];
+    double out[3];
+    double from[3];
+    uint32_t by_surface, by_sky; /* rays */
+} ambient_place;
+
+/* What the picture's light counts by a ray: densities times rays, squared, say which of both ways is better here. */
+static double part_of_picture(const ambient_place *at, double scattered, double by_surface,
+                              double by_sky, int is_to_sky)
+{
+    const double surface = at->by_surface * by_surface, sky = at->by_sky * by_sky;
+    return scattered * (is_to_sky ? sky : surface) / (surface * surface + sky * sky);
+}
+
+static double sum_of_seen(const ambient_place *at, ambient_rays *r)
 {
     const double *const origin[3] = {r->origin[0], r->origin[1], r->origin[2]};
     const double *const direction[3] = {r->direction[0], r->direction[1], r->direction[2]};
     double sum = 0.0;
-    tof_cast_shadows(instant, r->n, origin, direction, r->far, r->blocked);
+    tof_cast_shadows(at->instant, r->n, origin, direction, r->far, r->blocked);
     for (size_t i = 0; i < r->n; i++)
     {
         const double d[3] = {r->direction[0][i], r->direction[1][i], r->direction[2][i]};
-        sum += r->blocked[i] ? 0.0 : r->part[i] * tof_environment_radiance(environment, d);
+        double by_sky;
+        const double shown = r->blocked[i] ? 0.0 : sky_look(at->sky, d, &by_sky);
+        if (!r->blocked[i])
+        {
+            sum += r->even[i] * sky_constant(at->sky);
+        }
+        if (shown > 0.0)
+        {
+            sum += shown *
+                   part_of_picture(at, r->scattered[i], r->density[i], by_sky, r->even[i] == 0.0);
+        }
     }
     r->n = 0;
     return sum;
 }
 
-static double ambient_of_point(const tof_instant *instant, const cm_tof_environment *environment,
-                               const cm_tof_options *options, const tof_points *points,
-                               size_t point, ambient_rays *r)
+/* A ray in the direction; returns what is seen if the block is full. */
+static double add_ray(const ambient_place *at, const double in[3], double scattered, double density,
+                      double even, ambient_rays *r)
 {
-    const tof_surface *s = tof_instant_surfaces(instant) + points->id[point];
-    const uint32_t rays = options->paths != 0 ? options->paths : RAYS;
-    double at[3];
-    double normal[3];
-    double out[3];
-    double from[3];
-    uint32_t words[4];
-    double sum = 0.0;
     for (int k = 0; k < 3; k++)
     {
-        at[k] = points->position[k][point];
-        normal[k] = points->normal[k][point];
-        out[k] = points->to_camera[k][point];
+        r->origin[k][r->n] = at->from[k];
+        r->direction[k][r->n] = in[k];
     }
-    leave_surface(at, normal, from);
-    cm_random_block(options->seed, options->view, points->number[point], 0, NUMBERS, words);
-    for (uint32_t j = 0; j < rays; j++)
-    {
-        double u[3];
-        double in[3];
-        double density;
-        low_discrepancy_point(words, j, u);
-        const double part = cm_brdf_sample_direction(s->brdf, normal, out, u, in, &density);
-        if (part > 0.0)
-        {
-            for (int k = 0; k < 3; k++)
-            {
-                r->origin[k][r->n] = from[k];
-                r->direction[k][r->n] = in[k];
-            }
-            r->far[r->n] = INFINITY;
-            r->part[r->n++] = part;
-        }
-        if (r->n == BLOCK)
-        {
-            sum += sum_of_seen(instant, environment, r);
-        }
-    }
-    sum += sum_of_seen(instant, environment, r);
-    return sum * s->reflectance / rays;
+    r->far[r->n] = INFINITY;
+    r->scattered[r->n] = scattered;
+    r->density[r->n] = density;
+    r->even[r->n++] = even;
+    return r->n == BLOCK ? sum_of_seen(at, r) : 0.0;
 }
 
-cm_status tof_environment_add(const tof_instant *instant, const cm_tof_environment *environment,
+static double look_along_surface(const ambient_place *at, const uint32_t words[4], ambient_rays *r)
+{
+    double sum = 0.0;
+    for (uint32_t j = 0; j < at->by_surface; j++)
+    {
+        double u[3], in[3], density;
+        low_discrepancy_point(words, j, u);
+        const double part =
+            cm_brdf_sample_direction(at->brdf, at->normal, at->out, u, in, &density);
+        if (part > 0.0)
+        {
+            sum += add_ray(at, in, part * density, density, part / at->by_surface, r);
+        }
+    }
+    return sum;
+}
+
+static double look_to_sky(const ambient_place *at, const uint32_t words[4], ambient_rays *r)
+{
+    double sum = 0.0;
+    for (uint32_t j = 0; j < at->by_sky; j++)
+    {
+        double u[3], in[3];
+        low_discrepancy_point(words, j, u);
+        if (!sky_draw(at->sky, u, in))
+        {
+            continue;
+        }
+        const double cosine = in[0] * at->normal[0] + in[1] * at->normal[1] + in[2] * at->normal[2];
+        const double scattered =
+            cosine > 0.0 ? cosine * cm_brdf_value(at->brdf, at->normal, in, at->out) : 0.0;
+        if (scattered > 0.0)
+        {
+            sum += add_ray(at, in, scattered, cm_brdf_density(at->brdf, at->normal, in, at->out),
+                           0.0, r);
+        }
+    }
+    return sum;
+}
+
+cm_status tof_environment_add(const tof_instant *instant, const tof_sky *sky,
                               const cm_tof_options *options, const tof_points *points,
                               tof_radiance *radiance)
 {
+    const uint32_t rays = options->paths != 0 ? options->paths : RAYS;
+    ambient_place at = {.instant = instant, .sky = sky};
     ambient_rays *const r = malloc(sizeof *r);
     if (r == NULL)
     {
         return CM_ERROR_MEMORY;
     }
+    at.by_sky = (uint32_t)fmin(rays / 2, ceil(rays * sky_contrast(sky)));
+    at.by_surface = rays - at.by_sky;
     r->n = 0;
     for (size_t point = 0; point < points->n; point++)
     {
-        radiance->ambient[point] +=
-            ambient_of_point(instant, environment, options, points, point, r);
+        const tof_surface *s = tof_instant_surfaces(instant) + points->id[point];
+        uint32_t words[4], sky_words[4];
+        double place[3];
+        for (int k = 0; k < 3; k++)
+        {
+            place[k] = points->position[k][point];
+            at.normal[k] = points->normal[k][point];
+            at.out[k] = points->to_camera[k][point];
+        }
+        at.brdf = s->brdf;
+        leave_surface(place, at.normal, at.from);
+        cm_random_block(options->seed, options->view, points->number[point], 0, NUMBERS, words);
+        cm_random_block(options->seed, options->view, points->number[point], 0, SKY_NUMBERS,
+                        sky_words);
+        double sum = look_along_surface(&at, words, r);
+        sum += look_to_sky(&at, sky_words, r);
+        sum += sum_of_seen(&at, r);
+        radiance->ambient[point] += sum * s->reflectance;
     }
     free(r);
     return CM_OK;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "charges.h"
+#include "shot_noise.h"
 #include "vector.h"
 
 #include <cubemap/random.h>
@@ -187,6 +188,23 @@ typedef struct noise_work
     float *charge;
 } noise_work;
 
+static void add_shot_noise(const noise_work *doing, size_t first, size_t n, double *value)
+{
+    const cm_tof_options *options = doing->options;
+    if (options->shot == CM_TOF_FREEMAN_TUKEY)
+    {
+        double normal[RANDOM_BLOCK];
+        cm_random_normal_array(options->seed, options->view, (uint32_t)first, doing->sample, n,
+                               normal);
+        shot_noise_add(&doing->sensor->given, n, normal, value);
+    }
+    else
+    {
+        cm_random_poisson_array(options->seed, options->view, (uint32_t)first, doing->sample, n,
+                                value, value);
+    }
+}
+
 static void add_noise(size_t begin, size_t end, void *user)
 {
     const noise_work *doing = user;
@@ -198,8 +216,7 @@ static void add_noise(size_t begin, size_t end, void *user)
         {
             value[i] = (double)doing->charge[first + i];
         }
-        cm_random_poisson_array(doing->options->seed, doing->options->view, (uint32_t)first,
-                                doing->sample, n, value, value);
+        add_shot_noise(doing, first, n, value);
         if (doing->sensor->given.read_noise > 0.0)
         {
             cm_random_normal_array(doing->options->seed, doing->options->view, (uint32_t)first,

@@ -14,7 +14,7 @@ int charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_pic
                      size_t picture_wave, int series, int phase, const float *offset, cm_pool *pool,
                      float *charge_a, float *charge_b);
 
-/* Shot and read noise of one phase image: Poisson's and normal numbers of seed, view, pixel and the number of the image. */
+/* Shot and read noise of one phase image: by numbers of seed, view, pixel and the number of the image. */
 void charges_add_noise(const tof_sensor *sensor, const cm_tof_options *options, int image,
                        cm_pool *pool, float *charge_a, float *charge_b);
 

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * Outlines and edges of what formulas give, drawn into a sensor's cells: what is thinner than a cell lies between the
- * middles, and is sampled nevertheless.
+ * Outlines and edges of what formulas give, and outlines of meshes, drawn into a sensor's cells: what is thinner than a cell
+ * lies between the middles, and is sampled nevertheless. Outlines as lamps see them are drawn where their shadows fall.
  */
 #include "tof_picture.h"
 #include "tof_world.h"
 #include "vector.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum
@@ -21,10 +22,15 @@ typedef struct drawing
 {
     const tof_scenery *scenery;
     uint8_t *mark;
-    double step; /* radians between places of a line: half a cell */
+    const double *eye; /* that sees outlines: the camera, or a lamp */
+    int is_lamp;
+    double step; /* radians between places of a line, as the eye sees them */
     size_t waiting;
-    double place[3][PLACES_AT_ONCE]; /* in the camera's axes */
+    double place[3][PLACES_AT_ONCE];
 } drawing;
+
+/* Of the way from a lamp to an outline: so far behind it a shadow begins. */
+#define BEHIND 1e-6
 
 static void mark_cell(const drawing *to, double column, double row)
 {
@@ -37,10 +43,55 @@ static void mark_cell(const drawing *to, double column, double row)
     }
 }
 
+/* Places of an outline become those where its shadow falls; infinitely far away where it does not. */
+static void throw_shadows(drawing *to)
+{
+    double direction[3][PLACES_AT_ONCE], distance[PLACES_AT_ONCE];
+    for (size_t i = 0; i < to->waiting; i++)
+    {
+        double way[3];
+        for (int k = 0; k < 3; k++)
+        {
+            way[k] = to->place[k][i] - to->eye[k];
+        }
+        const double length = sqrt(dot(way, way));
+        for (int k = 0; k < 3; k++)
+        {
+            direction[k][i] = length > 0.0 ? way[k] / length : (double)(k == 2);
+            to->place[k][i] += BEHIND * way[k];
+        }
+    }
+    const double *const origins[3] = {to->place[0], to->place[1], to->place[2]};
+    const double *const directions[3] = {direction[0], direction[1], direction[2]};
+    const tof_hits hits = {.distance = distance};
+    tof_cast(to->scenery->instant, to->waiting, origins, directions, &hits);
+    for (size_t i = 0; i < to->waiting; i++)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            to->place[k][i] += distance[i] < INFINITY ? distance[i] * direction[k][i] : (double)NAN;
+        }
+    }
+}
+
 static void mark_waiting(drawing *to)
 {
     double column[PLACES_AT_ONCE], row[PLACES_AT_ONCE];
     const double beside = 0.3 * to->scenery->sensor->cells.width;
+    if (to->is_lamp)
+    {
+        throw_shadows(to);
+    }
+    for (size_t i = 0; i < to->waiting; i++)
+    {
+        const double world[3] = {to->place[0][i], to->place[1][i], to->place[2][i]};
+        double camera[3];
+        cm_pose_apply(&to->scenery->camera, world, camera);
+        for (int k = 0; k < 3; k++)
+        {
+            to->place[k][i] = camera[k];
+        }
+    }
     cm_camera_project_array(to->scenery->sensor->given.camera, to->waiting, to->place[0],
                             to->place[1], to->place[2], column, row);
     for (size_t i = 0; i < to->waiting; i++)
@@ -58,11 +109,9 @@ static void mark_waiting(drawing *to)
 
 static void mark_place(drawing *to, const double world[3])
 {
-    double camera[3];
-    cm_pose_apply(&to->scenery->camera, world, camera);
     for (int k = 0; k < 3; k++)
     {
-        to->place[k][to->waiting] = camera[k];
+        to->place[k][to->waiting] = world[k];
     }
     to->waiting++;
     if (to->waiting == PLACES_AT_ONCE)
@@ -71,10 +120,10 @@ static void mark_place(drawing *to, const double world[3])
     }
 }
 
-/* Of two places, seen by the camera. */
+/* Of two places, as the eye sees them. */
 static double seen_apart(const drawing *to, const double a[3], const double b[3])
 {
-    const double *eye = to->scenery->camera.position;
+    const double *eye = to->eye;
     const double one[3] = {a[0] - eye[0], a[1] - eye[1], a[2] - eye[2]};
     const double other[3] = {b[0] - eye[0], b[1] - eye[1], b[2] - eye[2]};
     return angle_between(one, other);
@@ -123,7 +172,7 @@ static void mark_circle(drawing *to, const double centre[3], const double axis[3
     make_across(axis, one, other);
     for (int k = 0; k < 3; k++)
     {
-        const double way = centre[k] - to->scenery->camera.position[k];
+        const double way = centre[k] - to->eye[k];
         square += way * way;
     }
     const double nearest = fmax(sqrt(square) - radius, 1e-3 * radius);
@@ -166,13 +215,13 @@ static void mark_box(drawing *to, const tof_solid *box)
     }
 }
 
-/* The circle where tangents from the camera touch it. */
+/* The circle where tangents from the eye touch it. */
 static void mark_sphere(drawing *to, const tof_solid *sphere)
 {
     double axis[3], square = 0.0;
     for (int k = 0; k < 3; k++)
     {
-        axis[k] = sphere->centre[k] - to->scenery->camera.position[k];
+        axis[k] = sphere->centre[k] - to->eye[k];
         square += axis[k] * axis[k];
     }
     const double part = sphere->radius * sphere->radius / square;
@@ -183,7 +232,7 @@ static void mark_sphere(drawing *to, const tof_solid *sphere)
     double centre[3];
     for (int k = 0; k < 3; k++)
     {
-        centre[k] = to->scenery->camera.position[k] + (1.0 - part) * axis[k];
+        centre[k] = to->eye[k] + (1.0 - part) * axis[k];
         axis[k] /= sqrt(square);
     }
     mark_circle(to, centre, axis, sphere->radius * sqrt(1.0 - part));
@@ -196,7 +245,7 @@ static void mark_cylinder(drawing *to, const tof_solid *cylinder)
     const double *axis = cylinder->axis[0];
     for (int k = 0; k < 3; k++)
     {
-        from[k] = to->scenery->camera.position[k] - cylinder->centre[k];
+        from[k] = to->eye[k] - cylinder->centre[k];
         along += from[k] * axis[k];
     }
     for (int k = 0; k < 3; k++)
@@ -239,7 +288,66 @@ static void mark_cylinder(drawing *to, const tof_solid *cylinder)
     }
 }
 
-void mark_edges(const tof_scenery *scenery, uint8_t *mark)
+/* Where a mesh has an outline it ends, or turns away: in between neighbours see what it is. */
+static cm_status mark_mesh(drawing *to, const tof_body *body, cm_pool *pool)
+{
+    const cm_mesh *mesh = mesh_rays_mesh(body->rays);
+    const cm_mesh_options *shape = cm_mesh_describe(mesh);
+    const mesh_edges *edges = NULL;
+    double eye[3];
+    const cm_status status = mesh_rays_edges((mesh_rays *)(uintptr_t)body->rays, &edges);
+    int8_t *const facing = malloc(shape->triangle_count + 1);
+    if (status != CM_OK || facing == NULL)
+    {
+        free(facing);
+        return CM_ERROR_MEMORY;
+    }
+    cm_pose_apply(&body->pose, to->eye, eye);
+    mesh_edges_face(mesh, eye, pool, facing);
+    for (size_t i = 0; i < edges->count; i++)
+    {
+        const mesh_edge *edge = &edges->edge[i];
+        if (mesh_edge_is_outline(edge, facing))
+        {
+            double a[3], b[3];
+            cm_pose_apply_back(&body->pose, shape->position + 3 * (size_t)edge->vertex[0], a);
+            cm_pose_apply_back(&body->pose, shape->position + 3 * (size_t)edge->vertex[1], b);
+            mark_line(to, a, b, 0);
+        }
+    }
+    free(facing);
+    return CM_OK;
+}
+
+static cm_status mark_all(drawing *to, cm_pool *pool)
+{
+    const tof_instant *instant = to->scenery->instant;
+    cm_status status = CM_OK;
+    for (size_t i = 0; i < instant->solids; i++)
+    {
+        const tof_solid *solid = &instant->solid[i];
+        if (solid->kind == CM_PRIMITIVE_BOX)
+        {
+            mark_box(to, solid);
+        }
+        else if (solid->kind == CM_PRIMITIVE_SPHERE)
+        {
+            mark_sphere(to, solid);
+        }
+        else if (solid->kind == CM_PRIMITIVE_CYLINDER)
+        {
+            mark_cylinder(to, solid);
+        }
+    }
+    for (size_t i = 0; status == CM_OK && i < instant->bodies; i++)
+    {
+        status = mark_mesh(to, &instant->body[i], pool);
+    }
+    mark_waiting(to);
+    return status;
+}
+
+cm_status mark_edges(const tof_scenery *scenery, cm_pool *pool, uint8_t *mark)
 {
     const tof_sensor *sensor = scenery->sensor;
     const cm_camera_options *camera = cm_camera_describe(sensor->given.camera);
@@ -247,22 +355,20 @@ void mark_edges(const tof_scenery *scenery, uint8_t *mark)
         sensor->given.camera, 0.5 * (double)camera->width + sensor->cells.first,
         0.5 * (double)camera->height + sensor->cells.top);
     const double pixel = solid_angle > 0.0 ? sqrt(solid_angle) : 1e-3;
-    drawing to = {.scenery = scenery, .mark = mark, .step = 0.5 * pixel * sensor->cells.width};
-    for (size_t i = 0; i < scenery->instant->solids; i++)
+    drawing to = {.scenery = scenery,
+                  .mark = mark,
+                  .eye = scenery->camera.position,
+                  .step = 0.5 * pixel * sensor->cells.width};
+    cm_status status = mark_all(&to, pool);
+    to.is_lamp = 1;
+    to.step *= 0.5; /* what a shadow falls onto may be nearer to the camera than to the lamp */
+    for (size_t j = 0; status == CM_OK && j < scenery->lamps; j++)
     {
-        const tof_solid *solid = &scenery->instant->solid[i];
-        if (solid->kind == CM_PRIMITIVE_BOX)
+        if (lamp_is_beside(&scenery->lamp[j], scenery->camera.position))
         {
-            mark_box(&to, solid);
-        }
-        else if (solid->kind == CM_PRIMITIVE_SPHERE)
-        {
-            mark_sphere(&to, solid);
-        }
-        else if (solid->kind == CM_PRIMITIVE_CYLINDER)
-        {
-            mark_cylinder(&to, solid);
+            to.eye = scenery->lamp[j].position;
+            status = mark_all(&to, pool);
         }
     }
-    mark_waiting(&to);
+    return status;
 }

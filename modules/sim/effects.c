@@ -56,6 +56,11 @@ static void drop(measured *frame)
     frame->intensity = NULL;
 }
 
+static double milliseconds_of(clock_t ticks)
+{
+    return 1e3 * (double)ticks / CLOCKS_PER_SEC;
+}
+
 static cm_status take(const planning *with, const cm_tof_sensor *sensor,
                       const cm_tof_options *options, measured *frame)
 {
@@ -74,7 +79,7 @@ static cm_status take(const planning *with, const cm_tof_sensor *sensor,
     const cm_status status =
         cm_tof_simulate(with->scene, sensor, with->light, with->lights, with->trajectory,
                         with->time, options, with->pool, &result);
-    frame->milliseconds = 1e3 * (double)(clock() - begin) / CLOCKS_PER_SEC;
+    frame->milliseconds = milliseconds_of(clock() - begin);
     if (status != CM_OK)
     {
         drop(frame);
@@ -114,7 +119,8 @@ static cm_status compare(const planning *with, const cm_tof_sensor *sensor,
     if (status == CM_OK)
     {
         entry->contribution = change(with, &a, &b);
-        entry->cost = scale * fmax(0.0, b.milliseconds - a.milliseconds);
+        /* a tick at least: by chance the frame with it may take less, and what costs nothing would always be kept */
+        entry->cost = scale * fmax(milliseconds_of(1), b.milliseconds - a.milliseconds);
     }
     drop(&a);
     drop(&b);
@@ -228,7 +234,8 @@ static cm_status measure_noise(const planning *with, const cm_tof_sensor *sensor
         }
     }
     entry->contribution = count == 0 ? 0.0 : sqrt(squares / (double)count);
-    entry->cost = frame.milliseconds; /* numbers cost about as much as a frame does */
+    entry->cost =
+        fmax(milliseconds_of(1), frame.milliseconds); /* numbers take about as long as a frame */
     drop(&frame);
     return CM_OK;
 }

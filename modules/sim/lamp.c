@@ -152,3 +152,15 @@ double tof_lamp_intensity(const tof_lamp *lamp, double cosine)
     const double part = fmin(place - floor_place, 1.0);
     return lamp->table[k] + part * (lamp->table[k + 1] - lamp->table[k]);
 }
+
+int lamp_is_beside(const tof_lamp *lamp, const double camera[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        if (lamp->position[k] != camera[k])
+        {
+            return 1;
+        }
+    }
+    return 0;
+}

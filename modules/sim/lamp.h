@@ -18,4 +18,7 @@ void lamps_place(const cm_tof_light *light, size_t lights, double *const *table,
 double **lamps_tables(const cm_tof_light *light, size_t lights);
 void lamps_free_tables(double **table, size_t lights);
 
+/* Does it throw shadows that the camera can see? At the camera's own place it sees what the camera sees. */
+int lamp_is_beside(const tof_lamp *lamp, const double camera[3]);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,12 +22,17 @@ struct mesh_rays
     cm_scene *exact; /* the mesh alone, as the library cubemap-scene meets it */
     RTCDevice device;
     RTCScene tree;
+    _Atomic(mesh_edges *) edges; /* NULL: not asked for so far */
 };
 
 enum
 {
     PACKET = 16
 };
+
+/* Radians by which rays are turned that met nothing, by the greatest coordinate of their origin; and the most. */
+#define ASIDE 4e-6
+#define MOST_ASIDE 1e-2
 
 static cm_status make_exact(mesh_rays *made)
 {
@@ -142,6 +148,7 @@ void mesh_rays_destroy(mesh_rays *mesh)
             rtcReleaseDevice(mesh->device);
         }
         cm_scene_destroy(mesh->exact);
+        mesh_edges_destroy(atomic_load(&mesh->edges));
         free(mesh);
     }
 }
@@ -149,6 +156,30 @@ void mesh_rays_destroy(mesh_rays *mesh)
 const cm_mesh *mesh_rays_mesh(const mesh_rays *mesh)
 {
     return mesh->mesh;
+}
+
+cm_status mesh_rays_edges(mesh_rays *mesh, const mesh_edges **found)
+{
+    mesh_edges *before = atomic_load(&mesh->edges);
+    if (before == NULL)
+    {
+        mesh_edges *made = NULL;
+        const cm_status status = mesh_edges_create(mesh->mesh, &made);
+        if (status != CM_OK)
+        {
+            return status;
+        }
+        if (atomic_compare_exchange_strong(&mesh->edges, &before, made))
+        {
+            before = made;
+        }
+        else
+        {
+            mesh_edges_destroy(made);
+        }
+    }
+    *found = before;
+    return CM_OK;
 }
 
 void mesh_rays_bound(const mesh_rays *mesh, double centre[3], double *radius)
@@ -268,6 +299,64 @@ static void trace(const mesh_rays *mesh, size_t count, double (*const origin)[3]
 #endif
 }
 
+/* A direction a few roundings beside: along the axis that it has least of. */
+static void turn_aside(const double origin[3], const double direction[3], double turned[3])
+{
+    double far = 1.0;
+    int least = 0;
+    for (int k = 0; k < 3; k++)
+    {
+        turned[k] = direction[k];
+        far = fmax(far, fabs(origin[k]));
+        least = fabs(direction[k]) < fabs(direction[least]) ? k : least;
+    }
+    turned[least] += fmin(ASIDE * far, MOST_ASIDE);
+}
+
+/* Embree misses what a ray meets at a vertex: which rays that met nothing would meet something a little beside? */
+static void ask_again(const mesh_rays *mesh, size_t count, double (*const origin)[3],
+                      double (*const direction)[3], const double *distance,
+                      const struct RTCRayHit16 *first, uint8_t *is_near)
+{
+    _Alignas(64) struct RTCRayHit16 packet;
+    double from[PACKET][3], along[PACKET][3], far[PACKET];
+    size_t ray[PACKET], n = 0;
+    memset(is_near, 0, count);
+    for (size_t i = 0; i < count; i++)
+    {
+        if (first->hit.geomID[i] == RTC_INVALID_GEOMETRY_ID)
+        {
+            memcpy(from[n], origin[i], sizeof from[n]);
+            turn_aside(origin[i], direction[i], along[n]);
+            far[n] = distance[i];
+            ray[n++] = i;
+        }
+    }
+    if (n > 0)
+    {
+        trace(mesh, n, from, along, far, &packet);
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        is_near[ray[i]] = packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
+/* The nearest triangle of a ray, by what Embree says of it; 0 if it meets none. */
+static int find_hit(const mesh_rays *mesh, const struct RTCRayHit16 *packet, size_t i, int is_near,
+                    const double origin[3], const double direction[3], uint32_t *found,
+                    triangle_hit *hit)
+{
+    if (packet->hit.geomID[i] == RTC_INVALID_GEOMETRY_ID)
+    {
+        return is_near && meet_exactly(mesh, origin, direction, found, hit);
+    }
+    *found = packet->hit.primID[i];
+    return (meet_triangle(cm_mesh_describe(mesh->mesh), *found, origin, direction, hit) &&
+            hit->distance > 0.0) ||
+           meet_exactly(mesh, origin, direction, found, hit);
+}
+
 void mesh_rays_cast(const mesh_rays *mesh, size_t n, double (*const origin)[3],
                     double (*const direction)[3], double *distance, uint32_t *triangle,
                     double (*normal)[3], uint8_t *is_met)
@@ -277,25 +366,21 @@ void mesh_rays_cast(const mesh_rays *mesh, size_t n, double (*const origin)[3],
     {
         return;
     }
-    const cm_mesh_options *options = cm_mesh_describe(mesh->mesh);
     for (size_t first = 0; first < n; first += PACKET)
     {
         _Alignas(64) struct RTCRayHit16 packet;
+        uint8_t is_near[PACKET];
         const size_t count = n - first < PACKET ? n - first : PACKET;
         trace(mesh, count, origin + first, direction + first, distance + first, &packet);
+        ask_again(mesh, count, origin + first, direction + first, distance + first, &packet,
+                  is_near);
         for (size_t i = 0; i < count; i++)
         {
             const size_t k = first + i;
-            if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID)
-            {
-                continue;
-            }
-            uint32_t found = packet.hit.primID[i];
+            uint32_t found;
             triangle_hit hit;
-            const int met = (meet_triangle(options, found, origin[k], direction[k], &hit) &&
-                             hit.distance > 0.0) ||
-                            meet_exactly(mesh, origin[k], direction[k], &found, &hit);
-            if (met && hit.distance > 0.0 && hit.distance < distance[k])
+            if (find_hit(mesh, &packet, i, is_near[i], origin[k], direction[k], &found, &hit) &&
+                hit.distance > 0.0 && hit.distance < distance[k])
             {
                 is_met[k] = 1;
                 distance[k] = hit.distance;

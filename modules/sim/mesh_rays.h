@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * Rays to a mesh: Embree finds triangles in single precision; where they are is computed in double precision, and what does
- * not lie on its triangle is looked for again (Embree's issues 387, 416 and 423 tell of such hits).
+ * not lie on its triangle is looked for again (Embree's issues 387, 416 and 423 tell of such hits); so is what meets nothing,
+ * but would a little beside.
  */
 #ifndef CUBEMAP_SIM_MESH_RAYS_H
 #define CUBEMAP_SIM_MESH_RAYS_H
+
+#include "mesh_edges.h"
 
 #include <cubemap/mesh.h>
 #include <cubemap/status.h>
@@ -15,6 +18,9 @@ typedef struct mesh_rays mesh_rays;
 cm_status mesh_rays_create(const cm_mesh *mesh, mesh_rays **made);
 void mesh_rays_destroy(mesh_rays *mesh);
 const cm_mesh *mesh_rays_mesh(const mesh_rays *mesh);
+
+/* Its edges, which are found when they are first asked for; any number of threads may ask. CM_OK; CM_ERROR_MEMORY. */
+cm_status mesh_rays_edges(mesh_rays *mesh, const mesh_edges **found);
 
 /* Centre and radius of a sphere around all of it; radius below 0: it has no triangles. */
 void mesh_rays_bound(const mesh_rays *mesh, double centre[3], double *radius);

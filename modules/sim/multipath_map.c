@@ -6,6 +6,7 @@
  */
 #include "multipath_object.h"
 #include "brdf_object.h"
+#include "map_cells.h"
 
 #include <cubemap/cell.h>
 
@@ -18,11 +19,6 @@ enum
 {
     BLOCK = 512
 };
-
-int map_faces(const cm_mapping *mapping)
-{
-    return cm_mapping_describe(mapping)->kind == CM_KIND_CUBE ? 6 : 1;
-}
 
 /* What all blocks of the map share. */
 typedef struct map
@@ -85,17 +81,9 @@ static void find_rays(const map *m, size_t n, const size_t *cell, rays *r)
     cm_inverse_jacobian_array(m->mapping, n, face, u, v, jacobian);
     for (size_t i = 0; i < n; i++)
     {
-        double square = 0.0;
-        for (int k = 0; k < 3; k++)
-        {
-            const int a = (k + 1) % 3;
-            const int b = (k + 2) % 3;
-            const double c =
-                column[2 * a][i] * column[2 * b + 1][i] - column[2 * b][i] * column[2 * a + 1][i];
-            square += c * c;
-        }
-        const double angle = sqrt(square) * side * side;
-        r->angle[i] = isfinite(angle) ? angle : 0.0;
+        const double at[6] = {column[0][i], column[1][i], column[2][i],
+                              column[3][i], column[4][i], column[5][i]};
+        r->angle[i] = map_stretch(at) * side * side;
         if (r->angle[i] == 0.0)
         {
             r->direction[0][i] = r->direction[1][i] = 0.0;

@@ -38,9 +38,6 @@ struct tof_virtual_lights
     float (*plane)[4];   /* count x shadow_cells; from origin */
 };
 
-/* How many faces the mapping has. */
-int map_faces(const cm_mapping *mapping);
-
 /* Draws count lights by what the lamps' light that falls onto surfaces is scattered; fewer, none, if there is none. */
 cm_status draw_virtual_lights(const tof_instant *instant, const cm_mapping *mapping, uint32_t edge,
                               const tof_lamp *lamp, size_t lamps, uint32_t count, cm_pool *pool,

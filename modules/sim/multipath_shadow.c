@@ -3,6 +3,7 @@
  * Shadow maps of virtual lights, small ones: a cell has not the distance of what is seen there, which changes within the cell,
  * but its plane.
  */
+#include "map_cells.h"
 #include "multipath_object.h"
 #include "surface_ray.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "sensor.h"
+#include "shot_noise.h"
 #include "vector.h"
 
 #include <math.h>
@@ -225,6 +226,7 @@ cm_status sensor_prepare(const cm_tof_sensor *given, const cm_tof_options *optio
     }
     status = status == CM_OK ? check_optics(given) : status;
     status = status == CM_OK ? check_mask(given) : status;
+    status = status == CM_OK ? shot_noise_check(given) : status;
     if (status != CM_OK)
     {
         return status;

@@ -114,19 +114,6 @@ static void cast_shadows(const tof_scenery *scenery, size_t lamp, size_t n, cons
     }
 }
 
-/* A lamp at the camera's own place sees what the camera sees. */
-static int is_beside(const tof_scenery *scenery, const tof_lamp *lamp)
-{
-    for (int k = 0; k < 3; k++)
-    {
-        if (lamp->position[k] != scenery->camera.position[k])
-        {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* Of a table's lamp intensity by the even one's; of other surfaces their BRDF. */
 static void weigh(const tof_scenery *scenery, const tof_lamp *lamp, size_t n, const ray_block *rays,
                   const tof_light_block *light, double *strength)
@@ -185,7 +172,7 @@ static void shine(const tof_scenery *scenery, size_t n, const ray_block *rays,
     for (size_t j = 0; j < scenery->lamps; j++)
     {
         memcpy(strength, rays->strength, sizeof strength);
-        if (is_beside(scenery, &scenery->lamp[j]))
+        if (lamp_is_beside(&scenery->lamp[j], scenery->camera.position))
         {
             cast_shadows(scenery, j, n, rays, light, strength);
         }
@@ -194,37 +181,58 @@ static void shine(const tof_scenery *scenery, size_t n, const ray_block *rays,
     }
 }
 
-/* Scattered light and that of the surroundings, of the places that there are. */
-static cm_status scatter(const tof_scenery *scenery, size_t n, const ray_block *rays,
-                         const uint32_t *number, tof_light_block *light)
+/* Those of a block's places where something is. */
+typedef struct places
 {
-    const cm_tof_options *options = scenery->options;
+    size_t count;
+    size_t of[TOF_BLOCK]; /* in the block */
     double position[3][TOF_BLOCK], normal[3][TOF_BLOCK], out[3][TOF_BLOCK], range[TOF_BLOCK];
-    double total[TOF_BLOCK] = {0}, ambient[TOF_BLOCK] = {0};
-    double real[SENSOR_WAVES * TOF_BLOCK], imaginary[SENSOR_WAVES * TOF_BLOCK];
-    uint32_t id[TOF_BLOCK], numbers[TOF_BLOCK];
-    size_t place[TOF_BLOCK], count = 0;
+    uint32_t id[TOF_BLOCK], number[TOF_BLOCK];
+} places;
+
+static void find_places(size_t n, const ray_block *rays, const uint32_t *number,
+                        const tof_light_block *light, places *found)
+{
+    found->count = 0;
     for (size_t i = 0; i < n; i++)
     {
         if (light->id[i] == CM_SCENE_NOTHING)
         {
             continue;
         }
+        const size_t to = found->count++;
         for (int k = 0; k < 3; k++)
         {
-            position[k][count] = rays->position[k][i];
-            normal[k][count] = light->normal[k][i];
-            out[k][count] = -rays->direction[k][i];
+            found->position[k][to] = rays->position[k][i];
+            found->normal[k][to] = light->normal[k][i];
+            found->out[k][to] = -rays->direction[k][i];
         }
-        range[count] = light->range[i];
-        id[count] = light->id[i];
-        numbers[count] = number[i];
-        place[count++] = i;
+        found->range[to] = light->range[i];
+        found->id[to] = light->id[i];
+        found->number[to] = number[i];
+        found->of[to] = i;
     }
+}
+
+/* Scattered light and that of the surroundings, of the places that there are. */
+static cm_status scatter(const tof_scenery *scenery, size_t n, const ray_block *rays,
+                         const uint32_t *number, tof_light_block *light)
+{
+    const cm_tof_options *options = scenery->options;
+    double total[TOF_BLOCK] = {0}, ambient[TOF_BLOCK] = {0};
+    double real[SENSOR_WAVES * TOF_BLOCK], imaginary[SENSOR_WAVES * TOF_BLOCK];
+    places at;
+    find_places(n, rays, number, light, &at);
+    const size_t count = at.count;
     memset(real, 0, sizeof *real * scenery->waves.count * count);
     memset(imaginary, 0, sizeof *imaginary * scenery->waves.count * count);
-    const tof_points points = {
-        count, COLUMNS_OF(position), COLUMNS_OF(normal), COLUMNS_OF(out), range, id, numbers};
+    const tof_points points = {count,
+                               COLUMNS_OF(at.position),
+                               COLUMNS_OF(at.normal),
+                               COLUMNS_OF(at.out),
+                               at.range,
+                               at.id,
+                               at.number};
     tof_radiance radiance = {total, real, imaginary, ambient};
     cm_status status = CM_OK;
     if (scenery->virtual_lights != NULL)
@@ -236,14 +244,13 @@ static cm_status scatter(const tof_scenery *scenery, size_t n, const ray_block *
         status = tof_paths_add(scenery->instant, scenery->lamp, scenery->lamps, options,
                                &scenery->waves, &points, &radiance);
     }
-    if (status == CM_OK && options->environment != NULL)
+    if (status == CM_OK && scenery->sky != NULL)
     {
-        status = tof_environment_add(scenery->instant, options->environment, options, &points,
-                                     &radiance);
+        status = tof_environment_add(scenery->instant, scenery->sky, options, &points, &radiance);
     }
     for (size_t k = 0; k < count; k++)
     {
-        const size_t i = place[k];
+        const size_t i = at.of[k];
         light->total[i] += total[k];
         light->ambient[i] += ambient[k];
         for (size_t j = 0; j < scenery->waves.count; j++)
@@ -265,7 +272,7 @@ static void look_beyond(const tof_scenery *scenery, size_t n, const ray_block *r
         {
             const double direction[3] = {rays->direction[0][i], rays->direction[1][i],
                                          rays->direction[2][i]};
-            light->ambient[i] = tof_environment_radiance(scenery->options->environment, direction);
+            light->ambient[i] = sky_radiance(scenery->options->environment, direction);
         }
     }
 }
@@ -291,36 +298,41 @@ static void pass_lens(const tof_scenery *scenery, size_t n, const double *lens,
     }
 }
 
-cm_status tof_shade(const tof_scenery *scenery, size_t n, const double *column, const double *row,
-                    const uint32_t *number, tof_light_block *light)
+/* No light has come; what whole vectors have beyond n is dark. */
+static void begin_light(size_t n, size_t waves, ray_block *rays, tof_light_block *light)
 {
-    _Alignas(64) ray_block rays;
-    const cm_tof_options *options = scenery->options;
-    const size_t room = room_of(n);
-    make_rays(scenery, n, column, row, &rays);
-    const double *const origin[3] = COLUMNS_OF(rays.origin);
-    const double *const direction[3] = COLUMNS_OF(rays.direction);
-    const tof_hits hits = {light->range, light->id, NULL, COLUMNS_OF(light->normal)};
-    tof_cast(scenery->instant, n, origin, direction, &hits);
-    put_points(scenery, n, &rays, light);
-    for (size_t i = n; i < room; i++) /* whole vectors are computed */
+    for (size_t i = n; i < room_of(n); i++)
     {
-        rays.strength[i] = 0.0;
-        rays.leg[i] = 1.0;
+        rays->strength[i] = 0.0;
+        rays->leg[i] = 1.0;
         for (int k = 0; k < 3; k++)
         {
-            rays.position[k][i] = rays.position[k][0];
+            rays->position[k][i] = rays->position[k][0];
             light->normal[k][i] = light->normal[k][0];
         }
     }
     memset(light->total, 0, sizeof light->total);
     memset(light->ambient, 0, sizeof light->ambient);
     memset(light->shadows, 0, sizeof light->shadows);
-    for (size_t j = 0; j < scenery->waves.count; j++)
+    for (size_t j = 0; j < waves; j++)
     {
         memset(light->real[j], 0, sizeof light->real[j]);
         memset(light->imaginary[j], 0, sizeof light->imaginary[j]);
     }
+}
+
+cm_status tof_shade(const tof_scenery *scenery, size_t n, const double *column, const double *row,
+                    const uint32_t *number, tof_light_block *light)
+{
+    _Alignas(64) ray_block rays;
+    const cm_tof_options *options = scenery->options;
+    make_rays(scenery, n, column, row, &rays);
+    const double *const origin[3] = COLUMNS_OF(rays.origin);
+    const double *const direction[3] = COLUMNS_OF(rays.direction);
+    const tof_hits hits = {light->range, light->id, NULL, COLUMNS_OF(light->normal)};
+    tof_cast(scenery->instant, n, origin, direction, &hits);
+    put_points(scenery, n, &rays, light);
+    begin_light(n, scenery->waves.count, &rays, light);
     shine(scenery, n, &rays, light);
     memcpy(light->direct_real, light->real[0], sizeof light->direct_real);
     memcpy(light->direct_imaginary, light->imaginary[0], sizeof light->direct_imaginary);

@@ -22,6 +22,7 @@ typedef struct tof_scenery
     tof_lamp lamp[SHADE_LAMPS];
     size_t lamps;
     const tof_virtual_lights *virtual_lights; /* NULL: none */
+    const tof_sky *sky;                       /* NULL: no environment */
     tof_waves waves;                          /* of this picture */
 } tof_scenery;
 

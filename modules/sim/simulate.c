@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "charges.h"
+#include "map_cells.h"
 #include "reconstruct.h"
+#include "seen_motion.h"
 #include "tof_world.h"
 #include "vector.h"
 
@@ -11,8 +13,6 @@
 enum
 {
     MOST_TIMES = 16,
-    PROBE_COLUMNS = 16,
-    PROBE_ROWS = 12,
     PIXELS_AT_ONCE = 8192
 };
 
@@ -37,6 +37,7 @@ typedef struct frame
     uint8_t *flags;
     size_t pixels;
     void *memory;
+    tof_sky *sky; /* NULL: no environment */
     int times;
     int is_beyond; /* some charge is more than a float holds */
     uint32_t virtual_lights;
@@ -59,10 +60,8 @@ static cm_status check_environment(const cm_tof_environment *environment)
     {
         return CM_ERROR_RANGE;
     }
-    const size_t faces = /* six, or one */
-        environment->radiance == NULL                                     ? 0
-        : cm_mapping_describe(environment->mapping)->kind == CM_KIND_CUBE ? 6
-                                                                          : 1;
+    const size_t faces =
+        environment->radiance == NULL ? 0 : (size_t)map_faces(environment->mapping);
     for (size_t i = 0; i < faces * environment->edge * environment->edge; i++)
     {
         if (!(environment->radiance[i] >= 0.0f) || !isfinite(environment->radiance[i]))
@@ -80,7 +79,8 @@ static cm_status check_options(const cm_tof_options *options)
         return CM_ERROR_ARGUMENT;
     }
     if (options->bounces < 0 || options->bounces > 1000 || options->sample_times > 1000 ||
-        options->lights > 1u << 20 || options->paths > 1u << 20 || options->map_edge > 4096)
+        options->lights > 1u << 20 || options->paths > 1u << 20 || options->map_edge > 4096 ||
+        (options->shot != CM_TOF_POISSON && options->shot != CM_TOF_FREEMAN_TUKEY))
     {
         return CM_ERROR_RANGE;
     }
@@ -116,6 +116,7 @@ static cm_status add_time(frame *doing, double time, int series, double part, in
     tof_scenery scenery = {.set = doing->scene->set,
                            .sensor = &doing->sensor,
                            .options = &doing->options,
+                           .sky = doing->sky,
                            .lamps = doing->lights};
     tof_instant *instant = NULL;
     tof_virtual_lights *virtual_lights = NULL;
@@ -153,65 +154,6 @@ static cm_status add_time(frame *doing, double time, int series, double part, in
 
 /* ---- how things move ---- */
 
-/* How far, in radians, what the camera sees moves between two times at the most: places that a coarse grid of rays meets,
- * carried along with what they are on. */
-static cm_status find_motion(const frame *doing, double from, double to, double *most)
-{
-    tof_instant *before = NULL, *after = NULL;
-    cm_pose camera[2];
-    double x[PROBE_COLUMNS], y[PROBE_COLUMNS], z[PROBE_COLUMNS];
-    *most = 0.0;
-    cm_status status = tof_instant_create(doing->scene, from, &before);
-    status = status == CM_OK ? tof_instant_create(doing->scene, to, &after) : status;
-    tof_pose_at(doing->trajectory, from, &camera[0]);
-    tof_pose_at(doing->trajectory, to, &camera[1]);
-    for (int r = 0; status == CM_OK && r < PROBE_ROWS; r++)
-    {
-        double column[PROBE_COLUMNS], row[PROBE_COLUMNS];
-        for (int c = 0; c < PROBE_COLUMNS; c++)
-        {
-            column[c] = ((double)c + 0.5) * doing->sensor.width / PROBE_COLUMNS;
-            row[c] = ((double)r + 0.5) * doing->sensor.height / PROBE_ROWS;
-        }
-        cm_camera_ray_array(doing->sensor.given.camera, PROBE_COLUMNS, column, row, x, y, z);
-        for (int c = 0; c < PROBE_COLUMNS; c++)
-        {
-            double ray[3] = {x[c], y[c], z[c]}, world[3], place[3], seen[3], distance;
-            const double length = sqrt(x[c] * x[c] + y[c] * y[c] + z[c] * z[c]);
-            uint32_t id;
-            if (!(length > 0.0))
-            {
-                continue;
-            }
-            for (int k = 0; k < 3; k++)
-            {
-                ray[k] /= length;
-            }
-            cm_rotate_back(&camera[0].rotation, ray, world);
-            const double *const origins[3] = {&camera[0].position[0], &camera[0].position[1],
-                                              &camera[0].position[2]};
-            const double *const directions[3] = {&world[0], &world[1], &world[2]};
-            const tof_hits hits = {&distance, &id, NULL, {NULL, NULL, NULL}};
-            tof_cast(before, 1, origins, directions, &hits);
-            if (id == CM_SCENE_NOTHING)
-            {
-                continue;
-            }
-            for (int k = 0; k < 3; k++)
-            {
-                place[k] = camera[0].position[k] + distance * world[k];
-            }
-            cm_pose_apply(&before->surface[id].body, place, place);
-            cm_pose_apply_back(&after->surface[id].body, place, place);
-            cm_pose_apply(&camera[1], place, seen);
-            *most = fmax(*most, angle_between(ray, seen));
-        }
-    }
-    tof_instant_destroy(before);
-    tof_instant_destroy(after);
-    return status;
-}
-
 /* Steps of an exposure: no sample is to move by more than its width. */
 static cm_status find_times(frame *doing)
 {
@@ -222,7 +164,8 @@ static cm_status find_times(frame *doing)
     }
     double most = 0.0;
     const cm_status status =
-        find_motion(doing, doing->time, doing->time + doing->sensor.given.exposure, &most);
+        seen_motion(doing->scene, doing->trajectory, &doing->sensor, doing->time,
+                    doing->time + doing->sensor.given.exposure, &most);
     const double solid_angle =
         cm_camera_solid_angle(doing->sensor.given.camera, 0.5 * (double)doing->sensor.width,
                               0.5 * (double)doing->sensor.height);
@@ -430,11 +373,14 @@ static cm_status get_memory(frame *doing)
         charges_offsets(&doing->sensor, &doing->options, doing->pool, offset);
         doing->offset = offset;
     }
-    return CM_OK;
+    return doing->options.environment == NULL
+               ? CM_OK
+               : sky_create(doing->options.environment, doing->pool, &doing->sky);
 }
 
 static void give_back(frame *doing)
 {
+    sky_destroy(doing->sky);
     tof_scene_return((cm_tof_scene *)(uintptr_t)doing->scene, doing->memory);
     lamps_free_tables(doing->table, doing->lights);
     sensor_release(&doing->sensor);

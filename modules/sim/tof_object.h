@@ -5,6 +5,8 @@
 #ifndef CUBEMAP_SIM_TOF_OBJECT_H
 #define CUBEMAP_SIM_TOF_OBJECT_H
 
+#include "sky.h"
+
 #include <cubemap/sim.h>
 
 /* A primitive that formulas give, in the world's axes at a time. */
@@ -114,10 +116,9 @@ cm_status tof_paths_add(const tof_instant *instant, const tof_lamp *lamp, size_t
                         const cm_tof_options *options, const tof_waves *waves,
                         const tof_points *points, tof_radiance *radiance);
 
-/* Light of the environment that these places scatter to the camera, and what it shows in a direction. */
-cm_status tof_environment_add(const tof_instant *instant, const cm_tof_environment *environment,
+/* Light of the surroundings that these places scatter to the camera (ambient.c). */
+cm_status tof_environment_add(const tof_instant *instant, const tof_sky *sky,
                               const cm_tof_options *options, const tof_points *points,
                               tof_radiance *radiance);
-double tof_environment_radiance(const cm_tof_environment *environment, const double direction[3]);
 
 #endif

@@ -495,7 +495,7 @@ cm_status picture_add(const tof_scenery *scenery, double part, int is_first, cm_
     {
         cm_pool_run(pool, tiles, 4, put_centres, &doing);
         memset(picture->needs_samples, 0, picture->cells);
-        mark_edges(scenery, picture->needs_samples);
+        keep_status(&doing, mark_edges(scenery, pool, picture->needs_samples));
         cm_pool_run(pool, bands, 1, add_rows, &doing);
     }
     picture->rays += atomic_load(&doing.rays);

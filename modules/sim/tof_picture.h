@@ -52,7 +52,8 @@ void picture_clear(tof_picture *picture, const cm_tof_options *options, cm_pool 
 cm_status picture_add(const tof_scenery *scenery, double part, int is_first, cm_pool *pool,
                       tof_picture *picture);
 
-/* Marks cells that outlines and edges of what is in front of the camera cross, or come near (edge_marks.c). */
-void mark_edges(const tof_scenery *scenery, uint8_t *mark);
+/* Marks cells that outlines and edges of what is in front of the camera cross, or come near (edge_marks.c).
+ * CM_OK; CM_ERROR_MEMORY. */
+cm_status mark_edges(const tof_scenery *scenery, cm_pool *pool, uint8_t *mark);
 
 #endif

@@ -189,7 +189,11 @@ static cm_tof_sensor take_sensor(supply *from, const cm_camera *camera, const fl
                                   .mask = kind >> 4 & 1 ? mask : NULL,
                                   .harmonics = kind >> 5 & 1 ? 3 : 0,
                                   .harmonic = harmonic,
-                                  .second_frequency = kind >> 6 & 1 ? 1.5e7 : 0.0};
+                                  .second_frequency = kind >> 6 & 1 ? 1.5e7 : 0.0,
+                                  .shot_terms = kind % 11 == 0 ? 3 : 0,
+                                  .shot_variance = harmonic,
+                                  .shot_least = 1.0,
+                                  .shot_most = 8.0};
     return sensor;
 }
 
@@ -207,7 +211,8 @@ static cm_tof_options take_options(supply *from)
                                     .full = kind >> 6 & 1,
                                     .noise = kind >> 7,
                                     .seed = kind,
-                                    .map_edge = 4};
+                                    .map_edge = 4,
+                                    .shot = kind % 5 == 3};
     return options;
 }
 

@@ -171,6 +171,31 @@ void lies_in_a_folder()
            "phases of the second follow the first's");
 }
 
+void has_shot_noise()
+{
+    make_tof_inputs();
+    does("tof simulate wall.json sensor.json path.txt -o made/poisson --quiet --noise --seed 3 "
+         "--samples 2x3");
+    does("tof simulate wall.json sensor.json path.txt -o made/e --quiet --noise --seed 3 --samples "
+         "2x3 --shot freeman-tukey");
+    does("tof simulate wall.json sensor.json path.txt -o made/f --quiet --noise --seed 3 --samples "
+         "2x3 --shot freeman-tukey --threads 7");
+    result(!same_content("made/poisson/phase_0001_3.exr", "made/e/phase_0001_3.exr") &&
+               same_content("made/e/phase_0001_3.exr", "made/f/phase_0001_3.exr"),
+           "shot noise in Freeman and Tukey's space");
+    result(matches(content_of("made/e/metadata.json"), "\"shot\":.\"freeman-tukey\""),
+           "metadata says where it is from", content_of("made/e/metadata.json"));
+    write_file("quiet.json", sensor_text(std::string("\"shot_variance\": [0], \"shot_least\": 1, "
+                                                     "\"shot_most\": 2, ") +
+                                         light_text));
+    does("tof simulate wall.json quiet.json pose.txt -o made/g --quiet --noise "
+         "--shot freeman-tukey");
+    does("tof simulate wall.json sensor.json pose.txt -o made/h --quiet");
+    result(std::fabs(Picture("made/g/distance_0000.exr").first(11, 8) -
+                     Picture("made/h/distance_0000.exr").first(11, 8)) < 1e-6,
+           "a measured polynomial of nothing is no noise");
+}
+
 // The numbers of an array without its head.
 std::string numbers_of(const std::string &npy)
 {
@@ -457,6 +482,16 @@ void refuses_tof_files()
     sensor_fails("an empty place in a table",
                  sensor_text(std::string("\"harmonic\": [1, null], ") + light_text),
                  "harmonic is not a finite number");
+    sensor_fails("a polynomial without its range",
+                 sensor_text(std::string("\"shot_variance\": [1], ") + light_text),
+                 "shot_most is not above shot_least");
+    sensor_fails(
+        "a polynomial of another length",
+        sensor_text(std::string("\"shot_variance\": [1], \"shot_terms\": 2, ") + light_text),
+        "shot_variance has 1 numbers");
+    fails("shot noise without noise", 2,
+          "--shot says where shot noise comes from; it needs --noise",
+          "tof simulate wall.json sensor.json pose.txt -o made/x --shot freeman-tukey");
     sensor_fails("a cone of no width",
                  sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 1e-300}]"),
                  "aperture is a full angle in radians, from 1e-6");
@@ -550,9 +585,10 @@ void refuses_tof_files()
 const std::vector<Subject> &tof_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"tof_measures", measures},       {"tof_folder", lies_in_a_folder},
-        {"tof_arrays", are_arrays},       {"tof_hdf5", are_files_of_hdf5},
-        {"tof_texel", renders_texels},    {"tof_sensors", knows_sensors},
-        {"tof_words", refuses_tof_words}, {"tof_files", refuses_tof_files}};
+        {"tof_measures", measures},        {"tof_folder", lies_in_a_folder},
+        {"tof_arrays", are_arrays},        {"tof_hdf5", are_files_of_hdf5},
+        {"tof_texel", renders_texels},     {"tof_sensors", knows_sensors},
+        {"tof_words", refuses_tof_words},  {"tof_files", refuses_tof_files},
+        {"tof_shot_noise", has_shot_noise}};
     return subjects;
 }

@@ -86,6 +86,16 @@ START_TEST(same_bits)
 }
 END_TEST
 
+static void add_surroundings(const tof_instant *instant, const cm_tof_environment *environment,
+                             const cm_tof_options *options, const tof_points *points,
+                             tof_radiance *radiance)
+{
+    tof_sky *sky = NULL;
+    ck_assert_int_eq(sky_create(environment, NULL, &sky), CM_OK);
+    ck_assert_int_eq(tof_environment_add(instant, sky, options, points, radiance), CM_OK);
+    sky_destroy(sky);
+}
+
 /* In a furnace that shines as surfaces do, facets of an open world show their albedo; below a plate a floor is dark where
  * it sees nothing else. */
 START_TEST(surroundings)
@@ -131,7 +141,7 @@ START_TEST(surroundings)
     tof_radiance radiance = radiance_of(&seen);
     const tof_points points = points_of(&seen, 3);
     const cm_tof_environment even = {.size = sizeof even, .constant = 3.0};
-    ck_assert_int_eq(tof_environment_add(instant, &even, &options, &points, &radiance), CM_OK);
+    add_surroundings(instant, &even, &options, &points, &radiance);
     const double albedo = cm_brdf_albedo(brdf, acos(0.8));
     REQUIRE(fabs(seen.ambient[0] - 1.5 * albedo) < 0.01, "%g, not %g", seen.ambient[0],
             1.5 * albedo);
@@ -149,11 +159,219 @@ START_TEST(surroundings)
     ck_assert_int_eq(cm_tof_scene_create(world, &scene), CM_OK);
     ck_assert_int_eq(tof_instant_create(scene, 0.0, &instant), CM_OK);
     radiance = radiance_of(&seen);
-    ck_assert_int_eq(tof_environment_add(instant, &even, &options, &points, &radiance), CM_OK);
+    add_surroundings(instant, &even, &options, &points, &radiance);
     REQUIRE(fabs(seen.ambient[2] - 1.5 / 5.0) < 5e-3, "%g", seen.ambient[2]);
     tof_instant_destroy(instant);
     cm_tof_scene_destroy(scene);
     cm_scene_destroy(world);
+    cm_brdf_destroy(brdf);
+}
+END_TEST
+
+enum
+{
+    SKY_EDGE = 64,
+    SKY_CELLS = 6 * SKY_EDGE * SKY_EDGE
+};
+
+/* A floor under an open sky, and places on it. */
+typedef struct open_floor
+{
+    cm_scene *world;
+    cm_tof_scene *scene;
+    tof_instant *instant;
+    seen_places seen;
+} open_floor;
+
+static void make_floor(open_floor *made, const cm_brdf *brdf)
+{
+    const cm_primitive floor = {.size = sizeof floor,
+                                .kind = CM_PRIMITIVE_PLANE,
+                                .second = {0, 0, 1},
+                                .material = {{1, 1, 1}, .reflectance = 0.5},
+                                .brdf = brdf};
+    memset(made, 0, sizeof *made);
+    ck_assert_int_eq(cm_scene_create(&made->world), CM_OK);
+    ck_assert_int_eq(cm_scene_add(made->world, &floor, NULL), CM_OK);
+    ck_assert_int_eq(cm_tof_scene_create(made->world, &made->scene), CM_OK);
+    ck_assert_int_eq(tof_instant_create(made->scene, 0.0, &made->instant), CM_OK);
+    for (int i = 0; i < PLACES; i++)
+    {
+        made->seen.position[0][i] = 0.1 * i;
+        made->seen.normal[2][i] = 1.0;
+        made->seen.to_camera[0][i] = 0.6;
+        made->seen.to_camera[2][i] = 0.8;
+        made->seen.range[i] = 1.0;
+        made->seen.number[i] = (uint32_t)i;
+    }
+}
+
+static void free_floor(open_floor *made)
+{
+    tof_instant_destroy(made->instant);
+    cm_tof_scene_destroy(made->scene);
+    cm_scene_destroy(made->world);
+}
+
+/* Of radiance 1 in one cell, whose sides are great circles: the integral of the cosine by Lambert's formula for polygons
+ * (1760), half the sum of the sides' angles times the upward part of their planes' normals. */
+static double irradiance_of_cell(const cm_mapping *mapping, size_t cell)
+{
+    static const int step[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    double corner[4][3], sum = 0.0;
+    for (int i = 0; i < 4; i++)
+    {
+        const double uv[2] = {2.0 * ((double)(cell % SKY_EDGE) + step[i][0]) / SKY_EDGE - 1.0,
+                              2.0 * ((double)(cell / SKY_EDGE % SKY_EDGE) + step[i][1]) / SKY_EDGE -
+                                  1.0};
+        cm_inverse(mapping, (uint8_t)(cell / SKY_EDGE / SKY_EDGE), uv, corner[i]);
+    }
+    for (int i = 0; i < 4; i++)
+    {
+        const double *a = corner[i], *b = corner[(i + 1) % 4];
+        const double across[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                                  a[0] * b[1] - a[1] * b[0]};
+        const double sine =
+            sqrt(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]);
+        const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        sum += 0.5 * atan2(sine, cosine) * across[2] / sine;
+    }
+    return fabs(sum);
+}
+
+static size_t cell_towards(const cm_mapping *mapping, double x, double y, double z)
+{
+    const double direction[3] = {x, y, z};
+    double uv[2];
+    const uint8_t face = cm_forward(mapping, direction, uv);
+    const size_t column = (size_t)(0.5 * (uv[0] + 1.0) * SKY_EDGE);
+    const size_t row = (size_t)(0.5 * (uv[1] + 1.0) * SKY_EDGE);
+    return (face * (size_t)SKY_EDGE + row) * SKY_EDGE + column;
+}
+
+/* A sun of one cell, 1.4 degrees wide: every place sees all of it, though its rays are few. */
+START_TEST(small_sun)
+{
+    static open_floor at;
+    static float radiance[SKY_CELLS];
+    static const double towards[3][3] = {{0.3, 0.2, 0.9}, {-0.9, 0.2, 0.4}, {0.1, -0.99, 0.08}};
+    make_floor(&at, NULL);
+    cm_mapping *mapping = make_mapping("tangent", NULL);
+    for (int dim = 0; dim < 2; dim++)
+    {
+        for (int i = 0; i < 3; i++)
+        {
+            const size_t cell = cell_towards(mapping, towards[i][0], towards[i][1], towards[i][2]);
+            const double sun = 1e5;
+            for (size_t k = 0; k < SKY_CELLS; k++)
+            {
+                radiance[k] = dim ? 2.0f : 0.0f;
+            }
+            radiance[cell] = (float)sun;
+            const cm_tof_environment e = {.size = sizeof e,
+                                          .mapping = mapping,
+                                          .edge = SKY_EDGE,
+                                          .radiance = radiance,
+                                          .constant = dim ? 3.0 : 0.0};
+            const cm_tof_options options = {.size = sizeof options};
+            const tof_points points = points_of(&at.seen, PLACES);
+            tof_radiance found = radiance_of(&at.seen);
+            add_surroundings(at.instant, &e, &options, &points, &found);
+            const double bright = (sun - (dim ? 2.0 : 0.0)) * irradiance_of_cell(mapping, cell);
+            const double truth = 0.5 / PI * (bright + (dim ? PI * 5.0 : 0.0));
+            double sum = 0.0;
+            for (int k = 0; k < PLACES; k++)
+            {
+                sum += at.seen.ambient[k];
+                REQUIRE(fabs(at.seen.ambient[k] - truth) < (dim ? 0.05 : 0.01) * truth,
+                        "sun %d, %d, place %d: %g, not %g", i, dim, k, at.seen.ambient[k], truth);
+            }
+            REQUIRE(fabs(sum / PLACES - truth) < 2e-3 * truth, "sun %d, %d: %g, not %g", i, dim,
+                    sum / PLACES, truth);
+        }
+    }
+    cm_mapping_destroy(mapping);
+    free_floor(&at);
+}
+END_TEST
+
+/* Radiance 1 + z / 2 above a floor: its irradiance is pi (1 + 1 / 3), rays to the brighter half or not. */
+START_TEST(slope)
+{
+    static open_floor at;
+    static float radiance[SKY_CELLS];
+    make_floor(&at, NULL);
+    cm_mapping *mapping = make_mapping("coupled", NULL);
+    for (size_t k = 0; k < SKY_CELLS; k++)
+    {
+        const double uv[2] = {2.0 * ((double)(k % SKY_EDGE) + 0.5) / SKY_EDGE - 1.0,
+                              2.0 * ((double)(k / SKY_EDGE % SKY_EDGE) + 0.5) / SKY_EDGE - 1.0};
+        double d[3];
+        cm_inverse(mapping, (uint8_t)(k / SKY_EDGE / SKY_EDGE), uv, d);
+        radiance[k] = (float)(1.0 + 0.5 * d[2]);
+    }
+    const cm_tof_environment e = {
+        .size = sizeof e, .mapping = mapping, .edge = SKY_EDGE, .radiance = radiance};
+    const cm_tof_options options = {.size = sizeof options};
+    const tof_points points = points_of(&at.seen, PLACES);
+    tof_radiance found = radiance_of(&at.seen);
+    const double truth = 0.5 * (1.0 + 1.0 / 3.0);
+    double sum = 0.0;
+    add_surroundings(at.instant, &e, &options, &points, &found);
+    for (int k = 0; k < PLACES; k++)
+    {
+        sum += at.seen.ambient[k] / PLACES;
+        REQUIRE(fabs(at.seen.ambient[k] - truth) < 0.1 * truth, "place %d: %g, not %g", k,
+                at.seen.ambient[k], truth);
+    }
+    REQUIRE(fabs(sum - truth) < 3e-3 * truth, "%g, not %g", sum, truth);
+    cm_mapping_destroy(mapping);
+    free_floor(&at);
+}
+END_TEST
+
+/* A picture of one radiance, in a mapping to six faces or to one, is as what is everywhere. */
+START_TEST(even_picture)
+{
+    const cm_cook_torrance metal = {sizeof metal, 0.2, 0.7, 0.4, 2.8, 8.45};
+    static const char *const names[] = {"coupled", "healpix", "octahedral"};
+    static open_floor at;
+    static seen_places other;
+    static float radiance[SKY_CELLS];
+    cm_brdf *brdf = NULL;
+    ck_assert_int_eq(cm_brdf_create_cook_torrance(&metal, &brdf), CM_OK);
+    make_floor(&at, brdf);
+    for (size_t k = 0; k < SKY_CELLS; k++)
+    {
+        radiance[k] = 3.0f;
+    }
+    for (int i = 0; i < 3; i++)
+    {
+        cm_mapping *mapping = make_mapping(names[i], NULL);
+        const cm_tof_environment e = {
+            .size = sizeof e, .mapping = mapping, .edge = SKY_EDGE, .radiance = radiance};
+        const cm_tof_options options = {.size = sizeof options, .paths = 256};
+        const tof_points points = points_of(&at.seen, PLACES);
+        tof_radiance found = radiance_of(&at.seen);
+        double sum = 0.0;
+        add_surroundings(at.instant, &e, &options, &points, &found);
+        for (int k = 0; k < PLACES; k++)
+        {
+            sum += at.seen.ambient[k] / PLACES;
+        }
+        const double truth = 1.5 * cm_brdf_albedo(brdf, acos(0.8));
+        REQUIRE(fabs(sum - truth) < 5e-3 * truth, "%s: %g, not %g", names[i], sum, truth);
+        const cm_tof_environment everywhere = {.size = sizeof everywhere, .constant = 3.0};
+        found = radiance_of(&other);
+        add_surroundings(at.instant, &everywhere, &options, &points, &found);
+        for (int k = 0; k < PLACES; k++)
+        {
+            REQUIRE(fabs(other.ambient[k] - at.seen.ambient[k]) < 1e-9 * truth,
+                    "%s, place %d: %g, not %g", names[i], k, at.seen.ambient[k], other.ambient[k]);
+        }
+        cm_mapping_destroy(mapping);
+    }
+    free_floor(&at);
     cm_brdf_destroy(brdf);
 }
 END_TEST
@@ -174,7 +392,7 @@ START_TEST(picture)
         const double uv[2] = {(i % 4 + 0.5) / 2.0 - 1.0, (i / 4 % 4 + 0.5) / 2.0 - 1.0};
         double d[3];
         cm_inverse(mapping, (uint8_t)(i / 16), uv, d);
-        ck_assert(tof_environment_radiance(&e, d) == i + 0.5);
+        ck_assert(sky_radiance(&e, d) == i + 0.5);
     }
     cm_mapping_destroy(mapping);
 }
@@ -210,6 +428,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {bounces, same_bits, surroundings, picture, even_numbers, NULL};
+    const TTest *const tests[] = {bounces,      same_bits, surroundings, small_sun, slope,
+                                  even_picture, picture,   even_numbers, NULL};
     return run_suite("paths", tests);
 }

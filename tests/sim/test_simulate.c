@@ -450,6 +450,61 @@ START_TEST(meshes_are_met_in_double_precision)
 }
 END_TEST
 
+static cm_status simulate_changed(const stage *at, const cm_tof_options *options)
+{
+    cm_tof_options sized = *options;
+    sized.size = sizeof sized;
+    return simulate(at, &sized);
+}
+
+/* Options, and surroundings. */
+START_TEST(bad_options_are_refused)
+{
+    stage at = make_stage(&wall, 1);
+    cm_mapping *mapping = make_mapping("tangent", NULL);
+    float picture[6] = {1, 1, 1, 1, 1, 1};
+    cm_tof_environment around = {
+        .size = sizeof around, .mapping = mapping, .edge = 1, .radiance = picture};
+    const cm_tof_options out_of_range[] = {
+        {.bounces = -1},
+        {.bounces = 1001},
+        {.lights = (1u << 20) + 1},
+        {.paths = UINT32_MAX},
+        {.map_edge = 4097},
+        {.sample_times = 1001},
+        {.sample_columns = UINT32_MAX, .sample_rows = UINT32_MAX},
+        {.sample_columns = 65536, .sample_rows = 65536},
+        {.shot = 7}};
+    for (size_t i = 0; i < sizeof out_of_range / sizeof *out_of_range; i++)
+    {
+        REQUIRE(simulate_changed(&at, &out_of_range[i]) == CM_ERROR_RANGE, "options %zu", i);
+    }
+    const cm_tof_options with = {.environment = &around, .paths = 2};
+    ck_assert_int_eq(simulate_changed(&at, &with), CM_OK);
+    picture[5] = NAN;
+    ck_assert_int_eq(simulate_changed(&at, &with), CM_ERROR_RANGE);
+    picture[5] = -1.0f;
+    ck_assert_int_eq(simulate_changed(&at, &with), CM_ERROR_RANGE);
+    picture[5] = INFINITY;
+    ck_assert_int_eq(simulate_changed(&at, &with), CM_ERROR_RANGE);
+    memset(picture, 0, sizeof picture); /* black: there is nothing to draw */
+    ck_assert_int_eq(simulate_changed(&at, &with), CM_OK);
+    around.constant = -1.0;
+    ck_assert_int_eq(simulate_changed(&at, &with), CM_ERROR_RANGE);
+    around.constant = 0.0;
+    around.edge = 0;
+    ck_assert_int_eq(simulate_changed(&at, &with), CM_ERROR_ARGUMENT);
+    around.edge = 1;
+    around.mapping = NULL;
+    ck_assert_int_eq(simulate_changed(&at, &with), CM_ERROR_ARGUMENT);
+    around.mapping = mapping;
+    around.size--;
+    ck_assert_int_eq(simulate_changed(&at, &with), CM_ERROR_ARGUMENT);
+    cm_mapping_destroy(mapping);
+    free_stage(&at);
+}
+END_TEST
+
 START_TEST(bad_input_is_refused)
 {
     stage at = make_stage(&wall, 1);
@@ -534,6 +589,7 @@ int main(void)
                                   motion_disturbs_what_moves_alone,
                                   meshes_are_met_in_double_precision,
                                   bad_input_is_refused,
+                                  bad_options_are_refused,
                                   NULL};
     return run_suite("simulate", tests);
 }

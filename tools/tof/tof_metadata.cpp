@@ -86,6 +86,7 @@ void add_options(cJSON *to, const SimulateOptions &asked, const cm_tof_options &
              std::to_string(done.sample_columns) + "x" + std::to_string(done.sample_rows));
     add_switch(options, "full", done.full != 0);
     add_switch(options, "noise", done.noise != 0);
+    add_text(options, "shot", tof_shot_names[done.shot]);
     add_number(options, "seed", static_cast<double>(done.seed));
     if (asked.budget)
     {

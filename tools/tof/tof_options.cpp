@@ -64,6 +64,9 @@ void read_way(int id, OptionReader &reader, SimulateOptions &options)
     case TOF_NOISE:
         options.tof.noise = 1;
         break;
+    case TOF_SHOT:
+        options.tof.shot = static_cast<int>(reader.choice());
+        break;
     default:
         options.tof.seed = static_cast<std::uint64_t>(reader.whole_number());
         break;
@@ -139,6 +142,10 @@ void take_operands(const std::vector<std::string> &names, SimulateOptions &optio
     if (options.output.empty())
     {
         throw UsageFailure("-o DIR is needed: the folder to write; see --help");
+    }
+    if (options.tof.shot != CM_TOF_POISSON && options.tof.noise == 0 && !options.budget)
+    {
+        throw UsageFailure("--shot says where shot noise comes from; it needs --noise; see --help");
     }
     take_format(options);
     options.scene = names.front();

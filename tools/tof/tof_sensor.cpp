@@ -7,6 +7,7 @@
 #include "tools/cli/json_members.hpp"
 #include "tools/cli/program.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -19,6 +20,7 @@ constexpr double aperture_least = 1e-6;
 constexpr std::size_t lights_most = 64;
 constexpr std::size_t waves_most = 32; // of all series together
 constexpr long phases_most = 64;
+constexpr long shot_terms_most = 32;
 constexpr long mask_most = 4096;
 
 struct SensorNumber
@@ -43,7 +45,9 @@ constexpr SensorNumber sensor_numbers[] = {
     {"dark", &cm_tof_sensor::dark, Range::zero_or_more},
     {"read_noise", &cm_tof_sensor::read_noise, Range::zero_or_more},
     {"second_frequency", &cm_tof_sensor::second_frequency, Range::zero_or_more},
-    {"fixed_pattern", &cm_tof_sensor::fixed_pattern, Range::zero_or_more}};
+    {"fixed_pattern", &cm_tof_sensor::fixed_pattern, Range::zero_or_more},
+    {"shot_least", &cm_tof_sensor::shot_least, Range::zero_or_more},
+    {"shot_most", &cm_tof_sensor::shot_most, Range::zero_or_more}};
 
 // The camera is what a camera's file has.
 CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)
@@ -143,6 +147,30 @@ void read_signal(JsonMembers &members, TofSensor &made)
     made.sensor.harmonic = made.harmonic.empty() ? nullptr : made.harmonic.data();
 }
 
+// A measured polynomial; how large it may become the library asks.
+void read_shot(JsonMembers &members, TofSensor &made)
+{
+    made.shot_variance = members.numbers("shot_variance", Range::any);
+    const std::size_t terms = made.shot_variance.size();
+    const long said =
+        members.whole("shot_terms", 0, shot_terms_most,
+                      static_cast<long>(std::min(terms, std::size_t{shot_terms_most})));
+    if (static_cast<std::size_t>(said) != terms)
+    {
+        members.fail("shot_variance", " has " + std::to_string(terms) + " numbers; there may be " +
+                                          std::to_string(shot_terms_most) +
+                                          ", and as many as shot_terms says");
+    }
+    if (terms > 0 &&
+        !(made.sensor.shot_least >= 1 && made.sensor.shot_most > made.sensor.shot_least))
+    {
+        members.fail("shot_most", " is not above shot_least, which is 1 or more: from where to "
+                                  "where shot_variance was measured");
+    }
+    made.sensor.shot_terms = terms;
+    made.sensor.shot_variance = terms == 0 ? nullptr : made.shot_variance.data();
+}
+
 void read_light(const JsonPlace &place, const cJSON *json, std::size_t number, TofSensor &made)
 {
     JsonMembers members(place, "lights[" + std::to_string(number) + "]", json);
@@ -208,6 +236,7 @@ TofSensor parse_tof_sensor(const std::string &name, std::string_view text)
     }
     read_signal(members, made);
     read_mask(members, made);
+    read_shot(members, made);
     read_lights(place, members, made);
     members.check_known();
     return made;

@@ -22,6 +22,7 @@ struct TofSensor
     CameraPointer camera;
     std::vector<float> mask;
     std::vector<double> harmonic;
+    std::vector<double> shot_variance;
     std::vector<std::vector<float>> intensity; // one for each light
     cm_tof_sensor sensor = {};
     std::vector<cm_tof_light> light;

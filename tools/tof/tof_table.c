@@ -6,6 +6,14 @@
 
 const char *const tof_preset_names[] = {"pico-flexx", "camcube", "dual-12um", "single-8um", NULL};
 const char *const tof_format_names[] = {"exr", "npy", "hdf5", NULL};
+const char *const tof_shot_names[] = {"poisson", "freeman-tukey", NULL};
+
+/* Of commands that write a folder. */
+#define TOF_FOLDER                                                                                 \
+    {                                                                                              \
+        .id = TOF_OUTPUT, .letter = 'o', .name = "output", .kind = CM_OPTION_FILE,                 \
+        .argument = "DIR", .help = "the folder to write, which is made if it is absent"            \
+    }
 
 static const cm_option simulate_options[] = {
     {.id = TOF_OUTPUT,
@@ -54,6 +62,16 @@ static const cm_option simulate_options[] = {
     {.id = TOF_NOISE,
      .name = "noise",
      .help = "shot noise, and the dark, read and fixed pattern noise that the sensor has"},
+    {.id = TOF_SHOT,
+     .name = "shot",
+     .kind = CM_OPTION_CHOICE,
+     .argument = "NAME",
+     .help =
+         "where shot noise comes from: Poisson's distribution; or normal numbers in Freeman and "
+         "Tukey's space, of a variance by a polynomial (Bulczak, Lambers and Kolb 2018)",
+     .more = "The polynomial is the sensor's shot_variance, or Poisson's own.",
+     .standard = "poisson",
+     .choices = tof_shot_names},
     {.id = TOF_SEED,
      .name = "seed",
      .kind = CM_OPTION_WHOLE,
@@ -151,12 +169,7 @@ const cm_command tof_evaluate_command = {
 static const char *const spacing_names[] = {"spaces", "angles", NULL};
 
 static const cm_option texel_options[] = {
-    {.id = TOF_OUTPUT,
-     .letter = 'o',
-     .name = "output",
-     .kind = CM_OPTION_FILE,
-     .argument = "DIR",
-     .help = "the folder to write, which is made if it is absent"},
+    TOF_FOLDER,
     {.id = TOF_FIELD,
      .name = "field",
      .kind = CM_OPTION_NUMBER,
@@ -229,12 +242,7 @@ const cm_command tof_texel_command = {
     .bare_version = 1};
 
 static const cm_option reproduce_options[] = {
-    {.id = TOF_OUTPUT,
-     .letter = 'o',
-     .name = "output",
-     .kind = CM_OPTION_FILE,
-     .argument = "DIR",
-     .help = "the folder to write, which is made if it is absent"},
+    TOF_FOLDER,
     CM_USUAL_THREADS(TOF_THREADS),
     CM_USUAL_QUIET(TOF_QUIET),
 };

@@ -34,7 +34,8 @@ enum
     TOF_DEPTHS,
     TOF_WINDOW,
     TOF_RAYS,
-    TOF_SPACING
+    TOF_SPACING,
+    TOF_SHOT
 };
 
 /* The sensors that are built in, up to NULL. */
@@ -48,6 +49,9 @@ enum
     TOF_FORMAT_HDF5
 };
 extern const char *const tof_format_names[];
+
+/* What --shot may be: the names of CM_TOF_POISSON and CM_TOF_FREEMAN_TUKEY, up to NULL. */
+extern const char *const tof_shot_names[];
 
 extern const cm_command tof_simulate_command;
 extern const cm_command tof_reproduce_command;

@@ -95,6 +95,19 @@ def test_noise_has_the_spread_of_the_formula():
     assert abs(np.std(views) / expected - 1) < 0.15 and abs(np.mean(views) - 1.7) < 0.2 * expected
 
 
+def test_shot_noise_may_be_a_measured_polynomial():
+    dim, light = sim.TofScene(cubemap.Scene([WALL])), sim.Light(0.3)
+    normal = sim.Options(noise=True, shot="freeman-tukey", seed=5)
+    clean = dim.simulate(SENSOR, [light]).charge_a
+    apart = (dim.simulate(SENSOR, [light], options=normal).charge_a - clean - 0.25) / np.sqrt(clean + 0.5)
+    apart = apart[clean > 25]
+    assert abs(apart.mean()) < 4 / np.sqrt(apart.size) and abs(apart.var() - 1) < 5 * np.sqrt(2 / apart.size)
+    silent = SENSOR._replace(shot_variance=(0.0,), shot_range=(1, 2))
+    np.testing.assert_allclose(dim.simulate(silent, [light], options=normal).charge_a, clean, rtol=2e-7, atol=1e-12)
+    with pytest.raises(ValueError, match="shot"):
+        dim.simulate(SENSOR, [light], options=sim.Options(noise=True, shot="gauss"))
+
+
 def test_sensors():
     assert abs(SENSOR.frame_time - 4 * 7e-3) < 1e-12 and SENSOR.images == 4
     two = SENSOR._replace(second_frequency=15e6)

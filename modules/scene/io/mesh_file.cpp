@@ -293,8 +293,8 @@ void check_end(int status)
     }
 }
 
-// Nothing that was said is believed.
-cm_mesh *mesh_of(const std::vector<char> &said)
+// The arrays of a mesh, where as many bytes were said as its heading promises. A message is thrown.
+FlatMesh arrays_of(const std::vector<char> &said)
 {
     Heading heading;
     if (said.size() < sizeof heading)
@@ -317,27 +317,32 @@ cm_mesh *mesh_of(const std::vector<char> &said)
         throw MeshRefusal(CM_ERROR_DATA, "ends its reader");
     }
     FlatMesh flat;
-    flat.position.resize(3 * heading.vertices);
-    flat.color.resize(3 * heading.vertices);
-    flat.index.resize(3 * heading.triangles);
-    const auto take = [&at](auto &values)
+    const auto take = [&at](auto &values, std::size_t count)
     {
-        const std::size_t bytes = values.size() * sizeof values[0];
+        values.resize(count);
+        const std::size_t bytes = count * sizeof values[0];
         if (bytes > 0)
         {
             std::memcpy(values.data(), at, bytes);
             at += bytes;
         }
     };
-    take(flat.position);
-    take(flat.color);
-    take(flat.index);
+    take(flat.position, 3 * heading.vertices);
+    take(flat.color, 3 * heading.vertices);
+    take(flat.index, 3 * heading.triangles);
+    return flat;
+}
+
+// Nothing that was said is believed.
+cm_mesh *mesh_of(const std::vector<char> &said)
+{
+    const FlatMesh flat = arrays_of(said);
     cm_mesh_options options = {};
     options.size = sizeof options;
-    options.vertex_count = heading.vertices;
+    options.vertex_count = flat.position.size() / 3;
     options.position = flat.position.data();
     options.color = flat.color.data();
-    options.triangle_count = heading.triangles;
+    options.triangle_count = flat.index.size() / 3;
     options.index = flat.index.data();
     options.material = {{1, 1, 1}, 1};
     cm_mesh *mesh = nullptr;

@@ -23,6 +23,7 @@ from ._dense import address, dense, set_planes
 SPEED_OF_LIGHT = 299792458.0
 # bits of flags, as cubemap/sim.h has them
 SATURATED, NOTHING, FLYING, MOTION, MULTIPATH = (1 << bit for bit in range(5))
+_SHOTS = ("poisson", "freeman-tukey")  # CM_TOF_POISSON and CM_TOF_FREEMAN_TUKEY
 _EFFECTS = 7  # that a plan measures
 
 
@@ -68,6 +69,9 @@ class Sensor(NamedTuple):
 
     mask        (rows, columns), the active part of each sub-pixel, 0 to 1; () for the whole pixel
     harmonics   of the correlation: amplitudes of cos(j x) for j from 1; () for a cosine
+    shot_variance   for Options(shot="freeman-tukey"): a measured polynomial of y = sqrt(N) + sqrt(N + 1), factors of 1, y,
+                    y^2 ...; () for Poisson's own
+    shot_range      the least and the greatest y that were measured
 
     sensor._replace(phases=8) is another one.
     """
@@ -92,17 +96,23 @@ class Sensor(NamedTuple):
     harmonics: tuple = ()
     second_frequency: float = 0.0
     fixed_pattern: float = 0.0
+    shot_variance: tuple = ()
+    shot_range: tuple = (0.0, 0.0)
 
     def _struct(self):
         """For the library, and what it points into."""
-        numbers = {name: value for name, value in self._asdict().items() if name not in ("camera", "mask", "harmonics")}
+        tables = ("camera", "mask", "harmonics", "shot_variance", "shot_range")
+        numbers = {name: value for name, value in self._asdict().items() if name not in tables}
         mask = dense(self.mask, "mask", (None, None)) if np.size(self.mask) else None
         harmonic = dense(self.harmonics, "harmonics", (None,), np.float64)
+        shot = dense(self.shot_variance, "shot_variance", (None,), np.float64)
         made = struct(library.cm_tof_sensor, camera=self.camera._handle.address, mask=address(mask),
-                      harmonics=harmonic.size, harmonic=address(harmonic) if harmonic.size else None, **numbers)
+                      harmonics=harmonic.size, harmonic=address(harmonic) if harmonic.size else None,
+                      shot_terms=shot.size, shot_variance=address(shot) if shot.size else None, **numbers)
+        made.shot_least, made.shot_most = dense(self.shot_range, "shot_range", (2,), np.float64).tolist()
         if mask is not None:
             made.mask_rows, made.mask_columns = mask.shape
-        return made, (self.camera, mask, harmonic)
+        return made, (self.camera, mask, harmonic, shot)
 
     @property
     def images(self) -> int:
@@ -162,6 +172,7 @@ class Options(NamedTuple):
     """How a frame is simulated: cubemap/sim.h says what each member is, and what stands for 0.
 
     samples        of a pixel, columns and rows; times: of an exposure
+    shot           where shot noise comes from: "poisson" or "freeman-tukey"
     mapping        of the map in which virtual lights are found; None for the equal-area cube "healpix"
     surroundings   Surroundings, or None
     """
@@ -180,13 +191,16 @@ class Options(NamedTuple):
     mapping: str | Mapping | None = None
     map_edge: int = 0
     surroundings: Surroundings | None = None
+    shot: str = "poisson"
 
     def _struct(self):
         """For the library, and what it points into."""
         columns, rows = self.samples
         counts = {"lights": self.lights, "paths": self.paths, "view": self.view, "map_edge": self.map_edge,
                   "sample_columns": columns, "sample_rows": rows, "sample_times": self.times}
-        made = struct(library.cm_tof_options, bounces=self.bounces, seed=self.seed,
+        if self.shot not in _SHOTS:
+            raise ValueError(f"shot: one of {', '.join(_SHOTS)}, not {self.shot!r}")
+        made = struct(library.cm_tof_options, bounces=self.bounces, seed=self.seed, shot=_SHOTS.index(self.shot),
                       **{name: bool(getattr(self, name)) for name in ("visibility", "traces", "full", "noise")},
                       **{name: whole_number(value, name) for name, value in counts.items()})
         kept = []
