@@ -330,10 +330,10 @@ def query_disc(nside: int, vec: ArrayLike, radius: float, inclusive: bool = Fals
     """The pixels, sorted, whose centre is within an angle of a vector; inclusive: those that overlap the disc, and a few more."""
     if inclusive and not 1 <= fact <= 1 << 20:
         raise ValueError(f"fact: 1 to 2^20, not {fact}")
-    ring = (_handles.get((nside, False)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, False)
-    pixels = _core.pixel_disc(ring, vec, radius, max_pixrad(nside) if inclusive else 0.0, fact if inclusive else 0)
     if nest:
-        pixels = np.sort(_healpix(nside, True).nested_from_ring(pixels))
+        _healpix(nside, True)  # is there such a one?
+    ring = (_handles.get((nside, False)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, False)
+    pixels = _core.pixel_disc(ring, vec, radius, fact if inclusive else 0, nest)
     if buff is not None:
         buff[:pixels.size] = pixels
         return buff[:pixels.size]

@@ -134,6 +134,28 @@ def test_discs_with_all_that_overlaps(nest, random):
         assert got.size <= few.size + 0.3 * few.size + 10
 
 
+def test_discs_that_overlap_at_poles_and_where_belt_and_caps_meet(random):
+    """The rings there have pixels of another shape; the rim's points are what is missed first."""
+    for _ in range(200):
+        nside, fact = int(random.integers(1, 300)), int(random.choice([1, 2, 4, 8]))
+        height = random.choice([-1, -2 / 3, 2 / 3, 1]) * (1 - 10 ** random.uniform(-12, -1))
+        lon, radius = random.uniform(-np.pi, np.pi), random.random() * 10 ** random.uniform(-1.5, 1) / nside
+        vector = np.array([*np.sqrt(1 - height**2) * np.array([np.cos(lon), np.sin(lon)]), height])
+        got = healpy.query_disc(nside, vector, radius, inclusive=True, fact=fact)
+        turned = np.cross(vector, random.normal(size=(1000, 3)))
+        rim = np.cos(radius) * vector + np.sin(radius) * turned / np.linalg.norm(turned, axis=1)[:, np.newaxis] * (1 - 1e-12)
+        assert np.isin(healpy.vec2pix(nside, *rim.T), got).all() and (np.diff(got) > 0).all()
+        assert np.isin(healpy.query_disc(nside, vector, radius), got).all()
+
+
+def test_discs_in_both_orders(random):
+    for _ in range(200):
+        nside, vector, radius = int(2 ** random.integers(0, 12)), random.normal(size=3), 10 ** random.uniform(-4, 0)
+        for inclusive in (False, True):
+            ring, nested = (healpy.query_disc(nside, vector, radius, inclusive, nest=nest) for nest in (False, True))
+            assert np.array_equal(np.sort(healpy.ring2nest(nside, ring)), nested)
+
+
 def test_single_points_are_as_arrays_of_them(random):
     """Numbers of Python have ways of their own."""
     for nside, nest in ((1, True), (64, False), (2**29, True)):
