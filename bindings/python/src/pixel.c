@@ -4,7 +4,7 @@
  * this takes.
  */
 #include "core.h"
-#include "disc.h"
+#include "pixel_disc.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * The pixels of a disc, in NESTED: squares of pixels that are inside or outside as a whole are told by their middles, from the
  * base pixels on; of single pixels what was found in RING.
  */
-#include "disc.h"
+#include "pixel_disc.h"
 
 #include <math.h>
 

@@ -7,7 +7,7 @@
  * any point of a pixel the next line towards the pixel's middle is no farther than LINE, and the way there is in the pixel: so
  * a disc that is larger by that much meets a line in each of them.
  */
-#include "disc.h"
+#include "pixel_disc.h"
 
 #include <math.h>
 #include <stdlib.h>
