@@ -181,10 +181,13 @@ def get_all_neighbours(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike | None
 
 def boundaries(nside: int, pix: ArrayLike, step: int = 1, nest: bool = False) -> np.ndarray:
     """The boundary of pixels: x, y, z of 4 step points, (3, 4 step), or (n, 3, 4 step) of n pixels."""
-    handle = (_handles.get((nside, nest)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, nest)
-    if type(pix) is int or np.ndim(pix) == 0:
-        return _core.pixel_boundary(handle, int(pix), step, False)
-    return np.stack([_core.pixel_boundary(handle, one, step, False) for one in np.asarray(pix).tolist()])
+    if type(nside) is int and type(pix) is int:
+        return _core.pixel_boundary(_handles.get((nside, nest)) or _bind(_handles, "_handle", nside, nest), pix, step, False)
+    pixels = np.asarray(pix)
+    if pixels.ndim > 1:
+        raise ValueError("pixels are to be one number, or an array of one dimension")
+    found = _core.pixel_boundaries(_bind(_handles, "_handle", nside, nest), pixels, step)
+    return found if pixels.ndim else found[0]
 
 
 # ---- resolutions ----

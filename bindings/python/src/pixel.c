@@ -86,6 +86,17 @@ static PyObject *rows_of(PyObject *planes, npy_intp n)
     return rows;
 }
 
+/* How many points a side of a boundary has; 0 with an exception. */
+static Py_ssize_t read_steps(PyObject *object)
+{
+    const Py_ssize_t steps = PyNumber_AsSsize_t(object, PyExc_ValueError);
+    if (!PyErr_Occurred() && (steps < 1 || steps > STEPS_MAX))
+    {
+        PyErr_Format(PyExc_ValueError, "steps: 1 to 2^20, not %zd", steps);
+    }
+    return PyErr_Occurred() ? 0 : steps;
+}
+
 /* boundary(handle, pixel, steps, rows): 3 planes, or rows of 3. */
 static PyObject *boundary(PyObject *module, PyObject *const *args, Py_ssize_t count)
 {
@@ -95,17 +106,9 @@ static PyObject *boundary(PyObject *module, PyObject *const *args, Py_ssize_t co
         return NULL;
     }
     const long long pixel = PyLong_AsLongLong(args[1]);
-    const Py_ssize_t steps = PyErr_Occurred() ? -1 : PyNumber_AsSsize_t(args[2], PyExc_ValueError);
-    const int rows = PyErr_Occurred() ? -1 : PyObject_IsTrue(args[3]);
-    if (rows < 0)
-    {
-        return NULL;
-    }
-    if (steps < 1 || steps > STEPS_MAX)
-    {
-        return PyErr_Format(PyExc_ValueError, "steps: 1 to 2^20, not %zd", steps);
-    }
-    PyObject *planes = array_of(NPY_DOUBLE, 3, 4 * steps);
+    const Py_ssize_t steps = PyErr_Occurred() ? 0 : read_steps(args[2]);
+    const int rows = steps ? PyObject_IsTrue(args[3]) : -1;
+    PyObject *planes = rows < 0 ? NULL : array_of(NPY_DOUBLE, 3, 4 * steps);
     if (!planes)
     {
         return NULL;
@@ -118,6 +121,45 @@ static PyObject *boundary(PyObject *module, PyObject *const *args, Py_ssize_t co
         return NULL;
     }
     return rows ? rows_of(planes, 4 * steps) : planes;
+}
+
+/* Three planes for each pixel. */
+static PyObject *boundaries_of(const cm_healpix *healpix, PyArrayObject *pixels, size_t steps)
+{
+    const npy_intp n = PyArray_SIZE(pixels);
+    const npy_intp side = 4 * (npy_intp)steps;
+    const npy_intp sizes[3] = {n, 3, side};
+    const int64_t *pixel = PyArray_DATA(pixels);
+    cm_status status = CM_OK;
+    PyObject *array = PyArray_SimpleNew(3, sizes, NPY_DOUBLE);
+    if (array)
+    {
+        double *x = data_of(array);
+        PyThreadState *const state = PyEval_SaveThread();
+        for (npy_intp i = 0; i < n && status == CM_OK; i++, x += 3 * side)
+        {
+            status = cm_healpix_boundary(healpix, pixel[i], steps, x, x + side, x + 2 * side);
+        }
+        PyEval_RestoreThread(state);
+    }
+    if (core_check(status) < 0)
+    {
+        Py_CLEAR(array);
+    }
+    return array;
+}
+
+/* boundaries(handle, pixels, steps): of an array. */
+static PyObject *boundaries(PyObject *module, PyObject *const *args, Py_ssize_t count)
+{
+    (void)module;
+    const Py_ssize_t steps = are_given(args, count, 3) ? read_steps(args[2]) : 0;
+    PyObject *pixels =
+        steps ? PyArray_FROMANY(args[1], NPY_INT64, 0, 0, NPY_ARRAY_CARRAY_RO) : NULL;
+    PyObject *array =
+        pixels ? boundaries_of(healpix_of(args[0]), (PyArrayObject *)pixels, (size_t)steps) : NULL;
+    Py_XDECREF(pixels);
+    return array;
 }
 
 /* vector(theta, phi): the unit vector of a colatitude and a longitude. */
@@ -236,6 +278,8 @@ PyMethodDef core_methods[] = {
      "pixel_neighbours(handle, pixel): of one pixel, -1 where there is none."},
     {"pixel_boundary", FAST(boundary), METH_FASTCALL,
      "pixel_boundary(handle, pixel, steps, rows): (3, 4 steps), or (4 steps, 3)."},
+    {"pixel_boundaries", FAST(boundaries), METH_FASTCALL,
+     "pixel_boundaries(handle, pixels, steps): (n, 3, 4 steps) of an array of them."},
     {"pixel_disc", FAST(disc), METH_FASTCALL,
      "pixel_disc(handle, vector, radius, lines, nested): the pixels of a disc, or that overlap "
      "it."},

@@ -176,6 +176,10 @@ def test_single_points_are_as_arrays_of_them(random):
 
 def test_boundaries_lie_together():
     """Nobody has to copy them."""
+    for refused in ([1.5, 2.0], [-1], [12 * 64**2], np.arange(4).reshape(2, 2)):
+        with pytest.raises((ValueError, TypeError)):
+            healpy.boundaries(64, refused)
+    assert healpy.boundaries(64, np.empty(0, int)).shape == (0, 3, 4) and healpy.boundaries(64, np.array(3)).shape == (3, 4)
     outline = Healpix(64).boundary(1234, 5)
     assert outline.shape == (20, 3) and outline.flags.c_contiguous
     assert healpy.boundaries(64, 1234, 5).flags.c_contiguous and np.array_equal(healpy.boundaries(64, 1234, 5), outline.T)
