@@ -41,7 +41,7 @@ def _healpix(nside, nest):
 
 
 # Methods of Healpix by nside and order, bound: for single points, of which looking up took most of the time.
-_from_angles, _to_angles, _from_direction, _to_direction, _to_nested, _handles = {}, {}, {}, {}, {}, {}
+_from_angles, _to_angles, _from_lonlat, _to_lonlat, _from_direction, _to_direction, _to_nested, _handles = ({} for _ in range(8))
 
 
 def _bind(table, method, nside, nest):
@@ -79,6 +79,9 @@ def _checked(pixel, what):
 def ang2pix(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike, nest: bool = False, lonlat: bool = False) -> Any:
     """The pixels at angles: colatitude and longitude in radians, or longitude and latitude in degrees."""
     if lonlat:
+        if type(nside) is int and type(theta) is float and type(phi) is float:
+            bound = _from_lonlat.get((nside, nest)) or _bind(_from_lonlat, "pixel_from_lonlat", nside, nest)
+            return _checked(bound(math.radians(theta), math.radians(phi)), "THETA is out of range [0,pi]")
         return _checked(_each(nside, nest, "pixel_from_lonlat", np.radians(theta), np.radians(phi)), "THETA is out of range [0,pi]")
     if type(nside) is int:
         try:
@@ -101,6 +104,10 @@ def ang2pix(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike, nest: bool = Fal
 def pix2ang(nside: ArrayLike, ipix: ArrayLike, nest: bool = False, lonlat: bool = False) -> tuple[Any, Any]:
     """The angles of centres: colatitude and longitude in radians, or longitude and latitude in degrees."""
     if lonlat:
+        if type(nside) is int and type(ipix) is int:
+            lon, lat = (_to_lonlat.get((nside, nest)) or _bind(_to_lonlat, "lonlat_from_pixel", nside, nest))(ipix)
+            lon = math.degrees(lon)
+            return lon + 360.0 if lon < 0 else lon, math.degrees(lat)
         lon, lat = _each(nside, nest, "lonlat_from_pixel", ipix)
         lon, lat = np.degrees(lon), np.degrees(lat)
         return np.where(lon < 0, lon + 360.0, lon)[()], lat

@@ -163,9 +163,18 @@ def test_single_points_are_as_arrays_of_them(random):
             assert np.array_equal(healpy.get_all_neighbours(nside, pixel, nest=nest),
                                   healpy.get_all_neighbours(nside, np.array([pixel]), nest=nest)[:, 0])
             assert np.array_equal(healpy.boundaries(nside, pixel, 3, nest), healpy.boundaries(nside, np.array([pixel]), 3, nest)[0])
+            alone, among = healpy.pix2ang(nside, pixel, nest, True), healpy.pix2ang(nside, np.array([pixel]), nest, True)
+            assert type(alone[0]) is float and alone == (among[0][0], among[1][0])
+            assert nside > 64 or healpy.ang2pix(nside, *alone, nest, True) == pixel
         assert (healpy.get_all_neighbours(nside, -1, nest=nest) == -1).all()
     for theta, phi in random.random((50, 2)).tolist():
         assert np.abs(healpy.ang2vec(theta, phi) - healpy.ang2vec(np.array([theta]), np.array([phi]))[0]).max() < 2.3e-16
+    assert np.isnan(healpy.pix2ang(8, -1, lonlat=True)).all()
+    for lat in (90.001, float("nan"), float("inf")):
+        with pytest.raises(ValueError):
+            healpy.ang2pix(8, 10.0, lat, lonlat=True)
+    for lon, lat in random.uniform(-90, 90, (50, 2)).tolist():
+        assert healpy.ang2pix(1024, 8 * lon, lat, lonlat=True) == healpy.ang2pix(1024, np.array([8 * lon]), np.array([lat]), lonlat=True)[0]
     for what in (lambda: healpy.ang2vec(4.0, 0.0), lambda: healpy.boundaries(4, 192), lambda: healpy.boundaries(4, 0, 0),
                  lambda: healpy.query_disc(4, (0, 0, 0), 1), lambda: healpy.query_disc(4, (0, 1), 1),
                  lambda: healpy.query_disc(4, (0, 0, 1), -1), lambda: healpy.query_disc(4, (0, 0, 1), float("nan")),
