@@ -4,7 +4,7 @@
 import textwrap
 
 from layouts import SCALARS
-from special_cases import BY_HAND, FINDERS, SEEKERS, TELLERS
+from special_cases import BY_HAND, FINDERS, GIVEN, SEEKERS, TELLERS, TEXTS_OR_NULL
 from wrappers import BIG, KINDS, PREDICATE, camel, enumerators
 
 ARRAYS = {"F64": "Float64Array", "F32": "Float32Array", "U8": "Uint8Array", "U32": "Uint32Array", "I64": "BigInt64Array",
@@ -80,6 +80,11 @@ export interface VoxelArrays {
     color: Uint8Array;
 }
 
+/** What a budget is made of. What is chosen of it is a new one. */
+export interface BudgetGiven extends Partial<Omit<Budget, "entry">> {
+    entry?: readonly Partial<BudgetEntry>[];
+}
+
 export interface RenderedPictures {
     color?: Picture;
     depth?: Picture;
@@ -114,7 +119,7 @@ class Declarations:
             return "string"
         if one.base in self.interface.structs:
             name = pascal(one.base)
-            return f"string | Partial<{name}>" if one.base in FINDERS else f"Partial<{name}>"
+            return f"string | Partial<{name}>" if one.base in FINDERS else GIVEN.get(one.base, f"Partial<{name}>")
         if one.base in self.interface.enumerations and not one.pointers:
             return pascal(one.base)
         if one.pointers or one.extents:
@@ -146,7 +151,10 @@ class Declarations:
             kind = "boolean" if PREDICATE.search(call.js) else self.plain(call.result.base)
             return [f"({', '.join(self.parameters(inputs))}): {kind}"]
         signatures = []
+        is_counted = not any(one.shape == ("n",) for one in inputs)
         for how in ["one", "float", "array"]:
+            if how == "one" and is_counted:
+                continue
             if how == "float" and not any(other.is_float for other in calls):
                 continue
             given = []
@@ -174,6 +182,8 @@ class Declarations:
                 else:
                     members.append(f"{one.name}: {value}")
                     places.append(f"{one.name}?: {array} | Vector<{array}>")
+            if is_counted:
+                given.append("n: number")
             if how != "one":
                 given.append(f"out?: {{ {'; '.join(places)} }}")
             result = members[0].split(": ", 1)[1] if len(members) == 1 else f"{{ {'; '.join(members)} }}"
@@ -254,6 +264,8 @@ class Declarations:
             return "Picture"
         if member.words:
             return pascal(member.words)
+        if member.extents is not None and member.base in self.interface.structs:
+            return f"{pascal(member.base)}[]"
         if member.extents is not None:
             kind = f"{INPUTS[KINDS[member.base]]} | null"
             return f"readonly ({kind})[]" if member.is_array else kind
@@ -263,6 +275,8 @@ class Declarations:
         if member.pointers and not (member.base == "char" or is_struct or member.base in self.interface.enumerations):
             return None
         kind = "string" if member.base == "char" and member.pointers else self.plain(member.base)
+        if kind == "string" and layout.name in TEXTS_OR_NULL:
+            kind += " | null"
         if member.pointers and is_struct:
             kind = f"string | Partial<{kind}>" if member.base in FINDERS else f"Partial<{kind}>"
         return kind + ("[]" if member.is_array else "")

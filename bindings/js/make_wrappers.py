@@ -25,7 +25,7 @@ HEADERS = {
              "grid.h", "healpix.h", "latitude.h", "mapping.h", "options.h", "orientation.h", "pose.h", "random.h", "statistics.h",
              "status.h", "version.h"},
     "image": {"image.h", "orientation.h", "status.h", "version.h"},
-    "scene": {"camera.h", "depth.h", "mapping.h", "mesh.h", "octree.h", "options.h", "orientation.h", "pose.h", "random.h", "raster.h",
+    "scene": {"budget.h", "camera.h", "depth.h", "mapping.h", "mesh.h", "octree.h", "options.h", "orientation.h", "pose.h", "random.h", "raster.h",
               "status.h", "store.h", "trajectory.h", "version.h", "world.h"},
 }
 

@@ -25,12 +25,17 @@ NULLABLE = {("cm_octree_update_points", "rgb"), ("cm_octree_merge", "pose"), ("c
 NEEDS = {"cm_raster_create": ["camera"], "cm_octree_create": ["options?.pages"], "cm_octree_load": ["options?.pages"],
          "cm_scene_add": ["primitive?.mesh", "primitive?.motion"]}
 
+# Structs whose texts may be none, also in what is read; and what is given where not all of a struct's members must be.
+TEXTS_OR_NULL = {"cm_budget", "cm_budget_entry"}
+GIVEN = {"cm_budget": "BudgetGiven"}
+
 # Members that are whole numbers in C and have an enumeration.
 WORDS = {("cm_octree_options", "rule"): "cm_octree_rule", ("cm_voxel", "state"): "cm_voxel_state"}
 
 # Arrays that structs point to: how many elements, as the member that counts and how many of them are one, or as JavaScript of
 # the object o. The counting members follow from the arrays.
 EXTENTS = {
+    "cm_budget": {"entry": ("count", 1)},
     "cm_mesh_options": {"position": ("vertex_count", 3), "normal": ("vertex_count", 3), "uv": ("vertex_count", 2),
                         "color": ("vertex_count", 3), "index": ("triangle_count", 3)},
     "cm_triangles": {"position": ("vertex_count", 3), "index": ("triangle_count", 3)},
@@ -63,6 +68,9 @@ BY_HAND = {
     "cm_scene_cast_array": ("originX, originY, originZ, directionX, directionY, directionZ",
                             "(originX: Reals, originY: Reals, originZ: Reals, directionX: Reals, directionY: Reals, directionZ: Reals): HitArrays",
                             ["@cm_hit_arrays"]),
+    "cm_budget_limit_error": ("budget, limit", "(budget: BudgetGiven, limit: number): Budget", ["cm_budget", "<cm_budget"]),
+    "cm_budget_limit_cost": ("budget, limit", "(budget: BudgetGiven, limit: number): Budget", ["cm_budget", "<cm_budget"]),
+    "cm_budget_sum": ("budget", "(budget: BudgetGiven): Budget", ["cm_budget", "<cm_budget"]),
     "cm_trajectory_create": ("stamp, pose", "(stamp: Reals, pose: readonly Pose[])", ["cm_pose", "@cm_pose"]),
     "cm_store_get": ("key, kind, newest", "(key: Key, kind: number, newest: number): StoredBlob | null",
                      ["@cm_store_key", "@cm_blob", "cm_blob_clear"]),

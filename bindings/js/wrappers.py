@@ -176,6 +176,10 @@ class Writer:
             return f"picture({value}, p + {offset}, \"{camel(member.name)}\");"
         if member.pointers:
             if member.extents is not None:
+                if member.base in self.interface.structs:
+                    size = self.layouts.of(member.base).size
+                    return (f"const q = M.zeros({size} * {value}.length); M.data.setUint32(p + {offset}, q, true); "
+                            f"{value}.forEach((one, i) => {{ {self.write_struct(member.base)}(one, q + {size} * i); }});")
                 kind = KINDS[member.base]
                 return (f"const q = M.input({kind}, {value}, {self.extent(member)}, \"{camel(member.name)}\"); "
                         f"M.data.setUint32(p + {offset}, q, true);")
@@ -253,6 +257,10 @@ class Writer:
     def get(self, member, offset):
         if member.words:
             return f"word({self.enum_table(member.words)}, M.data.get{SCALARS[member.base][1]}(p + {offset}, true))"
+        if member.pointers and isinstance(member.extents, tuple) and member.base in self.interface.structs:
+            length, place = f"M.data.getUint32(p + {member.counter}, true)", f"M.data.getUint32(p + {offset}, true)"
+            return (f"Array.from({{ length: {length} }}, "
+                    f"(_, i) => {self.read_struct(member.base)}({place} + {self.layouts.of(member.base).size} * i))")
         if member.pointers and isinstance(member.extents, tuple):
             count = f"M.data.getUint32(p + {member.counter}, true) * {member.extents[1]}"
             return f"M.copy({KINDS[member.base]}, M.data.getUint32(p + {offset}, true), {count})"
@@ -367,8 +375,10 @@ class Writer:
         single = next((one for one in calls if one.is_float), None)
         inputs, _ = self.parameters(call)
         outputs = [one for one in call.arguments if one.is_output]
-        first = next(one for one in inputs if one.shape == ("n",))
-        values, lines = {}, [f"const one = typeof {first.name} !== \"object\";", f"const n = one ? 1 : {first.name}.length;"]
+        first = next((one for one in inputs if one.shape == ("n",)), None)
+        values = {}
+        lines = [f"const one = typeof {first.name} !== \"object\";", f"const n = one ? 1 : {first.name}.length;"] if first else \
+            ["const one = false;", "counted(n, \"n\");"]  # nothing says how many, but who calls
         real = next((one for one in inputs if one.base == "double" and one.shape == ("n",)), first)
         R = "F64"
         if single is not None:
@@ -408,7 +418,7 @@ class Writer:
                 lines.append(f"const p_{one.name} = M.output({kind}, out?.{one.name}, n, \"{one.name}\");")
                 parts.append(f"{one.name}: one ? M.first({kind}, p_{one.name}) : M.result({kind}, out?.{one.name}, p_{one.name}, n)")
             values[one.name] = f"p_{one.name}"
-        names = [one.name for one in inputs]
+        names = [one.name for one in inputs] + ([] if first else ["n"])
         target = self.call(call.name)
         if single is not None:
             target = f"(isFloat ? {self.call(single.name)} : {target})"

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Nanoseconds a point: the C function on arrays (called through ctypes, once for all points), this package with fresh outputs
-and with out=, healpy and astropy-healpix where they are; and one point alone. The least of several rounds, which take turns.
+and with out=, healpy and astropy-healpix where they are; one point alone; and whole calls of healpy's names. The least of
+several rounds, which take turns.
 
 usage: benchmark.py [--points N] [--rounds N]
 """
@@ -110,6 +111,33 @@ def alone(rounds):
             print(f"{name:34} {(seconds - nothing) * 1e6:9.3f}")
 
 
+def calls(rounds):
+    """Whole calls of healpy's names."""
+    random = np.random.default_rng(1)
+    vector, pixels, values = np.array([0.3, -0.5, 0.4]), random.integers(0, 12 * 64**2, 10_000), random.normal(size=12 * 256**2)
+    all_of_them = {
+        "query_disc(64, v, 0.5)": lambda hp: hp.query_disc(64, vector, 0.5),
+        "query_disc(64, v, 0.5, nest=True)": lambda hp: hp.query_disc(64, vector, 0.5, nest=True),
+        "query_disc(64, v, 0.5, inclusive=True)": lambda hp: hp.query_disc(64, vector, 0.5, inclusive=True),
+        "query_disc(1024, v, 0.1)": lambda hp: hp.query_disc(1024, vector, 0.1),
+        "query_disc(1024, v, 0.1, nest=True)": lambda hp: hp.query_disc(1024, vector, 0.1, nest=True),
+        "query_disc(1024, v, 0.1, inclusive=True)": lambda hp: hp.query_disc(1024, vector, 0.1, inclusive=True),
+        "boundaries(64, 1234)": lambda hp: hp.boundaries(64, 1234),
+        "boundaries(64, 10^4 pixels)": lambda hp: hp.boundaries(64, pixels),
+        "get_all_neighbours(64, 1234)": lambda hp: hp.get_all_neighbours(64, 1234),
+        "get_all_neighbours(64, 10^4 pixels)": lambda hp: hp.get_all_neighbours(64, pixels),
+        "nest2ring(64, 10^4 pixels)": lambda hp: hp.nest2ring(64, pixels),
+        "pix2ang(64, 1234, lonlat=True)": lambda hp: hp.pix2ang(64, 1234, lonlat=True),
+        "ud_grade(nside 256, 64)": lambda hp: hp.ud_grade(values, 64),
+        'ud_grade(nside 256, 64, order_in="NEST")': lambda hp: hp.ud_grade(values, 64, order_in="NEST"),
+    }
+    print(f"\n{'microseconds a call':42} {'cubemap':>10} {'healpy':>10}")
+    for name, call in all_of_them.items():
+        both = {"own": lambda call=call: call(own), **({"healpy": lambda call=call: call(healpy)} if healpy else {})}
+        best = least(both, rounds, 20)
+        print(f"{name:42}", *(f"{seconds * 1e6:10.2f}" for seconds in best.values()))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--points", type=int, nargs="*", default=[1000, 100_000, 1_000_000])
@@ -121,6 +149,7 @@ def main():
     for points in given.points:
         arrays_of(points, given.rounds)
     alone(given.rounds)
+    calls(given.rounds)
 
 
 if __name__ == "__main__":

@@ -77,7 +77,7 @@ static void give_to_parts(const regrading *r, size_t n, const int64_t *pixel, do
     }
 }
 
-/* A sum and what rounding took from it (Neumaier). */
+/* A sum and what rounding took from it: by Knuth's sum, as which of two is larger nobody can foretell. */
 typedef struct exact_sum
 {
     double sum;
@@ -88,7 +88,8 @@ typedef struct exact_sum
 static void add_to(exact_sum *to, double value)
 {
     double sum = to->sum + value;
-    to->rest += fabs(to->sum) >= fabs(value) ? (to->sum - sum) + value : (value - sum) + to->sum;
+    double taken = sum - to->sum;
+    to->rest += (to->sum - (sum - taken)) + (value - taken);
     to->sum = sum;
     to->count++;
 }
@@ -105,9 +106,34 @@ static double mean_of(const regrading *r, const exact_sum *sum)
     return (isfinite(total) ? total : sum->sum) / (double)sum->count / r->divisor;
 }
 
+/* The parts of a pixel in NESTED, which stand in the map beside each other. */
+static double mean_of_row(const regrading *r, int64_t pixel)
+{
+    exact_sum sum = {0.0, 0.0, 0};
+    int64_t first = pixel << r->coarser;
+    int64_t end = (pixel + 1) << r->coarser;
+    for (int64_t part = first; part < end; part++)
+    {
+        double value = value_at(r->map, part);
+        if (is_good(value))
+        {
+            add_to(&sum, value);
+        }
+    }
+    return mean_of(r, &sum);
+}
+
 /* pixel: of the result, in NESTED. The parts of all of them are one row, which is taken in blocks. */
 static void gather_parts(const regrading *r, size_t n, const int64_t *pixel, double *result)
 {
+    if (r->from->order == CM_HEALPIX_NESTED)
+    {
+        for (size_t i = 0; i < n; i++)
+        {
+            result[i] = mean_of_row(r, pixel[i]);
+        }
+        return;
+    }
     exact_sum sums[CM_BLOCK] = {{0.0, 0.0, 0}};
     pixels part;
     int64_t parts = (int64_t)1 << r->coarser;
@@ -120,7 +146,7 @@ static void gather_parts(const regrading *r, size_t n, const int64_t *pixel, dou
             int64_t at = done + (int64_t)i;
             part[i] = (pixel[at >> r->coarser] << r->coarser) + (at & (parts - 1));
         }
-        to_map_order(r, count, part);
+        cm_healpix_ring_from_nested_array(r->from, count, part, part);
         for (size_t i = 0; i < count; i++)
         {
             double value = value_at(r->map, part[i]);

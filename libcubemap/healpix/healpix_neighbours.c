@@ -256,15 +256,22 @@ enum
     STEPS_MAX = 1 << 20
 };
 
-/* A point of the grid that has steps lines to a pixel. */
-static void store_corner(pixels_grid fine, int base, double across, double up, size_t at, double *x,
-                         double *y, double *z)
+/* A point of each side, of the grid that has steps lines to a pixel; those of one side are so many after each other. */
+static void store_corners(pixels_grid fine, int base, const double across[4], const double up[4],
+                          size_t steps, double *x, double *y, double *z)
 {
-    cm_xyz_f64 d =
-        pixels_direction_of_centre(fine, pixels_centre_of_place(fine, (uint64_t)base, across, up));
-    x[at] = d.x;
-    y[at] = d.y;
-    z[at] = d.z;
+    cm_xyz_f64 d[4];
+    for (int k = 0; k < 4; k++)
+    {
+        d[k] = pixels_direction_of_centre(
+            fine, pixels_centre_of_place(fine, (uint64_t)base, across[k], up[k]));
+    }
+    for (size_t k = 0; k < 4; k++)
+    {
+        x[k * steps] = d[k].x;
+        y[k * steps] = d[k].y;
+        z[k * steps] = d[k].z;
+    }
 }
 
 cm_status cm_healpix_boundary(const cm_healpix *healpix, int64_t pixel, size_t steps, double *x,
@@ -286,10 +293,9 @@ cm_status cm_healpix_boundary(const cm_healpix *healpix, int64_t pixel, size_t s
     for (size_t i = 0; i < steps; i++)
     {
         double part = (double)i;
-        store_corner(fine, at.base, low_x + side - part, low_y + side, i, x, y, z);
-        store_corner(fine, at.base, low_x, low_y + side - part, steps + i, x, y, z);
-        store_corner(fine, at.base, low_x + part, low_y, 2 * steps + i, x, y, z);
-        store_corner(fine, at.base, low_x + side, low_y + part, 3 * steps + i, x, y, z);
+        const double across[4] = {low_x + side - part, low_x, low_x + part, low_x + side};
+        const double up[4] = {low_y + side, low_y + side - part, low_y, low_y + part};
+        store_corners(fine, at.base, across, up, steps, x + i, y + i, z + i);
     }
     return CM_OK;
 }

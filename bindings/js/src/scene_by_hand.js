@@ -67,6 +67,27 @@ export function cm_depth_pyramid_level(of, pyramid, level) {
     return { width, height, least: M.copy(F32, least, width * height), most: M.copy(F32, most, width * height) };
 }
 
+// ---- Budgets
+
+/** What choose makes of a budget, as a new one. */
+function chosen({ M, check, structs }, budget, choose) {
+    const p = structs.write_cm_budget(budget ?? {});
+    check(choose(p));
+    return structs.read_cm_budget(p);
+}
+
+export function cm_budget_limit_error(of, nobody, budget, limit) {
+    return chosen(of, budget, (p) => of.X.cm_budget_limit_error(p, of.number(limit, "limit")));
+}
+
+export function cm_budget_limit_cost(of, nobody, budget, limit) {
+    return chosen(of, budget, (p) => of.X.cm_budget_limit_cost(p, of.number(limit, "limit")));
+}
+
+export function cm_budget_sum(of, nobody, budget) {
+    return chosen(of, budget, (p) => of.X.cm_budget_sum(p));
+}
+
 // ---- Worlds and trajectories
 
 export function cm_scene_cast_array(of, scene, ...given) {

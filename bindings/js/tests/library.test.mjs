@@ -167,6 +167,8 @@ test("random numbers are those of every other machine", () => {
     assert.equal(cubemap.randomPoisson(20n, 1, 2, 3, 7.5), 5);
     assert.equal(cubemap.randomPoisson(20n, 1, 2, 3, 1e6), 998833);
     assert.ok(Number.isNaN(cubemap.randomPoisson(20n, 1, 2, 3, -1)));
+    assert.deepEqual(cubemap.randomUniformArray(20n, 1, 1, 3, 3), Float64Array.from([1, 2, 3], (pixel) => cubemap.randomUniform(20n, 1, pixel, 3)));
+    assert.equal(cubemap.randomPoissonArray(20n, 1, 2, 3, [7.5, 7.5])[0], 5);
 });
 
 test("cells have numbers of 64 bits", () => {

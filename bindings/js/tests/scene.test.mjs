@@ -319,6 +319,53 @@ test("trajectories", () => {
     assert.ok(rank === 3 && Math.abs(moved.position[0] - 5) < 1e-12);
 });
 
+test("budgets", () => {
+    const entry = [{ name: "distortion", contribution: 0.004, cost: 2.1 }, { name: "multipath", contribution: 0.001, cost: 46 },
+        { name: "noise", contribution: 0.0005, cost: 1, isRequired: 1 }];
+    const budget = { subject: "depth camera", unit: "m", costUnit: "ms", entry };
+    const kept = lib.budgetLimitError(budget, 0.002);
+    assert.deepEqual(kept.entry.map(({ name, isKept }) => [name, isKept]), [["distortion", 1], ["multipath", 0], ["noise", 1]]);
+    assert.deepEqual([kept.error, kept.cost, kept.subject, kept.costUnit], [0.001, 3.1, "depth camera", "ms"]);
+    assert.ok(kept.entry.every(({ reason, unit }) => reason.length > 5 && unit === null));
+    assert.equal(entry[0].isKept, undefined);
+    assert.deepEqual(lib.budgetLimitCost(budget, 1.5).entry.filter(({ isKept }) => isKept).map(({ name }) => name), ["noise"]);
+    assert.equal(lib.budgetLimitCost(budget, 100).error, 0);
+    assert.ok(Math.abs(lib.budgetSum(budget).error - 0.0055) < 1e-15);
+    assert.deepEqual(lib.budgetSum(kept), kept);
+    const read = JSON.parse(lib.budgetJson(kept));
+    assert.deepEqual([read.subject, read.error, read.entries.map((one) => one.kept)], ["depth camera", 0.001, [true, false, true]]);
+    assert.equal(read.entries[0].reason, kept.entry[0].reason);
+    assert.deepEqual(lib.budgetSum({}).entry, []);
+    assert.equal(JSON.parse(lib.budgetJson({})).subject, null);
+    assert.throws(() => lib.budgetLimitCost(budget, 0.5), (error) => error.code === 15);
+    assert.throws(() => lib.budgetLimitError(budget, -1), OutOfRangeError);
+    assert.throws(() => lib.budgetLimitError(budget, NaN), OutOfRangeError);
+    assert.throws(() => lib.budgetSum({ entry: [{ contribution: 1, unit: "km" }], unit: "m" }), (error) => error.code !== 0);
+    assert.throws(() => lib.budgetSum({ entries: [] }), TypeError);
+    // in many calls nothing is left behind
+    const before = lib.memory.buffer.byteLength;
+    for (let i = 0; i < 20000; i++) {
+        lib.budgetLimitError(budget, 0.002);
+    }
+    assert.equal(lib.memory.buffer.byteLength, before);
+});
+
+test("arrays of random numbers are those of their pixels", () => {
+    const one = (draw, ...more) => Float64Array.from({ length: 1000 }, (_, i) => draw(20n, 3, 7 + i, 2, ...more.map((list) => list[i])));
+    assert.deepEqual(lib.randomUniformArray(20n, 3, 7, 2, 1000), one(lib.randomUniform));
+    assert.deepEqual(lib.randomNormalArray(20n, 3, 7, 2, 1000), one(lib.randomNormal));
+    const mean = Float64Array.from({ length: 1000 }, (_, i) => i / 7);
+    assert.deepEqual(lib.randomPoissonArray(20n, 3, 7, 2, mean), one(lib.randomPoisson, mean));
+    assert.equal(lib.randomPoissonArray(20n, 3, 7, 2, 12.5), lib.randomPoisson(20n, 3, 7, 2, 12.5));
+    const there = lib.float64(1000);
+    assert.equal(lib.randomNormalArray(20n, 3, 7, 2, 1000, { value: there }).buffer, lib.memory.buffer);
+    assert.deepEqual(Float64Array.from(there.array), one(lib.randomNormal));
+    assert.equal(lib.randomUniformArray(20n, 3, 7, 2, 0).length, 0);
+    for (const n of [-1, 1.5, NaN, undefined, "3"]) {
+        assert.throws(() => lib.randomUniformArray(20n, 3, 7, 2, n), RangeError);
+    }
+});
+
 test("arguments of other types are refused", () => {
     const { octree, camera } = mapOf(lib);
     assert.throws(() => octree.update({ camera, pose: poseOf(0), depth: { data: [1], width: 1, height: 1 }, depthUnit: 1 }), TypeError);

@@ -56,6 +56,17 @@ const opened: Octree = scene.Octree.load(new scene.Store());
 const named: string | null = scene.Scene.nameAt(0);
 const counted: bigint = octree.count.occupied;
 
+const budget = scene.budgetLimitError({ entry: [{ name: "noise", contribution: 1, cost: 2 }], unit: "m" }, 0.5);
+const why: string | null = scene.budgetSum(budget).entry[0]!.reason;
+const drawn: Float64Array = scene.randomNormalArray(1n, 0, 0, 0, 10);
+const counts: Float64Array = scene.randomPoissonArray(1n, 0, 0, 0, drawn, { count: scene.float64(10) });
+
+// @ts-expect-error: a reason may be none
+budget.entry[0]!.reason.length;
+// @ts-expect-error: a budget has no entries, but each is an entry
+scene.budgetSum({ entries: [] });
+// @ts-expect-error: how many?
+scene.randomUniformArray(1n, 0, 0, 0);
 // @ts-expect-error: what a ray meets may be nothing
 octree.ray([0, 0, 0], [1, 0, 0], 5).state;
 // @ts-expect-error: no such rule
@@ -65,7 +76,7 @@ octree.merge(camera);
 // @ts-expect-error: pixels of these types are none
 octree.update({ camera, depth: { data: new Float64Array(48), width: 8, height: 6 } });
 
-export { counted, finest, hits, named, opened, range, struck, voxel, voxels };
+export { counted, counts, finest, hits, named, opened, range, struck, voxel, voxels, why };
 // @ts-expect-error: there may be no such scene
 scene.Scene.nameAt(0).length;
 export { CubemapError, cells, floats, jacobian, many, message, pictures, point };

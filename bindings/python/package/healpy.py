@@ -41,7 +41,7 @@ def _healpix(nside, nest):
 
 
 # Methods of Healpix by nside and order, bound: for single points, of which looking up took most of the time.
-_from_angles, _to_angles, _from_direction, _to_direction, _to_nested, _handles = {}, {}, {}, {}, {}, {}
+_from_angles, _to_angles, _from_lonlat, _to_lonlat, _from_direction, _to_direction, _to_nested, _handles = ({} for _ in range(8))
 
 
 def _bind(table, method, nside, nest):
@@ -79,6 +79,9 @@ def _checked(pixel, what):
 def ang2pix(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike, nest: bool = False, lonlat: bool = False) -> Any:
     """The pixels at angles: colatitude and longitude in radians, or longitude and latitude in degrees."""
     if lonlat:
+        if type(nside) is int and type(theta) is float and type(phi) is float:
+            bound = _from_lonlat.get((nside, nest)) or _bind(_from_lonlat, "pixel_from_lonlat", nside, nest)
+            return _checked(bound(math.radians(theta), math.radians(phi)), "THETA is out of range [0,pi]")
         return _checked(_each(nside, nest, "pixel_from_lonlat", np.radians(theta), np.radians(phi)), "THETA is out of range [0,pi]")
     if type(nside) is int:
         try:
@@ -101,6 +104,10 @@ def ang2pix(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike, nest: bool = Fal
 def pix2ang(nside: ArrayLike, ipix: ArrayLike, nest: bool = False, lonlat: bool = False) -> tuple[Any, Any]:
     """The angles of centres: colatitude and longitude in radians, or longitude and latitude in degrees."""
     if lonlat:
+        if type(nside) is int and type(ipix) is int:
+            lon, lat = (_to_lonlat.get((nside, nest)) or _bind(_to_lonlat, "lonlat_from_pixel", nside, nest))(ipix)
+            lon = math.degrees(lon)
+            return lon + 360.0 if lon < 0 else lon, math.degrees(lat)
         lon, lat = _each(nside, nest, "lonlat_from_pixel", ipix)
         lon, lat = np.degrees(lon), np.degrees(lat)
         return np.where(lon < 0, lon + 360.0, lon)[()], lat
@@ -181,10 +188,13 @@ def get_all_neighbours(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike | None
 
 def boundaries(nside: int, pix: ArrayLike, step: int = 1, nest: bool = False) -> np.ndarray:
     """The boundary of pixels: x, y, z of 4 step points, (3, 4 step), or (n, 3, 4 step) of n pixels."""
-    handle = (_handles.get((nside, nest)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, nest)
-    if type(pix) is int or np.ndim(pix) == 0:
-        return _core.pixel_boundary(handle, int(pix), step, False)
-    return np.stack([_core.pixel_boundary(handle, one, step, False) for one in np.asarray(pix).tolist()])
+    if type(nside) is int and type(pix) is int:
+        return _core.pixel_boundary(_handles.get((nside, nest)) or _bind(_handles, "_handle", nside, nest), pix, step, False)
+    pixels = np.asarray(pix)
+    if pixels.ndim > 1:
+        raise ValueError("pixels are to be one number, or an array of one dimension")
+    found = _core.pixel_boundaries(_bind(_handles, "_handle", nside, nest), pixels, step)
+    return found if pixels.ndim else found[0]
 
 
 # ---- resolutions ----
@@ -330,10 +340,10 @@ def query_disc(nside: int, vec: ArrayLike, radius: float, inclusive: bool = Fals
     """The pixels, sorted, whose centre is within an angle of a vector; inclusive: those that overlap the disc, and a few more."""
     if inclusive and not 1 <= fact <= 1 << 20:
         raise ValueError(f"fact: 1 to 2^20, not {fact}")
-    ring = (_handles.get((nside, False)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, False)
-    pixels = _core.pixel_disc(ring, vec, radius, max_pixrad(nside) if inclusive else 0.0, fact if inclusive else 0)
     if nest:
-        pixels = np.sort(_healpix(nside, True).nested_from_ring(pixels))
+        _healpix(nside, True)  # is there such a one?
+    ring = (_handles.get((nside, False)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, False)
+    pixels = _core.pixel_disc(ring, vec, radius, fact if inclusive else 0, nest)
     if buff is not None:
         buff[:pixels.size] = pixels
         return buff[:pixels.size]

@@ -151,16 +151,15 @@ def _blocks_of(raster, surface, plane, rows, columns):
         beside = np.where(nearest > reach, np.degrees(reach) / np.maximum(nearest, 1e-300) / raster.column, np.inf)
     height = raster.row_ends[-1]
     turn = 360.0 / raster.column
-    needed = set()
+    first, last = raster.column_ends[:-1], raster.column_ends[1:]
+    middle, half = (first + last) / 2, (last - first) / 2
+    needed = []
     for i in range(len(raster.row_ends) - 1):
         near = (row + above >= raster.row_ends[i]) & (row - above <= raster.row_ends[i + 1]) & (row >= -1) & (row <= height + 1)
-        for j in range(len(raster.column_ends) - 1):
-            first, last = raster.column_ends[j], raster.column_ends[j + 1]
-            middle, half = (first + last) / 2, (last - first) / 2
-            apart = np.abs(np.mod(column[near] - middle + turn / 2, turn) - turn / 2)
-            if np.any(apart <= half + beside[near] + 1):
-                needed.add((i, j))
-    return sorted(needed)
+        if near.any():
+            apart = np.abs(np.mod(column[near, np.newaxis] - middle + turn / 2, turn) - turn / 2)
+            needed += [(i, j) for j in np.flatnonzero((apart <= half + beside[near, np.newaxis] + 1).any(axis=0)).tolist()]
+    return needed
 
 
 def _whole_places(lon, lat, layout):

@@ -134,6 +134,28 @@ def test_discs_with_all_that_overlaps(nest, random):
         assert got.size <= few.size + 0.3 * few.size + 10
 
 
+def test_discs_that_overlap_at_poles_and_where_belt_and_caps_meet(random):
+    """The rings there have pixels of another shape; the rim's points are what is missed first."""
+    for _ in range(200):
+        nside, fact = int(random.integers(1, 300)), int(random.choice([1, 2, 4, 8]))
+        height = random.choice([-1, -2 / 3, 2 / 3, 1]) * (1 - 10 ** random.uniform(-12, -1))
+        lon, radius = random.uniform(-np.pi, np.pi), random.random() * 10 ** random.uniform(-1.5, 1) / nside
+        vector = np.array([*np.sqrt(1 - height**2) * np.array([np.cos(lon), np.sin(lon)]), height])
+        got = healpy.query_disc(nside, vector, radius, inclusive=True, fact=fact)
+        turned = np.cross(vector, random.normal(size=(1000, 3)))
+        rim = np.cos(radius) * vector + np.sin(radius) * turned / np.linalg.norm(turned, axis=1)[:, np.newaxis] * (1 - 1e-12)
+        assert np.isin(healpy.vec2pix(nside, *rim.T), got).all() and (np.diff(got) > 0).all()
+        assert np.isin(healpy.query_disc(nside, vector, radius), got).all()
+
+
+def test_discs_in_both_orders(random):
+    for _ in range(200):
+        nside, vector, radius = int(2 ** random.integers(0, 12)), random.normal(size=3), 10 ** random.uniform(-4, 0)
+        for inclusive in (False, True):
+            ring, nested = (healpy.query_disc(nside, vector, radius, inclusive, nest=nest) for nest in (False, True))
+            assert np.array_equal(np.sort(healpy.ring2nest(nside, ring)), nested)
+
+
 def test_single_points_are_as_arrays_of_them(random):
     """Numbers of Python have ways of their own."""
     for nside, nest in ((1, True), (64, False), (2**29, True)):
@@ -141,9 +163,18 @@ def test_single_points_are_as_arrays_of_them(random):
             assert np.array_equal(healpy.get_all_neighbours(nside, pixel, nest=nest),
                                   healpy.get_all_neighbours(nside, np.array([pixel]), nest=nest)[:, 0])
             assert np.array_equal(healpy.boundaries(nside, pixel, 3, nest), healpy.boundaries(nside, np.array([pixel]), 3, nest)[0])
+            alone, among = healpy.pix2ang(nside, pixel, nest, True), healpy.pix2ang(nside, np.array([pixel]), nest, True)
+            assert type(alone[0]) is float and alone == (among[0][0], among[1][0])
+            assert nside > 64 or healpy.ang2pix(nside, *alone, nest, True) == pixel
         assert (healpy.get_all_neighbours(nside, -1, nest=nest) == -1).all()
     for theta, phi in random.random((50, 2)).tolist():
         assert np.abs(healpy.ang2vec(theta, phi) - healpy.ang2vec(np.array([theta]), np.array([phi]))[0]).max() < 2.3e-16
+    assert np.isnan(healpy.pix2ang(8, -1, lonlat=True)).all()
+    for lat in (90.001, float("nan"), float("inf")):
+        with pytest.raises(ValueError):
+            healpy.ang2pix(8, 10.0, lat, lonlat=True)
+    for lon, lat in random.uniform(-90, 90, (50, 2)).tolist():
+        assert healpy.ang2pix(1024, 8 * lon, lat, lonlat=True) == healpy.ang2pix(1024, np.array([8 * lon]), np.array([lat]), lonlat=True)[0]
     for what in (lambda: healpy.ang2vec(4.0, 0.0), lambda: healpy.boundaries(4, 192), lambda: healpy.boundaries(4, 0, 0),
                  lambda: healpy.query_disc(4, (0, 0, 0), 1), lambda: healpy.query_disc(4, (0, 1), 1),
                  lambda: healpy.query_disc(4, (0, 0, 1), -1), lambda: healpy.query_disc(4, (0, 0, 1), float("nan")),
@@ -154,6 +185,10 @@ def test_single_points_are_as_arrays_of_them(random):
 
 def test_boundaries_lie_together():
     """Nobody has to copy them."""
+    for refused in ([1.5, 2.0], [-1], [12 * 64**2], np.arange(4).reshape(2, 2)):
+        with pytest.raises((ValueError, TypeError)):
+            healpy.boundaries(64, refused)
+    assert healpy.boundaries(64, np.empty(0, int)).shape == (0, 3, 4) and healpy.boundaries(64, np.array(3)).shape == (3, 4)
     outline = Healpix(64).boundary(1234, 5)
     assert outline.shape == (20, 3) and outline.flags.c_contiguous
     assert healpy.boundaries(64, 1234, 5).flags.c_contiguous and np.array_equal(healpy.boundaries(64, 1234, 5), outline.T)

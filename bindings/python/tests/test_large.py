@@ -2,6 +2,7 @@
 """Dask and xarray; with a cluster whose worker is killed on the way."""
 
 import importlib.util
+import time
 
 import cubemap
 import numpy as np
@@ -117,3 +118,11 @@ def test_a_cluster_with_a_worker_killed(root, request):
     specification.loader.exec_module(example)
     worst, count, expected, pid, peak = example.run(20000 if request.config.getoption("--long") else 200, 2)
     assert count == expected and worst < 4e-5 and pid and peak < 1e9
+
+
+def test_the_graph_of_a_large_raster_is_made_in_time():
+    """20 GB in 4802 blocks: each of 3750 tiles must not look at each block."""
+    raster = da.zeros((50176, 100352), chunks=(1024, 1024), dtype=np.float32)
+    begun = time.process_time()
+    faces = large.reproject(raster, "cube:coupled", 25088)
+    assert faces.npartitions == 3750 and time.process_time() - begun < 60  # 8 s where each tile's blocks took 170
