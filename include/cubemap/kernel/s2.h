@@ -40,7 +40,7 @@ CM_FN CM_REAL CM_NAME(cm_s2_sigmoid)(CM_REAL w, CM_NAME(cm_constants) k)
 CM_FN CM_REAL CM_NAME(cm_s2_sigmoid_inverse)(CM_REAL w, CM_NAME(cm_constants) k)
 {
     CM_UNUSED(k);
-    return CM_NAME(cm_stretch)(w, (cm_abs(w) - CM_LIT(1.0)) * CM_LIT(0.333333333333333333333));
+    return CM_NAME(cm_stretch)(w, (cm_abs(w) - CM_LIT(1.0)) / CM_LIT(3.0));
 }
 
 CM_UNIVARIATE(cm_s2_forward, cm_s2_sigmoid, cm_s2_inverse, cm_s2_sigmoid_inverse)
