@@ -4,10 +4,11 @@
 
 trajectory_truth.py TRUTH ESTIMATE [TRUTH ESTIMATE...]     one line of JSON for each two files as TUM writes them
 
-Association looks at all pairs of stamps; the alignment is by singular values (Umeyama 1991, scale 1); the pairs of RPE
+Association looks at all pairs of stamps, whose distance is that of their decimals; the alignment is by singular values (Umeyama 1991, scale 1); the pairs of RPE
 are looked for from the beginning each time. Poses are 4 x 4 matrices from camera to world.
 """
 
+import decimal
 import json
 import sys
 
@@ -29,10 +30,15 @@ def read(path):
     return rows[:, 0], [matrix_of(row) for row in rows[:, 1:]]
 
 
+def is_within(a, b, apart):
+    """Of the decimals, the shortest that are these numbers."""
+    return abs(decimal.Decimal(repr(float(a))) - decimal.Decimal(repr(float(b)))) <= decimal.Decimal(repr(apart))
+
+
 def associate(first, second, apart=0.02):
     """Pairs of indices: of all pairs the closest, then the closest of those that are left."""
-    candidates = sorted((abs(a - b), i, k) for i, a in enumerate(first)
-                        for k, b in [(k, second[k]) for k in numpy.nonzero(abs(second - a) <= apart)[0]])
+    candidates = sorted((abs(a - second[k]), i, k) for i, a in enumerate(first)
+                        for k in numpy.nonzero(abs(second - a) <= 2 * apart)[0] if is_within(a, second[k], apart))
     taken_first, taken_second, pairs = set(), set(), []
     for _, i, k in candidates:
         if i not in taken_first and k not in taken_second:

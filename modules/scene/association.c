@@ -6,7 +6,6 @@
  */
 #include <cubemap/trajectory.h>
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "trajectory_data.h"
@@ -99,10 +98,11 @@ static void offer(match *m, size_t first, size_t second)
     {
         return;
     }
-    const neighbours pair = {m->all[second].stamp - m->all[first].stamp, first, second};
-    if (pair.apart <= m->apart)
+    const double begin = m->all[first].stamp;
+    const double end = m->all[second].stamp;
+    if (cm_stamps_within(begin, end, m->apart))
     {
-        push(m, pair);
+        push(m, (neighbours){end - begin, first, second});
     }
 }
 

@@ -107,7 +107,7 @@ cm_status cm_trajectory_nearest(const cm_trajectory *trajectory, double time, do
     const size_t before = cm_stamp_before(stamp, trajectory->count, time);
     const size_t after = before + 1 < trajectory->count ? before + 1 : before;
     const size_t nearest = fabs(stamp[after] - time) < fabs(stamp[before] - time) ? after : before;
-    if (!(fabs(stamp[nearest] - time) <= apart))
+    if (!cm_stamps_within(stamp[nearest], time, apart))
     {
         return CM_ERROR_RANGE;
     }

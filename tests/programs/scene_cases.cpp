@@ -5,6 +5,7 @@
 #include "image_cases.hpp"
 #include "picture.hpp"
 
+#include "modules/scene/io/camera_file.h"
 #include "tools/cli/image_file.hpp"
 #include "truth/scenes/ray_truth.h"
 
@@ -19,6 +20,7 @@
 
 #include <unistd.h>
 
+#include <cubemap/camera.h>
 #include <cubemap/world.h>
 
 namespace
@@ -250,6 +252,122 @@ void check_room()
     for (std::size_t view = 0; view < test_poses.size(); ++view)
     {
         check_truth(scene.get(), view);
+    }
+}
+
+// ---- cameras of other kinds, which move: what one pixel says, against its own ray and the projection of its point
+
+// The camera's pixel of a point of the world; NaN if it has none.
+std::array<double, 2> pixel_of(const cm_camera *camera, const TestPose &pose, const Point &point)
+{
+    const Point local = pose.camera_of(point);
+    const cm_camera_options &options = *cm_camera_describe(camera);
+    double column, row;
+    cm_camera_project_array(camera, 1, &local[0], &local[1], &local[2], &column, &row);
+    const double right = column - options.pixel_centre, down = row - options.pixel_centre;
+    const bool inside = right >= -0.5 && right <= options.width - 0.5 && down >= -0.5 &&
+                        down <= options.height - 0.5;
+    return {inside ? right : NAN, inside ? down : NAN};
+}
+
+int check_moving_flow(const cm_scene *scene, const cm_camera *camera, const TruthPicture &made,
+                      const std::string &name, const TestPose &other, const Point &point, int x,
+                      int y)
+{
+    const std::array<double, 2> pixel = pixel_of(camera, other, point);
+    bool clear = true;
+    const bool seen = !std::isnan(pixel[0]) && is_seen(scene, other, point, clear);
+    const double flow = made.at(name + ".column", x, y);
+    if (clear && seen)
+    {
+        near(name + ".column", x, y, x + flow, pixel[0], 1e-3);
+        near(name + ".row", x, y, y + made.at(name + ".row", x, y), pixel[1], 1e-3);
+    }
+    else if (clear && !std::isnan(flow))
+    {
+        wrong_at(x, y, name + " of what is not seen", flow, NAN);
+    }
+    return clear && seen;
+}
+
+// Returns how many flows there are.
+int check_moving_pixel(const cm_scene *scene, const cm_camera *camera, const TruthPicture &made,
+                       std::size_t view, int x, int y)
+{
+    const double centre = cm_camera_describe(camera)->pixel_centre;
+    const double column = x + centre, row = y + centre;
+    const TestPose &pose = test_poses[view];
+    Point ray;
+    cm_camera_ray_array(camera, 1, &column, &row, &ray[0], &ray[1], &ray[2]);
+    if (std::isnan(ray[0]))
+    {
+        near("id without a ray", x, y, made.at("id", x, y), -1, 0);
+        result(std::isnan(made.at("range", x, y)), "no range without a ray");
+        return 0;
+    }
+    const Point direction = pose.world_of(ray);
+    std::uint32_t id;
+    const double times = ray_truth(scene, pose.position.data(), direction.data(), &id, nullptr);
+    Point point;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        point[i] = pose.position[i] + times * direction[i];
+    }
+    near("range", x, y, made.at("range", x, y), times * std::hypot(ray[0], ray[1], ray[2]), 1e-6);
+    near("position.x", x, y, made.at("position.x", x, y), point[0], 1e-6);
+    near("position.y", x, y, made.at("position.y", x, y), point[1], 1e-6);
+    near("position.z", x, y, made.at("position.z", x, y), point[2], 1e-6);
+    near("id", x, y, made.at("id", x, y), id, 0);
+    return check_moving_flow(scene, camera, made, "forward", test_poses[view + 1], point, x, y) +
+           check_moving_flow(scene, camera, made, "backward", test_poses[view - 1], point, x, y);
+}
+
+void check_moving(const std::string &file, const std::string &folder)
+{
+    char message[CM_IMAGE_MESSAGE] = "";
+    cm_camera *read = nullptr;
+    cm_scene *made = nullptr;
+    double depth_scale;
+    if (cm_camera_file_read(file.c_str(), &read, &depth_scale, message) != CM_OK ||
+        cm_scene_create_named("room", &made) != CM_OK)
+    {
+        throw std::runtime_error(message);
+    }
+    const std::unique_ptr<cm_camera, void (*)(cm_camera *)> camera(read, cm_camera_destroy);
+    const std::unique_ptr<cm_scene, void (*)(cm_scene *)> scene(made, cm_scene_destroy);
+    const cm_camera_options &options = *cm_camera_describe(read);
+    const TruthPicture truth(folder + "/truth/" + time_of(1) + ".exr");
+    int flows = 0;
+    for (int y = 0; y < static_cast<int>(options.height); ++y)
+    {
+        for (int x = 0; x < static_cast<int>(options.width); ++x)
+        {
+            flows += check_moving_pixel(made, read, truth, 1, x, y);
+        }
+    }
+    if (flows < static_cast<int>(options.width * options.height) / 2)
+    {
+        throw std::runtime_error("only " + std::to_string(flows) + " pixels have a flow");
+    }
+}
+
+void moving()
+{
+    write_scene_inputs();
+    write_file("lens.json",
+               "{\"width\":40,\"height\":30,\"fx\":32,\"fy\":30,\"cx\":20.5,\"cy\":14.5,\"pixel_"
+               "centre\":0.5,"
+               "\"distortion\":[0.1,-0.02,0.001,-0.001,0.003,0.2,-0.05,0.01,0.001,0.0002,-0.001,"
+               "0.0001,0.05,-0.03]}\n");
+    write_file("fisheye.json",
+               "{\"mapping\":\"azimuthal:equidistant\",\"frame\":\"geo\",\"size\":24}\n");
+    write_file("half.json",
+               "{\"mapping\":\"tangent\",\"frame\":\"gl\",\"size\":8,\"pixel_centre\":0.5}\n");
+    for (const std::string name : {"lens", "cube", "fisheye", "half"})
+    {
+        does("scene render room " + name + ".json path.txt -o " + name + " --truth");
+        holds(name + ": what pixels say of a camera that moves",
+              [&name] { check_moving(name + ".json", name); });
     }
 }
 
@@ -537,7 +655,8 @@ const std::vector<Subject> &scene_subjects()
 {
     static const std::vector<Subject> subjects = {
         {"scene_talk", scene_talk},       {"scene_rendering", rendering},
-        {"scene_telling", telling},       {"scene_converting", converting},
-        {"scene_evaluating", evaluating}, {"scene_files", scenes_of_json}};
+        {"scene_moving", moving},         {"scene_telling", telling},
+        {"scene_converting", converting}, {"scene_evaluating", evaluating},
+        {"scene_files", scenes_of_json}};
     return subjects;
 }

@@ -94,6 +94,15 @@ def perturbed(rows):
     yield "on a line", straight
 
 
+def at_limit(rows):
+    """Each tenth, and an estimate whose stamps are 0.02 s away or a little more, as they are written."""
+    random = numpy.random.default_rng(21)
+    thin = rows[::10]
+    estimate = noisy(random, thin, 0.001, 0.1)
+    estimate[:, 0] = numpy.round(estimate[:, 0] + random.choice([-0.02, 0.02, 0.020001], len(thin)), 6)
+    return thin, estimate
+
+
 def synthetic(index):
     """A walk of some length and rate, and an estimate of it with other stamps; each tenth is on a line."""
     random = numpy.random.default_rng([7, index])
@@ -123,10 +132,15 @@ def make_pairs(folder, excerpt):
     """Names and files; the files are written."""
     pairs = []
     if excerpt is not None:
-        for number, (name, rows) in enumerate(perturbed(numpy.loadtxt(excerpt))):
+        all_rows = numpy.loadtxt(excerpt)
+        for number, (name, rows) in enumerate(perturbed(all_rows)):
             path = os.path.join(folder, f"tum-{number}.txt")
             write(path, rows)
             pairs.append((f"TUM, {name}", excerpt, path))
+        paths = [os.path.join(folder, f"tum-{kind}.txt") for kind in ("thin", "limit")]
+        for path, rows in zip(paths, at_limit(all_rows)):
+            write(path, rows)
+        pairs.append(("TUM, 0.02 s away", *paths))
     for index in range(SYNTHETIC):
         paths = [os.path.join(folder, f"{kind}-{index}.txt") for kind in ("truth", "estimate")]
         for path, rows in zip(paths, synthetic(index)):

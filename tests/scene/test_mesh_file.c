@@ -80,8 +80,8 @@ static const square_buffer square = {
     {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 51, 51, 51, 255}};
 
 /* Nodes, what the primitive has, and the buffer, as JSON. */
-static void write_gltf(const char *name, const char *nodes, const char *primitive,
-                       const char *buffer)
+static void write_gltf_of_views(const char *name, const char *nodes, const char *primitive,
+                                const char *views, const char *buffer)
 {
     char text[4000];
     snprintf(
@@ -93,12 +93,20 @@ static void write_gltf(const char *name, const char *nodes, const char *primitiv
         "{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"},"
         "{\"bufferView\":2,\"componentType\":5121,\"normalized\":true,\"count\":4,\"type\":"
         "\"VEC4\"}],"
-        "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},"
-        "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12},"
-        "{\"buffer\":0,\"byteOffset\":60,\"byteLength\":16}],"
-        "\"buffers\":[%s]}",
-        nodes, primitive, buffer);
+        "\"bufferViews\":[%s],\"buffers\":[%s]}",
+        nodes, primitive, views, buffer);
     write_text(name, text);
+}
+
+#define FIRST_VIEWS                                                                                \
+    "{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},"                                           \
+    "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}"
+
+static void write_gltf(const char *name, const char *nodes, const char *primitive,
+                       const char *buffer)
+{
+    write_gltf_of_views(name, nodes, primitive,
+                        FIRST_VIEWS ",{\"buffer\":0,\"byteOffset\":60,\"byteLength\":16}", buffer);
 }
 
 #define NODES                                                                                      \
@@ -268,6 +276,58 @@ START_TEST(what_is_wrong_is_one_line)
 }
 END_TEST
 
+START_TEST(views_stay_in_their_buffers)
+{
+    static const struct
+    {
+        const char *views, *words;
+    } wrong_views[] = {
+        {FIRST_VIEWS ",{\"buffer\":0,\"byteOffset\":61,\"byteLength\":16}",
+         "has buffer view 2, which ends behind its buffer"}, /* which nothing reads */
+        {FIRST_VIEWS ",{\"buffer\":0,\"byteOffset\":1000,\"byteLength\":0}",
+         "has buffer view 2, which ends behind its buffer"},
+        {FIRST_VIEWS ",{\"buffer\":0,\"byteOffset\":8,\"byteLength\":18446744073709551612}",
+         "has buffer view 2, which ends behind its buffer"},
+        {FIRST_VIEWS ",{\"buffer\":1,\"byteOffset\":0,\"byteLength\":4}",
+         "names a buffer that is not there"},
+        {"{\"buffer\":0,\"byteLength\":47},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}",
+         "has accessor 0, which ends behind its buffer view"},
+        {"{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":11}",
+         "has accessor 1, which ends behind its buffer view"}};
+    write_bytes("square.bin", &square, sizeof square);
+    write_gltf_of_views("views.gltf", ONE_NODE, INDEXED, FIRST_VIEWS, BUFFER);
+    cm_mesh_destroy(read_good("views.gltf"));
+    for (size_t i = 0; i < sizeof wrong_views / sizeof wrong_views[0]; i++)
+    {
+        write_gltf_of_views("views.gltf", ONE_NODE, INDEXED, wrong_views[i].views, BUFFER);
+        refused("views.gltf", CM_ERROR_DATA, wrong_views[i].words);
+    }
+}
+END_TEST
+
+START_TEST(nodes_have_all_their_numbers)
+{
+    static const struct
+    {
+        const char *node, *words;
+    } wrong_nodes[] = {
+        {"\"matrix\":[1,0,0,0,1,0,0,0,1]", "has node 0, whose matrix is of 9 numbers, not 16"},
+        {"\"matrix\":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1, 0]", "is of 17 numbers, not 16"},
+        {"\"translation\":[1,2]", "has node 0, whose translation is of 2 numbers, not 3"},
+        {"\"rotation\":[0,0,1]", "has node 0, whose rotation is of 3 numbers, not 4"},
+        {"\"rotation\":[0,0,0,2]", "has node 0, whose rotation's length is more than 0.001 off 1"},
+        {"\"scale\":[1]", "has node 0, whose scale is of 1 numbers, not 3"}};
+    write_bytes("square.bin", &square, sizeof square);
+    for (size_t i = 0; i < sizeof wrong_nodes / sizeof wrong_nodes[0]; i++)
+    {
+        char node[200];
+        snprintf(node, sizeof node, "{\"mesh\":0,%s}", wrong_nodes[i].node);
+        write_gltf("nodes.gltf", node, INDEXED, BUFFER);
+        refused("nodes.gltf", CM_ERROR_DATA, wrong_nodes[i].words);
+    }
+}
+END_TEST
+
 /* So many nodes, each within the one before, that the reader's stack ends. */
 START_TEST(a_reader_that_crashes_is_one_line)
 {
@@ -320,6 +380,8 @@ int main(void)
                                   polygons_and_materials_of_obj,
                                   wrong_lines_are_named,
                                   what_is_wrong_is_one_line,
+                                  views_stay_in_their_buffers,
+                                  nodes_have_all_their_numbers,
                                   a_reader_that_crashes_is_one_line,
                                   a_reader_is_stopped_at_its_limits,
                                   NULL};

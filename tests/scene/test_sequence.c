@@ -2,12 +2,16 @@
  *
  * Sequences: written and read again in each layout, what is left out, and what is refused.
  */
-#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE
 
 #include "modules/scene/io/camera_file.h"
 #include "modules/scene/io/npy_file.h"
 #include "modules/scene/io/sequence.h"
 
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -207,6 +211,67 @@ START_TEST(writers_leave_all_or_nothing)
 }
 END_TEST
 
+/* A child begins a folder and is killed. */
+static void leave_unfinished(const char *folder, const cm_camera *camera)
+{
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        cm_sequence_writer *writer = NULL;
+        const cm_view view = make_view(camera, 0, 0);
+        if (cm_sequence_create(folder, CM_SEQUENCE_TUM, camera, 5000.0, &writer, message) ==
+                CM_OK &&
+            cm_sequence_write(writer, &view, NULL, message) == CM_OK)
+        {
+            raise(SIGKILL);
+        }
+        _exit(1);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child && WIFSIGNALED(status), "the child ended itself");
+}
+
+START_TEST(what_was_killed_is_gone_with_the_next)
+{
+    cm_camera *camera = make_camera(WIDTH);
+    const char *folder = in_folder("killed");
+    const int before = count_entries(test_folder());
+    leave_unfinished(folder, camera);
+    ck_assert_int_eq(count_entries(test_folder()), before + 1);
+    /* whose process is gone but who is locked, who lives, and who is none of ours, stay */
+    const char *const kept[] = {".cubemap-999999999-0.sequence", ".cubemap-999999998-0",
+                                ".cubemap-notes.sequence", ".cubemap-999999997-0.sequence.old",
+                                "aim"};
+    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++)
+    {
+        char name[100];
+        snprintf(name, sizeof name, "%s/mine", kept[i]);
+        write_text(name, "mine");
+    }
+    const int locked = open(in_folder(kept[0]), O_RDONLY);
+    ck_assert_int_eq(flock(locked, LOCK_EX | LOCK_NB), 0);
+    ck_assert_int_eq(symlink("aim", in_folder(".cubemap-999999996-0.sequence")), 0);
+    cm_sequence_writer *living = NULL;
+    ck_assert_int_eq(
+        cm_sequence_create(in_folder("living"), CM_SEQUENCE_TUM, camera, 5000.0, &living, message),
+        CM_OK);
+    ck_assert_int_eq(count_entries(test_folder()), before + 5 + 1 + 1);
+    write_views("killed", CM_SEQUENCE_TUM, 0);
+    ck_assert_int_eq(count_entries(test_folder()), before + 5 + 1 + 1 + 1);
+    ck_assert_int_eq(count_entries(in_folder("aim")), 1);
+    REQUIRE(cm_sequence_finish(living, message) == CM_OK, "%s", message);
+    cm_sequence_drop(living);
+    close(locked);
+    write_views("killed", CM_SEQUENCE_TUM, 0);
+    ck_assert_int_lt(count_entries(in_folder(kept[0])), 0); /* its lock is gone */
+    for (size_t i = 1; i < sizeof kept / sizeof kept[0]; i++)
+    {
+        ck_assert_int_eq(count_entries(in_folder(kept[i])), 1);
+    }
+    cm_camera_destroy(camera);
+}
+END_TEST
+
 START_TEST(ranges_become_depths)
 {
     cm_camera *camera = make_camera(WIDTH);
@@ -262,6 +327,44 @@ START_TEST(what_is_absent_is_counted)
     remove_all(in_folder("absent/depth"));
     ck_assert_int_eq(open_all(folder, NULL), CM_ERROR_FILE);
     REQUIRE(strstr(message, "5 are absent") != NULL, "%s", message);
+}
+END_TEST
+
+/* Poses and colours 0.02 s from the depth, as they are written; a millionth more is too much. */
+START_TEST(times_are_near_as_written)
+{
+    static const struct
+    {
+        const char *pose, *color;
+        size_t views, without_color;
+    } cases[] = {{"1.02", "0.98", VIEWS, 0},
+                 {"0.98", "1.02", VIEWS, 0},
+                 {"1.020001", "1", VIEWS - 1, 0},
+                 {"1", "1.020001", VIEWS, 1}};
+    const char *folder = write_views("near", CM_SEQUENCE_TUM, 0);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    {
+        char poses[400], list[400];
+        snprintf(poses, sizeof poses,
+                 "%s 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n3 0 0 0 0 0 0 1\n4 0 0 0 0 0 0 1\n"
+                 "5 0 0 0 0 0 0 1\n",
+                 cases[i].pose);
+        snprintf(list, sizeof list,
+                 "%s rgb/100.250000.png\n2 rgb/101.250000.png\n3 rgb/102.250000.png\n"
+                 "4 rgb/103.250000.png\n5 rgb/104.250000.png\n",
+                 cases[i].color);
+        write_text("near/groundtruth.txt", poses);
+        write_text("near/rgb.txt", list);
+        write_text("near/depth.txt", "1 depth/100.250000.png\n2 depth/101.250000.png\n"
+                                     "3 depth/102.250000.png\n4 depth/103.250000.png\n"
+                                     "5 depth/104.250000.png\n");
+        cm_sequence *sequence = open_views(folder, NULL);
+        const cm_sequence_report *report = cm_sequence_describe(sequence);
+        REQUIRE(report->count == cases[i].views && report->without_color == cases[i].without_color,
+                "%s and %s: %zu views, %zu without colours", cases[i].pose, cases[i].color,
+                report->count, report->without_color);
+        cm_sequence_close(sequence);
+    }
 }
 END_TEST
 
@@ -476,8 +579,10 @@ int main(void)
 {
     const TTest *const tests[] = {views_come_back_in_each_layout,
                                   writers_leave_all_or_nothing,
+                                  what_was_killed_is_gone_with_the_next,
                                   ranges_become_depths,
                                   what_is_absent_is_counted,
+                                  times_are_near_as_written,
                                   bad_pictures_are_refused,
                                   depths_of_floating_point_are_read,
                                   bad_folders_are_refused,

@@ -163,6 +163,44 @@ START_TEST(closest_pairs_first)
 }
 END_TEST
 
+/* As decimals are read: 0.02 after is within 0.02, and 0.020001 after is not, from 0 on and in our time. */
+START_TEST(limits_are_as_written)
+{
+    fill(0.0, 0.05);
+    size_t lost = 0;
+    for (long k = 0; k < 3000; k++)
+    {
+        const long begin = k % 2 == 0 ? 0 : 1305031102;
+        const long fraction = k % 3 == 0 ? 10000 * (k % 98) : (k * 7919) % 970000;
+        char texts[3][40];
+        double stamp[3];
+        size_t index[2];
+        for (int i = 0; i < 3; i++)
+        {
+            const long after = i == 0 ? 0 : 19999 + i;
+            snprintf(texts[i], sizeof texts[i], "%ld.%06ld", begin, fraction + after);
+            stamp[i] = strtod(texts[i], NULL);
+        }
+        lost += stamp[1] - stamp[0] <= 0.02 ? 0 : 1;
+        for (int i = 1; i < 3; i++)
+        {
+            const size_t pairs = associate(1, stamp, 1, stamp + i, 0.02, index, index + 1);
+            const size_t back = associate(1, stamp + i, 1, stamp, 0.02, index, index + 1);
+            cm_trajectory *made = make(1, stamp, poses);
+            const cm_status near = cm_trajectory_nearest(made, stamp[i], 0.02, index);
+            cm_trajectory_destroy(made);
+            REQUIRE(pairs == (i == 1) && back == pairs && (near == CM_OK) == (i == 1),
+                    "%s and %s: %zu %zu %d", texts[0], texts[i], pairs, back, (int)near);
+        }
+    }
+    REQUIRE(lost > 500, "only %zu of these would be lost by rounding", lost);
+    /* too coarse for any of this */
+    const double coarse[] = {1e17, 1e17 + 16.0};
+    size_t index[2];
+    ck_assert_uint_eq(associate(1, coarse, 1, coarse + 1, 0.02, index, index + 1), 0);
+}
+END_TEST
+
 START_TEST(room_for_pairs)
 {
     fill(0.0, 0.05);
@@ -316,7 +354,8 @@ END_TEST
 int main(void)
 {
     const TTest *const tests[] = {
-        what_is_no_trajectory,  near_and_between, closest_pairs_first,      room_for_pairs,
-        alignment_and_its_rank, known_errors,     what_cannot_be_evaluated, NULL};
+        what_is_no_trajectory, near_and_between,         closest_pairs_first,
+        limits_are_as_written, room_for_pairs,           alignment_and_its_rank,
+        known_errors,          what_cannot_be_evaluated, NULL};
     return run_suite("trajectory", tests);
 }

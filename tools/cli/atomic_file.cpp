@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "atomic_file.hpp"
+#include "modules/image/io/temporary_name.hpp"
 #include "program.hpp"
 #include "temporary_guard.hpp"
 
@@ -14,7 +15,6 @@
 #include <filesystem>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -105,72 +105,6 @@ mode_t wanted_mode(const std::string &name, const std::string &target)
     return status.st_mode & 0777;
 }
 
-// The begin of temporary names, then the number of the process, a dash and another number.
-constexpr const char *temporary_begin = ".cubemap-";
-
-std::string temporary_file_name(pid_t process, int number, const std::string &extension)
-{
-    return temporary_begin + std::to_string(process) + "-" + std::to_string(number) + extension;
-}
-
-// The process in a temporary name, or 0 if it is none.
-pid_t process_of(const std::string &file_name)
-{
-    const std::string begin = temporary_begin;
-    long process = 0;
-    int number = 0;
-    if (file_name.compare(0, begin.size(), begin) != 0 ||
-        std::sscanf(file_name.c_str() + begin.size(), "%9ld-%4d", &process, &number) != 2 ||
-        process <= 0)
-    {
-        return 0;
-    }
-    const pid_t found = static_cast<pid_t>(process);
-    const std::string again = temporary_file_name(found, number, "");
-    const std::string extension = std::filesystem::path(file_name).extension().string();
-    return again + extension == file_name ? found : 0;
-}
-
-// A new file that is locked as long as it is open, from others with its number of a process, too; -1 with errno.
-int open_locked(const std::string &path)
-{
-    const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (descriptor >= 0)
-    {
-        flock(descriptor, LOCK_EX | LOCK_NB);
-    }
-    return descriptor;
-}
-
-// Does nobody hold the file? Where files cannot be locked nobody knows.
-bool is_unlocked(const std::string &path)
-{
-    const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-    const bool unlocked = descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-    if (descriptor >= 0)
-    {
-        close(descriptor);
-    }
-    return unlocked;
-}
-
-// Removes temporary files whose process is gone, as one that was killed. Processes of another machine or container have
-// numbers of their own: a file that is locked is in use all the same.
-void remove_left_over(const std::filesystem::path &folder)
-{
-    std::error_code error;
-    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error))
-    {
-        const pid_t process = process_of(entry->path().filename().string());
-        if (process != 0 && kill(process, 0) != 0 && errno == ESRCH &&
-            is_unlocked(entry->path().string()))
-        {
-            unlink(entry->path().c_str());
-        }
-    }
-}
-
 std::string follow_links(const std::string &path)
 {
     std::error_code error;
@@ -213,15 +147,15 @@ AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_link
     int descriptor = -1;
     for (int attempt = 0; descriptor < 0 && attempt < 1000; ++attempt)
     {
-        temporary = (folder / temporary_file_name(getpid(), attempt, extension)).string();
-        descriptor = open_locked(temporary);
+        temporary = (folder / own_temporary_name(attempt, extension)).string();
+        descriptor = make_temporary_file(temporary);
         if (descriptor < 0 && errno != EEXIST)
         {
             break;
         }
         if (descriptor >= 0 && attempt == 0) // the first in this folder
         {
-            remove_left_over(folder);
+            remove_left_over_files(folder.string());
         }
     }
     if (descriptor < 0)

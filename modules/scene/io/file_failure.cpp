@@ -2,6 +2,8 @@
 
 #include "file_failure.hpp"
 
+#include "modules/image/io/temporary_name.hpp"
+
 #include <cubemap/number.h>
 
 #include <algorithm>
@@ -209,8 +211,7 @@ public:
         static std::atomic<unsigned> number{0};
         const std::size_t slash = path.find_last_of('/');
         const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-        temporary = folder + ".cubemap-" + std::to_string(getpid()) + "-" +
-                    std::to_string(1000 + number++ % 9000);
+        temporary = folder + own_temporary_name(static_cast<int>(1000 + number++ % 9000), "");
         descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor < 0)
         {

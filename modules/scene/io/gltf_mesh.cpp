@@ -2,6 +2,8 @@
 
 #include "flat_mesh.hpp"
 
+#include <cubemap/pose.h>
+
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -99,21 +101,21 @@ public:
             throw MeshFailure("has a sparse accessor, which is not read");
         }
         if (size <= 0 || count <= 0 || step <= 0 || accessor.count > largest_file ||
-            accessor.byteOffset > largest_file || view.byteOffset > largest_file)
+            accessor.byteOffset > largest_file)
         {
             throw MeshFailure(damaged);
         }
         component = static_cast<std::size_t>(size);
         components = static_cast<std::size_t>(count);
         stride = static_cast<std::size_t>(step);
-        const std::size_t begin = view.byteOffset + accessor.byteOffset;
         const std::size_t length =
             accessor.count == 0 ? 0 : (accessor.count - 1) * stride + component * components;
-        if (begin > buffer.data.size() || length > buffer.data.size() - begin)
+        if (accessor.byteOffset > view.byteLength || length > view.byteLength - accessor.byteOffset)
         {
-            throw MeshFailure("has an accessor that ends behind its buffer");
+            throw MeshFailure("has accessor " + std::to_string(which) +
+                              ", which ends behind its buffer view");
         }
-        data = buffer.data.data() + begin;
+        data = buffer.data.data() + view.byteOffset + accessor.byteOffset; // check_views
     }
 
     std::size_t count() const
@@ -190,26 +192,46 @@ double number_of(const std::vector<double> &list, std::size_t i, double absent)
     return i < list.size() ? list[i] : absent;
 }
 
-// glTF 2.0, 3.5.3: a matrix, or translation times rotation times scale.
-Matrix matrix_of(const tinygltf::Node &node)
+// Absent is empty; the library takes lists of any length.
+void check_length(int node, const char *what, const std::vector<double> &list, std::size_t wanted)
 {
+    if (!list.empty() && list.size() != wanted)
+    {
+        throw MeshFailure("has node " + std::to_string(node) + ", whose " + what + " is of " +
+                          std::to_string(list.size()) + " numbers, not " + std::to_string(wanted));
+    }
+}
+
+// glTF 2.0, 3.5.3: a matrix, or translation times rotation times scale.
+Matrix matrix_of(int index, const tinygltf::Node &node)
+{
+    check_length(index, "matrix", node.matrix, 16);
+    check_length(index, "translation", node.translation, 3);
+    check_length(index, "rotation", node.rotation, 4);
+    check_length(index, "scale", node.scale, 3);
     Matrix result{};
-    if (node.matrix.size() == 16)
+    if (!node.matrix.empty())
     {
         std::copy(node.matrix.begin(), node.matrix.end(), result.begin());
         return result;
     }
-    const double x = number_of(node.rotation, 0, 0), y = number_of(node.rotation, 1, 0);
-    const double z = number_of(node.rotation, 2, 0), w = number_of(node.rotation, 3, 1);
-    const std::array<double, 9> turn = {
-        1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
-        2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
-        2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y)};
+    const std::array<double, 4> quaternion = {
+        number_of(node.rotation, 0, 0), number_of(node.rotation, 1, 0),
+        number_of(node.rotation, 2, 0), number_of(node.rotation, 3, 1)};
+    const std::array<double, 3> origin{};
+    cm_pose turned;
+    if (cm_pose_from_quaternion(origin.data(), quaternion.data(), &turned) != CM_OK)
+    {
+        throw MeshFailure("has node " + std::to_string(index) +
+                          ", whose rotation's length is more than 0.001 off 1");
+    }
     for (std::size_t column = 0; column < 3; ++column)
     {
         for (std::size_t row = 0; row < 3; ++row)
         {
-            result[4 * column + row] = turn[3 * column + row] * number_of(node.scale, column, 1);
+            // a pose's rows are the columns of what its quaternion turns by
+            result[4 * column + row] =
+                turned.rotation.row[column][row] * number_of(node.scale, column, 1);
         }
         result[12 + column] = number_of(node.translation, column, 0);
     }
@@ -246,7 +268,7 @@ private:
             throw MeshFailure("has nodes that are no tree");
         }
         seen[static_cast<std::size_t>(index)] = true;
-        const Matrix matrix = product(outer, matrix_of(node));
+        const Matrix matrix = product(outer, matrix_of(index, node));
         if (node.mesh >= 0)
         {
             for (const tinygltf::Primitive &part :
@@ -349,6 +371,21 @@ private:
     FlatMesh mesh;
 };
 
+// Those that no accessor names, too.
+void check_views(const tinygltf::Model &model)
+{
+    for (std::size_t i = 0; i < model.bufferViews.size(); ++i)
+    {
+        const tinygltf::BufferView &view = model.bufferViews[i];
+        const std::size_t size = element(model.buffers, view.buffer, "a buffer").data.size();
+        if (view.byteOffset > size || view.byteLength > size - view.byteOffset)
+        {
+            throw MeshFailure("has buffer view " + std::to_string(i) +
+                              ", which ends behind its buffer");
+        }
+    }
+}
+
 void check_extensions(const tinygltf::Model &model)
 {
     for (const std::string &name : model.extensionsRequired)
@@ -382,5 +419,6 @@ FlatMesh read_gltf(const std::string &path)
         throw MeshFailure("is no glTF: " + error);
     }
     check_extensions(model);
+    check_views(model);
     return GltfScene(model).read();
 }

@@ -108,8 +108,9 @@ cm_status cm_sequence_view(cm_sequence *sequence, size_t k, const cm_view **view
 typedef struct cm_sequence_writer cm_sequence_writer;
 
 /* Begin a folder, or standard output if folder is "-" and the layout CM_SEQUENCE_STREAM. The folder must be absent or empty:
- * its files are written into another beside it, which takes its name when all is there (cm_sequence_finish). Cameras with a
- * mapping, and pixel centres that are not at integers, are written in camera.json, which is written in every layout.
+ * its files are written into another beside it, which takes its name when all is there (cm_sequence_finish); others that
+ * programs which were killed have left beside it are removed. Cameras with a mapping, and pixel centres that are not at
+ * integers, are written in camera.json, which is written in every layout.
  * CM_ERROR_ARGUMENT, _MEMORY, _FILE. */
 cm_status cm_sequence_create(const char *folder, cm_sequence_layout layout, const cm_camera *camera,
                              double depth_scale, cm_sequence_writer **writer, char *message);

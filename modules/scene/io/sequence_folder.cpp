@@ -4,6 +4,7 @@
 
 #include "file_failure.hpp"
 #include "trajectory_file.h"
+#include "modules/scene/trajectory_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,14 +48,12 @@ std::size_t nearest_time(std::size_t count, const TimeAt &time_at, double time, 
         (time_at(middle) < time ? low : high) = time_at(middle) < time ? middle + 1 : middle;
     }
     std::size_t best = count;
-    double least = within;
     for (const std::size_t i : {low - 1, low}) // below 0 is beyond count
     {
-        if (i < count && std::fabs(time_at(i) - time) <= least &&
-            (best == count || std::fabs(time_at(i) - time) < least))
+        if (i < count && cm_stamps_within(time_at(i), time, within) &&
+            (best == count || std::fabs(time_at(i) - time) < std::fabs(time_at(best) - time)))
         {
             best = i;
-            least = std::fabs(time_at(i) - time);
         }
     }
     return best;

@@ -9,6 +9,8 @@
 #include "sequence_folder.hpp"
 #include "view_stream.h"
 
+#include "modules/image/io/temporary_name.hpp"
+
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -16,7 +18,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -42,7 +43,11 @@ void check_written(cm_status status, const char *message)
     }
 }
 
-// A folder beside the one that is wanted, with all that is in it; it goes away if it does not take its name.
+// How the names of folders end that are not complete.
+const char *const unfinished = ".sequence";
+
+// A folder beside the one that is wanted, with all that is in it; it goes away if it does not take its name. What programs
+// that were killed have left there goes away, too.
 class NewFolder
 {
 public:
@@ -60,15 +65,21 @@ public:
         }
         const std::size_t slash = target.find_last_of('/');
         parent = slash == std::string::npos ? "." : target.substr(0, slash + 1);
-        std::string pattern = path_in(parent, ".cubemap-XXXXXX");
-        if (mkdtemp(pattern.data()) == nullptr)
+        remove_left_over_folders(parent, unfinished);
+        for (int attempt = 0; descriptor < 0; ++attempt)
         {
-            fail_system(target, "cannot be written");
+            std::string name = path_in(parent, own_temporary_name(attempt, unfinished));
+            descriptor = make_temporary_folder(name);
+            if (descriptor >= 0)
+            {
+                temporary =
+                    std::move(name); // as it asks for no memory, the folder cannot be forgotten
+            }
+            else if (errno != EEXIST || attempt == folders_most)
+            {
+                fail_system(target, "cannot be written");
+            }
         }
-        temporary = std::move(pattern); // as it asks for no memory, the folder cannot be forgotten
-        const mode_t mask = umask(0);
-        umask(mask);
-        chmod(temporary.c_str(), 0777 & ~mask);
     }
     ~NewFolder()
     {
@@ -85,6 +96,10 @@ public:
             {
                 gone = false; // what has just failed may have left memory for this
             }
+        }
+        if (descriptor >= 0)
+        {
+            close(descriptor);
         }
     }
     NewFolder(const NewFolder &) = delete;
@@ -105,17 +120,12 @@ public:
     // In place of an empty folder, too.
     void appear()
     {
-        const int descriptor = open(temporary.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 #ifdef __linux__
-        const bool synced = descriptor >= 0 && syncfs(descriptor) == 0;
+        const bool synced = syncfs(descriptor) == 0;
 #else
         sync();
-        const bool synced = descriptor >= 0;
+        const bool synced = true;
 #endif
-        if (descriptor >= 0)
-        {
-            close(descriptor);
-        }
         if (!synced || std::rename(temporary.c_str(), target.c_str()) != 0)
         {
             fail_system(target, "cannot be written");
@@ -125,9 +135,12 @@ public:
     }
 
 private:
+    static constexpr int folders_most = 999; // of one process at a time
+
     std::string target;
     std::string parent;
     std::string temporary;
+    int descriptor = -1; // of the folder, which is locked as long as it is open
 };
 
 class FolderWriter final : public cm_sequence_writer

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+
+#include "temporary_name.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace
+{
+
+constexpr const char *temporary_begin = ".cubemap-";
+
+std::string name_of(pid_t process, int number, const std::string &extension)
+{
+    return temporary_begin + std::to_string(process) + "-" + std::to_string(number) + extension;
+}
+
+std::string extension_of(const std::string &file_name)
+{
+    const std::size_t point = file_name.rfind('.');
+    return point == 0 || point == std::string::npos ? "" : file_name.substr(point);
+}
+
+// The process in a temporary name, or 0 if it is none.
+pid_t process_of(const std::string &file_name)
+{
+    const std::string begin = temporary_begin;
+    long process = 0;
+    int number = 0;
+    if (file_name.compare(0, begin.size(), begin) != 0 ||
+        std::sscanf(file_name.c_str() + begin.size(), "%9ld-%4d", &process, &number) != 2 ||
+        process <= 0)
+    {
+        return 0;
+    }
+    const pid_t found = static_cast<pid_t>(process);
+    const std::string again = name_of(found, number, "");
+    return again + extension_of(file_name) == file_name ? found : 0;
+}
+
+int locked(int descriptor)
+{
+    if (descriptor >= 0)
+    {
+        flock(descriptor, LOCK_EX | LOCK_NB);
+    }
+    return descriptor;
+}
+
+// Does nobody hold it? Where files cannot be locked nobody knows. flags tell files and folders apart.
+bool is_unlocked(const std::string &path, int flags)
+{
+    const int descriptor = open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    const bool unlocked = descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    if (descriptor >= 0)
+    {
+        close(descriptor);
+    }
+    return unlocked;
+}
+
+bool is_left_over(const std::string &folder, const std::string &file_name, int flags)
+{
+    const pid_t process = process_of(file_name);
+    return process != 0 && kill(process, 0) != 0 && errno == ESRCH &&
+           is_unlocked(folder + "/" + file_name, flags);
+}
+
+struct FolderCloser
+{
+    void operator()(DIR *open) const noexcept
+    {
+        closedir(open);
+    }
+};
+
+// By the system's own means: without memory the library's iterator ends the program.
+template <typename Remove>
+void remove_each(const std::string &folder, int flags, const Remove &remove)
+{
+    const std::unique_ptr<DIR, FolderCloser> open(opendir(folder.c_str()));
+    const dirent *entry = nullptr;
+    while (open != nullptr && (entry = readdir(open.get())) != nullptr)
+    {
+        if (is_left_over(folder, entry->d_name, flags))
+        {
+            remove(folder + "/" + entry->d_name);
+        }
+    }
+}
+
+} // namespace
+
+std::string own_temporary_name(int number, const std::string &extension)
+{
+    return name_of(getpid(), number, extension);
+}
+
+int make_temporary_file(const std::string &path)
+{
+    return locked(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+}
+
+int make_temporary_folder(const std::string &path)
+{
+    if (mkdir(path.c_str(), 0777) != 0)
+    {
+        return -1;
+    }
+    const int descriptor = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+    {
+        const int why = errno;
+        rmdir(path.c_str());
+        errno = why;
+    }
+    return locked(descriptor);
+}
+
+void remove_left_over_files(const std::string &folder)
+{
+    remove_each(folder, O_RDWR, [](const std::string &path) { unlink(path.c_str()); });
+}
+
+void remove_left_over_folders(const std::string &folder, const std::string &extension)
+{
+    remove_each(folder, O_RDONLY | O_DIRECTORY,
+                [&extension](const std::string &path)
+                {
+                    std::error_code error;
+                    if (extension_of(path) == extension)
+                    {
+                        std::filesystem::remove_all(path, error);
+                    }
+                });
+}
