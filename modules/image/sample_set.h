@@ -42,6 +42,11 @@ typedef int cm_apart_sampler(const cm_window *window, size_t n, const float *x, 
  * ties to even, and clamped; NaN is 0. Half precision is rounded likewise, overflows to infinity and keeps NaN. */
 typedef void cm_converter(size_t n, const void *from, float scale, void *to);
 
+/* sum[i] = the sum of weight[j] * row[j][i] for n numbers, one row after the other, in bits of which all sets agree. Four
+ * are read and written of less than four. Nothing overlaps. */
+typedef void cm_row_summer(size_t rows, const float *weight, const unsigned char *const *row,
+                           size_t n, float *sum);
+
 typedef struct cm_sample_set
 {
     const char *name; /* as in options.h */
@@ -62,6 +67,8 @@ typedef struct cm_sample_set
     cm_converter *float_to_u8;
     cm_converter *float_to_u16;
     cm_converter *float_to_half;
+    cm_row_summer *sum_u8;
+    cm_row_summer *sum_float;
 } cm_sample_set;
 
 extern const cm_sample_set cm_sample_scalar;

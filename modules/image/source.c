@@ -145,8 +145,8 @@ static cm_status prepare(cm_source *source, const cm_image *from, unsigned threa
                            threads, &source->ewa);
     }
     const int32_t reach = source->taps < 2 ? 1 : source->taps / 2;
-    return cm_level_of_pictures(plan->from, from, &source->values, is_bytes, reach, threads,
-                                &source->level);
+    return cm_level_of_pictures(plan->from, from, &source->values, source->set, is_bytes, reach,
+                                threads, &source->level);
 }
 
 cm_status cm_source_create(const cm_plan *plan, const cm_image *from, cm_pixel_type target_type,
