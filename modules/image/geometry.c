@@ -177,6 +177,7 @@ static void begin_group(cm_group *group, uint8_t plane, double x, double y)
 {
     group->plane = plane;
     group->count = 0;
+    group->pixel = group->own_pixel;
     group->is_bounded = 0;
     group->column = (int32_t)x;
     group->row = (int32_t)y;
@@ -193,7 +194,7 @@ static void group_all(const block_places *at, cm_group *group)
         group->x[i] = (float)(at->x[i] - column);
         group->y[i] = (float)(at->y[i] - row);
     }
-    memcpy(group->pixel, at->pixel, at->count);
+    memcpy(group->own_pixel, at->pixel, at->count);
     group->count = at->count;
 }
 
@@ -228,7 +229,7 @@ static unsigned group_places(const cm_plan *plan, const block_places *at, cm_gro
         group_of[i] = *index;
         group->x[group->count] = (float)(at->x[i] - (group->column + 0.5));
         group->y[group->count] = (float)(at->y[i] - (group->row + 0.5));
-        group->pixel[group->count++] = at->pixel[i];
+        group->own_pixel[group->count++] = at->pixel[i];
     }
     return used;
 }
@@ -572,7 +573,7 @@ static void copy_pixel(const cm_group *from, unsigned i, cm_group *to, int deriv
     const unsigned k = to->count++;
     to->x[k] = from->x[i];
     to->y[k] = from->y[i];
-    to->pixel[k] = from->pixel[i];
+    to->own_pixel[k] = from->pixel[i];
     for (int axis = 0; derivatives && axis < 2; axis++)
     {
         to->by_column[axis][k] = from->by_column[axis][i];
@@ -597,6 +598,7 @@ static void drop_beyond(const cm_geometry *geometry, uint32_t block_column, uint
                 copy_pixel(group, i, group, geometry->derivatives);
             }
         }
+        group->pixel = group->own_pixel;
     }
 }
 
@@ -605,7 +607,7 @@ static void drop_beyond(const cm_geometry *geometry, uint32_t block_column, uint
 static unsigned bring_back(const cm_geometry *geometry, double slack, cm_group *groups)
 {
     const cm_surface *from = geometry->plan->from;
-    const cm_group all = groups[0];
+    cm_group all = groups[0];
     const double row = all.row + 0.5;
     unsigned count[3] = {0};
     uint8_t side[CM_BLOCK_PIXELS];
@@ -628,6 +630,10 @@ static unsigned bring_back(const cm_geometry *geometry, double slack, cm_group *
     {
         return 0;
     }
+    if (all.pixel == groups[0].own_pixel)
+    {
+        all.pixel = all.own_pixel; /* the first group is written over */
+    }
     unsigned used = 0;
     for (int s = 0; s < 3; s++)
     {
@@ -637,6 +643,7 @@ static unsigned bring_back(const cm_geometry *geometry, double slack, cm_group *
         }
         cm_group *group = &groups[used++];
         group->plane = all.plane;
+        group->pixel = group->own_pixel;
         group->column = all.column + (1 - s) * (int32_t)from->width;
         group->row = all.row;
         group->is_bounded = 0;
@@ -687,7 +694,7 @@ static int patch_block(cm_geometry *geometry, unsigned plane, uint32_t block_col
     group->is_bounded = 1;
     memcpy(group->low, places.low, sizeof group->low);
     memcpy(group->high, places.high, sizeof group->high);
-    memcpy(group->pixel, geometry->all_pixels, sizeof group->pixel);
+    group->pixel = geometry->all_pixels;
     return 1;
 }
 
@@ -720,7 +727,7 @@ static unsigned near_block(cm_geometry *geometry, unsigned plane, uint32_t block
     }
     begin_group(groups, view.plane[BEYOND * (view.stride + 1)], nodes.column, nodes.row);
     groups->count = CM_BLOCK_PIXELS;
-    memcpy(groups->pixel, geometry->all_pixels, sizeof groups->pixel);
+    groups->pixel = geometry->all_pixels;
     (is_wide ? interpolate_wide : interpolate)(geometry, &nodes, groups);
     if (!is_wide && is_inside(plan->from, &nodes, slack))
     {

@@ -25,7 +25,8 @@ typedef struct cm_group
     int32_t row;
     float x[CM_BLOCK_PIXELS];
     float y[CM_BLOCK_PIXELS];
-    uint8_t pixel[CM_BLOCK_PIXELS]; /* which of the block, by rows of CM_BLOCK_EDGE; growing */
+    const uint8_t *pixel;               /* which of the block, by rows of CM_BLOCK_EDGE; growing */
+    uint8_t own_pixel[CM_BLOCK_PIXELS]; /* what that is unless it is all of the block */
     float by_column
         [2]
         [CM_BLOCK_PIXELS]; /* derivatives of x and y by the target's column, in pixels, if wanted */
