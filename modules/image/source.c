@@ -91,7 +91,11 @@ static void choose_sampler(cm_source *source, int is_bytes)
     case CM_FILTER_BILINEAR:
         source->taps = 2;
         source->sampler = is_bytes ? set->bilinear_u8 : set->bilinear_float;
-        source->apart = is_bytes ? set->bilinear_u8_apart : NULL;
+        source->find_places =
+            is_bytes && (source->values.working == 3 || source->values.working == 4)
+                ? set->places_u8
+                : NULL;
+        source->apart = set->bilinear_u8_apart;
         break;
     case CM_FILTER_CATMULL_ROM:
     case CM_FILTER_MITCHELL:
