@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "geometry_between.h"
 
-#include "geometry_edges.h"
 #include "patch.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 #ifndef MODULES_IMAGE_GEOMETRY_BETWEEN_H
 #define MODULES_IMAGE_GEOMETRY_BETWEEN_H
 
-#include "geometry.h"
+#include "group.h"
 #include "lattice.h"
 
 /* What does not change from block to block. */

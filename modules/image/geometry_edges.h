@@ -6,18 +6,7 @@
 #ifndef MODULES_IMAGE_GEOMETRY_EDGES_H
 #define MODULES_IMAGE_GEOMETRY_EDGES_H
 
-#include "geometry.h"
-
-/* A group without pixels, of which the origin is near (x, y). */
-static inline void cm_group_begin(cm_group *group, uint8_t plane, double x, double y)
-{
-    group->plane = plane;
-    group->count = 0;
-    group->pixel = group->own_pixel;
-    group->is_bounded = 0;
-    group->column = (int32_t)x;
-    group->row = (int32_t)y;
-}
+#include "group.h"
 
 /* Pixels that the target's plane does not have leave a group of all. */
 void cm_group_drop_beyond(const cm_surface *to, int derivatives, uint32_t block_column,

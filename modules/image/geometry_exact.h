@@ -5,7 +5,8 @@
 #ifndef MODULES_IMAGE_GEOMETRY_EXACT_H
 #define MODULES_IMAGE_GEOMETRY_EXACT_H
 
-#include "geometry.h"
+#include "group.h"
+#include "resample_plan.h"
 
 /* Pixels of a block that the target's plane has. */
 typedef struct cm_exact_places
