@@ -7,33 +7,8 @@
 #ifndef MODULES_IMAGE_GEOMETRY_H
 #define MODULES_IMAGE_GEOMETRY_H
 
-#include "place_set.h"
+#include "group.h"
 #include "resample_plan.h"
-
-#define CM_BLOCK_PIXELS (CM_BLOCK_EDGE * CM_BLOCK_EDGE)
-
-/* A block has no more groups: one for each plane of the source, or three where its columns come again. */
-#define CM_GROUPS_MAX CM_PLANES_MAX
-
-/* Pixels of a block that lie on one plane of the source, and where its columns come again, at one end of it. Places are
- * from the origin, in source pixels, so that the centre of the source's pixel (column, row) is at (0, 0). */
-typedef struct cm_group
-{
-    uint8_t plane;  /* of the source */
-    unsigned count; /* pixels */
-    int32_t column; /* the origin, a pixel of the plane */
-    int32_t row;
-    float x[CM_BLOCK_PIXELS];
-    float y[CM_BLOCK_PIXELS];
-    uint8_t pixel[CM_BLOCK_PIXELS]; /* which of the block, by rows of CM_BLOCK_EDGE; growing */
-    float by_column
-        [2]
-        [CM_BLOCK_PIXELS]; /* derivatives of x and y by the target's column, in pixels, if wanted */
-    float by_row[2][CM_BLOCK_PIXELS];
-    int is_bounded; /* are the bounds below known? */
-    float low[2];   /* no x and y is less, and the truth may be more */
-    float high[2];
-} cm_group;
 
 /* What a thread keeps from block to block of a row. */
 typedef struct cm_geometry cm_geometry;

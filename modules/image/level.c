@@ -6,6 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef __GNUC__
+#define CM_FETCH(place) __builtin_prefetch(place)
+#else
+#define CM_FETCH(place) (void)(place)
+#endif
+
 /* ---- windows ---- */
 
 static int32_t least(int32_t a, int32_t b)
@@ -221,6 +227,9 @@ void cm_level_put(const cm_level *level, const float *sum, unsigned char *to)
 
 /* Rows are read sixteen values at a time. */
 #define SIXTEEN 16u
+
+/* Channels of a pixel are summed four at a time: compilers make vectors of that. */
+#define FOUR 4u
 #define ROW_BYTES ((POINTS * (CM_CHANNELS_MAX + 1) + SIXTEEN) * sizeof(float))
 
 /* Dense pixels of a row inside the plane, with room for sixteen values after them: where they are, or in buffer. */
@@ -248,52 +257,13 @@ typedef struct weighed_rows
     const unsigned char *row[POINTS];
 } weighed_rows;
 
-/* Sums of n values, in sixteens, of all rows. */
-static void sum_bytes(const weighed_rows *rows, size_t n, float *sum)
-{
-    for (size_t i = 0; i < n; i += SIXTEEN)
-    {
-        float sixteen[SIXTEEN] = {0.0f};
-        for (unsigned j = 0; j < rows->count; j++)
-        {
-            uint8_t value[SIXTEEN]; /* a copy, of which compilers make vectors */
-            const float weight = rows->weight[j];
-            memcpy(value, rows->row[j] + i, sizeof value);
-            for (size_t k = 0; k < SIXTEEN; k++)
-            {
-                sixteen[k] += weight * (float)value[k];
-            }
-        }
-        memcpy(sum + i, sixteen, sizeof sixteen);
-    }
-}
-
-static void sum_floats(const weighed_rows *rows, size_t n, float *sum)
-{
-    for (size_t i = 0; i < n; i += SIXTEEN)
-    {
-        float sixteen[SIXTEEN] = {0.0f};
-        for (unsigned j = 0; j < rows->count; j++)
-        {
-            float value[SIXTEEN];
-            const float weight = rows->weight[j];
-            memcpy(value, rows->row[j] + i * sizeof *value, sizeof value);
-            for (size_t k = 0; k < SIXTEEN; k++)
-            {
-                sixteen[k] += weight * value[k];
-            }
-        }
-        memcpy(sum + i, sixteen, sizeof sixteen);
-    }
-}
-
 /* Sums of pixels by weights, along columns first. What weighs nothing may be NaN. */
 static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, unsigned columns,
                 unsigned rows, const double *across, const double *along, unsigned char *to)
 {
     unsigned char buffer[POINTS][ROW_BYTES];
     float of_column[POINTS * (CM_CHANNELS_MAX + 1) + SIXTEEN];
-    float sum[CM_CHANNELS_MAX + 1];
+    float sum[CM_CHANNELS_MAX + 1 + FOUR];
     const size_t channels = level->channels;
     weighed_rows weighed = {0};
     for (unsigned j = 0; j < rows; j++)
@@ -305,7 +275,8 @@ static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top
                 row_of(level, plane, left, top + (int32_t)j, (int32_t)columns, buffer[j]);
         }
     }
-    (level->is_bytes ? sum_bytes : sum_floats)(&weighed, columns * channels, of_column);
+    (level->is_bytes ? level->set->sum_u8 : level->set->sum_float)(
+        weighed.count, weighed.weight, weighed.row, columns * channels, of_column);
     unsigned used = 0;
     size_t first[POINTS];
     float weight[POINTS];
@@ -315,14 +286,18 @@ static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top
         weight[used] = (float)across[i];
         used += across[i] != 0.0;
     }
-    for (size_t c = 0; c < channels; c++)
+    for (size_t c = 0; c < channels; c += FOUR)
     {
-        float total = 0.0f;
+        float total[FOUR] = {0.0f};
         for (unsigned i = 0; i < used; i++)
         {
-            total += weight[i] * of_column[first[i] + c];
+            const float *value = of_column + first[i] + c;
+            for (size_t k = 0; k < FOUR; k++)
+            {
+                total[k] += weight[i] * value[k];
+            }
         }
-        sum[c] = total;
+        memcpy(sum + c, total, sizeof total);
     }
     cm_level_put(level, sum, to);
 }
@@ -385,6 +360,17 @@ typedef struct skirt_run
     int32_t row[BLOCK];
 } skirt_run;
 
+/* Neighbours' pixels go along a column as often as along a row, which processors do not foresee. Above and below they are
+ * asked for by other pixels of the run. */
+static void fetch_pixel(const cm_level *level, uint8_t plane, double x, double y)
+{
+    if (plane != CM_NO_FACE)
+    {
+        const cm_level_plane *from = &level->plane[plane];
+        CM_FETCH(from->pixels + (int32_t)y * from->row_stride + (int32_t)x * from->pixel_stride);
+    }
+}
+
 static void fill_run(skirt_run *run)
 {
     double columns[BLOCK] = {0}, rows[BLOCK] = {0}, x[BLOCK], y[BLOCK], z[BLOCK];
@@ -408,6 +394,10 @@ static void fill_run(skirt_run *run)
     }
     cm_surface_directions_beyond(run->surface, run->plane, count, columns, rows, x, y, z);
     cm_surface_find(run->surface, count, x, y, z, found, x, y);
+    for (unsigned i = 0; i < count; i++)
+    {
+        fetch_pixel(run->level, found[i], x[i], y[i]);
+    }
     for (unsigned i = 0; i < count; i++)
     {
         unsigned char *to = skirt_pixel(run->level, run->plane, run->column[i], run->row[i]);
@@ -562,11 +552,12 @@ static void lay_plane(cm_level *level, const cm_surface *surface, const cm_image
 }
 
 cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictures,
-                               const cm_values *values, int is_bytes, int32_t reach,
-                               unsigned threads, cm_level *level)
+                               const cm_values *values, const cm_sample_set *set, int is_bytes,
+                               int32_t reach, unsigned threads, cm_level *level)
 {
     memset(level, 0, sizeof *level);
     level->values = values;
+    level->set = set;
     level->planes = surface->planes;
     level->width = surface->width;
     level->height = surface->height;

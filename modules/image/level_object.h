@@ -25,6 +25,7 @@ typedef struct cm_level_plane
 typedef struct cm_level
 {
     const cm_values *values;
+    const cm_sample_set *set; /* of pictures */
     uint32_t planes;
     uint32_t width;
     uint32_t height;
@@ -49,8 +50,8 @@ typedef struct cm_scratch
  * is_bytes asks for bytes; pictures must then have bytes whose values can be mixed as they are. What it allocates
  * cm_level_free frees. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictures,
-                               const cm_values *values, int is_bytes, int32_t reach,
-                               unsigned threads, cm_level *level);
+                               const cm_values *values, const cm_sample_set *set, int is_bytes,
+                               int32_t reach, unsigned threads, cm_level *level);
 
 void cm_level_free(cm_level *level);
 

@@ -39,6 +39,8 @@ typedef struct patch
     int32_t row;
     float x[NODES * NODES];
     float y[NODES * NODES];
+    uint32_t placed; /* the row of blocks that columns are of, EDGE for none */
+    cm_wide_columns columns[2];
 } patch;
 
 /* Patches side by side. */
@@ -162,6 +164,7 @@ static patch_state make_patch(const cm_patches *patches, const strip *from, uint
     }
     const size_t first = view.stride + 1;
     const size_t middle = first + NODES / 2 * first;
+    made->placed = EDGE;
     made->plane = view.plane[first];
     made->column = (int32_t)view.x[middle];
     made->row = (int32_t)view.y[middle];
@@ -171,7 +174,7 @@ static patch_state make_patch(const cm_patches *patches, const strip *from, uint
     return error + rounded <= plan->options.tolerance ? GOOD : BAD;
 }
 
-static const patch *patch_at(cm_patches *patches, unsigned plane, uint32_t column, uint32_t row)
+static patch *patch_at(cm_patches *patches, unsigned plane, uint32_t column, uint32_t row)
 {
     const uint32_t chunk = column / PATCHES;
     const uint32_t number = column % PATCHES;
@@ -196,18 +199,26 @@ static const patch *patch_at(cm_patches *patches, unsigned plane, uint32_t colum
 int cm_patches_block(cm_patches *patches, unsigned plane, uint32_t block_column, uint32_t block_row,
                      cm_patch_places *places, float *x, float *y)
 {
-    const patch *found = patch_at(patches, plane, block_column / EDGE, block_row / EDGE);
+    patch *found = patch_at(patches, plane, block_column / EDGE, block_row / EDGE);
     if (found->state != GOOD)
     {
         return 0;
     }
-    const cm_patches *kept = patches;
-    const cm_wide_weights *across = &kept->weights[block_column % EDGE];
-    const cm_wide_weights *along = &kept->weights[block_row % EDGE];
+    const cm_place_set *set = patches->set;
+    const uint32_t row = block_row % EDGE;
+    if (found->placed != row)
+    {
+        const cm_wide_weights *along = (const cm_wide_weights *)&patches->weights[row];
+        set->place_columns(found->x, along, &found->columns[0]);
+        set->place_columns(found->y, along, &found->columns[1]);
+        found->placed = row;
+    }
+    const cm_wide_columns *columns = (const cm_wide_columns *)found->columns;
+    const cm_wide_weights *across = (const cm_wide_weights *)&patches->weights[block_column % EDGE];
     places->plane = found->plane;
     places->column = found->column;
     places->row = found->row;
-    kept->set->place_wide(found->x, across, along, x, &places->low[0], &places->high[0]);
-    kept->set->place_wide(found->y, across, along, y, &places->low[1], &places->high[1]);
+    set->place_rows(&columns[0], across, x, &places->low[0], &places->high[0]);
+    set->place_rows(&columns[1], across, y, &places->low[1], &places->high[1]);
     return 1;
 }

@@ -27,6 +27,13 @@ typedef void cm_placer(const float *nodes, const cm_place_weights *across,
 typedef void cm_wide_placer(const float *nodes, const cm_wide_weights *across,
                             const cm_wide_weights *along, float *to, float *low, float *high);
 
+/* The same in two steps, of which blocks side by side share the first: each column of nodes at each row of pixels. */
+typedef float cm_wide_columns[CM_WIDE_NODES][CM_BLOCK_EDGE];
+typedef void cm_wide_column_placer(const float *nodes, const cm_wide_weights *along,
+                                   cm_wide_columns *columns);
+typedef void cm_wide_row_placer(const cm_wide_columns *columns, const cm_wide_weights *across,
+                                float *to, float *low, float *high);
+
 /* 4 x 4 nodes by rows, which are stride elements apart, from an origin: subtracted in double, they go on as floats. And the
  * least and the greatest of them. What is read and nodes do not overlap. */
 typedef void cm_place_taker(const double *at, size_t stride, double origin, float *nodes,
@@ -45,6 +52,8 @@ typedef struct cm_place_set
     const char *name; /* as in options.h */
     cm_placer *place;
     cm_wide_placer *place_wide;
+    cm_wide_column_placer *place_columns;
+    cm_wide_row_placer *place_rows;
     cm_place_taker *take;
     cm_place_differences *differences;
     cm_place_bounds *bounds;

@@ -543,8 +543,8 @@ cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                                                       : CM_BORDER_LEAST;
     memset(pyramid, 0, sizeof *pyramid);
     cm_status status =
-        cm_level_of_pictures(surface, pictures, values, 0, cm_border_of(surface, least, wanted),
-                             threads, &pyramid->pictures);
+        cm_level_of_pictures(surface, pictures, values, set, 0,
+                             cm_border_of(surface, least, wanted), threads, &pyramid->pictures);
     if (status != CM_OK)
     {
         return status;

@@ -22,6 +22,9 @@
 /* What a block reads of a source: so many rows. */
 #define BLOCK_TOUCHES (CM_BLOCK_EDGE * CM_TOUCHED_AROUND)
 
+/* Of so many pixels of a block one asks for what they need: another column in each row. */
+#define FETCH_STEP 5
+
 #ifdef __GNUC__
 #define CM_FETCH(place) __builtin_prefetch(place)
 #else
@@ -43,6 +46,8 @@ typedef struct resample_desk
     cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
     cm_row_target row;                 /* of the row of blocks that is done */
     cm_block_target targets[2];
+    int has_places[2]; /* of blocks that go where they are to be at once */
+    cm_fixed_places places[2];
     unsigned char *pixels; /* of a group */
     unsigned char *bundle; /* of blocks, row by row */
 } resample_desk;
@@ -220,33 +225,51 @@ static void fetch_group(const cm_source *source, const cm_group *group)
     }
 }
 
+/* The places of a whole block of one group whose rows can go where they are to be at once, and what they need. 0 if that
+ * cannot be. */
+static int find_places(const cm_source *source, const cm_group *group,
+                       const cm_block_target *target, cm_fixed_places *at)
+{
+    cm_window window;
+    if (source->find_places == NULL || target->first == NULL || target->is_past ||
+        group->count != CM_BLOCK_PIXELS || !is_there(source, group))
+    {
+        return 0;
+    }
+    cm_level_own(&source->level, group->plane, group->column, group->row, &window);
+    source->find_places(&window, CM_BLOCK_PIXELS, group->x, group->y, at);
+    const char *below = (const char *)window.data + window.row_stride;
+    for (unsigned i = 0; i < CM_BLOCK_PIXELS; i += FETCH_STEP)
+    {
+        CM_FETCH(below + at->offset[i]);
+    }
+    return 1;
+}
+
 static unsigned place_block(const resample_job *job, resample_desk *desk, unsigned plane,
                             uint32_t block_column, uint32_t block_row)
 {
-    cm_group *groups = desk->groups[block_column % 2];
-    desk->targets[block_column % 2] =
-        cm_target_block(&job->target, &desk->row, block_column * CM_BLOCK_EDGE);
+    const unsigned side = block_column % 2;
+    cm_group *groups = desk->groups[side];
+    desk->targets[side] = cm_target_block(&job->target, &desk->row, block_column * CM_BLOCK_EDGE);
     const unsigned count =
         cm_geometry_block(desk->geometry, plane, block_column, block_row, groups);
-    for (unsigned i = 0; i < count; i++)
+    desk->has_places[side] = count == 1 && find_places(job->target.source, groups,
+                                                       &desk->targets[side], &desk->places[side]);
+    for (unsigned i = 0; i < count && !desk->has_places[side]; i++)
     {
         fetch_group(job->target.source, &groups[i]);
     }
     return count;
 }
 
-/* A whole block of one group at once, where its rows are to be. 0 if that cannot be. */
-static int sample_in_place(const cm_source *source, const cm_group *group,
-                           const cm_block_target *target)
+/* A block whose places have been found. */
+static void sample_in_place(const cm_source *source, const cm_group *group,
+                            const cm_fixed_places *at, const cm_block_target *target)
 {
     cm_window window;
-    if (source->apart == NULL || target->first == NULL || target->is_past ||
-        group->count != CM_BLOCK_PIXELS || !is_there(source, group))
-    {
-        return 0;
-    }
     cm_level_own(&source->level, group->plane, group->column, group->row, &window);
-    return source->apart(&window, CM_BLOCK_PIXELS, group->x, group->y, target->first, target->down);
+    source->apart(&window, CM_BLOCK_PIXELS, at, target->first, target->down);
 }
 
 static cm_status fill_block(const resample_job *job, resample_desk *desk, unsigned plane,
@@ -257,8 +280,9 @@ static cm_status fill_block(const resample_job *job, resample_desk *desk, unsign
     cm_status status = CM_OK;
     unsigned pixels = 0;
     cm_target_fetch(target, job->target.source->level.pixel_size * CM_BLOCK_EDGE);
-    if (count == 1 && sample_in_place(job->target.source, groups, target))
+    if (desk->has_places[block_column % 2])
     {
+        sample_in_place(job->target.source, groups, &desk->places[block_column % 2], target);
         pixels = CM_BLOCK_PIXELS;
         count = 0;
     }

@@ -33,14 +33,28 @@ typedef struct cm_window
 typedef void cm_sampler(const cm_window *window, size_t n, const float *x, const float *y,
                         const cm_filter_table *table, void *to);
 
-/* The same, but pixels go by sixteen, which are dense, and `down` bytes apart. 0, and nothing is done, for numbers of
- * channels that there is no such loop of. */
-typedef int cm_apart_sampler(const cm_window *window, size_t n, const float *x, const float *y,
-                             void *to, ptrdiff_t down);
+/* Positions as offsets in bytes from data, and fractions in 15 bits, of y in the upper half. */
+typedef struct cm_fixed_places
+{
+    int32_t offset[CM_SAMPLES_MAX];
+    uint32_t xy[CM_SAMPLES_MAX];
+} cm_fixed_places;
+
+/* The same in two steps, between which what is needed can be asked for: the positions' places, and then pixels by sixteen,
+ * which are dense, and `down` bytes apart. For 3 and 4 channels. */
+typedef void cm_places_finder(const cm_window *window, size_t n, const float *x, const float *y,
+                              cm_fixed_places *at);
+typedef void cm_apart_sampler(const cm_window *window, size_t n, const cm_fixed_places *at,
+                              void *to, ptrdiff_t down);
 
 /* n numbers, any n, to others: to = from * scale. from and to do not overlap. Whole numbers are rounded to nearest,
  * ties to even, and clamped; NaN is 0. Half precision is rounded likewise, overflows to infinity and keeps NaN. */
 typedef void cm_converter(size_t n, const void *from, float scale, void *to);
+
+/* sum[i] = the sum of weight[j] * row[j][i] for n numbers, one row after the other, in bits of which all sets agree. Four
+ * are read and written of less than four. Nothing overlaps. */
+typedef void cm_row_summer(size_t rows, const float *weight, const unsigned char *const *row,
+                           size_t n, float *sum);
 
 typedef struct cm_sample_set
 {
@@ -49,7 +63,8 @@ typedef struct cm_sample_set
     cm_sampler *nearest_u16; /* half too */
     cm_sampler *nearest_float;
     cm_sampler *bilinear_u8;
-    cm_apart_sampler *bilinear_u8_apart; /* NULL if the set has none */
+    cm_places_finder *places_u8; /* NULL if the set has no bilinear_u8_apart */
+    cm_apart_sampler *bilinear_u8_apart;
     cm_sampler *bilinear_u16;
     cm_sampler *bilinear_float;
     cm_sampler *taps4_u8;
@@ -62,6 +77,8 @@ typedef struct cm_sample_set
     cm_converter *float_to_u8;
     cm_converter *float_to_u16;
     cm_converter *float_to_half;
+    cm_row_summer *sum_u8;
+    cm_row_summer *sum_float;
 } cm_sample_set;
 
 extern const cm_sample_set cm_sample_scalar;

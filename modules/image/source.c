@@ -91,7 +91,11 @@ static void choose_sampler(cm_source *source, int is_bytes)
     case CM_FILTER_BILINEAR:
         source->taps = 2;
         source->sampler = is_bytes ? set->bilinear_u8 : set->bilinear_float;
-        source->apart = is_bytes ? set->bilinear_u8_apart : NULL;
+        source->find_places =
+            is_bytes && (source->values.working == 3 || source->values.working == 4)
+                ? set->places_u8
+                : NULL;
+        source->apart = set->bilinear_u8_apart;
         break;
     case CM_FILTER_CATMULL_ROM:
     case CM_FILTER_MITCHELL:
@@ -145,8 +149,8 @@ static cm_status prepare(cm_source *source, const cm_image *from, unsigned threa
                            threads, &source->ewa);
     }
     const int32_t reach = source->taps < 2 ? 1 : source->taps / 2;
-    return cm_level_of_pictures(plan->from, from, &source->values, is_bytes, reach, threads,
-                                &source->level);
+    return cm_level_of_pictures(plan->from, from, &source->values, source->set, is_bytes, reach,
+                                threads, &source->level);
 }
 
 cm_status cm_source_create(const cm_plan *plan, const cm_image *from, cm_pixel_type target_type,

@@ -18,8 +18,9 @@ struct cm_source
     const cm_sample_set *set;
     const cm_place_set *places;
     cm_sampler *sampler;
-    cm_apart_sampler *apart; /* the same into rows; NULL if there is none */
-    int32_t taps;            /* in a row: 1, 2, 4 or 6 */
+    cm_places_finder *find_places; /* of `apart`; NULL if there is none */
+    cm_apart_sampler *apart;       /* the same as sampler, into rows */
+    int32_t taps;                  /* in a row: 1, 2, 4 or 6 */
     cm_filter_table table;
     cm_level level;
     cm_ewa ewa;             /* of CM_FILTER_EWA */

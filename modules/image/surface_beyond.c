@@ -91,17 +91,20 @@ static const double *weights_of(weight_table *table, const nodes *at)
 }
 
 /* room is how far it is to a crease. */
-static nodes nodes_of(double place, double extent, double room, double spacing)
+static void find_nodes(double place, double extent, double room, double spacing, nodes *found)
 {
     if (place >= 0.0 && place <= extent)
     {
-        return (nodes){.count = 1, .first = place};
+        *found = (nodes){.count = 1, .first = place};
+        return;
     }
     const double least = (room < extent ? room : extent) / spacing;
     const double most = least < NODES ? least : NODES;
-    const unsigned count = most >= 1.0 ? (unsigned)most : 1;
-    return place < 0.0 ? (nodes){count, 0.0, spacing, -place / spacing}
-                       : (nodes){count, extent, -spacing, (place - extent) / spacing};
+    const int is_before = place < 0.0;
+    found->count = most >= 1.0 ? (unsigned)most : 1;
+    found->first = is_before ? 0.0 : extent;
+    found->step = is_before ? spacing : -spacing;
+    found->distance = (is_before ? -place : place - extent) / spacing;
 }
 
 static int are_same(const nodes *a, const nodes *b)
@@ -121,28 +124,32 @@ static int take_place(work *at, double column, double row)
     const cm_surface *surface = at->surface;
     const double width = surface->width;
     const double height = surface->height;
-    /* creases are on diagonals, so that there are as many pixels before one as to the corner */
-    const nodes right = nodes_of(column, width, surface->creased ? to_corner(row, height) : width,
-                                 at->spacing[0]);
-    const nodes down = nodes_of(row, height, surface->creased ? to_corner(column, width) : height,
-                                at->spacing[1]);
     const unsigned i = at->places;
-    const int has_nodes =
-        i > 0 && are_same(&at->right[i - 1], &right) && are_same(&at->down[i - 1], &down);
-    if (i == PLACES || (!has_nodes && at->count + right.count * down.count > NODES_MOST))
+    if (i == PLACES)
     {
         return 0;
     }
-    at->right[i] = right;
-    at->down[i] = down;
+    nodes *right = &at->right[i];
+    nodes *down = &at->down[i];
+    /* creases are on diagonals, so that there are as many pixels before one as to the corner */
+    find_nodes(column, width, surface->creased ? to_corner(row, height) : width, at->spacing[0],
+               right);
+    find_nodes(row, height, surface->creased ? to_corner(column, width) : height, at->spacing[1],
+               down);
+    const int has_nodes =
+        i > 0 && are_same(&at->right[i - 1], right) && are_same(&at->down[i - 1], down);
+    if (!has_nodes && at->count + right->count * down->count > NODES_MOST)
+    {
+        return 0;
+    }
     at->first[i] = has_nodes ? at->first[i - 1] : at->count;
     at->places++;
-    for (unsigned j = 0; !has_nodes && j < down.count; j++)
+    for (unsigned j = 0; !has_nodes && j < down->count; j++)
     {
-        for (unsigned k = 0; k < right.count; k++, at->count++)
+        for (unsigned k = 0; k < right->count; k++, at->count++)
         {
-            at->column[at->count] = right.first + right.step * k;
-            at->row[at->count] = down.first + down.step * j;
+            at->column[at->count] = right->first + right->step * k;
+            at->row[at->count] = down->first + down->step * j;
         }
     }
     return 1;
@@ -191,8 +198,8 @@ static void finish(work *at, double *x, double *y, double *z)
 }
 
 void cm_surface_directions_spaced(const cm_surface *surface, unsigned plane,
-                                  const double spacing[2], size_t n, const double *column, const double *row, double *x, double *y,
-                                  double *z)
+                                  const double spacing[2], size_t n, const double *column,
+                                  const double *row, double *x, double *y, double *z)
 {
     if (surface->methods->can_go_beyond)
     {

@@ -547,6 +547,62 @@ START_TEST(arithmetic_adds_little_to_rounding)
 }
 END_TEST
 
+/* ---- sums of rows ---- */
+
+enum
+{
+    ROWS_MOST = 6,
+    SUMMED_MOST = 41,
+    LEAST_SUMMED = 4
+};
+
+/* Rows that end where nothing may be read any more, but for what LEAST_SUMMED allows. */
+static void check_sums(const cm_sample_set *set, int is_bytes, size_t rows, size_t n)
+{
+    const size_t size = is_bytes ? 1 : sizeof(float);
+    const size_t room = n < LEAST_SUMMED ? LEAST_SUMMED : n;
+    unsigned char *row[ROWS_MOST];
+    float weight[ROWS_MOST];
+    float expected[SUMMED_MOST] = {0.0f};
+    float *sum = malloc(room * sizeof *sum);
+    for (size_t j = 0; j < rows; j++)
+    {
+        row[j] = calloc(room, size);
+        weight[j] = (float)j * 0.37f - 0.71f;
+        for (size_t i = 0; i < n; i++)
+        {
+            const uint8_t byte = (uint8_t)(i * 37 + j * 101 + 5);
+            const float number = (float)byte * 0.123f - 7.0f;
+            memcpy(row[j] + i * size, is_bytes ? (const void *)&byte : &number, size);
+            expected[i] += weight[j] * (is_bytes ? (float)byte : number);
+        }
+    }
+    (is_bytes ? set->sum_u8 : set->sum_float)(rows, weight, (const unsigned char *const *)row, n,
+                                              sum);
+    REQUIRE(memcmp(sum, expected, n * sizeof *sum) == 0, "%s: %zu rows of %zu", set->name, rows, n);
+    for (size_t j = 0; j < rows; j++)
+    {
+        free(row[j]);
+    }
+    free(sum);
+}
+
+START_TEST(sums_of_rows_are_the_same_bits_in_all_sets)
+{
+    for (size_t s = 0; s < cm_instructions_count(); s++)
+    {
+        for (size_t rows = 1; rows <= ROWS_MOST; rows++)
+        {
+            for (size_t n = 1; n <= SUMMED_MOST; n++)
+            {
+                check_sums(set_at(s), 1, rows, n);
+                check_sums(set_at(s), 0, rows, n);
+            }
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {values_are_true,
@@ -555,6 +611,7 @@ int main(void)
                                   constants_stay,
                                   ramps_stay,
                                   arithmetic_adds_little_to_rounding,
+                                  sums_of_rows_are_the_same_bits_in_all_sets,
                                   NULL};
     return run_suite("sample sets", tests);
 }
