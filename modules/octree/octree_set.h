@@ -106,6 +106,18 @@ typedef struct cm_cell_offsets
     float z[512];
 } cm_cell_offsets;
 
+/* 64 cells of a block. */
+typedef struct cm_visited_group
+{
+    const float *first; /* the centre of the block's first voxel, in the camera's axes */
+    const float *x;     /* offsets from there */
+    const float *y;
+    const float *z;
+    float scale;           /* edges that cells are wide */
+    int is_inside;         /* 1: all fall on the picture */
+    cm_cube_bounds bounds; /* of the pixels that they fall on */
+} cm_visited_group;
+
 /* A row of a depth image and its surroundings: 1 / depth, NaN where nothing was measured. */
 typedef struct cm_rule_row
 {
@@ -164,11 +176,9 @@ typedef struct cm_octree_set
     void (*classify)(const cm_view_table *view, size_t n, const float *x, const float *y,
                      const float *z, const float half[3], uint8_t *class_of,
                      cm_cube_bounds *bounds);
-    /* What happens to the 64 cells of a group at offsets from a first voxel, cells of `scale` edges: bits of hits and misses;
-     * pixel has the rules' indices of them all, NULL: not wanted. is_inside: all fall on the picture; bounds: of the pixels that they fall
-     * on. */
-    void (*visit)(const cm_view_table *view, const float first[3], const float *x, const float *y,
-                  const float *z, float scale, int is_inside, cm_cube_bounds bounds, uint64_t *hits,
+    /* What happens to the cells of a group: bits of hits and misses, and the rules' indices of those that are hit, perhaps of
+     * others. */
+    void (*visit)(const cm_view_table *view, const cm_visited_group *group, uint64_t *hits,
                   uint64_t *misses, int32_t pixel[64]);
     /* 64 alphas after hits and misses: saturating. Returns 1 if any changed. */
     int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss,

@@ -230,12 +230,16 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
         return;
     }
     const cm_cell_offsets *offset = &update->offset[detail];
-    update->set->visit(&update->desk->view.table, work->first, offset->x + 64 * group,
-                       offset->y + 64 * group, offset->z + 64 * group, (float)(1u << detail),
-                       class_of == CM_CUBE_BAND,
-                       detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY},
-                       &change->hits[group], &change->misses[group],
-                       update->has_color ? change->pixel[group] : NULL);
+    const cm_visited_group visited = {
+        .first = work->first,
+        .x = offset->x + 64 * group,
+        .y = offset->y + 64 * group,
+        .z = offset->z + 64 * group,
+        .scale = (float)(1u << detail),
+        .is_inside = class_of == CM_CUBE_BAND,
+        .bounds = detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY}};
+    update->set->visit(&update->desk->view.table, &visited, &change->hits[group],
+                       &change->misses[group], change->pixel[group]);
     if (change->hits[group] != 0 && update->has_color)
     {
         fetch_colors(update, work->color == NULL ? NULL : work->color + 64 * group,
