@@ -181,17 +181,17 @@ typedef struct block_work
     const uint32_t *color; /* of an open block; NULL: none yet */
 } block_work;
 
-static void first_voxel(const cm_update *update, const cm_region *region, unsigned block,
+static void first_voxel(const cm_update *update, const uint32_t place[3], unsigned block,
                         float first[3])
 {
     unsigned at[3];
     cm_divide_3(block, at);
-    double place[3], in_camera[3];
+    double in_tree[3], in_camera[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        place[axis] = (double)region->place[axis] + 8.0 * at[axis];
+        in_tree[axis] = (double)place[axis] + 8.0 * at[axis];
     }
-    cm_update_place(update, place, in_camera);
+    cm_update_place(update, in_tree, in_camera);
     for (int axis = 0; axis < 3; axis++)
     {
         first[axis] = (float)in_camera[axis];
@@ -328,12 +328,12 @@ static void classify_eights(const cm_update *update, const float first[3], cube_
 }
 
 /* Blocks in which something may happen, in their order, and how many; and their classes, and Z of their centres. */
-static size_t classify_blocks(const cm_update *update, const cm_region *region, cube_places *places,
+static size_t classify_blocks(const cm_update *update, const uint32_t place[3], cube_places *places,
                               uint16_t listed[CM_REGION_BLOCKS + 1],
                               uint8_t class_of[CM_REGION_BLOCKS], float z[CM_REGION_BLOCKS])
 {
     float first[3];
-    first_voxel(update, region, 0, first);
+    first_voxel(update, place, 0, first);
     classify_eights(update, first, places);
     size_t count = 0;
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
@@ -424,6 +424,23 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
     }
 }
 
+int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8_t alpha)
+{
+    cube_places places;
+    uint8_t class_of[CM_REGION_BLOCKS];
+    float z[CM_REGION_BLOCKS];
+    uint16_t listed[CM_REGION_BLOCKS + 1];
+    const size_t count = classify_blocks(update, place, &places, listed, class_of, z);
+    const int is_lowest = cm_after_misses(&update->octree->rule, alpha, 1) == alpha;
+    int may_change = 0;
+    for (size_t i = 0; i < count; i++)
+    {
+        may_change |=
+            class_of[i] != CM_CUBE_OUTSIDE && !(class_of[i] == CM_CUBE_FREE && is_lowest);
+    }
+    return may_change;
+}
+
 void cm_update_region(cm_update *update, cm_region *region)
 {
     cube_places places;
@@ -432,7 +449,7 @@ void cm_update_region(cm_update *update, cm_region *region)
     float z[CM_REGION_BLOCKS];
     uint16_t listed[CM_REGION_BLOCKS + 1];
     float first[CM_REGION_BLOCKS][3];
-    const size_t classified = classify_blocks(update, region, &places, listed, class_of, z);
+    const size_t classified = classify_blocks(update, region->place, &places, listed, class_of, z);
     size_t count = 0;
     for (size_t i = 0; i < classified; i++)
     {
@@ -443,7 +460,7 @@ void cm_update_region(cm_update *update, cm_region *region)
         }
         else if (class_of[i] != CM_CUBE_OUTSIDE)
         {
-            first_voxel(update, region, block, first[count]);
+            first_voxel(update, region->place, block, first[count]);
             z[count] = z[i];
             listed[count++] = (uint16_t)block;
         }
