@@ -51,6 +51,21 @@ typedef struct cm_pixel_gap
 #define CM_BREAK_NEAR 1
 #define CM_BREAK_BEND 2
 
+/* Pixels beside a break are no farther from it. */
+#define CM_BREAK_RADIUS 8
+
+/* A pixel at a break tells pixels around it, in a row, what it sees. */
+typedef struct cm_break_teller
+{
+    float front; /* of its surface */
+    float back;
+    float heed;   /* so far pixels at distance 1 heed each other */
+    float hides;  /* and no farther behind what they see */
+    float radius; /* in pixels */
+    float down;   /* rows between them */
+    size_t first; /* of CM_BREAK_RADIUS: pixels that the first of the row is right of the leftmost */
+} cm_break_teller;
+
 /* Least and greatest of what pixels say within windows of 2 x 2 cells of 2^level pixels, at each cell: what is nearer than
  * least is missed by all, what is farther than most is touched by none. Levels begin at 1: few cubes are so far that windows of
  * pixels would say more. */
@@ -159,6 +174,10 @@ typedef struct cm_octree_set
     void (*bends)(size_t n, const cm_rule_row *row, uint8_t *kind);
     /* Adds CM_BREAK_NEAR to kinds of a row; rows of fronts are `stride` from each other. */
     void (*breaks)(size_t n, size_t stride, const float *front, const float *back, uint8_t *kind);
+    /* To those of n pixels that see something behind the teller: fronts of surfaces that join theirs; of surfaces in front, and up
+     * to where voxels reach those. */
+    void (*tell)(size_t n, const cm_break_teller *teller, const float *front, float *own_front,
+                 float *near_front, float *near_back);
     /* Rules and bounds of a row; front_of: the least front that each pixel heeds; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
     void (*rules)(size_t n, const float *depth, const float *reach, const float *front_of,
                   float far, float free_far, cm_pixel_rule *rule, float *least, float *most);

@@ -36,7 +36,7 @@ void cm_view_desk_clear(cm_view_desk *desk)
     free(desk->packed);
     free(desk->gap);
     free(desk->kind);
-    free(desk->slot_of);
+    free(desk->is_taken);
     cm_rays_destroy(desk->rays);
     memset(desk, 0, sizeof *desk);
 }
@@ -53,7 +53,7 @@ int cm_camera_is_straight(const cm_camera_options *camera)
 
 /* ---- memory ---- */
 
-#define IMAGES 7
+#define IMAGES 8
 
 static size_t level_cells(uint32_t pixels, int level)
 {
@@ -74,18 +74,22 @@ static int take_images(cm_view_desk *desk)
     desk->packed = malloc((size_t)desk->width * desk->height * sizeof *desk->packed);
     desk->gap = malloc(desk->stride * desk->height * sizeof *desk->gap);
     desk->kind = malloc(desk->stride * desk->height);
-    desk->slot_of = calloc(desk->stride * desk->height, sizeof *desk->slot_of);
+    desk->is_taken = calloc(desk->stride / CM_BREAK_RUN, desk->height);
     if (desk->memory == NULL || desk->rule == NULL || desk->word == NULL || desk->packed == NULL ||
-        desk->gap == NULL || desk->kind == NULL || desk->slot_of == NULL)
+        desk->gap == NULL || desk->kind == NULL || desk->is_taken == NULL)
     {
         return 0;
     }
-    float **const images[IMAGES] = {&desk->reach,    &desk->front,   &desk->back,   &desk->least[0],
-                                    &desk->least[1], &desk->most[0], &desk->most[1]};
+    float **const images[IMAGES] = {&desk->reach,    &desk->front,   &desk->back,
+                                    &desk->least[0], &desk->least[1], &desk->most[0],
+                                    &desk->most[1],  &desk->own_front};
     for (size_t i = 0; i < IMAGES; i++)
     {
         *images[i] = desk->memory + i * image + desk->stride + CM_OCTREE_SLACK;
     }
+    /* cells of the second level are made after breaks have served */
+    desk->near_front = desk->least[0];
+    desk->near_back = desk->most[0];
     /* what is beside pictures joins everything */
     for (size_t i = 0; i < 3 * image; i++)
     {
@@ -251,7 +255,7 @@ typedef struct fill_work
     float first_column;
     double first_row;
     float *rings;          /* ring_floats each */
-    cm_break_slots *slots; /* a list each */
+    cm_break_runs *runs; /* a list each */
     atomic_int failed;
 } fill_work;
 
@@ -375,8 +379,8 @@ static void find_bands(size_t first, size_t end, void *user)
     fill_work *work = user;
     for (size_t index = first; index < end; index++)
     {
-        if (!cm_breaks_find(work->desk, band_begin(work, index), band_begin(work, index + 1),
-                            &work->slots[index]))
+        if (!cm_breaks_find(work->desk, work->set, band_begin(work, index), band_begin(work, index + 1),
+                            &work->runs[index]))
         {
             atomic_store(&work->failed, 1);
         }
@@ -435,13 +439,13 @@ static void rule_bands(size_t first, size_t end, void *user)
     {
         const size_t to = band_begin(work, index + 1);
         const bound_rows bounds = make_bounds(work, index);
-        cm_breaks_heed(work->desk, &work->slots[index]);
+        cm_breaks_heed(work->desk, &work->runs[index]);
         for (size_t row = band_begin(work, index); row < to; row += 2)
         {
             rule_rows(work, row, &bounds);
         }
-        cm_breaks_gaps(work->desk, &work->slots[index]);
-        free(work->slots[index].slot);
+        cm_breaks_gaps(work->desk, &work->runs[index]);
+        free(work->runs[index].first);
     }
 }
 
@@ -532,11 +536,11 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     const size_t pairs = (desk->height + 1) / 2;
     work.bands = work.bands < pairs ? work.bands : pairs;
     work.rings = malloc(work.bands * ring_floats(&work) * sizeof *work.rings);
-    work.slots = calloc(work.bands, sizeof *work.slots);
-    if (work.rings == NULL || work.slots == NULL)
+    work.runs = calloc(work.bands, sizeof *work.runs);
+    if (work.rings == NULL || work.runs == NULL)
     {
         free(work.rings);
-        free(work.slots);
+        free(work.runs);
         return CM_ERROR_MEMORY;
     }
     cm_pool_run(pool, work.bands, 1, reach_bands, &work);
@@ -544,7 +548,7 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     cm_pool_run(pool, work.bands, 1, find_bands, &work);
     cm_pool_run(pool, work.bands, 1, rule_bands, &work);
     free(work.rings);
-    free(work.slots);
+    free(work.runs);
     if (atomic_load(&work.failed))
     {
         return CM_ERROR_MEMORY;
