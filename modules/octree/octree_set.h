@@ -162,6 +162,8 @@ typedef struct cm_rule_row
     float bend_relative; /* and times depth: what noise adds */
 } cm_rule_row;
 
+#define CM_MIX_MULTIPLE 16
+
 typedef struct cm_octree_set
 {
     const char *name; /* first: as in options.h */
@@ -199,6 +201,9 @@ typedef struct cm_octree_set
      * others. */
     void (*visit)(const cm_view_table *view, const cm_visited_group *group, uint64_t *hits,
                   uint64_t *misses, int32_t pixel[64]);
+    /* Colors after hits whose colors are `more`, mixed in parts as cm_color_blend; a part of 0: none. n is a multiple of
+     * CM_MIX_MULTIPLE. */
+    void (*mix)(size_t n, uint32_t *color, const uint32_t *more, const uint32_t *part);
     /* 64 alphas after hits and misses: saturating. Returns 1 if any changed. */
     int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss,
                  uint8_t low, uint8_t high);
