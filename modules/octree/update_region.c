@@ -451,8 +451,7 @@ int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8
     int may_change = 0;
     for (size_t i = 0; i < count; i++)
     {
-        may_change |=
-            class_of[i] != CM_CUBE_OUTSIDE && !(class_of[i] == CM_CUBE_FREE && is_lowest);
+        may_change |= class_of[i] != CM_CUBE_OUTSIDE && !(class_of[i] == CM_CUBE_FREE && is_lowest);
     }
     return may_change;
 }

@@ -103,11 +103,11 @@ int cm_breaks_find(cm_view_desk *desk, const cm_octree_set *set, size_t first_ro
     for (size_t row = low; row < high; row++)
     {
         const uint8_t *kind = desk->kind + row * desk->stride;
-        for (size_t i = 0; i < desk->width; i += 8)
+        for (size_t i = 0; i < desk->width; i += CM_BREAK_RUN)
         {
-            uint64_t eight;
-            memcpy(&eight, kind + i, sizeof eight);
-            for (size_t k = i; eight != 0 && k < i + 8 && k < desk->width; k++)
+            uint64_t half[2];
+            memcpy(half, kind + i, sizeof half);
+            for (size_t k = i; (half[0] | half[1]) != 0 && k < i + CM_BREAK_RUN; k++)
             {
                 made &= kind[k] == 0 || tell_around(&work, row, k);
             }
@@ -140,11 +140,25 @@ void cm_breaks_heed(cm_view_desk *desk, const cm_break_runs *runs)
     }
 }
 
+static int has_near(const float *near_front)
+{
+    int has = 0;
+    for (size_t k = 0; k < CM_BREAK_RUN; k++)
+    {
+        has |= near_front[k] < INFINITY;
+    }
+    return has;
+}
+
 void cm_breaks_gaps(cm_view_desk *desk, const cm_break_runs *runs)
 {
     for (size_t i = 0; i < runs->count; i++)
     {
         const size_t end = runs->first[i] + CM_BREAK_RUN;
+        if (!has_near(desk->near_front + runs->first[i]))
+        {
+            continue;
+        }
         for (size_t pixel = runs->first[i]; pixel < end; pixel++)
         {
             if (!(desk->near_back[pixel] < desk->own_front[pixel]) ||
@@ -156,8 +170,7 @@ void cm_breaks_gaps(cm_view_desk *desk, const cm_break_runs *runs)
             if (rule->reach_front >> 16 != 0 && !isnan(rule->depth))
             {
                 rule->reach_front |= CM_RULE_HAS_GAP;
-                desk->gap[pixel] =
-                    (cm_pixel_gap){desk->near_back[pixel], desk->own_front[pixel]};
+                desk->gap[pixel] = (cm_pixel_gap){desk->near_back[pixel], desk->own_front[pixel]};
             }
         }
     }

@@ -71,7 +71,8 @@ static int take_images(cm_view_desk *desk)
     desk->memory = malloc(IMAGES * image * sizeof *desk->memory);
     desk->rule = malloc(desk->stride * desk->height * sizeof *desk->rule);
     desk->word = malloc(desk->stride * desk->height * sizeof *desk->word);
-    desk->packed = malloc((size_t)desk->width * desk->height * sizeof *desk->packed);
+    desk->packed =
+        calloc((size_t)desk->width * desk->height + CM_OCTREE_SLACK, sizeof *desk->packed);
     desk->gap = malloc(desk->stride * desk->height * sizeof *desk->gap);
     desk->kind = malloc(desk->stride * desk->height);
     desk->is_taken = calloc(desk->stride / CM_BREAK_RUN, desk->height);
@@ -80,7 +81,7 @@ static int take_images(cm_view_desk *desk)
     {
         return 0;
     }
-    float **const images[IMAGES] = {&desk->reach,    &desk->front,   &desk->back,
+    float **const images[IMAGES] = {&desk->reach,    &desk->front,    &desk->back,
                                     &desk->least[0], &desk->least[1], &desk->most[0],
                                     &desk->most[1],  &desk->own_front};
     for (size_t i = 0; i < IMAGES; i++)
@@ -254,7 +255,7 @@ typedef struct fill_work
     size_t bands;
     float first_column;
     double first_row;
-    float *rings;          /* ring_floats each */
+    float *rings;        /* ring_floats each */
     cm_break_runs *runs; /* a list each */
     atomic_int failed;
 } fill_work;
@@ -262,18 +263,19 @@ typedef struct fill_work
 typedef struct fill_band
 {
     const fill_work *work;
-    row_ring depth, inverse;
+    row_ring inverse;
 } fill_band;
 
+/* A power of two above twice what rows are apart; six rows at least, which bounds take later. */
 static size_t ring_length(const fill_work *work)
 {
-    return work->row.apart == APART ? 4 : 16;
+    return work->row.apart == APART ? 8 : 16;
 }
 
-/* Rings, and a row of what is beyond. */
+/* A ring, and a row of what is beyond. */
 static size_t ring_floats(const fill_work *work)
 {
-    return (2 * ring_length(work) + 1) * work->desk->stride;
+    return (ring_length(work) + 1) * work->desk->stride;
 }
 
 static row_ring make_ring(const fill_band *band, float **next, size_t rows, const float *beyond)
@@ -295,16 +297,13 @@ static void begin_band(fill_band *band, const fill_work *work, size_t index)
     }
     next += work->desk->stride;
     band->work = work;
-    band->depth = make_ring(band, &next, ring_length(work), beyond);
     band->inverse = make_ring(band, &next, ring_length(work), beyond);
 }
 
 static void invert_row(fill_band *band, size_t row)
 {
     const cm_view_desk *desk = band->work->desk;
-    float *depth = ring_row(&band->depth, row);
-    memcpy(depth, desk->packed + row * desk->width, desk->width * sizeof *depth);
-    band->work->set->invert(desk->stride - 2 * CM_OCTREE_SLACK, depth,
+    band->work->set->invert(desk->width, desk->packed + row * desk->width,
                             ring_row(&band->inverse, row));
 }
 
@@ -314,7 +313,7 @@ static void reach_row(fill_band *band, size_t row)
     cm_view_desk *desk = work->desk;
     const size_t first = row * desk->stride, padded = desk->stride - 2 * CM_OCTREE_SLACK;
     cm_rule_row at = work->row;
-    at.depth = ring_row(&band->depth, row);
+    at.depth = desk->packed + row * desk->width;
     at.at = ring_row(&band->inverse, row);
     at.above = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row - (ptrdiff_t)at.apart);
     at.below = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row + (ptrdiff_t)at.apart);
@@ -379,8 +378,8 @@ static void find_bands(size_t first, size_t end, void *user)
     fill_work *work = user;
     for (size_t index = first; index < end; index++)
     {
-        if (!cm_breaks_find(work->desk, work->set, band_begin(work, index), band_begin(work, index + 1),
-                            &work->runs[index]))
+        if (!cm_breaks_find(work->desk, work->set, band_begin(work, index),
+                            band_begin(work, index + 1), &work->runs[index]))
         {
             atomic_store(&work->failed, 1);
         }
