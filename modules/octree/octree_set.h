@@ -63,8 +63,7 @@ typedef struct cm_break_teller
     float hides;  /* and no farther behind what they see */
     float radius; /* in pixels */
     float down;   /* rows between them */
-    size_t
-        first; /* of CM_BREAK_RADIUS: pixels that the first of the row is right of the leftmost */
+    size_t first; /* how far the first of the row is right of the leftmost possible */
 } cm_break_teller;
 
 /* Least and greatest of what pixels say within windows of 2 x 2 cells of 2^level pixels, at each cell: what is nearer than
