@@ -83,6 +83,12 @@ static inline void cm_region_mark(cm_region *region, unsigned block, int is_soli
         is_solid ? region->solid[block / 64] | bit : region->solid[block / 64] & ~bit;
 }
 
+/* May the block have an occupied voxel? */
+static inline int cm_block_is_solid(const cm_region *region, unsigned block)
+{
+    return (int)(region->solid[block / 64] >> block % 64 & 1u);
+}
+
 static inline int cm_has_one_color(const cm_region *region, unsigned block)
 {
     return region->one_color[block / 8] >> block % 8 & 1;
