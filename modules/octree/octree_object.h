@@ -9,6 +9,7 @@
 #ifndef MODULES_OCTREE_OCTREE_OBJECT_H
 #define MODULES_OCTREE_OCTREE_OBJECT_H
 
+#include <stdatomic.h>
 #include <stdint.h>
 
 #include <cubemap/octree.h>
@@ -127,6 +128,9 @@ struct cm_octree
     size_t free_region_count;
     size_t free_region_room;
     uint64_t bytes; /* of regions in memory with their blocks */
+
+    _Atomic(struct cm_ray_index *) ray_index; /* ray_index.h; NULL: none */
+    _Atomic(uint64_t) rays_asked;             /* since the map changed, while there is none */
 
     void *user_data;
     size_t user_data_count;

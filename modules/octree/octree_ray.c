@@ -9,6 +9,7 @@
 #include "interleave.h"
 #include "node_tree.h"
 #include "paging.h"
+#include "ray_index.h"
 #include "walk.h"
 
 /* A ray in voxels of the tree. */
@@ -39,8 +40,10 @@ typedef struct ray_cube
     uint32_t color;
 } ray_cube;
 
-static int begin(ray_state *ray, const cm_octree *octree, const double origin[3],
-                 const double direction[3], double far)
+/* A ray at where it enters the box [first, beyond) of voxels, or begins in it. 0: it does not. */
+static int begin(ray_state *ray, const cm_octree *octree, const uint32_t first[3],
+                 const uint32_t beyond[3], const double origin[3], const double direction[3],
+                 double far)
 {
     double square = 0.0;
     const double middle = (double)((uint64_t)1 << (octree->tree_level - 1));
@@ -62,7 +65,7 @@ static int begin(ray_state *ray, const cm_octree *octree, const double origin[3]
         ray->step[axis] = direction[axis] / length / octree->options.edge;
         ray->by[axis] = 1.0 / ray->step[axis];
         good &= fabs(ray->origin[axis]) < 1e15;
-        const double low = octree->first[axis], high = octree->beyond[axis];
+        const double low = first[axis], high = beyond[axis];
         if (ray->step[axis] == 0.0)
         {
             good &= ray->origin[axis] >= low && ray->origin[axis] < high;
@@ -75,8 +78,9 @@ static int begin(ray_state *ray, const cm_octree *octree, const double origin[3]
     }
     for (int axis = 0; good && axis < 3; axis++)
     {
-        const double place = floor(ray->origin[axis] + ray->at * ray->step[axis]);
-        const double low = octree->first[axis], high = octree->beyond[axis] - 1.0;
+        /* what is below 0 is below the box */
+        const double place = ray->origin[axis] + ray->at * ray->step[axis];
+        const double low = first[axis], high = beyond[axis] - 1.0;
         ray->place[axis] = (int32_t)(place < low ? low : place > high ? high : place);
     }
     return good && ray->at <= ray->end;
@@ -340,13 +344,217 @@ static int cast(ray_state *ray, ray_cube *cube)
     return 0;
 }
 
+/* ---- with an index ---- */
+
+/* A ray as its steps have it. An axis that it stands still on is never crossed: what begins at -1 and has no speed. */
+typedef struct ray_path
+{
+    double origin[3];
+    double step[3];
+    double from[3];
+    double by[3];
+    double at;
+    double end;
+    int32_t place[3];
+    int32_t sign[3];
+    int32_t back[3]; /* 1 where it goes back */
+} ray_path;
+
+static ray_path path_of(const ray_state *ray)
+{
+    ray_path path = {.at = ray->at, .end = ray->end};
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const int stands = !(fabs(ray->by[axis]) < INFINITY);
+        path.origin[axis] = ray->origin[axis];
+        path.step[axis] = ray->step[axis];
+        path.from[axis] = stands ? -1.0 : ray->origin[axis];
+        path.by[axis] = stands ? INFINITY : ray->by[axis];
+        path.place[axis] = ray->place[axis];
+        path.back[axis] = !stands && ray->step[axis] < 0.0;
+        path.sign[axis] = path.back[axis] ? -1 : 1;
+    }
+    return path;
+}
+
+/* Where a ray crosses a border of voxels. */
+static inline double crossing(const ray_path *path, int axis, int32_t border)
+{
+    return (border - path->from[axis]) * path->by[axis];
+}
+
+/* Out of the blocks around its own that are empty: so many less one in each direction. 0 at the ray's end. */
+static inline int leap(ray_path *path, int32_t away)
+{
+    int32_t border[3];
+    double out[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        border[axis] =
+            ((path->place[axis] >> CM_BLOCK_LEVEL) + path->sign[axis] * away + path->back[axis])
+            << CM_BLOCK_LEVEL;
+        out[axis] = crossing(path, axis, border[axis]);
+    }
+    const int is_x = (out[0] <= out[1]) & (out[0] <= out[2]);
+    const int is_y = !(out[0] <= out[1]) & (out[1] <= out[2]);
+    const int is_through[3] = {is_x, is_y, !is_x & !is_y};
+    const double least = out[0] < out[1] ? out[0] : out[1];
+    const double first = least < out[2] ? least : out[2];
+    path->at = path->at > first ? path->at : first;
+    if (!(path->at < path->end))
+    {
+        return 0;
+    }
+    for (int axis = 0; axis < 3; axis++)
+    {
+        /* onwards, and not out of the blocks but through that side, whatever is rounded */
+        const int32_t place = (int32_t)(path->origin[axis] + path->at * path->step[axis]);
+        const int32_t old = path->place[axis], back = path->back[axis];
+        const int32_t low = back ? border[axis] : old;
+        const int32_t high = back ? old : border[axis] - 1;
+        const int32_t inside = place < low ? low : place > high ? high : place;
+        path->place[axis] = is_through[axis] ? border[axis] - back : inside;
+    }
+    return 1;
+}
+
+/* One voxel on along an axis. 0: out of the block. */
+static inline int step_along(ray_path *path, int axis, double out[3], int32_t in[3])
+{
+    path->at = path->at > out[axis] ? path->at : out[axis];
+    in[axis] += path->sign[axis];
+    path->place[axis] += path->sign[axis];
+    out[axis] = crossing(path, axis, path->place[axis] + 1 - path->back[axis]);
+    return (in[axis] & ~7) == 0;
+}
+
+/* From voxel to voxel in a block, up to the first that is occupied: 1. 0: it is in none, and the ray is where it leaves the block, or
+ * at its end. */
+static inline int march_bits(ray_path *path, const uint64_t mask[8])
+{
+    static const uint8_t spread[8] = {0, 1, 8, 9, 64, 65, 72, 73};
+    double out[3];
+    int32_t in[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        out[axis] = crossing(path, axis, path->place[axis] + 1 - path->back[axis]);
+        in[axis] = path->place[axis] & 7;
+    }
+    for (int is_in = 1; is_in && path->at < path->end;)
+    {
+        const unsigned cell =
+            (unsigned)spread[in[0]] | (unsigned)spread[in[1]] << 1 | (unsigned)spread[in[2]] << 2;
+        if (mask[cell / 64] >> cell % 64 & 1u)
+        {
+            return 1;
+        }
+        if (out[0] <= out[1])
+        {
+            is_in = out[0] <= out[2] ? step_along(path, 0, out, in) : step_along(path, 2, out, in);
+        }
+        else
+        {
+            is_in = out[1] <= out[2] ? step_along(path, 1, out, in) : step_along(path, 2, out, in);
+        }
+    }
+    return 0;
+}
+
+/* The occupied voxel of a block that a ray is in. */
+static int found(ray_state *ray, const ray_path *path, const cm_ray_block *at, ray_cube *cube)
+{
+    const cm_octree *octree = ray->octree;
+    memcpy(ray->place, path->place, sizeof ray->place);
+    ray->at = path->at;
+    if (at->alpha == NULL)
+    {
+        return look(ray, cube) == CM_OK;
+    }
+    const uint32_t *place = (const uint32_t *)path->place;
+    const size_t cell = cm_interleave_3(place[0], place[1], place[2]) >> 3 * at->detail;
+    cube->level = at->detail;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        cube->corner[axis] = place[axis] >> at->detail << at->detail;
+    }
+    cube->alpha = cm_after_misses(&octree->rule, at->alpha[cell], at->misses);
+    cube->color = at->color == NULL ? 0 : at->color[cell];
+    return 1;
+}
+
+/* As cast. */
+static int cast_indexed(ray_state *ray, const cm_ray_index *index, ray_cube *cube)
+{
+    ray_path path = path_of(ray);
+    for (;;)
+    {
+        size_t at = 0;
+        for (int axis = 2; axis >= 0; axis--)
+        {
+            const uint32_t block =
+                (uint32_t)((path.place[axis] >> CM_BLOCK_LEVEL) - index->first[axis]);
+            if (block >= (uint32_t)index->count[axis])
+            {
+                return 0;
+            }
+            at = at * (uint32_t)index->count[axis] + block;
+        }
+        const int32_t away = index->away[at];
+        if (away > 0)
+        {
+            if (!leap(&path, away))
+            {
+                return 0;
+            }
+            continue;
+        }
+        const size_t number = cm_ray_block_number(index, at);
+        if (march_bits(&path, index->mask[number]))
+        {
+            return found(ray, &path, &index->block[number], cube);
+        }
+        if (!(path.at < path.end))
+        {
+            return 0;
+        }
+    }
+}
+
+/* The box of an index, as far as it is the map's. */
+static void box_of(const cm_octree *octree, const cm_ray_index *index, uint32_t first[3],
+                   uint32_t beyond[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const uint32_t low = (uint32_t)index->first[axis] << CM_BLOCK_LEVEL;
+        const uint32_t high = (uint32_t)(index->first[axis] + index->count[axis]) << CM_BLOCK_LEVEL;
+        first[axis] = low > octree->first[axis] ? low : octree->first[axis];
+        beyond[axis] = high < octree->beyond[axis] ? high : octree->beyond[axis];
+    }
+}
+
+static int cast_any(ray_state *ray, const cm_octree *octree, const double origin[3],
+                    const double direction[3], double far, ray_cube *cube)
+{
+    const cm_ray_index *index = cm_ray_index_of(octree);
+    if (index == NULL)
+    {
+        return begin(ray, octree, octree->first, octree->beyond, origin, direction, far) &&
+               cast(ray, cube);
+    }
+    uint32_t first[3], beyond[3];
+    box_of(octree, index, first, beyond);
+    return begin(ray, octree, first, beyond, origin, direction, far) &&
+           cast_indexed(ray, index, cube);
+}
+
 int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3],
                   double far, cm_voxel *voxel)
 {
     ray_state ray;
     ray_cube cube;
     if (octree == NULL || origin == NULL || direction == NULL ||
-        !begin(&ray, octree, origin, direction, far) || !cast(&ray, &cube))
+        !cast_any(&ray, octree, origin, direction, far, &cube))
     {
         return 0;
     }
@@ -366,7 +574,7 @@ cm_status cm_octree_walk_ray(const cm_octree *octree, const double origin[3],
     }
     ray_state ray;
     ray_cube cube;
-    if (!begin(&ray, octree, origin, direction, far))
+    if (!begin(&ray, octree, octree->first, octree->beyond, origin, direction, far))
     {
         return CM_OK;
     }
