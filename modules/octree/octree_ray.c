@@ -6,22 +6,17 @@
 #include <math.h>
 #include <string.h>
 
+#include "indexed_ray.h"
 #include "interleave.h"
 #include "node_tree.h"
 #include "paging.h"
-#include "ray_index.h"
 #include "walk.h"
 
 /* A ray in voxels of the tree. */
 typedef struct ray_state
 {
     const cm_octree *octree;
-    double origin[3];
-    double step[3]; /* voxels for a unit of the world */
-    double by[3];   /* 1 / step */
-    double at;      /* where it is, in units of the world */
-    double end;
-    int32_t place[3]; /* the voxel that it is in */
+    cm_ray_line line;
     /* where it was looked up last: the region there, and the nodes above it with the misses that wait from each on upwards */
     const cm_region *region;
     unsigned misses;
@@ -55,35 +50,36 @@ static int begin(ray_state *ray, const cm_octree *octree, const uint32_t first[3
     ray->octree = octree;
     ray->region = NULL;
     ray->has_nodes = 0;
-    ray->at = 0.0;
-    ray->end = far > 0.0 ? far : INFINITY;
+    ray->line.at = 0.0;
+    ray->line.end = far > 0.0 ? far : INFINITY;
     int good = length > 0.0 && length < 1e100 && far >= 0.0;
     for (int axis = 0; axis < 3; axis++)
     {
-        ray->origin[axis] =
+        ray->line.origin[axis] =
             (origin[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
-        ray->step[axis] = direction[axis] / length / octree->options.edge;
-        ray->by[axis] = 1.0 / ray->step[axis];
-        good &= fabs(ray->origin[axis]) < 1e15;
+        ray->line.step[axis] = direction[axis] / length / octree->options.edge;
+        ray->line.by[axis] = 1.0 / ray->line.step[axis];
+        good &= fabs(ray->line.origin[axis]) < 1e15;
         const double low = first[axis], high = beyond[axis];
-        if (ray->step[axis] == 0.0)
+        if (ray->line.step[axis] == 0.0)
         {
-            good &= ray->origin[axis] >= low && ray->origin[axis] < high;
+            good &= ray->line.origin[axis] >= low && ray->line.origin[axis] < high;
             continue;
         }
-        const double a = (low - ray->origin[axis]) * ray->by[axis];
-        const double b = (high - ray->origin[axis]) * ray->by[axis];
-        ray->at = fmax(ray->at, fmin(a, b));
-        ray->end = fmin(ray->end, fmax(a, b));
+        const double a = (low - ray->line.origin[axis]) * ray->line.by[axis];
+        const double b = (high - ray->line.origin[axis]) * ray->line.by[axis];
+        const double enters = a < b ? a : b, leaves = a < b ? b : a;
+        ray->line.at = enters > ray->line.at ? enters : ray->line.at;
+        ray->line.end = leaves < ray->line.end ? leaves : ray->line.end;
     }
     for (int axis = 0; good && axis < 3; axis++)
     {
         /* what is below 0 is below the box */
-        const double place = ray->origin[axis] + ray->at * ray->step[axis];
+        const double place = ray->line.origin[axis] + ray->line.at * ray->line.step[axis];
         const double low = first[axis], high = beyond[axis] - 1.0;
-        ray->place[axis] = (int32_t)(place < low ? low : place > high ? high : place);
+        ray->line.place[axis] = (int32_t)(place < low ? low : place > high ? high : place);
     }
-    return good && ray->at <= ray->end;
+    return good && ray->line.at <= ray->line.end;
 }
 
 /* As cm_node_find, from the node that this place and the last one share. */
@@ -127,8 +123,8 @@ static cm_spot find_spot(ray_state *ray, const uint32_t place[3])
 static cm_status find(ray_state *ray, ray_cube *cube)
 {
     const cm_octree *octree = ray->octree;
-    const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1],
-                               (uint32_t)ray->place[2]};
+    const uint32_t place[3] = {(uint32_t)ray->line.place[0], (uint32_t)ray->line.place[1],
+                               (uint32_t)ray->line.place[2]};
     const cm_region *region = ray->region;
     if (region != NULL && ((place[0] ^ region->place[0]) | (place[1] ^ region->place[1]) |
                            (place[2] ^ region->place[2])) >>
@@ -165,8 +161,8 @@ static cm_status look(ray_state *ray, ray_cube *cube)
     {
         return status;
     }
-    const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1],
-                               (uint32_t)ray->place[2]};
+    const uint32_t place[3] = {(uint32_t)ray->line.place[0], (uint32_t)ray->line.place[1],
+                               (uint32_t)ray->line.place[2]};
     const unsigned block = cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3);
     const unsigned cell = cm_interleave_3(place[0], place[1], place[2]);
     const unsigned level =
@@ -191,32 +187,34 @@ static int leave(ray_state *ray, const ray_cube *cube)
     double out[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        const double border = cube->corner[axis] + (ray->step[axis] > 0.0 ? size : 0.0);
-        out[axis] =
-            ray->step[axis] == 0.0 ? INFINITY : (border - ray->origin[axis]) * ray->by[axis];
+        const double border = cube->corner[axis] + (ray->line.step[axis] > 0.0 ? size : 0.0);
+        out[axis] = ray->line.step[axis] == 0.0
+                        ? INFINITY
+                        : (border - ray->line.origin[axis]) * ray->line.by[axis];
     }
     int axis = out[0] <= out[1] ? 0 : 1;
     axis = out[axis] <= out[2] ? axis : 2;
-    ray->at = ray->at > out[axis] ? ray->at : out[axis];
-    if (!(ray->at < ray->end))
+    ray->line.at = ray->line.at > out[axis] ? ray->line.at : out[axis];
+    if (!(ray->line.at < ray->line.end))
     {
         return 0;
     }
     for (int i = 0; i < 3; i++)
     {
         const double low = cube->corner[i], high = cube->corner[i] + size - 1.0;
-        const double place = ray->origin[i] + ray->at * ray->step[i];
-        ray->place[i] = (int32_t)(place < low ? low : place > high ? high : place);
+        const double place = ray->line.origin[i] + ray->line.at * ray->line.step[i];
+        ray->line.place[i] = (int32_t)(place < low ? low : place > high ? high : place);
     }
-    ray->place[axis] = (int32_t)cube->corner[axis] + (ray->step[axis] > 0.0 ? (int32_t)size : -1);
-    return ray->place[axis] >= (int32_t)ray->octree->first[axis] &&
-           ray->place[axis] < (int32_t)ray->octree->beyond[axis];
+    ray->line.place[axis] =
+        (int32_t)cube->corner[axis] + (ray->line.step[axis] > 0.0 ? (int32_t)size : -1);
+    return ray->line.place[axis] >= (int32_t)ray->octree->first[axis] &&
+           ray->line.place[axis] < (int32_t)ray->octree->beyond[axis];
 }
 
 static cm_voxel voxel_of(const ray_state *ray, const ray_cube *cube)
 {
     cm_voxel voxel = cm_voxel_at(ray->octree, cube->corner, cube->level, cube->alpha, cube->color);
-    voxel.distance = ray->at;
+    voxel.distance = ray->line.at;
     return voxel;
 }
 
@@ -253,10 +251,11 @@ static int march(ray_state *ray, unsigned block)
     int32_t in[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        border[axis] = ray->place[axis] + (ray->step[axis] > 0.0 ? 1.0 : 0.0);
-        next[axis] =
-            ray->step[axis] == 0.0 ? INFINITY : (border[axis] - ray->origin[axis]) * ray->by[axis];
-        in[axis] = ray->place[axis] & 7;
+        border[axis] = ray->line.place[axis] + (ray->line.step[axis] > 0.0 ? 1.0 : 0.0);
+        next[axis] = ray->line.step[axis] == 0.0
+                         ? INFINITY
+                         : (border[axis] - ray->line.origin[axis]) * ray->line.by[axis];
+        in[axis] = ray->line.place[axis] & 7;
     }
     for (;;)
     {
@@ -268,16 +267,16 @@ static int march(ray_state *ray, unsigned block)
         }
         int axis = next[0] <= next[1] ? 0 : 1;
         axis = next[axis] <= next[2] ? axis : 2;
-        ray->at = ray->at > next[axis] ? ray->at : next[axis];
-        if (!(ray->at < ray->end))
+        ray->line.at = ray->line.at > next[axis] ? ray->line.at : next[axis];
+        if (!(ray->line.at < ray->line.end))
         {
             return 0;
         }
-        const int sign = ray->step[axis] > 0.0 ? 1 : -1;
+        const int sign = ray->line.step[axis] > 0.0 ? 1 : -1;
         border[axis] += sign;
-        next[axis] = (border[axis] - ray->origin[axis]) * ray->by[axis];
+        next[axis] = (border[axis] - ray->line.origin[axis]) * ray->line.by[axis];
         in[axis] += sign;
-        ray->place[axis] += sign;
+        ray->line.place[axis] += sign;
         if (in[axis] & ~7)
         {
             return 0;
@@ -290,8 +289,8 @@ static int is_inside(const ray_state *ray)
     int inside = 1;
     for (int axis = 0; axis < 3; axis++)
     {
-        inside &= ray->place[axis] >= (int32_t)ray->octree->first[axis] &&
-                  ray->place[axis] < (int32_t)ray->octree->beyond[axis];
+        inside &= ray->line.place[axis] >= (int32_t)ray->octree->first[axis] &&
+                  ray->line.place[axis] < (int32_t)ray->octree->beyond[axis];
     }
     return inside;
 }
@@ -305,9 +304,9 @@ static int cast(ray_state *ray, ray_cube *cube)
         int level = 0;
         if (region != NULL)
         {
-            const unsigned block =
-                cm_interleave_3((unsigned)ray->place[0] >> 3, (unsigned)ray->place[1] >> 3,
-                                (unsigned)ray->place[2] >> 3);
+            const unsigned block = cm_interleave_3((unsigned)ray->line.place[0] >> 3,
+                                                   (unsigned)ray->line.place[1] >> 3,
+                                                   (unsigned)ray->line.place[2] >> 3);
             level = empty_level(region, block);
             if (level == 0 && region->form[block] != CM_BLOCK_EVEN)
             {
@@ -315,7 +314,7 @@ static int cast(ray_state *ray, ray_cube *cube)
                 {
                     return look(ray, cube) == CM_OK;
                 }
-                if (!(ray->at < ray->end) || !is_inside(ray))
+                if (!(ray->line.at < ray->line.end) || !is_inside(ray))
                 {
                     return 0;
                 }
@@ -329,7 +328,7 @@ static int cast(ray_state *ray, ray_cube *cube)
             cube->level = level == 0 ? CM_BLOCK_LEVEL : level;
             for (int axis = 0; axis < 3; axis++)
             {
-                cube->corner[axis] = (uint32_t)ray->place[axis] >> cube->level << cube->level;
+                cube->corner[axis] = (uint32_t)ray->line.place[axis] >> cube->level << cube->level;
             }
         }
         if (cube->alpha > CM_UNKNOWN)
@@ -346,191 +345,27 @@ static int cast(ray_state *ray, ray_cube *cube)
 
 /* ---- with an index ---- */
 
-/* A ray as its steps have it. An axis that it stands still on is never crossed: what begins at -1 and has no speed. */
-typedef struct ray_path
-{
-    double origin[3];
-    double step[3];
-    double from[3];
-    double by[3];
-    double at;
-    double end;
-    int32_t place[3];
-    int32_t sign[3];
-    int32_t back[3]; /* 1 where it goes back */
-} ray_path;
-
-static ray_path path_of(const ray_state *ray)
-{
-    ray_path path = {.at = ray->at, .end = ray->end};
-    for (int axis = 0; axis < 3; axis++)
-    {
-        const int stands = !(fabs(ray->by[axis]) < INFINITY);
-        path.origin[axis] = ray->origin[axis];
-        path.step[axis] = ray->step[axis];
-        path.from[axis] = stands ? -1.0 : ray->origin[axis];
-        path.by[axis] = stands ? INFINITY : ray->by[axis];
-        path.place[axis] = ray->place[axis];
-        path.back[axis] = !stands && ray->step[axis] < 0.0;
-        path.sign[axis] = path.back[axis] ? -1 : 1;
-    }
-    return path;
-}
-
-/* Where a ray crosses a border of voxels. */
-static inline double crossing(const ray_path *path, int axis, int32_t border)
-{
-    return (border - path->from[axis]) * path->by[axis];
-}
-
-/* Out of the blocks around its own that are empty: so many less one in each direction. 0 at the ray's end. */
-static inline int leap(ray_path *path, int32_t away)
-{
-    int32_t border[3];
-    double out[3];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        border[axis] =
-            ((path->place[axis] >> CM_BLOCK_LEVEL) + path->sign[axis] * away + path->back[axis])
-            << CM_BLOCK_LEVEL;
-        out[axis] = crossing(path, axis, border[axis]);
-    }
-    const int is_x = (out[0] <= out[1]) & (out[0] <= out[2]);
-    const int is_y = !(out[0] <= out[1]) & (out[1] <= out[2]);
-    const int is_through[3] = {is_x, is_y, !is_x & !is_y};
-    const double least = out[0] < out[1] ? out[0] : out[1];
-    const double first = least < out[2] ? least : out[2];
-    path->at = path->at > first ? path->at : first;
-    if (!(path->at < path->end))
-    {
-        return 0;
-    }
-    for (int axis = 0; axis < 3; axis++)
-    {
-        /* onwards, and not out of the blocks but through that side, whatever is rounded */
-        const int32_t place = (int32_t)(path->origin[axis] + path->at * path->step[axis]);
-        const int32_t old = path->place[axis], back = path->back[axis];
-        const int32_t low = back ? border[axis] : old;
-        const int32_t high = back ? old : border[axis] - 1;
-        const int32_t inside = place < low ? low : place > high ? high : place;
-        path->place[axis] = is_through[axis] ? border[axis] - back : inside;
-    }
-    return 1;
-}
-
-/* One voxel on along an axis. 0: out of the block. */
-static inline int step_along(ray_path *path, int axis, double out[3], int32_t in[3])
-{
-    path->at = path->at > out[axis] ? path->at : out[axis];
-    in[axis] += path->sign[axis];
-    path->place[axis] += path->sign[axis];
-    out[axis] = crossing(path, axis, path->place[axis] + 1 - path->back[axis]);
-    return (in[axis] & ~7) == 0;
-}
-
-/* From voxel to voxel in a block, up to the first that is occupied: 1. 0: it is in none, and the ray is where it leaves the block, or
- * at its end. */
-static inline int march_bits(ray_path *path, const uint64_t mask[8])
-{
-    static const uint8_t spread[8] = {0, 1, 8, 9, 64, 65, 72, 73};
-    double out[3];
-    int32_t in[3];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        out[axis] = crossing(path, axis, path->place[axis] + 1 - path->back[axis]);
-        in[axis] = path->place[axis] & 7;
-    }
-    for (int is_in = 1; is_in && path->at < path->end;)
-    {
-        const unsigned cell =
-            (unsigned)spread[in[0]] | (unsigned)spread[in[1]] << 1 | (unsigned)spread[in[2]] << 2;
-        if (mask[cell / 64] >> cell % 64 & 1u)
-        {
-            return 1;
-        }
-        if (out[0] <= out[1])
-        {
-            is_in = out[0] <= out[2] ? step_along(path, 0, out, in) : step_along(path, 2, out, in);
-        }
-        else
-        {
-            is_in = out[1] <= out[2] ? step_along(path, 1, out, in) : step_along(path, 2, out, in);
-        }
-    }
-    return 0;
-}
-
 /* The occupied voxel of a block that a ray is in. */
-static int found(ray_state *ray, const ray_path *path, const cm_ray_block *at, ray_cube *cube)
+static int found(ray_state *ray, const cm_ray_index *index, const cm_ray_block *block,
+                 ray_cube *cube)
 {
-    const cm_octree *octree = ray->octree;
-    memcpy(ray->place, path->place, sizeof ray->place);
-    ray->at = path->at;
-    if (at->alpha == NULL)
+    if (block->level == CM_RAY_BLOCK_EVEN)
     {
         return look(ray, cube) == CM_OK;
     }
-    const uint32_t *place = (const uint32_t *)path->place;
-    const size_t cell = cm_interleave_3(place[0], place[1], place[2]) >> 3 * at->detail;
-    cube->level = at->detail;
+    uint32_t place[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        cube->corner[axis] = place[axis] >> at->detail << at->detail;
+        place[axis] = (uint32_t)ray->line.place[axis];
+        cube->corner[axis] = place[axis] >> block->level << block->level;
     }
-    cube->alpha = cm_after_misses(&octree->rule, at->alpha[cell], at->misses);
-    cube->color = at->color == NULL ? 0 : at->color[cell];
+    const unsigned cell = cm_interleave_3(place[0], place[1], place[2]), word = cell / 64;
+    const size_t at = block->first + block->before[word] +
+                      cm_bit_count(block->mask[word] & cm_bits_below(cell % 64));
+    cube->level = block->level;
+    cube->alpha = index->alpha[at];
+    cube->color = index->color[at];
     return 1;
-}
-
-/* As cast. */
-static int cast_indexed(ray_state *ray, const cm_ray_index *index, ray_cube *cube)
-{
-    ray_path path = path_of(ray);
-    for (;;)
-    {
-        size_t at = 0;
-        for (int axis = 2; axis >= 0; axis--)
-        {
-            const uint32_t block =
-                (uint32_t)((path.place[axis] >> CM_BLOCK_LEVEL) - index->first[axis]);
-            if (block >= (uint32_t)index->count[axis])
-            {
-                return 0;
-            }
-            at = at * (uint32_t)index->count[axis] + block;
-        }
-        const int32_t away = index->away[at];
-        if (away > 0)
-        {
-            if (!leap(&path, away))
-            {
-                return 0;
-            }
-            continue;
-        }
-        const size_t number = cm_ray_block_number(index, at);
-        if (march_bits(&path, index->mask[number]))
-        {
-            return found(ray, &path, &index->block[number], cube);
-        }
-        if (!(path.at < path.end))
-        {
-            return 0;
-        }
-    }
-}
-
-/* The box of an index, as far as it is the map's. */
-static void box_of(const cm_octree *octree, const cm_ray_index *index, uint32_t first[3],
-                   uint32_t beyond[3])
-{
-    for (int axis = 0; axis < 3; axis++)
-    {
-        const uint32_t low = (uint32_t)index->first[axis] << CM_BLOCK_LEVEL;
-        const uint32_t high = (uint32_t)(index->first[axis] + index->count[axis]) << CM_BLOCK_LEVEL;
-        first[axis] = low > octree->first[axis] ? low : octree->first[axis];
-        beyond[axis] = high < octree->beyond[axis] ? high : octree->beyond[axis];
-    }
 }
 
 static int cast_any(ray_state *ray, const cm_octree *octree, const double origin[3],
@@ -543,9 +378,13 @@ static int cast_any(ray_state *ray, const cm_octree *octree, const double origin
                cast(ray, cube);
     }
     uint32_t first[3], beyond[3];
-    box_of(octree, index, first, beyond);
-    return begin(ray, octree, first, beyond, origin, direction, far) &&
-           cast_indexed(ray, index, cube);
+    cm_ray_index_box(octree, index, first, beyond);
+    if (!begin(ray, octree, first, beyond, origin, direction, far))
+    {
+        return 0;
+    }
+    const cm_ray_block *block = cm_ray_index_cast(index, &ray->line);
+    return block != NULL && found(ray, index, block, cube);
 }
 
 int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3],

@@ -21,9 +21,10 @@
 /* A block that has something occupied. */
 typedef struct found_block
 {
-    int32_t place[3]; /* in blocks */
-    uint8_t above;    /* misses that wait above its region */
-    cm_ray_block block;
+    int32_t place[3];        /* in blocks */
+    const cm_region *region; /* NULL: a part of an even cube */
+    uint16_t block;
+    uint8_t above; /* misses that wait above the region */
 } found_block;
 
 typedef struct finding
@@ -36,7 +37,8 @@ typedef struct finding
 } finding;
 
 /* What is not 0 stops. */
-static int add(finding *f, const uint32_t place[3], const cm_ray_block *block, unsigned above)
+static int add(finding *f, const uint32_t place[3], const cm_region *region, unsigned block,
+               unsigned above)
 {
     if (f->count == f->room)
     {
@@ -54,15 +56,15 @@ static int add(finding *f, const uint32_t place[3], const cm_ray_block *block, u
     {
         at->place[axis] = (int32_t)(place[axis] >> CM_BLOCK_LEVEL);
     }
+    at->region = region;
+    at->block = (uint16_t)block;
     at->above = (uint8_t)above;
-    at->block = *block;
     return 0;
 }
 
 static int find_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
 {
     finding *f = user;
-    const cm_ray_block even = {.region = NULL};
     const uint32_t edge = level > CM_BLOCK_LEVEL ? 1u << (level - CM_BLOCK_LEVEL) : 1u;
     const uint64_t blocks = alpha > CM_UNKNOWN ? (uint64_t)edge * edge * edge : 0;
     int stops = blocks > f->most;
@@ -71,26 +73,18 @@ static int find_even(void *user, const uint32_t place[3], int level, uint8_t alp
         const uint32_t at[3] = {place[0] + 8 * (uint32_t)(i % edge),
                                 place[1] + 8 * (uint32_t)(i / edge % edge),
                                 place[2] + 8 * (uint32_t)(i / edge / edge)};
-        stops = add(f, at, &even, 0);
+        stops = add(f, at, NULL, 0, 0);
     }
     return stops;
 }
 
 static int find_block(void *user, const cm_region *region, unsigned block, unsigned misses)
 {
-    finding *f = user;
     unsigned in[3];
     cm_divide_3(block, in);
     const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
                                region->place[2] + 8 * in[2]};
-    const cm_ray_block at = {.region = region,
-                             .alpha = region->form[block] == CM_BLOCK_PLAIN ? region->alpha[block]
-                                                                            : NULL,
-                             .color = region->color == NULL ? NULL : region->color[block],
-                             .block = (uint16_t)block,
-                             .misses = cm_more_misses(region->value[block], misses),
-                             .detail = region->detail[block]};
-    return add(f, place, &at, misses);
+    return add(user, place, region, block, misses);
 }
 
 /* The box around all; 0 if it has more blocks than `most`. */
@@ -206,12 +200,14 @@ static void clear(cm_ray_index *index)
     free(index->away);
     free(index->has);
     free(index->before);
-    free(index->mask);
     free(index->block);
+    free(index->alpha);
+    free(index->color);
     *index = (cm_ray_index){.away = NULL};
 }
 
-static void put_blocks(const finding *f, cm_ray_index *index, size_t words)
+/* Bits and numbers of blocks. */
+static void number_blocks(const finding *f, cm_ray_index *index, size_t words)
 {
     for (size_t i = 0; i < f->count; i++)
     {
@@ -224,16 +220,71 @@ static void put_blocks(const finding *f, cm_ray_index *index, size_t words)
         index->before[w] = before;
         before += cm_bit_count(index->has[w]);
     }
+}
+
+/* Masks, and how many values there are. */
+static size_t mask_blocks(const finding *f, cm_ray_index *index)
+{
+    size_t values = 0;
     for (size_t i = 0; i < f->count; i++)
     {
-        const cm_ray_block *block = &f->found[i].block;
-        const size_t number = cm_ray_block_number(index, index_at(index, f->found[i].place));
-        index->block[number] = *block;
-        memset(index->mask[number], 0xff, sizeof *index->mask);
-        if (block->region != NULL)
+        const found_block *from = &f->found[i];
+        cm_ray_block *to = &index->block[cm_ray_block_number(index, index_at(index, from->place))];
+        if (from->region == NULL)
         {
-            cm_block_mask(block->region, block->block, &f->octree->rule, f->found[i].above,
-                          index->mask[number]);
+            memset(to->mask, 0xff, sizeof to->mask);
+            to->level = CM_RAY_BLOCK_EVEN;
+            continue;
+        }
+        cm_block_mask(from->region, from->block, &f->octree->rule, from->above, to->mask);
+        to->level = from->region->detail[from->block];
+        to->first = (uint32_t)values;
+        unsigned before = 0;
+        for (unsigned w = 0; w < 8; w++)
+        {
+            to->before[w] = (uint16_t)before;
+            before += cm_bit_count(to->mask[w]);
+        }
+        values += before;
+    }
+    return values;
+}
+
+static void copy_values(const finding *f, cm_ray_index *index)
+{
+    for (size_t i = 0; i < f->count; i++)
+    {
+        const found_block *from = &f->found[i];
+        const cm_region *region = from->region;
+        if (region == NULL)
+        {
+            continue;
+        }
+        const cm_ray_block *block =
+            &index->block[cm_ray_block_number(index, index_at(index, from->place))];
+        const int is_plain = region->form[from->block] == CM_BLOCK_PLAIN;
+        const unsigned misses = cm_more_misses(region->value[from->block], from->above);
+        uint8_t read_alpha[512];
+        uint32_t read_color[512];
+        if (!is_plain)
+        {
+            cm_block_read(region, from->block, &f->octree->rule, from->above, read_alpha,
+                          read_color);
+        }
+        const uint8_t *alpha = is_plain ? region->alpha[from->block] : read_alpha;
+        const uint32_t *color = !is_plain               ? read_color
+                                : region->color == NULL ? NULL
+                                                        : region->color[from->block];
+        size_t at = block->first;
+        for (unsigned w = 0; w < 8; w++)
+        {
+            for (uint64_t left = block->mask[w]; left != 0; left &= left - 1, at++)
+            {
+                const unsigned cell = (64 * w + cm_lowest_bit(left)) >> 3 * block->level;
+                index->alpha[at] =
+                    is_plain ? cm_after_misses(&f->octree->rule, alpha[cell], misses) : alpha[cell];
+                index->color[at] = color == NULL ? 0 : color[cell];
+            }
         }
     }
 }
@@ -248,14 +299,20 @@ static int build(const finding *f, cm_ray_index *index)
     index->away = malloc(blocks);
     index->has = calloc(words, sizeof *index->has);
     index->before = malloc(words * sizeof *index->before);
-    index->mask = malloc((f->count + 1) * sizeof *index->mask);
-    index->block = malloc((f->count + 1) * sizeof *index->block);
-    if (index->away == NULL || index->has == NULL || index->before == NULL || index->mask == NULL ||
-        index->block == NULL)
+    index->block = calloc(f->count + 1, sizeof *index->block);
+    if (index->away == NULL || index->has == NULL || index->before == NULL || index->block == NULL)
     {
         return 0;
     }
-    put_blocks(f, index, words);
+    number_blocks(f, index, words);
+    const size_t values = mask_blocks(f, index);
+    index->alpha = malloc(values + 1);
+    index->color = malloc((values + 1) * sizeof *index->color);
+    if (values > UINT32_MAX || index->alpha == NULL || index->color == NULL)
+    {
+        return 0;
+    }
+    copy_values(f, index);
     return measure(index);
 }
 

@@ -5,7 +5,8 @@
  *
  *   away      of each block in a box around all that is occupied: so many blocks in each direction, less one, have nothing. 0: its
  *             own may have
- *   number    of such a block among them, in the order of the box, x first: of its mask and of where it is kept
+ *   number    of such a block among them, in the order of the box, x first
+ *   values    of occupied voxels lie together, so that little memory is read
  */
 #ifndef MODULES_OCTREE_RAY_INDEX_H
 #define MODULES_OCTREE_RAY_INDEX_H
@@ -13,16 +14,16 @@
 #include "seen_tree.h"
 #include "voxel_region.h"
 
-/* Where the values of a block are. */
+/* A block of the others. */
 typedef struct cm_ray_block
 {
-    const cm_region *region; /* NULL: an even cube, which is in no region or fills the block */
-    const uint8_t *alpha;    /* of cells, a byte each; NULL: they are not stored so */
-    const uint32_t *color;   /* of cells, if alpha is not NULL; NULL: none */
-    uint16_t block;          /* of the region */
-    uint8_t misses;          /* that wait for it, all */
-    uint8_t detail;
+    uint64_t mask[8];   /* its occupied voxels, as bits in the order of keys */
+    uint32_t first;     /* value of the first */
+    uint16_t before[8]; /* values of the words of the mask before */
+    uint8_t level;      /* of its voxels; CM_RAY_BLOCK_EVEN: it is all occupied, without values */
 } cm_ray_block;
+
+#define CM_RAY_BLOCK_EVEN 255
 
 typedef struct cm_ray_index
 {
@@ -31,8 +32,9 @@ typedef struct cm_ray_index
     uint8_t *away;    /* NULL: the map is too large for an index */
     uint64_t *has;    /* bits of blocks: away is 0 */
     uint32_t *before; /* blocks with a bit in the words before */
-    uint64_t (*mask)[8];
     cm_ray_block *block;
+    uint8_t *alpha; /* values of voxels: no misses wait */
+    uint32_t *color;
 } cm_ray_index;
 
 /* The index of a map, or NULL while there is none. */
