@@ -3,6 +3,7 @@
  * A map in less memory.
  */
 #include "node_tree.h"
+#include "ray_index.h"
 
 cm_status cm_octree_compact(cm_octree *octree)
 {
@@ -10,6 +11,7 @@ cm_status cm_octree_compact(cm_octree *octree)
     {
         return CM_ERROR_ARGUMENT;
     }
+    cm_ray_index_forget(octree);
     cm_status status = CM_OK;
     for (size_t i = 0; status == CM_OK && i < octree->region_count; i++)
     {

@@ -229,7 +229,8 @@ static int give_occupied_block(void *user, const cm_region *region, unsigned blo
 cm_status cm_octree_occupied_blocks(const cm_octree *octree, cm_block_job job, void *user)
 {
     block_walk work = {.octree = octree, .job = job, .user = user};
-    cm_walk walk = {.user = &work, .even = give_occupied_even, .block = give_occupied_block};
+    cm_walk walk = {
+        .only_solid = 1, .user = &work, .even = give_occupied_even, .block = give_occupied_block};
     cm_walk_all(octree, &walk);
     return cm_walk_run(octree, &walk);
 }

@@ -115,12 +115,8 @@ static void place_of(const cm_region *region, unsigned block, unsigned cell, uin
 static int extract_block(void *user, const cm_region *region, unsigned block, unsigned misses)
 {
     extraction *work = user;
-    const int is_solid = region->solid[block / 64] >> block % 64 & 1;
+    const int is_solid = cm_block_is_solid(region, block);
     const int is_whole = work->level > CM_BLOCK_LEVEL;
-    if (!is_solid && !is_whole)
-    {
-        return 0;
-    }
     uint8_t alpha[512];
     uint32_t color[512], place[3];
     const unsigned detail =
@@ -185,7 +181,10 @@ cm_status cm_octree_extract(const cm_octree *octree, int level, size_t capacity,
     }
     else
     {
-        cm_walk walk = {.user = &work, .even = extract_even, .block = extract_block};
+        cm_walk walk = {.only_solid = level <= CM_BLOCK_LEVEL,
+                        .user = &work,
+                        .even = extract_even,
+                        .block = extract_block};
         cm_walk_all(octree, &walk);
         status = cm_walk_run(octree, &walk);
         end_cube(&work);

@@ -10,6 +10,7 @@
 #include "interleave.h"
 #include "node_tree.h"
 #include "paging.h"
+#include "ray_index.h"
 #include "walk.h"
 
 /* ---- sums ---- */
@@ -537,6 +538,7 @@ cm_status cm_octree_merge(cm_octree *to, const cm_octree *from, const cm_pose *p
     merge_work work = {.to = to, .from = from, .pose = pose, .status = CM_OK};
     cm_walk walk = {.user = &work, .even = add_even, .block = add_same_block};
     cm_walk_all(from, &walk);
+    cm_ray_index_forget(to);
     to->step++;
     to->clock++;
     if (are_aligned(&work) && !is_wider(to, from))

@@ -7,6 +7,7 @@
 
 #include "block_access.h"
 #include "node_tree.h"
+#include "ray_index.h"
 
 /* The set that instructions of cm_options mean. */
 static cm_status find_set(const char *instructions, const cm_octree_set **set)
@@ -136,6 +137,7 @@ void cm_octree_destroy(cm_octree *octree)
         {
             octree->desk_destroy(octree->desk);
         }
+        cm_ray_index_forget(octree);
         cm_nodes_drop(octree);
         free(octree->user_data);
         free(octree->instructions);

@@ -9,6 +9,7 @@
 #ifndef MODULES_OCTREE_OCTREE_OBJECT_H
 #define MODULES_OCTREE_OCTREE_OBJECT_H
 
+#include <stdatomic.h>
 #include <stdint.h>
 
 #include <cubemap/octree.h>
@@ -83,6 +84,12 @@ static inline void cm_region_mark(cm_region *region, unsigned block, int is_soli
         is_solid ? region->solid[block / 64] | bit : region->solid[block / 64] & ~bit;
 }
 
+/* May the block have an occupied voxel? */
+static inline int cm_block_is_solid(const cm_region *region, unsigned block)
+{
+    return (int)(region->solid[block / 64] >> block % 64 & 1u);
+}
+
 static inline int cm_has_one_color(const cm_region *region, unsigned block)
 {
     return region->one_color[block / 8] >> block % 8 & 1;
@@ -121,6 +128,9 @@ struct cm_octree
     size_t free_region_count;
     size_t free_region_room;
     uint64_t bytes; /* of regions in memory with their blocks */
+
+    _Atomic(struct cm_ray_index *) ray_index; /* ray_index.h; NULL: none */
+    _Atomic(uint64_t) rays_asked;             /* since the map changed, while there is none */
 
     void *user_data;
     size_t user_data_count;

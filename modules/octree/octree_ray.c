@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "indexed_ray.h"
 #include "interleave.h"
 #include "node_tree.h"
 #include "paging.h"
@@ -15,12 +16,7 @@
 typedef struct ray_state
 {
     const cm_octree *octree;
-    double origin[3];
-    double step[3]; /* voxels for a unit of the world */
-    double by[3];   /* 1 / step */
-    double at;      /* where it is, in units of the world */
-    double end;
-    int32_t place[3]; /* the voxel that it is in */
+    cm_ray_line line;
     /* where it was looked up last: the region there, and the nodes above it with the misses that wait from each on upwards */
     const cm_region *region;
     unsigned misses;
@@ -39,8 +35,10 @@ typedef struct ray_cube
     uint32_t color;
 } ray_cube;
 
-static int begin(ray_state *ray, const cm_octree *octree, const double origin[3],
-                 const double direction[3], double far)
+/* A ray at where it enters the box [first, beyond) of voxels, or begins in it. 0: it does not. */
+static int begin(ray_state *ray, const cm_octree *octree, const uint32_t first[3],
+                 const uint32_t beyond[3], const double origin[3], const double direction[3],
+                 double far)
 {
     double square = 0.0;
     const double middle = (double)((uint64_t)1 << (octree->tree_level - 1));
@@ -52,34 +50,36 @@ static int begin(ray_state *ray, const cm_octree *octree, const double origin[3]
     ray->octree = octree;
     ray->region = NULL;
     ray->has_nodes = 0;
-    ray->at = 0.0;
-    ray->end = far > 0.0 ? far : INFINITY;
+    ray->line.at = 0.0;
+    ray->line.end = far > 0.0 ? far : INFINITY;
     int good = length > 0.0 && length < 1e100 && far >= 0.0;
     for (int axis = 0; axis < 3; axis++)
     {
-        ray->origin[axis] =
+        ray->line.origin[axis] =
             (origin[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
-        ray->step[axis] = direction[axis] / length / octree->options.edge;
-        ray->by[axis] = 1.0 / ray->step[axis];
-        good &= fabs(ray->origin[axis]) < 1e15;
-        const double low = octree->first[axis], high = octree->beyond[axis];
-        if (ray->step[axis] == 0.0)
+        ray->line.step[axis] = direction[axis] / length / octree->options.edge;
+        ray->line.by[axis] = 1.0 / ray->line.step[axis];
+        good &= fabs(ray->line.origin[axis]) < 1e15;
+        const double low = first[axis], high = beyond[axis];
+        if (ray->line.step[axis] == 0.0)
         {
-            good &= ray->origin[axis] >= low && ray->origin[axis] < high;
+            good &= ray->line.origin[axis] >= low && ray->line.origin[axis] < high;
             continue;
         }
-        const double a = (low - ray->origin[axis]) * ray->by[axis];
-        const double b = (high - ray->origin[axis]) * ray->by[axis];
-        ray->at = fmax(ray->at, fmin(a, b));
-        ray->end = fmin(ray->end, fmax(a, b));
+        const double a = (low - ray->line.origin[axis]) * ray->line.by[axis];
+        const double b = (high - ray->line.origin[axis]) * ray->line.by[axis];
+        const double enters = a < b ? a : b, leaves = a < b ? b : a;
+        ray->line.at = enters > ray->line.at ? enters : ray->line.at;
+        ray->line.end = leaves < ray->line.end ? leaves : ray->line.end;
     }
     for (int axis = 0; good && axis < 3; axis++)
     {
-        const double place = floor(ray->origin[axis] + ray->at * ray->step[axis]);
-        const double low = octree->first[axis], high = octree->beyond[axis] - 1.0;
-        ray->place[axis] = (int32_t)(place < low ? low : place > high ? high : place);
+        /* what is below 0 is below the box */
+        const double place = ray->line.origin[axis] + ray->line.at * ray->line.step[axis];
+        const double low = first[axis], high = beyond[axis] - 1.0;
+        ray->line.place[axis] = (int32_t)(place < low ? low : place > high ? high : place);
     }
-    return good && ray->at <= ray->end;
+    return good && ray->line.at <= ray->line.end;
 }
 
 /* As cm_node_find, from the node that this place and the last one share. */
@@ -123,8 +123,8 @@ static cm_spot find_spot(ray_state *ray, const uint32_t place[3])
 static cm_status find(ray_state *ray, ray_cube *cube)
 {
     const cm_octree *octree = ray->octree;
-    const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1],
-                               (uint32_t)ray->place[2]};
+    const uint32_t place[3] = {(uint32_t)ray->line.place[0], (uint32_t)ray->line.place[1],
+                               (uint32_t)ray->line.place[2]};
     const cm_region *region = ray->region;
     if (region != NULL && ((place[0] ^ region->place[0]) | (place[1] ^ region->place[1]) |
                            (place[2] ^ region->place[2])) >>
@@ -161,8 +161,8 @@ static cm_status look(ray_state *ray, ray_cube *cube)
     {
         return status;
     }
-    const uint32_t place[3] = {(uint32_t)ray->place[0], (uint32_t)ray->place[1],
-                               (uint32_t)ray->place[2]};
+    const uint32_t place[3] = {(uint32_t)ray->line.place[0], (uint32_t)ray->line.place[1],
+                               (uint32_t)ray->line.place[2]};
     const unsigned block = cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3);
     const unsigned cell = cm_interleave_3(place[0], place[1], place[2]);
     const unsigned level =
@@ -187,32 +187,34 @@ static int leave(ray_state *ray, const ray_cube *cube)
     double out[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        const double border = cube->corner[axis] + (ray->step[axis] > 0.0 ? size : 0.0);
-        out[axis] =
-            ray->step[axis] == 0.0 ? INFINITY : (border - ray->origin[axis]) * ray->by[axis];
+        const double border = cube->corner[axis] + (ray->line.step[axis] > 0.0 ? size : 0.0);
+        out[axis] = ray->line.step[axis] == 0.0
+                        ? INFINITY
+                        : (border - ray->line.origin[axis]) * ray->line.by[axis];
     }
     int axis = out[0] <= out[1] ? 0 : 1;
     axis = out[axis] <= out[2] ? axis : 2;
-    ray->at = ray->at > out[axis] ? ray->at : out[axis];
-    if (!(ray->at < ray->end))
+    ray->line.at = ray->line.at > out[axis] ? ray->line.at : out[axis];
+    if (!(ray->line.at < ray->line.end))
     {
         return 0;
     }
     for (int i = 0; i < 3; i++)
     {
         const double low = cube->corner[i], high = cube->corner[i] + size - 1.0;
-        const double place = ray->origin[i] + ray->at * ray->step[i];
-        ray->place[i] = (int32_t)(place < low ? low : place > high ? high : place);
+        const double place = ray->line.origin[i] + ray->line.at * ray->line.step[i];
+        ray->line.place[i] = (int32_t)(place < low ? low : place > high ? high : place);
     }
-    ray->place[axis] = (int32_t)cube->corner[axis] + (ray->step[axis] > 0.0 ? (int32_t)size : -1);
-    return ray->place[axis] >= (int32_t)ray->octree->first[axis] &&
-           ray->place[axis] < (int32_t)ray->octree->beyond[axis];
+    ray->line.place[axis] =
+        (int32_t)cube->corner[axis] + (ray->line.step[axis] > 0.0 ? (int32_t)size : -1);
+    return ray->line.place[axis] >= (int32_t)ray->octree->first[axis] &&
+           ray->line.place[axis] < (int32_t)ray->octree->beyond[axis];
 }
 
 static cm_voxel voxel_of(const ray_state *ray, const ray_cube *cube)
 {
     cm_voxel voxel = cm_voxel_at(ray->octree, cube->corner, cube->level, cube->alpha, cube->color);
-    voxel.distance = ray->at;
+    voxel.distance = ray->line.at;
     return voxel;
 }
 
@@ -249,10 +251,11 @@ static int march(ray_state *ray, unsigned block)
     int32_t in[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        border[axis] = ray->place[axis] + (ray->step[axis] > 0.0 ? 1.0 : 0.0);
-        next[axis] =
-            ray->step[axis] == 0.0 ? INFINITY : (border[axis] - ray->origin[axis]) * ray->by[axis];
-        in[axis] = ray->place[axis] & 7;
+        border[axis] = ray->line.place[axis] + (ray->line.step[axis] > 0.0 ? 1.0 : 0.0);
+        next[axis] = ray->line.step[axis] == 0.0
+                         ? INFINITY
+                         : (border[axis] - ray->line.origin[axis]) * ray->line.by[axis];
+        in[axis] = ray->line.place[axis] & 7;
     }
     for (;;)
     {
@@ -264,16 +267,16 @@ static int march(ray_state *ray, unsigned block)
         }
         int axis = next[0] <= next[1] ? 0 : 1;
         axis = next[axis] <= next[2] ? axis : 2;
-        ray->at = ray->at > next[axis] ? ray->at : next[axis];
-        if (!(ray->at < ray->end))
+        ray->line.at = ray->line.at > next[axis] ? ray->line.at : next[axis];
+        if (!(ray->line.at < ray->line.end))
         {
             return 0;
         }
-        const int sign = ray->step[axis] > 0.0 ? 1 : -1;
+        const int sign = ray->line.step[axis] > 0.0 ? 1 : -1;
         border[axis] += sign;
-        next[axis] = (border[axis] - ray->origin[axis]) * ray->by[axis];
+        next[axis] = (border[axis] - ray->line.origin[axis]) * ray->line.by[axis];
         in[axis] += sign;
-        ray->place[axis] += sign;
+        ray->line.place[axis] += sign;
         if (in[axis] & ~7)
         {
             return 0;
@@ -286,8 +289,8 @@ static int is_inside(const ray_state *ray)
     int inside = 1;
     for (int axis = 0; axis < 3; axis++)
     {
-        inside &= ray->place[axis] >= (int32_t)ray->octree->first[axis] &&
-                  ray->place[axis] < (int32_t)ray->octree->beyond[axis];
+        inside &= ray->line.place[axis] >= (int32_t)ray->octree->first[axis] &&
+                  ray->line.place[axis] < (int32_t)ray->octree->beyond[axis];
     }
     return inside;
 }
@@ -301,9 +304,9 @@ static int cast(ray_state *ray, ray_cube *cube)
         int level = 0;
         if (region != NULL)
         {
-            const unsigned block =
-                cm_interleave_3((unsigned)ray->place[0] >> 3, (unsigned)ray->place[1] >> 3,
-                                (unsigned)ray->place[2] >> 3);
+            const unsigned block = cm_interleave_3((unsigned)ray->line.place[0] >> 3,
+                                                   (unsigned)ray->line.place[1] >> 3,
+                                                   (unsigned)ray->line.place[2] >> 3);
             level = empty_level(region, block);
             if (level == 0 && region->form[block] != CM_BLOCK_EVEN)
             {
@@ -311,7 +314,7 @@ static int cast(ray_state *ray, ray_cube *cube)
                 {
                     return look(ray, cube) == CM_OK;
                 }
-                if (!(ray->at < ray->end) || !is_inside(ray))
+                if (!(ray->line.at < ray->line.end) || !is_inside(ray))
                 {
                     return 0;
                 }
@@ -325,7 +328,7 @@ static int cast(ray_state *ray, ray_cube *cube)
             cube->level = level == 0 ? CM_BLOCK_LEVEL : level;
             for (int axis = 0; axis < 3; axis++)
             {
-                cube->corner[axis] = (uint32_t)ray->place[axis] >> cube->level << cube->level;
+                cube->corner[axis] = (uint32_t)ray->line.place[axis] >> cube->level << cube->level;
             }
         }
         if (cube->alpha > CM_UNKNOWN)
@@ -340,13 +343,57 @@ static int cast(ray_state *ray, ray_cube *cube)
     return 0;
 }
 
+/* ---- with an index ---- */
+
+/* The occupied voxel of a block that a ray is in. */
+static int found(ray_state *ray, const cm_ray_index *index, const cm_ray_block *block,
+                 ray_cube *cube)
+{
+    if (block->level == CM_RAY_BLOCK_EVEN)
+    {
+        return look(ray, cube) == CM_OK;
+    }
+    uint32_t place[3];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        place[axis] = (uint32_t)ray->line.place[axis];
+        cube->corner[axis] = place[axis] >> block->level << block->level;
+    }
+    const unsigned cell = cm_interleave_3(place[0], place[1], place[2]), word = cell / 64;
+    const size_t at = block->first + block->before[word] +
+                      cm_bit_count(block->mask[word] & cm_bits_below(cell % 64));
+    cube->level = block->level;
+    cube->alpha = index->alpha[at];
+    cube->color = index->color[at];
+    return 1;
+}
+
+static int cast_any(ray_state *ray, const cm_octree *octree, const double origin[3],
+                    const double direction[3], double far, ray_cube *cube)
+{
+    const cm_ray_index *index = cm_ray_index_of(octree);
+    if (index == NULL)
+    {
+        return begin(ray, octree, octree->first, octree->beyond, origin, direction, far) &&
+               cast(ray, cube);
+    }
+    uint32_t first[3], beyond[3];
+    cm_ray_index_box(octree, index, first, beyond);
+    if (!begin(ray, octree, first, beyond, origin, direction, far))
+    {
+        return 0;
+    }
+    const cm_ray_block *block = cm_ray_index_cast(index, &ray->line);
+    return block != NULL && found(ray, index, block, cube);
+}
+
 int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3],
                   double far, cm_voxel *voxel)
 {
     ray_state ray;
     ray_cube cube;
     if (octree == NULL || origin == NULL || direction == NULL ||
-        !begin(&ray, octree, origin, direction, far) || !cast(&ray, &cube))
+        !cast_any(&ray, octree, origin, direction, far, &cube))
     {
         return 0;
     }
@@ -366,7 +413,7 @@ cm_status cm_octree_walk_ray(const cm_octree *octree, const double origin[3],
     }
     ray_state ray;
     ray_cube cube;
-    if (!begin(&ray, octree, origin, direction, far))
+    if (!begin(&ray, octree, octree->first, octree->beyond, origin, direction, far))
     {
         return CM_OK;
     }

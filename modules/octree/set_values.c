@@ -8,6 +8,7 @@
 #include "interleave.h"
 #include "node_tree.h"
 #include "paging.h"
+#include "ray_index.h"
 #include "update_desk.h"
 
 /* From the root's centre to the tree's corner; 0 if the cube is not in the tree. */
@@ -36,6 +37,7 @@ static cm_status region_at(cm_octree *octree, const uint32_t place[3], cm_region
                                 place[1] >> CM_REGION_LEVEL << CM_REGION_LEVEL,
                                 place[2] >> CM_REGION_LEVEL << CM_REGION_LEVEL};
     uint32_t node = 0;
+    cm_ray_index_forget(octree);
     octree->clock++;
     const cm_status status = cm_node_reach(octree, corner, CM_REGION_LEVEL, &node);
     return status == CM_OK ? cm_node_region(octree, node, corner, region) : status;
@@ -49,6 +51,7 @@ cm_status cm_octree_set_cube(cm_octree *octree, const int64_t corner[3], int lev
     {
         return CM_ERROR_ARGUMENT;
     }
+    cm_ray_index_forget(octree);
     cm_status status;
     if (level >= CM_REGION_LEVEL && octree->options.levels >= CM_REGION_LEVEL)
     {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "block_mask.h"
 #include "interleave.h"
 #include "snapshot_cells.h"
 #include "walk.h"
@@ -56,38 +57,6 @@ static int is_beside(const gathering *g, const uint32_t place[3], double size)
         beside |= n[0] * at[0] + n[1] * at[1] + n[2] * at[2] < n[3] - reach;
     }
     return beside;
-}
-
-/* Eight bytes, the first lowest. */
-static uint64_t eight_of(const uint8_t *a)
-{
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    uint64_t eight;
-    memcpy(&eight, a, sizeof eight);
-    return eight;
-#else
-    return a[0] | (uint64_t)a[1] << 8 | (uint64_t)a[2] << 16 | (uint64_t)a[3] << 24 |
-           (uint64_t)a[4] << 32 | (uint64_t)a[5] << 40 | (uint64_t)a[6] << 48 |
-           (uint64_t)a[7] << 56;
-#endif
-}
-
-/* Which of 64 alphas are occupied after misses that take `less`, below 128: those of 128 + less and more. */
-static uint64_t occupied_of(const uint8_t alpha[64], unsigned less)
-{
-    const uint64_t ones = 0x0101010101010101u, tops = 128 * ones;
-    uint64_t bits = 0, any = 0;
-    for (unsigned i = 0; i < 64; i += 8)
-    {
-        any |= eight_of(alpha + i);
-    }
-    for (unsigned i = 0; (any & tops) != 0 && i < 64; i += 8)
-    {
-        const uint64_t eight = eight_of(alpha + i);
-        const uint64_t top = eight & ((eight & ~tops) + (128 - less) * ones) & tops;
-        bits |= ((top >> 7) * 0x0102040810204080u >> 56) << i;
-    }
-    return bits;
 }
 
 /* Colors of what is occupied, from those of all cells; NULL: none. */
@@ -159,21 +128,16 @@ static int gather_even(void *user, const uint32_t place[3], int level, uint8_t a
     return stops;
 }
 
-/* The mask of a block that is not stored as a byte a voxel; its colors. */
+/* The colors of a block that is not stored as one a voxel. */
 static const uint32_t *unpack(const gathering *g, const cm_region *region, unsigned block,
-                              unsigned misses, cm_seen_node *node, uint32_t color[512])
+                              unsigned misses, uint32_t color[512])
 {
-    uint8_t alpha[512], cell_alpha[512];
+    uint8_t alpha[512];
     uint32_t cell_color[512];
-    const unsigned detail = cm_block_read(region, block, g->rule, misses, cell_alpha, cell_color);
+    const unsigned detail = cm_block_read(region, block, g->rule, misses, alpha, cell_color);
     for (unsigned cell = 0; cell < 512; cell++)
     {
-        alpha[cell] = cell_alpha[cell >> 3 * detail];
         color[cell] = cell_color[cell >> 3 * detail];
-    }
-    for (unsigned w = 0; w < 8; w++)
-    {
-        node->mask[w] = occupied_of(alpha + 64 * w, 0);
     }
     return color;
 }
@@ -207,27 +171,16 @@ static int gather_block(void *user, const cm_region *region, unsigned block, uns
     }
     prefetch(region, block);
     cm_seen_node node = {.pairs = 0};
+    if (!cm_block_mask(region, block, g->rule, misses, node.mask))
+    {
+        return 0;
+    }
     uint32_t unpacked[512];
-    const uint32_t *color = NULL;
-    const unsigned less = cm_more_misses(region->value[block], misses) * (unsigned)g->rule->miss;
-    if (region->form[block] == CM_BLOCK_PLAIN && region->detail[block] == 0)
-    {
-        for (unsigned w = 0; less < 128 && w < 8; w++)
-        {
-            node.mask[w] = occupied_of(region->alpha[block] + 64 * w, less);
-        }
-        color = region->color == NULL ? NULL : region->color[block];
-    }
-    else
-    {
-        color = unpack(g, region, block, misses, &node, unpacked);
-    }
-    uint64_t any = 0;
-    for (unsigned w = 0; w < 8; w++)
-    {
-        any |= node.mask[w];
-    }
-    return any != 0 && add_block(g, place, &node, color);
+    const int is_plain = region->form[block] == CM_BLOCK_PLAIN && region->detail[block] == 0;
+    const uint32_t *color = !is_plain               ? unpack(g, region, block, misses, unpacked)
+                            : region->color == NULL ? NULL
+                                                    : region->color[block];
+    return add_block(g, place, &node, color);
 }
 
 typedef struct filling
@@ -404,7 +357,7 @@ cm_status cm_snapshot_make(const cm_octree *octree, const cm_snapshot_bounds *bo
                    .rule = &octree->rule,
                    .bounds = bounds,
                    .middle = (double)snapshot->middle};
-    cm_walk walk = {.user = &g, .even = gather_even, .block = gather_block};
+    cm_walk walk = {.only_solid = 1, .user = &g, .even = gather_even, .block = gather_block};
     const cm_status status = cut_box(octree, &g, &walk) ? cm_walk_run(octree, &walk) : CM_OK;
     if (status == CM_ERROR_STOPPED)
     {

@@ -11,6 +11,7 @@
 #include "color_word.h"
 #include "interleave.h"
 #include "paging.h"
+#include "ray_index.h"
 #include "update_desk.h"
 #include "update_round.h"
 
@@ -380,6 +381,7 @@ cm_status cm_octree_update(cm_octree *octree, const cm_view *view, cm_pool *pool
                  : cm_view_desk_clean(&desk->view, octree, view, pool, &valid);
     if (status == CM_OK && (valid > 0 || octree->options.no_return_is_free))
     {
+        cm_ray_index_forget(octree);
         octree->step++;
         octree->clock++;
         begin(update, octree, desk, view);

@@ -10,6 +10,7 @@
 #include "interleave.h"
 #include "node_tree.h"
 #include "paging.h"
+#include "ray_index.h"
 #include "walk.h"
 
 /* A voxel that something happens to: its key, and the point whose hit it is; a miss has none. */
@@ -370,6 +371,7 @@ cm_status cm_octree_update_points(cm_octree *octree, const double origin[3], siz
     if (status == CM_OK && list.count > 0)
     {
         make_unique(&list);
+        cm_ray_index_forget(octree);
         octree->clock++;
         status = get_regions(octree, &list);
         octree->step += status == CM_OK;

@@ -65,6 +65,10 @@ static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_re
 {
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
+        if (walk->only_solid && !cm_block_is_solid(region, block))
+        {
+            continue;
+        }
         unsigned in[3];
         cm_divide_3(block, in);
         const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],

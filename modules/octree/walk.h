@@ -13,6 +13,7 @@ typedef struct cm_walk
     uint32_t first[3];  /* the box, in voxels of the tree */
     uint32_t beyond[3]; /* the first that are not in it */
     uint64_t since;     /* only what changed after this step */
+    int only_solid;     /* 1: of regions only blocks that may have an occupied voxel */
     void *user;
     /* A cube of 2^level voxels with one alpha, which may reach beyond the box. */
     int (*even)(void *user, const uint32_t place[3], int level, uint8_t alpha);
