@@ -51,6 +51,22 @@ typedef struct cm_pixel_gap
 #define CM_BREAK_NEAR 1
 #define CM_BREAK_BEND 2
 
+/* Pixels beside a break are no farther from it. */
+#define CM_BREAK_RADIUS 8
+
+/* A pixel at a break tells pixels around it, in a row, what it sees. */
+typedef struct cm_break_teller
+{
+    float front; /* of its surface */
+    float back;
+    float heed;   /* so far pixels at distance 1 heed each other */
+    float hides;  /* and no farther behind what they see */
+    float radius; /* in pixels */
+    float down;   /* rows between them */
+    size_t
+        first; /* of CM_BREAK_RADIUS: pixels that the first of the row is right of the leftmost */
+} cm_break_teller;
+
 /* Least and greatest of what pixels say within windows of 2 x 2 cells of 2^level pixels, at each cell: what is nearer than
  * least is missed by all, what is farther than most is touched by none. Levels begin at 1: few cubes are so far that windows of
  * pixels would say more. */
@@ -106,6 +122,18 @@ typedef struct cm_cell_offsets
     float z[512];
 } cm_cell_offsets;
 
+/* 64 cells of a block. */
+typedef struct cm_visited_group
+{
+    const float *first; /* the centre of the block's first voxel, in the camera's axes */
+    const float *x;     /* offsets from there */
+    const float *y;
+    const float *z;
+    float scale;           /* edges that cells are wide */
+    int is_inside;         /* 1: all fall on the picture */
+    cm_cube_bounds bounds; /* of the pixels that they fall on */
+} cm_visited_group;
+
 /* A row of a depth image and its surroundings: 1 / depth, NaN where nothing was measured. */
 typedef struct cm_rule_row
 {
@@ -135,6 +163,8 @@ typedef struct cm_rule_row
     float bend_relative; /* and times depth: what noise adds */
 } cm_rule_row;
 
+#define CM_MIX_MULTIPLE 16
+
 typedef struct cm_octree_set
 {
     const char *name; /* first: as in options.h */
@@ -147,6 +177,10 @@ typedef struct cm_octree_set
     void (*bends)(size_t n, const cm_rule_row *row, uint8_t *kind);
     /* Adds CM_BREAK_NEAR to kinds of a row; rows of fronts are `stride` from each other. */
     void (*breaks)(size_t n, size_t stride, const float *front, const float *back, uint8_t *kind);
+    /* To those of n pixels that see something behind the teller: fronts of surfaces that join theirs; of surfaces in front, and up
+     * to where voxels reach those. */
+    void (*tell)(size_t n, const cm_break_teller *teller, const float *front, float *own_front,
+                 float *near_front, float *near_back);
     /* Rules and bounds of a row; front_of: the least front that each pixel heeds; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
     void (*rules)(size_t n, const float *depth, const float *reach, const float *front_of,
                   float far, float free_far, cm_pixel_rule *rule, float *least, float *most);
@@ -164,12 +198,13 @@ typedef struct cm_octree_set
     void (*classify)(const cm_view_table *view, size_t n, const float *x, const float *y,
                      const float *z, const float half[3], uint8_t *class_of,
                      cm_cube_bounds *bounds);
-    /* What happens to the 64 cells of a group at offsets from a first voxel, cells of `scale` edges: bits of hits and misses;
-     * pixel has the rules' indices of them all, NULL: not wanted. is_inside: all fall on the picture; bounds: of the pixels that they fall
-     * on. */
-    void (*visit)(const cm_view_table *view, const float first[3], const float *x, const float *y,
-                  const float *z, float scale, int is_inside, cm_cube_bounds bounds, uint64_t *hits,
+    /* What happens to the cells of a group: bits of hits and misses, and the rules' indices of those that are hit, perhaps of
+     * others. */
+    void (*visit)(const cm_view_table *view, const cm_visited_group *group, uint64_t *hits,
                   uint64_t *misses, int32_t pixel[64]);
+    /* Colors after hits whose colors are `more`, mixed in parts as cm_color_blend; a part of 0: none. n is a multiple of
+     * CM_MIX_MULTIPLE. */
+    void (*mix)(size_t n, uint32_t *color, const uint32_t *more, const uint32_t *part);
     /* 64 alphas after hits and misses: saturating. Returns 1 if any changed. */
     int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss,
                  uint8_t low, uint8_t high);

@@ -238,6 +238,11 @@ static cm_status go_down(cm_update *update, uint32_t node, const uint32_t place[
     }
     if (level == CM_REGION_LEVEL)
     {
+        const cm_node *at = &octree->node[node];
+        if (at->kind == CM_NODE_LEAF && !cm_update_may_change(update, place, at->value))
+        {
+            return CM_OK;
+        }
         return cm_update_list_region(update, node, place);
     }
     if (!cm_node_divide(octree, node))

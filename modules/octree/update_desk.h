@@ -72,6 +72,9 @@ void cm_update_end_lists(cm_update *update, cm_status status);
 uint64_t cm_update_listed_bytes(const cm_update *update);
 void cm_update_close_regions(cm_update *update);
 
+/* May something happen to a region at a place whose voxels all have an alpha? Asked before memory is taken for it. */
+int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8_t alpha);
+
 /* Update a region of a straight camera's view. */
 void cm_update_region(cm_update *update, cm_region *region);
 

@@ -52,16 +52,32 @@ uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsig
     return valid;
 }
 
+/* Colors of hits, of which there are some, lie apart: they are brought together, mixed, and put back. */
 static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color,
                        uint64_t hits, const int32_t pixel[64])
 {
     const uint32_t *word = update->desk->view.word;
-    for (; hits != 0; hits &= hits - 1)
+    uint32_t old[64], more[64], part[64];
+    uint8_t cell[64];
+    size_t count = 0;
+    do
     {
         const unsigned i = (unsigned)__builtin_ctzll(hits);
-        const uint32_t more = word[pixel[i]], old = color[i], part = update->part_of[alpha[i]];
-        const uint32_t mixed = cm_color_blend(old, more, part);
-        color[i] = part == 0 ? 0 : old == 0 ? more : mixed;
+        cell[count] = (uint8_t)i;
+        old[count] = color[i];
+        more[count] = word[pixel[i]];
+        part[count++] = update->part_of[alpha[i]];
+        hits &= hits - 1;
+    } while (hits != 0);
+    size_t end = count;
+    for (; end % CM_MIX_MULTIPLE != 0; end++)
+    {
+        old[end] = more[end] = part[end] = 0;
+    }
+    update->set->mix(end, old, more, part);
+    for (size_t k = 0; k < count; k++)
+    {
+        color[cell[k]] = old[k];
     }
 }
 
@@ -181,17 +197,17 @@ typedef struct block_work
     const uint32_t *color; /* of an open block; NULL: none yet */
 } block_work;
 
-static void first_voxel(const cm_update *update, const cm_region *region, unsigned block,
+static void first_voxel(const cm_update *update, const uint32_t place[3], unsigned block,
                         float first[3])
 {
     unsigned at[3];
     cm_divide_3(block, at);
-    double place[3], in_camera[3];
+    double in_tree[3], in_camera[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        place[axis] = (double)region->place[axis] + 8.0 * at[axis];
+        in_tree[axis] = (double)place[axis] + 8.0 * at[axis];
     }
-    cm_update_place(update, place, in_camera);
+    cm_update_place(update, in_tree, in_camera);
     for (int axis = 0; axis < 3; axis++)
     {
         first[axis] = (float)in_camera[axis];
@@ -230,12 +246,16 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
         return;
     }
     const cm_cell_offsets *offset = &update->offset[detail];
-    update->set->visit(&update->desk->view.table, work->first, offset->x + 64 * group,
-                       offset->y + 64 * group, offset->z + 64 * group, (float)(1u << detail),
-                       class_of == CM_CUBE_BAND,
-                       detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY},
-                       &change->hits[group], &change->misses[group],
-                       update->has_color ? change->pixel[group] : NULL);
+    const cm_visited_group visited = {
+        .first = work->first,
+        .x = offset->x + 64 * group,
+        .y = offset->y + 64 * group,
+        .z = offset->z + 64 * group,
+        .scale = (float)(1u << detail),
+        .is_inside = class_of == CM_CUBE_BAND,
+        .bounds = detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY}};
+    update->set->visit(&update->desk->view.table, &visited, &change->hits[group],
+                       &change->misses[group], change->pixel[group]);
     if (change->hits[group] != 0 && update->has_color)
     {
         fetch_colors(update, work->color == NULL ? NULL : work->color + 64 * group,
@@ -324,12 +344,12 @@ static void classify_eights(const cm_update *update, const float first[3], cube_
 }
 
 /* Blocks in which something may happen, in their order, and how many; and their classes, and Z of their centres. */
-static size_t classify_blocks(const cm_update *update, const cm_region *region, cube_places *places,
+static size_t classify_blocks(const cm_update *update, const uint32_t place[3], cube_places *places,
                               uint16_t listed[CM_REGION_BLOCKS + 1],
                               uint8_t class_of[CM_REGION_BLOCKS], float z[CM_REGION_BLOCKS])
 {
     float first[3];
-    first_voxel(update, region, 0, first);
+    first_voxel(update, place, 0, first);
     classify_eights(update, first, places);
     size_t count = 0;
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
@@ -420,6 +440,22 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
     }
 }
 
+int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8_t alpha)
+{
+    cube_places places;
+    uint8_t class_of[CM_REGION_BLOCKS];
+    float z[CM_REGION_BLOCKS];
+    uint16_t listed[CM_REGION_BLOCKS + 1];
+    const size_t count = classify_blocks(update, place, &places, listed, class_of, z);
+    const int is_lowest = cm_after_misses(&update->octree->rule, alpha, 1) == alpha;
+    int may_change = 0;
+    for (size_t i = 0; i < count; i++)
+    {
+        may_change |= class_of[i] != CM_CUBE_OUTSIDE && !(class_of[i] == CM_CUBE_FREE && is_lowest);
+    }
+    return may_change;
+}
+
 void cm_update_region(cm_update *update, cm_region *region)
 {
     cube_places places;
@@ -428,7 +464,7 @@ void cm_update_region(cm_update *update, cm_region *region)
     float z[CM_REGION_BLOCKS];
     uint16_t listed[CM_REGION_BLOCKS + 1];
     float first[CM_REGION_BLOCKS][3];
-    const size_t classified = classify_blocks(update, region, &places, listed, class_of, z);
+    const size_t classified = classify_blocks(update, region->place, &places, listed, class_of, z);
     size_t count = 0;
     for (size_t i = 0; i < classified; i++)
     {
@@ -439,7 +475,7 @@ void cm_update_region(cm_update *update, cm_region *region)
         }
         else if (class_of[i] != CM_CUBE_OUTSIDE)
         {
-            first_voxel(update, region, block, first[count]);
+            first_voxel(update, region->place, block, first[count]);
             z[count] = z[i];
             listed[count++] = (uint16_t)block;
         }

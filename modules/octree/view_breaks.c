@@ -12,72 +12,43 @@
 typedef struct break_work
 {
     cm_view_desk *desk;
+    const cm_octree_set *set;
     size_t first_row;
     size_t end_row;
-    cm_break_slots *slots;
+    cm_break_runs *runs;
 } break_work;
 
-/* The slot of a pixel, which is made if it has none. */
-static cm_break_slot *slot_of(const break_work *work, size_t pixel)
+/* The runs of some pixels of a row are ready to be told something. 0: no memory. */
+static int take_runs(const break_work *work, size_t row, size_t low, size_t high)
 {
-    cm_break_slots *slots = work->slots;
-    uint32_t *index = &work->desk->slot_of[pixel];
-    if (*index != 0)
+    cm_view_desk *desk = work->desk;
+    cm_break_runs *runs = work->runs;
+    for (size_t first = low / CM_BREAK_RUN * CM_BREAK_RUN; first < high; first += CM_BREAK_RUN)
     {
-        return &slots->slot[*index - 1];
-    }
-    if (slots->count == slots->room)
-    {
-        const size_t room = slots->room == 0 ? 4096 : 2 * slots->room;
-        cm_break_slot *more = realloc(slots->slot, room * sizeof *more);
-        if (more == NULL)
+        const size_t pixel = row * desk->stride + first;
+        uint8_t *is_taken = &desk->is_taken[pixel / CM_BREAK_RUN];
+        if (*is_taken)
         {
-            return NULL;
+            continue;
         }
-        slots->slot = more;
-        slots->room = room;
-    }
-    *index = (uint32_t)++slots->count;
-    cm_break_slot *slot = &slots->slot[slots->count - 1];
-    *slot = (cm_break_slot){.pixel = (uint32_t)pixel,
-                            .own_front = work->desk->front[pixel],
-                            .near_front = INFINITY,
-                            .near_back = -INFINITY};
-    return slot;
-}
-
-static float smaller(float a, float b)
-{
-    return a < b ? a : b;
-}
-
-/* A pixel tells another, so many pixels apart, what it sees. Half a pixel less may lie between a voxel's centre and its ray. */
-static int tell(const break_work *work, size_t from, size_t to, uint32_t apart)
-{
-    const cm_view_desk *desk = work->desk;
-    const float front = desk->front[from], back = desk->back[from];
-    const float between = (float)apart - 0.5f;
-    const int is_in_reach = between * front <= desk->heed;
-    if (!is_in_reach || !(front < desk->front[to]))
-    {
-        return 1;
-    }
-    cm_break_slot *slot = slot_of(work, to);
-    if (slot == NULL)
-    {
-        return 0;
-    }
-    if (back < desk->front[to])
-    {
-        /* what is closely behind may be the side of the same body, as far as voxels reach its silhouette */
-        const float until = smaller(desk->heed / between, back + desk->hides);
-        const float hides = until > back ? until : back;
-        slot->near_front = smaller(slot->near_front, front);
-        slot->near_back = hides > slot->near_back ? hides : slot->near_back;
-    }
-    else
-    {
-        slot->own_front = smaller(slot->own_front, front);
+        if (runs->count == runs->room)
+        {
+            const size_t room = runs->room == 0 ? 1024 : 2 * runs->room;
+            uint32_t *more = realloc(runs->first, room * sizeof *more);
+            if (more == NULL)
+            {
+                return 0;
+            }
+            runs->first = more;
+            runs->room = room;
+        }
+        *is_taken = 1;
+        runs->first[runs->count++] = (uint32_t)pixel;
+        for (size_t i = pixel; i < pixel + CM_BREAK_RUN; i++)
+        {
+            desk->own_front[i] = desk->near_front[i] = INFINITY;
+            desk->near_back[i] = -INFINITY;
+        }
     }
     return 1;
 }
@@ -89,40 +60,42 @@ static size_t radius_of(const cm_view_desk *desk, size_t pixel)
     return radius >= 0.0f && radius < CM_BREAK_RADIUS ? (size_t)radius : CM_BREAK_RADIUS;
 }
 
+/* A pixel tells those around it what it sees. */
 static int tell_around(const break_work *work, size_t row, size_t column)
 {
     const cm_view_desk *desk = work->desk;
     const size_t stride = desk->stride, from = row * stride + column;
     const size_t radius = radius_of(desk, from);
-    const size_t low_row = row > radius ? row - radius : 0;
-    const size_t high_row = row + radius < work->end_row ? row + radius + 1 : work->end_row;
+    const size_t above = row > radius ? row - radius : 0;
+    const size_t first_row = above > work->first_row ? above : work->first_row;
+    const size_t end_row = row + radius < work->end_row ? row + radius + 1 : work->end_row;
     const size_t low = column > radius ? column - radius : 0;
     const size_t high = column + radius < desk->width ? column + radius + 1 : desk->width;
+    cm_break_teller teller = {.front = desk->front[from],
+                              .back = desk->back[from],
+                              .heed = desk->heed,
+                              .hides = desk->hides,
+                              .radius = (float)radius,
+                              .first = CM_BREAK_RADIUS - (column - low)};
     int made = 1;
-    for (size_t r = low_row > work->first_row ? low_row : work->first_row; r < high_row; r++)
+    for (size_t r = first_row; made && r < end_row; r++)
     {
-        for (size_t c = low; c < high; c++)
+        const size_t to = r * stride + low;
+        teller.down = (float)(r > row ? r - row : row - r);
+        made = take_runs(work, r, low, high);
+        if (made)
         {
-            const size_t down = r > row ? r - row : row - r;
-            const size_t along = c > column ? c - column : column - c;
-            const size_t apart = down > along ? down : along;
-            if (apart > 0)
-            {
-                made &= tell(work, from, r * stride + c, (uint32_t)apart);
-            }
+            work->set->tell(high - low, &teller, desk->front + to, desk->own_front + to,
+                            desk->near_front + to, desk->near_back + to);
         }
     }
     return made;
 }
 
-static float least_heeded(const cm_break_slot *slot)
+int cm_breaks_find(cm_view_desk *desk, const cm_octree_set *set, size_t first_row, size_t end_row,
+                   cm_break_runs *runs)
 {
-    return smaller(slot->own_front, slot->near_front);
-}
-
-int cm_breaks_find(cm_view_desk *desk, size_t first_row, size_t end_row, cm_break_slots *slots)
-{
-    const break_work work = {desk, first_row, end_row, slots};
+    const break_work work = {desk, set, first_row, end_row, runs};
     const size_t low = first_row > CM_BREAK_RADIUS ? first_row - CM_BREAK_RADIUS : 0;
     const size_t high =
         end_row + CM_BREAK_RADIUS < desk->height ? end_row + CM_BREAK_RADIUS : desk->height;
@@ -130,42 +103,75 @@ int cm_breaks_find(cm_view_desk *desk, size_t first_row, size_t end_row, cm_brea
     for (size_t row = low; row < high; row++)
     {
         const uint8_t *kind = desk->kind + row * desk->stride;
-        for (size_t i = 0; i < desk->width; i += 8)
+        for (size_t i = 0; i < desk->width; i += CM_BREAK_RUN)
         {
-            uint64_t eight;
-            memcpy(&eight, kind + i, sizeof eight);
-            for (size_t k = i; eight != 0 && k < i + 8 && k < desk->width; k++)
+            uint64_t half[2];
+            memcpy(half, kind + i, sizeof half);
+            for (size_t k = i; (half[0] | half[1]) != 0 && k < i + CM_BREAK_RUN; k++)
             {
                 made &= kind[k] == 0 || tell_around(&work, row, k);
             }
         }
     }
-    for (size_t i = 0; i < slots->count; i++)
+    for (size_t i = 0; i < runs->count; i++)
     {
-        desk->slot_of[slots->slot[i].pixel] = 0;
+        desk->is_taken[runs->first[i] / CM_BREAK_RUN] = 0;
     }
     return made;
 }
 
-void cm_breaks_heed(cm_view_desk *desk, const cm_break_slots *slots)
+static float smaller(float a, float b)
 {
-    for (size_t i = 0; i < slots->count; i++)
+    return a < b ? a : b;
+}
+
+void cm_breaks_heed(cm_view_desk *desk, const cm_break_runs *runs)
+{
+    for (size_t i = 0; i < runs->count; i++)
     {
-        desk->front[slots->slot[i].pixel] = least_heeded(&slots->slot[i]);
+        float *restrict front = desk->front + runs->first[i];
+        float *restrict own = desk->own_front + runs->first[i];
+        const float *restrict near_front = desk->near_front + runs->first[i];
+        for (size_t k = 0; k < CM_BREAK_RUN; k++)
+        {
+            own[k] = smaller(own[k], front[k]);
+            front[k] = smaller(near_front[k], own[k]);
+        }
     }
 }
 
-void cm_breaks_gaps(cm_view_desk *desk, const cm_break_slots *slots)
+static int has_near(const float *near_front)
 {
-    for (size_t i = 0; i < slots->count; i++)
+    int has = 0;
+    for (size_t k = 0; k < CM_BREAK_RUN; k++)
     {
-        const cm_break_slot *slot = &slots->slot[i];
-        cm_pixel_rule *rule = &desk->rule[slot->pixel];
-        if (slot->near_front < INFINITY && slot->near_back < slot->own_front &&
-            rule->reach_front >> 16 != 0 && !isnan(rule->depth))
+        has |= near_front[k] < INFINITY;
+    }
+    return has;
+}
+
+void cm_breaks_gaps(cm_view_desk *desk, const cm_break_runs *runs)
+{
+    for (size_t i = 0; i < runs->count; i++)
+    {
+        const size_t end = runs->first[i] + CM_BREAK_RUN;
+        if (!has_near(desk->near_front + runs->first[i]))
         {
-            rule->reach_front |= CM_RULE_HAS_GAP;
-            desk->gap[slot->pixel] = (cm_pixel_gap){slot->near_back, slot->own_front};
+            continue;
+        }
+        for (size_t pixel = runs->first[i]; pixel < end; pixel++)
+        {
+            if (!(desk->near_back[pixel] < desk->own_front[pixel]) ||
+                !(desk->near_front[pixel] < INFINITY))
+            {
+                continue;
+            }
+            cm_pixel_rule *rule = &desk->rule[pixel];
+            if (rule->reach_front >> 16 != 0 && !isnan(rule->depth))
+            {
+                rule->reach_front |= CM_RULE_HAS_GAP;
+                desk->gap[pixel] = (cm_pixel_gap){desk->near_back[pixel], desk->own_front[pixel]};
+            }
         }
     }
 }

@@ -36,7 +36,7 @@ void cm_view_desk_clear(cm_view_desk *desk)
     free(desk->packed);
     free(desk->gap);
     free(desk->kind);
-    free(desk->slot_of);
+    free(desk->is_taken);
     cm_rays_destroy(desk->rays);
     memset(desk, 0, sizeof *desk);
 }
@@ -53,7 +53,7 @@ int cm_camera_is_straight(const cm_camera_options *camera)
 
 /* ---- memory ---- */
 
-#define IMAGES 7
+#define IMAGES 8
 
 static size_t level_cells(uint32_t pixels, int level)
 {
@@ -71,21 +71,26 @@ static int take_images(cm_view_desk *desk)
     desk->memory = malloc(IMAGES * image * sizeof *desk->memory);
     desk->rule = malloc(desk->stride * desk->height * sizeof *desk->rule);
     desk->word = malloc(desk->stride * desk->height * sizeof *desk->word);
-    desk->packed = malloc((size_t)desk->width * desk->height * sizeof *desk->packed);
+    desk->packed =
+        calloc((size_t)desk->width * desk->height + CM_OCTREE_SLACK, sizeof *desk->packed);
     desk->gap = malloc(desk->stride * desk->height * sizeof *desk->gap);
     desk->kind = malloc(desk->stride * desk->height);
-    desk->slot_of = calloc(desk->stride * desk->height, sizeof *desk->slot_of);
+    desk->is_taken = calloc(desk->stride / CM_BREAK_RUN, desk->height);
     if (desk->memory == NULL || desk->rule == NULL || desk->word == NULL || desk->packed == NULL ||
-        desk->gap == NULL || desk->kind == NULL || desk->slot_of == NULL)
+        desk->gap == NULL || desk->kind == NULL || desk->is_taken == NULL)
     {
         return 0;
     }
-    float **const images[IMAGES] = {&desk->reach,    &desk->front,   &desk->back,   &desk->least[0],
-                                    &desk->least[1], &desk->most[0], &desk->most[1]};
+    float **const images[IMAGES] = {&desk->reach,    &desk->front,    &desk->back,
+                                    &desk->least[0], &desk->least[1], &desk->most[0],
+                                    &desk->most[1],  &desk->own_front};
     for (size_t i = 0; i < IMAGES; i++)
     {
         *images[i] = desk->memory + i * image + desk->stride + CM_OCTREE_SLACK;
     }
+    /* cells of the second level are made after breaks have served */
+    desk->near_front = desk->least[0];
+    desk->near_back = desk->most[0];
     /* what is beside pictures joins everything */
     for (size_t i = 0; i < 3 * image; i++)
     {
@@ -250,26 +255,27 @@ typedef struct fill_work
     size_t bands;
     float first_column;
     double first_row;
-    float *rings;          /* ring_floats each */
-    cm_break_slots *slots; /* a list each */
+    float *rings;        /* ring_floats each */
+    cm_break_runs *runs; /* a list each */
     atomic_int failed;
 } fill_work;
 
 typedef struct fill_band
 {
     const fill_work *work;
-    row_ring depth, inverse;
+    row_ring inverse;
 } fill_band;
 
+/* A power of two above twice what rows are apart; six rows at least, which bounds take later. */
 static size_t ring_length(const fill_work *work)
 {
-    return work->row.apart == APART ? 4 : 16;
+    return work->row.apart == APART ? 8 : 16;
 }
 
-/* Rings, and a row of what is beyond. */
+/* A ring, and a row of what is beyond. */
 static size_t ring_floats(const fill_work *work)
 {
-    return (2 * ring_length(work) + 1) * work->desk->stride;
+    return (ring_length(work) + 1) * work->desk->stride;
 }
 
 static row_ring make_ring(const fill_band *band, float **next, size_t rows, const float *beyond)
@@ -291,16 +297,13 @@ static void begin_band(fill_band *band, const fill_work *work, size_t index)
     }
     next += work->desk->stride;
     band->work = work;
-    band->depth = make_ring(band, &next, ring_length(work), beyond);
     band->inverse = make_ring(band, &next, ring_length(work), beyond);
 }
 
 static void invert_row(fill_band *band, size_t row)
 {
     const cm_view_desk *desk = band->work->desk;
-    float *depth = ring_row(&band->depth, row);
-    memcpy(depth, desk->packed + row * desk->width, desk->width * sizeof *depth);
-    band->work->set->invert(desk->stride - 2 * CM_OCTREE_SLACK, depth,
+    band->work->set->invert(desk->width, desk->packed + row * desk->width,
                             ring_row(&band->inverse, row));
 }
 
@@ -310,7 +313,7 @@ static void reach_row(fill_band *band, size_t row)
     cm_view_desk *desk = work->desk;
     const size_t first = row * desk->stride, padded = desk->stride - 2 * CM_OCTREE_SLACK;
     cm_rule_row at = work->row;
-    at.depth = ring_row(&band->depth, row);
+    at.depth = desk->packed + row * desk->width;
     at.at = ring_row(&band->inverse, row);
     at.above = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row - (ptrdiff_t)at.apart);
     at.below = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row + (ptrdiff_t)at.apart);
@@ -375,8 +378,8 @@ static void find_bands(size_t first, size_t end, void *user)
     fill_work *work = user;
     for (size_t index = first; index < end; index++)
     {
-        if (!cm_breaks_find(work->desk, band_begin(work, index), band_begin(work, index + 1),
-                            &work->slots[index]))
+        if (!cm_breaks_find(work->desk, work->set, band_begin(work, index),
+                            band_begin(work, index + 1), &work->runs[index]))
         {
             atomic_store(&work->failed, 1);
         }
@@ -435,13 +438,13 @@ static void rule_bands(size_t first, size_t end, void *user)
     {
         const size_t to = band_begin(work, index + 1);
         const bound_rows bounds = make_bounds(work, index);
-        cm_breaks_heed(work->desk, &work->slots[index]);
+        cm_breaks_heed(work->desk, &work->runs[index]);
         for (size_t row = band_begin(work, index); row < to; row += 2)
         {
             rule_rows(work, row, &bounds);
         }
-        cm_breaks_gaps(work->desk, &work->slots[index]);
-        free(work->slots[index].slot);
+        cm_breaks_gaps(work->desk, &work->runs[index]);
+        free(work->runs[index].first);
     }
 }
 
@@ -532,11 +535,11 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     const size_t pairs = (desk->height + 1) / 2;
     work.bands = work.bands < pairs ? work.bands : pairs;
     work.rings = malloc(work.bands * ring_floats(&work) * sizeof *work.rings);
-    work.slots = calloc(work.bands, sizeof *work.slots);
-    if (work.rings == NULL || work.slots == NULL)
+    work.runs = calloc(work.bands, sizeof *work.runs);
+    if (work.rings == NULL || work.runs == NULL)
     {
         free(work.rings);
-        free(work.slots);
+        free(work.runs);
         return CM_ERROR_MEMORY;
     }
     cm_pool_run(pool, work.bands, 1, reach_bands, &work);
@@ -544,7 +547,7 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     cm_pool_run(pool, work.bands, 1, find_bands, &work);
     cm_pool_run(pool, work.bands, 1, rule_bands, &work);
     free(work.rings);
-    free(work.slots);
+    free(work.runs);
     if (atomic_load(&work.failed))
     {
         return CM_ERROR_MEMORY;

@@ -20,9 +20,6 @@
 #define CM_FRONT_ASIDE 0.75
 #define CM_FRONT_MORE 0.08
 
-/* Pixels beside a break are no farther from it. */
-#define CM_BREAK_RADIUS 8
-
 /* The images of a view and the memory of tables, kept from view to view. */
 typedef struct cm_view_desk
 {
@@ -41,7 +38,10 @@ typedef struct cm_view_desk
     float *front;
     float *back;
     uint8_t *kind;     /* of each pixel, bits of CM_BREAK_... */
-    uint32_t *slot_of; /* of pixels beside breaks, 1 and up; 0 between views */
+    float *own_front;  /* of pixels beside breaks: of their surface and those that join it */
+    float *near_front; /* of all surfaces in front of it; infinite: none */
+    float *near_back;  /* voxels that are farther do not reach them */
+    uint8_t *is_taken; /* of runs: 1 while they are beside breaks; 0 between views */
     cm_pixel_gap *gap;
     float heed; /* half a voxel's diagonal in pixels at distance 1: so far pixels heed each other */
     float hides;    /* and no farther behind what they see */
@@ -73,27 +73,22 @@ void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_v
 /* Bounds in windows from those in cells of the first level, desk->least[1] and desk->most[1]. */
 void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool);
 
-/* A pixel beside a break, and the surfaces that it heeds. */
-typedef struct cm_break_slot
-{
-    uint32_t pixel;   /* its index, as of rules */
-    float own_front;  /* of its surface and those that join it */
-    float near_front; /* of all surfaces in front of it; infinite: none */
-    float near_back;  /* voxels that are farther do not reach them */
-} cm_break_slot;
+/* Runs of so many pixels of a row, of which one at least is beside a break: their first pixels, as indices of rules. */
+#define CM_BREAK_RUN 16
 
-typedef struct cm_break_slots
+typedef struct cm_break_runs
 {
-    cm_break_slot *slot;
+    uint32_t *first;
     size_t count;
     size_t room;
-} cm_break_slots;
+} cm_break_runs;
 
 /* Pixels of some rows that are beside breaks of any row. 0: no memory. */
-int cm_breaks_find(cm_view_desk *desk, size_t first_row, size_t end_row, cm_break_slots *slots);
+int cm_breaks_find(cm_view_desk *desk, const cm_octree_set *set, size_t first_row, size_t end_row,
+                   cm_break_runs *runs);
 
 /* The fronts that those pixels heed, after all are found; and after the rules, what lies in their gaps. */
-void cm_breaks_heed(cm_view_desk *desk, const cm_break_slots *slots);
-void cm_breaks_gaps(cm_view_desk *desk, const cm_break_slots *slots);
+void cm_breaks_heed(cm_view_desk *desk, const cm_break_runs *runs);
+void cm_breaks_gaps(cm_view_desk *desk, const cm_break_runs *runs);
 
 #endif
