@@ -489,6 +489,7 @@ static void describe_table(cm_view_desk *desk, const cm_octree *octree, const cm
     table->centre[1] = (float)(camera->cy - camera->pixel_centre);
     table->near = (float)octree->options.near;
     table->half = (float)(0.5 * octree->options.edge);
+    table->widest = fmaxf(fabsf(table->focal[0]), fabsf(table->focal[1]));
     for (int i = 0; i < 9; i++)
     {
         table->axes[i / 3][i % 3] = (float)view->pose.rotation.row[i / 3][i % 3];
