@@ -8,8 +8,9 @@
  *               them, rounded to the nearest, halves away from 127. Where anything below is occupied, free counts as 127
  *               there and 128 is the least: what is occupied stays so at every level, however thin
  *   update      the pixel that a voxel's centre falls on decides: a hit where the surface seen there may cross the voxel, a
- *               miss where it is in front of that and reaches no silhouette or crease beside it, else nothing. A view
- *               changes a voxel at most once
+ *               miss where it is in front of that and reaches no silhouette or crease beside it, else nothing; but a hit
+ *               where it reaches over a silhouette and a ray of a pixel beside its own ends in it. A view changes a voxel at
+ *               most once
  *   counts      the chapter's rule: a hit adds 2 and a miss takes 2, saturating (Kotfis and Cozzi, Octree Mapping from a
  *               Depth Camera, 2014): 64 misses make what is surely occupied unknown
  *   color       the first counts whole, then a running average whose weights are the hits that alpha holds

@@ -22,7 +22,8 @@ typedef struct cm_pixel_rule
     uint32_t reach_front;
 } cm_pixel_rule;
 
-/* A bit of reach_front, the sign of a front above 0: the pixel has a gap, and what lies in it is a miss, too. */
+/* A bit of reach_front, the sign of a front above 0: the pixel has a gap, and what lies in it is a miss, too;
+ * voxels in front of the gap may be of the pixels beside it. It may be empty. */
 #define CM_RULE_HAS_GAP 0x80000000u
 
 /* The upper half of a number not below 0, rounded up. */
@@ -53,6 +54,9 @@ typedef struct cm_pixel_gap
 
 /* Pixels beside a break are no farther from it. */
 #define CM_BREAK_RADIUS 8
+
+/* A voxel that reaches over a silhouette looks for rays that end in it, so many pixels around its own. */
+#define CM_BESIDE_MOST 3
 
 /* A pixel at a break tells pixels around it, in a row, what it sees. */
 typedef struct cm_break_teller
@@ -91,6 +95,9 @@ typedef struct cm_view_table
     /* columns and rows: pixels at distance 1 that a voxel's centre may be before the first and behind
      * the last while its corners are still in the picture */
     float beside[2][2];
+    float axes[3][3]; /* the camera's, in the world's */
+    float half;       /* of a voxel's edge */
+    float widest;     /* the greater focal length */
     const cm_pixel_rule *rule;
     const cm_pixel_gap *gap; /* in rows as rules; of pixels that have one */
     int levels;

@@ -161,8 +161,7 @@ void cm_breaks_gaps(cm_view_desk *desk, const cm_break_runs *runs)
         }
         for (size_t pixel = runs->first[i]; pixel < end; pixel++)
         {
-            if (!(desk->near_back[pixel] < desk->own_front[pixel]) ||
-                !(desk->near_front[pixel] < INFINITY))
+            if (!(desk->near_front[pixel] < INFINITY))
             {
                 continue;
             }

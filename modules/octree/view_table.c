@@ -476,9 +476,9 @@ static void describe_rows(fill_work *work, const cm_octree *octree, const cm_vie
     work->first_row = camera->pixel_centre - camera->cy;
 }
 
-static void describe_table(cm_view_desk *desk, const cm_octree *octree,
-                           const cm_camera_options *camera)
+static void describe_table(cm_view_desk *desk, const cm_octree *octree, const cm_view *view)
 {
+    const cm_camera_options *camera = cm_camera_describe(view->camera);
     cm_view_table *table = &desk->table;
     table->width = desk->width;
     table->height = desk->height;
@@ -488,6 +488,12 @@ static void describe_table(cm_view_desk *desk, const cm_octree *octree,
     table->centre[0] = (float)(camera->cx - camera->pixel_centre);
     table->centre[1] = (float)(camera->cy - camera->pixel_centre);
     table->near = (float)octree->options.near;
+    table->half = (float)(0.5 * octree->options.edge);
+    table->widest = fmaxf(fabsf(table->focal[0]), fabsf(table->focal[1]));
+    for (int i = 0; i < 9; i++)
+    {
+        table->axes[i / 3][i % 3] = (float)view->pose.rotation.row[i / 3][i % 3];
+    }
     table->rule = desk->rule;
     table->gap = desk->gap;
 }
@@ -524,7 +530,7 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     }
     fill_work work = {.desk = desk, .set = octree->set, .bands = cm_pool_threads(pool)};
     describe_rows(&work, octree, view);
-    describe_table(desk, octree, cm_camera_describe(view->camera));
+    describe_table(desk, octree, view);
     const float focal_edges =
         (float)octree->options.edge * fmaxf(fabsf(work.row.focal[0]), fabsf(work.row.focal[1]));
     desk->heed = (float)AROUND_EDGES * focal_edges;

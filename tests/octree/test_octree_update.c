@@ -66,6 +66,46 @@ static void centre_of(const voxel_rules *rules, const int64_t place[3], int deta
     }
 }
 
+/* Does a pixel's ray end in the voxel with this centre? */
+static int ends_in(const voxel_rules *rules, const float at[3], uint32_t column, uint32_t row)
+{
+    const cm_view_table *table = &rules->desk.table;
+    const cm_pixel_rule *rule = &table->rule[row * table->stride + column];
+    const float depth = rule->depth;
+    const float from[3] = {((float)column - table->centre[0]) * depth / table->focal[0] - at[0],
+                           ((float)row - table->centre[1]) * depth / table->focal[1] - at[1],
+                           depth - at[2]};
+    int is_in = half_of(rule->reach_front << 16) >= 0.0f;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const float away = from[0] * table->axes[0][axis] + from[1] * table->axes[1][axis] +
+                           from[2] * table->axes[2][axis];
+        is_in = is_in && fabsf(away) <= table->half;
+    }
+    return is_in;
+}
+
+/* The first pixel near one whose ray ends in the voxel; 0: none does. */
+static int find_beside(const voxel_rules *rules, const float at[3], size_t *pixel)
+{
+    const cm_view_table *table = &rules->desk.table;
+    const uint32_t at_row = (uint32_t)(*pixel / table->width);
+    const uint32_t at_column = (uint32_t)(*pixel % table->width);
+    const float reach = 1.7321f * table->half * table->widest / at[2] + 0.5f;
+    const uint32_t around = reach < CM_BESIDE_MOST ? (uint32_t)reach : CM_BESIDE_MOST;
+    for (uint32_t i = 0; i < (2 * around + 1) * (2 * around + 1); i++)
+    {
+        const uint32_t row = at_row + i / (2 * around + 1) - around;
+        const uint32_t column = at_column + i % (2 * around + 1) - around;
+        if (row < table->height && column < table->width && ends_in(rules, at, column, row))
+        {
+            *pixel = (size_t)row * table->width + column;
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* What the view says of a voxel: 1 a hit, -1 a miss, 0 nothing. */
 static int word_of(const voxel_rules *rules, const float at[3], int detail, size_t *pixel)
 {
@@ -97,9 +137,12 @@ static int word_of(const voxel_rules *rules, const float at[3], int detail, size
     const int has_gap = (rule->reach_front & CM_RULE_HAS_GAP) != 0;
     const int is_in_gap =
         has_gap && at[2] > table->gap[index].from + more && at[2] < table->gap[index].to - more;
-    return is_seen && fabsf(away) <= reach * (float)(1 << detail) ? 1
-           : away + (front + more) < 0.0f || is_in_gap            ? -1
-                                                                  : 0;
+    const int word = is_seen && fabsf(away) <= reach * (float)(1 << detail) ? 1
+                     : away + (front + more) < 0.0f || is_in_gap            ? -1
+                                                                            : 0;
+    const int is_beside = word == 0 && has_gap && is_seen && detail == 0 && away < 0.0f &&
+                          at[2] <= table->gap[index].from;
+    return is_beside ? find_beside(rules, at, pixel) : word;
 }
 
 static int clamped(int value, int low, int high)
