@@ -33,7 +33,7 @@ enum
 {
     WIDTH = 4096, /* of the equirectangular picture */
     FACE = WIDTH / 4,
-    SMALL = WIDTH / 16,
+    SMALL = FACE / 4,
     PICTURES = 6,
     CHANNELS = 3,
     ROUNDS = 7
@@ -45,6 +45,7 @@ typedef enum job_way
     TO_CUBE,
     FROM_CUBE,
     TO_SMALL_CUBE,
+    SMALL_FROM_CUBE,
     WAYS
 } job_way;
 
@@ -59,6 +60,7 @@ static const struct
     {"to cube", "equirect", "cube:coupled", WIDTH, FACE},
     {"from cube", "cube:coupled", "equirect", FACE, WIDTH},
     {"to small cube", "equirect", "cube:coupled", WIDTH, SMALL},
+    {"small from cube", "cube:coupled", "equirect", FACE, FACE},
 };
 
 typedef struct resample_job
@@ -84,6 +86,7 @@ static const resample_job jobs[] = {
     {"spline float", CM_FILTER_BSPLINE5, CM_PIXEL_FLOAT, TO_CUBE},
     {"spline float", CM_FILTER_BSPLINE5, CM_PIXEL_FLOAT, FROM_CUBE},
     {"ewa u8", CM_FILTER_EWA, CM_PIXEL_U8, TO_SMALL_CUBE},
+    {"ewa u8", CM_FILTER_EWA, CM_PIXEL_U8, SMALL_FROM_CUBE},
     {"ewa float", CM_FILTER_EWA, CM_PIXEL_FLOAT, TO_SMALL_CUBE},
 };
 
@@ -359,7 +362,7 @@ static void place_once(const job_desk *desk, int derivatives, outcome *found)
 static void print_found(const char *set, const resample_job *job, const outcome *found,
                         double pixels)
 {
-    printf("%-8s %-14s %-14s %7.1f %7.1f %9.2f %9.2f %9.2f %7.1f %7.2f\n", set, job->name,
+    printf("%-8s %-14s %-15s %7.1f %7.1f %9.2f %9.2f %9.2f %7.1f %7.2f\n", set, job->name,
            ways[job->way].name, 1e-6 * pixels / found->cpu, 1e-6 * pixels / found->wall,
            1e3 * found->source, 1e3 * found->sampling, 1e3 * found->geometry, 100.0 * found->exact,
            found->decibels);
@@ -468,7 +471,7 @@ static double run_processes(const job_desk *desk, both_pictures *of, int process
 
 static void time_threads(all_jobs *all, const char *set, const char *wanted, int rounds)
 {
-    printf("%-8s %-14s %-14s %12s %12s %12s\n", "set", "job", "way", "one thread", "two threads",
+    printf("%-8s %-14s %-15s %12s %12s %12s\n", "set", "job", "way", "one thread", "two threads",
            "2 processes");
     for (size_t i = 0; i < JOBS; i++)
     {
@@ -488,7 +491,7 @@ static void time_threads(all_jobs *all, const char *set, const char *wanted, int
             keep_least(&processes, run_processes(&desk, of, 2));
         }
         const double pixels = 1e-6 * pixels_of(&desk);
-        printf("%-8s %-14s %-14s %12.1f %12.1f %12.1f\n", set, jobs[i].name, ways[jobs[i].way].name,
+        printf("%-8s %-14s %-15s %12.1f %12.1f %12.1f\n", set, jobs[i].name, ways[jobs[i].way].name,
                pixels / one.wall, pixels / two.wall, 2.0 * pixels / processes);
         leave(&desk);
     }
@@ -538,7 +541,7 @@ int main(int argc, char **argv)
     all_jobs *all = allocate(1, sizeof *all);
     time_memory(rounds);
     all->scene = scene_waves(10.0 * 2.0 * 3.14159265358979323846 / WIDTH, 1);
-    printf("%-8s %-14s %-14s %7s %7s %9s %9s %9s %7s %7s\n", "set", "job", "way", "cpu", "wall",
+    printf("%-8s %-14s %-15s %7s %7s %9s %9s %9s %7s %7s\n", "set", "job", "way", "cpu", "wall",
            "source", "sampling", "geometry", "exact,%", "dB");
     for (size_t i = cm_instructions_count(); i-- > 0;)
     {

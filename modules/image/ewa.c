@@ -8,10 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-/* research/image/ewa-kernel has where the terms come from. The radius must not be less than 2: boxes and a pixel around them
- * have what ewa_sharp reads. */
-static const cm_ewa_kernel kernel = {.term = {-0.27969866f, 0.92958960f, -1.40414468f, 1.00000000f},
-                                     .radius = 2.0f};
+/* research/image/ewa-kernel has where the terms come from. */
+static const cm_ewa_kernel kernel = {.term = {-0.21568027f, 0.77840737f, -1.34269608f, 1.00000000f},
+                                     .radius = 1.85f};
 
 /* Pixels beyond the edges of the pictures themselves: what is seldom more than 2 pixels wide reaches 4 of them. */
 #define PICTURE_BORDER 8
@@ -263,16 +262,17 @@ static window_box extent_of(const cm_ewa_shapes *shapes, size_t n, const uint8_t
     return box;
 }
 
-/* With what sharpness needs. */
+/* With what sharpness needs, which is only where some pixel is not smaller than one of the source. */
 static window_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
 {
     const cm_ewa_frame *frame = &desk->frame;
+    const int32_t more = desk->first > 0 ? 0 : CM_EWA_SHARP;
     window_box box = n == desk->group->count ? extent_of_all(&desk->shapes, n)
                                              : extent_of(&desk->shapes, n, which);
-    box.left = larger(box.left - 1, frame->left);
-    box.right = smaller(box.right + 1, frame->right);
-    box.top = larger(box.top - 1, frame->top);
-    box.bottom = smaller(box.bottom + 1, frame->bottom);
+    box.left = larger(box.left - more, frame->left);
+    box.right = smaller(box.right + more, frame->right);
+    box.top = larger(box.top - more, frame->top);
+    box.bottom = smaller(box.bottom + more, frame->bottom);
     return box;
 }
 

@@ -3,7 +3,8 @@
  * Elliptic footprints on a pyramid: P. S. Heckbert, Fundamentals of texture mapping and image warping, 1989; N. Greene,
  * P. S. Heckbert, Creating raster omnimax images from multiple perspective views using the elliptical weighted average
  * filter, IEEE Computer Graphics and Applications 6, 1986.
- *   kernel         a polynomial that stops 44 dB from 0.8 cycles on, 2 target pixels each way (research/image/ewa-kernel)
+ *   kernel         a polynomial that stops 50 dB from 0.92 cycles on and blurs nothing that is smooth, 1.85 target pixels
+ *                  each way (research/image/ewa-kernel)
  *   level          the coarsest on which the ellipse's minor axis, of what is one target pixel across, has
  *                  CM_EWA_MINOR pixels or more, of halves or of three eighths and its halves, whichever leaves fewer
  *                  pixels in the footprints of a sample of the target

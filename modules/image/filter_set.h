@@ -70,6 +70,9 @@ typedef struct cm_ewa_kernel
     float radius; /* of the edge, in target pixels */
 } cm_ewa_kernel;
 
+/* Pixels around the box of an ellipse that has one pixel each way or more, of which ewa_sharp reads six each way. */
+#define CM_EWA_SHARP 2
+
 /* J J^T of pixels, in source pixels; the squares of its axes; the level by the minor one. */
 #define CM_EWA_MOST 256
 typedef struct cm_ewa_axes

@@ -176,7 +176,7 @@ typedef struct strip
 } strip;
 
 /* Of pictures the first and the last columns are strips of their own, whose taps go beyond the edges. */
-#define STRIP_OF_EDGE 24
+#define STRIP_OF_EDGE 3
 
 static strip strip_at(const halve_job *job, uint32_t first)
 {

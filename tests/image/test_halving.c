@@ -10,7 +10,7 @@
 
 enum
 {
-    MOST = 230, /* new pixels of a row */
+    MOST = 600, /* new pixels of a row */
     CHANNELS_MOST = 5,
     ROWS = CM_EIGHTHS_ROWS + CM_ROWS_NEXT,
     OLD = 3 * MOST + 2 * CM_TAPS_MOST,
