@@ -78,10 +78,10 @@ typedef struct cm_tof_sensor
     double
         fixed_pattern; /* standard deviation of the pixels' own phase offsets, radians, to 1000; by seed and pixel */
     size_t shot_terms; /* of a measured polynomial for CM_TOF_FREEMAN_TUKEY; 0: Poisson's own */
-    const double
-        *shot_variance; /* variance of y = sqrt(N) + sqrt(N + 1): factors of 1, y, y^2 .. */
-    double shot_least;  /* y from which on it was measured, 1 or more; below, the variance stays */
-    double shot_most;   /* the same to which it was */
+    const double *
+        shot_variance; /* variance of y = sqrt(N) + sqrt(N + 1): factors of the powers of y from 0 */
+    double shot_least; /* y from which on it was measured, 1 or more; below, the variance stays */
+    double shot_most;  /* the same to which it was */
 } cm_tof_sensor;
 
 /* What shines, beside the camera. */
