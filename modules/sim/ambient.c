@@ -50,7 +50,8 @@ static double part_of_picture(const ambient_place *at, double scattered, double 
                               double by_sky, int is_to_sky)
 {
     const double surface = at->by_surface * by_surface, sky = at->by_sky * by_sky;
-    return scattered * (is_to_sky ? sky : surface) / (surface * surface + sky * sky);
+    const double both = surface * surface + sky * sky;
+    return both > 0.0 ? scattered * (is_to_sky ? sky : surface) / both : 0.0;
 }
 
 static double sum_of_seen(const ambient_place *at, ambient_rays *r)

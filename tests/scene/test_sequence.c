@@ -272,6 +272,28 @@ START_TEST(what_was_killed_is_gone_with_the_next)
 }
 END_TEST
 
+/* In a container each process may have the number of the one that was killed. */
+START_TEST(what_was_killed_had_our_number)
+{
+    char name[100];
+    snprintf(name, sizeof name, ".cubemap-%ld-900.sequence/mine", (long)getpid());
+    write_text(name, "mine");
+    *strrchr(name, '/') = '\0';
+    write_views("numbered", CM_SEQUENCE_TUM, 0);
+    ck_assert_int_lt(count_entries(in_folder(name)), 0);
+    for (int i = 1000; i < 1100; i++)
+    {
+        snprintf(name, sizeof name, ".cubemap-%ld-%d", (long)getpid(), i);
+        write_text(name, "mine");
+    }
+    cm_camera *camera = make_camera(WIDTH);
+    REQUIRE(cm_camera_file_write(in_folder("camera.json"), camera, 5000.0, message) == CM_OK, "%s",
+            message);
+    ck_assert_int_eq(access(in_folder("camera.json"), R_OK), 0);
+    cm_camera_destroy(camera);
+}
+END_TEST
+
 START_TEST(ranges_become_depths)
 {
     cm_camera *camera = make_camera(WIDTH);
@@ -580,6 +602,7 @@ int main(void)
     const TTest *const tests[] = {views_come_back_in_each_layout,
                                   writers_leave_all_or_nothing,
                                   what_was_killed_is_gone_with_the_next,
+                                  what_was_killed_had_our_number,
                                   ranges_become_depths,
                                   what_is_absent_is_counted,
                                   times_are_near_as_written,

@@ -148,12 +148,12 @@ AtomicFile::AtomicFile(const std::string &path) : name(path), target(follow_link
     for (int attempt = 0; descriptor < 0 && attempt < 1000; ++attempt)
     {
         temporary = (folder / own_temporary_name(attempt, extension)).string();
-        descriptor = make_temporary_file(temporary);
+        descriptor = make_temporary_file(temporary, 0600);
         if (descriptor < 0 && errno != EEXIST)
         {
             break;
         }
-        if (descriptor >= 0 && attempt == 0) // the first in this folder
+        if (attempt == 0) // the first in this folder
         {
             remove_left_over_files(folder.string());
         }

@@ -193,6 +193,8 @@ def boundaries(nside: int, pix: ArrayLike, step: int = 1, nest: bool = False) ->
     pixels = np.asarray(pix)
     if pixels.ndim > 1:
         raise ValueError("pixels are to be one number, or an array of one dimension")
+    if pixels.dtype.kind == "u" or not pixels.size:
+        pixels = pixels.astype(np.int64)  # what is too large is negative then, and refused
     found = _core.pixel_boundaries(_bind(_handles, "_handle", nside, nest), pixels, step)
     return found if pixels.ndim else found[0]
 

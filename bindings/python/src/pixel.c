@@ -201,10 +201,16 @@ static int read_vector(PyObject *object, double unit[3])
     if (PyArray_NDIM(values) == 1 && PyArray_DIM(values, 0) == 3)
     {
         const double *from = PyArray_DATA(values);
-        length = sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
+        const double most = fmax(fabs(from[0]), fmax(fabs(from[1]), fabs(from[2])));
+        const int exponent = most > 0.0 && isfinite(most) ? ilogb(most) : 0;
         for (int k = 0; k < 3; k++)
         {
-            unit[k] = from[k] / length;
+            unit[k] = scalbn(from[k], -exponent); /* whose square is in range, by no rounding */
+        }
+        length = sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
+        for (int k = 0; k < 3; k++)
+        {
+            unit[k] /= length;
         }
     }
     Py_DECREF(array);

@@ -325,6 +325,10 @@ static int add_rings(const struct disc *disc, struct disc_runs *runs, const stru
 
 static int find_centres(const struct disc *disc, struct disc_runs *runs)
 {
+    if (disc->radius >= PI)
+    {
+        return disc_add(runs, 0, cm_healpix_pixel_count(disc->healpix));
+    }
     const struct border border = border_of(disc, disc->radius);
     return add_rings(disc, runs, &border,
                      first_ring(disc->healpix, border.theta - border.angle - ROUNDED),

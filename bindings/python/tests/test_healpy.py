@@ -185,7 +185,10 @@ def test_single_points_are_as_arrays_of_them(random):
 
 def test_boundaries_lie_together():
     """Nobody has to copy them."""
-    for refused in ([1.5, 2.0], [-1], [12 * 64**2], np.arange(4).reshape(2, 2)):
+    unsigned = np.array([1, 2], np.uint64)
+    assert np.array_equal(healpy.boundaries(64, unsigned), healpy.boundaries(64, [1, 2]))
+    assert np.array_equal(healpy.boundaries(64, unsigned[0]), healpy.boundaries(64, 1)) and healpy.boundaries(64, []).shape == (0, 3, 4)
+    for refused in ([1.5, 2.0], [-1], [12 * 64**2], np.arange(4).reshape(2, 2), np.array([2**64 - 1], np.uint64)):
         with pytest.raises((ValueError, TypeError)):
             healpy.boundaries(64, refused)
     assert healpy.boundaries(64, np.empty(0, int)).shape == (0, 3, 4) and healpy.boundaries(64, np.array(3)).shape == (3, 4)
@@ -206,6 +209,20 @@ def test_discs_around_a_pole_and_at_great_resolutions():
     vectors = np.array(healpy.pix2vec(nside, pixels))
     assert pixels.size == pytest.approx(np.pi * 5e-9**2 / healpy.nside2pixarea(nside), rel=0.2)
     assert np.linalg.norm(vectors.T - vector / np.linalg.norm(vector), axis=1).max() < 5.001e-9
+
+
+def test_discs_of_any_length_of_their_vector():
+    vector = np.array([0.5, -0.25, 0.125])
+    for length in (2.0**-1060, 2.0**-540, 2.0**540, 2.0**1000):
+        assert np.array_equal(healpy.query_disc(64, length * vector, 0.3), healpy.query_disc(64, vector, 0.3))
+    for refused in (np.inf * vector, 0 * vector, [np.nan, 0, 1]):
+        with pytest.raises(ValueError):
+            healpy.query_disc(64, refused, 0.3)
+
+
+def test_a_disc_of_more_than_there_is_needs_no_rings():
+    with pytest.raises((MemoryError, ValueError)):
+        healpy.query_disc(2**29, (0, 0, 1), 4.0)
 
 
 def test_discs_of_half_a_turn_have_all():

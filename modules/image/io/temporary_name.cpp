@@ -70,8 +70,9 @@ bool is_unlocked(const std::string &path, int flags)
 
 bool is_left_over(const std::string &folder, const std::string &file_name, int flags)
 {
+    // in a container each process may have the number of one that was killed: its own it has locked
     const pid_t process = process_of(file_name);
-    return process != 0 && kill(process, 0) != 0 && errno == ESRCH &&
+    return process != 0 && (process == getpid() || (kill(process, 0) != 0 && errno == ESRCH)) &&
            is_unlocked(folder + "/" + file_name, flags);
 }
 
@@ -105,9 +106,9 @@ std::string own_temporary_name(int number, const std::string &extension)
     return name_of(getpid(), number, extension);
 }
 
-int make_temporary_file(const std::string &path)
+int make_temporary_file(const std::string &path, mode_t mode)
 {
-    return locked(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+    return locked(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode));
 }
 
 int make_temporary_folder(const std::string &path)

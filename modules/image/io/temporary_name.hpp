@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Outputs that are not complete lie beside the place where they will appear, as .cubemap-PROCESS-NUMBER and an extension. What
-// a program that was killed has left is known by that name: its process is gone, and nobody has it locked. Processes of another
+// a program that was killed has left is known by that name: its process is gone or is the one that asks, and nobody has it locked. Processes of another
 // machine or container have numbers of their own, so what is locked is in use all the same.
 
 #ifndef CUBEMAP_MODULES_IMAGE_TEMPORARY_NAME_HPP
@@ -9,11 +9,13 @@
 
 #include <string>
 
+#include <sys/types.h>
+
 // A name of this process.
 std::string own_temporary_name(int number, const std::string &extension);
 
-// Make a file or a folder that is locked as long as the descriptor is open; -1 with errno.
-int make_temporary_file(const std::string &path);
+// Make a file or a folder that is locked as long as the descriptor is open; -1 with errno. The file has that mode less umask.
+int make_temporary_file(const std::string &path, mode_t mode);
 int make_temporary_folder(const std::string &path);
 
 // Removes the files that programs which were killed have left in a folder.

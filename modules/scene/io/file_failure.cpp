@@ -211,11 +211,14 @@ public:
         static std::atomic<unsigned> number{0};
         const std::size_t slash = path.find_last_of('/');
         const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-        temporary = folder + own_temporary_name(static_cast<int>(1000 + number++ % 9000), "");
-        descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor < 0)
+        for (int attempt = 0; descriptor < 0; ++attempt)
         {
-            fail_system(path, "cannot be written");
+            temporary = folder + own_temporary_name(static_cast<int>(1000 + number++ % 9000), "");
+            descriptor = make_temporary_file(temporary, 0666);
+            if (descriptor < 0 && (errno != EEXIST || attempt == 9000))
+            {
+                fail_system(path, "cannot be written");
+            }
         }
     }
     ~NewFile()
