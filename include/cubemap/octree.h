@@ -9,8 +9,8 @@
  *               there and 128 is the least: what is occupied stays so at every level, however thin
  *   update      the pixel that a voxel's centre falls on decides: a hit where the surface seen there may cross the voxel, a
  *               miss where it is in front of that and reaches no silhouette or crease beside it, else nothing; but a hit
- *               where it reaches over a silhouette and a ray of a pixel beside its own ends in it. A view changes a voxel at
- *               most once
+ *               where it reaches over a silhouette and a ray of a pixel beside its own ends in it (finest voxels, cameras
+ *               without a lens). A view changes a voxel at most once
  *   counts      the chapter's rule: a hit adds 2 and a miss takes 2, saturating (Kotfis and Cozzi, Octree Mapping from a
  *               Depth Camera, 2014): 64 misses make what is surely occupied unknown
  *   color       the first counts whole, then a running average whose weights are the hits that alpha holds
@@ -142,7 +142,7 @@ CM_API int cm_octree_at(const cm_octree *octree, const double point[3], int leve
 /* The first occupied voxel along a ray of any length but 0, at level 0: 1, with the distance, in units of the world, to where
  * the ray enters it (0 if it begins inside). 0 if there is none up to far (0: no limit), or numbers are not finite. Unknown
  * and free voxels are passed. When many rays have gone through a map without pages, an index makes those to come faster, until
- * the map changes; some seven bytes for each occupied voxel. */
+ * the map changes or is saved: some seven bytes for each occupied voxel of a surface, a hundred for one alone. */
 CM_API int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3],
                          double far, cm_voxel *voxel);
 

@@ -1,16 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "level_rim.h"
+#include "fetch.h"
 
 #include <cubemap/threads.h>
 
 #include <stdlib.h>
 #include <string.h>
-
-#ifdef __GNUC__
-#define CM_FETCH(place) __builtin_prefetch(place)
-#else
-#define CM_FETCH(place) (void)(place)
-#endif
 
 /* ---- windows ---- */
 

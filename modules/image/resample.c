@@ -3,6 +3,7 @@
  * From a source to a target, block by block.
  */
 #include "block_target.h"
+#include "fetch.h"
 #include "large_memory.h"
 #include "past_caches.h"
 #include "source.h"
@@ -24,12 +25,6 @@
 
 /* Of so many pixels of a block one asks for what they need: another column in each row. */
 #define FETCH_STEP 5
-
-#ifdef __GNUC__
-#define CM_FETCH(place) __builtin_prefetch(place)
-#else
-#define CM_FETCH(place) (void)(place)
-#endif
 
 /* What all threads work on. */
 typedef struct resample_job

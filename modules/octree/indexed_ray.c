@@ -19,18 +19,15 @@ typedef struct ray_path
     int32_t back[3]; /* 1 where it goes back */
 } ray_path;
 
-/* 1 / step along an axis that a ray stands still on: the border ahead is beyond all ends. */
-#define STANDS 1e300
-
 static inline ray_path path_of(const cm_ray_line *line)
 {
     ray_path path = {.at = line->at, .end = line->end};
     for (int axis = 0; axis < 3; axis++)
     {
-        const int stands = !(fabs(line->by[axis]) < STANDS);
+        const int stands = line->step[axis] == 0.0;
         path.origin[axis] = line->origin[axis];
         path.step[axis] = line->step[axis];
-        path.by[axis] = stands ? STANDS : line->by[axis];
+        path.by[axis] = stands ? CM_RAY_STANDS : line->by[axis];
         path.place[axis] = line->place[axis];
         path.back[axis] = !stands && line->step[axis] < 0.0;
         path.sign[axis] = path.back[axis] ? -1 : 1;

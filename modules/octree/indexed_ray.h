@@ -8,6 +8,9 @@
 #include "ray_index.h"
 
 /* A ray in voxels of the tree. */
+/* 1 / step along an axis that a ray stands still on, or nearly: the border ahead is beyond all ends. */
+#define CM_RAY_STANDS 1e300
+
 typedef struct cm_ray_line
 {
     double origin[3];

@@ -59,6 +59,10 @@ static int begin(ray_state *ray, const cm_octree *octree, const uint32_t first[3
             (origin[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
         ray->line.step[axis] = direction[axis] / length / octree->options.edge;
         ray->line.by[axis] = 1.0 / ray->line.step[axis];
+        if (!(fabs(ray->line.by[axis]) < CM_RAY_STANDS))
+        {
+            ray->line.step[axis] = 0.0;
+        }
         good &= fabs(ray->line.origin[axis]) < 1e15;
         const double low = first[axis], high = beyond[axis];
         if (ray->line.step[axis] == 0.0)

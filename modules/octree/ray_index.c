@@ -12,7 +12,7 @@
 /* An index takes as long as so many rays for each region, without it. */
 #define RAYS_A_REGION 16
 
-/* No box has more blocks than this part of the map's bytes. */
+/* No box has more blocks than this part of the map's bytes; what is of a block itself takes no more than the map. */
 #define PART_OF_MAP 8
 
 /* As far as rays go in one step, in blocks. */
@@ -33,7 +33,8 @@ typedef struct finding
     found_block *found;
     size_t count;
     size_t room;
-    size_t most; /* the map is too large beyond */
+    size_t most;       /* blocks of the box: the map is too large beyond */
+    size_t most_found; /* and of those that have something */
 } finding;
 
 /* What is not 0 stops. */
@@ -43,7 +44,8 @@ static int add(finding *f, const uint32_t place[3], const cm_region *region, uns
     if (f->count == f->room)
     {
         const size_t room = f->room == 0 ? 1024 : 2 * f->room;
-        found_block *more = f->count >= f->most ? NULL : realloc(f->found, room * sizeof *f->found);
+        found_block *more =
+            f->count >= f->most_found ? NULL : realloc(f->found, room * sizeof *f->found);
         if (more == NULL)
         {
             return 1;
@@ -67,7 +69,7 @@ static int find_even(void *user, const uint32_t place[3], int level, uint8_t alp
     finding *f = user;
     const uint32_t edge = level > CM_BLOCK_LEVEL ? 1u << (level - CM_BLOCK_LEVEL) : 1u;
     const uint64_t blocks = alpha > CM_UNKNOWN ? (uint64_t)edge * edge * edge : 0;
-    int stops = blocks > f->most;
+    int stops = blocks > f->most_found;
     for (uint64_t i = 0; !stops && i < blocks; i++)
     {
         const uint32_t at[3] = {place[0] + 8 * (uint32_t)(i % edge),
@@ -324,7 +326,9 @@ static cm_ray_index *make(const cm_octree *octree)
         return NULL;
     }
     const uint64_t most = octree->bytes / PART_OF_MAP;
-    finding f = {.octree = octree, .most = most < UINT32_MAX ? (size_t)most : UINT32_MAX};
+    finding f = {.octree = octree,
+                 .most = most < UINT32_MAX ? (size_t)most : UINT32_MAX,
+                 .most_found = (size_t)(octree->bytes / sizeof(cm_ray_block))};
     cm_walk walk = {.only_solid = 1, .user = &f, .even = find_even, .block = find_block};
     cm_walk_all(octree, &walk);
     if (cm_walk_run(octree, &walk) != CM_OK || !build(&f, index))

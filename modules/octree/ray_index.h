@@ -29,7 +29,7 @@ typedef struct cm_ray_index
 {
     int32_t first[3]; /* of the box, in blocks */
     int32_t count[3];
-    uint8_t *away;    /* NULL: the map is too large for an index */
+    uint8_t *away;    /* NULL: the map is too large for an index, or memory lacked */
     uint64_t *has;    /* bits of blocks: away is 0 */
     uint32_t *before; /* blocks with a bit in the words before */
     cm_ray_block *block;

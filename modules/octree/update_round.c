@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Views of lenses and of whole surroundings: cubes are compared with cones around tiles of pixels, and voxels are asked of the camera
- * one by one. What a pixel says of a voxel is as for straight cameras.
+ * one by one. What a pixel says of a voxel is as for straight cameras, but
+ * that pixels beside its own are not asked.
  */
 #include "update_round.h"
 

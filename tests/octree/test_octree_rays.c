@@ -7,6 +7,8 @@
 
 #include <cubemap/pool.h>
 
+#include "modules/octree/ray_index.h"
+
 enum
 {
     RAYS = 6000
@@ -59,7 +61,7 @@ static int ray_differs(const cm_octree *octree, uint64_t seed)
                    voxel.level != other->level || voxel.alpha != other->alpha ||
                    voxel.has_color != other->has_color ||
                    memcmp(voxel.color, other->color, sizeof voxel.color) != 0 ||
-                   fabs(voxel.distance - other->distance) > 1e-12);
+                   voxel.distance != other->distance);
 }
 
 static void check_rays(const cm_octree *octree, const char *what)
@@ -73,6 +75,7 @@ static void check_rays(const cm_octree *octree, const char *what)
         met += (size_t)cm_octree_ray(octree, origin, direction, far, NULL);
     }
     ck_assert_msg(met > RAYS / 50, "%s: only %d rays meet anything", what, (int)met);
+    ck_assert_msg(cm_ray_index_of(octree) != NULL, "%s: there is no index", what);
 }
 
 static void add_views(cm_octree *octree, int first, int count)
@@ -170,10 +173,48 @@ START_TEST(rays_meet_hulls)
                                     .height = 64,
                                     .channels = 1};
     }
+    /* of a map that has nothing yet: what they leave is forgotten, so that there is an index of the hull */
+    for (uint64_t i = 0; i < RAYS; i++)
+    {
+        double origin[3], direction[3], far;
+        draw_ray(i, origin, direction, &far);
+        ck_assert(!cm_octree_ray(octree, origin, direction, far, NULL));
+    }
     ck_assert_int_eq(cm_hull_carve(octree, 2, views, 0, NULL), CM_OK);
     check_rays(octree, "hull");
     cm_octree_destroy(octree);
     cm_camera_destroy(of_masks);
+}
+END_TEST
+
+/* A ray that all but stands still along an axis, at the border of the index' box: 0 times infinity is no place. */
+START_TEST(rays_along_a_border)
+{
+    const cm_octree_options options = {.size = sizeof options, .levels = 8, .edge = 0.01};
+    cm_octree *octree = make_map(&options);
+    const double eye[3] = {0.0, 0.0, -1.0};
+    for (int i = 0; i < 40; i++)
+    {
+        const float points[6] = {0.505f, 0.005f, 0.005f, 0.705f, 0.205f, 0.005f};
+        ck_assert_int_eq(cm_octree_update_points(octree, eye, 2, points, NULL), CM_OK);
+    }
+    const double origin[3] = {0.1, 0.0, 0.005};
+    const double small[] = {1e-311, 5e-324, 1e-300, 1e-290, -1e-311, 0.0};
+    for (size_t i = 0; i < sizeof small / sizeof small[0]; i++)
+    {
+        const double direction[3] = {1.0, small[i], 0.0};
+        cm_voxel before = {0}, after = {0};
+        ck_assert_int_eq(cm_octree_compact(octree), CM_OK);
+        const int is_met = cm_octree_ray(octree, origin, direction, 0.0, &before);
+        for (int k = 0; k < RAYS; k++)
+        {
+            (void)cm_octree_ray(octree, origin, direction, 0.0, NULL);
+        }
+        ck_assert_ptr_nonnull(cm_ray_index_of(octree));
+        ck_assert_int_eq(cm_octree_ray(octree, origin, direction, 0.0, &after), is_met);
+        ck_assert(is_met && before.x == after.x && before.distance == after.distance);
+    }
+    cm_octree_destroy(octree);
 }
 END_TEST
 
@@ -215,8 +256,9 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {many_rays_meet_what_few_do, other_changes_are_seen,
-                                  rays_meet_hulls, threads_share_an_index, NULL};
+    const TTest *const tests[] = {
+        many_rays_meet_what_few_do, other_changes_are_seen, rays_meet_hulls,
+        rays_along_a_border,        threads_share_an_index, NULL};
     camera = straight_camera(160, 120, 0.5);
     const int result = run_suite("octree rays", tests);
     cm_camera_destroy(camera);
