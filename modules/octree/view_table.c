@@ -448,21 +448,19 @@ static void rule_bands(size_t first, size_t end, void *user)
     }
 }
 
+/* Of a table that is described. */
 static void describe_rows(fill_work *work, const cm_octree *octree, const cm_view *view)
 {
     const cm_octree_options *options = &octree->options;
+    const cm_view_table *table = &work->desk->table;
     const cm_camera_options *camera = cm_camera_describe(view->camera);
     cm_rule_row *row = &work->row;
     const int is_noisy = options->noise > 0.0;
     row->apart = is_noisy ? APART_WITH_NOISE : APART;
     row->step = 1.0f / (float)row->apart;
-    row->focal[0] = (float)camera->fx;
-    row->focal[1] = (float)camera->fy;
-    for (int i = 0; i < 9; i++)
-    {
-        row->axes[i / 3][i % 3] = (float)view->pose.rotation.row[i / 3][i % 3];
-    }
-    row->half = (float)(0.5 * options->edge);
+    memcpy(row->focal, table->focal, sizeof row->focal);
+    memcpy(row->axes, table->axes, sizeof row->axes);
+    row->half = table->half;
     row->hit_aside = (float)CM_HIT_ASIDE;
     row->hit_more = (float)(CM_HIT_MORE * options->edge);
     row->front_aside = (float)CM_FRONT_ASIDE;
@@ -529,10 +527,9 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
         return status;
     }
     fill_work work = {.desk = desk, .set = octree->set, .bands = cm_pool_threads(pool)};
-    describe_rows(&work, octree, view);
     describe_table(desk, octree, view);
-    const float focal_edges =
-        (float)octree->options.edge * fmaxf(fabsf(work.row.focal[0]), fabsf(work.row.focal[1]));
+    describe_rows(&work, octree, view);
+    const float focal_edges = (float)octree->options.edge * desk->table.widest;
     desk->heed = (float)AROUND_EDGES * focal_edges;
     desk->hides = (float)(HIDES_EDGES * octree->options.edge);
     describe_border(&desk->table, octree->options.edge, &view->pose);

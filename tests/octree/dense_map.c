@@ -265,6 +265,17 @@ void clear_view(drawn_view *drawn)
     memset(drawn, 0, sizeof *drawn);
 }
 
+void add_drawn_view(cm_octree *octree, const cm_camera *camera, int number, dice *from)
+{
+    const double place[3] = {dice_between(from, -1.0, 1.0), dice_between(from, -1.0, 1.0), -1.2};
+    const double at[3] = {0.1, 0.2, 0.3};
+    const cm_pose pose = look_at(place, at, 0.3 * number);
+    drawn_view drawn;
+    draw_view(&drawn, camera, &pose, 1.2, number != 3, from);
+    ck_assert_int_eq(cm_octree_update(octree, &drawn.view, NULL), CM_OK);
+    clear_view(&drawn);
+}
+
 /* ---- maps ---- */
 
 cm_octree *make_map(const cm_octree_options *options)

@@ -62,6 +62,9 @@ void draw_view(drawn_view *drawn, const cm_camera *camera, const cm_pose *pose, 
                int has_color, dice *from);
 void clear_view(drawn_view *drawn);
 
+/* Takes a map on by such a view from somewhere before the middle; the fourth has no colours. */
+void add_drawn_view(cm_octree *octree, const cm_camera *camera, int number, dice *from);
+
 /* Options of a map of which a part is in pages; NULL: without pages. */
 cm_octree_options paged_options(cm_store *pages);
 

@@ -83,14 +83,7 @@ static void add_views(cm_octree *octree, int first, int count)
     for (int i = first; i < first + count; i++)
     {
         dice from = {(uint64_t)i + 100};
-        const double place[3] = {dice_between(&from, -1.0, 1.0), dice_between(&from, -1.0, 1.0),
-                                 -1.2};
-        const double at[3] = {0.1, 0.2, 0.3};
-        const cm_pose pose = look_at(place, at, 0.3 * i);
-        drawn_view drawn;
-        draw_view(&drawn, camera, &pose, 1.2, i != 3, &from);
-        ck_assert_int_eq(cm_octree_update(octree, &drawn.view, NULL), CM_OK);
-        clear_view(&drawn);
+        add_drawn_view(octree, camera, i, &from);
     }
 }
 
