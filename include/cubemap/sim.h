@@ -77,11 +77,11 @@ typedef struct cm_tof_sensor
         second_frequency; /* a second series of phase images, which resolves the ambiguity; 0: none */
     double
         fixed_pattern; /* standard deviation of the pixels' own phase offsets, radians, to 1000; by seed and pixel */
-    size_t shot_terms; /* of a measured polynomial for CM_TOF_FREEMAN_TUKEY; 0: Poisson's own */
+    size_t shot_terms; /* to 32, of a measured polynomial for CM_TOF_FREEMAN_TUKEY; 0: Poisson's */
     const double *
         shot_variance; /* variance of y = sqrt(N) + sqrt(N + 1): factors of the powers of y from 0 */
     double shot_least; /* y from which on it was measured, 1 or more; below, the variance stays */
-    double shot_most;  /* the same to which it was */
+    double shot_most;  /* the same to which it was, above shot_least and finite */
 } cm_tof_sensor;
 
 /* What shines, beside the camera. */
