@@ -247,6 +247,8 @@ START_TEST(what_is_wrong_is_one_line)
     refused("huge.obj", CM_ERROR_DATA, "no numbers");
     write_text("no.gltf", "{\"asset\"");
     refused("no.gltf", CM_ERROR_DATA, "is no glTF");
+    write_text("empty.glb", "");
+    refused("empty.glb", CM_ERROR_DATA, "is empty");
     write_gltf("outside.gltf", ONE_NODE, INDEXED, "{\"uri\":\"../x.bin\",\"byteLength\":76}");
     refused("outside.gltf", CM_ERROR_DATA, "is no glTF");
     write_gltf("absolute.gltf", ONE_NODE, INDEXED, "{\"uri\":\"/dev/zero\",\"byteLength\":76}");
@@ -339,6 +341,8 @@ START_TEST(numbers_that_cannot_be_read_are_refused)
          ":1: has buffer view 0, whose byteOffset is -4, not a whole number of 0 or more"},
         {ONE_NODE, INDEXED, "{\"buffer\":0,\"byteOffset\":4.5,\"byteLength\":48}",
          "whose byteOffset is 4.5, not a whole"},
+        {ONE_NODE, INDEXED, "{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48,\"byteStride\":12.0}",
+         "whose byteStride is 12, not a whole number of 0 or more, in digits alone"},
         {ONE_NODE, INDEXED, "{\"buffer\":0,\"byteOffset\":\"4\",\"byteLength\":48}",
          "whose byteOffset is not a whole"},
         {ONE_NODE, INDEXED, "{\"buffer\":0,\"byteLength\":48,\"byteStride\":-12}",
@@ -352,6 +356,8 @@ START_TEST(numbers_that_cannot_be_read_are_refused)
          "whose children is not a list of whole numbers"},
         {ONE_NODE, "\"attributes\":{\"POSITION\":0},\"indices\":-1", NULL,
          "has mesh 0, whose indices is -1, not a whole"},
+        {ONE_NODE, "\"attributes\":{\"POSITION\":0},\"mode\":7", NULL,
+         "has a primitive of mode 7, which is none"},
         {ONE_NODE, "\"attributes\":{\"POSITION\":0},\"mode\":\"4\"", NULL,
          "has mesh 0, whose mode is not a whole"},
         {ONE_NODE, "\"attributes\":{\"POSITION\":\"0\"},\"indices\":1", NULL,

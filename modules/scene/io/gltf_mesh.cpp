@@ -58,9 +58,9 @@ bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::
     }
     file.seekg(0, std::ios::end);
     const std::streamoff size = file.tellg();
-    if (!file || size < 0 || static_cast<std::size_t>(size) > largest_file)
+    if (!file || size <= 0 || static_cast<std::size_t>(size) > largest_file)
     {
-        *error = "cannot be read";
+        *error = size == 0 ? "is empty" : "cannot be read";
         return false;
     }
     out->resize(static_cast<std::size_t>(size));
@@ -299,6 +299,11 @@ private:
     {
         const auto position = part.attributes.find("POSITION");
         const int mode = part.mode < 0 ? TINYGLTF_MODE_TRIANGLES : part.mode;
+        if (mode > TINYGLTF_MODE_TRIANGLE_FAN)
+        {
+            throw MeshFailure("has a primitive of mode " + std::to_string(mode) +
+                              ", which is none");
+        }
         if (mode < TINYGLTF_MODE_TRIANGLES || position == part.attributes.end())
         {
             return; // points and lines

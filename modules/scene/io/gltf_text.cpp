@@ -77,7 +77,7 @@ private:
         const cJSON *const item = member(object, key);
         if (item != nullptr && !is_whole(item, static_cast<double>(read)))
         {
-            fail(item, who, key, "a whole number of 0 or more");
+            fail(item, who, key, "a whole number of 0 or more, in digits alone");
         }
     }
 
