@@ -4,8 +4,8 @@
 
 trajectory_truth.py TRUTH ESTIMATE [TRUTH ESTIMATE...]     one line of JSON for each two files as TUM writes them
 
-Association looks at all pairs of stamps, whose distance is that of their decimals; the alignment is by singular values (Umeyama 1991, scale 1); the pairs of RPE
-are looked for from the beginning each time. Poses are 4 x 4 matrices from camera to world.
+Association looks at all pairs of stamps, whose distance is that of their decimals; the alignment is by singular values
+(Umeyama 1991, scale 1); the pairs of RPE are looked for from the beginning each time, their distance of decimals, too. Poses are 4 x 4 matrices from camera to world.
 """
 
 import decimal
@@ -33,6 +33,11 @@ def read(path):
 def is_within(a, b, apart):
     """Of the decimals, the shortest that are these numbers."""
     return abs(decimal.Decimal(repr(float(a))) - decimal.Decimal(repr(float(b)))) <= decimal.Decimal(repr(apart))
+
+
+def is_after(begin, end, interval):
+    """At least so long after, of the decimals."""
+    return decimal.Decimal(repr(float(end))) - decimal.Decimal(repr(float(begin))) >= decimal.Decimal(repr(interval))
 
 
 def associate(first, second, apart=0.02):
@@ -73,10 +78,11 @@ def motion_errors(stamps, truth, estimate, interval=1.0):
     """Lengths and angles of E = (Q_i^-1 Q_j)^-1 (P_i^-1 P_j), j the first at least an interval after i."""
     lengths, angles = [], []
     for i, begin in enumerate(stamps):
-        later = numpy.nonzero(stamps - begin >= interval)[0]
-        if len(later):
-            right = numpy.linalg.inv(truth[i]) @ truth[later[0]]
-            guess = numpy.linalg.inv(estimate[i]) @ estimate[later[0]]
+        near = numpy.nonzero(stamps - begin >= 0.5 * interval)[0]
+        later = next((k for k in near if is_after(begin, stamps[k], interval)), None)
+        if later is not None:
+            right = numpy.linalg.inv(truth[i]) @ truth[later]
+            guess = numpy.linalg.inv(estimate[i]) @ estimate[later]
             error = numpy.linalg.inv(right) @ guess
             lengths.append(numpy.linalg.norm(error[:3, 3]))
             angles.append(angle_of(error[:3, :3]))

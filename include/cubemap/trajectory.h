@@ -3,8 +3,8 @@
  * Trajectories: poses in time, how far one is from another, and what an inertial sensor on one measures. Of the library
  * cubemap-scene.
  *
- *   stamps    seconds, each greater than the one before. Stamps are at most so far apart if they are as decimals are written:
- *             what rounding to double may add to the distance does not count
+ *   stamps    seconds, each greater than the one before. Stamps are at most or at least so far apart if their decimals are:
+ *             what rounding to double may add to the distance, or take from it, does not count
  *   poses     as pose.h has them; motion between two of them is along a screw, or along a spline (cm_motion)
  *   errors    of an estimate against the truth: ATE, the error of positions after the best rigid motion, and RPE, the error
  *             of motions over an interval

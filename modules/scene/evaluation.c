@@ -77,7 +77,7 @@ static void motion_errors(const cm_trajectory *truth, const cm_trajectory *estim
     for (size_t i = 0; i < pairs->count; i++)
     {
         const double begin = truth->stamp[pairs->truth[i]];
-        while (j < pairs->count && !(truth->stamp[pairs->truth[j]] - begin >= interval))
+        while (j < pairs->count && !cm_stamps_reach(begin, truth->stamp[pairs->truth[j]], interval))
         {
             j++;
         }

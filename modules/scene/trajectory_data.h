@@ -17,12 +17,25 @@ struct cm_trajectory
     cm_pose *pose;
 };
 
-/* Are two stamps at most apart seconds from each other, as they and apart were written? Each may be off by half a unit in its
- * last place: 1.02 and 1 are 0.020000000000000018 apart. No more than half of apart is added, however coarse stamps are. */
-static inline int cm_stamps_within(double a, double b, double apart)
+/* How much rounding to double may have added to the distance of two stamps, or taken from it: each may be off by half a unit
+ * in its last place. No more than half of apart, however coarse stamps are. */
+static inline double cm_stamps_rounding(double a, double b, double apart)
 {
     const double rounding = DBL_EPSILON * (0.5 * fabs(a) + 0.5 * fabs(b) + 2.0 * apart);
-    return fabs(a - b) <= apart + (rounding < 0.5 * apart ? rounding : 0.5 * apart);
+    return rounding < 0.5 * apart ? rounding : 0.5 * apart;
+}
+
+/* Are two stamps at most apart seconds from each other, as they and apart were written? 1.02 and 1 are 0.020000000000000018
+ * apart. */
+static inline int cm_stamps_within(double a, double b, double apart)
+{
+    return fabs(a - b) <= apart + cm_stamps_rounding(a, b, apart);
+}
+
+/* Is the second at least apart seconds after the first, as they were written? 1.4 and 0.4 are 0.9999999999999999 apart. */
+static inline int cm_stamps_reach(double first, double second, double apart)
+{
+    return second - first >= apart - cm_stamps_rounding(first, second, apart);
 }
 
 /* The last of count stamps that is not after time; 0 if all are. */

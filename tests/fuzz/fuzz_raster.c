@@ -164,7 +164,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_refusals(raster, &all);
         EXPECT(cm_raster_pixel_count(raster) == pixels, "%zu", pixels);
         draw(raster, taken, &all, 0, image[0], id[0]);
-        draw(raster, taken, &all, take_byte(&from) % 64 == 0 ? 2 : 1, image[1], id[1]);
+        /* not where the input is short and has ended: making threads takes longer than all else here */
+        draw(raster, taken, &all, take_byte(&from) % 64 == 1 ? 2 : 1, image[1], id[1]);
         EXPECT(memcmp(id[0], id[1], pixels * sizeof **id) == 0, "ids");
         EXPECT(memcmp(image[0], image[1], pixels * sizeof **image) == 0, "depths");
         EXPECT(cm_raster_weights(raster, taken, &all.triangles, weight[0], weight[1]) == CM_OK,

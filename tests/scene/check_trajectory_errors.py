@@ -103,6 +103,15 @@ def at_limit(rows):
     return thin, estimate
 
 
+def at_steps(rows):
+    """Stamps a tenth of a second apart, of which many a second apart are less as doubles are subtracted."""
+    random = numpy.random.default_rng(22)
+    truth = rows[:400].copy()
+    truth[:, 0] = [float(f"{1305031102 + k // 10}.{k % 10}") if k >= 200 else float(f"{k // 10}.{k % 10}")
+                   for k in range(len(truth))]
+    return truth, noisy(random, truth, 0.01, 1.0)
+
+
 def synthetic(index):
     """A walk of some length and rate, and an estimate of it with other stamps; each tenth is on a line."""
     random = numpy.random.default_rng([7, index])
@@ -137,10 +146,11 @@ def make_pairs(folder, excerpt):
             path = os.path.join(folder, f"tum-{number}.txt")
             write(path, rows)
             pairs.append((f"TUM, {name}", excerpt, path))
-        paths = [os.path.join(folder, f"tum-{kind}.txt") for kind in ("thin", "limit")]
-        for path, rows in zip(paths, at_limit(all_rows)):
-            write(path, rows)
-        pairs.append(("TUM, 0.02 s away", *paths))
+        for name, both in (("0.02 s away", at_limit(all_rows)), ("in steps of 0.1 s", at_steps(all_rows))):
+            paths = [os.path.join(folder, f"tum-{kind}-{len(pairs)}.txt") for kind in ("truth", "estimate")]
+            for path, rows in zip(paths, both):
+                write(path, rows)
+            pairs.append((f"TUM, {name}", *paths))
     for index in range(SYNTHETIC):
         paths = [os.path.join(folder, f"{kind}-{index}.txt") for kind in ("truth", "estimate")]
         for path, rows in zip(paths, synthetic(index)):

@@ -247,6 +247,8 @@ START_TEST(what_is_wrong_is_one_line)
     refused("huge.obj", CM_ERROR_DATA, "no numbers");
     write_text("no.gltf", "{\"asset\"");
     refused("no.gltf", CM_ERROR_DATA, "is no glTF");
+    write_text("empty.glb", "");
+    refused("empty.glb", CM_ERROR_DATA, "is empty");
     write_gltf("outside.gltf", ONE_NODE, INDEXED, "{\"uri\":\"../x.bin\",\"byteLength\":76}");
     refused("outside.gltf", CM_ERROR_DATA, "is no glTF");
     write_gltf("absolute.gltf", ONE_NODE, INDEXED, "{\"uri\":\"/dev/zero\",\"byteLength\":76}");
@@ -328,6 +330,50 @@ START_TEST(nodes_have_all_their_numbers)
 }
 END_TEST
 
+/* What tinygltf cannot read it takes for absent. */
+START_TEST(numbers_that_cannot_be_read_are_refused)
+{
+    static const struct
+    {
+        const char *node, *primitive, *views, *words;
+    } wrong[] = {
+        {ONE_NODE, INDEXED, "{\"buffer\":0,\"byteOffset\":-4,\"byteLength\":48}",
+         ":1: has buffer view 0, whose byteOffset is -4, not a whole number of 0 or more"},
+        {ONE_NODE, INDEXED, "{\"buffer\":0,\"byteOffset\":4.5,\"byteLength\":48}",
+         "whose byteOffset is 4.5, not a whole"},
+        {ONE_NODE, INDEXED, "{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48,\"byteStride\":12.0}",
+         "whose byteStride is 12, not a whole number of 0 or more, in digits alone"},
+        {ONE_NODE, INDEXED, "{\"buffer\":0,\"byteOffset\":\"4\",\"byteLength\":48}",
+         "whose byteOffset is not a whole"},
+        {ONE_NODE, INDEXED, "{\"buffer\":0,\"byteLength\":48,\"byteStride\":-12}",
+         "whose byteStride is -12, not"},
+        {"{\"mesh\":-1}", INDEXED, NULL, "has node 0, whose mesh is -1, not a whole"},
+        {"{\"mesh\":4294967296}", INDEXED, NULL, "has node 0, whose mesh is 4294967296, not"},
+        {"{\"mesh\":0,\"scale\":2}", INDEXED, NULL, "whose scale is 2, not a list of numbers"},
+        {"{\"mesh\":0,\"translation\":[\"1\",0,0]}", INDEXED, NULL,
+         "whose translation is not a list of numbers"},
+        {"{\"mesh\":0,\"children\":[0.5]}", INDEXED, NULL,
+         "whose children is not a list of whole numbers"},
+        {ONE_NODE, "\"attributes\":{\"POSITION\":0},\"indices\":-1", NULL,
+         "has mesh 0, whose indices is -1, not a whole"},
+        {ONE_NODE, "\"attributes\":{\"POSITION\":0},\"mode\":7", NULL,
+         "has a primitive of mode 7, which is none"},
+        {ONE_NODE, "\"attributes\":{\"POSITION\":0},\"mode\":\"4\"", NULL,
+         "has mesh 0, whose mode is not a whole"},
+        {ONE_NODE, "\"attributes\":{\"POSITION\":\"0\"},\"indices\":1", NULL,
+         "has mesh 0, whose primitives is not a list"}};
+    write_bytes("square.bin", &square, sizeof square);
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
+    {
+        char views[300];
+        snprintf(views, sizeof views, "%s,{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}",
+                 wrong[i].views == NULL ? "{\"buffer\":0,\"byteLength\":48}" : wrong[i].views);
+        write_gltf_of_views("numbers.gltf", wrong[i].node, wrong[i].primitive, views, BUFFER);
+        refused("numbers.gltf", CM_ERROR_DATA, wrong[i].words);
+    }
+}
+END_TEST
+
 /* So many nodes, each within the one before, that the reader's stack ends. */
 START_TEST(a_reader_that_crashes_is_one_line)
 {
@@ -382,6 +428,7 @@ int main(void)
                                   what_is_wrong_is_one_line,
                                   views_stay_in_their_buffers,
                                   nodes_have_all_their_numbers,
+                                  numbers_that_cannot_be_read_are_refused,
                                   a_reader_that_crashes_is_one_line,
                                   a_reader_is_stopped_at_its_limits,
                                   NULL};

@@ -319,6 +319,40 @@ START_TEST(known_errors)
 }
 END_TEST
 
+/* As decimals are read: 1.4 is a second after 0.4, and 1.399999 is not, from 0 on and in our time. */
+START_TEST(intervals_are_as_written)
+{
+    size_t lost = 0;
+    fill(0.0, 0.05);
+    for (long k = 0; k < 3000; k++)
+    {
+        const long begin = k % 2 == 0 ? 0 : 1305031102;
+        const long fraction = k % 3 == 0 ? 100000 * (k % 10) : (k * 7919) % 1000000;
+        char texts[3][40];
+        double stamp[3];
+        snprintf(texts[0], sizeof texts[0], "%ld.%06ld", begin, fraction);
+        snprintf(texts[1], sizeof texts[1], "%ld.%06ld", begin + (fraction > 0),
+                 (fraction + 999999) % 1000000);
+        snprintf(texts[2], sizeof texts[2], "%ld.%06ld", begin + 1, fraction);
+        for (int i = 0; i < 3; i++)
+        {
+            stamp[i] = strtod(texts[i], NULL);
+        }
+        lost += stamp[2] - stamp[0] >= 1.0 ? 0 : 1;
+        for (size_t n = 2; n <= 3; n++)
+        {
+            cm_trajectory *made = make(n, stamp, poses);
+            cm_evaluation errors = {.size = sizeof errors};
+            ck_assert_int_eq(cm_trajectory_evaluate(made, made, NULL, &errors), CM_OK);
+            REQUIRE(errors.motions == n - 2, "%zu from %s to %s", errors.motions, texts[0],
+                    texts[n - 1]);
+            cm_trajectory_destroy(made);
+        }
+    }
+    REQUIRE(lost > 300, "only %zu of these would be lost by rounding", lost);
+}
+END_TEST
+
 START_TEST(what_cannot_be_evaluated)
 {
     fill(0.0, 0.05);
@@ -353,9 +387,15 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {
-        what_is_no_trajectory, near_and_between,         closest_pairs_first,
-        limits_are_as_written, room_for_pairs,           alignment_and_its_rank,
-        known_errors,          what_cannot_be_evaluated, NULL};
+    const TTest *const tests[] = {what_is_no_trajectory,
+                                  near_and_between,
+                                  closest_pairs_first,
+                                  limits_are_as_written,
+                                  room_for_pairs,
+                                  alignment_and_its_rank,
+                                  known_errors,
+                                  intervals_are_as_written,
+                                  what_cannot_be_evaluated,
+                                  NULL};
     return run_suite("trajectory", tests);
 }

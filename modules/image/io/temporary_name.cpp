@@ -47,33 +47,53 @@ pid_t process_of(const std::string &file_name)
     return again + extension_of(file_name) == file_name ? found : 0;
 }
 
-int locked(int descriptor)
+// False if somebody has it. Where files cannot be locked nobody knows.
+bool lock(int descriptor)
 {
-    if (descriptor >= 0)
+    return flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+}
+
+// Is what is open still what has this name?
+bool has_name(int descriptor, const std::string &path)
+{
+    struct stat opened;
+    struct stat named;
+    return fstat(descriptor, &opened) == 0 && lstat(path.c_str(), &named) == 0 &&
+           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+// What was just made, locked. Between the two others may have found it unlocked: it is theirs then, to be removed, and the
+// answer is that of a name that is taken.
+int locked(int descriptor, const std::string &path)
+{
+    if (descriptor >= 0 &&
+        ((!lock(descriptor) && errno == EWOULDBLOCK) || !has_name(descriptor, path)))
     {
-        flock(descriptor, LOCK_EX | LOCK_NB);
+        close(descriptor);
+        errno = EEXIST;
+        return -1;
     }
     return descriptor;
 }
 
-// Does nobody hold it? Where files cannot be locked nobody knows. flags tell files and folders apart.
-bool is_unlocked(const std::string &path, int flags)
+// Locked until it is closed, so that who has just made it does not take it for its own; -1 if somebody has it. flags tell files
+// and folders apart.
+int lock_left_over(const std::string &path, int flags)
 {
     const int descriptor = open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-    const bool unlocked = descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-    if (descriptor >= 0)
+    if (descriptor >= 0 && !(lock(descriptor) && has_name(descriptor, path)))
     {
         close(descriptor);
+        return -1;
     }
-    return unlocked;
+    return descriptor;
 }
 
-bool is_left_over(const std::string &folder, const std::string &file_name, int flags)
+// By its name alone: in a container each process may have the number of one that was killed, and its own it has locked.
+bool may_be_left_over(const std::string &file_name)
 {
-    // in a container each process may have the number of one that was killed: its own it has locked
     const pid_t process = process_of(file_name);
-    return process != 0 && (process == getpid() || (kill(process, 0) != 0 && errno == ESRCH)) &&
-           is_unlocked(folder + "/" + file_name, flags);
+    return process != 0 && (process == getpid() || (kill(process, 0) != 0 && errno == ESRCH));
 }
 
 struct FolderCloser
@@ -84,17 +104,34 @@ struct FolderCloser
     }
 };
 
+struct Opened
+{
+    int descriptor;
+    ~Opened()
+    {
+        if (descriptor >= 0)
+        {
+            close(descriptor);
+        }
+    }
+};
+
 // By the system's own means: without memory the library's iterator ends the program.
-template <typename Remove>
-void remove_each(const std::string &folder, int flags, const Remove &remove)
+template <typename IsMeant, typename Remove>
+void remove_each(const std::string &folder, int flags, const IsMeant &is_meant,
+                 const Remove &remove)
 {
     const std::unique_ptr<DIR, FolderCloser> open(opendir(folder.c_str()));
     const dirent *entry = nullptr;
     while (open != nullptr && (entry = readdir(open.get())) != nullptr)
     {
-        if (is_left_over(folder, entry->d_name, flags))
+        const std::string name = entry->d_name;
+        const std::string path = folder + "/" + name;
+        const Opened held = {may_be_left_over(name) && is_meant(name) ? lock_left_over(path, flags)
+                                                                      : -1};
+        if (held.descriptor >= 0)
         {
-            remove(folder + "/" + entry->d_name);
+            remove(path);
         }
     }
 }
@@ -108,7 +145,7 @@ std::string own_temporary_name(int number, const std::string &extension)
 
 int make_temporary_file(const std::string &path, mode_t mode)
 {
-    return locked(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+    return locked(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode), path);
 }
 
 int make_temporary_folder(const std::string &path)
@@ -120,27 +157,28 @@ int make_temporary_folder(const std::string &path)
     const int descriptor = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
     {
-        const int why = errno;
+        const int why = errno == ENOENT ? EEXIST : errno; // removed by others, as above
         rmdir(path.c_str());
         errno = why;
     }
-    return locked(descriptor);
+    return locked(descriptor, path);
 }
 
 void remove_left_over_files(const std::string &folder)
 {
-    remove_each(folder, O_RDWR, [](const std::string &path) { unlink(path.c_str()); });
+    remove_each(
+        folder, O_RDWR, [](const std::string &) { return true; },
+        [](const std::string &path) { unlink(path.c_str()); });
 }
 
 void remove_left_over_folders(const std::string &folder, const std::string &extension)
 {
-    remove_each(folder, O_RDONLY | O_DIRECTORY,
-                [&extension](const std::string &path)
-                {
-                    std::error_code error;
-                    if (extension_of(path) == extension)
-                    {
-                        std::filesystem::remove_all(path, error);
-                    }
-                });
+    remove_each(
+        folder, O_RDONLY | O_DIRECTORY,
+        [&extension](const std::string &name) { return extension_of(name) == extension; },
+        [](const std::string &path)
+        {
+            std::error_code error;
+            std::filesystem::remove_all(path, error);
+        });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "flat_mesh.hpp"
+#include "gltf_text.hpp"
 
 #include <cubemap/pose.h>
 
@@ -30,13 +31,20 @@ std::string as_it_is(const std::string &path, void *)
     return path;
 }
 
-bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::string &path,
-                void *main_file)
+struct MainFile
 {
-    const bool is_main = path == *static_cast<const std::string *>(main_file);
+    std::string path;
+    std::string bytes; // once it is read
+};
+
+bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::string &path,
+                void *user)
+{
+    MainFile &main_file = *static_cast<MainFile *>(user);
+    const bool is_main = path == main_file.path;
     std::ifstream file(path, std::ios::binary);
     // the library looks beside the file, then where the program stands, and puts nothing before "/"
-    const std::string &main_path = *static_cast<const std::string *>(main_file);
+    const std::string &main_path = main_file.path;
     std::string folder = main_path.substr(0, main_path.rfind('/') + 1);
     while (folder.size() > 1 && folder[folder.size() - 2] == '/')
     {
@@ -50,14 +58,18 @@ bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::
     }
     file.seekg(0, std::ios::end);
     const std::streamoff size = file.tellg();
-    if (!file || size < 0 || static_cast<std::size_t>(size) > largest_file)
+    if (!file || size <= 0 || static_cast<std::size_t>(size) > largest_file)
     {
-        *error = "cannot be read";
+        *error = size == 0 ? "is empty" : "cannot be read";
         return false;
     }
     out->resize(static_cast<std::size_t>(size));
     file.seekg(0);
     file.read(reinterpret_cast<char *>(out->data()), size);
+    if (is_main)
+    {
+        main_file.bytes.assign(out->begin(), out->end());
+    }
     return static_cast<bool>(file);
 }
 
@@ -287,6 +299,11 @@ private:
     {
         const auto position = part.attributes.find("POSITION");
         const int mode = part.mode < 0 ? TINYGLTF_MODE_TRIANGLES : part.mode;
+        if (mode > TINYGLTF_MODE_TRIANGLE_FAN)
+        {
+            throw MeshFailure("has a primitive of mode " + std::to_string(mode) +
+                              ", which is none");
+        }
         if (mode < TINYGLTF_MODE_TRIANGLES || position == part.attributes.end())
         {
             return; // points and lines
@@ -407,7 +424,7 @@ FlatMesh read_gltf(const std::string &path)
     tinygltf::Model model;
     std::string error;
     std::string warning;
-    std::string main_file = path;
+    MainFile main_file = {path, ""};
     loader.SetFsCallbacks({is_there, as_it_is, read_whole, nullptr, &main_file});
     loader.SetImageLoader(no_picture, nullptr);
     const bool is_binary = path.size() > 4 && (path.compare(path.size() - 4, 4, ".glb") == 0 ||
@@ -418,6 +435,7 @@ FlatMesh read_gltf(const std::string &path)
     {
         throw MeshFailure("is no glTF: " + error);
     }
+    check_gltf_numbers(main_file.bytes, model);
     check_extensions(model);
     check_views(model);
     return GltfScene(model).read();

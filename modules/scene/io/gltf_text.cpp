@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+
+#include "gltf_text.hpp"
+
+#include "file_failure.hpp"
+#include "flat_mesh.hpp"
+#include "parsed_json.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+// glTF 2.0, 4.4: a header of 12 bytes, then the first chunk, which is the text: its length, its kind, itself.
+std::string_view text_of(std::string_view bytes)
+{
+    constexpr std::size_t begin = 20;
+    if (bytes.size() < begin || bytes.substr(0, 4) != "glTF")
+    {
+        return bytes;
+    }
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + 12, sizeof length);
+    return bytes.substr(begin, length);
+}
+
+class GltfText
+{
+public:
+    GltfText(std::string_view bytes, const tinygltf::Model &read)
+        : text(text_of(bytes)), is_text(text.size() == bytes.size()), model(read)
+    {
+    }
+
+    void check() const
+    {
+        std::size_t line = 0;
+        const JsonPointer json = parse_json_object(text, line);
+        root = json.get();
+        if (root == nullptr)
+        {
+            throw MeshFailure((is_text ? ":" + std::to_string(line) + ": " : "") +
+                              "is no JSON object");
+        }
+        whole(root, "a root", "scene", model.defaultScene);
+        check_each("scenes", "scene ", model.scenes, &GltfText::check_scene);
+        check_each("nodes", "node ", model.nodes, &GltfText::check_node);
+        check_each("meshes", "mesh ", model.meshes, &GltfText::check_mesh);
+        check_each("materials", "material ", model.materials, &GltfText::check_material);
+        check_each("accessors", "accessor ", model.accessors, &GltfText::check_accessor);
+        check_each("bufferViews", "buffer view ", model.bufferViews, &GltfText::check_view);
+    }
+
+private:
+    static const cJSON *member(const cJSON *object, const char *key)
+    {
+        return cJSON_GetObjectItemCaseSensitive(object, key);
+    }
+
+    [[noreturn]] void fail(const cJSON *item, const std::string &who, const char *key,
+                           const char *what) const
+    {
+        const std::string line =
+            is_text ? ":" + std::to_string(line_of_item(text, root, item)) + ": " : "";
+        throw MeshFailure(line + "has " + who + ", whose " + key +
+                          (cJSON_IsNumber(item) ? " is " + number_text(item->valuedouble) + ", not "
+                                                : " is not ") +
+                          what);
+    }
+
+    template <typename Read>
+    void whole(const cJSON *object, const std::string &who, const char *key, Read read) const
+    {
+        const cJSON *const item = member(object, key);
+        if (item != nullptr && !is_whole(item, static_cast<double>(read)))
+        {
+            fail(item, who, key, "a whole number of 0 or more, in digits alone");
+        }
+    }
+
+    static bool is_whole(const cJSON *item, double read)
+    {
+        return cJSON_IsNumber(item) && item->valuedouble >= 0 && item->valuedouble == read;
+    }
+
+    template <typename Value, typename Same>
+    void list(const cJSON *object, const std::string &who, const char *key,
+              const std::vector<Value> &read, const Same &same, const char *what) const
+    {
+        const cJSON *const items = member(object, key);
+        if (items == nullptr)
+        {
+            return;
+        }
+        bool good = cJSON_IsArray(items);
+        std::size_t at = 0;
+        for (const cJSON *item = items->child; good && item != nullptr; item = item->next)
+        {
+            good = at < read.size() && same(item, static_cast<double>(read[at]));
+            ++at;
+        }
+        if (!good || at != read.size())
+        {
+            fail(items, who, key, what);
+        }
+    }
+
+    void indices(const cJSON *object, const std::string &who, const char *key,
+                 const std::vector<int> &read) const
+    {
+        list(object, who, key, read, is_whole, "a list of whole numbers of 0 or more");
+    }
+
+    void numbers(const cJSON *object, const std::string &who, const char *key,
+                 const std::vector<double> &read) const
+    {
+        const auto same = [](const cJSON *item, double number)
+        { return cJSON_IsNumber(item) && item->valuedouble == number; };
+        list(object, who, key, read, same, "a list of numbers");
+    }
+
+    template <typename Element>
+    void check_each(const char *key, const char *who, const std::vector<Element> &read,
+                    void (GltfText::*check_one)(const cJSON *, const std::string &, const Element &)
+                        const) const
+    {
+        const cJSON *const items = member(root, key);
+        std::size_t at = 0;
+        for (const cJSON *item = items == nullptr ? nullptr : items->child; item != nullptr;
+             item = item->next)
+        {
+            if (at >= read.size())
+            {
+                break;
+            }
+            (this->*check_one)(item, who + std::to_string(at), read[at]);
+            ++at;
+        }
+        if (items != nullptr && (!cJSON_IsArray(items) || at != read.size() ||
+                                 static_cast<std::size_t>(cJSON_GetArraySize(items)) != at))
+        {
+            fail(items, "a root", key, "a list of objects");
+        }
+    }
+
+    void check_scene(const cJSON *item, const std::string &who, const tinygltf::Scene &scene) const
+    {
+        indices(item, who, "nodes", scene.nodes);
+    }
+
+    void check_node(const cJSON *item, const std::string &who, const tinygltf::Node &node) const
+    {
+        whole(item, who, "mesh", node.mesh);
+        indices(item, who, "children", node.children);
+        numbers(item, who, "matrix", node.matrix);
+        numbers(item, who, "translation", node.translation);
+        numbers(item, who, "rotation", node.rotation);
+        numbers(item, who, "scale", node.scale);
+    }
+
+    void check_mesh(const cJSON *item, const std::string &who, const tinygltf::Mesh &mesh) const
+    {
+        // one that it cannot read is left out
+        const cJSON *const parts = member(item, "primitives");
+        if (parts != nullptr &&
+            static_cast<std::size_t>(cJSON_GetArraySize(parts)) != mesh.primitives.size())
+        {
+            fail(parts, who, "primitives", "a list of primitives with accessors as attributes");
+        }
+        const cJSON *part = parts == nullptr ? nullptr : parts->child;
+        for (const tinygltf::Primitive &primitive : mesh.primitives)
+        {
+            whole(part, who, "indices", primitive.indices);
+            whole(part, who, "material", primitive.material);
+            whole(part, who, "mode", primitive.mode);
+            for (const auto &[name, accessor] : primitive.attributes)
+            {
+                whole(member(part, "attributes"), who, name.c_str(), accessor);
+            }
+            part = part->next;
+        }
+    }
+
+    void check_material(const cJSON *item, const std::string &who,
+                        const tinygltf::Material &material) const
+    {
+        const cJSON *const looks = member(item, "pbrMetallicRoughness");
+        numbers(looks, who, "baseColorFactor", material.pbrMetallicRoughness.baseColorFactor);
+    }
+
+    void check_accessor(const cJSON *item, const std::string &who,
+                        const tinygltf::Accessor &accessor) const
+    {
+        whole(item, who, "bufferView", accessor.bufferView);
+        whole(item, who, "byteOffset", accessor.byteOffset);
+        whole(item, who, "count", accessor.count);
+        whole(item, who, "componentType", accessor.componentType);
+    }
+
+    void check_view(const cJSON *item, const std::string &who,
+                    const tinygltf::BufferView &view) const
+    {
+        whole(item, who, "buffer", view.buffer);
+        whole(item, who, "byteOffset", view.byteOffset);
+        whole(item, who, "byteLength", view.byteLength);
+        whole(item, who, "byteStride", view.byteStride);
+    }
+
+    std::string_view text;
+    bool is_text;
+    const tinygltf::Model &model;
+    mutable const cJSON *root = nullptr;
+};
+
+} // namespace
+
+void check_gltf_numbers(std::string_view bytes, const tinygltf::Model &model)
+{
+    GltfText(bytes, model).check();
+}
