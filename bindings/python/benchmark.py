@@ -98,11 +98,15 @@ def healpix(x, y, z, points, rounds):
 def alone(rounds):
     m, hp = cubemap.Mapping(), cubemap.Healpix(1024)
     forward, inverse, pixel = m.forward, m.inverse, hp.pixel_from_angles
+    jacobian, distortion, vector = m.forward_jacobian, m.forward_distortion, np.array([0.3, -0.5, 0.4])
     calls = {"coupled forward": lambda: forward(2.0, 1.0, 0.5), "coupled inverse": lambda: inverse(0, 0.3, 0.4),
+             "coupled forward_jacobian": lambda: jacobian(2.0, 1.0, 0.5), "coupled forward_distortion": lambda: distortion(2.0, 1.0, 0.5),
+             "cubemap.healpy.vec2ang": lambda: own.vec2ang(vector), "cubemap.healpy.ang2vec": lambda: own.ang2vec(0.3, 0.4),
              "pixel_from_angles": lambda: pixel(0.3, 0.4), "cubemap.healpy.ang2pix": lambda: own.ang2pix(1024, 0.3, 0.4),
              "a function that does nothing": lambda: None}
     if healpy:
         calls["healpy.ang2pix"] = lambda: healpy.ang2pix(1024, 0.3, 0.4)
+        calls["healpy.vec2ang"], calls["healpy.ang2vec"] = lambda: healpy.vec2ang(vector), lambda: healpy.ang2vec(0.3, 0.4)
     best = least(calls, rounds, 20_000)
     nothing = best["a function that does nothing"]
     print(f"\n{'one point of Python numbers':34} {'us':>9}")
@@ -130,6 +134,7 @@ def calls(rounds):
         "pix2ang(64, 1234, lonlat=True)": lambda hp: hp.pix2ang(64, 1234, lonlat=True),
         "ud_grade(nside 256, 64)": lambda hp: hp.ud_grade(values, 64),
         'ud_grade(nside 256, 64, order_in="NEST")': lambda hp: hp.ud_grade(values, 64, order_in="NEST"),
+        'ud_grade(nside 256, 256, order_in="NEST")': lambda hp: hp.ud_grade(values, 256, order_in="NEST"),
     }
     print(f"\n{'microseconds a call':42} {'cubemap':>10} {'healpy':>10}")
     for name, call in all_of_them.items():

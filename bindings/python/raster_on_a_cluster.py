@@ -46,6 +46,13 @@ def judged(tile, edge, block_info=None):
     return np.array([error.max(), error.size], np.float64).reshape(1, 1, 1, 2)
 
 
+def most_memory():
+    """The most bytes that this process has had. Not getrusage's: Linux gives a new process what its parent had, and a worker's
+    parent has the graph."""
+    with open("/proc/self/status", encoding="ascii") as lines:
+        return next(int(line.split()[1]) for line in lines if line.startswith("VmHWM:")) * 1024
+
+
 def kill_one(client, killed):
     """End a worker's process as if its machine had failed, when a part of the work is done."""
     def work():
@@ -83,10 +90,10 @@ def run(megabytes, workers, kills=True):
         killed["ready"].set()
         if thread:
             thread.join()
-        peak = max(client.run(lambda: __import__("resource").getrusage(__import__("resource").RUSAGE_SELF).ru_maxrss).values())
+        peak = max(client.run(most_memory).values())
     print(f"{raster.nbytes / 1e6:.0f} MB in {raster.npartitions} blocks to 6 x {edge} x {edge}: worst error {worst:.2e}, "
-          f"worker killed: {killed.get('pid', 'none')}, most memory of a worker {peak / 1e3:.0f} MB")
-    return worst, int(count), 6 * edge * edge, killed.get("pid"), peak * 1024
+          f"worker killed: {killed.get('pid', 'none')}, most memory of a worker {peak / 1e6:.0f} MB")
+    return worst, int(count), 6 * edge * edge, killed.get("pid"), peak
 
 
 def main():

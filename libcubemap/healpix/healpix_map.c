@@ -44,9 +44,8 @@ typedef struct regrading
     int is_pessimistic;
     double bad;
     double divisor;
-    int coarser;    /* two to this is the number of parts of a pixel of the result */
-    int finer;      /* or of one of the map */
-    int is_ordered; /* the numbers are the same in both: neither resolution nor order differs */
+    int coarser; /* two to this is the number of parts of a pixel of the result */
+    int finer;   /* or of one of the map */
 } regrading;
 
 typedef int64_t pixels[CM_BLOCK];
@@ -162,24 +161,9 @@ static void gather_parts(const regrading *r, size_t n, const int64_t *pixel, dou
     }
 }
 
-/* The same pixels. */
-static void copy_values(const regrading *r, size_t n, int64_t first, double *result)
-{
-    for (size_t i = 0; i < n; i++)
-    {
-        double value = value_at(r->map, first + (int64_t)i);
-        result[i] = is_good(value) ? value / r->divisor : r->bad;
-    }
-}
-
 static void regrade_block(const regrading *r, size_t n, int64_t first, double *result)
 {
     pixels pixel;
-    if (r->is_ordered)
-    {
-        copy_values(r, n, first, result);
-        return;
-    }
     for (size_t i = 0; i < n; i++)
     {
         pixel[i] = first + (int64_t)i;
@@ -195,6 +179,40 @@ static void regrade_block(const regrading *r, size_t n, int64_t first, double *r
     else
     {
         give_to_parts(r, n, pixel, result);
+    }
+}
+
+/* The same pixels: by vectors, as nothing but memory is to be waited for. */
+static void copy_doubles(const regrading *r, int64_t n, const double *map, double *result)
+{
+    const double divisor = r->divisor, bad = r->bad;
+    for (int64_t i = 0; i < n; i++)
+    {
+        result[i] = is_good(map[i]) ? map[i] / divisor : bad;
+    }
+}
+
+static void copy_floats(const regrading *r, int64_t n, const float *map, float *result)
+{
+    const double divisor = r->divisor, bad = r->bad;
+    for (int64_t i = 0; i < n; i++)
+    {
+        double value = (double)map[i];
+        result[i] = (float)(is_good(value) ? value / divisor : bad);
+    }
+}
+
+static void regrade_blocks(const regrading *r, void *result)
+{
+    for (int64_t done = 0; done < r->to->count; done += CM_BLOCK)
+    {
+        values made;
+        size_t n = r->to->count - done < CM_BLOCK ? (size_t)(r->to->count - done) : CM_BLOCK;
+        regrade_block(r, n, done, made);
+        for (size_t i = 0; i < n; i++)
+        {
+            put_value(result, r->map.is_narrow, done + (int64_t)i, made[i]);
+        }
     }
 }
 
@@ -223,17 +241,18 @@ static cm_status regrade(const cm_healpix *from, map_values map, const cm_healpi
         .bad = o->bad_is_nan ? (double)NAN : CM_HEALPIX_UNSEEN,
         .divisor = o->power == 0.0 ? 1.0 : pow((double)from->nside / (double)to->nside, o->power),
         .coarser = shift > 0 ? shift : 0,
-        .finer = shift < 0 ? -shift : 0,
-        .is_ordered = is_same && from->order == to->order};
-    for (int64_t done = 0; done < to->count; done += CM_BLOCK)
+        .finer = shift < 0 ? -shift : 0};
+    if (!is_same || from->order != to->order)
     {
-        values made;
-        size_t n = to->count - done < CM_BLOCK ? (size_t)(to->count - done) : CM_BLOCK;
-        regrade_block(&r, n, done, made);
-        for (size_t i = 0; i < n; i++)
-        {
-            put_value(result, map.is_narrow, done + (int64_t)i, made[i]);
-        }
+        regrade_blocks(&r, result);
+    }
+    else if (map.is_narrow)
+    {
+        copy_floats(&r, from->count, map.values, result);
+    }
+    else
+    {
+        copy_doubles(&r, from->count, map.values, result);
     }
     return CM_OK;
 }

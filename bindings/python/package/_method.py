@@ -7,8 +7,8 @@ _results = {}  # {function: what makes its result of a tuple}
 
 
 def name_results(function, result):
-    """The result of a function for many points becomes a named tuple, or what a function makes of the tuple."""
-    _results[function] = getattr(result, "_make", result)
+    """The result of a function for many points becomes a named tuple of as many, or what a function makes of the tuple."""
+    _results[function] = result
 
 
 def function(name):

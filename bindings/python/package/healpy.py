@@ -141,6 +141,10 @@ def pix2vec(nside: ArrayLike, ipix: ArrayLike, nest: bool = False) -> tuple[Any,
 def ang2vec(theta: ArrayLike, phi: ArrayLike, lonlat: bool = False) -> np.ndarray:
     """Unit vectors, along the last axis, of angles as in ang2pix."""
     if lonlat:
+        if type(theta) is float and type(phi) is float:
+            vector = _core.lonlat_to_vector(theta, phi)
+            if vector[2] == vector[2]:
+                return vector
         vectors = np.stack(_methods.direction_from_lonlat(np.radians(theta), np.radians(phi)), axis=-1)
         if np.isnan(vectors).any():
             raise ValueError("THETA is out of range [0,pi]")
@@ -156,11 +160,7 @@ def ang2vec(theta: ArrayLike, phi: ArrayLike, lonlat: bool = False) -> np.ndarra
 
 def vec2ang(vectors: ArrayLike, lonlat: bool = False) -> tuple[np.ndarray, np.ndarray]:
     """The angles of vectors, (n, 3) or (3,): arrays of n."""
-    vectors = np.asarray(vectors, np.float64).reshape(-1, 3)
-    x, y, z = vectors.T
-    lon, lat = _methods.lonlat_from_direction(x, y, z)
-    lon[lon < 0] += 2 * np.pi
-    return (np.degrees(lon), np.degrees(lat)) if lonlat else (np.pi / 2 - lat, lon)
+    return _core.vectors_to_angles(vectors, lonlat)
 
 
 def nest2ring(nside: ArrayLike, ipix: ArrayLike) -> Any:
@@ -328,7 +328,7 @@ def ud_grade(map_in: ArrayLike, nside_out: int, pess: bool = False, order_in: st
     if values.ndim > 1:
         return np.array([ud_grade(one, nside_out, pess, order_in, order_out, power, dtype) for one in values])
     if np.issubdtype(kind, np.floating) and values.dtype != np.float32:
-        values = values.astype(np.float64)
+        values = values.astype(np.float64, copy=False)
     graded = _healpix(nside, nested).regrade(values, _healpix(nside_out, wanted), pessimistic=bool(pess), power=float(power or 0))
     if np.issubdtype(kind, np.integer):  # healpy: what UNSEEN is for whole numbers nobody knows
         graded = np.where(graded == UNSEEN, 0, graded)

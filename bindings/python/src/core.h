@@ -110,6 +110,10 @@ extern const unsigned char core_type_size[CORE_TYPES];
 /* What NumPy has for an operand: 64-bit whole numbers for the small ones that are read. */
 enum core_type core_seen_type(const struct core_loop *loop, int operand);
 
+/* How many numbers the next operand's point has along each axis, from the text of a signature, "(),(3)->(4,3)". Returns the
+ * text after it. */
+const char *core_read_extents(const char *text, int *extents, int extent[2]);
+
 /* A loop of NumPy over n points: args, dims and steps as it gives them, data a core_loop. */
 void core_run(char **args, const intptr_t *dims, const intptr_t *steps, void *data);
 
@@ -126,8 +130,11 @@ struct core_handle
 /* 0, or -1 with the package's own exception. */
 int core_check(cm_status status);
 
-/* Of the module: single pixels and points (pixel.c). */
+/* Of the module: pixels (pixel.c), and angles (vector_angle.c). */
 extern PyMethodDef core_methods[];
+PyObject *core_angles_to_vector(PyObject *module, PyObject *const *args, Py_ssize_t count);
+PyObject *core_lonlat_to_vector(PyObject *module, PyObject *const *args, Py_ssize_t count);
+PyObject *core_vectors_to_angles(PyObject *module, PyObject *const *args, Py_ssize_t count);
 
 extern PyTypeObject core_handle_type;
 extern PyTypeObject core_function_type;

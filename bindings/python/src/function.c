@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Function: a function of the library, bound to an object of it, as a ufunc of NumPy with a short way for single numbers
- * of Python: these never become arrays.
+ * of Python: these never become arrays. What a point has several of, a Jacobian, is written into a new array.
  */
 #include "core.h"
 
@@ -21,9 +21,13 @@ struct function
 {
     PyObject_HEAD vectorcallfunc call;
     PyObject *ufunc;
-    PyObject *result; /* what makes the result of a tuple; NULL: the tuple itself */
-    const struct core_loop
-        *alone; /* the loop of double, which the ufunc owns; NULL if points have several numbers */
+    PyObject *
+        result; /* what makes the result of a tuple: a named tuple, or a function; NULL: the tuple itself */
+    PyTypeObject *named; /* the named tuple */
+    const struct core_loop *
+        alone; /* the loop of double, which the ufunc owns; NULL if an input has several numbers a point */
+    int extents[CORE_OPERANDS_MAX]; /* of each output's point: 0, 1 or 2 */
+    int extent[CORE_OPERANDS_MAX][2];
 };
 
 static const char numpy_types[CORE_TYPES] = {
@@ -120,40 +124,129 @@ static PyObject *write_number(enum core_type type, const union number *number)
     }
 }
 
-/* The result for single numbers; NULL without an exception if some argument is not a number of Python. */
-static PyObject *call_alone(const struct core_loop *loop, PyObject *const *args)
+/* A new array for what an output has of a point. */
+static PyObject *make_array(enum core_type type, int extents, const int extent[2])
 {
-    const struct core_function *function = loop->function;
-    const int count = function->inputs + function->outputs;
-    union number numbers[CORE_OPERANDS_MAX];
-    void *pointers[CORE_OPERANDS_MAX];
-    for (int k = 0; k < count; k++)
+    npy_intp sizes[2] = {0, 0};
+    for (int axis = 0; axis < extents; axis++)
+    {
+        sizes[axis] = extent[axis];
+    }
+    return PyArray_SimpleNew(extents, sizes, numpy_types[type]);
+}
+
+/* A tuple, or one of the names of a result. */
+static PyObject *make_tuple(PyTypeObject *named, Py_ssize_t items)
+{
+    return named ? named->tp_alloc(named, items) : PyTuple_New(items);
+}
+
+/* Inputs from their objects, and places for the outputs: in numbers, or in arrays. 1; 0 if some argument is not a number of
+ * Python; -1 with an exception. */
+static int place_numbers(const struct function *self, PyObject *const *args, union number *numbers,
+                         void **pointers, PyObject **arrays)
+{
+    const struct core_loop *loop = self->alone;
+    const int inputs = loop->function->inputs;
+    for (int k = 0; k < inputs; k++)
     {
         pointers[k] = &numbers[k];
-        if (k < function->inputs &&
-            read_number(loop->variant->operand[k].type, args[k], &numbers[k]) != 1)
+        const int is_number = read_number(loop->variant->operand[k].type, args[k], &numbers[k]);
+        if (is_number != 1)
         {
-            return NULL;
+            return is_number;
         }
     }
-    loop->variant->call(&loop->context, 1, pointers, 1);
-    if (function->outputs == 1)
+    for (int k = 0; k < loop->function->outputs; k++)
     {
-        return write_number(loop->variant->operand[count - 1].type, &numbers[count - 1]);
+        pointers[inputs + k] = &numbers[inputs + k];
+        if (self->extents[k] > 0)
+        {
+            arrays[k] = make_array(loop->variant->operand[inputs + k].type, self->extents[k],
+                                   self->extent[k]);
+            if (!arrays[k])
+            {
+                return -1;
+            }
+            pointers[inputs + k] = PyArray_DATA((PyArrayObject *)arrays[k]);
+        }
     }
-    PyObject *tuple = PyTuple_New(function->outputs);
-    for (int k = 0; tuple && k < function->outputs; k++)
+    return 1;
+}
+
+/* An output as an object: its array, which is taken, or a number. */
+static PyObject *take_output(const struct core_loop *loop, int k, const union number *numbers,
+                             PyObject **arrays)
+{
+    PyObject *array = arrays[k];
+    const int operand = loop->function->inputs + k;
+    arrays[k] = NULL;
+    return array ? array : write_number(loop->variant->operand[operand].type, &numbers[operand]);
+}
+
+/* The outputs as a tuple, or one output alone. */
+static PyObject *take_outputs(const struct function *self, const union number *numbers,
+                              PyObject **arrays)
+{
+    const struct core_loop *loop = self->alone;
+    const int outputs = loop->function->outputs;
+    if (outputs == 1)
     {
-        const int operand = function->inputs + k;
-        PyObject *number = write_number(loop->variant->operand[operand].type, &numbers[operand]);
-        if (!number)
+        return take_output(loop, 0, numbers, arrays);
+    }
+    PyObject *tuple = make_tuple(self->named, outputs);
+    for (int k = 0; tuple && k < outputs; k++)
+    {
+        PyObject *item = take_output(loop, k, numbers, arrays);
+        if (!item)
         {
             Py_CLEAR(tuple);
             break;
         }
-        PyTuple_SET_ITEM(tuple, k, number);
+        PyTuple_SET_ITEM(tuple, k, item);
     }
     return tuple;
+}
+
+/* The result for single numbers; NULL without an exception if some argument is not a number of Python. */
+static PyObject *call_alone(const struct function *self, PyObject *const *args)
+{
+    const struct core_loop *loop = self->alone;
+    union number numbers[CORE_OPERANDS_MAX];
+    void *pointers[CORE_OPERANDS_MAX];
+    PyObject *arrays[CORE_OPERANDS_MAX] = {NULL};
+    PyObject *found = NULL;
+    if (place_numbers(self, args, numbers, pointers, arrays) == 1)
+    {
+        loop->variant->call(&loop->context, 1, pointers, 1);
+        found = take_outputs(self, numbers, arrays);
+    }
+    for (int k = 0; k < loop->function->outputs; k++)
+    {
+        Py_XDECREF(arrays[k]);
+    }
+    return found;
+}
+
+/* A tuple of NumPy's as the result: one of its names, or what a function makes of it. The tuple is taken. */
+static PyObject *name_outputs(const struct function *self, PyObject *tuple)
+{
+    PyObject *made = NULL;
+    if (!self->named)
+    {
+        made = PyObject_CallOneArg(self->result, tuple);
+    }
+    else
+    {
+        const Py_ssize_t items = PyTuple_GET_SIZE(tuple);
+        made = make_tuple(self->named, items);
+        for (Py_ssize_t k = 0; made && k < items; k++)
+        {
+            PyTuple_SET_ITEM(made, k, Py_NewRef(PyTuple_GET_ITEM(tuple, k)));
+        }
+    }
+    Py_DECREF(tuple);
+    return made;
 }
 
 static PyObject *function_call(PyObject *object, PyObject *const *args, size_t flagged,
@@ -163,7 +256,7 @@ static PyObject *function_call(PyObject *object, PyObject *const *args, size_t f
     PyObject *found = NULL;
     if (self->alone && !names && PyVectorcall_NARGS(flagged) == self->alone->function->inputs)
     {
-        found = call_alone(self->alone, args);
+        found = call_alone(self, args);
         if (!found && PyErr_Occurred())
         {
             return NULL;
@@ -173,11 +266,7 @@ static PyObject *function_call(PyObject *object, PyObject *const *args, size_t f
     {
         found = PyObject_Vectorcall(self->ufunc, args, flagged, names);
     }
-    if (found && self->result && PyTuple_CheckExact(found))
-    {
-        Py_SETREF(found, PyObject_CallOneArg(self->result, found));
-    }
-    return found;
+    return found && self->result && PyTuple_CheckExact(found) ? name_outputs(self, found) : found;
 }
 
 /* ---- making one ---- */
@@ -230,6 +319,26 @@ static int fill_loops(const struct core_function *function, const struct core_co
     return count;
 }
 
+/* The shapes of the outputs; whether each input has one number a point. */
+static int read_shapes(const struct core_function *function, struct function *self)
+{
+    const char *signature = function->signature;
+    int are_single = 1;
+    for (int k = 0; signature && k < function->inputs + function->outputs; k++)
+    {
+        int extents, extent[2] = {0, 0};
+        signature = core_read_extents(signature, &extents, extent);
+        if (k < function->inputs)
+        {
+            are_single &= extents == 0;
+            continue;
+        }
+        self->extents[k - function->inputs] = extents;
+        memcpy(self->extent[k - function->inputs], extent, sizeof extent);
+    }
+    return are_single;
+}
+
 static PyObject *make_ufunc(const struct core_function *function,
                             const struct core_context *context, PyObject *owner,
                             const struct core_loop **alone)
@@ -251,7 +360,7 @@ static PyObject *make_ufunc(const struct core_function *function,
     PyUFuncObject *ufunc = (PyUFuncObject *)object;
     ufunc->ptr = loops;
     ufunc->obj = Py_NewRef(owner); /* the mapping lives as long as the ufunc */
-    *alone = function->signature ? NULL : &loops->loop[count - 1];
+    *alone = &loops->loop[count - 1];
     return object;
 }
 
@@ -273,6 +382,15 @@ static const struct core_function *find_function(const char *name)
     }
     PyErr_Format(PyExc_ValueError, "no function %s for many points", name);
     return NULL;
+}
+
+/* What is to be made of a result of several outputs. */
+static void name_result(struct function *self, PyObject *result)
+{
+    self->result = result == Py_None ? NULL : Py_NewRef(result);
+    const int is_tuple =
+        PyType_Check(result) && PyType_IsSubtype((PyTypeObject *)result, &PyTuple_Type);
+    self->named = is_tuple ? (PyTypeObject *)result : NULL;
 }
 
 static PyObject *function_new(PyTypeObject *type, PyObject *args, PyObject *keywords)
@@ -321,11 +439,15 @@ static PyObject *function_new(PyTypeObject *type, PyObject *args, PyObject *keyw
         return NULL;
     }
     self->call = function_call;
-    self->result = result == Py_None ? NULL : Py_NewRef(result);
+    name_result(self, result);
     self->ufunc = make_ufunc(row, &context, handle, &self->alone);
     if (!self->ufunc)
     {
         Py_CLEAR(self);
+    }
+    else if (!read_shapes(row, self))
+    {
+        self->alone = NULL;
     }
     return (PyObject *)self;
 }

@@ -50,10 +50,9 @@ struct place
     char *buffer;      /* else */
 };
 
-/* How many numbers an operand's point has along each axis: from the signature, "(),(3)->(4,3)". */
-static const char *read_extents(const char *text, struct place *place)
+const char *core_read_extents(const char *text, int *extents, int extent[2])
 {
-    place->extents = 0;
+    *extents = 0;
     while (*text != '(')
     {
         text++;
@@ -64,12 +63,12 @@ static const char *read_extents(const char *text, struct place *place)
         {
             continue;
         }
-        int extent = 0;
+        int count = 0;
         while (*text >= '0' && *text <= '9')
         {
-            extent = 10 * extent + (*text++ - '0');
+            count = 10 * count + (*text++ - '0');
         }
-        place->extent[place->extents++] = extent;
+        extent[(*extents)++] = count;
         text--;
     }
     return text;
@@ -177,7 +176,7 @@ static size_t find_places(const struct core_loop *loop, char *const *args, const
         place->direct = place->seen == place->size && !operand->planar;
         if (signature)
         {
-            signature = read_extents(signature, place);
+            signature = core_read_extents(signature, &place->extents, place->extent);
             for (int axis = 0; axis < place->extents; axis++)
             {
                 place->inner[axis] = *inner++;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What healpy is asked of one pixel, one point or one disc, as arrays of NumPy: ufuncs and ctypes take longer to begin than
+ * What healpy is asked of one pixel or one disc, as arrays of NumPy: ufuncs and ctypes take longer to begin than
  * this takes.
  */
 #include "core.h"
@@ -162,29 +162,6 @@ static PyObject *boundaries(PyObject *module, PyObject *const *args, Py_ssize_t 
     return array;
 }
 
-/* vector(theta, phi): the unit vector of a colatitude and a longitude. */
-static PyObject *vector(PyObject *module, PyObject *const *args, Py_ssize_t count)
-{
-    (void)module;
-    if (count != 2)
-    {
-        PyErr_SetString(PyExc_TypeError, "two arguments");
-        return NULL;
-    }
-    const double theta = PyFloat_AsDouble(args[0]);
-    const double phi = PyErr_Occurred() ? 0.0 : PyFloat_AsDouble(args[1]);
-    PyObject *array = PyErr_Occurred() ? NULL : array_of(NPY_DOUBLE, 3, 0);
-    if (array)
-    {
-        double *to = data_of(array);
-        const double rho = sin(theta);
-        to[0] = rho * cos(phi);
-        to[1] = rho * sin(phi);
-        to[2] = cos(theta);
-    }
-    return array;
-}
-
 /* ---- discs ---- */
 
 /* Three numbers as a unit vector; 0 with an exception. */
@@ -289,7 +266,11 @@ PyMethodDef core_methods[] = {
     {"pixel_disc", FAST(disc), METH_FASTCALL,
      "pixel_disc(handle, vector, radius, lines, nested): the pixels of a disc, or that overlap "
      "it."},
-    {"angles_to_vector", FAST(vector), METH_FASTCALL,
+    {"angles_to_vector", FAST(core_angles_to_vector), METH_FASTCALL,
      "angles_to_vector(theta, phi): a unit vector."},
+    {"lonlat_to_vector", FAST(core_lonlat_to_vector), METH_FASTCALL,
+     "lonlat_to_vector(lon, lat): the same of degrees; NaN where there is none."},
+    {"vectors_to_angles", FAST(core_vectors_to_angles), METH_FASTCALL,
+     "vectors_to_angles(vectors, lonlat): theta and phi, or degrees, of (n, 3), or of one."},
     {NULL, NULL, 0, NULL},
 };

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """cubemap.healpy beside healpy: 10^6 points each."""
 
+import cubemap
 import numpy as np
 import pytest
 from cubemap import Healpix, healpy
@@ -181,6 +182,45 @@ def test_single_points_are_as_arrays_of_them(random):
                  lambda: healpy.query_disc(4, (0, np.inf, 1), 1), lambda: healpy.query_disc(3, (0, 0, 1), 1, nest=True)):
         with pytest.raises(ValueError):
             what()
+
+
+def test_single_vectors_are_as_arrays_of_them(random):
+    vectors = np.concatenate((random.normal(size=(1200, 3)), np.eye(3), -np.eye(3), [[1, -0.0, 0], [0, 0, 0], [np.nan, 1, 2]]))
+    for lonlat in (False, True):
+        first, second = healpy.vec2ang(vectors, lonlat=lonlat)
+        lon, lat = cubemap.lonlat_from_direction(*vectors.T)  # by the ufunc
+        lon = np.where(lon < 0, lon + 2 * np.pi, lon)
+        expected = (np.degrees(lon), np.degrees(lat)) if lonlat else (np.pi / 2 - lat, lon)
+        assert np.array_equal((first, second), expected, equal_nan=True)
+        for k in range(1190, len(vectors)):
+            for one in (vectors[k], vectors[k].tolist(), tuple(vectors[k])):
+                got = healpy.vec2ang(one, lonlat=lonlat)
+                assert got[0].shape == got[1].shape == (1,)
+                assert np.array_equal(got, ([first[k]], [second[k]]), equal_nan=True)
+        strided = np.asfortranarray(vectors)[::-1]
+        assert np.array_equal(healpy.vec2ang(strided, lonlat), (first[::-1], second[::-1]), equal_nan=True)
+    assert [one.shape for one in healpy.vec2ang(np.empty((0, 3)))] == [(0,), (0,)]
+    assert np.array_equal(healpy.vec2ang(np.array([1, 2, 3], ">i2")), healpy.vec2ang((1.0, 2.0, 3.0)))
+    with pytest.raises(ValueError, match="three numbers each"):
+        healpy.vec2ang(np.ones(4))
+    for lon, lat in random.uniform(-90, 90, (50, 2)).tolist():
+        assert np.array_equal(healpy.ang2vec(8 * lon, lat, lonlat=True), healpy.ang2vec(np.array([8 * lon]), np.array([lat]), lonlat=True)[0])
+    for refused in (90.01, float("nan")):
+        with pytest.raises(ValueError):
+            healpy.ang2vec(0.0, refused, lonlat=True)
+
+
+def test_maps_of_the_same_resolution_are_copies(random):
+    for kind in (np.float64, np.float32):
+        values = random.normal(size=12 * 16**2).astype(kind)
+        values[[3, 700, 3071]] = healpy.UNSEEN, np.nan, np.inf
+        values[5] = healpy.UNSEEN * (1 + 9e-6)  # healpy's own tolerance of what is UNSEEN
+        before = values.copy()
+        for options in ({}, {"order_in": "NEST"}, {"order_in": "NEST", "power": 2}, {"pess": True}):
+            got = healpy.ud_grade(values, 16, **options)
+            expected = np.where(np.isin(np.arange(values.size), (3, 5, 700, 3071)), kind(healpy.UNSEEN), values)
+            assert got.dtype == kind and np.array_equal(got, expected) and not np.shares_memory(got, values)
+        assert np.array_equal(values, before, equal_nan=True)
 
 
 def test_boundaries_lie_together():

@@ -2,6 +2,9 @@
 """Dask and xarray; with a cluster whose worker is killed on the way."""
 
 import importlib.util
+import os
+import subprocess
+import sys
 import time
 
 import cubemap
@@ -108,14 +111,26 @@ def test_rasters_of_xarray():
         large.reproject(north.assign_coords(lat=lat**3), "cube:coupled", 32)
 
 
-def test_a_cluster_with_a_worker_killed(root, request):
+def raster_on_a_cluster(root):
     specification = importlib.util.spec_from_file_location("raster_on_a_cluster", root / "bindings/python/raster_on_a_cluster.py")
     example = importlib.util.module_from_spec(specification)
-    import sys
-
     sys.modules["raster_on_a_cluster"] = example  # workers read it by its name
     sys.path.insert(0, str(root / "bindings/python"))
     specification.loader.exec_module(example)
+    return example
+
+
+def test_the_memory_of_a_worker_is_its_own(root):
+    """Not what the process had that began it, 600 MB here: of 20 GB the graph alone took more than a worker may have."""
+    raster_on_a_cluster(root)
+    kept = np.ones(600_000_000, np.uint8)
+    measured = subprocess.run([sys.executable, "-c", "import raster_on_a_cluster as example; print(example.most_memory())"],
+                              env={**os.environ, "PYTHONPATH": str(root / "bindings/python")}, check=True, capture_output=True)
+    assert 10e6 < int(measured.stdout) < 400e6 < kept.nbytes
+
+
+def test_a_cluster_with_a_worker_killed(root, request):
+    example = raster_on_a_cluster(root)
     worst, count, expected, pid, peak = example.run(20000 if request.config.getoption("--long") else 200, 2)
     assert count == expected and worst < 4e-5 and pid and peak < 1e9
 

@@ -128,6 +128,31 @@ def test_single_numbers_are_numbers_and_have_the_bits_of_arrays(points):
         cubemap.Mapping().forward(10**400, 0, 0)
 
 
+def test_single_numbers_of_derivatives_have_the_bits_of_arrays(points):
+    """What a point has several of is an array of its own, by the short way, too: of the core's shape and writable."""
+    for specification in ("coupled", "conformal", "healpix"):
+        m = cubemap.Mapping(specification)
+        x, y, z = points[:, :50]
+        face, u, v = m.forward(x, y, z)
+        for name, arrays in (("forward", (x, y, z)), ("inverse", (face, u, v))):
+            many, tissot = getattr(m, name + "_jacobian")(*arrays), getattr(m, name + "_distortion")(*arrays)
+            for k in range(50):
+                numbers = [one[k].item() for one in arrays]
+                alone = getattr(m, name + "_jacobian")(*numbers)
+                assert alone.shape == many[k].shape and alone.flags.writeable and alone.flags.c_contiguous
+                assert np.array_equal(alone, many[k])
+                got = getattr(m, name + "_distortion")(*numbers)
+                assert type(got) is cubemap.Distortion is type(tissot) and {type(one) for one in got} == {float}
+                assert np.array_equal(got, [one[k] for one in tissot], equal_nan=True) and got.area == got[5]
+    assert np.isnan(cubemap.Mapping().forward_jacobian(0, 0, 0.0)).all()
+    kept = [cubemap.Mapping().forward_jacobian(1.0, 0.1 * k, 0.2) for k in range(3)]
+    assert len({one.tobytes() for one in kept}) == 3  # not one array for all calls
+    with pytest.raises(OverflowError):
+        cubemap.Mapping().forward_jacobian(10**400, 0, 0)
+    neighbours, count = cubemap.CellGrid().neighbours(cubemap.CellGrid().forward_lonlat(0.2, 0.9, 5))
+    assert neighbours.dtype == np.uint64 and neighbours.shape == (8,) and count == 8
+
+
 def test_float_loops_are_those_of_float(points):
     m = cubemap.Mapping()
     x, y, z = np.clip(points, -1e30, 1e30).astype(np.float32)
