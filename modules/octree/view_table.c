@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "huge_pages.h"
+
 /* Slopes of noisy images are taken over more pixels. */
 #define APART 1
 #define APART_WITH_NOISE 4
@@ -43,10 +45,7 @@ static void clear_bands(cm_view_desk *desk)
 void cm_view_desk_clear(cm_view_desk *desk)
 {
     free(desk->memory);
-    free(desk->rule);
-    free(desk->word);
     free(desk->windows);
-    free(desk->packed);
     free(desk->gap);
     clear_bands(desk);
     cm_rays_destroy(desk->rays);
@@ -75,23 +74,32 @@ static int has_more_levels(const cm_view_desk *desk, int level)
     return level_cells(desk->width, level) > 2 || level_cells(desk->height, level) > 2;
 }
 
+/* One piece of memory for all, in which the rest begins at whole lines. */
 static int take_images(cm_view_desk *desk)
 {
     const size_t cells = desk->stride * ((desk->height + 1) / 2 + 2);
+    const size_t pixels = desk->stride * desk->height;
+    const size_t dense = (size_t)desk->width * desk->height, packed = dense / 16 * 16 + 32;
     float **const images[] = {&desk->least[0], &desk->least[1], &desk->most[0], &desk->most[1]};
     const size_t count = sizeof images / sizeof *images;
-    desk->memory = malloc(count * cells * sizeof *desk->memory);
-    desk->rule = malloc(desk->stride * desk->height * sizeof *desk->rule);
-    desk->word = malloc(desk->stride * desk->height * sizeof *desk->word);
-    desk->packed =
-        calloc((size_t)desk->width * desk->height + CM_OCTREE_SLACK, sizeof *desk->packed);
-    desk->gap = malloc(desk->stride * desk->height * sizeof *desk->gap);
-    for (size_t i = 0; desk->memory != NULL && i < count; i++)
+    desk->memory = cm_huge_allocate(pixels * (sizeof *desk->rule + sizeof *desk->word) +
+                                    (packed + count * cells) * sizeof *desk->packed);
+    desk->gap = malloc(pixels * sizeof *desk->gap);
+    if (desk->memory == NULL || desk->gap == NULL)
     {
-        *images[i] = desk->memory + i * cells + CM_OCTREE_SLACK;
+        return 0;
     }
-    return desk->memory != NULL && desk->rule != NULL && desk->word != NULL &&
-           desk->packed != NULL && desk->gap != NULL;
+    desk->rule = desk->memory;
+    desk->word = (uint32_t *)(desk->rule + pixels);
+    desk->packed = (float *)(desk->word + pixels);
+    /* what is behind the last pixel is read in vectors with it */
+    memset(desk->packed + dense, 0, (packed - dense) * sizeof *desk->packed);
+    float *const first = desk->packed + packed;
+    for (size_t i = 0; i < count; i++)
+    {
+        *images[i] = first + i * cells + CM_OCTREE_SLACK;
+    }
+    return 1;
 }
 
 /* What is beside rows is never written again: nothing measured, no bounds. */

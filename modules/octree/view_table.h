@@ -48,7 +48,7 @@ typedef struct cm_view_desk
     size_t stride; /* floats from row to row */
     uint32_t width;
     uint32_t height;
-    float *memory;   /* of cells */
+    void *memory;    /* of cells and images */
     float *least[2]; /* cells of two levels in turn, of the first in [1] */
     float *most[2];
     cm_pixel_rule *rule;
