@@ -121,8 +121,9 @@ static int enter(const cm_snapshot *snapshot, const cm_cone *cone, walk *w)
         w->inverse[axis] = 1.0 / (fabs(d) > 1e-300 ? d : d < 0.0 ? -1e-300 : 1e-300);
         const double low = -cone->origin[axis] * w->inverse[axis];
         const double high = (w->size - cone->origin[axis]) * w->inverse[axis];
-        begin = fmax(begin, fmin(low, high));
-        end = fmin(end, fmax(low, high));
+        const double first = low < high ? low : high, last = low < high ? high : low;
+        begin = first > begin ? first : begin;
+        end = last < end ? last : end;
     }
     w->at = begin;
     for (int axis = 0; axis < 3; axis++)

@@ -181,8 +181,8 @@ typedef struct cm_octree_set
     void (*reaches)(size_t n, const cm_rule_row *row, float *reach, float *front, float *back);
     /* CM_BREAK_BEND or 0. */
     void (*bends)(size_t n, const cm_rule_row *row, uint8_t *kind);
-    /* Adds CM_BREAK_NEAR to kinds of a row; rows of fronts are `stride` from each other. */
-    void (*breaks)(size_t n, size_t stride, const float *front, const float *back, uint8_t *kind);
+    /* Adds CM_BREAK_NEAR to kinds of a row; fronts of the row above, of this and of the one below. */
+    void (*breaks)(size_t n, const float *const front[3], const float *back, uint8_t *kind);
     /* To those of n pixels that see something behind the teller: fronts of surfaces that join theirs; of surfaces in front, and up
      * to where voxels reach those. */
     void (*tell)(size_t n, const cm_break_teller *teller, const float *front, float *own_front,

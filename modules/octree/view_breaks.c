@@ -6,118 +6,90 @@
 #include "view_table.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct break_work
 {
-    cm_view_desk *desk;
+    const cm_view_desk *desk;
     const cm_octree_set *set;
+    const cm_view_band *band;
     size_t first_row;
     size_t end_row;
-    cm_break_runs *runs;
 } break_work;
 
-/* The runs of some pixels of a row are ready to be told something. 0: no memory. */
-static int take_runs(const break_work *work, size_t row, size_t low, size_t high)
+/* The runs of some pixels of a row are ready to be told something. */
+static void take_runs(const break_work *work, size_t row, size_t low, size_t high)
 {
-    cm_view_desk *desk = work->desk;
-    cm_break_runs *runs = work->runs;
+    const cm_view_band *band = work->band;
     for (size_t first = low / CM_BREAK_RUN * CM_BREAK_RUN; first < high; first += CM_BREAK_RUN)
     {
-        const size_t pixel = row * desk->stride + first;
-        uint8_t *is_taken = &desk->is_taken[pixel / CM_BREAK_RUN];
+        const size_t pixel = cm_view_row(work->desk, row) + first;
+        uint8_t *is_taken = &band->is_taken[pixel / CM_BREAK_RUN];
         if (*is_taken)
         {
             continue;
         }
-        if (runs->count == runs->room)
-        {
-            const size_t room = runs->room == 0 ? 1024 : 2 * runs->room;
-            uint32_t *more = realloc(runs->first, room * sizeof *more);
-            if (more == NULL)
-            {
-                return 0;
-            }
-            runs->first = more;
-            runs->room = room;
-        }
         *is_taken = 1;
-        runs->first[runs->count++] = (uint32_t)pixel;
         for (size_t i = pixel; i < pixel + CM_BREAK_RUN; i++)
         {
-            desk->own_front[i] = desk->near_front[i] = INFINITY;
-            desk->near_back[i] = -INFINITY;
+            band->own_front[i] = band->near_front[i] = INFINITY;
+            band->near_back[i] = -INFINITY;
         }
     }
-    return 1;
 }
 
 /* How many pixels around one may heed it. */
-static size_t radius_of(const cm_view_desk *desk, size_t pixel)
+static size_t radius_of(const break_work *work, size_t pixel)
 {
-    const float radius = desk->heed / desk->front[pixel] + 0.5f;
+    const float radius = work->desk->heed / work->band->front[pixel] + 0.5f;
     return radius >= 0.0f && radius < CM_BREAK_RADIUS ? (size_t)radius : CM_BREAK_RADIUS;
 }
 
 /* A pixel tells those around it what it sees. */
-static int tell_around(const break_work *work, size_t row, size_t column)
+static void tell_around(const break_work *work, size_t row, size_t column)
 {
     const cm_view_desk *desk = work->desk;
-    const size_t stride = desk->stride, from = row * stride + column;
-    const size_t radius = radius_of(desk, from);
+    const cm_view_band *band = work->band;
+    const size_t from = cm_view_row(desk, row) + column;
+    const size_t radius = radius_of(work, from);
     const size_t above = row > radius ? row - radius : 0;
     const size_t first_row = above > work->first_row ? above : work->first_row;
     const size_t end_row = row + radius < work->end_row ? row + radius + 1 : work->end_row;
     const size_t low = column > radius ? column - radius : 0;
     const size_t high = column + radius < desk->width ? column + radius + 1 : desk->width;
-    cm_break_teller teller = {.front = desk->front[from],
-                              .back = desk->back[from],
+    cm_break_teller teller = {.front = band->front[from],
+                              .back = band->back[from],
                               .heed = desk->heed,
                               .hides = desk->hides,
                               .radius = (float)radius,
                               .first = CM_BREAK_RADIUS - (column - low)};
-    int made = 1;
-    for (size_t r = first_row; made && r < end_row; r++)
+    for (size_t r = first_row; r < end_row; r++)
     {
-        const size_t to = r * stride + low;
+        const size_t to = cm_view_row(desk, r) + low;
         teller.down = (float)(r > row ? r - row : row - r);
-        made = take_runs(work, r, low, high);
-        if (made)
-        {
-            work->set->tell(high - low, &teller, desk->front + to, desk->own_front + to,
-                            desk->near_front + to, desk->near_back + to);
-        }
+        take_runs(work, r, low, high);
+        work->set->tell(high - low, &teller, band->front + to, band->own_front + to,
+                        band->near_front + to, band->near_back + to);
     }
-    return made;
 }
 
-int cm_breaks_find(cm_view_desk *desk, const cm_octree_set *set, size_t first_row, size_t end_row,
-                   cm_break_runs *runs)
+void cm_breaks_tell(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
+                    size_t row, size_t first_row, size_t end_row)
 {
-    const break_work work = {desk, set, first_row, end_row, runs};
-    const size_t low = first_row > CM_BREAK_RADIUS ? first_row - CM_BREAK_RADIUS : 0;
-    const size_t high =
-        end_row + CM_BREAK_RADIUS < desk->height ? end_row + CM_BREAK_RADIUS : desk->height;
-    int made = 1;
-    for (size_t row = low; row < high; row++)
+    const break_work work = {desk, set, band, first_row, end_row};
+    const uint8_t *kind = band->kind + cm_view_row(desk, row);
+    for (size_t i = 0; i < desk->width; i += CM_BREAK_RUN)
     {
-        const uint8_t *kind = desk->kind + row * desk->stride;
-        for (size_t i = 0; i < desk->width; i += CM_BREAK_RUN)
+        uint64_t half[2];
+        memcpy(half, kind + i, sizeof half);
+        for (size_t k = i; (half[0] | half[1]) != 0 && k < i + CM_BREAK_RUN; k++)
         {
-            uint64_t half[2];
-            memcpy(half, kind + i, sizeof half);
-            for (size_t k = i; (half[0] | half[1]) != 0 && k < i + CM_BREAK_RUN; k++)
+            if (kind[k] != 0)
             {
-                made &= kind[k] == 0 || tell_around(&work, row, k);
+                tell_around(&work, row, k);
             }
         }
     }
-    for (size_t i = 0; i < runs->count; i++)
-    {
-        desk->is_taken[runs->first[i] / CM_BREAK_RUN] = 0;
-    }
-    return made;
 }
 
 static float smaller(float a, float b)
@@ -125,17 +97,42 @@ static float smaller(float a, float b)
     return a < b ? a : b;
 }
 
-void cm_breaks_heed(cm_view_desk *desk, const cm_break_runs *runs)
+void cm_breaks_heed(const cm_view_desk *desk, const cm_view_band *band, size_t row)
 {
-    for (size_t i = 0; i < runs->count; i++)
+    for (size_t column = 0; column < desk->width; column += CM_BREAK_RUN)
     {
-        float *restrict front = desk->front + runs->first[i];
-        float *restrict own = desk->own_front + runs->first[i];
-        const float *restrict near_front = desk->near_front + runs->first[i];
+        const size_t first = cm_view_row(desk, row) + column;
+        if (!band->is_taken[first / CM_BREAK_RUN])
+        {
+            continue;
+        }
+        float *restrict front = band->front + first;
+        float *restrict own = band->own_front + first;
+        const float *restrict near_front = band->near_front + first;
         for (size_t k = 0; k < CM_BREAK_RUN; k++)
         {
             own[k] = smaller(own[k], front[k]);
             front[k] = smaller(near_front[k], own[k]);
+        }
+    }
+}
+
+/* Of a run that begins at a pixel of the band, and is that of the picture. */
+static void make_gaps(const cm_view_desk *desk, const cm_view_band *band, size_t first,
+                      size_t in_picture)
+{
+    for (size_t k = 0; k < CM_BREAK_RUN; k++)
+    {
+        if (!(band->near_front[first + k] < INFINITY))
+        {
+            continue;
+        }
+        cm_pixel_rule *rule = &desk->rule[in_picture + k];
+        if (rule->reach_front >> 16 != 0 && !isnan(rule->depth))
+        {
+            rule->reach_front |= CM_RULE_HAS_GAP;
+            desk->gap[in_picture + k] =
+                (cm_pixel_gap){band->near_back[first + k], band->own_front[first + k]};
         }
     }
 }
@@ -150,27 +147,16 @@ static int has_near(const float *near_front)
     return has;
 }
 
-void cm_breaks_gaps(cm_view_desk *desk, const cm_break_runs *runs)
+void cm_breaks_gaps(const cm_view_desk *desk, const cm_view_band *band, size_t row)
 {
-    for (size_t i = 0; i < runs->count; i++)
+    for (size_t column = 0; column < desk->width; column += CM_BREAK_RUN)
     {
-        const size_t end = runs->first[i] + CM_BREAK_RUN;
-        if (!has_near(desk->near_front + runs->first[i]))
+        const size_t first = cm_view_row(desk, row) + column;
+        uint8_t *is_taken = &band->is_taken[first / CM_BREAK_RUN];
+        if (*is_taken && has_near(band->near_front + first))
         {
-            continue;
+            make_gaps(desk, band, first, row * desk->stride + column);
         }
-        for (size_t pixel = runs->first[i]; pixel < end; pixel++)
-        {
-            if (!(desk->near_front[pixel] < INFINITY))
-            {
-                continue;
-            }
-            cm_pixel_rule *rule = &desk->rule[pixel];
-            if (rule->reach_front >> 16 != 0 && !isnan(rule->depth))
-            {
-                rule->reach_front |= CM_RULE_HAS_GAP;
-                desk->gap[pixel] = (cm_pixel_gap){desk->near_back[pixel], desk->own_front[pixel]};
-            }
-        }
+        *is_taken = 0;
     }
 }

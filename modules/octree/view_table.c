@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "huge_pages.h"
+
 /* Slopes of noisy images are taken over more pixels. */
 #define APART 1
 #define APART_WITH_NOISE 4
@@ -27,16 +29,25 @@
 #define BEND_EDGES 0.1
 #define BEND_SIGMAS 10.0
 
+static void clear_bands(cm_view_desk *desk)
+{
+    for (size_t i = 0; i < desk->bands; i++)
+    {
+        free(desk->band[i].memory);
+        free(desk->band[i].kind);
+        free(desk->band[i].is_taken);
+    }
+    free(desk->band);
+    desk->band = NULL;
+    desk->bands = 0;
+}
+
 void cm_view_desk_clear(cm_view_desk *desk)
 {
     free(desk->memory);
-    free(desk->rule);
-    free(desk->word);
     free(desk->windows);
-    free(desk->packed);
     free(desk->gap);
-    free(desk->kind);
-    free(desk->is_taken);
+    clear_bands(desk);
     cm_rays_destroy(desk->rays);
     memset(desk, 0, sizeof *desk);
 }
@@ -53,8 +64,6 @@ int cm_camera_is_straight(const cm_camera_options *camera)
 
 /* ---- memory ---- */
 
-#define IMAGES 8
-
 static size_t level_cells(uint32_t pixels, int level)
 {
     return (size_t)(((uint64_t)pixels + (1u << level) - 1) >> level);
@@ -65,36 +74,93 @@ static int has_more_levels(const cm_view_desk *desk, int level)
     return level_cells(desk->width, level) > 2 || level_cells(desk->height, level) > 2;
 }
 
+/* One piece of memory for all, in which the rest begins at whole lines. */
 static int take_images(cm_view_desk *desk)
 {
-    const size_t image = desk->stride * (desk->height + 3);
-    desk->memory = malloc(IMAGES * image * sizeof *desk->memory);
-    desk->rule = malloc(desk->stride * desk->height * sizeof *desk->rule);
-    desk->word = malloc(desk->stride * desk->height * sizeof *desk->word);
-    desk->packed =
-        calloc((size_t)desk->width * desk->height + CM_OCTREE_SLACK, sizeof *desk->packed);
-    desk->gap = malloc(desk->stride * desk->height * sizeof *desk->gap);
-    desk->kind = malloc(desk->stride * desk->height);
-    desk->is_taken = calloc(desk->stride / CM_BREAK_RUN, desk->height);
-    if (desk->memory == NULL || desk->rule == NULL || desk->word == NULL || desk->packed == NULL ||
-        desk->gap == NULL || desk->kind == NULL || desk->is_taken == NULL)
+    const size_t cells = desk->stride * ((desk->height + 1) / 2 + 2);
+    const size_t pixels = desk->stride * desk->height;
+    const size_t dense = (size_t)desk->width * desk->height, packed = dense / 16 * 16 + 32;
+    float **const images[] = {&desk->least[0], &desk->least[1], &desk->most[0], &desk->most[1]};
+    const size_t count = sizeof images / sizeof *images;
+    desk->memory = cm_huge_allocate(pixels * (sizeof *desk->rule + sizeof *desk->word) +
+                                    (packed + count * cells) * sizeof *desk->packed);
+    desk->gap = malloc(pixels * sizeof *desk->gap);
+    if (desk->memory == NULL || desk->gap == NULL)
     {
         return 0;
     }
-    float **const images[IMAGES] = {&desk->reach,    &desk->front,    &desk->back,
-                                    &desk->least[0], &desk->least[1], &desk->most[0],
-                                    &desk->most[1],  &desk->own_front};
-    for (size_t i = 0; i < IMAGES; i++)
+    desk->rule = desk->memory;
+    desk->word = (uint32_t *)(desk->rule + pixels);
+    desk->packed = (float *)(desk->word + pixels);
+    /* what is behind the last pixel is read in vectors with it */
+    memset(desk->packed + dense, 0, (packed - dense) * sizeof *desk->packed);
+    float *const first = desk->packed + packed;
+    for (size_t i = 0; i < count; i++)
     {
-        *images[i] = desk->memory + i * image + desk->stride + CM_OCTREE_SLACK;
+        *images[i] = first + i * cells + CM_OCTREE_SLACK;
     }
-    /* cells of the second level are made after breaks have served */
-    desk->near_front = desk->least[0];
-    desk->near_back = desk->most[0];
-    /* what is beside pictures joins everything */
-    for (size_t i = 0; i < 3 * image; i++)
+    return 1;
+}
+
+/* What is beside rows is never written again: nothing measured, no bounds. */
+static int take_band(const cm_view_desk *desk, cm_view_band *band)
+{
+    const size_t ring = CM_BAND_ROWS * desk->stride;
+    float **const rings[] = {&band->inverse,   &band->reach,      &band->front,    &band->back,
+                             &band->own_front, &band->near_front, &band->near_back};
+    const size_t count = sizeof rings / sizeof *rings,
+                 bounds = sizeof band->bound / sizeof *band->bound;
+    const size_t floats = count * ring + (bounds + 1) * desk->stride;
+    band->memory = malloc(floats * sizeof *band->memory);
+    band->kind = calloc(CM_BAND_ROWS, desk->stride);
+    band->is_taken = calloc(CM_BAND_ROWS, desk->stride / CM_BREAK_RUN);
+    if (band->memory == NULL || band->kind == NULL || band->is_taken == NULL)
     {
-        desk->memory[i] = NAN;
+        return 0;
+    }
+    for (size_t i = 0; i < floats; i++)
+    {
+        band->memory[i] = NAN;
+    }
+    float *next = band->memory + CM_OCTREE_SLACK;
+    for (size_t i = 0; i < count; i++, next += ring)
+    {
+        *rings[i] = next;
+    }
+    band->beyond = next;
+    for (size_t k = 0; k < bounds; k++)
+    {
+        next += desk->stride;
+        band->bound[k] = next;
+        for (size_t i = 0; i < desk->stride - CM_OCTREE_SLACK; i++)
+        {
+            next[i] = k < bounds / 2 ? INFINITY : -INFINITY;
+        }
+    }
+    return 1;
+}
+
+/* As many bands at least. 0: no memory. */
+static int take_bands(cm_view_desk *desk, size_t bands)
+{
+    if (bands > desk->bands)
+    {
+        cm_view_band *more = realloc(desk->band, bands * sizeof *more);
+        if (more == NULL)
+        {
+            return 0;
+        }
+        desk->band = more;
+    }
+    while (desk->bands < bands)
+    {
+        cm_view_band *band = &desk->band[desk->bands++];
+        memset(band, 0, sizeof *band);
+        if (!take_band(desk, band))
+        {
+            clear_bands(desk);
+            return 0;
+        }
     }
     return 1;
 }
@@ -226,27 +292,7 @@ static cm_status to_depth(cm_view_desk *desk, const cm_octree *octree, const cm_
 
 /* ---- rules ---- */
 
-/* Rows that are made one after the other and forgotten soon, so that they stay near: a power of two of them. */
-typedef struct row_ring
-{
-    float *rows;
-    size_t stride;
-    size_t mask;
-    const float *beyond; /* of rows that the picture does not have */
-    size_t height;
-} row_ring;
-
-static float *ring_row(const row_ring *ring, size_t row)
-{
-    return ring->rows + (row & ring->mask) * ring->stride;
-}
-
-static const float *ring_row_or_beyond(const row_ring *ring, ptrdiff_t row)
-{
-    return row < 0 || row >= (ptrdiff_t)ring->height ? ring->beyond : ring_row(ring, (size_t)row);
-}
-
-/* Bands of rows, each of one thread with rings of its own. */
+/* Bands of rows, each of one thread with rows of its own. */
 typedef struct fill_work
 {
     cm_view_desk *desk;
@@ -255,77 +301,74 @@ typedef struct fill_work
     size_t bands;
     float first_column;
     double first_row;
-    float *rings;        /* ring_floats each */
-    cm_break_runs *runs; /* a list each */
-    atomic_int failed;
 } fill_work;
 
-typedef struct fill_band
+/* A row of a ring of the band's, or what is beyond the picture. */
+static const float *row_or_beyond(const cm_view_desk *desk, const cm_view_band *band,
+                                  const float *ring, ptrdiff_t row)
 {
-    const fill_work *work;
-    row_ring inverse;
-} fill_band;
-
-/* A power of two above twice what rows are apart; six rows at least, which bounds take later. */
-static size_t ring_length(const fill_work *work)
-{
-    return work->row.apart == APART ? 8 : 16;
+    return row < 0 || row >= (ptrdiff_t)desk->height ? band->beyond
+                                                     : ring + cm_view_row(desk, (size_t)row);
 }
 
-/* A ring, and a row of what is beyond. */
-static size_t ring_floats(const fill_work *work)
+static void invert_row(const fill_work *work, const cm_view_band *band, size_t row)
 {
-    return (ring_length(work) + 1) * work->desk->stride;
+    const cm_view_desk *desk = work->desk;
+    work->set->invert(desk->width, desk->packed + row * desk->width,
+                      band->inverse + cm_view_row(desk, row));
 }
 
-static row_ring make_ring(const fill_band *band, float **next, size_t rows, const float *beyond)
+static void reach_row(const fill_work *work, const cm_view_band *band, size_t row)
 {
-    const cm_view_desk *desk = band->work->desk;
-    const row_ring ring = {*next + CM_OCTREE_SLACK, desk->stride, rows - 1, beyond, desk->height};
-    *next += rows * desk->stride;
-    return ring;
-}
-
-static void begin_band(fill_band *band, const fill_work *work, size_t index)
-{
-    float *next = work->rings + index * ring_floats(work);
-    const float *const beyond = next + CM_OCTREE_SLACK;
-    /* what is beside rows is never written again: nothing measured */
-    for (size_t i = 0; i < ring_floats(work); i++)
-    {
-        next[i] = NAN;
-    }
-    next += work->desk->stride;
-    band->work = work;
-    band->inverse = make_ring(band, &next, ring_length(work), beyond);
-}
-
-static void invert_row(fill_band *band, size_t row)
-{
-    const cm_view_desk *desk = band->work->desk;
-    band->work->set->invert(desk->width, desk->packed + row * desk->width,
-                            ring_row(&band->inverse, row));
-}
-
-static void reach_row(fill_band *band, size_t row)
-{
-    const fill_work *work = band->work;
-    cm_view_desk *desk = work->desk;
-    const size_t first = row * desk->stride, padded = desk->stride - 2 * CM_OCTREE_SLACK;
+    const cm_view_desk *desk = work->desk;
+    const size_t first = cm_view_row(desk, row), padded = desk->stride - 2 * CM_OCTREE_SLACK;
+    const ptrdiff_t place = (ptrdiff_t)row, apart = (ptrdiff_t)work->row.apart;
     cm_rule_row at = work->row;
     at.depth = desk->packed + row * desk->width;
-    at.at = ring_row(&band->inverse, row);
-    at.above = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row - (ptrdiff_t)at.apart);
-    at.below = ring_row_or_beyond(&band->inverse, (ptrdiff_t)row + (ptrdiff_t)at.apart);
+    at.at = band->inverse + first;
+    at.above = row_or_beyond(desk, band, band->inverse, place - apart);
+    at.below = row_or_beyond(desk, band, band->inverse, place + apart);
     at.column_place = work->first_column;
     at.row_place = (float)((double)row + work->first_row);
-    work->set->reaches(padded, &at, desk->reach + first, desk->front + first, desk->back + first);
-    work->set->bends(desk->width, &at, desk->kind + first);
+    work->set->reaches(padded, &at, band->reach + first, band->front + first, band->back + first);
+    work->set->bends(desk->width, &at, band->kind + first);
     for (size_t i = desk->width; i < padded; i++)
     {
-        desk->front[first + i] = desk->back[first + i] = NAN;
+        band->front[first + i] = band->back[first + i] = NAN;
     }
-    memset(desk->kind + first + desk->width, 0, desk->stride - desk->width);
+    memset(band->kind + first + desk->width, 0, desk->stride - desk->width);
+}
+
+static void break_row(const fill_work *work, const cm_view_band *band, size_t row)
+{
+    const cm_view_desk *desk = work->desk;
+    const size_t first = cm_view_row(desk, row);
+    const float *const fronts[3] = {row_or_beyond(desk, band, band->front, (ptrdiff_t)row - 1),
+                                    band->front + first,
+                                    row_or_beyond(desk, band, band->front, (ptrdiff_t)row + 1)};
+    work->set->breaks(desk->width, fronts, band->back + first, band->kind + first);
+}
+
+/* Rules of two rows, and the cells of the first level that are theirs. */
+static void rule_rows(const fill_work *work, const cm_view_band *band, size_t row)
+{
+    const cm_view_desk *desk = work->desk;
+    const size_t to = row / 2 * desk->stride;
+    const size_t second = row + 1 < desk->height ? 1 : 2;
+    float *const *least = band->bound, *const *most = band->bound + 3;
+    for (size_t k = 0; k < 2 && row + k < desk->height; k++)
+    {
+        const size_t at = cm_view_row(desk, row + k);
+        cm_breaks_heed(desk, band, row + k);
+        work->set->rules(desk->width, desk->packed + (row + k) * desk->width, band->reach + at,
+                         band->front + at, work->row.far, work->row.free_far,
+                         desk->rule + (row + k) * desk->stride, least[k], most[k]);
+        cm_breaks_gaps(desk, band, row + k);
+    }
+    const float *const leasts[2] = {least[0], least[second]};
+    const float *const mosts[2] = {most[0], most[second]};
+    work->set->halve(desk->table.level[1].width, leasts, mosts, desk->least[1] + to,
+                     desk->most[1] + to);
 }
 
 /* Bands begin at even rows: cells of the first level are of two. */
@@ -340,111 +383,54 @@ static size_t behind(size_t row, size_t rows)
     return row > rows ? row - rows : 0;
 }
 
-static void reach_bands(size_t first, size_t end, void *user)
+static size_t before(const cm_view_desk *desk, size_t row, size_t rows)
 {
-    const fill_work *work = user;
-    const size_t height = work->desk->height, apart = work->row.apart;
-    for (size_t index = first; index < end; index++)
-    {
-        fill_band band;
-        begin_band(&band, work, index);
-        const size_t to = band_begin(work, index + 1);
-        size_t row = band_begin(work, index), inverted = behind(row, apart);
-        for (; row < to; row++)
-        {
-            for (; inverted < height && inverted < row + apart + 1; inverted++)
-            {
-                invert_row(&band, inverted);
-            }
-            reach_row(&band, row);
-        }
-    }
+    return row + rows < desk->height ? row + rows : desk->height;
 }
 
-static void break_bands(size_t first, size_t end, void *user)
+/* One row after the other goes through all that is to be done, so that it is still near. A row tells others when all of them have
+ * their fronts, and has its rules when all have told it; rows of neighbouring bands that have a say are made here once more. */
+static void fill_one(const fill_work *work, const cm_view_band *band, size_t begin, size_t end)
 {
-    const fill_work *work = user;
     const cm_view_desk *desk = work->desk;
-    for (size_t row = first; row < end; row++)
+    const size_t radius = CM_BREAK_RADIUS;
+    const size_t first_teller = behind(begin, radius), end_teller = before(desk, end, radius);
+    const size_t first_reach = behind(first_teller, 1), end_reach = before(desk, end_teller, 1);
+    size_t inverted = behind(first_reach, work->row.apart), broken = first_teller;
+    size_t told = first_teller, ruled = begin;
+    for (size_t row = first_reach; ruled < end; row++)
     {
-        const size_t at = row * desk->stride;
-        work->set->breaks(desk->width, desk->stride, desk->front + at, desk->back + at,
-                          desk->kind + at);
-    }
-}
-
-static void find_bands(size_t first, size_t end, void *user)
-{
-    fill_work *work = user;
-    for (size_t index = first; index < end; index++)
-    {
-        if (!cm_breaks_find(work->desk, work->set, band_begin(work, index),
-                            band_begin(work, index + 1), &work->runs[index]))
+        const size_t end_inverted = before(desk, row, work->row.apart + 1);
+        for (; row < end_reach && inverted < end_inverted; inverted++)
         {
-            atomic_store(&work->failed, 1);
+            invert_row(work, band, inverted);
+        }
+        if (row < end_reach)
+        {
+            reach_row(work, band, row);
+        }
+        for (; broken < end_teller && broken < row; broken++)
+        {
+            break_row(work, band, broken);
+        }
+        for (; told < end_teller && told + radius <= row; told++)
+        {
+            cm_breaks_tell(desk, work->set, band, told, begin, end);
+        }
+        for (; ruled < end && ruled + 2 * radius + 1 <= row; ruled += 2)
+        {
+            rule_rows(work, band, ruled);
         }
     }
 }
 
-/* Bounds of two rows of pixels, and after them of what is beyond the picture. */
-typedef struct bound_rows
-{
-    float *least[3];
-    float *most[3];
-} bound_rows;
-
-/* The rings of a band have served. */
-static bound_rows make_bounds(const fill_work *work, size_t index)
-{
-    const size_t stride = work->desk->stride;
-    float *next = work->rings + index * ring_floats(work);
-    bound_rows rows;
-    for (size_t k = 0; k < 3; k++)
-    {
-        rows.least[k] = next + 2 * k * stride + CM_OCTREE_SLACK;
-        rows.most[k] = rows.least[k] + stride;
-        for (size_t i = 0; i < stride - CM_OCTREE_SLACK; i++)
-        {
-            rows.least[k][i] = INFINITY;
-            rows.most[k][i] = -INFINITY;
-        }
-    }
-    return rows;
-}
-
-/* Rules of two rows, and the cells of the first level that are theirs. */
-static void rule_rows(const fill_work *work, size_t row, const bound_rows *bounds)
-{
-    cm_view_desk *desk = work->desk;
-    const size_t to = row / 2 * desk->stride;
-    const size_t second = row + 1 < desk->height ? 1 : 2;
-    for (size_t k = 0; k < 2 && row + k < desk->height; k++)
-    {
-        const size_t at = (row + k) * desk->stride;
-        work->set->rules(desk->width, desk->packed + (row + k) * desk->width, desk->reach + at,
-                         desk->front + at, work->row.far, work->row.free_far, desk->rule + at,
-                         bounds->least[k], bounds->most[k]);
-    }
-    const float *const leasts[2] = {bounds->least[0], bounds->least[second]};
-    const float *const mosts[2] = {bounds->most[0], bounds->most[second]};
-    work->set->halve(desk->table.level[1].width, leasts, mosts, desk->least[1] + to,
-                     desk->most[1] + to);
-}
-
-static void rule_bands(size_t first, size_t end, void *user)
+static void fill_bands(size_t first, size_t end, void *user)
 {
     const fill_work *work = user;
     for (size_t index = first; index < end; index++)
     {
-        const size_t to = band_begin(work, index + 1);
-        const bound_rows bounds = make_bounds(work, index);
-        cm_breaks_heed(work->desk, &work->runs[index]);
-        for (size_t row = band_begin(work, index); row < to; row += 2)
-        {
-            rule_rows(work, row, &bounds);
-        }
-        cm_breaks_gaps(work->desk, &work->runs[index]);
-        free(work->runs[index].first);
+        fill_one(work, &work->desk->band[index], band_begin(work, index),
+                 band_begin(work, index + 1));
     }
 }
 
@@ -537,24 +523,11 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     work.row.bend_relative = (float)(BEND_SIGMAS * octree->options.noise);
     const size_t pairs = (desk->height + 1) / 2;
     work.bands = work.bands < pairs ? work.bands : pairs;
-    work.rings = malloc(work.bands * ring_floats(&work) * sizeof *work.rings);
-    work.runs = calloc(work.bands, sizeof *work.runs);
-    if (work.rings == NULL || work.runs == NULL)
-    {
-        free(work.rings);
-        free(work.runs);
-        return CM_ERROR_MEMORY;
-    }
-    cm_pool_run(pool, work.bands, 1, reach_bands, &work);
-    cm_pool_run(pool, desk->height, 16, break_bands, &work);
-    cm_pool_run(pool, work.bands, 1, find_bands, &work);
-    cm_pool_run(pool, work.bands, 1, rule_bands, &work);
-    free(work.rings);
-    free(work.runs);
-    if (atomic_load(&work.failed))
+    if (!take_bands(desk, work.bands))
     {
         return CM_ERROR_MEMORY;
     }
+    cm_pool_run(pool, work.bands, 1, fill_bands, &work);
     cm_view_desk_windows(desk, octree->set, pool);
     return CM_OK;
 }

@@ -20,6 +20,27 @@
 #define CM_FRONT_ASIDE 0.75
 #define CM_FRONT_MORE 0.08
 
+/* Rows of a band of a view that are made one after the other and forgotten soon, so that they stay near: a power of two of them, as
+ * many as lie between the first and the last that a pixel has to do with. Row r of each begins at cm_view_row. */
+#define CM_BAND_ROWS 32
+
+typedef struct cm_view_band
+{
+    float *memory;
+    const float *beyond; /* a row that the picture does not have */
+    float *inverse;      /* 1 / depth */
+    float *reach;        /* of hits of each pixel; front and back of the surface there */
+    float *front;
+    float *back;
+    float *own_front;  /* of pixels beside breaks: of their surface and those that join it */
+    float *near_front; /* of all surfaces in front of it; infinite: none */
+    float *near_back;  /* voxels that are farther do not reach them */
+    float *bound
+        [6]; /* least of two rows of pixels, and after them of what is beyond the picture; the same of most */
+    uint8_t *kind;     /* of each pixel, bits of CM_BREAK_... */
+    uint8_t *is_taken; /* of runs of pixels: 1 while they are beside breaks; 0 between views */
+} cm_view_band;
+
 /* The images of a view and the memory of tables, kept from view to view. */
 typedef struct cm_view_desk
 {
@@ -27,21 +48,15 @@ typedef struct cm_view_desk
     size_t stride; /* floats from row to row */
     uint32_t width;
     uint32_t height;
-    float *memory;   /* of cells */
+    void *memory;    /* of cells and images */
     float *least[2]; /* cells of two levels in turn, of the first in [1] */
     float *most[2];
     cm_pixel_rule *rule;
-    uint32_t *word; /* of colors, in rows as the rules' */
-    float *windows; /* of all levels */
-    float *packed;  /* the cleaned image, dense */
-    float *reach;   /* of hits of each pixel; front and back of the surface there */
-    float *front;
-    float *back;
-    uint8_t *kind;     /* of each pixel, bits of CM_BREAK_... */
-    float *own_front;  /* of pixels beside breaks: of their surface and those that join it */
-    float *near_front; /* of all surfaces in front of it; infinite: none */
-    float *near_back;  /* voxels that are farther do not reach them */
-    uint8_t *is_taken; /* of runs: 1 while they are beside breaks; 0 between views */
+    uint32_t *word;     /* of colors, in rows as the rules' */
+    float *windows;     /* of all levels */
+    float *packed;      /* the cleaned image, dense */
+    cm_view_band *band; /* as many as threads have served */
+    size_t bands;
     cm_pixel_gap *gap;
     float heed; /* half a voxel's diagonal in pixels at distance 1: so far pixels heed each other */
     float hides;    /* and no farther behind what they see */
@@ -73,22 +88,20 @@ void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_v
 /* Bounds in windows from those in cells of the first level, desk->least[1] and desk->most[1]. */
 void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool);
 
-/* Runs of so many pixels of a row, of which one at least is beside a break: their first pixels, as indices of rules. */
+static inline size_t cm_view_row(const cm_view_desk *desk, size_t row)
+{
+    return (row & (CM_BAND_ROWS - 1)) * desk->stride;
+}
+
+/* Runs of so many pixels of a row, of which one at least is beside a break. */
 #define CM_BREAK_RUN 16
 
-typedef struct cm_break_runs
-{
-    uint32_t *first;
-    size_t count;
-    size_t room;
-} cm_break_runs;
+/* Pixels of a row that are breaks tell those of some rows of the band what they see. All fronts that it is told to are there. */
+void cm_breaks_tell(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
+                    size_t row, size_t first_row, size_t end_row);
 
-/* Pixels of some rows that are beside breaks of any row. 0: no memory. */
-int cm_breaks_find(cm_view_desk *desk, const cm_octree_set *set, size_t first_row, size_t end_row,
-                   cm_break_runs *runs);
-
-/* The fronts that those pixels heed, after all are found; and after the rules, what lies in their gaps. */
-void cm_breaks_heed(cm_view_desk *desk, const cm_break_runs *runs);
-void cm_breaks_gaps(cm_view_desk *desk, const cm_break_runs *runs);
+/* The fronts that pixels of a row heed, after all have told; and after the rules, what lies in their gaps. */
+void cm_breaks_heed(const cm_view_desk *desk, const cm_view_band *band, size_t row);
+void cm_breaks_gaps(const cm_view_desk *desk, const cm_view_band *band, size_t row);
 
 #endif

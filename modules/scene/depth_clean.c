@@ -4,6 +4,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bands.h"
 
@@ -41,10 +42,32 @@ static float limit_of(double limit, double none)
     return wanted >= FLT_MAX ? FLT_MAX : wanted <= FLT_TRUE_MIN ? FLT_TRUE_MIN : (float)wanted;
 }
 
+/* Floats that lie close, perhaps where they are to be; in metres they are what they should be. */
+static void read_dense(const float *from, size_t n, double unit, float *to)
+{
+    if (unit == 1.0)
+    {
+        if (from != to)
+        {
+            memcpy(to, from, n * sizeof *to);
+        }
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        to[i] = (float)((double)from[i] * unit);
+    }
+}
+
 static void read_row(const cleaning *c, size_t row, float *to)
 {
     const char *from = c->data + (ptrdiff_t)row * c->row_stride;
     const ptrdiff_t step = c->pixel_stride;
+    if (c->type == CM_PIXEL_FLOAT && step == (ptrdiff_t)sizeof(float))
+    {
+        read_dense((const float *)(const void *)from, c->width, c->unit, to);
+        return;
+    }
     if (c->type == CM_PIXEL_U16 && step == (ptrdiff_t)sizeof(uint16_t))
     {
         const uint16_t *dense = (const uint16_t *)(const void *)from;
