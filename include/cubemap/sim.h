@@ -97,7 +97,8 @@ typedef struct cm_tof_light
 } cm_tof_light;
 
 /* Light from all around, not modulated: a picture of six faces or one in a mapping, radiance in W/(m^2 sr) of what the
- * camera's filter lets pass. */
+ * camera's filter lets pass. What is made ready of it a scene keeps for the next frame, by a copy of the picture; another
+ * picture, or this one changed, is made ready anew. */
 typedef struct cm_tof_environment
 {
     size_t size;               /* sizeof(cm_tof_environment) */
