@@ -97,7 +97,8 @@ typedef struct cm_tof_light
 } cm_tof_light;
 
 /* Light from all around, not modulated: a picture of six faces or one in a mapping, radiance in W/(m^2 sr) of what the
- * camera's filter lets pass. */
+ * camera's filter lets pass. What is made ready of it a scene keeps for the next frame, by a copy of the picture; another
+ * picture, or this one changed, is made ready anew. */
 typedef struct cm_tof_environment
 {
     size_t size;               /* sizeof(cm_tof_environment) */
@@ -188,8 +189,8 @@ CM_API cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor 
  * Scattered light is measured in a smaller picture. most: samples and lights to take where they are needed, NULL: 3 x 3
  * and 338; what is not dropped there is in *chosen. budget->entry has room for CM_TOF_EFFECTS; subject, unit (m), cost_unit
  * (ms of the processor) and all else of the budget are set, and its limit of error is applied. A lens without distortion is
- * the caller's to make, if "distortion" is dropped. Shot noise counts as Poisson's, whatever its polynomial. CM_OK and errors
- * as cm_tof_simulate; CM_ERROR_RANGE (limit). */
+ * the caller's to make, if "distortion" is dropped. Shot noise is of most's kind, and that of
+ * its environment's light, too. CM_OK and errors as cm_tof_simulate; CM_ERROR_RANGE (limit). */
 CM_API cm_status cm_tof_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
                              const cm_tof_light *light, size_t lights,
                              const cm_trajectory *trajectory, double time, double limit,

@@ -347,8 +347,8 @@ static double enter_of(const mesh_node *node, const sheared *with, double end)
         const double origin = with->along->origin[i];
         const double one = (node->least[i] - origin) * with->inverse[i];
         const double other = (node->greatest[i] - origin) * with->inverse[i];
-        enter = fmax(enter, fmin(one, other));
-        leave = fmin(leave, fmax(one, other) * (1.0 + 8.0 * DBL_EPSILON));
+        enter = greater(enter, lesser(one, other));
+        leave = lesser(leave, greater(one, other) * (1.0 + 8.0 * DBL_EPSILON));
     }
     return enter <= leave ? enter : INFINITY;
 }
@@ -375,11 +375,11 @@ int meet_mesh(const cm_mesh *mesh, const ray *along, meeting *found)
             const double one = enter_of(&tree->node[node->first], &with, found->distance);
             const double other = enter_of(&tree->node[node->first + 1], &with, found->distance);
             const uint32_t far = one <= other ? node->first + 1 : node->first;
-            if (fmax(one, other) < INFINITY)
+            if (greater(one, other) < INFINITY)
             {
                 waiting[height++] = far;
             }
-            if (fmin(one, other) < INFINITY)
+            if (lesser(one, other) < INFINITY)
             {
                 waiting[height++] = far == node->first ? far + 1 : node->first;
             }

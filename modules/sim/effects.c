@@ -3,6 +3,7 @@
  * What each effect does to distances here: a frame with it beside one without.
  */
 #include "sensor.h"
+#include "shot_noise.h"
 #include "vector.h"
 
 #include <math.h>
@@ -43,17 +44,22 @@ typedef struct planning
 typedef struct measured
 {
     float *distance;
-    float *intensity;
     size_t pixels;
     double milliseconds;
 } measured;
 
+/* Of a frame. */
+typedef struct charges
+{
+    size_t pixels;
+    float *charge_a, *charge_b; /* series x phases x pixels */
+    float *amplitude;
+} charges;
+
 static void drop(measured *frame)
 {
     free(frame->distance);
-    free(frame->intensity);
     frame->distance = NULL;
-    frame->intensity = NULL;
 }
 
 static double milliseconds_of(clock_t ticks)
@@ -67,14 +73,11 @@ static cm_status take(const planning *with, const cm_tof_sensor *sensor,
     const cm_camera_options *camera = cm_camera_describe(sensor->camera);
     frame->pixels = (size_t)camera->width * camera->height;
     frame->distance = malloc(frame->pixels * sizeof(float));
-    frame->intensity = malloc(frame->pixels * sizeof(float));
-    if (frame->distance == NULL || frame->intensity == NULL)
+    if (frame->distance == NULL)
     {
-        drop(frame);
         return CM_ERROR_MEMORY;
     }
-    cm_tof_result result = {
-        .size = sizeof result, .distance = frame->distance, .intensity = frame->intensity};
+    cm_tof_result result = {.size = sizeof result, .distance = frame->distance};
     const clock_t begin = clock();
     const cm_status status =
         cm_tof_simulate(with->scene, sensor, with->light, with->lights, with->trajectory,
@@ -113,7 +116,7 @@ static cm_status compare(const planning *with, const cm_tof_sensor *sensor,
                          const cm_tof_sensor *other, const cm_tof_options *without,
                          const cm_tof_options *options, double scale, cm_budget_entry *entry)
 {
-    measured a = {NULL, NULL, 0, 0.0}, b = a;
+    measured a = {NULL, 0, 0.0}, b = a;
     cm_status status = take(with, sensor, without, &a);
     status = status == CM_OK ? take(with, other, options, &b) : status;
     if (status == CM_OK)
@@ -206,38 +209,77 @@ static cm_status measure_scattering(const planning *with, const cm_tof_sensor *s
     return status;
 }
 
-/* By the formula: one frame's noise is one of many. */
-static cm_status measure_noise(const planning *with, const cm_tof_sensor *sensor,
-                               cm_budget_entry *entry)
+/* Of a phase image's circuits together, the mean over the first series' images. */
+static double variance_of_pixel(const cm_tof_sensor *sensor, int shot, size_t pixels,
+                                const float *charge_a, const float *charge_b)
 {
-    measured frame;
-    const cm_tof_options none = {.size = sizeof none};
-    const cm_status status = take(with, sensor, &none, &frame);
-    if (status != CM_OK)
+    double sum = 0.0;
+    for (size_t k = 0; k < (size_t)sensor->phases; k++)
     {
-        return status;
+        const double a = (double)charge_a[k * pixels], b = (double)charge_b[k * pixels];
+        sum += shot == CM_TOF_FREEMAN_TUKEY
+                   ? shot_noise_variance(sensor, a) + shot_noise_variance(sensor, b)
+                   : a + b;
     }
-    const double extra =
-        2.0 * (sensor->dark * sensor->exposure + sensor->read_noise * sensor->read_noise);
+    return sum / sensor->phases + 2.0 * sensor->read_noise * sensor->read_noise;
+}
+
+/* The root mean square over pixels, by the formula: one frame's noise is one of many. What is not modulated light is noise
+ * alone. */
+static double spread_by_formula(const planning *with, const cm_tof_sensor *sensor, int shot,
+                                const charges *of)
+{
     const double pattern = sensor->fixed_pattern * with->unambiguous / (2.0 * PI);
     double squares = 0.0;
     size_t count = 0;
-    for (size_t i = 0; i < frame.pixels; i++)
+    for (size_t i = 0; i < of->pixels; i++)
     {
-        const double electrons = (double)frame.intensity[i] - 2.0 * sensor->dark * sensor->exposure;
-        if (electrons > 0.0)
+        const double signal = (double)of->amplitude[i] / sensor->contrast;
+        if (signal > 0.0)
         {
-            const double spread =
-                fmin(cm_tof_noise_of_distance(sensor, electrons, extra), with->unambiguous);
+            const double variance =
+                variance_of_pixel(sensor, shot, of->pixels, of->charge_a + i, of->charge_b + i);
+            const double spread = fmin(cm_tof_noise_of_distance(sensor, signal, variance - signal),
+                                       with->unambiguous);
             squares += spread * spread + pattern * pattern;
             count++;
         }
     }
-    entry->contribution = count == 0 ? 0.0 : sqrt(squares / (double)count);
-    entry->cost =
-        fmax(milliseconds_of(1), frame.milliseconds); /* numbers take about as long as a frame */
-    drop(&frame);
-    return CM_OK;
+    return count == 0 ? 0.0 : sqrt(squares / (double)count);
+}
+
+/* Noise is added to a frame of direct light and the surroundings'. */
+static cm_status measure_noise(const planning *with, const cm_tof_sensor *sensor,
+                               const cm_tof_options *most, cm_budget_entry *entry)
+{
+    const cm_camera_options *camera = cm_camera_describe(sensor->camera);
+    const size_t pixels = (size_t)camera->width * camera->height;
+    const size_t images = (size_t)sensor->phases * (sensor->second_frequency > 0.0 ? 2 : 1);
+    float *const memory = calloc(pixels, (2 * images + 1) * sizeof *memory);
+    if (memory == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    const charges of = {pixels, memory, memory + images * pixels, memory + 2 * images * pixels};
+    cm_tof_options options = {.size = sizeof options};
+    options.environment = most->environment;
+    options.paths = most->paths;
+    cm_tof_result result = {.size = sizeof result,
+                            .charge_a = of.charge_a,
+                            .charge_b = of.charge_b,
+                            .amplitude = of.amplitude};
+    const clock_t begin = clock();
+    const cm_status status =
+        cm_tof_simulate(with->scene, sensor, with->light, with->lights, with->trajectory,
+                        with->time, &options, with->pool, &result);
+    if (status == CM_OK)
+    {
+        /* numbers take about as long as a frame */
+        entry->cost = fmax(milliseconds_of(1), milliseconds_of(clock() - begin));
+        entry->contribution = spread_by_formula(with, sensor, most->shot, &of);
+    }
+    free(memory);
+    return status;
 }
 
 static cm_status measure_distortion(const planning *with, const cm_tof_sensor *sensor,
@@ -271,7 +313,7 @@ static cm_status measure_all(const planning *with, const cm_tof_sensor *sensor,
     times.sample_times = MOTION_TIMES;
     cm_status status = compare(with, sensor, sensor, &none, &samples, 1.0, &entry[OVERSAMPLING]);
     status = status == CM_OK ? measure_scattering(with, sensor, most, entry) : status;
-    status = status == CM_OK ? measure_noise(with, sensor, &entry[NOISE]) : status;
+    status = status == CM_OK ? measure_noise(with, sensor, most, &entry[NOISE]) : status;
     status = status == CM_OK ? measure_distortion(with, sensor, &entry[DISTORTION]) : status;
     return status == CM_OK ? compare(with, sensor, sensor, &once, &times, 1.0, &entry[MOTION])
                            : status;

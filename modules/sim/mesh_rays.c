@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh_rays.h"
+#include "mesh_widen.h"
 #include "vector.h"
 
 #include <cubemap/world.h>
@@ -20,8 +21,10 @@ struct mesh_rays
 {
     const cm_mesh *mesh;
     cm_scene *exact; /* the mesh alone, as the library cubemap-scene meets it */
+    double centre[3];
+    double radius; /* around all of it; below 0: no triangles */
     RTCDevice device;
-    RTCScene tree;
+    RTCScene tree;               /* of the mesh in the unit sphere */
     _Atomic(mesh_edges *) edges; /* NULL: not asked for so far */
 };
 
@@ -30,9 +33,8 @@ enum
     PACKET = 16
 };
 
-/* Radians by which rays are turned that met nothing, by the greatest coordinate of their origin; and the most. */
-#define ASIDE 4e-6
-#define MOST_ASIDE 1e-2
+/* By which triangles are wider in the search, in radii of the mesh: many roundings of single precision. */
+#define MARGIN 4e-6
 
 static cm_status make_exact(mesh_rays *made)
 {
@@ -49,22 +51,45 @@ static cm_status make_exact(mesh_rays *made)
     return status;
 }
 
-/* Vertices as floats, and indices: both are Embree's own copies. */
-static int fill(const cm_mesh_options *from, RTCGeometry geometry)
+/* The mesh's place where it is a unit sphere's, which single precision holds best. */
+static void put_in_sphere(const mesh_rays *mesh, const double at[3], double to[3])
 {
-    float *vertex = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                            3 * sizeof *vertex, from->vertex_count);
-    uint32_t *index = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                              3 * sizeof *index, from->triangle_count);
-    if (vertex == NULL || index == NULL)
+    for (int k = 0; k < 3; k++)
+    {
+        to[k] = mesh->radius > 0.0 ? (at[k] - mesh->centre[k]) / mesh->radius : 0.0;
+    }
+}
+
+/* Three vertices a triangle as floats, and indices: both are Embree's own copies. */
+static int fill(const mesh_rays *made, const cm_mesh_options *from, RTCGeometry geometry)
+{
+    const size_t n = 3 * from->triangle_count;
+    float *vertex = n > UINT32_MAX
+                        ? NULL
+                        : rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                  RTC_FORMAT_FLOAT3, 3 * sizeof *vertex, n);
+    uint32_t *index = vertex == NULL ? NULL
+                                     : rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+                                                               RTC_FORMAT_UINT3, 3 * sizeof *index,
+                                                               from->triangle_count);
+    if (index == NULL)
     {
         return 0;
     }
-    for (size_t i = 0; i < 3 * from->vertex_count; i++)
+    for (size_t i = 0; i < n; i += 3)
     {
-        vertex[i] = (float)from->position[i];
+        double corner[3][3], wide[3][3];
+        for (size_t j = 0; j < 3; j++)
+        {
+            put_in_sphere(made, from->position + 3 * (size_t)from->index[i + j], corner[j]);
+            index[i + j] = (uint32_t)(i + j);
+        }
+        mesh_widen((const double(*)[3])corner, MARGIN, wide);
+        for (size_t j = 0; j < 9; j++)
+        {
+            vertex[3 * i + j] = (float)wide[j / 3][j % 3];
+        }
     }
-    memcpy(index, from->index, 3 * from->triangle_count * sizeof *index);
     return 1;
 }
 
@@ -93,11 +118,12 @@ static cm_status make_tree(mesh_rays *made)
     {
         return CM_ERROR_RANGE;
     }
+    mesh_rays_bound(made, made->centre, &made->radius);
     made->device = rtcNewDevice("threads=1");
     RTCGeometry geometry =
         made->device == NULL ? NULL : rtcNewGeometry(made->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     made->tree = made->device == NULL ? NULL : rtcNewScene(made->device);
-    if (geometry == NULL || made->tree == NULL || !fill(from, geometry))
+    if (geometry == NULL || made->tree == NULL || !fill(made, from, geometry))
     {
         if (geometry != NULL)
         {
@@ -252,37 +278,51 @@ static int meet_exactly(const mesh_rays *mesh, const double origin[3], const dou
 
 /* ---- packets ---- */
 
-static int is_traceable(const double origin[3], const double direction[3], double distance)
+/* Square of the distance from the centre within which a ray that meets the unit sphere has come in: 2, and roundings. */
+#define NEAR_SQUARE 2.01
+
+/* A ray in the unit sphere, from where it may come in. Returns 0 if it meets nothing. */
+static int begin_ray(const mesh_rays *mesh, const double origin[3], const double direction[3],
+                     double distance, double begin[3], double *far)
 {
+    double to[3], from[3];
     int is_good = !isnan(distance);
     for (int k = 0; k < 3; k++)
     {
+        to[k] = mesh->centre[k] - origin[k];
         is_good &= fabs(origin[k]) < FARTHEST && fabs(direction[k]) < FARTHEST;
     }
-    return is_good;
+    const double ahead = fmax(0.0, dot(to, direction) - mesh->radius);
+    for (int k = 0; k < 3; k++)
+    {
+        from[k] = origin[k] + ahead * direction[k];
+    }
+    put_in_sphere(mesh, from, begin);
+    *far = (distance - ahead) / mesh->radius * (1.0 + 1e-6) + MARGIN;
+    return is_good && *far > 0.0 && dot(begin, begin) < NEAR_SQUARE;
 }
 
-/* Rays that are not traceable meet nothing. */
+/* Rays that meet nothing are not traced. */
 static void trace(const mesh_rays *mesh, size_t count, double (*const origin)[3],
                   double (*const direction)[3], const double *distance, struct RTCRayHit16 *packet)
 {
-    static const double nowhere[3] = {0, 0, 0}, ahead[3] = {0, 0, 1};
+    static const double ahead[3] = {0, 0, 1};
     _Alignas(64) int valid[PACKET];
     for (size_t i = 0; i < PACKET; i++)
     {
-        const int is_good = i < count && is_traceable(origin[i], direction[i], distance[i]);
-        const double *from = is_good ? origin[i] : nowhere;
+        double from[3] = {0, 0, 0}, far = 0.0;
+        const int is_good =
+            i < count && begin_ray(mesh, origin[i], direction[i], distance[i], from, &far);
         const double *along = is_good ? direction[i] : ahead;
         valid[i] = is_good ? -1 : 0;
-        packet->ray.org_x[i] = (float)from[0];
-        packet->ray.org_y[i] = (float)from[1];
-        packet->ray.org_z[i] = (float)from[2];
+        packet->ray.org_x[i] = is_good ? (float)from[0] : 0.0f;
+        packet->ray.org_y[i] = is_good ? (float)from[1] : 0.0f;
+        packet->ray.org_z[i] = is_good ? (float)from[2] : 0.0f;
         packet->ray.dir_x[i] = (float)along[0];
         packet->ray.dir_y[i] = (float)along[1];
         packet->ray.dir_z[i] = (float)along[2];
         packet->ray.tnear[i] = 0.0f;
-        packet->ray.tfar[i] =
-            is_good ? (float)fmin(distance[i] * (1.0 + 1e-6), (double)FLT_MAX) : 0.0f;
+        packet->ray.tfar[i] = is_good ? (float)fmin(far, (double)FLT_MAX) : 0.0f;
         packet->ray.time[i] = 0.0f;
         packet->ray.mask[i] = UINT32_MAX;
         packet->ray.id[i] = 0;
@@ -299,57 +339,14 @@ static void trace(const mesh_rays *mesh, size_t count, double (*const origin)[3]
 #endif
 }
 
-/* A direction a few roundings beside: along the axis that it has least of. */
-static void turn_aside(const double origin[3], const double direction[3], double turned[3])
-{
-    double far = 1.0;
-    int least = 0;
-    for (int k = 0; k < 3; k++)
-    {
-        turned[k] = direction[k];
-        far = fmax(far, fabs(origin[k]));
-        least = fabs(direction[k]) < fabs(direction[least]) ? k : least;
-    }
-    turned[least] += fmin(ASIDE * far, MOST_ASIDE);
-}
-
-/* Embree misses what a ray meets at a vertex: which rays that met nothing would meet something a little beside? */
-static void ask_again(const mesh_rays *mesh, size_t count, double (*const origin)[3],
-                      double (*const direction)[3], const double *distance,
-                      const struct RTCRayHit16 *first, uint8_t *is_near)
-{
-    _Alignas(64) struct RTCRayHit16 packet;
-    double from[PACKET][3], along[PACKET][3], far[PACKET];
-    size_t ray[PACKET], n = 0;
-    memset(is_near, 0, count);
-    for (size_t i = 0; i < count; i++)
-    {
-        if (first->hit.geomID[i] == RTC_INVALID_GEOMETRY_ID)
-        {
-            memcpy(from[n], origin[i], sizeof from[n]);
-            turn_aside(origin[i], direction[i], along[n]);
-            far[n] = distance[i];
-            ray[n++] = i;
-        }
-    }
-    if (n > 0)
-    {
-        trace(mesh, n, from, along, far, &packet);
-    }
-    for (size_t i = 0; i < n; i++)
-    {
-        is_near[ray[i]] = packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
-    }
-}
-
-/* The nearest triangle of a ray, by what Embree says of it; 0 if it meets none. */
-static int find_hit(const mesh_rays *mesh, const struct RTCRayHit16 *packet, size_t i, int is_near,
+/* The nearest triangle of a ray, by what Embree says of the wider ones; 0 if it meets none. */
+static int find_hit(const mesh_rays *mesh, const struct RTCRayHit16 *packet, size_t i,
                     const double origin[3], const double direction[3], uint32_t *found,
                     triangle_hit *hit)
 {
     if (packet->hit.geomID[i] == RTC_INVALID_GEOMETRY_ID)
     {
-        return is_near && meet_exactly(mesh, origin, direction, found, hit);
+        return 0;
     }
     *found = packet->hit.primID[i];
     return (meet_triangle(cm_mesh_describe(mesh->mesh), *found, origin, direction, hit) &&
@@ -369,17 +366,14 @@ void mesh_rays_cast(const mesh_rays *mesh, size_t n, double (*const origin)[3],
     for (size_t first = 0; first < n; first += PACKET)
     {
         _Alignas(64) struct RTCRayHit16 packet;
-        uint8_t is_near[PACKET];
         const size_t count = n - first < PACKET ? n - first : PACKET;
         trace(mesh, count, origin + first, direction + first, distance + first, &packet);
-        ask_again(mesh, count, origin + first, direction + first, distance + first, &packet,
-                  is_near);
         for (size_t i = 0; i < count; i++)
         {
             const size_t k = first + i;
             uint32_t found;
             triangle_hit hit;
-            if (find_hit(mesh, &packet, i, is_near[i], origin[k], direction[k], &found, &hit) &&
+            if (find_hit(mesh, &packet, i, origin[k], direction[k], &found, &hit) &&
                 hit.distance > 0.0 && hit.distance < distance[k])
             {
                 is_met[k] = 1;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Rays to a mesh: Embree finds triangles in single precision; where they are is computed in double precision, and what does
- * not lie on its triangle is looked for again (Embree's issues 387, 416 and 423 tell of such hits); so is what meets nothing,
- * but would a little beside.
+ * Rays to a mesh: Embree searches in single precision, for triangles a little wider than the mesh's, so that it passes none
+ * that a ray meets at a vertex or edge. Where they are met is computed in double precision, and what does not lie on its
+ * triangle is looked for again, without a crack (Embree's issues 387, 416 and 423 tell of such hits).
  */
 #ifndef CUBEMAP_SIM_MESH_RAYS_H
 #define CUBEMAP_SIM_MESH_RAYS_H

@@ -91,3 +91,13 @@ void shot_noise_add(const cm_tof_sensor *sensor, size_t n, const double *normal,
         charge[i] = charge_of(mean + sqrt(variance_at(&model, mean)) * normal[i]);
     }
 }
+
+double shot_noise_variance(const cm_tof_sensor *sensor, double charge)
+{
+    const shot_model model = model_of(sensor);
+    const double y = transformed(charge);
+    const double variance = variance_at(&model, y);
+    const double slope = 0.5 * (y - 1.0 / (y * y * y));
+    const double bend = 0.5 + 1.5 / (y * y * y * y);
+    return slope * slope * variance + 0.5 * bend * bend * variance * variance;
+}

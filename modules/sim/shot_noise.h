@@ -13,4 +13,7 @@ cm_status shot_noise_check(const cm_tof_sensor *sensor);
 /* n charges, electrons of 0 or more, get noise by numbers of mean 0 and standard deviation 1. */
 void shot_noise_add(const cm_tof_sensor *sensor, size_t n, const double *normal, double *charge);
 
+/* The variance of a charge, electrons, after it got noise: by the transform's way back to second order. */
+double shot_noise_variance(const cm_tof_sensor *sensor, double charge);
+
 #endif

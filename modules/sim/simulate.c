@@ -375,12 +375,13 @@ static cm_status get_memory(frame *doing)
     }
     return doing->options.environment == NULL
                ? CM_OK
-               : sky_create(doing->options.environment, doing->pool, &doing->sky);
+               : tof_scene_take_sky((cm_tof_scene *)(uintptr_t)doing->scene,
+                                    doing->options.environment, doing->pool, &doing->sky);
 }
 
 static void give_back(frame *doing)
 {
-    sky_destroy(doing->sky);
+    tof_scene_return_sky((cm_tof_scene *)(uintptr_t)doing->scene, doing->sky);
     tof_scene_return((cm_tof_scene *)(uintptr_t)doing->scene, doing->memory);
     lamps_free_tables(doing->table, doing->lights);
     sensor_release(&doing->sensor);

@@ -4,10 +4,12 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum
 {
-    CELLS_AT_ONCE = 4096
+    CELLS_AT_ONCE = 4096,
+    PROBES = 64
 };
 
 struct tof_sky
@@ -17,6 +19,10 @@ struct tof_sky
     double *until; /* what all cells to each one have more than the mean; NULL: no picture */
     double whole;
     double light; /* of all of the picture */
+    /* by which a later environment is known to be the same one */
+    uint32_t edge;
+    float *radiance;
+    double probe[PROBES][3]; /* directions of places on the mapping's faces */
 };
 
 /* What is more than the mean by rounding alone is not. */
@@ -88,6 +94,35 @@ static void sum_cells(tof_sky *sky)
     }
 }
 
+/* Places that no symmetry of faces takes to each other; of all faces in turn. */
+static void probe_mapping(const cm_mapping *mapping, double direction[PROBES][3])
+{
+    for (int i = 0; i < PROBES; i++)
+    {
+        const double uv[2] = {2.0 * fmod(0.7548776662466927 * (i + 1), 1.0) - 1.0,
+                              2.0 * fmod(0.5698402909980532 * (i + 1), 1.0) - 1.0};
+        cm_inverse(mapping, (uint8_t)(i % map_faces(mapping)), uv, direction[i]);
+    }
+}
+
+static cm_status find_cells(const cm_tof_environment *environment, cm_pool *pool, tof_sky *sky)
+{
+    const size_t edge = environment->edge;
+    sky->edge = environment->edge;
+    sky->cells = (size_t)map_faces(environment->mapping) * edge * edge;
+    sky->until = malloc(sky->cells * sizeof *sky->until);
+    sky->radiance = malloc(sky->cells * sizeof *sky->radiance);
+    if (sky->until == NULL || sky->radiance == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    memcpy(sky->radiance, environment->radiance, sky->cells * sizeof *sky->radiance);
+    probe_mapping(environment->mapping, sky->probe);
+    cm_pool_run(pool, sky->cells, CELLS_AT_ONCE, find_stretches, sky);
+    sum_cells(sky);
+    return CM_OK;
+}
+
 cm_status sky_create(const cm_tof_environment *environment, cm_pool *pool, tof_sky **made)
 {
     tof_sky *sky = calloc(1, sizeof *sky);
@@ -96,18 +131,10 @@ cm_status sky_create(const cm_tof_environment *environment, cm_pool *pool, tof_s
         return CM_ERROR_MEMORY;
     }
     sky->environment = environment;
-    if (environment->radiance != NULL)
+    if (environment->radiance != NULL && find_cells(environment, pool, sky) != CM_OK)
     {
-        const size_t edge = environment->edge;
-        sky->cells = (size_t)map_faces(environment->mapping) * edge * edge;
-        sky->until = malloc(sky->cells * sizeof *sky->until);
-        if (sky->until == NULL)
-        {
-            sky_destroy(sky);
-            return CM_ERROR_MEMORY;
-        }
-        cm_pool_run(pool, sky->cells, CELLS_AT_ONCE, find_stretches, sky);
-        sum_cells(sky);
+        sky_destroy(sky);
+        return CM_ERROR_MEMORY;
     }
     *made = sky;
     return CM_OK;
@@ -118,8 +145,29 @@ void sky_destroy(tof_sky *sky)
     if (sky != NULL)
     {
         free(sky->until);
+        free(sky->radiance);
         free(sky);
     }
+}
+
+int sky_turn_to(const cm_tof_environment *environment, tof_sky *sky)
+{
+    int is_same = (environment->radiance == NULL) == (sky->radiance == NULL);
+    if (is_same && sky->radiance != NULL)
+    {
+        double probe[PROBES][3];
+        probe_mapping(environment->mapping, probe);
+        is_same =
+            environment->edge == sky->edge &&
+            (size_t)map_faces(environment->mapping) * sky->edge * sky->edge == sky->cells &&
+            memcmp(probe, sky->probe, sizeof probe) == 0 &&
+            memcmp(environment->radiance, sky->radiance, sky->cells * sizeof *sky->radiance) == 0;
+    }
+    if (is_same)
+    {
+        sky->environment = environment;
+    }
+    return is_same;
 }
 
 double sky_constant(const tof_sky *sky)

@@ -14,6 +14,10 @@ typedef struct tof_sky tof_sky;
 cm_status sky_create(const cm_tof_environment *environment, cm_pool *pool, tof_sky **made);
 void sky_destroy(tof_sky *sky);
 
+/* 1 if all that was made ready is that of this environment, too, which it then stands for; else 0. The picture is compared, so
+ * that it may be changed between frames. */
+int sky_turn_to(const cm_tof_environment *environment, tof_sky *sky);
+
 /* What is everywhere. */
 double sky_constant(const tof_sky *sky);
 

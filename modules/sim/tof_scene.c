@@ -84,6 +84,7 @@ void cm_tof_scene_destroy(cm_tof_scene *scene)
             mesh_rays_destroy(scene->meshes[i]);
         }
         free(atomic_load(&scene->spare));
+        sky_destroy(atomic_load(&scene->sky));
         free(scene->meshes);
         free(scene->rays);
         free(scene->primitive);
@@ -119,6 +120,27 @@ void tof_scene_return(cm_tof_scene *scene, void *memory)
     if (memory != NULL)
     {
         free(atomic_exchange(&scene->spare, (memory_head *)memory - 1));
+    }
+}
+
+cm_status tof_scene_take_sky(cm_tof_scene *scene, const cm_tof_environment *environment,
+                             cm_pool *pool, tof_sky **taken)
+{
+    tof_sky *kept = atomic_exchange(&scene->sky, NULL);
+    if (kept != NULL && sky_turn_to(environment, kept))
+    {
+        *taken = kept;
+        return CM_OK;
+    }
+    sky_destroy(kept);
+    return sky_create(environment, pool, taken);
+}
+
+void tof_scene_return_sky(cm_tof_scene *scene, tof_sky *sky)
+{
+    if (sky != NULL)
+    {
+        sky_destroy(atomic_exchange(&scene->sky, sky));
     }
 }
 

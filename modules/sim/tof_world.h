@@ -21,6 +21,7 @@ struct cm_tof_scene
     const tof_set *set;
     _Atomic(void *)
         spare; /* memory of a frame that is done, for the next one: its first word is its size */
+    _Atomic(tof_sky *) sky; /* surroundings of a frame that is done, for the next one */
 };
 
 /* Memory of at least so many bytes, for any type: the spare one if it is large enough. NULL: none. */
@@ -28,6 +29,13 @@ void *tof_scene_take(cm_tof_scene *scene, size_t size);
 
 /* Gives it back, to be the spare one. */
 void tof_scene_return(cm_tof_scene *scene, void *memory);
+
+/* The surroundings made ready: the last frame's if they are the same. CM_OK; CM_ERROR_MEMORY. */
+cm_status tof_scene_take_sky(cm_tof_scene *scene, const cm_tof_environment *environment,
+                             cm_pool *pool, tof_sky **taken);
+
+/* Gives them back, to be kept; NULL is allowed. */
+void tof_scene_return_sky(cm_tof_scene *scene, tof_sky *sky);
 
 /* A mesh as it stands at a time. */
 typedef struct tof_body

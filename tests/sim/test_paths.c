@@ -4,7 +4,11 @@
  * that both are drawn with.
  */
 #include "modules/sim/low_discrepancy.h"
+#include "modules/sim/map_cells.h"
+#include "modules/sim/tof_world.h"
 #include "tests/sim/sphere_of_light.h"
+
+#include <time.h>
 
 static void trace(const sphere_of_light *s, const cm_tof_options *options, size_t from, size_t n,
                   seen_places *seen)
@@ -426,9 +430,86 @@ START_TEST(even_numbers)
 }
 END_TEST
 
+/* Two texels of the first row shine alike: the density of drawing one is by both their solid angles. */
+static void check_texels(const tof_sky *sky, const cm_mapping *mapping, int column)
+{
+    const int shines[2] = {column, SKY_EDGE / 2};
+    double stretches = 0.0, direction[3], jacobian[6], density = -1.0;
+    for (int i = 1; i >= 0; i--)
+    {
+        const double uv[2] = {(2 * shines[i] + 1.0) / SKY_EDGE - 1.0, 1.0 / SKY_EDGE - 1.0};
+        cm_inverse(mapping, 0, uv, direction);
+        cm_inverse_jacobian(mapping, 0, uv, jacobian);
+        stretches += map_stretch(jacobian);
+    }
+    ck_assert(sky_look(sky, direction, &density) == 1.0);
+    ck_assert_double_eq_tol(density * stretches, SKY_EDGE * SKY_EDGE / 4.0, 1e-6);
+}
+
+/* Returns the processor's time. */
+static clock_t take_and_return(cm_tof_scene *scene, const cm_tof_environment *around, int column)
+{
+    tof_sky *taken = NULL;
+    const clock_t begin = clock();
+    ck_assert_int_eq(tof_scene_take_sky(scene, around, NULL, &taken), CM_OK);
+    const clock_t took = clock() - begin;
+    check_texels(taken, around->mapping, column);
+    tof_scene_return_sky(scene, taken);
+    return took;
+}
+
+/* Fills the picture, in which but two texels are dark. */
+static void light_texels(float *radiance, int column)
+{
+    memset(radiance, 0, SKY_CELLS * sizeof *radiance);
+    radiance[column] = radiance[SKY_EDGE / 2] = 1.0f;
+}
+
+/* Surroundings that stay as they are, wherever they lie in memory, are made ready once; another mapping's or a changed
+ * picture's anew. */
+START_TEST(kept_surroundings)
+{
+    static float radiance[SKY_CELLS], copied[SKY_CELLS];
+    static const char *const names[] = {"tangent", "coupled", "tangent"};
+    const cm_primitive floor = {
+        .size = sizeof floor, .kind = CM_PRIMITIVE_PLANE, .second = {0, 0, 1}};
+    cm_scene *world = NULL;
+    cm_tof_scene *scene = NULL;
+    tof_sky *kept = NULL;
+    ck_assert_int_eq(cm_scene_create(&world), CM_OK);
+    ck_assert_int_eq(cm_scene_add(world, &floor, NULL), CM_OK);
+    ck_assert_int_eq(cm_tof_scene_create(world, &scene), CM_OK);
+    for (int i = 0; i < 3; i++)
+    {
+        cm_mapping *mapping = make_mapping(names[i], NULL), *same = NULL;
+        ck_assert_int_eq(cm_mapping_copy(mapping, &same), CM_OK);
+        light_texels(radiance, 3);
+        memcpy(copied, radiance, sizeof copied);
+        const cm_tof_environment e = {
+            .size = sizeof e, .mapping = mapping, .edge = SKY_EDGE, .radiance = radiance};
+        cm_tof_environment again = e;
+        again.mapping = same;
+        again.radiance = copied;
+        const clock_t first = take_and_return(scene, &e, 3);
+        ck_assert_int_lt(take_and_return(scene, &again, 3), first / 4 + 1);
+        light_texels(radiance, 0); /* in the same memory */
+        (void)take_and_return(scene, &e, 0);
+        (void)take_and_return(scene, &again, 3);
+        cm_mapping_destroy(mapping);
+        cm_mapping_destroy(same);
+    }
+    const cm_tof_environment even = {.size = sizeof even, .constant = 2.0};
+    ck_assert_int_eq(tof_scene_take_sky(scene, &even, NULL, &kept), CM_OK);
+    ck_assert(sky_constant(kept) == 2.0 && sky_contrast(kept) == 0.0);
+    tof_scene_return_sky(scene, kept);
+    cm_tof_scene_destroy(scene);
+    cm_scene_destroy(world);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {bounces,      same_bits, surroundings, small_sun, slope,
-                                  even_picture, picture,   even_numbers, NULL};
+    const TTest *const tests[] = {bounces,      same_bits, surroundings, small_sun,         slope,
+                                  even_picture, picture,   even_numbers, kept_surroundings, NULL};
     return run_suite("paths", tests);
 }
