@@ -190,6 +190,9 @@ void refuses_pictures()
     fails("a surface of no picture", 2, "--environment-surface says what --environment shows",
           good + "--environment-surface cube");
     fails("no such picture", 1, "'absent.pfm' cannot be read", good + "--environment absent.pfm");
+    fails("a picture of no name", 1, "'' cannot be read", good + "--environment ''");
+    fails("a surface of no name", 2, "--environment-surface: ''",
+          good + "--environment even.pfm --environment-surface ''");
     write_sky("strip.pfm", 6, 1, 1);
     fails("a shape that says nothing", 2, "--environment-surface is missing: 'strip.pfm'",
           good + "--environment strip.pfm");

@@ -33,11 +33,11 @@ void check(cm_status status, const std::string &name)
     }
 }
 
-SurfacePointer surface_of(const std::string &specification, const ImageFile &image)
+SurfacePointer surface_of(const std::optional<std::string> &specification, const ImageFile &image)
 {
     const std::string size = in_quotes(image.path()) + ", which is " +
                              std::to_string(image.width()) + " x " + std::to_string(image.height());
-    if (specification.empty() && image.width() != 2 * image.height())
+    if (!specification && image.width() != 2 * image.height())
     {
         throw UsageFailure("--environment-surface is missing: " + size +
                            ", may be any map of the sphere");
@@ -46,7 +46,7 @@ SurfacePointer surface_of(const std::string &specification, const ImageFile &ima
     options.size = sizeof options;
     options.width = static_cast<std::uint32_t>(image.width());
     options.height = static_cast<std::uint32_t>(image.height());
-    const char *const text = specification.empty() ? "equirect" : specification.c_str();
+    const char *const text = specification ? specification->c_str() : "equirect";
     char message[400] = "";
     cm_surface *made = nullptr;
     if (cm_surface_check(text, &options, message, sizeof message) != CM_OK)
@@ -211,7 +211,8 @@ void resample(const std::string &name, const cm_surface &from, std::vector<float
 } // namespace
 
 std::unique_ptr<TofEnvironment>
-read_tof_environment(const std::string &path, const std::string &specification, unsigned threads)
+read_tof_environment(const std::string &path, const std::optional<std::string> &specification,
+                     unsigned threads)
 {
     ImageFile image(path);
     const std::string name = in_quotes(path);

@@ -6,6 +6,7 @@
 #define CUBEMAP_TOOLS_TOF_ENVIRONMENT_HPP
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct TofEnvironment
 };
 
 // A picture in a mapping is taken as it is, each other one is resampled to a cube. Of colours the mean counts. Failure if it
-// cannot be read, or has what is no radiance; UsageFailure if surface, "" for an equirectangular one, is not the picture's.
+// cannot be read, or has what is no radiance; UsageFailure if surface, equirectangular if there is none, is not the picture's.
 std::unique_ptr<TofEnvironment> read_tof_environment(const std::string &path,
-                                                     const std::string &surface, unsigned threads);
+                                                     const std::optional<std::string> &surface,
+                                                     unsigned threads);
 
 #endif

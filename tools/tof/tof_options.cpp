@@ -153,7 +153,7 @@ void take_operands(const std::vector<std::string> &names, SimulateOptions &optio
     {
         throw UsageFailure("--shot says where shot noise comes from; it needs --noise; see --help");
     }
-    if (options.environment.empty() && !options.environment_surface.empty())
+    if (!options.environment && options.environment_surface)
     {
         throw UsageFailure("--environment-surface says what --environment shows; see --help");
     }

@@ -98,9 +98,9 @@ Simulation prepare(const SimulateOptions &options)
     made.scene.reset(scene);
     made.pool = make_pool(options.threads);
     made.options = options.tof;
-    if (!options.environment.empty())
+    if (options.environment)
     {
-        made.environment = read_tof_environment(options.environment, options.environment_surface,
+        made.environment = read_tof_environment(*options.environment, options.environment_surface,
                                                 static_cast<unsigned>(options.threads));
         made.options.environment = &made.environment->given;
     }
