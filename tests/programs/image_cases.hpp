@@ -108,5 +108,6 @@ const std::vector<Subject> &scene_subjects();
 const std::vector<Subject> &scene_refusal_subjects();
 const std::vector<Subject> &octree_subjects();
 const std::vector<Subject> &tof_subjects();
+const std::vector<Subject> &tof_environment_subjects();
 
 #endif

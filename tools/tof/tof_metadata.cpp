@@ -88,6 +88,11 @@ void add_options(cJSON *to, const SimulateOptions &asked, const cm_tof_options &
     add_switch(options, "noise", done.noise != 0);
     add_text(options, "shot", tof_shot_names[done.shot]);
     add_number(options, "seed", static_cast<double>(done.seed));
+    if (asked.environment)
+    {
+        add_text(options, "environment", *asked.environment);
+        add_text(options, "environment_surface", asked.environment_surface.value_or("equirect"));
+    }
     if (asked.budget)
     {
         add_number(options, "budget", *asked.budget);
@@ -150,7 +155,9 @@ std::string metadata_text(const SimulateOptions &asked, const cm_tof_options &do
     need(all.get());
     add_software(all.get());
     need(cJSON_AddNullToObject(all.get(), "temperature")); // nothing that warms up is simulated
-    add_text(all.get(), "light_situation", "the lights of the sensor alone");
+    add_text(all.get(), "light_situation",
+             !asked.environment ? "the lights of the sensor alone"
+                                : "the lights of the sensor and the surroundings'");
     cJSON *const given = cJSON_Duplicate(sensor.text.get(), 1);
     need(given);
     cJSON_AddItemToObject(all.get(), "sensor", given);

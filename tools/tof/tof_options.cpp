@@ -83,6 +83,12 @@ void read_simulate_option(int id, OptionReader &reader, SimulateOptions &options
     case TOF_PRESET:
         options.preset = tof_preset_names[reader.choice()];
         break;
+    case TOF_ENVIRONMENT:
+        options.environment = reader.text();
+        break;
+    case TOF_ENVIRONMENT_SURFACE:
+        options.environment_surface = reader.text();
+        break;
     case TOF_BUDGET:
         options.budget = read_budget(reader);
         break;
@@ -146,6 +152,10 @@ void take_operands(const std::vector<std::string> &names, SimulateOptions &optio
     if (options.tof.shot != CM_TOF_POISSON && options.tof.noise == 0 && !options.budget)
     {
         throw UsageFailure("--shot says where shot noise comes from; it needs --noise; see --help");
+    }
+    if (!options.environment && options.environment_surface)
+    {
+        throw UsageFailure("--environment-surface says what --environment shows; see --help");
     }
     take_format(options);
     options.scene = names.front();

@@ -20,6 +20,8 @@ struct SimulateOptions
     std::string preset;
     std::string trajectory;
     std::string output;
+    std::optional<std::string> environment;         // a file
+    std::optional<std::string> environment_surface; // else equirect
     cm_tof_options tof = {};
     bool samples_given = false;
     std::optional<double> budget; // metres

@@ -5,6 +5,7 @@
 #include "tof_command.hpp"
 #include "tof_arrays.hpp"
 #include "tof_brdf.hpp"
+#include "tof_environment.hpp"
 #include "tof_frame.hpp"
 #include "tof_truth.hpp"
 #include "tof_metadata.hpp"
@@ -51,6 +52,7 @@ struct Simulation
     TimedPoses poses;
     TrajectoryPointer trajectory;
     PoolPointer pool;
+    std::unique_ptr<TofEnvironment> environment;
     cm_tof_options options = {};
     CameraPointer plain; // without distortion, where the budget drops that
     std::string budget;  // JSON
@@ -96,6 +98,12 @@ Simulation prepare(const SimulateOptions &options)
     made.scene.reset(scene);
     made.pool = make_pool(options.threads);
     made.options = options.tof;
+    if (options.environment)
+    {
+        made.environment = read_tof_environment(*options.environment, options.environment_surface,
+                                                static_cast<unsigned>(options.threads));
+        made.options.environment = &made.environment->given;
+    }
     return made;
 }
 
@@ -118,7 +126,7 @@ void plan(const SimulateOptions &options, Simulation &with)
     cm_budget budget = {};
     budget.size = sizeof budget;
     budget.entry = entry;
-    cm_tof_options most = options.tof;
+    cm_tof_options most = with.options;
     if (!options.samples_given)
     {
         most.sample_columns = most.sample_rows = 3;

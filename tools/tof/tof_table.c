@@ -80,6 +80,22 @@ static const cm_option simulate_options[] = {
      .standard = "0",
      .low = 0,
      .high = 2147483647},
+    {.id = TOF_ENVIRONMENT,
+     .name = "environment",
+     .kind = CM_OPTION_FILE,
+     .argument = "FILE",
+     .help =
+         "light from all around, not modulated: a picture of the sphere in the world's axes, in "
+         "W/(m^2 sr)",
+     .more = "Of colours the mean counts, values as they are stored. A picture of faces is taken "
+             "texel by texel, each other one is resampled to a cube."},
+    {.id = TOF_ENVIRONMENT_SURFACE,
+     .name = "environment-surface",
+     .kind = CM_OPTION_TEXT,
+     .argument = "SPEC",
+     .help = "how the sphere lies on that picture, as cubemap-reproject has it in one image: "
+             "`cube:coupled;layout=cross`",
+     .standard = "`equirect`, if it is 2:1"},
     {.id = TOF_BUDGET,
      .name = "budget",
      .kind = CM_OPTION_TEXT,
@@ -133,7 +149,7 @@ const cm_command tof_simulate_command = {
     .group_count = 1,
     .notes = "Example:\n"
              "  cubemap-tof simulate --preset pico-flexx --noise room path.txt -o made",
-    .words = "SCENE DIR FRAME PHASE NAME COLUMNS ROWS LENGTH",
+    .words = "SCENE DIR FRAME PHASE NAME COLUMNS ROWS LENGTH FILE SPEC",
     .operand = CM_OPTION_FILE,
     .bare_version = 1};
 

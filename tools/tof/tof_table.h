@@ -35,7 +35,9 @@ enum
     TOF_WINDOW,
     TOF_RAYS,
     TOF_SPACING,
-    TOF_SHOT
+    TOF_SHOT,
+    TOF_ENVIRONMENT,
+    TOF_ENVIRONMENT_SURFACE
 };
 
 /* The sensors that are built in, up to NULL. */
