@@ -77,7 +77,10 @@ private:
 class error : public std::runtime_error
 {
 public:
-    explicit error(cm_status status) : std::runtime_error(cm_status_text(status)), status_(status) {}
+    explicit error(cm_status status) : error(status, "") {}
+    /* Words for this case, or "". */
+    error(cm_status status, const char *words) :
+        std::runtime_error(*words != '\0' ? words : cm_status_text(status)), status_(status) {}
     cm_status status() const noexcept { return status_; }
 
 private:
@@ -97,9 +100,16 @@ public:
     /* Throws what there is instead. */
     T &&value()
     {
+        return value([](char *, std::size_t) {});
+    }
+    /* The same with the words that a function writes. */
+    template <class Explain> T &&value(Explain explain)
+    {
         if (status_ != CM_OK)
         {
-            throw error(status_);
+            char words[256] = "";
+            explain(words, sizeof words);
+            throw error(status_, words);
         }
         return std::move(value_);
     }
@@ -1837,7 +1847,8 @@ inline double colormap_view::largest_saturation() const { return cm_colormap_lar
 inline result<colormap> colormap::try_make(const char *specification) { cm_colormap *made_object = nullptr;
     const cm_status status = cm_colormap_create(specification, &made_object); return status == CM_OK ?
     result<colormap>(colormap(made_object)) : result<colormap>(status); }
-inline colormap::colormap(const char *specification) : colormap(try_make(specification).value()) {}
+inline colormap::colormap(const char *specification) : colormap(try_make(specification).value([&](char *words,
+    std::size_t size) { cm_colormap_check(specification, words, size); })) {}
 inline result<colormap> colormap::try_fit() const { cm_colormap *made_object = nullptr; const cm_status status
     = cm_colormap_fit(get(), &made_object); return status == CM_OK ? result<colormap>(colormap(made_object)) :
     result<colormap>(status); }
@@ -2463,13 +2474,15 @@ inline result<mapping> mapping::try_make(const char *specification, const cm_fra
     *made_object = nullptr; const cm_status status = cm_mapping_create(specification, frame, &made_object);
     return status == CM_OK ? result<mapping>(mapping(made_object)) : result<mapping>(status); }
 inline mapping::mapping(const char *specification, const cm_frame *frame) : mapping(try_make(specification,
-    frame).value()) {}
+    frame).value([&](char *words, std::size_t size) { cm_specification_check(specification, words, size); }))
+    {}
 inline result<mapping> mapping::try_make(const char *specification, const cm_frame *frame, const cm_options
     *options) { cm_mapping *made_object = nullptr; const cm_status status =
     cm_mapping_create_with(specification, frame, options, &made_object); return status == CM_OK ?
     result<mapping>(mapping(made_object)) : result<mapping>(status); }
 inline mapping::mapping(const char *specification, const cm_frame *frame, const cm_options *options) :
-    mapping(try_make(specification, frame, options).value()) {}
+    mapping(try_make(specification, frame, options).value([&](char *words, std::size_t size) {
+    cm_specification_check(specification, words, size); })) {}
 inline const cm_mesh_options * mesh_view::describe() const { return cm_mesh_describe(get()); }
 inline void mesh_view::bounds(double (&least)[3], double (&greatest)[3]) const { cm_mesh_bounds(get(), least,
     greatest); }
@@ -2827,7 +2840,8 @@ inline result<surface> surface::try_make(const char *specification, const cm_sur
     cm_surface *made_object = nullptr; const cm_status status = cm_surface_create(specification, options,
     &made_object); return status == CM_OK ? result<surface>(surface(made_object)) : result<surface>(status); }
 inline surface::surface(const char *specification, const cm_surface_options *options) :
-    surface(try_make(specification, options).value()) {}
+    surface(try_make(specification, options).value([&](char *words, std::size_t size) {
+    cm_surface_check(specification, options, words, size); })) {}
 inline size_t tof_scene_view::count() const { return cm_tof_scene_count(get()); }
 inline cm_status tof_scene_view::try_simulate(const cm_tof_sensor &sensor, span<const cm_tof_light> light,
     trajectory_view trajectory, double time, const cm_tof_options *options, pool_view pool, cm_tof_result

@@ -42,6 +42,12 @@ OPTIONAL = {("cm_ssim", "channel_means"), ("cm_flow_warp", "coverage"), ("cm_ras
             *((f"cm_raster_{drawn}", "pose") for drawn in ("triangles", "discs", "points", "weights"))}
 
 
+# What says in words why nothing was made.
+EXPLAINED = {**dict.fromkeys(("cm_mapping_create", "cm_mapping_create_with"), "cm_specification_check(specification, words, size)"),
+             "cm_colormap_create": "cm_colormap_check(specification, words, size)",
+             "cm_surface_create": "cm_surface_check(specification, options, words, size)"}
+
+
 class Argument:
     """An argument in C++: how it is declared, "" for what is taken from others, and what C is given for it."""
 
@@ -230,8 +236,10 @@ class Writer:
 return status == CM_OK ? result<{owner}>({owner}(made_object)) : result<{owner}>(status); }}"""))
             if len(name) == 1:
                 needed = sum(bool(one.declared and not one.standard) for one in arguments)
+                words = EXPLAINED.get(function.name)
+                explained = f"[&](char *words, std::size_t size) {{ {words}; }}" if words else ""
                 lines.append(Definition("explicit " if needed <= 1 else "", "", owner, f"({listed})",
-                                        f" : {owner}(try_make({names}).value()) {{}}"))
+                                        f" : {owner}(try_make({names}).value({explained})) {{}}"))
             else:
                 lines.append(Definition(before, f"{owner} ", method, f"({listed}){after}",
                                         f" {{ return try_{method}({names}).value(); }}"))

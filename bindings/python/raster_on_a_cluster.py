@@ -53,16 +53,21 @@ def most_memory():
         return next(int(line.split()[1]) for line in lines if line.startswith("VmHWM:")) * 1024
 
 
+def tiles_done(dask_scheduler):
+    """How many tiles are judged. Of all tasks most come first: those that make the raster up and cut it."""
+    prefix = dask_scheduler.task_prefixes.get("judged")
+    return prefix.state_counts["memory"] if prefix else 0
+
+
 def kill_one(client, killed):
-    """End a worker's process as if its machine had failed, when a part of the work is done."""
+    """End a worker's process as if its machine had failed, when so many tiles are done."""
     def work():
         while not killed["ready"].wait(0.05):
-            done = client.run_on_scheduler(lambda dask_scheduler: sum(
-                task.state in ("memory", "released") for task in dask_scheduler.tasks.values()))
-            if done > killed["after"]:
+            done = client.run_on_scheduler(tiles_done)
+            if done >= killed["after"]:
                 pid = next(iter(client.run(os.getpid).values()))
                 os.kill(pid, signal.SIGKILL)
-                killed["pid"] = pid
+                killed.update(pid=pid, done=done)
                 return
 
     thread = threading.Thread(target=work, daemon=True)
@@ -71,7 +76,8 @@ def kill_one(client, killed):
 
 
 def run(megabytes, workers, kills=True):
-    """The greatest error, the pixels of the result, the pid of the worker that was killed, and the most memory of a worker."""
+    """The greatest error, the pixels of the result and how many it should have, the pid of the worker that was killed and the
+    part of the tiles that was done then, and the most memory of a worker."""
     from dask.distributed import Client, LocalCluster
 
     # 4 bytes of 2 height^2 pixels, in whole blocks
@@ -84,7 +90,7 @@ def run(megabytes, workers, kills=True):
     dask.config.set({"distributed.scheduler.allowed-failures": 10})
     with LocalCluster(n_workers=workers, threads_per_worker=1, memory_limit="1GB", dashboard_address=None) as cluster, \
             Client(cluster) as client:
-        killed = {"ready": threading.Event(), "after": faces.npartitions // 2 + 4}
+        killed = {"ready": threading.Event(), "after": (faces.npartitions + 1) // 2}
         thread = kill_one(client, killed) if kills else None
         worst, count = client.compute(found).result()
         killed["ready"].set()
@@ -92,8 +98,9 @@ def run(megabytes, workers, kills=True):
             thread.join()
         peak = max(client.run(most_memory).values())
     print(f"{raster.nbytes / 1e6:.0f} MB in {raster.npartitions} blocks to 6 x {edge} x {edge}: worst error {worst:.2e}, "
-          f"worker killed: {killed.get('pid', 'none')}, most memory of a worker {peak / 1e6:.0f} MB")
-    return worst, int(count), 6 * edge * edge, killed.get("pid"), peak
+          f"worker killed: {killed.get('pid', 'none')} after {killed.get('done', 0)} of {faces.npartitions} tiles, "
+          f"most memory of a worker {peak / 1e6:.0f} MB")
+    return worst, int(count), 6 * edge * edge, killed.get("pid"), killed.get("done", 0) / faces.npartitions, peak
 
 
 def main():
@@ -102,7 +109,7 @@ def main():
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--keep-all", action="store_true")
     given = parser.parse_args()
-    worst, count, expected, pid, peak = run(given.megabytes, given.workers, not given.keep_all)
+    worst, count, expected, pid, _, peak = run(given.megabytes, given.workers, not given.keep_all)
     # linear interpolation of the field is off by less than a step squared
     if count != expected or worst > 4e-5 or peak > 1e9 or (pid is None) != given.keep_all:
         raise SystemExit("not as it should be")

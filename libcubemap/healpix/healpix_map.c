@@ -5,6 +5,8 @@
  */
 #include "healpix_object.h"
 
+#include <float.h>
+
 /* A map of either precision. */
 typedef struct map_values
 {
@@ -182,23 +184,39 @@ static void regrade_block(const regrading *r, size_t n, int64_t first, double *r
     }
 }
 
-/* The same pixels: by vectors, as nothing but memory is to be waited for. */
-static void copy_doubles(const regrading *r, int64_t n, const double *map, double *result)
+/* The same pixels, of which (nside / nside)^power is 1: by vectors, as nothing but memory is to be waited for. */
+static void copy_doubles(int64_t n, const double *map, double bad, double *result)
 {
-    const double divisor = r->divisor, bad = r->bad;
     for (int64_t i = 0; i < n; i++)
     {
-        result[i] = is_good(map[i]) ? map[i] / divisor : bad;
+        result[i] = is_good(map[i]) ? map[i] : bad;
     }
 }
 
-static void copy_floats(const regrading *r, int64_t n, const float *map, float *result)
+/* The least and the greatest float that are taken for CM_HEALPIX_UNSEEN: so that floats need not become doubles. */
+static void find_unseen_floats(float ends[2])
 {
-    const double divisor = r->divisor, bad = r->bad;
+    for (int side = 0; side < 2; side++)
+    {
+        const float beyond = side == 0 ? -INFINITY : INFINITY;
+        ends[side] = (float)CM_HEALPIX_UNSEEN;
+        for (float next = ends[side]; !is_good((double)next); next = nextafterf(next, beyond))
+        {
+            ends[side] = next;
+        }
+    }
+}
+
+static void copy_floats(int64_t n, const float *map, float bad, float *result)
+{
+    float unseen[2];
+    find_unseen_floats(unseen);
+    const float least = unseen[0], most = unseen[1];
     for (int64_t i = 0; i < n; i++)
     {
-        double value = (double)map[i];
-        result[i] = (float)(is_good(value) ? value / divisor : bad);
+        const int is_unseen = (map[i] >= least) & (map[i] <= most);
+        const int is_taken = (fabsf(map[i]) <= FLT_MAX) & !is_unseen;
+        result[i] = is_taken ? map[i] : bad;
     }
 }
 
@@ -248,11 +266,11 @@ static cm_status regrade(const cm_healpix *from, map_values map, const cm_healpi
     }
     else if (map.is_narrow)
     {
-        copy_floats(&r, from->count, map.values, result);
+        copy_floats(from->count, map.values, (float)r.bad, result);
     }
     else
     {
-        copy_doubles(&r, from->count, map.values, result);
+        copy_doubles(from->count, map.values, r.bad, result);
     }
     return CM_OK;
 }

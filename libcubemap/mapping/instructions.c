@@ -77,6 +77,17 @@ static const cm_batch_set *set_at(size_t index)
     return NULL;
 }
 
+/* The last that runs: points one by one, too, ask for it. */
+static const cm_batch_set *best_set(void)
+{
+    size_t i = sizeof sets / sizeof *sets;
+    while (i > 0 && !sets[i - 1].runs())
+    {
+        i--;
+    }
+    return i > 0 ? sets[i - 1].set : NULL;
+}
+
 size_t cm_instructions_count(void)
 {
     size_t count = 0;
@@ -98,7 +109,7 @@ const cm_batch_set *cm_batch_set_find(const char *name)
     const char *wanted = name != NULL ? name : getenv(VARIABLE);
     if (wanted == NULL || *wanted == '\0')
     {
-        return set_at(cm_instructions_count() - 1);
+        return best_set();
     }
     for (size_t i = 0; set_at(i) != NULL; i++)
     {

@@ -209,6 +209,48 @@ START_TEST(sums_are_exact)
 }
 END_TEST
 
+/* Floats beside the ends of what is UNSEEN: a map that is copied has what one has that goes through double, as another order does. */
+START_TEST(unseen_floats)
+{
+    float map[192], copied[192], ordered[192];
+    int64_t ring[192];
+    int counts[2] = {0, 0};
+    cm_healpix *nested = make_healpix(4, CM_HEALPIX_NESTED, NULL);
+    cm_healpix *rings = make_healpix(4, CM_HEALPIX_RING, NULL);
+    for (int i = 0; i < 192; i++)
+    {
+        const int steps = i % 96 - 48;
+        float value = (float)(CM_HEALPIX_UNSEEN * (1.0 + (i < 96 ? 1e-5 : -1e-5)));
+        for (int k = 0; k < abs(steps); k++)
+        {
+            value = nextafterf(value, steps < 0 ? -INFINITY : INFINITY);
+        }
+        map[i] = value;
+    }
+    map[0] = NAN;
+    map[1] = INFINITY;
+    map[2] = -INFINITY;
+    map[3] = -0.0f;
+    const cm_healpix_regrade_options options = {
+        .size = sizeof options, .bad_is_nan = 1, .power = 3.0};
+    ck_assert_int_eq(cm_healpix_regrade_f32(nested, map, nested, copied, &options), CM_OK);
+    ck_assert_int_eq(cm_healpix_regrade_f32(nested, map, rings, ordered, &options), CM_OK);
+    for (int64_t i = 0; i < 192; i++)
+    {
+        ring[i] = i;
+    }
+    cm_healpix_ring_from_nested_array(rings, 192, ring, ring);
+    for (int i = 0; i < 192; i++)
+    {
+        ck_assert(memcmp(&copied[i], &ordered[ring[i]], sizeof(float)) == 0);
+        counts[isnan(copied[i]) != 0]++;
+    }
+    ck_assert(counts[0] > 80 && counts[1] > 80);
+    cm_healpix_destroy(nested);
+    cm_healpix_destroy(rings);
+}
+END_TEST
+
 START_TEST(what_cannot_be)
 {
     double map[12 * 9];
@@ -244,7 +286,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {maps_of_all_resolutions, sums_are_kept, sums_are_exact, what_cannot_be,
-                            NULL};
+    const TTest *tests[] = {maps_of_all_resolutions, sums_are_kept,  sums_are_exact,
+                            unseen_floats,           what_cannot_be, NULL};
     return run_suite("healpix maps", tests);
 }

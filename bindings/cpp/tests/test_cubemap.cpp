@@ -30,10 +30,33 @@ static void test_errors()
     }
     catch (const cubemap::error &error)
     {
-        is_thrown = error.status() == CM_ERROR_MAPPING &&
-                    std::strcmp(error.what(), cm_status_text(CM_ERROR_MAPPING)) == 0;
+        char words[256] = "";
+        cm_specification_check("no such mapping", words, sizeof words);
+        is_thrown = error.status() == CM_ERROR_MAPPING && std::strcmp(error.what(), words) == 0 &&
+                    std::strstr(error.what(), "'no such mapping'") != nullptr;
     }
-    expect(is_thrown, "an error is thrown with the library's words");
+    expect(is_thrown, "an error is thrown with the library's words for this case");
+    is_thrown = false;
+    try
+    {
+        cubemap::surface surface("cube:coupled;siz=3", nullptr);
+    }
+    catch (const cubemap::error &error)
+    {
+        is_thrown = std::strstr(error.what(), "'siz'") != nullptr;
+    }
+    expect(is_thrown, "so is that of a surface");
+    is_thrown = false;
+    try
+    {
+        const cm_options without_size = {};
+        cubemap::mapping mapping("coupled", nullptr, &without_size);
+    }
+    catch (const cubemap::error &error)
+    {
+        is_thrown = std::strcmp(error.what(), cm_status_text(error.status())) == 0;
+    }
+    expect(is_thrown, "where there are none, with those of the status");
 
     auto made = cubemap::mapping::try_make("no such mapping");
     expect(!made && made.status() == CM_ERROR_MAPPING, "an error is a value");

@@ -7,7 +7,8 @@ What differs:
   no pixel      a number of no pixel gives NaN, or -1; healpy gives any number
   no point      NaN and infinite angles and vectors are refused with ValueError; healpy may give any pixel
   accuracy      angles of vectors are accurate at the poles, where healpy's arc cosine loses half of the digits. So a point
-                within rounding of a border may be in the pixel beside
+                within rounding of a border may be in the pixel beside. Vectors of angles do not depend on NumPy's sines
+  shapes        ang2vec has the vectors of angles of several dimensions along the last axis; healpy turns all axes around
   ud_grade      sums are made in double; UNSEEN stays UNSEEN when `power` is given
   query_disc    inclusive=True gives all pixels that the disc overlaps, and a few more: not the same few
   reorder       of bunches of memory nothing is said: a map is done at once
@@ -31,6 +32,7 @@ __all__ = ["UNSEEN", "ang2pix", "ang2vec", "boundaries", "get_all_neighbours", "
            "order2npix", "order2nside", "pix2ang", "pix2vec", "query_disc", "reorder", "ring2nest", "ud_grade", "vec2ang", "vec2pix"]
 
 NSIDE_MAX = 2**29
+_PI, _MOST = math.pi, np.finfo(np.float64).max.item()  # names of the module are found sooner than attributes
 
 
 @functools.lru_cache(maxsize=128)
@@ -141,21 +143,20 @@ def pix2vec(nside: ArrayLike, ipix: ArrayLike, nest: bool = False) -> tuple[Any,
 def ang2vec(theta: ArrayLike, phi: ArrayLike, lonlat: bool = False) -> np.ndarray:
     """Unit vectors, along the last axis, of angles as in ang2pix."""
     if lonlat:
-        if type(theta) is float and type(phi) is float:
-            vector = _core.lonlat_to_vector(theta, phi)
-            if vector[2] == vector[2]:
-                return vector
+        if type(theta) is float and type(phi) is float and -90.0 <= phi <= 90.0 and -_MOST <= theta <= _MOST:
+            return _core.lonlat_to_vector(theta, phi)
         vectors = np.stack(_methods.direction_from_lonlat(np.radians(theta), np.radians(phi)), axis=-1)
         if np.isnan(vectors).any():
             raise ValueError("THETA is out of range [0,pi]")
         return vectors
-    if type(theta) is float and type(phi) is float and 0 <= theta <= math.pi:  # the same, for a single point
+    if type(theta) is float and type(phi) is float and 0.0 <= theta <= _PI and -_MOST <= phi <= _MOST:  # a single point
         return _core.angles_to_vector(theta, phi)
-    theta, phi = np.asarray(theta, np.float64), np.asarray(phi, np.float64)
+    theta, phi = np.broadcast_arrays(np.asarray(theta, np.float64), np.asarray(phi, np.float64))
     if not ((theta >= 0) & (theta <= np.pi + 1e-5)).all():
         raise ValueError("THETA is out of range [0,pi]")
-    rho = np.sin(theta)
-    return np.stack(np.broadcast_arrays(rho * np.cos(phi), rho * np.sin(phi), np.cos(theta)), axis=-1)
+    if not np.isfinite(phi).all():
+        raise ValueError("PHI is not finite")
+    return _core.angles_to_vectors(theta, phi).reshape(*theta.shape, 3)
 
 
 def vec2ang(vectors: ArrayLike, lonlat: bool = False) -> tuple[np.ndarray, np.ndarray]:

@@ -133,6 +133,7 @@ int core_check(cm_status status);
 /* Of the module: pixels (pixel.c), and angles (vector_angle.c). */
 extern PyMethodDef core_methods[];
 PyObject *core_angles_to_vector(PyObject *module, PyObject *const *args, Py_ssize_t count);
+PyObject *core_angles_to_vectors(PyObject *module, PyObject *const *args, Py_ssize_t count);
 PyObject *core_lonlat_to_vector(PyObject *module, PyObject *const *args, Py_ssize_t count);
 PyObject *core_vectors_to_angles(PyObject *module, PyObject *const *args, Py_ssize_t count);
 

@@ -268,6 +268,8 @@ PyMethodDef core_methods[] = {
      "it."},
     {"angles_to_vector", FAST(core_angles_to_vector), METH_FASTCALL,
      "angles_to_vector(theta, phi): a unit vector."},
+    {"angles_to_vectors", FAST(core_angles_to_vectors), METH_FASTCALL,
+     "angles_to_vectors(theta, phi): unit vectors of arrays of n, (n, 3)."},
     {"lonlat_to_vector", FAST(core_lonlat_to_vector), METH_FASTCALL,
      "lonlat_to_vector(lon, lat): the same of degrees; NaN where there is none."},
     {"vectors_to_angles", FAST(core_vectors_to_angles), METH_FASTCALL,

@@ -5,8 +5,6 @@
  */
 #include "core.h"
 
-#include <math.h>
-
 #define NPY_NO_DEPRECATED_API NPY_1_22_API_VERSION
 #define NO_IMPORT_ARRAY
 #define PY_ARRAY_UNIQUE_SYMBOL cubemap_array_api
@@ -28,6 +26,17 @@ static double *data_of(PyObject *array)
     return PyArray_DATA((PyArrayObject *)array);
 }
 
+/* A new reference to an array of double in a row: the object itself if it is one, which NumPy takes longer to find out. */
+static PyObject *doubles_of(PyObject *object)
+{
+    if (PyArray_CheckExact(object) && PyArray_TYPE((PyArrayObject *)object) == NPY_DOUBLE &&
+        PyArray_ISCARRAY_RO((PyArrayObject *)object))
+    {
+        return Py_NewRef(object);
+    }
+    return PyArray_FROMANY(object, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST);
+}
+
 /* Two arguments that are real numbers; 0 with an exception. */
 static int read_pair(PyObject *const *args, Py_ssize_t count, double pair[2])
 {
@@ -41,6 +50,32 @@ static int read_pair(PyObject *const *args, Py_ssize_t count, double pair[2])
     return !PyErr_Occurred();
 }
 
+/* Sines and cosines of n <= BLOCK angles: as directions on the equator, whose latitude is 0. */
+static void find_turns(npy_intp n, const double *angle, double *cosine, double *sine)
+{
+    static const double equator[BLOCK] = {0.0};
+    double height[BLOCK];
+    cm_direction_from_lonlat_array((size_t)n, angle, equator, cosine, sine, height);
+}
+
+/* Of n colatitudes and longitudes vectors, three numbers each. */
+static void find_vectors(npy_intp n, const double *theta, const double *phi, double *vectors)
+{
+    double height[BLOCK], rho[BLOCK], along[BLOCK], beside[BLOCK];
+    for (npy_intp done = 0; done < n; done += BLOCK)
+    {
+        const npy_intp here = n - done < BLOCK ? n - done : BLOCK;
+        find_turns(here, theta + done, height, rho);
+        find_turns(here, phi + done, along, beside);
+        for (npy_intp i = 0; i < here; i++, vectors += 3)
+        {
+            vectors[0] = rho[i] * along[i];
+            vectors[1] = rho[i] * beside[i];
+            vectors[2] = height[i];
+        }
+    }
+}
+
 PyObject *core_angles_to_vector(PyObject *module, PyObject *const *args, Py_ssize_t count)
 {
     (void)module;
@@ -48,13 +83,51 @@ PyObject *core_angles_to_vector(PyObject *module, PyObject *const *args, Py_ssiz
     PyObject *array = read_pair(args, count, angles) ? numbers_of(3) : NULL;
     if (array)
     {
-        double *to = data_of(array);
-        const double rho = sin(angles[0]);
-        to[0] = rho * cos(angles[1]);
-        to[1] = rho * sin(angles[1]);
-        to[2] = cos(angles[0]);
+        double cosine[2], sine[2], *to = data_of(array);
+        find_turns(2, angles, cosine, sine);
+        to[0] = sine[0] * cosine[1];
+        to[1] = sine[0] * sine[1];
+        to[2] = cosine[0];
     }
     return array;
+}
+
+PyObject *core_angles_to_vectors(PyObject *module, PyObject *const *args, Py_ssize_t count)
+{
+    (void)module;
+    PyArrayObject *angles[2] = {NULL, NULL};
+    PyObject *vectors = NULL;
+    for (int k = 0; k < 2 && count == 2; k++)
+    {
+        angles[k] = (PyArrayObject *)doubles_of(args[k]);
+        if (!angles[k])
+        {
+            break;
+        }
+    }
+    if (angles[0] && angles[1])
+    {
+        const npy_intp shape[2] = {PyArray_SIZE(angles[0]), 3};
+        if (PyArray_SIZE(angles[1]) != shape[0])
+        {
+            PyErr_SetString(PyExc_ValueError, "as many longitudes as colatitudes");
+        }
+        else if ((vectors = PyArray_SimpleNew(2, shape, NPY_DOUBLE)) != NULL)
+        {
+            double *to = data_of(vectors);
+            NPY_BEGIN_THREADS_DEF;
+            NPY_BEGIN_THREADS_THRESHOLDED(shape[0]);
+            find_vectors(shape[0], PyArray_DATA(angles[0]), PyArray_DATA(angles[1]), to);
+            NPY_END_THREADS;
+        }
+    }
+    else if (!PyErr_Occurred())
+    {
+        PyErr_SetString(PyExc_TypeError, "two arguments");
+    }
+    Py_XDECREF(angles[0]);
+    Py_XDECREF(angles[1]);
+    return vectors;
 }
 
 PyObject *core_lonlat_to_vector(PyObject *module, PyObject *const *args, Py_ssize_t count)
@@ -142,9 +215,7 @@ PyObject *core_vectors_to_angles(PyObject *module, PyObject *const *args, Py_ssi
         return NULL;
     }
     const int lonlat = PyObject_IsTrue(args[1]);
-    PyObject *vectors = lonlat < 0 ? NULL
-                                   : PyArray_FROMANY(args[0], NPY_DOUBLE, 0, 0,
-                                                     NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST);
+    PyObject *vectors = lonlat < 0 ? NULL : doubles_of(args[0]);
     PyObject *pair = vectors ? angles_of((PyArrayObject *)vectors, lonlat) : NULL;
     Py_XDECREF(vectors);
     return pair;

@@ -131,8 +131,9 @@ def test_the_memory_of_a_worker_is_its_own(root):
 
 def test_a_cluster_with_a_worker_killed(root, request):
     example = raster_on_a_cluster(root)
-    worst, count, expected, pid, peak = example.run(20000 if request.config.getoption("--long") else 200, 2)
+    worst, count, expected, pid, done, peak = example.run(20000 if request.config.getoption("--long") else 200, 2)
     assert count == expected and worst < 4e-5 and pid and peak < 1e9
+    assert 0.5 <= done < 0.9  # halfway: tasks of the raster come before tiles, and are more
 
 
 def test_the_graph_of_a_large_raster_is_made_in_time():
