@@ -73,6 +73,8 @@ typedef struct cm_octree_options
     uint64_t memory;  /* bytes that regions may take before some go to pages; 0: no limit */
     cm_store *pages;  /* where they go; it must outlive the map. NULL: nowhere */
     const char *instructions; /* as in cm_options */
+    /* 1: nothing is missed, so that no space becomes free and what moves away stays; updates take less time and maps less memory */
+    int endpoints_only;
 } cm_octree_options;
 
 /* CM_OK; CM_ERROR_ARGUMENT (memory without pages too); CM_ERROR_RANGE (a number that cannot be: edge, levels, low not below
