@@ -8,7 +8,6 @@
 
 #include "node_tree.h"
 #include "page.h"
-#include "ray_index.h"
 
 #define MAP_KIND 0x4f434d4du  /* "MMCO" */
 #define TREE_KIND 0x4f435454u /* "TTCO" */
@@ -265,7 +264,6 @@ cm_status cm_octree_save(cm_octree *octree, cm_store *store, const void *user_da
     {
         return CM_ERROR_ARGUMENT;
     }
-    cm_ray_index_forget(octree);
     const cm_status status = save_all(octree, store, user_data, count);
     const int is_pages = store == octree->options.pages;
     if (status != CM_OK && !is_pages)
