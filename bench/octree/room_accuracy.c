@@ -4,10 +4,11 @@
  * on a walk in the room, judged by truth/room_views.h. Options are NAME VALUE, all with a default:
  *
  *   room-accuracy [--edge 0.01] [--noise 0] [--views 60] [--passes 2] [--threads 1] [--color 1] [--far 0] [--levels 12]
- *                 [--centre 0] [--footprint 0] [--rule 0] [--points 0] [--judge 1]
+ *                 [--centre 0] [--footprint 0] [--rule 0] [--points 0] [--endpoints 0]
+ *                 [--judge 1]
  *
  * --centre moves the root's centre along all axes by so many edges, so that walls do not lie on borders of voxels; --points 1
- * integrates points instead of views. Times are of the processor for one thread, else of the clock, and of the passes after
+ * integrates points instead of views; --endpoints 1 leaves free space unknown. Times are of the processor for one thread, else of the clock, and of the passes after
  * the first; noise is drawn anew for each view of each pass.
  */
 #include "bench/harness/harness.h"
@@ -34,6 +35,7 @@ typedef struct settings
     double footprint;
     double rule;
     double points;
+    double endpoints;
     double judge;
 } settings;
 
@@ -45,10 +47,19 @@ static settings read_settings(int count, char **word)
     {
         const char *name;
         double *value;
-    } known[] = {{"--edge", &s.edge},     {"--noise", &s.noise},         {"--views", &s.views},
-                 {"--passes", &s.passes}, {"--threads", &s.threads},     {"--color", &s.color},
-                 {"--far", &s.far},       {"--levels", &s.levels},       {"--centre", &s.centre},
-                 {"--rule", &s.rule},     {"--footprint", &s.footprint}, {"--points", &s.points},
+    } known[] = {{"--edge", &s.edge},
+                 {"--noise", &s.noise},
+                 {"--views", &s.views},
+                 {"--passes", &s.passes},
+                 {"--threads", &s.threads},
+                 {"--color", &s.color},
+                 {"--far", &s.far},
+                 {"--levels", &s.levels},
+                 {"--centre", &s.centre},
+                 {"--rule", &s.rule},
+                 {"--footprint", &s.footprint},
+                 {"--points", &s.points},
+                 {"--endpoints", &s.endpoints},
                  {"--judge", &s.judge}};
     for (int i = 1; i < count; i += 2)
     {
@@ -194,7 +205,8 @@ int main(int argument_count, char **argument)
                                  .far = s.far,
                                  .noise = s.noise,
                                  .footprint = s.footprint,
-                                 .color = s.color > 0.0};
+                                 .color = s.color > 0.0,
+                                 .endpoints_only = s.endpoints > 0.0};
     const double least[3] = {-3.0, -2.5, 0.0};
     const double greatest[3] = {3.0, 2.5, 3.0};
     for (int i = 0; i < 3; i++)

@@ -73,6 +73,8 @@ typedef struct cm_octree_options
     uint64_t memory;  /* bytes that regions may take before some go to pages; 0: no limit */
     cm_store *pages;  /* where they go; it must outlive the map. NULL: nowhere */
     const char *instructions; /* as in cm_options */
+    /* 1: nothing is missed, so that no space becomes free and what moves away stays; updates take less time and maps less memory */
+    int endpoints_only;
 } cm_octree_options;
 
 /* CM_OK; CM_ERROR_ARGUMENT (memory without pages too); CM_ERROR_RANGE (a number that cannot be: edge, levels, low not below
@@ -142,7 +144,7 @@ CM_API int cm_octree_at(const cm_octree *octree, const double point[3], int leve
 /* The first occupied voxel along a ray of any length but 0, at level 0: 1, with the distance, in units of the world, to where
  * the ray enters it (0 if it begins inside). 0 if there is none up to far (0: no limit), or numbers are not finite. Unknown
  * and free voxels are passed. When many rays have gone through a map without pages, an index makes those to come faster, until
- * the map changes or is saved: some seven bytes for each occupied voxel of a surface, a hundred for one alone. */
+ * the map changes or is compacted: some seven bytes for each occupied voxel of a surface, a hundred for one alone. */
 CM_API int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3],
                          double far, cm_voxel *voxel);
 

@@ -8,7 +8,6 @@
 
 #include "node_tree.h"
 #include "page.h"
-#include "ray_index.h"
 
 #define MAP_KIND 0x4f434d4du  /* "MMCO" */
 #define TREE_KIND 0x4f435454u /* "TTCO" */
@@ -16,6 +15,10 @@
 #define KEEP_VERSION 1u
 
 #define USER_MOST 65536u
+
+/* Bits of what is said of free space. */
+#define NO_RETURN_IS_FREE 1u
+#define ENDPOINTS_ONLY 2u
 
 /* ---- numbers ---- */
 
@@ -100,7 +103,9 @@ static void write_options(const cm_octree *octree, byte_list *list)
     const cm_octree_options *o = &octree->options;
     put(list, (uint64_t)o->levels, 4);
     put(list, (uint64_t)o->rule, 4);
-    put(list, (uint64_t)(o->no_return_is_free != 0), 4);
+    put(list,
+        (o->no_return_is_free ? NO_RETURN_IS_FREE : 0u) | (o->endpoints_only ? ENDPOINTS_ONLY : 0u),
+        4);
     put(list, (uint64_t)(o->color != 0), 4);
     put(list, octree->step, 4);
     const double numbers[] = {o->edge, o->centre[0], o->centre[1], o->centre[2],
@@ -116,7 +121,9 @@ static void read_options(byte_reader *reader, cm_octree_options *o, uint32_t *st
 {
     o->levels = (int)(get(reader, 4) & 0xffffu);
     o->rule = (int)(get(reader, 4) & 0xffffu);
-    o->no_return_is_free = (int)(get(reader, 4) & 1u);
+    const uint64_t flags = get(reader, 4);
+    o->no_return_is_free = (flags & NO_RETURN_IS_FREE) != 0;
+    o->endpoints_only = (flags & ENDPOINTS_ONLY) != 0;
     o->color = (int)(get(reader, 4) & 1u);
     *step = (uint32_t)get(reader, 4);
     double *const numbers[] = {&o->edge, &o->centre[0], &o->centre[1], &o->centre[2],
@@ -257,7 +264,6 @@ cm_status cm_octree_save(cm_octree *octree, cm_store *store, const void *user_da
     {
         return CM_ERROR_ARGUMENT;
     }
-    cm_ray_index_forget(octree);
     const cm_status status = save_all(octree, store, user_data, count);
     const int is_pages = store == octree->options.pages;
     if (status != CM_OK && !is_pages)

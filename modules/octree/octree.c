@@ -67,7 +67,7 @@ static int are_good(const cm_octree_options *options)
     good &= options->far == 0.0 || (is_positive(options->far) && options->far > options->near);
     good &= options->noise >= 0.0 && options->noise <= 1.0;
     good &= options->footprint >= 0.0 && options->footprint < 1e6;
-    good &= !options->no_return_is_free || options->far > 0.0;
+    good &= !options->no_return_is_free || (options->far > 0.0 && !options->endpoints_only);
     return good;
 }
 

@@ -97,7 +97,7 @@ static void make_offsets(cm_update *update)
     }
 }
 
-static void make_parts(cm_update *update)
+void cm_update_make_parts(cm_update *update)
 {
     const cm_count_rule *rule = &update->octree->rule;
     for (unsigned alpha = 0; alpha < 256; alpha++)
@@ -132,7 +132,8 @@ static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, co
         }
     }
     update->has_color = options->color && view->color.data != NULL;
-    make_parts(update);
+    update->word = desk->view.word;
+    cm_update_make_parts(update);
     desk->count = 0;
     desk->missed_count = 0;
     make_offsets(update);
@@ -228,7 +229,7 @@ static cm_status go_down(cm_update *update, uint32_t node, const uint32_t place[
                          unsigned class_of)
 {
     cm_octree *octree = update->octree;
-    if (class_of == CM_CUBE_OUTSIDE)
+    if (cm_update_is_left_out(update, class_of))
     {
         return CM_OK;
     }

@@ -42,6 +42,7 @@ typedef struct cm_update
     float group_half[3]; /* of 4^3 voxels */
     double pixel;        /* edges that a pixel is wide at distance 1, times the footprint */
     int has_color;
+    const uint32_t *word; /* colors of what hits are by: pixels */
     /* of a hit's color in its voxel's, in 65536ths, where alpha was that before; 0: it is not occupied even now */
     uint32_t part_of[256];
     cm_cell_offsets offset[CM_DETAILS];
@@ -51,6 +52,9 @@ typedef struct cm_update
 
 /* The desk of a map, which is made if there is none; NULL if there is no memory. */
 cm_update_desk *cm_update_desk_of(cm_octree *octree);
+
+/* What colors are mixed in, by the map's rule. */
+void cm_update_make_parts(cm_update *update);
 
 /* A voxel's centre in the camera's axes. */
 void cm_update_place(const cm_update *update, const double place[3], double at[3]);
@@ -94,6 +98,13 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block,
 
 /* All of a block is missed. */
 void cm_update_free_block(cm_update *update, cm_region *region, unsigned block);
+
+/* Does nothing happen in a cube of that class? */
+static inline int cm_update_is_left_out(const cm_update *update, unsigned class_of)
+{
+    return class_of == CM_CUBE_OUTSIDE ||
+           (class_of == CM_CUBE_FREE && update->octree->options.endpoints_only);
+}
 
 /* How many details a map may have: cells of more are not of a small map alone. */
 static inline unsigned cm_update_details(const cm_octree *octree)

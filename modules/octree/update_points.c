@@ -1,117 +1,19 @@
 /* SPDX-License-Identifier: MIT
  *
- * Points with an origin. Voxels that have a point are hit; those that a ray goes through before its own point's are missed. Keys
- * of all are sorted, so that each comes once and a hit goes before a miss.
+ * Points with an origin. Voxels that have a point are hit; those that a ray goes through before its own point's are missed. All
+ * are marked before any changes, so that each changes once and a hit goes before a miss.
  */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "interleave.h"
-#include "node_tree.h"
 #include "paging.h"
+#include "point_marks.h"
 #include "ray_index.h"
-#include "walk.h"
+#include "update_desk.h"
 
-/* A voxel that something happens to: its key, and the point whose hit it is; a miss has none. */
-typedef struct voxel_event
-{
-    uint64_t key;
-    uint64_t point;
-} voxel_event;
-
-#define NO_POINT UINT64_MAX
-
-typedef struct event_list
-{
-    voxel_event *event;
-    size_t count;
-    size_t room;
-} event_list;
-
-static int push(event_list *list, const uint32_t place[3], uint64_t point)
-{
-    if (list->count == list->room)
-    {
-        const size_t room = list->room == 0 ? 4096 : 2 * list->room;
-        voxel_event *more = realloc(list->event, room * sizeof *more);
-        if (more == NULL)
-        {
-            return 0;
-        }
-        list->event = more;
-        list->room = room;
-    }
-    list->event[list->count++] = (voxel_event){cm_interleave(place), point};
-    return 1;
-}
-
-/* By key, hits first, in the points' order. */
-static int in_order(const void *a, const void *b)
-{
-    const voxel_event *p = a, *q = b;
-    return p->key != q->key      ? (p->key < q->key ? -1 : 1)
-           : p->point < q->point ? -1
-                                 : p->point > q->point;
-}
-
-/* Each key once, the first of it. */
-static void make_unique(event_list *list)
-{
-    if (list->count > 1)
-    {
-        qsort(list->event, list->count, sizeof *list->event, in_order);
-    }
-    size_t kept = 0;
-    for (size_t i = 0; i < list->count; i++)
-    {
-        if (i == 0 || list->event[i].key != list->event[i - 1].key)
-        {
-            list->event[kept++] = list->event[i];
-        }
-    }
-    list->count = kept;
-}
-
-/* ---- rays ---- */
-
-typedef struct ray_walk
-{
-    double at[3];   /* voxels of the tree */
-    double step[3]; /* along the ray's whole length */
-    int32_t place[3];
-    int32_t sign[3];
-    double next[3]; /* the part of the ray at which the next voxel along an axis begins */
-    double part[3]; /* of one voxel */
-} ray_walk;
-
-static void begin_ray(ray_walk *ray, const double from[3], const double to[3])
-{
-    for (int axis = 0; axis < 3; axis++)
-    {
-        ray->step[axis] = to[axis] - from[axis];
-        ray->place[axis] = (int32_t)floor(from[axis]);
-        ray->sign[axis] = ray->step[axis] > 0.0 ? 1 : -1;
-        const double length = fabs(ray->step[axis]);
-        const double border = ray->place[axis] + (ray->sign[axis] > 0 ? 1.0 : 0.0);
-        ray->part[axis] = length > 0.0 ? 1.0 / length : INFINITY;
-        ray->next[axis] = length > 0.0 ? fabs(border - from[axis]) / length : INFINITY;
-    }
-}
-
-/* To the next voxel; 0 at the ray's end. */
-static int next_voxel(ray_walk *ray)
-{
-    int axis = ray->next[0] <= ray->next[1] ? 0 : 1;
-    axis = ray->next[axis] <= ray->next[2] ? axis : 2;
-    if (!(ray->next[axis] < 1.0))
-    {
-        return 0;
-    }
-    ray->place[axis] += ray->sign[axis];
-    ray->next[axis] += ray->part[axis];
-    return 1;
-}
+/* ---- what each point says ---- */
 
 /* The part of a ray that is within the map; 0 if none is. */
 static int cut(const cm_octree *octree, double from[3], double to[3])
@@ -156,53 +58,44 @@ static int is_of_map(const cm_octree *octree, const int32_t place[3])
     return is;
 }
 
+/* The voxel of a place of the tree, one before its first if it is far away. */
+static void voxel_of(const double at[3], int32_t voxel[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+    {
+        voxel[axis] = at[axis] < 1e9 && at[axis] > -1e9 ? (int32_t)floor(at[axis]) : -1;
+    }
+}
+
 /* Misses along a ray up to the voxel of its end, which is its own. */
-static int add_misses(const cm_octree *octree, const double origin[3], const double end[3],
-                      event_list *list)
+static int mark_misses(cm_point_marks *marks, const cm_octree *octree, const double origin[3],
+                       const double end[3])
 {
     double from[3], to[3];
+    int32_t own[3], last[3];
     memcpy(from, origin, sizeof from);
     memcpy(to, end, sizeof to);
     if (!cut(octree, from, to))
     {
         return 1;
     }
-    ray_walk ray;
-    begin_ray(&ray, from, to);
-    int32_t last[3];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        last[axis] = (int32_t)floor(end[axis] < 1e9 && end[axis] > -1e9 ? end[axis] : -1.0);
-    }
-    do
-    {
-        if (memcmp(ray.place, last, sizeof last) == 0)
-        {
-            return 1;
-        }
-        const uint32_t place[3] = {(uint32_t)ray.place[0], (uint32_t)ray.place[1],
-                                   (uint32_t)ray.place[2]};
-        if (is_of_map(octree, ray.place) && !push(list, place, NO_POINT))
-        {
-            return 0;
-        }
-    } while (next_voxel(&ray));
-    return 1;
+    voxel_of(end, own);
+    voxel_of(to, last);
+    return cm_marks_ray(marks, octree, from, to, memcmp(own, last, sizeof own) == 0);
 }
-
-/* ---- what each point says ---- */
 
 static void to_voxels(const cm_octree *octree, const double world[3], double at[3])
 {
-    const double middle = ldexp(1.0, octree->tree_level - 1);
+    const double middle = (double)((uint32_t)1 << (octree->tree_level - 1));
     for (int axis = 0; axis < 3; axis++)
     {
         at[axis] = (world[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
     }
 }
 
-static int add_point(const cm_octree *octree, const double origin[3], const float *xyz,
-                     uint64_t index, event_list *list)
+/* rgb may be NULL. */
+static int mark_point(cm_point_marks *marks, const cm_octree *octree, const double origin[3],
+                      const float *xyz, const uint8_t *rgb)
 {
     const double point[3] = {(double)xyz[0], (double)xyz[1], (double)xyz[2]};
     double away[3], square = 0.0;
@@ -222,123 +115,174 @@ static int add_point(const cm_octree *octree, const double origin[3], const floa
     {
         end[axis] = is_far ? origin[axis] + away[axis] * (far / range) : point[axis];
     }
-    to_voxels(octree, origin, from);
     to_voxels(octree, end, to);
-    if (!is_far)
+    int32_t voxel[3];
+    voxel_of(to, voxel);
+    if (!is_far && is_of_map(octree, voxel))
     {
-        int32_t place[3];
-        for (int axis = 0; axis < 3; axis++)
-        {
-            place[axis] = (int32_t)floor(to[axis] < 1e9 && to[axis] > -1e9 ? to[axis] : -1.0);
-        }
-        const uint32_t hit[3] = {(uint32_t)place[0], (uint32_t)place[1], (uint32_t)place[2]};
-        if (is_of_map(octree, place) && !push(list, hit, index))
+        const uint32_t place[3] = {(uint32_t)voxel[0], (uint32_t)voxel[1], (uint32_t)voxel[2]};
+        if (!cm_marks_hit(marks, place, rgb))
         {
             return 0;
         }
     }
-    return add_misses(octree, from, to, list);
+    if (octree->options.endpoints_only)
+    {
+        return 1;
+    }
+    to_voxels(octree, origin, from);
+    return mark_misses(marks, octree, from, to);
 }
 
 /* ---- into the tree ---- */
 
-static int apply(cm_octree *octree, cm_region *region, const voxel_event *event, const uint8_t *rgb)
+/* Regions in the order of keys, in which pages like them. */
+typedef struct ordered_region
 {
-    const cm_count_rule *rule = &octree->rule;
-    const unsigned block = (unsigned)(event->key >> 9 & 511u), cell = (unsigned)(event->key & 511u);
-    const int is_hit = event->point != NO_POINT;
-    const uint8_t even = region->value[block];
-    if (!is_hit && region->form[block] == CM_BLOCK_EVEN && cm_after_misses(rule, even, 1) == even)
-    {
-        return 1; /* it stays even */
-    }
-    uint8_t *alpha = cm_block_open(region, block, rule, 0);
-    if (alpha == NULL)
-    {
-        return 0;
-    }
-    const unsigned old = alpha[cell];
-    const unsigned more = old + rule->hit < rule->high ? old + rule->hit : rule->high;
-    alpha[cell] = is_hit ? (uint8_t)more : cm_after_misses(rule, old, 1);
-    if (is_hit)
-    {
-        cm_region_mark(region, block, 1);
-    }
-    region->changed[block] = alpha[cell] != old ? octree->step : region->changed[block];
-    if (is_hit && rgb != NULL && alpha[cell] > CM_UNKNOWN)
-    {
-        uint32_t *color = cm_block_colors(region, block);
-        if (color == NULL)
-        {
-            return 0;
-        }
-        color[cell] =
-            cm_color_mix(old > CM_UNKNOWN ? color[cell] : 0, cm_color_word(rgb + 3 * event->point),
-                         cm_hits_of(rule, alpha[cell]));
-    }
-    else if (is_hit && old <= CM_UNKNOWN && region->color != NULL && region->color[block] != NULL)
-    {
-        region->color[block][cell] = 0; /* of its former life */
-    }
-    return 1;
+    uint64_t key;
+    const cm_region_marks *marks;
+} ordered_region;
+
+static int in_order(const void *a, const void *b)
+{
+    const ordered_region *p = a, *q = b;
+    return p->key < q->key ? -1 : p->key > q->key;
 }
 
-static size_t end_of_region(const event_list *list, size_t first)
+/* Those in which something may change. NULL if there is no memory. */
+static ordered_region *order_regions(const cm_octree *octree, const cm_point_marks *marks,
+                                     size_t *count)
 {
-    const uint64_t key = list->event[first].key >> 3 * CM_REGION_LEVEL;
-    size_t end = first;
-    while (end < list->count && list->event[end].key >> 3 * CM_REGION_LEVEL == key)
+    ordered_region *list = malloc(marks->region_count * sizeof *list);
+    *count = 0;
+    for (size_t i = 0; list != NULL && i < marks->region_count; i++)
     {
-        end++;
+        const cm_region_marks *region = &marks->region[i];
+        const cm_spot spot = cm_node_find(octree, region->place);
+        const cm_node *node = &octree->node[spot.node];
+        const unsigned alpha = node->kind == CM_NODE_LEAF
+                                   ? cm_after_misses(&octree->rule, node->value, spot.misses)
+                                   : 255;
+        if (region->has_hits || cm_after_misses(&octree->rule, alpha, 1) != alpha)
+        {
+            list[(*count)++] = (ordered_region){cm_interleave(region->place), region};
+        }
     }
-    return end;
+    if (list != NULL)
+    {
+        qsort(list, *count, sizeof *list, in_order);
+    }
+    return list;
+}
+
+static cm_status get_region(cm_octree *octree, const uint32_t place[3], cm_region **region)
+{
+    uint32_t node = 0;
+    const cm_status status = cm_node_reach(octree, place, CM_REGION_LEVEL, &node);
+    return status == CM_OK ? cm_node_region(octree, node, place, region) : status;
+}
+
+/* The change that marks are, and whether there is any. */
+static int make_change(const cm_update *update, const cm_region *region, unsigned block,
+                       const cm_point_marks *marks, const cm_block_marks *from,
+                       cm_block_change *change)
+{
+    uint64_t any = 0;
+    change->detail = 0;
+    for (unsigned group = 0; group < 8; group++)
+    {
+        const uint64_t valid = cm_update_valid(update->octree, region, block, 0, group);
+        change->hits[group] = from->hits[group];
+        change->misses[group] = from->misses[group] & ~from->hits[group] & valid;
+        any |= change->hits[group] | change->misses[group];
+    }
+    for (uint32_t hit = from->hit; hit != CM_NO_HIT; hit = marks->hit[hit].before)
+    {
+        const uint32_t cell = marks->hit[hit].cell;
+        change->pixel[cell / 64][cell % 64] = (int32_t)hit;
+    }
+    return any != 0;
+}
+
+static int apply_block(cm_update *update, cm_region *region, unsigned block,
+                       const cm_point_marks *marks, const cm_block_marks *from)
+{
+    cm_block_change change;
+    if (!make_change(update, region, block, marks, from, &change))
+    {
+        return 1;
+    }
+    uint64_t hits = 0, missed = ~(uint64_t)0;
+    for (unsigned group = 0; group < 8; group++)
+    {
+        hits |= change.hits[group];
+        missed &= change.misses[group];
+    }
+    const uint8_t alpha = region->value[block];
+    if (hits == 0 && region->form[block] == CM_BLOCK_EVEN)
+    {
+        if (cm_after_misses(&update->octree->rule, alpha, 1) == alpha)
+        {
+            return 1; /* it stays even */
+        }
+        if (missed == ~(uint64_t)0)
+        {
+            cm_update_free_block(update, region, block);
+            return 1;
+        }
+    }
+    return cm_update_block(update, region, block, &change);
+}
+
+static cm_status apply_region(cm_update *update, const cm_point_marks *marks,
+                              const cm_region_marks *from)
+{
+    cm_octree *octree = update->octree;
+    cm_region *region = NULL;
+    const cm_status status = get_region(octree, from->place, &region);
+    if (status != CM_OK)
+    {
+        return status;
+    }
+    octree->bytes -= cm_region_size(region);
+    int good = 1;
+    for (unsigned block = 0; good && block < CM_REGION_BLOCKS; block++)
+    {
+        good = from->block[block] == 0 ||
+               apply_block(update, region, block, marks, &marks->block[from->block[block] - 1]);
+    }
+    region->is_dirty = 1;
+    octree->bytes += cm_region_size(region);
+    return good ? CM_OK : CM_ERROR_MEMORY;
 }
 
 /* All regions come into memory first, so that pages that fail leave the map as it was. */
-static cm_status get_regions(cm_octree *octree, const event_list *list)
+static cm_status apply(cm_octree *octree, const cm_point_marks *marks)
 {
-    cm_status status = CM_OK;
-    for (size_t i = 0; status == CM_OK && i < list->count; i = end_of_region(list, i))
+    cm_update *update = malloc(sizeof *update);
+    size_t count = 0;
+    ordered_region *list = update == NULL ? NULL : order_regions(octree, marks, &count);
+    cm_status status = list == NULL ? CM_ERROR_MEMORY : CM_OK;
+    for (size_t i = 0; status == CM_OK && i < count; i++)
     {
-        uint32_t place[3], node = 0;
-        cm_divide(list->event[i].key >> 3 * CM_REGION_LEVEL << 3 * CM_REGION_LEVEL, place);
         cm_region *region = NULL;
-        status = cm_node_reach(octree, place, CM_REGION_LEVEL, &node);
-        status = status == CM_OK ? cm_node_region(octree, node, place, &region) : status;
+        status = get_region(octree, list[i].marks->place, &region);
     }
-    return status;
-}
-
-static cm_status apply_all(cm_octree *octree, const event_list *list, const uint8_t *rgb)
-{
-    cm_status status = CM_OK;
-    for (size_t i = 0; status == CM_OK && i < list->count;)
+    if (status == CM_OK)
     {
-        const uint64_t key = list->event[i].key >> 3 * CM_REGION_LEVEL;
-        uint32_t place[3], node = 0;
-        cm_divide(key << 3 * CM_REGION_LEVEL, place);
-        cm_region *region = NULL;
-        status = cm_node_reach(octree, place, CM_REGION_LEVEL, &node);
-        status = status == CM_OK ? cm_node_region(octree, node, place, &region) : status;
-        if (status != CM_OK)
-        {
-            return status;
-        }
-        octree->bytes -= cm_region_size(region);
-        for (; i < list->count && list->event[i].key >> 3 * CM_REGION_LEVEL == key; i++)
-        {
-            status = apply(octree, region, &list->event[i], rgb) ? status : CM_ERROR_MEMORY;
-        }
-        for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
-        {
-            if (region->form[block] == CM_BLOCK_PLAIN && region->changed[block] == octree->step)
-            {
-                cm_block_settle(region, block);
-            }
-        }
-        region->is_dirty = 1;
-        octree->bytes += cm_region_size(region);
+        octree->step++;
+        update->octree = octree;
+        update->set = octree->set;
+        update->word = marks->color;
+        update->has_color = marks->color != NULL;
+        cm_update_make_parts(update);
     }
+    for (size_t i = 0; status == CM_OK && i < count; i++)
+    {
+        status = apply_region(update, marks, list[i].marks);
+    }
+    free(update);
+    free(list);
     const cm_status trimmed = cm_pages_trim(octree);
     return status != CM_OK ? status : trimmed;
 }
@@ -357,27 +301,21 @@ cm_status cm_octree_update_points(cm_octree *octree, const double origin[3], siz
             return CM_ERROR_RANGE;
         }
     }
-    event_list list = {0};
+    const uint8_t *color = octree->options.color ? rgb : NULL;
+    cm_point_marks marks = {0};
     int good = 1;
     for (size_t i = 0; good && i < n; i++)
     {
-        good = add_point(octree, origin, xyz + 3 * i, i, &list);
-        if (good && list.count > (size_t)1 << 22 && list.count == list.room)
-        {
-            make_unique(&list); /* rays from one origin share most of their voxels */
-        }
+        good =
+            mark_point(&marks, octree, origin, xyz + 3 * i, color == NULL ? NULL : color + 3 * i);
     }
     cm_status status = good ? CM_OK : CM_ERROR_MEMORY;
-    if (status == CM_OK && list.count > 0)
+    if (status == CM_OK && marks.region_count > 0)
     {
-        make_unique(&list);
         cm_ray_index_forget(octree);
         octree->clock++;
-        status = get_regions(octree, &list);
-        octree->step += status == CM_OK;
-        status =
-            status == CM_OK ? apply_all(octree, &list, octree->options.color ? rgb : NULL) : status;
+        status = apply(octree, &marks);
     }
-    free(list.event);
+    cm_marks_clear(&marks);
     return status;
 }

@@ -56,7 +56,7 @@ uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsig
 static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color,
                        uint64_t hits, const int32_t pixel[64])
 {
-    const uint32_t *word = update->desk->view.word;
+    const uint32_t *word = update->word;
     uint32_t old[64], more[64], part[64];
     uint8_t cell[64];
     size_t count = 0;
@@ -227,7 +227,7 @@ static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_
     }
     for (; hits != 0; hits &= hits - 1)
     {
-        __builtin_prefetch(update->desk->view.word + pixel[__builtin_ctzll(hits)]);
+        __builtin_prefetch(update->word + pixel[__builtin_ctzll(hits)]);
     }
 }
 
@@ -236,13 +236,13 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
                         unsigned group, cm_block_change *change)
 {
     const unsigned class_of = detail == 0 ? work->group_class[group] : (unsigned)CM_CUBE_PART;
+    if (cm_update_is_left_out(update, class_of))
+    {
+        return;
+    }
     if (class_of == CM_CUBE_FREE)
     {
         change->misses[group] = ~(uint64_t)0;
-        return;
-    }
-    if (class_of == CM_CUBE_OUTSIDE)
-    {
         return;
     }
     const cm_cell_offsets *offset = &update->offset[detail];
@@ -291,7 +291,8 @@ static void visit_block(cm_update *update, cm_region *region, const block_work *
         const uint64_t valid =
             is_whole ? all : cm_update_valid(update->octree, region, block, detail, group) & all;
         change->hits[group] &= valid;
-        change->misses[group] &= valid & ~change->hits[group];
+        change->misses[group] &=
+            update->octree->options.endpoints_only ? 0 : valid & ~change->hits[group];
         any |= change->hits[group] | change->misses[group];
         every_miss &= change->misses[group];
     }
@@ -355,7 +356,7 @@ static size_t classify_blocks(const cm_update *update, const uint32_t place[3], 
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
         listed[count] = (uint16_t)block;
-        count += places->class_of[block / 8] != CM_CUBE_OUTSIDE;
+        count += !cm_update_is_left_out(update, places->class_of[block / 8]);
     }
     for (size_t i = 0; i < count; i++)
     {
@@ -451,7 +452,8 @@ int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8
     int may_change = 0;
     for (size_t i = 0; i < count; i++)
     {
-        may_change |= class_of[i] != CM_CUBE_OUTSIDE && !(class_of[i] == CM_CUBE_FREE && is_lowest);
+        may_change |= !cm_update_is_left_out(update, class_of[i]) &&
+                      !(class_of[i] == CM_CUBE_FREE && is_lowest);
     }
     return may_change;
 }
@@ -469,11 +471,15 @@ void cm_update_region(cm_update *update, cm_region *region)
     for (size_t i = 0; i < classified; i++)
     {
         const unsigned block = listed[i];
+        if (cm_update_is_left_out(update, class_of[i]))
+        {
+            continue;
+        }
         if (class_of[i] == CM_CUBE_FREE && is_within(update->octree, region, block))
         {
             cm_update_free_block(update, region, block);
         }
-        else if (class_of[i] != CM_CUBE_OUTSIDE)
+        else
         {
             first_voxel(update, region->place, block, first[count]);
             z[count] = z[i];

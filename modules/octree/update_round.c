@@ -397,7 +397,9 @@ static void visit_block(round_work *work, cm_region *region, unsigned block,
                              : 0;
         const uint64_t valid =
             cm_update_valid(update->octree, region, block, detail, (unsigned)(cell / 64));
-        const uint64_t bit = (uint64_t)1 << cell % 64 & valid;
+        const uint64_t bit = word > 0 || !update->octree->options.endpoints_only
+                                 ? (uint64_t)1 << cell % 64 & valid
+                                 : 0;
         change.hits[cell / 64] |= word > 0 ? bit : 0;
         change.misses[cell / 64] |= word < 0 ? bit : 0;
         change.pixel[cell / 64][cell % 64] = (int32_t)(at_row * stride + at_column);
@@ -437,13 +439,17 @@ static void update_region(round_work *work, cm_region *region)
         const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
                                    region->place[2] + 8 * in[2]};
         const unsigned class_of = class_of_cube(work, place, CM_BLOCK_LEVEL);
+        if (cm_update_is_left_out(work->update, class_of))
+        {
+            continue;
+        }
         if (class_of == CM_CUBE_FREE &&
             cm_update_valid(work->update->octree, region, block, 0, 0) == UINT64_MAX &&
             cm_update_valid(work->update->octree, region, block, 0, 7) == UINT64_MAX)
         {
             cm_update_free_block(work->update, region, block);
         }
-        else if (class_of != CM_CUBE_OUTSIDE)
+        else
         {
             visit_block(work, region, block, place, detail_of(work, region, block, place));
         }
@@ -467,7 +473,7 @@ static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3
 {
     cm_octree *octree = work->update->octree;
     const unsigned class_of = class_of_cube(work, place, level);
-    if (class_of == CM_CUBE_OUTSIDE)
+    if (cm_update_is_left_out(work->update, class_of))
     {
         return CM_OK;
     }

@@ -210,6 +210,7 @@ static cm_octree *make_map(uint8_t kind)
                                        .high = 3.5,
                                        .far = kind & 8 ? 3.0 : 0.0,
                                        .no_return_is_free = kind & 8 ? 1 : 0,
+                                       .endpoints_only = (kind & 12) == 4,
                                        .footprint = kind & 16 ? 1.0 : 0.0,
                                        .noise = kind & 32 ? 0.02 : 0.0,
                                        .color = kind / 128};

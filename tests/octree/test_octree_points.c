@@ -6,7 +6,6 @@
 
 enum
 {
-    LEVELS = 5,
     POINTS = 40
 };
 
@@ -33,15 +32,20 @@ static double part_within(const double a[3], const double b[3], const double low
 typedef struct points_case
 {
     cm_octree_options options;
+    int points;
     double origin[3];
     float xyz[POINTS][3];
     uint8_t rgb[POINTS][3];
 } points_case;
 
-static void draw_case(points_case *drawn, dice *from)
+/* A cube of 3.2 around a centre; levels above 6 have several regions. */
+static void draw_case(points_case *drawn, int levels, int points, dice *from)
 {
-    *drawn = (points_case){
-        .options = {.size = sizeof drawn->options, .levels = LEVELS, .edge = 0.1, .color = 1}};
+    *drawn = (points_case){.points = points,
+                           .options = {.size = sizeof drawn->options,
+                                       .levels = levels,
+                                       .edge = ldexp(3.2, -levels),
+                                       .color = 1}};
     drawn->options.far = throw_dice(from) < 0.5 ? 0.0 : 1.3;
     drawn->options.near = throw_dice(from) < 0.5 ? 0.0 : 0.4;
     const double away = throw_dice(from) < 0.5 ? 1.0 : 4.0;
@@ -74,7 +78,7 @@ static int expected(const points_case *drawn, const double low[3], int *first)
     const double edge = drawn->options.edge;
     int bits = 0;
     *first = -1;
-    for (int i = 0; i < POINTS; i++)
+    for (int i = 0; i < drawn->points; i++)
     {
         double end[3], square = 0.0;
         for (int axis = 0; axis < 3; axis++)
@@ -105,7 +109,7 @@ static int expected(const points_case *drawn, const double low[3], int *first)
 static size_t check_voxels(const points_case *drawn, const dense_map *map)
 {
     size_t hits = 0, misses = 0;
-    for (size_t i = 0; i < (size_t)1 << 3 * LEVELS; i++)
+    for (size_t i = 0; i < (size_t)1 << 3 * drawn->options.levels; i++)
     {
         const int64_t n = map->n,
                       place[3] = {(int64_t)i % n, (int64_t)i / n % n, (int64_t)i / n / n};
@@ -135,24 +139,42 @@ static size_t check_voxels(const points_case *drawn, const dense_map *map)
     return misses + hits;
 }
 
+static size_t check_case(uint64_t seed, int levels, int points)
+{
+    dice from = {seed};
+    points_case drawn;
+    draw_case(&drawn, levels, points, &from);
+    cm_octree *octree = make_map(&drawn.options);
+    dense_map map = dense_make(levels);
+    ck_assert_int_eq(
+        cm_octree_update_points(octree, drawn.origin, (size_t)points, drawn.xyz[0], drawn.rgb[0]),
+        CM_OK);
+    dense_read(octree, &map);
+    const size_t known = check_voxels(&drawn, &map);
+    ck_assert_uint_le(cm_octree_step(octree), 1);
+    dense_clear(&map);
+    cm_octree_destroy(octree);
+    return known;
+}
+
 START_TEST(points_are_as_their_rays)
 {
     size_t known = 0;
     for (uint64_t seed = 0; seed < 12; seed += is_quick() ? 4 : 1)
     {
-        dice from = {seed};
-        points_case drawn;
-        draw_case(&drawn, &from);
-        cm_octree *octree = make_map(&drawn.options);
-        dense_map map = dense_make(LEVELS);
-        ck_assert_int_eq(
-            cm_octree_update_points(octree, drawn.origin, POINTS, drawn.xyz[0], drawn.rgb[0]),
-            CM_OK);
-        dense_read(octree, &map);
-        known += check_voxels(&drawn, &map);
-        ck_assert_uint_le(cm_octree_step(octree), 1);
-        dense_clear(&map);
-        cm_octree_destroy(octree);
+        known += check_case(seed, 5, POINTS);
+    }
+    ck_assert(known > 1000);
+}
+END_TEST
+
+/* Rays that leave the region that they begin in. */
+START_TEST(rays_go_through_regions)
+{
+    size_t known = 0;
+    for (uint64_t seed = 0; seed < 4; seed += is_quick() ? 2 : 1)
+    {
+        known += check_case(seed, 7, 10);
     }
     ck_assert(known > 1000);
 }
@@ -227,7 +249,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {points_are_as_their_rays, repeated_points_take_no_more,
-                                  strange_points_are_left_out, NULL};
+    const TTest *const tests[] = {points_are_as_their_rays, rays_go_through_regions,
+                                  repeated_points_take_no_more, strange_points_are_left_out, NULL};
     return run_suite("octree points", tests);
 }

@@ -211,6 +211,29 @@ START_TEST(rays_along_a_border)
 }
 END_TEST
 
+/* Saving packs blocks, of which an index has values of its own. */
+START_TEST(saving_keeps_an_index)
+{
+    const cm_octree_options options = {
+        .size = sizeof options, .levels = 8, .edge = ldexp(3.2, -8), .color = 1};
+    cm_octree *octree = make_map(&options);
+    cm_store *store = NULL;
+    ck_assert_int_eq(cm_store_create_in_memory(&store), CM_OK);
+    for (int i = 0; i < 3; i++)
+    {
+        add_views(octree, i, 1);
+        ck_assert_ptr_null(octree->ray_index);
+        check_rays(octree, "views");
+        const struct cm_ray_index *index = octree->ray_index;
+        ck_assert_int_eq(cm_octree_save(octree, store, NULL, 0), CM_OK);
+        ck_assert_ptr_eq(octree->ray_index, index);
+        check_rays(octree, "saved");
+    }
+    cm_octree_destroy(octree);
+    cm_store_destroy(store);
+}
+END_TEST
+
 typedef struct many_rays
 {
     const cm_octree *octree;
@@ -249,9 +272,13 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {
-        many_rays_meet_what_few_do, other_changes_are_seen, rays_meet_hulls,
-        rays_along_a_border,        threads_share_an_index, NULL};
+    const TTest *const tests[] = {many_rays_meet_what_few_do,
+                                  other_changes_are_seen,
+                                  rays_meet_hulls,
+                                  rays_along_a_border,
+                                  saving_keeps_an_index,
+                                  threads_share_an_index,
+                                  NULL};
     camera = straight_camera(160, 120, 0.5);
     const int result = run_suite("octree rays", tests);
     cm_camera_destroy(camera);

@@ -315,22 +315,49 @@ static void spoil(drawn_view *drawn, dice *from)
     }
 }
 
-static void check_case(int levels, int views, uint64_t seed)
+/* The axes of a camera whose picture lies so many widths beside its principal point, turned so that the picture is where the pose
+ * looks. */
+static void turn_aside(cm_pose *pose, double aside)
+{
+    const double angle = atan2(aside, 0.9), cosine = cos(angle), sine = sin(angle);
+    for (int i = 0; i < 3; i++)
+    {
+        const double x = pose->rotation.row[0][i], z = pose->rotation.row[2][i];
+        pose->rotation.row[0][i] = cosine * x - sine * z;
+        pose->rotation.row[2][i] = cosine * z + sine * x;
+    }
+}
+
+static cm_camera *camera_aside(const cm_camera *camera, double aside)
+{
+    cm_camera_options options = *cm_camera_describe(camera);
+    options.cx += aside * options.width;
+    cm_camera *made = NULL;
+    ck_assert_int_eq(cm_camera_create(&options, &made), CM_OK);
+    return made;
+}
+
+/* aside: widths that the principal point is beside the picture. How many voxels are known in the end. */
+static size_t check_case(int levels, int views, uint64_t seed, double aside)
 {
     dice from = {seed};
     const cm_octree_options options = drawn_options(levels, &from);
     cm_octree *octree = make_map(&options);
     told_map oracle = {.map = dense_make(levels)};
-    cm_camera *camera = straight_camera(40 + (uint32_t)(seed % 60), 30 + (uint32_t)(seed % 37),
+    cm_camera *middle = straight_camera(40 + (uint32_t)(seed % 60), 30 + (uint32_t)(seed % 37),
                                         0.5 * (double)(seed % 2));
+    cm_camera *camera = camera_aside(middle, aside);
+    const double nearer = 0.9 / sqrt(0.81 + aside * aside);
+    size_t known = 0;
     cm_pool *pool = make_pool(seed % 3 == 0 ? 2 : 1);
     cm_pose pose = drawn_pose(&options, &from);
     for (int i = 0; i < views; i++)
     {
         drawn_view drawn;
         pose = throw_dice(&from) < 0.5 ? pose : drawn_pose(&options, &from);
-        draw_view(&drawn, camera, &pose, dice_between(&from, 0.8, 2.5), throw_dice(&from) < 0.8,
-                  &from);
+        draw_view(&drawn, camera, &pose, nearer * dice_between(&from, 0.8, 2.5),
+                  throw_dice(&from) < 0.8, &from);
+        turn_aside(&drawn.view.pose, aside);
         drawn.view.depth_is_range = throw_dice(&from) < 0.3;
         spoil(&drawn, &from);
         const int repeats = throw_dice(&from) < 0.2 ? 70 : 1; /* up to the ends of the range */
@@ -351,10 +378,16 @@ static void check_case(int levels, int views, uint64_t seed)
         ck_assert_msg(text[0] == '\0', "levels %d seed %d view %d: %s", levels, (int)seed, i, text);
         clear_view(&drawn);
     }
+    for (size_t i = 0; i < (size_t)1 << 3 * levels; i++)
+    {
+        known += oracle.map.alpha[i] != 127;
+    }
     cm_pool_destroy(pool);
+    cm_camera_destroy(middle);
     cm_camera_destroy(camera);
     dense_clear(&oracle.map);
     cm_octree_destroy(octree);
+    return known;
 }
 
 START_TEST(every_counter_is_exact)
@@ -368,14 +401,30 @@ START_TEST(every_counter_is_exact)
     {
         for (int k = 0; k < all[i].cases; k += is_quick() ? 4 : 1)
         {
-            check_case(all[i].levels, all[i].views, 100 * (uint64_t)i + (uint64_t)k);
+            check_case(all[i].levels, all[i].views, 100 * (uint64_t)i + (uint64_t)k, 0.0);
         }
+    }
+}
+END_TEST
+
+/* Pictures cut out of wider ones have their principal point far beside them. */
+START_TEST(cut_pictures_are_exact)
+{
+    const double asides[] = {1.0, -1.5, 4.0, -6.0};
+    for (size_t i = 0; i < sizeof asides / sizeof *asides; i++)
+    {
+        size_t known = 0;
+        for (uint64_t k = 0; k < 6; k += is_quick() ? 4 : 1)
+        {
+            known += check_case(5 + (int)(k % 2), 3, 1000 + 10 * (uint64_t)i + k, asides[i]);
+        }
+        ck_assert_msg(known > 100, "%g aside: %zu known", asides[i], known);
     }
 }
 END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {every_counter_is_exact, NULL};
+    const TTest *const tests[] = {every_counter_is_exact, cut_pictures_are_exact, NULL};
     return run_suite("octree update", tests);
 }

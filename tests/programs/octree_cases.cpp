@@ -122,6 +122,9 @@ void integrates()
            "octree integrate room -o all.map --edge 0.1 --color --footprint 1 --memory 64M --noise "
            "0.01 --near 0.1 --far 8 --no-return-free --log-odds 0.85,-0.4,-2,3.5 --centre 0,0,1 "
            "--levels 10 --camera camera.json --threads 2 --save-every 3 --quiet");
+    says("no space is free with endpoints only", "\"occupied\": [1-9][0-9]*, \"free\": 0",
+         "octree integrate room -o ends.map --edge 0.1 --endpoints-only --json");
+    says("endpoints only is told", "\"endpoints_only\": true", "octree info ends.map --json");
     says("log-odds are told", "\"rule\": \"log-odds\", \"log_odds\": \\[0.85, -0.4, -2, 3.5\\]",
          "octree info all.map --json");
 }
@@ -410,6 +413,8 @@ void refuses_words()
           "octree integrate room -o made/x --near 3 --far 2");
     fails("free without an end", 2, "--no-return-free needs --far",
           "octree integrate room -o made/x --no-return-free");
+    fails("free and no free space", 2, "contradict",
+          "octree integrate room -o made/x --far 2 --no-return-free --endpoints-only");
     fails("a centre of two numbers", 2, "three numbers X,Y,Z",
           "octree integrate room -o made/x --centre 1,2");
     fails("no memory at all", 2, "a size, such as", "octree integrate room -o made/x --memory 0");

@@ -39,6 +39,50 @@ START_TEST(what_is_no_measurement_becomes_nan_and_is_counted)
 }
 END_TEST
 
+/* Floats of a picture's own unit that lie close, as most do, and apart: each times the unit, rounded once. */
+START_TEST(floats_are_of_their_unit)
+{
+    enum
+    {
+        COLUMNS = 37,
+        ROWS = 5
+    };
+    float stored[2 * COLUMNS * ROWS], depth[COLUMNS * ROWS];
+    const double units[] = {0.001, 0.3048, 1.0};
+    for (size_t way = 0; way < 6; way++)
+    {
+        const size_t step = 1 + way / 3;
+        const double unit = units[way % 3];
+        for (size_t i = 0; i < COLUMNS * ROWS; i++)
+        {
+            stored[step * i] = i % 11 == 3 ? NAN : 123.4f + 17.3f * (float)i;
+        }
+        const cm_image picture = {.size = sizeof picture,
+                                  .data = stored,
+                                  .type = CM_PIXEL_FLOAT,
+                                  .width = COLUMNS,
+                                  .height = ROWS,
+                                  .channels = 1,
+                                  .pixel_stride = (ptrdiff_t)(step * sizeof *stored)};
+        const cm_depth_limits limits = {
+            .size = sizeof limits, .unit = unit, .farthest = 3000.0 * unit};
+        cm_depth_count count = {.size = sizeof count};
+        ck_assert_int_eq(cm_depth_clean(&picture, &limits, 1, depth, &count), CM_OK);
+        size_t valid = 0;
+        for (size_t i = 0; i < COLUMNS * ROWS; i++)
+        {
+            const float wanted = (float)((double)stored[step * i] * unit);
+            const int is_valid = wanted <= (float)(3000.0 * unit);
+            REQUIRE(is_valid ? depth[i] == wanted : isnan(depth[i]), "unit %g, %zu: %g", unit, i,
+                    (double)depth[i]);
+            valid += (size_t)is_valid;
+        }
+        ck_assert_uint_eq(count.valid, valid);
+        ck_assert(valid > 120 && valid < COLUMNS * ROWS - 17);
+    }
+}
+END_TEST
+
 START_TEST(sixteen_bits_are_rounded_once)
 {
     enum
@@ -330,6 +374,7 @@ END_TEST
 int main(void)
 {
     const TTest *const tests[] = {what_is_no_measurement_becomes_nan_and_is_counted,
+                                  floats_are_of_their_unit,
                                   sixteen_bits_are_rounded_once,
                                   bad_limits_and_pictures_are_refused,
                                   a_plane_has_its_vertices_and_normals,

@@ -90,6 +90,9 @@ bool read_map_option(int id, OptionReader &reader, IntegrateOptions &options)
     case OCTREE_NO_RETURN_FREE:
         map.no_return_is_free = 1;
         return true;
+    case OCTREE_ENDPOINTS_ONLY:
+        map.endpoints_only = 1;
+        return true;
     case OCTREE_LOG_ODDS:
         read_log_odds(reader, map);
         return true;
@@ -141,6 +144,10 @@ void check_integrate_options(const IntegrateOptions &options)
     {
         throw UsageFailure("--no-return-free needs --far: how far it is free");
     }
+    if (map.no_return_is_free != 0 && map.endpoints_only != 0)
+    {
+        throw UsageFailure("--no-return-free and --endpoints-only contradict each other");
+    }
     if (map.far > 0 && !(map.near < map.far))
     {
         throw UsageFailure("--near is not below --far");
@@ -181,7 +188,8 @@ std::string settings_of(const IntegrateOptions &options, const cm_sequence_repor
     for (const double number :
          {map.edge, map.centre[0], map.centre[1], map.centre[2], double(map.levels),
           double(map.rule), map.hit, map.miss, map.low, map.high, map.near, map.far,
-          double(map.no_return_is_free), map.noise, map.footprint, double(map.color)})
+          double(map.no_return_is_free + 2 * map.endpoints_only), map.noise, map.footprint,
+          double(map.color)})
     {
         text += " " + json_number(number);
     }

@@ -117,6 +117,7 @@ std::string info_json(const cm_octree_options &made, const cm_octree_count &coun
     }
     text += ", \"near\": " + json_number(made.near) + ", \"far\": " + json_number(made.far) +
             ", \"no_return_is_free\": " + (made.no_return_is_free != 0 ? "true" : "false") +
+            ", \"endpoints_only\": " + (made.endpoints_only != 0 ? "true" : "false") +
             ", \"noise\": " + json_number(made.noise) +
             ", \"footprint\": " + json_number(made.footprint) +
             ", \"color\": " + (made.color != 0 ? "true" : "false");

@@ -85,6 +85,7 @@ class Octree(OctreeMethods):
     rule          of RULES: "counts", 2 for a hit and 2 for a miss, or "log-odds" with hit, miss, low and high
     nearest, far  what is nearer says nothing; what is farther is free up to there. 0: no limit
     no_return_is_free   pixels that measured nothing are free up to far
+    endpoints_only      nothing is missed: no space becomes free, and what moves away stays
     noise         of the sensor: sigma / range
     footprint     voxels are no finer than so many pixels; 0: one size
     color         do voxels have colors?
@@ -101,10 +102,12 @@ class Octree(OctreeMethods):
                  hit: float = 0.85, miss: float = -0.4, low: float = -2.0, high: float = 3.5, nearest: float = 0.0,
                  far: float = 0.0, no_return_is_free: bool = False, noise: float = 0.0, footprint: float = 0.0,
                  color: bool = True, memory: int = 0, pages: Store | None = None, instructions: str | None = None,
-                 threads: int = 1) -> None:
+                 threads: int = 1,
+                 endpoints_only: bool = False) -> None:
         options = struct(library.cm_octree_options, edge=edge, levels=levels, rule=number_of(rule, RULES, "rule"),
                          near=nearest, far=far, no_return_is_free=bool(no_return_is_free), noise=noise,
-                         footprint=footprint, color=bool(color), **_paging(memory, pages, instructions))
+                         footprint=footprint, color=bool(color), endpoints_only=bool(endpoints_only),
+                         **_paging(memory, pages, instructions))
         if options.rule:
             options.hit, options.miss, options.low, options.high = hit, miss, low, high
         options.centre[:] = _three(centre, "centre")
@@ -133,7 +136,8 @@ class Octree(OctreeMethods):
         numbers = {name: getattr(options, name) for name in
                    ("edge", "levels", "hit", "miss", "low", "high", "far", "noise", "footprint")}
         return {**numbers, "centre": tuple(options.centre), "rule": RULES[options.rule], "nearest": options.near,
-                "no_return_is_free": bool(options.no_return_is_free), "color": bool(options.color)}
+                "no_return_is_free": bool(options.no_return_is_free),
+                "endpoints_only": bool(options.endpoints_only), "color": bool(options.color)}
 
     # ---- making it ----
 

@@ -125,6 +125,10 @@ def test_points_of_another_sensor():
     found = made.at([[1.02, 0.01, 0.01], [0.5, 0.01, 0.01], [0.01, 1.02, 0.01]], 0)
     assert found.state.tolist() == [OCCUPIED, FREE, OCCUPIED]
     assert found.color[0].tolist() == [255, 0, 0] and found.color[2].tolist() == [0, 255, 0]
+    ends = cubemap.Octree(0.05, 8, endpoints_only=True)
+    ends.update_points((0.01, 0.01, 0.01), points)
+    found = ends.at([[1.02, 0.01, 0.01], [0.5, 0.01, 0.01]], 0)
+    assert found.state.tolist() == [OCCUPIED, UNKNOWN] and ends.options["endpoints_only"] and ends.count.free == 0
     for wrong in (points[:, :2], points[0]):
         with pytest.raises(ValueError):
             made.update_points((0, 0, 0), wrong)
