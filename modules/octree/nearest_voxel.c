@@ -159,7 +159,8 @@ int cm_octree_nearest(const cm_octree *octree, const double point[3], double rad
     {
         return 0;
     }
-    const double voxels = radius / octree->options.edge;
+    /* a little more than the radius, whose square is rounded; the distance decides at the end */
+    const double voxels = radius / octree->options.edge * (1.0 + 1e-14);
     nearest_work work = {.octree = octree, .best = voxels * voxels};
     const double middle = ldexp(1.0, octree->tree_level - 1);
     for (int axis = 0; axis < 3; axis++)
@@ -173,10 +174,12 @@ int cm_octree_nearest(const cm_octree *octree, const double point[3], double rad
     }
     const uint32_t first[3] = {0, 0, 0};
     search(&work, 0, first, octree->tree_level, 0);
-    if (work.is_found && voxel != NULL)
+    const double distance = sqrt(work.best) * octree->options.edge;
+    const int is_within = work.is_found && distance <= radius;
+    if (is_within && voxel != NULL)
     {
         *voxel = cm_voxel_at(octree, work.place, 0, work.alpha, work.color);
-        voxel->distance = sqrt(work.best) * octree->options.edge;
+        voxel->distance = distance;
     }
-    return work.is_found;
+    return is_within;
 }

@@ -35,18 +35,30 @@ typedef struct ray_cube
     uint32_t color;
 } ray_cube;
 
+/* A direction as it is, but for lengths whose squares are no numbers: these by a power of two, which rounds nothing that counts. */
+static double usual_length(const double direction[3], double usual[3])
+{
+    const double most = fmax(fabs(direction[0]), fmax(fabs(direction[1]), fabs(direction[2])));
+    const int is_usual = most > 1e-100 && most < 1e100;
+    double square = 0.0;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        usual[axis] = is_usual || !(most > 0.0 && most < INFINITY)
+                          ? direction[axis]
+                          : ldexp(direction[axis], -ilogb(most));
+        square += usual[axis] * usual[axis];
+    }
+    return sqrt(square);
+}
+
 /* A ray at where it enters the box [first, beyond) of voxels, or begins in it. 0: it does not. */
 static int begin(ray_state *ray, const cm_octree *octree, const uint32_t first[3],
                  const uint32_t beyond[3], const double origin[3], const double direction[3],
                  double far)
 {
-    double square = 0.0;
+    double towards[3];
+    const double length = usual_length(direction, towards);
     const double middle = (double)((uint64_t)1 << (octree->tree_level - 1));
-    for (int axis = 0; axis < 3; axis++)
-    {
-        square += direction[axis] * direction[axis];
-    }
-    const double length = sqrt(square);
     ray->octree = octree;
     ray->region = NULL;
     ray->has_nodes = 0;
@@ -57,7 +69,7 @@ static int begin(ray_state *ray, const cm_octree *octree, const uint32_t first[3
     {
         ray->line.origin[axis] =
             (origin[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
-        ray->line.step[axis] = direction[axis] / length / octree->options.edge;
+        ray->line.step[axis] = towards[axis] / length / octree->options.edge;
         ray->line.by[axis] = 1.0 / ray->line.step[axis];
         if (!(fabs(ray->line.by[axis]) < CM_RAY_STANDS))
         {

@@ -284,6 +284,8 @@ static cm_status make_rules(round_work *work, cm_pool *pool)
         update->set->rules(width, update->desk->view.packed + at, round->vertex[2] + at,
                            round->five + at, far, free_far, round->rule + at, round->vertex[0] + at,
                            round->vertex[1] + at);
+        cm_view_desk_silence(&update->desk->view, row, round->rule + at, round->vertex[0] + at,
+                             round->vertex[1] + at);
     }
     cm_pixel_tree_fill(&round->tree, round->vertex[0], round->vertex[1]);
     return CM_OK;

@@ -47,6 +47,7 @@ void cm_view_desk_clear(cm_view_desk *desk)
     free(desk->memory);
     free(desk->windows);
     free(desk->gap);
+    free(desk->too_near);
     clear_bands(desk);
     cm_rays_destroy(desk->rays);
     memset(desk, 0, sizeof *desk);
@@ -221,6 +222,22 @@ typedef struct clean_work
     atomic_int status;
 } clean_work;
 
+static void mark_numbers(size_t n, const float *depth, uint8_t *mark)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        mark[i] = !isnan(depth[i]);
+    }
+}
+
+static void unmark_numbers(size_t n, const float *depth, uint8_t *mark)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        mark[i] &= isnan(depth[i]) != 0;
+    }
+}
+
 static void clean_rows(size_t first, size_t end, void *user)
 {
     clean_work *work = user;
@@ -230,14 +247,39 @@ static void clean_rows(size_t first, size_t end, void *user)
     rows.row_stride = rows.row_stride != 0 ? rows.row_stride : apart * (ptrdiff_t)rows.width;
     rows.data = (char *)rows.data + (ptrdiff_t)first * rows.row_stride;
     rows.height = (uint32_t)(end - first);
+    float *const to = work->desk->packed + first * rows.width;
+    uint8_t *const too_near =
+        work->desk->too_near == NULL ? NULL : work->desk->too_near + first * rows.width;
+    const size_t pixels = (end - first) * rows.width;
+    if (too_near != NULL)
+    {
+        const cm_depth_limits all = {.size = sizeof all, .unit = work->limits->unit};
+        (void)cm_depth_clean(&rows, &all, 1, to, NULL); /* refuses what is refused below */
+        mark_numbers(pixels, to, too_near);
+    }
     cm_depth_count count = {.size = sizeof count};
-    const cm_status status =
-        cm_depth_clean(&rows, work->limits, 1, work->desk->packed + first * rows.width, &count);
+    const cm_status status = cm_depth_clean(&rows, work->limits, 1, to, &count);
     if (status != CM_OK)
     {
         atomic_store(&work->status, (int)status);
     }
+    else if (too_near != NULL)
+    {
+        unmark_numbers(pixels, to, too_near);
+    }
     atomic_fetch_add(&work->valid, count.valid);
+}
+
+/* What is too near is told from what was not measured only where that is free. */
+static cm_status too_near_for(cm_view_desk *desk, const cm_octree_options *options)
+{
+    const int is_told = options->no_return_is_free && options->near > 0.0;
+    if (is_told && desk->too_near == NULL)
+    {
+        desk->too_near = malloc((size_t)desk->width * desk->height);
+        return desk->too_near == NULL ? CM_ERROR_MEMORY : CM_OK;
+    }
+    return CM_OK;
 }
 
 cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
@@ -248,7 +290,8 @@ cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const 
     {
         return CM_ERROR_ARGUMENT;
     }
-    const cm_status status = desk_for(desk, camera->width, camera->height);
+    cm_status status = desk_for(desk, camera->width, camera->height);
+    status = status == CM_OK ? too_near_for(desk, &octree->options) : status;
     if (status != CM_OK)
     {
         return status;
@@ -259,6 +302,19 @@ cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const 
     cm_pool_run(pool, camera->height, 64, clean_rows, &work);
     *valid = atomic_load(&work.valid);
     return (cm_status)atomic_load(&work.status);
+}
+
+void cm_view_desk_silence(const cm_view_desk *desk, size_t row, cm_pixel_rule *rule, float *least,
+                          float *most)
+{
+    for (size_t i = 0; desk->too_near != NULL && i < desk->width; i++)
+    {
+        if (desk->too_near[row * desk->width + i])
+        {
+            rule[i].depth = NAN;
+            least[i] = most[i] = -INFINITY;
+        }
+    }
 }
 
 int cm_view_desk_around(const cm_view_desk *desk, double focal_edges)
@@ -331,6 +387,11 @@ static void reach_row(const fill_work *work, const cm_view_band *band, size_t ro
     at.column_place = work->first_column;
     at.row_place = (float)((double)row + work->first_row);
     work->set->reaches(padded, &at, band->reach + first, band->front + first, band->back + first);
+    for (size_t i = 0; desk->too_near != NULL && i < desk->width; i++)
+    {
+        const int is_silent = desk->too_near[row * desk->width + i];
+        band->front[first + i] = is_silent ? NAN : band->front[first + i];
+    }
     work->set->bends(desk->width, &at, band->kind + first);
     for (size_t i = desk->width; i < padded; i++)
     {
@@ -363,6 +424,8 @@ static void rule_rows(const fill_work *work, const cm_view_band *band, size_t ro
         work->set->rules(desk->width, desk->packed + (row + k) * desk->width, band->reach + at,
                          band->front + at, work->row.far, work->row.free_far,
                          desk->rule + (row + k) * desk->stride, least[k], most[k]);
+        cm_view_desk_silence(desk, row + k, desk->rule + (row + k) * desk->stride, least[k],
+                             most[k]);
         cm_breaks_gaps(desk, band, row + k);
     }
     const float *const leasts[2] = {least[0], least[second]};

@@ -55,6 +55,7 @@ typedef struct cm_view_desk
     uint32_t *word;     /* of colors, in rows as the rules' */
     float *windows;     /* of all levels */
     float *packed;      /* the cleaned image, dense */
+    uint8_t *too_near;  /* of its pixels, where all others without a depth are free; else NULL */
     cm_view_band *band; /* as many as threads have served */
     size_t bands;
     cm_pixel_gap *gap;
@@ -73,6 +74,10 @@ int cm_camera_is_straight(const cm_camera_options *camera);
 /* The cleaned image of a view, dense, depth or range as the view has it; *valid: how many pixels measured something. */
 cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
                              cm_pool *pool, size_t *valid);
+
+/* After the rules of a row: pixels that measured what is too near say nothing, while those that measured nothing are free. */
+void cm_view_desk_silence(const cm_view_desk *desk, size_t row, cm_pixel_rule *rule, float *least,
+                          float *most);
 
 /* How often windows of 5 x 5 pixels are to be taken for the cleaned image: pixels are 1 / focal_edges edges wide at distance 1. */
 int cm_view_desk_around(const cm_view_desk *desk, double focal_edges);

@@ -4,6 +4,8 @@
  */
 #include "dense_map.h"
 
+#include <cubemap/mapping.h>
+
 static cm_octree *updated(const char *instructions, unsigned threads, double footprint,
                           int is_round)
 {
@@ -184,9 +186,80 @@ START_TEST(views_that_say_nothing_change_nothing)
 }
 END_TEST
 
+static cm_camera *camera_all_around(uint32_t edge)
+{
+    cm_mapping *mapping = NULL;
+    ck_assert_int_eq(cm_mapping_create("octahedral", NULL, &mapping), CM_OK);
+    const cm_camera_options options = {.size = sizeof options,
+                                       .width = edge,
+                                       .height = edge,
+                                       .pixel_centre = 0.5,
+                                       .mapping = mapping};
+    cm_camera *camera = NULL;
+    ck_assert_int_eq(cm_camera_create(&options, &camera), CM_OK);
+    cm_mapping_destroy(mapping);
+    return camera;
+}
+
+/* What a view of one depth makes of the voxels of a map. */
+static cm_octree_count count_after(const cm_octree_options *options, const cm_camera *camera,
+                                   float depth)
+{
+    const cm_camera_options *shape = cm_camera_describe(camera);
+    const size_t pixels = (size_t)shape->width * shape->height;
+    float *image = malloc(pixels * sizeof *image);
+    ck_assert(image != NULL);
+    for (size_t i = 0; i < pixels; i++)
+    {
+        image[i] = depth;
+    }
+    const cm_view view = {.size = sizeof view,
+                          .camera = camera,
+                          .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.0, 0.0, 0.0}},
+                          .depth = {.size = sizeof view.depth,
+                                    .data = image,
+                                    .type = CM_PIXEL_FLOAT,
+                                    .width = shape->width,
+                                    .height = shape->height,
+                                    .channels = 1},
+                          .depth_is_range = shape->mapping != NULL,
+                          .depth_unit = 1.0};
+    cm_octree *octree = make_map(options);
+    ck_assert_int_eq(cm_octree_update(octree, &view, NULL), CM_OK);
+    cm_octree_count count = {.size = sizeof count};
+    ck_assert_int_eq(cm_octree_count_voxels(octree, &count), CM_OK);
+    cm_octree_destroy(octree);
+    free(image);
+    return count;
+}
+
+/* Free is what no return says, and what is far; a thing that is nearer than near hides what is behind it. */
+START_TEST(behind_what_is_too_near_nothing_is_free)
+{
+    const cm_octree_options options = {.size = sizeof options,
+                                       .levels = 6,
+                                       .edge = 0.05,
+                                       .near = 0.3,
+                                       .far = 1.2,
+                                       .no_return_is_free = 1};
+    cm_camera *const cameras[] = {straight_camera(40, 30, 0.5), camera_all_around(31)};
+    for (size_t i = 0; i < sizeof cameras / sizeof *cameras; i++)
+    {
+        const cm_octree_count hidden = count_after(&options, cameras[i], 0.2f);
+        ck_assert_msg(hidden.free == 0 && hidden.occupied == 0, "camera %d: %d voxels are free",
+                      (int)i, (int)hidden.free);
+        ck_assert(count_after(&options, cameras[i], NAN).free > 1000);
+        ck_assert(count_after(&options, cameras[i], 0.0f).free > 1000);
+        ck_assert(count_after(&options, cameras[i], 5.0f).free > 1000);
+        cm_camera_destroy(cameras[i]);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {bits_are_the_same, counts_and_colors_are_the_chapters,
-                                  views_that_say_nothing_change_nothing, NULL};
+                                  views_that_say_nothing_change_nothing,
+                                  behind_what_is_too_near_nothing_is_free, NULL};
     return run_suite("octree promises", tests);
 }

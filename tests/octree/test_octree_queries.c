@@ -321,6 +321,40 @@ START_TEST(strange_rays_end)
 }
 END_TEST
 
+/* Only the direction counts: a ray of any length meets the same. */
+START_TEST(long_and_short_rays_are_alike)
+{
+    cm_octree *octree = drawn_map(6, 0.0, 0);
+    const double lengths[] = {0x1p-1020, 0x1p-600, 0x1p-3, 0x1p400, 0x1p1020};
+    dice from = {23};
+    int met = 0;
+    for (int i = 0; i < 200; i++)
+    {
+        double origin[3], towards[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            origin[axis] = dice_between(&from, -2.0, 2.0);
+            towards[axis] = i % 3 == axis ? 0.0 : dice_between(&from, -1.0, 1.0) - origin[axis];
+        }
+        cm_voxel voxel = {0};
+        const int usual = cm_octree_ray(octree, origin, towards, 0.0, &voxel);
+        met += usual;
+        for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++)
+        {
+            const double other[3] = {towards[0] * lengths[k], towards[1] * lengths[k],
+                                     towards[2] * lengths[k]};
+            cm_voxel again = {0};
+            ck_assert_msg(cm_octree_ray(octree, origin, other, 0.0, &again) == usual &&
+                              again.distance == voxel.distance,
+                          "ray %d of length %g: %g, not %g", i, lengths[k], again.distance,
+                          voxel.distance);
+        }
+    }
+    ck_assert_int_gt(met, 20);
+    cm_octree_destroy(octree);
+}
+END_TEST
+
 /* ---- the nearest, and boxes ---- */
 
 START_TEST(the_nearest_is_the_nearest)
@@ -364,6 +398,10 @@ START_TEST(the_nearest_is_the_nearest)
                 ck_assert(fabs(sqrt(x * x + y * y + z * z) - voxel.distance) < 1e-9 &&
                           voxel.level == 0);
                 ck_assert_int_eq(cm_octree_at(octree, there, 0, NULL), CM_VOXEL_OCCUPIED);
+                /* what is as far as the radius is within it */
+                ck_assert_int_eq(cm_octree_nearest(octree, point, voxel.distance, NULL), 1);
+                ck_assert_int_eq(
+                    cm_octree_nearest(octree, point, nextafter(voxel.distance, 0.0), NULL), 0);
             }
         }
         dense_clear(&map);
@@ -513,10 +551,15 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {levels_are_averages,           beyond_the_map_is_nothing,
-                                  rays_meet_the_first,           strange_rays_end,
-                                  the_nearest_is_the_nearest,    boxes_have_what_is_centred_in_them,
-                                  changes_are_in_what_is_walked, NULL};
+    const TTest *const tests[] = {levels_are_averages,
+                                  beyond_the_map_is_nothing,
+                                  rays_meet_the_first,
+                                  strange_rays_end,
+                                  long_and_short_rays_are_alike,
+                                  the_nearest_is_the_nearest,
+                                  boxes_have_what_is_centred_in_them,
+                                  changes_are_in_what_is_walked,
+                                  NULL};
     camera = straight_camera(60, 44, 0.5);
     const int result = run_suite("octree queries", tests);
     cm_camera_destroy(camera);
