@@ -9,11 +9,15 @@
 #define FIRST 1e-4
 #define STEPS_OF_OCTAVE 8
 
+/* Between steps whose signs are above this none goes below 0. */
+#define LOW 0.25
+
 /* Evaluations between two radii: twice what halving takes. */
 #define STEPS_MOST 200
 
-/* Borders of whole directions are told apart from what is beyond by 2 %, and need no more than this. */
-#define COARSE 1e-9
+/* What divides the border from beyond the fold is 2 % from the border at most, and so is a neighbour's: an end further away
+ * than this changes nothing. */
+#define END_ROOM 1.05
 
 /* 2^(i/8) */
 static const double eighths[STEPS_OF_OCTAVE] = {1.0,
@@ -115,35 +119,63 @@ static double lowest_between(const direction *along, double from, double to)
     return at_low < at_high ? low : high;
 }
 
-/* Signs along a direction, at as many steps as were asked for. */
+/* Signs along a direction, at as many steps as were asked for, from the first of them on; before that one they are calm. */
 typedef struct steps
 {
     const direction *along;
     const cm_camera_set *set;
-    size_t known;
-    double radius[STEPS];
-    double sign[STEPS];
+    size_t first, known;
+    int64_t low[STEPS / CM_CAMERA_BLOCK + 1]; /* of a block of steps: how many are LOW or less */
+    double radius[STEPS + CM_CAMERA_BLOCK];
+    double sign[STEPS + CM_CAMERA_BLOCK];
 } steps;
+
+static void begin_steps(steps *of, const direction *along, const cm_camera_set *set)
+{
+    of->along = along;
+    of->set = set;
+    of->first = 0;
+    for (double next = 2.0 * FIRST; next <= along->lens->calm; next *= 2.0)
+    {
+        of->first += STEPS_OF_OCTAVE;
+    }
+    of->known = of->first;
+}
 
 /* The sign at a step. */
 static double sign_of(steps *of, size_t step)
 {
     while (of->known <= step)
     {
-        double a[CM_CAMERA_BLOCK];
-        double b[CM_CAMERA_BLOCK];
         double *const radius = of->radius + of->known;
-        for (size_t k = 0; k < CM_CAMERA_BLOCK; k++)
+        for (size_t octave = 0; octave < CM_CAMERA_BLOCK / STEPS_OF_OCTAVE; octave++)
         {
-            radius[k] = FIRST * eighths[k % STEPS_OF_OCTAVE] *
-                        (double)(UINT64_C(1) << (of->known + k) / STEPS_OF_OCTAVE);
-            a[k] = radius[k] * of->along->cosine;
-            b[k] = radius[k] * of->along->sine;
+            const double scale = (double)(UINT64_C(1) << (of->known / STEPS_OF_OCTAVE + octave));
+            for (size_t k = 0; k < STEPS_OF_OCTAVE; k++)
+            {
+                radius[octave * STEPS_OF_OCTAVE + k] = FIRST * eighths[k] * scale;
+            }
         }
-        of->set->signs(of->along->lens, a, b, of->sign + of->known);
+        of->low[(of->known - of->first) / CM_CAMERA_BLOCK] = of->set->signs(
+            of->along->lens, of->along->cosine, of->along->sine, radius, LOW, of->sign + of->known);
         of->known += CM_CAMERA_BLOCK;
     }
     return of->sign[step];
+}
+
+/* The next step whose sign is LOW or less may be this one, or the first of a later block. */
+static size_t next_low(steps *of, size_t step)
+{
+    while (step < STEPS && (step - of->first) % CM_CAMERA_BLOCK == 0)
+    {
+        sign_of(of, step);
+        if (of->low[(step - of->first) / CM_CAMERA_BLOCK] > 0)
+        {
+            break;
+        }
+        step += CM_CAMERA_BLOCK;
+    }
+    return step;
 }
 
 /* The end of what begins beyond a border at one of the steps, or a place before it; nothing where that is NULL. */
@@ -154,12 +186,15 @@ static void find_end(steps *of, size_t step, double bad, double *end)
         return;
     }
     size_t i = step;
-    while (i < STEPS && !(sign_of(of, i) > 0.0))
+    double last = bad;
+    while (i < STEPS && !(sign_of(of, i) > 0.0) && last <= END_ROOM * bad)
     {
+        last = of->radius[i];
         i++;
     }
-    *end = i < STEPS ? change_between(of->along, i > step ? of->radius[i - 1] : bad, of->radius[i])
-                     : (double)INFINITY;
+    *end = last > END_ROOM * bad ? last
+           : i < STEPS           ? change_between(of->along, last, of->radius[i])
+                                 : (double)INFINITY;
 }
 
 /* Before a pole a fold may begin and end within a step: looks once more, closer. 1 if there is something before the end.
@@ -168,18 +203,14 @@ static int look_closer(const direction *along, const cm_camera_set *set, double 
                        double *border, double *end)
 {
     double radius[CM_CAMERA_BLOCK];
-    double a[CM_CAMERA_BLOCK];
-    double b[CM_CAMERA_BLOCK];
     double sign[CM_CAMERA_BLOCK];
     for (size_t i = 0; i < CM_CAMERA_BLOCK; i++)
     {
         radius[i] = from + (*border - from) * ((double)i / (CM_CAMERA_BLOCK - 1));
-        a[i] = radius[i] * along->cosine;
-        b[i] = radius[i] * along->sine;
     }
-    set->signs(along->lens, a, b, sign);
+    const int64_t bad = set->signs(along->lens, along->cosine, along->sine, radius, 0.0, sign);
     /* the last one is the border, which is good or not by a rounding */
-    for (size_t i = 1; i + 1 < CM_CAMERA_BLOCK; i++)
+    for (size_t i = 1; i + 1 < CM_CAMERA_BLOCK && bad > 0; i++)
     {
         if (!(sign[i] > 0.0))
         {
@@ -219,17 +250,17 @@ static double first_border(steps *of, double *end)
 {
     const direction *const along = of->along;
     const double *const radius = of->radius;
-    if (!(sign_of(of, 0) > 0.0))
+    if (!(sign_of(of, of->first) > 0.0))
     {
-        find_end(of, 1, radius[0], end);
-        return near_border(along, radius[0]);
+        find_end(of, of->first + 1, radius[of->first], end);
+        return near_border(along, radius[of->first]);
     }
-    for (size_t i = 1; i < STEPS; i++)
+    for (size_t i = next_low(of, of->first); i < STEPS; i = next_low(of, i + 1))
     {
         const double sign = sign_of(of, i);
         double bad = radius[i];
-        const int is_dip = sign > 0.0 && sign < 0.25 && i + 1 < STEPS && sign < of->sign[i - 1] &&
-                           sign <= sign_of(of, i + 1);
+        const int is_dip = i > of->first && i + 1 < STEPS && sign > 0.0 && sign < LOW &&
+                           sign < of->sign[i - 1] && sign <= sign_of(of, i + 1);
         if (is_dip)
         {
             bad = lowest_between(along, radius[i - 1], radius[i + 1]);
@@ -249,9 +280,7 @@ double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, dou
 {
     const direction along = {lens, cosine, sine, slack};
     steps of;
-    of.along = &along;
-    of.set = set;
-    of.known = 0;
+    begin_steps(&of, &along, set);
     double border = first_border(&of, beyond);
     for (int i = 0; border > 0.0 && border < (double)INFINITY && i < 3; i++)
     {
@@ -264,7 +293,7 @@ double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, dou
 }
 
 /* Directions are numbered along the square whose corners are on the axes: that needs no angles. */
-static void direction_of(double side, double *cosine, double *sine)
+void cm_camera_field_direction(double side, double *cosine, double *sine)
 {
     const double along = side < CM_FIELD_SIDES ? side * (4.0 / CM_FIELD_SIDES) : 0.0;
     const double a = fabs(along - 2.0) - 1.0;
@@ -301,8 +330,9 @@ static void find_ends(const cm_lens *lens, const cm_camera_set *set, double firs
         double cosine;
         double sine;
         double beyond;
-        direction_of(first + distance * (double)i, &cosine, &sine);
-        const double border = cm_camera_field_border(lens, set, cosine, sine, COARSE, &beyond);
+        cm_camera_field_direction(first + distance * (double)i, &cosine, &sine);
+        const double border =
+            cm_camera_field_border(lens, set, cosine, sine, CM_FIELD_SLACK, &beyond);
         /* close to the border, since before a pole steps may miss what is good again */
         end[i] = (cm_field_end){border, fmin(sqrt(border * beyond), 1.02 * border), 0, -1};
         if (i > 0)

@@ -36,14 +36,17 @@ typedef struct cm_camera_field
     double furthest; /* the square up to which there are images */
 } cm_camera_field;
 
-/* Fills it in but for furthest, which is infinite; some hundred thousand evaluations of the lens. */
+/* The direction of a number from 0 to CM_FIELD_SIDES, which may be broken. */
+void cm_camera_field_direction(double side, double *cosine, double *sine);
+
+/* Fills it in but for furthest, which is infinite; some ten thousand evaluations of the lens. */
 void cm_camera_field_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field);
 
 /* Of a border as well as doubles tell it: rounding moves it more. */
 #define CM_FIELD_SLACK 1e-15
 
 /* How far the field goes in one direction (cosine, sine), or up to slack less, a part of that: signs are good there. beyond, if
- * it is not NULL, gets where they are good again, or up to slack less. */
+ * it is not NULL, gets where they are good again, or a place before that: up to slack less, or a step behind the border. */
 double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, double cosine,
                               double sine, double slack, double *beyond);
 

@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TURN 6.283185307179586476925286766559
-
 /* Corners of a chain, and halvings between two sides. */
 #define CORNERS_MOST 1024
 #define HALVINGS_MOST 24
@@ -19,16 +17,22 @@
 #define PIXEL_ROOM 0.02
 #define FAR_ROOM 0.02
 
+/* The disc around the axis beyond which logarithms of distances are drawn, in sizes of the picture, and how many discs are as
+ * far as any. Before a pole the border's image is 1e16 away, one way or the other by roundings, and would need a corner for each
+ * of its turns there. */
+#define DISC_SIZES 8.0
+#define DISCS_MOST 1e6
+
 /* No part of a line is longer. */
 #define LEAP 0.9
 
 /* The curve between three of its places is off its line by less than so many times what the middle one is. */
 #define SAG_ROOM 4.0
 
-/* A place of the border, and what the lens makes of it. */
+/* A place of the border, and what the lens makes of it, drawn nearer. */
 typedef struct place
 {
-    double angle, radius;
+    double side, radius; /* the direction's number, see camera_field.h */
     double x, y;
 } place;
 
@@ -37,22 +41,48 @@ typedef struct chain
     const cm_lens *lens;
     const cm_camera_set *set;
     const double *box; /* least x and y, most x and y */
+    double size;       /* the most of those, without signs */
+    double disc;       /* as of the image */
     double room;       /* of a line in the picture */
     cm_image_corner corner[CORNERS_MOST];
     size_t corners;
 } chain;
 
-static place place_on(const chain *c, double angle, double radius)
+/* What is beyond the disc nearer, in the same direction: that goes around no other points. */
+static void draw_nearer(double disc, double *x, double *y)
 {
-    const cm_lens_point at = cm_lens_at(c->lens, radius * cos(angle), radius * sin(angle));
-    return (place){angle, radius, at.x, at.y};
+    const double length = hypot(*x, *y);
+    const double discs = fmin(length / disc, DISCS_MOST);
+    const double scale = length > disc ? disc * (1.0 + log(discs)) / length : 1.0;
+    *x *= scale;
+    *y *= scale;
 }
 
-static place place_at(const chain *c, double angle)
+/* How far away that was. */
+static double undrawn(double disc, double length)
 {
+    const double discs = length > disc ? exp(length / disc - 1.0) : 1.0;
+    return discs > 0.999 * DISCS_MOST ? (double)INFINITY : length > disc ? disc * discs : length;
+}
+
+static place place_on(const chain *c, double side, double radius)
+{
+    double cosine;
+    double sine;
+    cm_camera_field_direction(side, &cosine, &sine);
+    cm_lens_point at = cm_lens_at(c->lens, radius * cosine, radius * sine);
+    draw_nearer(c->disc, &at.x, &at.y);
+    return (place){side, radius, at.x, at.y};
+}
+
+static place place_at(const chain *c, double side)
+{
+    double cosine;
+    double sine;
+    cm_camera_field_direction(side, &cosine, &sine);
     const double border =
-        cm_camera_field_border(c->lens, c->set, cos(angle), sin(angle), CM_FIELD_SLACK, NULL);
-    return place_on(c, angle, fmin(border, CM_FIELD_FURTHEST));
+        cm_camera_field_border(c->lens, c->set, cosine, sine, CM_FIELD_SLACK, NULL);
+    return place_on(c, side, fmin(border, CM_FIELD_FURTHEST));
 }
 
 /* From a line to a point. */
@@ -86,8 +116,8 @@ static int add_corner(chain *c, const place *at, double sag)
 /* Corners from one place, and not the other, of the border or of a direction. 0 if they are too many. */
 static int add_between(chain *c, const place *from, const place *to, int is_direction, int halvings)
 {
-    const place middle = is_direction ? place_on(c, from->angle, sqrt(from->radius * to->radius))
-                                      : place_at(c, 0.5 * (from->angle + to->angle));
+    const place middle = is_direction ? place_on(c, from->side, sqrt(from->radius * to->radius))
+                                      : place_at(c, 0.5 * (from->side + to->side));
     const double off =
         distance(middle.x, middle.y, (double[]){from->x, from->y}, (double[]){to->x, to->y});
     const double far = fmin(beyond_box(c, &middle), fmin(beyond_box(c, from), beyond_box(c, to)));
@@ -109,7 +139,7 @@ static int add_between(chain *c, const place *from, const place *to, int is_dire
     {
         return add_corner(c, from, SAG_ROOM * off);
     }
-    const place end = place_on(c, from->angle, to->radius);
+    const place end = place_on(c, from->side, to->radius);
     return add_between(c, from, &end, 1, HALVINGS_MOST) &&
            add_corner(c, &end, hypot(end.x - to->x, end.y - to->y));
 }
@@ -117,20 +147,15 @@ static int add_between(chain *c, const place *from, const place *to, int is_dire
 /* What has no end must be far from the picture where it is no longer looked at. */
 static int is_far(const chain *c, const place *at)
 {
-    const double size =
-        fmax(fmax(fabs(c->box[0]), fabs(c->box[2])), fmax(fabs(c->box[1]), fabs(c->box[3])));
-    return at->radius < CM_FIELD_FURTHEST || beyond_box(c, at) > 4.0 * size;
+    return at->radius < CM_FIELD_FURTHEST || beyond_box(c, at) > 4.0 * c->size;
 }
 
-static int add_all(chain *c)
+static int add_all(chain *c, const cm_camera_field *field)
 {
-    const place first = place_at(c, 0.0);
-    place from = first;
-    for (size_t i = 0; i < CM_FIELD_SIDES; i++)
+    place from = place_on(c, 0.0, fmin(field->end[0].border, CM_FIELD_FURTHEST));
+    for (size_t i = 1; i <= CM_FIELD_SIDES; i++)
     {
-        place to =
-            i + 1 < CM_FIELD_SIDES ? place_at(c, TURN * (double)(i + 1) / CM_FIELD_SIDES) : first;
-        to.angle = TURN * (double)(i + 1) / CM_FIELD_SIDES;
+        const place to = place_on(c, (double)i, fmin(field->end[i].border, CM_FIELD_FURTHEST));
         if (!is_far(c, &from) || !add_between(c, &from, &to, 0, HALVINGS_MOST))
         {
             return 0;
@@ -253,7 +278,7 @@ static double furthest_of(const cm_camera_image *image, const cm_camera_field *f
     for (size_t i = 0; i < image->corners; i++)
     {
         const cm_image_corner *corner = &image->corner[i];
-        most = fmax(most, hypot(corner->x, corner->y) + corner->sag);
+        most = fmax(most, undrawn(image->disc, hypot(corner->x, corner->y) + corner->sag));
     }
     return fmin(most * most, 1e200);
 }
@@ -281,8 +306,11 @@ int cm_camera_image_find(const cm_lens *lens, const cm_camera_set *set, cm_camer
     made->set = set;
     made->box = box == NULL ? nowhere : box;
     made->room = PIXEL_ROOM / fmax(fabs(lens->fx), fabs(lens->fy));
+    made->size = fmax(fmax(fabs(made->box[0]), fabs(made->box[2])),
+                      fmax(fabs(made->box[1]), fabs(made->box[3])));
+    made->disc = image->disc = DISC_SIZES * made->size;
     made->corners = 0;
-    const int is_known = add_all(made);
+    const int is_known = add_all(made, field);
     const size_t bytes = made->corners * sizeof *image->corner;
     image->corner = is_known ? malloc(bytes) : NULL;
     if (image->corner != NULL)
@@ -324,5 +352,10 @@ cm_camera_reach cm_camera_image_reaches(const cm_camera_image *image, double x, 
             return reach;
         }
     }
+    if (!(fabs(x) + fabs(y) < 0.5 * DISCS_MOST * image->disc))
+    {
+        return CM_IMAGE_UNKNOWN;
+    }
+    draw_nearer(image->disc, &x, &y);
     return look_around(image, x, y);
 }

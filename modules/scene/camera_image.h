@@ -31,7 +31,8 @@ typedef struct cm_camera_image
 {
     cm_image_corner *corner; /* NULL: nothing is known */
     size_t corners;
-    double first[2];    /* of the picture, on the plane of the lens before the tilt */
+    double disc;     /* beyond so much from the axis corners are drawn nearer, by the logarithm */
+    double first[2]; /* of the picture, on the plane of the lens before the tilt */
     double per_unit[2]; /* cells; 0: the picture is nowhere */
     unsigned char reach[CM_IMAGE_CELLS][CM_IMAGE_CELLS];
 } cm_camera_image;

@@ -34,7 +34,8 @@ typedef struct cm_lens
     double fx, fy, cx, cy; /* pixels; pixel_centre plays no part here */
     double per_x, per_y;   /* 1 / fx, 1 / fy */
     double slack;          /* of an inverse's residual, in focal lengths */
-    int is_plain;          /* no distortion at all */
+    double calm;  /* rays of up to this length have signs well above 0, in every direction */
+    int is_plain; /* no distortion at all */
     int is_tilted;
 } cm_lens;
 

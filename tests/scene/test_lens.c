@@ -382,6 +382,46 @@ START_TEST(one_side_may_fold)
 }
 END_TEST
 
+/* From the axis the way to these rays leaves the field; that there are some the border's image tells, a part of which is 1e16
+ * away, before a pole. */
+START_TEST(rays_come_back_where_borders_have_poles)
+{
+    static const double lenses[][14] = {
+        {-0.1777, 0.01063, 0, -0.2378, 0, 0, -0.04094, 0.1137, 0.2057, 0.1763},
+        {-1.451, 0, 0.1447, 0.8464, -0.7533, 1.015, 0.4981, 0.8134, -1.411, -0.919}};
+    state = 23;
+    for (size_t i = 0; i < sizeof lenses / sizeof *lenses; i++)
+    {
+        cm_camera_options options = {.size = sizeof options,
+                                     .width = 640,
+                                     .height = 480,
+                                     .fx = 500.0,
+                                     .fy = 500.0,
+                                     .cx = 319.5,
+                                     .cy = 239.5};
+        memcpy(options.distortion, lenses[i], sizeof options.distortion);
+        cm_camera *camera = make(&options);
+        int seen = 0;
+        for (int k = 0; k < 4000; k++)
+        {
+            const double ray[3] = {uniform(-1.5, 1.5), uniform(-1.5, 1.5), 1.0};
+            const double border = cm_camera_border(camera, atan2(ray[1], ray[0]));
+            double pixel[2];
+            double again[3];
+            if (hypot(ray[0], ray[1]) < 0.95 * border && pixel_of(camera, ray, pixel) &&
+                pixel[0] > 0.0 && pixel[0] < 640.0 && pixel[1] > 0.0 && pixel[1] < 480.0)
+            {
+                seen++;
+                REQUIRE(ray_of(camera, pixel, again), "lens %zu: (%g, %g) at %g, %g", i, ray[0],
+                        ray[1], pixel[0], pixel[1]);
+            }
+        }
+        REQUIRE(seen > 300, "lens %zu: %d rays", i, seen);
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
 /* Ten rounds of a fixed point, which undistortPoints does by default, are not enough beside a fold, and diverge where
  * distortion is strong (opencv#27916, #6091; kornia#4285). */
 START_TEST(fixed_points_fail_where_newton_does_not)
@@ -463,6 +503,7 @@ int main(void)
                                   nothing_comes_from_beyond_a_fold,
                                   poles_may_be_next_to_the_axis,
                                   one_side_may_fold,
+                                  rays_come_back_where_borders_have_poles,
                                   fixed_points_fail_where_newton_does_not,
                                   solid_angles_are_those_of_small_squares,
                                   NULL};
