@@ -17,6 +17,9 @@ extern "C" {
 void name_program(const char *name);
 const char *program_name(void);
 
+/* The number that a word is, and NAN if it is none. */
+double number_of(const char *word);
+
 /* A program that is a function says where its results and its messages go, instead of to stdout and stderr, and where
  * it goes on when there is no memory, instead of ending. All NULL: as at the beginning. */
 void harness_begin(FILE *out, FILE *err, jmp_buf *end);

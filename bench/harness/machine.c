@@ -6,6 +6,9 @@
 
 #include "harness.h"
 
+#include <cubemap/number.h>
+
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/utsname.h>
@@ -21,6 +24,13 @@ void name_program(const char *name)
 const char *program_name(void)
 {
     return name_of_program;
+}
+
+double number_of(const char *word)
+{
+    double value = NAN;
+    cm_number_parse(word, strlen(word), &value);
+    return value;
 }
 
 /* The rest of the line of a file that begins with a key, or "". */
@@ -88,5 +98,5 @@ double system_free_memory(void)
     char text[64];
     double kilobytes = 0.0;
     line_of("/proc/meminfo", "MemAvailable", text, sizeof text);
-    return sscanf(text, "%lf", &kilobytes) == 1 ? kilobytes * 1024.0 : 0.0;
+    return cm_number_read(text, strlen(text), &kilobytes) > 0 ? kilobytes * 1024.0 : 0.0;
 }

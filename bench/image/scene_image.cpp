@@ -31,6 +31,7 @@
 #include <vector>
 
 #include <cubemap/mapping.h>
+#include <cubemap/number.h>
 
 #include "modules/image/io/image_io.h"
 
@@ -60,9 +61,8 @@ std::vector<std::string> parts_of(const std::string &text, char at)
 
 double number(const std::string &text)
 {
-    char *end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(value))
+    double value = 0.0;
+    if (cm_number_parse(text.data(), text.size(), &value) == 0 || !std::isfinite(value))
     {
         throw std::runtime_error("'" + text + "' is no number");
     }

@@ -57,7 +57,7 @@ int main(int count, char **word)
 {
     name_program("lasting-map");
     const size_t views = count > 1 ? (size_t)strtoul(word[1], NULL, 10) : 10000;
-    const double noise = count > 2 ? strtod(word[2], NULL) : 0.0;
+    const double noise = count > 2 ? number_of(word[2]) : 0.0;
     const size_t part = views / PARTS;
     if (part == 0 || !(noise >= 0.0 && noise < 0.2))
     {

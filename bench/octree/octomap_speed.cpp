@@ -399,7 +399,7 @@ void compare(double edge, std::size_t views, std::size_t passes)
 int main(int count, char **word)
 {
     name_program("octomap-speed");
-    const double edge = count > 1 ? std::strtod(word[1], nullptr) : 0.01;
+    const double edge = count > 1 ? number_of(word[1]) : 0.01;
     const unsigned long views = count > 2 ? std::strtoul(word[2], nullptr, 10) : 6;
     const unsigned long passes = count > 3 ? std::strtoul(word[3], nullptr, 10) : 10;
     if (count > 4 || !(edge > 0.0) || views == 0)

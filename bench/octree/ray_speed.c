@@ -100,7 +100,7 @@ static void report(const char *name, const cm_octree *octree, const ray *rays, s
 int main(int count, char **word)
 {
     name_program("ray-speed");
-    const double edge = count > 1 ? strtod(word[1], NULL) : 0.01;
+    const double edge = count > 1 ? number_of(word[1]) : 0.01;
     const size_t runs = count > 2 ? (size_t)strtoul(word[2], NULL, 10) : 15;
     if (!(edge > 0.0) || runs == 0)
     {

@@ -68,9 +68,8 @@ static settings read_settings(int count, char **word)
         {
             k++;
         }
-        char *end = NULL;
         if (k == sizeof known / sizeof *known || i + 1 == count ||
-            (*known[k].value = strtod(word[i + 1], &end), *end != '\0'))
+            isnan(*known[k].value = number_of(word[i + 1])))
         {
             fprintf(stderr, "room-accuracy: %s: no such option, or no number\n", word[i]);
             exit(2);

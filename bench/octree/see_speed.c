@@ -9,7 +9,6 @@
 #include "mapped_room.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 enum
 {
@@ -54,7 +53,7 @@ static void report(const char *name, const cm_octree *octree, const cm_camera *c
 int main(int count, char **word)
 {
     name_program("see-speed");
-    const double edge = count > 1 ? strtod(word[1], NULL) : 0.01;
+    const double edge = count > 1 ? number_of(word[1]) : 0.01;
     const char *pictures = count > 2 ? word[2] : NULL;
     cm_camera *probe = NULL;
     cm_mapping *mapping = NULL;

@@ -62,6 +62,11 @@ KEPT = {"OpenImageIO/": ["modules/image/io"], "gdal": ["modules/image/io"], "sql
         "zstd": ["modules/scene/io"], "OpenEXR/": ["modules/sim/io"], "opencv2/": ["modules/sim/io", "bench/sim"], "tiny_gltf": ["modules/scene/io"], "tiny_obj_loader": ["modules/scene/io"],
         "cjson/": ["modules/scene/io", "tools/cli", "tools/tof"]}
 
+# Texts of numbers are read by one function alone, in every locale the same: <cubemap/number.h>. Tests have another judge, and
+# an example is as short as a user's program.
+READS_NUMBERS = re.compile(r"\b(?:strto(?:d|f|ld)|atof|sto(?:d|f|ld))\s*\(|scanf\s*\([^;]*%\*?\d*(?:l|L)?[aefg]")
+MAY_READ_NUMBERS = ["tests/*", "bindings/*/tests/*", "examples/*"]
+
 SOURCES = (".c", ".cpp")
 HEADERS = (".h", ".hpp")
 TEXTS = (".inc",)
@@ -131,6 +136,14 @@ def check_kept(path, text, complaints):
         for begin, folders in KEPT.items():
             if match[1].startswith(begin) and os.path.dirname(path) not in folders:
                 complaints.append(f"{path}:{line_of(text, match.start())}: {match[1]} is for {', '.join(folders)} alone")
+
+
+def check_numbers(path, text, complaints):
+    """The one reader of numbers."""
+    if any(fnmatch.fnmatchcase(path, pattern) for pattern in MAY_READ_NUMBERS):
+        return
+    for match in READS_NUMBERS.finditer(text):
+        complaints.append(f"{path}:{line_of(text, match.start())}: {match[0]} reads a number; cm_number_parse does in every locale")
 
 
 def check_include(include, target, complaints):
@@ -343,6 +356,7 @@ def check(tree):
                     includes.append((include, target))
                     readers[target].add(path)
             check_kept(path, text, complaints)
+            check_numbers(path, text, complaints)
         if path.endswith(HEADERS):
             check_guard(path, text, guards, complaints)
         if path.endswith(".c"):
@@ -445,6 +459,9 @@ FAULTS = [
      "libcubemap/mapping/x.c:2: calls cm_cell_area of libcubemap/cells, which libcubemap/mapping may not use"),
     ("libcubemap/README.md", "| `orient/` | where | measure, earth, mapping, batch |\n| `batch/` | loops | cells |\n",
      "libcubemap/README.md:1: batch may use kernels"),
+    ("bench/grids/x.c", "\ndouble x = strtod(word, NULL);\n", "bench/grids/x.c:2: strtod( reads a number"),
+    ("tools/cli/x.cpp", "\n\nconst double x = std::stod(word);\n", "tools/cli/x.cpp:3: stod( reads a number"),
+    ("modules/scene/io/x.c", 'sscanf(text, "%d %lf", &i, &x);\n', "modules/scene/io/x.c:1: scanf"),
     ("tools/meson.build", "files('a.c',\n  'b.inc')\n", "tools/meson.build:2: 'b.inc' is compiled"),
 ]
 

@@ -7,6 +7,8 @@
 #include "parallel.hpp"
 #include "program.hpp"
 
+#include <cubemap/number.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -127,14 +129,10 @@ std::string budget_text(const cm_budget &budget)
 
 std::string json_number(double number)
 {
-    char text[40] = "null";
-    for (int digits = 15; std::isfinite(number) && digits <= 17; ++digits)
+    if (!std::isfinite(number))
     {
-        std::snprintf(text, sizeof text, "%.*g", digits, number);
-        if (std::strtod(text, nullptr) == number)
-        {
-            break;
-        }
+        return "null";
     }
-    return text;
+    char text[CM_NUMBER_SIZE];
+    return std::string(text, cm_number_write_shortest(number, text));
 }
