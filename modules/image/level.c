@@ -176,7 +176,7 @@ cm_status cm_level_window(const cm_level *level, unsigned plane, int32_t column,
 #define BLOCK 64
 
 /* Lagrange's weights of nodes 0, 1, ..., up to POINTS; exactly 0 and 1 at nodes. */
-static void weigh(double place, unsigned count, double *weight)
+static inline void weigh_nodes(double place, unsigned count, double *weight)
 {
     static const double inverse[POINTS] = {1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0};
     double before[POINTS + 1] = {1.0};
@@ -190,6 +190,17 @@ static void weigh(double place, unsigned count, double *weight)
         weight[i] = before[i] * after * inverse[i] * inverse[count - 1 - i];
         after *= i - place;
     }
+}
+
+/* Mostly there are six: then the compiler knows. */
+static void weigh(double place, unsigned count, double *weight)
+{
+    if (count == POINTS)
+    {
+        weigh_nodes(place, POINTS, weight);
+        return;
+    }
+    weigh_nodes(place, count, weight);
 }
 
 /* The first of count pixels around a position, and the weights. */
@@ -252,6 +263,30 @@ typedef struct weighed_rows
     const unsigned char *row[POINTS];
 } weighed_rows;
 
+/* Bytes of a row inside the plane that are mixed as floats, with room for sixteen after them. */
+static const unsigned char *bytes_of(const cm_level *level, unsigned plane, int32_t column,
+                                     int32_t row, int32_t count, unsigned char *buffer)
+{
+    const cm_level_plane *from = &level->plane[plane];
+    const unsigned char *there =
+        from->pixels + row * from->row_stride + column * from->pixel_stride;
+    const ptrdiff_t size = count * from->pixel_stride;
+    if (from->end - there >= size + (ptrdiff_t)SIXTEEN)
+    {
+        return there;
+    }
+    memcpy(buffer, there, (size_t)size);
+    return buffer;
+}
+
+/* Are pixels bytes, one beside the other, that mean what is stored? */
+static int are_bytes(const cm_level *level, unsigned plane)
+{
+    return !level->is_bytes && level->values->type == CM_PIXEL_U8 &&
+           cm_values_are_stored(level->values) &&
+           level->plane[plane].pixel_stride == (ptrdiff_t)level->channels;
+}
+
 /* Sums of pixels by weights, along columns first. What weighs nothing may be NaN. */
 static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, unsigned columns,
                 unsigned rows, const double *across, const double *along, unsigned char *to)
@@ -260,18 +295,22 @@ static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top
     float of_column[POINTS * (CM_CHANNELS_MAX + 1) + SIXTEEN];
     float sum[CM_CHANNELS_MAX + 1 + FOUR];
     const size_t channels = level->channels;
-    weighed_rows weighed = {0};
+    const int is_scaled = are_bytes(level, plane);
+    weighed_rows weighed;
+    weighed.count = 0;
     for (unsigned j = 0; j < rows; j++)
     {
         if (along[j] != 0.0)
         {
             weighed.weight[weighed.count] = (float)along[j];
-            weighed.row[weighed.count++] =
-                row_of(level, plane, left, top + (int32_t)j, (int32_t)columns, buffer[j]);
+            weighed.row[weighed.count++] = (is_scaled ? bytes_of : row_of)(
+                level, plane, left, top + (int32_t)j, (int32_t)columns, buffer[j]);
         }
     }
-    (level->is_bytes ? level->set->sum_u8 : level->set->sum_float)(
-        weighed.count, weighed.weight, weighed.row, columns * channels, of_column);
+    (level->is_bytes ? level->set->sum_u8
+     : is_scaled     ? level->set->sum_scaled_u8
+                     : level->set->sum_float)(weighed.count, weighed.weight, weighed.row,
+                                          columns * channels, of_column);
     unsigned used = 0;
     size_t first[POINTS];
     float weight[POINTS];
