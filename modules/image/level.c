@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "level_rim.h"
 #include "fetch.h"
+#include "large_memory.h"
 
 #include <cubemap/threads.h>
 
@@ -476,6 +477,7 @@ typedef struct skirt_job
 {
     const cm_level *level;
     const cm_surface *surface;
+    const cm_memory *memory;
 } skirt_job;
 
 static size_t lines_of(const cm_level *level)
@@ -502,6 +504,7 @@ static void fill_lines(size_t begin, size_t end, void *user)
         const int is_column = line >= level->height;
         add_line(&run, is_column,
                  is_column ? (int32_t)(line - level->height) - level->reach : (int32_t)line);
+        cm_large_touched(job->memory, 2 * CM_TOUCHED_AROUND);
     }
     if (run.count > 0)
     {
@@ -533,7 +536,7 @@ static void fill_from_row(const cm_level *level, int32_t column, int32_t row, in
 }
 
 /* A skirt of pixels of the plane itself, if all are. */
-static int fill_copies(const cm_level *level, const cm_surface *surface)
+static int fill_copies(const cm_level *level, const cm_surface *surface, const cm_memory *memory)
 {
     const double pixel[2] = {1.0, 1.0};
     const int32_t reach = level->reach;
@@ -557,6 +560,7 @@ static int fill_copies(const cm_level *level, const cm_surface *surface)
     {
         fill_from_row(level, -reach, row, reach, -reach, row);
         fill_from_row(level, width, row, reach, 0, row);
+        cm_large_touched(memory, 2 * CM_TOUCHED_AROUND);
     }
     return 1;
 }
@@ -587,7 +591,8 @@ static void lay_plane(cm_level *level, const cm_surface *surface, const cm_image
 
 cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictures,
                                const cm_values *values, const cm_sample_set *set, int is_bytes,
-                               int32_t reach, unsigned threads, cm_level *level)
+                               int32_t reach, const cm_memory *memory, unsigned threads,
+                               cm_level *level)
 {
     memset(level, 0, sizeof *level);
     level->values = values;
@@ -618,8 +623,8 @@ cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictur
         cm_level_free(level);
         return status;
     }
-    skirt_job job = {level, surface};
-    if (reach > 0 && !fill_copies(level, surface))
+    skirt_job job = {level, surface, memory};
+    if (reach > 0 && !fill_copies(level, surface, memory))
     {
         cm_run_threads(threads, level->planes * lines_of(level), 256, fill_lines, &job);
     }
