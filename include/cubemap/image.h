@@ -220,8 +220,8 @@ typedef struct cm_memory
     /* What allocate has returned for so many bytes. */
     void (*release)(void *context, void *pointer, size_t bytes);
     void *context; /* the caller's own */
-    /* NULL, or what every thread calls that has read or written about so many bytes more of what allocate has returned: a
-     * program that keeps them in files may give pages back then. It must not call this library. */
+    /* NULL, or what every thread calls that has read or written about so many bytes more of what allocate has returned, or
+     * of pictures while a source is made: a program that keeps them in files may give pages back then. It must not call this library. */
     void (*touched)(void *context, size_t bytes);
 } cm_memory;
 

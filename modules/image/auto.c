@@ -282,7 +282,8 @@ cm_status cm_auto_filter(const cm_plan *plan, const cm_image *from, const cm_val
         desk->samplers = set;
         desk->set = cm_filter_set_find(set->name);
         status = cm_level_of_pictures(plan->from, from, values, set, 0,
-                                      plan->from->has_gaps ? MARGIN : 0, 1, &desk->level);
+                                      plan->from->has_gaps ? MARGIN : 0, plan->options.memory, 1,
+                                      &desk->level);
     }
     if (status == CM_OK)
     {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "level_rim.h"
 #include "fetch.h"
+#include "large_memory.h"
 
 #include <cubemap/threads.h>
 
@@ -176,7 +177,7 @@ cm_status cm_level_window(const cm_level *level, unsigned plane, int32_t column,
 #define BLOCK 64
 
 /* Lagrange's weights of nodes 0, 1, ..., up to POINTS; exactly 0 and 1 at nodes. */
-static void weigh(double place, unsigned count, double *weight)
+static inline void weigh_nodes(double place, unsigned count, double *weight)
 {
     static const double inverse[POINTS] = {1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0};
     double before[POINTS + 1] = {1.0};
@@ -190,6 +191,17 @@ static void weigh(double place, unsigned count, double *weight)
         weight[i] = before[i] * after * inverse[i] * inverse[count - 1 - i];
         after *= i - place;
     }
+}
+
+/* Mostly there are six: then the compiler knows. */
+static void weigh(double place, unsigned count, double *weight)
+{
+    if (count == POINTS)
+    {
+        weigh_nodes(place, POINTS, weight);
+        return;
+    }
+    weigh_nodes(place, count, weight);
 }
 
 /* The first of count pixels around a position, and the weights. */
@@ -252,6 +264,30 @@ typedef struct weighed_rows
     const unsigned char *row[POINTS];
 } weighed_rows;
 
+/* Bytes of a row inside the plane that are mixed as floats, with room for sixteen after them. */
+static const unsigned char *bytes_of(const cm_level *level, unsigned plane, int32_t column,
+                                     int32_t row, int32_t count, unsigned char *buffer)
+{
+    const cm_level_plane *from = &level->plane[plane];
+    const unsigned char *there =
+        from->pixels + row * from->row_stride + column * from->pixel_stride;
+    const ptrdiff_t size = count * from->pixel_stride;
+    if (from->end - there >= size + (ptrdiff_t)SIXTEEN)
+    {
+        return there;
+    }
+    memcpy(buffer, there, (size_t)size);
+    return buffer;
+}
+
+/* Are pixels bytes, one beside the other, that mean what is stored? */
+static int are_bytes(const cm_level *level, unsigned plane)
+{
+    return !level->is_bytes && level->values->type == CM_PIXEL_U8 &&
+           cm_values_are_stored(level->values) &&
+           level->plane[plane].pixel_stride == (ptrdiff_t)level->channels;
+}
+
 /* Sums of pixels by weights, along columns first. What weighs nothing may be NaN. */
 static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, unsigned columns,
                 unsigned rows, const double *across, const double *along, unsigned char *to)
@@ -260,18 +296,22 @@ static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top
     float of_column[POINTS * (CM_CHANNELS_MAX + 1) + SIXTEEN];
     float sum[CM_CHANNELS_MAX + 1 + FOUR];
     const size_t channels = level->channels;
-    weighed_rows weighed = {0};
+    const int is_scaled = are_bytes(level, plane);
+    weighed_rows weighed;
+    weighed.count = 0;
     for (unsigned j = 0; j < rows; j++)
     {
         if (along[j] != 0.0)
         {
             weighed.weight[weighed.count] = (float)along[j];
-            weighed.row[weighed.count++] =
-                row_of(level, plane, left, top + (int32_t)j, (int32_t)columns, buffer[j]);
+            weighed.row[weighed.count++] = (is_scaled ? bytes_of : row_of)(
+                level, plane, left, top + (int32_t)j, (int32_t)columns, buffer[j]);
         }
     }
-    (level->is_bytes ? level->set->sum_u8 : level->set->sum_float)(
-        weighed.count, weighed.weight, weighed.row, columns * channels, of_column);
+    (level->is_bytes ? level->set->sum_u8
+     : is_scaled     ? level->set->sum_scaled_u8
+                     : level->set->sum_float)(weighed.count, weighed.weight, weighed.row,
+                                          columns * channels, of_column);
     unsigned used = 0;
     size_t first[POINTS];
     float weight[POINTS];
@@ -437,6 +477,7 @@ typedef struct skirt_job
 {
     const cm_level *level;
     const cm_surface *surface;
+    const cm_memory *memory;
 } skirt_job;
 
 static size_t lines_of(const cm_level *level)
@@ -463,6 +504,7 @@ static void fill_lines(size_t begin, size_t end, void *user)
         const int is_column = line >= level->height;
         add_line(&run, is_column,
                  is_column ? (int32_t)(line - level->height) - level->reach : (int32_t)line);
+        cm_large_touched(job->memory, 2 * CM_TOUCHED_AROUND);
     }
     if (run.count > 0)
     {
@@ -494,7 +536,7 @@ static void fill_from_row(const cm_level *level, int32_t column, int32_t row, in
 }
 
 /* A skirt of pixels of the plane itself, if all are. */
-static int fill_copies(const cm_level *level, const cm_surface *surface)
+static int fill_copies(const cm_level *level, const cm_surface *surface, const cm_memory *memory)
 {
     const double pixel[2] = {1.0, 1.0};
     const int32_t reach = level->reach;
@@ -518,6 +560,7 @@ static int fill_copies(const cm_level *level, const cm_surface *surface)
     {
         fill_from_row(level, -reach, row, reach, -reach, row);
         fill_from_row(level, width, row, reach, 0, row);
+        cm_large_touched(memory, 2 * CM_TOUCHED_AROUND);
     }
     return 1;
 }
@@ -548,7 +591,8 @@ static void lay_plane(cm_level *level, const cm_surface *surface, const cm_image
 
 cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictures,
                                const cm_values *values, const cm_sample_set *set, int is_bytes,
-                               int32_t reach, unsigned threads, cm_level *level)
+                               int32_t reach, const cm_memory *memory, unsigned threads,
+                               cm_level *level)
 {
     memset(level, 0, sizeof *level);
     level->values = values;
@@ -579,8 +623,8 @@ cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictur
         cm_level_free(level);
         return status;
     }
-    skirt_job job = {level, surface};
-    if (reach > 0 && !fill_copies(level, surface))
+    skirt_job job = {level, surface, memory};
+    if (reach > 0 && !fill_copies(level, surface, memory))
     {
         cm_run_threads(threads, level->planes * lines_of(level), 256, fill_lines, &job);
     }

@@ -217,8 +217,8 @@ cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_
 {
     cm_level level;
     const int32_t reach = surface->has_gaps ? CM_BESIDE_MAP : 0;
-    cm_status status =
-        cm_level_of_pictures(surface, pictures, values, set, 0, reach, threads, &level);
+    cm_status status = cm_level_of_pictures(surface, pictures, values, set, 0, reach, padded->owner,
+                                            threads, &level);
     if (status != CM_OK)
     {
         return status;

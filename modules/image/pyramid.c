@@ -427,6 +427,18 @@ static void do_strip(const halve_job *job, size_t plane, const strip *at, uint32
     }
 }
 
+/* Where pages may have to be given back, that is said after so many new rows. */
+#define ROWS_TOLD 64
+
+/* What that many new rows of a strip have read and written. */
+static size_t bytes_touched(const halve_job *job, const strip *at, size_t rows)
+{
+    const size_t written = rows * at->count * job->to->channels * number_size(job);
+    const size_t read =
+        job->above != NULL ? number_size(job) : cm_pixel_size(job->pictures->level->values->type);
+    return written + (3 * rows + CM_TAPS_MOST) * at->length * job->to->channels * read;
+}
+
 /* Rows of the new level, of all planes. */
 static void do_rows(size_t begin, size_t end, void *user)
 {
@@ -451,14 +463,15 @@ static void do_rows(size_t begin, size_t end, void *user)
     while (begin < end)
     {
         const size_t plane = begin / to->height;
-        const size_t next = (plane + 1) * to->height < end ? (plane + 1) * to->height : end;
+        const size_t stop = (plane + 1) * to->height < end ? (plane + 1) * to->height : end;
+        const size_t told = begin + (to->owner != NULL ? ROWS_TOLD : SIZE_MAX / 2);
+        const size_t next = told < stop ? told : stop;
         for (uint32_t first = 0; first < to->width;)
         {
             const strip at = strip_at(job, first);
             do_strip(job, plane, &at, (uint32_t)(begin - plane * to->height),
                      (uint32_t)(next - plane * to->height), &desk);
-            cm_large_touched(to->owner,
-                             (next - begin) * at.count * to->channels * number_size(job));
+            cm_large_touched(to->owner, bytes_touched(job, &at, next - begin));
             first += at.count;
         }
         begin = next;
@@ -542,9 +555,9 @@ cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                            : border > CM_BORDER_LEAST ? border
                                                       : CM_BORDER_LEAST;
     memset(pyramid, 0, sizeof *pyramid);
-    cm_status status =
-        cm_level_of_pictures(surface, pictures, values, set, 0,
-                             cm_border_of(surface, least, wanted), threads, &pyramid->pictures);
+    cm_status status = cm_level_of_pictures(surface, pictures, values, set, 0,
+                                            cm_border_of(surface, least, wanted), memory, threads,
+                                            &pyramid->pictures);
     if (status != CM_OK)
     {
         return status;

@@ -78,6 +78,7 @@ typedef struct cm_sample_set
     cm_converter *float_to_u16;
     cm_converter *float_to_half;
     cm_row_summer *sum_u8;
+    cm_row_summer *sum_scaled_u8; /* of floats that bytes are, of which 255 is 1 */
     cm_row_summer *sum_float;
 } cm_sample_set;
 

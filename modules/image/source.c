@@ -150,7 +150,7 @@ static cm_status prepare(cm_source *source, const cm_image *from, unsigned threa
     }
     const int32_t reach = source->taps < 2 ? 1 : source->taps / 2;
     return cm_level_of_pictures(plan->from, from, &source->values, source->set, is_bytes, reach,
-                                threads, &source->level);
+                                memory, threads, &source->level);
 }
 
 cm_status cm_source_create(const cm_plan *plan, const cm_image *from, cm_pixel_type target_type,

@@ -39,6 +39,8 @@ typedef struct weights
 typedef struct weight_table
 {
     unsigned used;
+    unsigned
+        next; /* likely the one that is asked for, since lines have the same distances in turn */
     weights at[DISTANCES];
 } weight_table;
 
@@ -77,14 +79,18 @@ static void weigh(unsigned count, double distance, weights *at)
 /* From the table, which begins anew when it is full. */
 static const double *weights_of(weight_table *table, const nodes *at)
 {
-    for (unsigned i = 0; i < table->used; i++)
+    for (unsigned k = 0; k < table->used; k++)
     {
+        const unsigned i =
+            table->next + k < table->used ? table->next + k : table->next + k - table->used;
         if (table->at[i].distance == at->distance && table->at[i].count == at->count)
         {
+            table->next = i + 1 < table->used ? i + 1 : 0;
             return table->at[i].weight;
         }
     }
     table->used = table->used == DISTANCES ? 0 : table->used;
+    table->next = 0;
     weights *made = &table->at[table->used++];
     weigh(at->count, at->distance, made);
     return made->weight;
@@ -211,7 +217,7 @@ void cm_surface_directions_spaced(const cm_surface *surface, unsigned plane,
     at.plane = plane;
     at.spacing[0] = spacing[0];
     at.spacing[1] = spacing[1];
-    at.places = at.count = at.table.used = 0;
+    at.places = at.count = at.table.used = at.table.next = 0;
     size_t done = 0;
     for (size_t i = 0; i < n;)
     {

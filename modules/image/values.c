@@ -113,8 +113,7 @@ static void load_meaning(const cm_values *values, float *pixel)
     }
 }
 
-/* Do numbers mean what is stored, but for their type and for those that are not finite? */
-static int are_as_stored(const cm_values *values)
+int cm_values_are_stored(const cm_values *values)
 {
     return values->transfer == CM_TRANSFER_STORED &&
            (values->alpha == 0 || values->alpha_multiplied) && values->working == values->channels;
@@ -122,7 +121,7 @@ static int are_as_stored(const cm_values *values)
 
 int cm_values_are_plain(const cm_values *values)
 {
-    return values->type == CM_PIXEL_FLOAT && are_as_stored(values) &&
+    return values->type == CM_PIXEL_FLOAT && cm_values_are_stored(values) &&
            values->not_finite == CM_NOT_FINITE_SPREAD;
 }
 
@@ -190,7 +189,7 @@ static void store_words(const float *restrict from, size_t n, unsigned char *to)
 
 int cm_values_are_copied(const cm_values *values)
 {
-    return values->type == CM_PIXEL_FLOAT && are_as_stored(values) && values->vector == 0;
+    return values->type == CM_PIXEL_FLOAT && cm_values_are_stored(values) && values->vector == 0;
 }
 
 /* 1 if the numbers have been stored so: pixels are dense and mean nothing else. */
@@ -198,7 +197,7 @@ static int store_dense(const cm_values *values, const float *from, size_t n, voi
                        ptrdiff_t stride)
 {
     const size_t numbers = n * values->channels;
-    const int is_simple = are_as_stored(values) && values->vector == 0 && !values->dither;
+    const int is_simple = cm_values_are_stored(values) && values->vector == 0 && !values->dither;
     if (cm_values_are_copied(values) && stride == (ptrdiff_t)(4 * values->channels))
     {
         memcpy(to, from, numbers * sizeof *from);
@@ -222,13 +221,13 @@ static int load_dense(const cm_values *values, const void *from, ptrdiff_t strid
                       float *to)
 {
     const size_t numbers = n * values->channels;
-    if (are_as_stored(values) && values->type == CM_PIXEL_U16 &&
+    if (cm_values_are_stored(values) && values->type == CM_PIXEL_U16 &&
         stride == (ptrdiff_t)(2 * values->channels))
     {
         load_words(from, numbers, to);
         return 1;
     }
-    if (are_as_stored(values) && values->type == CM_PIXEL_U8 &&
+    if (cm_values_are_stored(values) && values->type == CM_PIXEL_U8 &&
         stride == (ptrdiff_t)values->channels)
     {
         load_bytes(from, numbers, to);

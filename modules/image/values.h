@@ -25,6 +25,9 @@ typedef struct cm_values
     int dither;
 } cm_values;
 
+/* Do numbers mean what is stored, but for their type and for those that are not finite? */
+int cm_values_are_stored(const cm_values *values);
+
 /* Is what is stored mixed as it is? */
 int cm_values_are_plain(const cm_values *values);
 

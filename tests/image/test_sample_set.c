@@ -556,13 +556,22 @@ enum
     LEAST_SUMMED = 4
 };
 
-/* Rows that end where nothing may be read any more, but for what LEAST_SUMMED allows. */
-static void check_sums(const cm_sample_set *set, int is_bytes, size_t rows, size_t n)
+typedef enum row_kind
 {
+    ROWS_OF_BYTES,
+    ROWS_OF_SCALED, /* bytes, summed as floats of which 255 is 1 */
+    ROWS_OF_FLOATS
+} row_kind;
+
+/* Rows that end where nothing may be read any more, but for what LEAST_SUMMED allows. */
+static void check_sums(const cm_sample_set *set, row_kind kind, size_t rows, size_t n)
+{
+    cm_row_summer *const sums[] = {set->sum_u8, set->sum_scaled_u8, set->sum_float};
+    const int is_bytes = kind != ROWS_OF_FLOATS;
     const size_t size = is_bytes ? 1 : sizeof(float);
     const size_t room = n < LEAST_SUMMED ? LEAST_SUMMED : n;
-    unsigned char *row[ROWS_MOST];
-    float weight[ROWS_MOST];
+    unsigned char *row[ROWS_MOST] = {NULL};
+    float weight[ROWS_MOST] = {0.0f};
     float expected[SUMMED_MOST] = {0.0f};
     float *sum = malloc(room * sizeof *sum);
     for (size_t j = 0; j < rows; j++)
@@ -574,11 +583,12 @@ static void check_sums(const cm_sample_set *set, int is_bytes, size_t rows, size
             const uint8_t byte = (uint8_t)(i * 37 + j * 101 + 5);
             const float number = (float)byte * 0.123f - 7.0f;
             memcpy(row[j] + i * size, is_bytes ? (const void *)&byte : &number, size);
-            expected[i] += weight[j] * (is_bytes ? (float)byte : number);
+            expected[i] += weight[j] * (kind == ROWS_OF_BYTES    ? (float)byte
+                                        : kind == ROWS_OF_SCALED ? (float)byte * (1.0f / 255.0f)
+                                                                 : number);
         }
     }
-    (is_bytes ? set->sum_u8 : set->sum_float)(rows, weight, (const unsigned char *const *)row, n,
-                                              sum);
+    sums[kind](rows, weight, (const unsigned char *const *)row, n, sum);
     REQUIRE(memcmp(sum, expected, n * sizeof *sum) == 0, "%s: %zu rows of %zu", set->name, rows, n);
     for (size_t j = 0; j < rows; j++)
     {
@@ -595,8 +605,9 @@ START_TEST(sums_of_rows_are_the_same_bits_in_all_sets)
         {
             for (size_t n = 1; n <= SUMMED_MOST; n++)
             {
-                check_sums(set_at(s), 1, rows, n);
-                check_sums(set_at(s), 0, rows, n);
+                check_sums(set_at(s), ROWS_OF_BYTES, rows, n);
+                check_sums(set_at(s), ROWS_OF_SCALED, rows, n);
+                check_sums(set_at(s), ROWS_OF_FLOATS, rows, n);
             }
         }
     }

@@ -217,7 +217,8 @@ P
     rm -rf whole made
 }
 
-# A picture of 54 MB and 216 MB of coefficients, of which no more than a part may be in memory.
+# A picture of 54 MB and 216 MB of coefficients, of which no more than a part may be in memory. PPM is read by rows,
+# as TIFF is.
 memory_ceiling()
 {
     python3 - "$programs/cubemap-reproject" "$earth" >peaks.txt <<'P'
@@ -228,15 +229,22 @@ os.environ["ASAN_OPTIONS"] = ":".join(filter(None, [os.environ.get("ASAN_OPTIONS
 subprocess.run([program, "--quiet", "--to", "equirect", "--size", "6000", "--filter", "nearest", earth, "large.tif"],
                check=True)
 def peak(*words):
-    child = subprocess.Popen([program, "--quiet", "--filter", "bspline5", "--size", "64", *words, "large.tif", "small.png"])
+    child = subprocess.Popen([program, "--quiet", "--threads", "1", *words, "small.png"])
     _, status, usage = os.wait4(child.pid, 0)
     return usage.ru_maxrss if status == 0 else 0
-print(peak(), peak("--memory", "64M"))
+spline = ["--filter", "bspline5", "--size", "64", "large.tif"]
+bilinear = ["--filter", "bilinear", "--layout", "3x2", "--size", "1500"]
+subprocess.run([program, "--quiet", "--to", "equirect", "--size", "6000", "--filter", "nearest", "large.tif", "large.ppm"],
+               check=True)
+print(peak(*spline), peak("--memory", "64M", *spline), peak(*bilinear, "large.tif"),
+      peak(*bilinear, "large.ppm"))
 P
-    read -r free below <peaks.txt
+    read -r free below tiff ppm <peaks.txt
     [ "$below" -gt 0 ] && [ "$((free - below))" -gt 80000 ]
     result $? 'less memory with --memory than without' "$(cat peaks.txt) kB"
-    rm -f large.tif
+    [ "$ppm" -gt 0 ] && [ "$ppm" -lt "$((tiff + 20000))" ]
+    result $? 'a PPM file takes no more memory than TIFF' "$(cat peaks.txt) kB"
+    rm -f large.tif large.ppm
 }
 
 # What reads and writes images is opened when a file is.

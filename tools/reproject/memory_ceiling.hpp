@@ -48,6 +48,9 @@ public:
     // They are on the disk from now on. Failure if they cannot be.
     void bring_to_disk(const void *pointer);
 
+    // This thread has touched so many bytes of files since it last said so; pages are given back if there are too many.
+    void touched(std::size_t size);
+
     // Bytes of memory, 0 for no ceiling.
     std::uint64_t bytes() const noexcept
     {
@@ -73,7 +76,6 @@ private:
     int open_file(std::size_t size, const std::string &what, const std::string &kept) const;
     const Mapping *mapping_of(const void *pointer) const;
     void watch();
-    void touched(std::size_t size);
     void drop_pages();
 
     const std::uint64_t ceiling;

@@ -23,6 +23,10 @@ constexpr int rows_each = 4 * block_rows;
 // With a source in files, parts of a band of so many rows and columns are computed one after another: what they read is a
 // small part of the source, which then stays in memory, and the system maps some pages beside each that is asked for.
 constexpr std::uint32_t tile_edge = 1024;
+// Squares of them are computed between two looks at how many pages there are. A line of such a square may lie on as many rows
+// of the source, of each of which the system maps so many bytes around what is read: near a pole on more.
+constexpr std::uint32_t look_edge = 128;
+constexpr std::size_t bytes_around = std::size_t{64} << 10;
 // Then larger bands are quicker: all at a time together a part of the ceiling, and one at most so many bytes.
 constexpr std::uint64_t ceiling_parts = 16;
 constexpr std::size_t band_most = std::size_t{32} << 20;
@@ -70,6 +74,23 @@ std::vector<int> Output::band_ends(std::size_t index, std::size_t most_bytes, in
     return ends;
 }
 
+// What is computed last stays: pages are given back when there are too many.
+void Output::compute_tile(const Render &render, const cm_rows &tile,
+                          std::vector<cm_image> &pictures, int threads)
+{
+    for (std::uint32_t down = 0; down < tile.row_count; down += look_edge)
+    {
+        for (std::uint32_t across = 0; across < tile.column_count; across += look_edge)
+        {
+            const cm_rows part = {
+                tile.plane, tile.first_row + down, std::min(look_edge, tile.row_count - down),
+                tile.first_column + across, std::min(look_edge, tile.column_count - across)};
+            render.source.resample(render.plan, pictures, part, threads);
+            render.ceiling.touched(2 * look_edge * bytes_around);
+        }
+    }
+}
+
 void Output::compute_rows(const Render &render, const cm_rows &rows,
                           std::vector<cm_image> &pictures, int threads)
 {
@@ -84,7 +105,8 @@ void Output::compute_rows(const Render &render, const cm_rows &rows,
         {
             const cm_rows tile = {rows.plane, row, std::min(down, last_row - row), column,
                                   std::min(across, last_column - column)};
-            render.source.resample(render.plan, pictures, tile, threads);
+            in_tiles ? compute_tile(render, tile, pictures, threads)
+                     : render.source.resample(render.plan, pictures, tile, threads);
         }
     }
 }

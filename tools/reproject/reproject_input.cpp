@@ -532,7 +532,7 @@ void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, st
                  WorkFolder *work)
 {
     const std::vector<bool> there = allocate(ceiling, work);
-    read_files(threads, ceiling.in_files() > 0, options.quiet ? nullptr : terminal, there);
+    read_files(threads, ceiling, options.quiet ? nullptr : terminal, there);
     for (std::size_t i = 0; work != nullptr && i < images.size(); ++i)
     {
         if (!there[i] && !work->source_name(i).empty() && ceiling.is_in_file(memory[i].bytes()))
@@ -552,9 +552,10 @@ void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, st
     }
 }
 
-void Input::read_files(int threads, bool in_bands, std::FILE *terminal,
+void Input::read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
                        const std::vector<bool> &there)
 {
+    const bool in_bands = ceiling.in_files() > 0;
     const std::ptrdiff_t row = images.front().width() * images.front().channels() *
                                static_cast<std::ptrdiff_t>(channel_bytes(pixels.type));
     std::int64_t rows = 0;
@@ -577,7 +578,12 @@ void Input::read_files(int threads, bool in_bands, std::FILE *terminal,
         unsigned char *const to = memory[static_cast<std::size_t>(i)].bytes();
         if (in_bands)
         {
-            image.read_in_bands(pixels.type, to, row, [&](int done) { progress.advance(done); });
+            image.read_in_bands(pixels.type, to, row,
+                                [&](int done)
+                                {
+                                    ceiling.touched(static_cast<std::size_t>(done * row));
+                                    progress.advance(done);
+                                });
         }
         else
         {

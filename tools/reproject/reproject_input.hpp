@@ -85,7 +85,7 @@ private:
     void compare_with(const SavedSurface &saved);
     std::string cube_by_shape(const Options &options) const;
     std::string layout_by_shape(const Options &options) const;
-    void read_files(int threads, bool in_bands, std::FILE *terminal,
+    void read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
                     const std::vector<bool> &there);
     void count_not_finite(int threads);
     [[noreturn]] void refuse_not_finite() const;

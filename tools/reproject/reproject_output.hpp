@@ -74,6 +74,8 @@ private:
                      int threads) const;
     std::vector<int> band_ends(std::size_t index, std::size_t most_bytes, int threads) const;
     std::vector<int> bands_of(const Render &render, std::size_t index, int threads) const;
+    static void compute_tile(const Render &render, const cm_rows &tile,
+                             std::vector<cm_image> &pictures, int threads);
     static void compute_rows(const Render &render, const cm_rows &rows,
                              std::vector<cm_image> &pictures, int threads);
     void fill_rows(const Render &render, std::size_t index, const Rows &band, int threads);

@@ -8,6 +8,10 @@ namespace
 ReaderPointer open_any(const std::string &path, std::uint32_t which)
 {
     ReaderPointer reader = open_texture(path, which);
+    if (!reader)
+    {
+        reader = open_pnm(path, which);
+    }
 #ifdef HAVE_CFITSIO
     if (!reader)
     {

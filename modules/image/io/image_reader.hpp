@@ -30,6 +30,7 @@ using ReaderPointer = std::unique_ptr<cm_image_reader>;
 
 // Each opens one of a file's pictures. ImageFailure; a null pointer if the file is for the others.
 ReaderPointer open_texture(const std::string &path, std::uint32_t which);
+ReaderPointer open_pnm(const std::string &path, std::uint32_t which);
 ReaderPointer open_healpix(const std::string &path, std::uint32_t which);
 ReaderPointer open_with_library(const std::string &path, std::uint32_t which);
 

@@ -3,9 +3,9 @@
 // Textures among the image files: each face is a picture.
 
 #include "image_reader.hpp"
+#include "opened_file.hpp"
 #include "texture_file.h"
 
-#include <cstdio>
 #include <cstring>
 #include <vector>
 
@@ -13,21 +13,6 @@
 
 namespace
 {
-
-struct FileCloser
-{
-    void operator()(std::FILE *opened) const noexcept
-    {
-        std::fclose(opened);
-    }
-};
-
-using FilePointer = std::unique_ptr<std::FILE, FileCloser>;
-
-std::size_t read_file(void *context, void *bytes, std::size_t count)
-{
-    return std::fread(bytes, 1, count, static_cast<std::FILE *>(context));
-}
 
 void seek_file(void *context, std::int64_t position)
 {
