@@ -220,6 +220,9 @@ void extracts()
     }
     fails("no such level", 2, "--level is above the 16 levels",
           "octree extract room.map --level 17 -o made/x");
+    fails("the map in its own place", 2, "the map itself",
+          "octree extract room.map -o ./room.map --level 2");
+    passes("the map is still one", "octree info room.map");
     fails("ply on standard output", 2, "for xyz", "octree extract room.map --format ply -o -");
 }
 
@@ -276,6 +279,10 @@ void draws()
     write_file("two.txt", poses_between(0, 2));
     fails("two poses", 1, "has 2 poses; one is needed",
           "octree render room.map camera.json two.txt -o made/v.png");
+    fails("no such level to draw", 2, "--level is above the 16 levels of 'room.map'",
+          "octree render room.map camera.json pose.txt -o made/v.png --level 17");
+    fails("no such level of a probe", 2, "--level is above the 16 levels of 'room.map'",
+          "octree probe room.map --at 0,0,1 -o made/p_%f.exr --level 17");
     fails("no such mesh", 1, "absent.obj",
           "octree render room.map camera.json pose.txt -o made/v.png --mesh absent.obj");
 }
@@ -327,6 +334,9 @@ void resumes()
     write_file(broken, good.substr(0, good.size() / 2));
     run(command + " --quiet");
     write_file(broken, good);
+    write_file("begun.map", ""); // of a run that was killed before its first byte
+    says("a file without a byte is gone on with", "\"views\": 8, .*\"resumed_at\": 0",
+         "octree integrate room -o begun.map --edge 0.1 --json");
     says("another command begins anew", "\"views\": 8, .*\"resumed_at\": 0",
          "octree integrate room -o run.map --edge 0.1 --json");
 }
@@ -457,11 +467,25 @@ void refuses_views()
          "octree integrate nothing -o free.map --edge 0.05 --far 2 --no-return-free --json");
     write_file("path.txt", octree_pose(0, 1));
     fails("no such folder", 1, "absent", "octree integrate absent -o made/x --edge 0.1");
+    does("octree integrate room -o fine.map --edge 0.02 --quiet");
     {
         const SizeLimit limit(40000);
-        fails("no room for the map", 1, "made/x",
+        fails("no room for the map", 1, "'made/x': cannot be read or written",
               "octree integrate room -o made/x --edge 0.01 --save-every 1");
+        fails("no room for another map", 1,
+              "'made/y' cannot be written: cannot be read or written; nothing is changed",
+              "octree merge fine.map fine.map -o made/y");
     }
+    {
+        const SizeLimit limit(131072);
+        fails("no room for all of the map", 1,
+              "'kept.map': cannot be read or written.*; 'kept.map' is as it was committed last, "
+              "and the "
+              "same command goes on from there",
+              "octree integrate room -o kept.map --edge 0.01 --save-every 1");
+    }
+    says("what was kept is there", "\"views\": [1-7], \"complete\": false",
+         "octree info kept.map --json");
 }
 
 } // namespace

@@ -188,12 +188,7 @@ int query_octree(int argc, char **argv, const cm_streams &streams)
         return 0;
     }
     const OctreeMap open = open_map(options.map, options.memory);
-    if (options.level > cm_octree_describe(open.map.get())->levels)
-    {
-        throw UsageFailure("--level is above the " +
-                           std::to_string(cm_octree_describe(open.map.get())->levels) +
-                           " levels of " + in_quotes(options.map));
-    }
+    check_level(options.level, open.map.get(), options.map);
     answer_all(streams,
                [&](const QuestionReader &question)
                {

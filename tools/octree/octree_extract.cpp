@@ -80,14 +80,9 @@ ExtractOptions parse_extract_options(int argc, char **argv, const cm_streams &st
 
 std::vector<cm_voxel> occupied_of(const cm_octree *map, const ExtractOptions &options)
 {
+    check_level(options.level, map, options.map);
     std::size_t count = 0;
     const cm_status status = cm_octree_extract(map, options.level, 0, nullptr, &count);
-    if (status == CM_ERROR_RANGE)
-    {
-        throw UsageFailure("--level is above the " +
-                           std::to_string(cm_octree_describe(map)->levels) + " levels of " +
-                           in_quotes(options.map));
-    }
     check_map(status == CM_ERROR_SPACE ? CM_OK : status, in_quotes(options.map));
     std::vector<cm_voxel> voxels(count);
     check_map(cm_octree_extract(map, options.level, count, voxels.data(), &count),
@@ -170,6 +165,11 @@ int extract_octree(int argc, char **argv, const cm_streams &streams)
     if (options.printed)
     {
         return 0;
+    }
+    if (same_file(options.map, options.output))
+    {
+        throw UsageFailure("-o is " + in_quotes(options.output) +
+                           ", the map itself; give another name");
     }
     const OctreeMap open = open_map(options.map, options.memory);
     const std::vector<cm_voxel> voxels = occupied_of(open.map.get(), options);

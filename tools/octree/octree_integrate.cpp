@@ -245,7 +245,10 @@ bool take_up(const IntegrateOptions &options, const std::string &settings, Worki
     {
         return false;
     }
-    StorePointer store = open_store(options.output, false);
+    // A run that was killed as it began leaves a file without a byte.
+    std::error_code ignored;
+    const bool has_nothing = std::filesystem::file_size(options.output, ignored) == 0;
+    StorePointer store = open_store(options.output, has_nothing);
     if (is_empty(store.get()))
     {
         working.open.store = std::move(store);
@@ -279,12 +282,22 @@ bool take_up(const IntegrateOptions &options, const std::string &settings, Worki
     return true;
 }
 
+// What is left after a failure, "" for nothing.
+std::string what_is_left(const IntegrateOptions &options, const Working &working)
+{
+    return working.is_new ? ""
+                          : "; " + in_quotes(options.output) +
+                                " is as it was committed last, and the same command goes on from "
+                                "there";
+}
+
 void commit(const IntegrateOptions &options, Working &working)
 {
     const std::string note = note_of(working.run);
     cm_store *const store = working.open.store.get();
-    check_map(cm_octree_save(working.open.map.get(), store, note.data(), note.size()),
-              in_quotes(options.output), store);
+    const cm_status status =
+        cm_octree_save(working.open.map.get(), store, note.data(), note.size());
+    check_map(status, in_quotes(options.output), store, what_is_left(options, working));
     working.is_new = false;
 }
 
@@ -335,13 +348,9 @@ void update(const IntegrateOptions &options, const cm_view &view, cm_pool *pool,
     if (status != CM_OK)
     {
         const std::string said = cm_store_message(store);
-        throw Failure("view " + std::to_string(working.run.views + 1) + " of " +
-                      in_quotes(options.folder) + ": " +
-                      (said.empty() ? cm_status_text(status) : said) +
-                      (working.is_new ? ""
-                                      : "; " + in_quotes(options.output) +
-                                            " is as it was committed last, and the same command "
-                                            "goes on from there"));
+        throw Failure(
+            "view " + std::to_string(working.run.views + 1) + " of " + in_quotes(options.folder) +
+            ": " + (said.empty() ? cm_status_text(status) : said) + what_is_left(options, working));
     }
 }
 

@@ -43,6 +43,12 @@ bool is_octomap(const std::string &path)
            std::string(begin) == "# Octomap OcTree";
 }
 
+// What a store says of its file, without the name, which is said otherwise.
+std::string without_name(const std::string &said, const std::string &name)
+{
+    return said.rfind(name + ": ", 0) == 0 ? said.substr(name.size() + 2) : said;
+}
+
 } // namespace
 
 std::string note_of(const OctreeRun &run)
@@ -68,7 +74,8 @@ OctreeRun read_note(const cm_octree *map)
     return run;
 }
 
-void check_map(cm_status status, const std::string &what, const cm_store *store)
+void check_map(cm_status status, const std::string &what, const cm_store *store,
+               const std::string &after)
 {
     if (status == CM_ERROR_MEMORY)
     {
@@ -77,7 +84,9 @@ void check_map(cm_status status, const std::string &what, const cm_store *store)
     if (status != CM_OK)
     {
         const std::string said = store == nullptr ? "" : cm_store_message(store);
-        throw Failure(what + ": " + (said.empty() ? cm_status_text(status) : said));
+        const std::string name = what.size() > 2 ? what.substr(1, what.size() - 2) : what;
+        throw Failure(what + ": " +
+                      (said.empty() ? cm_status_text(status) : without_name(said, name)) + after);
     }
 }
 
@@ -122,15 +131,27 @@ void save_map(cm_octree *map, const std::string &path, const OctreeRun &run)
         options.create = 1;
         cm_store *made = nullptr;
         char message[CM_IMAGE_MESSAGE] = "";
-        check_scene(cm_store_file_open(file.temporary_name().c_str(), &options, &made, message),
-                    message);
+        const std::string &name = file.temporary_name();
+        const std::string fails = in_quotes(path) + " cannot be written: ";
+        const cm_status opened = cm_store_file_open(name.c_str(), &options, &made, message);
+        check_scene(opened, (fails + without_name(message, name)).c_str());
         const StorePointer store(made);
         const std::string note = note_of(run);
-        check_map(cm_octree_save(map, made, note.data(), note.size()),
-                  in_quotes(path) + " cannot be written", made);
+        const cm_status saved = cm_octree_save(map, made, note.data(), note.size());
+        check_scene(saved, (fails + without_name(cm_store_message(made), name)).c_str());
     }
     file.finish();
     file.appear();
+}
+
+void check_level(int level, const cm_octree *map, const std::string &path)
+{
+    const int levels = cm_octree_describe(map)->levels;
+    if (level > levels)
+    {
+        throw UsageFailure("--level is above the " + std::to_string(levels) + " levels of " +
+                           in_quotes(path));
+    }
 }
 
 cm_octree_count count_map(const cm_octree *map, const std::string &path)

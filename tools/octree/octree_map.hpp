@@ -45,8 +45,12 @@ OctreeMap open_map(const std::string &path, std::uint64_t memory);
 // Writes a map into a file of its own, which appears when it is complete.
 void save_map(cm_octree *map, const std::string &path, const OctreeRun &run);
 
-// Failure if a call on a map did not go well; what is it about, in words.
-void check_map(cm_status status, const std::string &what, const cm_store *store = nullptr);
+// Failure if a call on a map did not go well; what is it about, in words, or the file's name in quotes; after ends the message.
+void check_map(cm_status status, const std::string &what, const cm_store *store = nullptr,
+               const std::string &after = "");
+
+// UsageFailure if the map of a file has no such level.
+void check_level(int level, const cm_octree *map, const std::string &path);
 
 cm_octree_count count_map(const cm_octree *map, const std::string &path);
 

@@ -117,6 +117,7 @@ cm_image float_image(std::vector<float> &pixels, const Sight &sight, std::uint32
 Sight draw(const OctreeMap &open, const SightOptions &options, const cm_camera *camera,
            const cm_pose &pose, MeshCanvas *mesh)
 {
+    check_level(options.level, open.map.get(), options.names.front());
     const cm_camera_options &shape = *cm_camera_describe(camera);
     Sight sight;
     sight.width = shape.width;
