@@ -39,7 +39,7 @@ typedef struct cm_camera_field
 /* The direction of a number from 0 to CM_FIELD_SIDES, which may be broken. */
 void cm_camera_field_direction(double side, double *cosine, double *sine);
 
-/* Fills it in but for furthest, which is infinite; some ten thousand evaluations of the lens. */
+/* Fills it in but for furthest, which is infinite. The lens is evaluated along each direction. */
 void cm_camera_field_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field);
 
 /* Of a border as well as doubles tell it: rounding moves it more. */

@@ -283,17 +283,22 @@ static double furthest_of(const cm_camera_image *image, const cm_camera_field *f
     return fmin(most * most, 1e200);
 }
 
+static int has_border(const cm_camera_field *field)
+{
+    int has = 0;
+    for (size_t i = 0; i < CM_FIELD_SIDES; i++)
+    {
+        has |= field->end[i].border < (double)INFINITY;
+    }
+    return has;
+}
+
 int cm_camera_image_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field,
                          const double box[4], cm_camera_image *image)
 {
     static const double nowhere[4] = {-1.0, -1.0, 1.0, 1.0};
-    int has_border = 0;
-    for (size_t i = 0; i < CM_FIELD_SIDES; i++)
-    {
-        has_border |= field->end[i].border < (double)INFINITY;
-    }
     field->furthest = lens->is_plain ? (double)INFINITY : 1e200;
-    if (!has_border)
+    if (!has_border(field))
     {
         return 1;
     }

@@ -56,6 +56,14 @@ void surface_tags()
                                 "10,20,30 cross.png back.png");
     does("reproject --quiet noise.ppm face_%f.png");
     fails("one of six", 1, "one of six faces", "reproject face_0.png made/a.png");
+    does("reproject --quiet --to cube:qsc noise.ppm other_%f.png");
+    std::filesystem::copy_file("other_4.png", "face_4.png",
+                               std::filesystem::copy_options::overwrite_existing);
+    fails("faces of two cubes", 1,
+          "'face_4.png' says that it is cube:qsc;.*, 'face_0.png' cube:coupled;",
+          "reproject face_%f.png made/a.png");
+    passes("unless the command line says what they are",
+           "reproject --quiet --from cube:coupled face_%f.png back.png");
     make_constant(32, 16, 3, "uint8", 0.5f, "scaled.png",
                   {"cubemap:surface=cube:qsc;layout=cross"});
     const Ran ran = warns("a picture that was scaled", "but is 32 x 16; its shape counts",

@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -207,6 +208,53 @@ START_TEST(writers_leave_all_or_nothing)
                      CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_sequence_create(folder, CM_SEQUENCE_TUM, camera, 0.0, &writer, message),
                      CM_ERROR_ARGUMENT);
+    cm_camera_destroy(camera);
+}
+END_TEST
+
+/* Files that may have no more than so many bytes are as a full disk is. */
+static cm_status write_little(const char *folder, cm_sequence_layout layout,
+                              const cm_camera *camera, rlim_t bytes)
+{
+    struct rlimit old;
+    getrlimit(RLIMIT_FSIZE, &old);
+    const struct rlimit small = {bytes, old.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    cm_sequence_writer *writer = NULL;
+    const cm_view view = make_view(camera, 0, 0);
+    cm_status status = cm_sequence_create(folder, layout, camera, 5000.0, &writer, message);
+    status = status != CM_OK ? status : cm_sequence_write(writer, &view, NULL, message);
+    status = status != CM_OK ? status : cm_sequence_finish(writer, message);
+    cm_sequence_drop(writer);
+    setrlimit(RLIMIT_FSIZE, &old);
+    return status;
+}
+
+START_TEST(full_disks_are_told_under_the_name_that_was_asked_for)
+{
+    const char *folder = in_folder("little");
+    cm_camera *camera = make_camera(WIDTH);
+    const int before = count_entries(test_folder());
+    signal(SIGXFSZ, SIG_IGN);
+    for (int layout = CM_SEQUENCE_TUM; layout <= CM_SEQUENCE_SEVEN_SCENES; layout++)
+    {
+        int failures = 0;
+        for (rlim_t bytes = 0; bytes < 400; bytes += 20)
+        {
+            message[0] = '\0';
+            if (write_little(folder, (cm_sequence_layout)layout, camera, bytes) == CM_OK)
+            {
+                break;
+            }
+            failures++;
+            REQUIRE(strncmp(message, folder, strlen(folder)) == 0 &&
+                        strstr(message, ".cubemap-") == NULL,
+                    "%d bytes: %s", (int)bytes, message);
+            ck_assert_int_eq(count_entries(test_folder()), before);
+        }
+        ck_assert_int_gt(failures, 2);
+        remove_all(folder);
+    }
     cm_camera_destroy(camera);
 }
 END_TEST
@@ -601,6 +649,7 @@ int main(void)
 {
     const TTest *const tests[] = {views_come_back_in_each_layout,
                                   writers_leave_all_or_nothing,
+                                  full_disks_are_told_under_the_name_that_was_asked_for,
                                   what_was_killed_is_gone_with_the_next,
                                   what_was_killed_had_our_number,
                                   ranges_become_depths,

@@ -212,6 +212,10 @@ void Input::open(const Options &options, int threads)
     if (faces)
     {
         check_faces();
+        if (!is_said(from))
+        {
+            check_tags();
+        }
     }
 }
 
@@ -259,6 +263,30 @@ void Input::check_faces() const
                           (image.channels() == 1 ? " channel, " : " channels, ") +
                           in_quotes(first.path()) + " is " + size_text(first) + " with " +
                           std::to_string(first.channels()) + "; all six faces must be alike");
+        }
+    }
+}
+
+// Faces that say of themselves that they are of different cubes are of none.
+void Input::check_tags() const
+{
+    const auto text_of = [](const ImageFile &image)
+    {
+        const std::optional<SavedSurface> saved = saved_surface(image);
+        return !saved
+                   ? std::string()
+                   : saved->specification +
+                         (saved->rotation ? ", turned by " + rotation_text(*saved->rotation) : "");
+    };
+    const std::string first = text_of(images.front());
+    for (const ImageFile &image : images)
+    {
+        const std::string other = text_of(image);
+        if (!first.empty() && !other.empty() && other != first)
+        {
+            throw Failure(in_quotes(image.path()) + " says that it is " + other + ", " +
+                          in_quotes(images.front().path()) + " " + first +
+                          "; take faces of one cube, or say --from SPEC");
         }
     }
 }

@@ -76,6 +76,7 @@ private:
     std::vector<bool> allocate(MemoryCeiling &ceiling, WorkFolder *work);
     void open_parts(const Options &options, bool may_be_faces);
     void check_faces() const;
+    void check_tags() const;
     void choose_type();
     void find_surface(const Options &options);
     std::optional<SavedSurface> find_saved(const Options &options);

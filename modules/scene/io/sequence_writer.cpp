@@ -117,6 +117,25 @@ public:
             fail_system(target, "cannot be written");
         }
     }
+    // Does what may fail with a name in the temporary folder; the failure tells the name that was asked for.
+    template <typename Body> void by_its_name(const Body &body) const
+    {
+        try
+        {
+            body();
+        }
+        catch (const FileFailure &failure)
+        {
+            std::string text = failure.what();
+            for (std::size_t at = 0;
+                 !temporary.empty() && (at = text.find(temporary, at)) != std::string::npos;
+                 at += target.size())
+            {
+                text.replace(at, temporary.size(), target);
+            }
+            throw FileFailure(failure.status(), text);
+        }
+    }
     // In place of an empty folder, too.
     void appear()
     {
@@ -158,6 +177,7 @@ public:
 private:
     void store_depth(const cm_view &view, std::size_t &beyond);
     void write_files(const cm_view &view);
+    void write_lists() const;
     void write_tum(const cm_view &view, const std::string &time);
     std::string color_of(const cm_view &view, const std::string &name);
 
@@ -190,7 +210,12 @@ FolderWriter::FolderWriter(const std::string &path, cm_sequence_layout wanted, c
 {
     char message[CM_IMAGE_MESSAGE] = "";
     const std::string name = path_in(files.path(), "camera.json");
-    check_written(cm_camera_file_write(name.c_str(), camera.get(), depth_scale, message), message);
+    files.by_its_name(
+        [&]
+        {
+            check_written(cm_camera_file_write(name.c_str(), camera.get(), depth_scale, message),
+                          message);
+        });
     if (layout == CM_SEQUENCE_TUM)
     {
         files.make("depth");
@@ -327,12 +352,12 @@ void FolderWriter::put(const cm_view &view, std::size_t &beyond)
         throw FileFailure(CM_ERROR_CAMERA, "view " + std::to_string(count) + ": " + fault);
     }
     store_depth(view, beyond);
-    write_files(view);
+    files.by_its_name([&] { write_files(view); });
     before = view.time;
     ++count;
 }
 
-void FolderWriter::finish()
+void FolderWriter::write_lists() const
 {
     if (layout == CM_SEQUENCE_TUM)
     {
@@ -344,6 +369,11 @@ void FolderWriter::finish()
     {
         write_whole(path_in(files.path(), "trajectory.log"), poses);
     }
+}
+
+void FolderWriter::finish()
+{
+    files.by_its_name([&] { write_lists(); });
     files.appear();
 }
 
