@@ -73,7 +73,8 @@ typedef struct cm_octree_options
     uint64_t memory;  /* bytes that regions may take before some go to pages; 0: no limit */
     cm_store *pages;  /* where they go; it must outlive the map. NULL: nowhere */
     const char *instructions; /* as in cm_options */
-    /* 1: nothing is missed, so that no space becomes free and what moves away stays; updates take less time and maps less memory */
+    /* 1: nothing is missed, so that no space becomes free and what moves away stays; updates take less time and maps less memory.
+     * Not with no_return_is_free. */
     int endpoints_only;
 } cm_octree_options;
 

@@ -226,7 +226,7 @@ static void mark_numbers(size_t n, const float *depth, uint8_t *mark)
 {
     for (size_t i = 0; i < n; i++)
     {
-        mark[i] = !isnan(depth[i]);
+        mark[i] = (uint8_t)!isnan(depth[i]);
     }
 }
 
@@ -234,7 +234,7 @@ static void unmark_numbers(size_t n, const float *depth, uint8_t *mark)
 {
     for (size_t i = 0; i < n; i++)
     {
-        mark[i] &= isnan(depth[i]) != 0;
+        mark[i] = isnan(depth[i]) ? mark[i] : 0;
     }
 }
 
@@ -251,14 +251,18 @@ static void clean_rows(size_t first, size_t end, void *user)
     uint8_t *const too_near =
         work->desk->too_near == NULL ? NULL : work->desk->too_near + first * rows.width;
     const size_t pixels = (end - first) * rows.width;
+    cm_status status = CM_OK;
     if (too_near != NULL)
     {
         const cm_depth_limits all = {.size = sizeof all, .unit = work->limits->unit};
-        (void)cm_depth_clean(&rows, &all, 1, to, NULL); /* refuses what is refused below */
-        mark_numbers(pixels, to, too_near);
+        status = cm_depth_clean(&rows, &all, 1, to, NULL);
+        if (status == CM_OK)
+        {
+            mark_numbers(pixels, to, too_near);
+        }
     }
     cm_depth_count count = {.size = sizeof count};
-    const cm_status status = cm_depth_clean(&rows, work->limits, 1, to, &count);
+    status = status == CM_OK ? cm_depth_clean(&rows, work->limits, 1, to, &count) : status;
     if (status != CM_OK)
     {
         atomic_store(&work->status, (int)status);

@@ -49,6 +49,19 @@ std::string without_name(const std::string &said, const std::string &name)
     return said.rfind(name + ": ", 0) == 0 ? said.substr(name.size() + 2) : said;
 }
 
+void check_saved(cm_status status, const std::string &path, const std::string &said)
+{
+    if (status == CM_ERROR_MEMORY)
+    {
+        throw std::bad_alloc();
+    }
+    if (status != CM_OK)
+    {
+        throw Failure(in_quotes(path) +
+                      " cannot be written: " + (said.empty() ? cm_status_text(status) : said));
+    }
+}
+
 } // namespace
 
 std::string note_of(const OctreeRun &run)
@@ -132,13 +145,12 @@ void save_map(cm_octree *map, const std::string &path, const OctreeRun &run)
         cm_store *made = nullptr;
         char message[CM_IMAGE_MESSAGE] = "";
         const std::string &name = file.temporary_name();
-        const std::string fails = in_quotes(path) + " cannot be written: ";
-        const cm_status opened = cm_store_file_open(name.c_str(), &options, &made, message);
-        check_scene(opened, (fails + without_name(message, name)).c_str());
+        check_saved(cm_store_file_open(name.c_str(), &options, &made, message), path,
+                    without_name(message, name));
         const StorePointer store(made);
         const std::string note = note_of(run);
         const cm_status saved = cm_octree_save(map, made, note.data(), note.size());
-        check_scene(saved, (fails + without_name(cm_store_message(made), name)).c_str());
+        check_saved(saved, path, without_name(cm_store_message(made), name));
     }
     file.finish();
     file.appear();

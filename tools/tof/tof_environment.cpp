@@ -194,7 +194,9 @@ void resample(const std::string &name, const cm_surface &from, std::vector<float
     const cm_image given = picture_of(pixels, from);
     check(cm_source_create(plan, &given, CM_PIXEL_FLOAT, threads, &source), name);
     const std::shared_ptr<cm_source> owned_source(source, cm_source_destroy);
-    std::vector<float> fine(looks * edge * looks * edge);
+    const std::size_t pixel_count = looks * edge * looks * edge; // of a face
+    check_memory("a finer picture of " + name, static_cast<std::int64_t>(pixel_count), 1);
+    std::vector<float> fine(pixel_count);
     std::vector<cm_image> wanted(faces,
                                  picture_of(fine, *finer)); // one memory for all faces, in turn
     std::vector<float> laid(faces * edge * edge);

@@ -87,8 +87,9 @@ static const cm_option simulate_options[] = {
      .help =
          "light from all around, not modulated: a picture of the sphere in the world's axes, in "
          "W/(m^2 sr)",
-     .more = "Of colours the mean counts, values as they are stored. A picture of faces is taken "
-             "texel by texel, each other one is resampled to a cube."},
+     .more =
+         "Of colours the mean counts; whole numbers stand for 0 to 1. A picture of faces is taken "
+         "texel by texel, each other one is resampled to a cube."},
     {.id = TOF_ENVIRONMENT_SURFACE,
      .name = "environment-surface",
      .kind = CM_OPTION_TEXT,
