@@ -62,12 +62,21 @@ bool has_name(int descriptor, const std::string &path)
            opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
+// Has what is open lost its name? Numbers of files do not tell that of what is new: some file systems change them.
+bool is_removed(int descriptor, const std::string &path)
+{
+    struct stat opened;
+    struct stat named;
+    return (fstat(descriptor, &opened) == 0 && opened.st_nlink == 0) ||
+           (lstat(path.c_str(), &named) != 0 && errno == ENOENT);
+}
+
 // What was just made, locked. Between the two others may have found it unlocked: it is theirs then, to be removed, and the
 // answer is that of a name that is taken.
 int locked(int descriptor, const std::string &path)
 {
     if (descriptor >= 0 &&
-        ((!lock(descriptor) && errno == EWOULDBLOCK) || !has_name(descriptor, path)))
+        ((!lock(descriptor) && errno == EWOULDBLOCK) || is_removed(descriptor, path)))
     {
         close(descriptor);
         errno = EEXIST;
