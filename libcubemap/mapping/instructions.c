@@ -80,12 +80,12 @@ static const cm_batch_set *set_at(size_t index)
 /* The last that runs: points one by one, too, ask for it. */
 static const cm_batch_set *best_set(void)
 {
-    size_t i = sizeof sets / sizeof *sets;
-    while (i > 0 && !sets[i - 1].runs())
+    size_t i = sizeof sets / sizeof *sets - 1; /* the first runs everywhere */
+    while (!sets[i].runs())
     {
         i--;
     }
-    return i > 0 ? sets[i - 1].set : NULL;
+    return sets[i].set;
 }
 
 size_t cm_instructions_count(void)
