@@ -8,8 +8,8 @@
  *                 [--judge 1]
  *
  * --centre moves the root's centre along all axes by so many edges, so that walls do not lie on borders of voxels; --points 1
- * integrates points instead of views; --endpoints 1 leaves free space unknown. Times are of the processor for one thread, else of the clock, and of the passes after
- * the first; noise is drawn anew for each view of each pass.
+ * integrates points instead of views; --endpoints 1 leaves free space unknown. Times are of the processor for one thread, else of
+ * the clock, and of the passes after the first; noise is drawn anew for each view of each pass.
  */
 #include "bench/harness/harness.h"
 #include "truth/room_views.h"

@@ -47,8 +47,8 @@ typedef struct cm_scratch
 } cm_scratch;
 
 /* A level of pictures as they are stored, with room for what is beyond the edges, which is filled from inside.
- * `memory` is told what has been read of the pictures, which may be in files. is_bytes asks for bytes; pictures must then have bytes whose values can be mixed as they are. What it allocates
- * cm_level_free frees. CM_OK or CM_ERROR_MEMORY. */
+ * `memory` is told what has been read of the pictures, which may be in files. is_bytes asks for bytes; pictures must then
+ * have bytes whose values can be mixed as they are. What it allocates cm_level_free frees. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictures,
                                const cm_values *values, const cm_sample_set *set, int is_bytes,
                                int32_t reach, const cm_memory *memory, unsigned threads,

@@ -382,6 +382,19 @@ START_TEST(one_side_may_fold)
 }
 END_TEST
 
+static cm_camera *make_distorted(double focal, const double lens[14])
+{
+    cm_camera_options options = {.size = sizeof options,
+                                 .width = 640,
+                                 .height = 480,
+                                 .fx = focal,
+                                 .fy = focal,
+                                 .cx = 319.5,
+                                 .cy = 239.5};
+    memcpy(options.distortion, lens, sizeof options.distortion);
+    return make(&options);
+}
+
 /* From the axis the way to these rays leaves the field; that there are some the border's image tells, a part of which is 1e16
  * away, before a pole. */
 START_TEST(rays_come_back_where_borders_have_poles)
@@ -392,15 +405,7 @@ START_TEST(rays_come_back_where_borders_have_poles)
     state = 23;
     for (size_t i = 0; i < sizeof lenses / sizeof *lenses; i++)
     {
-        cm_camera_options options = {.size = sizeof options,
-                                     .width = 640,
-                                     .height = 480,
-                                     .fx = 500.0,
-                                     .fy = 500.0,
-                                     .cx = 319.5,
-                                     .cy = 239.5};
-        memcpy(options.distortion, lenses[i], sizeof options.distortion);
-        cm_camera *camera = make(&options);
+        cm_camera *camera = make_distorted(500.0, lenses[i]);
         int seen = 0;
         for (int k = 0; k < 4000; k++)
         {
@@ -429,15 +434,8 @@ START_TEST(fixed_points_fail_where_newton_does_not)
     static const double lenses[][14] = {{-0.6}, {-0.9}, {-0.8, 0.12, 0.02, -0.01}, {2.0, 4.0}};
     for (size_t i = 0; i < sizeof lenses / sizeof *lenses; i++)
     {
-        cm_camera_options options = {.size = sizeof options,
-                                     .width = 640,
-                                     .height = 480,
-                                     .fx = 800.0,
-                                     .fy = 800.0,
-                                     .cx = 319.5,
-                                     .cy = 239.5};
-        memcpy(options.distortion, lenses[i], sizeof options.distortion);
-        cm_camera *camera = make(&options);
+        cm_camera *camera = make_distorted(800.0, lenses[i]);
+        const cm_camera_options *options = cm_camera_describe(camera);
         const double angle = 0.6;
         const double length = fmin(0.98 * cm_camera_border(camera, angle), 0.9);
         const double ray[3] = {length * cos(angle), length * sin(angle), 1.0};
@@ -447,10 +445,10 @@ START_TEST(fixed_points_fail_where_newton_does_not)
         long double there[2];
         ck_assert(pixel_of(camera, ray, pixel));
         ck_assert(ray_of(camera, pixel, ours));
-        lens_project(&options, (const long double[3]){ours[0], ours[1], 1}, there);
+        lens_project(options, (const long double[3]){ours[0], ours[1], 1}, there);
         REQUIRE(hypotl(there[0] - pixel[0], there[1] - pixel[1]) < 1e-9L, "ours");
-        lens_ten_rounds(&options, pixel[0], pixel[1], theirs);
-        lens_project(&options, (const long double[3]){theirs[0], theirs[1], 1}, there);
+        lens_ten_rounds(options, pixel[0], pixel[1], theirs);
+        lens_project(options, (const long double[3]){theirs[0], theirs[1], 1}, there);
         const long double off = hypotl(there[0] - pixel[0], there[1] - pixel[1]);
         REQUIRE(!(off <= 1.0L), "lens %zu: ten rounds are off by %Lg pixels only", i, off);
         cm_camera_destroy(camera);
