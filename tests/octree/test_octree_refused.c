@@ -80,7 +80,7 @@ static void refuse_each(const char *name, trial try_it, int is_old)
 {
     cm_status status = CM_ERROR_MEMORY;
     int refused = 0;
-    for (int blocks = 0; status != CM_OK; blocks += blocks < 100 ? 1 : 37)
+    for (int blocks = 0; status != CM_OK; blocks += (blocks < 100 ? 1 : 37) * (int)step_of(4))
     {
         const int before = blocks_alive() + blocks_given;
         cm_octree *octree = NULL;

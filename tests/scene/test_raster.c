@@ -191,7 +191,7 @@ static void draw_many(const some_camera *c, cm_pool *pool, unsigned threads, int
 
 START_TEST(threads_and_order_do_not_matter)
 {
-    for (int which = 0; which < CAMERAS; which++)
+    for (int which = 0; which < CAMERAS; which += (int)step_of(2))
     {
         some_camera c = camera_at(which);
         const size_t pixels = c.width * c.height;

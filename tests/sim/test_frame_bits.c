@@ -144,7 +144,7 @@ START_TEST(threads_change_no_bit_of_any_effect)
         h.at.sensor.read_noise = h.at.sensor.dark = 10.0;
         h.at.sensor.fixed_pattern = 0.01;
         h.at.light.position[0] = 0.05;
-        for (size_t i = 0; i < sizeof ways / sizeof *ways; i++)
+        for (size_t i = is_quick() && moving; i < sizeof ways / sizeof *ways; i += step_of(2))
         {
             cm_tof_options options = ways[i].options;
             options.sample_times = moving ? 2 : 1;
