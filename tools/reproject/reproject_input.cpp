@@ -122,8 +122,9 @@ ImageFile open_picture(const std::string &name, const Options &options, int thre
     try
     {
         ImageFile image(name, threads);
-        const std::string how = geographic_place(image).otherwise;
-        if (how.empty() || is_said(options.from) || saved_surface(image))
+        const GeoPlace place = geographic_place(image);
+        const std::string &how = place.otherwise;
+        if (how.empty() || place.unit_is_unknown || is_said(options.from))
         {
             return image;
         }
@@ -136,6 +137,31 @@ ImageFile open_picture(const std::string &name, const Options &options, int thre
         why = failure.what();
     }
     return open_by_gdal(name, why);
+}
+
+// Are pixels of both surfaces, which are of one size, in the same places, but for a tenth of a pixel?
+bool shows_alike(const cm_surface &one, const cm_surface &other)
+{
+    const double width = cm_surface_plane_width(&one);
+    const double height = cm_surface_plane_height(&one);
+    for (const double right : {0.5, width / 2, width - 0.5})
+    {
+        for (const double down : {0.5, height / 2, height - 0.5})
+        {
+            const std::uint8_t first = 0;
+            double at[3];
+            std::uint8_t plane = 0;
+            double x = 0;
+            double y = 0;
+            cm_surface_directions(&one, 1, &first, &right, &down, &at[0], &at[1], &at[2]);
+            cm_surface_positions(&other, 1, &at[0], &at[1], &at[2], &plane, &x, &y);
+            if (plane != 0 || std::fabs(x - right) > 0.1 || std::fabs(y - down) > 0.1)
+            {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 // Colours of inks are made light of by the library, which knows no profile.
@@ -343,13 +369,55 @@ void Input::find_surface(const Options &options)
         }
         return;
     }
-    if (saved && take_saved(*saved, options.from))
+    const std::optional<std::string> place = find_place(saved);
+    if (saved && !(place && is_elsewhere(*saved, *place)) &&
+        take_saved(*saved, options.from, place.has_value()))
     {
         return;
     }
-    const GeoPlace place = geographic_place(images.front());
-    take(place.specification ? *place.specification : cube_by_shape(options),
-         options.from.rotation);
+    take(place ? *place : cube_by_shape(options), options.from.rotation);
+}
+
+// Where its georeference has it; numbers in an unknown unit are degrees if the tag says the same.
+std::optional<std::string> Input::find_place(const std::optional<SavedSurface> &saved) const
+{
+    const GeoPlace place = faces ? GeoPlace() : geographic_place(images.front());
+    if (place.specification || !place.unit_is_unknown)
+    {
+        return place.specification;
+    }
+    if (saved && !place.in_degrees.empty() && is_there(*saved, place.in_degrees))
+    {
+        return place.in_degrees;
+    }
+    throw Failure(in_quotes(images.front().path()) + " is placed on the Earth " + place.otherwise +
+                  "; say --from " +
+                  (place.in_degrees.empty()
+                       ? "SPEC, what it covers in degrees,"
+                       : in_quotes(place.in_degrees) + " if they are degrees,") +
+                  " or give it a system (gdal_edit.py -a_srs EPSG:4326)");
+}
+
+bool Input::is_there(const SavedSurface &saved, const std::string &place) const
+{
+    const ImageFile &image = images.front();
+    std::string message;
+    const SurfacePointer said = make_surface(without_size(saved.specification), image.width(),
+                                             image.height(), saved.rotation, message);
+    const SurfacePointer there = make_surface(place, image.width(), image.height(), {}, message);
+    return said && there && shows_alike(*said, *there);
+}
+
+// A raster that somebody has cut, moved or warped still has the tag of the picture that it was made from.
+bool Input::is_elsewhere(const SavedSurface &saved, const std::string &place)
+{
+    if (is_there(saved, place))
+    {
+        return false;
+    }
+    remarks.push_back(says(saved) + saved.specification + ", and its georeference that it is " +
+                      place + "; the georeference counts, unless --from says otherwise");
+    return true;
 }
 
 // What the picture says counts more than what a file beside it does.
@@ -383,10 +451,11 @@ std::string Input::says(const SavedSurface &saved) const
 }
 
 // False if the picture does not have the shape that its tag means: somebody has cut or scaled it since.
-bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
+bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options, bool is_placed)
 {
     const ImageFile &image = images.front();
     const std::string name = says(saved);
+    const SizeThen size = size_of_then(saved, image);
     const bool of_six = is_six(key_of(saved.specification, "layout"));
     if (of_six && !faces)
     {
@@ -395,19 +464,26 @@ bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
     }
     const std::optional<cm_rotation> rotation =
         options.rotation ? options.rotation : saved.rotation;
-    const std::string specification =
-        without_key(without_key(saved.specification, "size"), "height");
+    const std::string specification = without_size(saved.specification);
+    const std::string but_is =
+        (saved.where.empty() ? ", but is " : ", but that is ") + size_text(image);
     std::string message;
-    if (of_six == faces)
+    if (of_six == faces && size != SizeThen::cut)
     {
         sphere = make_surface(specification, image.width(), image.height(), rotation, message);
     }
     if (!sphere)
     {
-        remarks.push_back(name + saved.specification +
-                          (saved.where.empty() ? ", but is " : ", but that is ") +
-                          size_text(image) + "; its shape counts");
+        remarks.push_back(name + saved.specification + but_is +
+                          "; its shape counts, unless --from says otherwise");
         return false;
+    }
+    if (size == SizeThen::scaled && !is_placed)
+    {
+        const bool can_be_part = kind_of(specification) == "equirect";
+        remarks.push_back(name + saved.specification + but_is +
+                          "; it is taken as scaled; if it is a part, say --from " +
+                          (can_be_part ? "'equirect;west=W;east=E;south=S;north=N'" : "SPEC"));
     }
     turned = rotation;
     return true;
@@ -436,10 +512,9 @@ void Input::compare_with(const SavedSurface &saved)
     const std::string here = cm_surface_specification(sphere.get());
     const std::optional<cm_rotation> none;
     std::string message;
-    const SurfacePointer other =
-        make_surface(without_key(without_key(saved.specification, "size"), "height"),
-                     static_cast<int>(cm_surface_width(sphere.get())),
-                     static_cast<int>(cm_surface_height(sphere.get())), none, message);
+    const SurfacePointer other = make_surface(
+        without_size(saved.specification), static_cast<int>(cm_surface_width(sphere.get())),
+        static_cast<int>(cm_surface_height(sphere.get())), none, message);
     const std::string there = other ? cm_surface_specification(other.get()) : saved.specification;
     const auto turn_of = [](const std::optional<cm_rotation> &rotation)
     { return rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0"; };

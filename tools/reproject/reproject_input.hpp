@@ -81,7 +81,10 @@ private:
     void find_surface(const Options &options);
     std::optional<SavedSurface> find_saved(const Options &options);
     std::string says(const SavedSurface &saved) const;
-    bool take_saved(const SavedSurface &saved, const SurfaceOptions &options);
+    std::optional<std::string> find_place(const std::optional<SavedSurface> &saved) const;
+    bool is_there(const SavedSurface &saved, const std::string &place) const;
+    bool is_elsewhere(const SavedSurface &saved, const std::string &place);
+    bool take_saved(const SavedSurface &saved, const SurfaceOptions &options, bool is_placed);
     void take(const std::string &specification, const std::optional<cm_rotation> &rotation);
     void compare_with(const SavedSurface &saved);
     std::string cube_by_shape(const Options &options) const;

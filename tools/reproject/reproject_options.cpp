@@ -47,7 +47,7 @@ void check_instructions(cm_status status, const char *message)
 void take_sidecar(const std::string &path, SurfaceOptions &from)
 {
     const SavedSurface saved = read_sidecar(path);
-    from.specification = without_key(without_key(saved.specification, "size"), "height");
+    from.specification = without_size(saved.specification);
     from.said_rotation = saved.rotation;
 }
 

@@ -23,6 +23,16 @@ struct SavedSurface
     std::string where; // the file beside the picture that says it; "": the picture itself
 };
 
+// What has become of the size that a picture had when it was said what it is.
+enum class SizeThen
+{
+    same,
+    scaled, // or cut to the same shape, which looks alike
+    cut     // to another shape
+};
+
+SizeThen size_of_then(const SavedSurface &saved, const ImageFile &image);
+
 // Nothing if it says nothing, or what nobody understands.
 std::optional<SavedSurface> saved_surface(const ImageFile &image);
 

@@ -57,9 +57,9 @@ std::string without_border(const std::string &specification)
     return at == std::string::npos ? text : text.erase(at, text.find(';', at) - at);
 }
 
-std::string without_size(const std::string &specification)
+std::string of_any_size(const std::string &specification)
 {
-    const std::string text = without_key(without_key(specification, "size"), "height");
+    const std::string text = without_size(specification);
     return kind_of(text) == "healpix" ? "healpix" : text;
 }
 
@@ -320,7 +320,7 @@ void WholeOutput::write_texture(const std::vector<Level> &levels, const ImagePla
     of.levels = static_cast<std::uint32_t>(levels.size());
     of.alpha_multiplied = plan.description.alpha >= 0 && plan.description.alpha_multiplied ? 1 : 0;
     of.writer = "cubemap-reproject";
-    put_text(without_size(cm_surface_specification(shown.get())), of.surface);
+    put_text(of_any_size(cm_surface_specification(shown.get())), of.surface);
     put_text(rotation && is_turned(*rotation) ? rotation_text(*rotation) : "", of.rotation);
     std::vector<const cm_image *> pictures;
     for (const Level &level : levels)
