@@ -30,7 +30,7 @@ Ran warns(const std::string &name, const std::string &expression, const std::str
 void surface_tags()
 {
     make_noise(64, 32, "noise.ppm");
-    for (const std::string extension : {"png", "tif", "jpg", "exr"})
+    for (const std::string extension : {"png", "tif", "jpg", "exr", "ppm", "hdr"})
     {
         does(
             "reproject --quiet --to cube:qsc --frame gl --layout cross --rotate 10,20,30 noise.ppm "
@@ -44,6 +44,16 @@ void surface_tags()
                    !matches(again, "cube:qsc|cubemap:rotation"),
                "the tag is the output's own, ." + extension, again);
     }
+    make_constant(64, 32, 1, "uint8", 0.5f, "grey.png");
+    does("reproject --quiet --layout vcross grey.png grey.pgm");
+    says("a tag of grey", "^grey\\.pgm \\(cube:coupled, frame geo, vcross 48x64,",
+         "reproject grey.pgm back.png");
+    does("reproject --quiet --layout vcross noise.ppm light.pfm");
+    fails("PFM has no room for any", 1, "48 x 64, neither 2:1", "reproject light.pfm made/a.png");
+    result(
+        matches(run_with_input(content_of("noise.ppm"), "reproject --quiet --to equirect - -").out,
+                "^P6\n64 32\n255\n"),
+        "nor has a pipe");
     warns("what the command line says counts",
           "'cross.png' says that it is cube:qsc;frame=gl;layout=cross;size=16; it is taken as "
           "cube:coupled;",
@@ -486,27 +496,26 @@ void sidecars()
     does("reproject --quiet --sidecar noise.ppm --layout strip strip.hdr");
     result(std::filesystem::exists("strip.json"), "for formats without tags, too");
     does("reproject --quiet --sidecar noise.ppm --to cube:qsc --frame gl --layout vcross --rotate "
-         "10,20,30 turned.ppm");
+         "10,20,30 turned.pfm");
     const std::string wanted = "\\(cube:qsc, frame gl, vcross 48x64, turned by 10,20,30,";
-    says("and is read again", "^turned\\.ppm " + wanted, "reproject turned.ppm back.png");
+    says("and is read again", "^turned\\.pfm " + wanted, "reproject turned.pfm back.png");
     warns("the command line counts more",
-          "'turned\\.json' says that 'turned\\.ppm' is cube:qsc;frame=gl;layout=vcross;size=16; it "
+          "'turned\\.json' says that 'turned\\.pfm' is cube:qsc;frame=gl;layout=vcross;size=16; it "
           "is taken as cube:coupled;",
-          "reproject --quiet --from cube --from-layout vcross turned.ppm back.png");
-    std::filesystem::rename("turned.ppm", "other.ppm");
+          "reproject --quiet --from cube --from-layout vcross turned.pfm back.png");
+    std::filesystem::rename("turned.pfm", "other.pfm");
     fails("a file that does not name the picture says nothing", 1, "neither 2:1",
-          "reproject other.ppm made/a.png");
-    says("unless --from names it", "^other\\.ppm " + wanted,
-         "reproject --from turned.json other.ppm back.png");
+          "reproject other.pfm made/a.png");
+    says("unless --from names it", "^other\\.pfm " + wanted,
+         "reproject --from turned.json other.pfm back.png");
     says("and --from-rotate says otherwise", "turned by 1,2,3,",
-         "reproject --from-rotate 1,2,3 --from turned.json other.ppm back.png");
-    does("reproject --quiet --sidecar noise.ppm six_%f.ppm --frame s2");
-    says("of six pictures", "^six_0.ppm .. six_5.ppm \\(cube:coupled, frame s2, 16x16,",
-         "reproject six_%f.ppm back.png");
-    make_noise(32, 16, "strip.hdr.ppm");
-    std::filesystem::rename("strip.hdr.ppm", "turned.ppm");
+         "reproject --from-rotate 1,2,3 --from turned.json other.pfm back.png");
+    does("reproject --quiet --sidecar noise.ppm six_%f.pfm --frame s2");
+    says("of six pictures", "^six_0.pfm .. six_5.pfm \\(cube:coupled, frame s2, 16x16,",
+         "reproject six_%f.pfm back.png");
+    does("reproject --quiet --to equirect --size 32 noise.ppm turned.pfm");
     warns("a picture that was scaled", "but that is 32 x 16; its shape counts",
-          "reproject --quiet turned.ppm back_%f.png");
+          "reproject --quiet turned.pfm back_%f.png");
     does("reproject --quiet --sidecar --layout cross noise.ppm cross.png");
     std::string other = content_of("cross.json");
     other.replace(other.find("coupled"), 7, "qsc");
@@ -518,7 +527,7 @@ void sidecars()
                "{\"other\": {\"a\": [[1], {}, null]}, \"note\": \"\\u00e9\\u20ac\\n\",\n"
                " \"surface\":\"cube:qs\\u0063;layout=vcross\", \"rotation\": [ 0, 0.0, -0e1 ] }");
     says("as others write it", "\\(cube:qsc, frame geo, vcross 48x64,",
-         "reproject --from written.json --from-frame geo other.ppm back.png");
+         "reproject --from written.json --from-frame geo other.pfm back.png");
     write_file("bad.json", "{\"surface\": \"cube:nothing\"}");
     for (const std::string broken : {"", "[]", "{", "{\"a\" 1}", "{\"a\": yes}", "{\"a\": \"\\q\"}",
                                      "{\"a\": \"\\u12\"}", "{\"a\": [1}", "{} 1"})

@@ -110,7 +110,10 @@ Output::Output(const Options &options, const Input &input)
         lines = std::make_unique<SurfaceLines>(options.overlay, *surface, rotation, input);
     }
     choose_values(options, input);
-    save_surface(plan, whole.surface(), rotation);
+    if (!is_pipe(options.output)) // who reads pictures from pipes may expect the shortest header
+    {
+        save_surface(plan, whole.surface(), rotation);
+    }
     const auto keep_work = [&]
     { work = std::make_unique<WorkFolder>(options.output, work_identity(options, input, kind())); };
     if (options.resume && tiles)

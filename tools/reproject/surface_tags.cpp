@@ -21,7 +21,9 @@ constexpr const char *description_tag = "ImageDescription";
 
 bool holds_own_tags(const std::string &format)
 {
-    return format == "png" || format == "openexr" || format == "fits";
+    const auto is = [&format](const char *name) { return format == name; };
+    static constexpr const char *const formats[] = {"png", "openexr", "fits", "hdr", "ppm", "pgm"};
+    return std::any_of(std::begin(formats), std::end(formats), is);
 }
 
 std::string tag_text(const cm_image_description &stored, const std::string &key)
@@ -256,7 +258,7 @@ void save_surface(ImagePlan &plan, const cm_surface &surface,
             held.set(rotation_tag, turned);
         }
     }
-    else if (holds_tags(plan.format))
+    else if (plan.format == "jpeg" || plan.format == "tiff")
     {
         lines = std::string(surface_tag) + "=" + specification +
                 (turned.empty() ? "" : std::string("\n") + rotation_tag + "=" + turned);
@@ -267,9 +269,4 @@ void save_surface(ImagePlan &plan, const cm_surface &surface,
     {
         save_photo_sphere(held, surface);
     }
-}
-
-bool holds_tags(const std::string &format)
-{
-    return format != "hdr";
 }

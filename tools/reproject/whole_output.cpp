@@ -177,7 +177,7 @@ WholeOutput::WholeOutput(const Options &options, SurfacePointer wanted,
     if (texture && cm_surface_plane_count(shown.get()) != cm_surface_picture_count(shown.get()))
     {
         throw UsageFailure("a texture holds one picture, or six faces, not " +
-                           in_quotes(without_size(specification)));
+                           in_quotes(of_any_size(specification)));
     }
     const auto has = [&specification](const char *key)
     { return !key_of(specification, key).empty(); };
@@ -226,7 +226,7 @@ SurfacePointer WholeOutput::level_of(const cm_surface &of, std::uint32_t level) 
         height = (height + 1) / 2;
     }
     std::string message;
-    SurfacePointer made = make_surface(without_size(cm_surface_specification(&of)),
+    SurfacePointer made = make_surface(of_any_size(cm_surface_specification(&of)),
                                        static_cast<int>(columns * (width + around)),
                                        static_cast<int>(rows * (height + around)), {}, message);
     if (!made)

@@ -52,6 +52,8 @@ typedef struct cm_pnm_picture
     uint32_t maximum;   /* read from PGM, PPM, PAM: the largest value; else 0 */
     float scale;        /* read from PFM: the scale, positive, which values are not multiplied by */
     int bottom_up;      /* read: is the first row the lowest? */
+    /* written to PGM, PPM and PAM: lines of comments, each begun by '#' and ended, or NULL. Read: NULL, as they are passed over */
+    const char *comments;
 } cm_pnm_picture;
 
 /* A stream that is read; to be filled with zeros but for size and stream. Members behind those are the functions'. */
