@@ -7,7 +7,7 @@
 #define CUBEMAP_TOOLS_HIPS_OUTPUT_HPP
 
 #include "reproject_options.hpp"
-#include "surface_text.hpp"
+#include "tools/image/surface_text.hpp"
 #include "work_folder.hpp"
 #include "tools/cli/image_format.hpp"
 #include "modules/image/io/hips.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
-#include "face_parts.hpp"
-#include "geo_reference.hpp"
+#include "part_rules.hpp"
+#include "tools/image/geo_reference.hpp"
 #include "healpix_rules.hpp"
 #include "output_surface.hpp"
-#include "sidecar.hpp"
+#include "tools/image/sidecar.hpp"
 #include "texture_rules.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "whole_output.hpp"
-#include "geo_reference.hpp"
-#include "surface_tags.hpp"
+#include "tools/image/geo_reference.hpp"
+#include "tools/image/surface_tags.hpp"
 #include "texture_rules.hpp"
 #include "modules/image/io/texture_file.h"
 #include "pixel_memory.hpp"
