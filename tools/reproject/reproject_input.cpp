@@ -6,8 +6,8 @@
 #include "tools/cli/progress.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
+#include <mutex>
 #include <utility>
 
 namespace
@@ -38,6 +38,27 @@ bool is_nan(cm_pixel_type type, const unsigned char *values, std::size_t index)
     std::uint32_t bits = 0;
     std::memcpy(&bits, values + index * sizeof bits, sizeof bits);
     return (bits & 0x7fffffu) != 0;
+}
+
+// Of a row, by the bits of infinity, of 1 and of the sign.
+template <typename Bits, Bits infinity, Bits one>
+void count_values(const unsigned char *values, std::size_t size, ValueCounts &counts)
+{
+    constexpr auto sign = static_cast<Bits>(Bits{1} << (8 * sizeof(Bits) - 1));
+    std::uint32_t bad = 0;
+    std::uint32_t below = 0;
+    std::uint32_t above = 0;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+        Bits bits = 0;
+        std::memcpy(&bits, values + i * sizeof bits, sizeof bits);
+        bad += (bits & infinity) == infinity ? 1 : 0;
+        below += bits > sign && bits < (sign | infinity) ? 1 : 0;
+        above += bits > one && bits < infinity ? 1 : 0;
+    }
+    counts.not_finite += bad;
+    counts.below_zero += below;
+    counts.above_one += above;
 }
 
 } // namespace
@@ -105,9 +126,9 @@ void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, st
     const auto has_floats = [](const ImageFile &image) { return !image.stored().whole_numbers; };
     if (std::any_of(files().begin(), files().end(), has_floats))
     {
-        count_not_finite(threads);
+        count_all(threads);
     }
-    if (bad_values > 0 && options.not_finite == NotFinite::refuse)
+    if (counts.not_finite > 0 && options.not_finite == NotFinite::refuse)
     {
         refuse_not_finite();
     }
@@ -155,29 +176,36 @@ void Input::read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
     parallel_for(static_cast<int>(files().size()), threads, read_file);
 }
 
-void Input::count_not_finite(int threads)
+void Input::count_all(int threads)
 {
+    const cm_pixel_type type = description_of_pixels().type;
     const std::size_t row = static_cast<std::size_t>(files().front().width()) *
                             static_cast<std::size_t>(files().front().channels());
-    const std::size_t size = channel_bytes(description_of_pixels().type);
-    std::atomic<std::int64_t> count{0};
     const int rows = files().front().height();
+    counts = ValueCounts();
+    std::mutex lock;
     for (const PixelMemory &picture : memory)
     {
         const auto count_row = [&](int i)
         {
-            const unsigned char *const values =
-                picture.bytes() + static_cast<std::size_t>(i) * row * size;
-            std::int64_t bad = 0;
-            for (std::size_t k = 0; k < row; ++k)
+            const unsigned char *const at =
+                picture.bytes() + static_cast<std::size_t>(i) * row * channel_bytes(type);
+            ValueCounts own;
+            if (type == CM_PIXEL_HALF)
             {
-                bad += is_bad(description_of_pixels().type, values, k) ? 1 : 0;
+                count_values<std::uint16_t, 0x7c00, 0x3c00>(at, row, own);
             }
-            count += bad;
+            else
+            {
+                count_values<std::uint32_t, 0x7f800000, 0x3f800000>(at, row, own);
+            }
+            const std::lock_guard<std::mutex> held(lock);
+            counts.not_finite += own.not_finite;
+            counts.below_zero += own.below_zero;
+            counts.above_one += own.above_one;
         };
         parallel_for(rows, threads, count_row);
     }
-    bad_values = count;
 }
 
 void Input::refuse_not_finite() const

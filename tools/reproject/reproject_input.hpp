@@ -14,6 +14,14 @@
 #include <string>
 #include <vector>
 
+// How many values of floats are so; of others none.
+struct ValueCounts
+{
+    std::int64_t not_finite = 0;
+    std::int64_t below_zero = 0; // and finite
+    std::int64_t above_one = 0;  // and finite
+};
+
 class Input : public SphereFiles
 {
 public:
@@ -32,10 +40,10 @@ public:
     {
         return views.data();
     }
-    // How many values are NaN or infinite, after read().
-    std::int64_t not_finite() const noexcept
+    // After read().
+    const ValueCounts &values() const noexcept
     {
-        return bad_values;
+        return counts;
     }
 
 private:
@@ -43,12 +51,12 @@ private:
     std::vector<bool> allocate(MemoryCeiling &ceiling, WorkFolder *work);
     void read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
                     const std::vector<bool> &there);
-    void count_not_finite(int threads);
+    void count_all(int threads);
     [[noreturn]] void refuse_not_finite() const;
 
     std::vector<PixelMemory> memory;
     std::vector<cm_image> views;
-    std::int64_t bad_values = 0;
+    ValueCounts counts;
 };
 
 #endif

@@ -68,6 +68,21 @@ std::string not_finite_text(std::int64_t count, cm_not_finite what)
                                          : "kept");
 }
 
+// Of values that OUTPUT cannot have; "" if it can have all.
+std::string cut_text(const ValueCounts &counts, const ImagePlan &plan)
+{
+    const cm_pixel_type type = held_type(plan.format, plan.description.type);
+    const bool whole = type == CM_PIXEL_U8 || type == CM_PIXEL_U16;
+    const auto text_of = [](std::int64_t count, const char *where, const char *written)
+    {
+        return count == 0 ? ""
+                          : "; " + std::to_string(count) + (count == 1 ? " value " : " values ") +
+                                where + " written as " + written;
+    };
+    return (whole || plan.format == "hdr" ? text_of(counts.below_zero, "below 0", "0") : "") +
+           (whole ? text_of(counts.above_one, "above 1", "1") : "");
+}
+
 } // namespace
 
 Output::Output(const Options &options, const Input &input)
@@ -415,7 +430,8 @@ void Output::write_pictures(const Render &render, int threads)
 void Output::write(const Options &options, const Input &input, int threads, MemoryCeiling &ceiling,
                    std::FILE *terminal, KeptPlan &kept)
 {
-    not_finite = input.not_finite();
+    not_finite = input.values().not_finite;
+    cut = cut_text(input.values(), plan);
     values.not_finite = not_finite > 0 ? engine_not_finite(options) : CM_NOT_FINITE_SPREAD;
     values.memory = ceiling.functions();
     const cm_plan &geometry =
@@ -509,6 +525,6 @@ std::string Output::description() const
             : colors.recode == Recode::decode ? "; sRGB written as light"
                                               : "";
     text += not_finite > 0 ? "; " + not_finite_text(not_finite, values.not_finite) : "";
-    text += chosen_mapping;
+    text += cut + chosen_mapping;
     return text + (lines ? "; " + lines->description() : "") + ")";
 }

@@ -103,6 +103,7 @@ private:
     std::unique_ptr<SurfaceLines> lines; // if there are to be any
     cm_filter filter = CM_FILTER_AUTO;   // that was taken
     std::int64_t not_finite = 0;
+    std::string cut; // for people: values that OUTPUT cannot have
 };
 
 #endif
