@@ -54,6 +54,10 @@ void surface_tags()
         matches(run_with_input(content_of("noise.ppm"), "reproject --quiet --to equirect - -").out,
                 "^P6\n64 32\n255\n"),
         "nor has a pipe");
+    does("reproject --quiet --to cube:qsc --layout cross noise.ppm piped.ppm");
+    const Ran piped = run_with_input(content_of("piped.ppm"), "reproject - back.png");
+    result(matches(piped.out, "^standard input \\(cube:qsc, frame geo, cross 64x48,"),
+           "a tag that comes through a pipe", piped.out + piped.err);
     warns("what the command line says counts",
           "'cross.png' says that it is cube:qsc;frame=gl;layout=cross;size=16; it is taken as "
           "cube:coupled;",
