@@ -84,9 +84,12 @@ bool ComparedFiles::is_told() const
 std::string ComparedFiles::told() const
 {
     const std::optional<SavedSurface> saved = saved_surface(files.files().front());
-    return !saved ? ""
-                  : without_size(saved->specification) +
-                        (saved->rotation ? ", turned by " + rotation_text(*saved->rotation) : "");
+    if (!saved)
+    {
+        return "";
+    }
+    const std::string &text = saved->specification;
+    return is_cube(text) ? without_size(text) : kind_of(text);
 }
 
 const std::vector<std::string> &ComparedFiles::warnings() const

@@ -30,7 +30,8 @@ public:
     bool is_six() const;
     bool is_told() const;
 
-    // What is told of it, for people; "": nothing.
+    // The kind of surface that the files tell, which pictures have in common that may be compared as they stand: a cube
+    // with its mapping, frame and layout; "": none.
     std::string told() const;
 
     // Finds the surface: what the option says, or the files do, or 2:1 is equirectangular. UsageFailure if nobody knows, or
