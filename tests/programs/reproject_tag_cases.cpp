@@ -210,6 +210,21 @@ void contradicted_tags()
           "reproject utm.tif made/a.tif");
 }
 
+// The tag and the georeference of one picture say the same, whatever is rounded.
+void agreeing_tags()
+{
+    make_noise(64, 32, "noise.ppm");
+    for (const std::string to :
+         {"equirect;size=64", "mercator;size=64",
+          "mercator;west=12;east=28;south=42;north=48;size=20",
+          "equirect;west=170.123456789;east=193.3333333333;south=-7.77;north=12.34567;size=33"})
+    {
+        does("reproject --quiet --georeference --to " + to + " noise.ppm both.tif");
+        passes("both are written of " + to,
+               "reproject --quiet --to equirect --size 64 both.tif out.png");
+    }
+}
+
 void unknown_units()
 {
     const std::string nearest = "reproject --to equirect --size 36 --filter nearest ";
@@ -557,6 +572,7 @@ const std::vector<Subject> &reproject_tag_subjects()
                                                   {"photo_spheres", photo_spheres},
                                                   {"georeferences", georeferences},
                                                   {"contradicted_tags", contradicted_tags},
+                                                  {"agreeing_tags", agreeing_tags},
                                                   {"unknown_units", unknown_units},
                                                   {"sizes_in_tags", sizes_in_tags},
                                                   {"written_georeferences", written_georeferences},
