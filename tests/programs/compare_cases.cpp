@@ -174,6 +174,11 @@ void told_surfaces()
                                 "compared as they stand, unless --surface says what B is\n$"),
            "pixels are compared as ever where sizes are the same, but not without a word",
            ran.err + ran.out);
+}
+
+void untold_faces()
+{
+    make_direction_image(equirect_shape, 64, "world.tif");
     make_constant(16, 16, 3, "uint8", 0.5f, "bare_0.png");
     for (int face = 1; face < 6; ++face)
     {
@@ -291,9 +296,9 @@ void wrong_comparisons()
 const std::vector<Subject> &compare_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"compare_constants", constants},    {"compare_areas", areas},
-        {"compare_surfaces", surfaces},      {"compare_range", high_dynamic_range},
-        {"compare_told", told_surfaces},     {"compare_pictures", pictures},
-        {"compare_wrong", wrong_comparisons}};
+        {"compare_constants", constants}, {"compare_areas", areas},
+        {"compare_surfaces", surfaces},   {"compare_range", high_dynamic_range},
+        {"compare_told", told_surfaces},  {"compare_untold", untold_faces},
+        {"compare_pictures", pictures},   {"compare_wrong", wrong_comparisons}};
     return subjects;
 }

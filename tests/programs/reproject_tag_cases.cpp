@@ -44,20 +44,6 @@ void surface_tags()
                    !matches(again, "cube:qsc|cubemap:rotation"),
                "the tag is the output's own, ." + extension, again);
     }
-    make_constant(64, 32, 1, "uint8", 0.5f, "grey.png");
-    does("reproject --quiet --layout vcross grey.png grey.pgm");
-    says("a tag of grey", "^grey\\.pgm \\(cube:coupled, frame geo, vcross 48x64,",
-         "reproject grey.pgm back.png");
-    does("reproject --quiet --layout vcross noise.ppm light.pfm");
-    fails("PFM has no room for any", 1, "48 x 64, neither 2:1", "reproject light.pfm made/a.png");
-    result(
-        matches(run_with_input(content_of("noise.ppm"), "reproject --quiet --to equirect - -").out,
-                "^P6\n64 32\n255\n"),
-        "nor has a pipe");
-    does("reproject --quiet --to cube:qsc --layout cross noise.ppm piped.ppm");
-    const Ran piped = run_with_input(content_of("piped.ppm"), "reproject - back.png");
-    result(matches(piped.out, "^standard input \\(cube:qsc, frame geo, cross 64x48,"),
-           "a tag that comes through a pipe", piped.out + piped.err);
     warns("what the command line says counts",
           "'cross.png' says that it is cube:qsc;frame=gl;layout=cross;size=16; it is taken as "
           "cube:coupled;",
@@ -90,6 +76,26 @@ void surface_tags()
     result(matches(text, "ImageDescription=Two people\ncubemap:surface=equirect;") &&
                !matches(text, "layout=strip"),
            "what people have written stays", text);
+}
+
+// In comments of headers; and where there is no room for any.
+void tags_in_headers()
+{
+    make_noise(64, 32, "noise.ppm");
+    make_constant(64, 32, 1, "uint8", 0.5f, "grey.png");
+    does("reproject --quiet --layout vcross grey.png grey.pgm");
+    says("a tag of grey", "^grey\\.pgm \\(cube:coupled, frame geo, vcross 48x64,",
+         "reproject grey.pgm back.png");
+    does("reproject --quiet --layout vcross noise.ppm light.pfm");
+    fails("PFM has no room for any", 1, "48 x 64, neither 2:1", "reproject light.pfm made/a.png");
+    result(
+        matches(run_with_input(content_of("noise.ppm"), "reproject --quiet --to equirect - -").out,
+                "^P6\n64 32\n255\n"),
+        "nor has a pipe");
+    does("reproject --quiet --to cube:qsc --layout cross noise.ppm piped.ppm");
+    const Ran piped = run_with_input(content_of("piped.ppm"), "reproject - back.png");
+    result(matches(piped.out, "^standard input \\(cube:qsc, frame geo, cross 64x48,"),
+           "a tag that comes through a pipe", piped.out + piped.err);
 }
 
 void photo_spheres()
@@ -569,6 +575,7 @@ void sidecars()
 const std::vector<Subject> &reproject_tag_subjects()
 {
     static const std::vector<Subject> subjects = {{"surface_tags", surface_tags},
+                                                  {"tags_in_headers", tags_in_headers},
                                                   {"photo_spheres", photo_spheres},
                                                   {"georeferences", georeferences},
                                                   {"contradicted_tags", contradicted_tags},

@@ -95,29 +95,9 @@ Output::Output(const Options &options, const Input &input)
     kept_density = options.keep == Keep::mean   ? ", as many pixels as INPUT"
                    : options.keep == Keep::most ? ", as dense as INPUT where it is densest"
                                                 : "";
-    const ImageDescription &source = input.description_of_pixels();
     const bool tiles = is_hips_name(options.output);
-    plan = plan_image(!options.pipe.empty() ? options.pipe
-                      : tiles               ? hips_format(options, source)
-                                            : format_of(options.output),
-                      source, input.files().front().format(), names.front());
-    if (is_texture(plan.format))
-    {
-        plan_texture(plan, names.front());
-    }
-    if (tiles)
-    {
-        plan_hips(plan);
-    }
-    else if (plan.format == "fits")
-    {
-        plan_healpix(plan, options);
-    }
-    if (options.parts)
-    {
-        plan.parts = part_names(whole.surface());
-    }
-    channels = source.channels;
+    choose_format(options, input);
+    channels = input.description_of_pixels().channels;
     choose_colors(options, input);
     choose_place(options, input);
     if (options.overlay.wanted())
@@ -139,6 +119,32 @@ Output::Output(const Options &options, const Input &input)
     if (options.resume && !tiles)
     {
         keep_work();
+    }
+}
+
+void Output::choose_format(const Options &options, const Input &input)
+{
+    const ImageDescription &source = input.description_of_pixels();
+    const bool tiles = is_hips_name(options.output);
+    plan = plan_image(!options.pipe.empty() ? options.pipe
+                      : tiles               ? hips_format(options, source)
+                                            : format_of(options.output),
+                      source, input.files().front().format(), names.front());
+    if (is_texture(plan.format))
+    {
+        plan_texture(plan, names.front());
+    }
+    if (tiles)
+    {
+        plan_hips(plan);
+    }
+    else if (plan.format == "fits")
+    {
+        plan_healpix(plan, options);
+    }
+    if (options.parts)
+    {
+        plan.parts = part_names(whole.surface());
     }
 }
 

@@ -55,6 +55,7 @@ private:
     using Rows = OutputRows;
 
     void choose_names(const Options &options, const Input &input);
+    void choose_format(const Options &options, const Input &input);
     void choose_place(const Options &options, const Input &input);
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
