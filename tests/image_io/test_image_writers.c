@@ -6,8 +6,10 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "io_pictures.h"
+#include "modules/image/io/header_lines.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -211,9 +213,102 @@ START_TEST(test_streams)
 }
 END_TEST
 
+/* ---------------------------------------------------------------- Radiance */
+
+/* What its pixels cannot be: one exponent for three numbers, none of them below 0. */
+START_TEST(test_light)
+{
+    static float written[HEIGHT][WIDTH][3];
+    static float read[HEIGHT][WIDTH][3];
+    const float most = 0x1.fep126f;
+    const float values[][2] = {{-0.01f, 0.0f}, {-3e38f, 0.0f},   {-INFINITY, 0.0f}, {NAN, 0.0f},
+                               {3e38f, most},  {INFINITY, most}, {most, most},      {0.5f, 0.5f}};
+    const size_t count = sizeof values / sizeof *values;
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
+    {
+        written[i / WIDTH][i % WIDTH][i % 3] = values[i % count][0];
+    }
+    const cm_image_description description = describe("hdr", CM_PIXEL_FLOAT, 3);
+    cm_image_writer *writer = NULL;
+    expect_good(io->create("light.hdr", NULL, &description, &writer, message), "light");
+    expect_good(io->write(writer, 0, HEIGHT, CM_PIXEL_FLOAT, written, 0, 0, message), "light");
+    expect_good(io->finish(writer, message), "light");
+    io->drop(writer);
+    cm_image_reader *reader = open_picture("light.hdr");
+    read_all(reader, CM_PIXEL_FLOAT, read, "light");
+    io->close(reader);
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
+    {
+        const float *const pixel = read[i / WIDTH][i % WIDTH];
+        const double wanted = (double)values[i % count][1];
+        REQUIRE(fabs((double)pixel[i % 3] - wanted) <= 0.004 * wanted && pixel[(i + 1) % 3] == 0 &&
+                    pixel[(i + 2) % 3] == 0,
+                "%g for %g", (double)pixel[i % 3], (double)values[i % count][0]);
+    }
+    unlink("light.hdr");
+}
+END_TEST
+
+/* Our tags are lines behind the first one, of a stream, and all else is as it was. */
+START_TEST(test_header_lines)
+{
+    static pixels any;
+    fill(&any, CM_PIXEL_FLOAT, 3);
+    char long_text[CM_HEADER_LINES_SIZE];
+    memset(long_text, 'x', sizeof long_text - 1);
+    long_text[sizeof long_text - 1] = '\0';
+    const cm_image_tag tags[] = {{"Artist", "Anna", NULL, NULL, 0},
+                                 {"cubemap:surface", "cube:qsc", NULL, NULL, 0},
+                                 {"cubemap:more", long_text, NULL, NULL, 0},
+                                 {"cubemap:lines", "two\nlines", NULL, NULL, 0},
+                                 {"cubemap:rotation", "1,2,3", NULL, NULL, 0}};
+    static const char lines[] = "# cubemap:surface=cube:qsc\n# cubemap:rotation=1,2,3\n";
+    cm_image_description description = describe("hdr", CM_PIXEL_FLOAT, 3);
+    write_picture("plain", &description, &any);
+    description.tags = tags;
+    description.tag_count = sizeof tags / sizeof *tags;
+    FILE *file = fopen("tagged", "w+b");
+    const cm_image_stream stream = {file, stream_read, stream_write, stream_seek, stream_size};
+    cm_image_writer *writer = NULL;
+    expect_good(io->create("tagged", &stream, &description, &writer, message), "tagged");
+    expect_good(io->write(writer, 0, HEIGHT, CM_PIXEL_FLOAT, any.bytes, 0, 0, message), "tagged");
+    expect_good(io->finish(writer, message), "tagged");
+    io->drop(writer);
+    fclose(file);
+    size_t size = 0;
+    size_t plain_size = 0;
+    unsigned char *tagged = content_of("tagged", &size);
+    unsigned char *plain = content_of("plain", &plain_size);
+    const size_t first = strlen("#?RADIANCE\n");
+    const size_t added = sizeof lines - 1;
+    REQUIRE(size == plain_size + added, "%zu bytes, without tags %zu", size, plain_size);
+    REQUIRE(memcmp(tagged, plain, first) == 0 && memcmp(tagged + first, lines, added) == 0 &&
+                memcmp(tagged + first + added, plain + first, plain_size - first) == 0,
+            "not the lines alone");
+    free(tagged);
+    free(plain);
+    cm_image_reader *reader = open_picture("tagged");
+    const cm_image_description *const read = io->describe(reader);
+    REQUIRE(read->tag_count >= 2, "%zu tags", read->tag_count);
+    const cm_image_tag *const last = read->tags + read->tag_count - 2;
+    ck_assert_str_eq(last[0].key, "cubemap:surface");
+    ck_assert_str_eq(last[0].text, "cube:qsc");
+    ck_assert_str_eq(last[1].key, "cubemap:rotation");
+    ck_assert_str_eq(last[1].text, "1,2,3");
+    io->close(reader);
+    unlink("tagged");
+    unlink("plain");
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {test_wrong_descriptions, test_wrong_rows, test_strides,
-                                  test_streams, NULL};
+    const TTest *const tests[] = {test_wrong_descriptions,
+                                  test_wrong_rows,
+                                  test_strides,
+                                  test_streams,
+                                  test_light,
+                                  test_header_lines,
+                                  NULL};
     return run_in_folder("image writers", tests);
 }

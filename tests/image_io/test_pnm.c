@@ -3,6 +3,7 @@
  * PGM, PPM, PAM, PFM and bare samples: several pictures in one stream, the bytes of small files by Netpbm's specifications,
  * streams cut anywhere.
  */
+#include "modules/image/io/header_lines.h"
 #include "modules/image/io/pnm_file.h"
 
 #include "tests/memory_stream.h"
@@ -170,6 +171,21 @@ START_TEST(test_written_bytes)
     static const char wanted[] = "P5\n2 1\n65535\n\x01\x02\xff\xfe";
     REQUIRE(cm_pnm_write(&stream, &picture, &image, message) == CM_OK, "%s", message);
     REQUIRE(memory.size == sizeof wanted - 1 && memcmp(file, wanted, memory.size) == 0, "bytes");
+    cm_pnm_picture noted = picture;
+    noted.comments = "# one\n# two\n";
+    static const char longer[] = "P5\n# one\n# two\n2 1\n65535\n\x01\x02\xff\xfe";
+    memory = (memory_stream){file, 0, ROOM, 0};
+    REQUIRE(cm_pnm_write(&stream, &noted, &image, message) == CM_OK, "%s", message);
+    REQUIRE(memory.size == sizeof longer - 1 && memcmp(file, longer, memory.size) == 0, "comments");
+    const float light = 1.0F;
+    cm_image one = image;
+    one.data = (void *)(uintptr_t)&light;
+    one.type = CM_PIXEL_FLOAT;
+    one.width = 1;
+    noted.kind = CM_PNM_PFM;
+    memory = (memory_stream){file, 0, ROOM, 0};
+    REQUIRE(cm_pnm_write(&stream, &noted, &one, message) == CM_OK, "%s", message);
+    REQUIRE(memcmp(file, "Pf\n1 1\n", 7) == 0, "PFM has no comments");
 }
 END_TEST
 
@@ -229,9 +245,32 @@ START_TEST(test_truncated)
 }
 END_TEST
 
+START_TEST(test_lines_of_tags)
+{
+    static const char header[] = "P5\n# made by hand\n#\n# cubemap:\ncubemap:a=1\n"
+                                 "#cubemap:b=2=3\n# cubemap:c=\n# cubemap:d=4";
+    static const char *const wanted[][2] = {
+        {"cubemap:b", "2=3"}, {"cubemap:c", ""}, {"cubemap:d", "4"}};
+    const char *at = header;
+    const char *const end = header + sizeof header - 1;
+    cm_header_line line;
+    for (size_t i = 0; i < 3; i++)
+    {
+        REQUIRE(cm_header_lines_next(&at, end, &line), "line %zu", i);
+        REQUIRE(line.key_size == strlen(wanted[i][0]) &&
+                    memcmp(line.key, wanted[i][0], line.key_size) == 0 &&
+                    line.value_size == strlen(wanted[i][1]) &&
+                    memcmp(line.value, wanted[i][1], line.value_size) == 0,
+                "%.*s, not %s", (int)(line.key_size + 1 + line.value_size), line.key, wanted[i][0]);
+    }
+    REQUIRE(!cm_header_lines_next(&at, end, &line) && at == end, "one more");
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {test_round_trips, test_bytes,     test_written_bytes,
-                                  test_wrong,       test_truncated, NULL};
+    const TTest *const tests[] = {
+        test_round_trips,   test_bytes, test_written_bytes, test_wrong, test_truncated,
+        test_lines_of_tags, NULL};
     return run_suite("pnm", tests);
 }

@@ -126,14 +126,76 @@ void surfaces()
                            .out,
                        "\"max\": {\"value\": "),
          0, 0.1);
-    fails("no surface", 1, "--surface and --reference-surface say", "compare world.tif cross.tif");
+    make_constant(128, 96, 3, "float", 0.5f, "untold.tif");
+    fails("no surface", 1, "--surface and --reference-surface say", "compare world.tif untold.tif");
     fails("a surface of six files", 2, "say a layout of one",
           "compare --surface 'cube;layout=faces' world.tif disc.tif");
     fails("a surface of another shape", 2, "64 x 32 is not 4N x 3N",
           "compare --surface 'cube;layout=cross' world.tif world.tif");
     fails("no such surface", 2, "nonesuch", "compare --surface nonesuch world.tif world.tif");
     fails("which map?", 2, "--surface is missing",
-          "compare --reference-surface equirect world.tif cross.tif");
+          "compare --reference-surface equirect world.tif untold.tif");
+}
+
+// Of what files say of themselves, and of six faces.
+void told_surfaces()
+{
+    const auto largest = [](const std::string &names)
+    {
+        return number_behind(does("compare --json -m max,ws-psnr " + names).out,
+                             "\"max\": {\"value\": ");
+    };
+    make_direction_image(equirect_shape, 64, "world.tif");
+    const std::string qsc =
+        "reproject --quiet --filter bspline5 --size 32 --to cube:qsc --frame gl "
+        "--rotate 10,20,30 world.tif ";
+    does(qsc + "cross.exr --layout cross");
+    does(qsc + "face_%f.exr");
+    does(qsc + "strip.exr --layout strip");
+    does(qsc + "border_%f.exr --border 2");
+    near("a tag says what B is", largest("world.tif cross.exr"), 0, 0.02);
+    near("or what A is", largest("cross.exr world.tif"), 0, 0.02);
+    near("a tag counts less than an option",
+         largest("--surface 'cube:coupled;frame=gl;layout=cross' world.tif cross.exr") > 0.5, 1, 0);
+    near("six faces", largest("world.tif face_%f.exr"), 0, 0.02);
+    near("six faces with borders", largest("border_%f.exr world.tif"), 0, 0.02);
+    near("six faces are a strip", largest("face_%f.exr strip.exr"), 0, 0);
+    near("of twice the same cube nothing is resampled", largest("face_%f.exr face_%f.exr"), 0, 0);
+    near("six faces, and an option",
+         largest("--surface cube:qsc;frame=gl world.tif face_%f.exr") > 0.1, 1,
+         0); // which does not say how they are turned
+    does("reproject --quiet --filter bspline5 --size 32 world.tif other_%f.exr");
+    near("six faces of another cube", largest("other_%f.exr face_%f.exr"), 0, 0.02);
+    does("reproject --quiet --filter bspline5 --size 32 world.tif other.exr --layout strip");
+    const Ran ran = run("compare -m max other.exr strip.exr");
+    result(ran.status == 0 &&
+               matches(ran.err, "^cubemap-compare: 'other.exr' says that it is cube:coupled;.*, "
+                                "'strip.exr' cube:qsc;.*; their pixels are "
+                                "compared as they stand, unless --surface says what B is\n$"),
+           "pixels are compared as ever where sizes are the same, but not without a word",
+           ran.err + ran.out);
+}
+
+void untold_faces()
+{
+    make_direction_image(equirect_shape, 64, "world.tif");
+    make_constant(16, 16, 3, "uint8", 0.5f, "bare_0.png");
+    for (int face = 1; face < 6; ++face)
+    {
+        std::filesystem::copy_file("bare_0.png", "bare_" + std::to_string(face) + ".png");
+    }
+    near("faces of which nobody says anything",
+         number_behind(does("compare --json -m max bare_%f.png "
+                            "bare_%f.png")
+                           .out,
+                       "\"max\": {\"value\": "),
+         0, 0);
+    fails("of which cube?", 2, "--surface is missing",
+          "compare world.tif bare_%f.png "
+          "--reference-surface equirect");
+    std::filesystem::remove("bare_4.png");
+    fails("a face is missing", 1, "'bare_4.png' cannot be read: .*all six faces are needed",
+          "compare bare_%f.png bare_%f.png");
 }
 
 void high_dynamic_range()
@@ -236,6 +298,7 @@ const std::vector<Subject> &compare_subjects()
     static const std::vector<Subject> subjects = {
         {"compare_constants", constants}, {"compare_areas", areas},
         {"compare_surfaces", surfaces},   {"compare_range", high_dynamic_range},
+        {"compare_told", told_surfaces},  {"compare_untold", untold_faces},
         {"compare_pictures", pictures},   {"compare_wrong", wrong_comparisons}};
     return subjects;
 }

@@ -175,6 +175,29 @@ P
     rm -rf made
 }
 
+# The same of folders of tiles.
+left_over_tiles()
+{
+    mkdir made
+    python3 - "$programs/cubemap-reproject" --quiet --size 512 --order 3 "$earth" made/tiles/ <<'P'
+import os, signal, subprocess, sys, time
+child = subprocess.Popen(sys.argv[1:])
+for _ in range(1000):
+    if len(os.listdir("made")) == 1 or child.poll() is not None:
+        break
+    time.sleep(0.01)
+child.send_signal(signal.SIGKILL)
+sys.exit(0 if child.wait() == -signal.SIGKILL else 1)
+P
+    local status=$? count
+    count=$(find made -mindepth 1 -maxdepth 1 -name '.*' | wc -l)
+    "$programs/cubemap-reproject" --quiet --size 16 --order 0 "$earth" made/tiles/
+    [ $status -eq 0 ] && [ "$count" -eq 1 ] && [ "$(ls -A made)" = tiles ] &&
+        [ "$(stat -c %a made/tiles)" = "$(printf %o $((0777 & ~$(umask))))" ]
+    result $? 'nor do folders of tiles' "status $status, $count folders; then: $(ls -lA made)"
+    rm -rf made
+}
+
 # Work that was killed goes on, and has the same bytes.
 killed_and_resumed()
 {
@@ -301,8 +324,10 @@ full 'standard output is full' "$programs/cubemap-colormap" single
 link_and_permissions
 progress_bar
 signals reproject 6 "$programs/cubemap-reproject" --size 6000 "$earth" made/%f.tif
+signals tiles 1 "$programs/cubemap-reproject" --quiet --size 512 --order 3 "$earth" made/tiles/
 signals_while_rendering
 left_over
+left_over_tiles
 killed_and_resumed
 memory_ceiling
 library

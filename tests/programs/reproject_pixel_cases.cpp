@@ -324,6 +324,29 @@ void one_nan()
           "reproject --not-finite refuse nan.tif made/a.tif");
 }
 
+// What OUTPUT cannot have is cut, and said.
+void cut_values()
+{
+    std::vector<float> pixels(std::size_t{32} * 16, 0.5f);
+    pixels[3] = -0.25f;
+    pixels[40] = 7.0f;
+    pixels[41] = 1.5f;
+    pixels[42] = 1.0f;
+    pixels[43] = -0.0f;
+    write_tiff("light.tif", 32, 16, pixels);
+    const std::string to = "reproject --filter nearest --to equirect ";
+    says("above 1 and below 0", "; 1 value below 0 written as 0; 2 values above 1 written as 1\\)$",
+         to + "light.tif out.png");
+    says("floats have all", "\\(equirect 32x16; nearest\\)$", to + "light.tif out.tif");
+    make_constant(32, 16, 3, "half", -2.0f, "less.exr");
+    says("of halves", "; 1536 values below 0 written as 0\\)$", to + "less.exr out.hdr");
+    make_constant(32, 16, 3, "half", 0, "wanted.exr");
+    passes("which are 0 in HDR", "compare --max 0 out.hdr wanted.exr");
+    make_constant(32, 16, 3, "half", 2.0f, "more.exr");
+    says("HDR has more than 1", "\\(equirect 32x16; nearest\\)$", to + "more.exr out.hdr");
+    says("PNG has not", "; 1536 values above 1 written as 1\\)$", to + "more.exr out.png");
+}
+
 void dithers()
 {
     make_constant(64, 32, 1, "uint16", 0.5f + 0.3f / 255, "grey.tif");
@@ -408,6 +431,7 @@ const std::vector<Subject> &reproject_pixel_subjects()
                                                   {"unusual_colors", unusual_colors},
                                                   {"light", light},
                                                   {"one_nan", one_nan},
+                                                  {"cut_values", cut_values},
                                                   {"dithers", dithers},
                                                   {"files_and_filters", files_and_filters}};
     return subjects;

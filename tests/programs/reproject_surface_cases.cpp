@@ -131,6 +131,11 @@ void sizes()
     // tan: 4 n / pi at the edges' middles and corners, where faces are densest
     says("back, where faces are densest", "\\(equirect [0-9]*x[0-9]*, as dense",
          "reproject --keep max max_%f.png back.png");
+    for (const std::string fov : {"180", "190", "193", "200"})
+    {
+        says("circles have an even width, fov=" + fov, ":fov=" + fov + " [0-9]*[02468]x",
+             "reproject --to dual-fisheye:fov=" + fov + " noise.ppm circles.png");
+    }
     says("HEALPix has powers of two", "healpix:16 192x16;",
          "reproject --to healpix noise.ppm healpix.png");
 }

@@ -30,7 +30,7 @@ Ran warns(const std::string &name, const std::string &expression, const std::str
 void surface_tags()
 {
     make_noise(64, 32, "noise.ppm");
-    for (const std::string extension : {"png", "tif", "jpg", "exr"})
+    for (const std::string extension : {"png", "tif", "jpg", "exr", "ppm", "hdr"})
     {
         does(
             "reproject --quiet --to cube:qsc --frame gl --layout cross --rotate 10,20,30 noise.ppm "
@@ -76,6 +76,26 @@ void surface_tags()
     result(matches(text, "ImageDescription=Two people\ncubemap:surface=equirect;") &&
                !matches(text, "layout=strip"),
            "what people have written stays", text);
+}
+
+// In comments of headers; and where there is no room for any.
+void tags_in_headers()
+{
+    make_noise(64, 32, "noise.ppm");
+    make_constant(64, 32, 1, "uint8", 0.5f, "grey.png");
+    does("reproject --quiet --layout vcross grey.png grey.pgm");
+    says("a tag of grey", "^grey\\.pgm \\(cube:coupled, frame geo, vcross 48x64,",
+         "reproject grey.pgm back.png");
+    does("reproject --quiet --layout vcross noise.ppm light.pfm");
+    fails("PFM has no room for any", 1, "48 x 64, neither 2:1", "reproject light.pfm made/a.png");
+    result(
+        matches(run_with_input(content_of("noise.ppm"), "reproject --quiet --to equirect - -").out,
+                "^P6\n64 32\n255\n"),
+        "nor has a pipe");
+    does("reproject --quiet --to cube:qsc --layout cross noise.ppm piped.ppm");
+    const Ran piped = run_with_input(content_of("piped.ppm"), "reproject - back.png");
+    result(matches(piped.out, "^standard input \\(cube:qsc, frame geo, cross 64x48,"),
+           "a tag that comes through a pipe", piped.out + piped.err);
 }
 
 void photo_spheres()
@@ -146,6 +166,155 @@ void georeferences()
               check_pixel("whole.tif", 9, 4, {0});
               check_pixel("whole.tif", 18 + 9, 12, {0});
           });
+}
+
+// A TIFF file of 8 x 4 pixels whose description is a tag, and that may be placed.
+void write_tagged(const std::string &name, const std::string &tag, const std::vector<TiffTag> &more)
+{
+    std::vector<TiffTag> tags = more;
+    tags.push_back(text(270, tag));
+    write_tiff(name, 8, 4, std::vector<float>(32, 0.5f), tags);
+}
+
+const TiffTag part_scale = doubles(33550, {10, 10, 0});
+const TiffTag part_tie = doubles(33922, {0, 0, 0, 20, 50, 0});
+
+// What others have cut from a picture of ours, or moved, has our tag all the same.
+void contradicted_tags()
+{
+    const std::string nearest = "reproject --to equirect --size 36 --filter nearest ";
+    const std::string part = "\\(equirect;west=20;east=100;south=10;north=50 8x4,";
+    const TiffTag degrees = geo_keys(2, 1, 2048, 4326);
+    write_tagged("cut.tif", "cubemap:surface=equirect;size=36;height=18",
+                 {part_scale, part_tie, degrees});
+    const Ran cut = warns("a cut raster is where its georeference has it",
+                          "'cut.tif' says that it is equirect;size=36;height=18, and its "
+                          "georeference that it is equirect;west=20;.*; the georeference counts",
+                          nearest + "cut.tif whole.tif");
+    result(matches(cut.out, "^cut\\.tif " + part), "and not the whole", cut.out);
+    holds("it is where it says",
+          []
+          {
+              check_pixel("whole.tif", 18 + 2, 4, {0.5});
+              check_pixel("whole.tif", 18 + 1, 4, {0});
+          });
+    write_tagged("moved.tif", "cubemap:surface=equirect;size=8;height=4",
+                 {part_scale, part_tie, degrees});
+    warns("a moved one, too", "the georeference counts", nearest + "moved.tif whole.tif");
+    write_tagged("turned.tif",
+                 "cubemap:surface=equirect;size=8;height=4\ncubemap:rotation=10,20,30",
+                 {doubles(33550, {45, 45, 0}), doubles(33922, {0, 0, 0, -180, 90, 0}), degrees});
+    warns("a turned one", "the georeference counts", nearest + "turned.tif whole.tif");
+    write_tagged("same.tif",
+                 "cubemap:surface=equirect;west=20;east=100;south=10;north=50.0001;size=8;height=4",
+                 {part_scale, part_tie, degrees});
+    says("both say the same", "^same\\.tif \\(equirect;west=20;", nearest + "same.tif whole.tif");
+    passes("and nobody complains", "reproject --quiet --to equirect --size 36 same.tif whole.tif");
+    write_tagged("utm.tif", "cubemap:surface=equirect;size=8;height=4",
+                 {part_scale, part_tie, geo_keys(1, 1, 3072, 32632)});
+    fails("a raster in metres is not what its tag says", 1, "by EPSG:32632; make it EPSG:4326",
+          "reproject utm.tif made/a.tif");
+}
+
+// The tag and the georeference of one picture say the same, whatever is rounded.
+void agreeing_tags()
+{
+    make_noise(64, 32, "noise.ppm");
+    for (const std::string to :
+         {"equirect;size=64", "mercator;size=64",
+          "mercator;west=12;east=28;south=42;north=48;size=20",
+          "equirect;west=170.123456789;east=193.3333333333;south=-7.77;north=12.34567;size=33"})
+    {
+        does("reproject --quiet --georeference --to " + to + " noise.ppm both.tif");
+        passes("both are written of " + to,
+               "reproject --quiet --to equirect --size 64 both.tif out.png");
+    }
+}
+
+void unknown_units()
+{
+    const std::string nearest = "reproject --to equirect --size 36 --filter nearest ";
+    const std::vector<float> pixels(32, 0.5f);
+    write_tiff("bare.tif", 8, 4, pixels, {part_scale, part_tie});
+    fails(
+        "numbers without keys", 1,
+        "'bare.tif' is placed on the Earth by numbers without a system of coordinates; say --from "
+        "'equirect;west=20;east=100;south=10;north=50' if they are degrees, or give it a system",
+        "reproject bare.tif made/a.tif");
+    passes("unless --from says what they are",
+           "reproject --quiet --from equirect;west=20;east=100;south=10;north=50 --to equirect "
+           "--size 36 bare.tif whole.tif");
+    write_tiff("far.tif", 8, 4, pixels, {part_scale, doubles(33922, {0, 0, 0, 4e5, 5e6, 0})});
+    fails("those that cannot be degrees", 1, "say --from SPEC, what it covers in degrees, or give",
+          "reproject far.tif made/a.tif");
+    write_tiff("points.tif", 8, 4, pixels,
+               {doubles(33922, {0, 0, 0, 20, 50, 0, 8, 4, 0, 100, 10, 0})});
+    fails("several points", 1, "by several points; say --from SPEC",
+          "reproject points.tif made/a.tif");
+    const TiffTag around = doubles(33922, {0, 0, 0, -180, 90, 0});
+    write_tiff("whole.tif", 8, 4, pixels, {doubles(33550, {45, 45, 0}), around});
+    says("degrees of the whole sphere are known", "^whole\\.tif \\(equirect 8x4,",
+         nearest + "whole.tif out.tif");
+    write_tiff("pixels.tif", 8, 4, pixels,
+               {doubles(33550, {1, 1, 0}), doubles(33922, {0, 0, 0, 0, 0, 0})});
+    says("numbers of pixels place nothing", "^pixels\\.tif \\(equirect 8x4,",
+         nearest + "pixels.tif out.tif");
+    write_tagged("same.tif",
+                 "cubemap:surface=equirect;west=20;east=100;south=10;north=50;size=8;height=4",
+                 {part_scale, part_tie});
+    says("a tag may say that they are degrees", "^same\\.tif \\(equirect;west=20;east=100;",
+         nearest + "same.tif out.tif");
+    write_tagged("other.tif", "cubemap:surface=equirect;size=8;height=4", {part_scale, part_tie});
+    fails("but not that they are others", 1, "without a system of coordinates",
+          "reproject other.tif made/a.tif");
+}
+
+// Of a tag whose size is not the picture's.
+void sizes_in_tags()
+{
+    const auto tagged = [](int width, int height, const std::string &specification)
+    {
+        make_constant(width, height, 3, "uint8", 0.5f, "edited.png",
+                      {"cubemap:surface=" + specification});
+    };
+    tagged(32, 16, "equirect;size=64;height=32");
+    warns("a picture that was scaled, or cut to the same shape",
+          "'edited.png' says that it is equirect;size=64;height=32, but is 32 x 16; it is taken as "
+          "scaled; if it is a part, say --from 'equirect;west=W;east=E;south=S;north=N'",
+          "reproject --quiet edited.png back_%f.png");
+    tagged(33, 17, "equirect;size=64;height=32");
+    warns("edges are rounded when scaled", "taken as scaled",
+          "reproject --quiet edited.png back_%f.png");
+    tagged(48, 12, "cube:qsc;frame=gl;layout=vcross;size=8");
+    fails("what is no layout any more", 1, "neither 2:1", "reproject edited.png made/a.png");
+    tagged(36, 48, "cube:qsc;frame=gl;layout=vcross;size=8");
+    warns("a cube", "taken as scaled; if it is a part, say --from SPEC",
+          "reproject --quiet edited.png back.png");
+    tagged(32, 32, "equirect;size=64;height=32");
+    fails("a picture that was cut", 1, "neither 2:1 .*say --from equirect if it is that",
+          "reproject edited.png made/a.png");
+    tagged(32, 16, "equirect;west=0;east=90;south=0;north=90;size=32;height=32");
+    warns("a part that was cut", "but is 32 x 16; its shape counts, unless --from says otherwise",
+          "reproject --quiet edited.png back_%f.png");
+    // as by who cuts a panorama of ours and knows of its fields
+    const std::vector<std::string> fields = {
+        "GPano:ProjectionType=equirectangular", "GPano:FullPanoWidthPixels=160",
+        "GPano:FullPanoHeightPixels=80",        "GPano:CroppedAreaLeftPixels=80",
+        "GPano:CroppedAreaTopPixels=20",        "GPano:CroppedAreaImageWidthPixels=40",
+        "GPano:CroppedAreaImageHeightPixels=20"};
+    std::vector<std::string> both = fields;
+    both.emplace_back("ImageDescription=cubemap:surface=equirect;size=160;height=80");
+    make_constant(40, 20, 3, "uint8", 0.5f, "part.jpg", both);
+    says("fields of a photo sphere that fit", "^part\\.jpg \\(equirect;west=0;east=90;south=0;",
+         "reproject part.jpg face_%f.png");
+    make_constant(20, 20, 3, "uint8", 0.5f, "part.jpg", fields);
+    fails("a photo sphere that was cut by who does not know of them", 1, "neither 2:1",
+          "reproject part.jpg made/a.png");
+    make_constant(20, 10, 3, "uint8", 0.5f, "part.jpg", fields);
+    const Ran small = warns("or scaled", "says that it is equirect;.*, but is 20 x 10; it is taken",
+                            "reproject part.jpg face_%f.png");
+    result(matches(small.out, "^part\\.jpg \\(equirect;west=0;east=90;south=0;north=45 20x10,"),
+           "is where it was", small.out);
 }
 
 // Where the file's own tag of the surface is not understood, its georeference counts.
@@ -279,6 +448,12 @@ void virtual_rasters()
     write_virtual("far.vrt", "EPSG:32633", "1e12, 1, 0, 1e12, 0, -1", "Byte", "");
     fails("a place that is none", 1, "and it cannot be warped to EPSG:4326",
           "reproject far.vrt made/a.png");
+    write_virtual("bare.vrt", "", degrees, "Byte", "");
+    fails(
+        "a raster in nobody knows what", 1,
+        "'bare.vrt' is placed on the Earth by numbers without a system of coordinates; say --from "
+        "'equirect;west=20;east=100;south=10;north=50' if",
+        "reproject bare.vrt made/a.png");
     write_virtual("nowhere.vrt", "", "0, 1, 0, 0, 0, 1", "Byte", "");
     says("a raster that is not placed", "^nowhere\\.vrt \\(equirect 8x4",
          nearest + "nowhere.vrt out.png");
@@ -297,6 +472,10 @@ void rasters()
     const TiffTag tie = doubles(33922, {0, 0, 0, 500000, 5000000, 0});
     write_tiff("utm.tif", 32, 16, std::vector<float>(std::size_t{32} * 16, 0.5f),
                {scale, tie, geo_keys(1, 1, 3072, 32632)});
+    write_tagged("tagged.tif", "cubemap:surface=equirect;size=8;height=4",
+                 {doubles(33550, {10000, 10000, 0}), tie, geo_keys(1, 1, 3072, 32632)});
+    says("whatever its tag says", "^tagged\\.tif \\(equirect;west=(8\\.9|9)",
+         "reproject --to equirect --size 36 --filter nearest tagged.tif out.tif");
     const std::string part = "equirect;west=8;east=14;south=43;north=46;size=60";
     says("a raster in metres is warped",
          "^utm\\.tif \\(equirect;west=(8\\.9|9).*, 1 channel, float\\)",
@@ -342,27 +521,26 @@ void sidecars()
     does("reproject --quiet --sidecar noise.ppm --layout strip strip.hdr");
     result(std::filesystem::exists("strip.json"), "for formats without tags, too");
     does("reproject --quiet --sidecar noise.ppm --to cube:qsc --frame gl --layout vcross --rotate "
-         "10,20,30 turned.ppm");
+         "10,20,30 turned.pfm");
     const std::string wanted = "\\(cube:qsc, frame gl, vcross 48x64, turned by 10,20,30,";
-    says("and is read again", "^turned\\.ppm " + wanted, "reproject turned.ppm back.png");
+    says("and is read again", "^turned\\.pfm " + wanted, "reproject turned.pfm back.png");
     warns("the command line counts more",
-          "'turned\\.json' says that 'turned\\.ppm' is cube:qsc;frame=gl;layout=vcross;size=16; it "
+          "'turned\\.json' says that 'turned\\.pfm' is cube:qsc;frame=gl;layout=vcross;size=16; it "
           "is taken as cube:coupled;",
-          "reproject --quiet --from cube --from-layout vcross turned.ppm back.png");
-    std::filesystem::rename("turned.ppm", "other.ppm");
+          "reproject --quiet --from cube --from-layout vcross turned.pfm back.png");
+    std::filesystem::rename("turned.pfm", "other.pfm");
     fails("a file that does not name the picture says nothing", 1, "neither 2:1",
-          "reproject other.ppm made/a.png");
-    says("unless --from names it", "^other\\.ppm " + wanted,
-         "reproject --from turned.json other.ppm back.png");
+          "reproject other.pfm made/a.png");
+    says("unless --from names it", "^other\\.pfm " + wanted,
+         "reproject --from turned.json other.pfm back.png");
     says("and --from-rotate says otherwise", "turned by 1,2,3,",
-         "reproject --from-rotate 1,2,3 --from turned.json other.ppm back.png");
-    does("reproject --quiet --sidecar noise.ppm six_%f.ppm --frame s2");
-    says("of six pictures", "^six_0.ppm .. six_5.ppm \\(cube:coupled, frame s2, 16x16,",
-         "reproject six_%f.ppm back.png");
-    make_noise(32, 16, "strip.hdr.ppm");
-    std::filesystem::rename("strip.hdr.ppm", "turned.ppm");
+         "reproject --from-rotate 1,2,3 --from turned.json other.pfm back.png");
+    does("reproject --quiet --sidecar noise.ppm six_%f.pfm --frame s2");
+    says("of six pictures", "^six_0.pfm .. six_5.pfm \\(cube:coupled, frame s2, 16x16,",
+         "reproject six_%f.pfm back.png");
+    does("reproject --quiet --to equirect --size 32 noise.ppm turned.pfm");
     warns("a picture that was scaled", "but that is 32 x 16; its shape counts",
-          "reproject --quiet turned.ppm back_%f.png");
+          "reproject --quiet turned.pfm back_%f.png");
     does("reproject --quiet --sidecar --layout cross noise.ppm cross.png");
     std::string other = content_of("cross.json");
     other.replace(other.find("coupled"), 7, "qsc");
@@ -374,7 +552,7 @@ void sidecars()
                "{\"other\": {\"a\": [[1], {}, null]}, \"note\": \"\\u00e9\\u20ac\\n\",\n"
                " \"surface\":\"cube:qs\\u0063;layout=vcross\", \"rotation\": [ 0, 0.0, -0e1 ] }");
     says("as others write it", "\\(cube:qsc, frame geo, vcross 48x64,",
-         "reproject --from written.json --from-frame geo other.ppm back.png");
+         "reproject --from written.json --from-frame geo other.pfm back.png");
     write_file("bad.json", "{\"surface\": \"cube:nothing\"}");
     for (const std::string broken : {"", "[]", "{", "{\"a\" 1}", "{\"a\": yes}", "{\"a\": \"\\q\"}",
                                      "{\"a\": \"\\u12\"}", "{\"a\": [1}", "{} 1"})
@@ -397,8 +575,13 @@ void sidecars()
 const std::vector<Subject> &reproject_tag_subjects()
 {
     static const std::vector<Subject> subjects = {{"surface_tags", surface_tags},
+                                                  {"tags_in_headers", tags_in_headers},
                                                   {"photo_spheres", photo_spheres},
                                                   {"georeferences", georeferences},
+                                                  {"contradicted_tags", contradicted_tags},
+                                                  {"agreeing_tags", agreeing_tags},
+                                                  {"unknown_units", unknown_units},
+                                                  {"sizes_in_tags", sizes_in_tags},
                                                   {"written_georeferences", written_georeferences},
                                                   {"odd_pictures", odd_pictures},
                                                   {"rasters", rasters},

@@ -3,6 +3,8 @@
 #include "tiff_file.hpp"
 #include "image_cases.hpp"
 
+#include <algorithm>
+
 TiffTag shorts(std::uint16_t number, const std::vector<std::uint16_t> &values)
 {
     std::string bytes;
@@ -23,6 +25,11 @@ TiffTag doubles(std::uint16_t number, const std::vector<double> &values)
     return {number, 12, static_cast<std::uint32_t>(values.size()), bytes};
 }
 
+TiffTag text(std::uint16_t number, const std::string &value)
+{
+    return {number, 2, static_cast<std::uint32_t>(value.size() + 1), value + '\0'};
+}
+
 void write_tiff(const std::string &name, std::uint16_t width, std::uint16_t height,
                 const std::vector<float> &pixels, const std::vector<TiffTag> &more)
 {
@@ -33,6 +40,8 @@ void write_tiff(const std::string &name, std::uint16_t width, std::uint16_t heig
         shorts(277, {1}),     shorts(278, {height}), {279, 4, 1, bytes_of(size)},
         shorts(339, {3})};
     tags.insert(tags.end(), more.begin(), more.end());
+    std::sort(tags.begin(), tags.end(),
+              [](const TiffTag &one, const TiffTag &other) { return one.number < other.number; });
     const auto head = static_cast<std::uint32_t>(8 + size);
     std::string file = "II" + bytes_of(std::uint16_t{42}) + bytes_of(head);
     for (const float pixel : pixels)

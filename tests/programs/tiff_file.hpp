@@ -20,16 +20,17 @@ template <typename Number> std::string bytes_of(Number number)
 struct TiffTag
 {
     std::uint16_t number;
-    std::uint16_t type; // 3: short, 4: long, 12: double
+    std::uint16_t type; // 2: text, 3: short, 4: long, 12: double
     std::uint32_t count;
     std::string values;
 };
 
 // Tags of such values.
 TiffTag shorts(std::uint16_t number, const std::vector<std::uint16_t> &values);
+TiffTag text(std::uint16_t number, const std::string &value);
 TiffTag doubles(std::uint16_t number, const std::vector<double> &values);
 
-// One channel of floats, with further tags in the order of their numbers.
+// One channel of floats, with further tags.
 void write_tiff(const std::string &name, std::uint16_t width, std::uint16_t height,
                 const std::vector<float> &pixels, const std::vector<TiffTag> &more = {});
 

@@ -3,10 +3,13 @@
 #include "picture_stream.hpp"
 #include "program.hpp"
 
+#include "modules/image/io/header_lines.h"
+
 #include <cerrno>
 #include <cstring>
 #include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -27,6 +30,8 @@ struct StreamPicture
     cm_image_description description = {};
     std::vector<std::string> names;
     std::vector<const char *> name_pointers;
+    std::vector<std::pair<std::string, std::string>> own_tags;
+    std::vector<cm_image_tag> tags;
     std::uint32_t next_row = 0;
     std::vector<unsigned char> whole; // of what does not come from the top, row by row
 
@@ -188,6 +193,24 @@ void describe_picture(const cm_pnm_picture &found, bool alpha, StreamPicture &pi
     is.channel_names = picture.name_pointers.data();
 }
 
+// Those that files have in comments.
+void describe_tags(const cm_pnm_reader &reader, StreamPicture &picture)
+{
+    const char *at = reader.header;
+    cm_header_line line;
+    while (cm_header_lines_next(&at, reader.header + reader.header_size, &line))
+    {
+        picture.own_tags.emplace_back(std::string(line.key, line.key_size),
+                                      std::string(line.value, line.value_size));
+    }
+    for (const auto &[key, text] : picture.own_tags)
+    {
+        picture.tags.push_back({key.c_str(), text.c_str(), nullptr, nullptr, 0});
+    }
+    picture.description.tags = picture.tags.data();
+    picture.description.tag_count = picture.tags.size();
+}
+
 std::size_t take(void *context, void *bytes, std::size_t count)
 {
     return std::fread(bytes, 1, count, static_cast<std::FILE *>(context));
@@ -271,6 +294,7 @@ std::optional<ImageFile> PictureStream::next()
         found.channels = static_cast<std::uint32_t>(samples->format->channels);
     }
     describe_picture(found, samples ? samples->format->alpha : found.alpha != 0, *picture);
+    describe_tags(reader, *picture);
     return ImageFile(stream_name, stream_reading(),
                      reinterpret_cast<cm_image_reader *>(picture.release()));
 }

@@ -3,6 +3,8 @@
 #include "stream_writer.hpp"
 #include "stream_format.hpp"
 
+#include "modules/image/io/header_lines.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -18,6 +20,7 @@ struct StreamWriter
     const StreamFormat *format = nullptr;
     const cm_image_stream *stream = nullptr;
     cm_pnm_picture picture = {};
+    char comments[CM_HEADER_LINES_SIZE] = "";
     std::vector<unsigned char> rows; // what is not written as it comes; else one row
 
     std::size_t row_size() const
@@ -109,6 +112,8 @@ cm_status create(const char * /*path*/, const cm_image_stream *stream,
         description->alpha >= 0 && (description->channels == 2 || description->channels == 4) ? 1
                                                                                               : 0;
     made->picture.little_endian = 1;
+    cm_header_lines_write(description, made->comments);
+    made->picture.comments = made->comments;
     const cm_status status = cm_pnm_write_header(stream, &made->picture, message);
     if (status == CM_OK)
     {

@@ -6,6 +6,8 @@
 #include "compare_report.hpp"
 #include "tools/cli/program.hpp"
 
+#include <cstdio>
+
 namespace
 {
 
@@ -30,6 +32,10 @@ int compare(int argc, char **argv, const cm_streams &streams)
     }
     if (!options.quiet)
     {
+        for (const std::string &warning : pictures.warnings)
+        {
+            std::fprintf(streams.err, "cubemap-compare: %s\n", warning.c_str());
+        }
         print(streams, report(options, pictures, measured));
     }
     check_limits(options, pictures, measured);

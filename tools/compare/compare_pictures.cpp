@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "compare_pictures.hpp"
-#include "tools/cli/image_file.hpp"
+#include "compared_files.hpp"
 #include "tools/cli/image_writer.hpp"
 #include "tools/cli/program.hpp"
 
@@ -14,59 +14,6 @@
 
 namespace
 {
-
-std::string size_text(const ImageFile &image)
-{
-    return in_quotes(image.path()) + " is " + std::to_string(image.width()) + " x " +
-           std::to_string(image.height()) + " with " + std::to_string(image.channels()) +
-           " channels";
-}
-
-std::vector<float> pixels_of(ImageFile &image)
-{
-    const std::int64_t count = std::int64_t{image.width()} * image.height();
-    check_memory(in_quotes(image.path()), count, image.channels());
-    const std::size_t stride =
-        static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.channels());
-    std::vector<float> pixels(stride * static_cast<std::size_t>(image.height()));
-    image.read(pixels.data(), stride, Finite::any);
-    return pixels;
-}
-
-using SurfacePointer = std::shared_ptr<const cm_surface>;
-
-// The surface of an image; 2:1 is equirectangular if nothing is said.
-SurfacePointer surface_of(const std::string &option, const std::string &specification,
-                          const ImageFile &image)
-{
-    const bool is_guess = specification.empty();
-    if (is_guess && image.width() != 2 * image.height())
-    {
-        throw UsageFailure(option + " is missing: " + size_text(image) +
-                           ", which may be any map of the sphere");
-    }
-    cm_surface_options options = {};
-    options.size = sizeof options;
-    options.width = static_cast<std::uint32_t>(image.width());
-    options.height = static_cast<std::uint32_t>(image.height());
-    const char *const text = is_guess ? "equirect" : specification.c_str();
-    cm_surface *surface = nullptr;
-    char message[400];
-    if (cm_surface_check(text, &options, message, sizeof message) != CM_OK ||
-        cm_surface_create(text, &options, &surface) != CM_OK)
-    {
-        throw UsageFailure(option + ": " + in_quotes(text) + ", with " + size_text(image) + ": " +
-                           message);
-    }
-    const SurfacePointer made(surface, cm_surface_destroy);
-    if (cm_surface_picture_count(surface) != 1)
-    {
-        throw UsageFailure(option + ": " + in_quotes(text) +
-                           " is of several images; say a layout of one, as in "
-                           "cube;layout=strip");
-    }
-    return made;
-}
 
 // What is on no plane has CM_NO_FACE. Places are of planes.
 struct Places
@@ -195,26 +142,64 @@ void lay_over(Pictures &pictures, const cm_surface &from, std::uint32_t width, s
     pictures.picture = std::move(laid);
 }
 
-} // namespace
-
-Pictures read_pictures(const std::string &reference, const std::string &picture,
-                       const Surfaces &surfaces, unsigned threads)
+// Failure if the images can be compared in no way.
+void check_alike(const ComparedFiles &a, const ComparedFiles &b, bool on_sphere)
 {
-    ImageFile a(reference);
-    ImageFile b(picture);
-    const bool on_sphere = !surfaces.reference.empty() || !surfaces.picture.empty();
-    if ((!on_sphere && (a.width() != b.width() || a.height() != b.height())) ||
-        a.channels() != b.channels())
+    const bool same_size = a.width() == b.width() && a.height() == b.height();
+    if ((!on_sphere && !same_size) || a.channels() != b.channels())
     {
-        throw Failure(size_text(a) + ", " + size_text(b) + "; they must be alike" +
+        throw Failure(a.size_text() + ", " + b.size_text() + "; they must be alike" +
                       (a.channels() == b.channels()
                            ? ", or --surface and --reference-surface say what they are"
                            : ""));
     }
     if (a.channels() > CM_CHANNELS_MAX)
     {
-        throw Failure(size_text(a) + "; " + std::to_string(CM_CHANNELS_MAX) + " are the most");
+        throw Failure(a.size_text() + "; " + std::to_string(CM_CHANNELS_MAX) + " are the most");
     }
+}
+
+// Is it known where on the sphere both are, and does that count? Images of one size are compared pixel by pixel, as ever.
+bool are_on_sphere(const ComparedFiles &a, const ComparedFiles &b, const Surfaces &surfaces)
+{
+    if (!surfaces.reference.empty() || !surfaces.picture.empty())
+    {
+        return true;
+    }
+    const bool same_size = a.width() == b.width() && a.height() == b.height();
+    return same_size ? (a.is_six() || b.is_six()) && a.is_told() && b.is_told()
+                     : a.is_told() || b.is_told();
+}
+
+// The same places, and so nothing to resample.
+bool are_the_same(const cm_surface &a, const cm_surface &b, const Places &places)
+{
+    const std::string one = cm_surface_specification(&a);
+    const std::array<std::vector<double>, 3> here = directions_of(a, places, 0.5, 0.5);
+    return one == cm_surface_specification(&b) && here == directions_of(b, places, 0.5, 0.5);
+}
+
+void lay_on_sphere(Pictures &pictures, ComparedFiles &b, const cm_surface &from, unsigned threads)
+{
+    const Places places = places_of(*pictures.surface);
+    pictures.areas = areas_of(*pictures.surface, places);
+    pictures.shown = shown_by(*pictures.surface, from, places);
+    if (!are_the_same(*pictures.surface, from, places))
+    {
+        lay_over(pictures, from, static_cast<std::uint32_t>(b.width()),
+                 static_cast<std::uint32_t>(b.height()), threads);
+    }
+}
+
+} // namespace
+
+Pictures read_pictures(const std::string &reference, const std::string &picture,
+                       const Surfaces &surfaces, unsigned threads)
+{
+    ComparedFiles a(reference, "--reference-surface", surfaces.reference);
+    ComparedFiles b(picture, "--surface", surfaces.picture);
+    const bool on_sphere = are_on_sphere(a, b, surfaces);
+    check_alike(a, b, on_sphere);
     Pictures pictures;
     pictures.reference_name = reference;
     pictures.picture_name = picture;
@@ -225,22 +210,30 @@ Pictures read_pictures(const std::string &reference, const std::string &picture,
     {
         pictures.channel_names.emplace_back(a.channel_name(channel));
     }
-    pictures.integers = a.stored().whole_numbers && b.stored().whole_numbers;
-    SurfacePointer from;
+    pictures.integers = a.holds_integers() && b.holds_integers();
+    std::shared_ptr<const cm_surface> from;
     if (on_sphere)
     {
-        pictures.surface = surface_of("--reference-surface", surfaces.reference, a);
-        from = surface_of("--surface", surfaces.picture, b);
+        pictures.surface = a.surface();
+        from = b.surface();
     }
-    pictures.reference = pixels_of(a);
-    pictures.picture = pixels_of(b);
+    else if (a.told() != b.told() && !a.told().empty() && !b.told().empty())
+    {
+        pictures.warnings.push_back(in_quotes(reference) + " says that it is " + a.told() + ", " +
+                                    in_quotes(picture) + " " + b.told() +
+                                    "; their pixels are compared as they stand, unless --surface "
+                                    "says what B is");
+    }
+    for (const ComparedFiles *const files : {&a, &b})
+    {
+        pictures.warnings.insert(pictures.warnings.end(), files->warnings().begin(),
+                                 files->warnings().end());
+    }
+    pictures.reference = a.pixels();
+    pictures.picture = b.pixels();
     if (on_sphere)
     {
-        const Places places = places_of(*pictures.surface);
-        pictures.areas = areas_of(*pictures.surface, places);
-        pictures.shown = shown_by(*pictures.surface, *from, places);
-        lay_over(pictures, *from, static_cast<std::uint32_t>(b.width()),
-                 static_cast<std::uint32_t>(b.height()), threads);
+        lay_on_sphere(pictures, b, *from, threads);
     }
     else if (pictures.width == 2 * std::uint64_t{pictures.height})
     {

@@ -27,8 +27,9 @@ struct Pictures
     std::vector<float> areas;
     // 1 for pixels that count, 0 for those that one of the images does not show; empty: all count
     std::vector<float> shown;
-    // of the reference, and so of both; nullptr without --surface and --reference-surface
+    // of the reference, and so of both; nullptr if pixels are compared as they stand
     std::shared_ptr<const cm_surface> surface;
+    std::vector<std::string> warnings; // lines for people
 };
 
 // How the sphere lies on the images: specifications of surfaces, "" for what is not said.
@@ -38,8 +39,8 @@ struct Surfaces
     std::string picture;
 };
 
-// With a surface the second image is resampled onto the first one's. UsageFailure if a surface is none, or is not of one
-// image; Failure if an image cannot be read, or if they are not alike.
+// With a surface, or if the images differ in size and files say what they are, the second image is resampled onto the first
+// one's. A name with %f is of six faces. UsageFailure if a surface is none, or is not of one image; Failure if an image cannot be read, or if they are not alike.
 Pictures read_pictures(const std::string &reference, const std::string &picture,
                        const Surfaces &surfaces, unsigned threads);
 

@@ -79,13 +79,13 @@ static const cm_option options[] = {
              "`cube:qsc;layout=cross`, `azimuthal:equidistant:fov=185`",
      .more = "B is resampled onto A by the quintic spline; what either does not show does not "
              "count.",
-     .standard = "`equirect`, if A's is said and B is 2:1"},
+     .standard = "what B says of itself, or `equirect` if it is 2:1"},
     {.id = COMPARE_REFERENCE_SURFACE,
      .name = "reference-surface",
      .kind = CM_OPTION_TEXT,
      .argument = "SPEC",
      .help = "the same of A",
-     .standard = "`equirect`, if B's is said and A is 2:1"},
+     .standard = "what A says of itself, or `equirect` if it is 2:1"},
     {.id = COMPARE_BORDER,
      .name = "border",
      .kind = CM_OPTION_WHOLE,
@@ -142,8 +142,8 @@ const cm_command cm_compare_command = {
         "Prints how far image B is from image A, over all pixels and channels: the mean absolute "
         "error, the root of the mean square error, the largest error and where it is, and the peak "
         "signal-to-noise ratio. Both must be of the same size, unless it is said how the sphere "
-        "lies "
-        "on them, and have the same number of channels.\n\n"
+        "lies on them, by an option or by the files themselves, and have the same number of "
+        "channels. A name with %f is of six faces, which are one image, a strip.\n\n"
         "If both hold integers, errors are in grey levels of 8 bits (0 to 255) and the peak is "
         "255; otherwise errors are in the images' own unit and the peak is 1. Where both hold the "
         "same infinity, or both a NaN, there is no error; where one holds what is not a finite "
@@ -167,6 +167,7 @@ const cm_command cm_compare_command = {
              "Examples:\n"
              "  cubemap-compare --max-rmse 2.5 earth.png earth-again.png\n"
              "  cubemap-compare --surface 'cube:coupled;layout=cross' --measure ws-psnr \\\n"
-             "      earth.png cross.png",
+             "      earth.png cross.png\n"
+             "  cubemap-compare earth.png face_%f.png",
     .operand = CM_OPTION_FILE,
     .bare_version = 1};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "healpix_rules.hpp"
-#include "surface_text.hpp"
+#include "tools/image/surface_text.hpp"
 #include "tools/cli/program.hpp"
 
 #include <filesystem>

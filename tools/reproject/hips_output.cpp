@@ -9,6 +9,8 @@
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 
+#include "modules/image/io/temporary_name.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -19,6 +21,7 @@
 #include <filesystem>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace
 {
@@ -29,6 +32,10 @@ constexpr std::uint32_t least_width = 64;
 // Sections 4.1 and 4.3.2: viewers begin with order 3, or with its preview of tiles of 64 pixels.
 constexpr std::uint32_t usual_order = 3;
 constexpr std::uint32_t tile_in_preview = 64;
+
+// Of folders that are not complete; so many of one process are looked for.
+constexpr const char *unfinished = ".hips";
+constexpr int folders_most = 1000;
 
 std::string without_stroke(std::string path)
 {
@@ -236,13 +243,21 @@ void HipsOutput::make_temporary(const std::filesystem::path &path)
 {
     namespace fs = std::filesystem;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    temporary = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
-    if (mkdtemp(temporary.data()) == nullptr)
+    held.emplace();
+    remove_left_over_folders(folder.string(), unfinished);
+    for (int attempt = 0; descriptor < 0; ++attempt)
     {
-        const int number = errno;
-        temporary.clear();
-        throw Failure(in_quotes(name) + " cannot be written: folder " + in_quotes(folder.string()) +
-                      ": " + std::strerror(number));
+        std::string wanted = (folder / own_temporary_name(attempt, unfinished)).string();
+        descriptor = make_temporary_folder(wanted);
+        if (descriptor >= 0)
+        {
+            temporary = std::move(wanted);
+        }
+        else if (errno != EEXIST || attempt == folders_most)
+        {
+            throw Failure(in_quotes(name) + " cannot be written: folder " +
+                          in_quotes(folder.string()) + ": " + std::strerror(errno));
+        }
     }
 }
 
@@ -252,6 +267,10 @@ HipsOutput::~HipsOutput()
     if (!temporary.empty() && work == nullptr)
     {
         std::filesystem::remove_all(temporary, error);
+    }
+    if (descriptor >= 0)
+    {
+        close(descriptor);
     }
 }
 
@@ -278,6 +297,7 @@ HipsOutput::Pixels HipsOutput::make_tile(std::uint32_t level, std::uint64_t numb
     cm_hips_window window = {};
     cm_hips_place(level, number, width, &window);
     Pixels pixels(std::size_t{width} * width * channels * cm_pixel_size(type));
+    check_held_signal();
     const bool kept = work != nullptr && level == preview_order;
     if (kept && load_tiles(level, number, pixels))
     {
@@ -528,7 +548,6 @@ void HipsOutput::write(const Render &render, int threads)
     appear();
 }
 
-// A folder of mkdtemp is for its owner alone.
 void HipsOutput::appear()
 {
     const mode_t mask = umask(0);

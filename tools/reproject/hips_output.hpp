@@ -7,14 +7,16 @@
 #define CUBEMAP_TOOLS_HIPS_OUTPUT_HPP
 
 #include "reproject_options.hpp"
-#include "surface_text.hpp"
+#include "tools/image/surface_text.hpp"
 #include "work_folder.hpp"
 #include "tools/cli/image_format.hpp"
+#include "tools/cli/temporary_guard.hpp"
 #include "modules/image/io/hips.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,9 +73,11 @@ private:
     cm_image picture_of(Pixels &pixels, std::uint32_t width, std::uint32_t height) const;
     void appear();
 
-    std::string name;        // as the user gave it, without a stroke at its end
-    std::string temporary;   // in the same folder
-    std::string creator_did; // "": nobody says
+    std::string name;                // as the user gave it, without a stroke at its end
+    std::optional<SignalsHeld> held; // behind which the folder is gone, or has its name
+    std::string temporary;           // in the same folder
+    int descriptor = -1;             // of that, which is locked
+    std::string creator_did;         // "": nobody says
     ImagePlan plan;
     WorkFolder *work; // where what is done is kept, if anywhere
     cm_pixel_type type;

@@ -3,7 +3,7 @@
 // Rows of the output: where bands of them end, computing and keeping them, and writing pictures in bands.
 
 #include "reproject_output.hpp"
-#include "geo_reference.hpp"
+#include "tools/image/geo_reference.hpp"
 #include "tools/cli/image_file.hpp"
 #include "tools/cli/parallel.hpp"
 

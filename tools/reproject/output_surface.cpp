@@ -148,7 +148,15 @@ int chosen_size(const std::string &specification, Keep keep, const Input &input)
         }
         return power;
     }
-    return is_whole_equirect(specification) ? size + size % 2 : size;
+    std::string message;
+    const auto can_be = [&](int wanted) {
+        return make_surface(with_size(specification, wanted), 0, 0, std::nullopt, message) !=
+               nullptr;
+    };
+    // circles side by side need an even width, too
+    const bool odd =
+        is_whole_equirect(specification) ? size % 2 != 0 : !can_be(size) && can_be(size + 1);
+    return odd ? size + 1 : size;
 }
 
 int output_size(const std::string &specification, const Options &options, const Input &input)

@@ -5,7 +5,7 @@
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/image/face_names.hpp"
-#include "face_parts.hpp"
+#include "part_rules.hpp"
 #include "film.hpp"
 #include "healpix_rules.hpp"
 #include "hips_output.hpp"

@@ -1,67 +1,17 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_input.hpp"
-#include "face_parts.hpp"
-#include "geo_reference.hpp"
-#include "sidecar.hpp"
-#include "texture_rules.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/cli/progress.hpp"
-#include "tools/image/face_names.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <cstring>
-#include <filesystem>
+#include <mutex>
 #include <utility>
 
 namespace
 {
-
-std::string size_text(const ImageFile &image)
-{
-    return std::to_string(image.width()) + " x " + std::to_string(image.height());
-}
-
-// Does the image have this shape, in squares?
-bool has_shape(const ImageFile &image, int columns, int rows)
-{
-    return image.width() % columns == 0 && image.height() % rows == 0 &&
-           image.width() / columns == image.height() / rows;
-}
-
-// Which of the two types holds the values of both: 16 bits of whole numbers do not fit into half, nor the other way round.
-ImageDescription deeper(const ImageDescription &one, const ImageDescription &other)
-{
-    const bool none = (one.type == CM_PIXEL_U16 && other.type == CM_PIXEL_HALF) ||
-                      (one.type == CM_PIXEL_HALF && other.type == CM_PIXEL_U16);
-    ImageDescription deepest = one.type >= other.type ? one : other;
-    if (none || one.type == other.type)
-    {
-        deepest.type = CM_PIXEL_FLOAT;
-        deepest.stored_type = "float";
-    }
-    return deepest;
-}
-
-// Does the command line say what INPUT is?
-bool is_said(const SurfaceOptions &from)
-{
-    return !from.specification.empty() || !from.layout.empty() || !from.frame.empty();
-}
-
-// With or without a border.
-bool is_six(const std::string &layout)
-{
-    return layout.substr(0, layout.find(':')) == "faces";
-}
-
-std::string layout_of(const SurfaceOptions &from)
-{
-    return from.layout.empty() ? key_of(from.specification, "layout") : from.layout;
-}
 
 // Is the value at this place NaN or infinite?
 bool is_bad(cm_pixel_type type, const unsigned char *values, std::size_t index)
@@ -90,464 +40,68 @@ bool is_nan(cm_pixel_type type, const unsigned char *values, std::size_t index)
     return (bits & 0x7fffffu) != 0;
 }
 
-// What there is instead of a file that is not there.
-void check_there(const std::string &name, const std::vector<std::string> &names)
+// Of a row, by the bits of infinity, of 1 and of the sign.
+template <typename Bits, Bits infinity, Bits one>
+void count_values(const unsigned char *values, std::size_t size, ValueCounts &counts)
 {
-    if (std::filesystem::exists(name))
+    constexpr auto sign = static_cast<Bits>(Bits{1} << (8 * sizeof(Bits) - 1));
+    std::uint32_t bad = 0;
+    std::uint32_t below = 0;
+    std::uint32_t above = 0;
+    for (std::size_t i = 0; i < size; ++i)
     {
-        return;
+        Bits bits = 0;
+        std::memcpy(&bits, values + i * sizeof bits, sizeof bits);
+        bad += (bits & infinity) == infinity ? 1 : 0;
+        below += bits > sign && bits < (sign | infinity) ? 1 : 0;
+        above += bits > one && bits < infinity ? 1 : 0;
     }
-    if (names.size() > 1)
-    {
-        throw Failure(in_quotes(name) +
-                      " cannot be read: No such file or directory; all six faces are needed, " +
-                      in_quotes(names.front()) + " to " + in_quotes(names.back()));
-    }
-    const std::string face = face_names(name).front();
-    if (std::filesystem::exists(face))
-    {
-        const std::string extension = std::filesystem::path(name).extension().string();
-        throw Failure(
-            in_quotes(name) + " cannot be read: No such file or directory, but " + in_quotes(face) +
-            " is; " +
-            in_quotes(name.substr(0, name.size() - extension.size()) + "_%f" + extension) +
-            " stands for six faces");
-    }
-}
-
-// By GDAL if it is placed on the Earth as a surface cannot be, or if nothing else reads it.
-ImageFile open_picture(const std::string &name, const Options &options, int threads)
-{
-    std::string why;
-    try
-    {
-        ImageFile image(name, threads);
-        const std::string how = geographic_place(image).otherwise;
-        if (how.empty() || is_said(options.from) || saved_surface(image))
-        {
-            return image;
-        }
-        why = in_quotes(name) + " is placed on the Earth " + how +
-              "; make it EPSG:4326 (gdalwarp -t_srs EPSG:4326), or say --from SPEC to take it as "
-              "something else";
-    }
-    catch (const UnreadableImage &failure)
-    {
-        why = failure.what();
-    }
-    return open_by_gdal(name, why);
-}
-
-// Colours of inks are made light of by the library, which knows no profile.
-bool has_inks(const ImageFile &image)
-{
-    const cm_image_description &of = image.stored();
-    for (std::size_t i = 0; i < of.tag_count; ++i)
-    {
-        const std::string key = of.tags[i].key;
-        if ((key == "tiff:ColorSpace" || key == "jpeg:ColorSpace") &&
-            std::strcmp(of.tags[i].text, "CMYK") == 0)
-        {
-            return true;
-        }
-    }
-    return false;
+    counts.not_finite += bad;
+    counts.below_zero += below;
+    counts.above_one += above;
 }
 
 } // namespace
 
 Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
-    : images(std::move(opened))
+    : SphereFiles({options.input, options.from, options.to.frame, "--from"}, threads,
+                  std::move(opened))
 {
-    open(options, threads);
-    choose_type();
-    if (has_inks(images.front()))
-    {
-        remarks.push_back(in_quotes(images.front().path()) +
-                          " is CMYK; its colours are converted without a profile");
-    }
-    find_surface(options);
+    find_surface();
     if (options.memory > 0)
     {
         return; // what does not fit goes to files
     }
-    check_memory(in_quotes(images.front().path()),
-                 std::int64_t{images.front().width()} * images.front().height() *
-                     static_cast<std::int64_t>(images.size()),
-                 images.front().channels(), channel_bytes(pixels.type),
+    check_memory(in_quotes(files().front().path()),
+                 std::int64_t{files().front().width()} * files().front().height() *
+                     static_cast<std::int64_t>(files().size()),
+                 files().front().channels(), channel_bytes(description_of_pixels().type),
                  "; --memory SIZE keeps what is more in a file");
 }
 
-void Input::open(const Options &options, int threads)
-{
-    const SurfaceOptions &from = options.from;
-    const bool cube = from.specification.empty() || is_cube(from.specification);
-    const std::string layout = layout_of(from);
-    faces = cube && (is_six(layout) || (layout.empty() && names_faces(options.input)));
-    const std::vector<std::string> names =
-        faces ? face_names(options.input) : std::vector<std::string>{options.input};
-    if (faces && !images.empty())
-    {
-        throw UsageFailure("INPUT is a pipe, through which the six faces of a cube come as one "
-                           "picture; --from-layout says how");
-    }
-    for (std::size_t i = images.size(); i < names.size(); ++i)
-    {
-        check_there(names[i], names);
-        images.push_back(open_picture(names[i], options, threads));
-    }
-    if (images.size() == 1 && has_six_faces(images.front()))
-    {
-        for (std::uint32_t face = 1; face < 6; ++face)
-        {
-            images.emplace_back(options.input, 0, face);
-        }
-        faces = true;
-        texture = true;
-    }
-    else if (images.size() == 1 && images.front().stored().subimage_count > 1)
-    {
-        open_parts(options, cube && (layout.empty() || is_six(layout)));
-    }
-    if (faces)
-    {
-        check_faces();
-        if (!is_said(from))
-        {
-            check_tags();
-        }
-    }
-}
-
-// The parts of an OpenEXR file may be six faces; of all other files with several pictures the first one is taken.
-void Input::open_parts(const Options &options, bool may_be_faces)
-{
-    const cm_image_description &first = images.front().stored();
-    if (may_be_faces && first.subimage_count == 6 && images.front().format() == "openexr")
-    {
-        std::vector<ImageFile> parts;
-        for (std::uint32_t i = 0; i < first.subimage_count; ++i)
-        {
-            parts.emplace_back(options.input, 0, i);
-        }
-        faces = are_faces(parts);
-        if (faces)
-        {
-            // who tells faces by axes has y up, as for a texture
-            const bool tagged = saved_surface(parts.front()).has_value();
-            texture = !tagged && order_parts(parts) == PartOrder::gl;
-            images = std::move(parts);
-            return;
-        }
-    }
-    remarks.push_back(
-        in_quotes(options.input) + " has " + std::to_string(first.subimage_count) +
-        " pictures; the first is taken" +
-        (first.subimage_name == nullptr ? "" : ", " + in_quotes(first.subimage_name)));
-}
-
-void Input::check_faces() const
-{
-    const ImageFile &first = images.front();
-    for (const ImageFile &image : images)
-    {
-        if (image.width() != image.height())
-        {
-            throw Failure(in_quotes(image.path()) + " is " + size_text(image) +
-                          "; the face of a cube must be square");
-        }
-        if (image.width() != first.width() || image.channels() != first.channels())
-        {
-            throw Failure(in_quotes(image.path()) + " is " + size_text(image) + " with " +
-                          std::to_string(image.channels()) +
-                          (image.channels() == 1 ? " channel, " : " channels, ") +
-                          in_quotes(first.path()) + " is " + size_text(first) + " with " +
-                          std::to_string(first.channels()) + "; all six faces must be alike");
-        }
-    }
-}
-
-// Faces that say of themselves that they are of different cubes are of none.
-void Input::check_tags() const
-{
-    const auto text_of = [](const ImageFile &image)
-    {
-        const std::optional<SavedSurface> saved = saved_surface(image);
-        return !saved
-                   ? std::string()
-                   : saved->specification +
-                         (saved->rotation ? ", turned by " + rotation_text(*saved->rotation) : "");
-    };
-    const std::string first = text_of(images.front());
-    for (const ImageFile &image : images)
-    {
-        const std::string other = text_of(image);
-        if (!first.empty() && !other.empty() && other != first)
-        {
-            throw Failure(in_quotes(image.path()) + " says that it is " + other + ", " +
-                          in_quotes(images.front().path()) + " " + first +
-                          "; take faces of one cube, or say --from SPEC");
-        }
-    }
-}
-
-// Of faces that differ in depth the deepest holds what is in all of them.
-void Input::choose_type()
-{
-    pixels = ImageDescription(images.front().stored());
-    types = images.front().pixel_type();
-    if (images.front().format() == "pnm" && !images.front().stored().whole_numbers)
-    {
-        pixels.color = CM_IMAGE_COLOR_LINEAR; // PFM, which cannot say so
-    }
-    for (const ImageFile &image : images)
-    {
-        const ImageDescription other(image.stored());
-        if (other.alpha != pixels.alpha || other.alpha_multiplied != pixels.alpha_multiplied)
-        {
-            throw Failure(in_quotes(image.path()) + " has alpha otherwise than " +
-                          in_quotes(images.front().path()) + "; all six faces must be alike");
-        }
-        if (image.pixel_type() == pixels.stored_type)
-        {
-            continue;
-        }
-        types +=
-            types.find(image.pixel_type()) == std::string::npos ? " and " + image.pixel_type() : "";
-        const ImageDescription deepest = deeper(pixels, other);
-        pixels.type = deepest.type;
-        pixels.stored_type = deepest.stored_type;
-    }
-    types += types.find(' ') == std::string::npos ? "" : ", taken as " + pixels.stored_type;
-}
-
-// ---- what it is
-
-void Input::find_surface(const Options &options)
-{
-    std::optional<SavedSurface> saved = find_saved(options);
-    if (texture && !saved && !is_said(options.from))
-    {
-        saved = texture_surface();
-    }
-    if (is_said(options.from))
-    {
-        const std::string &said = options.from.specification;
-        const bool usual = texture && is_cube(said) && options.from.frame.empty() &&
-                           !options.from.rotation && key_of(said, "frame").empty();
-        take(said.empty() || is_cube(said) ? cube_by_shape(options) : said,
-             usual ? texture_surface().rotation : options.from.rotation);
-        if (saved)
-        {
-            compare_with(*saved);
-        }
-        return;
-    }
-    if (saved && take_saved(*saved, options.from))
-    {
-        return;
-    }
-    const GeoPlace place = geographic_place(images.front());
-    take(place.specification ? *place.specification : cube_by_shape(options),
-         options.from.rotation);
-}
-
-// What the picture says counts more than what a file beside it does.
-std::optional<SavedSurface> Input::find_saved(const Options &options)
-{
-    const ImageFile &image = images.front();
-    std::optional<SavedSurface> own = saved_surface(image);
-    std::optional<SavedSurface> beside = surface_beside(options.input, image.path());
-    if (!own || !beside)
-    {
-        return own ? own : beside;
-    }
-    const auto text_of = [](const SavedSurface &saved)
-    {
-        return saved.specification +
-               (saved.rotation ? ", turned by " + rotation_text(*saved.rotation) : "");
-    };
-    if (text_of(*own) != text_of(*beside))
-    {
-        remarks.push_back(says(*own) + text_of(*own) + ", and " + in_quotes(beside->where) + " " +
-                          text_of(*beside) + "; what the picture says counts");
-    }
-    return own;
-}
-
-std::string Input::says(const SavedSurface &saved) const
-{
-    const std::string image = in_quotes(images.front().path());
-    return saved.where.empty() ? image + " says that it is "
-                               : in_quotes(saved.where) + " says that " + image + " is ";
-}
-
-// False if the picture does not have the shape that its tag means: somebody has cut or scaled it since.
-bool Input::take_saved(const SavedSurface &saved, const SurfaceOptions &options)
-{
-    const ImageFile &image = images.front();
-    const std::string name = says(saved);
-    const bool of_six = is_six(key_of(saved.specification, "layout"));
-    if (of_six && !faces)
-    {
-        throw Failure(name + "one of six faces, " + saved.specification +
-                      "; give the name of all, with %f, or say --from SPEC");
-    }
-    const std::optional<cm_rotation> rotation =
-        options.rotation ? options.rotation : saved.rotation;
-    const std::string specification =
-        without_key(without_key(saved.specification, "size"), "height");
-    std::string message;
-    if (of_six == faces)
-    {
-        sphere = make_surface(specification, image.width(), image.height(), rotation, message);
-    }
-    if (!sphere)
-    {
-        remarks.push_back(name + saved.specification +
-                          (saved.where.empty() ? ", but is " : ", but that is ") +
-                          size_text(image) + "; its shape counts");
-        return false;
-    }
-    turned = rotation;
-    return true;
-}
-
-void Input::take(const std::string &specification, const std::optional<cm_rotation> &rotation)
-{
-    const ImageFile &image = images.front();
-    std::string message;
-    if (is_chart(specification) && image.width() != image.height())
-    {
-        throw Failure(in_quotes(image.path()) + " is " + size_text(image) + "; an image in " +
-                      head_of(specification) + " must be square");
-    }
-    sphere = make_surface(specification, image.width(), image.height(), rotation, message);
-    if (!sphere)
-    {
-        throw Failure(in_quotes(image.path()) + " is " + size_text(image) + ", no image in " +
-                      specification + ": " + message);
-    }
-    turned = rotation;
-}
-
-void Input::compare_with(const SavedSurface &saved)
-{
-    const std::string here = cm_surface_specification(sphere.get());
-    const std::optional<cm_rotation> none;
-    std::string message;
-    const SurfacePointer other =
-        make_surface(without_key(without_key(saved.specification, "size"), "height"),
-                     static_cast<int>(cm_surface_width(sphere.get())),
-                     static_cast<int>(cm_surface_height(sphere.get())), none, message);
-    const std::string there = other ? cm_surface_specification(other.get()) : saved.specification;
-    const auto turn_of = [](const std::optional<cm_rotation> &rotation)
-    { return rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0"; };
-    const std::string name = says(saved);
-    if (here != there)
-    {
-        remarks.push_back(name + there + "; it is taken as " + here + ", as the command line says");
-    }
-    else if (turn_of(turned) != turn_of(saved.rotation))
-    {
-        remarks.push_back(name + "turned by " + turn_of(saved.rotation) +
-                          "; it is taken as turned by " + turn_of(turned) +
-                          ", as the command line says");
-    }
-}
-
-// An equirectangular image, too, where nobody says that it is a cube.
-std::string Input::cube_by_shape(const Options &options) const
-{
-    const SurfaceOptions &from = options.from;
-    const bool may_be_equirect = from.specification.empty() && from.layout.empty();
-    if (!faces && may_be_equirect && has_shape(images.front(), 2, 1))
-    {
-        return "equirect";
-    }
-    std::string cube = from.specification.empty() ? "cube" : from.specification;
-    if (key_of(cube, "frame").empty())
-    {
-        const std::string &frame = from.frame.empty() && !texture ? options.to.frame : from.frame;
-        cube += ";frame=" + (!frame.empty() ? frame : texture ? "gl" : "geo");
-    }
-    return key_of(cube, "layout").empty() ? cube + ";layout=" + layout_by_shape(options) : cube;
-}
-
-std::string Input::layout_by_shape(const Options &options) const
-{
-    struct Shape
-    {
-        const char *layout;
-        int columns;
-        int rows;
-        bool alone; // does nothing else look like this?
-    };
-    static constexpr Shape shapes[] = {{"strip", 6, 1, true},
-                                       {"cross", 4, 3, true},
-                                       {"column", 1, 6, false},
-                                       {"vcross", 3, 4, false}};
-    const ImageFile &image = images.front();
-    const std::string wanted = faces ? "faces" : options.from.layout;
-    const bool said = !options.from.specification.empty();
-    for (const Shape &shape : shapes)
-    {
-        const bool fits = has_shape(image, shape.columns, shape.rows);
-        if (wanted.empty() && fits && (said || shape.alone))
-        {
-            return shape.layout;
-        }
-        if (head_of(wanted).substr(0, wanted.find(':')) == shape.layout && !fits)
-        {
-            const auto edges = [](int count)
-            { return (count > 1 ? std::to_string(count) : "") + "N"; };
-            throw Failure(in_quotes(image.path()) + " is " + size_text(image) + "; a " +
-                          shape.layout + " must be " + edges(shape.columns) + " x " +
-                          edges(shape.rows));
-        }
-    }
-    if (!wanted.empty())
-    {
-        return wanted;
-    }
-    throw Failure(
-        in_quotes(image.path()) + " is " + size_text(image) +
-        (said ? "; a cube must be a strip, 6N x N, or a cross, 4N x 3N, or six faces, with "
-                "%f in the name, or --from-layout says what it is"
-              : ", neither 2:1 (equirect), 6:1 (strip) nor 4:3 (cross); say --from "
-                "equirect if it is that all the same"));
-}
-
-bool Input::is_georeferenced() const
-{
-    return geographic_place(images.front()).specification.has_value();
-}
-
-// ---- its pixels
-
 std::size_t Input::picture_bytes() const
 {
-    const ImageFile &first = images.front();
+    const ImageFile &first = files().front();
     return static_cast<std::size_t>(first.width()) * static_cast<std::size_t>(first.channels()) *
-           channel_bytes(pixels.type) * static_cast<std::size_t>(first.height());
+           channel_bytes(description_of_pixels().type) * static_cast<std::size_t>(first.height());
 }
 
 // Room for the pixels. Which pictures' are there already?
 std::vector<bool> Input::allocate(MemoryCeiling &ceiling, WorkFolder *work)
 {
-    const ImageFile &first = images.front();
+    const ImageFile &first = files().front();
     std::vector<bool> there;
-    for (std::size_t i = 0; i < images.size(); ++i)
+    for (std::size_t i = 0; i < files().size(); ++i)
     {
         const bool kept = work != nullptr && work->has_source(i, picture_bytes());
         memory.emplace_back(ceiling, picture_bytes(),
-                            "the pixels of " + in_quotes(images[i].path()),
+                            "the pixels of " + in_quotes(files()[i].path()),
                             work != nullptr ? work->source_name(i) : "");
         there.push_back(kept && ceiling.is_in_file(memory.back().bytes()));
         cm_image view = {};
         view.size = sizeof view;
         view.data = memory.back().bytes();
-        view.type = pixels.type;
+        view.type = description_of_pixels().type;
         view.width = static_cast<std::uint32_t>(first.width());
         view.height = static_cast<std::uint32_t>(first.height());
         view.channels = static_cast<std::uint32_t>(first.channels());
@@ -561,7 +115,7 @@ void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, st
 {
     const std::vector<bool> there = allocate(ceiling, work);
     read_files(threads, ceiling, options.quiet ? nullptr : terminal, there);
-    for (std::size_t i = 0; work != nullptr && i < images.size(); ++i)
+    for (std::size_t i = 0; work != nullptr && i < files().size(); ++i)
     {
         if (!there[i] && !work->source_name(i).empty() && ceiling.is_in_file(memory[i].bytes()))
         {
@@ -570,11 +124,11 @@ void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, st
         }
     }
     const auto has_floats = [](const ImageFile &image) { return !image.stored().whole_numbers; };
-    if (std::any_of(images.begin(), images.end(), has_floats))
+    if (std::any_of(files().begin(), files().end(), has_floats))
     {
-        count_not_finite(threads);
+        count_all(threads);
     }
-    if (bad_values > 0 && options.not_finite == NotFinite::refuse)
+    if (counts.not_finite > 0 && options.not_finite == NotFinite::refuse)
     {
         refuse_not_finite();
     }
@@ -584,12 +138,13 @@ void Input::read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
                        const std::vector<bool> &there)
 {
     const bool in_bands = ceiling.in_files() > 0;
-    const std::ptrdiff_t row = images.front().width() * images.front().channels() *
-                               static_cast<std::ptrdiff_t>(channel_bytes(pixels.type));
+    const std::ptrdiff_t row =
+        files().front().width() * files().front().channels() *
+        static_cast<std::ptrdiff_t>(channel_bytes(description_of_pixels().type));
     std::int64_t rows = 0;
-    for (std::size_t i = 0; i < images.size(); ++i)
+    for (std::size_t i = 0; i < files().size(); ++i)
     {
-        rows += there[i] ? 0 : images[i].stored().height;
+        rows += there[i] ? 0 : files()[i].stored().height;
     }
     if (rows == 0)
     {
@@ -598,7 +153,7 @@ void Input::read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
     Progress progress(rows, in_bands && terminal != nullptr, terminal);
     const auto read_file = [&](int i)
     {
-        ImageFile &image = images[static_cast<std::size_t>(i)];
+        ImageFile &image = files()[static_cast<std::size_t>(i)];
         if (there[static_cast<std::size_t>(i)])
         {
             return;
@@ -606,7 +161,7 @@ void Input::read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
         unsigned char *const to = memory[static_cast<std::size_t>(i)].bytes();
         if (in_bands)
         {
-            image.read_in_bands(pixels.type, to, row,
+            image.read_in_bands(description_of_pixels().type, to, row,
                                 [&](int done)
                                 {
                                     ceiling.touched(static_cast<std::size_t>(done * row));
@@ -615,62 +170,63 @@ void Input::read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
         }
         else
         {
-            image.read_as(pixels.type, to, row);
+            image.read_as(description_of_pixels().type, to, row);
         }
     };
-    parallel_for(static_cast<int>(images.size()), threads, read_file);
+    parallel_for(static_cast<int>(files().size()), threads, read_file);
 }
 
-void Input::count_not_finite(int threads)
+void Input::count_all(int threads)
 {
-    const std::size_t row = static_cast<std::size_t>(images.front().width()) *
-                            static_cast<std::size_t>(images.front().channels());
-    const std::size_t size = channel_bytes(pixels.type);
-    std::atomic<std::int64_t> count{0};
-    const int rows = images.front().height();
+    const cm_pixel_type type = description_of_pixels().type;
+    const std::size_t row = static_cast<std::size_t>(files().front().width()) *
+                            static_cast<std::size_t>(files().front().channels());
+    const int rows = files().front().height();
+    counts = ValueCounts();
+    std::mutex lock;
     for (const PixelMemory &picture : memory)
     {
         const auto count_row = [&](int i)
         {
-            const unsigned char *const values =
-                picture.bytes() + static_cast<std::size_t>(i) * row * size;
-            std::int64_t bad = 0;
-            for (std::size_t k = 0; k < row; ++k)
+            const unsigned char *const at =
+                picture.bytes() + static_cast<std::size_t>(i) * row * channel_bytes(type);
+            ValueCounts own;
+            if (type == CM_PIXEL_HALF)
             {
-                bad += is_bad(pixels.type, values, k) ? 1 : 0;
+                count_values<std::uint16_t, 0x7c00, 0x3c00>(at, row, own);
             }
-            count += bad;
+            else
+            {
+                count_values<std::uint32_t, 0x7f800000, 0x3f800000>(at, row, own);
+            }
+            const std::lock_guard<std::mutex> held(lock);
+            counts.not_finite += own.not_finite;
+            counts.below_zero += own.below_zero;
+            counts.above_one += own.above_one;
         };
         parallel_for(rows, threads, count_row);
     }
-    bad_values = count;
 }
 
 void Input::refuse_not_finite() const
 {
-    const std::size_t channels = static_cast<std::size_t>(images.front().channels());
-    const std::size_t columns = static_cast<std::size_t>(images.front().width());
+    const std::size_t channels = static_cast<std::size_t>(files().front().channels());
+    const std::size_t columns = static_cast<std::size_t>(files().front().width());
     const std::size_t values =
-        columns * channels * static_cast<std::size_t>(images.front().height());
+        columns * channels * static_cast<std::size_t>(files().front().height());
     std::size_t picture = 0;
     std::size_t i = 0;
-    while (!is_bad(pixels.type, memory[picture].bytes(), i))
+    while (!is_bad(description_of_pixels().type, memory[picture].bytes(), i))
     {
         picture += i + 1 == values ? 1 : 0;
         i = i + 1 == values ? 0 : i + 1;
     }
-    const ImageFile &image = images[picture];
+    const ImageFile &image = files()[picture];
     throw Failure(
         in_quotes(image.path()) + " has " +
-        (is_nan(pixels.type, memory[picture].bytes(), i) ? "a NaN" : "an infinite value") +
+        (is_nan(description_of_pixels().type, memory[picture].bytes(), i) ? "a NaN"
+                                                                          : "an infinite value") +
         " at x = " + std::to_string(i / channels % columns) +
         ", y = " + std::to_string(i / channels / columns) + ", channel " +
         image.channel_name(static_cast<int>(i % channels)) + "; --not-finite skip leaves it out");
-}
-
-std::string Input::description() const
-{
-    const int channels = images.front().channels();
-    return surface_description(*sphere, turned) + ", " + std::to_string(channels) +
-           (channels == 1 ? " channel, " : " channels, ") + types;
 }

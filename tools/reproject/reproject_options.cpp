@@ -3,8 +3,8 @@
 #include "reproject_options.hpp"
 #include "reproject_main.h"
 #include "reproject_table.h"
-#include "sidecar.hpp"
-#include "surface_text.hpp"
+#include "tools/image/sidecar.hpp"
+#include "tools/image/surface_text.hpp"
 #include "tools/cli/byte_size.hpp"
 #include "tools/cli/catalogue_name.h"
 #include "tools/cli/program.hpp"
@@ -47,7 +47,7 @@ void check_instructions(cm_status status, const char *message)
 void take_sidecar(const std::string &path, SurfaceOptions &from)
 {
     const SavedSurface saved = read_sidecar(path);
-    from.specification = without_key(without_key(saved.specification, "size"), "height");
+    from.specification = without_size(saved.specification);
     from.said_rotation = saved.rotation;
 }
 

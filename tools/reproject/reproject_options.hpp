@@ -6,6 +6,7 @@
 #define CUBEMAP_TOOLS_REPROJECT_OPTIONS_HPP
 
 #include "tools/image/overlay_options.hpp"
+#include "tools/image/surface_options.hpp"
 
 #include "tools/cli/picture_stream.hpp"
 
@@ -15,16 +16,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-// What the command line says of INPUT's surface, or of OUTPUT's; what it does not say is empty.
-struct SurfaceOptions
-{
-    std::string specification; // one that the library takes, if sizes are left aside
-    std::string frame;
-    std::string layout;
-    std::optional<cm_rotation> rotation;
-    std::optional<cm_rotation> said_rotation; // by the file that has said the rest
-};
 
 enum class Keep
 {

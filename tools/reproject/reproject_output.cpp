@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproject_output.hpp"
-#include "face_parts.hpp"
-#include "geo_reference.hpp"
+#include "part_rules.hpp"
+#include "tools/image/geo_reference.hpp"
 #include "healpix_rules.hpp"
 #include "output_surface.hpp"
-#include "sidecar.hpp"
+#include "tools/image/sidecar.hpp"
 #include "texture_rules.hpp"
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
@@ -68,6 +68,21 @@ std::string not_finite_text(std::int64_t count, cm_not_finite what)
                                          : "kept");
 }
 
+// Of values that OUTPUT cannot have; "" if it can have all.
+std::string cut_text(const ValueCounts &counts, const ImagePlan &plan)
+{
+    const cm_pixel_type type = held_type(plan.format, plan.description.type);
+    const bool whole = type == CM_PIXEL_U8 || type == CM_PIXEL_U16;
+    const auto text_of = [](std::int64_t count, const char *where, const char *written)
+    {
+        return count == 0 ? ""
+                          : "; " + std::to_string(count) + (count == 1 ? " value " : " values ") +
+                                where + " written as " + written;
+    };
+    return (whole || plan.format == "hdr" ? text_of(counts.below_zero, "below 0", "0") : "") +
+           (whole ? text_of(counts.above_one, "above 1", "1") : "");
+}
+
 } // namespace
 
 Output::Output(const Options &options, const Input &input)
@@ -80,6 +95,35 @@ Output::Output(const Options &options, const Input &input)
     kept_density = options.keep == Keep::mean   ? ", as many pixels as INPUT"
                    : options.keep == Keep::most ? ", as dense as INPUT where it is densest"
                                                 : "";
+    const bool tiles = is_hips_name(options.output);
+    choose_format(options, input);
+    channels = input.description_of_pixels().channels;
+    choose_colors(options, input);
+    choose_place(options, input);
+    if (options.overlay.wanted())
+    {
+        lines = std::make_unique<SurfaceLines>(options.overlay, *surface, rotation, input);
+    }
+    choose_values(options, input);
+    if (!is_pipe(options.output)) // who reads pictures from pipes may expect the shortest header
+    {
+        save_surface(plan, whole.surface(), rotation);
+    }
+    const auto keep_work = [&]
+    { work = std::make_unique<WorkFolder>(options.output, work_identity(options, input, kind())); };
+    if (options.resume && tiles)
+    {
+        keep_work(); // where its tiles are
+    }
+    make_files(options);
+    if (options.resume && !tiles)
+    {
+        keep_work();
+    }
+}
+
+void Output::choose_format(const Options &options, const Input &input)
+{
     const ImageDescription &source = input.description_of_pixels();
     const bool tiles = is_hips_name(options.output);
     plan = plan_image(!options.pipe.empty() ? options.pipe
@@ -101,26 +145,6 @@ Output::Output(const Options &options, const Input &input)
     if (options.parts)
     {
         plan.parts = part_names(whole.surface());
-    }
-    channels = source.channels;
-    choose_colors(options, input);
-    choose_place(options, input);
-    if (options.overlay.wanted())
-    {
-        lines = std::make_unique<SurfaceLines>(options.overlay, *surface, rotation, input);
-    }
-    choose_values(options, input);
-    save_surface(plan, whole.surface(), rotation);
-    const auto keep_work = [&]
-    { work = std::make_unique<WorkFolder>(options.output, work_identity(options, input, kind())); };
-    if (options.resume && tiles)
-    {
-        keep_work(); // where its tiles are
-    }
-    make_files(options);
-    if (options.resume && !tiles)
-    {
-        keep_work();
     }
 }
 
@@ -412,7 +436,8 @@ void Output::write_pictures(const Render &render, int threads)
 void Output::write(const Options &options, const Input &input, int threads, MemoryCeiling &ceiling,
                    std::FILE *terminal, KeptPlan &kept)
 {
-    not_finite = input.not_finite();
+    not_finite = input.values().not_finite;
+    cut = cut_text(input.values(), plan);
     values.not_finite = not_finite > 0 ? engine_not_finite(options) : CM_NOT_FINITE_SPREAD;
     values.memory = ceiling.functions();
     const cm_plan &geometry =
@@ -506,6 +531,6 @@ std::string Output::description() const
             : colors.recode == Recode::decode ? "; sRGB written as light"
                                               : "";
     text += not_finite > 0 ? "; " + not_finite_text(not_finite, values.not_finite) : "";
-    text += chosen_mapping;
+    text += cut + chosen_mapping;
     return text + (lines ? "; " + lines->description() : "") + ")";
 }

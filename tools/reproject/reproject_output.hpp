@@ -55,6 +55,7 @@ private:
     using Rows = OutputRows;
 
     void choose_names(const Options &options, const Input &input);
+    void choose_format(const Options &options, const Input &input);
     void choose_place(const Options &options, const Input &input);
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
@@ -103,6 +104,7 @@ private:
     std::unique_ptr<SurfaceLines> lines; // if there are to be any
     cm_filter filter = CM_FILTER_AUTO;   // that was taken
     std::int64_t not_finite = 0;
+    std::string cut; // for people: values that OUTPUT cannot have
 };
 
 #endif

@@ -139,7 +139,7 @@ static const cm_option values[] = {
      .help = "how pixels are interpolated",
      .more =
          "Only ewa averages when OUTPUT is smaller than INPUT. The line that says what was done "
-         "says which was taken.",
+         "says which was taken: of floats auto is content with an error of 1e-4 of their range.",
      .standard = "`auto`",
      .choices = filters},
     {.id = REPROJECT_LINEAR,

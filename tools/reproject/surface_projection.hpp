@@ -5,7 +5,7 @@
 #ifndef CUBEMAP_TOOLS_SURFACE_PROJECTION_HPP
 #define CUBEMAP_TOOLS_SURFACE_PROJECTION_HPP
 
-#include "surface_text.hpp"
+#include "tools/image/surface_text.hpp"
 #include "tools/image/projection.hpp"
 
 #include <string>

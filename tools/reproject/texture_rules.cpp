@@ -2,8 +2,8 @@
 
 #include "texture_rules.hpp"
 #include "healpix_rules.hpp"
-#include "surface_text.hpp"
 #include "tools/cli/program.hpp"
+#include "tools/image/surface_text.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,12 +20,6 @@ std::string lower_extension(const std::string &path)
     { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; };
     std::transform(extension.begin(), extension.end(), extension.begin(), lower_letter);
     return extension;
-}
-
-// Direct3D, OpenGL and Vulkan have one table of faces.
-const cm_surface_preset &usual_axes()
-{
-    return *cm_surface_preset_find("directx");
 }
 
 std::string said(const std::string &option, const std::string &specification,
@@ -66,11 +60,6 @@ std::string reproject_format(const std::string &path)
     }
 }
 
-bool is_texture(const std::string &format)
-{
-    return format == "dds" || format == "ktx2";
-}
-
 void take_texture_rules(Options &options)
 {
     if (texture_format(options.output).empty() || options.preset != nullptr)
@@ -95,26 +84,16 @@ void take_texture_rules(Options &options)
         throw UsageFailure("a cube map in " + in_quotes(options.output) +
                            " is six faces; leave the layout " + layout + " out");
     }
+    const SavedSurface usual = texture_surface();
     if (to.specification.empty())
     {
-        to.specification = head_of(usual_axes().specification);
+        to.specification = head_of(usual.specification);
     }
     if (frame.empty())
     {
         to.frame = "gl";
-        to.rotation =
-            to.rotation ? product(usual_axes().rotation, *to.rotation) : usual_axes().rotation;
+        to.rotation = to.rotation ? product(*usual.rotation, *to.rotation) : usual.rotation;
     }
-}
-
-SavedSurface texture_surface()
-{
-    return {usual_axes().specification, usual_axes().rotation, ""};
-}
-
-bool has_six_faces(const ImageFile &image)
-{
-    return image.stored().subimage_count == 6 && is_texture(image.format());
 }
 
 void plan_texture(ImagePlan &plan, const std::string &path)

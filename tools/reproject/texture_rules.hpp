@@ -6,8 +6,8 @@
 #define CUBEMAP_TOOLS_TEXTURE_RULES_HPP
 
 #include "reproject_options.hpp"
-#include "surface_tags.hpp"
 #include "tools/cli/image_format.hpp"
+#include "tools/image/texture_faces.hpp"
 
 // "dds" or "ktx2" by a name's extension, else "".
 std::string texture_format(const std::string &path);
@@ -15,17 +15,9 @@ std::string texture_format(const std::string &path);
 // The format of any output by its name's extension. UsageFailure if it is none that is written.
 std::string reproject_format(const std::string &path);
 
-bool is_texture(const std::string &format);
-
 // OUTPUT as its format wants it, as far as the command line does not say it: as --for directx. UsageFailure if it says
 // what such a file cannot be.
 void take_texture_rules(Options &options);
-
-// What a cube map is whose file does not say it.
-SavedSurface texture_surface();
-
-// Are the file's six pictures the faces of a cube?
-bool has_six_faces(const ImageFile &image);
 
 // A plan for a texture that comes from such an image. Failure if a texture holds no such pixels.
 void plan_texture(ImagePlan &plan, const std::string &path);

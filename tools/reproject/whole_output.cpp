@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "whole_output.hpp"
-#include "geo_reference.hpp"
-#include "surface_tags.hpp"
+#include "tools/image/geo_reference.hpp"
+#include "tools/image/surface_tags.hpp"
 #include "texture_rules.hpp"
 #include "modules/image/io/texture_file.h"
 #include "pixel_memory.hpp"
@@ -57,9 +57,9 @@ std::string without_border(const std::string &specification)
     return at == std::string::npos ? text : text.erase(at, text.find(';', at) - at);
 }
 
-std::string without_size(const std::string &specification)
+std::string of_any_size(const std::string &specification)
 {
-    const std::string text = without_key(without_key(specification, "size"), "height");
+    const std::string text = without_size(specification);
     return kind_of(text) == "healpix" ? "healpix" : text;
 }
 
@@ -177,7 +177,7 @@ WholeOutput::WholeOutput(const Options &options, SurfacePointer wanted,
     if (texture && cm_surface_plane_count(shown.get()) != cm_surface_picture_count(shown.get()))
     {
         throw UsageFailure("a texture holds one picture, or six faces, not " +
-                           in_quotes(without_size(specification)));
+                           in_quotes(of_any_size(specification)));
     }
     const auto has = [&specification](const char *key)
     { return !key_of(specification, key).empty(); };
@@ -226,7 +226,7 @@ SurfacePointer WholeOutput::level_of(const cm_surface &of, std::uint32_t level) 
         height = (height + 1) / 2;
     }
     std::string message;
-    SurfacePointer made = make_surface(without_size(cm_surface_specification(&of)),
+    SurfacePointer made = make_surface(of_any_size(cm_surface_specification(&of)),
                                        static_cast<int>(columns * (width + around)),
                                        static_cast<int>(rows * (height + around)), {}, message);
     if (!made)
@@ -320,7 +320,7 @@ void WholeOutput::write_texture(const std::vector<Level> &levels, const ImagePla
     of.levels = static_cast<std::uint32_t>(levels.size());
     of.alpha_multiplied = plan.description.alpha >= 0 && plan.description.alpha_multiplied ? 1 : 0;
     of.writer = "cubemap-reproject";
-    put_text(without_size(cm_surface_specification(shown.get())), of.surface);
+    put_text(of_any_size(cm_surface_specification(shown.get())), of.surface);
     put_text(rotation && is_turned(*rotation) ? rotation_text(*rotation) : "", of.rotation);
     std::vector<const cm_image *> pictures;
     for (const Level &level : levels)

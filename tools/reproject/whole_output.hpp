@@ -7,7 +7,7 @@
 
 #include "memory_ceiling.hpp"
 #include "reproject_options.hpp"
-#include "surface_text.hpp"
+#include "tools/image/surface_text.hpp"
 #include "tools/cli/atomic_file.hpp"
 #include "tools/cli/image_format.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "work_manifest.hpp"
-#include "json_text.hpp"
+#include "tools/image/json_text.hpp"
 #include "tools/cli/program.hpp"
 
 #include <cubemap/version.h>

@@ -159,7 +159,7 @@ static cm_status warp(raster *r, char *message)
     return CM_OK;
 }
 
-/* As GeoTIFF has it. */
+/* As GeoTIFF has it; without keys where code is 0. */
 static void note_place(raster *r, int code)
 {
     double transform[6];
@@ -194,7 +194,7 @@ static void note_place(raster *r, int code)
                                       .tie_points = r->tie_points,
                                       .tie_point_count = 6,
                                       .keys = r->keys,
-                                      .key_count = KEY_COUNT};
+                                      .key_count = code != 0 ? KEY_COUNT : 0};
     r->description.geo_tags = &r->geo_tags;
 }
 
@@ -202,19 +202,24 @@ static cm_status find_place(raster *r, char *message)
 {
     double transform[6];
     const OGRSpatialReferenceH system = GDALGetSpatialRef(r->last);
-    const bool placed = system != NULL && *GDALGetProjectionRef(r->last) != '\0' &&
-                        GDALGetGeoTransform(r->last, transform) == CE_None;
+    const bool has_system = system != NULL && *GDALGetProjectionRef(r->last) != '\0';
+    const bool has_transform = GDALGetGeoTransform(r->last, transform) == CE_None;
+    const bool placed = has_system && has_transform;
+    const bool upright = has_transform && is_upright(transform);
     if (!placed && GDALGetGCPCount(r->last) == 0)
     {
+        if (upright)
+        {
+            note_place(r, 0); /* numbers in nobody knows what */
+        }
         return CM_OK;
     }
-    const bool upright = placed && is_upright(transform);
-    if (upright && (has_code(system, WGS84) || is_of_another_body(system)))
+    if (placed && upright && (has_code(system, WGS84) || is_of_another_body(system)))
     {
         note_place(r, WGS84);
         return CM_OK;
     }
-    if (upright && has_code(system, WEB_MERCATOR))
+    if (placed && upright && has_code(system, WEB_MERCATOR))
     {
         note_place(r, WEB_MERCATOR);
         return CM_OK;

@@ -3,7 +3,9 @@
 // Reading image files with OpenImageIO.
 
 #include "geo_tags.h"
+#include "header_tags.hpp"
 #include "image_reader.hpp"
+#include "opened_file.hpp"
 #include "whole_png.h"
 
 #include <algorithm>
@@ -20,6 +22,9 @@ namespace
 
 // Parts of rows are taken out of whole rows, of about so many bytes at a time.
 constexpr std::size_t band_bytes = std::size_t{1} << 20;
+
+// No header of Radiance is longer that says what we have said.
+constexpr std::size_t header_bytes = std::size_t{1} << 14;
 
 // A file was decoded, but with this message: does it mean that pixels are missing or wrong? Of JPEG
 // files, many that are whole bring complaints about bytes that stand between their parts.
@@ -79,9 +84,10 @@ public:
 
 private:
     void choose_subimage(std::uint32_t which);
-    void describe();
+    void describe(const std::string &path);
     void describe_window();
     void describe_tags();
+    void describe_header(const std::string &path);
     const char *keep(const std::string &text);
     bool read_native(const cm_image_region &region, OIIO::TypeDesc type, char *pixels,
                      std::ptrdiff_t row_stride);
@@ -107,7 +113,7 @@ LibraryReader::LibraryReader(const std::string &path, std::uint32_t which)
     input = open_input(path);
     choose_subimage(which);
     check_flat(spec);
-    describe();
+    describe(path);
     if (std::strcmp(input->format_name(), "tiff") == 0)
     {
         geo_tags = cm_geo_tags_read(path.c_str(), which);
@@ -144,7 +150,7 @@ const char *LibraryReader::keep(const std::string &text)
     return texts.back().c_str();
 }
 
-void LibraryReader::describe()
+void LibraryReader::describe(const std::string &path)
 {
     description.format = input->format_name();
     description.width = static_cast<std::uint32_t>(spec.width);
@@ -177,6 +183,10 @@ void LibraryReader::describe()
     description.subimage_name = name.empty() ? nullptr : keep(name);
     describe_window();
     describe_tags();
+    if (std::strcmp(description.format, "hdr") == 0)
+    {
+        describe_header(path);
+    }
 }
 
 void LibraryReader::describe_window()
@@ -200,6 +210,18 @@ void LibraryReader::describe_tags()
         const std::size_t size = static_cast<std::size_t>(value.datasize());
         tags.push_back({keep(value.name().string()), keep(value.get_string()),
                         keep(value.type().c_str()), value.data(), size});
+    }
+    description.tags = tags.data();
+    description.tag_count = tags.size();
+}
+
+// The library passes over lines that it does not know.
+void LibraryReader::describe_header(const std::string &path)
+{
+    const FilePointer file(std::fopen(path.c_str(), "rb"));
+    for (const auto &[key, text] : file ? header_tags(file.get(), header_bytes) : HeaderTags())
+    {
+        tags.push_back({keep(key), keep(text), nullptr, nullptr, 0});
     }
     description.tags = tags.data();
     description.tag_count = tags.size();

@@ -2,6 +2,7 @@
 //
 // Writing image files with OpenImageIO.
 
+#include "header_lines.h"
 #include "row_writer.hpp"
 
 #include <algorithm>
@@ -16,12 +17,16 @@
 namespace
 {
 
+// The greatest number of Radiance's pixels: 255 of 256 parts, and an exponent of 255 - 128.
+constexpr float most_light = 0x1.fep126f;
+
 // The caller's stream as the library wants it: one that never fails.
 class StreamProxy : public OIIO::Filesystem::IOProxy
 {
 public:
-    StreamProxy(const cm_image_stream &to, const std::string &path)
-        : IOProxy(path, Write), stream(to)
+    // lines: what the file has behind its first line, and the library does not write; none of a format that is sought in
+    StreamProxy(const cm_image_stream &to, const std::string &path, std::string lines)
+        : IOProxy(path, Write), stream(to), second_lines(std::move(lines))
     {
     }
     // Not "file": the library takes what calls itself that for its own IOFile.
@@ -43,7 +48,18 @@ public:
     }
     std::size_t write(const void *buffer, std::size_t size) override
     {
-        stream.write(stream.context, buffer, size);
+        const auto *const bytes = static_cast<const char *>(buffer);
+        const void *const end = second_lines.empty() ? nullptr : std::memchr(bytes, '\n', size);
+        const std::size_t before =
+            end == nullptr ? size
+                           : static_cast<std::size_t>(static_cast<const char *>(end) - bytes) + 1;
+        stream.write(stream.context, bytes, before);
+        if (end != nullptr)
+        {
+            stream.write(stream.context, second_lines.data(), second_lines.size());
+            second_lines.clear();
+            stream.write(stream.context, bytes + before, size - before);
+        }
         m_pos += static_cast<std::int64_t>(size);
         return size;
     }
@@ -54,7 +70,19 @@ public:
 
 private:
     const cm_image_stream stream;
+    std::string second_lines;
 };
+
+// What Radiance's header has beside the library's lines.
+std::string lines_of(const cm_image_description &description)
+{
+    char lines[CM_HEADER_LINES_SIZE] = "";
+    if (std::strcmp(description.format, "hdr") == 0)
+    {
+        cm_header_lines_write(&description, lines);
+    }
+    return lines;
+}
 
 OIIO::TypeDesc stored_type(const cm_image_description &description)
 {
@@ -175,6 +203,8 @@ private:
     {
         return next_row == static_cast<std::uint32_t>(spec.height);
     }
+    void write_light(std::uint32_t first, std::uint32_t end, cm_pixel_type type, const char *pixels,
+                     std::ptrdiff_t pixel_stride, std::ptrdiff_t row_stride);
     void keep_rows(cm_pixel_type type, std::uint32_t rows, const char *pixels,
                    std::ptrdiff_t pixel_stride, std::ptrdiff_t row_stride);
     void write_tiles(std::uint32_t first, std::uint32_t end);
@@ -209,7 +239,7 @@ LibraryWriter::LibraryWriter(const std::string &name, const cm_image_stream *str
     if (stream != nullptr && std::strcmp(description.format, "tiff") != 0 &&
         output->supports("ioproxy"))
     {
-        proxy = std::make_unique<StreamProxy>(*stream, path);
+        proxy = std::make_unique<StreamProxy>(*stream, path, lines_of(description));
         output->set_ioproxy(proxy.get());
     }
     if (description.part_count > 0)
@@ -259,6 +289,26 @@ void LibraryWriter::check(bool good)
         throw ImageFailure("cannot be written: " +
                            (full ? std::strerror(number) : one_line(output->geterror())));
     }
+}
+
+// Radiance's pixels have one exponent and no sign: what they cannot be is the nearest that they can. Without this the
+// library writes the low bits of a negative number as if it was large.
+void LibraryWriter::write_light(std::uint32_t first, std::uint32_t end, cm_pixel_type type,
+                                const char *pixels, std::ptrdiff_t pixel_stride,
+                                std::ptrdiff_t row_stride)
+{
+    std::vector<float> rows(static_cast<std::size_t>(end - first) *
+                            static_cast<std::size_t>(spec.width) *
+                            static_cast<std::size_t>(spec.nchannels));
+    OIIO::convert_image(spec.nchannels, spec.width, static_cast<int>(end - first), 1, pixels,
+                        type_of(type), pixel_stride, row_stride, OIIO::AutoStride, rows.data(),
+                        OIIO::TypeFloat, OIIO::AutoStride, OIIO::AutoStride, OIIO::AutoStride);
+    for (float &value : rows)
+    {
+        value = value > 0 ? std::min(value, most_light) : 0.0f; // NaN is 0
+    }
+    check(output->write_scanlines(static_cast<int>(first), static_cast<int>(end), 0,
+                                  OIIO::TypeFloat, rows.data()));
 }
 
 void LibraryWriter::keep_rows(cm_pixel_type type, std::uint32_t rows, const char *pixels,
@@ -324,6 +374,10 @@ void LibraryWriter::write(std::uint32_t first, std::uint32_t end, cm_pixel_type 
     {
         keep_rows(type, end - first, pixels, x_stride, y_stride);
         write_tiles(kept_from, end);
+    }
+    else if (std::strcmp(output->format_name(), "hdr") == 0)
+    {
+        write_light(first, end, type, pixels, x_stride, y_stride);
     }
     else
     {

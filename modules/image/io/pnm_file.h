@@ -28,6 +28,9 @@ extern "C" {
 /* Pixels along an edge at most. */
 #define CM_PNM_SIZE_MOST 1048576
 
+/* Bytes of a header that are kept, for who looks for comments. */
+#define CM_PNM_HEADER_MOST 1024
+
 /* How a picture is written. */
 typedef enum cm_pnm_kind
 {
@@ -52,6 +55,8 @@ typedef struct cm_pnm_picture
     uint32_t maximum;   /* read from PGM, PPM, PAM: the largest value; else 0 */
     float scale;        /* read from PFM: the scale, positive, which values are not multiplied by */
     int bottom_up;      /* read: is the first row the lowest? */
+    /* written to PGM, PPM and PAM: lines of comments, each begun by '#' and ended, or NULL. Read: NULL, as they are passed over */
+    const char *comments;
 } cm_pnm_picture;
 
 /* A stream that is read; to be filled with zeros but for size and stream. Members behind those are the functions'. */
@@ -63,6 +68,8 @@ typedef struct cm_pnm_reader
     uint32_t rows_left;     /* of it */
     int held_count;         /* 0 or 1: the byte that was looked at */
     unsigned char held;
+    size_t header_size; /* of its header, behind the first byte, as far as there is room; raw: 0 */
+    char header[CM_PNM_HEADER_MOST]; /* not ended; lines of comments begin by '#' */
 } cm_pnm_reader;
 
 /* The next picture, of which all rows of the last one must have been read. Of raw pictures the caller fills *picture and

@@ -3,6 +3,7 @@
 // PGM and PPM of bytes and words among the image files, row by row where they stand: OpenImageIO holds them whole.
 
 #include "image_reader.hpp"
+#include "header_tags.hpp"
 #include "opened_file.hpp"
 #include "pnm_file.h"
 
@@ -45,6 +46,7 @@ private:
 
     FilePointer file;
     off_t first;
+    HeaderTags own_tags;
     std::vector<cm_image_tag> tags;
     int is_binary = 1;
     float bits;
@@ -53,7 +55,9 @@ private:
 
 // The tags are those that OpenImageIO has.
 PnmReader::PnmReader(FilePointer opened, const cm_pnm_picture &found, off_t first_byte)
-    : file(std::move(opened)), first(first_byte), bits(found.type == CM_PIXEL_U8 ? 8.0f : 16.0f)
+    : file(std::move(opened)), first(first_byte),
+      own_tags(header_tags(file.get(), static_cast<std::size_t>(first_byte))),
+      bits(found.type == CM_PIXEL_U8 ? 8.0f : 16.0f)
 {
     static constexpr const char *const colors[] = {"R", "G", "B"};
     static constexpr const char *const gray[] = {"Y"};
@@ -74,6 +78,10 @@ PnmReader::PnmReader(FilePointer opened, const cm_pnm_picture &found, off_t firs
     tags.push_back({"oiio:BitsPerSample", found.type == CM_PIXEL_U8 ? "8" : "16", "float", &bits,
                     sizeof bits});
     tags.push_back({"oiio:ColorSpace", color_space, "string", &color_space, sizeof color_space});
+    for (const auto &[key, text] : own_tags)
+    {
+        tags.push_back({key.c_str(), text.c_str(), nullptr, nullptr, 0});
+    }
     description.tags = tags.data();
     description.tag_count = tags.size();
 }

@@ -10,6 +10,7 @@
 #include "pnm_words.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- samples ---- */
 
@@ -64,6 +65,18 @@ static bool is_reader(const cm_pnm_reader *reader)
            reader->stream->read != NULL;
 }
 
+/* Reads for a header, and keeps what it is. */
+static size_t take_header(void *context, void *bytes, size_t count)
+{
+    cm_pnm_reader *const reader = context;
+    const size_t taken = reader->stream->read(reader->stream->context, bytes, count);
+    const size_t room = sizeof reader->header - reader->header_size;
+    const size_t kept = taken < room ? taken : room;
+    memcpy(reader->header + reader->header_size, bytes, kept);
+    reader->header_size += kept;
+    return taken;
+}
+
 static cm_status next_picture(cm_pnm_reader *reader, cm_pnm_picture *found, bool *some,
                               char *message)
 {
@@ -85,7 +98,9 @@ static cm_status next_picture(cm_pnm_reader *reader, cm_pnm_picture *found, bool
         return CM_OK;
     }
     reader->held_count = raw ? 1 : 0;
-    return raw ? CM_OK : cm_pnm_read_header(reader->stream, (char)reader->held, found, message);
+    reader->header_size = 0;
+    const cm_image_stream noted = {reader, take_header, NULL, NULL, NULL};
+    return raw ? CM_OK : cm_pnm_read_header(&noted, (char)reader->held, found, message);
 }
 
 cm_status cm_pnm_next(cm_pnm_reader *reader, cm_pnm_picture *picture, bool *more, char *message)

@@ -352,6 +352,9 @@ cm_status cm_pnm_write_header(const cm_image_stream *stream, const cm_pnm_pictur
         return CM_ERROR_ARGUMENT;
     }
     char text[256];
+    const char *const comments =
+        picture->comments != NULL && picture->kind <= CM_PNM_PAM ? picture->comments : "";
+    const size_t first_line = strlen("P6\n");
     const unsigned long width = picture->width;
     const unsigned long height = picture->height;
     const unsigned maximum = picture->type == CM_PIXEL_U8 ? UINT8_MAX : UINT16_MAX;
@@ -374,7 +377,10 @@ cm_status cm_pnm_write_header(const cm_image_stream *stream, const cm_pnm_pictur
     default:
         break;
     }
-    return cm_file_put(stream, text, strlen(text))
+    /* behind the first line */
+    const size_t before = *comments != '\0' ? first_line : 0;
+    return cm_file_put(stream, text, before) && cm_file_put(stream, comments, strlen(comments)) &&
+                   cm_file_put(stream, text + before, strlen(text + before))
                ? CM_OK
                : cm_file_fail(message, "cannot be written: no more bytes are taken");
 }

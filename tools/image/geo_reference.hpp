@@ -19,6 +19,9 @@ struct GeoPlace
     std::optional<std::string>
         specification;     // of the surface, by longitude and latitude or as web maps are
     std::string otherwise; // or how it is placed: "by EPSG:32632"
+    // numbers in an unknown unit: otherwise says so, and this is the surface if they are degrees, "" if they cannot be
+    bool unit_is_unknown = false;
+    std::string in_degrees;
 };
 
 // Writes it into a TIFF file that is complete: EPSG:4326 of equirectangular pictures and EPSG:3857 of Mercator's. Nothing

@@ -7,6 +7,7 @@
 #include <cubemap/panorama.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -20,7 +21,9 @@ constexpr const char *description_tag = "ImageDescription";
 
 bool holds_own_tags(const std::string &format)
 {
-    return format == "png" || format == "openexr" || format == "fits";
+    const auto is = [&format](const char *name) { return format == name; };
+    static constexpr const char *const formats[] = {"png", "openexr", "fits", "hdr", "ppm", "pgm"};
+    return std::any_of(std::begin(formats), std::end(formats), is);
 }
 
 std::string tag_text(const cm_image_description &stored, const std::string &key)
@@ -132,8 +135,12 @@ std::optional<SavedSurface> photo_sphere(const ImageFile &image)
     }
     char text[400];
     cm_rotation rotation;
-    if (cm_panorama_surface(&panorama, static_cast<std::uint32_t>(image.width()),
-                            static_cast<std::uint32_t>(image.height()), text, sizeof text,
+    // of the size that the fields say, which an edited picture does not have
+    const bool has_size = panorama.cropped_width > 0 && panorama.cropped_height > 0;
+    const auto width = static_cast<std::uint32_t>(image.width());
+    const auto height = static_cast<std::uint32_t>(image.height());
+    if (cm_panorama_surface(&panorama, has_size ? panorama.cropped_width : width,
+                            has_size ? panorama.cropped_height : height, text, sizeof text,
                             &rotation) != CM_OK)
     {
         return std::nullopt;
@@ -177,15 +184,15 @@ void save_photo_sphere(ImageDescription &held, const cm_surface &surface)
 
 } // namespace
 
-std::optional<SavedSurface> saved_surface(const ImageFile &image)
+namespace
+{
+
+std::optional<SavedSurface> own_tag(const ImageFile &image)
 {
     SavedSurface saved;
     saved.specification = read_tag(image, surface_tag);
-    if (saved.specification.empty())
-    {
-        return photo_sphere(image);
-    }
-    if (cm_surface_check(saved.specification.c_str(), nullptr, nullptr, 0) != CM_OK)
+    if (saved.specification.empty() ||
+        cm_surface_check(saved.specification.c_str(), nullptr, nullptr, 0) != CM_OK)
     {
         return std::nullopt;
     }
@@ -200,6 +207,40 @@ std::optional<SavedSurface> saved_surface(const ImageFile &image)
         saved.rotation = rotation;
     }
     return saved;
+}
+
+} // namespace
+
+std::optional<SavedSurface> saved_surface(const ImageFile &image)
+{
+    std::optional<SavedSurface> own = own_tag(image);
+    if (own && size_of_then(*own, image) == SizeThen::same)
+    {
+        return own;
+    }
+    // who cuts panoramas may know of the fields, and not of the tag
+    std::optional<SavedSurface> photo = photo_sphere(image);
+    return !own || (photo && size_of_then(*photo, image) == SizeThen::same) ? photo : own;
+}
+
+SizeThen size_of_then(const SavedSurface &saved, const ImageFile &image)
+{
+    std::string message;
+    const SurfacePointer then = make_surface(saved.specification, 0, 0, {}, message);
+    if (!then)
+    {
+        return SizeThen::same; // it says none
+    }
+    const auto width = static_cast<double>(cm_surface_width(then.get()));
+    const auto height = static_cast<double>(cm_surface_height(then.get()));
+    if (width == image.width() && height == image.height())
+    {
+        return SizeThen::same;
+    }
+    // of a picture that is scaled each edge is rounded to whole pixels
+    const bool scaled = std::abs(image.width() - width * image.height() / height) <= 1 ||
+                        std::abs(image.height() - height * image.width() / width) <= 1;
+    return scaled ? SizeThen::scaled : SizeThen::cut;
 }
 
 void save_surface(ImagePlan &plan, const cm_surface &surface,
@@ -217,7 +258,7 @@ void save_surface(ImagePlan &plan, const cm_surface &surface,
             held.set(rotation_tag, turned);
         }
     }
-    else if (holds_tags(plan.format))
+    else if (plan.format == "jpeg" || plan.format == "tiff")
     {
         lines = std::string(surface_tag) + "=" + specification +
                 (turned.empty() ? "" : std::string("\n") + rotation_tag + "=" + turned);
@@ -228,9 +269,4 @@ void save_surface(ImagePlan &plan, const cm_surface &surface,
     {
         save_photo_sphere(held, surface);
     }
-}
-
-bool holds_tags(const std::string &format)
-{
-    return format != "hdr";
 }

@@ -12,6 +12,7 @@
 
 #include <cubemap/number.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -144,18 +145,53 @@ std::string in_web_metres(const ImageFile &image, const Bounds &at)
 
 } // namespace
 
+namespace
+{
+
+// Numbers that only count pixels place nothing: those of writers that fill in the tags always.
+bool counts_pixels(const cm_image_geo_tags &tags)
+{
+    const double *const tie = tags.tie_points;
+    return tags.transformation_count == 0 && tags.scale_count >= 2 && tags.tie_point_count == 6 &&
+           tags.scale[0] == 1 && tags.scale[1] == 1 &&
+           std::all_of(tie, tie + 6, [](double value) { return value == 0; });
+}
+
+// Without keys: numbers that are those of the whole sphere in degrees are degrees. Of others nobody knows.
+void place_without_system(const ImageFile &image, const cm_image_geo_tags &tags, GeoPlace &place)
+{
+    place.unit_is_unknown = true;
+    const std::string degrees = in_degrees(image, bounds_of(tags));
+    if (is_whole_equirect(degrees))
+    {
+        place.specification = degrees;
+        return;
+    }
+    std::string message;
+    const bool can_be =
+        make_surface(degrees, image.width(), image.height(), {}, message) != nullptr;
+    place.in_degrees = can_be ? degrees : "";
+    throw PlacedOtherwise{"by numbers without a system of coordinates"};
+}
+
+} // namespace
+
 GeoPlace geographic_place(const ImageFile &image)
 {
     const cm_image_geo_tags *const tags = image.stored().geo_tags;
-    const bool placed = tags != nullptr && tags->key_count >= 4 &&
-                        (tags->tie_point_count > 0 || tags->transformation_count > 0);
     GeoPlace place;
-    if (!placed)
+    if (tags == nullptr || (tags->tie_point_count == 0 && tags->transformation_count == 0) ||
+        (tags->key_count < 4 && counts_pixels(*tags)))
     {
         return place;
     }
     try
     {
+        if (tags->key_count < 4)
+        {
+            place_without_system(image, *tags, place);
+            return place;
+        }
         const unsigned system = system_of(*tags);
         const Bounds at = bounds_of(*tags);
         place.specification =

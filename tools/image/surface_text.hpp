@@ -28,8 +28,9 @@ std::string kind_of(const std::string &specification);
 // The value of a key, "" if it is not there.
 std::string key_of(const std::string &specification, const std::string &key);
 
-// The specification without a key.
+// The specification without a key, and without those of a picture's size.
 std::string without_key(const std::string &specification, const std::string &key);
+std::string without_size(const std::string &specification);
 
 // Takes ":nest" or ":ring" from the end of "healpix:NSIDE", "" if there is none.
 std::string take_healpix_order(std::string &specification);

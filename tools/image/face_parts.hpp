@@ -5,17 +5,10 @@
 #ifndef CUBEMAP_TOOLS_FACE_PARTS_HPP
 #define CUBEMAP_TOOLS_FACE_PARTS_HPP
 
-#include "reproject_options.hpp"
 #include "tools/cli/image_file.hpp"
 
 #include <string>
 #include <vector>
-
-// UsageFailure if --parts is said of an OUTPUT that cannot have any.
-void check_parts(const Options &options);
-
-// The names of the parts of such an OUTPUT, those of the frame's faces. UsageFailure if it is not six faces.
-std::vector<std::string> part_names(const cm_surface &surface);
 
 // Whose faces the names of a file's parts are.
 enum class PartOrder

@@ -70,6 +70,11 @@ std::string without_key(const std::string &specification, const std::string &key
     return rest;
 }
 
+std::string without_size(const std::string &specification)
+{
+    return without_key(without_key(specification, "size"), "height");
+}
+
 std::string take_healpix_order(std::string &specification)
 {
     const std::string head = head_of(specification);
@@ -207,7 +212,7 @@ std::string surface_description(const cm_surface &surface,
     const std::string specification = cm_surface_specification(&surface);
     const std::string size = std::to_string(cm_surface_width(&surface)) + "x" +
                              std::to_string(cm_surface_height(&surface));
-    std::string text = without_key(without_key(specification, "size"), "height");
+    std::string text = without_size(specification);
     if (is_cube(specification))
     {
         const std::string layout = key_of(specification, "layout");
