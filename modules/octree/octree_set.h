@@ -56,7 +56,7 @@ typedef struct cm_pixel_gap
 #define CM_BREAK_RADIUS 8
 
 /* A voxel that reaches over a silhouette looks for rays that end in it, so many pixels around its own. */
-#define CM_BESIDE_MOST 3
+#define CM_BESIDE_MOST 8
 
 /* A pixel at a break tells pixels around it, in a row, what it sees. */
 typedef struct cm_break_teller
