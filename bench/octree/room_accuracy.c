@@ -182,10 +182,42 @@ static void report_map(const cm_octree *map, const char *when)
            (unsigned long long)count.nodes, 1e-6 * (double)count.bytes);
 }
 
-int main(int argument_count, char **argument)
+/* A room, a map of it, and the truth. */
+typedef struct bench
 {
-    name_program("room-accuracy");
-    const settings s = read_settings(argument_count, argument);
+    settings s;
+    cm_scene *scene;
+    cm_camera *camera;
+    cm_octree *map;
+    cm_pool *pool;
+    room_picture picture;
+    room_truth truth;
+} bench;
+
+static cm_octree_options map_options(const settings *s)
+{
+    cm_octree_options options = {.size = sizeof options,
+                                 .edge = s->edge,
+                                 .levels = (int)s->levels,
+                                 .rule = (int)s->rule,
+                                 .hit = 0.85,
+                                 .miss = -0.4,
+                                 .low = -2.0,
+                                 .high = 3.5,
+                                 .far = s->far,
+                                 .noise = s->noise,
+                                 .footprint = s->footprint,
+                                 .color = s->color > 0.0,
+                                 .endpoints_only = s->endpoints > 0.0};
+    for (int i = 0; i < 3; i++)
+    {
+        options.centre[i] = s->centre * s->edge;
+    }
+    return options;
+}
+
+static void begin(bench *at, const settings *s)
+{
     const cm_camera_options of_camera = {.size = sizeof of_camera,
                                          .width = 640,
                                          .height = 480,
@@ -193,82 +225,82 @@ int main(int argument_count, char **argument)
                                          .fy = 525.0,
                                          .cx = 319.5,
                                          .cy = 239.5};
-    cm_octree_options options = {.size = sizeof options,
-                                 .edge = s.edge,
-                                 .levels = (int)s.levels,
-                                 .rule = (int)s.rule,
-                                 .hit = 0.85,
-                                 .miss = -0.4,
-                                 .low = -2.0,
-                                 .high = 3.5,
-                                 .far = s.far,
-                                 .noise = s.noise,
-                                 .footprint = s.footprint,
-                                 .color = s.color > 0.0,
-                                 .endpoints_only = s.endpoints > 0.0};
+    const cm_octree_options options = map_options(s);
     const double least[3] = {-3.0, -2.5, 0.0};
     const double greatest[3] = {3.0, 2.5, 3.0};
-    for (int i = 0; i < 3; i++)
+    memset(at, 0, sizeof *at);
+    at->s = *s;
+    ask(cm_scene_create_named("room", &at->scene), "room");
+    ask(cm_camera_create(&of_camera, &at->camera), "camera");
+    ask(cm_octree_create(&options, &at->map), "map");
+    if (s->threads > 1.0)
     {
-        options.centre[i] = s.centre * s.edge;
+        ask(cm_pool_create((unsigned)s->threads, &at->pool), "threads");
     }
-    cm_scene *scene = NULL;
-    cm_camera *camera = NULL;
-    cm_octree *map = NULL;
-    cm_pool *pool = NULL;
-    room_picture picture;
-    room_truth truth;
-    ask(cm_scene_create_named("room", &scene), "room");
-    ask(cm_camera_create(&of_camera, &camera), "camera");
-    ask(cm_octree_create(&options, &map), "map");
-    if (s.threads > 1.0)
-    {
-        ask(cm_pool_create((unsigned)s.threads, &pool), "threads");
-    }
-    if (!room_picture_make(camera, &picture) ||
-        !room_truth_make(scene, s.edge, options.centre, least, greatest, &truth))
+    if (!room_picture_make(at->camera, &at->picture) ||
+        !room_truth_make(at->scene, s->edge, options.centre, least, greatest, &at->truth))
     {
         ask(CM_ERROR_MEMORY, "pictures");
     }
-    const size_t views = (size_t)s.views;
-    const size_t passes = (size_t)s.passes;
-    double *took = allocate(views * passes + 1, sizeof *took);
-    for (size_t i = 0; i < views * passes; i++)
+}
+
+static void end(bench *at)
+{
+    room_truth_free(&at->truth);
+    room_picture_free(&at->picture);
+    cm_pool_destroy(at->pool);
+    cm_octree_destroy(at->map);
+    cm_camera_destroy(at->camera);
+    cm_scene_destroy(at->scene);
+}
+
+static void report(const bench *at, const char *when)
+{
+    report_map(at->map, when);
+    if (at->s.judge > 0.0)
+    {
+        judge_map(at->map, &at->truth);
+    }
+}
+
+/* All views of all passes, and what each took. */
+static void integrate_all(bench *at, double *took)
+{
+    const size_t views = (size_t)at->s.views, all = views * (size_t)at->s.passes;
+    for (size_t i = 0; i < all; i++)
     {
         const cm_pose pose = room_pose(i % views, views);
-        room_picture_take(scene, camera, &pose, s.noise, (uint32_t)i, &picture);
-        took[i] = integrate(map, &s, &picture, camera, &pose, pool);
+        room_picture_take(at->scene, at->camera, &pose, at->s.noise, (uint32_t)i, &at->picture);
+        took[i] = integrate(at->map, &at->s, &at->picture, at->camera, &pose, at->pool);
         if (i < views)
         {
-            room_truth_see(&truth, &picture);
+            room_truth_see(&at->truth, &at->picture);
         }
         if (i + 1 == views)
         {
-            report_map(map, "after the first pass");
-            if (s.judge > 0.0)
-            {
-                judge_map(map, &truth);
-            }
+            report(at, "after the first pass");
         }
     }
+}
+
+int main(int argument_count, char **argument)
+{
+    name_program("room-accuracy");
+    const settings s = read_settings(argument_count, argument);
+    const size_t views = (size_t)s.views, passes = (size_t)s.passes;
+    bench at;
+    begin(&at, &s);
+    double *took = allocate(views * passes + 1, sizeof *took);
+    integrate_all(&at, took);
     report_times("first pass", took, views);
     if (passes > 1)
     {
         report_times("later passes", took + views, views * (passes - 1));
-        report_map(map, "after the last pass");
-        if (s.judge > 0.0)
-        {
-            judge_map(map, &truth);
-        }
+        report(&at, "after the last pass");
     }
-    ask(cm_octree_compact(map), "compact");
-    report_map(map, "compacted");
+    ask(cm_octree_compact(at.map), "compact");
+    report_map(at.map, "compacted");
     free(took);
-    room_truth_free(&truth);
-    room_picture_free(&picture);
-    cm_pool_destroy(pool);
-    cm_octree_destroy(map);
-    cm_camera_destroy(camera);
-    cm_scene_destroy(scene);
+    end(&at);
     return 0;
 }

@@ -19,6 +19,8 @@
 /* Bits of what is said of free space. */
 #define NO_RETURN_IS_FREE 1u
 #define ENDPOINTS_ONLY 2u
+/* and of colors */
+#define HAS_COLOR 1u
 
 /* ---- numbers ---- */
 
@@ -106,7 +108,7 @@ static void write_options(const cm_octree *octree, byte_list *list)
     put(list,
         (o->no_return_is_free ? NO_RETURN_IS_FREE : 0u) | (o->endpoints_only ? ENDPOINTS_ONLY : 0u),
         4);
-    put(list, (uint64_t)(o->color != 0), 4);
+    put(list, o->color != 0 ? HAS_COLOR : 0u, 4);
     put(list, octree->step, 4);
     const double numbers[] = {o->edge, o->centre[0], o->centre[1], o->centre[2],
                               o->hit,  o->miss,      o->low,       o->high,
@@ -117,14 +119,22 @@ static void write_options(const cm_octree *octree, byte_list *list)
     }
 }
 
-static void read_options(byte_reader *reader, cm_octree_options *o, uint32_t *step)
+/* A small number, or one that none of the options may be. */
+static int get_small(byte_reader *reader)
 {
-    o->levels = (int)(get(reader, 4) & 0xffffu);
-    o->rule = (int)(get(reader, 4) & 0xffffu);
-    const uint64_t flags = get(reader, 4);
+    const uint64_t value = get(reader, 4);
+    return value <= INT16_MAX ? (int)value : INT16_MAX;
+}
+
+/* Bits that this version does not know are of a newer one: what they say would be lost. */
+static cm_status read_options(byte_reader *reader, cm_octree_options *o, uint32_t *step)
+{
+    o->levels = get_small(reader);
+    o->rule = get_small(reader);
+    const uint64_t flags = get(reader, 4), color = get(reader, 4);
     o->no_return_is_free = (flags & NO_RETURN_IS_FREE) != 0;
     o->endpoints_only = (flags & ENDPOINTS_ONLY) != 0;
-    o->color = (int)(get(reader, 4) & 1u);
+    o->color = (color & HAS_COLOR) != 0;
     *step = (uint32_t)get(reader, 4);
     double *const numbers[] = {&o->edge, &o->centre[0], &o->centre[1], &o->centre[2],
                                &o->hit,  &o->miss,      &o->low,       &o->high,
@@ -133,6 +143,13 @@ static void read_options(byte_reader *reader, cm_octree_options *o, uint32_t *st
     {
         *numbers[i] = get_double(reader);
     }
+    if (reader->failed || reader->left > 0)
+    {
+        return CM_ERROR_DATA;
+    }
+    const int is_newer =
+        (flags & ~(uint64_t)(NO_RETURN_IS_FREE | ENDPOINTS_ONLY)) != 0 || color > HAS_COLOR;
+    return is_newer ? CM_ERROR_VERSION : CM_OK;
 }
 
 /* ---- nodes ---- */
@@ -301,8 +318,7 @@ static cm_status make_map(cm_store *store, const cm_octree_options *options, cm_
     cm_octree_options kept = {.size = sizeof kept};
     uint32_t step = 0;
     byte_reader reader = {blob.data, blob.count, 0};
-    read_options(&reader, &kept, &step);
-    const int failed = reader.failed || reader.left > 0;
+    status = read_options(&reader, &kept, &step);
     cm_blob_clear(&blob);
     if (options != NULL)
     {
@@ -310,7 +326,7 @@ static cm_status make_map(cm_store *store, const cm_octree_options *options, cm_
         kept.pages = options->pages;
         kept.instructions = options->instructions;
     }
-    status = failed ? CM_ERROR_DATA : cm_octree_create(&kept, octree);
+    status = status == CM_OK ? cm_octree_create(&kept, octree) : status;
     if (status == CM_OK)
     {
         (*octree)->step = step;

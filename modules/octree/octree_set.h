@@ -56,7 +56,7 @@ typedef struct cm_pixel_gap
 #define CM_BREAK_RADIUS 8
 
 /* A voxel that reaches over a silhouette looks for rays that end in it, so many pixels around its own. */
-#define CM_BESIDE_MOST 3
+#define CM_BESIDE_MOST 8
 
 /* A pixel at a break tells pixels around it, in a row, what it sees. */
 typedef struct cm_break_teller
@@ -70,6 +70,13 @@ typedef struct cm_break_teller
     size_t first; /* how far the first of the row is right of the leftmost possible */
 } cm_break_teller;
 
+/* What is nearer than least is missed, what is farther than most is not touched; with a little room for rounding. */
+typedef struct cm_cube_bounds
+{
+    float least;
+    float most;
+} cm_cube_bounds;
+
 /* Least and greatest of what pixels say within windows of 2 x 2 cells of 2^level pixels, at each cell: what is nearer than
  * least is missed by all, what is farther than most is touched by none. Levels begin at 1: few cubes are so far that windows of
  * pixels would say more. */
@@ -77,8 +84,7 @@ typedef struct cm_window_level
 {
     uint32_t width;
     uint32_t height;
-    float *least;
-    float *most;
+    cm_cube_bounds *bounds;
 } cm_window_level;
 
 #define CM_WINDOW_LEVELS 32
@@ -102,6 +108,10 @@ typedef struct cm_view_table
     const cm_pixel_gap *gap; /* in rows as rules; of pixels that have one */
     int levels;
     cm_window_level level[CM_WINDOW_LEVELS];
+    const cm_cube_bounds
+        *window; /* of all levels: where each begins, and how far its rows are apart */
+    uint32_t first_window[CM_WINDOW_LEVELS];
+    uint32_t window_row[CM_WINDOW_LEVELS];
 } cm_view_table;
 
 /* What is known of a cube of voxel centres. */
@@ -112,13 +122,6 @@ typedef enum cm_cube_class
     CM_CUBE_BAND = 2,    /* perhaps not, and all of it falls on the picture */
     CM_CUBE_PART = 3     /* perhaps not */
 } cm_cube_class;
-
-/* What is nearer than least is missed, what is farther than most is not touched; with a little room for rounding. */
-typedef struct cm_cube_bounds
-{
-    float least;
-    float most;
-} cm_cube_bounds;
 
 /* Offsets of the cells' centres of a block from that of its first voxel, in the camera's axes; those of each detail. */
 typedef struct cm_cell_offsets
@@ -197,7 +200,7 @@ typedef struct cm_octree_set
                   float *least, float *most);
     /* Windows of 2 x 2 cells from two rows: n of them. */
     void (*windows)(size_t n, const float *const least_of[2], const float *const most_of[2],
-                    float *least, float *most);
+                    cm_cube_bounds *bounds);
     /* Classes of n cubes with centres x, y, z in the camera's axes, all with the half lengths of a box along those axes; and, if
      * bounds is not NULL, of each that may be something else than outside and free, bounds of what its pixels say. Arrays have
      * room for a multiple of 16. */

@@ -404,6 +404,9 @@ static const uint32_t *open_colors(const cm_region *region, unsigned block)
                : NULL;
 }
 
+/* No more pixels are fetched for a region: they would drive each other out of what is near. */
+#define FETCHED_MOST 40000.0
+
 /* Pixels that a region falls on are on their way, too: what they say is met in no order that processors know. */
 static void fetch_rules(const cm_update *update, const cm_region *region)
 {
@@ -431,6 +434,10 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
         const double wide = focal * (double)half[axis] / centre[2] * 0.8; /* most of it is enough */
         first[axis] = middle - wide > 0.0 ? middle - wide : 0.0;
         last[axis] = middle + wide < size[axis] ? middle + wide : size[axis];
+    }
+    if ((last[0] - first[0]) * (last[1] - first[1]) > FETCHED_MOST)
+    {
+        return;
     }
     for (uint32_t row = (uint32_t)first[1]; (double)row <= last[1]; row++)
     {

@@ -85,7 +85,7 @@ static int take_images(cm_view_desk *desk)
     const size_t count = sizeof images / sizeof *images;
     desk->memory = cm_huge_allocate(pixels * (sizeof *desk->rule + sizeof *desk->word) +
                                     (packed + count * cells) * sizeof *desk->packed);
-    desk->gap = malloc(pixels * sizeof *desk->gap);
+    desk->gap = cm_huge_allocate(pixels * sizeof *desk->gap);
     if (desk->memory == NULL || desk->gap == NULL)
     {
         return 0;
@@ -112,7 +112,7 @@ static int take_band(const cm_view_desk *desk, cm_view_band *band)
     const size_t count = sizeof rings / sizeof *rings,
                  bounds = sizeof band->bound / sizeof *band->bound;
     const size_t floats = count * ring + (bounds + 1) * desk->stride;
-    band->memory = malloc(floats * sizeof *band->memory);
+    band->memory = cm_huge_allocate(floats * sizeof *band->memory);
     band->kind = calloc(CM_BAND_ROWS, desk->stride);
     band->is_taken = calloc(CM_BAND_ROWS, desk->stride / CM_BREAK_RUN);
     if (band->memory == NULL || band->kind == NULL || band->is_taken == NULL)
@@ -168,26 +168,28 @@ static int take_bands(cm_view_desk *desk, size_t bands)
 
 static int take_windows(cm_view_desk *desk)
 {
-    size_t floats = CM_OCTREE_SLACK;
+    size_t windows = 0;
     int levels = 1;
     do
     {
-        floats += 2 * (level_cells(desk->width, levels) * level_cells(desk->height, levels) +
-                       CM_OCTREE_SLACK);
+        windows +=
+            level_cells(desk->width, levels) * level_cells(desk->height, levels) + CM_OCTREE_SLACK;
         levels++;
     } while (has_more_levels(desk, levels - 1));
-    desk->windows = malloc(floats * sizeof *desk->windows);
-    float *next = desk->windows;
+    desk->windows = cm_huge_allocate(windows * sizeof *desk->windows);
+    cm_cube_bounds *next = desk->windows;
     desk->table.levels = levels;
+    desk->table.window = desk->windows;
     for (int level = 1; desk->windows != NULL && level < levels; level++)
     {
         cm_window_level *at = &desk->table.level[level];
         at->width = (uint32_t)level_cells(desk->width, level);
         at->height = (uint32_t)level_cells(desk->height, level);
         const size_t cells = (size_t)at->width * at->height + CM_OCTREE_SLACK;
-        at->least = next;
-        at->most = next + cells;
-        next += 2 * cells;
+        at->bounds = next;
+        desk->table.first_window[level] = (uint32_t)(next - desk->windows);
+        desk->table.window_row[level] = at->width;
+        next += cells;
     }
     return desk->windows != NULL;
 }

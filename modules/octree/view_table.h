@@ -52,9 +52,9 @@ typedef struct cm_view_desk
     float *least[2]; /* cells of two levels in turn, of the first in [1] */
     float *most[2];
     cm_pixel_rule *rule;
-    uint32_t *word;     /* of colors, in rows as the rules' */
-    float *windows;     /* of all levels */
-    float *packed;      /* the cleaned image, dense */
+    uint32_t *word;          /* of colors, in rows as the rules' */
+    cm_cube_bounds *windows; /* of all levels */
+    float *packed;           /* the cleaned image, dense */
     uint8_t *too_near;  /* of its pixels, where all others without a depth are free; else NULL */
     cm_view_band *band; /* as many as threads have served */
     size_t bands;

@@ -54,8 +54,7 @@ static void make_windows(size_t first, size_t end, void *user)
         const float *most = desk->most[which] + row * desk->stride;
         const float *const leasts[2] = {least, least + desk->stride};
         const float *const mosts[2] = {most, most + desk->stride};
-        work->set->windows(at->width, leasts, mosts, at->least + row * at->width,
-                           at->most + row * at->width);
+        work->set->windows(at->width, leasts, mosts, at->bounds + row * at->width);
     }
 }
 
@@ -92,5 +91,5 @@ void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool 
         cm_pool_run(level == 1 ? pool : NULL, at->height, window_rows(at), make_windows, &work);
     }
     const cm_window_level *last = &desk->table.level[desk->table.levels - 1];
-    desk->greatest = last->most[0];
+    desk->greatest = last->bounds[0].most;
 }

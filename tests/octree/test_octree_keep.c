@@ -332,6 +332,43 @@ START_TEST(damaged_blobs_are_refused)
 }
 END_TEST
 
+/* Bits of free space and of colors that this version has no word for, and numbers beyond all that it knows. */
+START_TEST(what_a_newer_version_says_is_not_dropped)
+{
+    cm_store *store = memory_store();
+    const cm_octree_options options = paged_options(NULL);
+    cm_octree *octree = make_map(&options), *back = NULL;
+    ck_assert_int_eq(cm_octree_save(octree, store, NULL, 0), CM_OK);
+    const cm_store_key key = {"m", 1};
+    cm_blob blob = {.size = sizeof blob};
+    ck_assert_int_eq(cm_store_get(store, &key, 0x4f434d4du, 1, &blob), CM_OK);
+    for (int field = 0; field < 4; field++) /* levels, rule, free space, colors */
+    {
+        for (int bit = 0; bit < 32; bit++)
+        {
+            const int is_known = field == 2 ? bit < 2 : field == 3 && bit == 0;
+            if (is_known || (field < 2 && bit < 5))
+            {
+                continue;
+            }
+            unsigned char *byte = (unsigned char *)blob.data + 4 * field + bit / 8;
+            *byte = (unsigned char)(*byte ^ 1 << bit % 8);
+            ck_assert_int_eq(cm_store_put(store, &key, &blob), CM_OK);
+            const cm_status status = cm_octree_load(store, NULL, &back);
+            ck_assert_msg(status == (field < 2 ? CM_ERROR_DATA : CM_ERROR_VERSION) && back == NULL,
+                          "field %d, bit %d: %d", field, bit, (int)status);
+            *byte = (unsigned char)(*byte ^ 1 << bit % 8);
+        }
+    }
+    ck_assert_int_eq(cm_store_put(store, &key, &blob), CM_OK);
+    ck_assert_int_eq(cm_octree_load(store, NULL, &back), CM_OK);
+    cm_blob_clear(&blob);
+    cm_octree_destroy(back);
+    cm_octree_destroy(octree);
+    cm_store_destroy(store);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {pages_change_nothing,
@@ -340,6 +377,7 @@ int main(void)
                                   pages_that_fail_leave_a_whole_map,
                                   saving_and_loading_fail_whole,
                                   damaged_blobs_are_refused,
+                                  what_a_newer_version_says_is_not_dropped,
                                   NULL};
     camera = straight_camera(60, 44, 0.5);
     const int result = run_suite("octree keep", tests);

@@ -256,10 +256,77 @@ START_TEST(behind_what_is_too_near_nothing_is_free)
 }
 END_TEST
 
+/* A wall three units before a straight camera, as an image of ranges, which are 3.5 and more towards its border. */
+static cm_octree *map_of_ranges(const cm_octree_options *options, const cm_camera *camera)
+{
+    const cm_camera_options *shape = cm_camera_describe(camera);
+    const size_t pixels = (size_t)shape->width * shape->height;
+    float *image = malloc(pixels * sizeof *image);
+    ck_assert(image != NULL);
+    for (size_t i = 0; i < pixels; i++)
+    {
+        const double column = (double)(i % shape->width) + shape->pixel_centre;
+        const double row = (double)(i / shape->width) + shape->pixel_centre;
+        double ray[3];
+        cm_camera_ray_array(camera, 1, &column, &row, ray, ray + 1, ray + 2);
+        image[i] =
+            (float)(3.0 * sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]) / ray[2]);
+    }
+    const cm_view view = {.size = sizeof view,
+                          .camera = camera,
+                          .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.0, 0.0, 0.0}},
+                          .depth = {.size = sizeof view.depth,
+                                    .data = image,
+                                    .type = CM_PIXEL_FLOAT,
+                                    .width = shape->width,
+                                    .height = shape->height,
+                                    .channels = 1},
+                          .depth_is_range = 1,
+                          .depth_unit = 1.0};
+    cm_octree *octree = make_map(options);
+    ck_assert_int_eq(cm_octree_update(octree, &view, NULL), CM_OK);
+    free(image);
+    return octree;
+}
+
+/* Straight cameras and lenses have an optical axis. */
+START_TEST(limits_are_of_depth_where_there_is_an_axis)
+{
+    cm_camera *cameras[] = {straight_camera(80, 60, 0.5), NULL};
+    cm_camera_options lens = *cm_camera_describe(cameras[0]);
+    lens.distortion[0] = 1e-3;
+    ck_assert_int_eq(cm_camera_create(&lens, &cameras[1]), CM_OK);
+    const double beside[3] = {1.42, 0.03, 3.02}, before[3] = {1.32, 0.03, 2.77};
+    for (int i = 0; i < 2; i++)
+    {
+        cm_octree_options options = {.size = sizeof options, .levels = 8, .edge = 0.05};
+        options.far = 3.1; /* the range of the wall is 3.32 there */
+        cm_octree *octree = map_of_ranges(&options, cameras[i]);
+        ck_assert_int_eq(cm_octree_at(octree, beside, 0, NULL), CM_VOXEL_OCCUPIED);
+        ck_assert_int_eq(cm_octree_at(octree, before, 0, NULL), CM_VOXEL_FREE);
+        cm_octree_destroy(octree);
+        options.far = 0.0;
+        options.near = 2.9; /* and 3.07 before it */
+        octree = map_of_ranges(&options, cameras[i]);
+        ck_assert_int_eq(cm_octree_at(octree, beside, 0, NULL), CM_VOXEL_OCCUPIED);
+        ck_assert_int_eq(cm_octree_at(octree, before, 0, NULL), CM_VOXEL_UNKNOWN);
+        cm_octree_destroy(octree);
+        options.near = 3.2;
+        octree = map_of_ranges(&options, cameras[i]);
+        ck_assert_int_eq(cm_octree_at(octree, beside, 0, NULL), CM_VOXEL_UNKNOWN);
+        cm_octree_destroy(octree);
+        cm_camera_destroy(cameras[i]);
+    }
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {bits_are_the_same, counts_and_colors_are_the_chapters,
+    const TTest *const tests[] = {bits_are_the_same,
+                                  counts_and_colors_are_the_chapters,
                                   views_that_say_nothing_change_nothing,
-                                  behind_what_is_too_near_nothing_is_free, NULL};
+                                  behind_what_is_too_near_nothing_is_free,
+                                  limits_are_of_depth_where_there_is_an_axis,
+                                  NULL};
     return run_suite("octree promises", tests);
 }

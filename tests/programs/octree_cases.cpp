@@ -341,6 +341,42 @@ void resumes()
          "octree integrate room -o run.map --edge 0.1 --json");
 }
 
+// A map is there until the one that takes its place is complete, whatever ends the run that makes that.
+void keeps_old_maps()
+{
+    make_octree_inputs();
+    does("octree integrate room -o kept.map --edge 0.1 --quiet");
+    const std::string old = content_of("kept.map");
+    const std::string first = "room/depth/1.000000.png", later = "room/depth/1.500000.png";
+    for (const std::string &broken : {first, later})
+    {
+        const std::string good = content_of(broken);
+        write_file(broken, good.substr(0, good.size() / 2));
+        const Ran ended =
+            run("octree integrate room -o kept.map --edge 0.05 --save-every 2 --quiet");
+        result(ended.status == 1 && content_of("kept.map") == old,
+               "the old map survives a broken view", ended.err);
+        write_file(broken, good);
+        result(std::filesystem::exists("kept.map.unfinished") == (broken == later),
+               "what was committed is beside it, and nothing else");
+    }
+    says("that is a map, too", "\"views\": 4, \"complete\": false",
+         "octree info kept.map.unfinished --json");
+    std::filesystem::create_symlink("kept.map", "link.map");
+    says("the same command goes on", "\"views\": 8, .*\"resumed_at\": 4",
+         "octree integrate room -o link.map --edge 0.05 --save-every 2 --json");
+    result(!std::filesystem::exists("kept.map.unfinished") &&
+               std::filesystem::is_symlink("link.map"),
+           "the new map takes the old one's place");
+    does("octree integrate room -o fresh.map --edge 0.05 --quiet");
+    does("octree extract kept.map -o kept.xyz");
+    does("octree extract fresh.map -o fresh.xyz");
+    result(same_content("kept.xyz", "fresh.xyz"), "and is that of the new command");
+    write_file("kept.map.unfinished", "mine");
+    fails("a file that is no map is in the way", 1, "kept.map.unfinished",
+          "octree integrate room -o kept.map --edge 0.1");
+}
+
 void carves()
 {
     make_octree_inputs();
@@ -498,6 +534,7 @@ const std::vector<Subject> &octree_subjects()
                                                   {"draw", draws},
                                                   {"merge", merges},
                                                   {"resume", resumes},
+                                                  {"old maps", keeps_old_maps},
                                                   {"hull", carves},
                                                   {"memory", saves_memory},
                                                   {"refused words", refuses_words},

@@ -212,6 +212,8 @@ std::string settings_of(const IntegrateOptions &options, const cm_sequence_repor
 // The store and the map in it, at the beginning of a run or where a former one was ended.
 struct Working
 {
+    std::string path;   // of the store
+    std::string target; // where it goes once it is complete, if that is another path
     OctreeMap open;
     OctreeRun run;
     std::uint64_t begun = 0; // views that were there
@@ -238,21 +240,37 @@ bool is_empty(cm_store *store)
     return count == 0;
 }
 
-// What a former run has left under this name, if it can be gone on with.
-bool take_up(const IntegrateOptions &options, const std::string &settings, Working &working)
+enum class Found
 {
-    if (!std::filesystem::exists(options.output))
+    nothing,
+    begun, // by a run that the same command goes on with
+    other  // a map that is complete, or of another command
+};
+
+[[noreturn]] void refuse_file(const std::string &path, cm_status status)
+{
+    throw Failure(in_quotes(path) +
+                  (status == CM_ERROR_VERSION
+                       ? " exists and is of a newer version than this program"
+                       : " exists and is no map, or a damaged one") +
+                  "; give another name, or remove it");
+}
+
+// What a former run has left under the working path, which is taken up if it can be gone on with.
+Found take_up(const IntegrateOptions &options, const std::string &settings, Working &working)
+{
+    if (!std::filesystem::exists(working.path))
     {
-        return false;
+        return Found::nothing;
     }
     // A run that was killed as it began leaves a file without a byte.
     std::error_code ignored;
-    const bool has_nothing = std::filesystem::file_size(options.output, ignored) == 0;
-    StorePointer store = open_store(options.output, has_nothing);
+    const bool has_nothing = std::filesystem::file_size(working.path, ignored) == 0;
+    StorePointer store = open_store(working.path, has_nothing);
     if (is_empty(store.get()))
     {
         working.open.store = std::move(store);
-        return true;
+        return Found::begun;
     }
     cm_octree_options kept = options.map;
     kept.memory = options.memory;
@@ -261,55 +279,68 @@ bool take_up(const IntegrateOptions &options, const std::string &settings, Worki
     const cm_status status = cm_octree_load(store.get(), &kept, &map);
     if (status != CM_OK && status != CM_ERROR_MEMORY)
     {
-        throw Failure(in_quotes(options.output) +
-                      " exists and is no map, or a damaged one; give another name, or remove it");
+        refuse_file(working.path, status);
     }
-    check_map(status, in_quotes(options.output));
+    check_map(status, in_quotes(working.path));
     OctreePointer owned(map);
     const OctreeRun run = read_note(map);
     if (run.complete || run.settings != settings)
     {
-        owned.reset();
-        store.reset();
-        std::filesystem::remove(options.output);
-        return false;
+        return Found::other;
     }
     working.run = run;
     working.begun = run.views;
     working.is_new = false;
     working.open.store = std::move(store);
     working.open.map = std::move(owned);
-    return true;
+    return Found::begun;
+}
+
+// The path of the run, and what a former one has left there: a map that is there stays until another is complete, which is
+// made beside it.
+void find_place(const IntegrateOptions &options, const std::string &settings, Working &working)
+{
+    working.path = options.output;
+    if (take_up(options, settings, working) != Found::other)
+    {
+        return;
+    }
+    working.target = std::filesystem::canonical(options.output).string();
+    working.path = working.target + ".unfinished";
+    if (take_up(options, settings, working) == Found::other)
+    {
+        std::filesystem::remove(working.path);
+    }
 }
 
 // What is left after a failure, "" for nothing.
-std::string what_is_left(const IntegrateOptions &options, const Working &working)
+std::string what_is_left(const Working &working)
 {
     return working.is_new ? ""
-                          : "; " + in_quotes(options.output) +
+                          : "; " + in_quotes(working.path) +
                                 " is as it was committed last, and the same command goes on from "
                                 "there";
 }
 
-void commit(const IntegrateOptions &options, Working &working)
+void commit(Working &working)
 {
     const std::string note = note_of(working.run);
     cm_store *const store = working.open.store.get();
     const cm_status status =
         cm_octree_save(working.open.map.get(), store, note.data(), note.size());
-    check_map(status, in_quotes(options.output), store, what_is_left(options, working));
+    check_map(status, in_quotes(working.path), store, what_is_left(working));
     working.is_new = false;
 }
 
 Working begin_run(const IntegrateOptions &options, const std::string &settings)
 {
     Working working;
-    const bool is_there = take_up(options, settings, working);
+    find_place(options, settings, working);
     working.run.settings = settings;
     working.run.complete = false;
-    if (!is_there)
+    if (working.open.store == nullptr)
     {
-        working.open.store = open_store(options.output, true);
+        working.open.store = open_store(working.path, true);
     }
     if (working.open.map == nullptr)
     {
@@ -321,14 +352,14 @@ Working begin_run(const IntegrateOptions &options, const std::string &settings)
         if (status == CM_ERROR_RANGE)
         {
             working.open.store.reset();
-            std::filesystem::remove(options.output);
+            std::filesystem::remove(working.path);
             throw UsageFailure("the options of the map do not go together: --edge, --levels, "
                                "--log-odds, --near and --far; see --help");
         }
-        check_map(status, in_quotes(options.output));
+        check_map(status, in_quotes(working.path));
         working.open.map.reset(map);
         // What is ended before its first views are kept opens, too. Until then the file goes if a view cannot be had.
-        commit(options, working);
+        commit(working);
         working.is_new = true;
     }
     return working;
@@ -348,9 +379,9 @@ void update(const IntegrateOptions &options, const cm_view &view, cm_pool *pool,
     if (status != CM_OK)
     {
         const std::string said = cm_store_message(store);
-        throw Failure(
-            "view " + std::to_string(working.run.views + 1) + " of " + in_quotes(options.folder) +
-            ": " + (said.empty() ? cm_status_text(status) : said) + what_is_left(options, working));
+        throw Failure("view " + std::to_string(working.run.views + 1) + " of " +
+                      in_quotes(options.folder) + ": " +
+                      (said.empty() ? cm_status_text(status) : said) + what_is_left(working));
     }
 }
 
@@ -376,7 +407,7 @@ void integrate_all(const IntegrateOptions &options, cm_sequence *sequence, Worki
                                                    : since >= seconds_between_commits;
         if (is_due)
         {
-            commit(options, working);
+            commit(working);
             committed = Clock::now();
         }
         progress.advance(1);
@@ -431,25 +462,45 @@ void check_measured(const IntegrateOptions &options, const OctreeRun &run)
     }
 }
 
-void finish(const IntegrateOptions &options, Working &working, const std::vector<double> &took,
-            const cm_streams &streams)
+// The report of a run whose map is complete.
+std::string finish(const IntegrateOptions &options, Working &working,
+                   const std::vector<double> &took)
 {
     cm_octree *const map = working.open.map.get();
     check_measured(options, working.run);
-    check_map(cm_octree_compact(map), in_quotes(options.output), working.open.store.get());
+    check_map(cm_octree_compact(map), in_quotes(working.path), working.open.store.get());
     working.run.complete = true;
-    commit(options, working);
-    const cm_octree_count count = count_map(map, options.output);
-    const std::uint64_t bytes = std::filesystem::file_size(options.output);
+    commit(working);
+    const cm_octree_count count = count_map(map, working.path);
+    const std::uint64_t bytes = std::filesystem::file_size(working.path);
     if (options.json)
     {
         const std::string budget =
             options.budget ? budget_report(map, count, options.edge.value_or(0), bytes) : "";
-        print(streams, integrate_json(working, took, count, budget, bytes));
+        return integrate_json(working, took, count, budget, bytes);
     }
-    else if (!options.quiet)
+    return options.quiet ? "" : integrate_text(options, working, took, count);
+}
+
+void close_run(Working &working)
+{
+    working.open.map.reset();
+    working.open.store.reset();
+}
+
+// A map that was made beside another takes its place.
+void appear(Working &working)
+{
+    close_run(working);
+    std::error_code wrong;
+    if (!working.target.empty())
     {
-        print(streams, integrate_text(options, working, took, count));
+        std::filesystem::rename(working.path, working.target, wrong);
+    }
+    if (wrong)
+    {
+        throw Failure(in_quotes(working.target) + " cannot be replaced: " + wrong.message() +
+                      "; the map is in " + in_quotes(working.path));
     }
 }
 
@@ -462,17 +513,18 @@ int integrate(const IntegrateOptions &options, const cm_streams &streams)
     try
     {
         integrate_all(options, sequence.get(), working, took, streams);
-        finish(options, working, took, streams);
+        const std::string report = finish(options, working, took);
+        appear(working);
+        print(streams, report);
     }
     catch (...)
     {
         // nothing is left of what nothing was kept of
-        working.open.map.reset();
-        working.open.store.reset();
+        close_run(working);
         if (working.is_new)
         {
             std::error_code ignored;
-            std::filesystem::remove(options.output, ignored);
+            std::filesystem::remove(working.path, ignored);
         }
         throw;
     }
