@@ -37,9 +37,12 @@ extern "C" {
 /* A world made ready for rays, from cm_tof_scene_create to cm_tof_scene_destroy. */
 typedef struct cm_tof_scene cm_tof_scene;
 
+/* Triangles of a mesh, at most: Embree counts their vertices in 32 bits. */
+#define CM_TOF_TRIANGLES_MOST 1431655765u
+
 /* Of all primitives of a world, which is not needed after; its meshes, motions and BRDFs are, as long as this lives.
  * CM_OK; CM_ERROR_ARGUMENT (NULL); CM_ERROR_DATA (a world with nothing in it); CM_ERROR_RANGE (a mesh with coordinates of
- * 1e18 or more); CM_ERROR_MEMORY. */
+ * 1e18 or more, or of more than CM_TOF_TRIANGLES_MOST triangles); CM_ERROR_MEMORY. */
 CM_API cm_status cm_tof_scene_create(const cm_scene *scene, cm_tof_scene **made);
 CM_API void cm_tof_scene_destroy(cm_tof_scene *scene);
 

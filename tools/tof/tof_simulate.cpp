@@ -73,6 +73,18 @@ void check_tof(cm_status status, const Simulation &with)
     check_scene(status, "");
 }
 
+bool has_too_many_triangles(const cm_scene &scene)
+{
+    bool any = false;
+    for (std::uint32_t id = 0; id < cm_scene_count(&scene); ++id)
+    {
+        const cm_primitive &each = *cm_scene_at(&scene, id);
+        any |= each.kind == CM_PRIMITIVE_MESH &&
+               cm_mesh_describe(each.mesh)->triangle_count > CM_TOF_TRIANGLES_MOST;
+    }
+    return any;
+}
+
 Simulation prepare(const SimulateOptions &options)
 {
     Simulation made;
@@ -94,7 +106,10 @@ Simulation prepare(const SimulateOptions &options)
     const cm_status status = cm_tof_scene_create(made.world.scene.get(), &scene);
     if (status == CM_ERROR_RANGE)
     {
-        throw Failure(in_quotes(options.scene) + " has a mesh with coordinates of 1e18 or more");
+        throw Failure(in_quotes(options.scene) + " has a mesh with " +
+                      (has_too_many_triangles(*made.world.scene)
+                           ? "more than " + std::to_string(CM_TOF_TRIANGLES_MOST) + " triangles"
+                           : "coordinates of 1e18 or more"));
     }
     check_tof(status, made);
     made.scene.reset(scene);
