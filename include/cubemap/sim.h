@@ -37,9 +37,12 @@ extern "C" {
 /* A world made ready for rays, from cm_tof_scene_create to cm_tof_scene_destroy. */
 typedef struct cm_tof_scene cm_tof_scene;
 
+/* Triangles of a mesh, at most: Embree counts their vertices in 32 bits. */
+#define CM_TOF_TRIANGLES_MOST 1431655765u
+
 /* Of all primitives of a world, which is not needed after; its meshes, motions and BRDFs are, as long as this lives.
  * CM_OK; CM_ERROR_ARGUMENT (NULL); CM_ERROR_DATA (a world with nothing in it); CM_ERROR_RANGE (a mesh with coordinates of
- * 1e18 or more); CM_ERROR_MEMORY. */
+ * 1e18 or more, or of more than CM_TOF_TRIANGLES_MOST triangles); CM_ERROR_MEMORY. */
 CM_API cm_status cm_tof_scene_create(const cm_scene *scene, cm_tof_scene **made);
 CM_API void cm_tof_scene_destroy(cm_tof_scene *scene);
 
@@ -181,16 +184,23 @@ CM_API cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor 
                                  cm_tof_result *result);
 
 /* Effects that cm_tof_plan measures, in this order. */
-#define CM_TOF_EFFECTS 7
+#define CM_TOF_EFFECTS 9
 
 /* What a frame needs for an error of distance of at most limit metres: each effect of these is simulated with and without,
  * and the root mean square over the pixels of what it changes is its contribution: oversampling, multipath (one bounce),
- * visibility of virtual lights, further bounces (up to 4), noise, distortion (of the lens), motion within an exposure.
- * Scattered light is measured in a smaller picture. most: samples and lights to take where they are needed, NULL: 3 x 3
- * and 338; what is not dropped there is in *chosen. budget->entry has room for CM_TOF_EFFECTS; subject, unit (m), cost_unit
- * (ms of the processor) and all else of the budget are set, and its limit of error is applied. A lens without distortion is
- * the caller's to make, if "distortion" is dropped. Shot noise is of most's kind, and that of
- * its environment's light, too. CM_OK and errors as cm_tof_simulate; CM_ERROR_RANGE (limit). */
+ * visibility of virtual lights, further bounces (up to 4), noise, distortion (of the lens), motion within an exposure, bounces
+ * beyond those given, sampling of scattered light. Scattered light is measured in a smaller picture.
+ * The last is the standard deviation by the paths' random numbers, or the error of virtual lights beside paths: half of the
+ * limit, and what else is left of it, is for that, and paths (to 4096) or lights (to 5408, else paths) are as many as that
+ * needs. What remains counts in budget->error; reason says where it is beyond the limit.
+ * most: what is given, NULL: 3 x 3 samples. Its lights, and its paths, are not exceeded where they are not 0; traces 1: paths
+ * alone. Its bounces: 0 for as many as are needed, up to 4; 1 or more: not more than these; below 0: direct light alone.
+ * What more would do is told and counts in budget->error, its reason is "dropped: limit given"; a limit that is exceeded by
+ * that alone is one for the rest. What is not dropped is in *chosen, with lights and paths.
+ * budget->entry has room for CM_TOF_EFFECTS; subject, unit (m), cost_unit (ms of the processor) and all else of the budget are
+ * set. Choices depend on counted work, not on the clock: they are the same in each run, for any number of threads. A lens
+ * without distortion is the caller's to make, if "distortion" is dropped. Shot noise is of most's kind, and that of its
+ * environment's light, too. CM_OK and errors as cm_tof_simulate; CM_ERROR_RANGE (limit). */
 CM_API cm_status cm_tof_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
                              const cm_tof_light *light, size_t lights,
                              const cm_trajectory *trajectory, double time, double limit,

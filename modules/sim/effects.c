@@ -2,6 +2,8 @@
  *
  * What each effect does to distances here: a frame with it beside one without.
  */
+#include "planned_frame.h"
+#include "sampling_spread.h"
 #include "sensor.h"
 #include "shot_noise.h"
 #include "vector.h"
@@ -20,33 +22,35 @@ enum
     NOISE,
     DISTORTION,
     MOTION,
+    BEYOND,
+    SAMPLING,
     FURTHER = 4,         /* bounces that stand for all */
     SMALL_PIXELS = 5000, /* of the picture in which scattered light is measured */
     SMALL_PATHS = 32,
     MOTION_TIMES = 8
 };
 
-static const char *const names[CM_TOF_EFFECTS] = {
-    "oversampling", "multipath", "visibility", "further bounces", "noise", "distortion", "motion"};
+static const char *const names[CM_TOF_EFFECTS] = {"oversampling",
+                                                  "multipath",
+                                                  "visibility",
+                                                  "further bounces",
+                                                  "noise",
+                                                  "distortion",
+                                                  "motion",
+                                                  "bounces beyond those given",
+                                                  "sampling of scattered light"};
 
-typedef struct planning
-{
-    const cm_tof_scene *scene;
-    const cm_tof_light *light;
-    size_t lights;
-    const cm_trajectory *trajectory;
-    double time;
-    cm_pool *pool;
-    double unambiguous;
-} planning;
+/* Milliseconds that are counted, not measured: how much noise a phase image's pixel takes, and what is least. */
+#define MS_OF_NOISE 1.65e-4
+#define MS_LEAST 1e-3
 
-/* A frame of one of the cameras. */
-typedef struct measured
+/* An effect as it is measured. */
+typedef struct effect
 {
-    float *distance;
-    size_t pixels;
-    double milliseconds;
-} measured;
+    cm_budget_entry entry;
+    double work;         /* what decides in place of its cost, which is by the clock */
+    int is_beyond_given; /* fewer bounces are allowed than it needs */
+} effect;
 
 /* Of a frame. */
 typedef struct charges
@@ -56,57 +60,22 @@ typedef struct charges
     float *amplitude;
 } charges;
 
-static void drop(measured *frame)
-{
-    free(frame->distance);
-    frame->distance = NULL;
-}
-
 static double milliseconds_of(clock_t ticks)
 {
     return 1e3 * (double)ticks / CLOCKS_PER_SEC;
 }
 
-static cm_status take(const planning *with, const cm_tof_sensor *sensor,
-                      const cm_tof_options *options, measured *frame)
-{
-    const cm_camera_options *camera = cm_camera_describe(sensor->camera);
-    frame->pixels = (size_t)camera->width * camera->height;
-    frame->distance = malloc(frame->pixels * sizeof(float));
-    if (frame->distance == NULL)
-    {
-        return CM_ERROR_MEMORY;
-    }
-    cm_tof_result result = {.size = sizeof result, .distance = frame->distance};
-    const clock_t begin = clock();
-    const cm_status status =
-        cm_tof_simulate(with->scene, sensor, with->light, with->lights, with->trajectory,
-                        with->time, options, with->pool, &result);
-    frame->milliseconds = milliseconds_of(clock() - begin);
-    if (status != CM_OK)
-    {
-        drop(frame);
-    }
-    return status;
-}
-
-/* The root mean square of the change, around the circle of distances; what one of them alone sees counts as its whole. */
-static double change(const planning *with, const measured *a, const measured *b)
+/* The root mean square of the change. */
+static double change(const planning *with, const planned_frame *a, const planned_frame *b)
 {
     double squares = 0.0;
     size_t count = 0;
     for (size_t i = 0; i < a->pixels; i++)
     {
-        const double one = (double)a->distance[i], other = (double)b->distance[i];
-        if (isnan(one) && isnan(other))
-        {
-            continue;
-        }
-        double apart = isnan(one) ? other : isnan(other) ? one : fabs(one - other);
-        apart = fmod(apart, with->unambiguous);
-        apart = fmin(apart, with->unambiguous - apart);
-        squares += apart * apart;
-        count++;
+        const double apart =
+            planned_frame_apart(with, (double)a->distance[i], (double)b->distance[i]);
+        squares += isnan(apart) ? 0.0 : apart * apart;
+        count += isnan(apart) ? 0 : 1;
     }
     return count == 0 ? 0.0 : sqrt(squares / (double)count);
 }
@@ -114,42 +83,24 @@ static double change(const planning *with, const measured *a, const measured *b)
 /* What the second options bring beyond the first. */
 static cm_status compare(const planning *with, const cm_tof_sensor *sensor,
                          const cm_tof_sensor *other, const cm_tof_options *without,
-                         const cm_tof_options *options, double scale, cm_budget_entry *entry)
+                         const cm_tof_options *options, double scale, effect *of)
 {
-    measured a = {NULL, 0, 0.0}, b = a;
-    cm_status status = take(with, sensor, without, &a);
-    status = status == CM_OK ? take(with, other, options, &b) : status;
+    planned_frame a = {0}, b = a;
+    cm_status status = planned_frame_take(with, sensor, without, &a);
+    status = status == CM_OK ? planned_frame_take(with, other, options, &b) : status;
     if (status == CM_OK)
     {
-        entry->contribution = change(with, &a, &b);
-        /* a tick at least: by chance the frame with it may take less, and what costs nothing would always be kept */
-        entry->cost = scale * fmax(milliseconds_of(1), b.milliseconds - a.milliseconds);
+        of->entry.contribution = change(with, &a, &b);
+        /* a tick at least: by chance the frame with it may take less */
+        of->entry.cost = scale * fmax(milliseconds_of(1), b.milliseconds - a.milliseconds);
+        of->work = scale * fmax(MS_LEAST, b.work - a.work);
     }
-    drop(&a);
-    drop(&b);
+    planned_frame_drop(&a);
+    planned_frame_drop(&b);
     return status;
 }
 
 /* ---- cameras ---- */
-
-static cm_status make_small(const cm_camera *camera, double *scale, cm_camera **small)
-{
-    cm_camera_options options = *cm_camera_describe(camera);
-    const double pixels = (double)options.width * options.height;
-    const uint32_t part = (uint32_t)fmax(1.0, ceil(sqrt(pixels / SMALL_PIXELS)));
-    const uint32_t width = options.width / part == 0 ? 1 : options.width / part;
-    const uint32_t rows =
-        options.mapping == NULL ? options.height / part : options.height / options.width * width;
-    const double shift = options.pixel_centre - 0.5;
-    *scale = pixels / ((double)width * (rows == 0 ? 1 : rows));
-    options.width = width;
-    options.height = rows == 0 ? 1 : rows;
-    options.fx /= part;
-    options.fy /= part;
-    options.cx = (options.cx - shift) / part + shift;
-    options.cy = (options.cy - shift) / part + shift;
-    return cm_camera_create(&options, small);
-}
 
 static int has_distortion(const cm_camera *camera)
 {
@@ -171,12 +122,39 @@ static cm_status make_plain(const cm_camera *camera, cm_camera **plain)
 
 /* ---- effects ---- */
 
+/* From one number of bounces to another, by the same paths as far as both go. */
+static cm_status compare_bounces(const planning *with, const cm_tof_sensor *sensor, int fewer,
+                                 int more, double scale, effect *of)
+{
+    const cm_tof_options less = {
+        .size = sizeof less, .bounces = fewer, .traces = 1, .paths = SMALL_PATHS};
+    cm_tof_options all = less;
+    all.bounces = more;
+    return compare(with, sensor, sensor, &less, &all, scale, of);
+}
+
+/* Of given bounces, 0 for any number, further ones are those up to it, or all where none of them may be taken. */
+static cm_status measure_further(const planning *with, const cm_tof_sensor *small, int given,
+                                 double scale, effect *of)
+{
+    const int most = given > 1 ? given : FURTHER;
+    cm_status status = compare_bounces(with, small, 1, most, scale, &of[FURTHER_BOUNCES]);
+    if (status == CM_OK && most < FURTHER)
+    {
+        status = compare_bounces(with, small, most, FURTHER, scale, &of[BEYOND]);
+    }
+    of[MULTIPATH].is_beyond_given = of[VISIBILITY].is_beyond_given = given < 0;
+    of[FURTHER_BOUNCES].is_beyond_given = given < 0 || given == 1;
+    of[BEYOND].is_beyond_given = most < FURTHER;
+    return status;
+}
+
 static cm_status measure_scattering(const planning *with, const cm_tof_sensor *sensor,
-                                    const cm_tof_options *most, cm_budget_entry *entry)
+                                    const cm_tof_options *most, effect *of)
 {
     cm_camera *camera = NULL;
     double scale = 1.0;
-    cm_status status = make_small(sensor->camera, &scale, &camera);
+    cm_status status = planned_frame_make_small(sensor->camera, SMALL_PIXELS, &scale, &camera);
     if (status != CM_OK)
     {
         return status;
@@ -191,19 +169,14 @@ static cm_status measure_scattering(const planning *with, const cm_tof_sensor *s
     one.map_edge = most->map_edge;
     cm_tof_options seen = one;
     seen.visibility = 1;
-    cm_tof_options traced = none, further = none;
-    traced.bounces = 1;
-    traced.traces = 1;
-    further.bounces = FURTHER;
-    traced.paths = further.paths = SMALL_PATHS;
-    status = compare(with, &small, &small, &none, &one, scale, &entry[MULTIPATH]);
+    status = compare(with, &small, &small, &none, &one, scale, &of[MULTIPATH]);
     if (status == CM_OK)
     {
-        status = compare(with, &small, &small, &one, &seen, scale, &entry[VISIBILITY]);
+        status = compare(with, &small, &small, &one, &seen, scale, &of[VISIBILITY]);
     }
     if (status == CM_OK)
     {
-        status = compare(with, &small, &small, &traced, &further, scale, &entry[FURTHER_BOUNCES]);
+        status = measure_further(with, &small, most->bounces, scale, of);
     }
     cm_camera_destroy(camera);
     return status;
@@ -250,7 +223,7 @@ static double spread_by_formula(const planning *with, const cm_tof_sensor *senso
 
 /* Noise is added to a frame of direct light and the surroundings'. */
 static cm_status measure_noise(const planning *with, const cm_tof_sensor *sensor,
-                               const cm_tof_options *most, cm_budget_entry *entry)
+                               const cm_tof_options *most, effect *of_noise)
 {
     const cm_camera_options *camera = cm_camera_describe(sensor->camera);
     const size_t pixels = (size_t)camera->width * camera->height;
@@ -275,15 +248,15 @@ static cm_status measure_noise(const planning *with, const cm_tof_sensor *sensor
     if (status == CM_OK)
     {
         /* numbers take about as long as a frame */
-        entry->cost = fmax(milliseconds_of(1), milliseconds_of(clock() - begin));
-        entry->contribution = spread_by_formula(with, sensor, most->shot, &of);
+        of_noise->entry.cost = fmax(milliseconds_of(1), milliseconds_of(clock() - begin));
+        of_noise->entry.contribution = spread_by_formula(with, sensor, most->shot, &of);
+        of_noise->work = (double)(pixels * images) * MS_OF_NOISE;
     }
     free(memory);
     return status;
 }
 
-static cm_status measure_distortion(const planning *with, const cm_tof_sensor *sensor,
-                                    cm_budget_entry *entry)
+static cm_status measure_distortion(const planning *with, const cm_tof_sensor *sensor, effect *of)
 {
     cm_camera *plain = NULL;
     const cm_tof_options none = {.size = sizeof none};
@@ -296,14 +269,14 @@ static cm_status measure_distortion(const planning *with, const cm_tof_sensor *s
     {
         cm_tof_sensor other = *sensor;
         other.camera = plain;
-        status = compare(with, &other, sensor, &none, &none, 1.0, entry);
+        status = compare(with, &other, sensor, &none, &none, 1.0, of);
     }
     cm_camera_destroy(plain);
     return status;
 }
 
 static cm_status measure_all(const planning *with, const cm_tof_sensor *sensor,
-                             const cm_tof_options *most, cm_budget_entry *entry)
+                             const cm_tof_options *most, effect *of)
 {
     const cm_tof_options none = {.size = sizeof none};
     cm_tof_options samples = none, times = none, once = none;
@@ -311,26 +284,114 @@ static cm_status measure_all(const planning *with, const cm_tof_sensor *sensor,
     samples.sample_rows = most->sample_rows;
     once.sample_times = 1;
     times.sample_times = MOTION_TIMES;
-    cm_status status = compare(with, sensor, sensor, &none, &samples, 1.0, &entry[OVERSAMPLING]);
-    status = status == CM_OK ? measure_scattering(with, sensor, most, entry) : status;
-    status = status == CM_OK ? measure_noise(with, sensor, most, &entry[NOISE]) : status;
-    status = status == CM_OK ? measure_distortion(with, sensor, &entry[DISTORTION]) : status;
-    return status == CM_OK ? compare(with, sensor, sensor, &once, &times, 1.0, &entry[MOTION])
+    cm_status status = compare(with, sensor, sensor, &none, &samples, 1.0, &of[OVERSAMPLING]);
+    status = status == CM_OK ? measure_scattering(with, sensor, most, of) : status;
+    status = status == CM_OK ? measure_noise(with, sensor, most, &of[NOISE]) : status;
+    status = status == CM_OK ? measure_distortion(with, sensor, &of[DISTORTION]) : status;
+    return status == CM_OK ? compare(with, sensor, sensor, &once, &times, 1.0, &of[MOTION])
                            : status;
 }
 
-static void choose(const cm_budget_entry *entry, const cm_tof_options *most, cm_tof_options *chosen)
+/* ---- what is kept ---- */
+
+/* What is left of a limit by what may not be taken; if that alone is beyond, the limit is for what may. */
+static double limit_of_rest(const effect *of, double limit)
 {
+    double beyond = 0.0;
+    for (int i = 0; i < CM_TOF_EFFECTS; i++)
+    {
+        beyond += of[i].is_beyond_given ? of[i].entry.contribution : 0.0;
+    }
+    return beyond < limit ? limit - beyond : limit;
+}
+
+/* Which of those that may be taken are needed; *error is that of the others. Work decides, no clock. */
+static cm_status keep(effect *of, double limit, double *error)
+{
+    cm_budget_entry entry[CM_TOF_EFFECTS];
+    cm_budget budget = {.size = sizeof budget, .unit = "m", .entry = entry};
+    for (int i = 0; i < SAMPLING; i++)
+    {
+        if (!of[i].is_beyond_given)
+        {
+            entry[budget.count] = of[i].entry;
+            entry[budget.count++].cost = of[i].work;
+        }
+    }
+    const cm_status status = cm_budget_limit_error(&budget, limit);
+    for (int i = SAMPLING; status == CM_OK && i-- > 0;)
+    {
+        const cm_budget_entry *from = of[i].is_beyond_given ? NULL : &entry[--budget.count];
+        of[i].entry.is_kept = from != NULL && from->is_kept;
+        of[i].entry.reason = from != NULL                   ? from->reason
+                             : of[i].entry.contribution > 0 ? "dropped: limit given"
+                                                            : "contributes nothing";
+    }
+    *error = budget.error;
+    return status;
+}
+
+static void choose(const effect *of, const cm_tof_options *most, cm_tof_options *chosen)
+{
+    const int further = most->bounces > 1 ? most->bounces : FURTHER;
     *chosen = *most;
-    chosen->noise = entry[NOISE].is_kept;
-    chosen->bounces = entry[FURTHER_BOUNCES].is_kept ? FURTHER : entry[MULTIPATH].is_kept;
-    chosen->visibility = entry[VISIBILITY].is_kept;
-    chosen->sample_times = entry[MOTION].is_kept ? 0 : 1;
-    if (!entry[OVERSAMPLING].is_kept)
+    chosen->noise = of[NOISE].entry.is_kept;
+    chosen->bounces = of[FURTHER_BOUNCES].entry.is_kept ? further : of[MULTIPATH].entry.is_kept;
+    chosen->visibility = of[VISIBILITY].entry.is_kept;
+    chosen->sample_times = of[MOTION].entry.is_kept ? 0 : 1;
+    if (!of[OVERSAMPLING].entry.is_kept)
     {
         chosen->sample_columns = 1;
         chosen->sample_rows = 1;
     }
+}
+
+/* Scattered light that is kept is sampled, and half of the limit is for that. */
+static cm_status choose_all(const planning *with, const cm_tof_sensor *sensor,
+                            const cm_tof_options *most, double limit, effect *of,
+                            cm_tof_options *chosen)
+{
+    double error = 0.0;
+    cm_status status = keep(of, limit, &error);
+    choose(of, most, chosen);
+    if (status == CM_OK && chosen->bounces > 0)
+    {
+        status = keep(of, 0.5 * limit, &error);
+        choose(of, most, chosen);
+    }
+    if (status == CM_OK)
+    {
+        status = sampling_choose(with, sensor, most, limit - error, chosen, &of[SAMPLING].entry);
+    }
+    if (status == CM_OK && chosen->bounces > 0)
+    {
+        of[chosen->bounces > 1 ? FURTHER_BOUNCES : MULTIPATH].entry.cost = of[SAMPLING].entry.cost;
+    }
+    return status;
+}
+
+/* An array of its own for the caller, untouched if anything fails. */
+static cm_status put(const effect *of, cm_budget *budget)
+{
+    cm_budget made = *budget;
+    cm_budget_entry entry[CM_TOF_EFFECTS];
+    for (int i = 0; i < CM_TOF_EFFECTS; i++)
+    {
+        entry[i] = of[i].entry;
+    }
+    made.entry = entry;
+    made.subject = "time-of-flight frame";
+    made.unit = "m";
+    made.cost_unit = "ms";
+    made.count = CM_TOF_EFFECTS;
+    const cm_status status = cm_budget_sum(&made);
+    if (status == CM_OK)
+    {
+        memcpy(budget->entry, entry, sizeof entry);
+        made.entry = budget->entry;
+        *budget = made;
+    }
+    return status;
 }
 
 cm_status cm_tof_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
@@ -353,26 +414,21 @@ cm_status cm_tof_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
     }
     const planning with = {
         scene, light, lights, trajectory, time, pool, sensor_unambiguous(sensor, 0)};
-    cm_budget_entry entry[CM_TOF_EFFECTS];
-    memset(entry, 0, sizeof entry);
+    cm_tof_options made;
+    effect of[CM_TOF_EFFECTS];
+    memset(of, 0, sizeof of);
     for (int i = 0; i < CM_TOF_EFFECTS; i++)
     {
-        entry[i].size = sizeof entry[i];
-        entry[i].name = names[i];
+        of[i].entry.size = sizeof of[i].entry;
+        of[i].entry.name = names[i];
     }
-    status = measure_all(&with, sensor, given, entry);
+    status = measure_all(&with, sensor, given, of);
+    status = status == CM_OK ? choose_all(&with, sensor, given, limit_of_rest(of, limit), of, &made)
+                             : status;
+    status = status == CM_OK ? put(of, budget) : status;
     if (status == CM_OK)
     {
-        memcpy(budget->entry, entry, sizeof entry);
-        budget->subject = "time-of-flight frame";
-        budget->unit = "m";
-        budget->cost_unit = "ms";
-        budget->count = CM_TOF_EFFECTS;
-        status = cm_budget_limit_error(budget, limit);
-    }
-    if (status == CM_OK)
-    {
-        choose(budget->entry, given, chosen);
+        *chosen = made;
     }
     return status;
 }

@@ -3,7 +3,7 @@
 #include "mesh_widen.h"
 #include "vector.h"
 
-#include <cubemap/world.h>
+#include <cubemap/sim.h>
 
 #include <float.h>
 #include <math.h>
@@ -64,10 +64,8 @@ static void put_in_sphere(const mesh_rays *mesh, const double at[3], double to[3
 static int fill(const mesh_rays *made, const cm_mesh_options *from, RTCGeometry geometry)
 {
     const size_t n = 3 * from->triangle_count;
-    float *vertex = n > UINT32_MAX
-                        ? NULL
-                        : rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                  RTC_FORMAT_FLOAT3, 3 * sizeof *vertex, n);
+    float *vertex = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                            3 * sizeof *vertex, n);
     uint32_t *index = vertex == NULL ? NULL
                                      : rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
                                                                RTC_FORMAT_UINT3, 3 * sizeof *index,
@@ -106,6 +104,13 @@ static int is_within_reach(const cm_mesh_options *from)
     return is_near;
 }
 
+cm_status mesh_rays_check(const cm_mesh_options *from)
+{
+    const size_t count = from->triangle_count;
+    return count == 0 || (count <= CM_TOF_TRIANGLES_MOST && is_within_reach(from)) ? CM_OK
+                                                                                   : CM_ERROR_RANGE;
+}
+
 /* One thread builds: a library that makes threads of its own surprises who forks. */
 static cm_status make_tree(mesh_rays *made)
 {
@@ -113,10 +118,6 @@ static cm_status make_tree(mesh_rays *made)
     if (from->triangle_count == 0)
     {
         return CM_OK;
-    }
-    if (!is_within_reach(from))
-    {
-        return CM_ERROR_RANGE;
     }
     mesh_rays_bound(made, made->centre, &made->radius);
     made->device = rtcNewDevice("threads=1");
@@ -141,13 +142,18 @@ static cm_status make_tree(mesh_rays *made)
 
 cm_status mesh_rays_create(const cm_mesh *mesh, mesh_rays **made)
 {
+    cm_status status = mesh_rays_check(cm_mesh_describe(mesh));
+    if (status != CM_OK)
+    {
+        return status;
+    }
     mesh_rays *rays = calloc(1, sizeof *rays);
     if (rays == NULL)
     {
         return CM_ERROR_MEMORY;
     }
     rays->mesh = mesh;
-    cm_status status = make_exact(rays);
+    status = make_exact(rays);
     if (status == CM_OK)
     {
         status = make_tree(rays);

@@ -14,7 +14,10 @@
 
 typedef struct mesh_rays mesh_rays;
 
-/* The mesh must outlive it. CM_OK; CM_ERROR_MEMORY. */
+/* CM_OK; CM_ERROR_RANGE (more triangles, or coordinates farther away, than Embree takes). */
+cm_status mesh_rays_check(const cm_mesh_options *mesh);
+
+/* The mesh must outlive it. CM_OK; CM_ERROR_RANGE as there; CM_ERROR_MEMORY. */
 cm_status mesh_rays_create(const cm_mesh *mesh, mesh_rays **made);
 void mesh_rays_destroy(mesh_rays *mesh);
 const cm_mesh *mesh_rays_mesh(const mesh_rays *mesh);

@@ -14,7 +14,6 @@
 
 enum
 {
-    LIGHTS = 338,
     MAP_EDGE = 64,
     BLOCK = 512
 };
@@ -83,7 +82,7 @@ static cm_status sort_lights(tof_virtual_lights *lights)
 static cm_status make_lights(tof_virtual_lights *lights, const tof_lamp *lamp, size_t lamps,
                              const cm_tof_options *options, cm_pool *pool)
 {
-    const uint32_t count = options->lights != 0 ? options->lights : LIGHTS;
+    const uint32_t count = options->lights != 0 ? options->lights : TOF_LIGHTS;
     const uint32_t edge = options->map_edge != 0 ? options->map_edge : MAP_EDGE;
     lights->mapping = options->mapping;
     if (lights->mapping == NULL)

@@ -16,7 +16,6 @@ enum
     BLOCK = 1024,
     /* Caches take arrays that are a power of two apart for one place. */
     ROOM = BLOCK + 40,
-    PATHS = 64,
     NUMBERS = 1 /* block of the random generator */
 };
 
@@ -232,8 +231,9 @@ cm_status tof_paths_add(const tof_instant *instant, const tof_lamp *lamp, size_t
                         const cm_tof_options *options, const tof_waves *waves,
                         const tof_points *points, tof_radiance *radiance)
 {
-    const path_job job = {instant, lamp,   lamps,    options,
-                          waves,   points, radiance, options->paths != 0 ? options->paths : PATHS};
+    const path_job job = {
+        instant, lamp,   lamps,    options,
+        waves,   points, radiance, options->paths != 0 ? options->paths : TOF_PATHS};
     path_block *const b = malloc(sizeof *b);
     if (b == NULL)
     {

@@ -9,6 +9,13 @@
 
 #include <cubemap/sim.h>
 
+/* Where options leave the numbers of scattered light at 0. */
+enum
+{
+    TOF_LIGHTS = 338,
+    TOF_PATHS = 64 /* a pixel */
+};
+
 /* A primitive that formulas give, in the world's axes at a time. */
 typedef struct tof_solid
 {

@@ -34,6 +34,7 @@ typedef struct truth_block
     double along[TOF_BLOCK]; /* cosine from the optical axis */
     double range[TOF_BLOCK], normal[3][TOF_BLOCK];
     uint32_t id[TOF_BLOCK], triangle[TOF_BLOCK];
+    double position[3][TOF_BLOCK]; /* NaN for nothing */
 } truth_block;
 
 static void make_rays(const truth_work *doing, size_t first, truth_block *at)
@@ -64,26 +65,39 @@ static void make_rays(const truth_work *doing, size_t first, truth_block *at)
     }
 }
 
-/* Columns, rows and range of a place of a body at another time, less those here; NaN where the camera does not see it. */
+/* Columns, rows and range of a block's places at another time, less those here; NaN where the camera does not see them. */
 static void put_flow(const truth_work *doing, const other_time *then, const truth_block *at,
-                     size_t i, const double position[3], size_t pixel, float *const flow[3])
+                     size_t first, float *const flow[3])
 {
-    double place[3] = {NAN, NAN, NAN}, column = NAN, row = NAN;
-    if (at->id[i] != CM_SCENE_NOTHING)
+    double place[3][TOF_BLOCK], moved[3][TOF_BLOCK];
+    for (size_t i = 0; i < at->n; i++)
     {
-        double own[3], world[3];
-        cm_pose_apply(&doing->instant->surface[at->id[i]].body, position, own);
-        cm_pose_apply_back(&then->instant->surface[at->id[i]].body, own, world);
-        cm_pose_apply(&then->camera, world, place);
-        cm_camera_project_array(doing->camera, 1, &place[0], &place[1], &place[2], &column, &row);
+        double own[3], world[3], camera[3] = {NAN, NAN, NAN};
+        if (at->id[i] != CM_SCENE_NOTHING)
+        {
+            const double here[3] = {at->position[0][i], at->position[1][i], at->position[2][i]};
+            cm_pose_apply(&doing->instant->surface[at->id[i]].body, here, own);
+            cm_pose_apply_back(&then->instant->surface[at->id[i]].body, own, world);
+            cm_pose_apply(&then->camera, world, camera);
+        }
+        moved[2][i] = sqrt(camera[0] * camera[0] + camera[1] * camera[1] + camera[2] * camera[2]) -
+                      at->range[i];
+        for (int k = 0; k < 3; k++)
+        {
+            place[k][i] = camera[k];
+        }
     }
-    const double range = sqrt(place[0] * place[0] + place[1] * place[1] + place[2] * place[2]);
-    const double moved[3] = {column - at->column[i], row - at->row[i], range - at->range[i]};
+    cm_camera_project_array(doing->camera, at->n, place[0], place[1], place[2], moved[0], moved[1]);
+    for (size_t i = 0; i < at->n; i++)
+    {
+        moved[0][i] -= at->column[i];
+        moved[1][i] -= at->row[i];
+    }
     for (int k = 0; k < 3; k++)
     {
-        if (flow[k] != NULL)
+        for (size_t i = 0; flow[k] != NULL && i < at->n; i++)
         {
-            flow[k][pixel] = (float)moved[k];
+            flow[k][first + i] = (float)moved[k][i];
         }
     }
 }
@@ -107,18 +121,17 @@ static void put_names(const truth_work *doing, const truth_block *at, size_t i, 
     }
 }
 
-static void put_pixel(const truth_work *doing, const truth_block *at, size_t i, size_t pixel)
+static void put_pixel(const truth_work *doing, truth_block *at, size_t i, size_t pixel)
 {
     const cm_tof_truth *truth = doing->truth;
     const int is_there = at->id[i] != CM_SCENE_NOTHING;
     const double range = is_there ? at->range[i] : (double)NAN;
-    double position[3];
     for (int k = 0; k < 3; k++)
     {
-        position[k] = at->origin[k][i] + range * at->direction[k][i];
+        at->position[k][i] = at->origin[k][i] + range * at->direction[k][i];
         if (truth->position[k] != NULL)
         {
-            truth->position[k][pixel] = position[k];
+            truth->position[k][pixel] = at->position[k][i];
         }
         if (truth->normal[k] != NULL)
         {
@@ -134,14 +147,6 @@ static void put_pixel(const truth_work *doing, const truth_block *at, size_t i, 
         truth->depth[pixel] = (float)(range * at->along[i]);
     }
     put_names(doing, at, i, pixel);
-    if (doing->other[0].instant != NULL)
-    {
-        put_flow(doing, &doing->other[0], at, i, position, pixel, truth->flow_next);
-    }
-    if (doing->other[1].instant != NULL)
-    {
-        put_flow(doing, &doing->other[1], at, i, position, pixel, truth->flow_before);
-    }
 }
 
 static void put_blocks(size_t begin, size_t end, void *user)
@@ -160,6 +165,14 @@ static void put_blocks(size_t begin, size_t end, void *user)
         for (size_t i = 0; i < at.n; i++)
         {
             put_pixel(doing, &at, i, first + i);
+        }
+        for (int k = 0; k < 2; k++)
+        {
+            if (doing->other[k].instant != NULL)
+            {
+                put_flow(doing, &doing->other[k], &at, first,
+                         k == 0 ? doing->truth->flow_next : doing->truth->flow_before);
+            }
         }
     }
 }

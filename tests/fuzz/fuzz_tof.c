@@ -273,15 +273,27 @@ static void check_truth(const cm_tof_scene *scene, const cm_camera *camera,
     }
 }
 
+/* Of few paths and lights: a limit that is nearly 0 has thousands of them otherwise. */
 static void check_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
                        const cm_tof_light *light, supply *from)
 {
     cm_budget_entry entry[CM_TOF_EFFECTS];
     cm_budget budget = {.size = sizeof budget, .entry = entry};
     cm_tof_options chosen;
-    const cm_status status =
-        cm_tof_plan(scene, sensor, light, 1, NULL, 0.0, amount(from), NULL, NULL, &chosen, &budget);
+    const double limit = amount(from);
+    const cm_tof_options most = {.size = sizeof most,
+                                 .bounces = take_byte(from) % 6 - 1,
+                                 .lights = 9,
+                                 .paths = 4,
+                                 .traces = take_byte(from) % 2};
+    const cm_status status = cm_tof_plan(scene, sensor, light, 1, NULL, 0.0, limit,
+                                         limit == 0.0 ? NULL : &most, NULL, &chosen, &budget);
     EXPECT(status != CM_OK || budget.count == CM_TOF_EFFECTS, "%zu effects", budget.count);
+    EXPECT(status != CM_OK || limit == 0.0 || most.bounces == 0 || chosen.bounces <= most.bounces ||
+               (most.bounces < 0 && chosen.bounces == 0),
+           "%d bounces of %d", chosen.bounces, most.bounces);
+    EXPECT(status != CM_OK || budget.error >= entry[CM_TOF_EFFECTS - 1].contribution, "%g m",
+           budget.error);
 }
 
 /* A driver of its own: charges of any size, and sensors that are none. */

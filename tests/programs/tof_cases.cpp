@@ -356,11 +356,50 @@ void knows_sensors()
         passes("preset " + preset,
                "tof simulate --preset " + preset + " room pose.txt -o " + preset + " --quiet");
     }
+}
+
+// In a corner, where scattered light does much: what is given is not exceeded, and what remains has a name.
+void keeps_budgets()
+{
+    make_tof_inputs();
+    write_file("corner.json", R"({"planes": [{"point": [0, 0, 2], "normal": [0, 0, 1]},
+                  {"point": [0, 0.5, 0], "normal": [0, 1, 0]}, {"point": [0.6, 0, 0], "normal": [1, 0, 0]}]})");
     says("a budget is told",
          "\"budget\": \\{ ?\"subject\": \"time-of-flight frame\", .*\"name\": \"multipath\"",
          "tof simulate wall.json sensor.json pose.txt -o budget --budget 1mm --json");
     result(matches(content_of("budget/metadata.json"), "\"budget\":.0.001"),
            "and stands in the metadata");
+    const std::string corner = "tof simulate corner.json sensor.json pose.txt --budget 20mm ";
+    says("direct light is direct light, whatever the budget",
+         "\"within_budget\": false, \"chosen\": \\{\"bounces\": 0, .*\"name\": \"multipath\", "
+         "\"contribution\": 0.[0-9]*, [^}]*\"dropped: limit given\"",
+         corner + "-o direct --bounces 0 --json");
+    says("one bounce is one bounce",
+         "\"chosen\": \\{\"bounces\": 1, .*\"name\": \"further bounces\", "
+         "\"contribution\": 0.[0-9]*, [^}]*\"dropped: limit given\"",
+         corner + "-o once --bounces 1 --json");
+    says("people are told what remains",
+         "; error [0-9.]* mm, beyond 20 mm: .*multipath [0-9.]* mm, further bounces",
+         corner + "-o direct --bounces 0");
+    says("paths that are given are not exceeded",
+         "\"within_budget\": false, \"chosen\": \\{\"bounces\": 2, .*\"paths\": 8, .*\"sampling of "
+         "scattered light\", "
+         "\"contribution\": 0.[0-9]*, [^}]*\"beyond the limit: no more samples than are given\"",
+         corner + "-o few --bounces 2 --paths 8 --json");
+    says("without them there are as many as are needed",
+         "\"chosen\": \\{\"bounces\": 2, .*\"paths\": [1-9][0-9][0-9]+, .*\"sampling of scattered "
+         "light\", "
+         "\"contribution\": 0.0[01][0-9]*, [^}]*\"the error is within the limit with the samples "
+         "that are chosen\"",
+         corner + "-o enough --bounces 2 --json");
+    const std::string about = content_of("few/metadata.json");
+    result(matches(about, "\"bounces\":.2,") && matches(about, "\"paths\":.8,") &&
+               matches(about, "\"traced\":.true"),
+           "metadata says by how many paths", about);
+    does("tof simulate corner.json sensor.json pose.txt -o again --bounces 2 --paths 8 --noise "
+         "--quiet");
+    result(same_content("few/phase_0000_2.exr", "again/phase_0000_2.exr"),
+           "what it says makes the same bits again");
 }
 
 void refuses_tof_words()
@@ -585,10 +624,10 @@ void refuses_tof_files()
 const std::vector<Subject> &tof_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"tof_measures", measures},        {"tof_folder", lies_in_a_folder},
-        {"tof_arrays", are_arrays},        {"tof_hdf5", are_files_of_hdf5},
-        {"tof_texel", renders_texels},     {"tof_sensors", knows_sensors},
-        {"tof_words", refuses_tof_words},  {"tof_files", refuses_tof_files},
-        {"tof_shot_noise", has_shot_noise}};
+        {"tof_measures", measures},       {"tof_folder", lies_in_a_folder},
+        {"tof_arrays", are_arrays},       {"tof_hdf5", are_files_of_hdf5},
+        {"tof_texel", renders_texels},    {"tof_sensors", knows_sensors},
+        {"tof_budgets", keeps_budgets},   {"tof_words", refuses_tof_words},
+        {"tof_files", refuses_tof_files}, {"tof_shot_noise", has_shot_noise}};
     return subjects;
 }

@@ -4,6 +4,16 @@
  */
 #include "tof_stage.h"
 
+enum
+{
+    MULTIPATH = 1,
+    VISIBILITY,
+    FURTHER,
+    NOISE,
+    BEYOND = 7,
+    SAMPLING
+};
+
 static const cm_primitive ball = {.size = sizeof ball,
                                   .kind = CM_PRIMITIVE_SPHERE,
                                   .first = {0.1, 0.1, 1.2},
@@ -51,7 +61,11 @@ START_TEST(clocks_decide_nothing)
         ck_assert(chosen.bounces == 0 && chosen.sample_columns == 1 && !chosen.noise);
         plan(&at, 0.0, &chosen, &budget);
         ck_assert(chosen.bounces >= 1 && chosen.sample_columns == 3 && chosen.noise);
-        ck_assert_double_eq(budget.error, 0.0);
+        /* nothing is dropped: what remains is that light is sampled */
+        ck_assert_double_eq(budget.error, entry[SAMPLING].contribution);
+        ck_assert_double_gt(budget.error, 0.0);
+        ck_assert_str_eq(entry[SAMPLING].reason,
+                         "beyond the limit: no number of samples has no error");
     }
     free_stage(&at);
 }
@@ -133,8 +147,220 @@ START_TEST(noise_is_that_of_frames)
 }
 END_TEST
 
+/* ---- scattered light ---- */
+
+static const cm_primitive corner[3] = {{.size = sizeof *corner,
+                                        .kind = CM_PRIMITIVE_PLANE,
+                                        .first = {0, 0, 1.7},
+                                        .second = {0, 0, 1},
+                                        .material = {{1, 1, 1}, 0.6}},
+                                       {.size = sizeof *corner,
+                                        .kind = CM_PRIMITIVE_PLANE,
+                                        .first = {0, 0.6, 0},
+                                        .second = {0, 1, 0},
+                                        .material = {{1, 1, 1}, 0.6}},
+                                       {.size = sizeof *corner,
+                                        .kind = CM_PRIMITIVE_PLANE,
+                                        .first = {0.7, 0, 0},
+                                        .second = {1, 0, 0},
+                                        .material = {{1, 1, 1}, 0.6}}};
+
+static void plan_most(const stage *at, double limit, const cm_tof_options *most, cm_pool *pool,
+                      cm_tof_options *chosen, cm_budget *budget)
+{
+    ck_assert_int_eq(cm_tof_plan(at->scene, &at->sensor, &at->light, 1, NULL, 0.0, limit, most,
+                                 pool, chosen, budget),
+                     CM_OK);
+}
+
+/* Of two frames without noise, the root mean square of how far they are apart. */
+static double apart_of(const stage *at, const cm_tof_options *one, const cm_tof_options *other)
+{
+    static float first[PIXELS];
+    const cm_tof_options both[2] = {*one, *other};
+    double squares = 0.0;
+    for (int i = 0; i < 2; i++)
+    {
+        cm_tof_options options = both[i];
+        options.noise = 0;
+        options.sample_columns = options.sample_rows = 1;
+        ck_assert_int_eq(simulate(at, &options), CM_OK);
+        for (size_t k = 0; k < PIXELS; k++)
+        {
+            const double apart = (double)distance[k] - (double)first[k];
+            squares += i == 1 ? apart * apart : 0.0;
+            first[k] = distance[k];
+        }
+    }
+    return sqrt(squares / PIXELS);
+}
+
+/* The spread that is told is that of frames of other seeds; given paths are not exceeded, and what is beyond has a name. */
+START_TEST(spread_of_paths_is_that_of_frames)
+{
+    stage at = make_stage(corner, 3);
+    cm_budget_entry entry[CM_TOF_EFFECTS] = {{0}};
+    cm_budget budget = {.size = sizeof budget, .entry = entry};
+    const cm_tof_options most = {.size = sizeof most, .bounces = 2, .paths = 16, .seed = 3};
+    cm_tof_options chosen = {0};
+    plan_most(&at, 1e-4, &most, NULL, &chosen, &budget);
+    ck_assert(chosen.bounces == 2 && chosen.paths == 16);
+    cm_tof_options other = chosen;
+    other.seed = 77;
+    const double measured = apart_of(&at, &chosen, &other) / sqrt(2.0);
+    printf("16 paths: %.3f mm, %.3f mm planned\n", 1e3 * measured,
+           1e3 * entry[SAMPLING].contribution);
+    ck_assert_str_eq(entry[SAMPLING].name, "sampling of scattered light");
+    ck_assert_str_eq(entry[SAMPLING].reason, "beyond the limit: no more samples than are given");
+    ck_assert(!entry[SAMPLING].is_kept);
+    REQUIRE(fabs(entry[SAMPLING].contribution - measured) < 0.15 * measured, "%g m, not %g",
+            entry[SAMPLING].contribution, measured);
+    /* what is dropped by the limit, too, is in the sum */
+    double sum = 0.0;
+    for (size_t i = 0; i < CM_TOF_EFFECTS; i++)
+    {
+        sum += entry[i].is_kept ? 0.0 : entry[i].contribution;
+    }
+    ck_assert_double_eq(budget.error, sum);
+    ck_assert_double_gt(budget.error, 1e-4);
+    free_stage(&at);
+}
+END_TEST
+
+/* Where none are given they are as many as the limit needs: other seeds do not come out farther apart. */
+START_TEST(paths_are_as_many_as_the_limit_needs)
+{
+    stage at = make_stage(corner, 3);
+    cm_budget_entry entry[CM_TOF_EFFECTS] = {{0}};
+    cm_budget budget = {.size = sizeof budget, .entry = entry};
+    const cm_tof_options most = {.size = sizeof most, .bounces = 2};
+    const double limit = 0.02;
+    cm_tof_options chosen = {0};
+    plan_most(&at, limit, &most, NULL, &chosen, &budget);
+    ck_assert(chosen.bounces == 2 && chosen.paths > 64);
+    ck_assert_str_eq(entry[SAMPLING].reason,
+                     "the error is within the limit with the samples that are chosen");
+    ck_assert_double_le(budget.error, limit + entry[BEYOND].contribution);
+    cm_tof_options other = chosen;
+    other.seed = 77;
+    const double measured = apart_of(&at, &chosen, &other) / sqrt(2.0);
+    printf("%u paths: %.3f mm\n", chosen.paths, 1e3 * measured);
+    ck_assert_double_le(measured, limit);
+    free_stage(&at);
+}
+END_TEST
+
+/* Virtual lights have no random numbers: their error is what paths say. */
+START_TEST(error_of_lights_is_that_beside_paths)
+{
+    stage at = make_stage(corner, 3);
+    cm_budget_entry entry[CM_TOF_EFFECTS] = {{0}};
+    cm_budget budget = {.size = sizeof budget, .entry = entry};
+    const cm_tof_options most = {.size = sizeof most, .bounces = 1, .lights = 40};
+    cm_tof_options chosen = {0};
+    plan_most(&at, 1e-5, &most, NULL, &chosen, &budget);
+    ck_assert(chosen.bounces == 1 && chosen.lights == 40 && !chosen.traces);
+    cm_tof_options paths = chosen;
+    paths.traces = 1;
+    paths.paths = 256;
+    const double measured = apart_of(&at, &chosen, &paths);
+    printf("40 lights: %.3f mm, %.3f mm planned\n", 1e3 * measured,
+           1e3 * entry[SAMPLING].contribution);
+    REQUIRE(fabs(entry[SAMPLING].contribution - measured) < 0.2 * measured, "%g m, not %g",
+            entry[SAMPLING].contribution, measured);
+    /* with none given there are more, and paths where even those are too few */
+    const cm_tof_options any = {.size = sizeof any, .bounces = 1};
+    plan_most(&at, 4e-3, &any, NULL, &chosen, &budget);
+    ck_assert(chosen.bounces == 1 && (chosen.traces || chosen.lights > 338));
+    ck_assert_double_le(entry[SAMPLING].contribution, 4e-3);
+    /* the two references' own spread is taken off */
+    paths.seed = 77;
+    cm_tof_options others = paths;
+    others.seed = 78;
+    const double one = apart_of(&at, &chosen, &paths), two = apart_of(&at, &chosen, &others);
+    const double between = apart_of(&at, &paths, &others);
+    const double error = sqrt(fmax(0.0, 0.5 * (one * one + two * two - between * between)));
+    printf("%u lights: %.3f mm, %.3f mm planned\n", chosen.lights, 1e3 * error,
+           1e3 * entry[SAMPLING].contribution);
+    ck_assert_double_le(error, 4e-3);
+    free_stage(&at);
+}
+END_TEST
+
+/* Bounces that are given are not exceeded; what more would do is told, and counts. */
+START_TEST(bounces_are_not_more_than_given)
+{
+    stage at = make_stage(corner, 3);
+    static const struct
+    {
+        int given, chosen;
+    } cases[] = {{-1, 0}, {1, 1}, {2, 2}, {0, 4}, {5, 5}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    {
+        cm_budget_entry entry[CM_TOF_EFFECTS] = {{0}};
+        cm_budget budget = {.size = sizeof budget, .entry = entry};
+        const cm_tof_options most = {
+            .size = sizeof most, .bounces = cases[i].given, .paths = 8, .lights = 20};
+        cm_tof_options chosen = {0};
+        plan_most(&at, 1e-4, &most, NULL, &chosen, &budget);
+        REQUIRE(chosen.bounces == cases[i].chosen, "%d for %d", chosen.bounces, cases[i].given);
+        const int dropped[] = {cases[i].given < 0, cases[i].given < 0,
+                               cases[i].given < 0 || cases[i].given == 1, cases[i].given == 2};
+        const int effects[] = {MULTIPATH, VISIBILITY, FURTHER, BEYOND};
+        for (size_t k = 0; k < 4; k++)
+        {
+            const cm_budget_entry *of = &entry[effects[k]];
+            const int is_dropped = strcmp(of->reason, "dropped: limit given") == 0;
+            REQUIRE(is_dropped == (dropped[k] && of->contribution > 0.0), "%d: %s: %s",
+                    cases[i].given, of->name, of->reason);
+            ck_assert(!is_dropped || budget.error >= of->contribution);
+        }
+        ck_assert(!dropped[2] || entry[FURTHER].contribution > 1e-3);
+        ck_assert(!dropped[3] || entry[BEYOND].contribution > 1e-3);
+    }
+    free_stage(&at);
+}
+END_TEST
+
+/* Neither threads nor clocks choose, also where some effects must go and others not. */
+START_TEST(plans_have_one_answer)
+{
+    stage at = make_stage(corner, 3);
+    cm_tof_options first = {0};
+    cm_budget_entry before[CM_TOF_EFFECTS] = {{0}};
+    for (unsigned threads = 1; threads <= 7; threads += threads == 1 ? 1 : 5)
+    {
+        cm_budget_entry entry[CM_TOF_EFFECTS] = {{0}};
+        cm_budget budget = {.size = sizeof budget, .entry = entry};
+        const cm_tof_options most = {.size = sizeof most, .sample_columns = 2, .sample_rows = 2};
+        cm_tof_options chosen = {0};
+        cm_pool *pool = NULL;
+        ck_assert_int_eq(cm_pool_create(threads, &pool), CM_OK);
+        plan_most(&at, 0.02, &most, pool, &chosen, &budget);
+        cm_pool_destroy(pool);
+        for (size_t i = 0; threads > 1 && i < CM_TOF_EFFECTS; i++)
+        {
+            ck_assert_double_eq(entry[i].contribution, before[i].contribution);
+            ck_assert_int_eq(entry[i].is_kept, before[i].is_kept);
+            ck_assert_str_eq(entry[i].reason, before[i].reason);
+        }
+        ck_assert(threads == 1 || memcmp(&chosen, &first, sizeof chosen) == 0);
+        first = chosen;
+        memcpy(before, entry, sizeof before);
+    }
+    free_stage(&at);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {clocks_decide_nothing, noise_is_that_of_frames, NULL};
+    const TTest *const tests[] = {clocks_decide_nothing,
+                                  noise_is_that_of_frames,
+                                  spread_of_paths_is_that_of_frames,
+                                  paths_are_as_many_as_the_limit_needs,
+                                  error_of_lights_is_that_beside_paths,
+                                  bounces_are_not_more_than_given,
+                                  plans_have_one_answer,
+                                  NULL};
     return run_suite("plan", tests);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <new>
 
 #include <cubemap/image.h>
@@ -153,10 +154,10 @@ void take_cells(const std::string &name, const cm_surface &surface,
     made.given.edge = edge;
 }
 
-// The mean of each looks x looks pixels.
-void take_means(const std::vector<float> &fine, std::size_t edge, float *face)
+// The mean of each looks x looks pixels of so many rows of texels.
+void take_means(const std::vector<float> &fine, std::size_t edge, std::size_t rows, float *texels)
 {
-    for (std::size_t texel = 0; texel < edge * edge; ++texel)
+    for (std::size_t texel = 0; texel < edge * rows; ++texel)
     {
         const std::size_t first = (texel / edge * looks * edge + texel % edge) * looks;
         double sum = 0;
@@ -164,7 +165,7 @@ void take_means(const std::vector<float> &fine, std::size_t edge, float *face)
         {
             sum += static_cast<double>(fine[first + i / looks * edge * looks + i % looks]);
         }
-        face[texel] = static_cast<float>(sum / (looks * looks));
+        texels[texel] = static_cast<float>(sum / (looks * looks));
     }
 }
 
@@ -176,13 +177,24 @@ SurfacePointer cube_of(std::size_t edge, const std::string &name)
     return SurfacePointer(made, cm_surface_destroy);
 }
 
-// On a cube, about as fine. Bilinear means keep the light of what is small, and nothing goes below 0.
+// The pictures of a surface of which only the band is there, from that row on; no other one is touched.
+cm_image picture_around(std::vector<float> &band, std::size_t first_row, const cm_surface &surface)
+{
+    cm_image image = picture_of(band, surface);
+    const std::size_t before = first_row * cm_surface_width(&surface) * sizeof(float);
+    image.data = reinterpret_cast<void *>(reinterpret_cast<std::uintptr_t>(band.data()) - before);
+    return image;
+}
+
+// On a cube, about as fine. Bilinear means keep the light of what is small, and nothing goes below 0. What is finer is there in
+// bands of no more than a face's texels.
 void resample(const std::string &name, const cm_surface &from, std::vector<float> &pixels,
               unsigned threads, TofEnvironment &made)
 {
     const double texels = static_cast<double>(cm_surface_plane_count(&from)) *
                           cm_surface_plane_width(&from) * cm_surface_plane_height(&from);
     const auto edge = static_cast<std::size_t>(std::ceil(std::sqrt(texels / faces)));
+    const std::size_t band_rows = std::max<std::size_t>(1, edge / (looks * looks));
     const SurfacePointer finer = cube_of(edge * looks, name);
     cm_plan *plan = nullptr;
     cm_source *source = nullptr;
@@ -194,18 +206,20 @@ void resample(const std::string &name, const cm_surface &from, std::vector<float
     const cm_image given = picture_of(pixels, from);
     check(cm_source_create(plan, &given, CM_PIXEL_FLOAT, threads, &source), name);
     const std::shared_ptr<cm_source> owned_source(source, cm_source_destroy);
-    const std::size_t pixel_count = looks * edge * looks * edge; // of a face
-    check_memory("a finer picture of " + name, static_cast<std::int64_t>(pixel_count), 1);
-    std::vector<float> fine(pixel_count);
-    std::vector<cm_image> wanted(faces,
-                                 picture_of(fine, *finer)); // one memory for all faces, in turn
+    std::vector<float> fine(looks * edge * looks * band_rows);
     std::vector<float> laid(faces * edge * edge);
-    cm_rows rows = {};
-    rows.row_count = cm_surface_plane_height(finer.get());
-    for (; rows.plane < faces; ++rows.plane)
+    for (std::size_t row = 0; row < faces * edge;)
     {
+        const std::size_t first = row % edge; // of the face
+        const std::size_t count = std::min(band_rows, edge - first);
+        std::vector<cm_image> wanted(faces, picture_around(fine, first * looks, *finer));
+        cm_rows rows = {};
+        rows.plane = static_cast<std::uint32_t>(row / edge);
+        rows.first_row = static_cast<std::uint32_t>(first * looks);
+        rows.row_count = static_cast<std::uint32_t>(count * looks);
         check(cm_resample_source(plan, source, wanted.data(), rows, threads), name);
-        take_means(fine, edge, laid.data() + rows.plane * edge * edge);
+        take_means(fine, edge, count, laid.data() + row * edge);
+        row += count;
     }
     take_cells(name, *cube_of(edge, name), laid, made);
 }

@@ -82,6 +82,8 @@ void add_options(cJSON *to, const SimulateOptions &asked, const cm_tof_options &
     add_number(options, "bounces", done.bounces);
     add_number(options, "lights", done.lights == 0 ? 338 : done.lights);
     add_switch(options, "visibility", done.visibility != 0);
+    add_number(options, "paths", done.paths == 0 ? 64 : done.paths);
+    add_switch(options, "traced", done.bounces > 1 || (done.bounces == 1 && done.traces != 0));
     add_text(options, "samples",
              std::to_string(done.sample_columns) + "x" + std::to_string(done.sample_rows));
     add_switch(options, "full", done.full != 0);

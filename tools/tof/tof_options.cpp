@@ -47,9 +47,14 @@ void read_way(int id, OptionReader &reader, SimulateOptions &options)
     {
     case TOF_BOUNCES:
         options.tof.bounces = reader.whole_number();
+        options.bounces_given = true;
         break;
     case TOF_LIGHTS:
         options.tof.lights = static_cast<std::uint32_t>(reader.whole_number());
+        break;
+    case TOF_PATHS_A_PIXEL:
+        options.tof.paths = static_cast<std::uint32_t>(reader.whole_number());
+        options.tof.traces = 1;
         break;
     case TOF_VISIBILITY:
         options.tof.visibility = 1;

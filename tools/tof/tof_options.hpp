@@ -23,6 +23,7 @@ struct SimulateOptions
     std::optional<std::string> environment;         // a file
     std::optional<std::string> environment_surface; // else equirect
     cm_tof_options tof = {};
+    bool bounces_given = false;
     bool samples_given = false;
     std::optional<double> budget; // metres
     bool truth = false;

@@ -56,6 +56,8 @@ struct Simulation
     cm_tof_options options = {};
     CameraPointer plain; // without distortion, where the budget drops that
     std::string budget;  // JSON
+    std::string error;   // of the budget, in words
+    bool is_within = true;
 };
 
 void check_tof(cm_status status, const Simulation &with)
@@ -69,6 +71,18 @@ void check_tof(cm_status status, const Simulation &with)
         throw Failure(in_quotes(with.sensor.name) + " has numbers outside what is simulated");
     }
     check_scene(status, "");
+}
+
+bool has_too_many_triangles(const cm_scene &scene)
+{
+    bool any = false;
+    for (std::uint32_t id = 0; id < cm_scene_count(&scene); ++id)
+    {
+        const cm_primitive &each = *cm_scene_at(&scene, id);
+        any |= each.kind == CM_PRIMITIVE_MESH &&
+               cm_mesh_describe(each.mesh)->triangle_count > CM_TOF_TRIANGLES_MOST;
+    }
+    return any;
 }
 
 Simulation prepare(const SimulateOptions &options)
@@ -92,7 +106,10 @@ Simulation prepare(const SimulateOptions &options)
     const cm_status status = cm_tof_scene_create(made.world.scene.get(), &scene);
     if (status == CM_ERROR_RANGE)
     {
-        throw Failure(in_quotes(options.scene) + " has a mesh with coordinates of 1e18 or more");
+        throw Failure(in_quotes(options.scene) + " has a mesh with " +
+                      (has_too_many_triangles(*made.world.scene)
+                           ? "more than " + std::to_string(CM_TOF_TRIANGLES_MOST) + " triangles"
+                           : "coordinates of 1e18 or more"));
     }
     check_tof(status, made);
     made.scene.reset(scene);
@@ -119,6 +136,32 @@ void drop_distortion(Simulation &with)
     with.sensor.sensor.camera = camera;
 }
 
+std::string millimetres_text(double metres)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.3g mm", 1e3 * metres);
+    return text;
+}
+
+// The error, and what remains of it by name where that is more than the limit.
+std::string error_text(const cm_budget &budget, double limit)
+{
+    const bool is_within = budget.error <= limit;
+    std::string text = "error " + millimetres_text(budget.error) + ", " +
+                       (is_within ? "within " : "beyond ") + millimetres_text(limit);
+    const char *between = ": ";
+    for (std::size_t i = 0; !is_within && i < budget.count; ++i)
+    {
+        const cm_budget_entry &each = budget.entry[i];
+        if (each.is_kept == 0 && each.contribution > 0)
+        {
+            text += between + std::string(each.name) + " " + millimetres_text(each.contribution);
+            between = ", ";
+        }
+    }
+    return text;
+}
+
 // Takes what the first frame needs for an error of at most that.
 void plan(const SimulateOptions &options, Simulation &with)
 {
@@ -131,11 +174,17 @@ void plan(const SimulateOptions &options, Simulation &with)
     {
         most.sample_columns = most.sample_rows = 3;
     }
+    if (options.bounces_given && most.bounces == 0)
+    {
+        most.bounces = -1; // direct light alone; 0 is any number
+    }
     check_tof(cm_tof_plan(with.scene.get(), &with.sensor.sensor, with.sensor.light.data(),
                           with.sensor.light.size(), with.trajectory.get(), with.poses.time.front(),
                           *options.budget, &most, with.pool.get(), &with.options, &budget),
               with);
     with.budget = budget_text(budget);
+    with.is_within = budget.error <= *options.budget;
+    with.error = error_text(budget, *options.budget);
     for (const cm_budget_entry &each : entry)
     {
         if (std::string(each.name) == "distortion" && each.is_kept == 0)
@@ -298,6 +347,21 @@ Done simulate_all(const SimulateOptions &options, Simulation &with, const cm_str
 
 // ---- what is told
 
+// What the budget has chosen, and whether it is met.
+std::string chosen_json(const Simulation &with)
+{
+    const cm_tof_options &chosen = with.options;
+    const auto word = [](bool is_so) { return is_so ? "true" : "false"; };
+    return std::string(", \"within_budget\": ") + word(with.is_within) +
+           ", \"chosen\": {\"bounces\": " + std::to_string(chosen.bounces) +
+           ", \"lights\": " + std::to_string(chosen.lights) +
+           ", \"visibility\": " + word(chosen.visibility != 0) +
+           ", \"paths\": " + std::to_string(chosen.paths) +
+           ", \"traced\": " + word(chosen.bounces > 1 || chosen.traces != 0) + ", \"samples\": \"" +
+           std::to_string(chosen.sample_columns) + "x" + std::to_string(chosen.sample_rows) +
+           "\", \"noise\": " + word(chosen.noise != 0) + "}, \"budget\": " + with.budget;
+}
+
 std::string done_json(const Done &done, const Simulation &with)
 {
     return "{\"frames\": " + std::to_string(done.milliseconds.size()) +
@@ -310,18 +374,18 @@ std::string done_json(const Done &done, const Simulation &with)
            ", \"virtual_lights\": " + std::to_string(done.lights) +
            ", \"saturated\": " + std::to_string(done.saturated) +
            ", \"unmeasured\": " + std::to_string(done.unmeasured) +
-           (with.budget.empty() ? "" : ", \"budget\": " + with.budget) + "}\n";
+           (with.budget.empty() ? "" : chosen_json(with)) + "}\n";
 }
 
-std::string done_text(const SimulateOptions &options, const Done &done)
+std::string done_text(const SimulateOptions &options, const Done &done, const Simulation &with)
 {
     char text[300];
     std::snprintf(text, sizeof text,
-                  ": %zu frames, median %.3g ms; %llu pixels saturated, %llu without light\n",
+                  ": %zu frames, median %.3g ms; %llu pixels saturated, %llu without light",
                   done.milliseconds.size(), median_of(done.milliseconds),
                   static_cast<unsigned long long>(done.saturated),
                   static_cast<unsigned long long>(done.unmeasured));
-    return in_quotes(options.output) + text;
+    return in_quotes(options.output) + text + (with.error.empty() ? "" : "; ") + with.error + "\n";
 }
 
 } // namespace
@@ -341,7 +405,7 @@ int simulate_tof(int argc, char **argv, const cm_streams &streams)
     }
     else if (!options.quiet && !options.is_stream)
     {
-        print(streams, done_text(options, done));
+        print(streams, done_text(options, done, with));
     }
     return 0;
 }

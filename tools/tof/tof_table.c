@@ -51,6 +51,16 @@ static const cm_option simulate_options[] = {
      .low = 1,
      .high = 1048576},
     {.id = TOF_VISIBILITY, .name = "visibility", .help = "virtual lights cast shadows"},
+    {.id = TOF_PATHS_A_PIXEL,
+     .name = "paths",
+     .kind = CM_OPTION_WHOLE,
+     .argument = "N",
+     .help =
+         "paths a pixel along which scattered light is followed, of one bounce, too; and rays a "
+         "pixel to the surroundings",
+     .standard = "virtual lights for one bounce, 64 paths for more",
+     .low = 1,
+     .high = 1048576},
     {.id = TOF_SAMPLES,
      .name = "samples",
      .kind = CM_OPTION_TEXT,
@@ -105,9 +115,11 @@ static const cm_option simulate_options[] = {
          "measure in the first frame what each effect does to the distance, simulate those that "
          "are needed for an error of at most this, and tell all of them",
      .more =
-         "LENGTH is in metres, or ends with m, cm, mm or um: `1mm`. Bounces, visibility, noise "
-         "and samples are then chosen; --samples and --lights say how many where they are needed, "
-         "3x3 and 338 without them."},
+         "LENGTH is in metres, or ends with m, cm, mm or um: `1mm`. Bounces, visibility, noise, "
+         "samples, virtual lights and paths are then chosen. --bounces, --samples, --lights and "
+         "--paths are not exceeded; without them there are up to 4 bounces, 3x3 samples, 5408 "
+         "lights and 4096 paths, as many as the light's own spread needs. What remains beyond the "
+         "limit is told by name."},
     {.id = TOF_TRUTH,
      .name = "truth",
      .help = "write truth_FRAME.exr, too: what is truly there",

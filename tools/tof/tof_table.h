@@ -37,7 +37,8 @@ enum
     TOF_SPACING,
     TOF_SHOT,
     TOF_ENVIRONMENT,
-    TOF_ENVIRONMENT_SURFACE
+    TOF_ENVIRONMENT_SURFACE,
+    TOF_PATHS_A_PIXEL
 };
 
 /* The sensors that are built in, up to NULL. */

@@ -190,12 +190,18 @@ def test_truth():
 def test_plans():
     scene = sim.TofScene(cubemap.Scene([WALL, BALL]))
     chosen, budget = scene.plan(SENSOR, [LIGHT], 10.0)
-    assert len(budget.entries) == 7 and budget.unit == "m" and budget.error <= 10.0
+    assert len(budget.entries) == 9 and budget.unit == "m" and budget.error <= 10.0
     assert chosen.samples == (1, 1) and chosen.bounces == 0 and not chosen.noise
     names = [entry.name for entry in budget.entries]
     assert "oversampling" in names and budget.to_json()
     strict, why = scene.plan(SENSOR, [LIGHT], 0.0)
-    assert why.error == 0.0 and strict.bounces >= 1 and strict.samples == (3, 3)
+    sampling = why.entries[-1]  # nothing is dropped: what remains is that light is sampled
+    assert sampling.name == "sampling of scattered light" and why.error == sampling.contribution > 0.0
+    assert strict.bounces >= 1 and strict.samples == (3, 3)
+    once, why = scene.plan(SENSOR, [LIGHT], 0.0, most=sim.Options(bounces=1, lights=20))
+    assert once.bounces == 1 and once.lights == 20 and why.entries[3].reason == "dropped: limit given"
+    direct, _why = scene.plan(SENSOR, [LIGHT], 0.0, most=sim.Options(bounces=-1))
+    assert direct.bounces == 0
 
 
 def test_what_is_refused():

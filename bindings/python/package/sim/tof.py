@@ -24,7 +24,7 @@ SPEED_OF_LIGHT = 299792458.0
 # bits of flags, as cubemap/sim.h has them
 SATURATED, NOTHING, FLYING, MOTION, MULTIPATH = (1 << bit for bit in range(5))
 _SHOTS = ("poisson", "freeman-tukey")  # CM_TOF_POISSON and CM_TOF_FREEMAN_TUKEY
-_EFFECTS = 7  # that a plan measures
+_EFFECTS = 9  # that a plan measures
 
 
 class Light(NamedTuple):
@@ -312,9 +312,10 @@ class TofScene(Specified):
         return TofFrame(**made, report=Report(*(getattr(report, name) for name in Report._fields)))
 
     def plan(self, sensor: Sensor, lights: list | tuple, limit: float, trajectory: Trajectory | Pose | None = None,
-             time: float = 0.0, most: Options = Options(bounces=1, lights=338, samples=(3, 3))) -> tuple[Options, Budget]:
+             time: float = 0.0, most: Options = Options(samples=(3, 3))) -> tuple[Options, Budget]:
         """What a frame needs for an error of distance of at most limit metres, and the Budget that says why; most says
-        how many samples and lights to take where they are needed."""
+        how many bounces, samples, lights and paths to take at the most where they are needed, 0: as many as are. Bounces
+        below 0: direct light alone."""
         (of, kept), (shining, tables), (how, more) = sensor._struct(), _lights(lights), most._struct()
         path, chosen = _path(trajectory), struct(library.cm_tof_options)
         entries = (library.cm_budget_entry * _EFFECTS)()
