@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Mappings between the sphere and the faces of a cube.
 
-    import cubemap
-    m = cubemap.Mapping("coupled")
-    face, u, v = m.forward(x, y, z)
-    x, y, z = m.inverse(face, u, v)
+>>> import cubemap
+>>> m = cubemap.Mapping("coupled")
+>>> face, u, v = m.forward(2.0, 1.0, 0.5)
+>>> print(face, round(u, 6), round(v, 6))
+0 0.620558 0.327956
+>>> x, y, z = m.inverse(face, u, v)
+>>> print(round(y / x, 12), round(z / x, 12))
+0.5 0.25
 
 Angles are radians, but those of rotations degrees. docs/guide/python.md is the guide. Further parts: cubemap.healpy, which is
 a drop-in for parts of healpy, cubemap.plot (matplotlib), cubemap.large (Dask and xarray), cubemap.sim (time-of-flight
-cameras).
+cameras). Examples of help() have cubemap and, as np, NumPy.
 """
 
 import importlib

@@ -1,5 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Octrees: maps of scenes from depth views, what is asked of them, their pictures, and hulls of silhouettes."""
+"""Octrees: maps of scenes from depth views, what is asked of them, their pictures, and hulls of silhouettes.
+
+>>> camera, room = cubemap.Camera(64, 48, 52, 52, 31.5, 23.5), cubemap.Scene.named("room")
+>>> pose = cubemap.Pose.from_quaternion((0, 0, 1.2), (-0.5, 0.5, -0.5, 0.5))  # looks along x
+>>> octree = cubemap.Octree(0.05, far=8.0)
+>>> octree.update(room.render(camera, pose).distance.astype(np.float32), camera, pose)
+>>> [cubemap.STATES[state] for state in octree.at([(1.0, 0, 1.2), (-2, 0, 1.2)], 0).state]
+['free', 'unknown']
+"""
 
 from __future__ import annotations
 
@@ -96,6 +104,15 @@ class Octree(OctreeMethods):
     Of points (..., 3), broadcast: m.at(point, level), m.ray(origin, direction, far) and m.nearest(point, radius) give
     Voxels; where there is none, the edge of the first is 0, and the distances of the others are NaN. While a map is changed
     no other thread may use it, and with pages one thread at a time.
+
+    >>> m = cubemap.Octree(0.1)
+    >>> m.update_points((0.0, 0.0, 0.0), [(1.05, 0.05, 0.05)])
+    >>> m
+    <cubemap.Octree of 16 levels, edge 0.1, step 1>
+    >>> round(m.ray((0.05, 0.05, 0.05), (1.0, 0.0, 0.0), 5.0).distance, 6)
+    0.95
+    >>> m.count.occupied
+    1
     """
 
     def __init__(self, edge: float, levels: int = 16, *, centre: ArrayLike = (0.0, 0.0, 0.0), rule: str = "counts",

@@ -3,8 +3,10 @@
 
 import ast
 import ctypes
+import doctest
 import importlib
 import inspect
+import pkgutil
 import re
 import subprocess
 import sys
@@ -14,6 +16,7 @@ import cubemap
 import cubemap.healpy
 import cubemap.large
 import cubemap.plot
+import numpy as np
 import pytest
 from cubemap import _core, _library
 
@@ -83,6 +86,32 @@ def test_types_name_the_methods(root):
         assert methods == {one for one in vars(getattr(cubemap._methods, name)) if not one.startswith("_")}
     text = cubemap.Mapping().forward.__doc__
     assert text.startswith("forward(x, y, z, /") and "cm_forward_array" in text and cubemap.Mapping.forward.__doc__ == text
+
+
+def modules():
+    """All that there are, by name, but those that are written by generate.py."""
+    yield "cubemap"
+    for one in pkgutil.iter_modules(cubemap.__path__, "cubemap."):
+        if one.name.split(".")[-1][0] != "_" and (one.name != "cubemap.sim" or _library.HAS_SIM):
+            yield one.name
+            if one.ispkg:
+                inside = importlib.import_module(one.name).__path__
+                yield from (part.name for part in pkgutil.iter_modules(inside, f"{one.name}.") if "._" not in part.name)
+    yield "cubemap._errors"
+
+
+@pytest.mark.parametrize("name", modules())
+def test_examples_of_docstrings_run(name):
+    """Each module has one, and each class that is made by its arguments; they print what stands there."""
+    module = importlib.import_module(name)
+    found = doctest.DocTestFinder().find(module, name, extraglobs={"cubemap": cubemap, "np": np})
+    made = {f"{name}.{one}" for one, value in vars(module).items() if one[0] != "_" and inspect.isclass(value)
+            and value.__module__ == name and "__init__" in vars(value)}
+    assert {*made, *([name] * ("._" not in name))} <= {one.name for one in found if one.examples}
+    runner = doctest.DocTestRunner()
+    for one in found:
+        runner.run(one)
+    assert runner.tries > 0 and runner.failures == 0
 
 
 def code_of(path):
