@@ -25,11 +25,11 @@ from ._texts import Specified, checked_text, created, decoded
 class Color(NamedTuple):
     """Colours of a map: three numbers along the last axis of each. `inside` says whether sRGB has the colour."""
 
-    lch: object
-    luv: object
-    linear: object
-    srgb: object
-    inside: object
+    lch: Any
+    luv: Any
+    linear: Any
+    srgb: Any
+    inside: Any
 
 
 name_results("cm_colormap_color_at", Color)

@@ -13,7 +13,7 @@ along the optical axis, range along the ray; images of omnidirectional cameras h
 from __future__ import annotations
 
 import ctypes
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -51,9 +51,9 @@ class DepthMaps(NamedTuple):
 class DepthBounds(NamedTuple):
     """What is known of boxes of pixels: the least and the greatest measurement, and whether a pixel has none."""
 
-    least: object
-    most: object
-    has_unmeasured: object
+    least: Any
+    most: Any
+    has_unmeasured: Any
 
 
 name_results("cm_depth_pyramid_bounds", DepthBounds)

@@ -14,7 +14,7 @@ from __future__ import annotations
 import ctypes
 import dataclasses
 import operator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from . import _library as library
 from ._errors import Error, in_words
@@ -33,15 +33,15 @@ NO_FACE = 255
 class Distortion(NamedTuple):
     """Tissot's indicatrix, what follows from it, and a texel: cubemap/distortion.h says what each is."""
 
-    major: object
-    minor: object
-    orientation: object
-    scale: object
-    deformation: object
-    area: object
-    isotropy: object
-    texel_aspect: object
-    texel_area: object
+    major: Any
+    minor: Any
+    orientation: Any
+    scale: Any
+    deformation: Any
+    area: Any
+    isotropy: Any
+    texel_aspect: Any
+    texel_area: Any
 
 
 for _name in ("cm_forward_distortion_array", "cm_inverse_distortion_array", "cm_grid_forward_distortion",

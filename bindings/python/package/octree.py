@@ -12,7 +12,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -39,16 +39,16 @@ class Voxels(NamedTuple):
     """Voxels, an array for each of their numbers: the centre x, y, z, edge, the distance of rays and of the nearest, level,
     state (an index of STATES), alpha, whether it has a color, and color (..., 3)."""
 
-    x: object
-    y: object
-    z: object
-    edge: object
-    distance: object
-    level: object
-    state: object
-    alpha: object
-    has_color: object
-    color: object
+    x: Any
+    y: Any
+    z: Any
+    edge: Any
+    distance: Any
+    level: Any
+    state: Any
+    alpha: Any
+    has_color: Any
+    color: Any
 
 
 class OctreeCount(NamedTuple):
@@ -69,7 +69,7 @@ class OctreePicture(NamedTuple):
     depth: np.ndarray | None
 
 
-def _voxels_of(numbers):
+def _voxels_of(numbers: tuple) -> Voxels:
     """What a ufunc writes, without what the function returns: the state or the distance says it."""
     return Voxels(*numbers[:len(Voxels._fields)])
 

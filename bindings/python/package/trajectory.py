@@ -68,7 +68,7 @@ class Inertial(NamedTuple):
     rate: np.ndarray
 
 
-def _state_of(parts):
+def _state_of(parts: tuple) -> MotionState:
     return MotionState(Pose._make(parts[:2]), *parts[2:])
 
 

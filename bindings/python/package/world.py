@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -34,12 +34,12 @@ class Hit(NamedTuple):
     """What rays met: distance in lengths of the direction, infinite for nothing; id of the primitive, or NO_ID;
     triangle of its mesh; normal (..., 3) towards the ray's origin, color (..., 3) and reflectance, 0 to 1."""
 
-    distance: object
-    id: object
-    triangle: object
-    normal: object
-    color: object
-    reflectance: object
+    distance: Any
+    id: Any
+    triangle: Any
+    normal: Any
+    color: Any
+    reflectance: Any
 
 
 name_results("cm_scene_cast_array", Hit)

@@ -50,22 +50,43 @@ union number
     uint64_t unsigned_long;
 };
 
+/* A real number, also from a whole one, as read_number. */
+static int read_real(enum core_type type, PyObject *object, union number *number)
+{
+    double real;
+    if (PyFloat_Check(object))
+    {
+        real = PyFloat_AS_DOUBLE(object);
+    }
+    else if (PyLong_CheckExact(object))
+    {
+        real = PyLong_AsDouble(object);
+        if (real == -1.0 && PyErr_Occurred())
+        {
+            return -1;
+        }
+    }
+    else
+    {
+        return 0;
+    }
+    if (type == CORE_FLOAT)
+    {
+        number->single = (float)real;
+    }
+    else
+    {
+        number->real = real;
+    }
+    return 1;
+}
+
 /* 1; 0 if the object is none of Python's numbers of that kind; -1 with an exception. */
 static int read_number(enum core_type type, PyObject *object, union number *number)
 {
-    if (type == CORE_DOUBLE)
+    if (type == CORE_DOUBLE || type == CORE_FLOAT)
     {
-        if (PyFloat_Check(object))
-        {
-            number->real = PyFloat_AS_DOUBLE(object);
-            return 1;
-        }
-        if (!PyLong_CheckExact(object))
-        {
-            return 0;
-        }
-        number->real = PyLong_AsDouble(object);
-        return number->real == -1.0 && PyErr_Occurred() ? -1 : 1;
+        return read_real(type, object, number);
     }
     if (!PyLong_CheckExact(object))
     {

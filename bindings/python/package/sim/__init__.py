@@ -36,4 +36,15 @@ from .texels import (SPACINGS, TexelImage, TexelOptions, TexelPlaces, texel_comp
 from .tof import (FLYING, MOTION, MULTIPATH, NOTHING, SATURATED, SPEED_OF_LIGHT, Light, Options, Reconstruction, Report,
                   Sensor, Surroundings, TofFrame, TofScene, Truth)
 
-__all__ = [name for name in dir() if name[0] != "_" and name not in ("brdf", "channels", "errors", "lens", "texels", "tof")]
+__all__ = [
+    "Brdf", "brdf_goniometer", "BrdfSample", "channel_census", "channel_equalize", "channel_equalize_locally",
+    "channel_gradient", "channel_normalize", "channel_normalize_locally", "compensate", "compensate_pixelwise",
+    "compensation_flows", "COMPENSATIONS", "depth_error", "depth_error_bad", "depth_error_checkerboard",
+    "depth_error_edges", "depth_error_local", "depth_error_plane", "depth_error_quantiles", "depth_error_slope",
+    "depth_error_sparsify", "depth_error_temporal", "DepthEdges", "DepthError", "DepthPlane", "flow_warp", "FlowPair",
+    "FLYING", "lens_frustum", "lens_guard", "lens_move_vertices", "lens_pinhole", "LensMap", "Light", "MOTION",
+    "MULTIPATH", "NOTHING", "Options", "Reconstruction", "Report", "SATURATED", "Sensor", "SPACINGS",
+    "Sparsification", "SPARSIFICATION_MEASURES", "SPEED_OF_LIGHT", "Surroundings", "texel_complete",
+    "texel_linearise", "texel_matrix", "texel_places", "texel_points", "texel_render", "texel_sample", "TexelImage",
+    "TexelOptions", "TexelPlaces", "TofFrame", "TofScene", "Truth",
+]
