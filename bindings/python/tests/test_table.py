@@ -5,6 +5,7 @@ import ast
 import ctypes
 import doctest
 import importlib
+import importlib.metadata
 import inspect
 import pathlib
 import pkgutil
@@ -152,6 +153,15 @@ def test_the_tutorial_draws(root, tmp_path):
     assert pictures == ["cells.png", "distortion.png", "earth.png", "healpix.png", "indicatrices.png"]
     for name in pictures:
         assert plt.imread(tmp_path / name)[..., :3].std() > 0.05, name
+
+
+def test_the_package_has_its_licence(root):
+    try:
+        installed = importlib.metadata.distribution("cubemap").files
+    except importlib.metadata.PackageNotFoundError:
+        pytest.skip("it is no installed package")
+    texts = [file.read_text() for file in installed if file.name == "LICENSE"]
+    assert texts == [(root / "LICENSE").read_text()]
 
 
 def test_further_parts_are_there_without_an_import():
