@@ -37,6 +37,8 @@ needs_to_build_python="build-essential meson ninja-build python3-dev python3-num
     python3-pycparser libembree-dev"
 needs_for_python="python3-pytest python3-hypothesis python3-healpy python3-dask python3-distributed python3-xarray
     python3-matplotlib"
+# What checks their types, in bindings/python/test --long.
+needs_for_types="python3-mypy"
 
 # CMake, for tests/programs/cmake.sh, and a compiler for Windows, for tests/include/dll.sh; to run what it makes, .ci/long
 # has Wine.
@@ -160,7 +162,7 @@ has()
     # of the system's Python, which the package and its tests are made with: another that comes first in PATH may have them
     # and helps nobody
     python3-matplotlib | python3-mpmath | python3-pycparser | python3-numpy | python3-pytest | python3-hypothesis | \
-        python3-healpy | python3-dask | python3-distributed | python3-xarray)
+        python3-healpy | python3-dask | python3-distributed | python3-xarray | python3-mypy)
         "$(system_python)" -c "import ${1#python3-}" 2>/dev/null ;;
     *) die "has: no rule for $1" ;;
     esac

@@ -42,6 +42,12 @@ LEADS = {
 }
 # outputs of these must not overlap inputs (healpix.h, world.h)
 APART = ("cm_healpix_", "cm_scene_")
+# what the package makes of the results of functions with several outputs, as its modules say by name_results
+RESULTS = {**dict.fromkeys(("cm_forward_distortion_array", "cm_inverse_distortion_array", "cm_grid_forward_distortion",
+                            "cm_grid_inverse_distortion"), "mapping.Distortion"),
+           **dict.fromkeys(("cm_octree_at", "cm_octree_ray", "cm_octree_nearest"), "octree.Voxels"),
+           "cm_colormap_color_at": "colors.Color", "cm_depth_pyramid_bounds": "depth.DepthBounds",
+           "cm_motion_at": "trajectory.MotionState", "cm_scene_cast_array": "world.Hit"}
 CTYPES = {"double": "c_double", "float": "c_float", "int": "c_int", "unsigned": "c_uint", "char": "c_char", "signed char": "c_byte",
           "uint8_t": "c_uint8", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64", "uint64_t": "c_uint64", "size_t": "c_size_t",
           "ptrdiff_t": "c_ssize_t", "uint16_t": "c_uint16", "unsigned int": "c_uint"}
@@ -330,18 +336,53 @@ def write_methods(binding):
     return "\n".join(lines) + "\n"
 
 
+def array_type(operand, loops):
+    """Of an output for arrays: real numbers are of the inputs' precision where there are loops of both."""
+    kind = NUMBERS[operand.base][1]
+    return f"NDArray[np.{'floating[Any]' if kind == 'float64' and 'float' in loops else kind}]"
+
+
+def number_type(operand):
+    """Of a single number."""
+    return "float" if operand.base in ("double", "float") else "int"
+
+
+def result_type(loop, types):
+    """Of all outputs: a class of the package's, one type, or a tuple of them."""
+    if loop.function.name in RESULTS:
+        return RESULTS[loop.function.name].partition(".")[2]
+    return types[0] if len(types) == 1 else f"tuple[{', '.join(types)}]"
+
+
 def stub(method, loops, is_method):
-    loop = loops["double"]
-    inputs = ", ".join(["self"] * is_method + [f"{operand.shown}: ArrayLike" for operand in loop.inputs])
-    types = [f"NDArray[np.{NUMBERS[operand.base][1]}]" for operand in loop.outputs]
-    result = types[0] if len(types) == 1 else f"tuple[{', '.join(types)}]"
-    indent = "    " if is_method else ""
+    """Types of a ufunc: of numbers, which give numbers, and of all else."""
+    loop, indent = loops["double"], "    " * is_method
+    arrays = [array_type(operand, loops) for operand in loop.outputs]
+    alone = [array if operand.shape else number_type(operand) for operand, array in zip(loop.outputs, arrays, strict=True)]
+    result, result_alone = result_type(loop, arrays), result_type(loop, alone)
+    # names before / are never said: those of the rest are not among them
+    outputs = "outputs" + "_" * any(operand.shown == "outputs" for operand in loop.inputs)
+
+    def declared(types, more, result):
+        inputs = ["self"] * is_method + [f"{operand.shown}: {one}" for operand, one in zip(loop.inputs, types, strict=True)]
+        return f"{indent}def {method}({', '.join([*inputs, '/', *more])}) -> {result}:"
+
+    lines = []
+    if result_alone != result and not any(operand.shape for operand in loop.inputs):
+        numbers = declared(map(number_type, loop.inputs), (), result_alone)
+        lines += [f"{indent}@overload", f"{numbers} ...  # type: ignore", f"{indent}@overload"]
     doc = textwrap.indent(doc_of(method, loop).replace("\\", "\\\\"), indent + "    ").strip()
-    return [f"{indent}def {method}({inputs}, /, *out: Any, **keywords: Any) -> {result}:", f'{indent}    """{doc}', f'{indent}    """', f"{indent}    ..."]
+    general = declared(["ArrayLike"] * len(loop.inputs), (f"*{outputs}: Any", "**keywords: Any"), result)
+    return [*lines, general, f'{indent}    """{doc}', f'{indent}    """', f"{indent}    ..."]
 
 
 def write_stubs(binding):
-    lines = ["# Written by bindings/python/generate.py.", "from typing import Any", "", "import numpy as np", "from numpy.typing import ArrayLike, NDArray", ""]
+    lines = ["# Written by bindings/python/generate.py.", "from typing import Any, overload", "", "import numpy as np",
+             "from numpy.typing import ArrayLike, NDArray", "", f"__all__ = {sorted(groups(binding).get('', {}))!r}", ""]
+    bound = {loops["double"].function.name for methods in groups(binding).values() for loops in methods.values()}
+    lines += [f"from .{module} import {name}" for module, _, name in
+              sorted({RESULTS[function].partition(".") for function in bound & set(RESULTS)})]
+    lines += [""]
     for owner, methods in groups(binding).items():
         lines += [f"class {owner}Methods:"] * is_class(owner)
         for method, loops in methods.items():

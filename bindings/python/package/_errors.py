@@ -7,7 +7,14 @@ from . import _core
 
 
 class Error(ValueError):
-    """What the library refuses: `status` is its number, as in cubemap/status.h."""
+    """What the library refuses: `status` is its number, as in cubemap/status.h.
+
+    >>> try:
+    ...     cubemap.Mapping("copled")
+    ... except cubemap.Error as error:
+    ...     print(error.status, error)
+    3 no mapping is called 'copled'; coupled is the recommended one, and the catalogue lists all
+    """
 
     def __init__(self, status: int, message: str) -> None:
         super().__init__(message)

@@ -1,5 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Which mappings keep given limits, the cheapest first, and what the others miss."""
+"""Which mappings keep given limits, the cheapest first, and what the others miss.
+
+>>> costs = [cubemap.Cost("coupled", ns=(7.2, 5.1)), cubemap.Cost("gnomonic", ns=(1.9, 2.2))]
+>>> advice = cubemap.advise(costs, {"area error": 0.2})
+>>> advice[0].specification, advice.qualified
+('coupled', 1)
+>>> advice[1].reason
+'area error 1.721, 1.52 more than 0.2'
+"""
 
 from __future__ import annotations
 
@@ -40,7 +48,12 @@ class Candidate(NamedTuple):
 
 
 class Advice:
-    """A ranked list: len(a), a[0], and a.qualified, how many of the first keep all limits."""
+    """A ranked list: len(a), a[0], and a.qualified, how many of the first keep all limits.
+
+    >>> advice = cubemap.advise([cubemap.Cost("coupled"), cubemap.Cost("seamless")], equal_area=True)
+    >>> [candidate.specification for candidate in advice], advice.qualified
+    (['seamless', 'coupled'], 1)
+    """
 
     def __init__(self, handle: Any) -> None:
         self._handle = handle

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Budgets: what a model leaves out, and why."""
+"""Budgets: what a model leaves out, and why.
+
+>>> entries = [cubemap.BudgetEntry("distortion", 0.004, 2.1), cubemap.BudgetEntry("multipath", 0.001, 46.0)]
+>>> kept = cubemap.Budget(entries, "depth camera", "m", "ms").limit_error(0.002)
+>>> kept.error, kept.cost, [entry.name for entry in kept.entries if entry.is_kept]
+(0.001, 2.1, ['distortion'])
+"""
 
 from __future__ import annotations
 

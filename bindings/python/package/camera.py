@@ -1,5 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Cameras: from points to pixels, and from pixels to rays."""
+"""Cameras: from points to pixels, and from pixels to rays.
+
+>>> camera = cubemap.Camera(640, 480, 525, 525, 319.5, 239.5)
+>>> np.round(camera.project(0.3, -0.2, 2.0), 9).tolist()
+[398.25, 187.0]
+>>> np.round(camera.ray(398.25, 187.0), 9).tolist()
+[0.15, -0.1, 1.0]
+"""
 
 from __future__ import annotations
 
@@ -43,6 +50,13 @@ class Camera(CameraMethods, Specified):
     down, z forward, and rays with z = 1; omnidirectional ones have their mapping's axes, and rays of length 1. What
     the camera does not see is NaN, what is beyond a fold of the lens too. The names are those of CAMERA.json, so that
     what json.load makes of it, but for "depth_scale", are arguments here.
+
+    >>> around = cubemap.Camera(mapping="coupled", size=256)
+    >>> around.shape, around.kind
+    ((1536, 256), 'range')
+    >>> halved = cubemap.Camera(640, 480, 525, 525, 319.5, 239.5, distortion=(-0.28, 0.07)).halved()
+    >>> halved.width, halved.fx
+    (320, 262.5)
     """
 
     _standard = {"width": 0, "height": 0, **dict.fromkeys(_NUMBERS, 0.0), "pixel_centre": 0.0, "distortion": (),

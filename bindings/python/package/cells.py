@@ -1,5 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Cells: numbers of 64 bits for the squares of a grid, regions, and the cells that cover them."""
+"""Cells: numbers of 64 bits for the squares of a grid, regions, and the cells that cover them.
+
+>>> cells = cubemap.CellGrid("seamless")
+>>> berlin = cells.forward_lonlat(np.radians(13.4), np.radians(52.5), 12)
+>>> cubemap.cell_token(berlin)
+'9d09127'
+>>> cubemap.parse_cell(cubemap.cell_token(berlin)) == berlin
+True
+"""
 
 from __future__ import annotations
 
@@ -27,6 +35,14 @@ class CellGrid(CellGridMethods, Specified):
 
     grid    a Grid, or the specification of its mapping
     curve   "hilbert" or "morton"
+
+    >>> cells = cubemap.CellGrid.s2()
+    >>> cell = cells.forward(1.0, 0.2, 0.3, 4)
+    >>> around, count = cells.neighbours(cell)
+    >>> count
+    8
+    >>> cubemap.cell_token(cell)
+    '117'
     """
 
     _standard = {"curve": "hilbert", "s2": False, "threads": 1}
@@ -109,7 +125,13 @@ def _as_many(function, *arguments):
 
 
 class Region(RegionMethods, Specified):
-    """A part of the Earth: Region.cap, Region.box and Region.polygon make one. Angles are radians."""
+    """A part of the Earth: Region.cap, Region.box and Region.polygon make one. Angles are radians.
+
+    >>> disc = cubemap.Region.cap(np.radians(13.4), np.radians(52.5), cubemap.cap_radius(50e3))
+    >>> covering = cubemap.CellGrid("coupled").cover(disc, 4, 10, most=20)
+    >>> len(covering) <= 20, disc.contains((1.0, 0.0, 0.0))
+    (True, False)
+    """
 
     _threads = 1
 

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Perceptually uniform colour maps, for matplotlib too."""
+"""Perceptually uniform colour maps, for matplotlib too.
+
+>>> len(cubemap.colormaps()), cubemap.find_colormap("sequential-single")
+(14, 'sequential-single')
+>>> cubemap.Colormap("sequential-single").samples(3, np.uint8).tolist()
+[[17, 17, 18], [68, 109, 185], [239, 241, 246]]
+"""
 
 from __future__ import annotations
 
@@ -19,11 +25,11 @@ from ._texts import Specified, checked_text, created, decoded
 class Color(NamedTuple):
     """Colours of a map: three numbers along the last axis of each. `inside` says whether sRGB has the colour."""
 
-    lch: object
-    luv: object
-    linear: object
-    srgb: object
-    inside: object
+    lch: Any
+    luv: Any
+    linear: Any
+    srgb: Any
+    inside: Any
 
 
 name_results("cm_colormap_color_at", Color)
@@ -42,6 +48,12 @@ class Colormap(ColormapMethods, Specified):
     """A colour map: Colormap("sequential-single:hue=140"); colormaps() lists the models.
 
     c.samples(256) are colours whose steps are equal for the eye; c.color_at(t) is the colour at t in [0, 1].
+
+    >>> c = cubemap.Colormap("uniform-blue-red")
+    >>> c.inside, c.samples(256).shape
+    (True, (256, 3))
+    >>> c.color_at(0.5).srgb.round(3).tolist()
+    [0.933, 0.933, 0.933]
     """
 
     _threads = 1

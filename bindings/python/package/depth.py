@@ -3,12 +3,17 @@
 
 An image is an array (rows, columns) of float32, NaN where nothing was measured; strides of any kind will do. Depth is
 along the optical axis, range along the ray; images of omnidirectional cameras hold range.
+
+>>> stored = np.full((480, 640), 10_000, np.uint16)  # as TUM's files have it
+>>> depth, count = cubemap.clean_depth(stored, 1 / 5000, farthest=8.0)
+>>> depth[0, 0].item(), count.valid
+(2.0, 307200)
 """
 
 from __future__ import annotations
 
 import ctypes
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -46,9 +51,9 @@ class DepthMaps(NamedTuple):
 class DepthBounds(NamedTuple):
     """What is known of boxes of pixels: the least and the greatest measurement, and whether a pixel has none."""
 
-    least: object
-    most: object
-    has_unmeasured: object
+    least: Any
+    most: Any
+    has_unmeasured: Any
 
 
 name_results("cm_depth_pyramid_bounds", DepthBounds)
@@ -107,6 +112,12 @@ class Rays(Specified):
     threads        the most that work on one image; 0 for all processors. Standard: 1
 
     Every method takes images of camera.shape, and `out`, an array of float32 to write into.
+
+    >>> camera = cubemap.Camera(8, 6, 10, 10, 3.5, 2.5)
+    >>> rays = cubemap.Rays(camera)
+    >>> maps = rays.maps(np.full(camera.shape, 2.0, np.float32), "depth")
+    >>> maps.vertex.shape, maps.normal[2, 3].tolist()
+    ((6, 8, 3), [0.0, 0.0, -1.0])
     """
 
     _standard = {"instructions": None, "threads": 1}
@@ -180,6 +191,11 @@ class DepthPyramid(DepthPyramidMethods):
 
     p.bounds(column, row, last_column, last_row) gives DepthBounds of boxes of pixels, ends included; what is no box
     has NaN, NaN, -1.
+
+    >>> pyramid = cubemap.DepthPyramid(np.arange(1, 65, dtype=np.float32).reshape(8, 8))
+    >>> bounds = pyramid.bounds(2, 2, 5, 3)
+    >>> bounds.least, bounds.most, bounds.has_unmeasured
+    (19.0, 30.0, 0)
     """
 
     def __init__(self, image: ArrayLike, *, instructions: str | None = None, threads: int = 1) -> None:

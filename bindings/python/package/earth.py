@@ -1,5 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The Earth: ellipsoids, latitudes, rotations, and grids, which are mappings on an ellipsoid."""
+"""The Earth: ellipsoids, latitudes, rotations, and grids, which are mappings on an ellipsoid.
+
+>>> [ellipsoid.identifier for ellipsoid in cubemap.ellipsoids()][:3]
+['WGS84', 'GRS80', 'WGS72']
+>>> to_authalic = cubemap.LatitudeConversion("geographic", "authalic")
+>>> round(to_authalic.convert(np.radians(52.5)), 9)
+0.914133883
+"""
 
 from __future__ import annotations
 
@@ -23,6 +30,10 @@ class Ellipsoid(Specified):
     """An ellipsoid of revolution: Ellipsoid("WGS84"), Ellipsoid("6378137,298.257223563"), Ellipsoid("6371000").
 
     text   an identifier of ellipsoids(), or "A,1/F": the equatorial radius in metres and the inverse of the flattening
+
+    >>> earth = cubemap.Ellipsoid("WGS84")
+    >>> earth.a, round(earth.authalic_radius, 3)
+    (6378137.0, 6371007.181)
     """
 
     def __init__(self, text: str = "WGS84") -> None:
@@ -87,6 +98,10 @@ class LatitudeConversion(LatitudeConversionMethods, Specified):
     exact            closed forms and iterations whatever the flattening
 
     c.convert(latitude) takes radians, c.convert_direction(x, y, z) directions.
+
+    >>> c = cubemap.LatitudeConversion("geographic", "conformal", tolerance=1e-9)
+    >>> c.order, c.error < 1e-9
+    (3, True)
     """
 
     _standard = {"ellipsoid": "WGS84", "tolerance": 0.0, "exact": False, "threads": 1}
@@ -128,6 +143,10 @@ class Rotation(Specified):
     text   "LON,LAT[,ROLL]" in degrees, or a name of orientations()
 
     The rows of r.matrix are the cube's axes in those of the Earth.
+
+    >>> r = cubemap.Rotation("10,20,30")
+    >>> r.apply(r.apply_back((1.0, 0.0, 0.0))).round(12).tolist()
+    [1.0, 0.0, 0.0]
     """
 
     def __init__(self, rotation: str | ArrayLike = "0,0,0") -> None:
@@ -215,6 +234,12 @@ class Grid(GridMethods, Specified):
     rotation    of the cube, a Rotation or its text
 
     g.forward_lonlat(lon, lat) takes geographic radians, g.forward(x, y, z) normals of the ellipsoid.
+
+    >>> g = cubemap.Grid("seamless", rotation="land-coupled")
+    >>> face, u, v = g.forward_lonlat(np.radians(13.4), np.radians(52.5))
+    >>> lon, lat = g.inverse_lonlat(face, u, v)
+    >>> round(np.degrees(lon), 9), round(np.degrees(lat), 9)
+    (13.4, 52.5)
     """
 
     _standard = {"frame": "geo", "ellipsoid": "WGS84", "latitude": None, "tolerance": 0.0, "rotation": None, "instructions": None,

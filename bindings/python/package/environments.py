@@ -2,6 +2,13 @@
 """Environments for renderers: spherical harmonics, irradiance, levels prefiltered by GGX.
 
 Coefficients are arrays ((degree + 1)^2, channels): that of degree l and order m stands at l (l + 1) + m.
+
+>>> coefficients = np.zeros((4, 1))
+>>> coefficients[0] = np.sqrt(4 * np.pi)  # 1 everywhere
+>>> cubemap.harmonics_evaluate(coefficients, 0.0, 0.0, 1.0).round(12).tolist()
+[[1.0]]
+>>> cubemap.harmonics_cosine_lobe(2).round(6).tolist()
+[3.141593, 2.094395, 0.785398]
 """
 
 from __future__ import annotations
@@ -134,6 +141,12 @@ class Environment:
     """Six faces of linear light, (6, edge, edge[, channels]), as renderers need them.
 
     e.project(8) are coefficients, e.prefilter(0.3, "coupled", 64) a level for a roughness.
+
+    >>> sky = cubemap.Environment("coupled", np.full((6, 16, 16, 3), 0.5, np.float32))
+    >>> sky.size, sky.channels, sky.level_count
+    (16, 3, 5)
+    >>> round(sky.irradiance("coupled", 2)[0, 0, 0, 0].item(), 4)
+    1.5708
     """
 
     def __init__(self, mapping: str | Mapping, faces: ArrayLike, *, threads: int = 1) -> None:

@@ -13,6 +13,16 @@ What differs:
   query_disc    inclusive=True gives all pixels that the disc overlaps, and a few more: not the same few
   reorder       of bunches of memory nothing is said: a map is done at once
   left out      what reads and writes files, draws or transforms, query_polygon, query_strip, interpolation
+
+>>> from cubemap import healpy as hp
+>>> pixel = hp.ang2pix(1024, 0.3, 0.4)
+>>> pixel
+280595
+>>> theta, phi = hp.pix2ang(1024, pixel)
+>>> round(theta, 4), round(phi, 4)
+(0.3001, 0.4)
+>>> len(hp.query_disc(64, (1, 0, 0), 0.2))
+488
 """
 
 from __future__ import annotations

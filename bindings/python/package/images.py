@@ -4,6 +4,12 @@
 A picture is (rows, columns) or (rows, columns, channels); where a surface has several, as the six faces of a cube, they are
 stacked along a first axis: (6, rows, columns, channels). Numbers are uint8, uint16, float16 or float32. Only the channels
 of a pixel need be side by side; all other strides will do, and nothing is copied.
+
+>>> earth = np.zeros((64, 128, 3), np.uint8)
+>>> earth[:32] = 255  # the north is white
+>>> six = cubemap.resample(earth, "equirect", "cube:coupled;size=32")
+>>> six.shape, six[4, 16, 16].tolist(), six[5, 16, 16].tolist()
+((6, 32, 32, 3), [255, 255, 255], [0, 0, 0])
 """
 
 from __future__ import annotations
@@ -36,6 +42,13 @@ class Surface(SurfaceMethods, Specified):
     rotation        how the surface stands on the Earth, a Rotation or its text
 
     s.positions(x, y, z) gives plane, column and row, and s.directions(plane, column, row) gives x, y and z.
+
+    >>> s = cubemap.Surface("equirect;size=1024")
+    >>> s.shape
+    (512, 1024)
+    >>> plane, column, row = s.positions(1.0, 0.0, 0.0)
+    >>> plane, column, row
+    (0, 512.0, 256.0)
     """
 
     _standard = {"width": 0, "height": 0, "rotation": None, "instructions": None, "threads": 1}
@@ -196,6 +209,10 @@ class Plan(Specified):
     vector           the first of three channels that are a vector, counted from 1
     not_finite       "spread", "skip" or "zero"
     dither           are whole numbers dithered?
+
+    >>> plan = cubemap.Plan("cube:coupled;size=64", "equirect;size=128", filter="bilinear")
+    >>> plan.resample(np.ones((6, 64, 64), np.float32)).shape
+    (64, 128)
     """
 
     _standard = {"filter": "auto", "tolerance": 0.0, "pixels_most": 0.0, "transfer": "stored", "gamma": 0.0, "alpha": 0,

@@ -4,6 +4,17 @@
 apply(m, "forward", x, y, z) calls a method of an object of this package for arrays of Dask, DataArrays of xarray or what is
 left to NumPy; reproject brings a raster of the whole Earth to another surface, tile by tile. Each task works on one thread:
 Dask has its own.
+
+>>> import dask.array as da
+>>> from cubemap import large
+>>> raster = da.ones((64, 128), chunks=(32, 64), dtype="float32")
+>>> faces = large.reproject(raster, "cube:coupled", 32, tile=16)
+>>> faces.shape, float(faces.mean())
+((6, 32, 32), 1.0)
+>>> x = da.ones(1000, chunks=100)
+>>> face, u, v = large.apply(cubemap.Mapping("coupled"), "forward", x, 0.5 * x, 0.25 * x)
+>>> round(float(u.mean()), 6)
+0.620558
 """
 
 from __future__ import annotations

@@ -1,12 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""Mappings, their catalogue and their frames."""
+"""Mappings, their catalogue and their frames.
+
+>>> cubemap.frames()
+('geo', 'gl', 'fits', 's2')
+>>> cubemap.find_mapping("cobe").name
+'COBE quadrilateralized spherical cube'
+>>> [parameter.name for parameter in cubemap.find_mapping("tangent").parameters]
+['c']
+"""
 
 from __future__ import annotations
 
 import ctypes
 import dataclasses
 import operator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from . import _library as library
 from ._errors import Error, in_words
@@ -25,15 +33,15 @@ NO_FACE = 255
 class Distortion(NamedTuple):
     """Tissot's indicatrix, what follows from it, and a texel: cubemap/distortion.h says what each is."""
 
-    major: object
-    minor: object
-    orientation: object
-    scale: object
-    deformation: object
-    area: object
-    isotropy: object
-    texel_aspect: object
-    texel_area: object
+    major: Any
+    minor: Any
+    orientation: Any
+    scale: Any
+    deformation: Any
+    area: Any
+    isotropy: Any
+    texel_aspect: Any
+    texel_area: Any
 
 
 for _name in ("cm_forward_distortion_array", "cm_inverse_distortion_array", "cm_grid_forward_distortion",
@@ -52,7 +60,14 @@ class Face(NamedTuple):
 
 @dataclasses.dataclass(frozen=True)
 class Frame:
-    """How the six faces sit on the axes. `Frame.named("geo")` is one of the library's; any table of your own will do."""
+    """How the six faces sit on the axes. `Frame.named("geo")` is one of the library's; any table of your own will do.
+
+    >>> frame = cubemap.Frame.named("gl")
+    >>> frame.faces[0]
+    Face(name='+x', outward=1, u=-3, v=-2)
+    >>> cubemap.Mapping("coupled", frame).forward(2.0, 1.0, 0.5)[0]
+    0
+    """
 
     identifier: str
     faces: tuple
@@ -100,7 +115,12 @@ class Parameter(NamedTuple):
 
 @dataclasses.dataclass(frozen=True)
 class MappingInfo:
-    """A row of the catalogue: cubemap/catalogue.h says what each member is."""
+    """A row of the catalogue: cubemap/catalogue.h says what each member is.
+
+    >>> info = cubemap.find_mapping("lee-cube")
+    >>> info.identifier, info.kind, info.conformal
+    ('conformal', 'cube', True)
+    """
 
     identifier: str
     aliases: tuple
@@ -169,6 +189,15 @@ class Mapping(MappingMethods, Specified):
 
     m.forward(x, y, z) gives face, u, v, and m.inverse(face, u, v) gives x, y, z: of arrays ufuncs of NumPy, of numbers
     numbers. A direction that is none has face 255 and NaN; a face above 5 gives NaN.
+
+    >>> m = cubemap.Mapping("algebraic:c=0.9")
+    >>> m
+    cubemap.Mapping('algebraic:c=0.9')
+    >>> face, u, v = m.forward([2.0, 0.0], [1.0, -3.0], [0.5, 1.0])
+    >>> face.tolist(), u.round(4).tolist()
+    ([0, 3], [0.6134, 0.0])
+    >>> round(m.forward_distortion(1.0, 0.0, 0.0).isotropy, 9)
+    1.0
     """
 
     _standard = {"frame": "geo", "instructions": None, "tier": "exact", "threads": 1}

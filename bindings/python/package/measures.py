@@ -1,5 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""What a mapping costs in distortion, and how to turn the cube so that what counts suffers least."""
+"""What a mapping costs in distortion, and how to turn the cube so that what counts suffers least.
+
+>>> found = cubemap.statistics("seamless", "area")
+>>> round(found.mean, 6), round(found.maximum / found.minimum, 6)
+(1.0, 1.0)
+>>> cubemap.advise_size("coupled", np.radians(0.1)).pixels
+1093
+>>> land = np.zeros((90, 180), np.float32)
+>>> land[20:40, 60:120] = 1
+>>> one, other = (cubemap.orient_value("coupled", land, rotation) for rotation in ("0,0,0", "0,30,0"))
+>>> one == other
+False
+"""
 
 from __future__ import annotations
 

@@ -1,10 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Octrees: maps of scenes from depth views, what is asked of them, their pictures, and hulls of silhouettes."""
+"""Octrees: maps of scenes from depth views, what is asked of them, their pictures, and hulls of silhouettes.
+
+>>> camera, room = cubemap.Camera(64, 48, 52, 52, 31.5, 23.5), cubemap.Scene.named("room")
+>>> pose = cubemap.Pose.from_quaternion((0, 0, 1.2), (-0.5, 0.5, -0.5, 0.5))  # looks along x
+>>> octree = cubemap.Octree(0.05, far=8.0)
+>>> octree.update(room.render(camera, pose).distance.astype(np.float32), camera, pose)
+>>> [cubemap.STATES[state] for state in octree.at([(1.0, 0, 1.2), (-2, 0, 1.2)], 0).state]
+['free', 'unknown']
+"""
 
 from __future__ import annotations
 
 import ctypes
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,16 +39,16 @@ class Voxels(NamedTuple):
     """Voxels, an array for each of their numbers: the centre x, y, z, edge, the distance of rays and of the nearest, level,
     state (an index of STATES), alpha, whether it has a color, and color (..., 3)."""
 
-    x: object
-    y: object
-    z: object
-    edge: object
-    distance: object
-    level: object
-    state: object
-    alpha: object
-    has_color: object
-    color: object
+    x: Any
+    y: Any
+    z: Any
+    edge: Any
+    distance: Any
+    level: Any
+    state: Any
+    alpha: Any
+    has_color: Any
+    color: Any
 
 
 class OctreeCount(NamedTuple):
@@ -61,7 +69,7 @@ class OctreePicture(NamedTuple):
     depth: np.ndarray | None
 
 
-def _voxels_of(numbers):
+def _voxels_of(numbers: tuple) -> Voxels:
     """What a ufunc writes, without what the function returns: the state or the distance says it."""
     return Voxels(*numbers[:len(Voxels._fields)])
 
@@ -96,6 +104,15 @@ class Octree(OctreeMethods):
     Of points (..., 3), broadcast: m.at(point, level), m.ray(origin, direction, far) and m.nearest(point, radius) give
     Voxels; where there is none, the edge of the first is 0, and the distances of the others are NaN. While a map is changed
     no other thread may use it, and with pages one thread at a time.
+
+    >>> m = cubemap.Octree(0.1)
+    >>> m.update_points((0.0, 0.0, 0.0), [(1.05, 0.05, 0.05)])
+    >>> m
+    <cubemap.Octree of 16 levels, edge 0.1, step 1>
+    >>> round(m.ray((0.05, 0.05, 0.05), (1.0, 0.0, 0.0), 5.0).distance, 6)
+    0.95
+    >>> m.count.occupied
+    1
     """
 
     def __init__(self, edge: float, levels: int = 16, *, centre: ArrayLike = (0.0, 0.0, 0.0), rule: str = "counts",

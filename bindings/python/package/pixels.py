@@ -1,5 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""HEALPix pixels."""
+"""HEALPix pixels.
+
+>>> pixels = cubemap.Healpix(1024)
+>>> pixel = pixels.pixel_from_direction(1.0, 0.2, 0.3)
+>>> pixel
+4511872
+>>> np.round(pixels.direction_from_pixel(pixel), 3).tolist()
+[0.941, 0.188, 0.283]
+"""
 
 from __future__ import annotations
 
@@ -36,6 +44,13 @@ class Healpix(HealpixMethods, Specified):
     """A resolution of HEALPix in an order: Healpix(1024), Healpix(1024, "nested").
 
     What is no point is in the pixel -1, and what is no pixel has the centre NaN. theta is the colatitude; radians.
+
+    >>> h = cubemap.Healpix(64, "nested")
+    >>> h.pixel_count, h.boundary(0, 2).shape
+    (49152, (8, 3))
+    >>> values = np.arange(h.pixel_count, dtype=float)
+    >>> h.regrade(values, cubemap.Healpix(1, "nested"))[:2].tolist()
+    [2047.5, 6143.5]
     """
 
     _standard = {"order": "ring", "instructions": None, "threads": 1}

@@ -2,6 +2,13 @@
 """Drawings of mappings with matplotlib: faces, crosses, meridians and parallels, Tissot's indicatrices.
 
 Each function draws into axes that it is given, or makes a figure, and returns the axes.
+
+>>> import cubemap.plot
+>>> axes = cubemap.plot.indicatrices("coupled", count=5)
+>>> len(axes.collections)
+8
+>>> import matplotlib.pyplot as plt
+>>> plt.close(axes.figure)
 """
 
 from __future__ import annotations

@@ -1,5 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Poses: where cameras are and how they stand, one or arrays of them."""
+"""Poses: where cameras are and how they stand, one or arrays of them.
+
+>>> points = np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
+>>> moved = cubemap.Pose.exp((1.0, 2.0, 3.0, 0.0, 0.0, 0.5)).apply_back(points)
+>>> found = cubemap.align(points, moved)
+>>> found.is_determined, round(found.motion.angle, 12)
+(True, 0.5)
+"""
 
 from __future__ import annotations
 
@@ -25,6 +32,14 @@ class Pose(Specified):
     x_camera = rotation (x_world - position). It stands for the motion from camera to world, as a line of TUM does: a @
     b is b, a pose in the axes of camera a, in a's world. A twist is six numbers, translation first. Arrays of poses
     broadcast as NumPy's.
+
+    >>> turn = cubemap.Pose.from_quaternion((0, 0, 1), (0, 0, np.sqrt(0.5), np.sqrt(0.5)))
+    >>> turn.apply_back((1.0, 0.0, 0.0)).round(12).tolist()
+    [0.0, 1.0, 1.0]
+    >>> (turn @ turn.inverse()).position.round(12).tolist()
+    [0.0, 0.0, 0.0]
+    >>> turn.interpolate(cubemap.Pose(), [0.0, 0.5, 1.0]).angle.round(6).tolist()
+    [1.570796, 0.785398, 0.0]
     """
 
     __array_ufunc__ = None  # an array @ pose is none of NumPy's products

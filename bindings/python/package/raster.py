@@ -1,5 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Triangles, discs and points drawn into any camera, with a z-buffer and ids."""
+"""Triangles, discs and points drawn into any camera, with a z-buffer and ids.
+
+>>> raster = cubemap.Raster(cubemap.Camera(8, 6, 10, 10, 3.5, 2.5))
+>>> raster.points([(0.0, 0.0, 2.0), (0.0, 0.0, 1.0)], first_id=7)
+>>> depth, ids = raster.read()
+>>> np.nanmin(depth).item(), ids[ids != cubemap.NO_ID].tolist()
+(1.0, [8])
+"""
 
 from __future__ import annotations
 
@@ -46,6 +53,11 @@ class Raster:
 
     Triangles, discs and points are of the world, and pose is the camera's: None where the world's axes are the
     camera's. Ids go from first_id on. Several threads of Python may share a canvas: one at a time draws.
+
+    >>> canvas = cubemap.Raster(cubemap.Camera(8, 6, 10, 10, 3.5, 2.5))
+    >>> canvas.triangles([(-9.0, -9.0, 2.0), (9.0, -9.0, 2.0), (0.0, 18.0, 2.0)])
+    >>> np.isnan(canvas.read()[0]).any().item()
+    False
     """
 
     def __init__(self, camera: Camera, nearest: float = 0.0, *, instructions: str | None = None,

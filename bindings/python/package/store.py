@@ -1,5 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Stores: blobs under keys, changed in steps that are whole or not at all."""
+"""Stores: blobs under keys, changed in steps that are whole or not at all.
+
+>>> store = cubemap.Store()
+>>> with store:
+...     store[b"block 7"] = b"some bytes"
+>>> store[b"block 7"], list(store)
+(b'some bytes', [b'block 7'])
+"""
 
 from __future__ import annotations
 
@@ -32,6 +39,14 @@ class Store(MutableMapping):
 
     Keys are 1 to 255 bytes, in the order of bytes. `with store:` commits at its end, or rolls back after an exception.
     Stores in files belong to the programs.
+
+    >>> s = cubemap.Store(kind=3)
+    >>> s[b"key"] = b"kept"
+    >>> s.commit()
+    >>> del s[b"key"]
+    >>> s.rollback()
+    >>> s.get_blob(b"key", kind=3)
+    Blob(data=b'kept', kind=3, version=0)
     """
 
     def __init__(self, *, kind: int = 0, version: int = 0) -> None:

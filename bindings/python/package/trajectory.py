@@ -1,5 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Trajectories: poses in time, how far one is from another, and what an inertial sensor on one measures."""
+"""Trajectories: poses in time, how far one is from another, and what an inertial sensor on one measures.
+
+>>> stamps = np.arange(100) / 10
+>>> truth = cubemap.Trajectory(stamps, cubemap.Pose.exp(np.multiply.outer(stamps, (0.5, 0, 0, 0, 0, 0.1))))
+>>> estimate = cubemap.Trajectory(stamps, truth.poses @ cubemap.Pose(position=(0.01, 0, 0)))
+>>> found = truth.evaluate(estimate)
+>>> found.pairs, found.ate_rmse < 0.01
+(100, True)
+"""
 
 from __future__ import annotations
 
@@ -60,7 +68,7 @@ class Inertial(NamedTuple):
     rate: np.ndarray
 
 
-def _state_of(parts):
+def _state_of(parts: tuple) -> MotionState:
     return MotionState(Pose._make(parts[:2]), *parts[2:])
 
 
@@ -74,6 +82,14 @@ class Trajectory(TrajectoryMethods, Specified):
     poses    a Pose of shape (n,)
 
     t.at(index) gives stamp, rotation and position.
+
+    >>> t = cubemap.Trajectory([0.0, 1.0], cubemap.Pose(position=[(0, 0, 0), (2, 0, 0)]))
+    >>> t
+    <cubemap.Trajectory of 2 poses from 0.0 to 1.0 s>
+    >>> t.interpolate(0.25).position.tolist()
+    [0.5, 0.0, 0.0]
+    >>> t.nearest([0.01, 0.5]).tolist()
+    [0, -1]
     """
 
     def __init__(self, stamps: ArrayLike, poses: Pose) -> None:
@@ -151,6 +167,14 @@ class Motion(MotionMethods, Specified):
     """A trajectory as a curve with continuous acceleration: Motion(trajectory).
 
     m.at(time) gives MotionState, NaN before the first stamp and after the last.
+
+    >>> stamps = np.arange(10) / 10
+    >>> poses = cubemap.Pose(position=np.multiply.outer(stamps, (2.0, 0.0, 0.0)))
+    >>> motion = cubemap.Motion(cubemap.Trajectory(stamps, poses))
+    >>> motion.at(0.45).velocity.round(9).tolist()
+    [2.0, 0.0, 0.0]
+    >>> motion.inertial(200, gravity=(0, 0, -9.81)).acceleration[50].round(6).tolist()
+    [0.0, 0.0, 9.81]
     """
 
     def __init__(self, trajectory: Trajectory) -> None:

@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Worlds of planes, boxes, spheres, cylinders and meshes, and what rays meet among them."""
+"""Worlds of planes, boxes, spheres, cylinders and meshes, and what rays meet among them.
+
+>>> ball = cubemap.Primitive.sphere((3, 0, 1), 0.5, cubemap.Material(reflectance=0.4))
+>>> hit = cubemap.Scene([ball]).cast(0.0, 0.0, 1.0, 1.0, 0.0, 0.0)
+>>> hit.distance, hit.id, hit.reflectance
+(2.5, 0, 0.4)
+"""
 
 from __future__ import annotations
 
 import ctypes
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,12 +34,12 @@ class Hit(NamedTuple):
     """What rays met: distance in lengths of the direction, infinite for nothing; id of the primitive, or NO_ID;
     triangle of its mesh; normal (..., 3) towards the ray's origin, color (..., 3) and reflectance, 0 to 1."""
 
-    distance: object
-    id: object
-    triangle: object
-    normal: object
-    color: object
-    reflectance: object
+    distance: Any
+    id: Any
+    triangle: Any
+    normal: Any
+    color: Any
+    reflectance: Any
 
 
 name_results("cm_scene_cast_array", Hit)
@@ -55,6 +61,12 @@ class Mesh(Specified):
     material   of all triangles
 
     The arrays are copied.
+
+    >>> mesh = cubemap.Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
+    >>> mesh
+    <cubemap.Mesh of 3 vertices and 1 triangles>
+    >>> mesh.bounds[1].tolist()
+    [1.0, 1.0, 0.0]
     """
 
     _standard = {"normal": None, "uv": None, "color": None, "material": Material()}
@@ -196,6 +208,14 @@ class Scene(SceneMethods, Specified):
     threads      the most that cast one array of rays; 0 for all processors. Standard: 1
 
     s.cast(origin_x, origin_y, origin_z, direction_x, direction_y, direction_z) gives Hit.
+
+    >>> room = cubemap.Scene.named("room")
+    >>> len(room.primitives)
+    13
+    >>> camera = cubemap.Camera(64, 48, 52, 52, 31.5, 23.5)
+    >>> seen = room.render(camera, cubemap.Pose(position=(0, 0, 1.2)))
+    >>> seen.distance.shape, bool(np.isfinite(seen.distance).all())
+    ((48, 64), True)
     """
 
     _standard = {"threads": 1}

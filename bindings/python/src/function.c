@@ -50,22 +50,43 @@ union number
     uint64_t unsigned_long;
 };
 
+/* A real number, also from a whole one, as read_number. */
+static int read_real(enum core_type type, PyObject *object, union number *number)
+{
+    double real;
+    if (PyFloat_Check(object))
+    {
+        real = PyFloat_AS_DOUBLE(object);
+    }
+    else if (PyLong_CheckExact(object))
+    {
+        real = PyLong_AsDouble(object);
+        if (real == -1.0 && PyErr_Occurred())
+        {
+            return -1;
+        }
+    }
+    else
+    {
+        return 0;
+    }
+    if (type == CORE_FLOAT)
+    {
+        number->single = (float)real;
+    }
+    else
+    {
+        number->real = real;
+    }
+    return 1;
+}
+
 /* 1; 0 if the object is none of Python's numbers of that kind; -1 with an exception. */
 static int read_number(enum core_type type, PyObject *object, union number *number)
 {
-    if (type == CORE_DOUBLE)
+    if (type == CORE_DOUBLE || type == CORE_FLOAT)
     {
-        if (PyFloat_Check(object))
-        {
-            number->real = PyFloat_AS_DOUBLE(object);
-            return 1;
-        }
-        if (!PyLong_CheckExact(object))
-        {
-            return 0;
-        }
-        number->real = PyLong_AsDouble(object);
-        return number->real == -1.0 && PyErr_Occurred() ? -1 : 1;
+        return read_real(type, object, number);
     }
     if (!PyLong_CheckExact(object))
     {
@@ -384,13 +405,58 @@ static const struct core_function *find_function(const char *name)
     return NULL;
 }
 
-/* What is to be made of a result of several outputs. */
-static void name_result(struct function *self, PyObject *result)
+/* What is to be made of a result of several outputs. 0; -1 with an exception if it is a named tuple of another number of
+ * them, of which some would be no objects, or would be written behind its end. */
+static int name_result(struct function *self, PyObject *result, const struct core_function *row)
 {
     self->result = result == Py_None ? NULL : Py_NewRef(result);
     const int is_tuple =
         PyType_Check(result) && PyType_IsSubtype((PyTypeObject *)result, &PyTuple_Type);
     self->named = is_tuple ? (PyTypeObject *)result : NULL;
+    if (!is_tuple)
+    {
+        return 0;
+    }
+    PyObject *fields = PyObject_GetAttrString(result, "_fields");
+    const Py_ssize_t count = fields ? PyObject_Length(fields) : -1;
+    Py_XDECREF(fields);
+    if (count >= 0 && count != row->outputs)
+    {
+        PyErr_Format(PyExc_TypeError, "result: %R has %zd fields, %s %d outputs", result, count,
+                     row->name, row->outputs);
+    }
+    return count == row->outputs ? 0 : -1;
+}
+
+/* What a function is bound to: options, NULL for none, and a handle, None for none. 0; -1 with an exception. */
+static int read_context(const struct core_function *row, PyObject *options, PyObject *handle,
+                        struct core_context *context)
+{
+    const Py_ssize_t given = options ? PyTuple_GET_SIZE(options) : 0;
+    if (given != row->options)
+    {
+        PyErr_Format(PyExc_TypeError, "%s has %d options, not %zd", row->name, row->options, given);
+        return -1;
+    }
+    for (Py_ssize_t k = 0; k < given; k++)
+    {
+        context->option[k] = PyLong_AsLongLong(PyTuple_GET_ITEM(options, k));
+        if (context->option[k] == -1 && PyErr_Occurred())
+        {
+            return -1;
+        }
+    }
+    if (handle == Py_None)
+    {
+        return 0;
+    }
+    if (!PyObject_TypeCheck(handle, &core_handle_type))
+    {
+        PyErr_Format(PyExc_TypeError, "handle: a Handle, not %R", handle);
+        return -1;
+    }
+    context->handle = ((struct core_handle *)handle)->address;
+    return context->handle ? probe(row, context) : 0;
 }
 
 static PyObject *function_new(PyTypeObject *type, PyObject *args, PyObject *keywords)
@@ -405,42 +471,20 @@ static PyObject *function_new(PyTypeObject *type, PyObject *args, PyObject *keyw
         return NULL;
     }
     const struct core_function *row = find_function(name);
-    if (!row)
+    if (!row || read_context(row, options, handle, &context) != 0)
     {
         return NULL;
     }
-    const Py_ssize_t given = options ? PyTuple_GET_SIZE(options) : 0;
-    if (given != row->options)
-    {
-        return PyErr_Format(PyExc_TypeError, "%s has %d options, not %zd", name, row->options,
-                            given);
-    }
-    for (Py_ssize_t k = 0; k < given; k++)
-    {
-        context.option[k] = PyLong_AsLongLong(PyTuple_GET_ITEM(options, k));
-        if (context.option[k] == -1 && PyErr_Occurred())
-        {
-            return NULL;
-        }
-    }
-    if (handle != Py_None)
-    {
-        if (!PyObject_TypeCheck(handle, &core_handle_type))
-        {
-            return PyErr_Format(PyExc_TypeError, "handle: a Handle, not %R", handle);
-        }
-        context.handle = ((struct core_handle *)handle)->address;
-    }
-    struct function *self = !context.handle || probe(row, &context) == 0
-                                ? (struct function *)type->tp_alloc(type, 0)
-                                : NULL;
+    struct function *self = (struct function *)type->tp_alloc(type, 0);
     if (!self)
     {
         return NULL;
     }
     self->call = function_call;
-    name_result(self, result);
-    self->ufunc = make_ufunc(row, &context, handle, &self->alone);
+    if (name_result(self, result, row) == 0)
+    {
+        self->ufunc = make_ufunc(row, &context, handle, &self->alone);
+    }
     if (!self->ufunc)
     {
         Py_CLEAR(self);

@@ -317,3 +317,22 @@ def test_instruction_sets_agree(points):
         assert np.array_equal(face, found[0][0]) and np.abs(u - found[0][1]).max() < 4 * EPS
     fast = cubemap.Mapping("tangent", tier="fast")
     assert fast.tier in ("fast", "exact")
+
+
+def test_a_named_result_has_as_many_names_as_outputs():
+    """Of another named tuple parts would be no objects, or be written behind its end."""
+    m = cubemap.Mapping()
+    for named in (cubemap.Distortion, cubemap.mapping.Face):
+        with pytest.raises(TypeError, match=f"has {len(named._fields)} fields, cm_forward_array 3 outputs"):
+            _core.Function("cm_forward_array", m._handle, (), 1, named)
+    with pytest.raises(AttributeError, match="_fields"):
+        _core.Function("cm_forward_array", m._handle, (), 1, tuple)
+
+
+@pytest.mark.skipif(not cubemap._library.HAS_SIM, reason="no library cubemap-sim")
+def test_numbers_for_functions_of_float_alone():
+    """Whole ones, too, are read as the numbers that they are."""
+    error = cubemap._methods.depth_error_local
+    assert error(2, 0.5) == error(2.5, 1) == 1.5 and error(2**24 + 1, 1) == 2.0**24 - 1
+    with pytest.raises(OverflowError):
+        error(10**400, 1)

@@ -3,8 +3,12 @@
 
 import ast
 import ctypes
+import doctest
 import importlib
+import importlib.metadata
 import inspect
+import pathlib
+import pkgutil
 import re
 import subprocess
 import sys
@@ -14,8 +18,9 @@ import cubemap
 import cubemap.healpy
 import cubemap.large
 import cubemap.plot
+import numpy as np
 import pytest
-from cubemap import _core, _library
+from cubemap import _core, _library, _method, _methods
 
 
 MODULES = ("cubemap.healpy", "cubemap.large", "cubemap.plot", *(["cubemap.sim"] * _library.HAS_SIM))
@@ -75,14 +80,50 @@ def test_all_that_is_public_says_what_it_is():
     assert not silent
 
 
-def test_types_name_the_methods(root):
-    stubs = ast.parse(open(cubemap._methods.__file__ + "i").read())
+def test_types_name_the_methods():
+    text = pathlib.Path(cubemap._methods.__file__ + "i").read_text()
+    compile(text, "_methods.pyi", "exec")  # which finds names that are there twice, as ast alone does not
+    stubs = ast.parse(text)
     classes = {node.name: {item.name for item in node.body} for node in stubs.body if isinstance(node, ast.ClassDef)}
     assert {"forward", "inverse", "forward_jacobian"} <= classes["MappingMethods"]
     for name, methods in classes.items():
         assert methods == {one for one in vars(getattr(cubemap._methods, name)) if not one.startswith("_")}
+    # what results are made of is in the types, too
+    said = {re.search(r"In C: (\w+),", ast.get_docstring(node))[1]: ast.unparse(node.returns) for node in ast.walk(stubs)
+            if isinstance(node, ast.FunctionDef) and ast.get_docstring(node)}
+    made = {function: getattr(result, "__annotations__", {}).get("return", result.__name__) for function, result in _method._results.items()}
+    assert made.keys() <= said.keys() and {said[function] for function in made} == set(made.values())
+    assert all(said[function] == name for function, name in made.items())
+    forward = [node for node in ast.walk(stubs) if isinstance(node, ast.FunctionDef) and node.name == "forward"]
+    assert ast.unparse(forward[0].returns) == "tuple[int, float, float]" and "NDArray" in ast.unparse(forward[1].returns)
     text = cubemap.Mapping().forward.__doc__
     assert text.startswith("forward(x, y, z, /") and "cm_forward_array" in text and cubemap.Mapping.forward.__doc__ == text
+
+
+def modules():
+    """All that there are, by name, but those that are written by generate.py."""
+    yield "cubemap"
+    for one in pkgutil.iter_modules(cubemap.__path__, "cubemap."):
+        if one.name.split(".")[-1][0] != "_" and (one.name != "cubemap.sim" or _library.HAS_SIM):
+            yield one.name
+            if one.ispkg:
+                inside = importlib.import_module(one.name).__path__
+                yield from (part.name for part in pkgutil.iter_modules(inside, f"{one.name}.") if "._" not in part.name)
+    yield "cubemap._errors"
+
+
+@pytest.mark.parametrize("name", modules())
+def test_examples_of_docstrings_run(name):
+    """Each module has one, and each class that is made by its arguments; they print what stands there."""
+    module = importlib.import_module(name)
+    found = doctest.DocTestFinder().find(module, name, extraglobs={"cubemap": cubemap, "np": np})
+    made = {f"{name}.{one}" for one, value in vars(module).items() if one[0] != "_" and inspect.isclass(value)
+            and value.__module__ == name and "__init__" in vars(value)}
+    assert {*made, *([name] * ("._" not in name))} <= {one.name for one in found if one.examples}
+    runner = doctest.DocTestRunner()
+    for one in found:
+        runner.run(one)
+    assert runner.tries > 0 and runner.failures == 0
 
 
 def code_of(path):
@@ -114,6 +155,15 @@ def test_the_tutorial_draws(root, tmp_path):
         assert plt.imread(tmp_path / name)[..., :3].std() > 0.05, name
 
 
+def test_the_package_has_its_licence(root):
+    try:
+        installed = importlib.metadata.distribution("cubemap").files
+    except importlib.metadata.PackageNotFoundError:
+        pytest.skip("it is no installed package")
+    texts = [file.read_text() for file in installed if file.name == "LICENSE"]
+    assert texts == [(root / "LICENSE").read_text()]
+
+
 def test_further_parts_are_there_without_an_import():
     program = "import cubemap, sys; assert 'matplotlib' not in sys.modules; print(cubemap.healpy.nside2npix(4), cubemap.plot.__name__)"
     ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
@@ -133,6 +183,27 @@ def hinted(names, where):
                 value = getattr(value, "fget", None) or getattr(value, "__func__", value)
                 if inspect.isfunction(value) and value.__module__ == one.__module__ and (member == "__init__" or member[0] != "_"):
                     yield f"{name}.{member}", value
+
+
+@pytest.mark.parametrize("name", ["cubemap", *(["cubemap.sim"] * _library.HAS_SIM)])
+def test_all_names_are_said_to_be_public(name):
+    """For checkers of types an imported name is not, unless __all__ says so."""
+    module = importlib.import_module(name)
+    public = {one for one, value in vars(module).items() if one[0] != "_" and not inspect.ismodule(value)} - {"TYPE_CHECKING"}
+    assert sorted(module.__all__) == sorted(public)
+
+
+def test_checkers_accept_the_documents(root, tmp_path, pytestconfig):
+    if not pytestconfig.getoption("--long"):
+        pytest.skip("of the long run: it reads NumPy's types for many seconds")
+    pages = ["README.md", "bindings/python/README.md", "docs/guide/python.md"]
+    for number, page in enumerate(pages):
+        (tmp_path / f"page{number}.py").write_text("import numpy as np\n" + "\n".join(code_of(root / page)))
+    (tmp_path / "mypy.ini").write_text("[mypy]\nstrict = True\ndisallow_untyped_calls = False\n[mypy-matplotlib.*]\nignore_missing_imports = True\n"
+                                       "[mypy-dask.*]\nimplicit_reexport = True\n")
+    ended = subprocess.run([sys.executable, "-m", "mypy", "--config-file=mypy.ini", *(f"page{number}.py" for number in range(len(pages)))],
+                           capture_output=True, text=True, cwd=tmp_path)
+    assert ended.returncode == 0, ended.stdout + ended.stderr
 
 
 @pytest.mark.parametrize("where", ["cubemap", *MODULES])

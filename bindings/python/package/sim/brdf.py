@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What part of the light from one direction a surface scatters to another."""
+"""What part of the light from one direction a surface scatters to another.
+
+>>> plastic = cubemap.sim.Brdf("cook-torrance", diffuse=0.5, specular=0.4, roughness=0.2, eta=1.5)
+>>> to, away = (0.6, 0.0, 0.8), (-0.6, 0.0, 0.8)  # a mirror's way
+>>> plastic.value((0.0, 0.0, 1.0), to, away) > plastic.value((0.0, 0.0, 1.0), to, to)
+True
+"""
 
 from __future__ import annotations
 
@@ -39,6 +45,12 @@ class Brdf(BrdfMethods, Specified):
     Of directions (..., 3) of length 1 away from the surface: b.value(normal, in, out), b.density(normal, in, out) and
     b.sample_direction(normal, out, u) with u in [0, 1); of angles: b.albedo(theta_in). A Primitive takes it by
     primitive._replace(brdf=b), whose material's reflectance multiplies it.
+
+    >>> b = cubemap.sim.Brdf()
+    >>> round(b.value((0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.6, 0.0, 0.8)) * np.pi, 12)
+    1.0
+    >>> round(b.albedo(0.3), 6)
+    1.0
     """
 
     _standard = {**dict.fromkeys(_FACETS, 0.0), "samples": ()}

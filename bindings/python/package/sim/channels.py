@@ -2,6 +2,16 @@
 """Motion between channels that are taken one after the other, and what makes channels comparable; docs/guide/sim-motion.md.
 
 Pictures are (rows, columns) of float32, flows (rows, columns, 2): columns and rows to where a pixel's content is.
+
+>>> cubemap.sim.compensation_flows("NCM", 4)[0]
+FlowPair(from_frame=0, from_channel=1, to_frame=0, to_channel=0)
+>>> picture = np.zeros((4, 6), np.float32)
+>>> picture[1, 2] = 1
+>>> flow = np.zeros((4, 6, 2), np.float32)
+>>> flow[..., 0] = 1  # all content goes one column to the right
+>>> moved, coverage = cubemap.sim.flow_warp(picture, flow)
+>>> np.argwhere(moved == 1).tolist()
+[[1, 3]]
 """
 
 from __future__ import annotations

@@ -1,5 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""How far depth is from ground truth. Depth and truth are float32 of one shape; what is finite and above 0 is measured."""
+"""How far depth is from ground truth. Depth and truth are float32 of one shape; what is finite and above 0 is measured.
+
+>>> truth = np.full((4, 4), 2.0, np.float32)
+>>> depth = truth + np.float32(0.5)
+>>> depth[0, 0] = np.nan
+>>> found = cubemap.sim.depth_error(depth, truth)
+>>> found.count, found.missing, found.bias
+(15, 1, 0.5)
+>>> cubemap.sim.depth_error_quantiles(depth, truth, [0.0, 1.0]).tolist()
+[0.5, 0.5]
+"""
 
 from __future__ import annotations
 

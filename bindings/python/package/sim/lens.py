@@ -1,5 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Lenses for rasterisers that know only pinholes: vertices moved, or pictures resampled; docs/guide/sim-lens.md."""
+"""Lenses for rasterisers that know only pinholes: vertices moved, or pictures resampled; docs/guide/sim-lens.md.
+
+>>> camera = cubemap.Camera(64, 48, 52, 52, 31.5, 23.5, distortion=(-0.28, 0.07))
+>>> pinhole = cubemap.sim.lens_pinhole(camera)
+>>> pinhole.width > camera.width, pinhole.distortion == (0.0,) * 14
+(True, True)
+>>> cubemap.sim.lens_guard(camera) > 1.1
+True
+"""
 
 from __future__ import annotations
 
@@ -58,6 +66,12 @@ class LensMap:
     threads   the most that work on one picture; 0 for all processors. Standard: 1
 
     Pictures are of pinhole.shape, what comes out of camera.shape.
+
+    >>> lens = cubemap.sim.LensMap(cubemap.Camera(64, 48, 52, 52, 31.5, 23.5, distortion=(-0.28, 0.07)))
+    >>> lens.unfilled
+    0
+    >>> round(lens.depth(np.full(lens.pinhole.shape, 2.0, np.float32)).max().item(), 6)
+    2.0
     """
 
     def __init__(self, camera: Camera, pinhole: Camera | None = None, *, threads: int = 1) -> None:

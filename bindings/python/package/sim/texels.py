@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Texel images: a fine colour picture over a coarse cloud of depths; docs/guide/sim-lens.md."""
+"""Texel images: a fine colour picture over a coarse cloud of depths; docs/guide/sim-lens.md.
+
+>>> options = cubemap.sim.TexelOptions(field=np.radians(40), width=64, height=64, columns=8, rows=8)
+>>> image = cubemap.sim.texel_render(cubemap.Scene.named("room"), cubemap.Pose(position=(0, 0, 1.2)), options)
+>>> image.color.shape, image.depth.shape
+((64, 64, 3), (8, 8))
+"""
 
 from __future__ import annotations
 

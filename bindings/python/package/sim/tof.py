@@ -1,5 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Time-of-flight cameras: sensors, lights, worlds made ready for rays, and their frames; docs/guide/sim.md."""
+"""Time-of-flight cameras: sensors, lights, worlds made ready for rays, and their frames; docs/guide/sim.md.
+
+>>> camera = cubemap.Camera(32, 24, 26, 26, 15.5, 11.5)
+>>> sensor = cubemap.sim.Sensor(camera, pitch=12e-6, f_number=1.0, wavelength=850e-9, efficiency=0.4, exposure=5e-3,
+...                             frequency=20e6, duty=0.5, contrast=0.8)
+>>> sensor.noise_of_distance(40_000.0) < sensor.noise_of_distance(10_000.0)
+True
+>>> sensor._replace(phases=8).images
+8
+"""
 
 from __future__ import annotations
 
@@ -276,6 +285,11 @@ class TofScene(Specified):
     threads   the most that work on one frame; 0 for all processors. Standard: 1; the bits are the same
 
     The camera's trajectory is a Trajectory, a Pose where it stands, or None for the origin along the world's axes.
+
+    >>> scene = cubemap.sim.TofScene(cubemap.Scene([cubemap.Primitive.plane((0, 0, 2), (0, 0, -1))]))
+    >>> truth = scene.find_truth(cubemap.Camera(8, 6, 10, 10, 3.5, 2.5))
+    >>> len(scene), truth.depth.min().item(), truth.depth.max().item()
+    (1, 2.0, 2.0)
     """
 
     _standard = {"threads": 1}
