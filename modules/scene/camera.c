@@ -127,24 +127,39 @@ static void settle_points(const cm_camera *camera, cm_camera_block *block, size_
 }
 
 /* A ray that the loops found, if it is inside; or one that is looked for. */
-static int settle_pixel(const cm_camera *camera, const double aim[2], double slack, double ray[2])
+static int settle_pixel(const cm_camera *camera, const double pixel[2], const double aim[2],
+                        double slack, cm_camera_net *net, double ray[2])
 {
+    const cm_camera_search search = {&camera->lens,        camera->set,      &camera->field, net,
+                                     {pixel[0], pixel[1]}, {aim[0], aim[1]}, slack};
     const cm_camera_reach reach = cm_camera_image_reaches(&camera->image, aim[0], aim[1]);
-    return reach != CM_IMAGE_MISSED &&
-           ((isfinite(ray[0]) &&
-             cm_camera_field_joins(&camera->lens, camera->set, &camera->field, ray[0], ray[1])) ||
-            cm_camera_solve(&camera->lens, camera->set, &camera->field, reach, aim, slack, ray));
+    if (reach == CM_IMAGE_MISSED)
+    {
+        return 0;
+    }
+    const int is_found = isfinite(ray[0]) && cm_camera_field_joins(&camera->lens, camera->set,
+                                                                   &camera->field, ray[0], ray[1]);
+    double other[2];
+    if ((!is_found || cm_camera_is_off(&search, ray)) && cm_camera_solve(&search, reach, other))
+    {
+        ray[0] = other[0];
+        ray[1] = other[1];
+        return 1;
+    }
+    return is_found;
 }
 
-static void settle_pixels(const cm_camera *camera, cm_camera_block *block, size_t count)
+static void settle_pixels(const cm_camera *camera, cm_camera_block *block, size_t count,
+                          cm_camera_net *net)
 {
     for (size_t i = 0; i < count; i++)
     {
         if (block->mark[i] > 1.0)
         {
             double ray[2] = {block->x[i], block->y[i]};
+            const double pixel[2] = {block->column[i], block->row[i]};
             const double aim[2] = {block->aim_x[i], block->aim_y[i]};
-            const int is_ray = settle_pixel(camera, aim, block->slack[i], ray);
+            const int is_ray = settle_pixel(camera, pixel, aim, block->slack[i], net, ray);
             block->x[i] = is_ray ? ray[0] : (double)NAN;
             block->y[i] = is_ray ? ray[1] : (double)NAN;
             block->z[i] = is_ray ? 1.0 : (double)NAN;
@@ -185,6 +200,8 @@ void cm_camera_ray_array(const cm_camera *camera, size_t n, const double *column
         return;
     }
     cm_camera_block block;
+    cm_camera_net net;
+    net.is_made = 0;
     for (size_t done = 0; done < n; done += CM_CAMERA_BLOCK)
     {
         const size_t count = n - done < CM_CAMERA_BLOCK ? n - done : CM_CAMERA_BLOCK;
@@ -193,7 +210,7 @@ void cm_camera_ray_array(const cm_camera *camera, size_t n, const double *column
         if (camera->set->rays(&camera->lens, camera->field.within, camera->field.furthest, &block) >
             0)
         {
-            settle_pixels(camera, &block, count);
+            settle_pixels(camera, &block, count, &net);
         }
         memcpy(x + done, block.x, count * sizeof *x);
         memcpy(y + done, block.y, count * sizeof *y);

@@ -9,8 +9,11 @@
 #define FIRST 1e-4
 #define STEPS_OF_OCTAVE 8
 
-/* Between steps whose signs are above this none goes below 0. */
-#define LOW 0.25
+/* Between steps whose signs are above this none goes below 0. A fold may come and go between two steps: they are looked at
+ * closer around one that is lower than its neighbours, if it is near 0 or by so much of itself. */
+#define LOW 0.6
+#define NEAR 0.25
+#define SHARP 0.2
 
 /* Evaluations between two radii: twice what halving takes. */
 #define STEPS_MOST 200
@@ -163,19 +166,25 @@ static double sign_of(steps *of, size_t step)
     return of->sign[step];
 }
 
-/* The next step whose sign is LOW or less may be this one, or the first of a later block. */
+/* The next step whose sign is LOW or less. */
 static size_t next_low(steps *of, size_t step)
 {
-    while (step < STEPS && (step - of->first) % CM_CAMERA_BLOCK == 0)
+    while (step < STEPS)
     {
         sign_of(of, step);
-        if (of->low[(step - of->first) / CM_CAMERA_BLOCK] > 0)
+        const size_t block = (step - of->first) / CM_CAMERA_BLOCK;
+        const size_t end = of->first + (block + 1) * CM_CAMERA_BLOCK;
+        while (of->low[block] > 0 && step < end)
         {
-            break;
+            if (!(of->sign[step] > LOW))
+            {
+                return step;
+            }
+            step++;
         }
-        step += CM_CAMERA_BLOCK;
+        step = end;
     }
-    return step;
+    return STEPS;
 }
 
 /* The end of what begins beyond a border at one of the steps, or a place before it; nothing where that is NULL. */
@@ -245,6 +254,13 @@ static double near_border(const direction *along, double bad)
     return good > 0.0 ? change_between(along, good, bad) : 0.0;
 }
 
+/* Of three steps, the lowest of which is the middle one. */
+static int is_steep(double before, double sign, double after)
+{
+    return sign < before && sign <= after &&
+           (sign < NEAR || before + after - 2.0 * sign > SHARP * sign);
+}
+
 /* The first border at the steps, and the end of the fold behind it, if that is asked for. */
 static double first_border(steps *of, double *end)
 {
@@ -260,7 +276,7 @@ static double first_border(steps *of, double *end)
         const double sign = sign_of(of, i);
         double bad = radius[i];
         const int is_dip = i > of->first && i + 1 < STEPS && sign > 0.0 && sign < LOW &&
-                           sign < of->sign[i - 1] && sign <= sign_of(of, i + 1);
+                           is_steep(of->sign[i - 1], sign, sign_of(of, i + 1));
         if (is_dip)
         {
             bad = lowest_between(along, radius[i - 1], radius[i + 1]);

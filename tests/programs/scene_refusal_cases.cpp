@@ -311,6 +311,19 @@ void trajectories()
     refuses("too far", "1 1e200 0 1" + ahead + "2.5 0 1e300 1" + ahead, "bad.txt");
 }
 
+// Files that may have no more than so many bytes are as a full disk is: pictures have room, those of --truth have not.
+void full_disks()
+{
+    write_file("few.json",
+               "{\"width\":64,\"height\":48,\"fx\":64,\"fy\":64,\"cx\":31.5,\"cy\":23.5}");
+    write_file("one.txt", "1 0 0 1.2" + ahead);
+    const SizeLimit limit(4096);
+    does("scene render room few.json one.txt -o little --quiet");
+    fails("no room for the truth", 1, "'full/truth/1[.0-9]*exr' cannot",
+          "scene render room few.json one.txt -o full --truth --quiet");
+    result(!std::filesystem::exists("full"), "nothing is left");
+}
+
 } // namespace
 
 const std::vector<Subject> &scene_refusal_subjects()
@@ -320,6 +333,7 @@ const std::vector<Subject> &scene_refusal_subjects()
                                                   {"scene_pictures", refused_pictures},
                                                   {"scene_cameras", cameras},
                                                   {"scene_streams", streams},
-                                                  {"scene_trajectories", trajectories}};
+                                                  {"scene_trajectories", trajectories},
+                                                  {"scene_full_disks", full_disks}};
     return subjects;
 }

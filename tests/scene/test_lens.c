@@ -427,6 +427,140 @@ START_TEST(rays_come_back_where_borders_have_poles)
 }
 END_TEST
 
+/* A ray (a, b, 1), and the lens it is seen through. */
+typedef struct seen_ray
+{
+    double ray[2];
+    double lens[14];
+} seen_ray;
+
+/* A ray goes to a pixel, and that to a ray of the same pixel. */
+static void check_return(const cm_camera *camera, const double ray[3])
+{
+    double pixel[2];
+    double again[3];
+    double there[2];
+    REQUIRE(pixel_of(camera, ray, pixel), "(%.17g, %.17g)", ray[0], ray[1]);
+    REQUIRE(ray_of(camera, pixel, again), "no ray for %.17g %.17g: (%.17g, %.17g)", pixel[0],
+            pixel[1], ray[0], ray[1]);
+    REQUIRE(pixel_of(camera, again, there) && apart(there, pixel) <= 1e-9, "(%.17g, %.17g): %g",
+            ray[0], ray[1], apart(there, pixel));
+}
+
+/* The straight way to these from the axis and those from eight places around leave the field, or the border's image is not
+ * known; that to the last ended far beyond, where pixels are dense. */
+START_TEST(rays_come_back_where_no_way_is_straight)
+{
+    static const seen_ray seen[] = {
+        {{-0.8248, 0.4352}, {0.5613, 0, 0, 0.5259, 0, 0, 0, 0, -0.4718, 0.1565, 0.1294, -0.8511}},
+        {{0.5439, 0.6804},
+         {0, 0, 0, -0.5015, -0.1955, 0.02633, -0.4302, 0, 0.1535, 0.2204, 0, -0.5745}},
+        {{-0.2661, 1.423},
+         {0, -0.1783, 0, -0.6521, 0, 0, 0, -0.07616, -0.2301, 0.6303, 0, -0.3224}},
+        {{0.6031, 1.172}, {0, 0, -0.2656, 0.2373, -0.3071, 0, 0, 0, -0.1505, 0, 0, 0.555}},
+        {{0.498, -1.305},
+         {0, -0.1402, 0.3079, 0.4442, 0, -0.2443, 0, 0, 0.07218, -0.2762, -0.1899}},
+        {{-1.447, -0.5284},
+         {-0.5183, -0.3821, -0.4662, -0.3016, 0.07712, -0.2818, 0, 0, 0.1229, -0.6564}},
+        {{1.097, 1.16},
+         {-0.2569, -0.2951, 0.2278, 0, 0, 0.002518, 0, -0.004966, 0.198, 0.2086, 0, 0.0839}},
+        {{-0.8381, -0.6296},
+         {0, -0.5389, 0.2439, -0.05999, -0.08491, 0, -0.2097, 0.2931, 0, -0.005814, -0.06559,
+          -0.5604, 0.009064, -0.08855}},
+        {{-0.8896, -0.6174},
+         {0, 0.09109, 0, 0.4733, -0.3077, -0.03733, -0.07454, -0.094, 0, -0.5499, 0, 0.03466, 0,
+          0.06657}},
+        {{-0.03347, 0.3748},
+         {-0.4238, 1.26, 0, 0.2401, 0, 0, 0.9117, 0, -1.285, -0.4502, 0.9673, -0.5369}}};
+    for (size_t i = 0; i < sizeof seen / sizeof *seen; i++)
+    {
+        cm_camera *camera = make_distorted(500.0, seen[i].lens);
+        check_return(camera, (const double[3]){seen[i].ray[0], seen[i].ray[1], 1.0});
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
+/* Rays in the picture, nearly up to the border. */
+static int check_drawn_rays(const cm_camera *camera, int count)
+{
+    int seen = 0;
+    for (int i = 0; i < count; i++)
+    {
+        const double ray[3] = {uniform(-1.5, 1.5), uniform(-1.5, 1.5), 1.0};
+        const double border = cm_camera_border(camera, atan2(ray[1], ray[0]));
+        double pixel[2];
+        if (hypot(ray[0], ray[1]) < 0.999 * border && pixel_of(camera, ray, pixel) &&
+            pixel[0] > 0.0 && pixel[0] < 640.0 && pixel[1] > 0.0 && pixel[1] < 480.0)
+        {
+            check_return(camera, ray);
+            seen++;
+        }
+    }
+    return seen;
+}
+
+/* Lenses as no calibration gives them. */
+START_TEST(rays_of_drawn_lenses_come_back)
+{
+    const int lenses = is_quick() ? 15 : 60;
+    int seen = 0;
+    state = 11;
+    for (int i = 0; i < lenses; i++)
+    {
+        double lens[14] = {-0.5146, 0, 0.4088, 0,       -0.11,    0,
+                           0,       0, 0.3353, -0.7681, -0.03558, 0.06125};
+        for (int k = 0; k < 14 && i > 0; k++)
+        {
+            const double most = k < 12 ? uniform(-1.0, 1.0) : uniform(-0.2, 0.2);
+            lens[k] = uniform(0.0, 1.0) < 0.35 ? 0.0 : most * uniform(0.0, 1.0);
+        }
+        cm_camera *camera = make_distorted(500.0, lens);
+        seen += check_drawn_rays(camera, i > 0 ? 100 : 2000);
+        cm_camera_destroy(camera);
+    }
+    REQUIRE(seen > 10 * lenses, "%d", seen);
+}
+END_TEST
+
+/* A fold that comes and goes between two of the steps at which a direction is looked at ends the field, too. */
+START_TEST(narrow_folds_end_the_field)
+{
+    static const seen_ray folded[] = {
+        {{1.144, 0.6658},
+         {0.5287, 0, -0.1601, 0.1893, -0.2894, -0.2689, 0.03905, 0, -0.2241, 0, -0.04954, 0.9267}},
+        {{1.337, 1.04},
+         {0.3687, -0.3758, 0.5168, 0.701, 0, -0.1416, 0, 0, 0, 0.04515, -0.1087, 0.8818, 0,
+          -0.004003}},
+        {{-1.018, -0.2657},
+         {0.7308, 0.9458, -0.8925, 0, -2.15, 2.923e-05, 0, 0, -1.102, -0.3256, 0.6719, 0.2927}},
+        {{-0.5958, 1.176},
+         {1.329, -0.3411, 0, 0, -0.4073, 0, 0.1054, 0, -0.8724, 0, 1.732, 0.4281}},
+        {{1.144, 0.6658},
+         {0.5287, 0, -0.1601, 0.1893, -0.2894, -0.2689, 0.03905, 0, -0.2241, 0, -0.04954, 0.9267}},
+        {{-0.1496, -1.452},
+         {-0.5545, 0.3057, -0.5848, 0.05878, -0.2626, 0, 0, 0, 0.001349, -0.2122, 0.6355, -0.6213}},
+        {{-0.4311, -1.355},
+         {-0.5545, 0.3057, -0.5848, 0.05878, -0.2626, 0, 0, 0, 0.001349, -0.2122, 0.6355, -0.6213}},
+        {{-0.08295, 1.221},
+         {0.3785, 0.3809, 0.621, 0, -0.1185, -0.709, -0.1384, 0.4333, 0.04163, -0.09932, 0,
+          0.1002}},
+        {{-1.181, 0.7993},
+         {0.6954, 0.03071, -0.1078, -0.423, -0.2598, 0, -0.04782, 0, -0.3952, 0.2476, 0, 0.6713}}};
+    for (size_t i = 0; i < sizeof folded / sizeof *folded; i++)
+    {
+        cm_camera *camera = make_distorted(500.0, folded[i].lens);
+        const double point[3] = {folded[i].ray[0], folded[i].ray[1], 1.0};
+        const double border = cm_camera_border(camera, atan2(point[1], point[0]));
+        double pixel[2];
+        ck_assert(!(determinant(folded[i].lens, point[0], point[1]) > 0));
+        REQUIRE(border < hypot(point[0], point[1]), "%zu: %g", i, border);
+        REQUIRE(!pixel_of(camera, point, pixel), "%zu: %g %g", i, pixel[0], pixel[1]);
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
 /* Ten rounds of a fixed point, which undistortPoints does by default, are not enough beside a fold, and diverge where
  * distortion is strong (opencv#27916, #6091; kornia#4285). */
 START_TEST(fixed_points_fail_where_newton_does_not)
@@ -502,6 +636,9 @@ int main(void)
                                   poles_may_be_next_to_the_axis,
                                   one_side_may_fold,
                                   rays_come_back_where_borders_have_poles,
+                                  rays_come_back_where_no_way_is_straight,
+                                  rays_of_drawn_lenses_come_back,
+                                  narrow_folds_end_the_field,
                                   fixed_points_fail_where_newton_does_not,
                                   solid_angles_are_those_of_small_squares,
                                   NULL};

@@ -374,6 +374,29 @@ START_TEST(numbers_that_cannot_be_read_are_refused)
 }
 END_TEST
 
+/* A text of which the reader knows what another one does not. */
+START_TEST(texts_of_odd_shapes_are_read_or_told)
+{
+    enum
+    {
+        DEEP = 1001
+    };
+    write_bytes("square.bin", &square, sizeof square);
+    /* the last of two members of a name counts */
+    write_gltf("twice.gltf", "{\"mesh\":-1,\"mesh\":7,\"mesh\":0}", INDEXED, BUFFER);
+    cm_mesh_destroy(read_good("twice.gltf"));
+    write_gltf("twice.gltf", "{\"mesh\":0,\n\"mesh\":-7}", INDEXED, BUFFER);
+    refused("twice.gltf", CM_ERROR_DATA, ":2: has node 0, whose mesh is -7, not a whole");
+    char node[2 * DEEP + 40] = "{\"mesh\":0,\n\"extras\":";
+    const size_t begin = strlen(node);
+    memset(node + begin, '[', DEEP);
+    memset(node + begin + DEEP, ']', DEEP);
+    strcpy(node + begin + (size_t)2 * DEEP, "}");
+    write_gltf("nested.gltf", node, INDEXED, BUFFER);
+    refused("nested.gltf", CM_ERROR_DATA, ":2: has JSON of more than 1000 lists and objects");
+}
+END_TEST
+
 /* So many nodes, each within the one before, that the reader's stack ends. */
 START_TEST(a_reader_that_crashes_is_one_line)
 {
@@ -429,6 +452,7 @@ int main(void)
                                   views_stay_in_their_buffers,
                                   nodes_have_all_their_numbers,
                                   numbers_that_cannot_be_read_are_refused,
+                                  texts_of_odd_shapes_are_read_or_told,
                                   a_reader_that_crashes_is_one_line,
                                   a_reader_is_stopped_at_its_limits,
                                   NULL};

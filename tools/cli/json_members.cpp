@@ -54,11 +54,11 @@ void JsonPlace::fail(const cJSON *item, const std::string &what) const
 
 JsonPointer parse_json_file(const std::string &name, std::string_view text)
 {
-    std::size_t line = 0;
-    JsonPointer made = parse_json_object(text, line);
+    JsonFault fault;
+    JsonPointer made = parse_json_object(text, fault);
     if (made == nullptr)
     {
-        throw Failure(in_quotes(name) + ":" + std::to_string(line) + ": is no JSON object");
+        throw Failure(in_quotes(name) + ":" + std::to_string(fault.line) + ": " + fault.what);
     }
     return made;
 }

@@ -190,6 +190,26 @@ void check_room(const RenderOptions &options, const cm_camera_options &shape)
                  options.truth ? "; without --truth it needs less" : "");
 }
 
+// Does what may fail with a name in the folder in the making; the failure tells the name that was asked for.
+template <typename Body>
+void by_its_name(const std::string &making, const std::string &asked, const Body &body)
+{
+    try
+    {
+        body();
+    }
+    catch (const Failure &failure)
+    {
+        std::string text = failure.what();
+        for (std::size_t at = 0; (at = text.find(making, at)) != std::string::npos;
+             at += asked.size())
+        {
+            text.replace(at, making.size(), asked);
+        }
+        throw Failure(text, failure.exit_status());
+    }
+}
+
 int render(const RenderOptions &options, const cm_streams &streams)
 {
     const int threads = thread_count(options.threads);
@@ -207,10 +227,11 @@ int render(const RenderOptions &options, const cm_streams &streams)
     check_room(options, shape);
     const SequenceWriterPointer writer =
         create_sequence(options.output, CM_SEQUENCE_TUM, camera.camera.get(), camera.depth_scale);
-    const std::string truth = std::string(cm_sequence_writer_folder(writer.get())) + "/truth";
+    const std::string folder = cm_sequence_writer_folder(writer.get());
+    const std::string truth = folder + "/truth";
     if (options.truth)
     {
-        make_folder(truth);
+        by_its_name(folder, options.output, [&] { make_folder(truth); });
     }
     SceneView pictures = empty_view(making);
     {
@@ -224,8 +245,9 @@ int render(const RenderOptions &options, const cm_streams &streams)
             check_scene(cm_sequence_write(writer.get(), &view, nullptr, message), message);
             if (options.truth)
             {
-                write_truth(truth + "/" + time_text(poses.time[i]) + ".exr", shape, pictures,
-                            threads);
+                const std::string name = truth + "/" + time_text(poses.time[i]) + ".exr";
+                by_its_name(folder, options.output,
+                            [&] { write_truth(name, shape, pictures, threads); });
             }
         }
     }

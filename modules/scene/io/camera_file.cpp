@@ -38,11 +38,11 @@ class CameraText
 public:
     CameraText(const std::string &file_name, std::string_view whole) : name(file_name), text(whole)
     {
-        std::size_t line = 0;
-        object = parse_json_object(text, line);
+        JsonFault fault;
+        object = parse_json_object(text, fault);
         if (!object)
         {
-            fail_line(name, line, "is no JSON object");
+            fail_line(name, fault.line, fault.what);
         }
     }
 

@@ -4,6 +4,7 @@
 
 #include "file_failure.hpp"
 #include "flat_mesh.hpp"
+#include "modules/image/io/file_words.h"
 #include "parsed_json.hpp"
 
 #include <cstdint>
@@ -24,6 +25,7 @@ std::string_view text_of(std::string_view bytes)
     }
     std::uint32_t length = 0;
     std::memcpy(&length, bytes.data() + 12, sizeof length);
+    cm_file_order(&length, 1, sizeof length, true);
     return bytes.substr(begin, length);
 }
 
@@ -37,13 +39,13 @@ public:
 
     void check() const
     {
-        std::size_t line = 0;
-        const JsonPointer json = parse_json_object(text, line);
+        JsonFault fault;
+        const JsonPointer json = parse_json_object(text, fault);
         root = json.get();
         if (root == nullptr)
         {
-            throw MeshFailure((is_text ? ":" + std::to_string(line) + ": " : "") +
-                              "is no JSON object");
+            throw MeshFailure((is_text ? ":" + std::to_string(fault.line) + ": " : "") +
+                              fault.what);
         }
         whole(root, "a root", "scene", model.defaultScene);
         check_each("scenes", "scene ", model.scenes, &GltfText::check_scene);
@@ -55,9 +57,17 @@ public:
     }
 
 private:
+    // The last of that name, as tinygltf has it.
     static const cJSON *member(const cJSON *object, const char *key)
     {
-        return cJSON_GetObjectItemCaseSensitive(object, key);
+        const cJSON *last = nullptr;
+        const bool has_members = cJSON_IsObject(object);
+        for (const cJSON *item = has_members ? object->child : nullptr; item != nullptr;
+             item = item->next)
+        {
+            last = std::strcmp(item->string, key) == 0 ? item : last;
+        }
+        return last;
     }
 
     [[noreturn]] void fail(const cJSON *item, const std::string &who, const char *key,

@@ -83,6 +83,21 @@ bool is_key(std::string_view text, std::size_t end)
     return end < text.size() && text[end] == ':';
 }
 
+// Is something within more lists and objects than cJSON reads?
+bool is_too_deep(std::string_view text)
+{
+    std::size_t depth = 0;
+    std::size_t place = 0;
+    while (place < text.size() && depth <= CJSON_NESTING_LIMIT)
+    {
+        const char letter = text[place];
+        depth += letter == '{' || letter == '[' ? 1 : 0;
+        depth -= (letter == '}' || letter == ']') && depth > 0 ? 1 : 0;
+        place = letter == '"' ? end_of_word(text, place) : place + 1;
+    }
+    return depth > CJSON_NESTING_LIMIT;
+}
+
 // Where the item with this number begins, or its key.
 std::size_t place_of_item(std::string_view text, std::size_t number)
 {
@@ -128,7 +143,7 @@ std::size_t line_of_place(std::string_view text, std::size_t place)
     return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
 }
 
-JsonPointer parse_json_object(std::string_view text, std::size_t &line)
+JsonPointer parse_json_object(std::string_view text, JsonFault &fault)
 {
     note_memory_of_json();
     json_starved = false;
@@ -144,6 +159,10 @@ JsonPointer parse_json_object(std::string_view text, std::size_t &line)
     {
         return json;
     }
-    line = line_of_place(text, json == nullptr ? place : more == text.size() ? 0 : more);
+    fault.what = json == nullptr && is_too_deep(text.substr(0, place + 1))
+                     ? "has JSON of more than " + std::to_string(CJSON_NESTING_LIMIT) +
+                           " lists and objects within each other, which is not read"
+                     : "is no JSON object";
+    fault.line = line_of_place(text, json == nullptr ? place : more == text.size() ? 0 : more);
     return JsonPointer(nullptr, cJSON_Delete);
 }
