@@ -176,6 +176,24 @@ void told_surfaces()
            ran.err + ran.out);
 }
 
+// Faces of a texture are turned as its format has them, whatever the mapping.
+void faces_of_textures()
+{
+    does("reproject --quiet --filter bspline5 --to cube:gnomonic --size 64 " + source_tree() +
+         "/tests/programs/golden/earth-64.png sky.dds");
+    does("reproject --quiet --filter bspline5 --to equirect --size 64 sky.dds sky.png");
+    const auto noise = [](const std::string &options)
+    {
+        return number_behind(does("compare --json -m psnr " + options + " sky.png sky.dds").out,
+                             "\"psnr\": ");
+    };
+    const double untold = noise("");
+    result(untold > 25, "six faces of a texture", std::to_string(untold));
+    near("and what an option says is the same", noise("--surface cube:gnomonic"), untold, 1e-9);
+    fails("no such faces", 2, "--surface: 'equirect', but 'sky.dds' is 64 x 64 with 4 channels: ",
+          "compare --surface equirect sky.png sky.dds");
+}
+
 void untold_faces()
 {
     make_direction_image(equirect_shape, 64, "world.tif");
@@ -296,9 +314,10 @@ void wrong_comparisons()
 const std::vector<Subject> &compare_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"compare_constants", constants}, {"compare_areas", areas},
-        {"compare_surfaces", surfaces},   {"compare_range", high_dynamic_range},
-        {"compare_told", told_surfaces},  {"compare_untold", untold_faces},
-        {"compare_pictures", pictures},   {"compare_wrong", wrong_comparisons}};
+        {"compare_constants", constants},    {"compare_areas", areas},
+        {"compare_surfaces", surfaces},      {"compare_range", high_dynamic_range},
+        {"compare_told", told_surfaces},     {"compare_textures", faces_of_textures},
+        {"compare_untold", untold_faces},    {"compare_pictures", pictures},
+        {"compare_wrong", wrong_comparisons}};
     return subjects;
 }

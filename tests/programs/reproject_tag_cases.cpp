@@ -98,6 +98,42 @@ void tags_in_headers()
            "a tag that comes through a pipe", piped.out + piped.err);
 }
 
+// A tag is read whole or not at all, from a file and through a pipe alike, whatever stands before it.
+void tags_behind_comments()
+{
+    const std::string tag = "# cubemap:surface=equirect;west=0;east=170;south=-90;north=90\n";
+    const std::string there = "\\(equirect;west=0;east=170 32x16,";
+    const std::string pixels(std::size_t{32} * 16 * 3, 'x');
+    const std::string comments[] = {"", "\n", "# " + std::string(10000, '-') + "\n"};
+    for (const std::string &before : comments)
+    {
+        const std::string picture = "P6\n" + before + tag + "32 16\n255\n" + pixels;
+        write_file("comment.ppm", picture);
+        const std::string name = " behind " + std::to_string(before.size()) + " bytes";
+        says("a tag of a file" + name, there, "reproject comment.ppm back_%f.png");
+        const Ran piped = run_with_input(picture, "reproject --layout 3x2 - back.png");
+        result(matches(piped.out, there), "a tag of a pipe" + name, piped.out + piped.err);
+    }
+    bool whole = true;
+    for (std::size_t size = 940; size < 1030; size += 8)
+    {
+        const Ran piped = run_with_input("P6\n# cubemap:note=" + std::string(size, '-') + "\n" +
+                                             tag + "32 16\n255\n" + pixels,
+                                         "reproject --layout 3x2 - back.png");
+        whole = whole && (matches(piped.out, there) || matches(piped.out, "\\(equirect 32x16,"));
+    }
+    result(whole, "a tag that does not fit is none");
+    // of more lines, or longer ones, the image library reads no header
+    for (const std::size_t size : {std::size_t{1000}, std::size_t{9000}})
+    {
+        write_file("light.hdr", "#?RADIANCE\n# " + std::string(size, '-') + "\n" + tag +
+                                    "FORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n" +
+                                    std::string(std::size_t{32} * 16 * 4, '\x40'));
+        says("a tag of Radiance behind " + std::to_string(size) + " bytes", there,
+             "reproject light.hdr back_%f.png");
+    }
+}
+
 void photo_spheres()
 {
     make_constant(40, 20, 3, "uint8", 0.5f, "part.jpg",
@@ -259,6 +295,23 @@ void unknown_units()
                {doubles(33550, {1, 1, 0}), doubles(33922, {0, 0, 0, 0, 0, 0})});
     says("numbers of pixels place nothing", "^pixels\\.tif \\(equirect 8x4,",
          nearest + "pixels.tif out.tif");
+    const std::string ignored = "; they are ignored, unless --from says what it covers";
+    const std::string plainly = "reproject --quiet --layout 3x2 ";
+    write_tiff("low.tif", 200, 100, std::vector<float>(20000, 0.5f),
+               {doubles(33550, {1, 1, 0}), doubles(33922, {0, 0, 0, 0, 100, 0})});
+    warns("pixels that are counted from the bottom", "coordinates of pixels.*" + ignored,
+          plainly + "low.tif out.tif");
+    write_tiff("up.tif", 8, 4, pixels,
+               {doubles(34264, {100, 0, 0, 4e5, 0, 100, 0, 5e6, 0, 0, 0, 0, 0, 0, 0, 1})});
+    const Ran up = warns("rows that go up", "'up.tif' has coordinates that go up.*" + ignored,
+                         "reproject --layout 3x2 up.tif out.tif");
+    result(matches(up.out, "^up\\.tif \\(equirect 8x4,"), "are no geography", up.out);
+    write_tiff("east.tif", 8, 4, pixels,
+               {doubles(33550, {45, 45, 0}), doubles(33922, {0, 0, 0, 0, 90, 0})});
+    says("degrees of the whole sphere from 0 to 360",
+         "^east\\.tif \\(equirect;west=0;east=360 8x4,", "reproject --layout 3x2 east.tif out.tif");
+    fails("metres", 1, "give it the system that they are of \\(gdal_edit.py -a_srs EPSG:CODE\\)",
+          "reproject far.tif made/a.tif");
     write_tagged("same.tif",
                  "cubemap:surface=equirect;west=20;east=100;south=10;north=50;size=8;height=4",
                  {part_scale, part_tie});
@@ -267,6 +320,14 @@ void unknown_units()
     write_tagged("other.tif", "cubemap:surface=equirect;size=8;height=4", {part_scale, part_tie});
     fails("but not that they are others", 1, "without a system of coordinates",
           "reproject other.tif made/a.tif");
+}
+
+void missing_faces()
+{
+    make_noise(32, 32, "face_0.ppm");
+    fails("a name with %f of what is said to be one image", 1,
+          "but 'face_0.ppm' is; --from says that it is one image; layout=faces stands for six",
+          "reproject --from cube;layout=cross face_%f.ppm made/a.png");
 }
 
 // Of a tag whose size is not the picture's.
@@ -422,6 +483,8 @@ void virtual_rasters()
                   "");
     says("another body", "^moon\\.vrt \\(equirect;west=20;.*, 1 channel, uint16\\)",
          nearest + "moon.vrt out.png");
+    says("of 16 bits are compared, too", "^maximum  *0 grey levels",
+         "compare -m max --surface equirect;west=20;east=100;south=10;north=50 moon.vrt moon.vrt");
     write_virtual("turned.vrt", "EPSG:4326", "20, 5, 5, 50, 5, -5", "Byte", "");
     says("turned rasters", "^turned\\.vrt \\(equirect;west=", nearest + "turned.vrt out.png");
     write_virtual("none.vrt", "EPSG:4326", degrees, "Float32", "<NoDataValue>72</NoDataValue>");
@@ -487,6 +550,14 @@ void rasters()
               check_pixel("part.tif", 4, 11, {0});
               check_pixel("part.tif", 15, 4, {0});
           });
+    write_tiff("plain.tif", 32, 16, std::vector<float>(std::size_t{32} * 16, 0.5f));
+    for (const std::string other : {"utm.tif", "plain.tif"})
+    {
+        passes("rasters of one size are compared as they stand, in metres, too: " + other,
+               "compare --max 0 utm.tif " + other);
+    }
+    says("on the sphere where they are", "^maximum  *0\\.?[0-9]* ",
+         "compare -m max --reference-surface " + part + " part.tif utm.tif");
     std::string pixels;
     for (int i = 0; i < 32; ++i)
     {
@@ -500,6 +571,8 @@ void rasters()
     says("a format of GDAL alone",
          "^area\\.img \\(equirect;west=20;east=100;south=10;north=50 8x4, 1 channel, uint8\\)",
          "reproject --to equirect --size 36 --filter nearest area.img whole.png");
+    says("which are compared, too", "^maximum  *0 grey levels",
+         "compare -m max --surface equirect;west=20;east=100;south=10;north=50 area.img area.img");
     holds("and its pixels", [] { check_pixel("whole.png", 18 + 3, 5, {8 * 9 / 255.0}); });
     virtual_rasters();
     write_file("no.img", "nothing");
@@ -578,6 +651,8 @@ const std::vector<Subject> &reproject_tag_subjects()
                                                   {"tags_in_headers", tags_in_headers},
                                                   {"photo_spheres", photo_spheres},
                                                   {"georeferences", georeferences},
+                                                  {"missing_faces", missing_faces},
+                                                  {"tags_behind_comments", tags_behind_comments},
                                                   {"contradicted_tags", contradicted_tags},
                                                   {"agreeing_tags", agreeing_tags},
                                                   {"unknown_units", unknown_units},

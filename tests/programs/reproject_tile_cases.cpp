@@ -288,11 +288,29 @@ void parts_refused()
           "reproject --parts noise.ppm made/a.exr");
 }
 
+// As long as INPUT is not read there is nothing that a signal would have to remove: signals act as ever.
+void nothing_before_input()
+{
+    make_noise(64, 32, "noise.ppm");
+    does("reproject --quiet --to equirect noise.ppm whole.hdr");
+    const std::string whole = content_of("whole.hdr");
+    write_file("cut.hdr", whole.substr(0, whole.size() / 2));
+    std::filesystem::create_directory("here");
+    const auto before = std::filesystem::last_write_time("here");
+    fails("INPUT that ends too early", 1, "is damaged or ends too early",
+          "reproject --size 64 --order 0 cut.hdr here/tiles/");
+    result(std::filesystem::last_write_time("here") == before,
+           "no folder of tiles before INPUT is read");
+    fails("a folder that is not there is told before", 1, "folder 'nowhere': No such file",
+          "reproject --size 64 --order 0 cut.hdr nowhere/tiles/");
+}
+
 } // namespace
 
 const std::vector<Subject> &reproject_tile_subjects()
 {
-    static const std::vector<Subject> subjects = {{"tiles", tiles},
+    static const std::vector<Subject> subjects = {{"nothing_before_input", nothing_before_input},
+                                                  {"tiles", tiles},
                                                   {"tile_formats", tile_formats},
                                                   {"parts", parts},
                                                   {"parts_of_others", parts_of_others},

@@ -3,7 +3,7 @@
 #include "picture_stream.hpp"
 #include "program.hpp"
 
-#include "modules/image/io/header_lines.h"
+#include "modules/image/io/header_tags.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -30,7 +30,7 @@ struct StreamPicture
     cm_image_description description = {};
     std::vector<std::string> names;
     std::vector<const char *> name_pointers;
-    std::vector<std::pair<std::string, std::string>> own_tags;
+    HeaderTags own_tags;
     std::vector<cm_image_tag> tags;
     std::uint32_t next_row = 0;
     std::vector<unsigned char> whole; // of what does not come from the top, row by row
@@ -196,13 +196,7 @@ void describe_picture(const cm_pnm_picture &found, bool alpha, StreamPicture &pi
 // Those that files have in comments.
 void describe_tags(const cm_pnm_reader &reader, StreamPicture &picture)
 {
-    const char *at = reader.header;
-    cm_header_line line;
-    while (cm_header_lines_next(&at, reader.header + reader.header_size, &line))
-    {
-        picture.own_tags.emplace_back(std::string(line.key, line.key_size),
-                                      std::string(line.value, line.value_size));
-    }
+    picture.own_tags = header_tags(reader.header, reader.header + reader.header_size);
     for (const auto &[key, text] : picture.own_tags)
     {
         picture.tags.push_back({key.c_str(), text.c_str(), nullptr, nullptr, 0});

@@ -199,6 +199,11 @@ Pictures read_pictures(const std::string &reference, const std::string &picture,
     ComparedFiles a(reference, "--reference-surface", surfaces.reference);
     ComparedFiles b(picture, "--surface", surfaces.picture);
     const bool on_sphere = are_on_sphere(a, b, surfaces);
+    if (on_sphere)
+    {
+        a.open_placed();
+        b.open_placed();
+    }
     check_alike(a, b, on_sphere);
     Pictures pictures;
     pictures.reference_name = reference;

@@ -19,6 +19,7 @@ SphereOptions asked(const std::string &name, const std::string &option,
     options.from.specification =
         names_faces(name) ? specification : without_key(specification, "layout");
     options.option = option;
+    options.as_it_stands = true;
     return options;
 }
 
@@ -81,6 +82,11 @@ bool ComparedFiles::is_told() const
     return files.is_told();
 }
 
+void ComparedFiles::open_placed()
+{
+    files.open_placed();
+}
+
 std::string ComparedFiles::told() const
 {
     const std::optional<SavedSurface> saved = saved_surface(files.files().front());
@@ -104,8 +110,8 @@ ComparedFiles::made(const std::string &text, const std::optional<cm_rotation> &r
     SurfacePointer surface = make_surface(text, width(), height(), rotation, message);
     if (!surface)
     {
-        throw UsageFailure(option + ": " + in_quotes(text) + ", with " + size_text() + ": " +
-                           message);
+        throw UsageFailure(option + ": " + in_quotes(specification.empty() ? text : specification) +
+                           ", but " + size_text() + ": " + message);
     }
     if (cm_surface_picture_count(surface.get()) != 1)
     {
@@ -120,9 +126,14 @@ std::shared_ptr<const cm_surface> ComparedFiles::surface()
 {
     if (!specification.empty())
     {
-        return made(is_six() ? as_strip(specification) : specification, {});
+        const std::shared_ptr<const cm_surface> said =
+            made(is_six() ? as_strip(specification) : specification, {});
+        if (!is_six())
+        {
+            return said;
+        }
     }
-    if (!is_told() && (is_six() || width() != 2 * height()))
+    else if (!is_told() && (is_six() || width() != 2 * height()))
     {
         throw UsageFailure(option + " is missing: " + size_text() +
                            ", which may be any map of the sphere");

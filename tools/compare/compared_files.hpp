@@ -30,6 +30,9 @@ public:
     bool is_six() const;
     bool is_told() const;
 
+    // For a comparison on the sphere: a raster is warped to where it is. Failure if it cannot be.
+    void open_placed();
+
     // The kind of surface that the files tell, which pictures have in common that may be compared as they stand: a cube
     // with its mapping, frame and layout; "": none.
     std::string told() const;

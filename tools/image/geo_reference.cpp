@@ -86,9 +86,13 @@ Bounds bounds_of(const cm_image_geo_tags &tags)
     if (tags.transformation_count == 16)
     {
         const double *const m = tags.transformation;
-        if (m[1] != 0 || m[4] != 0 || !(m[0] > 0) || !(m[5] < 0))
+        if (m[1] != 0 || m[4] != 0)
         {
             throw PlacedOtherwise{"turned or mirrored"};
+        }
+        if (!(m[0] > 0) || !(m[5] < 0))
+        {
+            throw PlacedOtherwise{"mirrored"};
         }
         return {m[3] - half * m[0], m[7] - half * m[5], m[0], -m[5]};
     }
@@ -148,28 +152,54 @@ std::string in_web_metres(const ImageFile &image, const Bounds &at)
 namespace
 {
 
-// Numbers that only count pixels place nothing: those of writers that fill in the tags always.
-bool counts_pixels(const cm_image_geo_tags &tags)
+// Do rows go up, as those of drawings do and those of maps do not?
+bool goes_up(const cm_image_geo_tags &tags)
 {
-    const double *const tie = tags.tie_points;
-    return tags.transformation_count == 0 && tags.scale_count >= 2 && tags.tie_point_count == 6 &&
-           tags.scale[0] == 1 && tags.scale[1] == 1 &&
-           std::all_of(tie, tie + 6, [](double value) { return value == 0; });
+    const double *const m = tags.transformation;
+    return tags.transformation_count == 16 ? m[1] == 0 && m[4] == 0 && m[0] > 0 && m[5] > 0
+                                           : tags.tie_point_count == 6 && tags.scale_count >= 2 &&
+                                                 tags.scale[0] > 0 && tags.scale[1] < 0;
+}
+
+// Numbers that only count pixels, from the top or the bottom: those of writers that fill in the tags always.
+bool counts_pixels(const ImageFile &image, const Bounds &at, bool can_be_degrees)
+{
+    return at.column == 1 && at.row == 1 && at.west == 0 &&
+           (at.north == 0 || (at.north == image.height() && !can_be_degrees));
+}
+
+bool is_whole_sphere(const ImageFile &image, const Bounds &at)
+{
+    return std::fabs(image.width() * at.column - 360) < nearly * at.column &&
+           std::fabs(at.north - 90) < nearly * at.row &&
+           std::fabs(image.height() * at.row - 180) < nearly * at.row;
 }
 
 // Without keys: numbers that are those of the whole sphere in degrees are degrees. Of others nobody knows.
 void place_without_system(const ImageFile &image, const cm_image_geo_tags &tags, GeoPlace &place)
 {
+    if (goes_up(tags))
+    {
+        place.ignored = "coordinates that go up";
+        return;
+    }
     place.unit_is_unknown = true;
-    const std::string degrees = in_degrees(image, bounds_of(tags));
-    if (is_whole_equirect(degrees))
+    const Bounds at = bounds_of(tags);
+    const std::string degrees = in_degrees(image, at);
+    std::string message;
+    const bool can_be =
+        make_surface(degrees, image.width(), image.height(), {}, message) != nullptr;
+    if (can_be && is_whole_sphere(image, at))
     {
         place.specification = degrees;
         return;
     }
-    std::string message;
-    const bool can_be =
-        make_surface(degrees, image.width(), image.height(), {}, message) != nullptr;
+    if (counts_pixels(image, at, can_be))
+    {
+        place.unit_is_unknown = false;
+        place.ignored = at.north == 0 ? "" : "coordinates of pixels"; // 0: nobody has given any
+        return;
+    }
     place.in_degrees = can_be ? degrees : "";
     throw PlacedOtherwise{"by numbers without a system of coordinates"};
 }
@@ -180,8 +210,7 @@ GeoPlace geographic_place(const ImageFile &image)
 {
     const cm_image_geo_tags *const tags = image.stored().geo_tags;
     GeoPlace place;
-    if (tags == nullptr || (tags->tie_point_count == 0 && tags->transformation_count == 0) ||
-        (tags->key_count < 4 && counts_pixels(*tags)))
+    if (tags == nullptr || (tags->tie_point_count == 0 && tags->transformation_count == 0))
     {
         return place;
     }

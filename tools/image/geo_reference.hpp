@@ -22,6 +22,7 @@ struct GeoPlace
     // numbers in an unknown unit: otherwise says so, and this is the surface if they are degrees, "" if they cannot be
     bool unit_is_unknown = false;
     std::string in_degrees;
+    std::string ignored; // numbers that place nothing: "pixel coordinates"
 };
 
 // Writes it into a TIFF file that is complete: EPSG:4326 of equirectangular pictures and EPSG:3857 of Mercator's. Nothing

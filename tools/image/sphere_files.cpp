@@ -60,7 +60,8 @@ std::string layout_of(const SurfaceOptions &from)
 }
 
 // What there is instead of a file that is not there.
-void check_there(const std::string &name, const std::vector<std::string> &names)
+void check_there(const std::string &name, const std::vector<std::string> &names,
+                 const std::string &option)
 {
     if (std::filesystem::exists(name))
     {
@@ -73,6 +74,12 @@ void check_there(const std::string &name, const std::vector<std::string> &names)
                       in_quotes(names.front()) + " to " + in_quotes(names.back()));
     }
     const std::string face = face_names(name).front();
+    if (std::filesystem::exists(face) && names_faces(name))
+    {
+        throw Failure(in_quotes(name) + " cannot be read: No such file or directory, but " +
+                      in_quotes(face) + " is; " + option +
+                      " says that it is one image; layout=faces stands for six");
+    }
     if (std::filesystem::exists(face))
     {
         const std::string extension = std::filesystem::path(name).extension().string();
@@ -84,28 +91,30 @@ void check_there(const std::string &name, const std::vector<std::string> &names)
     }
 }
 
-// By GDAL if it is placed on the Earth as a surface cannot be, or if nothing else reads it.
-ImageFile open_picture(const std::string &name, const SphereOptions &options, int threads)
+// By GDAL if nothing else reads it.
+ImageFile open_picture(const std::string &name, int threads)
 {
-    std::string why;
     try
     {
-        ImageFile image(name, threads);
-        const GeoPlace place = geographic_place(image);
-        const std::string &how = place.otherwise;
-        if (how.empty() || place.unit_is_unknown || is_said(options.from))
-        {
-            return image;
-        }
-        why = in_quotes(name) + " is placed on the Earth " + how +
-              "; make it EPSG:4326 (gdalwarp -t_srs EPSG:4326), or say " + options.option +
-              " SPEC to take it as something else";
+        return ImageFile(name, threads);
     }
     catch (const UnreadableImage &failure)
     {
-        why = failure.what();
+        return open_by_gdal(name, failure.what());
     }
-    return open_by_gdal(name, why);
+}
+
+// Why a picture cannot be taken as it stands: it is placed on the Earth as a surface cannot be. "": it can.
+std::string why_by_gdal(const ImageFile &image, const SphereOptions &options)
+{
+    const GeoPlace place = geographic_place(image);
+    if (place.otherwise.empty() || place.unit_is_unknown || is_said(options.from))
+    {
+        return "";
+    }
+    return in_quotes(image.path()) + " is placed on the Earth " + place.otherwise +
+           "; make it EPSG:4326 (gdalwarp -t_srs EPSG:4326), or say " + options.option +
+           " SPEC to take it as something else";
 }
 
 // Are pixels of both surfaces, which are of one size, in the same places, but for a tenth of a pixel?
@@ -133,6 +142,13 @@ bool shows_alike(const cm_surface &one, const cm_surface &other)
     return true;
 }
 
+// "cube:qsc;size=16, turned by 10,20,30"
+std::string text_of(const SavedSurface &saved)
+{
+    return saved.specification +
+           (saved.rotation ? ", turned by " + rotation_text(*saved.rotation) : "");
+}
+
 // Colours of inks are made light of by the library, which knows no profile.
 bool has_inks(const ImageFile &image)
 {
@@ -156,6 +172,10 @@ SphereFiles::SphereFiles(SphereOptions options, int threads, std::vector<ImageFi
 {
     open(threads);
     choose_type();
+    if (!asked.as_it_stands)
+    {
+        open_placed();
+    }
     if (has_inks(images.front()))
     {
         remarks.push_back(in_quotes(images.front().path()) +
@@ -178,8 +198,8 @@ void SphereFiles::open(int threads)
     }
     for (std::size_t i = images.size(); i < names.size(); ++i)
     {
-        check_there(names[i], names);
-        images.push_back(open_picture(names[i], asked, threads));
+        check_there(names[i], names, asked.option);
+        images.push_back(open_picture(names[i], threads));
     }
     if (images.size() == 1 && has_six_faces(images.front()))
     {
@@ -201,6 +221,17 @@ void SphereFiles::open(int threads)
         {
             check_tags();
         }
+    }
+}
+
+void SphereFiles::open_placed()
+{
+    const std::string why = images.size() == 1 ? why_by_gdal(images.front(), asked) : "";
+    if (!why.empty())
+    {
+        images.front() = open_by_gdal(images.front().path(), why);
+        remarks.clear(); // they were of the picture that GDAL has read otherwise
+        choose_type();
     }
 }
 
@@ -255,18 +286,15 @@ void SphereFiles::check_faces() const
 // Faces that say of themselves that they are of different cubes are of none.
 void SphereFiles::check_tags() const
 {
-    const auto text_of = [](const ImageFile &image)
+    const auto said_by = [](const ImageFile &image)
     {
         const std::optional<SavedSurface> saved = saved_surface(image);
-        return !saved
-                   ? std::string()
-                   : saved->specification +
-                         (saved->rotation ? ", turned by " + rotation_text(*saved->rotation) : "");
+        return saved ? text_of(*saved) : std::string();
     };
-    const std::string first = text_of(images.front());
+    const std::string first = said_by(images.front());
     for (const ImageFile &image : images)
     {
-        const std::string other = text_of(image);
+        const std::string other = said_by(image);
         if (!first.empty() && !other.empty() && other != first)
         {
             throw Failure(in_quotes(image.path()) + " says that it is " + other + ", " +
@@ -322,11 +350,15 @@ void SphereFiles::find_surface()
                            !asked.from.rotation && key_of(said, "frame").empty();
         take(said.empty() || is_cube(said) ? cube_by_shape() : said,
              usual ? texture_surface().rotation : asked.from.rotation);
-        if (saved)
+        if (saved && !asked.as_it_stands)
         {
             compare_with(*saved);
         }
         return;
+    }
+    if (!saved && !faces)
+    {
+        tell_ignored();
     }
     const std::optional<std::string> place = find_place(saved);
     if (saved && !(place && is_elsewhere(*saved, *place)) && take_saved(*saved, place.has_value()))
@@ -334,6 +366,17 @@ void SphereFiles::find_surface()
         return;
     }
     take(place ? *place : cube_by_shape(), asked.from.rotation);
+}
+
+void SphereFiles::tell_ignored()
+{
+    const std::string numbers = geographic_place(images.front()).ignored;
+    if (!numbers.empty())
+    {
+        remarks.push_back(in_quotes(images.front().path()) + " has " + numbers +
+                          " and no system of coordinates; they are ignored, unless " +
+                          asked.option + " says what it covers");
+    }
 }
 
 // Where its georeference has it; numbers in an unknown unit are degrees if the tag says the same.
@@ -351,9 +394,11 @@ std::optional<std::string> SphereFiles::find_place(const std::optional<SavedSurf
     throw Failure(in_quotes(images.front().path()) + " is placed on the Earth " + place.otherwise +
                   "; say " + asked.option + " " +
                   (place.in_degrees.empty()
-                       ? "SPEC, what it covers in degrees,"
-                       : in_quotes(place.in_degrees) + " if they are degrees,") +
-                  " or give it a system (gdal_edit.py -a_srs EPSG:4326)");
+                       ? "SPEC, what it covers in degrees, or give it the system that they are of "
+                         "(gdal_edit.py -a_srs EPSG:CODE)"
+                       : in_quotes(place.in_degrees) +
+                             " if they are degrees, or give it a system (gdal_edit.py -a_srs "
+                             "EPSG:4326)"));
 }
 
 bool SphereFiles::is_there(const SavedSurface &saved, const std::string &place) const
@@ -389,11 +434,6 @@ std::optional<SavedSurface> SphereFiles::find_saved()
     {
         return own ? own : beside;
     }
-    const auto text_of = [](const SavedSurface &saved)
-    {
-        return saved.specification +
-               (saved.rotation ? ", turned by " + rotation_text(*saved.rotation) : "");
-    };
     if (text_of(*own) != text_of(*beside))
     {
         remarks.push_back(says(*own) + text_of(*own) + ", and " + in_quotes(beside->where) + " " +
@@ -556,7 +596,8 @@ std::string SphereFiles::layout_by_shape() const
 bool SphereFiles::is_told() const
 {
     return is_said(asked.from) || texture || saved_surface(images.front()) ||
-           surface_beside(asked.name, images.front().path()) || is_georeferenced();
+           surface_beside(asked.name, images.front().path()) || is_georeferenced() ||
+           (images.size() == 1 && !why_by_gdal(images.front(), asked).empty());
 }
 
 bool SphereFiles::is_georeferenced() const

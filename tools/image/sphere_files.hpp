@@ -21,6 +21,9 @@ struct SphereOptions
     SurfaceOptions from;
     std::string other_frame;       // of a cube of which nobody says the frame; "": geo
     std::string option = "--from"; // which says from.specification, for messages
+    // For a comparison: a raster that only GDAL can place is left as it is until open_placed(), and what the command line
+    // says counts without a word.
+    bool as_it_stands = false;
 };
 
 class SphereFiles
@@ -29,6 +32,9 @@ public:
     // Opens the files, unless they are given. Failure if they are not there, not images, or are no six faces. threads as for
     // ImageFile.
     SphereFiles(SphereOptions options, int threads, std::vector<ImageFile> opened = {});
+
+    // Opens by GDAL, before anything is read, what only that can place on the sphere. Failure if it cannot.
+    void open_placed();
 
     // To be called once. Failure if they are not of the shape that they should have, or nobody knows what they are.
     void find_surface();
@@ -81,6 +87,7 @@ private:
     void check_tags() const;
     void choose_type();
     std::optional<SavedSurface> find_saved();
+    void tell_ignored();
     std::string says(const SavedSurface &saved) const;
     std::optional<std::string> find_place(const std::optional<SavedSurface> &saved) const;
     bool is_there(const SavedSurface &saved, const std::string &place) const;

@@ -37,6 +37,11 @@ constexpr std::uint32_t tile_in_preview = 64;
 constexpr const char *unfinished = ".hips";
 constexpr int folders_most = 1000;
 
+std::filesystem::path folder_of(const std::filesystem::path &path)
+{
+    return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
 std::string without_stroke(std::string path)
 {
     while (path.size() > 1 && path.back() == '/')
@@ -232,17 +237,27 @@ HipsOutput::HipsOutput(const Options &options, const cm_surface &surface,
     }
     else
     {
-        make_temporary(path);
+        check_folder(path);
     }
     cm_hips_preview(preview_order, &preview_columns, &preview_rows);
     preview.resize(std::size_t{preview_columns} * preview_rows * preview_width * preview_width *
                    channels * cm_pixel_size(type));
 }
 
+// Before anything is read: signals act as ever as long as there is nothing to remove.
+void HipsOutput::check_folder(const std::filesystem::path &path) const
+{
+    const std::filesystem::path folder = folder_of(path);
+    if (access((folder / ".").c_str(), W_OK | X_OK) != 0)
+    {
+        throw Failure(in_quotes(name) + " cannot be written: folder " + in_quotes(folder.string()) +
+                      ": " + std::strerror(errno));
+    }
+}
+
 void HipsOutput::make_temporary(const std::filesystem::path &path)
 {
-    namespace fs = std::filesystem;
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const std::filesystem::path folder = folder_of(path);
     held.emplace();
     remove_left_over_folders(folder.string(), unfinished);
     for (int attempt = 0; descriptor < 0; ++attempt)
@@ -541,6 +556,10 @@ void HipsOutput::write_properties()
 
 void HipsOutput::write(const Render &render, int threads)
 {
+    if (work == nullptr)
+    {
+        make_temporary(name);
+    }
     parallel_for(12, threads,
                  [&](int base) { make_tile(0, static_cast<std::uint64_t>(base), render); });
     write_preview();

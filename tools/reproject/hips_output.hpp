@@ -39,8 +39,8 @@ public:
     // Fills dense pixels of a window, in the rows of its plane.
     using Render = std::function<void(const cm_hips_window &, unsigned char *)>;
 
-    // Makes a folder beside the one that is to be, or in `work`, where it stays until it is complete; NULL: there is
-    // none. Failure if that cannot be, or is there already. kind has the type and the channels of pixels; of those,
+    // Tiles are made in a folder beside the one that is to be, or in `work`, where it stays until it is complete; NULL:
+    // there is none. Failure if that cannot be, or is there already. kind has the type and the channels of pixels; of those,
     // alpha is opacity, -1: none is.
     HipsOutput(const Options &options, const cm_surface &surface, const ImagePlan &plan,
                const cm_image &kind, int alpha, WorkFolder *work);
@@ -49,7 +49,7 @@ public:
     HipsOutput(const HipsOutput &) = delete;
     HipsOutput &operator=(const HipsOutput &) = delete;
 
-    // All tiles, the previews and the properties, and the folder gets its name.
+    // Makes the folder, all tiles, the previews and the properties, and the folder gets its name.
     void write(const Render &render, int threads);
 
     std::string description() const;
@@ -66,6 +66,7 @@ private:
     void store_tiles(std::uint32_t level, std::uint64_t number, Pixels pixels);
     bool load_tiles(std::uint32_t level, std::uint64_t number, Pixels &pixels);
     std::string tile_path(std::uint32_t level, std::uint64_t number) const;
+    void check_folder(const std::filesystem::path &path) const;
     void make_temporary(const std::filesystem::path &path);
     void write_picture(const std::string &name, const cm_image &picture) const;
     void write_preview();

@@ -342,30 +342,50 @@ static void mark_no_data(const raster *r, uint32_t width, uint32_t height, char 
     }
 }
 
+/* Whole numbers as floats: their largest is 1. */
+static void scale_to_unit(float most, uint32_t width, uint32_t height, uint32_t channels,
+                          char *pixels, ptrdiff_t row_stride)
+{
+    for (uint32_t y = 0; y < height; y++)
+    {
+        float *const row = (float *)(void *)(pixels + row_stride * (ptrdiff_t)y);
+        for (size_t i = 0; i < (size_t)width * channels; i++)
+        {
+            row[i] *= 1.0F / most;
+        }
+    }
+}
+
 static cm_status read_pixels(cm_image_reader *reader, const cm_image_region *region,
                              cm_pixel_type type, void *pixels, ptrdiff_t row_stride, char *message)
 {
     const raster *const r = (const raster *)(const void *)reader;
     const cm_image_description *const is = &r->description;
-    if (type != is->type || region->x1 > is->width || region->y1 > is->height ||
-        region->x0 >= region->x1 || region->y0 >= region->y1)
+    if ((type != is->type && type != CM_PIXEL_FLOAT) || region->x1 > is->width ||
+        region->y1 > is->height || region->x0 >= region->x1 || region->y0 >= region->y1)
     {
         snprintf(message, CM_IMAGE_MESSAGE, "cannot be read so: there are no such pixels");
         return CM_ERROR_ARGUMENT;
     }
     const int width = (int)(region->x1 - region->x0);
     const int height = (int)(region->y1 - region->y0);
-    const GSpacing sample = GDALGetDataTypeSizeBytes(r->type);
+    const GDALDataType wanted = type == CM_PIXEL_FLOAT ? GDT_Float32 : r->type;
+    const GSpacing sample = GDALGetDataTypeSizeBytes(wanted);
     const GSpacing pixel = sample * (GSpacing)is->channels;
     const ptrdiff_t down = row_stride != 0 ? row_stride : (ptrdiff_t)(pixel * width);
     CPLErrorReset();
     const CPLErr error = GDALDatasetRasterIOEx(r->last, GF_Read, (int)region->x0, (int)region->y0,
-                                               width, height, pixels, width, height, r->type,
+                                               width, height, pixels, width, height, wanted,
                                                (int)is->channels, NULL, pixel, down, sample, NULL);
     const cm_status status = error == CE_None ? CM_OK : fail(message, "is damaged");
     if (status == CM_OK && r->type == GDT_Float32)
     {
         mark_no_data(r, (uint32_t)width, (uint32_t)height, pixels, down);
+    }
+    else if (status == CM_OK && type == CM_PIXEL_FLOAT)
+    {
+        scale_to_unit(is->type == CM_PIXEL_U8 ? 255.0F : 65535.0F, (uint32_t)width,
+                      (uint32_t)height, is->channels, pixels, down);
     }
     return status;
 }

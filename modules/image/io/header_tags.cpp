@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: MIT
 
 #include "header_tags.hpp"
-#include "header_lines.h"
 
-#include <algorithm>
-
-HeaderTags header_tags(std::FILE *file, std::size_t bytes)
+namespace
 {
-    std::string header(bytes, '\0');
-    HeaderTags tags;
-    if (std::fseek(file, 0, SEEK_SET) != 0)
+
+// What has no end by then is no header.
+constexpr std::size_t header_most = std::size_t{1} << 20;
+
+} // namespace
+
+HeaderTags radiance_tags(std::FILE *file)
+{
+    std::string header;
+    std::size_t end = std::string::npos;
+    char block[4096];
+    std::size_t taken = 1;
+    while (end == std::string::npos && taken > 0 && header.size() < header_most)
     {
-        return tags;
+        const std::size_t from = header.empty() ? 0 : header.size() - 1;
+        taken = std::fread(block, 1, sizeof block, file);
+        header.append(block, taken);
+        end = header.find("\n\n", from);
     }
-    header.resize(std::fread(header.data(), 1, bytes, file));
-    header.resize(std::min(header.find("\n\n"), header.size()));
-    const char *at = header.data();
-    cm_header_line line;
-    while (cm_header_lines_next(&at, header.data() + header.size(), &line))
-    {
-        tags.emplace_back(std::string(line.key, line.key_size),
-                          std::string(line.value, line.value_size));
-    }
-    return tags;
+    // a line that is cut says something else than the whole one
+    header.resize((end == std::string::npos ? header.rfind('\n') : end) + 1);
+    return header_tags(header.data(), header.data() + header.size());
 }

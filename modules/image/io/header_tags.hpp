@@ -5,6 +5,8 @@
 #ifndef CUBEMAP_MODULES_IMAGE_HEADER_TAGS_HPP
 #define CUBEMAP_MODULES_IMAGE_HEADER_TAGS_HPP
 
+#include "header_lines.h"
+
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -12,8 +14,20 @@
 
 using HeaderTags = std::vector<std::pair<std::string, std::string>>;
 
-// Of the first so many bytes of a file, or of fewer if the file or its header, which a blank line ends, is shorter. The
-// file is left anywhere.
-HeaderTags header_tags(std::FILE *file, std::size_t bytes);
+// Of the lines from text to before end.
+inline HeaderTags header_tags(const char *text, const char *end)
+{
+    HeaderTags tags;
+    cm_header_line line;
+    while (cm_header_lines_next(&text, end, &line))
+    {
+        tags.emplace_back(std::string(line.key, line.key_size),
+                          std::string(line.value, line.value_size));
+    }
+    return tags;
+}
+
+// Of a file of Radiance, whose header ends by a blank line. The file is left anywhere.
+HeaderTags radiance_tags(std::FILE *file);
 
 #endif

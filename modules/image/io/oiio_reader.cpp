@@ -23,11 +23,8 @@ namespace
 // Parts of rows are taken out of whole rows, of about so many bytes at a time.
 constexpr std::size_t band_bytes = std::size_t{1} << 20;
 
-// No header of Radiance is longer that says what we have said.
-constexpr std::size_t header_bytes = std::size_t{1} << 14;
-
-// A file was decoded, but with this message: does it mean that pixels are missing or wrong? Of JPEG
-// files, many that are whole bring complaints about bytes that stand between their parts.
+// Does this message, with which a file was decoded, mean that pixels are missing or wrong? The JPEG library also complains
+// of whole files, where stray bytes stand between their parts.
 bool pixels_are_missing(const std::string &format, const std::string &message)
 {
     return format == "jpeg" ? message.find("remature end") != std::string::npos : !message.empty();
@@ -219,7 +216,7 @@ void LibraryReader::describe_tags()
 void LibraryReader::describe_header(const std::string &path)
 {
     const FilePointer file(std::fopen(path.c_str(), "rb"));
-    for (const auto &[key, text] : file ? header_tags(file.get(), header_bytes) : HeaderTags())
+    for (const auto &[key, text] : file ? radiance_tags(file.get()) : HeaderTags())
     {
         tags.push_back({keep(key), keep(text), nullptr, nullptr, 0});
     }

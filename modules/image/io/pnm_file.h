@@ -28,7 +28,7 @@ extern "C" {
 /* Pixels along an edge at most. */
 #define CM_PNM_SIZE_MOST 1048576
 
-/* Bytes of a header that are kept, for who looks for comments. */
+/* Bytes of a header that are kept, of its lines that say what we have said. */
 #define CM_PNM_HEADER_MOST 1024
 
 /* How a picture is written. */
@@ -68,8 +68,11 @@ typedef struct cm_pnm_reader
     uint32_t rows_left;     /* of it */
     int held_count;         /* 0 or 1: the byte that was looked at */
     unsigned char held;
-    size_t header_size; /* of its header, behind the first byte, as far as there is room; raw: 0 */
-    char header[CM_PNM_HEADER_MOST]; /* not ended; lines of comments begin by '#' */
+    size_t
+        header_size; /* of those lines of its header that header_lines.h reads, whole ones with their ends; raw: 0 */
+    size_t header_line;              /* bytes behind those, of a line that is not whole yet */
+    int header_full;                 /* not 0: there is no room for that line */
+    char header[CM_PNM_HEADER_MOST]; /* not ended */
 } cm_pnm_reader;
 
 /* The next picture, of which all rows of the last one must have been read. Of raw pictures the caller fills *picture and

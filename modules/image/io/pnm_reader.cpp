@@ -33,7 +33,7 @@ void order_words(char *words, std::size_t count)
 class PnmReader final : public cm_image_reader
 {
 public:
-    PnmReader(FilePointer opened, const cm_pnm_picture &found, off_t first_byte);
+    PnmReader(FilePointer opened, const cm_pnm_picture &found, off_t first_byte, HeaderTags said);
     void read(const cm_image_region &region, cm_pixel_type type, char *pixels,
               std::ptrdiff_t row_stride) override;
 
@@ -54,9 +54,9 @@ private:
 };
 
 // The tags are those that OpenImageIO has.
-PnmReader::PnmReader(FilePointer opened, const cm_pnm_picture &found, off_t first_byte)
-    : file(std::move(opened)), first(first_byte),
-      own_tags(header_tags(file.get(), static_cast<std::size_t>(first_byte))),
+PnmReader::PnmReader(FilePointer opened, const cm_pnm_picture &found, off_t first_byte,
+                     HeaderTags said)
+    : file(std::move(opened)), first(first_byte), own_tags(std::move(said)),
       bits(found.type == CM_PIXEL_U8 ? 8.0f : 16.0f)
 {
     static constexpr const char *const colors[] = {"R", "G", "B"};
@@ -167,5 +167,7 @@ ReaderPointer open_pnm(const std::string &path, std::uint32_t which)
     {
         return nullptr;
     }
-    return std::make_unique<PnmReader>(std::move(file), found, first);
+    return std::make_unique<PnmReader>(
+        std::move(file), found, first,
+        header_tags(header.header, header.header + header.header_size));
 }

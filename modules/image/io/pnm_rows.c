@@ -7,6 +7,7 @@
 #include "pnm_file.h"
 
 #include "file_words.h"
+#include "header_lines.h"
 #include "pnm_words.h"
 
 #include <stdlib.h>
@@ -65,15 +66,39 @@ static bool is_reader(const cm_pnm_reader *reader)
            reader->stream->read != NULL;
 }
 
-/* Reads for a header, and keeps what it is. */
+/* A line that is not one of ours, or does not fit, leaves its room to those behind it. */
+static void keep_byte(cm_pnm_reader *reader, char byte)
+{
+    char *const line = reader->header + reader->header_size;
+    if (reader->header_size + reader->header_line == sizeof reader->header)
+    {
+        reader->header_full = 1;
+    }
+    else
+    {
+        line[reader->header_line++] = byte;
+    }
+    if (byte == '\n')
+    {
+        const char *at = line;
+        cm_header_line found;
+        const bool kept =
+            !reader->header_full && cm_header_lines_next(&at, line + reader->header_line, &found);
+        reader->header_size += kept ? reader->header_line : 0;
+        reader->header_line = 0;
+        reader->header_full = 0;
+    }
+}
+
+/* Reads for a header, and keeps what it says of us. */
 static size_t take_header(void *context, void *bytes, size_t count)
 {
     cm_pnm_reader *const reader = context;
     const size_t taken = reader->stream->read(reader->stream->context, bytes, count);
-    const size_t room = sizeof reader->header - reader->header_size;
-    const size_t kept = taken < room ? taken : room;
-    memcpy(reader->header + reader->header_size, bytes, kept);
-    reader->header_size += kept;
+    for (size_t i = 0; i < taken; i++)
+    {
+        keep_byte(reader, ((const char *)bytes)[i]);
+    }
     return taken;
 }
 
@@ -98,7 +123,8 @@ static cm_status next_picture(cm_pnm_reader *reader, cm_pnm_picture *found, bool
         return CM_OK;
     }
     reader->held_count = raw ? 1 : 0;
-    reader->header_size = 0;
+    reader->header_size = reader->header_line = 0;
+    reader->header_full = 0;
     const cm_image_stream noted = {reader, take_header, NULL, NULL, NULL};
     return raw ? CM_OK : cm_pnm_read_header(&noted, (char)reader->held, found, message);
 }

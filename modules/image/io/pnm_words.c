@@ -8,8 +8,11 @@
 #include <float.h>
 #include <stdio.h>
 
-/* No word, line or comment of a header is longer. */
+/* No word or line of a header is longer. */
 #define LINE_MOST 1024
+
+/* Nor are blanks and comments before a word, which need no room. */
+#define COMMENTS_MOST (1u << 20)
 
 cm_status cm_pnm_check(const cm_pnm_picture *picture, char *message)
 {
@@ -63,7 +66,7 @@ static cm_status take_word(const cm_image_stream *stream, bool comments, char *w
 {
     size_t count = 0;
     bool comment = false;
-    for (unsigned read = 0; read < LINE_MOST * 4; read++)
+    for (unsigned read = 0; read < COMMENTS_MOST; read++)
     {
         char c;
         if (!cm_file_take(stream, &c, 1))
