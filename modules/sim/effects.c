@@ -365,7 +365,9 @@ static cm_status choose_all(const planning *with, const cm_tof_sensor *sensor,
     }
     if (status == CM_OK && chosen->bounces > 0)
     {
+        /* it is the cost of one effect, and counts once */
         of[chosen->bounces > 1 ? FURTHER_BOUNCES : MULTIPATH].entry.cost = of[SAMPLING].entry.cost;
+        of[SAMPLING].entry.cost = 0.0;
     }
     return status;
 }

@@ -2,7 +2,8 @@
  *
  * Paths are judged by themselves: two frames of other random numbers are apart by twice the variance of one. Virtual lights
  * have none; they are judged by paths, whose own spread cancels: the error's square is the mean of the product of what two
- * such frames, independent of each other, are away from the lights'.
+ * such frames, independent of each other, are away from the lights'. That mean is of few pixels, of which a few may have
+ * most: two of its standard deviations are added.
  */
 #include "sampling_spread.h"
 #include "tof_object.h"
@@ -11,7 +12,8 @@
 
 enum
 {
-    PIXELS = 1200, /* of the picture in which that is measured */
+    PATH_PIXELS = 1200, /* of the picture in which that is measured */
+    LIGHT_PIXELS = 4800,
     MOST_PATHS = 4096,
     MOST_LIGHTS = 16 * TOF_LIGHTS,
     MORE_LIGHTS = 4,      /* times as many, the next time */
@@ -100,11 +102,19 @@ static cm_status choose_paths(const sampled *at, uint32_t given, double limit, s
     return status;
 }
 
+/* The root of a mean, of that many numbers with this sum and sum of squares, and of twice what it may be off. */
+static double error_at_most(double sum, double squares, double count)
+{
+    const double mean = sum / count;
+    const double variance = fmax(0.0, squares / count - mean * mean);
+    return sqrt(fmax(0.0, mean) + 2.0 * sqrt(variance / count));
+}
+
 static cm_status measure_lights(const sampled *at, const planned_frame reference[2],
                                 uint32_t lights, sampling *made)
 {
     planned_frame frame = {0};
-    double squares = 0.0;
+    double sum = 0.0, squares = 0.0;
     size_t count = 0;
     cm_tof_options options = at->options;
     options.traces = 0;
@@ -119,13 +129,15 @@ static cm_status measure_lights(const sampled *at, const planned_frame reference
             apart[k] = planned_frame_apart(at->with, (double)frame.distance[i],
                                            (double)reference[k].distance[i]);
         }
-        squares += isnan(apart[0] * apart[1]) ? 0.0 : apart[0] * apart[1];
-        count += isnan(apart[0] * apart[1]) ? 0 : 1;
+        const double product = apart[0] * apart[1];
+        sum += isnan(product) ? 0.0 : product;
+        squares += isnan(product) ? 0.0 : product * product;
+        count += isnan(product) ? 0 : 1;
     }
     if (status == CM_OK)
     {
         made->number = lights;
-        made->error = squares > 0.0 ? sqrt(squares / (double)count) : 0.0;
+        made->error = count == 0 ? 0.0 : error_at_most(sum, squares, (double)count);
         made->cost = at->scale * frame.milliseconds;
     }
     planned_frame_drop(&frame);
@@ -205,7 +217,9 @@ cm_status sampling_choose(const planning *with, const cm_tof_sensor *sensor,
         entry->reason = "no scattered light is sampled";
         return CM_OK;
     }
-    cm_status status = planned_frame_make_small(sensor->camera, PIXELS, &at.scale, &camera);
+    const int uses_paths = chosen->bounces > 1 || chosen->traces;
+    cm_status status = planned_frame_make_small(
+        sensor->camera, uses_paths ? PATH_PIXELS : LIGHT_PIXELS, &at.scale, &camera);
     if (status != CM_OK)
     {
         return status;

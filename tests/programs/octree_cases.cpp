@@ -372,6 +372,16 @@ void keeps_old_maps()
     does("octree extract kept.map -o kept.xyz");
     does("octree extract fresh.map -o fresh.xyz");
     result(same_content("kept.xyz", "fresh.xyz"), "and is that of the new command");
+    /* a run that was ended before its map, which was complete, came to its place */
+    std::filesystem::rename("fresh.map", "kept.map.unfinished");
+    says("a complete map comes to its place", "\"views\": 8, .*\"resumed_at\": 8",
+         "octree integrate room -o kept.map --edge 0.05 --json");
+    result(!std::filesystem::exists("kept.map.unfinished"), "and is beside no more");
+    does("octree integrate room -o kept.map.unfinished --edge 0.2 --quiet");
+    const std::string mine = content_of("kept.map.unfinished");
+    fails("the map of another command is in the way", 1, "kept.map.unfinished.*complete map",
+          "octree integrate room -o kept.map --edge 0.1");
+    result(content_of("kept.map.unfinished") == mine, "and stays as it is");
     write_file("kept.map.unfinished", "mine");
     fails("a file that is no map is in the way", 1, "kept.map.unfinished",
           "octree integrate room -o kept.map --edge 0.1");

@@ -250,6 +250,19 @@ START_TEST(paths_are_as_many_as_the_limit_needs)
 }
 END_TEST
 
+/* Of a frame by virtual lights beside two by paths, whose own spread is taken off. */
+static double error_beside_paths(const stage *at, const cm_tof_options *lights, uint32_t paths)
+{
+    cm_tof_options one = *lights, other = *lights;
+    one.traces = other.traces = 1;
+    one.paths = other.paths = paths;
+    one.seed = 77;
+    other.seed = 78;
+    const double first = apart_of(at, lights, &one), second = apart_of(at, lights, &other);
+    const double between = apart_of(at, &one, &other);
+    return sqrt(fmax(0.0, 0.5 * (first * first + second * second - between * between)));
+}
+
 /* Virtual lights have no random numbers: their error is what paths say. */
 START_TEST(error_of_lights_is_that_beside_paths)
 {
@@ -273,16 +286,38 @@ START_TEST(error_of_lights_is_that_beside_paths)
     plan_most(&at, 4e-3, &any, NULL, &chosen, &budget);
     ck_assert(chosen.bounces == 1 && (chosen.traces || chosen.lights > 338));
     ck_assert_double_le(entry[SAMPLING].contribution, 4e-3);
-    /* the two references' own spread is taken off */
-    paths.seed = 77;
-    cm_tof_options others = paths;
-    others.seed = 78;
-    const double one = apart_of(&at, &chosen, &paths), two = apart_of(&at, &chosen, &others);
-    const double between = apart_of(&at, &paths, &others);
-    const double error = sqrt(fmax(0.0, 0.5 * (one * one + two * two - between * between)));
+    const double error = error_beside_paths(&at, &chosen, 256);
     printf("%u lights: %.3f mm, %.3f mm planned\n", chosen.lights, 1e3 * error,
            1e3 * entry[SAMPLING].contribution);
     ck_assert_double_le(error, 4e-3);
+    free_stage(&at);
+}
+END_TEST
+
+/* Beside a ball a few pixels have most of the error, of which a small picture has few. */
+START_TEST(error_of_lights_beside_a_ball_is_not_told_too_small)
+{
+    static const cm_primitive wall_and_ball[2] = {{.size = sizeof *wall_and_ball,
+                                                   .kind = CM_PRIMITIVE_PLANE,
+                                                   .first = {0, 0, 2},
+                                                   .second = {0, 0, 1},
+                                                   .material = {{1, 1, 1}, 0.3}},
+                                                  {.size = sizeof *wall_and_ball,
+                                                   .kind = CM_PRIMITIVE_SPHERE,
+                                                   .first = {0, 0, 1.4},
+                                                   .radius = 0.3,
+                                                   .material = {{1, 1, 1}, 0.3}}};
+    stage at = make_stage(wall_and_ball, 2);
+    cm_budget_entry entry[CM_TOF_EFFECTS] = {{0}};
+    cm_budget budget = {.size = sizeof budget, .entry = entry};
+    const cm_tof_options most = {.size = sizeof most, .bounces = 1, .lights = 338};
+    cm_tof_options chosen = {0};
+    plan_most(&at, 4e-4, &most, NULL, &chosen, &budget);
+    ck_assert(chosen.bounces == 1 && chosen.lights == 338 && !chosen.traces);
+    const double error = error_beside_paths(&at, &chosen, is_quick() ? 512 : 2048);
+    const double told = entry[SAMPLING].contribution;
+    printf("beside a ball: %.3f mm, %.3f mm planned\n", 1e3 * error, 1e3 * told);
+    REQUIRE(told > 0.95 * error, "%g m, not %g", told, error);
     free_stage(&at);
 }
 END_TEST
@@ -359,6 +394,7 @@ int main(void)
                                   spread_of_paths_is_that_of_frames,
                                   paths_are_as_many_as_the_limit_needs,
                                   error_of_lights_is_that_beside_paths,
+                                  error_of_lights_beside_a_ball_is_not_told_too_small,
                                   bounces_are_not_more_than_given,
                                   plans_have_one_answer,
                                   NULL};

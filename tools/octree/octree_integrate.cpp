@@ -244,7 +244,8 @@ enum class Found
 {
     nothing,
     begun, // by a run that the same command goes on with
-    other  // a map that is complete, or of another command
+    other, // begun by another command
+    whole  // a map that is complete, and not only to be brought to its place
 };
 
 [[noreturn]] void refuse_file(const std::string &path, cm_status status)
@@ -256,7 +257,8 @@ enum class Found
                   "; give another name, or remove it");
 }
 
-// What a former run has left under the working path, which is taken up if it can be gone on with.
+// What a former run has left under the working path, which is taken up if it can be gone on with. A map that is complete but
+// has not yet come to its place can.
 Found take_up(const IntegrateOptions &options, const std::string &settings, Working &working)
 {
     if (!std::filesystem::exists(working.path))
@@ -284,9 +286,10 @@ Found take_up(const IntegrateOptions &options, const std::string &settings, Work
     check_map(status, in_quotes(working.path));
     OctreePointer owned(map);
     const OctreeRun run = read_note(map);
-    if (run.complete || run.settings != settings)
+    const bool is_in_place = working.target.empty();
+    if (run.settings != settings || (run.complete && is_in_place))
     {
-        return Found::other;
+        return run.complete ? Found::whole : Found::other;
     }
     working.run = run;
     working.begun = run.views;
@@ -301,13 +304,21 @@ Found take_up(const IntegrateOptions &options, const std::string &settings, Work
 void find_place(const IntegrateOptions &options, const std::string &settings, Working &working)
 {
     working.path = options.output;
-    if (take_up(options, settings, working) != Found::other)
+    const Found there = take_up(options, settings, working);
+    if (there == Found::nothing || there == Found::begun)
     {
         return;
     }
     working.target = std::filesystem::canonical(options.output).string();
     working.path = working.target + ".unfinished";
-    if (take_up(options, settings, working) == Found::other)
+    const Found beside = take_up(options, settings, working);
+    if (beside == Found::whole)
+    {
+        throw Failure(in_quotes(working.path) +
+                      ", where a new map is made beside the old one, is a complete map of another "
+                      "command; give another name, or remove it");
+    }
+    if (beside == Found::other)
     {
         std::filesystem::remove(working.path);
     }

@@ -83,7 +83,7 @@ void add_options(cJSON *to, const SimulateOptions &asked, const cm_tof_options &
     add_number(options, "lights", done.lights == 0 ? 338 : done.lights);
     add_switch(options, "visibility", done.visibility != 0);
     add_number(options, "paths", done.paths == 0 ? 64 : done.paths);
-    add_switch(options, "traced", done.bounces > 1 || (done.bounces == 1 && done.traces != 0));
+    add_switch(options, "traced", is_traced(done));
     add_text(options, "samples",
              std::to_string(done.sample_columns) + "x" + std::to_string(done.sample_rows));
     add_switch(options, "full", done.full != 0);
@@ -148,6 +148,11 @@ void add_files(cJSON *to, int format)
 }
 
 } // namespace
+
+bool is_traced(const cm_tof_options &options)
+{
+    return options.bounces > 1 || (options.bounces == 1 && options.traces != 0);
+}
 
 std::string metadata_text(const SimulateOptions &asked, const cm_tof_options &done,
                           const TofSensor &sensor, const cm_scene *scene, const TimedPoses &poses,

@@ -12,6 +12,9 @@
 
 #include <cubemap/world.h>
 
+// Is scattered light that of paths, not of virtual lights?
+bool is_traced(const cm_tof_options &options);
+
 // asked is the command line, done what is simulated; budget is JSON, or "".
 std::string metadata_text(const SimulateOptions &asked, const cm_tof_options &done,
                           const TofSensor &sensor, const cm_scene *scene, const TimedPoses &poses,

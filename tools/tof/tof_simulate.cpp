@@ -357,7 +357,7 @@ std::string chosen_json(const Simulation &with)
            ", \"lights\": " + std::to_string(chosen.lights) +
            ", \"visibility\": " + word(chosen.visibility != 0) +
            ", \"paths\": " + std::to_string(chosen.paths) +
-           ", \"traced\": " + word(chosen.bounces > 1 || chosen.traces != 0) + ", \"samples\": \"" +
+           ", \"traced\": " + word(is_traced(chosen)) + ", \"samples\": \"" +
            std::to_string(chosen.sample_columns) + "x" + std::to_string(chosen.sample_rows) +
            "\", \"noise\": " + word(chosen.noise != 0) + "}, \"budget\": " + with.budget;
 }
