@@ -430,6 +430,11 @@ bool matches(const std::string &text, const std::string &extended_regular_expres
     return found;
 }
 
+bool is_sanitized()
+{
+    return __sanitizer_set_report_fd != nullptr;
+}
+
 std::string content_of(const std::string &name)
 {
     std::ifstream file(name, std::ios::binary);

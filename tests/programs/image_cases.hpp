@@ -64,6 +64,9 @@ void says(const std::string &name, const std::string &expression, const std::str
 
 bool matches(const std::string &text, const std::string &extended_regular_expression);
 
+// Is this compiled with sanitizers, which keep memory that was given back?
+bool is_sanitized();
+
 std::string content_of(const std::string &name);
 void write_file(const std::string &name, const std::string &content);
 bool same_content(const std::string &one, const std::string &other);

@@ -215,7 +215,9 @@ void takes_little_memory()
     peak_of("small.pfm");
     const long small = peak_of("small.pfm");
     const long large = peak_of("large.pfm");
-    result(small == 0 || large - small < 18000, "a picture is resampled by bands",
+    const bool is_measured = small != 0 && !is_sanitized();
+    result(!is_measured || large - small < 18000,
+           is_measured ? "a picture is resampled by bands" : "memory cannot be measured here",
            std::to_string(small) + " kB and " + std::to_string(large));
 }
 
