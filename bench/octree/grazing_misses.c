@@ -10,6 +10,7 @@
  * pixel meets a surface in it, be it in a corner.
  */
 #include "bench/harness/harness.h"
+#include "mapped_room.h"
 #include "truth/room_views.h"
 
 #include <math.h>
@@ -18,16 +19,6 @@
 #include <string.h>
 
 #include <cubemap/octree.h>
-
-enum
-{
-    WIDTH = 640,
-    HEIGHT = 480
-};
-
-#define FOCAL 525.0
-#define MIDDLE_COLUMN 319.5
-#define MIDDLE_ROW 239.5
 
 /* As in truth/room_views.h. */
 #define GRAZING 0.2
@@ -64,25 +55,9 @@ typedef struct work
     seen_voxel *seen;
 } work;
 
-static void ask(cm_status status, const char *what)
-{
-    if (status != CM_OK)
-    {
-        fprintf(stderr, "grazing-misses: %s: %s\n", what, cm_status_text(status));
-        exit(1);
-    }
-}
-
 static void begin(work *w, double aside)
 {
     static const double least[3] = {-3.0, -2.5, 0.0}, greatest[3] = {3.0, 2.5, 3.0};
-    const cm_camera_options of_camera = {.size = sizeof of_camera,
-                                         .width = WIDTH,
-                                         .height = HEIGHT,
-                                         .fx = FOCAL,
-                                         .fy = FOCAL,
-                                         .cx = MIDDLE_COLUMN,
-                                         .cy = MIDDLE_ROW};
     cm_octree_options options = {.size = sizeof options, .edge = w->edge, .levels = 12};
     size_t voxels = 1;
     for (int axis = 0; axis < 3; axis++)
@@ -92,10 +67,10 @@ static void begin(work *w, double aside)
         w->count[axis] = (size_t)ceil((greatest[axis] - least[axis]) / w->edge) + 2;
         voxels *= w->count[axis];
     }
-    ask(cm_scene_create_named("room", &w->scene), "room");
-    ask(cm_camera_create(&of_camera, &w->camera), "camera");
-    ask(cm_octree_create(&options, &w->map), "map");
-    ask(room_picture_make(w->camera, &w->picture) ? CM_OK : CM_ERROR_MEMORY, "pictures");
+    need(cm_scene_create_named("room", &w->scene), "room");
+    w->camera = room_camera();
+    need(cm_octree_create(&options, &w->map), "map");
+    need(room_picture_make(w->camera, &w->picture) ? CM_OK : CM_ERROR_MEMORY, "pictures");
     w->seen = allocate(voxels, sizeof *w->seen);
     memset(w->seen, 0, voxels * sizeof *w->seen);
 }
@@ -135,13 +110,15 @@ static miss_cause cause_at(const work *w, const cm_pose *pose, size_t index, flo
     double centre[3], at[3];
     voxel_centre(w, index, centre);
     cm_pose_apply(pose, centre, at);
-    const double column = floor(FOCAL * at[0] / at[2] + MIDDLE_COLUMN + 0.5);
-    const double row = floor(FOCAL * at[1] / at[2] + MIDDLE_ROW + 0.5);
-    if (!(column >= 0.0 && column < WIDTH && row >= 0.0 && row < HEIGHT))
+    double column, row;
+    cm_camera_project_array(w->camera, 1, &at[0], &at[1], &at[2], &column, &row);
+    column = floor(column + 0.5);
+    row = floor(row + 0.5);
+    if (!(column >= 0.0 && column < ROOM_WIDTH && row >= 0.0 && row < ROOM_HEIGHT))
     {
         return BESIDE_PICTURE;
     }
-    const size_t pixel = (size_t)row * WIDTH + (size_t)column;
+    const size_t pixel = (size_t)row * ROOM_WIDTH + (size_t)column;
     *behind = (float)((at[2] - w->picture.depth[pixel]) / w->edge);
     return *behind > 1.0f ? HIDDEN : *behind < -1.0f ? BEFORE_BACKGROUND : WITHIN_AN_EDGE;
 }
@@ -151,7 +128,7 @@ static void see(work *w, size_t view)
     const cm_pose pose = room_pose(view, w->views);
     room_picture_take(w->scene, w->camera, &pose, 0.0, (uint32_t)view, &w->picture);
     const cm_view of_map = room_picture_view(&w->picture, w->camera, &pose, 0);
-    ask(cm_octree_update(w->map, &of_map, NULL), "update");
+    need(cm_octree_update(w->map, &of_map, NULL), "update");
     for (size_t pixel = 0; pixel < w->picture.pixels; pixel++)
     {
         const float cosine = (float)w->picture.cosine[pixel];

@@ -36,8 +36,8 @@ int main(int argc, char **argv)
     for (GLenum to = GL_TEXTURE_CUBE_MAP_POSITIVE_X; to <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z; to++)
     {
         size_t n;
-        for (int comment = scanf("P6") == 0; comment; comment = 0, scanf(" #%*[^\n]%n", &comment));
-        if (scanf("%zu %*u 255%*c", &n) != 1 || n > 4096 || fread(pixels, 3 * n, n, stdin) != n)
+        if (scanf("P6 ") != 0 || scanf("#%*[^\n]") != 0 || scanf("%zu %*u 255%*c", &n) != 1 ||
+            n > 4096 || fread(pixels, 3 * n, n, stdin) != n)
             return fputs("planet: the standard input is not six pictures\n", stderr), 1;
         glTexImage2D(to, 0, GL_RGB8, (int)n, (int)n, 0, GL_RGB, GL_UNSIGNED_BYTE, pixels);
     }

@@ -93,6 +93,7 @@ void cm_camera_destroy(cm_camera *camera)
     {
         cm_mapping_destroy((cm_mapping *)camera->options.mapping);
         free(camera->image.corner);
+        free(atomic_load(&camera->net));
         free(camera);
     }
 }
@@ -191,6 +192,21 @@ void cm_camera_project_array(const cm_camera *camera, size_t n, const double *x,
     }
 }
 
+/* So that who asks pixel by pixel does not make it for each. Of threads that make it at once one keeps it. */
+static void keep_net(const cm_camera *camera, const cm_camera_net *net)
+{
+    cm_camera_net *const kept = malloc(sizeof *kept);
+    if (kept != NULL)
+    {
+        cm_camera_net *none = NULL;
+        *kept = *net;
+        if (!atomic_compare_exchange_strong(&((cm_camera *)camera)->net, &none, kept))
+        {
+            free(kept);
+        }
+    }
+}
+
 void cm_camera_ray_array(const cm_camera *camera, size_t n, const double *column, const double *row,
                          double *x, double *y, double *z)
 {
@@ -200,8 +216,9 @@ void cm_camera_ray_array(const cm_camera *camera, size_t n, const double *column
         return;
     }
     cm_camera_block block;
-    cm_camera_net net;
-    net.is_made = 0;
+    cm_camera_net own;
+    own.is_made = 0;
+    cm_camera_net *const kept = atomic_load(&camera->net);
     for (size_t done = 0; done < n; done += CM_CAMERA_BLOCK)
     {
         const size_t count = n - done < CM_CAMERA_BLOCK ? n - done : CM_CAMERA_BLOCK;
@@ -210,11 +227,15 @@ void cm_camera_ray_array(const cm_camera *camera, size_t n, const double *column
         if (camera->set->rays(&camera->lens, camera->field.within, camera->field.furthest, &block) >
             0)
         {
-            settle_pixels(camera, &block, count, &net);
+            settle_pixels(camera, &block, count, kept != NULL ? kept : &own);
         }
         memcpy(x + done, block.x, count * sizeof *x);
         memcpy(y + done, block.y, count * sizeof *y);
         memcpy(z + done, block.z, count * sizeof *z);
+    }
+    if (own.is_made)
+    {
+        keep_net(camera, &own);
     }
 }
 

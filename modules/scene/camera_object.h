@@ -8,6 +8,9 @@
 #include <cubemap/camera.h>
 
 #include "camera_image.h"
+#include "camera_net.h"
+
+#include <stdatomic.h>
 
 struct cm_camera
 {
@@ -16,6 +19,8 @@ struct cm_camera
     cm_camera_field field;
     cm_camera_image image;
     const cm_camera_set *set;
+    _Atomic(cm_camera_net *)
+        net; /* from the first pixel on that needed it; NULL before, or without memory */
     /* Of an omnidirectional camera: faces, half a face's width, the value of v in a face's first row, and what a column
      * has to be moved by to count from the picture's edge. */
     unsigned faces;

@@ -201,6 +201,27 @@ static cm_camera *camera_all_around(uint32_t edge)
     return camera;
 }
 
+/* Of one view along the world's axes, whose pixels are these. */
+static cm_octree *map_of_image(const cm_octree_options *options, const cm_camera *camera,
+                               float *image, int is_range)
+{
+    const cm_camera_options *shape = cm_camera_describe(camera);
+    const cm_view view = {.size = sizeof view,
+                          .camera = camera,
+                          .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.0, 0.0, 0.0}},
+                          .depth = {.size = sizeof view.depth,
+                                    .data = image,
+                                    .type = CM_PIXEL_FLOAT,
+                                    .width = shape->width,
+                                    .height = shape->height,
+                                    .channels = 1},
+                          .depth_is_range = is_range,
+                          .depth_unit = 1.0};
+    cm_octree *octree = make_map(options);
+    ck_assert_int_eq(cm_octree_update(octree, &view, NULL), CM_OK);
+    return octree;
+}
+
 /* What a view of one depth makes of the voxels of a map. */
 static cm_octree_count count_after(const cm_octree_options *options, const cm_camera *camera,
                                    float depth)
@@ -213,19 +234,7 @@ static cm_octree_count count_after(const cm_octree_options *options, const cm_ca
     {
         image[i] = depth;
     }
-    const cm_view view = {.size = sizeof view,
-                          .camera = camera,
-                          .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.0, 0.0, 0.0}},
-                          .depth = {.size = sizeof view.depth,
-                                    .data = image,
-                                    .type = CM_PIXEL_FLOAT,
-                                    .width = shape->width,
-                                    .height = shape->height,
-                                    .channels = 1},
-                          .depth_is_range = shape->mapping != NULL,
-                          .depth_unit = 1.0};
-    cm_octree *octree = make_map(options);
-    ck_assert_int_eq(cm_octree_update(octree, &view, NULL), CM_OK);
+    cm_octree *octree = map_of_image(options, camera, image, shape->mapping != NULL);
     cm_octree_count count = {.size = sizeof count};
     ck_assert_int_eq(cm_octree_count_voxels(octree, &count), CM_OK);
     cm_octree_destroy(octree);
@@ -272,19 +281,7 @@ static cm_octree *map_of_ranges(const cm_octree_options *options, const cm_camer
         image[i] =
             (float)(3.0 * sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]) / ray[2]);
     }
-    const cm_view view = {.size = sizeof view,
-                          .camera = camera,
-                          .pose = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.0, 0.0, 0.0}},
-                          .depth = {.size = sizeof view.depth,
-                                    .data = image,
-                                    .type = CM_PIXEL_FLOAT,
-                                    .width = shape->width,
-                                    .height = shape->height,
-                                    .channels = 1},
-                          .depth_is_range = 1,
-                          .depth_unit = 1.0};
-    cm_octree *octree = make_map(options);
-    ck_assert_int_eq(cm_octree_update(octree, &view, NULL), CM_OK);
+    cm_octree *octree = map_of_image(options, camera, image, 1);
     free(image);
     return octree;
 }

@@ -5,6 +5,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include <cubemap/camera.h>
+#include <cubemap/pool.h>
 
 #include "tests/suite.h"
 #include "lens_truth.h"
@@ -627,6 +628,69 @@ START_TEST(solid_angles_are_those_of_small_squares)
 }
 END_TEST
 
+enum
+{
+    ASKED_WIDTH = 120,
+    ASKED_HEIGHT = 90,
+    ASKED = ASKED_WIDTH * ASKED_HEIGHT
+};
+
+typedef struct asked
+{
+    const cm_camera *camera;
+    double column[ASKED], row[ASKED], ray[3][ASKED];
+} asked;
+
+static void ask_one_by_one(size_t begin, size_t end, void *user)
+{
+    asked *of = user;
+    for (size_t i = begin; i < end; i++)
+    {
+        cm_camera_ray_array(of->camera, 1, &of->column[i], &of->row[i], &of->ray[0][i],
+                            &of->ray[1][i], &of->ray[2][i]);
+    }
+}
+
+/* What a camera keeps once a pixel has needed it changes nothing, whichever thread was first: of a lens with pixels to which no
+ * straight way leads from the axis. */
+START_TEST(threads_may_ask_one_camera_pixel_by_pixel)
+{
+    static asked all, each;
+    const cm_camera_options options = {
+        .size = sizeof options,
+        .width = ASKED_WIDTH,
+        .height = ASKED_HEIGHT,
+        .fx = 45.0,
+        .fy = 45.0,
+        .cx = 60.0,
+        .cy = 45.0,
+        .distortion = {0.0, 0.0698612593366, -0.4206904137541, -0.1908341679417, -0.2634468057999,
+                       -0.0520405689487, -0.0923025414603, 0.0, 0.4369750951822, 0.4963335714855,
+                       -0.3377642943636, -0.1694050995941}};
+    cm_camera *const camera[2] = {make(&options), make(&options)};
+    for (size_t i = 0; i < ASKED; i++)
+    {
+        all.column[i] = each.column[i] = (double)(i % ASKED_WIDTH);
+        all.row[i] = each.row[i] = (double)(i / ASKED_WIDTH);
+    }
+    cm_camera_ray_array(camera[0], ASKED, all.column, all.row, all.ray[0], all.ray[1], all.ray[2]);
+    cm_pool *pool = NULL;
+    ck_assert_int_eq(cm_pool_create(4, &pool), CM_OK);
+    each.camera = camera[1];
+    cm_pool_run(pool, ASKED, 1, ask_one_by_one, &each);
+    cm_pool_destroy(pool);
+    size_t rays = 0;
+    for (size_t i = 0; i < ASKED; i++)
+    {
+        rays += isnan(all.ray[0][i]) ? 0 : 1;
+    }
+    ck_assert(rays > ASKED / 4 && rays < ASKED);
+    ck_assert_mem_eq(all.ray, each.ray, sizeof all.ray);
+    cm_camera_destroy(camera[0]);
+    cm_camera_destroy(camera[1]);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {pixels_come_back,
@@ -641,6 +705,7 @@ int main(void)
                                   narrow_folds_end_the_field,
                                   fixed_points_fail_where_newton_does_not,
                                   solid_angles_are_those_of_small_squares,
+                                  threads_may_ask_one_camera_pixel_by_pixel,
                                   NULL};
     return run_suite("lens", tests);
 }
