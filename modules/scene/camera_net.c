@@ -73,7 +73,11 @@ void cm_camera_net_make(const cm_lens *lens, const cm_camera_set *set, const cm_
 {
     const size_t knots = (CM_FIELD_SIDES + 1) * CM_NET_RINGS;
     cm_camera_block block;
-    for (size_t done = 0; done < knots && !net->is_made; done += CM_CAMERA_BLOCK)
+    if (net->is_made) /* and threads may read it */
+    {
+        return;
+    }
+    for (size_t done = 0; done < knots; done += CM_CAMERA_BLOCK)
     {
         for (size_t i = 0; i < CM_CAMERA_BLOCK; i++)
         {
@@ -92,7 +96,7 @@ void cm_camera_net_make(const cm_lens *lens, const cm_camera_set *set, const cm_
             net->y[number / CM_NET_RINGS][number % CM_NET_RINGS] = (float)block.aim_y[i];
         }
     }
-    for (size_t side = 0; side < CM_FIELD_SIDES && !net->is_made; side++)
+    for (size_t side = 0; side < CM_FIELD_SIDES; side++)
     {
         for (size_t i = 0; i < CM_NET_GROUPS; i++)
         {
