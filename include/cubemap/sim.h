@@ -190,9 +190,10 @@ CM_API cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor 
  * and the root mean square over the pixels of what it changes is its contribution: oversampling, multipath (one bounce),
  * visibility of virtual lights, further bounces (up to 4), noise, distortion (of the lens), motion within an exposure, bounces
  * beyond those given, sampling of scattered light. Scattered light is measured in a smaller picture.
- * The last is the standard deviation by the paths' random numbers, or the error of virtual lights beside paths with twice what
- * that is uncertain by; its cost is that of the bounces. Half of the limit, and what else is left of it, is for that, and paths (to 4096) or lights (to 5408, else paths) are as many as that
- * needs. What remains counts in budget->error; reason says where it is beyond the limit.
+ * The last is the standard deviation by the paths' random numbers, or the error of virtual lights beside paths with twice
+ * what that is uncertain by; its cost is that of the bounces. Half of the limit, and what else is left of it, is for that,
+ * and paths (to 4096) or lights (to 5408, else paths) are as many as that needs. What remains counts in budget->error;
+ * reason says where it is beyond the limit.
  * most: what is given, NULL: 3 x 3 samples. Its lights, and its paths, are not exceeded where they are not 0; traces 1: paths
  * alone. Its bounces: 0 for as many as are needed, up to 4; 1 or more: not more than these; below 0: direct light alone.
  * What more would do is told and counts in budget->error, its reason is "dropped: limit given"; a limit that is exceeded by
