@@ -239,23 +239,6 @@ void cm_level_put(const cm_level *level, const float *sum, unsigned char *to)
 #define FOUR 4u
 #define ROW_BYTES ((POINTS * (CM_CHANNELS_MAX + 1) + SIXTEEN) * sizeof(float))
 
-/* Dense pixels of a row inside the plane, with room for sixteen values after them: where they are, or in buffer. */
-static const unsigned char *row_of(const cm_level *level, unsigned plane, int32_t column,
-                                   int32_t row, int32_t count, unsigned char *buffer)
-{
-    const cm_level_plane *from = &level->plane[plane];
-    const unsigned char *there =
-        from->pixels + row * from->row_stride + column * from->pixel_stride;
-    const ptrdiff_t size = count * (ptrdiff_t)level->pixel_size;
-    if (level->is_plain && from->pixel_stride == (ptrdiff_t)level->pixel_size &&
-        from->end - there >= size + (ptrdiff_t)(SIXTEEN * sizeof(float)))
-    {
-        return there;
-    }
-    cm_level_load(level, plane, column, row, count, buffer);
-    return buffer;
-}
-
 /* Rows that weigh something, up to POINTS. */
 typedef struct weighed_rows
 {
@@ -264,21 +247,15 @@ typedef struct weighed_rows
     const unsigned char *row[POINTS];
 } weighed_rows;
 
-/* Bytes of a row inside the plane that are mixed as floats, with room for sixteen after them. */
-static const unsigned char *bytes_of(const cm_level *level, unsigned plane, int32_t column,
-                                     int32_t row, int32_t count, unsigned char *buffer)
+/* A rectangle of pixels inside a plane. */
+typedef struct pixel_box
 {
-    const cm_level_plane *from = &level->plane[plane];
-    const unsigned char *there =
-        from->pixels + row * from->row_stride + column * from->pixel_stride;
-    const ptrdiff_t size = count * from->pixel_stride;
-    if (from->end - there >= size + (ptrdiff_t)SIXTEEN)
-    {
-        return there;
-    }
-    memcpy(buffer, there, (size_t)size);
-    return buffer;
-}
+    unsigned plane;
+    int32_t left;
+    int32_t top;
+    unsigned columns;
+    unsigned rows;
+} pixel_box;
 
 /* Are pixels bytes, one beside the other, that mean what is stored? */
 static int are_bytes(const cm_level *level, unsigned plane)
@@ -288,52 +265,123 @@ static int are_bytes(const cm_level *level, unsigned plane)
            level->plane[plane].pixel_stride == (ptrdiff_t)level->channels;
 }
 
-/* Sums of pixels by weights, along columns first. What weighs nothing may be NaN. */
-static void mix(const cm_level *level, unsigned plane, int32_t left, int32_t top, unsigned columns,
-                unsigned rows, const double *across, const double *along, unsigned char *to)
+/* Are the rows of a box dense where they are, with so many bytes behind each? */
+static int are_dense(const cm_level *level, const pixel_box *box, ptrdiff_t size, ptrdiff_t behind)
 {
-    unsigned char buffer[POINTS][ROW_BYTES];
-    float of_column[POINTS * (CM_CHANNELS_MAX + 1) + SIXTEEN];
-    float sum[CM_CHANNELS_MAX + 1 + FOUR];
-    const size_t channels = level->channels;
-    const int is_scaled = are_bytes(level, plane);
-    weighed_rows weighed;
-    weighed.count = 0;
-    for (unsigned j = 0; j < rows; j++)
+    const cm_level_plane *from = &level->plane[box->plane];
+    const int32_t farthest = from->row_stride < 0 ? box->top : box->top + (int32_t)box->rows - 1;
+    const unsigned char *there =
+        from->pixels + farthest * from->row_stride + box->left * from->pixel_stride;
+    return from->pixel_stride == size && from->end - there >= box->columns * size + behind;
+}
+
+/* Do all nodes weigh something? Else one does: of Lagrange's weights of a place on a node all others are 0. */
+static int are_between(const double *weight, unsigned count)
+{
+    return count < 2 || (weight[0] != 0.0 && weight[1] != 0.0);
+}
+
+/* One of a box, as bytes that are mixed as floats, or as it is mixed. */
+static void load_row(const cm_level *level, const pixel_box *box, int is_scaled, unsigned row,
+                     unsigned char *to)
+{
+    const cm_level_plane *from = &level->plane[box->plane];
+    const int32_t line = box->top + (int32_t)row;
+    if (is_scaled)
     {
-        if (along[j] != 0.0)
+        memcpy(to, from->pixels + line * from->row_stride + box->left * from->pixel_stride,
+               (size_t)(box->columns * from->pixel_stride));
+        return;
+    }
+    cm_level_load(level, box->plane, box->left, line, (int32_t)box->columns, to);
+}
+
+/* Dense pixels of rows with room for sixteen values after them: where they are, or each in its part of buffer. */
+static void find_rows(const cm_level *level, const pixel_box *box, int is_scaled,
+                      const double *along, unsigned char (*buffer)[ROW_BYTES], weighed_rows *found)
+{
+    const cm_level_plane *from = &level->plane[box->plane];
+    const ptrdiff_t size = is_scaled ? from->pixel_stride : (ptrdiff_t)level->pixel_size;
+    const ptrdiff_t behind = (ptrdiff_t)(is_scaled ? SIXTEEN : SIXTEEN * sizeof(float));
+    const int are_there = (is_scaled || level->is_plain) && are_dense(level, box, size, behind);
+    const unsigned char *there =
+        from->pixels + box->top * from->row_stride + box->left * from->pixel_stride;
+    found->count = 0;
+    for (unsigned j = 0; j < box->rows; j++, there += from->row_stride)
+    {
+        found->weight[found->count] = (float)along[j];
+        found->row[found->count] = there;
+        if (along[j] == 0.0)
         {
-            weighed.weight[weighed.count] = (float)along[j];
-            weighed.row[weighed.count++] = (is_scaled ? bytes_of : row_of)(
-                level, plane, left, top + (int32_t)j, (int32_t)columns, buffer[j]);
+            continue;
         }
+        if (!are_there)
+        {
+            found->row[found->count] = buffer[j];
+            load_row(level, box, is_scaled, j, buffer[j]);
+        }
+        found->count++;
     }
-    (level->is_bytes ? level->set->sum_u8
-     : is_scaled     ? level->set->sum_scaled_u8
-                     : level->set->sum_float)(weighed.count, weighed.weight, weighed.row,
-                                          columns * channels, of_column);
-    unsigned used = 0;
-    size_t first[POINTS];
-    float weight[POINTS];
-    for (unsigned i = 0; i < columns; i++)
-    {
-        first[used] = i * channels;
-        weight[used] = (float)across[i];
-        used += across[i] != 0.0;
-    }
+}
+
+/* The sum of a row's pixels. */
+static inline void sum_pixels(const float *of_column, unsigned columns, size_t channels,
+                              const double *across, float *sum)
+{
     for (size_t c = 0; c < channels; c += FOUR)
     {
         float total[FOUR] = {0.0f};
-        for (unsigned i = 0; i < used; i++)
+        for (unsigned i = 0; i < columns; i++)
         {
-            const float *value = of_column + first[i] + c;
+            const float weight = (float)across[i];
+            const float *value = of_column + i * channels + c;
             for (size_t k = 0; k < FOUR; k++)
             {
-                total[k] += weight[i] * value[k];
+                total[k] += weight * value[k];
             }
         }
         memcpy(sum + c, total, sizeof total);
     }
+}
+
+/* The same, mostly of six that all weigh something. What weighs nothing may be NaN: a place on a node has that one alone. */
+static void sum_columns(const float *of_column, unsigned columns, size_t channels,
+                        const double *across, float *sum)
+{
+    static const double one = 1.0;
+    unsigned node = 0;
+    if (columns == POINTS && are_between(across, columns))
+    {
+        sum_pixels(of_column, POINTS, channels, across, sum);
+        return;
+    }
+    if (are_between(across, columns))
+    {
+        sum_pixels(of_column, columns, channels, across, sum);
+        return;
+    }
+    while (across[node] == 0.0)
+    {
+        node++;
+    }
+    sum_pixels(of_column + node * channels, 1, channels, &one, sum);
+}
+
+/* Sums of pixels by weights, along columns first. */
+static void mix(const cm_level *level, const pixel_box *box, const double *across,
+                const double *along, unsigned char *to)
+{
+    unsigned char buffer[POINTS][ROW_BYTES];
+    float of_column[POINTS * (CM_CHANNELS_MAX + 1) + SIXTEEN];
+    float sum[CM_CHANNELS_MAX + 1 + FOUR];
+    const int is_scaled = are_bytes(level, box->plane);
+    weighed_rows weighed;
+    find_rows(level, box, is_scaled, along, buffer, &weighed);
+    (level->is_bytes ? level->set->sum_u8
+     : is_scaled     ? level->set->sum_scaled_u8
+                     : level->set->sum_float)(weighed.count, weighed.weight, weighed.row,
+                                          box->columns * level->channels, of_column);
+    sum_columns(of_column, box->columns, level->channels, across, sum);
     cm_level_put(level, sum, to);
 }
 
@@ -344,7 +392,8 @@ void cm_level_mix(const cm_level *level, unsigned plane, int32_t left, int32_t t
     double along[POINTS];
     weigh(x - 0.5 - left, points, across);
     weigh(y - 0.5 - top, points, along);
-    mix(level, plane, left, top, points, points, across, along, to);
+    const pixel_box box = {plane, left, top, points, points};
+    mix(level, &box, across, along, to);
 }
 
 /* Is a place before the first or behind the last of points? Six would magnify what rounding left of bytes eight times. */
@@ -381,7 +430,8 @@ static void interpolate(const cm_level *level, int is_creased, unsigned plane, d
         rows = 2;
         top = points_around(y, level->height, rows, along);
     }
-    mix(level, plane, left, top, columns, rows, across, along, to);
+    const pixel_box box = {plane, left, top, columns, rows};
+    mix(level, &box, across, along, to);
 }
 
 /* Pixels of a plane's skirt that are filled at once. */

@@ -124,6 +124,25 @@ static double to_corner(double along, double extent)
     return fmax(fmin(along, extent - along), 0.0);
 }
 
+/* How far nodes are from the first. */
+static const double ordinal[NODES] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+
+/* By rows. */
+static void put_nodes(const nodes *right, const nodes *down, double *restrict column,
+                      double *restrict row)
+{
+    const nodes across = *right;
+    for (unsigned j = 0; j < down->count; j++, column += across.count, row += across.count)
+    {
+        const double line = down->first + down->step * ordinal[j];
+        for (unsigned k = 0; k < across.count; k++)
+        {
+            column[k] = across.first + across.step * ordinal[k];
+            row[k] = line;
+        }
+    }
+}
+
 /* Takes a place, or leaves it for the next time: 0. */
 static int take_place(work *at, double column, double row)
 {
@@ -150,13 +169,10 @@ static int take_place(work *at, double column, double row)
     }
     at->first[i] = has_nodes ? at->first[i - 1] : at->count;
     at->places++;
-    for (unsigned j = 0; !has_nodes && j < down->count; j++)
+    if (!has_nodes)
     {
-        for (unsigned k = 0; k < right->count; k++, at->count++)
-        {
-            at->column[at->count] = right->first + right->step * k;
-            at->row[at->count] = down->first + down->step * j;
-        }
+        put_nodes(right, down, at->column + at->count, at->row + at->count);
+        at->count += right->count * down->count;
     }
     return 1;
 }
