@@ -205,6 +205,8 @@ def doc_of(name, loop):
     comment = loop.declared.comment or "See the header."
     shapes = [f"{operand.name} {shape_text(operand.shape)}" for operand in loop.inputs + loop.outputs if operand.shape]
     more = f"\n\nTrailing axes: {', '.join(shapes)}." if shapes else ""
+    if any(operand.base == "float" for operand in loop.inputs):
+        more += "\n\nThere is single precision alone: what NumPy turns into float64 is rounded to float32."
     lead = LEADS.get(loop.function.name)
     said = [lead, ""] if lead else []
     return "\n".join([call_line(name, loop), "", *said, *textwrap.wrap(comment, 100)]) + more + \

@@ -102,12 +102,13 @@ struct core_loop
     const struct core_variant *variant;
     struct core_context context;
     unsigned char integers; /* are unsigned inputs signed 64-bit ones for NumPy? */
+    unsigned char rounds; /* are inputs of float, for which there is no double, double for NumPy? */
 };
 
 /* The bytes of a number. */
 extern const unsigned char core_type_size[CORE_TYPES];
 
-/* What NumPy has for an operand: 64-bit whole numbers for the small ones that are read. */
+/* What NumPy has for an operand: 64-bit whole numbers for the small ones that are read, and double for float that rounds. */
 enum core_type core_seen_type(const struct core_loop *loop, int operand);
 
 /* How many numbers the next operand's point has along each axis, from the text of a signature, "(),(3)->(4,3)". Returns the

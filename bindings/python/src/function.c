@@ -316,6 +316,33 @@ static int has_unsigned(const struct core_function *function)
     return 0;
 }
 
+/* Is there an input of float, of which no other loop takes what has more digits? */
+static int has_float_alone(const struct core_function *function)
+{
+    for (int k = 0; function->variant_count == 1 && k < function->inputs; k++)
+    {
+        if (function->variant[0]->operand[k].type == CORE_FLOAT)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A loop for a variant, and the letters of its types. Returns where the next letter goes. */
+static char *fill_loop(struct loops *loops, int at, const struct core_loop *loop, char *type)
+{
+    const struct core_function *function = loop->function;
+    loops->loop[at] = *loop;
+    loops->function[at] = core_run;
+    loops->data[at] = &loops->loop[at];
+    for (int k = 0; k < function->inputs + function->outputs; k++)
+    {
+        *type++ = numpy_types[core_seen_type(loop, k)];
+    }
+    return type;
+}
+
 /* float before double, unsigned before signed whole numbers: NumPy takes the first loop to which all casts are safe. */
 static int fill_loops(const struct core_function *function, const struct core_context *context,
                       struct loops *loops)
@@ -324,17 +351,14 @@ static int fill_loops(const struct core_function *function, const struct core_co
     char *type = loops->types;
     for (int variant = 0; variant < function->variant_count; variant++)
     {
-        for (unsigned char integers = 0; integers <= has_unsigned(function); integers++)
+        for (unsigned char rounds = 0; rounds <= has_float_alone(function); rounds++)
         {
-            struct core_loop *loop = &loops->loop[count];
-            *loop = (struct core_loop){function, function->variant[variant], *context, integers};
-            loops->function[count] = core_run;
-            loops->data[count] = loop;
-            for (int k = 0; k < function->inputs + function->outputs; k++)
+            for (unsigned char integers = 0; integers <= has_unsigned(function); integers++)
             {
-                *type++ = numpy_types[core_seen_type(loop, k)];
+                const struct core_loop loop = {function, function->variant[variant], *context,
+                                               integers, rounds};
+                type = fill_loop(loops, count++, &loop, type);
             }
-            count++;
         }
     }
     return count;

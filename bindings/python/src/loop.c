@@ -33,7 +33,7 @@ enum core_type core_seen_type(const struct core_loop *loop, int operand)
     {
         return CORE_INT64;
     }
-    return type;
+    return type == CORE_FLOAT && loop->rounds ? CORE_DOUBLE : type;
 }
 
 /* Where the numbers of an operand are. */
@@ -74,9 +74,19 @@ const char *core_read_extents(const char *text, int *extents, int extent[2])
     return text;
 }
 
-/* A whole number of 64 bits where the library has fewer: what does not fit becomes one that it refuses. */
-static void narrow(enum core_type type, int64_t value, char *to)
+/* A number of 64 bits where the library has fewer: a real one is rounded; a whole one that does not fit becomes one that it
+ * refuses. */
+static void narrow(enum core_type type, const char *from, char *to)
 {
+    if (type == CORE_FLOAT)
+    {
+        double real;
+        memcpy(&real, from, sizeof real);
+        *(float *)(void *)to = (float)real;
+        return;
+    }
+    int64_t value;
+    memcpy(&value, from, sizeof value);
     if (type == CORE_UINT8)
     {
         *(uint8_t *)to = value < 0 || value > 255 ? 255 : (uint8_t)value;
@@ -145,9 +155,7 @@ static void transfer(const struct place *place, const struct core_operand *opera
         {
             for (size_t i = 0; i < n; i++, outside += place->step, buffer += buffer_step)
             {
-                int64_t value;
-                memcpy(&value, outside, sizeof value);
-                narrow(operand->type, value, buffer);
+                narrow(operand->type, outside, buffer);
             }
         }
     }

@@ -336,3 +336,31 @@ def test_numbers_for_functions_of_float_alone():
     assert error(2, 0.5) == error(2.5, 1) == 1.5 and error(2**24 + 1, 1) == 2.0**24 - 1
     with pytest.raises(OverflowError):
         error(10**400, 1)
+
+
+@pytest.mark.skipif(not cubemap._library.HAS_SIM, reason="no library cubemap-sim")
+def test_arrays_for_functions_of_float_alone():
+    """They take what functions with loops of both take, and round it: the result is that of the rounded numbers."""
+    error, slope = cubemap._methods.depth_error_local, cubemap._methods.depth_error_slope
+    depth, truth = np.array([[1.1, 2.2, 3.3], [16777217, 0.7, 1e-3]]), np.array([[0.3, 2.0, 4.0], [16777215, 0.1, 2e-3]])
+    expected = error(depth.astype(np.float32), truth.astype(np.float32))
+    assert expected.dtype == np.float32 and expected[1, 0] == 1
+    for given in ((depth, truth), (depth.tolist(), truth.tolist()), (depth.astype(">f8"), truth.astype("<f4")),
+                  (np.asfortranarray(depth), truth[:, ::-1][:, ::-1]), (depth.astype(np.float32), truth)):
+        found = error(*given)
+        assert found.dtype == np.float32 and np.array_equal(found, expected)
+    for kind in (np.float16, np.int8, np.uint16, np.int32, np.uint64):
+        assert error([3, 5], np.array([1, 2], kind)).tolist() == [2, 3]
+    assert error(True, 0.5) == error(np.bool_(True), np.float64(0.5)) == 0.5
+    assert error(np.array([True, True]), [0.25, 0.5]).tolist() == [0.75, 0.5]
+    assert error(np.empty((0, 3)), [1.0, 2.0, 3.0]).shape == (0, 3)
+    out = np.zeros(2)
+    error([2.0, 4.0], 1.0, out=out, where=[True, False])
+    assert out.tolist() == [1, 0]
+    assert error(np.float64(1e300), 1.0) != error(1.0, 1.0)  # rounded to infinity, which is no depth
+    assert slope([0, 0, 1], [[0, 1.0, 0], [0, 0, 2.0]]).tolist() == [pytest.approx(np.pi / 2), 0]
+    assert slope(np.array([[0, 0, 1.0]]), np.array([0, 3, 3])).dtype == np.float32
+    for refused in (1j, "1", None, np.array([1.0], object), np.longdouble(1.1)):
+        with pytest.raises(TypeError):
+            error([refused], 1.0)
+    assert "rounded to float32" in error.__doc__ and "rounded to float32" not in cubemap.Mapping().forward.__doc__

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""How far depth is from ground truth. Depth and truth are float32 of one shape; what is finite and above 0 is measured.
+"""How far depth is from ground truth. Depth and truth are float32 of one shape, and other numbers are rounded to that; what is
+finite and above 0 is measured.
 
 >>> truth = np.full((4, 4), 2.0, np.float32)
 >>> depth = truth + np.float32(0.5)
@@ -126,7 +127,7 @@ def depth_error_temporal(depth: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
 
 def depth_error_slope(normal: ArrayLike, truth: ArrayLike) -> np.ndarray:
     """The angle between normals (..., 3) and the true ones; NaN where one is none."""
-    return _methods.depth_error_slope(np.asarray(normal, np.float32), np.asarray(truth, np.float32))
+    return _methods.depth_error_slope(normal, truth)
 
 
 def depth_error_plane(points: ArrayLike) -> DepthPlane:
