@@ -13,12 +13,21 @@ def name_results(function, result):
 
 def function(name):
     """A function of the library that needs no object."""
-    return _core.Function(name, result=_results.get(name))
+    return _core.Function(name, result=_results.get(name), origin=(function, (name,)))
 
 
-def bind(instance, name, options=()):
-    """A function of the library for an object, whose `_handle` and `_threads` it takes."""
-    return _core.Function(name, instance._handle, options, instance._threads, _results.get(name))
+def bind(instance, name, options=(), shown=None):
+    """A function of the library for an object, whose `_handle` and `_threads` it takes. As the method `shown` of an object that
+    `_is_remade` from a few numbers and texts it is pickled with these: it does not keep the object itself."""
+    given = (name, instance._handle, options, instance._threads, _results.get(name))
+    if shown is None or not getattr(instance, "_is_remade", False):
+        return _core.Function(*given)
+    return _core.Function(*given, (_bound_again, (instance.__reduce__(), shown)))
+
+
+def _bound_again(made, shown):
+    make, arguments = made
+    return getattr(make(*arguments), shown)
 
 
 class Method:
@@ -34,7 +43,7 @@ class Method:
     def __get__(self, instance, owner=None):
         if instance is None:
             return self
-        bound = bind(instance, self.name)
+        bound = bind(instance, self.name, shown=self.shown)
         instance.__dict__[self.shown] = bound
         return bound
 

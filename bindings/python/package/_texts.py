@@ -54,6 +54,7 @@ class Specified:
     """
 
     _standard = {}
+    _is_remade = True  # are they few, and at hand? Then methods that are ufuncs are pickled with them
 
     def _arguments(self):
         raise NotImplementedError

@@ -12,6 +12,7 @@ True
 from __future__ import annotations
 
 import ctypes
+import operator
 from typing import Any
 
 import numpy as np
@@ -80,6 +81,7 @@ class CellGrid(CellGridMethods, Specified):
         return bool(library.cm_cell_grid_is_s2(self._handle))
 
     def _at_level(self, name, level):
+        level = operator.index(level)
         if (name, level) not in self._levels:
             if not 0 <= level <= LEVEL_MAX:
                 raise Error(library.CM_ERROR_CELL, f"level: 0 to {LEVEL_MAX}, not {level}")

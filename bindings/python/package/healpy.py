@@ -4,14 +4,22 @@
 What differs:
   speed         bindings/python/benchmark.py measures it beside healpy's
   numbers       single points give numbers of Python instead of NumPy's
-  no pixel      a number of no pixel gives NaN, or -1; healpy gives any number
-  no point      NaN and infinite angles and vectors are refused with ValueError; healpy may give any pixel
+  no pixel      a number of no pixel gives NaN, or -1, and ValueError in boundaries; healpy gives any number
+  no point      NaN and infinite angles and vectors, the vector 0 and radii below 0 are refused with ValueError; healpy may
+                give any pixel, or none
+  resolutions   what is none is refused with ValueError everywhere, by vec2pix, max_pixrad and nside2pixarea, too, where
+                healpy computes with it or ends the program; 0 is no number of pixels. max_pixrad knows all, healpy powers of
+                two. A real number that is whole is one
+  types         what is computed is float64, also of float32; healpy's ang2vec and vec2ang give float32
+  nothing       arrays without pixels have no boundaries, of shape (0, 3, 4 step); healpy refuses them. step is 1 or more
   accuracy      angles of vectors are accurate at the poles, where healpy's arc cosine loses half of the digits. So a point
                 within rounding of a border may be in the pixel beside. Vectors of angles do not depend on NumPy's sines
   shapes        ang2vec has the vectors of angles of several dimensions along the last axis; healpy turns all axes around
-  ud_grade      sums are made in double; UNSEEN stays UNSEEN when `power` is given
+  ud_grade      sums are made in double; UNSEEN stays UNSEEN when `power` is given. NaN and infinities are as UNSEEN: healpy
+                keeps them in finer maps, and makes NaN of pixels that have one. What a masked array masks is UNSEEN, too;
+                healpy computes with what is under the mask. An order that is none is refused
   query_disc    inclusive=True gives all pixels that the disc overlaps, and a few more: not the same few
-  reorder       of bunches of memory nothing is said: a map is done at once
+  reorder       of bunches of memory nothing is said: a map is done at once. Masked arrays keep their mask
   left out      what reads and writes files, draws or transforms, query_polygon, query_strip, interpolation
 
 >>> from cubemap import healpy as hp
@@ -45,8 +53,12 @@ NSIDE_MAX = 2**29
 _PI, _MOST = math.pi, np.finfo(np.float64).max.item()  # names of the module are found sooner than attributes
 
 
-@functools.lru_cache(maxsize=128)
 def _healpix(nside, nest):
+    return _made(nside.item() if isinstance(nside, np.ndarray) and nside.ndim == 0 else nside, nest)
+
+
+@functools.lru_cache(maxsize=128)
+def _made(nside, nest):
     if not isnsideok(nside, nest):
         raise ValueError(f"{nside} is not a valid nside parameter (must be a power of 2, less than 2**30)")
     return Healpix(int(nside), "nested" if nest else "ring")
@@ -58,6 +70,8 @@ _from_angles, _to_angles, _from_lonlat, _to_lonlat, _from_direction, _to_directi
 
 def _bind(table, method, nside, nest):
     bound = getattr(_healpix(nside, nest), method)
+    if isinstance(nside, np.ndarray):  # of no dimension: the same number may be found as one
+        return bound
     if len(table) >= 128:
         table.clear()
     table[nside, nest] = bound
@@ -191,6 +205,7 @@ def get_all_neighbours(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike | None
                        lonlat: bool = False) -> np.ndarray:
     """The neighbours SW, W, NW, N, NE, E, SE and S, along the first axis; -1 where there is none."""
     pixel = theta if phi is None else ang2pix(nside, theta, phi, nest, lonlat)
+    pixel = np.ma.getdata(pixel) if isinstance(pixel, np.ma.MaskedArray) else pixel  # what has no mask for eight of each
     if type(nside) is int and type(pixel) is int:
         return _core.pixel_neighbours(_handles.get((nside, nest)) or _bind(_handles, "_handle", nside, nest), pixel)
     found = _each(nside, nest, "neighbours", pixel)
@@ -204,6 +219,8 @@ def boundaries(nside: int, pix: ArrayLike, step: int = 1, nest: bool = False) ->
     pixels = np.asarray(pix)
     if pixels.ndim > 1:
         raise ValueError("pixels are to be one number, or an array of one dimension")
+    if pixels.size and pixels.dtype.kind not in "iub":
+        raise ValueError("pixels are whole numbers")
     if pixels.dtype.kind == "u" or not pixels.size:
         pixels = pixels.astype(np.int64)  # what is too large is negative then, and refused
     found = _core.pixel_boundaries(_bind(_handles, "_handle", nside, nest), pixels, step)
@@ -283,9 +300,16 @@ def nside2resol(nside: Any, arcmin: bool = False) -> Any:
     return np.degrees(side) * 60 if arcmin else side
 
 
-@functools.lru_cache(maxsize=128)
-def max_pixrad(nside: int, degrees: bool = False) -> float:
+def max_pixrad(nside: ArrayLike, degrees: bool = False) -> Any:
     """The greatest angle between a pixel's centre and its corners."""
+    if np.ndim(nside) == 0:
+        return _pixel_radius(nside.item() if isinstance(nside, np.ndarray) else nside, degrees)
+    sides = np.asarray(nside)
+    return np.array([_pixel_radius(one, degrees) for one in sides.ravel().tolist()], np.float64).reshape(sides.shape)
+
+
+@functools.lru_cache(maxsize=128)
+def _pixel_radius(nside, degrees):
     _checked_nside(nside)
     rise, tip = 2 / 3, 1 - (1 - 1 / nside) ** 2 / 3
     one = np.array([np.sqrt(1 - rise**2) * np.cos(np.pi / (4 * nside)), np.sqrt(1 - rise**2) * np.sin(np.pi / (4 * nside)), rise])
@@ -296,14 +320,20 @@ def max_pixrad(nside: int, degrees: bool = False) -> float:
 
 def get_map_size(m: ArrayLike) -> int:
     """The pixels of a map."""
-    npix = np.shape(m)[-1]
+    npix = _map_shape(m)[-1]
     npix2nside(npix)
     return npix
 
 
 def get_nside(m: ArrayLike) -> int:
     """The nside of a map, or of several of one size."""
-    return npix2nside(np.shape(m)[-1])
+    return npix2nside(_map_shape(m)[-1])
+
+
+def _map_shape(m):
+    if np.ndim(m) == 0:
+        raise TypeError("a map is an array, not a single thing")
+    return np.shape(m)
 
 
 # ---- maps ----
@@ -318,9 +348,10 @@ def _is_nested(order):
 def reorder(map_in: ArrayLike, inp: str | None = None, out: str | None = None, r2n: bool | None = None,
             n2r: bool | None = None) -> np.ndarray:
     """A map, or maps along the first axis, in the other order."""
-    inp, out = ("RING", "NEST") if r2n else ("NEST", "RING") if n2r else (inp, out)
+    inp, out = ("NEST", "RING") if n2r else ("RING", "NEST") if r2n else (inp, out)
     nested, wanted = _is_nested(inp), _is_nested(out)
-    values = np.asarray(map_in)
+    values = map_in if isinstance(map_in, np.ma.MaskedArray) else np.asarray(map_in)
+    values = values.astype(values.dtype.newbyteorder("="), copy=False)
     nside = get_nside(values)
     if nested == wanted:
         return values
@@ -328,16 +359,35 @@ def reorder(map_in: ArrayLike, inp: str | None = None, out: str | None = None, r
     return values[..., ring2nest(nside, pixels) if nested else nest2ring(nside, pixels)]
 
 
+def _unmasked(map_in):
+    """A map as an array of numbers, with UNSEEN for what a masked one masks."""
+    values = map_in if isinstance(map_in, np.ma.MaskedArray) else np.asarray(map_in)
+    if values.dtype.kind == "O":
+        values = values.astype(np.float64)
+    if isinstance(values, np.ma.MaskedArray):
+        values = values.astype(np.result_type(values.dtype, np.float32), copy=False).filled(UNSEEN)
+    return values
+
+
+def _regraded_complex(values, *options):
+    """Both parts of a map as ud_grade has them: what is bad in one is so in the other."""
+    bad = ~np.isfinite(values) | (np.abs(values - UNSEEN) < 1e-5 * abs(UNSEEN))
+    real, imaginary = (ud_grade(np.where(bad, UNSEEN, part), *options) for part in (values.real, values.imag))
+    return real + 1j * np.where(real == UNSEEN, 0, imaginary)
+
+
 def ud_grade(map_in: ArrayLike, nside_out: int, pess: bool = False, order_in: str = "RING",
              order_out: str | None = None, power: float | None = None, dtype: DTypeLike | None = None) -> np.ndarray:
     """A map, or maps along the first axis, of another resolution: means of the good parts of a pixel."""
     _checked_nside(nside_out, nest=order_in != "RING")
-    values = np.asarray(map_in)
-    kind = np.dtype(dtype) if dtype is not None else values.dtype
+    values = _unmasked(map_in)
+    kind = np.dtype(dtype) if dtype is not None else values.dtype.newbyteorder("=")
     nside, nested = get_nside(values), _is_nested(order_in)
     wanted = nested if order_out is None else _is_nested(order_out)
     if values.ndim > 1:
         return np.array([ud_grade(one, nside_out, pess, order_in, order_out, power, dtype) for one in values])
+    if values.dtype.kind == "c":
+        return _regraded_complex(values, nside_out, pess, order_in, order_out, power).astype(kind, copy=False)
     if np.issubdtype(kind, np.floating) and values.dtype != np.float32:
         values = values.astype(np.float64, copy=False)
     graded = _healpix(nside, nested).regrade(values, _healpix(nside_out, wanted), pessimistic=bool(pess), power=float(power or 0))

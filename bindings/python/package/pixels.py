@@ -118,7 +118,7 @@ class Healpix(HealpixMethods, Specified):
         power         the result is divided by (nside / nside of the result)^power: -2 for sums
         """
         values = np.ascontiguousarray(values)
-        values = values if values.dtype == np.float32 else values.astype(np.float64, copy=False)
+        values = values if values.dtype == np.float32 else values.astype(np.float64, casting="same_kind", copy=False)
         if values.shape != (self.pixel_count,):
             raise ValueError(f"values: {self.pixel_count} numbers, not {values.shape}")
         result = np.empty(to.pixel_count, values.dtype)

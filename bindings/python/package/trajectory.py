@@ -92,6 +92,8 @@ class Trajectory(TrajectoryMethods, Specified):
     [0, -1]
     """
 
+    _is_remade = False
+
     def __init__(self, stamps: ArrayLike, poses: Pose) -> None:
         stamps = np.ascontiguousarray(stamps, np.float64)
         if stamps.ndim != 1 or poses.shape != stamps.shape:

@@ -219,6 +219,7 @@ class Scene(SceneMethods, Specified):
     """
 
     _standard = {"threads": 1}
+    _is_remade = False
 
     def __init__(self, primitives: list | tuple = (), *, threads: int = 1) -> None:
         parts = tuple(one._parts for one in primitives)

@@ -24,6 +24,7 @@ struct function
     PyObject *
         result; /* what makes the result of a tuple: a named tuple, or a function; NULL: the tuple itself */
     PyTypeObject *named; /* the named tuple */
+    PyObject *origin; /* what makes it again, as pickle wants it; NULL if it is bound to what nobody can make */
     const struct core_loop *
         alone; /* the loop of double, which the ufunc owns; NULL if an input has several numbers a point */
     int extents[CORE_OPERANDS_MAX]; /* of each output's point: 0, 1 or 2 */
@@ -485,12 +486,13 @@ static int read_context(const struct core_function *row, PyObject *options, PyOb
 
 static PyObject *function_new(PyTypeObject *type, PyObject *args, PyObject *keywords)
 {
-    static char *names[] = {"name", "handle", "options", "threads", "result", NULL};
+    static char *names[] = {"name", "handle", "options", "threads", "result", "origin", NULL};
     const char *name;
-    PyObject *handle = Py_None, *options = NULL, *result = Py_None;
+    PyObject *handle = Py_None, *options = NULL, *result = Py_None, *origin = NULL;
     struct core_context context = {NULL, {0, 0}, 1};
-    if (!PyArg_ParseTupleAndKeywords(args, keywords, "s|OO!IO:Function", names, &name, &handle,
-                                     &PyTuple_Type, &options, &context.threads, &result))
+    if (!PyArg_ParseTupleAndKeywords(args, keywords, "s|OO!IOO!:Function", names, &name, &handle,
+                                     &PyTuple_Type, &options, &context.threads, &result,
+                                     &PyTuple_Type, &origin))
     {
         return NULL;
     }
@@ -505,6 +507,7 @@ static PyObject *function_new(PyTypeObject *type, PyObject *args, PyObject *keyw
         return NULL;
     }
     self->call = function_call;
+    self->origin = Py_XNewRef(origin);
     if (name_result(self, result, row) == 0)
     {
         self->ufunc = make_ufunc(row, &context, handle, &self->alone);
@@ -525,6 +528,7 @@ static int function_traverse(PyObject *object, visitproc visit, void *arg)
     struct function *self = (struct function *)object;
     Py_VISIT(self->ufunc);
     Py_VISIT(self->result);
+    Py_VISIT(self->origin);
     return 0;
 }
 
@@ -532,6 +536,7 @@ static void function_dealloc(PyObject *object)
 {
     struct function *self = (struct function *)object;
     PyObject_GC_UnTrack(object);
+    Py_XDECREF(self->origin);
     Py_XDECREF(self->result);
     Py_XDECREF(self->ufunc);
     Py_TYPE(object)->tp_free(object);
@@ -555,6 +560,23 @@ static PyObject *function_repr(PyObject *object)
                                 ((PyUFuncObject *)((struct function *)object)->ufunc)->name);
 }
 
+static PyObject *function_reduce(PyObject *object, PyObject *nothing)
+{
+    (void)nothing;
+    PyObject *origin = ((struct function *)object)->origin;
+    if (!origin)
+    {
+        PyErr_Format(PyExc_TypeError, "%R cannot be pickled: only methods of what is made of a few numbers can",
+                     object);
+    }
+    return Py_XNewRef(origin);
+}
+
+static PyMethodDef function_methods[] = {
+    {"__reduce__", function_reduce, METH_NOARGS, "What makes it again, for pickle and copy."},
+    {NULL, NULL, 0, NULL},
+};
+
 static PyGetSetDef function_getters[] = {
     {"__doc__", function_doc, NULL, NULL, NULL},
     {"__name__", function_name, NULL, NULL, NULL},
@@ -577,6 +599,7 @@ PyTypeObject core_function_type = {
     .tp_traverse = function_traverse,
     .tp_dealloc = function_dealloc,
     .tp_repr = function_repr,
+    .tp_methods = function_methods,
     .tp_getset = function_getters,
     .tp_members = function_members,
 };

@@ -339,6 +339,58 @@ def test_what_is_refused_and_what_is_none():
     assert np.isnan(healpy.pix2ang(8, 12 * 64)).all() and np.isnan(healpy.pix2ang(8, np.array([-1]))).all()
 
 
+@BOTH
+def test_resolutions_that_are_arrays_of_no_dimension(nest):
+    for nside in (np.array(4), np.int64(4), np.uint8(4)):
+        assert healpy.ang2pix(nside, 0.3, 0.4, nest) == reference.ang2pix(4, 0.3, 0.4, nest)
+        assert healpy.pix2ang(nside, 5, nest) == healpy.pix2ang(4, 5, nest)
+        assert healpy.vec2pix(nside, 1, 0.2, 0.3, nest) == reference.vec2pix(4, 1, 0.2, 0.3, nest)
+        assert np.array_equal(healpy.get_all_neighbours(nside, [5, 6], nest=nest), reference.get_all_neighbours(4, [5, 6], nest=nest))
+        assert np.array_equal(healpy.boundaries(nside, 5, 3, nest), healpy.boundaries(4, 5, 3, nest))
+        assert np.array_equal(healpy.query_disc(nside, (1, 0, 0), 0.5, nest=nest), reference.query_disc(4, (1, 0, 0), 0.5, nest=nest))
+        assert healpy.nest2ring(nside, 7) == reference.nest2ring(4, 7) and healpy.max_pixrad(nside) == healpy.max_pixrad(4)
+    found, expected = healpy.max_pixrad([[4], [8]]), reference.max_pixrad(np.array([[4], [8]]))
+    assert found.shape == (2, 1) and np.allclose(found, expected, rtol=1e-13)
+
+
+def test_maps_of_other_numbers(random):
+    """Of files of FITS, complex ones, objects, and with a mask."""
+    values = random.normal(size=768)
+    for kind in (">f8", ">f4", ">i4"):
+        swapped = (100 * values).astype(kind)
+        for one in (healpy.ud_grade(swapped, 4), healpy.reorder(swapped, r2n=True)):
+            assert one.dtype.isnative and one.dtype == swapped.dtype.newbyteorder("=")
+        assert np.array_equal(healpy.reorder(swapped, n2r=True), reference.reorder(swapped, n2r=True))
+    assert healpy.ud_grade(values.astype(object), 4).dtype == np.float64
+    both = values + 1j * random.normal(size=768)
+    both[[3, 700]] = healpy.UNSEEN
+    for options in ({"nside_out": 4}, {"nside_out": 16}, {"nside_out": 4, "pess": True}, {"nside_out": 4, "order_in": "NEST", "order_out": "RING"}):
+        assert np.allclose(healpy.ud_grade(both, **options), reference.ud_grade(both, **options), rtol=1e-12)
+    assert np.isclose(healpy.ud_grade(both, 4, power=2)[50], reference.ud_grade(both, 4, power=2)[50])
+    with pytest.raises(TypeError):
+        Healpix(8).regrade(both, Healpix(4))
+    masked = np.ma.masked_array(values, values > 1)
+    filled = np.where(values > 1, healpy.UNSEEN, values)
+    for nside in (4, 8, 16):
+        assert np.array_equal(healpy.ud_grade(masked, nside), healpy.ud_grade(filled, nside))
+    assert np.array_equal(healpy.ud_grade(np.ma.masked_array(np.arange(768), np.arange(768) < 4), 16), healpy.ud_grade(
+        np.where(np.arange(768) < 4, healpy.UNSEEN, np.arange(768)), 16))
+    assert np.array_equal(healpy.reorder(masked, r2n=True).filled(healpy.UNSEEN), reference.reorder(filled, r2n=True))
+    assert np.array_equal(healpy.reorder(values, r2n=True, n2r=True), reference.reorder(values, r2n=True, n2r=True))
+    pixels = np.ma.masked_array([1, 2], [True, False])
+    assert np.array_equal(healpy.get_all_neighbours(16, pixels), healpy.get_all_neighbours(16, [1, 2]))
+
+
+def test_what_is_no_map_and_no_pixel():
+    for none in (5, None, "abc", {1: 2}):
+        for what in (healpy.get_nside, healpy.get_map_size):
+            with pytest.raises(TypeError, match="a map is an array"):
+                what(none)
+    for none in (1.5, "1", None, [1.0, 2.0]):
+        with pytest.raises(ValueError, match="whole numbers"):
+            healpy.boundaries(16, none)
+
+
 def test_rings_and_pixels():
     hp = Healpix(7)
     assert [hp.ring_info(ring).first for ring in (1, 2)] == [0, 4] and hp.ring_count == 27

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Mappings as ufuncs: vectors of high precision, strides, types, single numbers, bad input, life."""
 
+import copy
 import gc
 import pickle
 import threading
+import weakref
 
 import cubemap
 import numpy as np
@@ -364,3 +366,35 @@ def test_arrays_for_functions_of_float_alone():
         with pytest.raises(TypeError):
             error([refused], 1.0)
     assert "rounded to float32" in error.__doc__ and "rounded to float32" not in cubemap.Mapping().forward.__doc__
+
+
+def test_methods_and_functions_are_pickled():
+    """For who sends them to other processes; they do not keep their object."""
+    region, given = cubemap.Region.cap(0.2, 0.9, 0.01), (0.6, 0.3, 0.2)
+    for function in (cubemap.Mapping("tangent:c=1.2", "gl", threads=2).forward, cubemap.Grid("seamless", ellipsoid="WGS84").forward,
+                     cubemap.CellGrid().centre, cubemap.Healpix(8, "nested").pixel_from_direction, cubemap.Camera(8, 6, 10, 10, 3.5, 2.5).project,
+                     cubemap.direction_from_lonlat, cubemap.cell_level, cubemap.pose_compose, region.contains):
+        for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+            again = pickle.loads(pickle.dumps(function, protocol))
+            assert again.__name__ == function.__name__
+        copies = again, copy.copy(function), copy.deepcopy(function)
+        if hasattr(function, "ufunc") and function.ufunc.nin == 3:
+            assert all(one(*given) == function(*given) and one.ufunc is not function.ufunc for one in copies)
+    assert type(pickle.loads(pickle.dumps(cubemap.Mapping().forward_distortion))(*given)) is cubemap.Distortion
+    m = cubemap.Mapping()
+    forward, gone = m.forward, weakref.ref(m)
+    del m
+    assert gone() is None and forward(*given)[0] == 0
+    for bound in (cubemap.Scene.named("room").cast, cubemap.Trajectory([0.0, 1.0], cubemap.Pose(position=[(0, 0, 0), (2, 0, 0)])).at):
+        with pytest.raises(TypeError, match="cannot be pickled"):
+            pickle.dumps(bound)
+    with pytest.raises(TypeError, match="cannot be pickled"):
+        pickle.dumps(_core.Function("cm_forward_array", cubemap.Mapping()._handle))
+
+
+def test_levels_of_cells_are_whole_numbers():
+    cells, place = cubemap.CellGrid(), (0.1, 0.2)
+    assert cells.forward_lonlat(*place, np.array(3)) == cells.forward_lonlat(*place, np.int8(3)) == cells.forward_lonlat(*place, 3)
+    for level in (3.0, "3", np.array([3]), None):
+        with pytest.raises(TypeError, match="integer"):
+            cells.forward_lonlat(*place, level)
