@@ -24,7 +24,8 @@ struct function
     PyObject *
         result; /* what makes the result of a tuple: a named tuple, or a function; NULL: the tuple itself */
     PyTypeObject *named; /* the named tuple */
-    PyObject *origin; /* what makes it again, as pickle wants it; NULL if it is bound to what nobody can make */
+    PyObject *
+        origin; /* what makes it again, as pickle wants it; NULL if it is bound to what nobody can make */
     const struct core_loop *
         alone; /* the loop of double, which the ufunc owns; NULL if an input has several numbers a point */
     int extents[CORE_OPERANDS_MAX]; /* of each output's point: 0, 1 or 2 */
@@ -566,7 +567,8 @@ static PyObject *function_reduce(PyObject *object, PyObject *nothing)
     PyObject *origin = ((struct function *)object)->origin;
     if (!origin)
     {
-        PyErr_Format(PyExc_TypeError, "%R cannot be pickled: only methods of what is made of a few numbers can",
+        PyErr_Format(PyExc_TypeError,
+                     "%R cannot be pickled: only methods of what is made of a few numbers can",
                      object);
     }
     return Py_XNewRef(origin);
