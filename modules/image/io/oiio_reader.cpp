@@ -84,7 +84,7 @@ private:
     void describe(const std::string &path);
     void describe_window();
     void describe_tags();
-    void describe_header(const std::string &path);
+    void describe_header(const std::string &path, HeaderTags (*tags_of)(std::FILE *));
     const char *keep(const std::string &text);
     bool read_native(const cm_image_region &region, OIIO::TypeDesc type, char *pixels,
                      std::ptrdiff_t row_stride);
@@ -182,7 +182,11 @@ void LibraryReader::describe(const std::string &path)
     describe_tags();
     if (std::strcmp(description.format, "hdr") == 0)
     {
-        describe_header(path);
+        describe_header(path, radiance_tags);
+    }
+    if (std::strcmp(description.format, "pnm") == 0)
+    {
+        describe_header(path, pnm_tags);
     }
 }
 
@@ -213,10 +217,10 @@ void LibraryReader::describe_tags()
 }
 
 // The library passes over lines that it does not know.
-void LibraryReader::describe_header(const std::string &path)
+void LibraryReader::describe_header(const std::string &path, HeaderTags (*tags_of)(std::FILE *))
 {
     const FilePointer file(std::fopen(path.c_str(), "rb"));
-    for (const auto &[key, text] : file ? radiance_tags(file.get()) : HeaderTags())
+    for (const auto &[key, text] : file ? tags_of(file.get()) : HeaderTags())
     {
         tags.push_back({keep(key), keep(text), nullptr, nullptr, 0});
     }
