@@ -80,7 +80,7 @@ public:
               std::ptrdiff_t row_stride) override;
 
 private:
-    void choose_subimage(std::uint32_t which);
+    void choose_subimage(std::uint32_t which, const std::string &path);
     void describe(const std::string &path);
     void describe_window();
     void describe_tags();
@@ -108,7 +108,7 @@ LibraryReader::LibraryReader(const std::string &path, std::uint32_t which)
         throw ImageFailure("is damaged or ends too early: a PNG file without its end");
     }
     input = open_input(path);
-    choose_subimage(which);
+    choose_subimage(which, path);
     check_flat(spec);
     describe(path);
     if (std::strcmp(input->format_name(), "tiff") == 0)
@@ -119,7 +119,7 @@ LibraryReader::LibraryReader(const std::string &path, std::uint32_t which)
 }
 
 // Counts them, too.
-void LibraryReader::choose_subimage(std::uint32_t which)
+void LibraryReader::choose_subimage(std::uint32_t which, const std::string &path)
 {
     std::uint32_t count = 0;
     const auto is_there = [this, &count]
@@ -129,6 +129,11 @@ void LibraryReader::choose_subimage(std::uint32_t which)
         ++count;
     }
     input->geterror(); // that there are no more
+    if (std::strcmp(input->format_name(), "webp") == 0)
+    {
+        input =
+            open_input(path); // which was asked for one too many, and complains of all that follow
+    }
     if (which >= count)
     {
         throw ImageFailure("has no picture " + std::to_string(which) + "; it has " +
