@@ -256,6 +256,20 @@ void unusual_colors()
     does("reproject --quiet --to equirect --filter nearest two.gif two.tif");
     result(matches(describe_image("two.tif"), "^2 x 1, [34] channels, uint8$"), "GIF is read",
            describe_image("two.tif"));
+    // WebP, 4 x 2 pixels of (200, 100, 50), which the image library need not know
+    write_file("four.webp", std::string("RIFF\x1e\0\0\0WEBPVP8L\x11\0\0\0\x2f\x03\x40\0\0"
+                                        "\x07\x50\xb2\x22\x57\xa6\xff\x81\x88\xe8\x7f\0\0",
+                                        38));
+    const Ran web = run("reproject --quiet --to equirect --filter nearest four.webp four.tif");
+    result(web.status == 0 || matches(web.err, "is not an image that can be read"), "WebP is read",
+           web.err);
+    if (web.status == 0)
+    {
+        holds("its pixels",
+              [] {
+                  check_pixel("four.tif", 3, 1, {200 / 255.0, 100 / 255.0, 50 / 255.0});
+              });
+    }
     write_file("ink.tif", ink_tiff());
     const Ran ran = run("reproject --quiet --size 8 ink.tif a_%f.png");
     result(ran.status == 0 && matches(ran.err, "'ink.tif' is CMYK; .* without a profile"),

@@ -98,6 +98,49 @@ void tags_in_headers()
            "a tag that comes through a pipe", piped.out + piped.err);
 }
 
+// Kinds of PNM that the image library reads, which passes over comments.
+void tags_in_other_headers()
+{
+    const std::string tag = "cubemap:surface=equirect;west=0;east=170;south=-90;north=90\n";
+    const auto lines_of = [](const std::string &line)
+    {
+        std::string all;
+        for (int i = 0; i < 16; ++i)
+        {
+            all += line + "\n";
+        }
+        return all;
+    };
+    const auto repeated = [](const std::string &word)
+    {
+        std::string all;
+        for (int i = 0; i < 32; ++i)
+        {
+            all += word;
+        }
+        return all;
+    };
+    const std::string coded[][3] = {
+        {"P1", "", lines_of(repeated("1 "))},
+        {"P2", "100\n", lines_of(repeated("50 "))},
+        {"P3", "255\n", lines_of(repeated("1 2 3 "))},
+        {"P4", "", lines_of(std::string(3, 'x'))},
+        {"P5", "100\n", std::string(std::size_t{32} * 16, 'x')},
+        {"P6", "300\n", std::string(std::size_t{32} * 16 * 6, '\1')},
+    };
+    for (const auto &[kind, maximum, pixels] : coded)
+    {
+        write_file("other.pnm",
+                   kind + "\n# by hand\n32 # across\n# " + tag + "16\n" + maximum + pixels);
+        says("a tag of " + kind, "\\(equirect;west=0;east=170 32x16,",
+             "reproject other.pnm back_%f.png");
+        write_file("other.pnm",
+                   kind + "\n32 16\n" + maximum + (maximum.empty() ? "" : "# " + tag) + pixels);
+        result(!matches(run("reproject --layout 3x2 other.pnm back.png").out, "west=0"),
+               "what stands behind the header of " + kind + " is no tag");
+    }
+}
+
 // A tag is read whole or not at all, from a file and through a pipe alike, whatever stands before it.
 void tags_behind_comments()
 {
@@ -652,6 +695,7 @@ const std::vector<Subject> &reproject_tag_subjects()
                                                   {"photo_spheres", photo_spheres},
                                                   {"georeferences", georeferences},
                                                   {"missing_faces", missing_faces},
+                                                  {"tags_in_other_headers", tags_in_other_headers},
                                                   {"tags_behind_comments", tags_behind_comments},
                                                   {"contradicted_tags", contradicted_tags},
                                                   {"agreeing_tags", agreeing_tags},

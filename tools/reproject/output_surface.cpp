@@ -47,6 +47,21 @@ std::string name_for_people(const std::string &specification)
     return is_whole_equirect(specification) ? "equirectangular" : head_of(specification);
 }
 
+// Nobody else asks for them.
+void check_frames(const Options &options, const std::string &to, const std::string &from)
+{
+    if (!options.from.frame.empty() && !is_cube(from))
+    {
+        throw UsageFailure("--from-frame is for a cube, but INPUT is " + name_for_people(from) +
+                           "; leave it out");
+    }
+    if (!options.to.frame.empty() && !is_cube(to) && !is_cube(from))
+    {
+        throw UsageFailure("--frame is for a cube, but INPUT is " + name_for_people(from) +
+                           " and OUTPUT " + name_for_people(to) + "; leave it out");
+    }
+}
+
 // Without a size, if the command line has none.
 std::string wanted_specification(const Options &options, const Input &input)
 {
@@ -55,6 +70,7 @@ std::string wanted_specification(const Options &options, const Input &input)
     std::string text = !to.specification.empty() ? to.specification
                        : from_equirect           ? "cube"
                                                  : "equirect";
+    check_frames(options, text, cm_surface_specification(&input.surface()));
     if (!is_cube(text))
     {
         if (!to.layout.empty())

@@ -83,6 +83,18 @@ std::string cut_text(const ValueCounts &counts, const ImagePlan &plan)
            (whole ? text_of(counts.above_one, "above 1", "1") : "");
 }
 
+// Of one file.
+[[noreturn]] void refuse_face_mark(const std::string &name, const std::string &specification,
+                                   bool is_texture)
+{
+    throw UsageFailure(
+        in_quotes(name) + " has %f for six faces, but " +
+        (is_texture ? "a texture holds them in one file; leave %f out"
+         : is_cube(specification)
+             ? "the layout is " + key_of(specification, "layout")
+             : "OUTPUT is one picture, " + head_of(specification) + "; leave %f out"));
+}
+
 } // namespace
 
 Output::Output(const Options &options, const Input &input)
@@ -151,10 +163,9 @@ void Output::choose_format(const Options &options, const Input &input)
 void Output::choose_names(const Options &options, const Input &input)
 {
     const std::size_t pictures = cm_surface_picture_count(surface);
-    if (pictures == 1 && is_cube(cm_surface_specification(surface)) && names_faces(options.output))
+    if (names_faces(options.output) && (pictures == 1 || whole.is_texture()))
     {
-        throw UsageFailure(in_quotes(options.output) + " has %f for six faces, but the layout is " +
-                           key_of(cm_surface_specification(surface), "layout"));
+        refuse_face_mark(options.output, cm_surface_specification(surface), whole.is_texture());
     }
     if (pictures > 1 && is_pipe(options.output))
     {

@@ -122,6 +122,18 @@ void write_file(const cm_image &picture, const ImagePlan &plan, const std::strin
     file.finish();
 }
 
+// As cm_border has it.
+std::string wide_border_text(std::uint32_t border, const cm_surface &level, std::uint32_t number)
+{
+    constexpr std::uint32_t always = 6;
+    const std::uint32_t edge = cm_surface_plane_width(&level);
+    return "OUTPUT cannot have a border of " + std::to_string(border) + " pixels around faces of " +
+           std::to_string(edge) + (number > 0 ? ", those of level " + std::to_string(number) : "") +
+           ": it may be half an edge, or " + std::to_string(always) + "; take " +
+           std::to_string(std::max(always, edge / 2)) + " at most" +
+           (number > 0 ? ", or leave --mips out" : ", or a larger --size");
+}
+
 // All pictures of a level as parts of one file.
 void write_parts(const std::vector<cm_image> &pictures, const ImagePlan &plan,
                  const std::string &name, AtomicFile &file)
@@ -282,9 +294,13 @@ WholeOutput::Level WholeOutput::make_level(const cm_mips *levels,
                   (std::size_t{row - border} * whole.width + (column - border)) * pixel;
         planes.push_back(to);
     }
-    check(
-        cm_border(own.get(), from, border, &values, static_cast<unsigned>(threads), planes.data()),
-        "the border of OUTPUT");
+    const cm_status status =
+        cm_border(own.get(), from, border, &values, static_cast<unsigned>(threads), planes.data());
+    if (status == CM_ERROR_RANGE)
+    {
+        throw UsageFailure(wide_border_text(border, *own, level));
+    }
+    check(status, "the border of OUTPUT");
     return made;
 }
 

@@ -27,6 +27,9 @@ inline HeaderTags header_tags(const char *text, const char *end)
     return tags;
 }
 
+// Of a file of PNM, P1 to P6, in whose header comments stand between words. The file is left anywhere.
+HeaderTags pnm_tags(std::FILE *file);
+
 // Of a file of Radiance, whose header ends by a blank line. The file is left anywhere.
 HeaderTags radiance_tags(std::FILE *file);
 

@@ -80,11 +80,11 @@ public:
               std::ptrdiff_t row_stride) override;
 
 private:
-    void choose_subimage(std::uint32_t which);
+    void choose_subimage(std::uint32_t which, const std::string &path);
     void describe(const std::string &path);
     void describe_window();
     void describe_tags();
-    void describe_header(const std::string &path);
+    void describe_header(const std::string &path, HeaderTags (*tags_of)(std::FILE *));
     const char *keep(const std::string &text);
     bool read_native(const cm_image_region &region, OIIO::TypeDesc type, char *pixels,
                      std::ptrdiff_t row_stride);
@@ -108,7 +108,7 @@ LibraryReader::LibraryReader(const std::string &path, std::uint32_t which)
         throw ImageFailure("is damaged or ends too early: a PNG file without its end");
     }
     input = open_input(path);
-    choose_subimage(which);
+    choose_subimage(which, path);
     check_flat(spec);
     describe(path);
     if (std::strcmp(input->format_name(), "tiff") == 0)
@@ -119,7 +119,7 @@ LibraryReader::LibraryReader(const std::string &path, std::uint32_t which)
 }
 
 // Counts them, too.
-void LibraryReader::choose_subimage(std::uint32_t which)
+void LibraryReader::choose_subimage(std::uint32_t which, const std::string &path)
 {
     std::uint32_t count = 0;
     const auto is_there = [this, &count]
@@ -129,6 +129,11 @@ void LibraryReader::choose_subimage(std::uint32_t which)
         ++count;
     }
     input->geterror(); // that there are no more
+    if (std::strcmp(input->format_name(), "webp") == 0)
+    {
+        input =
+            open_input(path); // which was asked for one too many, and complains of all that follow
+    }
     if (which >= count)
     {
         throw ImageFailure("has no picture " + std::to_string(which) + "; it has " +
@@ -182,7 +187,11 @@ void LibraryReader::describe(const std::string &path)
     describe_tags();
     if (std::strcmp(description.format, "hdr") == 0)
     {
-        describe_header(path);
+        describe_header(path, radiance_tags);
+    }
+    if (std::strcmp(description.format, "pnm") == 0)
+    {
+        describe_header(path, pnm_tags);
     }
 }
 
@@ -213,10 +222,10 @@ void LibraryReader::describe_tags()
 }
 
 // The library passes over lines that it does not know.
-void LibraryReader::describe_header(const std::string &path)
+void LibraryReader::describe_header(const std::string &path, HeaderTags (*tags_of)(std::FILE *))
 {
     const FilePointer file(std::fopen(path.c_str(), "rb"));
-    for (const auto &[key, text] : file ? radiance_tags(file.get()) : HeaderTags())
+    for (const auto &[key, text] : file ? tags_of(file.get()) : HeaderTags())
     {
         tags.push_back({keep(key), keep(text), nullptr, nullptr, 0});
     }
