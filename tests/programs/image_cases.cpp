@@ -216,6 +216,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"orient", orient_subjects()},
 #ifdef HAVE_SCENE
         {"octree", octree_subjects()},
+        {"octree runs", octree_run_subjects()},
         {"scene", scene_subjects()},
         {"scene refusals", scene_refusal_subjects()},
 #endif

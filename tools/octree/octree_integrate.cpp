@@ -3,6 +3,7 @@
 #include "octree_budget.hpp"
 #include "octree_command.hpp"
 #include "octree_map.hpp"
+#include "octree_run_file.hpp"
 #include "octree_table.h"
 #include "octree_views.hpp"
 
@@ -212,12 +213,14 @@ std::string settings_of(const IntegrateOptions &options, const cm_sequence_repor
 // The store and the map in it, at the beginning of a run or where a former one was ended.
 struct Working
 {
-    std::string path;   // of the store
+    RunFile place; // MAP, if the new map is made beside it; these two end after the store
+    RunFile file;  // of the store
+    std::string path;
     std::string target; // where it goes once it is complete, if that is another path
     OctreeMap open;
     OctreeRun run;
     std::uint64_t begun = 0; // views that were there
-    bool is_new = true;      // nothing was committed yet
+    bool is_new = false;     // it has nothing that was committed
 };
 
 StorePointer open_store(const std::string &path, bool create)
@@ -259,19 +262,27 @@ enum class Found
 
 // What a former run has left under the working path, which is taken up if it can be gone on with. A map that is complete but
 // has not yet come to its place can.
-Found take_up(const IntegrateOptions &options, const std::string &settings, Working &working)
+Found take_up(const IntegrateOptions &options, const std::string &settings, Working &working,
+              const cm_streams &streams)
 {
-    if (!std::filesystem::exists(working.path))
+    if (!working.file.take(working.path))
     {
         return Found::nothing;
     }
-    // A run that was killed as it began leaves a file without a byte.
-    std::error_code ignored;
-    const bool has_nothing = std::filesystem::file_size(working.path, ignored) == 0;
+    // A run that was killed as it began, or whose disk was full then, leaves a file without a byte.
+    const bool has_nothing = working.file.is_empty();
     StorePointer store = open_store(working.path, has_nothing);
+    if (has_nothing && !working.target.empty() && !options.quiet)
+    {
+        std::fprintf(streams.err,
+                     "cubemap-octree: %s is empty, since a run ended before it kept anything; it "
+                     "begins anew\n",
+                     in_quotes(working.path).c_str());
+    }
     if (is_empty(store.get()))
     {
         working.open.store = std::move(store);
+        working.is_new = true;
         return Found::begun;
     }
     cm_octree_options kept = options.map;
@@ -293,7 +304,6 @@ Found take_up(const IntegrateOptions &options, const std::string &settings, Work
     }
     working.run = run;
     working.begun = run.views;
-    working.is_new = false;
     working.open.store = std::move(store);
     working.open.map = std::move(owned);
     return Found::begun;
@@ -301,17 +311,19 @@ Found take_up(const IntegrateOptions &options, const std::string &settings, Work
 
 // The path of the run, and what a former one has left there: a map that is there stays until another is complete, which is
 // made beside it.
-void find_place(const IntegrateOptions &options, const std::string &settings, Working &working)
+void find_place(const IntegrateOptions &options, const std::string &settings, Working &working,
+                const cm_streams &streams)
 {
     working.path = options.output;
-    const Found there = take_up(options, settings, working);
+    const Found there = take_up(options, settings, working, streams);
     if (there == Found::nothing || there == Found::begun)
     {
         return;
     }
+    working.place = std::move(working.file);
     working.target = std::filesystem::canonical(options.output).string();
-    working.path = working.target + ".unfinished";
-    const Found beside = take_up(options, settings, working);
+    working.path = unfinished_path(working.target);
+    const Found beside = take_up(options, settings, working, streams);
     if (beside == Found::whole)
     {
         throw Failure(in_quotes(working.path) +
@@ -343,14 +355,19 @@ void commit(Working &working)
     working.is_new = false;
 }
 
-Working begin_run(const IntegrateOptions &options, const std::string &settings)
+void begin_run(const IntegrateOptions &options, const std::string &settings, Working &working,
+               const cm_streams &streams)
 {
-    Working working;
-    find_place(options, settings, working);
+    find_place(options, settings, working, streams);
     working.run.settings = settings;
     working.run.complete = false;
     if (working.open.store == nullptr)
     {
+        if (!working.file.make(working.path))
+        {
+            throw Failure(in_quotes(working.path) + " is in use: another run has just made it");
+        }
+        working.is_new = true;
         working.open.store = open_store(working.path, true);
     }
     if (working.open.map == nullptr)
@@ -362,8 +379,6 @@ Working begin_run(const IntegrateOptions &options, const std::string &settings)
         const cm_status status = cm_octree_create(&made, &map);
         if (status == CM_ERROR_RANGE)
         {
-            working.open.store.reset();
-            std::filesystem::remove(working.path);
             throw UsageFailure("the options of the map do not go together: --edge, --levels, "
                                "--log-odds, --near and --far; see --help");
         }
@@ -373,7 +388,6 @@ Working begin_run(const IntegrateOptions &options, const std::string &settings)
         commit(working);
         working.is_new = true;
     }
-    return working;
 }
 
 void update(const IntegrateOptions &options, const cm_view &view, cm_pool *pool, Working &working,
@@ -493,6 +507,7 @@ std::string finish(const IntegrateOptions &options, Working &working,
     return options.quiet ? "" : integrate_text(options, working, took, count);
 }
 
+// The file stays taken, so that nobody has it until what is done with it then is done.
 void close_run(Working &working)
 {
     working.open.map.reset();
@@ -518,11 +533,12 @@ void appear(Working &working)
 int integrate(const IntegrateOptions &options, const cm_streams &streams)
 {
     const SequencePointer sequence = open_sequence(options.folder, options.camera);
-    Working working =
-        begin_run(options, settings_of(options, *cm_sequence_describe(sequence.get())));
+    const std::string settings = settings_of(options, *cm_sequence_describe(sequence.get()));
+    Working working;
     std::vector<double> took;
     try
     {
+        begin_run(options, settings, working, streams);
         integrate_all(options, sequence.get(), working, took, streams);
         const std::string report = finish(options, working, took);
         appear(working);

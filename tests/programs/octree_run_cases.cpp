@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+//
+// The files of cubemap-octree integrate: whose they are while a run writes them, what their names are, and what a run that
+// ended too early leaves of them.
+
+#include "image_cases.hpp"
+
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace
+{
+
+// Called before a file is renamed, with its name.
+std::function<void(const std::string &)> before_rename;
+
+// A file that somebody else has, while it lives; or has not, if that is so already.
+class Held
+{
+public:
+    explicit Held(const std::string &name) : file(open(name.c_str(), O_RDWR | O_CLOEXEC))
+    {
+        is_held = file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0;
+    }
+    ~Held()
+    {
+        if (file >= 0)
+        {
+            close(file);
+        }
+    }
+    Held(const Held &) = delete;
+    Held &operator=(const Held &) = delete;
+    bool is_had() const
+    {
+        return is_held;
+    }
+
+private:
+    int file;
+    bool is_held = false;
+};
+
+// The room as four views of 48 x 36 pixels.
+void make_small_room()
+{
+    write_file("camera.json",
+               "{\"width\":48,\"height\":36,\"fx\":24,\"fy\":24,\"cx\":23.5,\"cy\":17.5}");
+    write_file("path.txt", "1.0 0 0 1.2 -0.5 0.5 -0.5 0.5\n1.1 0 0 1.2 -0.7071068 0 0 0.7071068\n"
+                           "1.2 0 0 1.2 -0.5 -0.5 0.5 0.5\n1.3 0 0 1.2 0 -0.7071068 0.7071068 0\n");
+    does("scene render room camera.json path.txt -o room --quiet");
+    std::filesystem::create_directory("made");
+}
+
+std::string integrated(const std::string &map, const std::string &edge)
+{
+    return "octree integrate room --edge " + edge + " --save-every 1 -o " + map;
+}
+
+// A run that ends at its third view.
+Ran interrupted(const std::string &command)
+{
+    const std::string broken = "room/depth/1.200000.png";
+    const std::string good = content_of(broken);
+    write_file(broken, good.substr(0, good.size() / 2));
+    Ran ran = run(command + " --quiet");
+    write_file(broken, good);
+    return ran;
+}
+
+void takes_files()
+{
+    make_small_room();
+    does(integrated("a.map", "0.2") + " --quiet");
+    const std::string old = content_of("a.map");
+    interrupted(integrated("a.map", "0.1"));
+    const std::string begun = content_of("a.map.unfinished");
+    {
+        const Held held("a.map.unfinished");
+        fails("a file beside that another run has", 1, "a.map.unfinished' is in use",
+              integrated("a.map", "0.1"));
+        fails("and for another command", 1, "a.map.unfinished' is in use",
+              integrated("a.map", "0.4"));
+        result(content_of("a.map.unfinished") == begun, "it stays as it is");
+    }
+    {
+        const Held held("a.map");
+        fails("a map that another run has", 1, "a.map' is in use", integrated("a.map", "0.1"));
+        result(content_of("a.map") == old, "it stays as it is, too");
+    }
+    std::string renamed;
+    bool was_had = false, old_was_had = false;
+    before_rename = [&](const std::string &name)
+    {
+        renamed = name;
+        was_had = Held(name).is_had();
+        old_was_had = Held("a.map").is_had();
+    };
+    says("then the run goes on", "\"resumed_at\": 2", integrated("a.map", "0.1") + " --json");
+    before_rename = nullptr;
+    result(matches(renamed, "a.map.unfinished$"), "the new map takes the place of the old one",
+           renamed);
+    result(!was_had, "nobody can take the new map before it has come to its place");
+    result(!old_was_had, "nor the old one");
+    result(Held("a.map").is_had(), "and then anybody can");
+}
+
+void names_files()
+{
+    make_small_room();
+    // 120 letters of two bytes, and what is needed
+    std::string letters;
+    for (int i = 0; i < 118; ++i)
+    {
+        letters += "\xc3\xa4";
+    }
+    for (const std::size_t more : {0u, 1u, 2u, 3u, 10u, 11u})
+    {
+        const std::string name = letters + std::string(more, 'b'),
+                          bytes = std::to_string(name.size());
+        does(integrated(name, "0.4") + " --quiet");
+        const std::string old = content_of(name);
+        const Ran ended = interrupted(integrated(name, "0.2"));
+        result(ended.status == 1 && content_of(name) == old,
+               "a name of " + bytes + " bytes: the old map stays", ended.err);
+        const std::string beside = name + ".unfinished";
+        const std::string expected =
+            more == 0 ? "^" + beside + " $" : "~[0-9a-f]{16}\\.unfinished $";
+        std::string names;
+        for (const auto &entry : std::filesystem::directory_iterator("."))
+        {
+            const std::string each = entry.path().filename().string();
+            names += matches(each, "unfinished$") ? each + " " : "";
+        }
+        result(matches(names, expected), "what was committed is beside it", names);
+        says("the same command goes on", "\"resumed_at\": 2", integrated(name, "0.2") + " --json");
+        result(content_of(name) != old, "and the new map comes to its place");
+    }
+    const std::string long_name(247, 'a');
+    const std::string other = std::string(246, 'a') + "b";
+    for (const std::string &name : {long_name, other})
+    {
+        does(integrated(name, "0.4") + " --quiet");
+        interrupted(integrated(name, "0.2"));
+    }
+    for (const std::string &name : {long_name, other})
+    {
+        says("names with one beginning have files of their own", "\"resumed_at\": 2",
+             integrated(name, "0.2") + " --json");
+    }
+}
+
+void begins_anew()
+{
+    make_small_room();
+    does(integrated("a.map", "0.2") + " --quiet");
+    const std::string old = content_of("a.map");
+    write_file("a.map.unfinished", "");
+    const Ran ended = run(integrated("a.map", "0.1") + " --camera absent.json");
+    result(ended.status == 1 && content_of("a.map") == old, "an empty file beside is no map");
+    const Ran ran = run(integrated("a.map", "0.1") + " --json");
+    result(ran.status == 0 && matches(ran.out, "\"views\": 4, .*\"resumed_at\": 0") &&
+               matches(ran.err, "^cubemap-octree: '.*a.map.unfinished' is empty, since a run ended "
+                                "before it kept anything; it begins anew\n$"),
+           "a run begins anew with it, and says so", ran.out + ran.err);
+    result(!std::filesystem::exists("a.map.unfinished") && content_of("a.map") != old,
+           "and the new map comes to its place");
+    write_file("a.map.unfinished", "");
+    const Ran quiet = run(integrated("a.map", "0.3") + " --quiet");
+    result(quiet.status == 0 && quiet.err.empty(), "--quiet says nothing of it", quiet.err);
+    {
+        const SizeLimit limit(4096);
+        fails("no room for the first commit", 1, "cannot be read or written",
+              integrated("made/x", "0.1"));
+        does("octree info a.map");
+        const std::string before = content_of("a.map");
+        const Ran full = run(integrated("a.map", "0.1") + " --quiet");
+        result(full.status == 1 && content_of("a.map") == before &&
+                   !std::filesystem::exists("a.map.unfinished"),
+               "beside an old map it leaves nothing either", full.err);
+    }
+    passes("and the next run has room", integrated("a.map", "0.1") + " --quiet");
+}
+
+} // namespace
+
+#ifdef __GLIBC__
+// What the program renames comes here first.
+extern "C" int rename(const char *from, const char *to) noexcept
+{
+    if (before_rename)
+    {
+        before_rename(from);
+    }
+    return renameat(AT_FDCWD, from, AT_FDCWD, to);
+}
+#endif
+
+const std::vector<Subject> &octree_run_subjects()
+{
+    static const std::vector<Subject> subjects = {
+        {"files of runs", takes_files}, {"their names", names_files}, {"empty files", begins_anew}};
+    return subjects;
+}
