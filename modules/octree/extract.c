@@ -33,17 +33,6 @@ static int has_centre(const cm_walk *walk, const uint32_t place[3], int level)
     return has;
 }
 
-static int is_within(const cm_walk *walk, const uint32_t place[3], int level)
-{
-    int within = 1;
-    for (int axis = 0; axis < 3; axis++)
-    {
-        within &= place[axis] >= walk->first[axis] &&
-                  (uint64_t)place[axis] + (1u << level) <= walk->beyond[axis];
-    }
-    return within;
-}
-
 /* A cube in the box, or those parts of it that are. */
 static int give_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
 {
@@ -53,7 +42,8 @@ static int give_even(void *user, const uint32_t place[3], int level, uint8_t alp
     {
         return 0;
     }
-    if (is_within(walk, place, level) || (level == 0 && has_centre(walk, place, 0)))
+    if (cm_box_has(walk->first, walk->beyond, place, level) ||
+        (level == 0 && has_centre(walk, place, 0)))
     {
         const cm_voxel voxel = cm_voxel_at(work->octree, place, level, alpha, 0);
         return work->job(work->user, &voxel);
@@ -62,14 +52,12 @@ static int give_even(void *user, const uint32_t place[3], int level, uint8_t alp
     for (unsigned child = 0; level > 0 && !stops && child < 8; child++)
     {
         uint32_t below[3];
-        int meets = 1;
         for (int axis = 0; axis < 3; axis++)
         {
             below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
-            meets &= below[axis] < walk->beyond[axis] &&
-                     (uint64_t)below[axis] + (1u << (level - 1)) > walk->first[axis];
         }
-        stops = meets && give_even(user, below, level - 1, alpha);
+        stops = cm_box_meets(walk->first, walk->beyond, below, level - 1) &&
+                give_even(user, below, level - 1, alpha);
     }
     return stops;
 }

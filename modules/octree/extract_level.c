@@ -82,6 +82,12 @@ static int extract_even(void *user, const uint32_t place[3], int level, uint8_t 
     const uint64_t voxels = alpha > CM_UNKNOWN ? (uint64_t)1 << 3 * (level - work->level) : 0;
     for (uint64_t i = 0; i < voxels; i++)
     {
+        if (work->count >= work->capacity &&
+            cm_box_has(work->octree->first, work->octree->beyond, place, level))
+        {
+            work->count += (size_t)(voxels - i); /* nobody could wait for each of a large cube */
+            break;
+        }
         uint32_t at[3];
         int is_inside = 1; /* a small map does not fill its tree */
         cm_divide(i, at);

@@ -4,7 +4,6 @@
  * one map takes what is at its centre in the other.
  */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "interleave.h"
@@ -113,9 +112,6 @@ typedef struct merge_work
     const cm_octree *from;
     int64_t shift[3]; /* from places of `from` to places of `to` */
     cm_status status;
-    uint64_t *key; /* of blocks of `to` that are to be sampled */
-    size_t count;
-    size_t room;
     const cm_pose *pose;
 } merge_work;
 
@@ -284,156 +280,155 @@ static int add_same_block(void *user, const cm_region *region, unsigned block, u
 
 /* ---- other places ---- */
 
-static void to_world(const merge_work *work, const double in_from[3], double world[3])
+/* A point of the world of `to` in places of `from`, whole ones. */
+static void to_from(const merge_work *work, const double world[3], double in_from[3])
 {
-    double at[3];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        at[axis] = cm_place_world(work->from, axis, in_from[axis]);
-    }
+    double at[3] = {world[0], world[1], world[2]};
     if (work->pose != NULL)
     {
-        cm_pose_apply_back(work->pose, at, world);
-        return;
+        cm_pose_apply(work->pose, world, at);
     }
-    memcpy(world, at, sizeof at);
+    for (int axis = 0; axis < 3; axis++)
+    {
+        in_from[axis] = cm_world_place(work->from, axis, at[axis]);
+    }
 }
 
-static int push_key(merge_work *work, const uint32_t block[3])
+/* A box of voxels of `from`, and what was found in it. */
+typedef struct even_box
 {
-    if (work->count == work->room)
+    uint32_t first[3];
+    uint32_t beyond[3];
+    int looks_into_regions;
+    int alpha; /* of all that was looked at; below 0: nothing was */
+    cm_status status;
+} even_box;
+
+static int is_like(even_box *box, uint8_t alpha)
+{
+    box->alpha = box->alpha < 0 ? alpha : box->alpha;
+    return box->alpha == alpha;
+}
+
+static int is_region_even(const cm_octree *from, even_box *box, const cm_region *region,
+                          unsigned misses)
+{
+    int is_even = 1;
+    for (unsigned block = 0; is_even && block < CM_REGION_BLOCKS; block++)
     {
-        const size_t room = work->room == 0 ? 1024 : 2 * work->room;
-        uint64_t *more = realloc(work->key, room * sizeof *more);
-        if (more == NULL)
+        uint32_t place[3];
+        block_place(region, block, place);
+        if (cm_box_meets(box->first, box->beyond, place, CM_BLOCK_LEVEL))
         {
-            return 0;
-        }
-        work->key = more;
-        work->room = room;
-    }
-    work->key[work->count++] = cm_interleave(block);
-    return 1;
-}
-
-static int by_key(const void *a, const void *b)
-{
-    const uint64_t *p = a, *q = b;
-    return *p < *q ? -1 : *p > *q;
-}
-
-static void make_unique(merge_work *work)
-{
-    if (work->count > 1)
-    {
-        qsort(work->key, work->count, sizeof *work->key, by_key);
-    }
-    size_t kept = 0;
-    for (size_t i = 0; i < work->count; i++)
-    {
-        if (i == 0 || work->key[i] != work->key[i - 1])
-        {
-            work->key[kept++] = work->key[i];
+            is_even = region->form[block] == CM_BLOCK_EVEN &&
+                      is_like(box, cm_after_misses(&from->rule, region->value[block], misses));
         }
     }
-    work->count = kept;
+    return is_even;
 }
 
-/* Blocks of `to` that a cube of `from` may reach into. */
-static int list_cube(merge_work *work, const uint32_t place[3], int level)
+/* Has the part of a node in the box one alpha, that of what was looked at before? */
+static int is_node_even(const cm_octree *from, even_box *box, uint32_t index,
+                        const uint32_t place[3], int level, unsigned misses)
 {
-    const cm_octree *to = work->to;
-    const double size = ldexp(1.0, level);
+    const cm_node *node = &from->node[index];
+    if (!cm_box_meets(box->first, box->beyond, place, level))
+    {
+        return 1;
+    }
+    if (node->kind == CM_NODE_LEAF)
+    {
+        return is_like(box, cm_after_misses(&from->rule, node->value, misses));
+    }
+    const unsigned more = cm_more_misses(misses, node->value);
+    if (node->kind != CM_NODE_INNER)
+    {
+        const cm_region *region = NULL;
+        box->status = box->looks_into_regions ? cm_node_look(from, index, place, &region) : CM_OK;
+        return region != NULL && is_region_even(from, box, region, more);
+    }
+    const uint32_t link = node->link;
+    int is_even = 1;
+    for (uint32_t child = 0; is_even && child < 8; child++)
+    {
+        uint32_t below[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
+        }
+        is_even = is_node_even(from, box, link + child, below, level - 1, more);
+    }
+    return is_even;
+}
+
+/* The voxels of `from` that the centres of a cube of `to` may fall on, and one more each way for rounding. Sets whether some may be
+ * beyond it. 0: all are. */
+static int box_of(const merge_work *work, const uint32_t place[3], int level, even_box *box,
+                  int *is_beyond)
+{
+    const double last = ldexp(1.0, level) - 0.5;
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (unsigned corner = 0; corner < 8; corner++)
     {
-        double in_from[3], world[3];
+        double world[3], at[3];
         for (int axis = 0; axis < 3; axis++)
         {
-            in_from[axis] = place[axis] + (corner >> axis & 1u ? size : 0.0);
+            world[axis] =
+                cm_place_world(work->to, axis, place[axis] + (corner >> axis & 1u ? last : 0.5));
         }
-        to_world(work, in_from, world);
+        to_from(work, world, at);
         for (int axis = 0; axis < 3; axis++)
         {
-            const double at = cm_world_place(to, axis, world[axis]);
-            low[axis] = fmin(low[axis], at - 1.0);
-            high[axis] = fmax(high[axis], at + 1.0);
+            low[axis] = fmin(low[axis], at[axis] - 1.0);
+            high[axis] = fmax(high[axis], at[axis] + 2.0);
         }
     }
-    uint32_t first[3], last[3];
+    *is_beyond = 0;
     for (int axis = 0; axis < 3; axis++)
     {
-        low[axis] = fmax(low[axis], to->first[axis]);
-        high[axis] = fmin(high[axis], to->beyond[axis] - 1.0);
-        if (!(low[axis] <= high[axis]))
+        const double first = work->from->first[axis], beyond = work->from->beyond[axis];
+        if (!(low[axis] < beyond && high[axis] > first))
         {
-            return 1;
+            return 0;
         }
-        first[axis] = (uint32_t)low[axis] >> 3;
-        last[axis] = (uint32_t)high[axis] >> 3;
-    }
-    for (uint32_t z = first[2]; z <= last[2]; z++)
-    {
-        for (uint32_t y = first[1]; y <= last[1]; y++)
-        {
-            for (uint32_t x = first[0]; x <= last[0]; x++)
-            {
-                if (!push_key(work, (const uint32_t[3]){x, y, z}))
-                {
-                    return 0;
-                }
-            }
-        }
-    }
-    if (work->count > (size_t)1 << 22)
-    {
-        make_unique(work);
+        *is_beyond |= low[axis] < first || high[axis] > beyond;
+        box->first[axis] = (uint32_t)fmax(low[axis], first);
+        box->beyond[axis] = (uint32_t)fmin(high[axis], beyond);
     }
     return 1;
 }
 
-static int list_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
+/* The alpha that all centres of a cube of `to` find in `from`; below 0: more than one, perhaps. */
+static int even_alpha(merge_work *work, const uint32_t place[3], int level)
 {
-    merge_work *work = user;
-    if (alpha != CM_UNKNOWN && !list_cube(work, place, level))
+    const uint32_t root[3] = {0, 0, 0};
+    even_box box = {.looks_into_regions = level <= CM_REGION_LEVEL, .alpha = -1, .status = CM_OK};
+    int is_beyond = 0;
+    if (!box_of(work, place, level, &box, &is_beyond))
     {
-        work->status = CM_ERROR_MEMORY;
-        return 1;
+        return CM_UNKNOWN;
     }
-    return 0;
-}
-
-static int list_block(void *user, const cm_region *region, unsigned block, unsigned misses)
-{
-    uint32_t place[3];
-    (void)misses;
-    block_place(region, block, place);
-    return list_even(user, place, CM_BLOCK_LEVEL, 0);
+    box.alpha = is_beyond ? CM_UNKNOWN : -1;
+    const int is_even = is_node_even(work->from, &box, 0, root, work->from->tree_level, 0);
+    work->status = box.status;
+    return is_even ? box.alpha : -1;
 }
 
 /* What is at a point of the world of `to` in `from`. */
 static uint8_t sample(merge_work *work, const double world[3], uint32_t *color)
 {
     const cm_octree *from = work->from;
-    double at[3];
-    if (work->pose != NULL)
-    {
-        cm_pose_apply(work->pose, world, at);
-    }
-    else
-    {
-        memcpy(at, world, sizeof at);
-    }
+    double in_from[3];
     uint32_t place[3];
     *color = 0;
+    to_from(work, world, in_from);
     for (int axis = 0; axis < 3; axis++)
     {
-        const double in_from = cm_world_place(from, axis, at[axis]);
-        if (!(in_from >= from->first[axis] && in_from < from->beyond[axis]))
+        if (!(in_from[axis] >= from->first[axis] && in_from[axis] < from->beyond[axis]))
         {
             return CM_UNKNOWN;
         }
-        place[axis] = (uint32_t)in_from;
+        place[axis] = (uint32_t)in_from[axis];
     }
     const cm_spot spot = cm_node_find(from, place);
     const cm_node *node = &from->node[spot.node];
@@ -453,10 +448,8 @@ static uint8_t sample(merge_work *work, const double world[3], uint32_t *color)
                          color);
 }
 
-static cm_status add_sampled(merge_work *work, uint64_t key)
+static cm_status add_sampled(merge_work *work, const uint32_t place[3])
 {
-    uint32_t place[3];
-    cm_divide(key << 9, place);
     added_block added = {.detail = 0};
     int is_known = 0;
     for (unsigned cell = 0; cell < 512; cell++)
@@ -479,6 +472,37 @@ static cm_status add_sampled(merge_work *work, uint64_t key)
                                  : CM_OK;
 }
 
+/* A cube of `to` at once where all of it finds one alpha, else its parts, down to blocks: what is even may be larger than could
+ * ever be asked voxel by voxel. */
+static cm_status add_other_places(merge_work *work, const uint32_t place[3], int level)
+{
+    const int alpha = even_alpha(work, place, level);
+    if (work->status != CM_OK || alpha == CM_UNKNOWN)
+    {
+        return work->status;
+    }
+    if (alpha >= 0 && cm_box_has(work->to->first, work->to->beyond, place, level))
+    {
+        const int64_t at[3] = {place[0], place[1], place[2]};
+        return add_cube(work->to, at, level, (uint8_t)alpha);
+    }
+    if (level == CM_BLOCK_LEVEL)
+    {
+        return add_sampled(work, place);
+    }
+    cm_status status = CM_OK;
+    for (unsigned child = 0; status == CM_OK && child < 8; child++)
+    {
+        uint32_t below[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
+        }
+        status = add_other_places(work, below, level - 1);
+    }
+    return status;
+}
+
 /* ---- maps ---- */
 
 /* Do voxels fall on voxels and blocks on blocks? */
@@ -498,20 +522,6 @@ static int are_aligned(merge_work *work)
                                     : 0;
     }
     return aligned;
-}
-
-static cm_status merge_sampled(merge_work *work, cm_walk *walk)
-{
-    walk->even = list_even;
-    walk->block = list_block;
-    cm_status status = cm_walk_run(work->from, walk);
-    status = status == CM_ERROR_STOPPED ? work->status : status;
-    make_unique(work);
-    for (size_t i = 0; status == CM_OK && i < work->count; i++)
-    {
-        status = add_sampled(work, work->key[i]);
-    }
-    return status;
 }
 
 /* Cubes of a wider root may be around all of the other. */
@@ -548,8 +558,8 @@ cm_status cm_octree_merge(cm_octree *to, const cm_octree *from, const cm_pose *p
     }
     else
     {
-        status = merge_sampled(&work, &walk);
+        const uint32_t root[3] = {0, 0, 0};
+        status = add_other_places(&work, root, to->tree_level);
     }
-    free(work.key);
     return status;
 }

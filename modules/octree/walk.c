@@ -49,15 +49,27 @@ void cm_walk_all(const cm_octree *octree, cm_walk *walk)
     memcpy(walk->beyond, octree->beyond, sizeof walk->beyond);
 }
 
-static int meets(const cm_walk *walk, const uint32_t place[3], int level)
+int cm_box_meets(const uint32_t first[3], const uint32_t beyond[3], const uint32_t place[3],
+                 int level)
 {
     int meets = 1;
     for (int axis = 0; axis < 3; axis++)
     {
-        meets &= place[axis] < walk->beyond[axis] &&
-                 (uint64_t)place[axis] + (1u << level) > walk->first[axis];
+        meets &= place[axis] < beyond[axis] && (uint64_t)place[axis] + (1u << level) > first[axis];
     }
     return meets;
+}
+
+int cm_box_has(const uint32_t first[3], const uint32_t beyond[3], const uint32_t place[3],
+               int level)
+{
+    int within = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        within &=
+            place[axis] >= first[axis] && (uint64_t)place[axis] + (1u << level) <= beyond[axis];
+    }
+    return within;
 }
 
 static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_region *region,
@@ -74,7 +86,8 @@ static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_re
         const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
                                    region->place[2] + 8 * in[2]};
         const uint32_t last = changed > region->changed[block] ? changed : region->changed[block];
-        if (!meets(walk, place, CM_BLOCK_LEVEL) || (walk->since > 0 && last <= walk->since))
+        if (!cm_box_meets(walk->first, walk->beyond, place, CM_BLOCK_LEVEL) ||
+            (walk->since > 0 && last <= walk->since))
         {
             continue;
         }
@@ -110,7 +123,7 @@ static cm_status walk_node(const cm_octree *octree, const cm_walk *walk, uint32_
                            const uint32_t place[3], int level, unsigned misses, uint32_t changed)
 {
     const cm_node *node = &octree->node[index];
-    if (!meets(walk, place, level))
+    if (!cm_box_meets(walk->first, walk->beyond, place, level))
     {
         return CM_OK;
     }

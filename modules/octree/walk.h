@@ -37,4 +37,10 @@ cm_status cm_look_at(const cm_octree *octree, const double point[3], int level, 
 cm_voxel cm_voxel_at(const cm_octree *octree, const uint32_t place[3], int level, uint8_t alpha,
                      uint32_t color);
 
+/* Does a cube of 2^level voxels meet the box [first, beyond), and is it wholly in it? */
+int cm_box_meets(const uint32_t first[3], const uint32_t beyond[3], const uint32_t place[3],
+                 int level);
+int cm_box_has(const uint32_t first[3], const uint32_t beyond[3], const uint32_t place[3],
+               int level);
+
 #endif

@@ -285,6 +285,26 @@ cm_octree *make_map(const cm_octree_options *options)
     return octree;
 }
 
+cm_octree *even_map(const cm_octree_options *options, int is_occupied)
+{
+    cm_octree *octree = make_map(options);
+    cm_camera *camera = straight_camera(4, 3, 0.5);
+    uint8_t inside[12] = {0};
+    const cm_view mask = {
+        .size = sizeof mask,
+        .camera = camera,
+        .pose = {.rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, .position = {0.0, 0.0, 1e12}},
+        .color = {.size = sizeof mask.color,
+                  .data = inside,
+                  .type = CM_PIXEL_U8,
+                  .width = 4,
+                  .height = 3,
+                  .channels = 1}};
+    ck_assert_int_eq(cm_hull_carve(octree, 1, &mask, is_occupied, NULL), CM_OK);
+    cm_camera_destroy(camera);
+    return octree;
+}
+
 cm_pool *make_pool(unsigned threads)
 {
     cm_pool *pool = NULL;

@@ -74,6 +74,9 @@ cm_status update_drawn(cm_octree *octree, const cm_camera *camera, uint64_t seed
 /* A map, which must be made. */
 cm_octree *make_map(const cm_octree_options *options);
 
+/* A map whose root is one cube: of a hull that no mask sees. Occupied, or free. */
+cm_octree *even_map(const cm_octree_options *options, int is_occupied);
+
 /* A pool of so many threads; NULL for one. */
 cm_pool *make_pool(unsigned threads);
 

@@ -181,6 +181,52 @@ START_TEST(poses_and_edges_are_sampled)
 }
 END_TEST
 
+/* Its blocks are more than a machine could list. */
+START_TEST(large_cubes_are_merged_at_once)
+{
+    const double place[3] = {0.3, -0.2, 0.4}, at[3] = {1.0, 0.5, -2.0};
+    const cm_pose pose = look_at(place, at, 0.5);
+    const cm_octree_options inner = {.size = sizeof inner, .levels = 14, .edge = 0.01};
+    const cm_octree_options outer = {.size = sizeof outer, .levels = 16, .edge = 0.011};
+    cm_octree *to = make_map(&inner), *from = even_map(&outer, 0);
+    ck_assert_int_eq(cm_octree_merge(to, from, &pose), CM_OK);
+    cm_octree_count count = {.size = sizeof count};
+    ck_assert_int_eq(cm_octree_count_voxels(to, &count), CM_OK);
+    ck_assert_uint_eq(count.free, (uint64_t)1 << 3 * inner.levels);
+    ck_assert_uint_eq(count.occupied, 0);
+    cm_octree_destroy(to);
+    cm_octree_destroy(from);
+}
+END_TEST
+
+/* Where the roots' borders cross each other, too. */
+START_TEST(borders_of_large_cubes_are_sampled)
+{
+    const double place[3] = {0.3, -0.2, 0.4}, at[3] = {1.0, 0.5, -2.0};
+    const cm_pose pose = look_at(place, at, 0.5);
+    const cm_octree_options to_options = {.size = sizeof to_options, .levels = 7, .edge = 0.02};
+    const cm_octree_options from_options = {
+        .size = sizeof from_options, .levels = 9, .edge = 0.004};
+    for (int is_occupied = 0; is_occupied < 2; is_occupied++)
+    {
+        cm_octree *to = drawn_map(&to_options, 20, 23),
+                  *from = even_map(&from_options, is_occupied);
+        dense_map wanted = dense_make(to_options.levels), is = dense_make(to_options.levels);
+        dense_read(to, &wanted);
+        add_dense(&wanted, &to_options, from, &pose);
+        ck_assert_int_eq(cm_octree_merge(to, from, &pose), CM_OK);
+        dense_read(to, &is);
+        drop_colors(&wanted);
+        drop_colors(&is);
+        ck_assert_str_eq(dense_differs(&is, &wanted), "");
+        dense_clear(&wanted);
+        dense_clear(&is);
+        cm_octree_destroy(to);
+        cm_octree_destroy(from);
+    }
+}
+END_TEST
+
 START_TEST(colors_are_averaged_by_hits)
 {
     const cm_octree_options options = {
@@ -230,9 +276,11 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {merging_is_as_updating_with_both, other_roots_are_sampled,
-                                  poses_and_edges_are_sampled,      colors_are_averaged_by_hits,
-                                  wrong_merges_are_refused,         NULL};
+    const TTest *const tests[] = {
+        merging_is_as_updating_with_both,   other_roots_are_sampled,
+        poses_and_edges_are_sampled,        large_cubes_are_merged_at_once,
+        borders_of_large_cubes_are_sampled, colors_are_averaged_by_hits,
+        wrong_merges_are_refused,           NULL};
     camera = straight_camera(60, 44, 0.5);
     const int result = run_suite("octree merge", tests);
     cm_camera_destroy(camera);

@@ -549,6 +549,30 @@ START_TEST(changes_are_in_what_is_walked)
 }
 END_TEST
 
+/* There is no time to count the voxels of a large cube one by one. */
+START_TEST(large_cubes_are_counted_at_once)
+{
+    const cm_octree_options options = {.size = sizeof options, .levels = 16, .edge = 0.01};
+    cm_octree *octree = even_map(&options, 1);
+    for (int level = 0; level <= options.levels; level++)
+    {
+        cm_voxel voxel[3];
+        size_t count = 0;
+        const size_t room = level + 1 >= options.levels ? 0 : 3;
+        ck_assert_int_eq(cm_octree_extract(octree, level, room, voxel, &count), CM_ERROR_SPACE);
+        ck_assert_uint_eq(count, (size_t)1 << 3 * (options.levels - level));
+        const double edge = ldexp(options.edge, level), corner = -ldexp(options.edge, 15);
+        for (size_t i = 0; i < room; i++)
+        {
+            ck_assert_double_eq_tol(voxel[i].x, corner + edge * (0.5 + (double)(i & 1)), 1e-9);
+            ck_assert_double_eq_tol(voxel[i].y, corner + edge * (0.5 + (double)(i >> 1)), 1e-9);
+            ck_assert_int_eq(voxel[i].state, CM_VOXEL_OCCUPIED);
+        }
+    }
+    cm_octree_destroy(octree);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {levels_are_averages,
@@ -559,6 +583,7 @@ int main(void)
                                   the_nearest_is_the_nearest,
                                   boxes_have_what_is_centred_in_them,
                                   changes_are_in_what_is_walked,
+                                  large_cubes_are_counted_at_once,
                                   NULL};
     camera = straight_camera(60, 44, 0.5);
     const int result = run_suite("octree queries", tests);
