@@ -90,7 +90,8 @@ CM_API const cm_octree_options *cm_octree_describe(const cm_octree *octree);
 
 /* ---- making it ---- */
 
-/* Integrate a view, of any camera; what has no color leaves colors as they are. Depths are those of cm_depth_clean. pool may be
+/* Integrate a view, of any camera; what has no color leaves colors as they are; colors are CM_PIXEL_U8 of one channel to four, grey
+ * ones, of less than three, are three alike. Depths are those of cm_depth_clean. pool may be
  * NULL. A view without a valid pixel changes nothing. near and far of the options are depths for every camera that has an optical
  * axis, even where its image is of ranges; ranges for whole surroundings, and for points.
  * CM_OK; CM_ERROR_ARGUMENT (no depth, or images that are not the camera's size); CM_ERROR_CAMERA (no such pose);

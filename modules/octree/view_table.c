@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "color_word.h"
 #include "huge_pages.h"
 
 /* Slopes of noisy images are taken over more pixels. */
@@ -610,6 +611,16 @@ typedef struct color_work
     const cm_image *color;
 } color_work;
 
+/* Of one channel, or two of which the other says what hides. */
+static void grey_words(size_t n, const uint8_t *grey, ptrdiff_t apart, uint32_t *word)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        const uint8_t value = grey[(ptrdiff_t)i * apart];
+        word[i] = cm_color_word((const uint8_t[3]){value, value, value});
+    }
+}
+
 static void color_rows(size_t first, size_t end, void *user)
 {
     const color_work *work = user;
@@ -620,8 +631,9 @@ static void color_rows(size_t first, size_t end, void *user)
         color->row_stride != 0 ? color->row_stride : (ptrdiff_t)color->width * apart;
     for (size_t row = first; row < end; row++)
     {
-        const uint8_t *rgb = (const uint8_t *)color->data + (ptrdiff_t)row * stride;
-        work->set->words(color->width, rgb, apart, work->desk->word + row * work->desk->stride);
+        const uint8_t *from = (const uint8_t *)color->data + (ptrdiff_t)row * stride;
+        uint32_t *const word = work->desk->word + row * work->desk->stride;
+        (color->channels < 3 ? grey_words : work->set->words)(color->width, from, apart, word);
     }
 }
 

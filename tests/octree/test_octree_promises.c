@@ -154,6 +154,40 @@ START_TEST(counts_and_colors_are_the_chapters)
 }
 END_TEST
 
+/* Grey of one channel, grey with what hides, and red, green, blue with it. */
+START_TEST(colors_of_all_channels)
+{
+    const cm_octree_options options = {
+        .size = sizeof options, .levels = 6, .edge = 0.05, .color = 1};
+    const uint8_t red[3] = {240, 10, 20};
+    const double at[3] = {0.01, 0.01, 1.02};
+    for (unsigned channels = 1; channels <= 4; channels++)
+    {
+        wall seen = make_wall(&options);
+        show(&seen, 1.02f, red, 0);
+        cm_image *color = &seen.drawn.view.color;
+        const size_t pixels = (size_t)color->width * color->height;
+        uint8_t *bytes = malloc(pixels * channels);
+        ck_assert_ptr_nonnull(bytes);
+        for (size_t i = 0; i < pixels * channels; i++)
+        {
+            bytes[i] = (uint8_t)(40 * (i % channels) + 60);
+        }
+        color->data = bytes;
+        color->channels = channels;
+        color->row_stride = 0;
+        ck_assert_int_eq(cm_octree_update(seen.octree, &seen.drawn.view, NULL), CM_OK);
+        cm_voxel voxel;
+        ck_assert_int_eq(cm_octree_at(seen.octree, at, 0, &voxel), CM_VOXEL_OCCUPIED);
+        ck_assert(voxel.has_color && voxel.color[0] == 60);
+        ck_assert_int_eq(voxel.color[1], channels < 3 ? 60 : 100);
+        ck_assert_int_eq(voxel.color[2], channels < 3 ? 60 : 140);
+        free(bytes);
+        clear_wall(&seen);
+    }
+}
+END_TEST
+
 START_TEST(views_that_say_nothing_change_nothing)
 {
     const cm_octree_options options = {
@@ -321,6 +355,7 @@ int main(void)
 {
     const TTest *const tests[] = {bits_are_the_same,
                                   counts_and_colors_are_the_chapters,
+                                  colors_of_all_channels,
                                   views_that_say_nothing_change_nothing,
                                   behind_what_is_too_near_nothing_is_free,
                                   limits_are_of_depth_where_there_is_an_axis,
