@@ -39,7 +39,7 @@ typedef struct place
 typedef struct chain
 {
     const cm_lens *lens;
-    const cm_camera_set *set;
+    const cm_camera_field *field;
     const double *box; /* least x and y, most x and y */
     double size;       /* the most of those, without signs */
     double disc;       /* as of the image */
@@ -80,8 +80,7 @@ static place place_at(const chain *c, double side)
     double cosine;
     double sine;
     cm_camera_field_direction(side, &cosine, &sine);
-    const double border =
-        cm_camera_field_border(c->lens, c->set, cosine, sine, CM_FIELD_SLACK, NULL);
+    const double border = cm_camera_field_border(c->field, cosine, sine);
     return place_on(c, side, fmin(border, CM_FIELD_FURTHEST));
 }
 
@@ -150,8 +149,9 @@ static int is_far(const chain *c, const place *at)
     return at->radius < CM_FIELD_FURTHEST || beyond_box(c, at) > 4.0 * c->size;
 }
 
-static int add_all(chain *c, const cm_camera_field *field)
+static int add_all(chain *c)
 {
+    const cm_camera_field *field = c->field;
     place from = place_on(c, 0.0, fmin(field->end[0].border, CM_FIELD_FURTHEST));
     for (size_t i = 1; i <= CM_FIELD_SIDES; i++)
     {
@@ -293,8 +293,8 @@ static int has_border(const cm_camera_field *field)
     return has;
 }
 
-int cm_camera_image_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field,
-                         const double box[4], cm_camera_image *image)
+int cm_camera_image_find(const cm_lens *lens, cm_camera_field *field, const double box[4],
+                         cm_camera_image *image)
 {
     static const double nowhere[4] = {-1.0, -1.0, 1.0, 1.0};
     field->furthest = lens->is_plain ? (double)INFINITY : 1e200;
@@ -308,14 +308,14 @@ int cm_camera_image_find(const cm_lens *lens, const cm_camera_set *set, cm_camer
         return 0;
     }
     made->lens = lens;
-    made->set = set;
+    made->field = field;
     made->box = box == NULL ? nowhere : box;
     made->room = PIXEL_ROOM / fmax(fabs(lens->fx), fabs(lens->fy));
     made->size = fmax(fmax(fabs(made->box[0]), fabs(made->box[2])),
                       fmax(fabs(made->box[1]), fabs(made->box[3])));
     made->disc = image->disc = DISC_SIZES * made->size;
     made->corners = 0;
-    const int is_known = add_all(made, field);
+    const int is_known = add_all(made);
     const size_t bytes = made->corners * sizeof *image->corner;
     image->corner = is_known ? malloc(bytes) : NULL;
     if (image->corner != NULL)

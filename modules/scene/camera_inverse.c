@@ -45,7 +45,7 @@ static int has_sign(const cm_camera_search *of, const cm_lens_point *at)
 
 static int is_inside(const cm_camera_search *of, const double ray[2])
 {
-    return cm_camera_field_joins(of->lens, of->set, of->field, ray[0], ray[1]);
+    return cm_camera_field_joins(of->field, ray[0], ray[1]);
 }
 
 /* A step of Newton's method, halved until it stays inside and comes nearer (Armijo's rule). 0 if it finds none. */
