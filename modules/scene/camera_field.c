@@ -109,5 +109,5 @@ int cm_camera_field_joins(const cm_camera_field *field, double a, double b)
     {
         return radius < end->line;
     }
-    return radius < end->sure || radius <= cm_camera_field_border(field, a / radius, b / radius);
+    return radius < end->sure || cm_fold_is_clear(&field->fold, a / radius, b / radius, radius);
 }

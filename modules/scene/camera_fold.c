@@ -64,6 +64,7 @@ typedef struct search
     const cm_fold *fold;
     const cm_fold_ray *ray;
     int is_pole; /* is the divisor alone looked for? */
+    int is_whether; /* is any place where signs are not good enough, and none near to where they change? */
 } search;
 
 static double length_at(const cm_fold *fold, double t, double rest)
@@ -286,6 +287,12 @@ static int is_rounding(const search *of, const piece *part, int which)
     return most <= ROUNDING * sum;
 }
 
+static int is_bad_at_end(const piece *part)
+{
+    return part->of[0][part->degree[0]] < 0.0 ||
+           (part->degree[1] > 0 && part->of[1][part->degree[1]] < 0.0);
+}
+
 /* 1 and the ends between which signs change first, or 0 if they are good in all of the piece, which gets lost. */
 static int find_change(const search *of, piece *part, int halvings, double change[2])
 {
@@ -307,7 +314,8 @@ static int find_change(const search *of, piece *part, int halvings, double chang
         return 0;
     }
     const int is_last = halvings == HALVINGS_MOST;
-    if (is_last || (most == 1 && to <= NEAR * from))
+    const int is_asked = of->is_whether ? is_bad_at_end(part) : most == 1 && to <= NEAR * from;
+    if (is_last || is_asked)
     {
         change[0] = from;
         change[1] = to;
@@ -352,7 +360,7 @@ static span up_to(const cm_fold *fold, double length)
 static void find_pole(cm_fold *fold)
 {
     const cm_fold_ray along = {.cosine = 1.0, .sine = 0.0};
-    const search of = {fold, &along, 1};
+    const search of = {fold, &along, 1, 0};
     piece whole = {.over = up_to(fold, fold->most), .degree = {6, 0}};
     for (int j = 0; j < 4; j++)
     {
@@ -512,7 +520,7 @@ void cm_fold_turn(const cm_fold *fold, double cosine, double sine, cm_fold_ray *
 
 double cm_fold_first(const cm_fold *fold, const cm_fold_ray *ray)
 {
-    const search of = {fold, ray, 0};
+    const search of = {fold, ray, 0, 0};
     piece whole = {.over = up_to(fold, fold->most), .degree = {fold->degree, fold->reach_degree}};
     memcpy(whole.of[0], ray->determinant, ((size_t)fold->degree + 1) * sizeof(double));
     memcpy(whole.of[1], ray->reach, ((size_t)fold->reach_degree + 1) * sizeof(double));
@@ -526,6 +534,23 @@ double cm_fold_first(const cm_fold *fold, const cm_fold_ray *ray)
         return settle(&of, (const double[2]){fold->most, fold->most * (1.0 + 1e-12)});
     }
     return (double)INFINITY;
+}
+
+int cm_fold_is_clear(const cm_fold *fold, double cosine, double sine, double length)
+{
+    const cm_fold_ray ray = {.cosine = cosine, .sine = sine};
+    const search of = {fold, &ray, 0, 1};
+    const double end = fmin(length, fold->most);
+    piece whole = {.over = up_to(fold, end), .degree = {fold->degree, fold->reach_degree}};
+    determinant_powers(fold, cosine, sine, whole.of[0]);
+    reach_powers(fold, cosine, sine, whole.of[1]);
+    for (int i = 0; i < 2; i++)
+    {
+        from_powers(whole.of[i], whole.degree[i]);
+        keep_left(whole.of[i], whole.degree[i], whole.over.t[1], whole.over.rest[1]);
+    }
+    double change[2];
+    return (end == length || !fold->has_pole) && !find_change(&of, &whole, 0, change);
 }
 
 /* Polynomials of two directions in a span, the shares in which those between may differ, and how fast the latter may change. */

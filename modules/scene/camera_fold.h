@@ -47,6 +47,9 @@ void cm_fold_turn(const cm_fold *fold, double cosine, double sine, cm_fold_ray *
  * signs are good; INFINITY if there is none up to the furthest. */
 double cm_fold_first(const cm_fold *fold, const cm_fold_ray *ray);
 
+/* Are there none up to a length, at which signs are good? */
+int cm_fold_is_clear(const cm_fold *fold, double cosine, double sine, double length);
+
 /* What is certain of all directions between two that are near to each other. */
 typedef struct cm_fold_between
 {
