@@ -566,6 +566,7 @@ typedef struct between
 {
     span over;
     double whole; /* t up to which the polynomials were given */
+    int may_fall;
     pair part[2]; /* the determinant; the reach, if its degree is not 0 */
 } between;
 
@@ -619,7 +620,7 @@ static void split_pair(pair *of, pair *left)
     halve(of->slope, of->degree - 1, left->slope);
 }
 
-/* Is each of the polynomials first above 0, then falling, in all directions between? Pieces get lost. falls has those that
+/* Is each of the polynomials first above 0, then falling if it may, in all directions between? Pieces get lost. falls has those that
  * do; sure becomes the end of the last piece where all are above 0. */
 static int look_through(between *of, int halvings, int falls[2], span *sure)
 {
@@ -630,8 +631,8 @@ static int look_through(between *of, int halvings, int falls[2], span *sure)
     {
         const int above = !falls[i] && is_above(&of->part[i]);
         begins[i] = !above;
-        is_good = is_good &&
-                  (above || is_falling(&of->part[i], (of->over.t[1] - of->over.t[0]) / of->whole));
+        is_good &= above || (of->may_fall &&
+                             is_falling(&of->part[i], (of->over.t[1] - of->over.t[0]) / of->whole));
         is_above_all &= above;
     }
     if (is_good)
@@ -648,6 +649,7 @@ static int look_through(between *of, int halvings, int falls[2], span *sure)
     between left;
     halve_span(&of->over, &left.over, &of->over);
     left.whole = of->whole;
+    left.may_fall = of->may_fall;
     left.part[1].degree = 0;
     for (int i = 0; i < 2 && of->part[i].degree > 0; i++)
     {
@@ -711,37 +713,45 @@ static void take_between(const cm_fold *fold, const cm_fold_ray *one, const cm_f
     }
 }
 
+/* Up to an end that is not 0: are they divided there? The length up to which all are above 0. */
+static double look_up_to(const cm_fold *fold, const cm_fold_ray *ray[2], double end, int may_fall,
+                         int *is_divided)
+{
+    between of;
+    take_between(fold, ray[0], ray[1], fmin(end, fold->most), &of);
+    of.may_fall = may_fall;
+    const int is_below = is_below_at_end(&of);
+    int falls[2] = {0, 0};
+    span sure = {{0.0, 0.0}, {1.0, 1.0}};
+    *is_divided = look_through(&of, HALVINGS_BETWEEN, falls, &sure) && (!may_fall || is_below);
+    return length_at(fold, sure.t[1], sure.rest[1]);
+}
+
 cm_fold_between cm_fold_look_between(const cm_fold *fold, const cm_fold_ray *one,
                                      const cm_fold_ray *next, double one_first, double next_first)
 {
+    const cm_fold_ray *ray[2] = {one, next};
     const double low = fmin(one_first, next_first);
     const double high = fmax(one_first, next_first);
     const int has_none = low == (double)INFINITY;
     const int is_pole = fold->has_pole && low >= fold->most * (1.0 - 1e-12);
-    const int is_near = has_none || (high < (double)INFINITY && high <= LINE_APART * low);
-    const double line =
-        is_pole ? fold->most * (1.0 + 1e-6) : fmin(LINE_ROOM * high, 0.5 * (high + fold->most));
-    const double end = has_none || is_pole ? fold->most : is_near ? line : low;
-    between of;
-    take_between(fold, one, next, fmin(end, fold->most), &of);
-    const int is_below = is_below_at_end(&of);
-    int falls[2] = {0, 0};
-    span sure = {{0.0, 0.0}, {1.0, 1.0}};
-    const int is_through = look_through(&of, HALVINGS_BETWEEN, falls, &sure);
-    const int is_all = is_through && !falls[0] && !falls[1];
-    cm_fold_between found = {length_at(fold, sure.t[1], sure.rest[1]), line, 0};
-    if (has_none)
+    cm_fold_between found = {0.0, 0.0, 0};
+    if (has_none || is_pole)
     {
-        found.line = (double)INFINITY;
-        found.is_divided = is_all;
+        found.line = has_none ? (double)INFINITY : fold->most * (1.0 + 1e-6);
+        found.sure = look_up_to(fold, ray, fold->most, 0, &found.is_divided);
+        found.is_divided &= has_none || is_simple_pole(fold, found.line);
+        return found;
     }
-    else if (is_pole)
+    if (high <= LINE_APART * low && low > 0.0)
     {
-        found.is_divided = is_all && is_simple_pole(fold, line);
+        found.line = fmin(LINE_ROOM * high, 0.5 * (high + fold->most));
+        found.sure = look_up_to(fold, ray, found.line, 1, &found.is_divided);
     }
-    else
+    if (!found.is_divided && low > 0.0)
     {
-        found.is_divided = is_near && is_through && is_below;
+        int is_all;
+        found.sure = look_up_to(fold, ray, low, 0, &is_all);
     }
     return found;
 }
