@@ -491,6 +491,17 @@ void converting()
                content_of("seven" + depth) == content_of("fourth" + depth) &&
                content_of("third/trajectory.log") == content_of("open/trajectory.log"),
            "by way of 7-Scenes, too");
+    // what is a multiple of a millimetre is kept: the second way there loses nothing, the first says what it lost
+    result(matches(does("scene convert in --to 7scenes -o eight").err,
+                   "eight: [0-9]+ depths rounded by up to 0\\.[45][0-9]* mm"),
+           "what whole millimetres lose is told");
+    does("scene convert eight --to tum -o ninth");
+    result(!matches(does("scene convert ninth --to 7scenes -o tenth").err, "rounded"),
+           "and nothing where nothing is lost");
+    result(content_of("eight" + depth) == content_of("tenth" + depth),
+           "whole millimetres come back");
+    says("info says the scale and the rounding", "\"depth_scale\": 1000}, .*\"rounded_by\": 0.0005",
+         "scene info ninth --json");
 }
 
 void telling()
