@@ -512,6 +512,10 @@ void telling()
     says("info as JSON",
          "\"views\": 3,.*\"skipped\": 0,.*\"poses\": 3,.*\"width\": 40,.*\"measured\": 1",
          "scene info in --json");
+    write_file("away.json", R"({"spheres": [{"centre": [0, 0, -1e6], "radius": 1}]})");
+    does("scene render away.json camera.json path.txt -o nothing");
+    says("info of what sees nothing", "\ndepth nowhere: no pixel is measured\n$",
+         "scene info nothing");
     std::filesystem::remove("in/depth/" + time_of(1) + ".png");
     says("what is absent is counted", "\"views\": 2, \"listed\": 3, \"skipped\": 1",
          "scene info in --json");

@@ -108,16 +108,22 @@ std::string info_text(const cm_sequence_report &report, const DepthStatistics &d
     std::snprintf(text, sizeof text,
                   "%s: %zu views of %u x %u from %.6f to %.6f s, %zu poses\n"
                   "%zu depth images listed, %zu absent, %zu without a pose; %zu views without "
-                  "colours\n"
-                  "%s %.6g to %.6g m, mean %.6g, rounded by up to %.3g mm; %.4g %% of the pixels "
-                  "measured\n",
+                  "colours\n",
                   cm_sequence_layout_name(report.layout), report.count, camera.width, camera.height,
                   report.first, report.last, report.poses, report.listed, report.absent,
-                  report.without_pose, report.without_color,
-                  camera.mapping != nullptr ? "range" : "depth", depth.least, depth.greatest,
-                  depth.sum / depth.measured, 1e3 * rounding_of(report, depth),
-                  100 * depth.measured / depth.pixels);
-    return text;
+                  report.without_pose, report.without_color);
+    const std::string lines = text;
+    const char *const kind = camera.mapping != nullptr ? "range" : "depth";
+    if (!(depth.measured > 0))
+    {
+        return lines + kind + " nowhere: no pixel is measured\n";
+    }
+    std::snprintf(text, sizeof text,
+                  "%s %.6g to %.6g m, mean %.6g, rounded by up to %.3g mm; %.4g %% of the pixels "
+                  "measured\n",
+                  kind, depth.least, depth.greatest, depth.sum / depth.measured,
+                  1e3 * rounding_of(report, depth), 100 * depth.measured / depth.pixels);
+    return lines + text;
 }
 
 } // namespace
