@@ -45,9 +45,9 @@ static int box_of(const cm_camera *camera, double box[4])
 static int find_field(cm_camera *camera)
 {
     double box[4];
-    cm_camera_field_find(&camera->lens, camera->set, &camera->field);
-    return cm_camera_image_find(&camera->lens, camera->set, &camera->field,
-                                box_of(camera, box) ? box : NULL, &camera->image);
+    cm_camera_field_find(&camera->lens, &camera->field);
+    return cm_camera_image_find(&camera->lens, &camera->field, box_of(camera, box) ? box : NULL,
+                                &camera->image);
 }
 
 cm_status cm_camera_create(const cm_camera_options *options, cm_camera **camera)
@@ -119,8 +119,7 @@ static void settle_points(const cm_camera *camera, cm_camera_block *block, size_
     for (size_t i = 0; i < count; i++)
     {
         if (block->mark[i] > 1.0 &&
-            !cm_camera_field_joins(&camera->lens, camera->set, &camera->field, block->x[i],
-                                   block->y[i]))
+            !cm_camera_field_joins(&camera->field, block->x[i], block->y[i]))
         {
             block->column[i] = block->row[i] = (double)NAN;
         }
@@ -138,8 +137,7 @@ static int settle_pixel(const cm_camera *camera, const double pixel[2], const do
     {
         return 0;
     }
-    const int is_found = isfinite(ray[0]) && cm_camera_field_joins(&camera->lens, camera->set,
-                                                                   &camera->field, ray[0], ray[1]);
+    const int is_found = isfinite(ray[0]) && cm_camera_field_joins(&camera->field, ray[0], ray[1]);
     double other[2];
     if ((!is_found || cm_camera_is_off(&search, ray)) && cm_camera_solve(&search, reach, other))
     {
@@ -309,6 +307,5 @@ double cm_camera_border(const cm_camera *camera, double angle)
         return (double)NAN;
     }
     return camera->lens.is_plain ? (double)INFINITY
-                                 : cm_camera_field_border(&camera->lens, camera->set, cos(angle),
-                                                          sin(angle), CM_FIELD_SLACK, NULL);
+                                 : cm_camera_field_border(&camera->field, cos(angle), sin(angle));
 }

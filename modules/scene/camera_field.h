@@ -6,23 +6,26 @@
 #ifndef MODULES_SCENE_CAMERA_FIELD_H
 #define MODULES_SCENE_CAMERA_FIELD_H
 
-#include "camera_set.h"
+#include "camera_fold.h"
 
 #define CM_FIELD_SIDES 128
 
 /* No ray is looked at that is further from the axis, whose length there is 1. */
 #define CM_FIELD_FURTHEST 3.9e5
 
-/* Sides that lines do not divide are split into so many parts, as long as they are few. */
+/* Sides that lines do not divide are split into so many parts, as long as they are few; not if what is not sure is so far from
+ * the axis that few pictures have it. */
+#define CM_FIELD_FAR 4.0
 #define CM_FIELD_PARTS 16
 #define CM_FIELD_SPLITS 16
 
-/* Where the field ends in one direction: INFINITY where it does not; and a line between that and what is beyond the fold. */
+/* Where the field ends in one direction: INFINITY where it does not; and what is certain between that and the next. */
 typedef struct cm_field_end
 {
     double border;
-    double divide;
-    int is_plain; /* does the lower of the lines of this direction and the next divide all between them? */
+    double sure; /* up to this all is inside */
+    double line; /* if it is plain, up to this signs tell, and nothing beyond it is inside */
+    int is_plain;
     int split; /* -1, or which one */
 } cm_field_end;
 
@@ -30,6 +33,7 @@ typedef struct cm_field_end
  * once more. */
 typedef struct cm_camera_field
 {
+    cm_fold fold;
     cm_field_end end[CM_FIELD_SIDES + 1];
     cm_field_end part[CM_FIELD_SPLITS][CM_FIELD_PARTS + 1];
     double within;   /* the square up to which signs alone tell inside from outside */
@@ -39,19 +43,13 @@ typedef struct cm_camera_field
 /* The direction of a number from 0 to CM_FIELD_SIDES, which may be broken. */
 void cm_camera_field_direction(double side, double *cosine, double *sine);
 
-/* Fills it in but for furthest, which is infinite. The lens is evaluated along each direction. */
-void cm_camera_field_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field);
+/* Fills it in but for furthest, which is infinite. The lens has to stay. */
+void cm_camera_field_find(const cm_lens *lens, cm_camera_field *field);
 
-/* Of a border as well as doubles tell it: rounding moves it more. */
-#define CM_FIELD_SLACK 1e-15
-
-/* How far the field goes in one direction (cosine, sine), or up to slack less, a part of that: signs are good there. beyond, if
- * it is not NULL, gets where they are good again, or a place before that: up to slack less, or a step behind the border. */
-double cm_camera_field_border(const cm_lens *lens, const cm_camera_set *set, double cosine,
-                              double sine, double slack, double *beyond);
+/* How far the field goes in one direction (cosine, sine), or up to 1e-15 of it less: signs are good there. */
+double cm_camera_field_border(const cm_camera_field *field, double cosine, double sine);
 
 /* Is the ray inside, if signs are good there? */
-int cm_camera_field_joins(const cm_lens *lens, const cm_camera_set *set,
-                          const cm_camera_field *field, double a, double b);
+int cm_camera_field_joins(const cm_camera_field *field, double a, double b);
 
 #endif

@@ -11,7 +11,7 @@
 
 /* Corners of a chain, and halvings between two sides. */
 #define CORNERS_MOST 1024
-#define HALVINGS_MOST 24
+#define HALVINGS_MOST 34
 
 /* A line may be off by so much of a pixel, and of how far it is from the picture. */
 #define PIXEL_ROOM 0.02
@@ -39,11 +39,12 @@ typedef struct place
 typedef struct chain
 {
     const cm_lens *lens;
-    const cm_camera_set *set;
+    const cm_camera_field *field;
     const double *box; /* least x and y, most x and y */
     double size;       /* the most of those, without signs */
     double disc;       /* as of the image */
     double room;       /* of a line in the picture */
+    int halvings;
     cm_image_corner corner[CORNERS_MOST];
     size_t corners;
 } chain;
@@ -80,8 +81,7 @@ static place place_at(const chain *c, double side)
     double cosine;
     double sine;
     cm_camera_field_direction(side, &cosine, &sine);
-    const double border =
-        cm_camera_field_border(c->lens, c->set, cosine, sine, CM_FIELD_SLACK, NULL);
+    const double border = cm_camera_field_border(c->field, cosine, sine);
     return place_on(c, side, fmin(border, CM_FIELD_FURTHEST));
 }
 
@@ -140,7 +140,7 @@ static int add_between(chain *c, const place *from, const place *to, int is_dire
         return add_corner(c, from, SAG_ROOM * off);
     }
     const place end = place_on(c, from->side, to->radius);
-    return add_between(c, from, &end, 1, HALVINGS_MOST) &&
+    return add_between(c, from, &end, 1, c->halvings) &&
            add_corner(c, &end, hypot(end.x - to->x, end.y - to->y));
 }
 
@@ -150,19 +150,47 @@ static int is_far(const chain *c, const place *at)
     return at->radius < CM_FIELD_FURTHEST || beyond_box(c, at) > 4.0 * c->size;
 }
 
-static int add_all(chain *c, const cm_camera_field *field)
+static int add_all(chain *c, int halvings)
 {
+    const cm_camera_field *field = c->field;
+    c->halvings = halvings;
+    c->corners = 0;
     place from = place_on(c, 0.0, fmin(field->end[0].border, CM_FIELD_FURTHEST));
     for (size_t i = 1; i <= CM_FIELD_SIDES; i++)
     {
         const place to = place_on(c, (double)i, fmin(field->end[i].border, CM_FIELD_FURTHEST));
-        if (!is_far(c, &from) || !add_between(c, &from, &to, 0, HALVINGS_MOST))
+        if (!is_far(c, &from) || !add_between(c, &from, &to, 0, c->halvings))
         {
             return 0;
         }
         from = to;
     }
     return 1;
+}
+
+/* Where the border leaps beside a pole, a line's end may be anywhere, by roundings: then no place would be known. With other
+ * halvings it is elsewhere, and with fewer there are fewer corners. */
+static int add_usefully(chain *c)
+{
+    static const int halvings[] = {HALVINGS_MOST, HALVINGS_MOST + 10, HALVINGS_MOST - 10};
+    int is_added = 0;
+    for (size_t i = 0; i < sizeof halvings / sizeof *halvings; i++)
+    {
+        is_added = add_all(c, halvings[i]);
+        double most = 0.0; /* of the part of the picture that is in the room around one line */
+        for (size_t k = 0; k < c->corners; k++)
+        {
+            const cm_image_corner *at = &c->corner[k];
+            const cm_image_corner *next = &c->corner[k + 1 < c->corners ? k + 1 : 0];
+            most = fmax(most, at->sag - distance(0.0, 0.0, (const double[]){at->x, at->y},
+                                                 (const double[]){next->x, next->y}));
+        }
+        if (is_added && most < c->size)
+        {
+            return 1;
+        }
+    }
+    return is_added;
 }
 
 /* The winding number of the chain, if no line is nearer than its sag and room. */
@@ -293,8 +321,8 @@ static int has_border(const cm_camera_field *field)
     return has;
 }
 
-int cm_camera_image_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field,
-                         const double box[4], cm_camera_image *image)
+int cm_camera_image_find(const cm_lens *lens, cm_camera_field *field, const double box[4],
+                         cm_camera_image *image)
 {
     static const double nowhere[4] = {-1.0, -1.0, 1.0, 1.0};
     field->furthest = lens->is_plain ? (double)INFINITY : 1e200;
@@ -308,14 +336,13 @@ int cm_camera_image_find(const cm_lens *lens, const cm_camera_set *set, cm_camer
         return 0;
     }
     made->lens = lens;
-    made->set = set;
+    made->field = field;
     made->box = box == NULL ? nowhere : box;
     made->room = PIXEL_ROOM / fmax(fabs(lens->fx), fabs(lens->fy));
     made->size = fmax(fmax(fabs(made->box[0]), fabs(made->box[2])),
                       fmax(fabs(made->box[1]), fabs(made->box[3])));
     made->disc = image->disc = DISC_SIZES * made->size;
-    made->corners = 0;
-    const int is_known = add_all(made, field);
+    const int is_known = add_usefully(made);
     const size_t bytes = made->corners * sizeof *image->corner;
     image->corner = is_known ? malloc(bytes) : NULL;
     if (image->corner != NULL)

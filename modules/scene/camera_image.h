@@ -39,8 +39,8 @@ typedef struct cm_camera_image
 
 /* box is that around the picture: the least x and y, and the most, in focal lengths, the tilt undone; NULL: it is nowhere. Sets
  * the field's furthest. 0 if there was no memory. */
-int cm_camera_image_find(const cm_lens *lens, const cm_camera_set *set, cm_camera_field *field,
-                         const double box[4], cm_camera_image *image);
+int cm_camera_image_find(const cm_lens *lens, cm_camera_field *field, const double box[4],
+                         cm_camera_image *image);
 
 /* Can the lens make (x, y) of a ray inside? */
 cm_camera_reach cm_camera_image_reaches(const cm_camera_image *image, double x, double y);

@@ -9,7 +9,8 @@
 enum
 {
     STARTS_MOST = 9,
-    NET_STARTS_MOST = 12
+    NET_STARTS_MOST = 12,
+    NET_FIRST = 4
 };
 
 /* Where to begin, and the square of how far the lens is from the aim there. */
@@ -45,7 +46,7 @@ static int has_sign(const cm_camera_search *of, const cm_lens_point *at)
 
 static int is_inside(const cm_camera_search *of, const double ray[2])
 {
-    return cm_camera_field_joins(of->lens, of->set, of->field, ray[0], ray[1]);
+    return cm_camera_field_joins(of->field, ray[0], ray[1]);
 }
 
 /* A step of Newton's method, halved until it stays inside and comes nearer (Armijo's rule). 0 if it finds none. */
@@ -128,7 +129,14 @@ static void insert_start(const cm_camera_search *search, const double ray[2], st
     }
 }
 
-/* From the triangles of the net in or beside which the pixel is. */
+static int solve_from_knots(const cm_camera_search *search, double ray[2])
+{
+    const cm_lens_point at = cm_lens_at(search->lens, ray[0], ray[1]);
+    return has_sign(search, &at) && descend(search, near_way, ray) && is_inside(search, ray);
+}
+
+/* From the triangles of the net in or beside which the pixel is: from the first ones as they come, since mostly one of these
+ * does, or from the nearest of all. */
 static int solve_from_net(const cm_camera_search *search, double ray[2])
 {
     const cm_lens *lens = search->lens;
@@ -141,16 +149,19 @@ static int solve_from_net(const cm_camera_search *search, double ray[2])
     }
     size_t next = 0;
     cm_camera_net_make(lens, search->set, search->field, search->net);
-    while (cm_camera_net_find(search->net, search->field, place, &next, ray))
+    for (int i = 0; cm_camera_net_find(search->net, search->field, place, &next, ray); i++)
     {
         insert_start(search, ray, list);
+        if (i < NET_FIRST && solve_from_knots(search, ray))
+        {
+            return 1;
+        }
     }
     for (size_t i = 0; i < NET_STARTS_MOST && list[i].error < (double)INFINITY; i++)
     {
         ray[0] = list[i].ray[0];
         ray[1] = list[i].ray[1];
-        const cm_lens_point at = cm_lens_at(lens, ray[0], ray[1]);
-        if (has_sign(search, &at) && descend(search, near_way, ray) && is_inside(search, ray))
+        if (solve_from_knots(search, ray))
         {
             return 1;
         }
@@ -159,7 +170,7 @@ static int solve_from_net(const cm_camera_search *search, double ray[2])
 }
 
 /* From the axis the way goes straight to the aim, as long as it does not leave the field: to all that there is if the field's
- * image is seen from the axis. Where there must be something else, from places around, and from the net. */
+ * image is seen from the axis. Else from the net, and where there must be something from places around, which takes longest. */
 int cm_camera_solve(const cm_camera_search *search, cm_camera_reach reach, double ray[2])
 {
     const size_t starts = reach == CM_IMAGE_REACHED ? STARTS_MOST : 1;
@@ -170,10 +181,10 @@ int cm_camera_solve(const cm_camera_search *search, cm_camera_reach reach, doubl
         const double radius = i == 0 ? 0.0 : fmin(0.5 * search->field->end[side].border, 1.0);
         ray[0] = radius * cos(angle);
         ray[1] = radius * sin(angle);
-        if (descend(search, far_way, ray))
+        if (descend(search, far_way, ray) || (i == 0 && solve_from_net(search, ray)))
         {
             return 1;
         }
     }
-    return solve_from_net(search, ray);
+    return 0;
 }

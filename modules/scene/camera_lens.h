@@ -34,8 +34,7 @@ typedef struct cm_lens
     double fx, fy, cx, cy; /* pixels; pixel_centre plays no part here */
     double per_x, per_y;   /* 1 / fx, 1 / fy */
     double slack;          /* of an inverse's residual, in focal lengths */
-    double calm;  /* rays of up to this length have signs well above 0, in every direction */
-    int is_plain; /* no distortion at all */
+    int is_plain;          /* no distortion at all */
     int is_tilted;
 } cm_lens;
 
@@ -102,12 +101,6 @@ static inline double cm_lens_sign_there(const cm_lens *lens, const cm_lens_point
     return at->determinant > 0.0 && at->divisor > 0.0 && reach > 0.0 ? sign
            : sign < 0.0                                              ? sign
                                                                      : -1.0;
-}
-
-static inline double cm_lens_sign(const cm_lens *lens, double a, double b)
-{
-    const cm_lens_point at = cm_lens_at(lens, a, b);
-    return cm_lens_sign_there(lens, &at);
 }
 
 #endif

@@ -11,9 +11,6 @@
 /* What its residual may be, in pixels: the contract is 1e-9. */
 #define RESIDUAL 1e-10
 
-/* Signs of calm rays are above this; the search of the field looks closer at what is below a quarter. */
-#define CALM 0.3
-
 static int are_finite(const double *number, size_t n)
 {
     double sum = 0.0;
@@ -67,31 +64,6 @@ static int is_distorted(const double *k)
     return 0;
 }
 
-/* What is left of 1 at most, and at least, of each sign of rays up to a length, by the sums of absolute terms: is that well above
- * 0? NaN counts as no. */
-static int is_calm(const cm_lens *lens, double length)
-{
-    const double *k = lens->k;
-    const double r2 = length * length;
-    const double above = r2 * (fabs(k[0]) + r2 * (fabs(k[1]) + r2 * fabs(k[2])));
-    const double below = r2 * (fabs(k[3]) + r2 * (fabs(k[4]) + r2 * fabs(k[5])));
-    const double above_slope = fabs(k[0]) + r2 * (2.0 * fabs(k[1]) + 3.0 * r2 * fabs(k[2]));
-    const double below_slope = fabs(k[3]) + r2 * (2.0 * fabs(k[4]) + 3.0 * r2 * fabs(k[5]));
-    const double inverse = 1.0 / (1.0 - below);
-    const double radial = (above + below) * inverse;
-    const double slope = 2.0 * inverse * (above_slope + (1.0 + radial) * below_slope);
-    const double twist = length * (fabs(lens->p1_twice) + fabs(lens->p2_twice));
-    const double even = fabs(lens->even[0]) + fabs(lens->even[1]);
-    const double steep = fabs(lens->steep[0]) + fabs(lens->steep[1]);
-    const double rise = 2.0 * length * (even + 2.0 * r2 * steep);
-    const double scale = radial + twist;
-    const double swell = scale + r2 * slope + twist + rise;
-    const double place = length * (1.0 + scale) + r2 * (even + r2 * steep);
-    const double determinant = (1.0 - scale) * (1.0 - swell) - twist * rise;
-    const double reach = lens->tilt[8] - (fabs(lens->tilt[6]) + fabs(lens->tilt[7])) * place;
-    return below < 1.0 - CALM && swell < 1.0 && determinant > CALM && reach > CALM;
-}
-
 static void make_distortion(const double *k, cm_lens *lens)
 {
     const double radial[6] = {k[0], k[1], k[4], k[5], k[6], k[7]};
@@ -109,11 +81,6 @@ static void make_distortion(const double *k, cm_lens *lens)
     lens->second = k[1] - k[6] - k[5] * lens->first;
     make_tilt(k[12], k[13], lens);
     lens->is_plain = !is_distorted(k);
-    lens->calm = 0.0;
-    for (double length = 1e-4; length < 1.0 && is_calm(lens, length); length *= 2.0)
-    {
-        lens->calm = length;
-    }
 }
 
 /* Products of two stay finite. */

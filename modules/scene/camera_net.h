@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "camera_field.h"
+#include "camera_set.h"
 
 /* Knots of each of the field's directions; the first is the axis. */
 #define CM_NET_RINGS 33

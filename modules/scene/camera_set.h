@@ -40,9 +40,6 @@ typedef struct cm_camera_set
     /* Columns and rows to rays. Aims further from the axis than `furthest`, squared, have none. Open ones are NaN, or rays of
      * which the lens makes the aim, but perhaps not inside. */
     int64_t (*rays)(const cm_lens *lens, double within, double furthest, cm_camera_block *block);
-    /* cm_lens_sign along a direction, and how many of them are not above least. */
-    int64_t (*signs)(const cm_lens *lens, double cosine, double sine, const double *radius,
-                     double least, double *sign);
 } cm_camera_set;
 
 extern const cm_camera_set cm_camera_scalar;

@@ -491,6 +491,17 @@ void converting()
                content_of("seven" + depth) == content_of("fourth" + depth) &&
                content_of("third/trajectory.log") == content_of("open/trajectory.log"),
            "by way of 7-Scenes, too");
+    // what is a multiple of a millimetre is kept: the second way there loses nothing, the first says what it lost
+    result(matches(does("scene convert in --to 7scenes -o eight").err,
+                   "eight: [0-9]+ depths rounded by up to 0\\.[45][0-9]* mm"),
+           "what whole millimetres lose is told");
+    does("scene convert eight --to tum -o ninth");
+    result(!matches(does("scene convert ninth --to 7scenes -o tenth").err, "rounded"),
+           "and nothing where nothing is lost");
+    result(content_of("eight" + depth) == content_of("tenth" + depth),
+           "whole millimetres come back");
+    says("info says the scale and the rounding", "\"depth_scale\": 1000}, .*\"rounded_by\": 0.0005",
+         "scene info ninth --json");
 }
 
 void telling()
@@ -501,6 +512,10 @@ void telling()
     says("info as JSON",
          "\"views\": 3,.*\"skipped\": 0,.*\"poses\": 3,.*\"width\": 40,.*\"measured\": 1",
          "scene info in --json");
+    write_file("away.json", R"({"spheres": [{"centre": [0, 0, -1e6], "radius": 1}]})");
+    does("scene render away.json camera.json path.txt -o nothing");
+    says("info of what sees nothing", "\ndepth nowhere: no pixel is measured\n$",
+         "scene info nothing");
     std::filesystem::remove("in/depth/" + time_of(1) + ".png");
     says("what is absent is counted", "\"views\": 2, \"listed\": 3, \"skipped\": 1",
          "scene info in --json");

@@ -562,6 +562,69 @@ START_TEST(narrow_folds_end_the_field)
 }
 END_TEST
 
+/* Is the ray one that the lens keeps on its side, before the tilt and after it? In long double, with the formula as printed. */
+static int is_kept(const double *k, double a, double b)
+{
+    const double r2 = a * a + b * b;
+    long double place[2];
+    lens_distort(k, a, b, place);
+    const double below = 1 + r2 * (k[K4] + r2 * (k[K5] + r2 * k[K6]));
+    const long double reach =
+        sinl(k[TAU_Y]) * place[0] + cosl(k[TAU_Y]) * (cosl(k[TAU_X]) - sinl(k[TAU_X]) * place[1]);
+    return below > 0 && reach > 0 && determinant(k, a, b) > 0;
+}
+
+/* Lenses of two thousand that were drawn, and a direction of each, in which a fold is so narrow that some thirty evaluations an
+ * octave do not see it. Here small steps do. */
+START_TEST(folds_of_drawn_lenses_end_the_field)
+{
+    static const struct
+    {
+        uint64_t lens;
+        double angle;
+    } folded[] = {
+        {241, 4.2291220891911285},  {294, 0.16945640001480694},  {433, 4.8474099140648308},
+        {542, 4.2516930678709377},  {718, 6.2343723919406298},   {813, 5.7961290843569433},
+        {840, 5.2269957758913312},  {978, 3.0676500818166228},   {1495, 0.73502394003900917},
+        {1534, 3.2517904614745414}, {1540, 0.21199653484219622}, {1548, 0.050985172041726902}};
+    for (size_t i = 0; i < sizeof folded / sizeof *folded; i++)
+    {
+        static const double scales[] = {1.0, 1.5, 2.0, 0.5};
+        double lens[14];
+        state = 2000006 + folded[i].lens;
+        uniform(0.0, 1.0);
+        for (int k = 0; k < 14; k++)
+        {
+            const double most =
+                k < 12 ? uniform(-1.0, 1.0) * scales[folded[i].lens % 4] : uniform(-0.2, 0.2);
+            lens[k] = uniform(0.0, 1.0) < 0.35 ? 0.0 : most * uniform(0.0, 1.0);
+        }
+        cm_camera *camera = make_distorted(500.0, lens);
+        const double cosine = cos(folded[i].angle);
+        const double sine = sin(folded[i].angle);
+        const double step = 1e-3;
+        double bad = step;
+        while (bad < 2.5 && is_kept(lens, bad * cosine, bad * sine))
+        {
+            bad += step;
+        }
+        double good = bad;
+        while (good < 2.5 && !is_kept(lens, good * cosine, good * sine))
+        {
+            good += step;
+        }
+        ck_assert(bad < 2.5 && good < 2.5);
+        const double border = cm_camera_border(camera, folded[i].angle);
+        REQUIRE(border <= bad && border > bad - 1.001 * step, "lens %zu: %g, not %g", i, border,
+                bad);
+        const double beyond[3] = {good * cosine, good * sine, 1.0};
+        double pixel[2];
+        REQUIRE(!pixel_of(camera, beyond, pixel), "lens %zu: %g %g", i, pixel[0], pixel[1]);
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
 /* Ten rounds of a fixed point, which undistortPoints does by default, are not enough beside a fold, and diverge where
  * distortion is strong (opencv#27916, #6091; kornia#4285). */
 START_TEST(fixed_points_fail_where_newton_does_not)
@@ -703,6 +766,7 @@ int main(void)
                                   rays_come_back_where_no_way_is_straight,
                                   rays_of_drawn_lenses_come_back,
                                   narrow_folds_end_the_field,
+                                  folds_of_drawn_lenses_end_the_field,
                                   fixed_points_fail_where_newton_does_not,
                                   solid_angles_are_those_of_small_squares,
                                   threads_may_ask_one_camera_pixel_by_pixel,

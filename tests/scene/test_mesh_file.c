@@ -212,6 +212,50 @@ START_TEST(polygons_and_materials_of_obj)
 }
 END_TEST
 
+/* Twice the area of a triangle in the plane of x and y, with the side on which it turns. */
+static double turned_area(const cm_mesh_options *has, size_t triangle)
+{
+    const double *corner[3];
+    for (size_t i = 0; i < 3; i++)
+    {
+        corner[i] = has->position + 3 * (size_t)has->index[3 * triangle + i];
+    }
+    return (corner[1][0] - corner[0][0]) * (corner[2][1] - corner[0][1]) -
+           (corner[1][1] - corner[0][1]) * (corner[2][0] - corner[0][0]);
+}
+
+/* A square with a notch, from any of its corners, either way around: its triangles lie side by side, in it alone. */
+START_TEST(polygons_of_obj_may_be_hollow)
+{
+    for (int first = 0; first < 10; first++)
+    {
+        const int way = first < 5 ? 1 : 4;
+        char text[200];
+        int number[5];
+        for (int i = 0; i < 5; i++)
+        {
+            number[i] = 1 + (first + way * i) % 5;
+        }
+        snprintf(text, sizeof text,
+                 "v -1 -1 2\nv 1 -1 2\nv 1 1 2\nv 0 -0.5 2\nv -1 1 2\nf %d %d %d %d %d\n",
+                 number[0], number[1], number[2], number[3], number[4]);
+        write_text("hollow.obj", text);
+        cm_mesh *mesh = read_good("hollow.obj");
+        const cm_mesh_options *has = cm_mesh_describe(mesh);
+        ck_assert_uint_eq(has->triangle_count, 3);
+        double sum = 0.0;
+        for (size_t i = 0; i < 3; i++)
+        {
+            const double area = first < 5 ? turned_area(has, i) : -turned_area(has, i);
+            REQUIRE(area > 0.0, "from %d: triangle %zu: %g", first, i, area);
+            sum += area;
+        }
+        REQUIRE(sum == 5.0, "from %d: %g", first, sum);
+        cm_mesh_destroy(mesh);
+    }
+}
+END_TEST
+
 START_TEST(wrong_lines_are_named)
 {
     static const struct
@@ -447,6 +491,7 @@ int main(void)
                                   strips_without_indices_and_their_colours,
                                   a_binary_file_is_the_same,
                                   polygons_and_materials_of_obj,
+                                  polygons_of_obj_may_be_hollow,
                                   wrong_lines_are_named,
                                   what_is_wrong_is_one_line,
                                   views_stay_in_their_buffers,

@@ -7,6 +7,7 @@
 #include "tools/cli/program.hpp"
 #include "tools/cli/progress.hpp"
 
+#include <cstdio>
 #include <optional>
 
 namespace
@@ -45,6 +46,21 @@ cm_sequence_layout layout_of(std::size_t choice)
     return layout;
 }
 
+// What whole units of the layout did not keep.
+void tell_loss(const cm_sequence_loss &loss, const std::string &folder, std::FILE *to)
+{
+    if (loss.rounded > 0)
+    {
+        std::fprintf(to, "cubemap-scene: %s: %zu depths rounded by up to %.3g mm\n", folder.c_str(),
+                     loss.rounded, 1e3 * loss.most);
+    }
+    if (loss.beyond > 0)
+    {
+        std::fprintf(to, "cubemap-scene: %s: %zu depths that 16 bits do not hold are left out\n",
+                     folder.c_str(), loss.beyond);
+    }
+}
+
 void convert(const ConvertOptions &options, const cm_streams &streams)
 {
     const SequencePointer from = open_sequence(options.folder, options.camera);
@@ -65,7 +81,12 @@ void convert(const ConvertOptions &options, const cm_streams &streams)
                           progress.advance(1);
                       });
     }
+    const cm_sequence_loss loss = *cm_sequence_writer_loss(to.get());
     finish_sequence(to);
+    if (!options.quiet)
+    {
+        tell_loss(loss, options.output, streams.err);
+    }
 }
 
 } // namespace

@@ -23,6 +23,7 @@ struct DepthStatistics
     double sum = 0;
     double measured = 0;
     double pixels = 0;
+    bool is_whole = true; // in whole units
 
     void add(double depth)
     {
@@ -41,6 +42,7 @@ void add_picture(const cm_view &view, DepthStatistics &statistics)
 {
     const cm_image &image = view.depth;
     const bool is_float = image.type == CM_PIXEL_FLOAT;
+    statistics.is_whole = statistics.is_whole && !is_float;
     const std::ptrdiff_t step = image.pixel_stride != 0 ? image.pixel_stride : (is_float ? 4 : 2);
     const std::ptrdiff_t row_step =
         image.row_stride != 0 ? image.row_stride : step * static_cast<std::ptrdiff_t>(image.width);
@@ -69,6 +71,12 @@ std::string camera_text(const cm_sequence_report &report)
     return line;
 }
 
+// Metres: half a unit of whole ones.
+double rounding_of(const cm_sequence_report &report, const DepthStatistics &depth)
+{
+    return depth.is_whole ? 0.5 / report.depth_scale : 0.0;
+}
+
 std::string info_json(const cm_sequence_report &report, const DepthStatistics &depth)
 {
     const auto whole = [](std::size_t number) { return std::to_string(number); };
@@ -88,7 +96,8 @@ std::string info_json(const cm_sequence_report &report, const DepthStatistics &d
     text += ", \"min\": " + json_number(any ? depth.least : nothing) +
             ", \"max\": " + json_number(any ? depth.greatest : nothing) +
             ", \"mean\": " + json_number(any ? depth.sum / depth.measured : nothing) +
-            ", \"measured\": " + json_number(depth.measured / depth.pixels);
+            ", \"measured\": " + json_number(depth.measured / depth.pixels) +
+            ", \"rounded_by\": " + json_number(rounding_of(report, depth));
     return text + "}}\n";
 }
 
@@ -99,14 +108,22 @@ std::string info_text(const cm_sequence_report &report, const DepthStatistics &d
     std::snprintf(text, sizeof text,
                   "%s: %zu views of %u x %u from %.6f to %.6f s, %zu poses\n"
                   "%zu depth images listed, %zu absent, %zu without a pose; %zu views without "
-                  "colours\n"
-                  "%s %.6g to %.6g m, mean %.6g; %.4g %% of the pixels measured\n",
+                  "colours\n",
                   cm_sequence_layout_name(report.layout), report.count, camera.width, camera.height,
                   report.first, report.last, report.poses, report.listed, report.absent,
-                  report.without_pose, report.without_color,
-                  camera.mapping != nullptr ? "range" : "depth", depth.least, depth.greatest,
-                  depth.sum / depth.measured, 100 * depth.measured / depth.pixels);
-    return text;
+                  report.without_pose, report.without_color);
+    const std::string lines = text;
+    const char *const kind = camera.mapping != nullptr ? "range" : "depth";
+    if (!(depth.measured > 0))
+    {
+        return lines + kind + " nowhere: no pixel is measured\n";
+    }
+    std::snprintf(text, sizeof text,
+                  "%s %.6g to %.6g m, mean %.6g, rounded by up to %.3g mm; %.4g %% of the pixels "
+                  "measured\n",
+                  kind, depth.least, depth.greatest, depth.sum / depth.measured,
+                  1e3 * rounding_of(report, depth), 100 * depth.measured / depth.pixels);
+    return lines + text;
 }
 
 } // namespace

@@ -8,8 +8,10 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -176,6 +178,137 @@ private:
     std::map<std::pair<int, int>, std::uint32_t> others;
 };
 
+// The triangles of one polygon, by cutting ears (Meisters, Polygons have ears, 1975) where it is seen along its normal (Newell).
+class Polygon
+{
+public:
+    void add(const double *place)
+    {
+        corner.push_back({place[0], place[1], place[2]});
+    }
+
+    // Numbers of corners, three each.
+    std::vector<std::size_t> triangles()
+    {
+        flatten();
+        std::vector<std::size_t> cut;
+        rest.resize(corner.size());
+        std::iota(rest.begin(), rest.end(), std::size_t{0});
+        while (rest.size() > 3)
+        {
+            const std::size_t ear = find_ear();
+            const std::size_t n = rest.size();
+            cut.insert(cut.end(), {rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
+            rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
+        }
+        cut.insert(cut.end(), rest.begin(), rest.end());
+        return cut;
+    }
+
+private:
+    using Flat = std::array<double, 2>;
+
+    // Without the axis along which it is least wide, and so that it turns to the left.
+    void flatten()
+    {
+        std::array<double, 3> normal{};
+        const std::size_t n = corner.size();
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            const auto &here = corner[i], &next = corner[(i + 1) % n];
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+                const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+                normal[k] += (here[a] - next[a]) * (here[b] + next[b]);
+            }
+        }
+        std::size_t axis = 0;
+        for (std::size_t k = 1; k < 3; ++k)
+        {
+            axis = std::abs(normal[k]) > std::abs(normal[axis]) ? k : axis;
+        }
+        const bool turns = normal[axis] < 0;
+        for (const auto &place : corner)
+        {
+            const double a = place[(axis + 1) % 3], b = place[(axis + 2) % 3];
+            flat.push_back(turns ? Flat{b, a} : Flat{a, b});
+        }
+    }
+
+    static double side(const Flat &from, const Flat &to, const Flat &at)
+    {
+        return (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0]);
+    }
+
+    // Is no other corner in the triangle of one and its neighbours?
+    bool is_ear(std::size_t at) const
+    {
+        const std::size_t n = rest.size();
+        const Flat &before = flat[rest[(at + n - 1) % n]], &here = flat[rest[at]],
+                   &after = flat[rest[(at + 1) % n]];
+        if (!(side(before, here, after) > 0))
+        {
+            return false;
+        }
+        for (std::size_t i = 2; i < n - 1; ++i)
+        {
+            const Flat &other = flat[rest[(at + i) % n]];
+            if (other != before && other != here && other != after &&
+                side(before, here, other) >= 0 && side(here, after, other) >= 0 &&
+                side(after, before, other) >= 0)
+            {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // The second corner first, which makes a fan of what is convex, and of what crosses itself.
+    std::size_t find_ear() const
+    {
+        for (std::size_t i = 0; i < rest.size(); ++i)
+        {
+            const std::size_t at = (i + 1) % rest.size();
+            if (is_ear(at))
+            {
+                return at;
+            }
+        }
+        return 1;
+    }
+
+    std::vector<std::array<double, 3>> corner;
+    std::vector<Flat> flat;
+    std::vector<std::size_t> rest;
+};
+
+// Of a shape's polygon, whose corners begin at one of its indices.
+void add_polygon(const tinyobj::mesh_t &part, std::size_t begin, std::size_t corners, int material,
+                 const tinyobj::ObjReader &reader, ObjVertices &vertices, FlatMesh &mesh)
+{
+    std::vector<std::uint32_t> number;
+    Polygon polygon;
+    for (std::size_t i = 0; i < corners; ++i)
+    {
+        const int vertex = part.indices[begin + i].vertex_index;
+        number.push_back(vertices.find(vertex, material));
+        const tinyobj::real_t *at =
+            &reader.GetAttrib().vertices[3 * static_cast<std::size_t>(vertex)];
+        const double place[3] = {static_cast<double>(at[0]), static_cast<double>(at[1]),
+                                 static_cast<double>(at[2])};
+        polygon.add(place);
+    }
+    if (corners == 3)
+    {
+        mesh.index.insert(mesh.index.end(), number.begin(), number.end());
+        return;
+    }
+    for (const std::size_t i : polygon.triangles())
+    {
+        mesh.index.push_back(number[i]);
+    }
+}
+
 } // namespace
 
 FlatMesh read_obj(const std::string &path)
@@ -183,7 +316,7 @@ FlatMesh read_obj(const std::string &path)
     ObjLines(text_of(path)).check();
     tinyobj::ObjReader reader;
     tinyobj::ObjReaderConfig config;
-    config.triangulate = true;
+    config.triangulate = false; // its ears are not those of all polygons
     if (!reader.ParseFromFile(path, config))
     {
         throw MeshFailure("is no OBJ: " + reader.Error());
@@ -193,15 +326,17 @@ FlatMesh read_obj(const std::string &path)
     for (const tinyobj::shape_t &shape : reader.GetShapes())
     {
         const tinyobj::mesh_t &part = shape.mesh;
-        if (3 * part.num_face_vertices.size() != part.indices.size())
+        std::size_t begin = 0;
+        for (std::size_t face = 0; face < part.num_face_vertices.size(); ++face)
         {
-            throw MeshFailure("has polygons that could not be made triangles");
-        }
-        for (std::size_t i = 0; i < part.indices.size(); ++i)
-        {
-            const std::size_t face = i / 3;
+            const std::size_t corners = part.num_face_vertices[face];
             const int material = face < part.material_ids.size() ? part.material_ids[face] : -1;
-            mesh.index.push_back(vertices.find(part.indices[i].vertex_index, material));
+            if (corners < 3 || corners > part.indices.size() - begin)
+            {
+                throw MeshFailure("has polygons that could not be made triangles");
+            }
+            add_polygon(part, begin, corners, material, reader, vertices, mesh);
+            begin += corners;
         }
     }
     return mesh;

@@ -115,6 +115,18 @@ typedef struct cm_sequence_writer cm_sequence_writer;
 cm_status cm_sequence_create(const char *folder, cm_sequence_layout layout, const cm_camera *camera,
                              double depth_scale, cm_sequence_writer **writer, char *message);
 
+/* What whole units did not keep, of all views so far. Nothing of a stream, which keeps all. */
+typedef struct cm_sequence_loss
+{
+    size_t size;    /* sizeof(cm_sequence_loss) */
+    size_t rounded; /* measured depths that are off by more than a thousandth of a unit */
+    double most;    /* by so many metres at most */
+    size_t beyond;  /* measured depths that are stored as nothing measured */
+} cm_sequence_loss;
+
+/* Lives as long as the writer. */
+const cm_sequence_loss *cm_sequence_writer_loss(const cm_sequence_writer *writer);
+
 /* Where the files are until cm_sequence_finish: a program may put others there, into folders of its own. NULL of a stream. */
 const char *cm_sequence_writer_folder(const cm_sequence_writer *writer);
 

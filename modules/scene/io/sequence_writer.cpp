@@ -11,6 +11,7 @@
 
 #include "modules/image/io/temporary_name.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -30,6 +31,7 @@ struct cm_sequence_writer
     {
         return nullptr;
     }
+    cm_sequence_loss loss = {sizeof(cm_sequence_loss), 0, 0.0, 0};
 };
 
 namespace
@@ -176,6 +178,7 @@ public:
 
 private:
     void store_depth(const cm_view &view, std::size_t &beyond);
+    void count_rounded(double units);
     void write_files(const cm_view &view);
     void write_lists() const;
     void write_tum(const cm_view &view, const std::string &time);
@@ -251,6 +254,16 @@ void row_factors(const cm_view &view, const cm_camera *camera, std::uint32_t row
     }
 }
 
+// Roundings of doubles and floats are none of the format's.
+void FolderWriter::count_rounded(double units)
+{
+    if (units > 1e-3)
+    {
+        ++loss.rounded;
+        loss.most = std::max(loss.most, units / depth_scale);
+    }
+}
+
 void FolderWriter::store_depth(const cm_view &view, std::size_t &beyond)
 {
     const cm_camera_options &options = *cm_camera_describe(camera.get());
@@ -279,11 +292,12 @@ void FolderWriter::store_depth(const cm_view &view, std::size_t &beyond)
                 std::memcpy(&stored, at, sizeof stored);
                 value = static_cast<double>(stored);
             }
-            const double units =
-                std::floor(value * view.depth_unit * factor[i] * depth_scale + 0.5);
+            const double exact = value * view.depth_unit * factor[i] * depth_scale;
+            const double units = std::floor(exact + 0.5);
             const bool measured = value > 0.0 && std::isfinite(value);
             const bool fits = measured && units >= 1.0 && units <= most;
             beyond += measured && !fits;
+            count_rounded(fits ? std::fabs(units - exact) : 0.0);
             const std::uint16_t kept = fits ? static_cast<std::uint16_t>(units) : none;
             std::memcpy(to, &kept, sizeof kept);
         }
@@ -447,6 +461,11 @@ const char *cm_sequence_writer_folder(const cm_sequence_writer *writer)
     return writer->folder();
 }
 
+const cm_sequence_loss *cm_sequence_writer_loss(const cm_sequence_writer *writer)
+{
+    return &writer->loss;
+}
+
 cm_status cm_sequence_write(cm_sequence_writer *writer, const cm_view *view, size_t *beyond,
                             char *message)
 {
@@ -459,6 +478,7 @@ cm_status cm_sequence_write(cm_sequence_writer *writer, const cm_view *view, siz
                         {
                             std::size_t found = 0;
                             writer->put(*view, found);
+                            writer->loss.beyond += found;
                             if (beyond != nullptr)
                             {
                                 *beyond += found;
