@@ -95,7 +95,7 @@ typedef struct cm_tof_light
     double direction[3];    /* of its axis, of any length; 0 0 0: along the optical axis */
     double power;           /* watts, all of the cone, while it shines */
     double aperture;        /* radians, full angle of the cone, from 1e-6; 2 pi shines everywhere */
-    size_t n;               /* values of the table; 0: even */
+    size_t n;               /* values of the table; 0: even; all 0: it is dark */
     const float *intensity; /* relative, evenly apart from the axis to the rim, linear between */
 } cm_tof_light;
 

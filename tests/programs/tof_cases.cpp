@@ -130,6 +130,10 @@ void measures()
     write_file("open.obj", "v -9 -9 2\nv 9 -9 2\nv 0 9 2\nv 0 0 1\nf 1 2 3\nf 4 4 4\nf 1 2 2\n");
     says("an open mesh, and triangles of no area", "\"unmeasured\": 0\\}",
          "tof simulate open.obj sensor.json pose.txt -o open --json --bounces 1");
+    write_file("zero.json", sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 6, "
+                                        "\"intensity\": [0]}]"));
+    says("a table of one zero lights nothing", "\"unmeasured\": 432\\}",
+         "tof simulate wall.json zero.json pose.txt -o zero --json");
     says("a light behind the wall lights nothing", "\"unmeasured\": 432\\}",
          "tof simulate wall.json behind.json pose.txt -o dark --json");
 }
@@ -534,12 +538,33 @@ void refuses_tof_files()
     sensor_fails("a cone of no width",
                  sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 1e-300}]"),
                  "aperture is a full angle in radians, from 1e-6");
-    write_file("strange.json", sensor_text(std::string("\"fixed_pattern\": 1e9, ") + light_text));
-    fails("noise beyond all bounds", 1, "'strange.json' has numbers outside what is simulated",
-          "tof simulate wall.json strange.json pose.txt -o made/x");
+    sensor_fails("noise beyond all bounds",
+                 sensor_text(std::string("\"fixed_pattern\": 1e9, ") + light_text),
+                 "4: fixed_pattern is 1e.09, not a number from 0 to 1000");
+    sensor_fails("readings beyond all bounds",
+                 sensor_text(std::string("\"read_noise\": 1e31, ") + light_text),
+                 "4: read_noise is 1e.31, not a number from 0 to 1e.30");
+    sensor_fails("a polynomial beyond all bounds",
+                 sensor_text(std::string("\"shot_least\": 1, \"shot_most\": 9,\n"
+                                         "\"shot_variance\": [1, 1e300], ") +
+                             light_text),
+                 "5: shot_variance becomes too large");
+    sensor_fails("an intensity that no float holds",
+                 sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 6,\n"
+                             "\"intensity\": [1, 1e39]}]"),
+                 "5: lights\\[0\\].intensity has a number beyond");
     std::string camera = sensor_text();
     camera.replace(camera.find("\"fx\": 20"), 8, "\"fx\": 0");
-    sensor_fails("a camera without focal length", camera, "camera:1: a focal length of 0");
+    sensor_fails("a camera without focal length", camera,
+                 "1: camera.fx is 0, not a number above 0");
+    camera.replace(camera.find("\"fx\": 0"), 7, "\n\"fx\": -1");
+    sensor_fails("a chip that mirrors", camera, "2: camera.fx is -1, not a number above 0");
+    camera.replace(camera.find("\"fx\": -1"), 8, "\"fx\": 1e-200");
+    sensor_fails("a focal length of nothing", camera, "2: a focal length of 1e-200 as fx");
+    camera.replace(camera.find("\"fx\": 1e-200"), 12, "\"fx\": 1e999");
+    sensor_fails("a focal length without end", camera, "2: camera.fx is not a number above 0");
+    camera.replace(camera.find("\"fx\": 1e999"), 11, "\"fx\": 20,\n\"depth_scale\": -1");
+    sensor_fails("a camera's other members", camera, "3: depth_scale is units of depth");
     const auto scene_fails =
         [](const std::string &name, const std::string &members, const std::string &expression)
     {
@@ -554,13 +579,34 @@ void refuses_tof_files()
     scene_fails("a motion backwards",
                 "\"motion\": [[1, 0, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 0, 1]]",
                 ".motion has no times, or times that do not grow");
+    scene_fails("a motion that is twisted", "\"motion\": [[0, 0, 0, 0, 0, 0, 0, 2]]",
+                ".motion has a quaternion that is more than 1e-3 off length 1");
+    scene_fails("a motion without end", "\"motion\": [[0, 1e999, 0, 0, 0, 0, 0, 1]]",
+                ".motion is neither");
+    write_file(
+        "odd.json",
+        "{\"planes\": [{\"point\": [0, 0, 2], \"normal\": [0, 0, 1], \"motion\": [\n"
+        "[0, 0, 0, 0, 0, 0, 0, 1],\n[1, 0, 0, 0, 0, 0, 0, 1],\n[1, 0, 0, 0, 0, 0, 0, 1]]}]}");
+    fails("a time that is there twice", 1, "'odd.json':4: planes\\[0\\].motion has no times, or",
+          "tof simulate odd.json sensor.json pose.txt -o made/x");
     scene_fails("no motion at all", "\"motion\": []", ".motion has no times");
     scene_fails("a BRDF of no kind", "\"brdf\": {}", ".brdf.kind is not lambert");
     scene_fails("a BRDF with something else", "\"brdf\": {\"kind\": \"lambert\", \"eta\": 1}",
                 ".brdf has 'eta', which means nothing there");
     scene_fails("facets beyond all slopes",
                 "\"brdf\": {\"kind\": \"cook-torrance\", \"roughness\": 7, \"eta\": 1.5}",
-                ".brdf has numbers outside their ranges");
+                ".brdf.roughness is 7, not a number from 0.01 to 1");
+    for (const std::string member : {"diffuse", "specular", "absorption"})
+    {
+        scene_fails("facets of " + member + " below 0",
+                    "\"brdf\": {\"kind\": \"cook-torrance\", \"roughness\": 0.2, \"eta\": 1.5, \"" +
+                        member + "\": -1}",
+                    ".brdf." + member + " is -1, not a number");
+    }
+    scene_fails("facets that give more than they get",
+                "\"brdf\": {\"kind\": \"cook-torrance\", \"roughness\": 0.2, \"eta\": 1.5, "
+                "\"diffuse\": 0.6, \"specular\": 0.5}",
+                ".brdf.specular is more than diffuse leaves of 1");
     write_file("table.csv", "10, 20, 30\n");
     write_file("measured.json", "{\"planes\": [{\"point\": [0, 0, 2], \"normal\": [0, 0, 1], "
                                 "\"brdf\": {\"kind\": \"measured\", \"file\": \"table.csv\"}}]}");
@@ -570,6 +616,12 @@ void refuses_tof_files()
     {
         write_file("table.csv", line + "\n");
         fails("a table with " + line, 1, "'table.csv':1: is not theta_in",
+              "tof simulate measured.json sensor.json pose.txt -o made/x");
+    }
+    for (const std::string line : {"91 0 0 0.3", "0 -1 0 0.3", "0 0 0 -0.3", "0 0 0 1e39"})
+    {
+        write_file("table.csv", "0 0 0 0.3\n" + line + "\n");
+        fails("a table with " + line, 1, "'table.csv':2: has a [a-z_]+ that is not from 0 to ",
               "tof simulate measured.json sensor.json pose.txt -o made/x");
     }
     write_file("table.csv", "# nothing\n");

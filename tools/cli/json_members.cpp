@@ -145,6 +145,18 @@ double JsonMembers::number(const char *key, Range range)
     return item == nullptr ? 0 : checked(item, key, range);
 }
 
+double JsonMembers::number(const char *key, Range range, double least, double most)
+{
+    const double value = number(key, range);
+    if (!(value >= least && value <= most))
+    {
+        char text[120];
+        std::snprintf(text, sizeof text, " is %g, not a number from %g to %g", value, least, most);
+        fail(key, text);
+    }
+    return value;
+}
+
 void JsonMembers::take_number(const char *key, Range range, double &to)
 {
     const cJSON *const item = find(key);

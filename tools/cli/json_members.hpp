@@ -50,6 +50,8 @@ public:
     const cJSON *find(const char *key);
     // The number; 0 if it is absent. Failure if it is none, or outside the range; so if 0 is.
     double number(const char *key, Range range);
+    // The same of a range that ends at least and most.
+    double number(const char *key, Range range, double least, double most);
     // The number if it is there, else what is there stays.
     void take_number(const char *key, Range range, double &to);
     // The same of a whole number from low to high.

@@ -103,6 +103,18 @@ std::string text_of_file(const std::string &path)
     return text;
 }
 
+// What cubemap/brdf.h does not allow; nullptr if that is nothing.
+const char *wrong_of_measured(const std::vector<double> &numbers)
+{
+    constexpr double right_angle = 90, value_most = 1e30;
+    const auto is_raised = [](double theta) { return theta >= 0 && theta <= right_angle; };
+    return !is_raised(numbers[0])       ? "a theta_in that is not from 0 to 90 degrees"
+           : !is_raised(numbers[1])     ? "a theta_out that is not from 0 to 90 degrees"
+           : !std::isfinite(numbers[2]) ? "an azimuth that is not finite"
+           : !(numbers[3] >= 0 && numbers[3] <= value_most) ? "a value that is not from 0 to 1e30"
+                                                            : nullptr;
+}
+
 // Lines of four numbers, theta_in theta_out azimuth in degrees and the value, apart by blanks or commas; # begins a remark.
 std::vector<BrdfWord> read_brdf_table(const std::string &path)
 {
@@ -127,6 +139,11 @@ std::vector<BrdfWord> read_brdf_table(const std::string &path)
         {
             throw Failure(in_quotes(path) + ":" + std::to_string(number) +
                           ": is not theta_in theta_out azimuth value");
+        }
+        const char *const wrong = wrong_of_measured(numbers);
+        if (wrong != nullptr)
+        {
+            throw Failure(in_quotes(path) + ":" + std::to_string(number) + ": has " + wrong);
         }
         words.push_back(
             {numbers[0] * degree, numbers[1] * degree, numbers[2] * degree, numbers[3]});
@@ -191,15 +208,18 @@ public:
         const TimedPoses poses =
             cJSON_IsString(keys) ? read_poses(file.path_of(keys->valuestring)) : poses_of(keys);
         cm_trajectory *moved = nullptr;
+        std::size_t wrong = 0;
         const cm_status status = cm_trajectory_create(poses.time.size(), poses.time.data(),
-                                                      poses.pose.data(), &moved, nullptr);
+                                                      poses.pose.data(), &moved, &wrong);
         if (status == CM_ERROR_MEMORY)
         {
             throw std::bad_alloc();
         }
         if (status != CM_OK)
         {
-            members.fail("motion", " has no times, or times that do not grow");
+            const cJSON *const key = cJSON_GetArrayItem(keys, static_cast<int>(wrong));
+            file.place.fail(key == nullptr ? keys : key,
+                            members.name_of("motion") + " has no times, or times that do not grow");
         }
         world.motions.emplace_back(moved);
         made.motion = moved;
@@ -252,7 +272,7 @@ private:
         const cJSON *each = key->child;
         for (double &value : number)
         {
-            if (!cJSON_IsNumber(each))
+            if (!cJSON_IsNumber(each) || !std::isfinite(each->valuedouble))
             {
                 return false;
             }
@@ -273,10 +293,14 @@ private:
         {
             std::array<double, 8> number = {};
             cm_pose pose;
-            if (!read_key(key, number) ||
-                cm_pose_from_quaternion(number.data() + 1, number.data() + 4, &pose) != CM_OK)
+            if (!read_key(key, number))
             {
                 fail_motion(key);
+            }
+            if (cm_pose_from_quaternion(number.data() + 1, number.data() + 4, &pose) != CM_OK)
+            {
+                file.place.fail(key, members.name_of("motion") +
+                                         " has a quaternion that is more than 1e-3 off length 1");
             }
             poses.time.push_back(number[0]);
             poses.pose.push_back(pose);
@@ -290,6 +314,21 @@ private:
                                   " is neither a file nor a list of [t, x, y, z, qx, qy, qz, qw]");
     }
 
+    // Ranges are those of cm_cook_torrance.
+    static void read_facets(JsonMembers &parts, BrdfDescription &read)
+    {
+        constexpr double least_roughness = 0.01, index_most = 1e6, rounding = 1e-12;
+        read.diffuse = parts.number("diffuse", Range::part_with_zero);
+        read.specular = parts.number("specular", Range::part_with_zero);
+        read.roughness = parts.number("roughness", Range::above_zero, least_roughness, 1);
+        read.eta = parts.number("eta", Range::above_zero, 0, index_most);
+        read.absorption = parts.number("absorption", Range::zero_or_more, 0, index_most);
+        if (read.diffuse + read.specular > 1 + rounding)
+        {
+            parts.fail("specular", " is more than diffuse leaves of 1");
+        }
+    }
+
     BrdfDescription brdf_of(const cJSON *json) const
     {
         JsonMembers parts(file.place, members.name_of("brdf"), json);
@@ -300,11 +339,7 @@ private:
         {
             read.kind = BrdfDescription::Kind::CookTorrance;
             parts.check_only({"kind", "diffuse", "specular", "roughness", "eta", "absorption"});
-            parts.take_number("diffuse", Range::any, read.diffuse);
-            parts.take_number("specular", Range::any, read.specular);
-            read.roughness = parts.number("roughness", Range::above_zero);
-            read.eta = parts.number("eta", Range::above_zero);
-            parts.take_number("absorption", Range::any, read.absorption);
+            read_facets(parts, read);
         }
         else if (name == "measured")
         {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -28,28 +29,31 @@ struct SensorNumber
     const char *key;
     double cm_tof_sensor::*to;
     Range range;
+    double most; // as cubemap/sim.h has it
 };
 
-constexpr SensorNumber sensor_numbers[] = {
-    {"pitch", &cm_tof_sensor::pitch, Range::above_zero},
-    {"f_number", &cm_tof_sensor::f_number, Range::above_zero},
-    {"wavelength", &cm_tof_sensor::wavelength, Range::above_zero},
-    {"efficiency", &cm_tof_sensor::efficiency, Range::part},
-    {"exposure", &cm_tof_sensor::exposure, Range::above_zero},
-    {"readout", &cm_tof_sensor::readout, Range::zero_or_more},
-    {"pause", &cm_tof_sensor::pause, Range::zero_or_more},
-    {"frequency", &cm_tof_sensor::frequency, Range::above_zero},
-    {"duty", &cm_tof_sensor::duty, Range::part},
-    {"contrast", &cm_tof_sensor::contrast, Range::part},
-    {"full_well", &cm_tof_sensor::full_well, Range::zero_or_more},
-    {"dark", &cm_tof_sensor::dark, Range::zero_or_more},
-    {"read_noise", &cm_tof_sensor::read_noise, Range::zero_or_more},
-    {"second_frequency", &cm_tof_sensor::second_frequency, Range::zero_or_more},
-    {"fixed_pattern", &cm_tof_sensor::fixed_pattern, Range::zero_or_more},
-    {"shot_least", &cm_tof_sensor::shot_least, Range::zero_or_more},
-    {"shot_most", &cm_tof_sensor::shot_most, Range::zero_or_more}};
+constexpr double any_number = std::numeric_limits<double>::max();
 
-// The camera is what a camera's file has.
+constexpr SensorNumber sensor_numbers[] = {
+    {"pitch", &cm_tof_sensor::pitch, Range::above_zero, any_number},
+    {"f_number", &cm_tof_sensor::f_number, Range::above_zero, any_number},
+    {"wavelength", &cm_tof_sensor::wavelength, Range::above_zero, any_number},
+    {"efficiency", &cm_tof_sensor::efficiency, Range::part, any_number},
+    {"exposure", &cm_tof_sensor::exposure, Range::above_zero, any_number},
+    {"readout", &cm_tof_sensor::readout, Range::zero_or_more, any_number},
+    {"pause", &cm_tof_sensor::pause, Range::zero_or_more, any_number},
+    {"frequency", &cm_tof_sensor::frequency, Range::above_zero, any_number},
+    {"duty", &cm_tof_sensor::duty, Range::part, any_number},
+    {"contrast", &cm_tof_sensor::contrast, Range::part, any_number},
+    {"full_well", &cm_tof_sensor::full_well, Range::zero_or_more, any_number},
+    {"dark", &cm_tof_sensor::dark, Range::zero_or_more, any_number},
+    {"read_noise", &cm_tof_sensor::read_noise, Range::zero_or_more, 1e30},
+    {"second_frequency", &cm_tof_sensor::second_frequency, Range::zero_or_more, any_number},
+    {"fixed_pattern", &cm_tof_sensor::fixed_pattern, Range::zero_or_more, 1e3},
+    {"shot_least", &cm_tof_sensor::shot_least, Range::zero_or_more, any_number},
+    {"shot_most", &cm_tof_sensor::shot_most, Range::zero_or_more, any_number}};
+
+// The camera is what a camera's file has, but for chips that mirror, of which there are none.
 CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)
 {
     const cJSON *const json = members.find("camera");
@@ -57,25 +61,26 @@ CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)
     {
         members.fail("camera", " is not an object, as a camera's file has it");
     }
-    const std::unique_ptr<char, void (*)(void *)> text(cJSON_PrintUnformatted(json), cJSON_free);
-    if (text == nullptr)
+    JsonMembers parts(place, "camera", json);
+    if (parts.find("mapping") == nullptr)
     {
-        throw std::bad_alloc();
+        parts.number("fx", Range::above_zero);
+        parts.number("fy", Range::above_zero);
     }
+    const std::string_view own = text_of_item(place.text, place.root, json);
+    const auto before = static_cast<std::size_t>(own.data() - place.text.data());
+    std::string text(line_of_place(place.text, before) - 1, '\n'); // lines are the file's
+    text += own;
     cm_camera *camera = nullptr;
     double depth_scale = 0;
     char message[CM_IMAGE_MESSAGE] = "";
-    const cm_status status =
-        cm_camera_file_parse("camera", text.get(), std::char_traits<char>::length(text.get()),
-                             &camera, &depth_scale, message);
+    const cm_status status = cm_camera_file_parse(in_quotes(place.name).c_str(), text.data(),
+                                                  text.size(), &camera, &depth_scale, message);
     if (status == CM_ERROR_MEMORY)
     {
         throw std::bad_alloc();
     }
-    if (status != CM_OK)
-    {
-        place.fail(json, message);
-    }
+    check_scene(status, message);
     return CameraPointer(camera);
 }
 
@@ -148,9 +153,10 @@ void read_signal(JsonMembers &members, TofSensor &made)
 }
 
 // A measured polynomial; how large it may become the library asks.
-void read_shot(JsonMembers &members, TofSensor &made)
+void read_shot(const JsonPlace &place, JsonMembers &members, TofSensor &made)
 {
     made.shot_variance = members.numbers("shot_variance", Range::any);
+    made.shot_line = line_of_item(place.text, place.root, members.find("shot_variance"));
     const std::size_t terms = made.shot_variance.size();
     const long said =
         members.whole("shot_terms", 0, shot_terms_most,
@@ -192,6 +198,11 @@ void read_light(const JsonPlace &place, const cJSON *json, std::size_t number, T
         members.fail("n", " is not how many numbers intensity has");
     }
     members.check_known();
+    if (!table.empty() &&
+        *std::max_element(table.begin(), table.end()) > double{std::numeric_limits<float>::max()})
+    {
+        members.fail("intensity", " has a number beyond those of single precision");
+    }
     made.intensity.emplace_back(table.begin(), table.end());
     light.n = table.size();
     made.light.push_back(light);
@@ -232,11 +243,11 @@ TofSensor parse_tof_sensor(const std::string &name, std::string_view text)
     made.sensor.camera = made.camera.get();
     for (const SensorNumber &each : sensor_numbers)
     {
-        made.sensor.*each.to = members.number(each.key, each.range);
+        made.sensor.*each.to = members.number(each.key, each.range, 0, each.most);
     }
     read_signal(members, made);
     read_mask(members, made);
-    read_shot(members, made);
+    read_shot(place, members, made);
     read_lights(place, members, made);
     members.check_known();
     return made;

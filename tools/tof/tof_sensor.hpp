@@ -23,6 +23,7 @@ struct TofSensor
     std::vector<float> mask;
     std::vector<double> harmonic;
     std::vector<double> shot_variance;
+    std::size_t shot_line = 0;                 // where that stands
     std::vector<std::vector<float>> intensity; // one for each light
     cm_tof_sensor sensor = {};
     std::vector<cm_tof_light> light;

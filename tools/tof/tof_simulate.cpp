@@ -68,7 +68,12 @@ void check_tof(cm_status status, const Simulation &with)
     }
     if (status == CM_ERROR_RANGE)
     {
-        throw Failure(in_quotes(with.sensor.name) + " has numbers outside what is simulated");
+        // all else its reader has asked
+        const bool is_shot = with.sensor.sensor.shot_terms > 0;
+        throw Failure(in_quotes(with.sensor.name) +
+                      (is_shot ? ":" + std::to_string(with.sensor.shot_line) +
+                                     ": shot_variance becomes too large towards shot_most"
+                               : " has numbers outside what is simulated"));
     }
     check_scene(status, "");
 }

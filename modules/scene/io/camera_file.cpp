@@ -171,7 +171,7 @@ void CameraText::check_perspective(CameraNumbers &camera) const
     {
         if (member(key) == nullptr)
         {
-            fail_line(name, 1, std::string(key) + " is missing", CM_ERROR_CAMERA);
+            fail(object.get(), std::string(key) + " is missing");
         }
     }
     for (const char *const key : {"frame", "size"})
@@ -213,7 +213,7 @@ CameraNumbers CameraText::read() const
         take(item, camera);
         if (cJSON_GetArraySize(object.get()) > 20)
         {
-            fail_line(name, 1, "something is given twice", CM_ERROR_CAMERA);
+            fail(object.get(), "something is given twice");
         }
     }
     check_keys();
@@ -235,7 +235,7 @@ CameraNumbers CameraText::read() const
     }
     if (member("size") == nullptr)
     {
-        fail_line(name, 1, "size is missing", CM_ERROR_CAMERA);
+        fail(object.get(), "size is missing");
     }
     return camera;
 }
@@ -272,9 +272,9 @@ void CameraText::fail_refused(const cm_camera_options &options) const
         void (*clear)(cm_camera_options &);
     };
     const std::array<Part, 5> parts = {
-        {{"fx", "a focal length of " + number_text(options.fx),
+        {{"fx", "a focal length of " + number_text(options.fx) + " as fx",
           [](cm_camera_options &to) { to.fx = 1.0; }},
-         {"fy", "a focal length of " + number_text(options.fy),
+         {"fy", "a focal length of " + number_text(options.fy) + " as fy",
           [](cm_camera_options &to) { to.fy = 1.0; }},
          {"pixel_centre",
           "pixel_centre is " + number_text(options.pixel_centre) + ", not from 0 to 1",

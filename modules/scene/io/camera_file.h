@@ -5,6 +5,7 @@
  *   {"width":640,"height":480,"fx":525,"fy":525,"cx":319.5,"cy":239.5,"pixel_centre":0,"distortion":[14 numbers],
  *    "depth_scale":5000}, or {"mapping":"coupled","frame":"geo","size":256,"depth_scale":5000}
  *
+ *   fx, fy      not 0; a negative one mirrors, as ICL-NUIM's fy of -480 does
  *   left out    distortion: zeros; pixel_centre: 0; depth_scale: 5000; frame: geo
  *   message     one line of CM_IMAGE_MESSAGE bytes at most, "FILE:LINE: what is wrong". Written on failure only
  *   failures    CM_ERROR_ARGUMENT, CM_ERROR_MEMORY, CM_ERROR_FILE, CM_ERROR_DATA (no such JSON), CM_ERROR_CAMERA (no such

@@ -137,6 +137,32 @@ std::size_t line_of_item(std::string_view text, const cJSON *root, const cJSON *
     return count_before(root, item, number) ? line_of_place(text, place_of_item(text, number)) : 1;
 }
 
+std::string_view text_of_item(std::string_view text, const cJSON *root, const cJSON *item)
+{
+    std::size_t number = 0;
+    std::size_t place = count_before(root, item, number) ? place_of_item(text, number) : 0;
+    const std::size_t behind_word = end_of_word(text, place);
+    if (text[place] == '"' && is_key(text, behind_word))
+    {
+        place = text.find(':', behind_word) + 1;
+    }
+    while (place < text.size() && is_space(text[place]))
+    {
+        ++place;
+    }
+    std::size_t depth = 0;
+    std::size_t end = place;
+    do
+    {
+        const bool opens = text[end] == '{' || text[end] == '[';
+        const bool closes = text[end] == '}' || text[end] == ']';
+        const bool parts = is_space(text[end]) || text[end] == ',' || text[end] == ':';
+        depth = opens ? depth + 1 : closes ? depth - 1 : depth;
+        end = opens || closes || parts ? end + 1 : end_of_word(text, end);
+    } while (depth > 0 && end < text.size());
+    return text.substr(place, end - place);
+}
+
 std::size_t line_of_place(std::string_view text, std::size_t place)
 {
     const std::string_view before = text.substr(0, std::min(place, text.size()));

@@ -28,6 +28,9 @@ JsonPointer parse_json_object(std::string_view text, JsonFault &fault);
 // The number of the line, from 1, where an item begins, with its key, in the text that root was parsed from.
 std::size_t line_of_item(std::string_view text, const cJSON *root, const cJSON *item);
 
+// What an item is in the text that root was parsed from, without its key.
+std::string_view text_of_item(std::string_view text, const cJSON *root, const cJSON *item);
+
 // The number of the line, from 1, of a place in a text.
 std::size_t line_of_place(std::string_view text, std::size_t place);
 
