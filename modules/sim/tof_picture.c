@@ -40,9 +40,15 @@ static void put_sums(tof_sums *sums, double *from, size_t cells, size_t waves)
     sums->imaginary = sums->real + waves * cells;
 }
 
+/* A mask may leave one sample that lies elsewhere. */
+static int is_middle_alone(const tof_sensor *sensor)
+{
+    return sensor->samples == 1 && sensor->sample[0].x == 0.0 && sensor->sample[0].y == 0.0;
+}
+
 static int needs_centres(const tof_sensor *sensor, const cm_tof_options *options)
 {
-    return sensor->samples > 1 && !options->full;
+    return !is_middle_alone(sensor) && !options->full;
 }
 
 /* Where the arrays of a picture are in one piece of memory; NULL: how large that is. */
@@ -483,7 +489,7 @@ cm_status picture_add(const tof_scenery *scenery, double part, int is_first, cm_
     doing.tile_columns = (cells->columns + TILE_COLUMNS - 1) / TILE_COLUMNS;
     const size_t bands = (cells->rows + TILE_ROWS - 1) / TILE_ROWS;
     const size_t tiles = bands * doing.tile_columns;
-    if (scenery->sensor->samples == 1)
+    if (is_middle_alone(scenery->sensor))
     {
         cm_pool_run(pool, tiles, 4, add_middles, &doing);
     }

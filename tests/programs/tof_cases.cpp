@@ -347,6 +347,17 @@ void knows_sensors()
            "a mask by rows is one in one list");
     does("tof simulate wall.json sensor.json pose.txt -o whole --quiet");
     result(!same_content("rows/phase_0000_1.exr", "whole/phase_0000_1.exr"), "a mask takes light");
+    write_file("corner.json",
+               sensor_text(std::string("\"mask\": [[1, 0], [0, 0]], ") + light_text));
+    for (const std::string way : {"", "--full "})
+    {
+        does("tof simulate wall.json corner.json pose.txt -o corner --quiet --samples 2x2 " + way);
+        const double x = (0 - 0.25 - 11.5) / 20, y = (0 - 0.25 - 8.5) / 20; // of the first pixel
+        const double apart =
+            Picture("corner/distance_0000.exr").first(0, 0) - 2 * std::sqrt(1 + x * x + y * y);
+        result(std::fabs(apart) < 1e-3, "the one active sub-pixel is where it is " + way,
+               std::to_string(apart));
+    }
     write_file("spot.json", sensor_text("\"lights\": [{\"position\": [0.1, 0, 0], \"direction\": "
                                         "[0, 0, 2], \"power\": 1, \"aperture\": 1, \"intensity\": "
                                         "[1, 0.5, 0]}]"));
