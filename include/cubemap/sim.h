@@ -75,7 +75,8 @@ typedef struct cm_tof_sensor
     const float *mask; /* the active part of each sub-pixel, 0..1, by rows; NULL: the whole pixel */
     size_t harmonics;  /* of the correlation; 0: a cosine */
     const double *
-        harmonic; /* amplitude of cos(j x) for j from 1: 1 for the cosine itself; triangle: 1, 0, 1/9 */
+        harmonic; /* amplitude of cos(j x) for j from 1: 1 for the cosine itself; triangle: 1, 0, 1/9.
+                     Where contrast times their sum is beyond 1, a circuit that would be below 0 is cut at 0 */
     double
         second_frequency; /* a second series of phase images, which resolves the ambiguity; 0: none */
     double

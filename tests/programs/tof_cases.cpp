@@ -407,6 +407,21 @@ void keeps_budgets()
          "\"contribution\": 0.0[01][0-9]*, [^}]*\"the error is within the limit with the samples "
          "that are chosen\"",
          corner + "-o enough --bounces 2 --json");
+    write_file("gray.json",
+               R"({"planes": [{"point": [0, 0, 2], "normal": [0, 0, 1], "reflectance": 0.5},
+                  {"point": [0, 0.5, 0], "normal": [0, 1, 0], "reflectance": 0.5}]})");
+    const std::string gray = "tof simulate gray.json sensor.json pose.txt --budget 20mm ";
+    says("how many paths would do is told",
+         "\"within_budget\": false, .*\"paths_needed\": [5-9][0-9], ",
+         gray + "-o too_few --paths 8 --json");
+    says("and to people", "by 8 paths a pixel; about --paths [5-9][0-9] would do",
+         gray + "-o too_few --paths 8");
+    says("half of that do not", "\"within_budget\": false", gray + "-o too_few --paths 32 --json");
+    says("so many do", "\"within_budget\": true, .*\"paths_needed\": null",
+         gray + "-o so_many --paths 128 --json");
+    says("more than are taken are told, too",
+         "about [0-9]* would do, which is more than --paths takes",
+         "tof simulate gray.json sensor.json pose.txt --budget 0.1mm -o too_few --paths 8");
     const std::string about = content_of("few/metadata.json");
     result(matches(about, "\"bounces\":.2,") && matches(about, "\"paths\":.8,") &&
                matches(about, "\"traced\":.true"),
@@ -586,6 +601,8 @@ void refuses_tof_files()
     };
     scene_fails("a motion that is a number", "\"motion\": 3", ".motion is neither");
     scene_fails("a motion of seven numbers", "\"motion\": [[0, 0, 0, 0, 0, 0, 1]]",
+                ".motion is neither");
+    scene_fails("a time without end", "\"motion\": [[1e999, 0, 0, 0, 0, 0, 0, 1]]",
                 ".motion is neither");
     scene_fails("a motion backwards",
                 "\"motion\": [[1, 0, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 0, 1]]",

@@ -29,6 +29,8 @@
 namespace
 {
 
+constexpr double paths_most = 1048576; // that a simulation takes
+
 using TofScenePointer = std::unique_ptr<cm_tof_scene, HandleDeleter<cm_tof_scene_destroy>>;
 
 // What was done for all frames.
@@ -58,6 +60,7 @@ struct Simulation
     std::string budget;  // JSON
     std::string error;   // of the budget, in words
     bool is_within = true;
+    std::optional<double> paths_needed; // where more paths than are tried would do
 };
 
 void check_tof(cm_status status, const Simulation &with)
@@ -167,6 +170,38 @@ std::string error_text(const cm_budget &budget, double limit)
     return text;
 }
 
+// About how many paths would do, if they alone are too few: their error goes by the root of their number.
+std::optional<double> find_paths_needed(const cm_budget &budget, double limit,
+                                        const cm_tof_options &chosen)
+{
+    for (std::size_t i = 0; is_traced(chosen) && i < budget.count; ++i)
+    {
+        const cm_budget_entry &each = budget.entry[i];
+        const double left = limit - (budget.error - each.contribution);
+        if (std::string(each.name) == "sampling of scattered light" && left > 0 &&
+            each.contribution > left)
+        {
+            const double more = each.contribution / left;
+            const double needed = chosen.paths * more * more;
+            const double unit = std::pow(10, std::floor(std::log10(needed)) - 1); // two digits, up
+            return std::ceil(needed / unit) * unit;
+        }
+    }
+    return std::nullopt;
+}
+
+// What a budget that is not met would take.
+std::string paths_text(double needed, const cm_tof_options &chosen)
+{
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  needed > paths_most ? " by %lu paths a pixel; about %.0f would do, which is more "
+                                        "than --paths takes"
+                                      : " by %lu paths a pixel; about --paths %.0f would do",
+                  static_cast<unsigned long>(chosen.paths), needed);
+    return text;
+}
+
 // Takes what the first frame needs for an error of at most that.
 void plan(const SimulateOptions &options, Simulation &with)
 {
@@ -190,6 +225,11 @@ void plan(const SimulateOptions &options, Simulation &with)
     with.budget = budget_text(budget);
     with.is_within = budget.error <= *options.budget;
     with.error = error_text(budget, *options.budget);
+    with.paths_needed = find_paths_needed(budget, *options.budget, with.options);
+    if (with.paths_needed)
+    {
+        with.error += paths_text(*with.paths_needed, with.options);
+    }
     for (const cm_budget_entry &each : entry)
     {
         if (std::string(each.name) == "distortion" && each.is_kept == 0)
@@ -364,7 +404,9 @@ std::string chosen_json(const Simulation &with)
            ", \"paths\": " + std::to_string(chosen.paths) +
            ", \"traced\": " + word(is_traced(chosen)) + ", \"samples\": \"" +
            std::to_string(chosen.sample_columns) + "x" + std::to_string(chosen.sample_rows) +
-           "\", \"noise\": " + word(chosen.noise != 0) + "}, \"budget\": " + with.budget;
+           "\", \"noise\": " + word(chosen.noise != 0) + "}, \"paths_needed\": " +
+           (with.paths_needed ? json_number(*with.paths_needed) : "null") +
+           ", \"budget\": " + with.budget;
 }
 
 std::string done_json(const Done &done, const Simulation &with)
