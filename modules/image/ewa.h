@@ -12,6 +12,7 @@
  *                  over to that of spline36
  *   long ones      the major axis is shortened until there are no more pixels than the plan allows. What reaches beyond
  *                  the border of a level is taken from the next one, and cut there from the last
+ *   poles          of a source in longitude and latitude are done in polar coordinates (ewa_pole.h)
  */
 #ifndef MODULES_IMAGE_EWA_H
 #define MODULES_IMAGE_EWA_H
@@ -20,6 +21,8 @@
 #include "geometry.h"
 #include "pyramid.h"
 
+#include <math.h>
+
 /* Each level has what is finer than three quarters of its frequency 50 dB down, so that the kernel needs no more pixels. */
 #define CM_EWA_MINOR 1.03
 
@@ -27,6 +30,7 @@ typedef struct cm_ewa
 {
     const cm_filter_set *set;
     const cm_filter_table *table; /* of spline36 */
+    const cm_surface *surface;    /* of the source */
     cm_pyramid pyramid;
     cm_ewa_kernel kernel;
     float pixels_most;
@@ -34,6 +38,7 @@ typedef struct cm_ewa
     uint32_t height[CM_LEVELS_MAX];
     float least
         [CM_LEVELS_MAX]; /* the square of the minor axis that a level needs, in source pixels */
+    float cap[CM_LEVELS_MAX]; /* source rows from a pole, where a level has what lies beside it */
 } cm_ewa;
 
 /* Ready for pictures of the plan's source; is_whole: levels may be whole numbers (pyramid.h). CM_OK or CM_ERROR_MEMORY;
@@ -43,6 +48,14 @@ cm_status cm_ewa_make(const cm_plan *plan, const cm_image *pictures, const cm_va
                       unsigned threads, cm_ewa *ewa);
 
 void cm_ewa_free(cm_ewa *ewa);
+
+/* How much of the value is that of spline36: all of it to where the major axis, whose square is given, is one pixel, none
+ * from 5/4. */
+static inline float cm_ewa_sharpness(float major)
+{
+    const float rest = major >= 1.5625f ? 0.0f : (1.25f - sqrtf(major)) * 4.0f;
+    return rest > 1.0f ? 1.0f : rest;
+}
 
 /* Dense pixels of a group with derivatives. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_ewa_group(const cm_ewa *ewa, const cm_group *group, cm_scratch *scratch, float *to);
