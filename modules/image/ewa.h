@@ -38,7 +38,8 @@ typedef struct cm_ewa
     uint32_t height[CM_LEVELS_MAX];
     float least
         [CM_LEVELS_MAX]; /* the square of the minor axis that a level needs, in source pixels */
-    float cap[CM_LEVELS_MAX]; /* source rows from a pole, where a level has what lies beside it */
+    float cap[CM_LEVELS_MAX];  /* source rows from a pole: what is beside it */
+    float wide[CM_LEVELS_MAX]; /* and where ellipses may be too wide for a level */
 } cm_ewa;
 
 /* Ready for pictures of the plan's source; is_whole: levels may be whole numbers (pyramid.h). CM_OK or CM_ERROR_MEMORY;

@@ -12,11 +12,19 @@
 #define CAP_ROWS 8.0
 #define CAP_LEAST 2.0
 
-/* Groups are looked at that are so many times as far. */
-#define CAP_LOOK 4.0f
+/* The largest pixel on a level that is not the last, in its pixels: three eighths are the largest step. */
+#define PIXEL_MOST (8.0 / 3.0 * CM_EWA_MINOR)
 
 /* Columns that are done at once. */
 #define COLUMNS 256
+
+/* The radius of a footprint, in rows, from which on rings of a row each are near enough for what is around a pole. */
+#define FINE_MOST 8.0
+
+/* What goes around a pole is laid on a level so much finer: along parallels columns keep detail there that rows of the
+ * level have lost, and what is left of it would not vanish. */
+#define FINER 2
+#define FINER_REACH 1.6f /* and what is so many radii away */
 
 /* Rows of a footprint whose rings are half a row apart, at most. */
 #define LINES 64
@@ -37,6 +45,7 @@ typedef struct pole_group
     unsigned count;
     uint8_t which[CM_EWA_MOST]; /* of the group */
     uint8_t is_lower[CM_EWA_MOST];
+    float sharp[CM_EWA_MOST]; /* by columns and rows */
     float x[CM_EWA_MOST];
     float y[CM_EWA_MOST];
     float by_column[2][CM_EWA_MOST];
@@ -50,7 +59,11 @@ void cm_ewa_caps(const cm_surface *surface, cm_ewa *ewa)
     for (unsigned k = 0; k < ewa->pyramid.count; k++)
     {
         const double rows = fmax(CAP_LEAST, fmin(CAP_ROWS, ewa->width[k] / (4.0 * PI)));
+        /* a radius of this many columns is all that there is beyond an edge */
+        const double wide = PIXEL_MOST * (double)ewa->kernel.radius * ewa->width[k] /
+                            (2.0 * PI * CM_PYRAMID_BESIDE);
         ewa->cap[k] = (float)(rows * ewa->height[0] / ewa->height[k]);
+        ewa->wide[k] = (float)(fmax(rows, wide) * ewa->height[0] / ewa->height[k]);
     }
 }
 
@@ -80,7 +93,7 @@ static void add_pixel(const cm_ewa *ewa, const cm_group *group, unsigned i, int 
 /* Could a pixel of the group be beside a pole? */
 static int may_be_beside(const cm_ewa *ewa, const cm_group *group, int32_t coarsest)
 {
-    const float far = CAP_LOOK * ewa->cap[coarsest];
+    const float far = ewa->wide[coarsest];
     float low = group->low[1], high = group->high[1];
     if (!group->is_bounded)
     {
@@ -95,6 +108,24 @@ static int may_be_beside(const cm_ewa *ewa, const cm_group *group, int32_t coars
            (float)((int32_t)ewa->height[0] - group->row) - high < far;
 }
 
+/* Is the ellipse of a pixel too wide for its level, of more pixels than are allowed, or beyond the border beside it? */
+static int is_wide(const cm_ewa *ewa, const cm_group *group, const cm_ewa_axes *axes, unsigned i)
+{
+    const int32_t level = axes->level[i];
+    const float across = (float)ewa->width[level] / (float)ewa->width[0];
+    const float down = (float)ewa->height[level] / (float)ewa->height[0];
+    const float radius = ewa->kernel.radius;
+    const float area =
+        (float)PI * radius * radius * sqrtf(axes->major[i] * axes->minor[i]) * across * down;
+    const float reach = radius * sqrtf(axes->xx[i]) * across;
+    const float column = ((float)group->column + 0.5f + group->x[i]) * across;
+    const float beside =
+        (float)((level > 0 ? ewa->pyramid.level[level].beside : CM_PYRAMID_BESIDE) - CM_EWA_SHARP -
+                1);
+    return area > ewa->pixels_most || column - reach < -beside ||
+           column + reach > (float)ewa->width[level] + beside;
+}
+
 /* What is beside a pole, or goes around it. */
 static void find_pixels(const cm_ewa *ewa, const cm_group *group, const cm_ewa_axes *axes,
                         pole_group *poles)
@@ -106,8 +137,11 @@ static void find_pixels(const cm_ewa *ewa, const cm_group *group, const cm_ewa_a
         const double row = group->row + 0.5 + (double)group->y[i];
         const int is_lower = cm_pole_is_lower(ewa->surface, row);
         const float distance = (float)(is_lower ? ewa->height[0] - row : row);
-        if (distance <= ewa->cap[axes->level[i]] || axes->xx[i] > half * half)
+        const int32_t level = axes->level[i];
+        if (distance <= ewa->cap[level] || axes->xx[i] > half * half ||
+            (distance <= ewa->wide[level] && is_wide(ewa, group, axes, i)))
         {
+            poles->sharp[poles->count] = cm_ewa_sharpness(axes->major[i]);
             add_pixel(ewa, group, i, is_lower, poles);
         }
     }
@@ -171,7 +205,8 @@ static void put_columns(double distance, double reach, pole_footprint *at)
 static void put_rings(double distance, double reach, pole_footprint *at)
 {
     const int32_t height = (int32_t)at->ewa->height[at->level];
-    at->fine = distance < reach + 1.0 && distance + reach < LINES - 2 * TAPS ? 2 : 1;
+    at->fine =
+        distance < reach + 1.0 && reach < FINE_MOST && distance + reach < LINES - 2 * TAPS ? 2 : 1;
     const double first = floor((distance - reach) * at->fine);
     const double last = ceil((distance + reach) * at->fine);
     at->ring = first > 0.0 ? (int32_t)first : 0;
@@ -426,13 +461,15 @@ static void sharpen(const cm_ewa *ewa, const cm_group *group, unsigned i, float 
     ewa->set->ewa_sharp(0, &centre, &pixels, ewa->table, share, to);
 }
 
-/* How much of a value is the sharp one: less towards the end of the cap, where ellipses of columns are longer. */
+/* How much of a value is the sharp one: towards the end of the cap no more than ellipses of columns have. */
 static float share_of(const cm_ewa *ewa, const pole_group *poles, unsigned i)
 {
+    const float beyond = poles->sharp[i];
     const float sharp = cm_ewa_sharpness(poles->axes.major[i]);
     const float distance = hypotf(poles->x[i], poles->y[i]);
     const float inner = 2.0f - 2.0f * distance / ewa->cap[0];
-    return inner < 1.0f ? sharp * (inner > 0.0f ? inner : 0.0f) : sharp;
+    const float within = inner < 1.0f ? sharp * (inner > 0.0f ? inner : 0.0f) : sharp;
+    return within > beyond ? within : beyond;
 }
 
 static void do_pixel(const cm_ewa *ewa, const cm_group *group, const pole_group *poles,
@@ -464,6 +501,19 @@ static void do_level(const cm_ewa *ewa, const cm_group *group, const pole_group 
         {
             do_pixel(ewa, group, poles, shapes, i, desk,
                      to + poles->which[i] * ewa->pyramid.pictures.channels);
+        }
+    }
+}
+
+static void prefer_finer(const cm_ewa *ewa, pole_group *poles)
+{
+    for (unsigned i = 0; i < poles->count; i++)
+    {
+        const float reach = FINER_REACH * ewa->kernel.radius * sqrtf(poles->axes.major[i]);
+        int32_t *level = &poles->axes.level[i];
+        if (hypotf(poles->x[i], poles->y[i]) < reach)
+        {
+            *level = *level > FINER ? *level - FINER : 0;
         }
     }
 }
@@ -508,6 +558,7 @@ cm_status cm_ewa_poles(const cm_ewa *ewa, const cm_group *group, int32_t coarses
     }
     ewa->set->ewa_axes(poles.count, poles.by_column[0], poles.by_column[1], poles.by_row[0],
                        poles.by_row[1], ewa->least, ewa->pyramid.count, &poles.axes);
+    prefer_finer(ewa, &poles);
     uint32_t wanted = 0;
     for (unsigned i = 0; i < poles.count; i++)
     {
