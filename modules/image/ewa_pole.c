@@ -23,7 +23,7 @@
 
 /* What goes around a pole is laid on a level so much finer: along parallels columns keep detail there that rows of the
  * level have lost, and what is left of it would not vanish. */
-#define FINER 3
+#define FINER 2
 #define FINER_REACH 1.6f /* and what is so many radii away */
 
 /* Rows of a footprint whose rings are half a row apart, at most. */

@@ -103,6 +103,10 @@ static void measure_row(const cm_image *pictures, size_t plane, size_t row, doub
     pole_errors *errors = user;
     for (size_t i = 0; i < pictures->width; i++)
     {
+        if (errors->flat != 0.0 && d[2][i] < 0.0)
+        {
+            continue; /* plates have more rings around the other pole than there are pixels */
+        }
         const int where = region_at(hypot(d[0][i], d[1][i]) / errors->pixel);
         for (uint32_t c = 0; c < SCENE_CHANNELS; c++)
         {
@@ -210,7 +214,7 @@ START_TEST(detail_beside_poles_vanishes)
         const pole_case one = {"equirect;size=1024", targets[i], {0.0, 0.0, 0.0}, 0.4};
         cm_surface *to = make_turned(one.to, one.turn);
         const double pixel = pixel_of(to);
-        const double most = 50.0 - 20.0 * log10(SCENE_AMPLITUDE * sqrt(0.5));
+        const double most = 50.0 - 20.0 * log10(SCENE_AMPLITUDE);
         const analytic_scene wave = wave_across(1.0 / (one.period * pixel));
         const pole_errors waves = errors_of(&one, CM_PIXEL_FLOAT, &wave, SCENE_MEAN);
         REQUIRE(decibels(&waves, 0) >= most, "%s: %.1f dB of waves, not %.1f", one.to,
