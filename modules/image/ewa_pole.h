@@ -12,7 +12,7 @@
 #ifndef MODULES_IMAGE_EWA_POLE_H
 #define MODULES_IMAGE_EWA_POLE_H
 
-#include "ewa.h"
+#include "ewa_object.h"
 
 /* Where caps end, for the levels that are there. */
 void cm_ewa_caps(const cm_surface *surface, cm_ewa *ewa);
