@@ -472,10 +472,12 @@ cm_status cm_ewa_group(const cm_ewa *ewa, const cm_group *group, cm_scratch *scr
     for (unsigned i = 0; i < group->count; i++)
     {
         coarsest = larger(coarsest, desk.axes.level[i]);
+        first = smaller(first, desk.axes.level[i]);
     }
     cm_status status = cm_ewa_poles(ewa, group, coarsest, scratch, &desk.axes, &beside_poles, to);
     size_t rest = group->count - beside_poles;
-    for (unsigned i = 0; i < group->count; i++)
+    first = beside_poles > 0 ? INT32_MAX : first;
+    for (unsigned i = 0; beside_poles > 0 && i < group->count; i++)
     {
         const int32_t level = desk.axes.level[i];
         first = level < first && level != CM_EWA_DONE ? level : first;
