@@ -3,6 +3,7 @@
  * From derivatives to footprints, and which level of the pyramid they are laid on.
  */
 #include "ewa.h"
+#include "ewa_pole.h"
 #include "survey.h"
 
 #include <math.h>
@@ -99,6 +100,7 @@ cm_status cm_ewa_make(const cm_plan *plan, const cm_image *pictures, const cm_va
         const double least = CM_EWA_MINOR * fmax(across, down);
         ewa->least[k] = (float)(least * least);
     }
+    cm_ewa_caps(surface, ewa);
     return status;
 }
 
@@ -163,13 +165,6 @@ static void frame_level(const cm_ewa *ewa, ewa_desk *desk, unsigned k)
                                  .bottom = (int32_t)ewa->height[k] + beyond - 1 - desk->row};
 }
 
-/* How much of the value is that of spline36: all of it to where the major axis is one pixel, none from 5/4. */
-static float sharpness(float major)
-{
-    const float rest = major >= 1.5625f ? 0.0f : (1.25f - sqrtf(major)) * 4.0f;
-    return rest > 1.0f ? 1.0f : rest;
-}
-
 /* Pixels of a group on one level that is there, from the pixel that the frame's places are from. */
 static void sum_pixels(const cm_ewa *ewa, const ewa_desk *desk, unsigned k,
                        const cm_ewa_pixels *pixels, size_t n, const uint8_t *which)
@@ -191,7 +186,7 @@ static void sum_pixels(const cm_ewa *ewa, const ewa_desk *desk, unsigned k,
     for (size_t i = 0; i < n; i++)
     {
         const unsigned at = which[i];
-        const float sharp = sharpness(desk->axes.major[at]);
+        const float sharp = cm_ewa_sharpness(desk->axes.major[at]);
         float *to = desk->to + at * pixels->channels;
         if (!desk->shapes.whole[at] && sharp < 1.0f)
         {
@@ -467,17 +462,25 @@ cm_status cm_ewa_group(const cm_ewa *ewa, const cm_group *group, cm_scratch *scr
 {
     ewa_desk desk;
     uint8_t which[CM_EWA_MOST] = {0};
-    cm_status status = CM_OK;
-    size_t rest = group->count;
+    unsigned beside_poles;
     desk.group = group;
     desk.scratch = scratch;
     desk.to = to;
     ewa->set->ewa_axes(group->count, group->by_column[0], group->by_column[1], group->by_row[0],
                        group->by_row[1], ewa->least, ewa->pyramid.count, &desk.axes);
-    int32_t first = desk.axes.level[0];
-    for (unsigned i = 1; i < group->count; i++)
+    int32_t coarsest = 0, first = INT32_MAX;
+    for (unsigned i = 0; i < group->count; i++)
     {
-        first = desk.axes.level[i] < first ? desk.axes.level[i] : first;
+        coarsest = larger(coarsest, desk.axes.level[i]);
+        first = smaller(first, desk.axes.level[i]);
+    }
+    cm_status status = cm_ewa_poles(ewa, group, coarsest, scratch, &desk.axes, &beside_poles, to);
+    size_t rest = group->count - beside_poles;
+    first = beside_poles > 0 ? INT32_MAX : first;
+    for (unsigned i = 0; beside_poles > 0 && i < group->count; i++)
+    {
+        const int32_t level = desk.axes.level[i];
+        first = level < first && level != CM_EWA_DONE ? level : first;
     }
     desk.first = (unsigned)first;
     for (unsigned k = desk.first; rest > 0 && status == CM_OK; k++)

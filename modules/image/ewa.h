@@ -12,29 +12,12 @@
  *                  over to that of spline36
  *   long ones      the major axis is shortened until there are no more pixels than the plan allows. What reaches beyond
  *                  the border of a level is taken from the next one, and cut there from the last
+ *   poles          of a source in longitude and latitude are done in polar coordinates (ewa_pole.h)
  */
 #ifndef MODULES_IMAGE_EWA_H
 #define MODULES_IMAGE_EWA_H
 
-#include "filter_set.h"
-#include "geometry.h"
-#include "pyramid.h"
-
-/* Each level has what is finer than three quarters of its frequency 50 dB down, so that the kernel needs no more pixels. */
-#define CM_EWA_MINOR 1.03
-
-typedef struct cm_ewa
-{
-    const cm_filter_set *set;
-    const cm_filter_table *table; /* of spline36 */
-    cm_pyramid pyramid;
-    cm_ewa_kernel kernel;
-    float pixels_most;
-    uint32_t width[CM_LEVELS_MAX]; /* of levels */
-    uint32_t height[CM_LEVELS_MAX];
-    float least
-        [CM_LEVELS_MAX]; /* the square of the minor axis that a level needs, in source pixels */
-} cm_ewa;
+#include "ewa_object.h"
 
 /* Ready for pictures of the plan's source; is_whole: levels may be whole numbers (pyramid.h). CM_OK or CM_ERROR_MEMORY;
  * cm_ewa_free frees it. */

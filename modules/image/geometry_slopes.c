@@ -4,12 +4,16 @@
  */
 #include "geometry_exact.h"
 #include "lattice.h"
+#include "pole.h"
 
 #include <math.h>
 #include <string.h>
 
 /* Steps of differences for derivatives, in pixels. */
 #define STEP (1.0 / 4096.0)
+
+/* What goes on faster around a pole, in parts of all columns for a pixel, bends too much for steps of columns. */
+#define AROUND (1.0 / 16.0)
 
 /* No pixel is wider on a source that goes round, of its whole width: footprints reach twice it each way. */
 #define POLE_MOST 0.5
@@ -26,6 +30,22 @@ static double unwrapped(double difference, double period)
     return period > 0.0 && difference > 0.5 * period    ? difference - period
            : period > 0.0 && difference < -0.5 * period ? difference + period
                                                         : difference;
+}
+
+/* From one place to another, for a step. */
+static void slope_between(const cm_surface *surface, const double from[2], const double to[2],
+                          double step, double slope[2])
+{
+    slope[0] = unwrapped(to[0] - from[0], surface->period) / step;
+    slope[1] = (to[1] - from[1]) / step;
+    if (surface->poles != 0 && fabs(slope[0]) > AROUND * surface->width)
+    {
+        const int is_lower = cm_pole_is_lower(surface, from[1]);
+        const cm_pole_place one = cm_pole_place_of(surface, is_lower, from[0], from[1]);
+        const cm_pole_place other = cm_pole_place_of(surface, is_lower, to[0], to[1]);
+        const double on_plane[2] = {(other.x - one.x) / step, (other.y - one.y) / step};
+        cm_pole_slope_back(&one, on_plane, slope);
+    }
 }
 
 /* Differences by a step to the right or down, where it stays on the plane of the source and there is none yet. */
@@ -54,14 +74,16 @@ static void difference(const cm_plan *plan, const cm_exact_places *at, double ri
     for (size_t i = 0; i < n; i++)
     {
         const unsigned k = which[i];
-        const double step = right + down;
-        const double across = unwrapped(x[i] - at->x[k], plan->from->period) / step;
-        /* at a pole of the source columns have no derivative */
-        slopes->is_there[k] = found[i] == at->found[k] && fabs(across) <= plan->from->width;
+        const double from[2] = {at->x[k], at->y[k]}, to[2] = {x[i], y[i]};
+        double slope[2];
+        slope_between(plan->from, from, to, right + down, slope);
+        /* at a pole columns have no derivative, but those of the plane around it have */
+        slopes->is_there[k] = found[i] == at->found[k] &&
+                              (plan->from->poles != 0 || fabs(slope[0]) <= plan->from->width);
         if (slopes->is_there[k])
         {
-            slopes->x[k] = (float)across;
-            slopes->y[k] = (float)((y[i] - at->y[k]) / step);
+            slopes->x[k] = (float)slope[0];
+            slopes->y[k] = (float)slope[1];
         }
     }
 }
@@ -91,11 +113,11 @@ static void slopes_of_block(const cm_plan *plan, const cm_exact_places *at, int 
 }
 
 /* A pixel on a pole, or nearly so, has all longitudes, and as much latitude as it is high: its derivatives, which are
- * without bounds, become a footprint that goes once round. */
-static void calm_poles(double period, unsigned count, block_slopes slopes[2])
+ * without bounds, become a footprint that goes once round, but where poles are done on a plane of their own. */
+static void calm_poles(const cm_surface *surface, unsigned count, block_slopes slopes[2])
 {
-    const double most = POLE_MOST * period;
-    for (unsigned i = 0; i < count && period > 0.0; i++)
+    const double most = POLE_MOST * surface->period;
+    for (unsigned i = 0; i < count && surface->period > 0.0 && surface->poles == 0; i++)
     {
         if (hypot((double)slopes[0].x[i], (double)slopes[1].x[i]) > most)
         {
@@ -113,7 +135,7 @@ void cm_exact_slopes(const cm_plan *plan, const cm_exact_places *at, const uint8
     block_slopes slopes[2];
     slopes_of_block(plan, at, 0, &slopes[0]);
     slopes_of_block(plan, at, 1, &slopes[1]);
-    calm_poles(plan->from->period, at->count, slopes);
+    calm_poles(plan->from, at->count, slopes);
     for (int is_row = 0; is_row < 2; is_row++)
     {
         unsigned count[CM_GROUPS_MAX] = {0};

@@ -332,6 +332,11 @@ cm_status cm_surface_make_cylinder(cm_surface *surface, const cm_surface_wish *w
     surface->methods = &methods;
     status = read_size(surface, wish);
     surface->period = is_whole ? surface->width : 0.0;
+    if (scale == EQUIDISTANT)
+    {
+        surface->poles = (number[NORTH_POLE] != 0.0 ? CM_POLE_UPPER : 0) |
+                         (number[SOUTH_POLE] != 0.0 ? CM_POLE_LOWER : 0);
+    }
     status = status == CM_OK ? say(surface, identifiers[scale], bounds, whole) : status;
     return status == CM_OK && surface->width > 0
                ? cm_surface_say(surface, ";size=%u;height=%u", (unsigned)surface->width,

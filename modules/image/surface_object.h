@@ -21,6 +21,10 @@
 #define CM_TURN_COLUMNS 2u /* columns count from the right */
 #define CM_TURN_ROWS 4u    /* rows count from the bottom */
 
+/* Edges that are poles, if rows are evenly apart in latitude and columns are all around. */
+#define CM_POLE_UPPER 1u
+#define CM_POLE_LOWER 2u
+
 /* Where in which picture a plane stands. */
 typedef struct cm_placement
 {
@@ -59,6 +63,7 @@ struct cm_surface
     uint32_t picture_height;
     cm_placement placement[CM_PLANES_MAX];
     double period;                     /* pixels after which columns come again; 0: they do not */
+    unsigned poles;                    /* CM_POLE_... */
     int creased;                       /* are there lines inside a plane where derivatives jump? */
     int has_gaps;                      /* are there positions on planes without a direction? */
     int is_turned;                     /* does rotation turn? */
