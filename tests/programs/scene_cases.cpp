@@ -483,7 +483,7 @@ void converting()
               near("numbers of the log", 0, 0, count, 19.0 * static_cast<double>(test_poses.size()),
                    0);
           });
-    does("scene convert in --to 7scenes -o seven");
+    does("scene convert in --to 7scenes -o seven --quiet");
     does("scene convert seven --to open3d -o third");
     does("scene convert third --to 7scenes -o fourth");
     const std::string pose = "/frame-000002.pose.txt", depth = "/frame-000002.depth.png";
@@ -492,7 +492,7 @@ void converting()
                content_of("third/trajectory.log") == content_of("open/trajectory.log"),
            "by way of 7-Scenes, too");
     // what is a multiple of a millimetre is kept: the second way there loses nothing, the first says what it lost
-    result(matches(does("scene convert in --to 7scenes -o eight").err,
+    result(matches(run("scene convert in --to 7scenes -o eight").err,
                    "eight: [0-9]+ depths rounded by up to 0\\.[45][0-9]* mm"),
            "what whole millimetres lose is told");
     does("scene convert eight --to tum -o ninth");
