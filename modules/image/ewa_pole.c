@@ -7,8 +7,8 @@
 
 #define PI 3.14159265358979323846
 
-/* Rows from a pole, of the level, within which pixels are beside it, and no more than a quarter of a radian where there
- * are so few. */
+/* Rows from a pole, of the level, within which pixels are beside it, and no more than half a radian where there are so
+ * few. */
 #define CAP_ROWS 8.0
 #define CAP_LEAST 2.0
 
@@ -24,7 +24,8 @@
 /* What goes around a pole is laid on a level so much finer: along parallels columns keep detail there that rows of the
  * level have lost, and what is left of it would not vanish. */
 #define FINER 2
-#define FINER_REACH 1.6f /* and what is so many radii away */
+#define FINER_PIXELS 29.0f /* for one, at most: 8/3 and then 2 each way */
+#define FINER_REACH 1.6f   /* and what is so many radii away */
 
 /* Rows of a footprint whose rings are half a row apart, at most. */
 #define LINES 64
@@ -105,7 +106,7 @@ static int may_be_beside(const cm_ewa *ewa, const cm_group *group, int32_t coars
         }
     }
     return (float)group->row + low < far ||
-           (float)((int32_t)ewa->height[0] - group->row) - high < far;
+           (float)((int32_t)ewa->height[0] - group->row) - 0.5f - high < far;
 }
 
 /* Is the ellipse of a pixel too wide for its level, of more pixels than are allowed, or beyond the border beside it? */
@@ -115,8 +116,8 @@ static int is_wide(const cm_ewa *ewa, const cm_group *group, const cm_ewa_axes *
     const float across = (float)ewa->width[level] / (float)ewa->width[0];
     const float down = (float)ewa->height[level] / (float)ewa->height[0];
     const float radius = ewa->kernel.radius;
-    const float area =
-        (float)PI * radius * radius * sqrtf(axes->major[i] * axes->minor[i]) * across * down;
+    const float area = (float)PI * radius * radius * across * down *
+                       sqrtf(axes->major[i] * fmaxf(axes->minor[i], 1.0f / (across * down)));
     const float reach = radius * sqrtf(axes->xx[i]) * across;
     const float column = ((float)group->column + 0.5f + group->x[i]) * across;
     const float beside =
@@ -141,7 +142,9 @@ static void find_pixels(const cm_ewa *ewa, const cm_group *group, const cm_ewa_a
         if (distance <= ewa->cap[level] || axes->xx[i] > half * half ||
             (distance <= ewa->wide[level] && is_wide(ewa, group, axes, i)))
         {
-            poles->sharp[poles->count] = cm_ewa_sharpness(axes->major[i]);
+            /* 0: columns have no derivative there */
+            poles->sharp[poles->count] =
+                axes->major[i] > 0.0f ? cm_ewa_sharpness(axes->major[i]) : 0.0f;
             add_pixel(ewa, group, i, is_lower, poles);
         }
     }
@@ -361,7 +364,8 @@ static void add_line(const pole_footprint *at, int32_t line, const float *weight
         const float *from = desk->line + k * LINE_ROOM;
         for (int32_t i = 0; i < n; i++)
         {
-            columns->pixel[i] = weight[i] * from[i * at->step];
+            /* what weighs nothing may be NaN */
+            columns->pixel[i] = weight[i] != 0.0f ? weight[i] * from[i * at->step] : 0.0f;
         }
         desk->sum[k] += sum_of(columns->pixel, n);
     }
@@ -494,7 +498,7 @@ static void do_level(const cm_ewa *ewa, const cm_group *group, const pole_group 
     const float down = (float)((double)ewa->height[k] / ewa->height[0]);
     const cm_ewa_frame frame = {.across = down, .down = down};
     ewa->set->ewa_shapes(poles->count, poles->x, poles->y, &poles->axes, &ewa->kernel,
-                         ewa->pixels_most, &frame, shapes);
+                         FINER_PIXELS * ewa->pixels_most, &frame, shapes);
     for (unsigned i = 0; i < poles->count; i++)
     {
         if (poles->axes.level[i] == (int32_t)k)

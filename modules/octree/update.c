@@ -324,7 +324,9 @@ static cm_status check_color(const cm_octree *octree, const cm_view *view)
     {
         return CM_ERROR_ARGUMENT;
     }
-    return color->type == CM_PIXEL_U8 && color->channels >= 1 ? CM_OK : CM_ERROR_RANGE;
+    return color->type == CM_PIXEL_U8 && color->channels >= 1 && color->channels <= 4
+               ? CM_OK
+               : CM_ERROR_RANGE;
 }
 
 static cm_status check_view(const cm_octree *octree, const cm_view *view)

@@ -186,6 +186,9 @@ void begins_anew()
                "beside an old map it leaves nothing either", full.err);
     }
     passes("and the next run has room", integrated("a.map", "0.1") + " --quiet");
+    std::filesystem::create_symlink("nowhere", "link.map");
+    fails("a link to nothing", 1, "link.map' is a link to what is not there",
+          integrated("link.map", "0.1"));
 }
 
 } // namespace

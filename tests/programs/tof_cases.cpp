@@ -585,6 +585,9 @@ void refuses_tof_files()
                  "1: camera.fx is 0, not a number above 0");
     camera.replace(camera.find("\"fx\": 0"), 7, "\n\"fx\": -1");
     sensor_fails("a chip that mirrors", camera, "2: camera.fx is -1, not a number above 0");
+    std::string named = camera;
+    named.insert(named.find("\"fx\""), "\"mapping\": \"\", ");
+    sensor_fails("with an empty mapping, too", named, "2: camera.fx is -1, not a number above 0");
     camera.replace(camera.find("\"fx\": -1"), 8, "\"fx\": 1e-200");
     sensor_fails("a focal length of nothing", camera, "2: a focal length of 1e-200 as fx");
     camera.replace(camera.find("\"fx\": 1e-200"), 12, "\"fx\": 1e999");

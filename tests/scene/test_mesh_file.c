@@ -8,6 +8,7 @@
 
 #include "tests/suite.h"
 
+#include <math.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -256,6 +257,44 @@ START_TEST(polygons_of_obj_may_be_hollow)
 }
 END_TEST
 
+/* Of a disc in the plane z = 2, and after it a triangle beside it; areas are twice as much. */
+START_TEST(polygons_of_obj_may_have_many_corners)
+{
+    static const int corners[] = {255, 256, 259, 300, 1000};
+    for (size_t k = 0; k < sizeof corners / sizeof *corners; k++)
+    {
+        const int n = corners[k];
+        const double turn = 2.0 * 3.14159265358979323846 / n;
+        char *text = calloc(1, 64 * ((size_t)n + 8));
+        char *end = text;
+        for (int i = 0; i < n; i++)
+        {
+            end += sprintf(end, "v %.12f %.12f 2\n", cos(turn * i), sin(turn * i));
+        }
+        end += sprintf(end, "v 2 0 2\nv 6 0 2\nv 6 4 2\nf");
+        for (int i = 1; i <= n; i++)
+        {
+            end += sprintf(end, " %d", i);
+        }
+        sprintf(end, "\nf %d %d %d\n", n + 1, n + 2, n + 3);
+        write_text("disc.obj", text);
+        free(text);
+        cm_mesh *mesh = read_good("disc.obj");
+        const cm_mesh_options *has = cm_mesh_describe(mesh);
+        ck_assert_uint_eq(has->triangle_count, (size_t)n - 1);
+        double sum = 0.0;
+        for (size_t i = 0; i < has->triangle_count; i++)
+        {
+            sum += turned_area(has, i);
+        }
+        const double wanted = n * sin(turn) + 16.0;
+        REQUIRE(fabs(sum - wanted) < 1e-5, "%d corners: area %g, not %g", n, sum, wanted);
+        ck_assert(turned_area(has, has->triangle_count - 1) == 16.0);
+        cm_mesh_destroy(mesh);
+    }
+}
+END_TEST
+
 START_TEST(wrong_lines_are_named)
 {
     static const struct
@@ -492,6 +531,7 @@ int main(void)
                                   a_binary_file_is_the_same,
                                   polygons_and_materials_of_obj,
                                   polygons_of_obj_may_be_hollow,
+                                  polygons_of_obj_may_have_many_corners,
                                   wrong_lines_are_named,
                                   what_is_wrong_is_one_line,
                                   views_stay_in_their_buffers,

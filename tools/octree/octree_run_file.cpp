@@ -31,6 +31,13 @@ bool has_name(int descriptor, const std::string &path)
            opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
+bool is_link_to_nothing(const std::string &path)
+{
+    struct stat status;
+    return lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode) &&
+           stat(path.c_str(), &status) != 0;
+}
+
 // Its beginning of so many bytes, or fewer where a character of UTF-8 would be cut.
 std::string beginning(const std::string &name, std::size_t bytes)
 {
@@ -98,9 +105,14 @@ bool RunFile::make(const std::string &path)
     while (!take(path))
     {
         const int made = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-        if (made < 0 && errno != EEXIST)
+        const int error = errno;
+        if (made < 0 && error == EEXIST && is_link_to_nothing(path))
         {
-            throw Failure(in_quotes(path) + " cannot be made: " + std::strerror(errno));
+            throw Failure(in_quotes(path) + " is a link to what is not there");
+        }
+        if (made < 0 && error != EEXIST)
+        {
+            throw Failure(in_quotes(path) + " cannot be made: " + std::strerror(error));
         }
         if (made >= 0)
         {

@@ -62,7 +62,8 @@ CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)
         members.fail("camera", " is not an object, as a camera's file has it");
     }
     JsonMembers parts(place, "camera", json);
-    if (parts.find("mapping") == nullptr)
+    const cJSON *const mapping = parts.find("mapping");
+    if (mapping == nullptr || (cJSON_IsString(mapping) && mapping->valuestring[0] == '\0'))
     {
         parts.number("fx", Range::above_zero);
         parts.number("fy", Range::above_zero);

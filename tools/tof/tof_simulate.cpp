@@ -183,7 +183,8 @@ std::optional<double> find_paths_needed(const cm_budget &budget, double limit,
         {
             const double more = each.contribution / left;
             const double needed = chosen.paths * more * more;
-            const double unit = std::pow(10, std::floor(std::log10(needed)) - 1); // two digits, up
+            // two digits, up
+            const double unit = std::max(1.0, std::pow(10, std::floor(std::log10(needed)) - 1));
             return std::ceil(needed / unit) * unit;
         }
     }

@@ -7,8 +7,8 @@ What differs:
   no pixel      a number of no pixel gives NaN, or -1, and ValueError in boundaries; healpy gives any number
   no point      NaN and infinite angles and vectors, the vector 0 and radii below 0 are refused with ValueError; healpy may
                 give any pixel, or none
-  resolutions   what is none is refused with ValueError everywhere, by vec2pix, max_pixrad and nside2pixarea, too, where
-                healpy computes with it or ends the program; 0 is no number of pixels. max_pixrad knows all, healpy powers of
+  resolutions   what is none is refused with ValueError, by vec2pix, max_pixrad and nside2pixarea, too, where healpy computes
+                with it or ends the program; but nside2npix multiplies, as healpy's. 0 is no number of pixels. max_pixrad knows all, healpy powers of
                 two. A real number that is whole is one
   types         what is computed is float64, also of float32; healpy's ang2vec and vec2ang give float32
   nothing       arrays without pixels have no boundaries, of shape (0, 3, 4 step); healpy refuses them. step is 1 or more

@@ -20,6 +20,16 @@ namespace
 
 constexpr std::uint64_t largest_text = std::uint64_t{1} << 31;
 
+// The library keeps eight bits of how many corners a face has.
+constexpr std::size_t most_corners_kept = 255;
+
+// A face of the file, by its number among all, that has more.
+struct LargeFace
+{
+    std::size_t face;
+    std::size_t corners;
+};
+
 // Vertices and faces as they stand: the library takes what is no number for 0, and leaves out what is no face.
 class ObjLines
 {
@@ -28,7 +38,8 @@ public:
     {
     }
 
-    void check()
+    // The large faces, as they come.
+    std::vector<LargeFace> check()
     {
         while (lines.next())
         {
@@ -46,6 +57,7 @@ public:
         {
             fail(highest_line, "a face of a vertex that is not there");
         }
+        return large;
     }
 
 private:
@@ -96,9 +108,17 @@ private:
                 highest_line = lines.line();
             }
         }
+        const std::size_t corners = lines.words().size() - 1;
+        if (corners > most_corners_kept)
+        {
+            large.push_back({faces, corners});
+        }
+        ++faces;
     }
 
     LineWords lines;
+    std::vector<LargeFace> large;
+    std::size_t faces = 0;
     double vertices = 0;
     double highest = 0; // of a face
     std::size_t highest_line = 0;
@@ -313,7 +333,7 @@ void add_polygon(const tinyobj::mesh_t &part, std::size_t begin, std::size_t cor
 
 FlatMesh read_obj(const std::string &path)
 {
-    ObjLines(text_of(path)).check();
+    const std::vector<LargeFace> large = ObjLines(text_of(path)).check();
     tinyobj::ObjReader reader;
     tinyobj::ObjReaderConfig config;
     config.triangulate = false; // its ears are not those of all polygons
@@ -323,13 +343,17 @@ FlatMesh read_obj(const std::string &path)
     }
     FlatMesh mesh;
     ObjVertices vertices(reader, mesh);
+    auto next_large = large.begin();
+    std::size_t of_file = 0; // the face's number: shapes have them as the file has
     for (const tinyobj::shape_t &shape : reader.GetShapes())
     {
         const tinyobj::mesh_t &part = shape.mesh;
         std::size_t begin = 0;
-        for (std::size_t face = 0; face < part.num_face_vertices.size(); ++face)
+        for (std::size_t face = 0; face < part.num_face_vertices.size(); ++face, ++of_file)
         {
-            const std::size_t corners = part.num_face_vertices[face];
+            const bool is_large = next_large != large.end() && next_large->face == of_file;
+            const std::size_t corners =
+                is_large ? (next_large++)->corners : part.num_face_vertices[face];
             const int material = face < part.material_ids.size() ? part.material_ids[face] : -1;
             if (corners < 3 || corners > part.indices.size() - begin)
             {
@@ -337,6 +361,10 @@ FlatMesh read_obj(const std::string &path)
             }
             add_polygon(part, begin, corners, material, reader, vertices, mesh);
             begin += corners;
+        }
+        if (begin != part.indices.size())
+        {
+            throw MeshFailure("has faces whose corners could not be counted");
         }
     }
     return mesh;

@@ -178,7 +178,7 @@ public:
 
 private:
     void store_depth(const cm_view &view, std::size_t &beyond);
-    void count_rounded(double units);
+    void count_rounded(double units, double exact);
     void write_files(const cm_view &view);
     void write_lists() const;
     void write_tum(const cm_view &view, const std::string &time);
@@ -254,10 +254,10 @@ void row_factors(const cm_view &view, const cm_camera *camera, std::uint32_t row
     }
 }
 
-// Roundings of doubles and floats are none of the format's.
-void FolderWriter::count_rounded(double units)
+// Off by so many units; roundings of doubles and of floats, 2^-23 of the depth, are none of the format's.
+void FolderWriter::count_rounded(double units, double exact)
 {
-    if (units > 1e-3)
+    if (units > std::max(1e-3, 0x1p-23 * exact))
     {
         ++loss.rounded;
         loss.most = std::max(loss.most, units / depth_scale);
@@ -297,7 +297,7 @@ void FolderWriter::store_depth(const cm_view &view, std::size_t &beyond)
             const bool measured = value > 0.0 && std::isfinite(value);
             const bool fits = measured && units >= 1.0 && units <= most;
             beyond += measured && !fits;
-            count_rounded(fits ? std::fabs(units - exact) : 0.0);
+            count_rounded(fits ? std::fabs(units - exact) : 0.0, exact);
             const std::uint16_t kept = fits ? static_cast<std::uint16_t>(units) : none;
             std::memcpy(to, &kept, sizeof kept);
         }
