@@ -111,6 +111,24 @@ static int open_directly(output *o)
     return o->file != NULL || fail(o->name, strerror(errno));
 }
 
+/* With the rights that a new file has. */
+static int open_descriptor(output *o, int descriptor)
+{
+    const mode_t mask = umask(0);
+    (void)umask(mask);
+    (void)fchmod(descriptor, 0666 & ~mask);
+    o->file = fdopen(descriptor, "w");
+    if (o->file == NULL)
+    {
+        const int error = errno;
+        (void)close(descriptor);
+        (void)remove(o->part);
+        forget_pending(o->part);
+        return fail(o->name, strerror(error));
+    }
+    return 1;
+}
+
 /* A temporary file beside the target, which a link may name. */
 static int open_part(output *o)
 {
@@ -123,17 +141,27 @@ static int open_part(output *o)
     {
         return fail(o->name, strerror(ENAMETOOLONG));
     }
-    int descriptor = mkstemp(o->part);
-    if (descriptor < 0 || (o->file = fdopen(descriptor, "w")) == NULL)
+    /* no signal comes between the file and its being known */
+    sigset_t waiting, earlier;
+    (void)sigemptyset(&waiting);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
     {
-        return fail(o->name, strerror(errno));
+        (void)sigaddset(&waiting, numbers[i]);
     }
-    mode_t mask = umask(0);
-    (void)umask(mask);
-    (void)fchmod(descriptor, 0666 & ~mask);
-    set_pending(o->part);
-    watch_end();
-    return 1;
+    (void)sigprocmask(SIG_BLOCK, &waiting, &earlier);
+    const int descriptor = mkstemp(o->part);
+    const int error = errno;
+    if (descriptor >= 0)
+    {
+        set_pending(o->part);
+        watch_end();
+    }
+    (void)sigprocmask(SIG_SETMASK, &earlier, NULL);
+    if (descriptor < 0)
+    {
+        return fail(o->name, strerror(error));
+    }
+    return open_descriptor(o, descriptor);
 }
 
 int output_open(output *o, const char *name)
