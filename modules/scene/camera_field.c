@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera_field.h"
+#include "camera_fold_between.h"
 
 #include <stddef.h>
 

@@ -2,15 +2,14 @@
  *
  * Where a lens first folds along a direction, found for certain: there the determinant, times the cube of the divisor, is a
  * polynomial of the ray's length of degree 22 at most, and so is the reach of a tilted sensor, times the divisor. Bernstein's
- * coefficients bound a polynomial between two lengths, and halving makes bounds as close as wanted (Lane and Riesenfeld,
- * Bounds on a polynomial, 1981).
+ * coefficients bound it between two lengths, and halving makes bounds as close as wanted (bernstein.h).
  */
 #ifndef MODULES_SCENE_CAMERA_FOLD_H
 #define MODULES_SCENE_CAMERA_FOLD_H
 
+#include "bernstein.h"
 #include "camera_lens.h"
 
-#define CM_FOLD_DEGREE 22
 #define CM_FOLD_RADIAL 10
 
 /* Polynomials of the square of a ray's length, N / D being the lens's quotient: N W, D W, N D^2 and D^3, where W / D^2 is how fast
@@ -27,15 +26,15 @@ typedef struct cm_fold
     double most;              /* the pole, or what is looked at furthest: a length */
     int has_pole;
     /* of the determinant and of the reach: what is the same in all directions, and a bound of what is a square form of them */
-    double same[2][CM_FOLD_DEGREE + 1], form[2][CM_FOLD_DEGREE + 1];
+    double same[2][CM_BERNSTEIN_COEFFICIENTS], form[2][CM_BERNSTEIN_COEFFICIENTS];
 } cm_fold;
 
 /* Bernstein's coefficients of one direction, from 0 to the fold's most. */
 typedef struct cm_fold_ray
 {
     double cosine, sine;
-    double determinant[CM_FOLD_DEGREE + 1];
-    double reach[CM_FOLD_DEGREE + 1];
+    double determinant[CM_BERNSTEIN_COEFFICIENTS];
+    double reach[CM_BERNSTEIN_COEFFICIENTS];
 } cm_fold_ray;
 
 /* The lens has to stay; rays are looked at up to a length. */
@@ -50,17 +49,19 @@ double cm_fold_first(const cm_fold *fold, const cm_fold_ray *ray);
 /* Are there none up to a length, at which signs are good? */
 int cm_fold_is_clear(const cm_fold *fold, double cosine, double sine, double length);
 
-/* What is certain of all directions between two that are near to each other. */
-typedef struct cm_fold_between
+/* The length of a place of a span, no more than is looked at. */
+static inline double cm_fold_length(const cm_fold *fold, double t, double rest)
 {
-    double sure; /* up to this length signs are good */
-    double
-        line; /* and up to this they are where the field is, if is_divided; beyond it nothing is of the field */
-    int is_divided;
-} cm_fold_between;
+    const double furthest = fold->most;
+    return t < rest * (furthest / fold->unit) ? fold->unit * (t / rest) : furthest;
+}
 
-/* Of two directions and their first lengths. */
-cm_fold_between cm_fold_look_between(const cm_fold *fold, const cm_fold_ray *one,
-                                     const cm_fold_ray *next, double one_first, double next_first);
+/* From the axis to a length. */
+static inline cm_span cm_fold_up_to(const cm_fold *fold, double length)
+{
+    const double units = length / fold->unit;
+    const double rest = 1.0 / (1.0 + units);
+    return (cm_span){{0.0, units < 1e300 ? units * rest : 1.0}, {1.0, rest}};
+}
 
 #endif

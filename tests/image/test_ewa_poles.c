@@ -235,9 +235,8 @@ END_TEST
 /* Instruction sets round differently, and that is all. */
 START_TEST(instruction_sets_agree)
 {
-    static const double straight[3] = {0.0, 0.0, 0.0};
-    cm_surface *from = make_turned("equirect;size=400", straight);
-    cm_surface *to = make_turned("cube:gnomonic;size=40", straight);
+    cm_surface *from = make_surface("equirect;size=400");
+    cm_surface *to = make_surface("cube:gnomonic;size=40");
     cm_image source[PICTURES_MOST], target[2][PICTURES_MOST];
     make_pictures(from, CM_PIXEL_FLOAT, 3, source);
     paint_noise(from, source);
@@ -277,19 +276,16 @@ END_TEST
 /* Columns go by so fast that they count as without a derivative: rows, white and black in turn, are a mean all the same. */
 START_TEST(a_pixel_on_a_pole_is_a_mean)
 {
-    static const double straight[3] = {0.0, 0.0, 0.0};
-    cm_surface *from = make_turned("equirect;size=200000;height=96", straight);
-    cm_surface *to = make_turned("cube:gnomonic;size=1", straight);
+    cm_surface *from = make_surface("equirect;size=200000;height=96");
+    cm_surface *to = make_surface("cube:gnomonic;size=1");
     cm_image source[PICTURES_MOST], target[PICTURES_MOST];
-    cm_plan *plan = NULL;
-    const cm_plan_options options = {.size = sizeof options, .filter = CM_FILTER_EWA};
+    cm_plan *plan = make_plan(from, to, CM_FILTER_EWA);
     make_pictures(from, CM_PIXEL_U8, 1, source);
     make_pictures(to, CM_PIXEL_U8, 1, target);
     for (size_t row = 0; row < 96; row++)
     {
         memset((uint8_t *)source->data + row * 200000, row % 2 != 0 ? 255 : 0, 200000);
     }
-    ck_assert_int_eq(cm_plan_create(from, to, &options, &plan), CM_OK);
     ck_assert_int_eq(cm_resample(plan, source, target, (cm_rows){0}), CM_OK);
     cm_plan_destroy(plan);
     for (size_t i = 0; i < cm_surface_plane_count(to); i++)

@@ -29,29 +29,27 @@ struct SensorNumber
     const char *key;
     double cm_tof_sensor::*to;
     Range range;
-    double most; // as cubemap/sim.h has it
+    double most = std::numeric_limits<double>::max(); // as cubemap/sim.h has it
 };
 
-constexpr double any_number = std::numeric_limits<double>::max();
-
 constexpr SensorNumber sensor_numbers[] = {
-    {"pitch", &cm_tof_sensor::pitch, Range::above_zero, any_number},
-    {"f_number", &cm_tof_sensor::f_number, Range::above_zero, any_number},
-    {"wavelength", &cm_tof_sensor::wavelength, Range::above_zero, any_number},
-    {"efficiency", &cm_tof_sensor::efficiency, Range::part, any_number},
-    {"exposure", &cm_tof_sensor::exposure, Range::above_zero, any_number},
-    {"readout", &cm_tof_sensor::readout, Range::zero_or_more, any_number},
-    {"pause", &cm_tof_sensor::pause, Range::zero_or_more, any_number},
-    {"frequency", &cm_tof_sensor::frequency, Range::above_zero, any_number},
-    {"duty", &cm_tof_sensor::duty, Range::part, any_number},
-    {"contrast", &cm_tof_sensor::contrast, Range::part, any_number},
-    {"full_well", &cm_tof_sensor::full_well, Range::zero_or_more, any_number},
-    {"dark", &cm_tof_sensor::dark, Range::zero_or_more, any_number},
+    {"pitch", &cm_tof_sensor::pitch, Range::above_zero},
+    {"f_number", &cm_tof_sensor::f_number, Range::above_zero},
+    {"wavelength", &cm_tof_sensor::wavelength, Range::above_zero},
+    {"efficiency", &cm_tof_sensor::efficiency, Range::part},
+    {"exposure", &cm_tof_sensor::exposure, Range::above_zero},
+    {"readout", &cm_tof_sensor::readout, Range::zero_or_more},
+    {"pause", &cm_tof_sensor::pause, Range::zero_or_more},
+    {"frequency", &cm_tof_sensor::frequency, Range::above_zero},
+    {"duty", &cm_tof_sensor::duty, Range::part},
+    {"contrast", &cm_tof_sensor::contrast, Range::part},
+    {"full_well", &cm_tof_sensor::full_well, Range::zero_or_more},
+    {"dark", &cm_tof_sensor::dark, Range::zero_or_more},
     {"read_noise", &cm_tof_sensor::read_noise, Range::zero_or_more, 1e30},
-    {"second_frequency", &cm_tof_sensor::second_frequency, Range::zero_or_more, any_number},
+    {"second_frequency", &cm_tof_sensor::second_frequency, Range::zero_or_more},
     {"fixed_pattern", &cm_tof_sensor::fixed_pattern, Range::zero_or_more, 1e3},
-    {"shot_least", &cm_tof_sensor::shot_least, Range::zero_or_more, any_number},
-    {"shot_most", &cm_tof_sensor::shot_most, Range::zero_or_more, any_number}};
+    {"shot_least", &cm_tof_sensor::shot_least, Range::zero_or_more},
+    {"shot_most", &cm_tof_sensor::shot_most, Range::zero_or_more}};
 
 // The camera is what a camera's file has, but for chips that mirror, of which there are none.
 CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)

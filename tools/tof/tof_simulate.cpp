@@ -29,8 +29,6 @@
 namespace
 {
 
-constexpr double paths_most = 1048576; // that a simulation takes
-
 using TofScenePointer = std::unique_ptr<cm_tof_scene, HandleDeleter<cm_tof_scene_destroy>>;
 
 // What was done for all frames.
@@ -196,9 +194,10 @@ std::string paths_text(double needed, const cm_tof_options &chosen)
 {
     char text[120];
     std::snprintf(text, sizeof text,
-                  needed > paths_most ? " by %lu paths a pixel; about %.0f would do, which is more "
-                                        "than --paths takes"
-                                      : " by %lu paths a pixel; about --paths %.0f would do",
+                  needed > TOF_PATHS_MOST
+                      ? " by %lu paths a pixel; about %.0f would do, which is more "
+                        "than --paths takes"
+                      : " by %lu paths a pixel; about --paths %.0f would do",
                   static_cast<unsigned long>(chosen.paths), needed);
     return text;
 }

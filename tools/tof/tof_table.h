@@ -11,6 +11,10 @@
 extern "C" {
 #endif
 
+/* Virtual lights, and paths a pixel, that a simulation takes. */
+#define TOF_LIGHTS_MOST 1048576
+#define TOF_PATHS_MOST TOF_LIGHTS_MOST
+
 enum
 {
     TOF_OUTPUT = 1,

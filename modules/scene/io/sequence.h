@@ -118,10 +118,11 @@ cm_status cm_sequence_create(const char *folder, cm_sequence_layout layout, cons
 /* What whole units did not keep, of all views so far. Nothing of a stream, which keeps all. */
 typedef struct cm_sequence_loss
 {
-    size_t size;    /* sizeof(cm_sequence_loss) */
-    size_t rounded; /* measured depths that are off by more than a thousandth of a unit, and than floats are */
-    double most;    /* by so many metres at most */
-    size_t beyond;  /* measured depths that are stored as nothing measured */
+    size_t size; /* sizeof(cm_sequence_loss) */
+    size_t
+        rounded; /* measured depths that are off by more than a thousandth of a unit, and than floats are */
+    double most;   /* by so many metres at most */
+    size_t beyond; /* measured depths that are stored as nothing measured */
 } cm_sequence_loss;
 
 /* Lives as long as the writer. */
