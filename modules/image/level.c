@@ -272,7 +272,8 @@ static int are_dense(const cm_level *level, const pixel_box *box, ptrdiff_t size
     const int32_t farthest = from->row_stride < 0 ? box->top : box->top + (int32_t)box->rows - 1;
     const unsigned char *there =
         from->pixels + farthest * from->row_stride + box->left * from->pixel_stride;
-    return from->pixel_stride == size && from->end - there >= box->columns * size + behind;
+    return from->pixel_stride == size &&
+           from->end - there >= (ptrdiff_t)box->columns * size + behind;
 }
 
 /* Do all nodes weigh something? Else one does: of Lagrange's weights of a place on a node all others are 0. */
@@ -290,7 +291,7 @@ static void load_row(const cm_level *level, const pixel_box *box, int is_scaled,
     if (is_scaled)
     {
         memcpy(to, from->pixels + line * from->row_stride + box->left * from->pixel_stride,
-               (size_t)(box->columns * from->pixel_stride));
+               box->columns * (size_t)from->pixel_stride);
         return;
     }
     cm_level_load(level, box->plane, box->left, line, (int32_t)box->columns, to);
