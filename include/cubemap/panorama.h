@@ -57,7 +57,8 @@ CM_API cm_status cm_panorama_surface(const cm_panorama *panorama, uint32_t width
 
 /* The fields of a surface of kind equirect. panorama->size must be set. CM_OK; CM_ERROR_ARGUMENT;
  * CM_ERROR_UNSUPPORTED (another kind); CM_ERROR_RANGE if its edges are farther than 1/1000 pixel from those of pixels of
- * a whole picture, which the fields cannot say. */
+ * a whole picture, which the fields cannot say. A part cannot go on at the whole picture's other edge: one across
+ * longitude 180 is in the middle of a whole that its heading turns. */
 CM_API cm_status cm_panorama_of_surface(const cm_surface *surface, cm_panorama *panorama);
 
 #ifdef __cplusplus

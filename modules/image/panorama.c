@@ -102,10 +102,38 @@ static void read_bounds(const char *specification, double bounds[4])
     }
 }
 
+/* The axes of a surface after its own turn by lon about its vertical one. */
+static cm_status turned_about(const cm_rotation *rotation, double lon, cm_rotation *turned)
+{
+    cm_rotation turn;
+    const cm_status status = cm_rotation_from_angles(lon, 0.0, 0.0, &turn);
+    for (int i = 0; status == CM_OK && i < 3; i++)
+    {
+        cm_rotate_back(rotation, turn.row[i], turned->row[i]);
+    }
+    return status;
+}
+
+/* The first column of a part in the whole picture, whose middle then is at a longitude. A whole picture does not go on
+ * at its edges: a part that lies across 180 degrees is in the middle of a whole that is turned. */
+static int place_columns(double west, double columns, cm_panorama *made, double *middle)
+{
+    const double full = made->full_width;
+    double left = (west + 180.0) * columns;
+    left -= full * floor((left + 1e-3) / full);
+    *middle = 0.0;
+    if (left + made->cropped_width > full + 1e-3)
+    {
+        left = floor(0.5 * (full - made->cropped_width));
+        *middle = west + 180.0 - left / columns;
+    }
+    return is_whole(left, &made->cropped_left);
+}
+
 cm_status cm_panorama_of_surface(const cm_surface *surface, cm_panorama *panorama)
 {
     double bounds[4] = {-180.0, 180.0, -90.0, 90.0};
-    double roll;
+    double middle, roll;
     if (surface == NULL || panorama == NULL || panorama->size != sizeof *panorama)
     {
         return CM_ERROR_ARGUMENT;
@@ -122,19 +150,25 @@ cm_status cm_panorama_of_surface(const cm_surface *surface, cm_panorama *panoram
     /* a whole picture may be a fraction of a pixel larger: then its pixels are not quite those of the part */
     if (!is_whole(360.0 * columns, &made.full_width) ||
         !is_whole(180.0 * rows, &made.full_height) ||
-        !is_whole((bounds[0] + 180.0) * columns, &made.cropped_left) ||
+        !place_columns(bounds[0], columns, &made, &middle) ||
         !is_whole((90.0 - bounds[3]) * rows, &made.cropped_top))
     {
         return CM_ERROR_RANGE;
     }
-    const cm_status status =
-        cm_rotation_angles(&surface->rotation, &made.heading, &made.pitch, &roll);
+    cm_rotation turned = surface->rotation;
+    cm_status status = middle == 0.0 ? CM_OK : turned_about(&surface->rotation, middle, &turned);
+    status =
+        status == CM_OK ? cm_rotation_angles(&turned, &made.heading, &made.pitch, &roll) : status;
+    if (status != CM_OK)
+    {
+        return status;
+    }
     made.heading += made.heading < 0.0 ? 360.0 : 0.0;
     made.heading = made.heading >= 360.0 ? 0.0 : made.heading;
     made.roll = roll >= 180.0 ? 180.0 : -roll;
-    if (status != CM_OK || cm_panorama_check(&made) != CM_OK)
+    if (cm_panorama_check(&made) != CM_OK)
     {
-        return status != CM_OK ? status : CM_ERROR_RANGE;
+        return CM_ERROR_RANGE;
     }
     *panorama = made;
     return CM_OK;

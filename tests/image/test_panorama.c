@@ -251,6 +251,57 @@ START_TEST(test_writing_without_heading)
 }
 END_TEST
 
+/* What lies across longitude 180 is a part of a whole that is turned: the surface of its fields has the same directions at
+ * the same pixels, whichever way the first one stands. */
+START_TEST(test_parts_across_the_antimeridian)
+{
+    static const struct
+    {
+        const char *text;
+        uint32_t full_width, left;
+        int turned;
+    } parts[] = {{"equirect;west=170;east=190;south=0;north=10;size=80", 1440, 680, 1},
+                 {"equirect;west=-200;east=-170;south=-90;north=0;size=45", 540, 247, 1},
+                 {"equirect;west=0;east=360;size=80", 80, 0, 1},
+                 {"equirect;west=100;east=440;south=-90;north=90;size=68", 72, 2, 1},
+                 {"equirect;west=370;east=380;south=0;north=10;size=20", 720, 380, 0},
+                 {"equirect;west=180;east=540;size=80", 80, 0, 0}};
+    cm_rotation rotation;
+    ck_assert_int_eq(cm_rotation_from_angles(30.0, 50.0, -70.0, &rotation), CM_OK);
+    for (size_t i = 0; i < 2 * sizeof parts / sizeof *parts; i++)
+    {
+        const cm_surface_options options = {.size = sizeof options,
+                                            .rotation = i % 2 == 0 ? NULL : &rotation};
+        cm_surface *surface = NULL, *again = NULL;
+        cm_panorama panorama = {.size = sizeof panorama};
+        cm_rotation stands;
+        char text[256];
+        ck_assert_int_eq(cm_surface_create(parts[i / 2].text, &options, &surface), CM_OK);
+        REQUIRE(cm_panorama_of_surface(surface, &panorama) == CM_OK, "%s", parts[i / 2].text);
+        ck_assert_uint_eq(panorama.full_width, parts[i / 2].full_width);
+        ck_assert_uint_eq(panorama.cropped_left, parts[i / 2].left);
+        ck_assert(i % 2 == 1 || (panorama.heading != 0.0) == parts[i / 2].turned);
+        const uint32_t width = cm_surface_width(surface), height = cm_surface_height(surface);
+        ck_assert_int_eq(cm_panorama_surface(&panorama, width, height, text, sizeof text, &stands),
+                         CM_OK);
+        const cm_surface_options standing = {.size = sizeof standing, .rotation = &stands};
+        ck_assert_int_eq(cm_surface_create(text, &standing, &again), CM_OK);
+        for (int k = 0; k < 9; k++)
+        {
+            double d[3], e[3], column = width * (0.5 + k % 3) / 3, row = height * (0.5 + k / 3) / 3;
+            const uint8_t plane = 0;
+            cm_surface_directions(surface, 1, &plane, &column, &row, &d[0], &d[1], &d[2]);
+            cm_surface_directions(again, 1, &plane, &column, &row, &e[0], &e[1], &e[2]);
+            REQUIRE(fabs(d[0] - e[0]) < 1e-12 && fabs(d[1] - e[1]) < 1e-12 &&
+                        fabs(d[2] - e[2]) < 1e-12,
+                    "%s: %g,%g,%g is %g,%g,%g", text, d[0], d[1], d[2], e[0], e[1], e[2]);
+        }
+        cm_surface_destroy(again);
+        cm_surface_destroy(surface);
+    }
+}
+END_TEST
+
 START_TEST(test_surfaces_without_fields)
 {
     cm_panorama panorama = {.size = sizeof panorama, .full_width = 77};
@@ -282,6 +333,7 @@ int main(void)
                                   test_pose,
                                   test_writing,
                                   test_writing_without_heading,
+                                  test_parts_across_the_antimeridian,
                                   test_surfaces_without_fields,
                                   NULL};
     return run_suite("panorama", tests);
