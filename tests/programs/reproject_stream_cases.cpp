@@ -139,6 +139,10 @@ void wrong_pipes()
          "GIF89a..."},
         {"a cut picture", 1, "picture 1: .*ends too early: 1 of 32 rows",
          "reproject --to equirect - made/a.png", whole.substr(0, whole.size() - 10)},
+        {"a second picture that is cut", 1,
+         "picture 2: .*ends too early: 16 of 32 rows are missing; the picture before it is written",
+         "reproject --quiet --to equirect - made_%d.png",
+         whole + whole.substr(0, 13 + (whole.size() - 13) / 2)},
         {"bare samples, cut", 1, "ends too early", "reproject --raw 64x32:rgb24 - made/a_%f.png",
          std::string(100, 'x')},
         {"six faces into a pipe", 2, "say --layout 3x2", "reproject - -", whole},
@@ -256,7 +260,8 @@ void wrong_films()
         "it are equirect;size=64;.*; the 2 pictures before it are written",
         "another size");
     write_file("frame_3.ppm", picture(3).substr(0, 3000));
-    result_of(run(all + "--quiet --count 3 frame_%d.ppm cut_%d.png"), 1, "picture 3: 'frame_3.ppm'",
+    result_of(run(all + "--quiet --count 3 frame_%d.ppm cut_%d.png"), 1,
+              "picture 3: 'frame_3.ppm' .*; the 2 pictures before it are written",
               "a damaged frame");
     const std::string names = names_in(".");
     result(names.find("cut_1.png cut_2.png frame") != std::string::npos &&

@@ -186,6 +186,9 @@ struct Done
     std::set<std::string> filters;
 
     std::string text(double seconds) const;
+
+    // What a failure says of the pictures before the one that failed.
+    std::string before() const;
 };
 
 std::string from_to(const std::string &first, const std::string &last)
@@ -208,6 +211,13 @@ std::string Done::text(double seconds) const
            std::to_string(count) + (count == 1 ? " picture, " : " pictures, ") + speed + "\n";
 }
 
+std::string Done::before() const
+{
+    return count == 0   ? ""
+           : count == 1 ? "; the picture before it is written"
+                        : "; the " + std::to_string(count) + " pictures before it are written";
+}
+
 class FilmLoop
 {
 public:
@@ -228,8 +238,7 @@ public:
     }
 
 private:
-    std::unique_ptr<FilmPicture> next();
-    void warn(const Input &input);
+    void write_all();
     void write(const FilmPicture &picture);
     void check_alike(const FilmPicture &picture) const;
 
@@ -244,6 +253,18 @@ private:
 };
 
 void FilmLoop::run()
+{
+    try
+    {
+        write_all();
+    }
+    catch (const Failure &failure)
+    {
+        throw Failure(failure.what() + done.before(), failure.exit_status());
+    }
+}
+
+void FilmLoop::write_all()
 {
     std::unique_ptr<FilmPicture> picture = source.next(threads, threads);
     if (!picture)
@@ -287,40 +308,29 @@ void FilmLoop::check_alike(const FilmPicture &picture) const
 
 void FilmLoop::write(const FilmPicture &picture)
 {
-    try
+    check_alike(picture);
+    Output output(picture.options, *picture.input);
+    if (done.count == 0)
     {
-        check_alike(picture);
-        Output output(picture.options, *picture.input);
-        if (done.count == 0)
+        for (const std::string &warning : picture.input->warnings())
         {
-            for (const std::string &warning : picture.input->warnings())
-            {
-                std::fprintf(streams.err, "cubemap-reproject: %s\n", warning.c_str());
-            }
+            std::fprintf(streams.err, "cubemap-reproject: %s\n", warning.c_str());
         }
-        output.write(picture.options, *picture.input, threads, ceiling, streams.err, plan);
-        if (done.count == 0)
-        {
-            done.kind = kind_of_picture(*picture.input);
-            done.source = picture.input->description();
-            done.target = output.surface_text();
-            done.first_names[0] = picture.input->files().front().path();
-            done.first_names[1] = output.file_names().front();
-        }
-        done.last_names[0] = picture.input->files().back().path();
-        done.last_names[1] = output.file_names().back();
-        done.filters.insert(output.filter_name());
-        ++done.count;
-        progress.advance(1);
     }
-    catch (const Failure &failure)
+    output.write(picture.options, *picture.input, threads, ceiling, streams.err, plan);
+    if (done.count == 0)
     {
-        const std::string before = done.count == 0   ? ""
-                                   : done.count == 1 ? "; the picture before it is written"
-                                                     : "; the " + std::to_string(done.count) +
-                                                           " pictures before it are written";
-        throw Failure(failure.what() + before, failure.exit_status());
+        done.kind = kind_of_picture(*picture.input);
+        done.source = picture.input->description();
+        done.target = output.surface_text();
+        done.first_names[0] = picture.input->files().front().path();
+        done.first_names[1] = output.file_names().front();
     }
+    done.last_names[0] = picture.input->files().back().path();
+    done.last_names[1] = output.file_names().back();
+    done.filters.insert(output.filter_name());
+    ++done.count;
+    progress.advance(1);
 }
 
 } // namespace
