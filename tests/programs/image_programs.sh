@@ -67,6 +67,20 @@ full()
     result $? "$name" "status $status; $(cat err.txt)"
 }
 
+# closed NAME COMMAND...: standard output is no open file, and neither is standard input; what is lost is said.
+closed()
+{
+    local name=$1 status=0
+    shift
+    "$@" >&- 2>err.txt || status=$?
+    [ "$status" -eq 1 ] && grep -q 'standard output' err.txt
+    result $? "$name: standard output is closed" "status $status; $(cat err.txt)"
+    status=0
+    "$@" <&- >&- 2>err.txt || status=$?
+    [ "$status" -eq 1 ] && grep -q 'standard \(in\|out\)put' err.txt
+    result $? "$name: standard input and output are closed" "status $status; $(cat err.txt)"
+}
+
 link_and_permissions()
 {
     echo old >old.png
@@ -321,6 +335,10 @@ keeps_old_file distortion "$programs/cubemap-distortion" --size 400 --legend kep
 keeps_old_file colormap "$programs/cubemap-colormap" rainbow --samples 60000 --format csv -o kept/a.png
 full 'help to a full device' "$programs/cubemap-reproject" --help
 full 'standard output is full' "$programs/cubemap-colormap" single
+printf 'P6\n2 1\n255\nabcdef' >two.ppm
+closed 'a picture to a pipe' "$programs/cubemap-reproject" --to equirect - - <two.ppm
+closed 'what was done' "$programs/cubemap-reproject" --to equirect two.ppm out.ppm
+closed 'errors' "$programs/cubemap-compare" two.ppm two.ppm
 link_and_permissions
 progress_bar
 signals reproject 6 "$programs/cubemap-reproject" --size 6000 "$earth" made/%f.tif

@@ -44,8 +44,14 @@ bool descriptor_has_input(int descriptor)
     return kind == FILE_TYPE_DISK;
 }
 
+void descriptors_keep_closed(void)
+{
+    /* the three numbers are not given to files here */
+}
+
 #else
 
+#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -90,6 +96,18 @@ bool descriptor_has_input(int descriptor)
 {
     struct pollfd ready = {descriptor, POLLIN, 0};
     return poll(&ready, 1, 0) > 0;
+}
+
+void descriptors_keep_closed(void)
+{
+    for (int standard = STDIN_FILENO; standard <= STDERR_FILENO; standard++)
+    {
+        if (fcntl(standard, F_GETFD) < 0)
+        {
+            /* the lowest number that is free, which is this one; open the wrong way, so that using it fails */
+            (void)open("/dev/null", standard == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
 }
 
 #endif

@@ -2,6 +2,7 @@
 //
 // The start of each image program. PROGRAM_MAIN is the function that the program is.
 
+#include "tools/cli/descriptor.h"
 #include "tools/cli/streams.h"
 #include "tools/cli/temporary_guard.hpp"
 
@@ -11,6 +12,7 @@ extern "C" int PROGRAM_MAIN(int argc, char **argv, const cm_streams *streams);
 
 int main(int argc, char **argv)
 {
+    descriptors_keep_closed();
     guard_temporary_files();
     const cm_streams streams = {stdin, stdout, stderr};
 #if defined(__GLIBC__)

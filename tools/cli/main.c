@@ -2,6 +2,7 @@
  *
  * The main of every program. Compiled for each with MAIN, the function that it is, and NAME, as people call it.
  */
+#include "descriptor.h"
 #include "streams.h"
 
 #include <errno.h>
@@ -16,6 +17,7 @@ extern "C"
 
 int main(int argc, char **argv)
 {
+    descriptors_keep_closed();
     const cm_streams streams = {stdin, stdout, stderr};
     const int status = MAIN(argc, argv, &streams);
     /* what does not arrive may show only now */
