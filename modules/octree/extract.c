@@ -12,23 +12,25 @@
 
 /* ---- walks ---- */
 
+/* Places of centres are doubled: those of finest voxels are between whole ones, those of larger voxels are not. */
 typedef struct voxel_walk
 {
     const cm_octree *octree;
-    const cm_walk *walk;
     cm_voxel_job job;
     void *user;
+    uint64_t least[3]; /* of centres, and the greatest */
+    uint64_t greatest[3];
+    uint32_t first[3]; /* the finest voxels whose centres are between */
+    uint32_t beyond[3];
 } voxel_walk;
 
-/* Is the centre of a voxel in the box? Doubled places, since centres are between. */
-static int has_centre(const cm_walk *walk, const uint32_t place[3], int level)
+static int has_centre(const voxel_walk *work, const uint32_t place[3], int level)
 {
     int has = 1;
     for (int axis = 0; axis < 3; axis++)
     {
         const uint64_t centre = 2 * (uint64_t)place[axis] + (1u << level);
-        has &=
-            centre > 2 * (uint64_t)walk->first[axis] && centre < 2 * (uint64_t)walk->beyond[axis];
+        has &= centre >= work->least[axis] && centre <= work->greatest[axis];
     }
     return has;
 }
@@ -37,13 +39,11 @@ static int has_centre(const cm_walk *walk, const uint32_t place[3], int level)
 static int give_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
 {
     const voxel_walk *work = user;
-    const cm_walk *walk = work->walk;
     if (alpha == CM_UNKNOWN)
     {
         return 0;
     }
-    if (cm_box_has(walk->first, walk->beyond, place, level) ||
-        (level == 0 && has_centre(walk, place, 0)))
+    if (cm_box_has(work->first, work->beyond, place, level))
     {
         const cm_voxel voxel = cm_voxel_at(work->octree, place, level, alpha, 0);
         return work->job(work->user, &voxel);
@@ -56,7 +56,7 @@ static int give_even(void *user, const uint32_t place[3], int level, uint8_t alp
         {
             below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
         }
-        stops = cm_box_meets(walk->first, walk->beyond, below, level - 1) &&
+        stops = cm_box_meets(work->first, work->beyond, below, level - 1) &&
                 give_even(user, below, level - 1, alpha);
     }
     return stops;
@@ -77,7 +77,7 @@ static int give_block(void *user, const cm_region *region, unsigned block, unsig
         const uint32_t place[3] = {region->place[0] + 8 * at[0] + in[0],
                                    region->place[1] + 8 * at[1] + in[1],
                                    region->place[2] + 8 * at[2] + in[2]};
-        if (alpha[cell] != CM_UNKNOWN && has_centre(work->walk, place, (int)detail))
+        if (alpha[cell] != CM_UNKNOWN && has_centre(work, place, (int)detail))
         {
             const cm_voxel voxel =
                 cm_voxel_at(work->octree, place, (int)detail, alpha[cell], color[cell]);
@@ -90,13 +90,37 @@ static int give_block(void *user, const cm_region *region, unsigned block, unsig
     return 0;
 }
 
-static cm_status walk_voxels(const cm_octree *octree, cm_walk *walk, cm_voxel_job job, void *user)
+/* Those whose doubled centres are in the work's box, of blocks that changed after a step. */
+static cm_status walk_voxels(voxel_walk *work, uint64_t since)
 {
-    voxel_walk work = {octree, walk, job, user};
-    walk->user = &work;
-    walk->even = give_even;
-    walk->block = give_block;
-    return cm_walk_run(octree, walk);
+    cm_walk walk = {.user = work, .since = since, .even = give_even, .block = give_block};
+    for (int axis = 0; axis < 3; axis++)
+    {
+        work->first[axis] = (uint32_t)(work->least[axis] / 2);
+        work->beyond[axis] = (uint32_t)((work->greatest[axis] + 1) / 2);
+        /* with the voxel behind a border on which the centre of a larger one is */
+        walk.first[axis] = work->first[axis];
+        walk.beyond[axis] = (uint32_t)(work->greatest[axis] / 2 + 1);
+    }
+    return cm_walk_run(work->octree, &walk);
+}
+
+/* The first doubled place that is not below what is in the world, by the places themselves, since they are rounded. */
+static double first_from(const cm_octree *octree, int axis, double world)
+{
+    const double edge = octree->options.edge;
+    double place =
+        floor((world - octree->options.centre[axis]) / edge * 2.0) + ldexp(1.0, octree->tree_level);
+    place += cm_place_world(octree, axis, 0.5 * place) < world;
+    place -= cm_place_world(octree, axis, 0.5 * (place - 1.0)) >= world;
+    return place;
+}
+
+/* And the last that is not above it. */
+static double last_to(const cm_octree *octree, int axis, double world)
+{
+    const double place = first_from(octree, axis, world);
+    return cm_place_world(octree, axis, 0.5 * place) > world ? place - 1.0 : place;
 }
 
 cm_status cm_octree_walk_box(const cm_octree *octree, const double least[3],
@@ -106,27 +130,21 @@ cm_status cm_octree_walk_box(const cm_octree *octree, const double least[3],
     {
         return CM_ERROR_ARGUMENT;
     }
-    cm_walk walk = {.since = 0};
+    voxel_walk work = {.octree = octree, .job = job, .user = user};
     for (int axis = 0; axis < 3; axis++)
     {
-        /* voxels whose centres are between: from the first centre not below, to the last not above, by the centres
-         * themselves, since places are rounded */
-        double first = cm_world_place(octree, axis, least[axis]),
-               last = cm_world_place(octree, axis, greatest[axis]);
-        first += cm_place_world(octree, axis, first + 0.5) < least[axis];
-        first -= cm_place_world(octree, axis, first - 0.5) >= least[axis];
-        last -= cm_place_world(octree, axis, last + 0.5) > greatest[axis];
-        last += cm_place_world(octree, axis, last + 1.5) <= greatest[axis];
-        const double from = first > octree->first[axis] ? first : octree->first[axis];
-        const double to = last + 1.0 < octree->beyond[axis] ? last + 1.0 : octree->beyond[axis];
-        if (!(from < to && least[axis] <= greatest[axis]))
+        const double root[2] = {2.0 * octree->first[axis], 2.0 * octree->beyond[axis]};
+        const double first = first_from(octree, axis, least[axis]),
+                     last = last_to(octree, axis, greatest[axis]);
+        const double from = first > root[0] ? first : root[0], to = last < root[1] ? last : root[1];
+        if (!(from <= to && least[axis] <= greatest[axis]))
         {
             return CM_OK;
         }
-        walk.first[axis] = (uint32_t)from;
-        walk.beyond[axis] = (uint32_t)to;
+        work.least[axis] = (uint64_t)from;
+        work.greatest[axis] = (uint64_t)to;
     }
-    return walk_voxels(octree, &walk, job, user);
+    return walk_voxels(&work, 0);
 }
 
 cm_status cm_octree_walk_changes(const cm_octree *octree, uint64_t since, cm_voxel_job job,
@@ -136,9 +154,13 @@ cm_status cm_octree_walk_changes(const cm_octree *octree, uint64_t since, cm_vox
     {
         return CM_ERROR_ARGUMENT;
     }
-    cm_walk walk = {.since = since};
-    cm_walk_all(octree, &walk);
-    return walk_voxels(octree, &walk, job, user);
+    voxel_walk work = {.octree = octree, .job = job, .user = user};
+    for (int axis = 0; axis < 3; axis++)
+    {
+        work.least[axis] = 2 * (uint64_t)octree->first[axis];
+        work.greatest[axis] = 2 * (uint64_t)octree->beyond[axis];
+    }
+    return walk_voxels(&work, since);
 }
 
 /* ---- blocks with what is occupied ---- */

@@ -40,6 +40,7 @@ typedef struct cm_seen_node
     uint32_t cell;  /* the first */
     uint8_t quarters; /* of 4^3 children */
     uint8_t quarter_count;
+    uint8_t is_copy;  /* what is below it and its cells are those of the stage's full node */
     int32_t place[3]; /* of its lower corner, in its own size */
 } cm_seen_node;
 
@@ -47,6 +48,9 @@ typedef struct cm_snapshot
 {
     cm_seen_node *node[CM_SNAPSHOT_STAGES]; /* of each stage, in the order of keys */
     size_t node_count[CM_SNAPSHOT_STAGES];
+    /* Nodes that are full are alike below: of each stage one stands, behind the last of `node`, and the rest are copies of it. */
+    cm_seen_node full[CM_SNAPSHOT_STAGES];
+    int full_top;       /* the last stage with a full node; -1: there is none */
     int top;            /* the stage with one node; -1: nothing is occupied */
     int64_t middle;     /* of the map, in voxels from the corner of its tree */
     int64_t corner[3];  /* of the tree, in voxels from the root's centre */

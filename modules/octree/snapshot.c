@@ -15,6 +15,7 @@ typedef struct gathering
     cm_snapshot *snapshot;
     size_t block_room;
     size_t color_room;
+    size_t even_room[CM_SNAPSHOT_STAGES];
     const cm_count_rule *rule;
     const cm_snapshot_bounds *bounds;
     double middle; /* of the tree */
@@ -59,6 +60,26 @@ static int is_beside(const gathering *g, const uint32_t place[3], double size)
     return beside;
 }
 
+/* Is nothing of a cube beside? */
+static int is_within(const gathering *g, const uint32_t place[3], double size)
+{
+    const cm_snapshot_bounds *b = g->bounds;
+    double at[3];
+    int within = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const double low = place[axis] - g->middle;
+        at[axis] = low + 0.5 * size;
+        within = within && low >= b->least[axis] && low + size <= b->greatest[axis];
+    }
+    for (int i = 0; within && i < b->planes; i++)
+    {
+        const double *n = b->plane[i];
+        within = n[0] * at[0] + n[1] * at[1] + n[2] * at[2] >= n[3] - b->margin + 0.8661 * size;
+    }
+    return within;
+}
+
 /* Colors of what is occupied, from those of all cells; NULL: none. */
 static void copy_colors(cm_snapshot *snapshot, const cm_seen_node *node, const uint32_t *color)
 {
@@ -101,19 +122,66 @@ static int add_block(gathering *g, const uint32_t place[3], cm_seen_node *node,
     return 0;
 }
 
-/* All blocks of an even cube, in the order of keys. */
+/* The full block; 0 if there is no memory. */
+static int make_full_block(gathering *g)
+{
+    cm_snapshot *snapshot = g->snapshot;
+    void *colors = snapshot->color;
+    const int has_room =
+        make_room(&colors, &g->color_room, snapshot->color_count, 512, sizeof *snapshot->color);
+    snapshot->color = colors;
+    if (has_room)
+    {
+        cm_seen_node *full = &snapshot->full[0];
+        memset(full->mask, 0xff, sizeof full->mask);
+        full->is_copy = 1;
+        full->child = (uint32_t)snapshot->color_count;
+        full->cell = (uint32_t)snapshot->cell_count;
+        snapshot->cell_count += cm_seen_node_count(full);
+        copy_colors(snapshot, full, NULL);
+        snapshot->full_top = 0;
+    }
+    return has_room;
+}
+
+/* A full node of a stage. Returns what is not 0 if there is no memory. */
+static int add_full(gathering *g, const uint32_t place[3], int stage)
+{
+    cm_snapshot *snapshot = g->snapshot;
+    if (snapshot->full_top < 0 && !make_full_block(g))
+    {
+        return 1;
+    }
+    snapshot->full_top = stage > snapshot->full_top ? stage : snapshot->full_top;
+    void *nodes = snapshot->node[stage];
+    size_t *room = stage == 0 ? &g->block_room : &g->even_room[stage];
+    const int has_room =
+        make_room(&nodes, room, snapshot->node_count[stage], 1, sizeof(cm_seen_node));
+    snapshot->node[stage] = nodes;
+    if (has_room)
+    {
+        cm_seen_node *node = &snapshot->node[stage][snapshot->node_count[stage]++];
+        *node = snapshot->full[0];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            node->place[axis] = (int32_t)(place[axis] >> (3 * stage + 3));
+        }
+    }
+    return !has_room;
+}
+
+/* An even cube, in the order of keys: as few nodes as are wholly wanted, and blocks where some are beside. */
 static int gather_even(void *user, const uint32_t place[3], int level, uint8_t alpha)
 {
     gathering *g = user;
-    if (alpha <= CM_UNKNOWN || is_beside(g, place, cm_size_of_level(level)))
+    const double size = cm_size_of_level(level);
+    if (alpha <= CM_UNKNOWN || is_beside(g, place, size))
     {
         return 0;
     }
-    if (level <= CM_BLOCK_LEVEL)
+    if (level <= CM_BLOCK_LEVEL || (level % 3 == 0 && is_within(g, place, size)))
     {
-        cm_seen_node node = {.pairs = 0};
-        memset(node.mask, 0xff, sizeof node.mask);
-        return add_block(g, place, &node, NULL);
+        return add_full(g, place, level <= CM_BLOCK_LEVEL ? 0 : level / 3 - 1);
     }
     int stops = 0;
     for (unsigned child = 0; !stops && child < 8; child++)
@@ -194,7 +262,11 @@ static void fill_blocks(size_t begin, size_t end, void *user)
     const filling *f = user;
     for (size_t i = begin; i < end; i++)
     {
-        cm_seen_block_fill(f->snapshot, &f->snapshot->node[0][i]);
+        const cm_seen_node *node = &f->snapshot->node[0][i];
+        if (!node->is_copy)
+        {
+            cm_seen_block_fill(f->snapshot, node);
+        }
     }
 }
 
@@ -269,20 +341,78 @@ static size_t count_groups(const cm_snapshot *snapshot, int stage)
     return count;
 }
 
+static uint64_t key_of(const cm_seen_node *node)
+{
+    const uint32_t place[3] = {(uint32_t)node->place[0], (uint32_t)node->place[1],
+                               (uint32_t)node->place[2]};
+    return cm_interleave(place);
+}
+
+/* The full node of a stage, and the copies of it that were gathered between those that have nodes below, in the order of keys. */
+static void merge_full(cm_snapshot *snapshot, int stage, const cm_seen_node *copies, size_t count)
+{
+    cm_seen_node *full = &snapshot->full[stage], *node = snapshot->node[stage];
+    *full = (cm_seen_node){.child = (uint32_t)(512 * snapshot->table_count++), .is_copy = 1};
+    memset(full->mask, 0xff, sizeof full->mask);
+    for (unsigned i = 0; i < 512; i++)
+    {
+        snapshot->children[full->child + i] = (uint32_t)snapshot->node_count[stage - 1];
+    }
+    full->cell = (uint32_t)snapshot->cell_count;
+    snapshot->cell_count += cm_seen_node_count(full);
+    size_t own = snapshot->node_count[stage], at = own + count;
+    snapshot->node_count[stage] = at;
+    node[at] = *full;
+    while (count > 0)
+    {
+        if (own > 0 && key_of(&node[own - 1]) > key_of(&copies[count - 1]))
+        {
+            node[--at] = node[--own];
+            continue;
+        }
+        node[--at] = *full;
+        memcpy(node[at].place, copies[--count].place, sizeof node[at].place);
+    }
+}
+
 /* One stage more; 0 if there is no memory. */
 static int build_stage(cm_snapshot *snapshot, int stage, const int32_t *corner)
 {
     const size_t count = corner != NULL ? 1 : count_groups(snapshot, stage - 1);
-    const size_t tables = snapshot->table_count + count;
-    snapshot->node[stage] = calloc(count, sizeof *snapshot->node[stage]);
+    cm_seen_node *copies = snapshot->node[stage];
+    const size_t copy_count = snapshot->node_count[stage];
+    snapshot->node[stage] = calloc(count + copy_count + 1, sizeof *snapshot->node[stage]);
+    snapshot->node_count[stage] = 0;
+    const size_t tables = snapshot->table_count + count + 1;
     uint32_t *children = realloc(snapshot->children, 512 * tables * sizeof *children);
     snapshot->children = children == NULL ? snapshot->children : children;
-    if (snapshot->node[stage] == NULL || children == NULL)
+    const int has_room = snapshot->node[stage] != NULL && children != NULL;
+    if (has_room)
     {
-        return 0;
+        group(snapshot, stage, corner);
     }
-    group(snapshot, stage, corner);
-    return 1;
+    if (has_room && stage <= snapshot->full_top)
+    {
+        merge_full(snapshot, stage, copies, copy_count);
+    }
+    free(copies);
+    return has_room;
+}
+
+/* The nodes of a stage above blocks; copies have the cells of the full one. */
+static void fill_stage(cm_snapshot *snapshot, int stage)
+{
+    if (stage <= snapshot->full_top)
+    {
+        cm_seen_node_fill(snapshot, stage, &snapshot->full[stage]);
+    }
+    for (size_t i = 0; i < snapshot->node_count[stage]; i++)
+    {
+        if (!snapshot->node[stage][i].is_copy)
+        {
+            cm_seen_node_fill(snapshot, stage, &snapshot->node[stage][i]);
+        }
+    }
 }
 
 static cm_status fill_all(cm_snapshot *snapshot, cm_pool *pool)
@@ -294,12 +424,13 @@ static cm_status fill_all(cm_snapshot *snapshot, cm_pool *pool)
     }
     filling f = {snapshot, 0};
     cm_pool_run(pool, snapshot->node_count[0], 256, fill_blocks, &f);
+    if (snapshot->full_top >= 0)
+    {
+        cm_seen_block_fill(snapshot, &snapshot->full[0]);
+    }
     for (int stage = 1; stage <= snapshot->top; stage++)
     {
-        for (size_t i = 0; i < snapshot->node_count[stage]; i++)
-        {
-            cm_seen_node_fill(snapshot, stage, &snapshot->node[stage][i]);
-        }
+        fill_stage(snapshot, stage);
     }
     return CM_OK;
 }
@@ -308,7 +439,7 @@ static cm_status build_above(cm_snapshot *snapshot, cm_pool *pool)
 {
     int32_t corner[3];
     int stage = 0;
-    while (!fits_one(snapshot, stage, corner))
+    while (stage < snapshot->full_top || !fits_one(snapshot, stage, corner))
     {
         stage++;
         if (!build_stage(snapshot, stage, NULL))
@@ -327,6 +458,21 @@ static cm_status build_above(cm_snapshot *snapshot, cm_pool *pool)
         snapshot->corner[axis] = ((int64_t)corner[axis] << 3 * stage) - snapshot->middle;
     }
     return fill_all(snapshot, pool);
+}
+
+/* The full block behind the others; 0 if there is no memory. */
+static int end_with_full(gathering *g)
+{
+    cm_snapshot *snapshot = g->snapshot;
+    void *nodes = snapshot->node[0];
+    const int has_room =
+        make_room(&nodes, &g->block_room, snapshot->node_count[0], 1, sizeof(cm_seen_node));
+    snapshot->node[0] = nodes;
+    if (has_room)
+    {
+        snapshot->node[0][snapshot->node_count[0]] = snapshot->full[0];
+    }
+    return has_room;
 }
 
 /* The box in voxels of the tree; 0 if nothing of it is in it. */
@@ -348,7 +494,8 @@ static int cut_box(const cm_octree *octree, const gathering *g, cm_walk *walk)
 cm_status cm_snapshot_make(const cm_octree *octree, const cm_snapshot_bounds *bounds, cm_pool *pool,
                            cm_snapshot *snapshot)
 {
-    *snapshot = (cm_snapshot){.top = -1, .middle = (int64_t)1 << (octree->tree_level - 1)};
+    *snapshot =
+        (cm_snapshot){.top = -1, .full_top = -1, .middle = (int64_t)1 << (octree->tree_level - 1)};
     for (int i = 0; i < 256; i++)
     {
         snapshot->thickness[i] = i == 255 ? INFINITY : (float)-log2(1.0 - i / 255.0);
@@ -363,9 +510,13 @@ cm_status cm_snapshot_make(const cm_octree *octree, const cm_snapshot_bounds *bo
     {
         return CM_ERROR_MEMORY;
     }
-    if (status != CM_OK || snapshot->node_count[0] == 0)
+    if (status != CM_OK || (snapshot->node_count[0] == 0 && snapshot->full_top < 0))
     {
         return status;
+    }
+    if (snapshot->full_top >= 0 && !end_with_full(&g))
+    {
+        return CM_ERROR_MEMORY;
     }
     return build_above(snapshot, pool);
 }
@@ -379,5 +530,5 @@ void cm_snapshot_drop(cm_snapshot *snapshot)
     free(snapshot->children);
     free(snapshot->cell);
     free(snapshot->color);
-    *snapshot = (cm_snapshot){.top = -1};
+    *snapshot = (cm_snapshot){.top = -1, .full_top = -1};
 }

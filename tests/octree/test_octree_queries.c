@@ -474,6 +474,48 @@ START_TEST(boxes_have_what_is_centred_in_them)
 }
 END_TEST
 
+static int keep_larger(void *user, const cm_voxel *voxel)
+{
+    cm_voxel *kept = user;
+    *kept = voxel->level > 0 && voxel->level < 3 ? *voxel : *kept;
+    return kept->level > 0;
+}
+
+static int is_voxel(void *user, const cm_voxel *voxel)
+{
+    const cm_voxel *wanted = user;
+    return voxel->x == wanted->x && voxel->y == wanted->y && voxel->z == wanted->z &&
+           voxel->level == wanted->level;
+}
+
+/* The centre of a voxel of several edges is on a border of finest ones. */
+START_TEST(boxes_have_larger_voxels_that_are_centred_in_them)
+{
+    cm_octree *octree = drawn_map(6, 3.0, 0);
+    const double edge = cm_octree_describe(octree)->edge;
+    cm_voxel larger = {.level = 0};
+    ck_assert_int_eq(cm_octree_walk_changes(octree, 0, keep_larger, &larger), CM_ERROR_STOPPED);
+    const double centre[3] = {larger.x, larger.y, larger.z};
+    for (int i = 0; i < 4; i++)
+    {
+        double least[3], greatest[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            least[axis] = centre[axis] - (i & 1 ? 0.4 * edge : 0.0);
+            greatest[axis] = centre[axis] + (i & 2 ? 0.4 * edge : 0.0);
+        }
+        ck_assert_int_eq(cm_octree_walk_box(octree, least, greatest, is_voxel, &larger),
+                         CM_ERROR_STOPPED);
+        box_walk walk = {.voxels = 0};
+        cm_octree_walk_box(octree, least, greatest, add_voxel, &walk);
+        ck_assert_int_eq((int64_t)walk.voxels, (int64_t)1 << 3 * larger.level);
+        greatest[2] = least[2] = centre[2] + 0.01 * edge; /* of none */
+        ck_assert_int_eq(cm_octree_walk_box(octree, least, greatest, is_voxel, &larger), CM_OK);
+    }
+    cm_octree_destroy(octree);
+}
+END_TEST
+
 /* ---- changes ---- */
 
 typedef struct change_walk
@@ -582,6 +624,7 @@ int main(void)
                                   long_and_short_rays_are_alike,
                                   the_nearest_is_the_nearest,
                                   boxes_have_what_is_centred_in_them,
+                                  boxes_have_larger_voxels_that_are_centred_in_them,
                                   changes_are_in_what_is_walked,
                                   large_cubes_are_counted_at_once,
                                   NULL};

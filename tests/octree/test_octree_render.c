@@ -515,6 +515,37 @@ START_TEST(far_ends_cones)
 END_TEST
 
 /* Whole numbers are the floats, rounded; gaps between pixels stay as they are. */
+/* A cube of 2^42 voxels, of which a pyramid of 10^9 is in view: it is drawn as it is, not block by block. */
+START_TEST(large_cubes_are_drawn_as_they_are)
+{
+    const cm_octree_options options = {.size = sizeof options,
+                                       .edge = 0.005,
+                                       .levels = 14,
+                                       .centre = {0.0, 0.0, 1.0 + 0.005 * 8192}};
+    cm_octree *octree = NULL;
+    seen *s = make_camera(0, from_inside);
+    s->pose = (cm_pose){.rotation = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}}};
+    /* what no mask sees survives */
+    cm_view mask = {.size = sizeof mask, .camera = s->camera, .pose = s->pose};
+    static uint8_t nothing[PIXELS];
+    mask.pose.position[2] = 1e6;
+    mask.color = s->color_image;
+    mask.color.data = nothing;
+    mask.color.type = CM_PIXEL_U8;
+    mask.color.channels = 1;
+    ck_assert_int_eq(cm_octree_create(&options, &octree), CM_OK);
+    ck_assert_int_eq(cm_hull_carve(octree, 1, &mask, 1, NULL), CM_OK);
+    render(octree, s, NULL);
+    for (size_t i = 0; i < (size_t)s->width * (size_t)s->height; i++)
+    {
+        ck_assert_msg(fabs((double)s->depth[i] - 1.0) < 0.03, "pixel %d: %g", (int)i,
+                      (double)s->depth[i]);
+    }
+    drop_camera(s);
+    cm_octree_destroy(octree);
+}
+END_TEST
+
 START_TEST(types_of_pictures)
 {
     static uint8_t bytes[PIXELS][5];
@@ -609,6 +640,7 @@ int main(void)
                                   far_ends_cones,
                                   types_of_pictures,
                                   refusals,
+                                  large_cubes_are_drawn_as_they_are,
                                   NULL};
     return run_suite("octree render", tests);
 }

@@ -402,6 +402,38 @@ START_TEST(second_user_is_refused)
 }
 END_TEST
 
+static void put_one(cm_store *store)
+{
+    const cm_store_key key = {"key", 3};
+    char text[] = "blob";
+    const cm_blob blob = {.size = sizeof blob, .version = 1, .data = text, .count = sizeof text};
+    REQUIRE(cm_store_put(store, &key, &blob) == CM_OK, "%s", cm_store_message(store));
+}
+
+/* Journals have the name of their file: another store that has this name by now needs its own. */
+START_TEST(renamed_store_leaves_the_journal_of_another)
+{
+    forget_file();
+    char moved[220], journal[220];
+    snprintf(moved, sizeof moved, "%s-moved", path);
+    snprintf(journal, sizeof journal, "%s-journal", path);
+    cm_store *first = open_store(0);
+    put_one(first);
+    ck_assert_int_eq(cm_store_commit(first), CM_OK);
+    ck_assert_int_eq(rename(path, moved), 0);
+    cm_store *second = open_store(0);
+    put_one(second);
+    struct stat before, after;
+    ck_assert_int_eq(stat(journal, &before), 0);
+    cm_store_destroy(first);
+    REQUIRE(stat(journal, &after) == 0 && before.st_ino == after.st_ino, "it is gone");
+    ck_assert_int_eq(cm_store_commit(second), CM_OK);
+    cm_store_destroy(second);
+    REQUIRE(stat(journal, &after) != 0, "it stays");
+    unlink(moved);
+}
+END_TEST
+
 START_TEST(options_that_are_none_are_refused)
 {
     const cm_store_file_options bad[] = {
@@ -419,12 +451,17 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {
-        is_there_when_it_is_opened_again,  every_committed_blob_is_back_after_a_kill,
-        full_database_changes_nothing,     full_disk_changes_nothing,
-        damage_of_any_byte_is_seen,        files_that_end_early_are_refused,
-        other_files_are_refused_by_name,   second_user_is_refused,
-        options_that_are_none_are_refused, NULL};
+    const TTest *const tests[] = {is_there_when_it_is_opened_again,
+                                  every_committed_blob_is_back_after_a_kill,
+                                  full_database_changes_nothing,
+                                  full_disk_changes_nothing,
+                                  damage_of_any_byte_is_seen,
+                                  files_that_end_early_are_refused,
+                                  other_files_are_refused_by_name,
+                                  second_user_is_refused,
+                                  options_that_are_none_are_refused,
+                                  renamed_store_leaves_the_journal_of_another,
+                                  NULL};
     make_quick_folder(folder, "cubemap-store");
     snprintf(path, sizeof path, "%s/store", folder);
     const int failed = run_suite("store file", tests);

@@ -114,14 +114,26 @@ void Database::prepare()
     run("PRAGMA journal_mode=TRUNCATE");
 }
 
+// Has the file, since it was opened, come to another name or to none?
+bool Database::has_moved() const
+{
+    int moved = 0;
+    return sqlite3_file_control(handle, "main", SQLITE_FCNTL_HAS_MOVED, &moved) == SQLITE_OK &&
+           moved != 0;
+}
+
 Database::~Database()
 {
     reset_all();
-    // the journal goes away when it is asked for by who does not hold the file
-    for (const char *const text :
-         {"ROLLBACK", "PRAGMA locking_mode=NORMAL", "PRAGMA journal_mode=DELETE"})
+    sqlite3_exec(handle, "ROLLBACK", nullptr, nullptr, nullptr);
+    // The journal goes away when it is asked for by who does not hold the file. By its name: where the file has none or another
+    // by now, that is the journal of whoever has made a file there since, and what they need after a kill.
+    if (!has_moved())
     {
-        sqlite3_exec(handle, text, nullptr, nullptr, nullptr);
+        for (const char *const text : {"PRAGMA locking_mode=NORMAL", "PRAGMA journal_mode=DELETE"})
+        {
+            sqlite3_exec(handle, text, nullptr, nullptr, nullptr);
+        }
     }
     statements.clear();
     sqlite3_close(handle);

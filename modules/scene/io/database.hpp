@@ -58,6 +58,7 @@ public:
 
 private:
     void prepare();
+    bool has_moved() const;
 
     std::string path;
     sqlite3 *handle = nullptr;
