@@ -553,6 +553,13 @@ START_TEST(bad_input_is_refused)
     REFUSES(at.sensor.read_noise = 1e31, CM_ERROR_RANGE);
     REFUSES(at.sensor.fixed_pattern = 1001, CM_ERROR_RANGE);
     REFUSES(at.sensor.full_well = NAN, CM_ERROR_RANGE);
+    REFUSES(at.sensor.full_well = 0.5, CM_ERROR_RANGE);
+    REFUSES(at.sensor.frequency = 1e308, CM_ERROR_RANGE);
+    REFUSES(at.sensor.frequency = 999.0, CM_ERROR_RANGE);
+    REFUSES(at.sensor.second_frequency = 1e-308, CM_ERROR_RANGE);
+    REFUSES(at.sensor.wavelength = 850.0, CM_ERROR_RANGE);
+    REFUSES(at.sensor.exposure = 1e300, CM_ERROR_RANGE);
+    REFUSES(at.light.position[2] = NAN, CM_ERROR_RANGE);
     at = good;
     ck_assert_int_eq(cm_tof_simulate(at.scene, &at.sensor, NULL, 1, NULL, 0.0, NULL, NULL, &result),
                      CM_ERROR_ARGUMENT);
