@@ -246,6 +246,19 @@ void are_arrays()
                content_of("npy/truth_object_0000.npy")
                        .find("{'descr': '<u4', 'fortran_order': False, 'shape': (18, 24), }") == 10,
            "shapes and types");
+    const std::string about = content_of("npy/metadata.json");
+    for (const std::string name : array_names)
+    {
+        result(about.find("\"" + name + "_FRAME.npy\"") != std::string::npos,
+               "metadata says what " + name + " is", about);
+    }
+    does(pictures + " -o bare --quiet --format npy");
+    result(content_of("bare/metadata.json").find("truth_") == std::string::npos,
+           "and nothing of truth that is not there");
+    const std::string parts = content_of("exr/metadata.json");
+    result(*truth_in_parts == 0 || (parts.find("\"truth_FRAME.exr\"") != std::string::npos &&
+                                    parts.find("\"effects\"") != std::string::npos),
+           "and which parts a picture of truth has", parts);
     std::string all;
     for (const std::string ending : {"_0000.npy", "_0001.npy"})
     {
