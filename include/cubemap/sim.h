@@ -55,18 +55,18 @@ typedef struct cm_tof_sensor
 {
     size_t size;             /* sizeof(cm_tof_sensor) */
     const cm_camera *camera; /* its picture is the sensor's */
-    double pitch;            /* metres, of a pixel, above 0 */
-    double f_number;         /* focal length by aperture, above 0 */
-    double wavelength;       /* metres, above 0 */
-    double efficiency;       /* electrons a photon, above 0 to 1 */
-    double exposure;         /* seconds of a phase image, above 0 */
-    double readout;          /* seconds after each phase image */
-    double pause;            /* seconds after the last of a frame */
-    double frequency;        /* of the modulation, above 0 */
-    double duty;             /* part of the time in which the light shines, above 0 to 1 */
-    double contrast;         /* of the demodulation, above 0 to 1 */
-    double full_well;        /* electrons that a readout circuit holds; 0: any number */
-    double dark;             /* electrons a second in each readout circuit */
+    double pitch;            /* metres, of a pixel, 1e-9 to 1 */
+    double f_number;         /* focal length by aperture, 1e-3 to 1e6 */
+    double wavelength;       /* metres, 1e-9 to 0.01 */
+    double efficiency;       /* electrons a photon, 1e-12 to 1 */
+    double exposure;         /* seconds of a phase image, 1e-15 to 1e9 */
+    double readout;          /* seconds after each phase image, to 1e9 */
+    double pause;            /* seconds after the last of a frame, to 1e9 */
+    double frequency;        /* of the modulation, 1e3 to 1e12: waves of 300 km to 0.3 mm */
+    double duty;             /* part of the time in which the light shines, 1e-12 to 1 */
+    double contrast;         /* of the demodulation, 1e-12 to 1 */
+    double full_well;        /* electrons that a readout circuit holds, 1 to 1e30; 0: any number */
+    double dark;             /* electrons a second in each readout circuit, to 1e15 */
     double read_noise;       /* electrons, standard deviation of a circuit's reading; to 1e30 */
     int phases;              /* 3 or more, evenly apart */
     int single_readout;      /* 1: circuits between pixels, each of two (2015, section IV-G) */
@@ -75,10 +75,10 @@ typedef struct cm_tof_sensor
     const float *mask; /* the active part of each sub-pixel, 0..1, by rows; NULL: the whole pixel */
     size_t harmonics;  /* of the correlation; 0: a cosine */
     const double *
-        harmonic; /* amplitude of cos(j x) for j from 1: 1 for the cosine itself; triangle: 1, 0, 1/9.
+        harmonic; /* amplitude of cos(j x) for j from 1; 1 is the cosine itself, 1000 the most. Triangle: 1, 0, 1/9.
                      Where contrast times their sum is beyond 1, a circuit that would be below 0 is cut at 0 */
     double
-        second_frequency; /* a second series of phase images, which resolves the ambiguity; 0: none */
+        second_frequency; /* a second series of phase images, which resolves the ambiguity, as frequency; 0: none */
     double
         fixed_pattern; /* standard deviation of the pixels' own phase offsets, radians, to 1000; by seed and pixel */
     size_t shot_terms; /* to 32, of a measured polynomial for CM_TOF_FREEMAN_TUKEY; 0: Poisson's */

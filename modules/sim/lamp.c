@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #define LEAST_APERTURE 1e-6 /* cosines tell rays of thinner cones no more apart */
+#define FARTHEST 1e100      /* nothing is lit from there, and squares of it are finite */
 
 static int is_number(const double vector[3])
 {
@@ -120,9 +121,13 @@ void lamps_place(const cm_tof_light *light, size_t lights, double *const *table,
 {
     for (size_t i = 0; i < lights; i++)
     {
-        double axis[3];
+        double axis[3], place[3];
         put_axis(light[i].direction, axis);
-        cm_pose_apply_back(camera, light[i].position, lamp[i].position);
+        for (int k = 0; k < 3; k++)
+        {
+            place[k] = fmin(fmax(light[i].position[k], -FARTHEST), FARTHEST);
+        }
+        cm_pose_apply_back(camera, place, lamp[i].position);
         cm_rotate_back(&camera->rotation, axis, lamp[i].axis);
         /* beyond the rim by what rounding may take of a cosine, and all of it where it shines everywhere */
         const double rim = cos(0.5 * light[i].aperture);

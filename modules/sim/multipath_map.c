@@ -20,6 +20,9 @@ enum
     BLOCK = 512
 };
 
+/* Metres. Loops over lights are of single precision, which has no fourth power of much more; nothing is lit from there. */
+#define FARTHEST 1e9
+
 /* What all blocks of the map share. */
 typedef struct map
 {
@@ -105,14 +108,17 @@ static void cast_rays(const map *m, const size_t *cell, rays *r)
         const tof_lamp *lamp = m->lamp + cell[i] / m->each;
         double cosine = 0.0;
         double incidence = 0.0;
+        double reach = r->distance[i];
         for (int k = 0; k < 3; k++)
         {
             cosine += r->direction[k][i] * lamp->axis[k];
             incidence -= r->direction[k][i] * r->normal[k][i];
+            reach += fabs(r->origin[k][i]);
         }
         r->intensity[i] = tof_lamp_intensity(lamp, cosine);
         r->share[i] = 0.0;
-        if (r->id[i] != CM_SCENE_NOTHING && incidence > 0.0 && r->angle[i] > 0.0)
+        if (r->id[i] != CM_SCENE_NOTHING && incidence > 0.0 && r->angle[i] > 0.0 &&
+            reach < FARTHEST)
         {
             const tof_surface *s = surface + r->id[i];
             r->share[i] = s->reflectance * cm_brdf_albedo(s->brdf, acos(fmin(1.0, incidence)));

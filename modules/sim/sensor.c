@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "sensor.h"
+#include "sensor_limits.h"
 #include "shot_noise.h"
 #include "vector.h"
 
@@ -7,23 +8,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_READ_NOISE 1e30 /* its numbers are floats */
-#define MOST_FIXED_PATTERN 1e3
 #define PLANCK 6.62607015e-34 /* J s, exact since 2019 */
 
-static int is_positive(double value)
+/* Of those that distances need, or of the others. */
+static int has_numbers(const cm_tof_sensor *given, int is_signal)
 {
-    return value > 0.0 && isfinite(value);
-}
-
-static int is_not_negative(double value)
-{
-    return value >= 0.0 && isfinite(value);
-}
-
-static int is_part(double value)
-{
-    return value > 0.0 && value <= 1.0;
+    for (size_t i = 0; i < SENSOR_LIMITS; i++)
+    {
+        double value;
+        memcpy(&value, (const char *)given + sensor_limits[i].at, sizeof value);
+        if (sensor_limits[i].is_signal == is_signal &&
+            !sensor_limit_allows(&sensor_limits[i], value))
+        {
+            return 0;
+        }
+    }
+    return 1;
 }
 
 cm_status sensor_check_signal(const cm_tof_sensor *given)
@@ -33,16 +33,14 @@ cm_status sensor_check_signal(const cm_tof_sensor *given)
     {
         return CM_ERROR_ARGUMENT;
     }
-    if (!is_positive(given->frequency) || !is_part(given->contrast) || given->phases < 3 ||
-        given->phases > 64 || !is_not_negative(given->second_frequency) ||
-        !is_not_negative(given->full_well) ||
+    if (!has_numbers(given, 1) || given->phases < 3 || given->phases > 64 ||
         given->harmonics > SENSOR_WAVES / (given->second_frequency > 0.0 ? 2 : 1))
     {
         return CM_ERROR_RANGE;
     }
     for (size_t i = 0; i < given->harmonics; i++)
     {
-        if (!isfinite(given->harmonic[i]))
+        if (!(fabs(given->harmonic[i]) <= SENSOR_HARMONIC_MOST))
         {
             return CM_ERROR_RANGE;
         }
@@ -73,18 +71,6 @@ static cm_status check_mask(const cm_tof_sensor *given)
         }
     }
     return CM_OK;
-}
-
-static cm_status check_optics(const cm_tof_sensor *given)
-{
-    const int is_sensor =
-        is_positive(given->pitch) && is_positive(given->f_number) &&
-        is_positive(given->wavelength) && is_part(given->efficiency) &&
-        is_positive(given->exposure) && is_not_negative(given->readout) &&
-        is_not_negative(given->pause) && is_part(given->duty) && is_not_negative(given->dark) &&
-        is_not_negative(given->read_noise) && given->read_noise <= MOST_READ_NOISE &&
-        is_not_negative(given->fixed_pattern) && given->fixed_pattern <= MOST_FIXED_PATTERN;
-    return is_sensor ? CM_OK : CM_ERROR_RANGE;
 }
 
 /* The mean of the mask over a part of the pixel, times the part's area. Places are 0..1. */
@@ -224,7 +210,10 @@ cm_status sensor_prepare(const cm_tof_sensor *given, const cm_tof_options *optio
     {
         status = CM_ERROR_ARGUMENT;
     }
-    status = status == CM_OK ? check_optics(given) : status;
+    if (status == CM_OK && !has_numbers(given, 0))
+    {
+        status = CM_ERROR_RANGE;
+    }
     status = status == CM_OK ? check_mask(given) : status;
     status = status == CM_OK ? shot_noise_check(given) : status;
     if (status != CM_OK)

@@ -8,6 +8,7 @@
 #include "modules/scene/io/npy_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -245,6 +246,19 @@ void are_arrays()
                content_of("npy/truth_object_0000.npy")
                        .find("{'descr': '<u4', 'fortran_order': False, 'shape': (18, 24), }") == 10,
            "shapes and types");
+    const std::string about = content_of("npy/metadata.json");
+    for (const std::string name : array_names)
+    {
+        result(about.find("\"" + name + "_FRAME.npy\"") != std::string::npos,
+               "metadata says what " + name + " is", about);
+    }
+    does(pictures + " -o bare --quiet --format npy");
+    result(content_of("bare/metadata.json").find("truth_") == std::string::npos,
+           "and nothing of truth that is not there");
+    const std::string parts = content_of("exr/metadata.json");
+    result(*truth_in_parts == 0 || (parts.find("\"truth_FRAME.exr\"") != std::string::npos &&
+                                    parts.find("\"effects\"") != std::string::npos),
+           "and which parts a picture of truth has", parts);
     std::string all;
     for (const std::string ending : {"_0000.npy", "_0001.npy"})
     {
@@ -483,6 +497,61 @@ void refuses_tof_words()
            "tof simulate wall.json sensor.json pose.txt -o there --quiet");
 }
 
+// What no light, lens or chip has: by file, line and name, at both ends of a range.
+void refuses_tof_ranges()
+{
+    make_tof_inputs();
+    const std::string text = sensor_text();
+    const auto changed = [&](const std::string &from, const std::string &to)
+    {
+        std::string made = text;
+        made.replace(made.find(from), from.size(), to);
+        write_file("odd.json", made);
+    };
+    const char *const run = "tof simulate wall.json odd.json pose.txt -o odd --quiet";
+    const std::array<std::array<const char *, 3>, 13> beyond = {
+        {{"\"frequency\": 20e6", "\"frequency\": 1e308",
+          "3: frequency is 1e.308, not a number from"},
+         {"\"frequency\": 20e6", "\"frequency\": 999",
+          "3: frequency is 999, not a number from 1000"},
+         {"\"frequency\": 20e6", "\"frequency\": 20e6, \"second_frequency\": 1e-308",
+          "3: second_frequency is 1e-308, not a number from 1000 to 1e.12, or 0"},
+         {"\"pitch\": 12e-6", "\"pitch\": 12", "2: pitch is 12, not a number from 1e-09 to 1"},
+         {"\"wavelength\": 850e-9", "\"wavelength\": 850", "2: wavelength is 850, not"},
+         {"\"f_number\": 1.2", "\"f_number\": 1e-30", "2: f_number is 1e-30, not"},
+         {"\"exposure\": 5e-3", "\"exposure\": 1e-300", "3: exposure is 1e-300, not"},
+         {"\"duty\": 0.5", "\"duty\": 0.5, \"full_well\": 1e-3", "3: full_well is 0.001, not"},
+         {"\"duty\": 0.5", "\"duty\": 0.5, \"harmonic\": [1, -1e30]",
+          "3: harmonic has -1e.30, not"},
+         {"\"duty\": 0.5", "\"duty\": 0.5, \"dark\": 1e30", "3: dark is 1e.30, not"},
+         {"\"cx\": 11.5", "\"cx\": 1e300", "1: camera.cx is 1e.300, not a number from -1e.09 to"},
+         {"\"fy\": 20", "\"fy\": 1e30", "1: camera.fy is 1e.30, not a number from 0.001 to"},
+         {"\"power\": 0.7", "\"power\": 0.7, \"position\": [0, -1e300, 0]",
+          "4: lights\\[0\\].position has -1e.300, not"}}};
+    for (const auto &[from, to, expression] : beyond)
+    {
+        changed(from, to);
+        fails(to, 1, std::string("'odd.json':") + expression, run);
+    }
+    std::string row = "1";
+    for (int i = 0; i < 4096; ++i)
+    {
+        row += ", 1";
+    }
+    changed("\"duty\": 0.5", "\"duty\": 0.5, \"mask\": [[" + row + "]]");
+    fails("a mask that is too wide", 1, "'odd.json':3: mask has more than 4096 columns or rows",
+          run);
+    changed("\"duty\"", "\"duyt\"");
+    fails("a member that is misspelt", 1, "duty is missing: .*; is 'duyt' meant for it", run);
+    changed("\"power\": 0.7", "\"power\": 0.7, \"Directoin\": [0, 0, 1]");
+    fails("a member that is nearly one", 1, "'Directoin', which .*; did you mean direction", run);
+    for (const char *const edge : {"1e3", "1e12"})
+    {
+        changed("\"frequency\": 20e6", std::string("\"frequency\": ") + edge);
+        passes(std::string("a frequency of ") + edge, run);
+    }
+}
+
 void refuses_tof_files()
 {
     make_tof_inputs();
@@ -707,10 +776,11 @@ void refuses_tof_files()
 const std::vector<Subject> &tof_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"tof_measures", measures},       {"tof_folder", lies_in_a_folder},
-        {"tof_arrays", are_arrays},       {"tof_hdf5", are_files_of_hdf5},
-        {"tof_texel", renders_texels},    {"tof_sensors", knows_sensors},
-        {"tof_budgets", keeps_budgets},   {"tof_words", refuses_tof_words},
-        {"tof_files", refuses_tof_files}, {"tof_shot_noise", has_shot_noise}};
+        {"tof_measures", measures},        {"tof_folder", lies_in_a_folder},
+        {"tof_arrays", are_arrays},        {"tof_hdf5", are_files_of_hdf5},
+        {"tof_texel", renders_texels},     {"tof_sensors", knows_sensors},
+        {"tof_budgets", keeps_budgets},    {"tof_words", refuses_tof_words},
+        {"tof_files", refuses_tof_files},  {"tof_ranges", refuses_tof_ranges},
+        {"tof_shot_noise", has_shot_noise}};
     return subjects;
 }

@@ -86,11 +86,12 @@ END_TEST
 
 START_TEST(lights_behind_and_in_walls_light_nothing)
 {
-    const double places[3] = {3.0, 1.7, 1e300};
-    for (int i = 0; i < 3; i++)
+    const double places[5][3] = {
+        {0, 0, 3.0}, {0, 0, 1.7}, {0, 0, 1e300}, {1e300, 0, 0}, {-1e200, 1e300, -1e300}};
+    for (int i = 0; i < 5; i++)
     {
         stage at = make_stage(&wall, 1);
-        at.light.position[2] = places[i];
+        memcpy(at.light.position, places[i], sizeof places[i]);
         for (int bounces = 0; bounces < 3; bounces++)
         {
             const cm_tof_options options = {.size = sizeof options,
@@ -103,6 +104,7 @@ START_TEST(lights_behind_and_in_walls_light_nothing)
             for (size_t k = 0; k < PIXELS; k++)
             {
                 ck_assert_float_le(amplitude[k], 1e-9f); /* cosines that are rounding */
+                ck_assert_uint_eq(flags[k] & CM_TOF_SATURATED, 0);
             }
         }
         free_stage(&at);

@@ -358,19 +358,52 @@ START_TEST(full_circuits_are_cut_and_flagged)
 }
 END_TEST
 
-/* A mask moves where a pixel looks, and takes light away. */
+/* What a plane before the camera sends to a place of the picture, by what the middle sends: the angle from the axis counts by
+ * its cosine four times at the lens, once on the wall, and twice in the distance. */
+static double falls_off(double column, double row)
+{
+    const double x = (column - 32.0) / 50.0, y = (row - 24.0) / 50.0;
+    return pow(1.0 + x * x + y * y, -3.5);
+}
+
+/* A mask moves where a pixel looks, and takes light away: in all pixels what the active part sees, which is one of the
+ * pixel's halves or corners. */
 START_TEST(masks_take_light_away)
 {
+    static const struct
+    {
+        uint32_t columns, rows;
+        float part[4];
+        double x, y; /* middle of the active part */
+    } masks[] = {{2, 1, {1, 0}, -0.25, 0},
+                 {2, 1, {0, 1}, 0.25, 0},
+                 {1, 2, {1, 0}, 0, -0.25},
+                 {2, 2, {0, 0, 1, 0}, -0.25, 0.25},
+                 {2, 2, {0, 0.5f, 0, 0}, 0.25, -0.25}};
     stage at = make_stage(&wall, 1);
-    const float half[2] = {1.0f, 0.0f};
     const cm_tof_options options = {.size = sizeof options, .sample_columns = 2, .sample_rows = 2};
     ck_assert_int_eq(simulate(&at, &options), CM_OK);
     const double whole = (double)intensity[24 * WIDTH + 32];
-    at.sensor.mask = half;
-    at.sensor.mask_columns = 2;
-    at.sensor.mask_rows = 1;
-    ck_assert_int_eq(simulate(&at, &options), CM_OK);
-    ck_assert_double_eq_tol((double)intensity[24 * WIDTH + 32], 0.5 * whole, 1e-3 * whole);
+    for (size_t k = 0; k < sizeof masks / sizeof *masks; k++)
+    {
+        double active = 0.0;
+        for (size_t i = 0; i < (size_t)masks[k].columns * masks[k].rows; i++)
+        {
+            active += (double)masks[k].part[i] / (double)(masks[k].columns * masks[k].rows);
+        }
+        at.sensor.mask = masks[k].part;
+        at.sensor.mask_columns = masks[k].columns;
+        at.sensor.mask_rows = masks[k].rows;
+        ck_assert_int_eq(simulate(&at, &options), CM_OK);
+        for (size_t i = 0; i < PIXELS; i++)
+        {
+            const double sees =
+                active * whole *
+                falls_off((double)(i % WIDTH) + masks[k].x, (double)(i / WIDTH) + masks[k].y);
+            REQUIRE(fabs((double)intensity[i] - sees) < 1e-3 * active * whole,
+                    "mask %zu, pixel %zu: %g, not %g", k, i, (double)intensity[i], sees);
+        }
+    }
     free_stage(&at);
 }
 END_TEST
@@ -553,6 +586,13 @@ START_TEST(bad_input_is_refused)
     REFUSES(at.sensor.read_noise = 1e31, CM_ERROR_RANGE);
     REFUSES(at.sensor.fixed_pattern = 1001, CM_ERROR_RANGE);
     REFUSES(at.sensor.full_well = NAN, CM_ERROR_RANGE);
+    REFUSES(at.sensor.full_well = 0.5, CM_ERROR_RANGE);
+    REFUSES(at.sensor.frequency = 1e308, CM_ERROR_RANGE);
+    REFUSES(at.sensor.frequency = 999.0, CM_ERROR_RANGE);
+    REFUSES(at.sensor.second_frequency = 1e-308, CM_ERROR_RANGE);
+    REFUSES(at.sensor.wavelength = 850.0, CM_ERROR_RANGE);
+    REFUSES(at.sensor.exposure = 1e300, CM_ERROR_RANGE);
+    REFUSES(at.light.position[2] = NAN, CM_ERROR_RANGE);
     at = good;
     ck_assert_int_eq(cm_tof_simulate(at.scene, &at.sensor, NULL, 1, NULL, 0.0, NULL, NULL, &result),
                      CM_ERROR_ARGUMENT);

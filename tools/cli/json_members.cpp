@@ -2,10 +2,12 @@
 
 #include "json_members.hpp"
 
+#include "nearest.h"
 #include "program.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace
 {
@@ -42,6 +44,30 @@ const char *words_of_range(Range range)
     default:
         return "a finite number";
     }
+}
+
+std::string suggestion_of(const std::string &key, const std::vector<std::string> &names)
+{
+    cm_nearest nearest = cm_nearest_to(key.data(), key.size());
+    for (const std::string &each : names)
+    {
+        cm_nearest_try(&nearest, each.data(), each.size());
+    }
+    return suggestion(nearest);
+}
+
+// "; is 'frequecy' meant for it?" where a member that is missing seems to be there by another name. Short names are too much alike.
+std::string misspelt(const cJSON *object, const char *key)
+{
+    constexpr std::size_t short_name = 4;
+    cm_nearest nearest = cm_nearest_to(key, std::strlen(key));
+    for (const cJSON *each = object->child; each != nullptr; each = each->next)
+    {
+        cm_nearest_try(&nearest, each->string, std::strlen(each->string));
+    }
+    return nearest.best == nullptr || nearest.length < short_name
+               ? ""
+               : "; is " + in_quotes(nearest.best) + " meant for it?";
 }
 
 } // namespace
@@ -97,9 +123,10 @@ void JsonMembers::check_only(const std::vector<std::string> &names) const
         if (std::find(names.begin(), names.end(), key) == names.end())
         {
             const std::string quoted = in_quotes(key.substr(0, 60));
-            place.fail(each, path.empty()
-                                 ? quoted + " means nothing there"
-                                 : path + " has " + quoted + ", which means nothing there");
+            place.fail(each,
+                       (path.empty() ? quoted + " means nothing there"
+                                     : path + " has " + quoted + ", which means nothing there") +
+                           suggestion_of(key, names));
         }
         if (std::find(seen.begin(), seen.end(), key) != seen.end())
         {
@@ -140,7 +167,7 @@ double JsonMembers::number(const char *key, Range range)
     const cJSON *const item = find(key);
     if (item == nullptr && !is_in(0, range))
     {
-        fail(key, std::string(" is missing: ") + words_of_range(range));
+        fail(key, std::string(" is missing: ") + words_of_range(range) + misspelt(object, key));
     }
     return item == nullptr ? 0 : checked(item, key, range);
 }

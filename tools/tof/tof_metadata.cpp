@@ -125,7 +125,37 @@ std::string picture_name(int format, const std::string &name)
     }
 }
 
-void add_files(cJSON *to, int format)
+// What is truly there: parts of a file of OpenEXR, else arrays of their own.
+void add_truth_files(cJSON *files, int format)
+{
+    static const char *const subjects[][2] = {
+        {"position", "metres, X, Y, Z in the world; NaN where nothing is"},
+        {"normal", "X, Y, Z in the world, of length 1, towards the camera; NaN where nothing is"},
+        {"object", "number in scene.materials; 4294967295 where nothing is"},
+        {"shape", "0 plane, 1 box, 2 sphere, 3 cylinder, 4 mesh; 4294967295 where nothing is"},
+        {"triangle", "number in its mesh, 0 of other shapes; 4294967295 where nothing is"},
+        {"depth", "metres along the optical axis; NaN where nothing is"},
+        {"range", "metres along the ray; NaN where nothing is"},
+        {"flow_next", "columns, rows and metres of range to the next frame"},
+        {"flow_before", "columns, rows and metres of range to the frame before"}};
+    if (format == TOF_FORMAT_EXR)
+    {
+        cJSON *const parts = cJSON_AddObjectToObject(files, "truth_FRAME.exr");
+        need(parts);
+        for (const auto &[name, what] : subjects)
+        {
+            add_text(parts, name, what);
+        }
+        add_text(parts, "effects", "1 or 0: flying, motion, multipath, nothing, saturated");
+        return;
+    }
+    for (const auto &[name, what] : subjects)
+    {
+        add_text(files, picture_name(format, std::string("truth_") + name).c_str(), what);
+    }
+}
+
+void add_files(cJSON *to, int format, bool with_truth)
 {
     static const char *const pictures[][2] = {
         {"phase", "electrons of circuit A less those of B; phases of the second frequency follow"},
@@ -142,6 +172,10 @@ void add_files(cJSON *to, int format)
     {
         add_text(files, picture_name(format, "flags").c_str(),
                  "sums of 1 saturated, 2 nothing came back, 4 flying, 8 motion, 16 multipath");
+    }
+    if (with_truth)
+    {
+        add_truth_files(files, format);
     }
     add_text(files, "poses.txt",
              "time tx ty tz qx qy qz qw, camera to world, at a frame's beginning");
@@ -176,7 +210,7 @@ std::string metadata_text(const SimulateOptions &asked, const cm_tof_options &do
     add_options(all.get(), asked, done, budget);
     add_text(all.get(), "postprocessing", "none");
     add_frames(all.get(), sensor, poses);
-    add_files(all.get(), asked.format);
+    add_files(all.get(), asked.format, asked.truth);
     const std::unique_ptr<char, void (*)(void *)> text(cJSON_Print(all.get()), cJSON_free);
     need(text.get());
     return std::string(text.get()) + "\n";

@@ -4,11 +4,14 @@
 
 #include "modules/scene/io/camera_file.h"
 #include "modules/scene/io/file_failure.hpp"
+#include "modules/sim/io/sensor_ranges.h"
 #include "tools/cli/json_members.hpp"
 #include "tools/cli/program.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <limits>
 
 namespace
@@ -24,32 +27,71 @@ constexpr long phases_most = 64;
 constexpr long shot_terms_most = 32;
 constexpr long mask_most = 4096;
 
-struct SensorNumber
-{
-    const char *key;
-    double cm_tof_sensor::*to;
-    Range range;
-    double most = std::numeric_limits<double>::max(); // as cubemap/sim.h has it
-};
+// Of a camera that measures: from the widest field to a kilometre's focal length, and parts of larger pictures.
+constexpr double focal_least = 1e-3;
+constexpr double focal_most = 1e9;
+constexpr double centre_most = 1e9;
+constexpr double position_most = 1e9; // metres, of a light; doubles are 0.1 um apart there
 
-constexpr SensorNumber sensor_numbers[] = {
-    {"pitch", &cm_tof_sensor::pitch, Range::above_zero},
-    {"f_number", &cm_tof_sensor::f_number, Range::above_zero},
-    {"wavelength", &cm_tof_sensor::wavelength, Range::above_zero},
-    {"efficiency", &cm_tof_sensor::efficiency, Range::part},
-    {"exposure", &cm_tof_sensor::exposure, Range::above_zero},
-    {"readout", &cm_tof_sensor::readout, Range::zero_or_more},
-    {"pause", &cm_tof_sensor::pause, Range::zero_or_more},
-    {"frequency", &cm_tof_sensor::frequency, Range::above_zero},
-    {"duty", &cm_tof_sensor::duty, Range::part},
-    {"contrast", &cm_tof_sensor::contrast, Range::part},
-    {"full_well", &cm_tof_sensor::full_well, Range::zero_or_more},
-    {"dark", &cm_tof_sensor::dark, Range::zero_or_more},
-    {"read_noise", &cm_tof_sensor::read_noise, Range::zero_or_more, 1e30},
-    {"second_frequency", &cm_tof_sensor::second_frequency, Range::zero_or_more},
-    {"fixed_pattern", &cm_tof_sensor::fixed_pattern, Range::zero_or_more, 1e3},
-    {"shot_least", &cm_tof_sensor::shot_least, Range::zero_or_more},
-    {"shot_most", &cm_tof_sensor::shot_most, Range::zero_or_more}};
+Range range_of(sensor_number_kind kind)
+{
+    return kind == SENSOR_NEEDED ? Range::above_zero
+           : kind == SENSOR_PART ? Range::part
+                                 : Range::zero_or_more;
+}
+
+double read_number(JsonMembers &members, const sensor_limit &limit)
+{
+    const double value = members.number(limit.name, range_of(limit.kind));
+    if (!sensor_limit_allows(&limit, value))
+    {
+        char text[120];
+        std::snprintf(text, sizeof text, " is %g, not a number from %g to %g%s", value, limit.least,
+                      limit.most, limit.kind == SENSOR_OR_NONE && limit.least > 0 ? ", or 0" : "");
+        members.fail(limit.name, text);
+    }
+    return value;
+}
+
+void read_numbers(JsonMembers &members, cm_tof_sensor &sensor)
+{
+    for (const sensor_limit &each : sensor_limits)
+    {
+        const double value = read_number(members, each);
+        std::memcpy(reinterpret_cast<char *>(&sensor) + each.at, &value, sizeof value);
+    }
+    sensor.shot_least = members.number("shot_least", Range::zero_or_more);
+    sensor.shot_most = members.number("shot_most", Range::zero_or_more);
+}
+
+// Of either sign.
+void check_size(const JsonMembers &members, const char *key, const std::vector<double> &numbers,
+                double most)
+{
+    for (const double each : numbers)
+    {
+        if (std::abs(each) > most)
+        {
+            char text[120];
+            std::snprintf(text, sizeof text, " has %g, not a number from %g to %g", each, -most,
+                          most);
+            members.fail(key, text);
+        }
+    }
+}
+
+// What a camera's file may have, and no camera that measures has.
+void check_lens(JsonMembers &camera)
+{
+    for (const char *const key : {"fx", "fy"})
+    {
+        camera.number(key, Range::above_zero, focal_least, focal_most);
+    }
+    for (const char *const key : {"cx", "cy"})
+    {
+        camera.number(key, Range::any, -centre_most, centre_most);
+    }
+}
 
 // The camera is what a camera's file has, but for chips that mirror, of which there are none.
 CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)
@@ -80,7 +122,12 @@ CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)
         throw std::bad_alloc();
     }
     check_scene(status, message);
-    return CameraPointer(camera);
+    CameraPointer made(camera);
+    if (cm_camera_describe(camera)->mapping == nullptr)
+    {
+        check_lens(parts);
+    }
+    return made;
 }
 
 // By rows, as lists of their own or one after another.
@@ -114,6 +161,10 @@ void read_mask(JsonMembers &members, TofSensor &made)
         }
     }
     count = count == 0 && nested ? cJSON_GetArraySize(rows) : count;
+    if (columns > mask_most || count > mask_most)
+    {
+        members.fail("mask", " has more than " + std::to_string(mask_most) + " columns or rows");
+    }
     if (static_cast<std::size_t>(columns) * static_cast<std::size_t>(count) != made.mask.size())
     {
         members.fail("mask", " has " + std::to_string(made.mask.size()) + " numbers, not " +
@@ -137,6 +188,7 @@ void read_signal(JsonMembers &members, TofSensor &made)
                      " is missing: a whole number from 3 to " + std::to_string(phases_most));
     }
     made.harmonic = members.numbers("harmonic", Range::any);
+    check_size(members, "harmonic", made.harmonic, SENSOR_HARMONIC_MOST);
     const long harmonics =
         members.whole("harmonics", 0, waves_most, static_cast<long>(made.harmonic.size()));
     const std::size_t series = made.sensor.second_frequency > 0 ? 2 : 1;
@@ -182,6 +234,7 @@ void read_light(const JsonPlace &place, const cJSON *json, std::size_t number, T
     cm_tof_light light = {};
     light.size = sizeof light;
     members.take_numbers("position", Range::any, light.position, 3);
+    check_size(members, "position", {light.position, light.position + 3}, position_most);
     members.take_numbers("direction", Range::any, light.direction, 3);
     light.power = members.number("power", Range::zero_or_more);
     light.aperture = members.number("aperture", Range::above_zero);
@@ -240,10 +293,7 @@ TofSensor parse_tof_sensor(const std::string &name, std::string_view text)
     made.sensor.size = sizeof made.sensor;
     made.camera = camera_of(place, members);
     made.sensor.camera = made.camera.get();
-    for (const SensorNumber &each : sensor_numbers)
-    {
-        made.sensor.*each.to = members.number(each.key, each.range, 0, each.most);
-    }
+    read_numbers(members, made.sensor);
     read_signal(members, made);
     read_mask(members, made);
     read_shot(place, members, made);
