@@ -398,3 +398,33 @@ def test_levels_of_cells_are_whole_numbers():
     for level in (3.0, "3", np.array([3]), None):
         with pytest.raises(TypeError, match="integer"):
             cells.forward_lonlat(*place, level)
+
+
+def test_masks_of_points_with_several_numbers():
+    """A masked point has all its numbers masked, whatever their shape; NumPy alone gives masks of other shapes, or none."""
+    m, rotation = cubemap.Mapping("coupled"), cubemap.Rotation("10,20,30")
+    x = np.ma.array([1.0, 2.0, 3.0, 4.0], mask=[False, True, False, False])
+    y = np.ma.array([[0.5], [0.25]], mask=[[False], [True]])
+    expected = np.ma.getmaskarray(x + y)
+    bare = m.forward_jacobian(x.data, y.data, 0.5)
+    jacobians = m.forward_jacobian(x, y, 0.5)
+    assert np.array_equal(jacobians.data, bare)
+    assert np.array_equal(jacobians.mask, np.broadcast_to(expected[..., np.newaxis, np.newaxis], bare.shape))
+
+    directions = np.ma.array(np.arange(1.0, 13.0).reshape(4, 3), mask=np.eye(4, 3, -1))
+    turned = rotation.apply(directions)
+    assert np.array_equal(turned.data, rotation.apply(directions.data))
+    assert np.array_equal(turned.mask, np.broadcast_to([[False], [True], [True], [True]], (4, 3)))
+    across = rotation.apply(directions.T, axes=[(0, 1), 0, 0])
+    assert np.array_equal(across.mask, turned.mask.T) and np.array_equal(across.data, turned.data.T)
+
+    plain, masked = np.empty_like(bare), np.ma.zeros(bare.shape)
+    assert m.forward_jacobian(x, y, 0.5, out=plain) is plain
+    assert m.forward_jacobian(x, y, 0.5, masked) is masked
+    assert np.array_equal(plain, bare) and np.array_equal(masked.mask, jacobians.mask)
+    assert m.forward_jacobian(np.ma.masked, 1.0, 0.5).mask.all()
+    assert not m.forward_jacobian(np.ma.array([1.0, 2.0]), 1.0, 0.5).mask.any()
+    with pytest.raises(TypeError, match="out"):
+        m.forward_jacobian(x, y, 0.5, masked, out=masked)
+    with pytest.raises(TypeError):
+        m.forward_jacobian(x, y)
