@@ -428,3 +428,27 @@ def test_masks_of_points_with_several_numbers():
         m.forward_jacobian(x, y, 0.5, masked, out=masked)
     with pytest.raises(TypeError):
         m.forward_jacobian(x, y)
+
+
+BEYOND = 2**32
+
+
+@pytest.mark.parametrize("refused", [
+    lambda: cubemap.face_weights("coupled", 8, BEYOND + 1), lambda: cubemap.face_weights("coupled", 8, threads=-1),
+    lambda: cubemap.Surface("equirect", BEYOND + 64, BEYOND + 32), lambda: cubemap.Octree(10.0, BEYOND + 8),
+    lambda: cubemap.cell_token(2**64 + 5), lambda: cubemap.Healpix(16).ring_info(2**64 + 5),
+    lambda: cubemap.sphere_points(-1)])
+def test_whole_numbers_that_do_not_fit(refused):
+    """ctypes cuts off the bits for which there is no room: face 2^32 + 1 was face 1, and a picture of 2^32 + 64 had 64."""
+    with pytest.raises(cubemap.Error, match=r"^\w+: from -?\d+ to \d+, not -?\d+$"):
+        refused()
+
+
+def test_whole_numbers_as_they_are():
+    cell = int(cubemap.CellGrid().forward(0.0, 0.0, -1.0, 10))
+    assert cell >= 2**63 and cubemap.cell_token(cell - 2**64) == cubemap.cell_token(cell)  # the same 64 bits, as databases have them
+    assert np.array_equal(cubemap.face_weights("coupled", np.int64(8), np.uint8(1)), cubemap.face_weights("coupled", 8, 1))
+    for refused in (lambda: cubemap.Healpix(1.5), lambda: cubemap.cell_token(1.5), lambda: cubemap.Healpix(16).ring_info(5.5),
+                    lambda: cubemap.Healpix(16).boundary(5.5)):
+        with pytest.raises(TypeError, match="integer"):
+            refused()
