@@ -407,8 +407,7 @@ class Writer:
             if one.name == "n":
                 values["n"] = "n"
             elif one.direction == "inout":
-                lines += [f"const p_{one.name} = M.room(n * {kind}.bytes);",
-                          f"new {kind}.Type(M.buffer, p_{one.name}, n).set({one.name});"]
+                lines.append(f"const p_{one.name} = M.copied({kind}, {one.name}, n, \"{one.name}\");")
                 values[one.name] = f"p_{one.name}"
             elif one.is_input and one.name not in values:
                 lines.append(f"const p_{one.name} = {self.input(one, 'n').replace('F64', kind or 'F64')};")

@@ -242,6 +242,18 @@ export class Memory {
         return pointer;
     }
 
+    /** Where a copy of n elements is, for a function to change. */
+    copied(of, value, n, name) {
+        const given = this.settle(value);
+        const from = this.input(of, given, n, name);
+        if (!(given instanceof Place)) {
+            return from; // a copy
+        }
+        const pointer = this.room(n * of.bytes);
+        new Uint8Array(this.buffer).copyWithin(pointer, from, from + n * of.bytes);
+        return pointer;
+    }
+
     /** Where a function is to write n elements. */
     output(of, value, n, name) {
         if (value === undefined || value === null) {

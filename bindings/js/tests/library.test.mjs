@@ -130,6 +130,10 @@ test("arrays of another instance's memory, of other contexts, of classes that ex
     assert.deepEqual([...v], [...expected.v]);
     assert.ok(result.face === face && result.u === u.array && result.v === v);
     assert.ok(mapping.forward(vm.runInContext("new Float32Array(1)", context), [1], [1]).u instanceof Float32Array);
+    const cells = cubemap.uint64(4);
+    cells.array.set(Array.from({ length: 4 }, (_, which) => cubemap.cellChild(1n << 60n, which)));
+    assert.deepEqual(cubemap.cellUnionNormalise(cells), BigUint64Array.of(1n << 60n));
+    assert.equal(cells.array[0], cubemap.cellChild(1n << 60n, 0), "what is given stays");
     for (const wrong of [null, new ArrayBuffer(8), new DataView(new ArrayBuffer(8))]) {
         assert.throws(() => mapping.forward(wrong, [1], [1]), /x is to be a number or an array of numbers/);
     }
@@ -145,6 +149,7 @@ test("whole numbers that do not fit are refused", () => {
         assert.throws(() => healpix.neighbours(pixel), RangeError);
         assert.throws(() => healpix.ringFromNested([pixel]), RangeError);
     }
+    assert.throws(() => cubemap.cellUnionNormalise([2n ** 64n + 5n]), RangeError);
     assert.throws(() => healpix.neighbours("5"), TypeError);
     assert.throws(() => new cubemap.Healpix(2n ** 64n + 64n, "nested"), RangeError);
     assert.throws(() => cubemap.cellToken(2n ** 64n + 5n), RangeError);
