@@ -201,19 +201,27 @@ def parse_cell(token: str) -> int:
     return cell.value
 
 
+def _cells_of(cells):
+    """Numbers of cells as an array; real ones are none."""
+    given = np.asarray(cells)
+    if given.size and given.dtype.kind not in "iu":
+        given = np.array([operator.index(cell) for cell in given.ravel().tolist()], np.uint64).reshape(given.shape)
+    return given.astype(np.uint64, copy=False)
+
+
 def normalise_cells(cells: ArrayLike) -> np.ndarray:
     """Cells sorted, without those that are none or in others, four quarters joined: a set of cells."""
-    cells = np.array(cells, np.uint64).ravel()
+    cells = _cells_of(cells).ravel().copy()
     return cells[:library.cm_cell_union_normalise(cells.size, cells.ctypes.data)].copy()
 
 
 def cells_contain(cells: ArrayLike, cell: int) -> bool:
     """Is the whole cell in one of a set, as normalise_cells leaves it?"""
-    cells = np.ascontiguousarray(cells, np.uint64)
+    cells = np.ascontiguousarray(_cells_of(cells))
     return bool(library.cm_cell_union_contains(cells.size, cells.ctypes.data, operator.index(cell)))
 
 
 def cells_intersect(cells: ArrayLike, cell: int) -> bool:
     """Has the cell anything in common with one of a set, as normalise_cells leaves it?"""
-    cells = np.ascontiguousarray(cells, np.uint64)
+    cells = np.ascontiguousarray(_cells_of(cells))
     return bool(library.cm_cell_union_intersects(cells.size, cells.ctypes.data, operator.index(cell)))

@@ -449,6 +449,6 @@ def test_whole_numbers_as_they_are():
     assert cell >= 2**63 and cubemap.cell_token(cell - 2**64) == cubemap.cell_token(cell)  # the same 64 bits, as databases have them
     assert np.array_equal(cubemap.face_weights("coupled", np.int64(8), np.uint8(1)), cubemap.face_weights("coupled", 8, 1))
     for refused in (lambda: cubemap.Healpix(1.5), lambda: cubemap.cell_token(1.5), lambda: cubemap.Healpix(16).ring_info(5.5),
-                    lambda: cubemap.Healpix(16).boundary(5.5)):
+                    lambda: cubemap.Healpix(16).boundary(5.5), lambda: cubemap.normalise_cells([1.5])):
         with pytest.raises(TypeError, match="integer"):
             refused()
