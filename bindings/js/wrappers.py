@@ -33,6 +33,18 @@ def enumerators(values):
     return {"-".join(part[same:]).lower(): values[name] for part, name in zip(parts, names)}
 
 
+def number_text(base, value, name):
+    """JavaScript for a number as the library has it."""
+    if base in BIG:
+        return f"big({value}, \"{name}\", {'true' if base == 'int64_t' else 'false'})"
+    size, viewed = SCALARS[base]
+    if viewed.startswith("Float"):
+        return f"number({value}, \"{name}\")"
+    bits = 8 * size
+    least, most = (0, 2**bits - 1) if viewed.startswith("Uint") else (-2**(bits - 1), 2**(bits - 1) - 1)
+    return f"whole({value}, \"{name}\", {least}, {most})"
+
+
 class Argument:
     """What the list and the header say of one argument."""
 
@@ -198,8 +210,7 @@ class Writer:
             table = self.enum_table(member.words or member.base)
             return f"M.data.setInt32(p + {offset}, code({table}, {value}, \"{camel(member.name)}\"), true);"
         if member.base in SCALARS:
-            number = f"BigInt({value})" if member.base in BIG else f"Number({value})"
-            return f"M.data.set{SCALARS[member.base][1]}(p + {offset}, {number}, true);"
+            return f"M.data.set{SCALARS[member.base][1]}(p + {offset}, {number_text(member.base, value, camel(member.name))}, true);"
         return f"{self.write_struct(member.base)}({value}, p + {offset});"
 
     @staticmethod
@@ -306,7 +317,7 @@ class Writer:
         if argument.pointers or argument.extents:
             length = n if argument.shape == ("n",) else argument.length()
             return f"M.input({argument.kind}, {name}, {length}, \"{name}\")"
-        return f"BigInt({name})" if base in BIG else f"number({name}, \"{name}\")"
+        return number_text(base, name, name)
 
     def plain(self, argument, pointer):
         """What one value at a pointer is."""
@@ -377,8 +388,13 @@ class Writer:
         outputs = [one for one in call.arguments if one.is_output]
         first = next((one for one in inputs if one.shape == ("n",)), None)
         values = {}
-        lines = [f"const one = typeof {first.name} !== \"object\";", f"const n = one ? 1 : {first.name}.length;"] if first else \
+        lines = [f"const one = typeof {first.name} !== \"object\";", f"const n = one ? 1 : M.count({first.name}, \"{first.name}\");"] if first else \
             ["const one = false;", "counted(n, \"n\");"]  # nothing says how many, but who calls
+        # where arrays are in this memory, which may grow before all that are not have room there
+        moved = [one.name for one in inputs if one.kind and one.shape and one.direction != "inout"]
+        lines = [f"{name} = M.settle({name});" for name in moved] + lines
+        if any(one.direction != "inout" for one in outputs):
+            lines.append("const to = M.settleAll(out);")
         real = next((one for one in inputs if one.base == "double" and one.shape == ("n",)), first)
         R = "F64"
         if single is not None:
@@ -391,8 +407,7 @@ class Writer:
             if one.name == "n":
                 values["n"] = "n"
             elif one.direction == "inout":
-                lines += [f"const p_{one.name} = M.room(n * {kind}.bytes);",
-                          f"new {kind}.Type(M.buffer, p_{one.name}, n).set({one.name});"]
+                lines.append(f"const p_{one.name} = M.copied({kind}, {one.name}, n, \"{one.name}\");")
                 values[one.name] = f"p_{one.name}"
             elif one.is_input and one.name not in values:
                 lines.append(f"const p_{one.name} = {self.input(one, 'n').replace('F64', kind or 'F64')};")
@@ -405,17 +420,17 @@ class Writer:
             if one.base in self.interface.structs:  # a struct of arrays
                 layout = self.layouts.of(one.base)
                 lines += [f"const p_{one.name} = M.zeros({layout.size});", f"const columns = {[camel(m.name) for m in layout.members]};",
-                          f"const places = columns.map((name) => M.output(F64, out?.[name], n, name));",
+                          f"const places = columns.map((name) => M.output(F64, to?.[name], n, name));",
                           f"places.forEach((place, i) => M.data.setUint32(p_{one.name} + 4 * i, place, true));"]
                 parts.append("...Object.fromEntries(columns.map((name, i) => [name, one ? M.first(F64, places[i]) : M.result(F64, out?.[name], places[i], n)]))")
             elif len(one.shape) == 2:
                 count = int(one.shape[0])
-                lines += [f"const places_{one.name} = Array.from({{ length: {count} }}, (_, i) => M.output({kind}, out?.{one.name}?.[i], n, \"{one.name}\"));",
+                lines += [f"const places_{one.name} = Array.from({{ length: {count} }}, (_, i) => M.output({kind}, to?.{one.name}?.[i], n, \"{one.name}\"));",
                           f"const p_{one.name} = M.zeros(4 * {count});",
                           f"places_{one.name}.forEach((place, i) => M.data.setUint32(p_{one.name} + 4 * i, place, true));"]
                 parts.append(f"{one.name}: places_{one.name}.map((place, i) => one ? M.first({kind}, place) : M.result({kind}, out?.{one.name}?.[i], place, n))")
             else:
-                lines.append(f"const p_{one.name} = M.output({kind}, out?.{one.name}, n, \"{one.name}\");")
+                lines.append(f"const p_{one.name} = M.output({kind}, to?.{one.name}, n, \"{one.name}\");")
                 parts.append(f"{one.name}: one ? M.first({kind}, p_{one.name}) : M.result({kind}, out?.{one.name}, p_{one.name}, n)")
             values[one.name] = f"p_{one.name}"
         names = [one.name for one in inputs] + ([] if first else ["n"])
@@ -459,7 +474,7 @@ class Writer:
         if call.handle() is not None:
             values[call.handle().name] = "this.pointer"
         for one in room:
-            values[one.name] = f"number({one.name}, \"{one.name}\")"
+            values[one.name] = number_text(one.base, one.name, one.name)
         for one in call.arguments:
             if one.is_input and one.name not in values:
                 put = self.input(one, '')

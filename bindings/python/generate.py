@@ -284,9 +284,15 @@ def c_type(binding, item, known):
     return base
 
 
+# of whole numbers, from the least to the most; numbers of cells may be signed ones of the same 64 bits, as which databases have them
+RANGES = {"c_uint8": "0, 2**8 - 1", "c_uint16": "0, 2**16 - 1", "c_uint32": "0, 2**32 - 1", "c_uint": "0, 2**32 - 1",
+          "c_int": "-2**31, 2**31 - 1", "c_int64": "-2**63, 2**63 - 1", "c_uint64": "-2**63, 2**64 - 1", "c_size_t": "0, 2**64 - 1"}
+
+
 def write_library(binding):
     lines = ["# Written by bindings/python/generate.py.", '"""The library for ctypes: what is called once and not for every point."""', "",
-             "# ruff: noqa", "import ctypes", "from ctypes import *  # noqa: F403", "", "from . import _core", "from ._errors import check", ""]
+             "# ruff: noqa", "import ctypes", "from ctypes import *  # noqa: F403", "", "from ._errors import check",
+             "from ._numbers import Structure, function, library as _library", ""]
     known = set()
     for name, members in binding.interface.structs.items():
         lines += [f"class {name}(Structure):", "    _fields_ = ["]
@@ -295,13 +301,15 @@ def write_library(binding):
         known.add(name)
     for name, values in binding.interface.enumerations.items():
         lines += [f"{constant} = {value}" for constant, value in values.items()]
-    lines += ["", f"HAS_SIM = {binding.has_sim}", "_library = ctypes.CDLL(_core.__file__)", ""]
+    lines += ["", f"HAS_SIM = {binding.has_sim}", ""]
     for function in binding.table.functions:
         declared = binding.interface.functions[function.name]
         # arrays in arguments are pointers
         words = [c_type(binding, argument, known) if not argument.extents else "c_void_p" for argument in declared.arguments]
         result = c_type(binding, declared.result, known) if declared.result else "None"
-        lines += [f"{function.name} = _library.{function.name}", f"{function.name}.argtypes = [{', '.join(words)}]",
+        whole = [f", ({place}, {argument.name!r}, {RANGES[word]})" for place, (word, argument) in enumerate(zip(words, declared.arguments, strict=True))
+                 if word in RANGES]
+        lines += [f"{function.name} = function({function.name!r}{''.join(whole)})", f"{function.name}.argtypes = [{', '.join(words)}]",
                   f"{function.name}.restype = {result}"]
         if function.result and function.result.direction == "status":
             lines += [f"{function.name}.errcheck = check"]

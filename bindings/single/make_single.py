@@ -335,6 +335,9 @@ def cubemap_single(tree):
 #ifdef __cplusplus
 #error "the implementation of libcubemap is C11: define CUBEMAP_IMPLEMENTATION in a source of C"
 #endif
+#if defined(__GLIBC__) && !defined(__USE_XOPEN2K8) && !defined(CUBEMAP_WITHOUT_THREADS)
+#error "define CUBEMAP_IMPLEMENTATION and include this file ahead of all other headers, or compile as GNU C"
+#endif
 #if defined(__GNUC__)
 {chosen}#endif
 #endif

@@ -28,10 +28,11 @@ export function cm_resample(of, plan, from, to) {
 
 export function cm_sample(of, surface, pictures, filter, x, y, z) {
     const { X, M, check, code, enumerations } = of;
+    const places = [x, y, z].map((values) => M.settle(values)); // before pictures, for which the memory may grow
+    const n = M.count(places[0], "x");
     const { all } = putPictures(of, pictures, "pictures");
-    const n = x.length;
-    const [px, py, pz] = [[x, "x"], [y, "y"], [z, "z"]].map(([values, name]) => M.input(F64, values, n, name));
-    const size = n * (pictures[0].channels ?? 1);
+    const [px, py, pz] = ["x", "y", "z"].map((name, i) => M.input(F64, places[i], n, name));
+    const size = n * (pictures[0]?.channels ?? 1);
     const out = M.room(size * F32.bytes);
     check(X.cm_sample(surface.pointer, all, code(enumerations.E_cm_filter, filter, "filter"), n, px, py, pz, out));
     return M.result(F32, undefined, out, size);

@@ -2,6 +2,8 @@
 //
 // What lies in a module's memory: arrays that live there, arguments that are put there for one call, texts.
 
+import { big, whole } from "./numbers.js";
+
 /** What an array holds: the typed array of it and how large an element is. */
 function kind(Type, name, viewed) {
     const isBig = viewed.startsWith("Big");
@@ -16,6 +18,20 @@ export const I64 = kind(BigInt64Array, "int64", "BigInt64");
 export const U64 = kind(BigUint64Array, "uint64", "BigUint64");
 
 const ARENA = 1 << 16;
+
+/** "Float64Array" of one, of a class that extends it, as Node's Buffer, and of one from another window or context. */
+export function typeOf(value) {
+    return ArrayBuffer.isView(value) ? value[Symbol.toStringTag] : undefined;
+}
+
+/** Where an array in the memory is. */
+class Place {
+    constructor(type, pointer, length) {
+        this.type = type;
+        this.pointer = pointer;
+        this.length = length;
+    }
+}
 
 /** An array in the module's memory, until free() or until nobody has it. `array` is a view of it that is good until the
  *  memory grows: ask for it anew after a call that may allocate. */
@@ -34,6 +50,10 @@ export class Vector {
         this.#pointer = memory.allocate(Math.max(1, length * of.bytes));
         memory.keep(this, this.#pointer, "free");
         this.array.fill(of.isBig ? 0n : 0);
+    }
+
+    isIn(memory) {
+        return this.#memory === memory;
     }
 
     get pointer() {
@@ -145,6 +165,9 @@ export class Memory {
         if (typeof value !== "string") {
             throw new TypeError(`${name} is to be a text`);
         }
+        if (value.includes("\0")) {
+            throw new TypeError(`${name} has a character of code 0, which would end it`);
+        }
         const bytes = new TextEncoder().encode(value);
         const pointer = this.zeros(bytes.length + 1);
         new Uint8Array(this.buffer, pointer, bytes.length).set(bytes);
@@ -161,39 +184,73 @@ export class Memory {
 
     // ---- Arrays
 
+    /** An array in this memory by its place, before a call asks for memory, which may grow and end all views. */
+    settle(value) {
+        if (value instanceof Vector) {
+            return value.isIn(this) ? new Place(value.kind.Type.name, value.pointer, value.length) : value.array;
+        }
+        const isHere = ArrayBuffer.isView(value) && value.buffer === this.buffer;
+        return isHere ? new Place(typeOf(value), value.byteOffset, value.length) : value;
+    }
+
+    /** The same of all members. */
+    settleAll(values) {
+        return values && Object.fromEntries(Object.entries(values).map(([name, value]) => [name, this.settle(value)]));
+    }
+
+    /** How many elements. */
+    count(value, name) {
+        if (!Number.isInteger(value?.length)) {
+            throw new TypeError(`${name} is to be a number or an array of numbers`);
+        }
+        return value.length;
+    }
+
     /** Where n elements are, for a function to read: the array's own place if it is in this memory, else a copy. */
     input(of, value, n, name) {
-        if (value instanceof Vector) {
-            this.#fits(of, value.kind.Type, value.length, n, name);
-            return value.pointer;
-        }
-        if (typeof value !== "object" || value === null) {
+        let given = this.settle(value);
+        if (typeof given !== "object" || given === null) {
             if (n > 1) {
                 throw new TypeError(`${name} is to be an array of ${n}`);
             }
             const pointer = this.room(of.bytes);
-            this.data[of.set](pointer, this.#number(of, value, name), true);
+            this.data[of.set](pointer, this.#number(of, given, name), true);
             return pointer;
         }
-        if (value.length !== n) {
-            throw new RangeError(`${name} has ${value.length} elements, but is to have ${n}`);
+        if (given.length !== n) {
+            throw new RangeError(`${name} has ${given.length} elements, but is to have ${n}`);
         }
-        if (value.buffer === this.buffer && value instanceof of.Type) {
-            return value.byteOffset;
-        }
-        const isReal = value instanceof Float32Array && of === F64;
-        if (ArrayBuffer.isView(value) && !(value instanceof of.Type) && !isReal) {
+        const type = given.type ?? typeOf(given);
+        if (type !== undefined && type !== of.Type.name && !(type === "Float32Array" && of === F64)) {
             throw new TypeError(`${name} is to be a ${of.Type.name}`);
         }
+        if (given instanceof Place && type === of.Type.name) {
+            return given.pointer;
+        }
         const pointer = this.room(n * of.bytes);
+        if (given instanceof Place) {
+            given = new Float32Array(this.buffer, given.pointer, n);
+        }
         const view = new of.Type(this.buffer, pointer, n);
-        if (ArrayBuffer.isView(value)) {
-            view.set(value);
+        if (type !== undefined) {
+            view.set(given);
         } else {
             for (let i = 0; i < n; i++) {
-                view[i] = this.#number(of, value[i], name);
+                view[i] = this.#number(of, given[i], name);
             }
         }
+        return pointer;
+    }
+
+    /** Where a copy of n elements is, for a function to change. */
+    copied(of, value, n, name) {
+        const given = this.settle(value);
+        const from = this.input(of, given, n, name);
+        if (!(given instanceof Place)) {
+            return from; // a copy
+        }
+        const pointer = this.room(n * of.bytes);
+        new Uint8Array(this.buffer).copyWithin(pointer, from, from + n * of.bytes);
         return pointer;
     }
 
@@ -202,18 +259,20 @@ export class Memory {
         if (value === undefined || value === null) {
             return this.room(n * of.bytes);
         }
-        const Type = value instanceof Vector ? value.kind.Type : value.constructor;
-        this.#fits(of, Type, value.length, n, name);
-        if (value instanceof Vector) {
-            return value.pointer;
+        const given = this.settle(value);
+        if ((given instanceof Place ? given.type : typeOf(given)) !== of.Type.name) {
+            throw new TypeError(`${name} is to be a ${of.Type.name}`);
         }
-        return value.buffer === this.buffer ? value.byteOffset : this.room(n * of.bytes);
+        if (given.length !== n) {
+            throw new RangeError(`${name} has ${given.length} elements, but is to have ${n}`);
+        }
+        return given instanceof Place ? given.pointer : this.room(n * of.bytes);
     }
 
     /** What the function has written: in the caller's array if that is given. */
     result(of, value, pointer, n) {
         if (value instanceof Vector) {
-            return value.array;
+            return value.isIn(this) ? value.array : this.result(of, value.array, pointer, n);
         }
         const view = new of.Type(this.buffer, pointer, n);
         if (value === undefined || value === null) {
@@ -236,29 +295,16 @@ export class Memory {
     }
 
     isFloat(value) {
-        return value instanceof Float32Array || (value instanceof Vector && value.kind === F32);
-    }
-
-    #fits(of, Type, length, n, name) {
-        if (Type !== of.Type) {
-            throw new TypeError(`${name} is to be a ${of.Type.name}`);
-        }
-        if (length !== n) {
-            throw new RangeError(`${name} has ${length} elements, but is to have ${n}`);
-        }
+        return (value instanceof Place ? value.type : typeOf(value)) === "Float32Array";
     }
 
     #number(of, value, name) {
         if (of.isBig) {
-            return BigInt(value);
+            return big(value, name, of === I64);
         }
         if (typeof value !== "number") {
             throw new TypeError(`${name} is to be of numbers`);
         }
-        const most = of === U8 ? 255 : 4294967295;
-        if ((of === U8 || of === U32) && !(Number.isInteger(value) && value >= 0 && value <= most)) {
-            throw new RangeError(`${name} has ${value}, but is to be of whole numbers from 0 to ${most}`);
-        }
-        return value;
+        return of === U8 || of === U32 ? whole(value, name, 0, of === U8 ? 255 : 2 ** 32 - 1) : value;
     }
 }

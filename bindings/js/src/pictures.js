@@ -2,7 +2,9 @@
 //
 // Pictures as structs of the library, with their pixels in the module's memory.
 
-const PIXELS = [[Uint8Array, "u8"], [Uint8ClampedArray, "u8"], [Uint16Array, "u16"], [Float32Array, "float"]];
+import { typeOf } from "./memory.js";
+
+const PIXELS = { Uint8Array: "u8", Uint8ClampedArray: "u8", Uint16Array: "u16", Float32Array: "float" };
 
 /** A picture, { data, width, height, channels }, at a place where 32 bytes are zero: where its pixels are then. */
 export function putPicture(of, picture, at, name) {
@@ -12,8 +14,8 @@ export function putPicture(of, picture, at, name) {
     }
     const { data, width, height, channels = 1 } = picture;
     const array = data.array ?? data;
-    const pair = PIXELS.find(([Type]) => array instanceof Type);
-    if (pair === undefined) {
+    const type = PIXELS[typeOf(array)];
+    if (type === undefined) {
         throw new TypeError(`${name}: pixels are to be a Uint8Array, a Uint16Array or a Float32Array`);
     }
     if (array.length !== width * height * channels) {
@@ -25,7 +27,7 @@ export function putPicture(of, picture, at, name) {
     if (!isHere) {
         new Uint8Array(M.buffer, place, bytes.length).set(bytes);
     }
-    structs.write_cm_image({ type: pair[1], width, height, channels }, at);
+    structs.write_cm_image({ type, width, height, channels }, at);
     M.data.setUint32(at + 4, place, true);
     return { place, isHere, bytes };
 }

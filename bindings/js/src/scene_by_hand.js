@@ -5,6 +5,7 @@
 import { ArgumentError, CameraError, DataError } from "./errors.js";
 import { callbacksOf } from "./load.js";
 import { F32, F64, U32, U8 } from "./memory.js";
+import { big, whole } from "./numbers.js";
 import { putPicture, takePicture } from "./pictures.js";
 
 const STOPPED = 16;
@@ -62,7 +63,7 @@ export function cm_depth_pyramid_level(of, pyramid, level) {
     const { X, M, check, number, layouts: { cm_depth_level: at } } = of;
     const p = M.zeros(at.BYTES);
     M.data.setUint32(p + at.size, at.BYTES, true);
-    check(X.cm_depth_pyramid_level(pyramid.pointer, number(level, "level"), p));
+    check(X.cm_depth_pyramid_level(pyramid.pointer, whole(level, "level", 0, 2 ** 31 - 1), p));
     const [width, height, least, most] = ["width", "height", "least", "most"].map((name) => M.data.getUint32(p + at[name], true));
     return { width, height, least: M.copy(F32, least, width * height), most: M.copy(F32, most, width * height) };
 }
@@ -163,7 +164,7 @@ export function cm_store_get(of, store, key, kind, newest) {
     const { X, M, check, number, layouts: { cm_blob: at } } = of;
     const p = M.zeros(at.BYTES);
     M.data.setUint32(p + at.size, at.BYTES, true);
-    check(X.cm_store_get(store.pointer, putKey(of, key), number(kind, "kind"), number(newest, "newest"), p));
+    check(X.cm_store_get(store.pointer, putKey(of, key), whole(kind, "kind", 0, 2 ** 32 - 1), whole(newest, "newest", 0, 2 ** 32 - 1), p));
     const member = (name) => M.data.getUint32(p + at[name], true);
     const data = M.copy(U8, member("data"), member("count"));
     const blob = data && { kind: member("kind"), version: member("version"), data };
@@ -176,8 +177,8 @@ export function cm_store_put(of, store, key, { kind = 0, version = 0, data }) {
     const bytes = bytesOf(data, "data");
     const p = M.zeros(at.BYTES);
     M.data.setUint32(p + at.size, at.BYTES, true);
-    M.data.setUint32(p + at.kind, number(kind, "kind"), true);
-    M.data.setUint32(p + at.version, number(version, "version"), true);
+    M.data.setUint32(p + at.kind, whole(kind, "kind", 0, 2 ** 32 - 1), true);
+    M.data.setUint32(p + at.version, whole(version, "version", 0, 2 ** 32 - 1), true);
     M.data.setUint32(p + at.count, bytes.length, true);
     putBytes(M, bytes, p + at.data);
     check(X.cm_store_put(store.pointer, putKey(of, key), p));
@@ -237,7 +238,7 @@ export function cm_octree_walk_box(of, octree, least, greatest, visit) {
 }
 
 export function cm_octree_walk_changes(of, octree, since, visit) {
-    visitVoxels(of, visit, (job) => of.X.cm_octree_walk_changes(octree.pointer, BigInt(since), job, 0));
+    visitVoxels(of, visit, (job) => of.X.cm_octree_walk_changes(octree.pointer, big(since, "since", false), job, 0));
 }
 
 /** Arrays, since voxels are many. */

@@ -60,6 +60,9 @@ test("surfaces, plans, samples", async () => {
     const surface = new image.Surface("equirect;size=256");
     const [value] = surface.sample([panorama(Float32Array, 1)], "bilinear", [1], [0], [0]);
     assert.ok(Math.abs(value - 1) < 0.001);
+    assert.throws(() => surface.sample([panorama(Float32Array, 1)], "bilinear", 1, 0, 0), /x is to be .*an array of numbers/);
+    assert.throws(() => surface.sample([], "bilinear", [1], [0], [0]), { name: "ArgumentError" });
+    assert.throws(() => new image.Surface("equirect", { width: 2 ** 32 + 64, height: 32 }), /width is 4294967360/);
     const plan = new image.Plan(surface, new image.Surface("cube:coupled;size=16"));
     assert.equal(image.Plan.read(plan.text).text, plan.text);
     assert.throws(() => new image.Surface("equirekt"), /equirekt/);

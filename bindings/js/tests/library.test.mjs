@@ -4,6 +4,7 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
+import vm from "node:vm";
 
 import { CubemapError, MappingError, OutOfRangeError, PixelError, Vector, hasSimd, load } from "cubemap";
 
@@ -96,6 +97,68 @@ test("arrays in the module's memory are used where they are, and survive its gro
     assert.ok(x instanceof Vector);
     assert.throws(() => cubemap.float64(-1), RangeError);
     assert.throws(() => cubemap.float64(2 ** 40), /no memory/);
+});
+
+test("the memory may grow while a call puts its arguments there", async () => {
+    const own = await load();
+    const mapping = new own.Mapping("coupled");
+    const n = 2 ** 18;
+    const [y, u] = [own.float64(n), own.float64(n)];
+    y.array.fill(0.1);
+    const before = own.memory.buffer;
+    const { face } = mapping.forward(new Float64Array(n).fill(1), y.array, new Float64Array(n), { u: u.array });
+    assert.notEqual(own.memory.buffer, before, "it has grown");
+    assert.equal(face[n - 1], 0);
+    assert.equal(u.array[n - 1], mapping.forward(1, 0.1, 0).u);
+});
+
+test("arrays of another instance's memory, of other contexts, of classes that extend them, and shared ones", async () => {
+    const mapping = new cubemap.Mapping("coupled");
+    const other = await load();
+    const expected = mapping.forward([1, 2], [0.1, 0.2], [0.5, 3]);
+    const [x, u] = [other.float64(2), other.float64(2)];
+    x.array.set([1, 2]);
+    const context = vm.createContext({});
+    const y = vm.runInContext("Float64Array.of(0.1, 0.2)", context);
+    const v = vm.runInContext("new Float64Array(2)", context);
+    const z = new Float64Array(new SharedArrayBuffer(16));
+    z.set([0.5, 3]);
+    const face = Buffer.alloc(2);
+    const result = mapping.forward(x, y, z, { face, u, v });
+    assert.deepEqual([...face], [...expected.face]);
+    assert.deepEqual([...u.array], [...expected.u]);
+    assert.deepEqual([...v], [...expected.v]);
+    assert.ok(result.face === face && result.u === u.array && result.v === v);
+    assert.ok(mapping.forward(vm.runInContext("new Float32Array(1)", context), [1], [1]).u instanceof Float32Array);
+    const cells = cubemap.uint64(4);
+    cells.array.set(Array.from({ length: 4 }, (_, which) => cubemap.cellChild(1n << 60n, which)));
+    assert.deepEqual(cubemap.cellUnionNormalise(cells), BigUint64Array.of(1n << 60n));
+    assert.equal(cells.array[0], cubemap.cellChild(1n << 60n, 0), "what is given stays");
+    for (const wrong of [null, new ArrayBuffer(8), new DataView(new ArrayBuffer(8))]) {
+        assert.throws(() => mapping.forward(wrong, [1], [1]), /x is to be a number or an array of numbers/);
+    }
+});
+
+test("whole numbers that do not fit are refused", () => {
+    const cell = cubemap.cellParse("89c25");
+    for (const level of [2 ** 32 + 3, 2.5, NaN, Infinity]) {
+        assert.throws(() => cubemap.cellParent(cell, level), /level is .*, but is to be of the whole numbers from -2147483648 to 2147483647/);
+    }
+    const healpix = new cubemap.Healpix(64, "nested");
+    for (const pixel of [2n ** 64n + 5n, 2n ** 63n, 5.5, 1e30]) {
+        assert.throws(() => healpix.neighbours(pixel), RangeError);
+        assert.throws(() => healpix.ringFromNested([pixel]), RangeError);
+    }
+    assert.throws(() => cubemap.cellUnionNormalise([2n ** 64n + 5n]), RangeError);
+    assert.throws(() => healpix.neighbours("5"), TypeError);
+    assert.throws(() => new cubemap.Healpix(2n ** 64n + 64n, "nested"), RangeError);
+    assert.throws(() => cubemap.cellToken(2n ** 64n + 5n), RangeError);
+    assert.equal(cubemap.cellToken(BigInt.asIntN(64, cell)), cubemap.cellToken(cell), "the same 64 bits");
+    const options = { levelMax: 2 ** 32 + 8 };
+    assert.throws(() => cubemap.cover(new cubemap.CellGrid(new cubemap.Grid(), "hilbert"), cubemap.Region.cap([0, 0, 1], 0.1), options),
+        /levelMax is 4294967304/);
+    assert.throws(() => new cubemap.Grid({ tolerance: "1e-9" }), /tolerance is to be a number/);
+    assert.throws(() => new cubemap.Mapping("coupled\0"), /specification has a character of code 0/);
 });
 
 test("calls leave no memory behind", () => {

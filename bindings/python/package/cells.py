@@ -98,7 +98,7 @@ class CellGrid(CellGridMethods, Specified):
 
     def neighbours_at(self, cell: int, level: int) -> np.ndarray:
         """All cells of a finer level that touch the cell from outside, anticlockwise from low u, low v."""
-        return _as_many(library.cm_cell_neighbours_at, self._handle, int(cell), level)
+        return _as_many(library.cm_cell_neighbours_at, self._handle, operator.index(cell), level)
 
     def cover(self, region: Region, level_min: int, level_max: int, *, most: int = 0,
               inner: bool = False) -> np.ndarray:
@@ -190,7 +190,7 @@ class Region(RegionMethods, Specified):
 def cell_token(cell: int) -> str:
     """The text of a cell, as S2 has it; "X" for no cell."""
     text = ctypes.create_string_buffer(17)
-    library.cm_cell_token(int(cell), text, len(text))
+    library.cm_cell_token(operator.index(cell), text, len(text))
     return text.value.decode()
 
 
@@ -201,19 +201,27 @@ def parse_cell(token: str) -> int:
     return cell.value
 
 
+def _cells_of(cells):
+    """Numbers of cells as an array; real ones are none."""
+    given = np.asarray(cells)
+    if given.size and given.dtype.kind not in "iu":
+        given = np.array([operator.index(cell) for cell in given.ravel().tolist()], np.uint64).reshape(given.shape)
+    return given.astype(np.uint64, copy=False)
+
+
 def normalise_cells(cells: ArrayLike) -> np.ndarray:
     """Cells sorted, without those that are none or in others, four quarters joined: a set of cells."""
-    cells = np.array(cells, np.uint64).ravel()
+    cells = _cells_of(cells).ravel().copy()
     return cells[:library.cm_cell_union_normalise(cells.size, cells.ctypes.data)].copy()
 
 
 def cells_contain(cells: ArrayLike, cell: int) -> bool:
     """Is the whole cell in one of a set, as normalise_cells leaves it?"""
-    cells = np.ascontiguousarray(cells, np.uint64)
-    return bool(library.cm_cell_union_contains(cells.size, cells.ctypes.data, int(cell)))
+    cells = np.ascontiguousarray(_cells_of(cells))
+    return bool(library.cm_cell_union_contains(cells.size, cells.ctypes.data, operator.index(cell)))
 
 
 def cells_intersect(cells: ArrayLike, cell: int) -> bool:
     """Has the cell anything in common with one of a set, as normalise_cells leaves it?"""
-    cells = np.ascontiguousarray(cells, np.uint64)
-    return bool(library.cm_cell_union_intersects(cells.size, cells.ctypes.data, int(cell)))
+    cells = np.ascontiguousarray(_cells_of(cells))
+    return bool(library.cm_cell_union_intersects(cells.size, cells.ctypes.data, operator.index(cell)))

@@ -158,7 +158,10 @@ class Rotation(Specified):
             self._matrix = np.array(rotation, dtype=np.float64)
             if self._matrix.shape != (3, 3):
                 raise ValueError(f"rotation: a matrix of 3 x 3, not of {self._matrix.shape}")
-            library.cm_rotation_check(self._pointer())
+            try:
+                library.cm_rotation_check(self._pointer())
+            except Error as error:
+                raise Error(error.status, "rotation: the rows are not of length 1, at right angles and right-handed") from None
         self._matrix.flags.writeable = False
 
     @classmethod

@@ -168,7 +168,9 @@ def images_of(pictures, surface, writes=False):
 
 def images_in(shape, pictures, writes=False):
     """The same of pictures of a shape without channels: (rows, columns), or (pictures, rows, columns)."""
-    pictures = np.asarray(pictures) if not writes else pictures
+    pictures = pictures if writes else np.asarray(pictures)
+    if not writes and not pictures.dtype.isnative:
+        pictures = pictures.astype(pictures.dtype.newbyteorder("="))  # as files of FITS have them
     name = pictures.dtype.name
     if name not in PIXEL_TYPES or not pictures.dtype.isnative:
         raise TypeError(f"pictures: {', '.join(PIXEL_TYPES)}, not {pictures.dtype}")

@@ -27,30 +27,33 @@ import numpy as np
 
 from . import _methods
 from .earth import Rotation
-from .images import Surface
+from .images import PIXEL_TYPES, Surface
 from .mapping import Mapping
 
 
 class _Call:
-    """A method by its name: it travels to workers as the object's specification."""
+    """A method by its name, and by its types, which are those of all chunks: it travels to workers as the object's specification."""
 
-    def __init__(self, owner, name):
-        self.owner, self.name = owner, name
+    def __init__(self, owner, name, types):
+        self.owner, self.name, self.types = owner, name, types
         self.__name__ = name
 
     def __call__(self, *arrays):
-        result = getattr(self.owner, self.name)(*arrays)
+        result = getattr(self.owner, self.name)(*arrays, signature=self.types)
         return tuple(result) if isinstance(result, tuple) else result
 
 
-def _dtypes(function, arrays):
-    """Of a function's outputs for such inputs: those of the first loop to which all casts are safe, as NumPy has it."""
+def _types(function, arrays):
+    """Of inputs and outputs, as "ddd->Bdd": the first loop to which all casts are safe, as NumPy has it. Numbers of Python are
+    real ones of any precision beside arrays of real ones."""
     ufunc = function.ufunc
     given = [np.dtype(getattr(array, "dtype", None) or np.asarray(array).dtype) for array in arrays]
+    adapts = [type(array) in (int, float) for array in arrays]
+    has_real = any(one.kind == "f" and not weak for one, weak in zip(given, adapts, strict=True))
     for types in ufunc.types:
-        inputs, outputs = types.split("->")
-        if all(np.can_cast(one, np.dtype(kind), "safe") for one, kind in zip(given, inputs, strict=True)):
-            return [np.dtype(kind) for kind in outputs]
+        if all(np.can_cast(one, kind, "safe") or (has_real and weak and np.dtype(kind).kind == "f")
+               for one, weak, kind in zip(given, adapts, types.partition("->")[0], strict=True)):
+            return types
     raise TypeError(f"{ufunc.__name__} takes none of {', '.join(map(str, given))}")
 
 
@@ -76,12 +79,13 @@ def apply(owner: Any, name: str, *arrays: Any) -> Any:
 
     The ufuncs themselves cannot: Dask refuses those of several outputs. DataArrays keep their coordinates.
     """
-    call = _Call(owner if owner is not None else _methods, name)
-    function = getattr(call.owner, name)
+    owner = owner if owner is not None else _methods
+    function = getattr(owner, name)
     inputs, outputs, sizes = _signature(function)
     if len(arrays) != len(inputs):
         raise TypeError(f"{name} takes {len(inputs)} arrays, not {len(arrays)}")
-    dtypes = _dtypes(function, arrays)
+    types = _types(function, arrays)
+    call, dtypes = _Call(owner, name, types), [np.dtype(kind) for kind in types.partition("->")[2]]
     if any(type(array).__module__.startswith("xarray.") for array in arrays):
         import xarray
 
@@ -238,6 +242,10 @@ def reproject(raster: Any, target: str = "cube:coupled", size: int | None = None
     from dask.highlevelgraph import HighLevelGraph
 
     array = raster if isinstance(raster, dask.array.Array) else dask.array.from_array(raster)
+    if array.dtype.newbyteorder("=").name not in PIXEL_TYPES:
+        raise TypeError(f"raster: {', '.join(PIXEL_TYPES)}, not {array.dtype}")
+    if tile < 1:
+        raise ValueError(f"tile: 1 or more, not {tile}")
     flat = array.ndim == 2
     array = array[..., np.newaxis] if flat else array
     array = array.rechunk({2: -1})

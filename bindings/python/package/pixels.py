@@ -12,6 +12,7 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 from typing import NamedTuple
 
 import numpy as np
@@ -56,7 +57,7 @@ class Healpix(HealpixMethods, Specified):
     _standard = {"order": "ring", "instructions": None, "threads": 1}
 
     def __init__(self, nside: int, order: str = "ring", *, instructions: str | None = None, threads: int = 1) -> None:
-        nside, which = int(nside), number_of(order, ORDERS, "order")
+        nside, which = operator.index(nside), number_of(order, ORDERS, "order")
         if not -2**63 <= nside < 2**63:
             raise Error(library.CM_ERROR_PIXEL, f"nside: 1 to 2^29, not {nside}")
         in_words(library.cm_healpix_check, nside, which)
@@ -100,12 +101,12 @@ class Healpix(HealpixMethods, Specified):
         """4 steps unit directions of a pixel's boundary, from the north corner by the west: (4 steps, 3), beside each other."""
         if not 1 <= steps <= 2**20:
             raise Error(library.CM_ERROR_ARGUMENT, f"steps: 1 to 2^20, not {steps}")
-        return _core.pixel_boundary(self._handle, int(pixel), steps, True)
+        return _core.pixel_boundary(self._handle, operator.index(pixel), steps, True)
 
     def ring_info(self, ring: int) -> Ring:
         """The ring of a number, 1 at the north pole, as Ring."""
         info = struct(library.cm_healpix_ring)
-        library.cm_healpix_ring_info(self._handle, int(ring), ctypes.byref(info))
+        library.cm_healpix_ring_info(self._handle, operator.index(ring), ctypes.byref(info))
         return Ring(info.ring, info.first, info.count, info.z, info.rho, bool(info.is_shifted))
 
     def regrade(self, values: ArrayLike, to: Healpix, *, pessimistic: bool = False, power: float = 0.0,

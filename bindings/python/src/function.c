@@ -272,6 +272,58 @@ static PyObject *name_outputs(const struct function *self, PyObject *tuple)
     return made;
 }
 
+/* Is there an array of a subclass, as masked ones are, or a tuple, in which outputs may be some? */
+static int has_subclass(PyObject *const *args, Py_ssize_t count)
+{
+    for (Py_ssize_t k = 0; k < count; k++)
+    {
+        if (PyTuple_Check(args[k]) || (PyArray_Check(args[k]) && !PyArray_CheckExact(args[k])))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A call of a gufunc by Python, which sees to masks. */
+static PyObject *call_masked(const struct function *self, PyObject *const *args, Py_ssize_t count,
+                             PyObject *names)
+{
+    PyObject *module = PyImport_ImportModule("cubemap._masked");
+    PyObject *keywords = module ? PyDict_New() : NULL;
+    PyObject *given = keywords ? PyTuple_New(count) : NULL;
+    for (Py_ssize_t k = 0; given && k < count; k++)
+    {
+        PyTuple_SET_ITEM(given, k, Py_NewRef(args[k]));
+    }
+    for (Py_ssize_t k = 0; given && names && k < PyTuple_GET_SIZE(names); k++)
+    {
+        if (PyDict_SetItem(keywords, PyTuple_GET_ITEM(names, k), args[count + k]) != 0)
+        {
+            Py_CLEAR(given);
+        }
+    }
+    PyObject *found =
+        given ? PyObject_CallMethod(module, "call", "OOO", self->ufunc, given, keywords) : NULL;
+    Py_XDECREF(given);
+    Py_XDECREF(keywords);
+    Py_XDECREF(module);
+    return found;
+}
+
+/* A call of the ufunc. */
+static PyObject *call_ufunc(const struct function *self, PyObject *const *args, size_t flagged,
+                            PyObject *names)
+{
+    const Py_ssize_t count = PyVectorcall_NARGS(flagged);
+    const Py_ssize_t named = names ? PyTuple_GET_SIZE(names) : 0;
+    if (((PyUFuncObject *)self->ufunc)->core_enabled && has_subclass(args, count + named))
+    {
+        return call_masked(self, args, count, names);
+    }
+    return PyObject_Vectorcall(self->ufunc, args, flagged, names);
+}
+
 static PyObject *function_call(PyObject *object, PyObject *const *args, size_t flagged,
                                PyObject *names)
 {
@@ -287,7 +339,7 @@ static PyObject *function_call(PyObject *object, PyObject *const *args, size_t f
     }
     if (!found)
     {
-        found = PyObject_Vectorcall(self->ufunc, args, flagged, names);
+        found = call_ufunc(self, args, flagged, names);
     }
     return found && self->result && PyTuple_CheckExact(found) ? name_outputs(self, found) : found;
 }

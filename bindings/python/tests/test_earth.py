@@ -152,3 +152,9 @@ def test_advice():
     assert size.pixels <= size.power < 2 * size.pixels and size.coarsest <= 1e-3
     assert cubemap.advise_precision("coupled", 10.0).precision == "float"
     assert cubemap.advise_terms("geographic", "authalic", 1e-3).terms < cubemap.advise_terms("geographic", "authalic", 0).terms
+
+
+def test_matrices_that_are_no_rotations():
+    for matrix in (2 * np.eye(3), np.full((3, 3), np.nan), np.diag([1.0, 1.0, -1.0])):
+        with pytest.raises(cubemap.Error, match="rows are not of length 1, at right angles and right-handed"):
+            cubemap.Rotation(matrix)

@@ -143,3 +143,22 @@ def test_the_graph_of_a_large_raster_is_made_in_time():
     begun = time.process_time()
     faces = large.reproject(raster, "cube:coupled", 25088)
     assert faces.npartitions == 3750 and time.process_time() - begun < 60  # 8 s where each tile's blocks took 170
+
+
+def test_types_beside_numbers_of_python():
+    """Chunks are of the type that the whole says, which is NumPy's own."""
+    m = cubemap.Mapping("coupled")
+    for kind in (np.float32, np.float64, np.int8):
+        plain = np.arange(1, 7).astype(kind)
+        for others in ((0.5, 2), (0.5, plain)):
+            expected = m.forward(plain, *others)
+            made = large.apply(m, "forward", da.from_array(plain, chunks=4), *others)
+            for one, other in zip(made, expected, strict=True):
+                assert one.dtype == one.compute().dtype == other.dtype and np.array_equal(one.compute(), other)
+
+
+def test_rasters_that_are_refused_at_once():
+    with pytest.raises(TypeError, match="raster: .*float32, not float64"):
+        large.reproject(np.ones((8, 16)), "cube:coupled", 8)
+    with pytest.raises(ValueError, match="tile: 1 or more"):
+        large.reproject(np.ones((8, 16), np.float32), "cube:coupled", 8, tile=0)

@@ -398,3 +398,57 @@ def test_levels_of_cells_are_whole_numbers():
     for level in (3.0, "3", np.array([3]), None):
         with pytest.raises(TypeError, match="integer"):
             cells.forward_lonlat(*place, level)
+
+
+def test_masks_of_points_with_several_numbers():
+    """A masked point has all its numbers masked, whatever their shape; NumPy alone gives masks of other shapes, or none."""
+    m, rotation = cubemap.Mapping("coupled"), cubemap.Rotation("10,20,30")
+    x = np.ma.array([1.0, 2.0, 3.0, 4.0], mask=[False, True, False, False])
+    y = np.ma.array([[0.5], [0.25]], mask=[[False], [True]])
+    expected = np.ma.getmaskarray(x + y)
+    bare = m.forward_jacobian(x.data, y.data, 0.5)
+    jacobians = m.forward_jacobian(x, y, 0.5)
+    assert np.array_equal(jacobians.data, bare)
+    assert np.array_equal(jacobians.mask, np.broadcast_to(expected[..., np.newaxis, np.newaxis], bare.shape))
+
+    directions = np.ma.array(np.arange(1.0, 13.0).reshape(4, 3), mask=np.eye(4, 3, -1))
+    turned = rotation.apply(directions)
+    assert np.array_equal(turned.data, rotation.apply(directions.data))
+    assert np.array_equal(turned.mask, np.broadcast_to([[False], [True], [True], [True]], (4, 3)))
+    across = rotation.apply(directions.T, axes=[(0, 1), 0, 0])
+    assert np.array_equal(across.mask, turned.mask.T) and np.array_equal(across.data, turned.data.T)
+
+    plain, masked = np.empty_like(bare), np.ma.zeros(bare.shape)
+    assert m.forward_jacobian(x, y, 0.5, out=plain) is plain
+    assert m.forward_jacobian(x, y, 0.5, masked) is masked
+    assert np.array_equal(plain, bare) and np.array_equal(masked.mask, jacobians.mask)
+    assert m.forward_jacobian(np.ma.masked, 1.0, 0.5).mask.all()
+    assert not m.forward_jacobian(np.ma.array([1.0, 2.0]), 1.0, 0.5).mask.any()
+    with pytest.raises(TypeError, match="out"):
+        m.forward_jacobian(x, y, 0.5, masked, out=masked)
+    with pytest.raises(TypeError):
+        m.forward_jacobian(x, y)
+
+
+BEYOND = 2**32
+
+
+@pytest.mark.parametrize("refused", [
+    lambda: cubemap.face_weights("coupled", 8, BEYOND + 1), lambda: cubemap.face_weights("coupled", 8, threads=-1),
+    lambda: cubemap.Surface("equirect", BEYOND + 64, BEYOND + 32), lambda: cubemap.Octree(10.0, BEYOND + 8),
+    lambda: cubemap.cell_token(2**64 + 5), lambda: cubemap.Healpix(16).ring_info(2**64 + 5),
+    lambda: cubemap.sphere_points(-1)])
+def test_whole_numbers_that_do_not_fit(refused):
+    """ctypes cuts off the bits for which there is no room: face 2^32 + 1 was face 1, and a picture of 2^32 + 64 had 64."""
+    with pytest.raises(cubemap.Error, match=r"^\w+: from -?\d+ to \d+, not -?\d+$"):
+        refused()
+
+
+def test_whole_numbers_as_they_are():
+    cell = int(cubemap.CellGrid().forward(0.0, 0.0, -1.0, 10))
+    assert cell >= 2**63 and cubemap.cell_token(cell - 2**64) == cubemap.cell_token(cell)  # the same 64 bits, as databases have them
+    assert np.array_equal(cubemap.face_weights("coupled", np.int64(8), np.uint8(1)), cubemap.face_weights("coupled", 8, 1))
+    for refused in (lambda: cubemap.Healpix(1.5), lambda: cubemap.cell_token(1.5), lambda: cubemap.Healpix(16).ring_info(5.5),
+                    lambda: cubemap.Healpix(16).boundary(5.5), lambda: cubemap.normalise_cells([1.5])):
+        with pytest.raises(TypeError, match="integer"):
+            refused()

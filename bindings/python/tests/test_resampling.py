@@ -161,3 +161,13 @@ def test_what_cannot_be_drawn_is_said():
         cubemap.plot.faces(np.zeros((5, 4, 4)))
     with pytest.raises(ValueError):
         cubemap.plot.graticule(arrangement="star")
+
+
+def test_pictures_of_the_other_byte_order():
+    """As files of FITS have them."""
+    picture = np.random.default_rng(19).random((16, 32, 3)).astype(np.float32)
+    for kind in (np.float32, np.float16, np.uint16):
+        given = (picture * 100).astype(kind) if kind == np.uint16 else picture.astype(kind)
+        swapped = given.astype(given.dtype.newbyteorder())
+        expected = cubemap.resample(given, "equirect", "cube:coupled;size=8")
+        assert np.array_equal(cubemap.resample(swapped, "equirect", "cube:coupled;size=8"), expected)
