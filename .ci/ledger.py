@@ -6,14 +6,21 @@ Usage: ledger.py LOG             writes the ledger of a run, of which LOG is BUI
        ledger.py --check LOG     writes only which suite or room broke its budget; the exit status is 1 if one did
        ledger.py --failed LOG    writes only the tests that failed, each with the end of what it wrote
 
-The budgets are those of tests/budgets.txt. A build with a sanitizer has the budget for that.
+The budgets are those of tests/budgets.txt. A build with a sanitizer has the budget for that. A machine that is slower
+at the moment than the one that they are of has more seconds in proportion.
 """
 
 import collections
+import concurrent.futures
 import json
+import os
 import pathlib
+import random
 import re
+import statistics
 import sys
+import time
+import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUDGETS = ROOT / "tests" / "budgets.txt"
@@ -21,6 +28,9 @@ SUITES = ("unit", "truth", "programs", "measure")
 LONGEST = 5  # tests that the ledger names
 LAST_LINES = 25  # of the output of a test that failed
 GOOD = ("OK", "EXPECTEDFAIL", "SKIP")
+# What a fixed work takes on the machine that the budgets are of (EPYC of the third generation, 2.45 GHz), idle, and the
+# most that a machine's slowness is taken for: a suite is to be named that has become slow, not the neighbours.
+SECONDS_OF_WORK, SLOWEST = 0.47, 3.0
 
 
 def is_sanitized(build):
@@ -36,6 +46,24 @@ def budgets(sanitized):
             name, *seconds = line.split()
             found[name] = float(seconds[sanitized])
     return found
+
+
+def work(_):
+    """Seconds of a fixed work: numbers, memory, text and bytes, as tests do."""
+    begun = time.perf_counter()
+    numbers = random.Random(1)
+    drawn = sorted(numbers.random() for _ in range(300000))
+    zlib.compress("".join(f"{each:.6f} " for each in drawn).encode(), 6)
+    return time.perf_counter() - begun
+
+
+def slowness():
+    """How many times as long as the budgets' machine this one takes, at least 1; with all processors busy, as in a run of
+    the tests."""
+    count = os.cpu_count() or 1
+    with concurrent.futures.ProcessPoolExecutor(count) as pool:
+        seconds = statistics.median(pool.map(work, range(3 * count)))
+    return min(max(seconds / SECONDS_OF_WORK, 1.0), SLOWEST)
 
 
 def durations(log):
@@ -59,8 +87,11 @@ def sums_of(tests):
 
 
 def broken_of(sums, limits):
-    return [f"{name} took {seconds:.0f} s of {limits[name]:.0f} s" for name, seconds in sums.items()
-            if seconds > limits.get(name, float("inf"))]
+    over = {name: seconds for name, seconds in sums.items() if seconds > limits.get(name, float("inf"))}
+    factor = slowness() if over else 1.0
+    return [f"{name} took {seconds:.0f} s of {factor * limits[name]:.0f} s"
+            + (f" ({limits[name]:.0f} s, and this machine takes {factor:.2f} times as long)" if factor > 1.0 else "")
+            for name, seconds in over.items() if seconds > factor * limits[name]]
 
 
 def write(tests, sums, limits):
