@@ -367,6 +367,12 @@ cm_status cm_errors_add(cm_errors *errors, const cm_image *reference, const cm_i
 
 /* ---- figures ---- */
 
+/* NaN of nothing, without the sign that processors give 0 / 0. */
+static double mean_of(double sum, double weight)
+{
+    return weight > 0.0 ? sum / weight : (double)NAN;
+}
+
 /* Of all channels together: a place counts before another one row by row, then channel by channel. */
 static int is_before(const channel_total *one, const channel_total *other)
 {
@@ -415,11 +421,11 @@ cm_status cm_errors_get(const cm_errors *errors, uint32_t channel, cm_error_figu
     figures->pixels = errors->total.pixels;
     figures->not_finite = errors->total.not_finite;
     figures->weight = cm_compare_sum_value(&errors->total.weight);
-    const double weight = figures->weight * (end - first); /* 0 / 0 is NaN, as said */
-    figures->mse = infinite > 0 ? (double)INFINITY : square / weight;
+    const double weight = figures->weight * (end - first);
+    figures->mse = infinite > 0 ? (double)INFINITY : mean_of(square, weight);
     figures->rmse = sqrt(figures->mse);
-    figures->mean_absolute = infinite > 0 ? (double)INFINITY : absolute / weight;
-    figures->mean_signed = infinite > 0 ? (double)NAN : with_sign / weight;
+    figures->mean_absolute = infinite > 0 ? (double)INFINITY : mean_of(absolute, weight);
+    figures->mean_signed = infinite > 0 ? (double)NAN : mean_of(with_sign, weight);
     find_largest(errors, first, end, figures);
     figures->peak = errors->peak > 0.0         ? errors->peak
                     : errors->total.peak > 0.0 ? errors->total.peak

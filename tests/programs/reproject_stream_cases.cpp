@@ -101,6 +101,23 @@ void pipes()
            "from a file into a pipe", sent.err);
 }
 
+// A file that is called as messages call the stream, and one as its sidecar would be, say nothing of what comes from it.
+void nameless_pipes()
+{
+    write_file("sky.ppm", picture(0));
+    does("reproject --quiet --sidecar --rotate 30,0 --to equirect sky.ppm standard.ppm");
+    std::string beside = content_of("standard.json");
+    const std::size_t at = beside.find("standard.ppm");
+    result(at != std::string::npos, "a sidecar names its picture", beside);
+    write_file("-.json", beside.replace(at, std::strlen("standard.ppm"), "standard input"));
+    unchanged("a sidecar of no file", "", picture(0));
+    std::filesystem::remove("-.json");
+    does("reproject --quiet --rotate 30,0 --to equirect sky.ppm standard.jpg");
+    write_file("standard input", content_of("standard.jpg"));
+    unchanged("a file of the stream's name", "", picture(0));
+    std::filesystem::remove("standard input");
+}
+
 void names_of_netpbm()
 {
     write_file("in.ppm", picture(0));
@@ -275,8 +292,12 @@ void wrong_films()
 
 const std::vector<Subject> &reproject_stream_subjects()
 {
-    static const std::vector<Subject> subjects = {
-        {"pipes", pipes}, {"names_of_netpbm", names_of_netpbm}, {"wrong_pipes", wrong_pipes},
-        {"films", films}, {"film_outputs", film_outputs},       {"wrong_films", wrong_films}};
+    static const std::vector<Subject> subjects = {{"pipes", pipes},
+                                                  {"nameless_pipes", nameless_pipes},
+                                                  {"names_of_netpbm", names_of_netpbm},
+                                                  {"wrong_pipes", wrong_pipes},
+                                                  {"films", films},
+                                                  {"film_outputs", film_outputs},
+                                                  {"wrong_films", wrong_films}};
     return subjects;
 }

@@ -74,8 +74,9 @@ ImageFile::ImageFile(const std::string &path, int threads, std::uint32_t subimag
     find_size();
 }
 
-ImageFile::ImageFile(const std::string &path, const cm_image_io &functions, cm_image_reader *opened)
-    : name(path), reader(opened, Closer{&functions})
+ImageFile::ImageFile(const std::string &path, const cm_image_io &functions, cm_image_reader *opened,
+                     Origin from)
+    : name(path), origin(from), reader(opened, Closer{&functions})
 {
     find_size();
 }
@@ -197,6 +198,25 @@ bool ImageFile::is_plain() const
            of.left == 0 && of.top == 0;
 }
 
+// Whole numbers as parts of the greatest, each the float nearest to that. Readers multiply by a rounded factor, after which
+// 20 of 255 and 5140 of 65535 would be apart.
+void ImageFile::round_wholes(int rows, float *pixels, std::ptrdiff_t row_stride) const
+{
+    const double most = stored().type == CM_PIXEL_U8 ? 255 : 65535;
+    const std::size_t count = static_cast<std::size_t>(stored().width) * stored().channels;
+    for (int row = 0; row < rows; ++row)
+    {
+        auto *const value =
+            reinterpret_cast<float *>(reinterpret_cast<char *>(pixels) + row * row_stride);
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            const double whole = std::nearbyint(value[i] * most);
+            value[i] = std::fabs(value[i] * most - whole) < 0.01 ? static_cast<float>(whole / most)
+                                                                 : value[i];
+        }
+    }
+}
+
 void ImageFile::read_stored(int first, int end, cm_pixel_type type, void *pixels,
                             std::ptrdiff_t row_stride)
 {
@@ -207,6 +227,10 @@ void ImageFile::read_stored(int first, int end, cm_pixel_type type, void *pixels
     if (status != CM_OK)
     {
         fail_image(in_quotes(name), status, message);
+    }
+    if (type == CM_PIXEL_FLOAT && (stored().type == CM_PIXEL_U8 || stored().type == CM_PIXEL_U16))
+    {
+        round_wholes(end - first, static_cast<float *>(pixels), row_stride);
     }
 }
 

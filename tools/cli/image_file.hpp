@@ -47,13 +47,24 @@ public:
     // subimage: which of the file's pictures.
     explicit ImageFile(const std::string &path, int threads = 0, std::uint32_t subimage = 0);
 
+    enum class Origin
+    {
+        file,
+        stream // the name is words for people: no file is to be looked for by it
+    };
+
     // A picture that is open already, by the functions of this table, of which describe, read and close are called; it
     // belongs to this from now on.
-    ImageFile(const std::string &path, const cm_image_io &functions, cm_image_reader *opened);
+    ImageFile(const std::string &path, const cm_image_io &functions, cm_image_reader *opened,
+              Origin origin = Origin::file);
 
     const std::string &path() const noexcept
     {
         return name;
+    }
+    bool is_stream() const noexcept
+    {
+        return origin == Origin::stream;
     }
     int width() const noexcept
     {
@@ -122,6 +133,7 @@ private:
     {
         return *reader.get_deleter().functions;
     }
+    void round_wholes(int rows, float *pixels, std::ptrdiff_t row_stride) const;
     void read_stored(int first, int end, cm_pixel_type type, void *pixels,
                      std::ptrdiff_t row_stride);
     void read_and_place(cm_pixel_type type, char *pixels, std::ptrdiff_t row_stride,
@@ -133,6 +145,7 @@ private:
     bool is_plain() const;
 
     std::string name;
+    Origin origin = Origin::file;
     std::unique_ptr<cm_image_reader, Closer> reader{nullptr, Closer{nullptr}};
     int upright_width = 0;
     int upright_height = 0;

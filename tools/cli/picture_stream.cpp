@@ -290,5 +290,6 @@ std::optional<ImageFile> PictureStream::next()
     describe_picture(found, samples ? samples->format->alpha : found.alpha != 0, *picture);
     describe_tags(reader, *picture);
     return ImageFile(stream_name, stream_reading(),
-                     reinterpret_cast<cm_image_reader *>(picture.release()));
+                     reinterpret_cast<cm_image_reader *>(picture.release()),
+                     ImageFile::Origin::stream);
 }

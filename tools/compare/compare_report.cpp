@@ -28,6 +28,15 @@ template <typename... Values> std::string formatted(const char *format, Values..
     return text;
 }
 
+// The largest error as it is printed. Between whole numbers it is one, but for what floats have rounded of both.
+double scaled_largest(const Pictures &pictures, const cm_error_figures &errors)
+{
+    constexpr double words = 65535;
+    const double whole = std::round(errors.largest * words);
+    const bool is_whole = pictures.integers && std::fabs(errors.largest * words - whole) < 0.01;
+    return is_whole ? whole * unit_of(pictures) / words : unit_of(pictures) * errors.largest;
+}
+
 std::string largest_text(const Pictures &pictures, const cm_error_figures &errors)
 {
     const std::string place = " at x = " + std::to_string(errors.largest_column) +
@@ -52,7 +61,7 @@ std::string errors_text(const CompareOptions &options, const Pictures &pictures,
     }
     if (options.measure[MEASURE_MAX])
     {
-        text += formatted("maximum              %.6g%s", scale * errors.largest, unit) +
+        text += formatted("maximum              %.6g%s", scaled_largest(pictures, errors), unit) +
                 largest_text(pictures, errors) + "\n";
     }
     if (options.measure[MEASURE_BIAS])
@@ -172,7 +181,7 @@ std::string json_errors(const CompareOptions &options, const Pictures &pictures,
     }
     if (options.measure[MEASURE_MAX])
     {
-        text += ", \"max\": {" + json_number("value", scale * errors.largest).substr(2) +
+        text += ", \"max\": {" + json_number("value", scaled_largest(pictures, errors)).substr(2) +
                 json_number("x", errors.largest_column) +
                 json_number("y", static_cast<double>(errors.largest_row)) +
                 ", \"channel\": " + json_text(pictures.channel_names[errors.largest_channel]) + "}";
@@ -270,5 +279,5 @@ void check_limits(const CompareOptions &options, const Pictures &pictures, const
     const double scale = unit_of(pictures);
     check_limit("mean absolute error", scale * measured.errors.mean_absolute, options.max_mean);
     check_limit("root of the mean square error", scale * measured.errors.rmse, options.max_rmse);
-    check_limit("largest error", scale * measured.errors.largest, options.max);
+    check_limit("largest error", scaled_largest(pictures, measured.errors), options.max);
 }

@@ -424,12 +424,19 @@ bool SphereFiles::is_elsewhere(const SavedSurface &saved, const std::string &pla
     return true;
 }
 
+// What a file beside the picture says of it. A stream has none.
+std::optional<SavedSurface> SphereFiles::saved_beside() const
+{
+    const ImageFile &image = images.front();
+    return image.is_stream() ? std::nullopt : surface_beside(asked.name, image.path());
+}
+
 // What the picture says counts more than what a file beside it does.
 std::optional<SavedSurface> SphereFiles::find_saved()
 {
     const ImageFile &image = images.front();
     std::optional<SavedSurface> own = saved_surface(image);
-    std::optional<SavedSurface> beside = surface_beside(asked.name, image.path());
+    std::optional<SavedSurface> beside = saved_beside();
     if (!own || !beside)
     {
         return own ? own : beside;
@@ -595,8 +602,8 @@ std::string SphereFiles::layout_by_shape() const
 
 bool SphereFiles::is_told() const
 {
-    return is_said(asked.from) || texture || saved_surface(images.front()) ||
-           surface_beside(asked.name, images.front().path()) || is_georeferenced() ||
+    return is_said(asked.from) || texture || saved_surface(images.front()) || saved_beside() ||
+           is_georeferenced() ||
            (images.size() == 1 && !why_by_gdal(images.front(), asked).empty());
 }
 

@@ -86,6 +86,7 @@ private:
     void check_faces() const;
     void check_tags() const;
     void choose_type();
+    std::optional<SavedSurface> saved_beside() const;
     std::optional<SavedSurface> find_saved();
     void tell_ignored();
     std::string says(const SavedSurface &saved) const;

@@ -126,7 +126,7 @@ std::string xmp_of(const std::string &path)
 
 std::optional<SavedSurface> photo_sphere(const ImageFile &image)
 {
-    const std::string xmp = xmp_of(image.path());
+    const std::string xmp = image.is_stream() ? "" : xmp_of(image.path());
     cm_panorama panorama = {};
     panorama.size = sizeof panorama;
     if (xmp.empty() || cm_panorama_read(xmp.data(), xmp.size(), &panorama) != CM_OK)
