@@ -295,6 +295,43 @@ START_TEST(polygons_of_obj_may_have_many_corners)
 }
 END_TEST
 
+/* A mark of UTF-8 hides no vertex, which would give all faces other ones, and no material. */
+START_TEST(marked_texts_of_obj_are_whole)
+{
+    write_text("marked.mtl", "\xef\xbb\xbfnewmtl red\nKd 1 0 0\n");
+    write_text("marked.obj",
+               "\xef\xbb\xbfv 7 0 0\nmtllib marked.mtl\nusemtl red\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+               "f 1 2 3\n");
+    cm_mesh *mesh = read_good("marked.obj");
+    check_vertex(mesh, cm_mesh_describe(mesh)->index[0], 7, 0, 0);
+    check_vertex(mesh, cm_mesh_describe(mesh)->index[2], 0, 1, 0);
+    check_color(mesh, cm_mesh_describe(mesh)->index[0], 1, 0, 0);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
+START_TEST(materials_of_obj_are_nearby)
+{
+    static const char *const faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+    char text[200];
+    ck_assert_int_eq(mkdir("below", 0700), 0);
+    write_text("below/a.mtl", "newmtl red\nKd 1 0 0\n");
+    snprintf(text, sizeof text, "mtllib below/a.mtl\n%s", faces);
+    write_text("below.obj", text);
+    cm_mesh *mesh = read_good("below.obj");
+    check_color(mesh, 0, 1, 0, 0);
+    cm_mesh_destroy(mesh);
+    snprintf(text, sizeof text, "mtllib ../below/a.mtl\n%s", faces);
+    write_text("below/up.obj", text);
+    refused("below/up.obj", CM_ERROR_DATA, "names a file of materials outside its folder");
+    snprintf(text, sizeof text, "mtllib /dev/zero\n%s", faces);
+    write_text("root.obj", text);
+    mesh = read_good("root.obj"); /* no such file is in the folder */
+    check_color(mesh, 0, 1, 1, 1);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
 START_TEST(wrong_lines_are_named)
 {
     static const struct
@@ -598,6 +635,8 @@ int main(void)
                                   polygons_and_materials_of_obj,
                                   polygons_of_obj_may_be_hollow,
                                   polygons_of_obj_may_have_many_corners,
+                                  marked_texts_of_obj_are_whole,
+                                  materials_of_obj_are_nearby,
                                   wrong_lines_are_named,
                                   what_is_wrong_is_one_line,
                                   needs_are_named_before_what_lacks,

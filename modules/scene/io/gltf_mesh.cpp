@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include "file_failure.hpp"
 #include "flat_mesh.hpp"
 #include "gltf_text.hpp"
 
@@ -29,12 +30,6 @@ bool is_there(const std::string &path, void *)
 std::string as_it_is(const std::string &path, void *)
 {
     return path;
-}
-
-// A folder's parent is one of the path's parts.
-bool leads_up(const std::string &path)
-{
-    return ("/" + path + "/").find("/../") != std::string::npos;
 }
 
 struct MainFile
