@@ -295,6 +295,43 @@ START_TEST(polygons_of_obj_may_have_many_corners)
 }
 END_TEST
 
+/* A mark of UTF-8 hides no vertex, which would give all faces other ones, and no material. */
+START_TEST(marked_texts_of_obj_are_whole)
+{
+    write_text("marked.mtl", "\xef\xbb\xbfnewmtl red\nKd 1 0 0\n");
+    write_text("marked.obj",
+               "\xef\xbb\xbfv 7 0 0\nmtllib marked.mtl\nusemtl red\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+               "f 1 2 3\n");
+    cm_mesh *mesh = read_good("marked.obj");
+    check_vertex(mesh, cm_mesh_describe(mesh)->index[0], 7, 0, 0);
+    check_vertex(mesh, cm_mesh_describe(mesh)->index[2], 0, 1, 0);
+    check_color(mesh, cm_mesh_describe(mesh)->index[0], 1, 0, 0);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
+START_TEST(materials_of_obj_are_nearby)
+{
+    static const char *const faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+    char text[200];
+    ck_assert_int_eq(mkdir("below", 0700), 0);
+    write_text("below/a.mtl", "newmtl red\nKd 1 0 0\n");
+    snprintf(text, sizeof text, "mtllib below/a.mtl\n%s", faces);
+    write_text("below.obj", text);
+    cm_mesh *mesh = read_good("below.obj");
+    check_color(mesh, 0, 1, 0, 0);
+    cm_mesh_destroy(mesh);
+    snprintf(text, sizeof text, "mtllib ../below/a.mtl\n%s", faces);
+    write_text("below/up.obj", text);
+    refused("below/up.obj", CM_ERROR_DATA, "names a file of materials outside its folder");
+    snprintf(text, sizeof text, "mtllib /dev/zero\n%s", faces);
+    write_text("root.obj", text);
+    mesh = read_good("root.obj"); /* no such file is in the folder */
+    check_color(mesh, 0, 1, 1, 1);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
 START_TEST(wrong_lines_are_named)
 {
     static const struct
@@ -358,6 +395,72 @@ START_TEST(what_is_wrong_is_one_line)
     ck_assert_int_eq(cm_mesh_file_read(NULL, NULL, &mesh, message), CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_mesh_file_read("a.obj", NULL, NULL, message), CM_ERROR_ARGUMENT);
     ck_assert_int_eq(cm_mesh_file_read("a.obj", NULL, &mesh, NULL), CM_ERROR_ARGUMENT);
+}
+END_TEST
+
+/* Compressed meshes have accessors and buffers that a loader takes for damaged: the extension is named all the same. */
+START_TEST(needs_are_named_before_what_lacks)
+{
+    static const struct
+    {
+        const char *needs, *parts, *words;
+    } files[] = {
+        {"\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"",
+         "{\"attributes\":{\"POSITION\":0},\"indices\":1}",
+         "needs the extension KHR_draco_mesh_compression"},
+        {"\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_materials_unlit\",\"EXT_meshopt_"
+         "compression\"",
+         "{\"attributes\":{\"POSITION\":0}}", "needs the extension EXT_meshopt_compression"},
+        {"\"version\":\"1.0\"},\"extensionsRequired\":[", "", "is of glTF 1.0, which is not read"},
+        {"\"version\":\"2.1\",\"minVersion\":\"2.1\"},\"extensionsRequired\":[", "",
+         "is of glTF 2.1, which is not read"},
+        {"\"version\":\"2.1\"},\"extensionsRequired\":[",
+         "{\"attributes\":{\"POSITION\":0},\"indices\":1}", "is no glTF"}};
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
+    {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "{\"asset\":{%s],\"accessors\":[{\"componentType\":5126,\"count\":4,\"type\":"
+                 "\"VEC3\"},{\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}],"
+                 "\"meshes\":[{\"primitives\":[%s]}],\"buffers\":[{\"byteLength\":76}]}",
+                 files[i].needs, files[i].parts);
+        write_text("needs.gltf", text);
+        refused("needs.gltf", CM_ERROR_DATA, files[i].words);
+    }
+}
+END_TEST
+
+START_TEST(indices_are_whole_numbers)
+{
+    square_buffer fractions = square;
+    const float index[3] = {0, 1, 2.5F};
+    memcpy(fractions.index, index, sizeof index);
+    write_bytes("square.bin", &fractions, sizeof fractions);
+    static const char *const accessors[] = {
+        "\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"",
+        "\"componentType\":5123,\"count\":2,\"type\":\"VEC3\""};
+    for (size_t i = 0; i < sizeof accessors / sizeof accessors[0]; i++)
+    {
+        char text[1000];
+        snprintf(
+            text, sizeof text,
+            "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[" ONE_NODE
+            "],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+            "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}"
+            ","
+            "{\"bufferView\":1,%s}],\"bufferViews\":[" FIRST_VIEWS "],\"buffers\":[" BUFFER "]}",
+            accessors[i]);
+        write_text("indices.gltf", text);
+        refused("indices.gltf", CM_ERROR_DATA, "has indices that are no whole numbers");
+    }
+}
+END_TEST
+
+START_TEST(a_name_of_two_dots_in_its_midst_is_beside)
+{
+    write_bytes("square..bin", &square, sizeof square);
+    write_gltf("dots.gltf", ONE_NODE, INDEXED, "{\"uri\":\"square..bin\",\"byteLength\":76}");
+    cm_mesh_destroy(read_good("dots.gltf"));
 }
 END_TEST
 
@@ -532,8 +635,13 @@ int main(void)
                                   polygons_and_materials_of_obj,
                                   polygons_of_obj_may_be_hollow,
                                   polygons_of_obj_may_have_many_corners,
+                                  marked_texts_of_obj_are_whole,
+                                  materials_of_obj_are_nearby,
                                   wrong_lines_are_named,
                                   what_is_wrong_is_one_line,
+                                  needs_are_named_before_what_lacks,
+                                  indices_are_whole_numbers,
+                                  a_name_of_two_dots_in_its_midst_is_beside,
                                   views_stay_in_their_buffers,
                                   nodes_have_all_their_numbers,
                                   numbers_that_cannot_be_read_are_refused,

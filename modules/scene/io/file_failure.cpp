@@ -69,9 +69,7 @@ std::string quoted(std::string_view word)
 LineWords::LineWords(std::string file_name, std::string_view whole)
     : name(std::move(file_name)), text(whole)
 {
-    constexpr std::string_view mark =
-        "\xef\xbb\xbf"; // of UTF-8, which some editors begin a text with
-    at = text.compare(0, mark.size(), mark) == 0 ? mark.size() : 0;
+    at = text.compare(0, byte_order_mark.size(), byte_order_mark) == 0 ? byte_order_mark.size() : 0;
 }
 
 bool LineWords::next()
@@ -136,6 +134,11 @@ bool folder_is_there(const std::string &path)
 {
     struct stat status;
     return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+bool leads_up(const std::string &name)
+{
+    return ("/" + name + "/").find("/../") != std::string::npos;
 }
 
 std::string path_in(const std::string &folder, const std::string &name)

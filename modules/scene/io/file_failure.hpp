@@ -73,6 +73,9 @@ template <typename Body> cm_status guarded_file(char *message, const Body &body)
     }
 }
 
+// Of UTF-8, which some editors begin a text with.
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
 // The words of a text's lines. What is empty or begins with # is passed over.
 class LineWords
 {
@@ -112,6 +115,8 @@ std::string number_text(double number);
 bool file_is_there(const std::string &path);
 bool folder_is_there(const std::string &path);
 std::string path_in(const std::string &folder, const std::string &name);
+// Is one of a name's parts the parent of a folder?
+bool leads_up(const std::string &name);
 // What is in a folder, in any order. std::filesystem's iterators end the program where there is no memory.
 std::vector<std::string> names_in_folder(const std::string &folder);
 // All bytes of a file of at most so many.

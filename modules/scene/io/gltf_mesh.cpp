@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include "file_failure.hpp"
 #include "flat_mesh.hpp"
 #include "gltf_text.hpp"
 
@@ -51,7 +52,7 @@ bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::
         folder.pop_back(); // as the library has it
     }
     const bool is_beside = folder.empty() ? path[0] != '/' : path.rfind(folder, 0) == 0;
-    if (!is_main && (path.find("..", folder.size()) != std::string::npos || !is_beside))
+    if (!is_main && (!is_beside || leads_up(path.substr(folder.size()))))
     {
         *error = "names a file outside its folder";
         return false;
@@ -100,6 +101,10 @@ public:
     Numbers(const tinygltf::Model &model, int which)
         : accessor(element(model.accessors, which, "an accessor"))
     {
+        if (accessor.sparse.isSparse) // which may have no buffer view
+        {
+            throw MeshFailure("has a sparse accessor, which is not read");
+        }
         const tinygltf::BufferView &view =
             element(model.bufferViews, accessor.bufferView, "a buffer view");
         const tinygltf::Buffer &buffer = element(model.buffers, view.buffer, "a buffer");
@@ -108,10 +113,6 @@ public:
         const int count =
             tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
         const int step = accessor.ByteStride(view);
-        if (accessor.sparse.isSparse)
-        {
-            throw MeshFailure("has a sparse accessor, which is not read");
-        }
         if (size <= 0 || count <= 0 || step <= 0 || accessor.count > largest_file ||
             accessor.byteOffset > largest_file)
         {
@@ -357,6 +358,10 @@ private:
         if (part.indices >= 0)
         {
             const Numbers indices(model, part.indices);
+            if (indices.type() == TINYGLTF_COMPONENT_TYPE_FLOAT || indices.width() != 1)
+            {
+                throw MeshFailure("has indices that are no whole numbers, one a vertex");
+            }
             for (std::size_t i = 0; i < indices.count(); ++i)
             {
                 const double index = indices.at(i, 0);
@@ -403,9 +408,10 @@ void check_views(const tinygltf::Model &model)
     }
 }
 
-void check_extensions(const tinygltf::Model &model)
+// What the loader has read, or, where it has failed, what the text says: compressed buffers are none to it.
+void check_needs(const GltfNeeds &needs)
 {
-    for (const std::string &name : model.extensionsRequired)
+    for (const std::string &name : needs.extensions)
     {
         const bool is_looks = name.rfind("KHR_materials_", 0) == 0 ||
                               name.rfind("KHR_texture_", 0) == 0 || name == "KHR_lights_punctual";
@@ -413,6 +419,14 @@ void check_extensions(const tinygltf::Model &model)
         {
             throw MeshFailure("needs the extension " + name + ", which is not read");
         }
+    }
+    const std::string &least = needs.least_version;
+    const std::string &version = least.empty() ? needs.version : least;
+    const bool is_read =
+        least.empty() ? version.substr(0, version.find('.')) == "2" : least == "2.0";
+    if (!version.empty() && !is_read)
+    {
+        throw MeshFailure("is of glTF " + version + ", which is not read; 2.0 is");
     }
 }
 
@@ -431,12 +445,14 @@ FlatMesh read_gltf(const std::string &path)
                                                path.compare(path.size() - 4, 4, ".GLB") == 0);
     const bool loaded = is_binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path)
                                   : loader.LoadASCIIFromFile(&model, &error, &warning, path);
+    check_needs(
+        loaded ? GltfNeeds{model.asset.version, model.asset.minVersion, model.extensionsRequired}
+               : needs_of_gltf(main_file.bytes));
     if (!loaded)
     {
         throw MeshFailure("is no glTF: " + error);
     }
     check_gltf_numbers(main_file.bytes, model);
-    check_extensions(model);
     check_views(model);
     return GltfScene(model).read();
 }

@@ -231,3 +231,21 @@ void check_gltf_numbers(std::string_view bytes, const tinygltf::Model &model)
 {
     GltfText(bytes, model).check();
 }
+
+GltfNeeds needs_of_gltf(std::string_view bytes)
+{
+    GltfNeeds needs;
+    JsonFault fault;
+    const JsonPointer root = parse_json_object(text_of(bytes), fault);
+    const auto text_at = [](const cJSON *item)
+    { return std::string(cJSON_IsString(item) ? item->valuestring : ""); };
+    const cJSON *const asset = cJSON_GetObjectItemCaseSensitive(root.get(), "asset");
+    needs.version = text_at(cJSON_GetObjectItemCaseSensitive(asset, "version"));
+    needs.least_version = text_at(cJSON_GetObjectItemCaseSensitive(asset, "minVersion"));
+    const cJSON *name = nullptr;
+    cJSON_ArrayForEach(name, cJSON_GetObjectItemCaseSensitive(root.get(), "extensionsRequired"))
+    {
+        needs.extensions.push_back(text_at(name));
+    }
+    return needs;
+}

@@ -5,12 +5,25 @@
 #ifndef CUBEMAP_MODULES_SCENE_GLTF_TEXT_HPP
 #define CUBEMAP_MODULES_SCENE_GLTF_TEXT_HPP
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <tiny_gltf.h>
 
 // tinygltf takes a number that it cannot read, such as an offset below 0, for one that is absent. Where the file, all of its
 // bytes, has another number than the model: MeshFailure, which names the line where the file is a text.
 void check_gltf_numbers(std::string_view bytes, const tinygltf::Model &model);
+
+// What a file asks of its reader.
+struct GltfNeeds
+{
+    std::string version;
+    std::string least_version;
+    std::vector<std::string> extensions;
+};
+
+// As the text of a file has it, all of whose bytes are given; nothing, where it is no JSON.
+GltfNeeds needs_of_gltf(std::string_view bytes);
 
 #endif

@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <numeric>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,74 @@ namespace
 {
 
 constexpr std::uint64_t largest_text = std::uint64_t{1} << 31;
+
+// What the library has read.
+struct ObjParts
+{
+    tinyobj::attrib_t attributes;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+};
+
+// A text behind the mark of UTF-8, if it begins with one, which the library would take for a part of its first word.
+std::ifstream open_text(const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, byte_order_mark.size()> begin{};
+    file.read(begin.data(), begin.size());
+    if (!file || std::string_view(begin.data(), begin.size()) != byte_order_mark)
+    {
+        file.clear();
+        file.seekg(0);
+    }
+    return file;
+}
+
+// Materials of files in the folder of the mesh and below it. One that is not there is none.
+class NearbyMaterials : public tinyobj::MaterialReader
+{
+public:
+    explicit NearbyMaterials(const std::string &mesh) : folder(mesh.substr(0, mesh.rfind('/') + 1))
+    {
+    }
+
+    bool operator()(const std::string &name, std::vector<tinyobj::material_t> *materials,
+                    std::map<std::string, int> *numbers, std::string *warning,
+                    std::string *error) override
+    {
+        if (leads_up(name))
+        {
+            throw MeshFailure("names a file of materials outside its folder");
+        }
+        const std::string path = (folder.empty() ? "./" : folder) + name;
+        if (!file_is_there(path))
+        {
+            return false;
+        }
+        std::ifstream file = open_text(path);
+        tinyobj::LoadMtl(numbers, materials, &file, warning, error);
+        return true;
+    }
+
+private:
+    std::string folder;
+};
+
+ObjParts parts_of(const std::string &path)
+{
+    ObjParts parts;
+    NearbyMaterials nearby(path);
+    std::ifstream file = open_text(path);
+    std::string warning;
+    std::string error;
+    const bool triangulate = false; // its ears are not those of all polygons
+    if (!tinyobj::LoadObj(&parts.attributes, &parts.shapes, &parts.materials, &warning, &error,
+                          &file, &nearby, triangulate))
+    {
+        throw MeshFailure("is no OBJ: " + error);
+    }
+    return parts;
+}
 
 // The library keeps eight bits of how many corners a face has.
 constexpr std::size_t most_corners_kept = 255;
@@ -140,8 +210,8 @@ std::string text_of(const std::string &path)
 class ObjVertices
 {
 public:
-    ObjVertices(const tinyobj::ObjReader &from, FlatMesh &to)
-        : reader(from), mesh(to), first(from.GetAttrib().vertices.size() / 3, {nothing, 0})
+    ObjVertices(const ObjParts &from, FlatMesh &to)
+        : parts(from), mesh(to), first(from.attributes.vertices.size() / 3, {nothing, 0})
     {
     }
 
@@ -176,12 +246,12 @@ private:
 
     void add(int vertex, int material)
     {
-        const tinyobj::attrib_t &from = reader.GetAttrib();
+        const tinyobj::attrib_t &from = parts.attributes;
         const std::size_t at = 3 * static_cast<std::size_t>(vertex);
         for (std::size_t i = 0; i < 3; ++i)
         {
             const double own = at + i < from.colors.size() ? from.colors[at + i] : 1.0;
-            const auto &materials = reader.GetMaterials();
+            const auto &materials = parts.materials;
             const bool has_one =
                 material >= 0 && static_cast<std::size_t>(material) < materials.size();
             const double diffuse =
@@ -191,7 +261,7 @@ private:
         }
     }
 
-    const tinyobj::ObjReader &reader;
+    const ObjParts &parts;
     FlatMesh &mesh;
     // what most vertices are: of one material
     std::vector<std::pair<int, std::uint32_t>> first;
@@ -304,7 +374,7 @@ private:
 
 // Of a shape's polygon, whose corners begin at one of its indices.
 void add_polygon(const tinyobj::mesh_t &part, std::size_t begin, std::size_t corners, int material,
-                 const tinyobj::ObjReader &reader, ObjVertices &vertices, FlatMesh &mesh)
+                 const ObjParts &parts, ObjVertices &vertices, FlatMesh &mesh)
 {
     std::vector<std::uint32_t> number;
     Polygon polygon;
@@ -313,7 +383,7 @@ void add_polygon(const tinyobj::mesh_t &part, std::size_t begin, std::size_t cor
         const int vertex = part.indices[begin + i].vertex_index;
         number.push_back(vertices.find(vertex, material));
         const tinyobj::real_t *at =
-            &reader.GetAttrib().vertices[3 * static_cast<std::size_t>(vertex)];
+            &parts.attributes.vertices[3 * static_cast<std::size_t>(vertex)];
         const double place[3] = {static_cast<double>(at[0]), static_cast<double>(at[1]),
                                  static_cast<double>(at[2])};
         polygon.add(place);
@@ -334,18 +404,12 @@ void add_polygon(const tinyobj::mesh_t &part, std::size_t begin, std::size_t cor
 FlatMesh read_obj(const std::string &path)
 {
     const std::vector<LargeFace> large = ObjLines(text_of(path)).check();
-    tinyobj::ObjReader reader;
-    tinyobj::ObjReaderConfig config;
-    config.triangulate = false; // its ears are not those of all polygons
-    if (!reader.ParseFromFile(path, config))
-    {
-        throw MeshFailure("is no OBJ: " + reader.Error());
-    }
+    const ObjParts parts = parts_of(path);
     FlatMesh mesh;
-    ObjVertices vertices(reader, mesh);
+    ObjVertices vertices(parts, mesh);
     auto next_large = large.begin();
     std::size_t of_file = 0; // the face's number: shapes have them as the file has
-    for (const tinyobj::shape_t &shape : reader.GetShapes())
+    for (const tinyobj::shape_t &shape : parts.shapes)
     {
         const tinyobj::mesh_t &part = shape.mesh;
         std::size_t begin = 0;
@@ -359,7 +423,7 @@ FlatMesh read_obj(const std::string &path)
             {
                 throw MeshFailure("has polygons that could not be made triangles");
             }
-            add_polygon(part, begin, corners, material, reader, vertices, mesh);
+            add_polygon(part, begin, corners, material, parts, vertices, mesh);
             begin += corners;
         }
         if (begin != part.indices.size())
