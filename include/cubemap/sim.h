@@ -92,7 +92,7 @@ typedef struct cm_tof_sensor
 typedef struct cm_tof_light
 {
     size_t size;            /* sizeof(cm_tof_light) */
-    double position[3];     /* in the camera's axes */
+    double position[3];     /* metres, in the camera's axes; what is beyond 1e100 is there */
     double direction[3];    /* of its axis, of any length; 0 0 0: along the optical axis */
     double power;           /* watts, all of the cone, while it shines */
     double aperture;        /* radians, full angle of the cone, from 1e-6; 2 pi shines everywhere */

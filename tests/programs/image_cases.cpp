@@ -222,6 +222,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
 #endif
 #ifdef HAVE_TOF
         {"tof", tof_subjects()},
+        {"tof refusals", tof_refusal_subjects()},
         {"tof surroundings", tof_environment_subjects()},
 #endif
         {"colormap", colormap_subjects()}};

@@ -112,6 +112,7 @@ const std::vector<Subject> &scene_refusal_subjects();
 const std::vector<Subject> &octree_subjects();
 const std::vector<Subject> &octree_run_subjects();
 const std::vector<Subject> &tof_subjects();
+const std::vector<Subject> &tof_refusal_subjects();
 const std::vector<Subject> &tof_environment_subjects();
 
 #endif

@@ -20,6 +20,7 @@
 
 #include "tools/cli/degrees.h"
 #include "tools/cli/number_word.h"
+#include "tests/amount.h"
 #include "truth/cube_count.h"
 
 #define BOUND_NANOMETRES 5.0
@@ -311,7 +312,7 @@ static bool check_around(double centre)
     return good;
 }
 
-/* Every power of two and ten, or one of some where the test is slow. */
+/* Powers of two and ten, every one or one of so many. */
 static bool check_powers(int one_in)
 {
     bool good = true;
@@ -357,7 +358,7 @@ static bool check_numbers(uint64_t count, uint64_t seed)
         "0e99999999999999999999",
         "0.00000000000000000000000000000000000000000000000000000000000000000000000000001e77",
         "100000000000000000000000000000000000000000000000000000000000000000000000000e-74"};
-    bool good = check_powers(count > 1000 ? 1 : 7);
+    bool good = check_powers((int)step_of(7));
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
     {
         good = reads_alike(texts[i]) && good;

@@ -60,7 +60,7 @@ export function cm_depth_halve_camera(of, camera) {
 }
 
 export function cm_depth_pyramid_level(of, pyramid, level) {
-    const { X, M, check, number, layouts: { cm_depth_level: at } } = of;
+    const { X, M, check, layouts: { cm_depth_level: at } } = of;
     const p = M.zeros(at.BYTES);
     M.data.setUint32(p + at.size, at.BYTES, true);
     check(X.cm_depth_pyramid_level(pyramid.pointer, whole(level, "level", 0, 2 ** 31 - 1), p));
@@ -161,7 +161,7 @@ function putKey(of, key) {
 }
 
 export function cm_store_get(of, store, key, kind, newest) {
-    const { X, M, check, number, layouts: { cm_blob: at } } = of;
+    const { X, M, check, layouts: { cm_blob: at } } = of;
     const p = M.zeros(at.BYTES);
     M.data.setUint32(p + at.size, at.BYTES, true);
     check(X.cm_store_get(store.pointer, putKey(of, key), whole(kind, "kind", 0, 2 ** 32 - 1), whole(newest, "newest", 0, 2 ** 32 - 1), p));
@@ -173,7 +173,7 @@ export function cm_store_get(of, store, key, kind, newest) {
 }
 
 export function cm_store_put(of, store, key, { kind = 0, version = 0, data }) {
-    const { X, M, check, number, layouts: { cm_blob: at } } = of;
+    const { X, M, check, layouts: { cm_blob: at } } = of;
     const bytes = bytesOf(data, "data");
     const p = M.zeros(at.BYTES);
     M.data.setUint32(p + at.size, at.BYTES, true);
