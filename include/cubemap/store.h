@@ -8,7 +8,8 @@
  *   commit    what was put and removed is kept from then on. Before it, only this store sees it; rollback, and the end of the
  *             store, forget it
  *   failures  CM_ERROR_FILE and CM_ERROR_MEMORY of put, remove and commit leave what was committed as it was, and nothing
- *             but cm_store_rollback and reading is possible then: no step is kept in part
+ *             but cm_store_rollback and reading is possible then: no step is kept in part. A disk that fails at a commit's
+ *             very end may leave the step made, which nobody can undo: the message says so
  *   threads   one store is used by one thread at a time
  */
 #ifndef CUBEMAP_STORE_H

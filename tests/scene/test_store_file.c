@@ -434,6 +434,64 @@ START_TEST(renamed_store_leaves_the_journal_of_another)
 }
 END_TEST
 
+/* Of names that SQLite takes for addresses or for no file, each is the file of that name. */
+START_TEST(names_are_names_of_files)
+{
+    const char *const names[] = {"file:inner/a", "file:b?mode=memory", "c?mode=ro", "d#e",
+                                 ":memory:",     "inner/:memory:",     "f%20g",     "h i",
+                                 "\xc3\xbc"};
+    ck_assert_int_eq(chdir(folder), 0);
+    mkdir("file:inner", 0700);
+    mkdir("inner", 0700);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+    {
+        const cm_store_file_options options = {.size = sizeof options, .create = 1};
+        cm_store *store = NULL;
+        REQUIRE(cm_store_file_open(names[i], &options, &store, message) == CM_OK, "%s", message);
+        put_one(store);
+        ck_assert_int_eq(cm_store_commit(store), CM_OK);
+        cm_store_destroy(store);
+        REQUIRE(unlink(names[i]) == 0, "%s is not there", names[i]);
+    }
+    REQUIRE(rmdir("inner") == 0 && rmdir("file:inner") == 0, "other files are there");
+}
+END_TEST
+
+/* A message says what is wrong with the place. */
+START_TEST(places_that_cannot_be_written_are_told)
+{
+    const cm_store_file_options options = {.size = sizeof options, .create = 1};
+    cm_store *store = NULL;
+    char beside[220];
+    snprintf(beside, sizeof beside, "%s/none/store", folder);
+    ck_assert_int_eq(cm_store_file_open(beside, &options, &store, message), CM_ERROR_FILE);
+    REQUIRE(strstr(message, "No such file or directory") != NULL, "%s", message);
+    forget_file();
+    store = open_store(0);
+    put_one(store);
+    ck_assert_int_eq(cm_store_commit(store), CM_OK);
+    cm_store_destroy(store);
+    chmod(path, 0666);
+    chmod(folder, 0555);
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        if (geteuid() == 0 && setuid(65534) != 0) /* root may write everywhere */
+        {
+            _exit(0);
+        }
+        store = open_store(0);
+        const int is_told = cm_store_remove(store, &(cm_store_key){"key", 3}) == CM_ERROR_FILE &&
+                            strstr(cm_store_message(store), "its folder") != NULL;
+        cm_store_destroy(store);
+        _exit(is_told ? 0 : 1);
+    }
+    int status = 1;
+    REQUIRE(waitpid(child, &status, 0) == child && status == 0, "it is not told");
+    chmod(folder, 0700);
+}
+END_TEST
+
 START_TEST(options_that_are_none_are_refused)
 {
     const cm_store_file_options bad[] = {
@@ -461,6 +519,8 @@ int main(void)
                                   second_user_is_refused,
                                   options_that_are_none_are_refused,
                                   renamed_store_leaves_the_journal_of_another,
+                                  names_are_names_of_files,
+                                  places_that_cannot_be_written_are_told,
                                   NULL};
     make_quick_folder(folder, "cubemap-store");
     snprintf(path, sizeof path, "%s/store", folder);

@@ -63,8 +63,8 @@ void check_place(const std::string &path, bool create)
 Database::Database(const std::string &file, bool create) : path(file)
 {
     check_place(path, create);
-    // a name that SQLite takes for something else, as ":memory:", is a file all the same
-    const std::string plain = path.find('/') == std::string::npos ? "./" + path : path;
+    // a name that SQLite takes for something else, as ":memory:" or "file:folder/name?mode=ro", is a file all the same
+    const std::string plain = path.compare(0, 1, "/") == 0 ? path : "./" + path;
     const int flags = SQLITE_OPEN_READWRITE | (create ? SQLITE_OPEN_CREATE : 0) |
                       SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
     const int result = sqlite3_open_v2(plain.c_str(), &handle, flags, nullptr);
@@ -153,9 +153,18 @@ void Database::fail(int result) const
         fail_file(path, "the disk is full; nothing is changed", CM_ERROR_FILE);
     case SQLITE_NOTADB:
         fail_file(path, "is not a store");
-    case SQLITE_IOERR:
     case SQLITE_CANTOPEN:
+        errno = sqlite3_system_errno(handle);
+        fail_system(path, "it, or the journal beside it, cannot be opened; nothing is changed");
     case SQLITE_READONLY:
+        if (result == SQLITE_READONLY_DIRECTORY)
+        {
+            fail_file(path,
+                      "its folder cannot be written, where its journal belongs; nothing is changed",
+                      CM_ERROR_FILE);
+        }
+        [[fallthrough]];
+    case SQLITE_IOERR:
     case SQLITE_PERM:
     case SQLITE_AUTH:
         fail_file(path, "cannot be read or written; nothing is changed: " + words, CM_ERROR_FILE);

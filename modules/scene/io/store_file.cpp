@@ -27,6 +27,11 @@ constexpr const char *whole_text =
 constexpr std::int64_t application = 0x434d5354; // "CMST"
 constexpr std::int64_t newest_version = 1;
 
+std::string set_version_text()
+{
+    return "PRAGMA user_version=" + std::to_string(newest_version);
+}
+
 // What a row adds to the sum of all.
 std::uint64_t row_sum(const cm_store_key &key, std::int64_t frame, std::uint64_t sum)
 {
@@ -41,6 +46,11 @@ struct KeyTotals
 {
     std::uint64_t keys = 0;
     std::uint64_t sum = 0;
+
+    bool operator==(const KeyTotals &other) const noexcept
+    {
+        return keys == other.keys && sum == other.sum;
+    }
 };
 
 class StoreFile
@@ -67,14 +77,17 @@ private:
     void make();
     void check_head();
     void check_directory();
+    KeyTotals written_totals();
     void begin();
+    void end_step();
+    bool is_made();
+    void keep_again();
     bool find(const cm_store_key &key, std::int64_t &frame, std::uint64_t &sum);
 
     Database database;
     BlobFrames frames;
     int level;
     KeyTotals totals;
-    KeyTotals committed;
     bool changing = false; // is there a transaction?
     cm_status stuck = CM_OK;
     char line[CM_IMAGE_MESSAGE] = "";
@@ -106,7 +119,7 @@ StoreFile::StoreFile(const std::string &path, const cm_store_file_options &optio
 void StoreFile::make()
 {
     database.run("PRAGMA application_id=" + std::to_string(application));
-    database.run("PRAGMA user_version=" + std::to_string(newest_version));
+    database.run(set_version_text());
     database.run(directory_text);
     database.run(frames_text);
     database.run(whole_text);
@@ -155,13 +168,22 @@ void StoreFile::check_directory()
         ++found.keys;
         found.sum += row_sum(key, rows.number(1), static_cast<std::uint64_t>(rows.number(2)));
     }
-    Statement whole(database, "SELECT keys, sum FROM whole WHERE number = 1");
-    if (!whole.step() || found.keys != static_cast<std::uint64_t>(whole.number(0)) ||
-        found.sum != static_cast<std::uint64_t>(whole.number(1)))
+    if (!(written_totals() == found))
     {
         fail_file(database.name(), "is damaged: the table of its keys is another one");
     }
-    totals = committed = found;
+    totals = found;
+}
+
+KeyTotals StoreFile::written_totals()
+{
+    Statement whole(database, "SELECT keys, sum FROM whole WHERE number = 1");
+    if (!whole.step())
+    {
+        fail_file(database.name(), "is damaged: the number of its keys is not there");
+    }
+    return {static_cast<std::uint64_t>(whole.number(0)),
+            static_cast<std::uint64_t>(whole.number(1))};
 }
 
 void StoreFile::begin()
@@ -284,17 +306,66 @@ void StoreFile::next(const cm_store_key &after, unsigned char *key, std::size_t 
 
 void StoreFile::commit()
 {
-    if (!changing)
+    if (changing)
     {
-        return;
+        end_step();
+        changing = false;
     }
+}
+
+// The end of the journal is the commit. A disk that fails after it, when asked to keep that, leaves a step that is made and
+// that nobody can undo: no failure, if the disk keeps it when it is asked again.
+void StoreFile::end_step()
+{
     Statement &row = database.kept("UPDATE whole SET keys = ?1, sum = ?2 WHERE number = 1");
     row.bind(1, static_cast<std::int64_t>(totals.keys));
     row.bind(2, static_cast<std::int64_t>(totals.sum));
     row.finish();
-    database.run("COMMIT");
-    changing = false;
-    committed = totals;
+    try
+    {
+        database.run("COMMIT");
+    }
+    catch (const FileFailure &)
+    {
+        if (database.in_transaction() || !is_made())
+        {
+            throw;
+        }
+        keep_again();
+    }
+}
+
+bool StoreFile::is_made()
+{
+    try
+    {
+        return written_totals() == totals;
+    }
+    catch (const FileFailure &)
+    {
+        fail_file(database.name(),
+                  "cannot be read: whether the last step is made is seen when it is opened again",
+                  CM_ERROR_FILE);
+    }
+}
+
+// A step that writes the first page as it is.
+void StoreFile::keep_again()
+{
+    try
+    {
+        for (const std::string &text :
+             {std::string("BEGIN IMMEDIATE"), set_version_text(), std::string("COMMIT")})
+        {
+            database.run(text);
+        }
+    }
+    catch (const FileFailure &)
+    {
+        fail_file(database.name(),
+                  "the step is made, but the disk does not say that it outlives a loss of power",
+                  CM_ERROR_FILE);
+    }
 }
 
 void StoreFile::rollback()
@@ -304,7 +375,7 @@ void StoreFile::rollback()
         database.run("ROLLBACK"); // SQLite has done it where a disk was full
     }
     changing = false;
-    totals = committed;
+    totals = written_totals();
     stuck = CM_OK;
 }
 
