@@ -58,7 +58,7 @@ ROOMS = [
 PUBLIC = ["include/cubemap", "include/cubemap/kernel"]
 
 # What is not ours, and slow to compile and to load: only these rooms include it.
-KEPT = {"OpenImageIO/": ["modules/image/io"], "gdal": ["modules/image/io"], "sqlite3": ["modules/scene/io"],
+KEPT = {"OpenImageIO/": ["modules/image/io"], "gdal": ["modules/image/io"], "sqlite3": ["modules/scene/io", "tests/scene"],
         "zstd": ["modules/scene/io"], "OpenEXR/": ["modules/sim/io"], "opencv2/": ["modules/sim/io", "bench/sim"], "tiny_gltf": ["modules/scene/io"], "tiny_obj_loader": ["modules/scene/io"],
         "cjson/": ["modules/scene/io", "tools/cli", "tools/tof"]}
 
