@@ -159,13 +159,14 @@ static void put_word(uint8_t *to, uint32_t word)
     memcpy(to, &word, sizeof word);
 }
 
-START_TEST(a_binary_file_is_the_same)
+/* The text as a binary file of at most so many bytes, with the square's; how many it has. */
+static size_t make_binary(uint8_t *bytes, size_t room)
 {
-    uint8_t bytes[5000] = {0};
+    memset(bytes, 0, room);
     write_gltf("text.gltf", NODES, INDEXED, "{\"byteLength\":76}");
     FILE *file = fopen("text.gltf", "rb");
     ck_assert_ptr_nonnull(file);
-    size_t length = fread(bytes + 20, 1, 4000, file);
+    size_t length = fread(bytes + 20, 1, room - 100 - sizeof square, file);
     fclose(file);
     while (length % 4 != 0)
     {
@@ -180,6 +181,13 @@ START_TEST(a_binary_file_is_the_same)
     put_word(bytes + 20 + length, sizeof square);
     put_word(bytes + 24 + length, 0x004e4942);
     memcpy(bytes + 28 + length, &square, sizeof square);
+    return whole;
+}
+
+START_TEST(a_binary_file_is_the_same)
+{
+    uint8_t bytes[5000];
+    const size_t whole = make_binary(bytes, sizeof bytes);
     write_bytes("b.glb", bytes, whole);
     cm_mesh *mesh = read_good("b.glb");
     check_vertex(mesh, 1, 1, 4, 3);
@@ -191,6 +199,76 @@ START_TEST(a_binary_file_is_the_same)
         mesh = NULL;
         const cm_status status = cm_mesh_file_read("cut.glb", NULL, &mesh, message);
         REQUIRE(status == CM_ERROR_DATA && message[0] != '\0', "%zu: %d", cut, (int)status);
+    }
+}
+END_TEST
+
+/* Of another version, or with chunks that are longer than the file by as little as 4 bytes. */
+START_TEST(binary_files_are_what_they_say)
+{
+    uint8_t bytes[5000];
+    const size_t whole = make_binary(bytes, sizeof bytes);
+    const size_t chunk = whole - sizeof square - 8;
+    const struct
+    {
+        size_t place;
+        uint32_t word;
+        const char *words;
+    } cases[] = {{4, 1, ": is a binary file of version 1, which is not read; 2 is"},
+                 {4, 3, ": is a binary file of version 3, which is not read; 2 is"},
+                 {8, (uint32_t)whole + 1, " as it says"},
+                 {chunk, sizeof square + 4, ": has a chunk that ends behind the file"},
+                 {chunk, UINT32_MAX, ": has a chunk that ends behind the file"},
+                 {12, (uint32_t)whole, ": has a chunk that ends behind the file"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    {
+        uint8_t was[4];
+        memcpy(was, bytes + cases[i].place, sizeof was);
+        put_word(bytes + cases[i].place, cases[i].word);
+        write_bytes("said.glb", bytes, whole);
+        refused("said.glb", CM_ERROR_DATA, cases[i].words);
+        memcpy(bytes + cases[i].place, was, sizeof was);
+    }
+    memcpy(bytes + whole, "\4\0\0\0MORE1234", 12); /* chunks of other kinds are passed over */
+    put_word(bytes + 8, (uint32_t)whole + 12);
+    write_bytes("said.glb", bytes, whole + 12);
+    cm_mesh_destroy(read_good("said.glb"));
+}
+END_TEST
+
+/* "\\" at a line's end: the next is a part of it, and lines keep their numbers. Comments do not go on. */
+START_TEST(lines_of_obj_may_go_on)
+{
+    static const char *const ends[] = {"\n", "\r\n", "\r"};
+    static const char *const lines[] = {"# of C:\\",
+                                        "v 0 0 \\",
+                                        "0",
+                                        "v 2 \\",
+                                        "0 \\",
+                                        "0 1 0 0",
+                                        "v 2 2 0",
+                                        "f 1 \\",
+                                        "2 \\",
+                                        "3",
+                                        "usemtl with, comma",
+                                        "f 3 2 1",
+                                        "#\\",
+                                        "f 1 2 3"};
+    for (size_t i = 0; i < 3; i++)
+    {
+        char text[300] = "";
+        for (size_t k = 0; k < sizeof lines / sizeof lines[0]; k++)
+        {
+            strcat(strcat(text, lines[k]), ends[i]);
+        }
+        write_text("on.obj", text);
+        cm_mesh *mesh = read_good("on.obj");
+        ck_assert_uint_eq(cm_mesh_describe(mesh)->triangle_count, 3);
+        check_vertex(mesh, 1, 2, 0, 0);
+        check_color(mesh, 1, 1, 0, 0);
+        cm_mesh_destroy(mesh);
+        write_text("on.obj", strcat(text, "v 1 \\"));
+        refused("on.obj", CM_ERROR_DATA, "on.obj:15: a vertex");
     }
 }
 END_TEST
@@ -584,6 +662,36 @@ START_TEST(texts_of_odd_shapes_are_read_or_told)
 END_TEST
 
 /* So many nodes, each within the one before, that the reader's stack ends. */
+/* A tree of nodes each in the other, the last of which has the mesh. */
+START_TEST(trees_of_nodes_may_be_deep)
+{
+    enum
+    {
+        DEEP = 300000
+    };
+    FILE *file = fopen("tree.gltf", "w");
+    ck_assert_ptr_nonnull(file);
+    fprintf(file, "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[");
+    for (int i = 1; i < DEEP; i++)
+    {
+        fprintf(file, "{\"translation\":[0,0,1],\"children\":[%d]},", i);
+    }
+    fprintf(
+        file,
+        "{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,"
+        "\"uri\":\"data:application/"
+        "octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA\"}]}");
+    fclose(file);
+    cm_mesh *mesh = read_good("tree.gltf");
+    ck_assert_uint_eq(cm_mesh_describe(mesh)->triangle_count, 1);
+    const double deep = cm_mesh_describe(mesh)->position[2];
+    REQUIRE(fabs(deep - (DEEP - 1)) < 1e-3, "%g", deep);
+    cm_mesh_destroy(mesh);
+}
+END_TEST
+
 START_TEST(a_reader_that_crashes_is_one_line)
 {
     enum
@@ -594,12 +702,12 @@ START_TEST(a_reader_that_crashes_is_one_line)
     ck_assert_ptr_nonnull(file);
     fprintf(
         file,
-        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[");
-    for (int i = 1; i < DEEP; i++)
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{}],\"extras\":");
+    for (int i = 0; i < 2 * DEEP; i++)
     {
-        fprintf(file, "{\"children\":[%d]},", i);
+        fputc(i < DEEP ? '[' : ']', file);
     }
-    fprintf(file, "{}]}");
+    fputc('}', file);
     fclose(file);
     refused("deep.gltf", CM_ERROR_DATA, "its reader");
 }
@@ -632,6 +740,9 @@ int main(void)
     const TTest *const tests[] = {nodes_move_what_they_have,
                                   strips_without_indices_and_their_colours,
                                   a_binary_file_is_the_same,
+                                  binary_files_are_what_they_say,
+                                  lines_of_obj_may_go_on,
+                                  trees_of_nodes_may_be_deep,
                                   polygons_and_materials_of_obj,
                                   polygons_of_obj_may_be_hollow,
                                   polygons_of_obj_may_have_many_corners,

@@ -66,15 +66,14 @@ std::string quoted(std::string_view word)
 
 } // namespace
 
-LineWords::LineWords(std::string file_name, std::string_view whole)
-    : name(std::move(file_name)), text(whole)
+LineWords::LineWords(std::string file_name, std::string_view whole, std::string_view parted_by)
+    : name(std::move(file_name)), text(whole), apart(parted_by)
 {
     at = text.compare(0, byte_order_mark.size(), byte_order_mark) == 0 ? byte_order_mark.size() : 0;
 }
 
 bool LineWords::next()
 {
-    constexpr std::string_view apart = " \t\r,";
     while (at < text.size())
     {
         const std::size_t end = std::min(text.find('\n', at), text.size());

@@ -80,8 +80,8 @@ constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 class LineWords
 {
 public:
-    // The text must outlive this.
-    LineWords(std::string file_name, std::string_view whole);
+    // The text, and the letters that part its words, must outlive this.
+    LineWords(std::string file_name, std::string_view whole, std::string_view parted_by = " \t\r,");
     // To the next line that says something; false at the end.
     bool next();
     const std::vector<std::string_view> &words() const
@@ -102,6 +102,7 @@ public:
 private:
     std::string name;
     std::string_view text;
+    std::string_view apart;
     std::size_t at = 0;
     std::size_t count = 0;
     std::vector<std::string_view> parts;

@@ -70,6 +70,7 @@ bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::
     if (is_main)
     {
         main_file.bytes.assign(out->begin(), out->end());
+        check_gltf_chunks(main_file.bytes);
     }
     return static_cast<bool>(file);
 }
@@ -265,15 +266,38 @@ public:
     {
         const Matrix identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
         const int which = model.defaultScene < 0 ? 0 : model.defaultScene;
-        for (const int node : element(model.scenes, which, "a scene").nodes)
+        // not by calls in each other: trees may be of any depth
+        std::vector<Placed> waiting;
+        add_waiting(element(model.scenes, which, "a scene").nodes, identity, waiting);
+        while (!waiting.empty())
         {
-            add_node(node, identity);
+            const Placed next = waiting.back();
+            waiting.pop_back();
+            const Matrix matrix = add_node(next.node, next.outer);
+            add_waiting(model.nodes[static_cast<std::size_t>(next.node)].children, matrix, waiting);
         }
         return std::move(mesh);
     }
 
 private:
-    void add_node(int index, const Matrix &outer)
+    struct Placed
+    {
+        int node;
+        Matrix outer;
+    };
+
+    // The last of them is the next.
+    static void add_waiting(const std::vector<int> &nodes, const Matrix &outer,
+                            std::vector<Placed> &waiting)
+    {
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+        {
+            waiting.push_back({*node, outer});
+        }
+    }
+
+    // The node's own parts; its transform.
+    Matrix add_node(int index, const Matrix &outer)
     {
         const tinygltf::Node &node = element(model.nodes, index, "a node");
         if (seen[static_cast<std::size_t>(index)])
@@ -290,10 +314,7 @@ private:
                 add_part(part, matrix);
             }
         }
-        for (const int child : node.children)
-        {
-            add_node(child, matrix);
-        }
+        return matrix;
     }
 
     void add_part(const tinygltf::Primitive &part, const Matrix &matrix)

@@ -15,18 +15,26 @@
 namespace
 {
 
-// glTF 2.0, 4.4: a header of 12 bytes, then the first chunk, which is the text: its length, its kind, itself.
+// glTF 2.0, 4.4: a header of 12 bytes (mark, version, length of all), then chunks: length, kind, as many bytes.
+constexpr std::size_t header_size = 12;
+constexpr std::size_t chunk_head_size = 8;
+
+bool is_binary(std::string_view bytes)
+{
+    return bytes.size() >= header_size + chunk_head_size && bytes.substr(0, 4) == "glTF";
+}
+
+std::uint32_t word_at(std::string_view bytes, std::size_t place)
+{
+    return cm_file_u32(reinterpret_cast<const unsigned char *>(bytes.data()) + place);
+}
+
+// The first chunk is the text.
 std::string_view text_of(std::string_view bytes)
 {
-    constexpr std::size_t begin = 20;
-    if (bytes.size() < begin || bytes.substr(0, 4) != "glTF")
-    {
-        return bytes;
-    }
-    std::uint32_t length = 0;
-    std::memcpy(&length, bytes.data() + 12, sizeof length);
-    cm_file_order(&length, 1, sizeof length, true);
-    return bytes.substr(begin, length);
+    return is_binary(bytes)
+               ? bytes.substr(header_size + chunk_head_size, word_at(bytes, header_size))
+               : bytes;
 }
 
 class GltfText
@@ -226,6 +234,36 @@ private:
 };
 
 } // namespace
+
+void check_gltf_chunks(std::string_view bytes)
+{
+    if (!is_binary(bytes))
+    {
+        return;
+    }
+    const std::uint32_t version = word_at(bytes, 4);
+    if (version != 2)
+    {
+        throw MeshFailure("is a binary file of version " + std::to_string(version) +
+                          ", which is not read; 2 is");
+    }
+    const std::size_t length = word_at(bytes, 8);
+    if (length > bytes.size())
+    {
+        throw MeshFailure("has " + std::to_string(bytes.size()) + " bytes, not " +
+                          std::to_string(length) + " as it says");
+    }
+    std::size_t at = header_size;
+    while (at + chunk_head_size <= length)
+    {
+        const std::size_t size = word_at(bytes, at);
+        if (size > length - chunk_head_size - at)
+        {
+            throw MeshFailure("has a chunk that ends behind the file");
+        }
+        at += chunk_head_size + size;
+    }
+}
 
 void check_gltf_numbers(std::string_view bytes, const tinygltf::Model &model)
 {

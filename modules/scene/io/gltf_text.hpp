@@ -11,6 +11,10 @@
 
 #include <tiny_gltf.h>
 
+// tinygltf reads binary files of any version, and a last chunk that ends up to 8 bytes behind the file. MeshFailure for such
+// bytes; none for what is no binary file.
+void check_gltf_chunks(std::string_view bytes);
+
 // tinygltf takes a number that it cannot read, such as an offset below 0, for one that is absent. Where the file, all of its
 // bytes, has another number than the model: MeshFailure, which names the line where the file is a text.
 void check_gltf_numbers(std::string_view bytes, const tinygltf::Model &model);

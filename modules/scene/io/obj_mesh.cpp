@@ -11,8 +11,11 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <istream>
 #include <map>
 #include <numeric>
+#include <streambuf>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -74,11 +77,21 @@ private:
     std::string folder;
 };
 
-ObjParts parts_of(const std::string &path)
+// A text as a stream, without a copy.
+class TextStream : private std::streambuf, public std::istream
+{
+public:
+    explicit TextStream(std::string &text) : std::istream(static_cast<std::streambuf *>(this))
+    {
+        setg(text.data(), text.data(), text.data() + text.size());
+    }
+};
+
+ObjParts parts_of(const std::string &path, std::string &text)
 {
     ObjParts parts;
     NearbyMaterials nearby(path);
-    std::ifstream file = open_text(path);
+    TextStream file(text);
     std::string warning;
     std::string error;
     const bool triangulate = false; // its ears are not those of all polygons
@@ -104,7 +117,7 @@ struct LargeFace
 class ObjLines
 {
 public:
-    explicit ObjLines(std::string_view text) : lines("", text)
+    explicit ObjLines(std::string_view text) : lines("", text, " \t\r") // no comma
     {
     }
 
@@ -194,16 +207,51 @@ private:
     std::size_t highest_line = 0;
 };
 
-// A file's text as its check reads it: lines end as they may anywhere, and no comma parts words, as none does in OBJ.
+// A file's text, whose lines end with one letter each.
 std::string text_of(const std::string &path)
 {
     std::string text = read_whole(path, largest_text);
+    const bool is_marked = text.compare(0, byte_order_mark.size(), byte_order_mark) == 0;
+    std::size_t to = 0;
+    for (std::size_t i = is_marked ? byte_order_mark.size() : 0; i < text.size(); ++i)
+    {
+        const bool is_first_of_two = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+        i += is_first_of_two;
+        text[to++] = text[i] == '\r' ? '\n' : text[i];
+    }
+    text.resize(to);
+    return text;
+}
+
+// Lines that go on behind a "\" at their end (OBJ specification, "General statement") become one, and the ends that they had
+// come behind it, so that all other lines keep their numbers. Comments do not go on: their last letter may be of a path.
+void join_lines(std::string &text)
+{
+    std::size_t to = 0, ends = 0;
+    bool is_begin = true, is_comment = false;
     for (std::size_t i = 0; i < text.size(); ++i)
     {
-        const bool ends_alone = text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
-        text[i] = ends_alone ? '\n' : text[i] == ',' ? ';' : text[i];
+        const char letter = text[i];
+        is_comment = is_comment || (is_begin && letter == '#');
+        is_begin = is_begin && (letter == ' ' || letter == '\t');
+        if (letter == '\\' && !is_comment && i + 1 < text.size() && text[i + 1] == '\n')
+        {
+            text[to++] = ' ';
+            ++ends;
+            ++i;
+            continue;
+        }
+        text[to++] = letter;
+        if (letter == '\n')
+        {
+            text.replace(to, ends, ends, '\n');
+            to += ends;
+            ends = 0;
+            is_begin = true;
+            is_comment = false;
+        }
     }
-    return text;
+    text.resize(to);
 }
 
 // Vertices are those of the file, once for each material that they are of.
@@ -403,8 +451,11 @@ void add_polygon(const tinyobj::mesh_t &part, std::size_t begin, std::size_t cor
 
 FlatMesh read_obj(const std::string &path)
 {
-    const std::vector<LargeFace> large = ObjLines(text_of(path)).check();
-    const ObjParts parts = parts_of(path);
+    std::string text = text_of(path);
+    join_lines(text);
+    const std::vector<LargeFace> large = ObjLines(text).check();
+    const ObjParts parts = parts_of(path, text);
+    std::string().swap(text);
     FlatMesh mesh;
     ObjVertices vertices(parts, mesh);
     auto next_large = large.begin();
