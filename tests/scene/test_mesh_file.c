@@ -273,6 +273,31 @@ START_TEST(lines_of_obj_may_go_on)
 }
 END_TEST
 
+/* The library ends names at spaces, and reads the first of several files. */
+START_TEST(materials_of_obj_may_have_spaces)
+{
+    write_text("two words.mtl", "newmtl old red\nKd 1 0 0\nnewmtl  old  \nKd 0 1 0\n");
+    write_text("s1.mtl", "newmtl Material #25\nKd 0 0 1\n");
+    write_text("s2.mtl", "newmtl grey\nKd 0.5 0.5 0.5\n");
+    write_text(
+        "s.obj",
+        "mtllib two words.mtl\nmtllib none.mtl s1.mtl s2.mtl # both\nv 0 0 0\nv 1 0 0\n"
+        "v 0 1 0\nusemtl old red\nf 1 2 3\nusemtl old # red\nf 1 2 3\n"
+        "usemtl\tMaterial #25 \nf 1 2 3\nusemtl grey# 2\nf 1 2 3\nusemtl grey\nf 1 2 3\n   ");
+    const double colors[5][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {0.5, 0.5, 0.5}};
+    cm_mesh *mesh = read_good("s.obj");
+    ck_assert_uint_eq(cm_mesh_describe(mesh)->triangle_count, 5);
+    for (size_t i = 0; i < 5; i++)
+    {
+        check_color(mesh, cm_mesh_describe(mesh)->index[3 * i], colors[i][0], colors[i][1],
+                    colors[i][2]);
+    }
+    cm_mesh_destroy(mesh);
+    write_text("s.obj", "mtllib none.mtl ../s1.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    refused("s.obj", CM_ERROR_DATA, "outside its folder");
+}
+END_TEST
+
 START_TEST(polygons_and_materials_of_obj)
 {
     write_text("c.mtl", "newmtl red\nKd 1 0.25 0\nnewmtl blue\nKd 0 0 1\n");
@@ -742,6 +767,7 @@ int main(void)
                                   a_binary_file_is_the_same,
                                   binary_files_are_what_they_say,
                                   lines_of_obj_may_go_on,
+                                  materials_of_obj_may_have_spaces,
                                   trees_of_nodes_may_be_deep,
                                   polygons_and_materials_of_obj,
                                   polygons_of_obj_may_be_hollow,

@@ -14,6 +14,8 @@
 #include <istream>
 #include <map>
 #include <numeric>
+#include <set>
+#include <sstream>
 #include <streambuf>
 #include <string>
 #include <string_view>
@@ -47,34 +49,103 @@ std::ifstream open_text(const std::string &path)
     return file;
 }
 
+// In place of the spaces in a name, at which the library ends it.
+constexpr char tie = '\x1f';
+
+bool is_space(char letter)
+{
+    return letter == ' ' || letter == '\t';
+}
+
+std::string with_ties(std::string name)
+{
+    std::replace_if(name.begin(), name.end(), is_space, tie);
+    const std::size_t begin = std::min(name.find_first_not_of(tie), name.size());
+    return name.substr(begin, name.find_last_not_of(tie) + 1 - begin);
+}
+
 // Materials of files in the folder of the mesh and below it. One that is not there is none.
 class NearbyMaterials : public tinyobj::MaterialReader
 {
 public:
-    explicit NearbyMaterials(const std::string &mesh) : folder(mesh.substr(0, mesh.rfind('/') + 1))
+    // The names that faces use, with ties.
+    NearbyMaterials(const std::string &mesh, std::set<std::string> names)
+        : folder(mesh.substr(0, mesh.rfind('/') + 1)), used(std::move(names))
     {
     }
 
+    // The name, with ties, is of one file, or of several.
     bool operator()(const std::string &name, std::vector<tinyobj::material_t> *materials,
                     std::map<std::string, int> *numbers, std::string *warning,
                     std::string *error) override
+    {
+        bool is_there = false;
+        for (const std::string &path : paths_of(name))
+        {
+            if (file_is_there(path))
+            {
+                std::ifstream file = open_text(path);
+                tinyobj::LoadMtl(numbers, materials, &file, warning, error);
+                is_there = true;
+            }
+        }
+        add_used(*numbers);
+        return is_there;
+    }
+
+private:
+    std::string path_of(const std::string &name) const
     {
         if (leads_up(name))
         {
             throw MeshFailure("names a file of materials outside its folder");
         }
-        const std::string path = (folder.empty() ? "./" : folder) + name;
-        if (!file_is_there(path))
-        {
-            return false;
-        }
-        std::ifstream file = open_text(path);
-        tinyobj::LoadMtl(numbers, materials, &file, warning, error);
-        return true;
+        return (folder.empty() ? "./" : folder) + name;
     }
 
-private:
+    std::vector<std::string> paths_of(const std::string &name) const
+    {
+        std::string whole = name;
+        std::replace(whole.begin(), whole.end(), tie, ' ');
+        std::vector<std::string> paths = {path_of(whole)};
+        if (whole != name && !file_is_there(paths[0]))
+        {
+            paths.clear();
+            std::istringstream words(whole);
+            for (std::string word; words >> word;)
+            {
+                paths.push_back(path_of(word));
+            }
+        }
+        return paths;
+    }
+
+    // What faces use is a material's name, or begins with one and goes on with a comment.
+    void add_used(std::map<std::string, int> &numbers) const
+    {
+        std::map<std::string, int> known;
+        for (const auto &[name, number] : numbers)
+        {
+            known.emplace(with_ties(name), number);
+        }
+        for (const std::string &name : used)
+        {
+            auto found = known.find(name);
+            for (std::size_t end = name.rfind(tie);
+                 found == known.end() && end != std::string::npos && end > 0;
+                 end = name.rfind(tie, end - 1))
+            {
+                found = known.find(name.substr(0, end));
+            }
+            if (found != known.end())
+            {
+                numbers.emplace(name, found->second);
+            }
+        }
+    }
+
     std::string folder;
+    std::set<std::string> used;
 };
 
 // A text as a stream, without a copy.
@@ -87,10 +158,35 @@ public:
     }
 };
 
+// Puts ties into the names of materials and of their files; the names of materials.
+std::set<std::string> tie_names(std::string &text)
+{
+    std::set<std::string> used;
+    for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1)
+    {
+        end = std::min(text.find('\n', at), text.size());
+        const std::size_t word = std::min(text.find_first_not_of(" \t", at), end);
+        const bool is_use = text.compare(word, 6, "usemtl") == 0;
+        if (word + 7 >= end || !(is_use || text.compare(word, 6, "mtllib") == 0) ||
+            !is_space(text[word + 6]))
+        {
+            continue;
+        }
+        const std::string name = with_ties(text.substr(word + 7, end - word - 7));
+        const std::size_t rest = end - word - 7 - name.size();
+        text.replace(word + 7, end - word - 7, name + std::string(rest, ' '));
+        if (is_use)
+        {
+            used.insert(name);
+        }
+    }
+    return used;
+}
+
 ObjParts parts_of(const std::string &path, std::string &text)
 {
     ObjParts parts;
-    NearbyMaterials nearby(path);
+    NearbyMaterials nearby(path, tie_names(text));
     TextStream file(text);
     std::string warning;
     std::string error;
@@ -233,7 +329,7 @@ void join_lines(std::string &text)
     {
         const char letter = text[i];
         is_comment = is_comment || (is_begin && letter == '#');
-        is_begin = is_begin && (letter == ' ' || letter == '\t');
+        is_begin = is_begin && is_space(letter);
         if (letter == '\\' && !is_comment && i + 1 < text.size() && text[i + 1] == '\n')
         {
             text[to++] = ' ';
