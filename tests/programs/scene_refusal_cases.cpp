@@ -158,6 +158,8 @@ void cameras()
     refuses("{\"mapping\":\"coupled\"}", "1: size is missing");
     refuses("{\"mapping\":\"coupled\",\"size\":1e9}", "1: .*2\\^31 pixels");
     refuses("{\"mapping\":\"nothing\",\"size\":8}", "1: mapping: ");
+    refuses("{\"mapping\":\"square:radial\",\"size\":8}",
+            "1: mapping: square:radial is between a disc and a square.*azimuthal:lambert, border");
     write_file("wide.json", "{\"width\":9,\"height\":6,\"fx\":8,\"fy\":8" + rest);
     fails("another size", 1, "1.000000.png: is 8 x 6 .*camera has 9 x 6",
           "scene info tum --camera wide.json");

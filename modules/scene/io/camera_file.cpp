@@ -259,7 +259,16 @@ MappingPointer CameraText::make_mapping(const CameraNumbers &camera) const
         cm_specification_check(camera.mapping.c_str(), why, sizeof why);
         fail("mapping", std::string("mapping: ") + why);
     }
-    return MappingPointer(mapping, cm_mapping_destroy);
+    MappingPointer made(mapping, cm_mapping_destroy);
+    const cm_mapping_info *const info = cm_mapping_describe(mapping);
+    if (info->kind == CM_KIND_DISC_SQUARE)
+    {
+        fail("mapping",
+             "mapping: " + std::string(info->identifier) +
+                 " is between a disc and a square and has no directions; azimuthal:lambert, "
+                 "border and octahedral have, on one face");
+    }
+    return made;
 }
 
 // Which member it is without which the library would take the camera.
