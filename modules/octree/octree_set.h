@@ -174,6 +174,27 @@ typedef struct cm_rule_row
 
 #define CM_MIX_MULTIPLE 16
 
+/* Where a point is, in edges from the tree's lower corner, by which it is told which voxel it lies in. */
+#define CM_PLACE_OF(world, centre, edge, middle) (((world) - (centre)) / (edge) + (middle))
+
+/* Points that are asked together; coordinates of a voxel in a word, x lowest; and the word of what is of no voxel. */
+#define CM_POINTS_TOGETHER 64
+#define CM_PLACE_BITS 21
+#define CM_NO_PLACE UINT64_MAX
+
+/* Which points are of a map's voxels. */
+typedef struct cm_point_grid
+{
+    double origin[3];
+    double least; /* the square of the distance from there: what is nearer or farther is of none */
+    double most;
+    double centre[3];
+    double edge;
+    double middle;   /* edges from the lower corner to the centre */
+    double first[3]; /* voxels of the map */
+    double beyond[3];
+} cm_point_grid;
+
 typedef struct cm_octree_set
 {
     const char *name; /* first: as in options.h */
@@ -217,6 +238,9 @@ typedef struct cm_octree_set
     /* 64 alphas after hits and misses: saturating. Returns 1 if any changed. */
     int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss,
                  uint8_t low, uint8_t high);
+    /* Voxels of CM_POINTS_TOGETHER points. place[-1] is that before the first. Returns bits of those that are in a voxel, and not in
+     * that of the point before. */
+    uint64_t (*places)(const cm_point_grid *grid, const float *xyz, uint64_t *place);
 } cm_octree_set;
 
 extern const cm_octree_set cm_octree_scalar;

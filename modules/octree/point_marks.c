@@ -12,7 +12,8 @@ void cm_marks_clear(cm_point_marks *marks)
     free(marks->region);
     free(marks->slot);
     free(marks->block);
-    free(marks->hit);
+    free(marks->cell);
+    free(marks->run);
     free(marks->color);
     memset(marks, 0, sizeof *marks);
 }
@@ -76,6 +77,11 @@ static int has_slots(cm_point_marks *marks)
 
 static cm_region_marks *region_of(cm_point_marks *marks, const uint32_t place[3])
 {
+    if (marks->last_region != 0 &&
+        memcmp(marks->region[marks->last_region - 1].place, place, 3 * sizeof *place) == 0)
+    {
+        return &marks->region[marks->last_region - 1];
+    }
     if (!has_slots(marks))
     {
         return NULL;
@@ -94,7 +100,8 @@ static cm_region_marks *region_of(cm_point_marks *marks, const uint32_t place[3]
         memcpy(made->place, place, sizeof made->place);
         marks->slot[slot] = (uint32_t)++marks->region_count;
     }
-    return &marks->region[marks->slot[slot] - 1];
+    marks->last_region = marks->slot[slot];
+    return &marks->region[marks->last_region - 1];
 }
 
 static cm_block_marks *block_of(cm_point_marks *marks, cm_region_marks *region, unsigned block)
@@ -109,7 +116,6 @@ static cm_block_marks *block_of(cm_point_marks *marks, cm_region_marks *region, 
         marks->block = list;
         cm_block_marks *made = &marks->block[marks->block_count];
         memset(made, 0, sizeof *made);
-        made->hit = CM_NO_HIT;
         region->block[block] = (uint32_t)++marks->block_count;
     }
     return &marks->block[region->block[block] - 1];
@@ -123,76 +129,104 @@ cm_block_marks *cm_marks_of(cm_point_marks *marks, const uint32_t place[3], unsi
 
 /* ---- hits ---- */
 
-static int add_hit(cm_point_marks *marks, cm_block_marks *block, unsigned cell, const uint8_t *rgb)
+/* The same bit of each coordinate of a place. */
+#define OF_EACH(bit)                                                                               \
+    ((uint64_t)(bit) | (uint64_t)(bit) << CM_PLACE_BITS | (uint64_t)(bit) << 2 * CM_PLACE_BITS)
+
+static unsigned cell_of(uint64_t place)
 {
-    if (rgb == NULL)
-    {
-        return 1;
-    }
-    void *list = marks->hit, *colors = marks->color;
-    size_t room = marks->hit_room;
-    if (!has_room(&list, marks->hit_count, &room, sizeof *marks->hit, 256))
-    {
-        return 0;
-    }
-    marks->hit = list;
-    if (!has_room(&colors, marks->hit_count, &marks->hit_room, sizeof *marks->color, 256))
-    {
-        return 0;
-    }
-    marks->color = colors;
-    marks->hit[marks->hit_count] = (cm_point_hit){block->hit, cell};
-    marks->color[marks->hit_count] = cm_color_word(rgb);
-    block->hit = (uint32_t)marks->hit_count++;
-    return 1;
+    const uint64_t spread =
+        (place & OF_EACH(1)) | (place & OF_EACH(2)) << 2 | (place & OF_EACH(4)) << 4;
+    return (unsigned)(spread | spread >> (CM_PLACE_BITS - 1) | spread >> 2 * (CM_PLACE_BITS - 1)) &
+           511u;
 }
 
-/* The block that a hit is in; NULL if there is no memory. */
-static cm_block_marks *hit_block(cm_point_marks *marks, const uint32_t place[3])
+/* The block at a place, a multiple of 8; NULL if there is no memory. */
+static cm_block_marks *hit_block(cm_point_marks *marks, uint64_t place)
 {
-    const uint32_t in_block = ((uint32_t)1 << CM_BLOCK_LEVEL) - 1;
-    uint32_t differs = 0;
+    uint32_t first[3], in[3];
     for (int axis = 0; axis < 3; axis++)
     {
-        differs |= (place[axis] ^ marks->last_place[axis]) & ~in_block;
+        const uint32_t at = (uint32_t)(place >> CM_PLACE_BITS * axis) & ((1u << CM_PLACE_BITS) - 1);
+        first[axis] = at >> CM_REGION_LEVEL << CM_REGION_LEVEL;
+        in[axis] = at >> CM_BLOCK_LEVEL;
     }
-    if (marks->last != 0 && differs == 0)
-    {
-        return &marks->block[marks->last - 1];
-    }
-    const uint32_t in_region = ((uint32_t)1 << CM_REGION_LEVEL) - 1;
-    const uint32_t first[3] = {place[0] & ~in_region, place[1] & ~in_region, place[2] & ~in_region};
     cm_region_marks *region = region_of(marks, first);
     if (region == NULL)
     {
         return NULL;
     }
     region->has_hits = 1;
-    cm_block_marks *block =
-        block_of(marks, region,
-                 cm_interleave_3(place[0] >> CM_BLOCK_LEVEL, place[1] >> CM_BLOCK_LEVEL,
-                                 place[2] >> CM_BLOCK_LEVEL));
-    if (block != NULL)
-    {
-        memcpy(marks->last_place, place, sizeof marks->last_place);
-        marks->last = (uint32_t)(block - marks->block) + 1;
-    }
-    return block;
+    return block_of(marks, region, cm_interleave_3(in[0], in[1], in[2]));
 }
 
-int cm_marks_hit(cm_point_marks *marks, const uint32_t place[3], const uint8_t *rgb)
+/* Room for as many hits with colors as there are points, each in a run of its own. */
+static int has_hit_room(cm_point_marks *marks)
 {
-    cm_block_marks *block = hit_block(marks, place);
-    if (block == NULL)
+    void *cells = marks->cell, *colors = marks->color, *runs = marks->run;
+    const size_t count = marks->hit_count + CM_POINTS_TOGETHER - 1;
+    size_t room = marks->hit_room;
+    if (!has_room(&cells, count, &room, sizeof *marks->cell, 1024))
     {
         return 0;
     }
-    const unsigned cell = cm_interleave_3(place[0], place[1], place[2]);
-    const uint64_t bit = (uint64_t)1 << cell % 64;
-    if (block->hits[cell / 64] & bit)
+    marks->cell = cells;
+    if (!has_room(&colors, count, &marks->hit_room, sizeof *marks->color, 1024))
     {
-        return 1; /* an earlier point's color is its own */
+        return 0;
     }
-    block->hits[cell / 64] |= bit;
-    return add_hit(marks, block, cell, rgb);
+    marks->color = colors;
+    if (!has_room(&runs, marks->run_count + CM_POINTS_TOGETHER - 1, &marks->run_room,
+                  sizeof *marks->run, 1024))
+    {
+        return 0;
+    }
+    marks->run = runs;
+    return 1;
+}
+
+/* A hit with a color, which is the first of its voxel. */
+static void add_hit(cm_point_marks *marks, cm_block_marks *block, unsigned cell, const uint8_t *rgb)
+{
+    if (block->run == 0 || block->run != marks->run_count)
+    {
+        marks->run[marks->run_count++] = (cm_hit_run){(uint32_t)marks->hit_count, block->run};
+        block->run = (uint32_t)marks->run_count;
+    }
+    marks->cell[marks->hit_count] = (uint16_t)cell;
+    marks->color[marks->hit_count++] = cm_color_word(rgb);
+}
+
+int cm_marks_hits(cm_point_marks *marks, const uint64_t place[CM_POINTS_TOGETHER], uint64_t bits,
+                  const uint8_t *rgb)
+{
+    if (rgb != NULL && !has_hit_room(marks))
+    {
+        return 0;
+    }
+    cm_block_marks *block = marks->last == 0 ? NULL : &marks->block[marks->last - 1];
+    for (; bits != 0; bits &= bits - 1)
+    {
+        const size_t i = (size_t)__builtin_ctzll(bits);
+        const uint64_t of_block = place[i] & ~OF_EACH(7);
+        if (block == NULL || of_block != marks->last_place)
+        {
+            block = hit_block(marks, of_block);
+            if (block == NULL)
+            {
+                return 0;
+            }
+            marks->last_place = of_block;
+            marks->last = (uint32_t)(block - marks->block) + 1;
+        }
+        const unsigned cell = cell_of(place[i]);
+        const uint64_t bit = (uint64_t)1 << cell % 64;
+        const int is_first = (block->hits[cell / 64] & bit) == 0;
+        block->hits[cell / 64] |= bit;
+        if (is_first && rgb != NULL)
+        {
+            add_hit(marks, block, cell, rgb + 3 * i);
+        }
+    }
+    return 1;
 }

@@ -13,17 +13,15 @@ typedef struct cm_block_marks
 {
     uint64_t hits[8];
     uint64_t misses[8];
-    uint32_t hit; /* the last of its hits; CM_NO_HIT: none */
+    uint32_t run; /* the last of its runs of hits, and 1; 0: none */
 } cm_block_marks;
 
-/* The first hit of a voxel. */
-typedef struct cm_point_hit
+/* First hits of voxels of a block, one after the other, up to those of the next run. */
+typedef struct cm_hit_run
 {
-    uint32_t before; /* the one before it in its block; CM_NO_HIT: none */
-    uint32_t cell;
-} cm_point_hit;
-
-#define CM_NO_HIT UINT32_MAX
+    uint32_t first;
+    uint32_t before; /* the run before it in its block, and 1; 0: none */
+} cm_hit_run;
 
 typedef struct cm_region_marks
 {
@@ -38,18 +36,22 @@ typedef struct cm_point_marks
     cm_region_marks *region;
     size_t region_count;
     size_t region_room;
-    uint32_t *slot; /* a table of regions, by place: which, and 1; 0: none */
+    uint32_t last_region; /* that was asked for last, and 1; 0: none */
+    uint32_t *slot;       /* a table of regions, by place: which, and 1; 0: none */
     size_t slots;
     cm_block_marks *block;
     size_t block_count;
     size_t block_room;
-    uint32_t
-        last_place[3]; /* of the block that was hit last: points beside each other come together */
-    uint32_t last;     /* which, and 1; 0: none */
-    cm_point_hit *hit;
-    uint32_t *color; /* of hits: words; NULL if no point has any */
+    uint64_t
+        last_place;  /* of the block that was hit last: points beside each other come together */
+    uint32_t last;   /* which, and 1; 0: none */
+    uint16_t *cell;  /* of hits with a color */
+    uint32_t *color; /* words; NULL if no point has any */
     size_t hit_count;
     size_t hit_room;
+    cm_hit_run *run;
+    size_t run_count;
+    size_t run_room;
 } cm_point_marks;
 
 void cm_marks_clear(cm_point_marks *marks);
@@ -58,8 +60,9 @@ void cm_marks_clear(cm_point_marks *marks);
  * they are until others are made. */
 cm_block_marks *cm_marks_of(cm_point_marks *marks, const uint32_t place[3], unsigned block);
 
-/* A point in a voxel; rgb may be NULL. 0 if there is no memory. */
-int cm_marks_hit(cm_point_marks *marks, const uint32_t place[3], const uint8_t *rgb);
+/* Points in voxels, as octree_set.h has them: those that bits are of. rgb may be NULL. 0 if there is no memory. */
+int cm_marks_hits(cm_point_marks *marks, const uint64_t place[CM_POINTS_TOGETHER], uint64_t bits,
+                  const uint8_t *rgb);
 
 /* All voxels from one place of the tree to another, which are in the map, but not that of the end if is_before. 0 if there is no
  * memory. */

@@ -47,17 +47,6 @@ static int cut(const cm_octree *octree, double from[3], double to[3])
     return 1;
 }
 
-static int is_of_map(const cm_octree *octree, const int32_t place[3])
-{
-    int is = 1;
-    for (int axis = 0; axis < 3; axis++)
-    {
-        is &= place[axis] >= (int32_t)octree->first[axis] &&
-              place[axis] < (int32_t)octree->beyond[axis];
-    }
-    return is;
-}
-
 /* The voxel of a place of the tree, one before its first if it is far away. */
 static void voxel_of(const double at[3], int32_t voxel[3])
 {
@@ -84,18 +73,26 @@ static int mark_misses(cm_point_marks *marks, const cm_octree *octree, const dou
     return cm_marks_ray(marks, octree, from, to, memcmp(own, last, sizeof own) == 0);
 }
 
+static double middle_of(const cm_octree *octree)
+{
+    return (double)((uint32_t)1 << (octree->tree_level - 1));
+}
+
 static void to_voxels(const cm_octree *octree, const double world[3], double at[3])
 {
-    const double middle = (double)((uint32_t)1 << (octree->tree_level - 1));
     for (int axis = 0; axis < 3; axis++)
     {
-        at[axis] = (world[axis] - octree->options.centre[axis]) / octree->options.edge + middle;
+        at[axis] = CM_PLACE_OF(world[axis], octree->options.centre[axis], octree->options.edge,
+                               middle_of(octree));
     }
 }
 
-/* rgb may be NULL. */
-static int mark_point(cm_point_marks *marks, const cm_octree *octree, const double origin[3],
-                      const float *xyz, const uint8_t *rgb)
+/* What is farther is no point. */
+#define FARTHEST 1e100
+
+/* Misses of the ray to a point. */
+static int mark_ray(cm_point_marks *marks, const cm_octree *octree, const double origin[3],
+                    const float *xyz)
 {
     const double point[3] = {(double)xyz[0], (double)xyz[1], (double)xyz[2]};
     double away[3], square = 0.0;
@@ -105,7 +102,7 @@ static int mark_point(cm_point_marks *marks, const cm_octree *octree, const doub
         square += away[axis] * away[axis];
     }
     const double range = sqrt(square), far = octree->options.far;
-    if (!(range > 0.0 && range < 1e100) || range < octree->options.near)
+    if (!(range > 0.0 && range < FARTHEST) || range < octree->options.near)
     {
         return 1;
     }
@@ -116,22 +113,74 @@ static int mark_point(cm_point_marks *marks, const cm_octree *octree, const doub
         end[axis] = is_far ? origin[axis] + away[axis] * (far / range) : point[axis];
     }
     to_voxels(octree, end, to);
-    int32_t voxel[3];
-    voxel_of(to, voxel);
-    if (!is_far && is_of_map(octree, voxel))
-    {
-        const uint32_t place[3] = {(uint32_t)voxel[0], (uint32_t)voxel[1], (uint32_t)voxel[2]};
-        if (!cm_marks_hit(marks, place, rgb))
-        {
-            return 0;
-        }
-    }
-    if (octree->options.endpoints_only)
-    {
-        return 1;
-    }
     to_voxels(octree, origin, from);
     return mark_misses(marks, octree, from, to);
+}
+
+/* The least number above 0 whose root is no less than near. */
+static double least_square(double near)
+{
+    double square = fmax(near * near, 0x1p-1074);
+    while (square > 0x1p-1074 && sqrt(nextafter(square, 0.0)) >= near)
+    {
+        square = nextafter(square, 0.0);
+    }
+    while (sqrt(square) < near)
+    {
+        square = nextafter(square, INFINITY);
+    }
+    return square;
+}
+
+static cm_point_grid grid_of(const cm_octree *octree, const double origin[3])
+{
+    const cm_octree_options *options = &octree->options;
+    const double far = options->far > 0.0 && options->far < FARTHEST
+                           ? nextafter(options->far, INFINITY)
+                           : FARTHEST;
+    cm_point_grid grid = {.least = least_square(options->near),
+                          .most = nextafter(least_square(far), 0.0),
+                          .edge = options->edge,
+                          .middle = middle_of(octree)};
+    for (int axis = 0; axis < 3; axis++)
+    {
+        grid.origin[axis] = origin[axis];
+        grid.centre[axis] = options->centre[axis];
+        grid.first[axis] = (double)octree->first[axis];
+        grid.beyond[axis] = (double)octree->beyond[axis];
+    }
+    return grid;
+}
+
+/* color may be NULL. */
+static int mark_points(cm_point_marks *marks, const cm_octree *octree, const double origin[3],
+                       size_t n, const float *xyz, const uint8_t *color)
+{
+    const cm_point_grid grid = grid_of(octree, origin);
+    uint64_t place[1 + CM_POINTS_TOGETHER];
+    float rest[3 * CM_POINTS_TOGETHER];
+    int good = 1;
+    place[CM_POINTS_TOGETHER] = CM_NO_PLACE;
+    for (size_t i = 0; good && i < n; i += CM_POINTS_TOGETHER)
+    {
+        const float *points = xyz + 3 * i;
+        if (n - i < CM_POINTS_TOGETHER)
+        {
+            for (size_t k = 0; k < 3 * CM_POINTS_TOGETHER; k++)
+            {
+                rest[k] = k < 3 * (n - i) ? points[k] : NAN;
+            }
+            points = rest;
+        }
+        place[0] = place[CM_POINTS_TOGETHER];
+        const uint64_t bits = octree->set->places(&grid, points, place + 1);
+        good = cm_marks_hits(marks, place + 1, bits, color == NULL ? NULL : color + 3 * i);
+    }
+    for (size_t i = 0; good && !octree->options.endpoints_only && i < n; i++)
+    {
+        good = mark_ray(marks, octree, origin, xyz + 3 * i);
+    }
+    return good;
 }
 
 /* ---- into the tree ---- */
@@ -191,15 +240,22 @@ static int make_change(const cm_update *update, const cm_region *region, unsigne
     change->detail = 0;
     for (unsigned group = 0; group < 8; group++)
     {
-        const uint64_t valid = cm_update_valid(update->octree, region, block, 0, group);
         change->hits[group] = from->hits[group];
-        change->misses[group] = from->misses[group] & ~from->hits[group] & valid;
+        change->misses[group] = from->misses[group] & ~from->hits[group];
+        if (change->misses[group] != 0)
+        {
+            change->misses[group] &= cm_update_valid(update->octree, region, block, 0, group);
+        }
         any |= change->hits[group] | change->misses[group];
     }
-    for (uint32_t hit = from->hit; hit != CM_NO_HIT; hit = marks->hit[hit].before)
+    for (uint32_t run = from->run; run != 0; run = marks->run[run - 1].before)
     {
-        const uint32_t cell = marks->hit[hit].cell;
-        change->pixel[cell / 64][cell % 64] = (int32_t)hit;
+        const size_t end = run < marks->run_count ? marks->run[run].first : marks->hit_count;
+        for (size_t hit = marks->run[run - 1].first; hit < end; hit++)
+        {
+            const unsigned cell = marks->cell[hit];
+            change->pixel[cell / 64][cell % 64] = (int32_t)hit;
+        }
     }
     return any != 0;
 }
@@ -234,6 +290,28 @@ static int apply_block(cm_update *update, cm_region *region, unsigned block,
     return cm_update_block(update, region, block, &change);
 }
 
+/* What the hits of a block will be counted in is on its way from memory while others are worked on. */
+static void fetch_block(const cm_region *region, unsigned block, const cm_block_marks *from)
+{
+    const uint8_t *alpha = region->alpha[block];
+    const uint32_t *color = region->color == NULL ? NULL : region->color[block];
+    for (unsigned group = 0; alpha != NULL && region->detail[block] == 0 && group < 8; group++)
+    {
+        if (from->hits[group] == 0)
+        {
+            continue;
+        }
+        __builtin_prefetch(alpha + 64 * group, 1);
+        for (unsigned line = 0; color != NULL && line < 64; line += 16)
+        {
+            if (from->hits[group] >> line & 0xffffu)
+            {
+                __builtin_prefetch(color + 64 * group + line, 1);
+            }
+        }
+    }
+}
+
 static cm_status apply_region(cm_update *update, const cm_point_marks *marks,
                               const cm_region_marks *from)
 {
@@ -246,11 +324,20 @@ static cm_status apply_region(cm_update *update, const cm_point_marks *marks,
     }
     octree->bytes -= cm_region_size(region);
     int good = 1;
+    const cm_block_marks *waiting = NULL;
+    unsigned block_of = 0;
     for (unsigned block = 0; good && block < CM_REGION_BLOCKS; block++)
     {
-        good = from->block[block] == 0 ||
-               apply_block(update, region, block, marks, &marks->block[from->block[block] - 1]);
+        if (from->block[block] != 0)
+        {
+            const cm_block_marks *next = &marks->block[from->block[block] - 1];
+            fetch_block(region, block, next);
+            good = waiting == NULL || apply_block(update, region, block_of, marks, waiting);
+            waiting = next;
+            block_of = block;
+        }
     }
+    good = good && (waiting == NULL || apply_block(update, region, block_of, marks, waiting));
     region->is_dirty = 1;
     octree->bytes += cm_region_size(region);
     return good ? CM_OK : CM_ERROR_MEMORY;
@@ -303,13 +390,7 @@ cm_status cm_octree_update_points(cm_octree *octree, const double origin[3], siz
     }
     const uint8_t *color = octree->options.color ? rgb : NULL;
     cm_point_marks marks = {0};
-    int good = 1;
-    for (size_t i = 0; good && i < n; i++)
-    {
-        good =
-            mark_point(&marks, octree, origin, xyz + 3 * i, color == NULL ? NULL : color + 3 * i);
-    }
-    cm_status status = good ? CM_OK : CM_ERROR_MEMORY;
+    cm_status status = mark_points(&marks, octree, origin, n, xyz, color) ? CM_OK : CM_ERROR_MEMORY;
     if (status == CM_OK && marks.region_count > 0)
     {
         cm_ray_index_forget(octree);

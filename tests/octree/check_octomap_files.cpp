@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Maps that OctoMap itself has written, .bt and .ot, with and without colours: each of its leaves is as it says, and there are
+// Maps that OctoMap itself has written, .bt and .ot, with and without colours or times: each of its leaves is as it says, and there are
 // no others.
 
 #include "modules/octree/io/octomap_file.h"
@@ -11,6 +11,7 @@
 #include <string>
 
 #include <octomap/ColorOcTree.h>
+#include <octomap/OcTreeStamped.h>
 #include <octomap/octomap.h>
 
 #include <unistd.h>
@@ -126,6 +127,10 @@ int main()
     compare(tree, read_map(values).get());
     tree.writeBinary(bits); // prunes it, and makes its values those of the bounds
     compare(tree, read_map(bits).get());
+    octomap::OcTreeStamped stamped(0.05);
+    fill(stamped);
+    stamped.write(values);
+    compare(stamped, read_map(values).get());
     octomap::ColorOcTree colored(0.05);
     fill(colored);
     for (auto leaf = colored.begin_leafs(); leaf != colored.end_leafs(); ++leaf)

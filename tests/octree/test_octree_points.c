@@ -247,9 +247,103 @@ START_TEST(strange_points_are_left_out)
 }
 END_TEST
 
+/* A float at a border of voxels, or the next one on either side; some are beyond the map. */
+static float at_border(double edge, dice *from)
+{
+    const float border = (float)(edge * floor(dice_between(from, -18.0, 19.0)));
+    const double side = throw_dice(from);
+    return side < 0.3   ? nextafterf(border, -INFINITY)
+           : side < 0.6 ? nextafterf(border, INFINITY)
+                        : border;
+}
+
+/* The voxel of a point, by its definition; 0: none. */
+static int voxel_of(const cm_octree_options *options, const double origin[3], const float point[3],
+                    int64_t voxel[3])
+{
+    double square = 0.0;
+    int is_there = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const double away = (double)point[axis] - origin[axis];
+        square += away * away;
+        voxel[axis] = (int64_t)floor((double)point[axis] / options->edge + 16.0);
+        is_there &= voxel[axis] >= 0 && voxel[axis] < 32;
+    }
+    const double range = sqrt(square);
+    return is_there && range > 0.0 && range >= options->near && range <= options->far;
+}
+
+static void check_borders(const char *instructions, double edge, size_t points, dice *from)
+{
+    const cm_octree_options options = {.size = sizeof options,
+                                       .levels = 5,
+                                       .edge = edge,
+                                       .near = 5.0 * edge,
+                                       .far = 13.0 * edge,
+                                       .instructions = instructions,
+                                       .endpoints_only = 1};
+    const double origin[3] = {edge, -edge, 0.0};
+    float(*xyz)[3] = calloc(points, sizeof *xyz);
+    cm_octree *octree = make_map(&options);
+    dense_map map = dense_make(5), wanted = dense_make(5);
+    memset(wanted.alpha, 127, 32 * 32 * 32);
+    for (size_t i = 0; i < points; i++)
+    {
+        int64_t voxel[3];
+        const int alone = (int)(3.0 * throw_dice(from));
+        for (int axis = 0; axis < 3; axis++)
+        {
+            /* many are on an axis from the origin, as far as near and far are */
+            xyz[i][axis] =
+                i % 2 == 0 || axis == alone ? at_border(edge, from) : (float)origin[axis];
+        }
+        if (voxel_of(&options, origin, xyz[i], voxel))
+        {
+            wanted.alpha[dense_at(&wanted, voxel[0], voxel[1], voxel[2])] = 129;
+        }
+    }
+    ck_assert_int_eq(cm_octree_update_points(octree, origin, points, xyz[0], NULL), CM_OK);
+    dense_read(octree, &map);
+    ck_assert_str_eq(dense_differs(&map, &wanted), "");
+    dense_clear(&map);
+    dense_clear(&wanted);
+    cm_octree_destroy(octree);
+    free(xyz);
+}
+
+/* Points on borders of voxels and beside them, as far as near and far are and beside, by each instruction set. */
+START_TEST(points_at_borders_are_of_one_voxel)
+{
+    static const char *const set[] = {"scalar", "sse2", "avx2", "avx512", "neon"};
+    const cm_octree_options one = {.size = sizeof one, .levels = 5, .edge = 1.0};
+    size_t sets = 0;
+    for (size_t s = 0; s < sizeof set / sizeof *set; s++)
+    {
+        cm_octree_options options = one;
+        cm_octree *octree = NULL;
+        options.instructions = set[s];
+        if (cm_octree_create(&options, &octree) != CM_OK)
+        {
+            continue;
+        }
+        cm_octree_destroy(octree);
+        dice from = {7};
+        for (size_t points = 1; points < 900; points += 1 + points / 2)
+        {
+            check_borders(set[s], 0.25, points, &from);
+            check_borders(set[s], 0.1, points, &from);
+        }
+        sets++;
+    }
+    ck_assert_uint_ge(sets, 1);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {points_are_as_their_rays, rays_go_through_regions,
-                                  repeated_points_take_no_more, strange_points_are_left_out, NULL};
+    const TTest *const tests[] = {points_are_as_their_rays,           rays_go_through_regions,
+                                  repeated_points_take_no_more,       strange_points_are_left_out,
+                                  points_at_borders_are_of_one_voxel, NULL};
     return run_suite("octree points", tests);
 }

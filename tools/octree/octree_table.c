@@ -33,10 +33,9 @@
 #define MEMORY                                                                                     \
     {                                                                                              \
         .id = OCTREE_MEMORY, .name = "memory", .kind = CM_OPTION_TEXT, .argument = "SIZE",         \
-        .help = "what the map may take of memory, such as 256M or 2G; the rest of it stays in "    \
-                "its file, and is read where it is needed",                                        \
-        .more = "Units are K, M, G and T of 1024 each; a number alone is M.",                      \
-        .standard = "no limit"                                                                     \
+        .help = "what the map may take of memory, such as 256M or 2G; a number alone is M; the "   \
+                "rest of it stays in its file, and is read where it is needed",                    \
+        .more = "Units are K, M, G and T of 1024 each.", .standard = "no limit"                    \
     }
 #define FAR(words)                                                                                 \
     {                                                                                              \

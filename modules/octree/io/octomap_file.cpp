@@ -296,7 +296,8 @@ public:
                   MapFiller &to)
         : head(from), at(begin), end(last), filler(to)
     {
-        value_bytes = head.id == "ColorOcTree" ? 7 : head.id == "OcTreeStamped" ? 8 : 4;
+        // times of OcTreeStamped are not written
+        value_bytes = head.id == "ColorOcTree" ? 7 : 4;
     }
 
     void read()
