@@ -4,6 +4,7 @@
 #include "vector.h"
 
 #include <math.h>
+#include <string.h>
 
 enum
 {
@@ -11,22 +12,22 @@ enum
     PROBE_ROWS = 12
 };
 
-/* The world and the camera at two times. */
+/* The world and the camera at two times, either of which is first. */
 typedef struct motion
 {
-    tof_instant *before, *after;
+    const tof_instant *one, *other;
     cm_pose camera[2];
 } motion;
 
-/* How far what a ray of the camera's axes meets moves from one time to the other. */
-static double motion_along(const motion *of, double ray[3])
+/* How what a ray of the camera's axes meets at one time moves until the other. */
+static void add_along(const motion *of, double ray[3], seen_movement *most)
 {
     double world[3], place[3], seen[3], distance;
     uint32_t id;
     const double length = sqrt(dot(ray, ray));
     if (!(length > 0.0))
     {
-        return 0.0;
+        return;
     }
     for (int k = 0; k < 3; k++)
     {
@@ -37,24 +38,24 @@ static double motion_along(const motion *of, double ray[3])
     const double *const origins[3] = {&from[0], &from[1], &from[2]};
     const double *const directions[3] = {&world[0], &world[1], &world[2]};
     const tof_hits hits = {&distance, &id, NULL, {NULL, NULL, NULL}};
-    tof_cast(of->before, 1, origins, directions, &hits);
+    tof_cast(of->one, 1, origins, directions, &hits);
     if (id == CM_SCENE_NOTHING)
     {
-        return 0.0;
+        return;
     }
     for (int k = 0; k < 3; k++)
     {
         place[k] = from[k] + distance * world[k];
     }
-    cm_pose_apply(&tof_instant_surfaces(of->before)[id].body, place, place);
-    cm_pose_apply_back(&tof_instant_surfaces(of->after)[id].body, place, place);
+    cm_pose_apply(&tof_instant_surfaces(of->one)[id].body, place, place);
+    cm_pose_apply_back(&tof_instant_surfaces(of->other)[id].body, place, place);
     cm_pose_apply(&of->camera[1], place, seen);
-    return angle_between(ray, seen);
+    most->angle = fmax(most->angle, angle_between(ray, seen));
+    most->range = fmax(most->range, fabs(sqrt(dot(seen, seen)) - distance));
 }
 
-static double most_motion(const motion *of, const tof_sensor *sensor)
+static void add_grid(const motion *of, const tof_sensor *sensor, seen_movement *most)
 {
-    double most = 0.0;
     for (int r = 0; r < PROBE_ROWS; r++)
     {
         double column[PROBE_COLUMNS], row[PROBE_COLUMNS];
@@ -68,26 +69,64 @@ static double most_motion(const motion *of, const tof_sensor *sensor)
         for (int c = 0; c < PROBE_COLUMNS; c++)
         {
             double ray[3] = {x[c], y[c], z[c]};
-            most = fmax(most, motion_along(of, ray));
+            add_along(of, ray, most);
         }
     }
-    return most;
+}
+
+/* Towards a place of the world, if it is in the picture. */
+static void add_place(const motion *of, const tof_sensor *sensor, const double place[3],
+                      seen_movement *most)
+{
+    double ray[3], column, row;
+    cm_pose_apply(&of->camera[0], place, ray);
+    cm_camera_project_array(sensor->given.camera, 1, &ray[0], &ray[1], &ray[2], &column, &row);
+    if (column >= -0.5 && column <= sensor->width + 0.5 && row >= -0.5 &&
+        row <= sensor->height + 0.5)
+    {
+        add_along(of, ray, most);
+    }
+}
+
+static void add_moving(const motion *of, const tof_sensor *sensor, seen_movement *most)
+{
+    const tof_instant *one = of->one;
+    const tof_surface *const here = one->surface, *const there = of->other->surface;
+    for (size_t i = 0; i < one->solids; i++)
+    {
+        const uint32_t id = one->solid[i].id;
+        if (isfinite(one->bound[i].radius) &&
+            memcmp(&here[id].body, &there[id].body, sizeof here->body) != 0)
+        {
+            add_place(of, sensor, one->bound[i].centre, most);
+        }
+    }
+    for (size_t i = 0; i < one->bodies; i++)
+    {
+        const uint32_t id = one->body[i].id;
+        if (memcmp(&here[id].body, &there[id].body, sizeof here->body) != 0)
+        {
+            add_place(of, sensor, one->body[i].centre, most);
+        }
+    }
 }
 
 cm_status seen_motion(const cm_tof_scene *scene, const cm_trajectory *camera,
-                      const tof_sensor *sensor, double from, double to, double *most)
+                      const tof_sensor *sensor, double from, double to, seen_movement *most)
 {
-    motion of = {.before = NULL, .after = NULL};
-    *most = 0.0;
-    cm_status status = tof_instant_create(scene, from, &of.before);
-    status = status == CM_OK ? tof_instant_create(scene, to, &of.after) : status;
-    tof_pose_at(camera, from, &of.camera[0]);
-    tof_pose_at(camera, to, &of.camera[1]);
-    if (status == CM_OK)
+    tof_instant *instant[2] = {NULL, NULL};
+    cm_pose pose[2];
+    cm_status status = tof_instant_create(scene, from, &instant[0]);
+    status = status == CM_OK ? tof_instant_create(scene, to, &instant[1]) : status;
+    tof_pose_at(camera, from, &pose[0]);
+    tof_pose_at(camera, to, &pose[1]);
+    for (int first = 0; status == CM_OK && first < 2; first++)
     {
-        *most = most_motion(&of, sensor);
+        const motion of = {instant[first], instant[!first], {pose[first], pose[!first]}};
+        add_grid(&of, sensor, most);
+        add_moving(&of, sensor, most);
     }
-    tof_instant_destroy(of.before);
-    tof_instant_destroy(of.after);
+    tof_instant_destroy(instant[0]);
+    tof_instant_destroy(instant[1]);
     return status;
 }

@@ -17,6 +17,7 @@ enum
 };
 
 #define MULTIPATH_APART 0.001 /* metres */
+#define STEP_TURN 0.05        /* radians of phase: the mean over them is less by 1e-4 */
 
 /* A frame while it is made. */
 typedef struct frame
@@ -154,29 +155,7 @@ static cm_status add_time(frame *doing, double time, int series, double part, in
 
 /* ---- how things move ---- */
 
-/* Steps of an exposure: no sample is to move by more than its width. */
-static cm_status find_times(frame *doing)
-{
-    doing->times = (int)doing->options.sample_times;
-    if (doing->times > 0)
-    {
-        return CM_OK;
-    }
-    double most = 0.0;
-    const cm_status status =
-        seen_motion(doing->scene, doing->trajectory, &doing->sensor, doing->time,
-                    doing->time + doing->sensor.given.exposure, &most);
-    const double solid_angle =
-        cm_camera_solid_angle(doing->sensor.given.camera, 0.5 * (double)doing->sensor.width,
-                              0.5 * (double)doing->sensor.height);
-    const double fineness = fmax((double)doing->sensor.sample_columns / doing->sensor.cells.width,
-                                 (double)doing->sensor.sample_rows);
-    const double samples = most / sqrt(solid_angle > 0.0 ? solid_angle : 1e-6) * fineness;
-    doing->times = samples < 1.0 ? 1 : (int)fmin(ceil(samples), MOST_TIMES);
-    return status;
-}
-
-static int moves(const frame *doing, double end)
+static int moves(const frame *doing, double begin, double end)
 {
     double first = 0.0, last = 0.0;
     const size_t count = doing->trajectory == NULL ? 0 : cm_trajectory_count(doing->trajectory);
@@ -185,8 +164,50 @@ static int moves(const frame *doing, double end)
         (void)cm_trajectory_at(doing->trajectory, 0, &first, NULL);
         (void)cm_trajectory_at(doing->trajectory, count - 1, &last, NULL);
     }
-    return (count > 1 && doing->time < last && end > first) ||
-           tof_scene_moves(doing->scene, doing->time, end);
+    return (count > 1 && begin < last && end > first) || tof_scene_moves(doing->scene, begin, end);
+}
+
+/* The most that moves in any of the exposures. */
+static cm_status find_movement(const frame *doing, seen_movement *most)
+{
+    const cm_tof_sensor *given = &doing->sensor.given;
+    cm_status status = CM_OK;
+    for (int image = 0; status == CM_OK && image < doing->sensor.series * given->phases; image++)
+    {
+        const double begin = doing->time + image * (given->exposure + given->readout);
+        if (moves(doing, begin, begin + given->exposure))
+        {
+            status = seen_motion(doing->scene, doing->trajectory, &doing->sensor, begin,
+                                 begin + given->exposure, most);
+        }
+    }
+    return status;
+}
+
+/* Steps of an exposure: in one no sample is to move by more than its width, and no phase by more than STEP_TURN. */
+static cm_status find_times(frame *doing)
+{
+    doing->times = (int)doing->options.sample_times;
+    if (doing->times > 0)
+    {
+        return CM_OK;
+    }
+    seen_movement most = {0.0, 0.0};
+    const cm_status status = find_movement(doing, &most);
+    const double solid_angle =
+        cm_camera_solid_angle(doing->sensor.given.camera, 0.5 * (double)doing->sensor.width,
+                              0.5 * (double)doing->sensor.height);
+    const double fineness = fmax((double)doing->sensor.sample_columns / doing->sensor.cells.width,
+                                 (double)doing->sensor.sample_rows);
+    const double samples = most.angle / sqrt(solid_angle > 0.0 ? solid_angle : 1e-6) * fineness;
+    double number = 0.0;
+    for (size_t wave = 0; wave < doing->sensor.waves.count; wave++)
+    {
+        number = fmax(number, doing->sensor.waves.number[wave]);
+    }
+    const double turns = 2.0 * number * most.range / STEP_TURN;
+    doing->times = (int)fmin(fmax(1.0, ceil(fmax(samples, turns))), MOST_TIMES);
+    return status;
 }
 
 /* ---- all of a frame ---- */
@@ -411,7 +432,7 @@ cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor *sensor
     if (status == CM_OK)
     {
         const double end = time + cm_tof_frame_time(sensor) - sensor->pause - sensor->readout;
-        status = moves(&doing, end) ? take_moving(&doing) : take_still(&doing);
+        status = moves(&doing, time, end) ? take_moving(&doing) : take_still(&doing);
     }
     if (status == CM_OK)
     {

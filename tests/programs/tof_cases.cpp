@@ -41,6 +41,35 @@ void check_distances(const std::string &name, double lowest, double highest)
     }
 }
 
+// What one picture measures and the other does not is counted.
+void evaluates()
+{
+    make_tof_inputs();
+    write_file("narrow.json", sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 0.5}]"));
+    does("tof simulate wall.json sensor.json pose.txt -o whole --quiet");
+    does("tof simulate wall.json narrow.json pose.txt -o part --quiet");
+    const char *const whole = " whole/distance_0000.exr", *const part = " part/distance_0000.exr";
+    std::size_t dark = 0;
+    for (const float each : Picture("part/distance_0000.exr").values)
+    {
+        dark += std::isnan(each) ? 1 : 0;
+    }
+    const std::string forth = does(std::string("tof evaluate --json") + part + whole).out;
+    const std::string back = does(std::string("tof evaluate --json") + whole + part).out;
+    const auto counts = [](std::size_t count, std::size_t missing, std::size_t extra)
+    {
+        return "\"count\": " + std::to_string(count) + ", \"missing\": " + std::to_string(missing) +
+               ", \"extra\": " + std::to_string(extra) + ",";
+    };
+    result(dark > 100 && dark < 400 && forth.find(counts(432 - dark, dark, 0)) != std::string::npos,
+           "what is missing is counted", forth);
+    result(back.find(counts(432 - dark, 0, dark)) != std::string::npos,
+           "and what is there beyond the truth", back);
+    says("and people are told",
+         "432 pixels count; 0 have a distance in the truth alone, 0 in what was measured alone\n$",
+         std::string("tof evaluate") + whole + whole);
+}
+
 void measures()
 {
     make_tof_inputs();
@@ -419,9 +448,10 @@ void keeps_budgets()
 const std::vector<Subject> &tof_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"tof_measures", measures},     {"tof_folder", lies_in_a_folder},
-        {"tof_arrays", are_arrays},     {"tof_hdf5", are_files_of_hdf5},
-        {"tof_texel", renders_texels},  {"tof_sensors", knows_sensors},
-        {"tof_budgets", keeps_budgets}, {"tof_shot_noise", has_shot_noise}};
+        {"tof_measures", measures},        {"tof_evaluates", evaluates},
+        {"tof_folder", lies_in_a_folder},  {"tof_arrays", are_arrays},
+        {"tof_hdf5", are_files_of_hdf5},   {"tof_texel", renders_texels},
+        {"tof_sensors", knows_sensors},    {"tof_budgets", keeps_budgets},
+        {"tof_shot_noise", has_shot_noise}};
     return subjects;
 }

@@ -110,6 +110,17 @@ void refuses_tof_ranges()
     fails("a member that is misspelt", 1, "duty is missing: .*; is 'duyt' meant for it", run);
     changed("\"power\": 0.7", "\"power\": 0.7, \"Directoin\": [0, 0, 1]");
     fails("a member that is nearly one", 1, "'Directoin', which .*; did you mean direction", run);
+    changed("\"height\"", "\"heigth\"");
+    fails("a camera's member that is misspelt", 1,
+          "'odd.json':1: camera has 'heigth', which .*; did you mean height\\?", run);
+    changed("\"fx\"", "\"fX\"");
+    fails("a short one", 1, "camera has 'fX', which .*; did you mean fx\\?", run);
+    changed("\"camera\"", "\"cammera\"");
+    fails("the camera itself", 1, "camera is missing: an object.*; is 'cammera' meant for it", run);
+    changed("\"lights\"", "\"ligths\"");
+    fails("the lights", 1, "lights is missing: a list.*; is 'ligths' meant for it", run);
+    changed("\"phases\"", "\"phase\"");
+    fails("the phases", 1, "phases is missing: a whole.*; is 'phase' meant for it", run);
     for (const char *const edge : {"1e3", "1e12"})
     {
         changed("\"frequency\": 20e6", std::string("\"frequency\": ") + edge);

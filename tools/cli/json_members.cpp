@@ -57,10 +57,10 @@ std::string suggestion_of(const std::string &key, const std::vector<std::string>
 }
 
 // "; is 'frequecy' meant for it?" where a member that is missing seems to be there by another name. Short names are too much alike.
-std::string misspelt(const cJSON *object, const char *key)
+std::string misspelt(const cJSON *object, const std::string &key)
 {
     constexpr std::size_t short_name = 4;
-    cm_nearest nearest = cm_nearest_to(key, std::strlen(key));
+    cm_nearest nearest = cm_nearest_to(key.data(), key.size());
     for (const cJSON *each = object->child; each != nullptr; each = each->next)
     {
         cm_nearest_try(&nearest, each->string, std::strlen(each->string));
@@ -107,6 +107,11 @@ void JsonMembers::fail(const std::string &key, const std::string &what) const
 {
     const cJSON *const item = cJSON_GetObjectItemCaseSensitive(object, key.c_str());
     place.fail(item == nullptr ? object : item, name_of(key) + what);
+}
+
+void JsonMembers::fail_missing(const std::string &key, const std::string &wanted) const
+{
+    fail(key, " is missing: " + wanted + misspelt(object, key));
 }
 
 void JsonMembers::fail_whole(const std::string &what) const
@@ -167,7 +172,7 @@ double JsonMembers::number(const char *key, Range range)
     const cJSON *const item = find(key);
     if (item == nullptr && !is_in(0, range))
     {
-        fail(key, std::string(" is missing: ") + words_of_range(range) + misspelt(object, key));
+        fail_missing(key, words_of_range(range));
     }
     return item == nullptr ? 0 : checked(item, key, range);
 }

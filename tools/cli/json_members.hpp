@@ -65,6 +65,8 @@ public:
     // A text; wanted says of which kind, "the name of a mesh".
     std::string word(const char *key, const std::string &wanted);
 
+    // Failure of a member that is not there: what it would be, and which one may be meant for it.
+    [[noreturn]] void fail_missing(const std::string &key, const std::string &wanted) const;
     // Failure of a member, "PATH.KEY" and what it is; of the whole, "PATH" and what it is.
     [[noreturn]] void fail(const std::string &key, const std::string &what) const;
     [[noreturn]] void fail_whole(const std::string &what) const;

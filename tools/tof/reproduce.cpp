@@ -58,23 +58,28 @@ template <class Number> std::string list_of(const std::vector<Number> &values)
     return made + "]";
 }
 
+std::string list_of(const std::vector<std::string> &words)
+{
+    std::string made = "[";
+    for (const std::string &word : words)
+    {
+        made += (&word == words.data() ? "" : ",") + quoted(word);
+    }
+    return made + "]";
+}
+
 std::string chart_json(const Chart &chart)
 {
     std::string made = "{\"name\":" + quoted(chart.name) + ",\"title\":" + quoted(chart.title) +
                        ",\"x\":" + quoted(chart.x) + ",\"y\":" + quoted(chart.y) +
                        ",\"scatter\":" + (chart.is_scatter ? "true" : "false") +
                        ",\"logarithmic\":" + (chart.is_logarithmic ? "true" : "false") +
-                       ",\"curves\":[";
+                       ",\"ticks\":" + list_of(chart.tick) + ",\"curves\":[";
     for (const ChartCurve &curve : chart.curves)
     {
         made += &curve == chart.curves.data() ? "" : ",";
         made += "{\"name\":" + quoted(curve.name) + ",\"x\":" + list_of(curve.x) +
-                ",\"y\":" + list_of(curve.y) + ",\"mark\":[";
-        for (const std::string &mark : curve.mark)
-        {
-            made += (&mark == curve.mark.data() ? "" : ",") + quoted(mark);
-        }
-        made += "]}";
+                ",\"y\":" + list_of(curve.y) + ",\"mark\":" + list_of(curve.mark) + "}";
     }
     made += "],\"pictures\":[";
     for (const ChartPicture &picture : chart.pictures)

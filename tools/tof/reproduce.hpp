@@ -44,7 +44,8 @@ struct Chart
     bool is_scatter = false;
     std::vector<ChartCurve> curves;
     std::vector<ChartPicture> pictures;
-    bool is_logarithmic = false; // both axes
+    bool is_logarithmic = false;        // both axes
+    std::vector<std::string> tick = {}; // what x from 1 on is called, if it is no number
 };
 
 struct Reproduction

@@ -356,12 +356,13 @@ Reproduction reproduce_lens(const ReproduceSettings &settings)
         return made;
     }
     Chart chart = {"lens-calibration",
-                   "What OpenCV finds of 17 checkerboards: fx, fy, cx, cy, k1, k2, p1, p2",
+                   "What OpenCV finds of 17 checkerboards",
                    "parameter",
                    "error in %",
                    true,
                    {},
                    {}};
+    chart.tick = {"fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2"};
     for (const Lens &each : lenses)
     {
         const Ways by(each);

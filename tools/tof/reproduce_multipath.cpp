@@ -17,6 +17,7 @@ constexpr std::uint32_t corner_pixels = 100; // half of the camera's along each 
 constexpr double corner_wall = 1.0;          // metres, edges of the corner's plates
 constexpr double corner_cube = 0.3;
 constexpr double small_cube = 0.05;
+constexpr double white_plastic = 0.85; // in near infrared
 constexpr int reference_bounces = 8;
 constexpr std::uint32_t reference_paths = 128;
 
@@ -126,15 +127,16 @@ Removal measure(const CornerStage &stage, const std::vector<cm_primitive> &scene
     return made;
 }
 
-// The reflectance with which one bounce removes 75 % in Corner: more bounces matter more the brighter walls are.
-double tuned_reflectance(const CornerStage &stage, const ReproduceSettings &settings)
+// The reflectance in Corner up to which something holds.
+template <class Holds>
+double tuned_reflectance(const CornerStage &stage, const ReproduceSettings &settings, Holds holds)
 {
     double least = 0.1, most = 0.95;
     for (int i = 0; i < 7; ++i)
     {
         const double middle = 0.5 * (least + most);
         settings.tell("Corner, reflectance " + text_of_number(middle, 3));
-        (measure(stage, corner(middle)).part() > 0.75 ? least : most) = middle;
+        (holds(measure(stage, corner(middle))) ? least : most) = middle;
     }
     return 0.5 * (least + most);
 }
@@ -148,7 +150,9 @@ std::string percent(double part)
 double reproduce_corners(const ReproduceSettings &settings, Reproduction &to)
 {
     const CornerStage stage = make_corner_stage(settings.threads, 1.3, 40 * half_turn / 180);
-    const double reflectance = tuned_reflectance(stage, settings);
+    // with brighter walls more bounces matter more
+    const double reflectance = tuned_reflectance(
+        stage, settings, [](const Removal &removal) { return removal.part() > 0.75; });
     struct Line
     {
         const char *name;
@@ -164,7 +168,7 @@ double reproduce_corners(const ReproduceSettings &settings, Reproduction &to)
     // the paper's mean absolute errors of SimDirect and SimSingle, materials 1 and 5
     Chart bars = {"multipath-table-2-figures",
                   "Of direct light's error one bounce removes",
-                  "scene: 1 Corner, 2 CornerCube, 3 CornerCubeShift",
+                  "",
                   "part removed",
                   true,
                   {{"paper, material 1",
@@ -190,6 +194,7 @@ double reproduce_corners(const ReproduceSettings &settings, Reproduction &to)
                  text_of_number(1e3 * removal.seen, 3) + " mm with visibility; reflectance " +
                  text_of_number(reflectance, 3) + ")",
              removal.part() > line.low - 0.03 && removal.part() < line.high + 0.03});
+        bars.tick.push_back(line.name);
         bars.curves[2].y.push_back(removal.part());
         bars.curves[3].y.push_back(1 - removal.seen / removal.direct);
         ChartPicture difference = {line.name, "m", corner_pixels, removal.one};
@@ -204,64 +209,125 @@ double reproduce_corners(const ReproduceSettings &settings, Reproduction &to)
     return reflectance;
 }
 
-// Fig. 9: a cube of aluminium, 5 cm, in the corner of table 2's first material. What is one bounce comes by paths: virtual lights
-// are few, and something that mirrors sees none of them.
-void reproduce_aluminium(const ReproduceSettings &settings, double reflectance, Reproduction &to)
+// Table 2's errors themselves, with walls as bright as direct light's error in Corner asks for.
+void reproduce_errors(const ReproduceSettings &settings, Reproduction &to)
 {
-    settings.tell("the cube of aluminium");
+    const CornerStage stage = make_corner_stage(settings.threads, 1.3, 40 * half_turn / 180);
+    const double reflectance = tuned_reflectance(
+        stage, settings, [](const Removal &removal) { return removal.direct < 0.0885; });
+    struct Line
+    {
+        const char *name;
+        std::vector<cm_primitive> scene;
+        const char *paper;
+        double low, high; // metres, of both materials
+    };
+    const Line lines[] = {
+        {"Corner", corner(reflectance), "88.5 and 88.4 mm; 23.8 and 20.0 left", 0.0884, 0.0885},
+        {"CornerCube", corner_with_cube(reflectance, 0), "72.8 and 68.8 mm; 19.4 and 13.8 left",
+         0.0688, 0.0728},
+        {"CornerCubeShift", corner_with_cube(reflectance, 0.1),
+         "84.6 and 77.7 mm; 39.6 and 34.2 left", 0.0777, 0.0846}};
+    for (const Line &line : lines)
+    {
+        settings.tell(line.name);
+        const Removal removal = measure(stage, line.scene);
+        to.rows.push_back(
+            {std::string("table 2, ") + line.name +
+                 ": direct light's error, tuned in Corner, and what one bounce leaves",
+             std::string(line.paper) + "; the first within 5 mm",
+             text_of_number(1e3 * removal.direct, 3) + " mm; " +
+                 text_of_number(1e3 * removal.single, 3) + " left (reflectance " +
+                 text_of_number(reflectance, 3) + ")",
+             removal.direct > line.low - 0.005 && removal.direct < line.high + 0.005});
+    }
+}
+
+// Fig. 9: a cube of aluminium, 5 cm, in a corner of the first material, and the corner alone.
+struct Walls
+{
+    const char *name;
+    const char *chart;
+    double reflectance;
+};
+
+struct AluminiumPictures
+{
+    std::vector<float> truth, lights, one, eight;
+    std::vector<float> empty_truth, empty_one, empty_eight;
+};
+
+TofPointer<cm_brdf> make_aluminium()
+{
     cm_cook_torrance metal = {};
     metal.size = sizeof metal;
     metal.specular = 1;
-    metal.roughness = 0.15;
+    metal.roughness = 0.3;
     metal.eta = 2.8;
     metal.absorption = 8.45;
     cm_brdf *made = nullptr;
     need(cm_brdf_create_cook_torrance(&metal, &made));
-    const TofPointer<cm_brdf> brdf(made);
-    const CornerStage stage = make_corner_stage(settings.threads, 1.3, 10 * half_turn / 180);
-    std::vector<cm_primitive> with = corner(reflectance);
-    with.push_back(box_between(0, 0, 0, small_cube, small_cube, small_cube, 1));
+    return TofPointer<cm_brdf>(made);
+}
+
+// What is one bounce comes by paths: virtual lights are few, and something that mirrors sees none of them.
+AluminiumPictures take_aluminium(const CornerStage &stage, double reflectance)
+{
+    const TofPointer<cm_brdf> brdf = make_aluminium();
+    const std::vector<cm_primitive> empty = corner(reflectance);
+    std::vector<cm_primitive> dull = empty;
+    dull.push_back(box_between(0, 0, 0, small_cube, small_cube, small_cube, 1));
+    std::vector<cm_primitive> with = dull;
     with.back().brdf = brdf.get();
-    std::vector<cm_primitive> dull = with;
-    dull.back().brdf = nullptr;
-    const std::vector<float> truth = picture(stage, dull, options_of(0));
     cm_tof_options single = options_of(1), many = options_of(8);
     single.traces = 1;
     single.paths = many.paths = 4 * reference_paths;
-    const std::vector<float> lights = picture(stage, with, options_of(1));
-    const std::vector<float> one = picture(stage, with, single);
-    const std::vector<float> eight = picture(stage, with, many);
-    const std::vector<float> empty_truth = picture(stage, corner(reflectance), options_of(0));
-    const std::vector<float> empty_one = picture(stage, corner(reflectance), single);
-    const std::vector<float> empty_eight = picture(stage, corner(reflectance), many);
-    // where the cube is: how far it moves what is measured of the corner without it, in the mean
+    AluminiumPictures made;
+    made.truth = picture(stage, dull, options_of(0));
+    made.lights = picture(stage, with, options_of(1));
+    made.one = picture(stage, with, single);
+    made.eight = picture(stage, with, many);
+    made.empty_truth = picture(stage, empty, options_of(0));
+    made.empty_one = picture(stage, empty, single);
+    made.empty_eight = picture(stage, empty, many);
+    return made;
+}
+
+// Where the cube is: how far it moves what is measured of the corner without it, in the mean.
+void add_aluminium_rows(const AluminiumPictures &taken, const Walls &walls, Reproduction &to)
+{
     double height = 0, by_one = 0, by_eight = 0, by_lights = 0;
     std::size_t count = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i)
+    for (std::size_t i = 0; i < taken.truth.size(); ++i)
     {
-        const double cube_height = static_cast<double>(empty_truth[i] - truth[i]);
+        const double cube_height = static_cast<double>(taken.empty_truth[i] - taken.truth[i]);
         if (cube_height > 0.01)
         {
             height += cube_height;
-            by_lights += static_cast<double>(empty_one[i] - lights[i]);
-            by_one += static_cast<double>(empty_one[i] - one[i]);
-            by_eight += static_cast<double>(empty_eight[i] - eight[i]);
+            by_lights += static_cast<double>(taken.empty_one[i] - taken.lights[i]);
+            by_one += static_cast<double>(taken.empty_one[i] - taken.one[i]);
+            by_eight += static_cast<double>(taken.empty_eight[i] - taken.eight[i]);
             ++count;
         }
     }
     const auto millimetres = [&](double sum)
     { return text_of_number(1e3 * sum / static_cast<double>(count), 3) + " mm"; };
+    const std::string where = std::string("fig. 9, walls of ") + walls.name + ": ";
     to.rows.push_back(
-        {"fig. 9: an aluminium cube, " + millimetres(height) +
+        {where + "an aluminium cube, " + millimetres(height) +
              " before the corner in the mean, brings nearer with one bounce",
          "it stays, half of it at least",
          "by " + millimetres(by_one) + " (by 338 lights " + millimetres(by_lights) + ")",
          by_one > 0.5 * height});
-    to.rows.push_back({"fig. 9: and with eight bounces",
+    to.rows.push_back({where + "and with eight bounces",
                        "it nearly vanishes, less than half of that", "by " + millimetres(by_eight),
                        std::abs(by_eight) < 0.5 * std::abs(by_one)});
-    Chart chart = {"multipath-figure-9",
-                   "Row through an aluminium cube of 5 cm in a corner",
+}
+
+Chart aluminium_chart(const AluminiumPictures &taken, const Walls &walls)
+{
+    Chart chart = {walls.chart,
+                   std::string("Row through an aluminium cube of 5 cm, walls of ") + walls.name,
                    "column",
                    "distance in m",
                    false,
@@ -271,7 +337,8 @@ void reproduce_aluminium(const ReproduceSettings &settings, double reflectance, 
                     {"eight bounces", {}, {}},
                     {"eight, no cube", {}, {}}},
                    {}};
-    const std::vector<float> *const rows[] = {&truth, &lights, &one, &eight, &empty_eight};
+    const std::vector<float> *const rows[] = {&taken.truth, &taken.lights, &taken.one, &taken.eight,
+                                              &taken.empty_eight};
     for (std::size_t curve = 0; curve < std::size(rows); ++curve)
     {
         for (std::size_t column = 0; column < corner_pixels; ++column)
@@ -281,7 +348,16 @@ void reproduce_aluminium(const ReproduceSettings &settings, double reflectance, 
                 static_cast<double>((*rows[curve])[corner_pixels / 2 * corner_pixels + column]));
         }
     }
-    to.charts.push_back(chart);
+    return chart;
+}
+
+void reproduce_aluminium(const ReproduceSettings &settings, const Walls &walls, Reproduction &to)
+{
+    settings.tell(std::string("the cube of aluminium, walls of ") + walls.name);
+    const CornerStage stage = make_corner_stage(settings.threads, 1.3, 10 * half_turn / 180);
+    const AluminiumPictures taken = take_aluminium(stage, walls.reflectance);
+    add_aluminium_rows(taken, walls, to);
+    to.charts.push_back(aluminium_chart(taken, walls));
 }
 
 } // namespace
@@ -290,6 +366,10 @@ Reproduction reproduce_multipath(const ReproduceSettings &settings)
 {
     Reproduction made;
     const double reflectance = reproduce_corners(settings, made);
-    reproduce_aluminium(settings, reflectance, made);
+    reproduce_errors(settings, made);
+    reproduce_aluminium(settings, {"white plastic, 0.85", "multipath-figure-9", white_plastic},
+                        made);
+    reproduce_aluminium(settings,
+                        {"table 2's reflectance", "multipath-figure-9-table-2", reflectance}, made);
     return made;
 }

@@ -153,6 +153,65 @@ std::string sparsification_json(const EvaluateOptions &options, const DistancePi
            ", \"area\": " + json_number(area) + "}";
 }
 
+struct DistanceMeasures
+{
+    cm_depth_error errors;
+    double quantiles[3]; // of 0.5, 0.9 and 0.99
+    double bad[3];       // parts beyond 1 mm, 1 cm and 10 cm
+};
+
+DistanceMeasures measure(const EvaluateOptions &options, const DistancePicture &measured,
+                         const DistancePicture &truth)
+{
+    const double fractions[] = {0.5, 0.9, 0.99}, limits[] = {0.001, 0.01, 0.1};
+    const std::size_t n = truth.value.size();
+    DistanceMeasures made = {};
+    made.errors.size = sizeof made.errors;
+    check_measures(
+        cm_depth_error_measure(n, measured.value.data(), truth.value.data(), &made.errors),
+        options);
+    check_measures(cm_depth_error_quantiles(n, measured.value.data(), truth.value.data(), 3,
+                                            fractions, made.quantiles),
+                   options);
+    check_measures(
+        cm_depth_error_bad(n, measured.value.data(), truth.value.data(), 3, limits, made.bad),
+        options);
+    return made;
+}
+
+std::string measures_json(const DistanceMeasures &of)
+{
+    const cm_depth_error &errors = of.errors;
+    return "\"count\": " + std::to_string(errors.count) +
+           ", \"missing\": " + std::to_string(errors.missing) +
+           ", \"extra\": " + std::to_string(errors.extra) +
+           ", \"mae\": " + json_number(errors.mae) + ", \"mse\": " + json_number(errors.mse) +
+           ", \"rmse\": " + json_number(errors.rmse) + ", \"bias\": " + json_number(errors.bias) +
+           ", \"deviation\": " + json_number(errors.deviation) +
+           ", \"median\": " + json_number(errors.median) +
+           ", \"maximum\": " + json_number(errors.maximum) +
+           ", \"quantiles\": {\"0.5\": " + json_number(of.quantiles[0]) +
+           ", \"0.9\": " + json_number(of.quantiles[1]) +
+           ", \"0.99\": " + json_number(of.quantiles[2]) +
+           "}, \"bad\": {\"1mm\": " + json_number(of.bad[0]) +
+           ", \"1cm\": " + json_number(of.bad[1]) + ", \"10cm\": " + json_number(of.bad[2]) + "}";
+}
+
+std::string measures_text(const DistanceMeasures &of)
+{
+    const cm_depth_error &errors = of.errors;
+    char text[600];
+    std::snprintf(text, sizeof text,
+                  "mean error %.6g m, root of the mean square %.6g m, bias %.6g m, most %.6g m\n"
+                  "%.3g %% of the pixels are more than 1 mm off, %.3g %% more than 1 cm, %.3g %% "
+                  "more than 10 cm\n"
+                  "%zu pixels count; %zu have a distance in the truth alone, %zu in what was "
+                  "measured alone\n",
+                  errors.mae, errors.rmse, errors.bias, errors.maximum, 100 * of.bad[0],
+                  100 * of.bad[1], 100 * of.bad[2], errors.count, errors.missing, errors.extra);
+    return text;
+}
+
 } // namespace
 
 int evaluate_tof(int argc, char **argv, const cm_streams &streams)
@@ -164,41 +223,9 @@ int evaluate_tof(int argc, char **argv, const cm_streams &streams)
     }
     const DistancePicture truth = read_distances(options.truth);
     const DistancePicture measured = read_alike(options.measured, truth, options.truth);
-    cm_depth_error errors = {};
-    errors.size = sizeof errors;
-    check_measures(cm_depth_error_measure(truth.value.size(), measured.value.data(),
-                                          truth.value.data(), &errors),
-                   options);
-    const double fractions[] = {0.5, 0.9, 0.99}, limits[] = {0.001, 0.01, 0.1};
-    double quantiles[3], bad[3];
-    check_measures(cm_depth_error_quantiles(truth.value.size(), measured.value.data(),
-                                            truth.value.data(), 3, fractions, quantiles),
-                   options);
-    check_measures(cm_depth_error_bad(truth.value.size(), measured.value.data(), truth.value.data(),
-                                      3, limits, bad),
-                   options);
-    if (options.json)
-    {
-        const std::string text =
-            "{\"mae\": " + json_number(errors.mae) + ", \"mse\": " + json_number(errors.mse) +
-            ", \"rmse\": " + json_number(errors.rmse) + ", \"bias\": " + json_number(errors.bias) +
-            ", \"deviation\": " + json_number(errors.deviation) +
-            ", \"maximum\": " + json_number(errors.maximum) +
-            ", \"quantiles\": {\"0.5\": " + json_number(quantiles[0]) +
-            ", \"0.9\": " + json_number(quantiles[1]) + ", \"0.99\": " + json_number(quantiles[2]) +
-            "}, \"bad\": {\"1mm\": " + json_number(bad[0]) + ", \"1cm\": " + json_number(bad[1]) +
-            ", \"10cm\": " + json_number(bad[2]) + "}" +
-            sparsification_json(options, measured, truth) + "}\n";
-        print(streams, text);
-        return 0;
-    }
-    char text[400];
-    std::snprintf(text, sizeof text,
-                  "mean error %.6g m, root of the mean square %.6g m, bias %.6g m, most %.6g m\n"
-                  "%.3g %% of the pixels are more than 1 mm off, %.3g %% more than 1 cm, %.3g %% "
-                  "more than 10 cm\n",
-                  errors.mae, errors.rmse, errors.bias, errors.maximum, 100 * bad[0], 100 * bad[1],
-                  100 * bad[2]);
-    print(streams, text);
+    const DistanceMeasures made = measure(options, measured, truth);
+    print(streams, options.json ? "{" + measures_json(made) +
+                                      sparsification_json(options, measured, truth) + "}\n"
+                                : measures_text(made));
     return 0;
 }

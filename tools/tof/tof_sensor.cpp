@@ -97,11 +97,21 @@ void check_lens(JsonMembers &camera)
 CameraPointer camera_of(const JsonPlace &place, JsonMembers &members)
 {
     const cJSON *const json = members.find("camera");
+    if (json == nullptr)
+    {
+        members.fail_missing("camera", "an object, as a camera's file has it");
+    }
     if (!cJSON_IsObject(json))
     {
         members.fail("camera", " is not an object, as a camera's file has it");
     }
     JsonMembers parts(place, "camera", json);
+    std::vector<std::string> names;
+    for (const char *const *name = cm_camera_file_members; *name != nullptr; ++name)
+    {
+        names.emplace_back(*name);
+    }
+    parts.check_only(names);
     const cJSON *const mapping = parts.find("mapping");
     if (mapping == nullptr || (cJSON_IsString(mapping) && mapping->valuestring[0] == '\0'))
     {
@@ -184,8 +194,7 @@ void read_signal(JsonMembers &members, TofSensor &made)
     made.sensor.phases = static_cast<int>(members.whole("phases", 3, phases_most, 0));
     if (made.sensor.phases == 0)
     {
-        members.fail("phases",
-                     " is missing: a whole number from 3 to " + std::to_string(phases_most));
+        members.fail_missing("phases", "a whole number from 3 to " + std::to_string(phases_most));
     }
     made.harmonic = members.numbers("harmonic", Range::any);
     check_size(members, "harmonic", made.harmonic, SENSOR_HARMONIC_MOST);
@@ -263,6 +272,10 @@ void read_light(const JsonPlace &place, const cJSON *json, std::size_t number, T
 void read_lights(const JsonPlace &place, JsonMembers &members, TofSensor &made)
 {
     const cJSON *const list = members.find("lights");
+    if (list == nullptr)
+    {
+        members.fail_missing("lights", "a list of one light or more");
+    }
     if (!cJSON_IsArray(list) || list->child == nullptr)
     {
         members.fail("lights", " is not a list of one light or more");

@@ -14,8 +14,23 @@
 #include <cstring>
 #include <memory>
 
+const char *const cm_camera_file_members[] = {
+    "width",      "height",      "fx",      "fy",    "cx",   "cy",   "pixel_centre",
+    "distortion", "depth_scale", "mapping", "frame", "size", nullptr};
+
 namespace
 {
+
+// "width, height, fx" and so on.
+std::string list_of_members()
+{
+    std::string made;
+    for (const char *const *name = cm_camera_file_members; *name != nullptr; ++name)
+    {
+        made += (made.empty() ? "" : ", ") + std::string(*name);
+    }
+    return made;
+}
 
 // A camera of more is a mistake: 2^31 pixels.
 constexpr double camera_pixels_most = 2147483648.0;
@@ -145,7 +160,7 @@ void CameraText::take(const cJSON *item, CameraNumbers &camera) const
     }
     else
     {
-        fail(item, "a camera has no " + key.substr(0, 40));
+        fail(item, "a camera has no " + key.substr(0, 40) + "; it may have " + list_of_members());
     }
 }
 

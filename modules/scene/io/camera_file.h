@@ -22,6 +22,9 @@
 extern "C" {
 #endif
 
+/* The names of members that such an object may have; NULL behind the last. */
+extern const char *const cm_camera_file_members[];
+
 /* The camera of a file, for cm_camera_destroy. */
 cm_status cm_camera_file_read(const char *path, cm_camera **camera, double *depth_scale,
                               char *message);

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Into how many steps an exposure is divided: as many as the motion in any of a frame's exposures needs, wherever and however
+ * something moves.
+ */
+#include "tof_stage.h"
+
+/* Positions at times, without turning. */
+static cm_trajectory *make_motion(size_t n, const double *stamp, const double (*place)[3])
+{
+    const double turn[4] = {0, 0, 0, 1};
+    cm_pose key[8];
+    for (size_t i = 0; i < n; i++)
+    {
+        ck_assert_int_eq(cm_pose_from_quaternion(place[i], turn, &key[i]), CM_OK);
+    }
+    cm_trajectory *made = NULL;
+    ck_assert_int_eq(cm_trajectory_create(n, stamp, key, &made, NULL), CM_OK);
+    return made;
+}
+
+static cm_primitive ball(double x, double z, double radius, const cm_trajectory *motion)
+{
+    const cm_primitive made = {.size = sizeof made,
+                               .kind = CM_PRIMITIVE_SPHERE,
+                               .first = {x, 0, z},
+                               .radius = radius,
+                               .material = {{1, 1, 1}, 0.8},
+                               .motion = motion};
+    return made;
+}
+
+/* Before the wall, with exposures of 1 ms every 2 ms: how many steps are chosen. Charges are those of as many by hand. */
+static uint32_t steps_of(const cm_primitive *moving)
+{
+    static float chosen[PHASES * PIXELS];
+    const cm_primitive both[2] = {wall, *moving};
+    stage at = make_stage(both, 2);
+    at.sensor.exposure = at.sensor.readout = 1e-3;
+    cm_tof_report report = {.size = sizeof report};
+    cm_tof_result result = {.size = sizeof result, .phase = chosen, .report = &report};
+    ck_assert_int_eq(
+        cm_tof_simulate(at.scene, &at.sensor, &at.light, 1, NULL, 0.0, NULL, NULL, &result), CM_OK);
+    const cm_tof_options options = {.size = sizeof options, .sample_times = report.times};
+    ck_assert_int_eq(simulate(&at, &options), CM_OK);
+    ck_assert_mem_eq(chosen, phase, sizeof chosen);
+    free_stage(&at);
+    return report.times;
+}
+
+/* A ball that stands in the first exposure and in the third one moves by 16 of its pixels. */
+START_TEST(what_begins_to_move_later_counts)
+{
+    const double stamp[3] = {0.0, 4e-3, 5e-3};
+    const double place[3][3] = {{0, 0, 0}, {0, 0, 0}, {0.32, 0, 0}};
+    cm_trajectory *motion = make_motion(3, stamp, place);
+    const cm_primitive moving = ball(-0.2, 1.2, 0.2, motion);
+    ck_assert_uint_eq(steps_of(&moving), 16);
+    cm_trajectory_destroy(motion);
+}
+END_TEST
+
+/* One that comes into the picture while the exposure lasts. */
+START_TEST(what_comes_in_counts)
+{
+    const double stamp[2] = {0.0, 1e-3};
+    const double place[2][3] = {{0, 0, 0}, {1.5, 0, 0}};
+    cm_trajectory *motion = make_motion(2, stamp, place);
+    const cm_primitive moving = ball(-1.5, 1.2, 0.2, motion);
+    ck_assert_uint_eq(steps_of(&moving), 16);
+    cm_trajectory_destroy(motion);
+}
+END_TEST
+
+/* One of two pixels that moves by five. */
+START_TEST(small_things_count)
+{
+    const double stamp[2] = {0.0, 1e-3};
+    const double place[2][3] = {{0, 0, 0}, {0.1, 0, 0}};
+    cm_trajectory *motion = make_motion(2, stamp, place);
+    const cm_primitive moving = ball(0.01, 1.0, 0.02, motion);
+    const uint32_t steps = steps_of(&moving);
+    ck_assert_uint_ge(steps, 5);
+    ck_assert_uint_le(steps, 6);
+    cm_trajectory_destroy(motion);
+}
+END_TEST
+
+/* What is beyond the picture's edges may move as it likes. */
+START_TEST(what_is_not_seen_does_not_count)
+{
+    const double stamp[2] = {0.0, 1e-3};
+    const double place[2][3] = {{0, 0, 0}, {0, 0, 0.5}};
+    cm_trajectory *motion = make_motion(2, stamp, place);
+    const cm_primitive moving = ball(-4.0, 1.0, 0.02, motion);
+    ck_assert_uint_eq(steps_of(&moving), 1);
+    cm_trajectory_destroy(motion);
+}
+END_TEST
+
+/* Something flat comes nearer: its charges are the mean of a thousand moments', though it moves across no pixel. */
+START_TEST(what_comes_nearer_counts)
+{
+    const double stamp[2] = {0.0, 1.0};
+    const double place[2][3] = {{0, 0, 0}, {0, 0, -60}};
+    cm_trajectory *motion = make_motion(2, stamp, place);
+    cm_primitive moving = wall;
+    moving.motion = motion;
+    stage at = make_stage(&moving, 1);
+    at.sensor.exposure = 5e-3;
+    ck_assert_int_eq(simulate(&at, NULL), CM_OK);
+    const size_t middle = 24 * WIDTH + 32;
+    const float electrons = intensity[middle];
+    float chosen[PHASES];
+    for (size_t k = 0; k < PHASES; k++)
+    {
+        chosen[k] = phase[k * PIXELS + middle];
+    }
+    const cm_tof_options options = {.size = sizeof options, .sample_times = 1000};
+    ck_assert_int_eq(simulate(&at, &options), CM_OK);
+    for (size_t k = 0; k < PHASES; k++)
+    {
+        ck_assert_float_eq_tol(chosen[k], phase[k * PIXELS + middle], 3e-4f * electrons);
+    }
+    free_stage(&at);
+    cm_trajectory_destroy(motion);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        what_begins_to_move_later_counts, what_comes_in_counts,     small_things_count,
+        what_is_not_seen_does_not_count,  what_comes_nearer_counts, NULL};
+    return run_suite("exposure steps", tests);
+}
