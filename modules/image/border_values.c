@@ -249,13 +249,14 @@ static int16_t to_whole(float value)
 /* A pixel of a padded's planes. */
 typedef struct spot
 {
+    const cm_padded *of;
     unsigned plane;
     ptrdiff_t at; /* numbers from the plane's first */
 } spot;
 
 static spot spot_of(const cm_padded *padded, unsigned plane, int32_t column, int32_t row)
 {
-    return (spot){plane, row * padded->row + column * padded->pixel};
+    return (spot){padded, plane, row * padded->row + column * padded->pixel};
 }
 
 static void interpolate_few(const cm_padded *padded, unsigned plane, double column, double row,
@@ -276,7 +277,7 @@ static void interpolate_few(const cm_padded *padded, unsigned plane, double colu
         }
         else
         {
-            padded->first[to.plane][to.at + channel] = sum_few(
+            to.of->first[to.plane][to.at + channel] = sum_few(
                 padded->first[plane] + from.at + channel, padded->pixel, padded->row, &x, &y);
         }
     }
@@ -293,7 +294,7 @@ static void copy_pixel(const cm_padded *padded, spot from, spot to)
         }
         else
         {
-            padded->first[to.plane][to.at + channel] = padded->first[from.plane][from.at + channel];
+            to.of->first[to.plane][to.at + channel] = padded->first[from.plane][from.at + channel];
         }
     }
 }
@@ -366,7 +367,7 @@ static void interpolate_six(const cm_padded *padded, unsigned plane, const many_
     }
     else
     {
-        sum_six(padded, padded->first[plane] + from.at, &x, &y, padded->first[to.plane] + to.at);
+        sum_six(padded, padded->first[plane] + from.at, &x, &y, to.of->first[to.plane] + to.at);
     }
 }
 
@@ -413,42 +414,161 @@ static int32_t points_beside_crease(const cm_padded *padded, const many_points *
     return cm_level_is_across(padded->width, columns->first[i] + 1, rows->first[i] + 1, 4) ? 2 : 4;
 }
 
+/* Where n positions lie. */
+typedef struct places
+{
+    size_t n;
+    uint8_t found[CM_BORDER_RUN];
+    int are_many; /* points, which planes of few pixels do not have */
+    many_points columns;
+    many_points rows;
+    const double *x;
+    const double *y;
+} places;
+
+static void find_places(const cm_border_values *values, size_t n, double *x, double *y, double *z,
+                        places *at)
+{
+    const cm_padded *padded = values->padded;
+    at->n = n;
+    at->are_many = padded->width >= POINTS && padded->height >= POINTS;
+    at->x = x;
+    at->y = y;
+    cm_surface_find(values->surface, n, x, y, z, at->found, x, y);
+    if (!at->are_many)
+    {
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        x[i] = at->found[i] != CM_NO_FACE ? x[i] : 0.0;
+        y[i] = at->found[i] != CM_NO_FACE ? y[i] : 0.0;
+    }
+    find_points(x, n, values->scale[0], padded->width, &at->columns);
+    find_points(y, n, values->scale[1], padded->height, &at->rows);
+}
+
+/* A pixel from others of a plane of `padded`. */
+static void put_pixel(const cm_border_values *values, const cm_padded *padded, const places *at,
+                      size_t i, spot to)
+{
+    if (at->are_many && !(values->surface->creased &&
+                          cm_level_is_across(padded->width, at->columns.first[i],
+                                             at->rows.first[i], POINTS)))
+    {
+        interpolate_six(padded, at->found[i], &at->columns, &at->rows, i, to);
+    }
+    else
+    {
+        interpolate_few(padded, at->found[i], at->x[i] / values->scale[0],
+                        at->y[i] / values->scale[1],
+                        at->are_many ? points_beside_crease(padded, &at->columns, &at->rows, i)
+                                     : POINTS,
+                        to);
+    }
+}
+
+/* ---- from pictures ---- */
+
+/* Numbers that are read of a plane at once: of 6 x 6 pixels at least. */
+#define TILE_MOST 4096
+
+typedef struct tile
+{
+    int32_t left;
+    int32_t right; /* before it */
+    int32_t top;
+    int32_t bottom;
+} tile;
+
+static int32_t lesser(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static int32_t greater(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* All that the places from `begin` on are made of that lie on one plane and near one another; returns the first that
+ * does not. */
+static size_t gather(const places *at, size_t begin, int32_t channels, tile *box)
+{
+    size_t i = begin;
+    *box = (tile){INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+    for (; i < at->n && at->found[i] == at->found[begin]; i++)
+    {
+        const tile more = {lesser(box->left, at->columns.first[i]),
+                           greater(box->right, at->columns.first[i] + POINTS),
+                           lesser(box->top, at->rows.first[i]),
+                           greater(box->bottom, at->rows.first[i] + POINTS)};
+        const int32_t pixels = (more.right - more.left) * (more.bottom - more.top);
+        if (i > begin && (pixels < 0 || pixels > TILE_MOST / channels))
+        {
+            break;
+        }
+        *box = more;
+    }
+    return i;
+}
+
+/* The part of a border that stands alone in which a pixel lies. */
+static const cm_padded *side_of(const cm_border_values *values, int32_t column, int32_t row)
+{
+    const int32_t height = (int32_t)values->padded->height;
+    const int side = row < 0 ? 0 : row >= height ? 1 : column < 0 ? 2 : 3;
+    return &values->side[side];
+}
+
+/* Planes of six pixels and more that go on everywhere. */
+static void put_from_pictures(const cm_border_values *values, unsigned plane, int32_t column,
+                              int32_t row, int32_t right, int32_t down, const places *at)
+{
+    const cm_padded *to = side_of(values, column, row);
+    cm_padded some = *values->padded;
+    float pixels[TILE_MOST];
+    for (size_t begin = 0; begin < at->n;)
+    {
+        tile box;
+        const size_t end = gather(at, begin, (int32_t)some.channels, &box);
+        some.row = (box.right - box.left) * some.pixel;
+        for (int32_t line = box.top; line < box.bottom; line++)
+        {
+            cm_level_read(values->reader, at->found[begin], box.left, line, box.right - box.left,
+                          pixels + (line - box.top) * some.row);
+        }
+        some.first[at->found[begin]] = pixels - (box.top * some.row + box.left * some.pixel);
+        for (; begin < end; begin++)
+        {
+            put_pixel(values, &some, at, begin,
+                      spot_of(to, plane, column + (int32_t)begin * right,
+                              row + (int32_t)begin * down));
+        }
+    }
+}
+
 void cm_border_put(const cm_border_values *values, unsigned plane, int32_t column, int32_t row,
                    int32_t right, int32_t down, size_t n, double *x, double *y, double *z)
 {
     const cm_padded *padded = values->padded;
-    const int are_many = padded->width >= POINTS && padded->height >= POINTS;
-    uint8_t found[CM_BORDER_RUN];
-    many_points columns, rows;
-    cm_surface_find(values->surface, n, x, y, z, found, x, y);
-    if (are_many)
+    places at;
+    find_places(values, n, x, y, z, &at);
+    if (values->reader != NULL)
     {
-        for (size_t i = 0; i < n; i++)
-        {
-            x[i] = found[i] != CM_NO_FACE ? x[i] : 0.0;
-            y[i] = found[i] != CM_NO_FACE ? y[i] : 0.0;
-        }
-        find_points(x, n, values->scale[0], padded->width, &columns);
-        find_points(y, n, values->scale[1], padded->height, &rows);
+        put_from_pictures(values, plane, column, row, right, down, &at);
+        return;
     }
     for (size_t i = 0; i < n; i++, column += right, row += down)
     {
         const spot to = spot_of(padded, plane, column, row);
-        if (found[i] == CM_NO_FACE)
+        if (at.found[i] == CM_NO_FACE)
         {
             continue_plane(padded, column, row, to);
         }
-        else if (are_many &&
-                 !(values->surface->creased &&
-                   cm_level_is_across(padded->width, columns.first[i], rows.first[i], POINTS)))
-        {
-            interpolate_six(padded, found[i], &columns, &rows, i, to);
-        }
         else
         {
-            interpolate_few(padded, found[i], x[i] / values->scale[0], y[i] / values->scale[1],
-                            are_many ? points_beside_crease(padded, &columns, &rows, i) : POINTS,
-                            to);
+            put_pixel(values, padded, &at, i, to);
         }
     }
 }

@@ -73,9 +73,8 @@ static size_t bytes_of(const cm_padded *padded)
     return padded->plane_floats * padded->planes * number;
 }
 
-static cm_status create(const cm_surface *surface, uint32_t width, uint32_t height,
-                        uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
-                        int is_whole, const cm_memory *memory, unsigned threads, cm_padded *padded)
+static void lay_out(const cm_surface *surface, uint32_t width, uint32_t height, uint32_t channels,
+                    int32_t beside, int32_t beyond, cm_padded_order order, cm_padded *padded)
 {
     const size_t slack = CM_WINDOW_SLACK / sizeof(float);
     memset(padded, 0, sizeof *padded);
@@ -92,6 +91,19 @@ static cm_status create(const cm_surface *surface, uint32_t width, uint32_t heig
     padded->channel = order == CM_PADDED_PIXELS ? 1 : (ptrdiff_t)line;
     padded->row = (ptrdiff_t)(order == CM_PADDED_PIXELS ? line : line * channels);
     padded->plane_floats = (size_t)padded->row * high;
+}
+
+void cm_padded_shape(const cm_surface *surface, uint32_t width, uint32_t height, uint32_t channels,
+                     int32_t border, cm_padded *shape)
+{
+    lay_out(surface, width, height, channels, border, border, CM_PADDED_PIXELS, shape);
+}
+
+static cm_status create(const cm_surface *surface, uint32_t width, uint32_t height,
+                        uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
+                        int is_whole, const cm_memory *memory, unsigned threads, cm_padded *padded)
+{
+    lay_out(surface, width, height, channels, beside, beyond, order, padded);
     padded->is_whole = is_whole;
     padded->owner = memory;
     padded->memory = cm_large_allocate(memory, bytes_of(padded));

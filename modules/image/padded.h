@@ -52,6 +52,10 @@ cm_status cm_padded_create_whole(const cm_surface *surface, uint32_t width, uint
                                  uint32_t channels, int32_t beside, int32_t beyond,
                                  const cm_memory *memory, unsigned threads, cm_padded *padded);
 
+/* The sizes and strides of cm_padded_create, pixel by pixel, without memory. */
+void cm_padded_shape(const cm_surface *surface, uint32_t width, uint32_t height, uint32_t channels,
+                     int32_t border, cm_padded *shape);
+
 void cm_padded_free(cm_padded *padded);
 
 /* What a plane with that extent can have of a border so wide. */

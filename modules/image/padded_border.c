@@ -39,6 +39,7 @@ typedef struct border_job
     cm_border_values values;
     size_t blocks[4];    /* of each side */
     size_t per_plane;    /* tasks */
+    unsigned plane;      /* the first one */
     double node_step[2]; /* pixels from a node to the next */
     double weight[2][CM_BORDER_MOST][NODES];
     row_copy *copy; /* of the rows above and below: which others they are */
@@ -265,7 +266,7 @@ static void do_tasks(size_t begin, size_t end, void *user)
     const border_job *job = user;
     for (size_t at = begin / CM_TASK; at < end / CM_TASK; at++)
     {
-        const unsigned plane = (unsigned)(at / job->per_plane);
+        const unsigned plane = job->plane + (unsigned)(at / job->per_plane);
         size_t task = at % job->per_plane;
         int where = ABOVE;
         while (where < CORNERS && task >= job->blocks[where])
@@ -306,29 +307,46 @@ static void prepare_nodes(border_job *job, int way, int32_t depth, uint32_t exte
     }
 }
 
-void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsigned threads)
+static void do_planes(border_job *job, unsigned planes, unsigned threads)
 {
-    border_job job = {.values = {.padded = padded, .surface = surface}};
-    job.values.scale[0] = (double)surface->width / padded->width;
-    job.values.scale[1] = (double)surface->height / padded->height;
-    job.blocks[ABOVE] = job.blocks[BELOW] =
+    const cm_padded *padded = job->values.padded;
+    const cm_surface *surface = job->values.surface;
+    job->values.scale[0] = (double)surface->width / padded->width;
+    job->values.scale[1] = (double)surface->height / padded->height;
+    job->blocks[ABOVE] = job->blocks[BELOW] =
         padded->beyond > 0 ? (padded->width + (size_t)BLOCK - 1) / BLOCK : 0;
-    job.blocks[LEFT] = job.blocks[RIGHT] =
+    job->blocks[LEFT] = job->blocks[RIGHT] =
         padded->beside > 0 ? (padded->height + (size_t)BLOCK - 1) / BLOCK : 0;
-    job.per_plane = 2 * (job.blocks[ABOVE] + job.blocks[LEFT]) + 4;
+    job->per_plane = 2 * (job->blocks[ABOVE] + job->blocks[LEFT]) + 4;
     if (!surface->methods->can_go_beyond)
     {
-        prepare_nodes(&job, 0, padded->beside, padded->width);
-        prepare_nodes(&job, 1, padded->beyond, padded->height);
+        prepare_nodes(job, 0, padded->beside, padded->width);
+        prepare_nodes(job, 1, padded->beyond, padded->height);
     }
     row_copy copy[2 * CM_BORDER_MOST];
-    job.copy = copy;
+    job->copy = copy;
     for (int32_t k = 0; k < 2 * padded->beyond; k++)
     {
         const int32_t row =
             k < padded->beyond ? k - padded->beyond : (int32_t)padded->height + k - padded->beyond;
         copy[k].is_there =
-            cm_surface_same_row(surface, job.values.scale, row, &copy[k].further, &copy[k].same);
+            cm_surface_same_row(surface, job->values.scale, row, &copy[k].further, &copy[k].same);
     }
-    cm_run_threads(threads, padded->planes * job.per_plane * CM_TASK, 2 * CM_TASK, do_tasks, &job);
+    cm_run_threads(threads, planes * job->per_plane * CM_TASK, 2 * CM_TASK, do_tasks, job);
+}
+
+void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsigned threads)
+{
+    border_job job = {.values = {.padded = padded, .surface = surface}};
+    do_planes(&job, padded->planes, threads);
+}
+
+void cm_padded_border_alone(const cm_padded *shape, const cm_surface *surface,
+                            const cm_level_reader *reader, unsigned plane,
+                            const cm_padded parts[CM_BORDER_SIDES], unsigned threads)
+{
+    border_job job = {
+        .values = {.padded = shape, .surface = surface, .reader = reader, .side = parts},
+        .plane = plane};
+    do_planes(&job, 1, threads);
 }

@@ -6,6 +6,7 @@
 #include "fetch.h"
 #include "large_memory.h"
 #include "past_caches.h"
+#include "resample_stripes.h"
 #include "source.h"
 
 #include <cubemap/threads.h>
@@ -173,20 +174,35 @@ static cm_status sample_apart(const cm_source *source, const cm_group *group, si
     return status;
 }
 
-/* All pixels of a group, which is filled up to a multiple of 16. */
-cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch *scratch,
-                           unsigned char *to)
+/* Up to a multiple of 16; returns that. */
+static size_t fill_up(cm_group *group)
 {
     const size_t whole = (group->count + 15u) / 16 * 16;
-    if (source->filter == CM_FILTER_EWA)
-    {
-        return cm_ewa_group(&source->ewa, group, scratch, (float *)(void *)to);
-    }
     for (size_t i = group->count; i < whole; i++)
     {
         group->x[i] = group->x[group->count - 1];
         group->y[i] = group->y[group->count - 1];
     }
+    return whole;
+}
+
+/* A row more each way: fewer pixels of a group may round otherwise. */
+void cm_source_rows(const cm_source *source, cm_group *group, int32_t *first, int32_t *end)
+{
+    const window_box box = box_of(source, group, 0, fill_up(group));
+    *first = group->row + box.row - 1;
+    *end = group->row + box.row + box.height + 1;
+}
+
+/* All pixels of a group, which is filled up to a multiple of 16. */
+cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch *scratch,
+                           unsigned char *to)
+{
+    if (source->filter == CM_FILTER_EWA)
+    {
+        return cm_ewa_group(&source->ewa, group, scratch, (float *)(void *)to);
+    }
+    const size_t whole = fill_up(group);
     if (is_there(source, group))
     {
         cm_window window;
@@ -407,6 +423,20 @@ cm_status cm_resample_source(const cm_plan *plan, const cm_source *source, cm_im
     if (planes == 0 || to->channels != source->values.channels || to->type != source->target_type)
     {
         return CM_ERROR_RANGE;
+    }
+    if (atomic_load(&source->state) != CM_SOURCE_READY)
+    {
+        int is_done = 0;
+        status = rows.row_count == 0 ? cm_resample_stripes(&job.target, threads, &is_done) : CM_OK;
+        if (status != CM_OK || is_done)
+        {
+            return status;
+        }
+        status = cm_source_complete(source, threads);
+        if (status != CM_OK)
+        {
+            return status;
+        }
     }
     atomic_init(&job.failed, CM_OK);
     cm_run_threads(threads, (size_t)planes * block_rows_of(&job.target.wanted) * ROW_WEIGHT,

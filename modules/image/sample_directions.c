@@ -94,7 +94,7 @@ cm_status cm_sample(const cm_surface *surface, const cm_image *pictures, cm_filt
                     const double *x, const double *y, const double *z, float *out)
 {
     cm_plan *plan;
-    cm_source *source;
+    cm_source *source = NULL;
     const cm_plan_options options = {
         .size = sizeof options, .filter = filter == CM_FILTER_AUTO ? CM_FILTER_BSPLINE5 : filter};
     if (surface == NULL || pictures == NULL || filter == CM_FILTER_EWA ||
@@ -110,6 +110,10 @@ cm_status cm_sample(const cm_surface *surface, const cm_image *pictures, cm_filt
     status = cm_source_create(plan, pictures, CM_PIXEL_FLOAT, 1, &source);
     if (status == CM_OK)
     {
+        status = cm_source_complete(source, 1);
+    }
+    if (status == CM_OK)
+    {
         sample_desk *desk = calloc(1, sizeof *desk);
         status = desk == NULL ? CM_ERROR_MEMORY : CM_OK;
         if (desk != NULL)
@@ -122,8 +126,8 @@ cm_status cm_sample(const cm_surface *surface, const cm_image *pictures, cm_filt
             free(desk->scratch.bytes);
             free(desk);
         }
-        cm_source_destroy(source);
     }
+    cm_source_destroy(source);
     cm_plan_destroy(plan);
     return status;
 }

@@ -2,12 +2,15 @@
  *
  * A source made ready for a filter.
  */
+#define _POSIX_C_SOURCE 200809L
+
 #include "source.h"
 #include "auto.h"
-#include "spline.h"
+#include "spline_stripes.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 cm_status cm_pictures_check(const cm_surface *surface, const cm_image *pictures)
 {
@@ -109,6 +112,62 @@ static void choose_sampler(cm_source *source, int is_bytes)
     }
 }
 
+/* Coefficients that are larger wait until a part of a target needs them. */
+#define KEPT_AT_ONCE ((size_t)32 << 20)
+
+static cm_status make_spline(cm_source *source, unsigned threads)
+{
+    const cm_plan *plan = source->plan;
+    return cm_spline_make(plan->from, source->pictures, &source->values, source->set,
+                          plan->options.memory, threads, &source->coefficients, &source->level);
+}
+
+/* Memory of the caller's is asked for at once. */
+static cm_status prepare_spline(cm_source *source, const cm_image *from, unsigned threads)
+{
+    const cm_surface *surface = source->plan->from;
+    memcpy(source->pictures, from, surface->pictures * sizeof *from);
+    if (source->plan->options.memory != NULL || !cm_spline_stripes_suit(surface) ||
+        cm_spline_bytes(surface, &source->values) <= KEPT_AT_ONCE)
+    {
+        return make_spline(source, threads);
+    }
+    source->level.channels = source->values.working;
+    source->level.pixel_size = source->values.working * sizeof(float);
+    atomic_store(&source->state, CM_SOURCE_LATER);
+    return CM_OK;
+}
+
+/* Another thread does something, which takes long. */
+static void wait_a_while(void)
+{
+#if defined(__unix__) || defined(__APPLE__)
+    const struct timespec while_ = {0, 1000000};
+    nanosleep(&while_, NULL);
+#endif
+}
+
+cm_status cm_source_complete(const cm_source *source, unsigned threads)
+{
+    cm_source *own = (cm_source *)(uintptr_t)source; /* they are all made by cm_source_create */
+    int state = atomic_load(&own->state);
+    while (state != CM_SOURCE_READY)
+    {
+        state = CM_SOURCE_LATER;
+        if (atomic_compare_exchange_strong(&own->state, &state, CM_SOURCE_BUSY))
+        {
+            const cm_status status = make_spline(own, threads);
+            atomic_store(&own->state, status == CM_OK ? CM_SOURCE_READY : CM_SOURCE_LATER);
+            return status;
+        }
+        if (state == CM_SOURCE_BUSY)
+        {
+            wait_a_while();
+        }
+    }
+    return CM_OK;
+}
+
 static cm_status prepare(cm_source *source, const cm_image *from, unsigned threads)
 {
     const cm_plan *plan = source->plan;
@@ -134,8 +193,7 @@ static cm_status prepare(cm_source *source, const cm_image *from, unsigned threa
     }
     if (source->filter == CM_FILTER_BSPLINE5)
     {
-        return cm_spline_make(plan->from, from, &source->values, source->set, memory, threads,
-                              &source->coefficients, &source->level);
+        return prepare_spline(source, from, threads);
     }
     if (source->filter == CM_FILTER_EWA)
     {
@@ -178,6 +236,7 @@ cm_status cm_source_create(const cm_plan *plan, const cm_image *from, cm_pixel_t
     }
     made->plan = plan;
     made->target_type = target_type;
+    atomic_init(&made->state, CM_SOURCE_READY);
     made->filter = plan->options.filter;
     status = prepare(made, from, threads);
     if (status != CM_OK)

@@ -136,10 +136,8 @@ static cm_status filter(spline_job *job, unsigned threads)
     return CM_OK;
 }
 
-static void look_at(const cm_padded *padded, const cm_values *values, cm_level *level)
+void cm_spline_look_at(const cm_padded *padded, const cm_values *values, cm_level *level)
 {
-    const unsigned char *end =
-        (const unsigned char *)(padded->memory + padded->planes * padded->plane_floats);
     memset(level, 0, sizeof *level);
     level->values = values;
     level->planes = padded->planes;
@@ -155,7 +153,11 @@ static void look_at(const cm_padded *padded, const cm_values *values, cm_level *
         to->pixels = (const unsigned char *)padded->first[plane];
         to->row_stride = padded->row * (ptrdiff_t)sizeof(float);
         to->pixel_stride = (ptrdiff_t)level->pixel_size;
-        to->end = end;
+        to->end = (const unsigned char *)padded->memory;
+        if (padded->memory != NULL)
+        {
+            to->end += padded->planes * padded->plane_floats * sizeof(float);
+        }
     }
 }
 
@@ -195,6 +197,6 @@ cm_status cm_spline_make(const cm_surface *surface, const cm_image *pictures,
         cm_padded_free(coefficients);
         return status;
     }
-    look_at(coefficients, values, level);
+    cm_spline_look_at(coefficients, values, level);
     return CM_OK;
 }

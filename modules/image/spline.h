@@ -17,4 +17,7 @@ cm_status cm_spline_make(const cm_surface *surface, const cm_image *pictures,
                          const cm_values *values, const cm_sample_set *set, const cm_memory *memory,
                          unsigned threads, cm_padded *coefficients, cm_level *level);
 
+/* A level that looks at coefficients. */
+void cm_spline_look_at(const cm_padded *coefficients, const cm_values *values, cm_level *level);
+
 #endif

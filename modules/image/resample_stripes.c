@@ -1,0 +1,418 @@
+/* SPDX-License-Identifier: MIT */
+#include "resample_stripes.h"
+#include "spline_stripes.h"
+
+#include <cubemap/threads.h>
+
+#include <stdatomic.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What stripes may take, if there are rows enough in it. */
+#define STRIPE_BYTES ((size_t)20 << 20)
+
+/* Blocks that are worth the making of a thread. */
+#define BLOCKS_LEAST 8
+
+/* Pixels of a block that lie on one plane of the source. */
+typedef struct block_part
+{
+    uint32_t block; /* of all planes of the target, by rows */
+    int32_t first;  /* row of the source that they touch */
+    uint8_t plane;  /* of the source */
+} block_part;
+
+/* What one thread has found. */
+typedef struct part_list
+{
+    struct part_list *next;
+    size_t count;
+    size_t room;
+    block_part *parts;
+    int32_t most; /* rows that one touches */
+} part_list;
+
+/* What a thread works with. */
+typedef struct stripe_desk
+{
+    cm_geometry *geometry;
+    cm_scratch scratch;
+    unsigned char *pixels;
+    cm_group groups[CM_GROUPS_MAX];
+} stripe_desk;
+
+typedef struct stripe_job
+{
+    cm_target target;
+    cm_source source; /* that of the target, whose level is the window */
+    uint32_t columns; /* of blocks, of a plane of the target */
+    uint32_t rows;
+    _Atomic(part_list *) lists;
+    _Atomic(stripe_desk *) desks[CM_THREADS_MAX]; /* that nobody has */
+    const cm_spline_stripes *stripes;
+    uint32_t *order; /* blocks by plane and stripe of the source */
+    size_t *begin;   /* of each stripe's, and the end of the last one's */
+    size_t at;       /* the stripe under way, of all planes */
+    unsigned plane;
+    unsigned stripe;
+    atomic_int failed;
+} stripe_job;
+
+/* ---- desks ---- */
+
+static void destroy_desk(stripe_desk *desk)
+{
+    if (desk != NULL)
+    {
+        cm_geometry_destroy(desk->geometry);
+        free(desk->scratch.bytes);
+        free(desk->pixels);
+        free(desk);
+    }
+}
+
+/* One that nobody has, or a new one; NULL if there is no memory. */
+static stripe_desk *take_desk(stripe_job *job)
+{
+    for (size_t i = 0; i < CM_THREADS_MAX; i++)
+    {
+        stripe_desk *found = atomic_exchange(&job->desks[i], NULL);
+        if (found != NULL)
+        {
+            return found;
+        }
+    }
+    stripe_desk *made = calloc(1, sizeof *made);
+    if (made != NULL)
+    {
+        made->geometry = cm_geometry_create(job->target.plan, 0);
+        made->pixels = malloc(CM_BLOCK_PIXELS * job->source.level.pixel_size + 64);
+        if (made->geometry == NULL || made->pixels == NULL)
+        {
+            destroy_desk(made);
+            made = NULL;
+        }
+    }
+    if (made == NULL)
+    {
+        atomic_store(&job->failed, CM_ERROR_MEMORY);
+    }
+    return made;
+}
+
+static void give_desk(stripe_job *job, stripe_desk *desk)
+{
+    for (size_t i = 0; i < CM_THREADS_MAX; i++)
+    {
+        stripe_desk *none = NULL;
+        if (atomic_compare_exchange_strong(&job->desks[i], &none, desk))
+        {
+            return;
+        }
+    }
+    destroy_desk(desk);
+}
+
+/* ---- blocks ---- */
+
+/* Where a block is on the target. */
+typedef struct block_place
+{
+    unsigned plane;
+    uint32_t column;
+    uint32_t row;
+} block_place;
+
+static block_place place_of(const stripe_job *job, size_t block)
+{
+    const size_t per_plane = (size_t)job->columns * job->rows;
+    const size_t at = block % per_plane;
+    return (block_place){(unsigned)(block / per_plane), (uint32_t)(at % job->columns),
+                         (uint32_t)(at / job->columns)};
+}
+
+static int add_part(part_list *list, uint32_t block, uint8_t plane, int32_t first, int32_t end)
+{
+    if (list->count == list->room)
+    {
+        const size_t room = list->room == 0 ? 1024 : 2 * list->room;
+        block_part *parts = realloc(list->parts, room * sizeof *parts);
+        if (parts == NULL)
+        {
+            return 0;
+        }
+        list->parts = parts;
+        list->room = room;
+    }
+    list->parts[list->count++] = (block_part){block, first, plane};
+    list->most = end - first > list->most ? end - first : list->most;
+    return 1;
+}
+
+/* What the source does not show of a block is cleared; all else is noted. */
+static int survey_block(stripe_job *job, stripe_desk *desk, part_list *list, size_t block)
+{
+    const block_place at = place_of(job, block);
+    const unsigned count =
+        cm_geometry_block(desk->geometry, at.plane, at.column, at.row, desk->groups);
+    unsigned pixels = 0;
+    for (unsigned i = 0; i < count; i++)
+    {
+        int32_t first, end;
+        cm_source_rows(&job->source, &desk->groups[i], &first, &end);
+        pixels += desk->groups[i].count;
+        if (!add_part(list, (uint32_t)block, desk->groups[i].plane, first, end))
+        {
+            return 0;
+        }
+    }
+    if (pixels < CM_BLOCK_PIXELS)
+    {
+        cm_target_clear(&job->target, at.plane, at.column, at.row, desk->groups, count);
+    }
+    return 1;
+}
+
+static void survey_blocks(size_t begin, size_t end, void *user)
+{
+    stripe_job *job = user;
+    stripe_desk *desk = take_desk(job);
+    part_list *list = calloc(1, sizeof *list);
+    int is_good = desk != NULL && list != NULL;
+    for (size_t at = begin / CM_TASK; at < end / CM_TASK && is_good; at++)
+    {
+        is_good = survey_block(job, desk, list, at);
+    }
+    if (!is_good)
+    {
+        atomic_store(&job->failed, CM_ERROR_MEMORY);
+    }
+    if (desk != NULL)
+    {
+        give_desk(job, desk);
+    }
+    if (list != NULL)
+    {
+        list->next = atomic_load(&job->lists);
+        while (!atomic_compare_exchange_weak(&job->lists, &list->next, list))
+        {
+        }
+    }
+}
+
+static size_t key_of(const stripe_job *job, uint8_t plane, int32_t first)
+{
+    return plane * (size_t)cm_spline_stripes_count(job->stripes) +
+           cm_spline_stripes_of(job->stripes, first);
+}
+
+/* A part is done when the stripe has come in which it begins. */
+static cm_status sort_parts(stripe_job *job)
+{
+    const size_t keys =
+        job->target.plan->from->planes * (size_t)cm_spline_stripes_count(job->stripes);
+    size_t count = 0;
+    job->begin = calloc(keys + 2, sizeof *job->begin);
+    for (const part_list *list = atomic_load(&job->lists); list != NULL; list = list->next)
+    {
+        count += list->count;
+    }
+    job->order = malloc((count > 0 ? count : 1) * sizeof *job->order);
+    if (job->begin == NULL || job->order == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    size_t *next = job->begin + 1; /* where the next one of each stripe goes, then where the stripe after it begins */
+    for (const part_list *list = atomic_load(&job->lists); list != NULL; list = list->next)
+    {
+        for (size_t i = 0; i < list->count; i++)
+        {
+            next[key_of(job, list->parts[i].plane, list->parts[i].first) + 1]++;
+        }
+    }
+    for (size_t key = 0; key < keys; key++)
+    {
+        next[key + 1] += next[key];
+    }
+    for (const part_list *list = atomic_load(&job->lists); list != NULL; list = list->next)
+    {
+        for (size_t i = 0; i < list->count; i++)
+        {
+            job->order[next[key_of(job, list->parts[i].plane, list->parts[i].first)]++] =
+                list->parts[i].block;
+        }
+    }
+    return CM_OK;
+}
+
+/* ---- pixels ---- */
+
+/* What of a block is of the stripe. */
+static cm_status do_block(const stripe_job *job, stripe_desk *desk, size_t block)
+{
+    const block_place at = place_of(job, block);
+    const unsigned count =
+        cm_geometry_block(desk->geometry, at.plane, at.column, at.row, desk->groups);
+    cm_row_target row = cm_target_row(&job->target, at.plane, at.row * CM_BLOCK_EDGE, NULL);
+    row.bundle = 0; /* blocks side by side come at other times */
+    const cm_block_target to = cm_target_block(&job->target, &row, at.column * CM_BLOCK_EDGE);
+    cm_status status = CM_OK;
+    for (unsigned i = 0; i < count && status == CM_OK; i++)
+    {
+        cm_group *group = &desk->groups[i];
+        int32_t first, end;
+        cm_source_rows(&job->source, group, &first, &end);
+        if (key_of(job, group->plane, first) != job->at)
+        {
+            continue;
+        }
+        status = cm_source_sample(&job->source, group, &desk->scratch, desk->pixels);
+        if (status == CM_OK)
+        {
+            cm_target_store(&job->target, at.plane, at.column, at.row, group, &to, desk->pixels);
+        }
+    }
+    return status;
+}
+
+static void do_blocks(size_t begin, size_t end, void *user)
+{
+    stripe_job *job = user;
+    stripe_desk *desk = take_desk(job);
+    if (desk == NULL)
+    {
+        return;
+    }
+    cm_status status = CM_OK;
+    for (size_t at = begin / CM_TASK; at < end / CM_TASK && status == CM_OK; at++)
+    {
+        status = do_block(job, desk, job->order[job->begin[job->at] + at]);
+    }
+    if (status != CM_OK)
+    {
+        atomic_store(&job->failed, (int)status);
+    }
+    give_desk(job, desk);
+}
+
+/* All stripes of a plane, as far up as something needs them. */
+static cm_status do_plane(stripe_job *job, cm_spline_stripes *stripes, unsigned plane,
+                          unsigned threads)
+{
+    const unsigned count = cm_spline_stripes_count(stripes);
+    const size_t first = plane * (size_t)count;
+    if (job->begin[first] == job->begin[first + count])
+    {
+        return CM_OK;
+    }
+    cm_status status = cm_spline_stripes_begin(stripes, plane, threads);
+    for (unsigned stripe = count; stripe-- > 0 && status == CM_OK;)
+    {
+        if (job->begin[first] == job->begin[first + stripe + 1] ||
+            cm_spline_stripes_have_holes(stripes))
+        {
+            break;
+        }
+        status = cm_spline_stripes_next(stripes, threads);
+        job->at = first + stripe;
+        job->source.level = *cm_spline_stripes_level(stripes);
+        const size_t blocks = job->begin[job->at + 1] - job->begin[job->at];
+        if (status == CM_OK)
+        {
+            cm_run_threads(threads, blocks * CM_TASK, BLOCKS_LEAST * CM_TASK, do_blocks, job);
+            status = (cm_status)atomic_load(&job->failed);
+        }
+    }
+    return status;
+}
+
+/* ---- all of it ---- */
+
+static int32_t rows_below(const stripe_job *job)
+{
+    int32_t most = 0;
+    for (const part_list *list = atomic_load(&job->lists); list != NULL; list = list->next)
+    {
+        most = list->most > most ? list->most : most;
+    }
+    return most;
+}
+
+/* Is it less than half of what all coefficients take? */
+static int is_worth_while(const stripe_job *job, int32_t below)
+{
+    const cm_source *source = &job->source;
+    const cm_surface *surface = source->plan->from;
+    return below < (int32_t)surface->height &&
+           cm_spline_stripes_bytes(surface, &source->values, below, STRIPE_BYTES) <
+               cm_spline_bytes(surface, &source->values) / 2;
+}
+
+static cm_status do_stripes(stripe_job *job, unsigned threads, int *is_done)
+{
+    const cm_source *source = &job->source;
+    const int32_t below = rows_below(job);
+    cm_spline_stripes *stripes = NULL;
+    if (!is_worth_while(job, below))
+    {
+        return CM_OK;
+    }
+    cm_status status =
+        cm_spline_stripes_create(source->plan->from, source->pictures, &source->values, source->set,
+                                 below, STRIPE_BYTES, threads, &stripes);
+    job->stripes = stripes;
+    status = status == CM_OK ? sort_parts(job) : status;
+    for (unsigned plane = 0; plane < source->plan->from->planes && status == CM_OK; plane++)
+    {
+        status = do_plane(job, stripes, plane, threads);
+    }
+    *is_done = status == CM_OK && !cm_spline_stripes_have_holes(stripes);
+    cm_spline_stripes_destroy(stripes);
+    return status;
+}
+
+static void free_all(stripe_job *job)
+{
+    for (size_t i = 0; i < CM_THREADS_MAX; i++)
+    {
+        destroy_desk(atomic_load(&job->desks[i]));
+    }
+    for (part_list *list = atomic_load(&job->lists); list != NULL;)
+    {
+        part_list *next = list->next;
+        free(list->parts);
+        free(list);
+        list = next;
+    }
+    free(job->order);
+    free(job->begin);
+    free(job);
+}
+
+cm_status cm_resample_stripes(const cm_target *target, unsigned threads, int *is_done)
+{
+    const cm_surface *to = target->plan->to;
+    stripe_job *job = calloc(1, sizeof *job);
+    *is_done = 0;
+    if (job == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    memcpy(&job->source, target->source, sizeof job->source);
+    job->target = *target;
+    job->target.source = &job->source;
+    job->columns = (to->width + CM_BLOCK_EDGE - 1) / CM_BLOCK_EDGE;
+    job->rows = (to->height + CM_BLOCK_EDGE - 1) / CM_BLOCK_EDGE;
+    const size_t blocks = (size_t)to->planes * job->columns * job->rows;
+    cm_status status = CM_OK;
+    if (blocks < UINT32_MAX)
+    {
+        atomic_init(&job->failed, CM_OK);
+        cm_run_threads(threads, blocks * CM_TASK, BLOCKS_LEAST * CM_TASK, survey_blocks, job);
+        status = (cm_status)atomic_load(&job->failed);
+        status = status == CM_OK ? do_stripes(job, threads, is_done) : status;
+    }
+    free_all(job);
+    return status;
+}
