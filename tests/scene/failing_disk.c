@@ -146,6 +146,10 @@ static int ask_access(sqlite3_vfs *disk, const char *name, int flags, int *resul
 void use_failing_disk(void)
 {
     static sqlite3_vfs disk;
+    if (true_disk != NULL)
+    {
+        return;
+    }
     sqlite3_initialize();
     true_disk = sqlite3_vfs_find(NULL);
     disk = *true_disk;

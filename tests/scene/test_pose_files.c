@@ -62,7 +62,11 @@ START_TEST(cameras_are_the_same_when_read_again)
     const char *const texts[] = {
         PINHOLE ",\"distortion\":[0.1,-0.2,1e-3,0.3333333333333333],\"pixel_centre\":0.5}",
         "{\"mapping\":\"tangent:c=0.7\",\"size\":16,\"depth_scale\":333.25}",
-        "{\"mapping\":\"azimuthal:equidistant\",\"size\":16}"};
+        "{\"mapping\":\"azimuthal:equidistant\",\"size\":16}",
+        "{\"mapping\":\"border\",\"size\":16}",
+        "{\"mapping\":\"border:lambert,radial\",\"size\":16}",
+        "{\"mapping\":\"border:lon=30.5\",\"frame\":\"gl\",\"size\":16}",
+        "{\"mapping\":\"quincuncial:mixture,elliptical,lat=10,beta=0.25\",\"size\":16}"};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
     {
         cm_camera *camera = NULL, *again = NULL;
@@ -82,6 +86,12 @@ START_TEST(cameras_are_the_same_when_read_again)
                          cm_mapping_parameter(a.mapping, 0) == cm_mapping_parameter(b.mapping, 0)),
                     "%zu", i);
         }
+        const double point[3] = {0.3, -0.5, 0.7};
+        double place[2], place_again[2];
+        cm_camera_project_array(camera, 1, &point[0], &point[1], &point[2], &place[0], &place[1]);
+        cm_camera_project_array(again, 1, &point[0], &point[1], &point[2], &place_again[0],
+                                &place_again[1]);
+        REQUIRE(memcmp(place, place_again, sizeof place) == 0 && place[0] == place[0], "%zu", i);
         a.mapping = b.mapping = NULL;
         REQUIRE(memcmp(&a, &b, sizeof a) == 0, "camera %zu is another one", i);
         cm_camera_destroy(camera);

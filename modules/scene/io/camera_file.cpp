@@ -13,6 +13,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
+#include <string>
+#include <vector>
 
 const char *const cm_camera_file_members[] = {
     "width",      "height",      "fx",      "fy",    "cx",   "cy",   "pixel_centre",
@@ -361,23 +364,95 @@ void read_camera(const std::string &name, std::string_view text, cm_camera **cam
     *depth_scale = numbers.depth_scale;
 }
 
-// The specification that makes the mapping again. What a specification cannot say is refused.
-std::string mapping_text(const cm_mapping *mapping)
+// The parameters that are not the standard ones, each behind a letter: the first, then commas.
+std::string parameters_text(const cm_mapping *mapping, char first)
 {
     const cm_mapping_info *const info = cm_mapping_describe(mapping);
-    std::string text = info->identifier;
-    char between = ':';
+    std::string text;
     for (std::size_t i = 0; i < info->parameter_count; ++i)
     {
         const double value = cm_mapping_parameter(mapping, i);
         if (value != info->parameter[i].standard && std::isfinite(value))
         {
-            text += between + std::string(info->parameter[i].name) + "=" + number_text(value);
-            between = ',';
+            text += (text.empty() ? first : ',') + std::string(info->parameter[i].name) + "=" +
+                    number_text(value);
         }
     }
+    return text;
+}
+
+// Have both the same bits in directions all around, on a spiral?
+bool is_same_mapping(const cm_mapping *one, const cm_mapping *other)
+{
+    constexpr int directions = 64;
+    for (int i = 0; i < directions; ++i)
+    {
+        const double z = 1.0 - (2.0 * i + 1.0) / directions;
+        const double angle = 2.399963 * i; // the golden one, nearly
+        const double across = std::sqrt(1.0 - z * z);
+        const std::array<double, 3> at = {across * std::cos(angle), across * std::sin(angle), z};
+        std::array<double, 2> uv{}, other_uv{};
+        const bool same_face =
+            cm_forward(one, at.data(), uv.data()) == cm_forward(other, at.data(), other_uv.data());
+        if (!same_face || std::memcmp(uv.data(), other_uv.data(), sizeof uv) != 0)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::vector<std::string> part_names(cm_kind kind)
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < cm_catalogue_count(); ++i)
+    {
+        const cm_mapping_info *const info = cm_catalogue_at(i);
+        const std::string name = info->identifier;
+        if (info->kind == kind)
+        {
+            names.push_back(name.substr(name.find(':') + 1));
+        }
+    }
+    return names;
+}
+
+// Of a layout: a mapping does not tell its parts, so all are tried.
+std::string layout_text(const cm_mapping *mapping)
+{
+    const std::string name = cm_mapping_describe(mapping)->identifier;
+    const std::string parameters = parameters_text(mapping, ',');
+    const std::vector<std::string> squares = part_names(CM_KIND_DISC_SQUARE);
+    for (const std::string &azimuthal : part_names(CM_KIND_AZIMUTHAL))
+    {
+        for (const std::string &square : squares)
+        {
+            const std::string text = name + ":" + azimuthal + "," + square + parameters;
+            cm_mapping *tried = nullptr;
+            const cm_status status =
+                cm_mapping_create(text.c_str(), cm_mapping_frame(mapping), &tried);
+            if (status == CM_ERROR_MEMORY)
+            {
+                throw std::bad_alloc();
+            }
+            const MappingPointer owned(tried, cm_mapping_destroy);
+            if (status == CM_OK && is_same_mapping(mapping, tried))
+            {
+                return text;
+            }
+        }
+    }
+    return ""; // which makes none
+}
+
+// The specification that makes the mapping again. What a specification cannot say is refused.
+std::string mapping_text(const cm_mapping *mapping)
+{
+    const cm_mapping_info *const info = cm_mapping_describe(mapping);
     const bool parts = info->parts != nullptr && cm_mapping_has_bounds(mapping) == 0;
-    if (parts || cm_specification_check(text.c_str(), nullptr, 0) != CM_OK)
+    const std::string text =
+        parts ? layout_text(mapping) : info->identifier + parameters_text(mapping, ':');
+    if (cm_specification_check(text.c_str(), nullptr, 0) != CM_OK)
     {
         throw FileFailure(CM_ERROR_UNSUPPORTED,
                           "a camera whose mapping has no short text cannot be written");
