@@ -60,6 +60,8 @@ typedef struct cm_snapshot
     size_t cell_count;
     uint32_t *color; /* of voxels, as color_word.c has them; 0: none */
     size_t color_count;
+    cm_seen_cell of_voxels[256]; /* cells of 2^3 voxels, without color, by which are occupied */
+    uint8_t count_of[256];       /* how many those are */
     float thickness[256]; /* of opacities: the logarithm to the base 1/2 of what is let through */
 } cm_snapshot;
 

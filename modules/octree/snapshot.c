@@ -500,6 +500,7 @@ cm_status cm_snapshot_make(const cm_octree *octree, const cm_snapshot_bounds *bo
     {
         snapshot->thickness[i] = i == 255 ? INFINITY : (float)-log2(1.0 - i / 255.0);
     }
+    cm_seen_tables(snapshot);
     gathering g = {.snapshot = snapshot,
                    .rule = &octree->rule,
                    .bounds = bounds,

@@ -17,6 +17,15 @@ void cm_seen_color(uint32_t color, uint8_t rgb[3])
     }
 }
 
+/* Bits of the bytes of a word that are not 0. */
+static uint64_t bytes_of(uint64_t word)
+{
+    word |= word >> 4;
+    word |= word >> 2;
+    word |= word >> 1;
+    return (word & 0x0101010101010101u) * 0x0102040810204080u >> 56;
+}
+
 size_t cm_seen_node_count(cm_seen_node *node)
 {
     unsigned before = 0;
@@ -28,10 +37,7 @@ size_t cm_seen_node_count(cm_seen_node *node)
         node->before[w] = (uint16_t)before;
         before += cm_bit_count(word);
         node->quarters = (uint8_t)(node->quarters | (word != 0) << w);
-        for (unsigned b = 0; b < 8; b++)
-        {
-            node->pairs |= (uint64_t)((word >> 8 * b & 255) != 0) << (8 * w + b);
-        }
+        node->pairs |= bytes_of(word) << 8 * w;
     }
     node->quarter_count = (uint8_t)cm_bit_count(node->quarters);
     return 1u + node->quarter_count + cm_bit_count(node->pairs);
@@ -101,18 +107,19 @@ static void mean_of(const uint32_t *color, unsigned n, uint8_t rgb[3])
                   rgb);
 }
 
-/* A cell of 2^3 voxels, of which these are occupied, with colors in their order. */
-static cm_seen_cell joined_voxels(unsigned occupied, const uint32_t *color, unsigned *count)
+void cm_seen_tables(cm_snapshot *snapshot)
 {
     static const uint8_t part_of_four[5] = {0, 64, 128, 191, 255};
-    const unsigned n = cm_bit_count(occupied);
-    cm_seen_cell cell = {.part = shown(255 * n, 8)};
-    cell.opacity[0] = part_of_four[cm_bit_count((occupied | occupied >> 1) & 0x55)];
-    cell.opacity[1] = part_of_four[cm_bit_count((occupied | occupied >> 2) & 0x33)];
-    cell.opacity[2] = part_of_four[cm_bit_count((occupied | occupied >> 4) & 0x0f)];
-    mean_of(color, n, cell.color);
-    *count = n;
-    return cell;
+    for (unsigned occupied = 0; occupied < 256; occupied++)
+    {
+        cm_seen_cell *cell = &snapshot->of_voxels[occupied];
+        const unsigned n = cm_bit_count(occupied);
+        *cell = (cm_seen_cell){.part = shown(255 * n, 8)};
+        cell->opacity[0] = part_of_four[cm_bit_count((occupied | occupied >> 1) & 0x55)];
+        cell->opacity[1] = part_of_four[cm_bit_count((occupied | occupied >> 2) & 0x33)];
+        cell->opacity[2] = part_of_four[cm_bit_count((occupied | occupied >> 4) & 0x0f)];
+        snapshot->count_of[occupied] = (uint8_t)n;
+    }
 }
 
 /* Cells of a node from those of its 2^3 children, which are there. */
@@ -151,8 +158,10 @@ void cm_seen_block_fill(const cm_snapshot *snapshot, const cm_seen_node *node)
         const unsigned occupied = (unsigned)(node->mask[b / 8] >> 8 * (b % 8) & 255);
         if (occupied != 0)
         {
-            unsigned count;
-            *pair++ = joined_voxels(occupied, color, &count);
+            const unsigned count = snapshot->count_of[occupied];
+            *pair = snapshot->of_voxels[occupied];
+            mean_of(color, count, pair->color);
+            pair++;
             color += count;
         }
     }
