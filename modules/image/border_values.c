@@ -452,19 +452,17 @@ static void find_places(const cm_border_values *values, size_t n, double *x, dou
 static void put_pixel(const cm_border_values *values, const cm_padded *padded, const places *at,
                       size_t i, spot to)
 {
-    if (at->are_many && !(values->surface->creased &&
-                          cm_level_is_across(padded->width, at->columns.first[i],
-                                             at->rows.first[i], POINTS)))
+    if (at->are_many &&
+        !(values->surface->creased &&
+          cm_level_is_across(padded->width, at->columns.first[i], at->rows.first[i], POINTS)))
     {
         interpolate_six(padded, at->found[i], &at->columns, &at->rows, i, to);
     }
     else
     {
-        interpolate_few(padded, at->found[i], at->x[i] / values->scale[0],
-                        at->y[i] / values->scale[1],
-                        at->are_many ? points_beside_crease(padded, &at->columns, &at->rows, i)
-                                     : POINTS,
-                        to);
+        interpolate_few(
+            padded, at->found[i], at->x[i] / values->scale[0], at->y[i] / values->scale[1],
+            at->are_many ? points_beside_crease(padded, &at->columns, &at->rows, i) : POINTS, to);
     }
 }
 
@@ -541,9 +539,9 @@ static void put_from_pictures(const cm_border_values *values, unsigned plane, in
         some.first[at->found[begin]] = pixels - (box.top * some.row + box.left * some.pixel);
         for (; begin < end; begin++)
         {
-            put_pixel(values, &some, at, begin,
-                      spot_of(to, plane, column + (int32_t)begin * right,
-                              row + (int32_t)begin * down));
+            put_pixel(
+                values, &some, at, begin,
+                spot_of(to, plane, column + (int32_t)begin * right, row + (int32_t)begin * down));
         }
     }
 }

@@ -215,10 +215,9 @@ cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch 
                                : sample_run(source, group, 0, whole, box, scratch, to);
 }
 
-/* Blocks go along curves in the source, which processors do not foresee: so what a block needs is asked for while the one
- * before it is done. Of eight pixels in a row one will do, of four where they are large, which has its last row of taps
+/* Blocks go along curves in the source, which processors do not foresee. Of eight pixels in a row one will do, of four where they are large, which has its last row of taps
  * asked for. */
-static void fetch_group(const cm_source *source, const cm_group *group)
+void cm_source_fetch(const cm_source *source, const cm_group *group)
 {
     cm_window window;
     if (!group->is_bounded || !source->level.is_plain || source->filter == CM_FILTER_EWA)
@@ -269,7 +268,7 @@ static unsigned place_block(const resample_job *job, resample_desk *desk, unsign
                                                        &desk->targets[side], &desk->places[side]);
     for (unsigned i = 0; i < count && !desk->has_places[side]; i++)
     {
-        fetch_group(job->target.source, &groups[i]);
+        cm_source_fetch(job->target.source, &groups[i]);
     }
     return count;
 }

@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* What stripes may take, if there are rows enough in it. */
-#define STRIPE_BYTES ((size_t)20 << 20)
+#define STRIPE_BYTES ((size_t)8 << 20)
 
 /* Blocks that are worth the making of a thread. */
 #define BLOCKS_LEAST 8
@@ -39,7 +39,8 @@ typedef struct stripe_desk
     cm_geometry *geometry;
     cm_scratch scratch;
     unsigned char *pixels;
-    cm_group groups[CM_GROUPS_MAX];
+    cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
+    unsigned count[2];
 } stripe_desk;
 
 typedef struct stripe_job
@@ -153,23 +154,23 @@ static int add_part(part_list *list, uint32_t block, uint8_t plane, int32_t firs
 /* What the source does not show of a block is cleared; all else is noted. */
 static int survey_block(stripe_job *job, stripe_desk *desk, part_list *list, size_t block)
 {
+    cm_group *groups = desk->groups[0];
     const block_place at = place_of(job, block);
-    const unsigned count =
-        cm_geometry_block(desk->geometry, at.plane, at.column, at.row, desk->groups);
+    const unsigned count = cm_geometry_block(desk->geometry, at.plane, at.column, at.row, groups);
     unsigned pixels = 0;
     for (unsigned i = 0; i < count; i++)
     {
         int32_t first, end;
-        cm_source_rows(&job->source, &desk->groups[i], &first, &end);
-        pixels += desk->groups[i].count;
-        if (!add_part(list, (uint32_t)block, desk->groups[i].plane, first, end))
+        cm_source_rows(&job->source, &groups[i], &first, &end);
+        pixels += groups[i].count;
+        if (!add_part(list, (uint32_t)block, groups[i].plane, first, end))
         {
             return 0;
         }
     }
     if (pixels < CM_BLOCK_PIXELS)
     {
-        cm_target_clear(&job->target, at.plane, at.column, at.row, desk->groups, count);
+        cm_target_clear(&job->target, at.plane, at.column, at.row, groups, count);
     }
     return 1;
 }
@@ -223,7 +224,9 @@ static cm_status sort_parts(stripe_job *job)
     {
         return CM_ERROR_MEMORY;
     }
-    size_t *next = job->begin + 1; /* where the next one of each stripe goes, then where the stripe after it begins */
+    size_t *next =
+        job->begin +
+        1; /* where the next one of each stripe goes, then where the stripe after it begins */
     for (const part_list *list = atomic_load(&job->lists); list != NULL; list = list->next)
     {
         for (size_t i = 0; i < list->count; i++)
@@ -248,22 +251,36 @@ static cm_status sort_parts(stripe_job *job)
 
 /* ---- pixels ---- */
 
-/* What of a block is of the stripe. */
-static cm_status do_block(const stripe_job *job, stripe_desk *desk, size_t block)
+/* Those groups of a block that are of the stripe. */
+static void place_block(const stripe_job *job, stripe_desk *desk, unsigned turn, size_t block)
+{
+    cm_group *groups = desk->groups[turn];
+    const block_place at = place_of(job, block);
+    desk->count[turn] = cm_geometry_block(desk->geometry, at.plane, at.column, at.row, groups);
+    for (unsigned i = 0; i < desk->count[turn]; i++)
+    {
+        int32_t first, end;
+        cm_source_rows(&job->source, &groups[i], &first, &end);
+        if (key_of(job, groups[i].plane, first) != job->at)
+        {
+            groups[i].count = 0;
+            continue;
+        }
+        cm_source_fetch(&job->source, &groups[i]);
+    }
+}
+
+static cm_status do_block(const stripe_job *job, stripe_desk *desk, unsigned turn, size_t block)
 {
     const block_place at = place_of(job, block);
-    const unsigned count =
-        cm_geometry_block(desk->geometry, at.plane, at.column, at.row, desk->groups);
     cm_row_target row = cm_target_row(&job->target, at.plane, at.row * CM_BLOCK_EDGE, NULL);
     row.bundle = 0; /* blocks side by side come at other times */
     const cm_block_target to = cm_target_block(&job->target, &row, at.column * CM_BLOCK_EDGE);
     cm_status status = CM_OK;
-    for (unsigned i = 0; i < count && status == CM_OK; i++)
+    for (unsigned i = 0; i < desk->count[turn] && status == CM_OK; i++)
     {
-        cm_group *group = &desk->groups[i];
-        int32_t first, end;
-        cm_source_rows(&job->source, group, &first, &end);
-        if (key_of(job, group->plane, first) != job->at)
+        cm_group *group = &desk->groups[turn][i];
+        if (group->count == 0)
         {
             continue;
         }
@@ -284,10 +301,17 @@ static void do_blocks(size_t begin, size_t end, void *user)
     {
         return;
     }
+    const uint32_t *order = job->order + job->begin[job->at];
+    const size_t last = end / CM_TASK;
     cm_status status = CM_OK;
-    for (size_t at = begin / CM_TASK; at < end / CM_TASK && status == CM_OK; at++)
+    place_block(job, desk, begin / CM_TASK % 2, order[begin / CM_TASK]);
+    for (size_t at = begin / CM_TASK; at < last && status == CM_OK; at++)
     {
-        status = do_block(job, desk, job->order[job->begin[job->at] + at]);
+        if (at + 1 < last)
+        {
+            place_block(job, desk, (at + 1) % 2, order[at + 1]);
+        }
+        status = do_block(job, desk, at % 2, order[at]);
     }
     if (status != CM_OK)
     {

@@ -25,8 +25,8 @@ struct cm_source
     int32_t taps;                  /* in a row: 1, 2, 4 or 6 */
     cm_filter_table table;
     cm_level level;
-    cm_ewa ewa;             /* of CM_FILTER_EWA */
-    cm_padded coefficients; /* of CM_FILTER_BSPLINE5, which level looks at */
+    cm_ewa ewa;                       /* of CM_FILTER_EWA */
+    cm_padded coefficients;           /* of CM_FILTER_BSPLINE5, which level looks at */
     cm_image pictures[CM_PLANES_MAX]; /* what they are made of when they are needed */
     atomic_int state;                 /* cm_source_state */
 };
@@ -47,6 +47,9 @@ cm_status cm_pictures_check(const cm_surface *surface, const cm_image *pictures)
 
 /* The rows of its plane that a group may touch, from *first to before *end. The group is filled up to a multiple of 16. */
 void cm_source_rows(const cm_source *source, cm_group *group, int32_t *first, int32_t *end);
+
+/* Asks for what a group needs, while the block before it is done. */
+void cm_source_fetch(const cm_source *source, const cm_group *group);
 
 /* The values of a group, as the level has them: `to` has room for a multiple of 16 pixels. CM_OK or CM_ERROR_MEMORY. */
 cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch *scratch,

@@ -57,9 +57,8 @@ static int32_t begin_of(const cm_spline_stripes *stripes, unsigned stripe)
 
 static int32_t end_of(const cm_spline_stripes *stripes, unsigned stripe)
 {
-    return stripe + 1 == stripes->count
-               ? (int32_t)stripes->shape.height + stripes->shape.beyond
-               : (int32_t)((stripe + 1) * stripes->rows);
+    return stripe + 1 == stripes->count ? (int32_t)stripes->shape.height + stripes->shape.beyond
+                                        : (int32_t)((stripe + 1) * stripes->rows);
 }
 
 static size_t bundles_of(const cm_spline_stripes *stripes)
@@ -84,8 +83,7 @@ static size_t frame_floats(const cm_spline_stripes *stripes)
 
 static size_t window_floats(const cm_spline_stripes *stripes)
 {
-    const size_t rows =
-        stripes->rows + 2 * (size_t)stripes->shape.beyond + (size_t)stripes->below;
+    const size_t rows = stripes->rows + 2 * (size_t)stripes->shape.beyond + (size_t)stripes->below;
     return rows * (size_t)stripes->shape.row;
 }
 
@@ -245,8 +243,8 @@ cm_status cm_spline_stripes_create(const cm_surface *surface, const cm_image *pi
     made->may_have_holes = values->type == CM_PIXEL_HALF || values->type == CM_PIXEL_FLOAT;
     atomic_init(&made->has_holes, 0);
     atomic_init(&made->failed, CM_OK);
-    cm_status status = cm_level_of_pictures(surface, pictures, values, set, 0, 0, NULL, threads,
-                                            &made->pictures);
+    cm_status status =
+        cm_level_of_pictures(surface, pictures, values, set, 0, 0, NULL, threads, &made->pictures);
     status = status == CM_OK ? make_room(made) : status;
     if (status != CM_OK)
     {
@@ -378,9 +376,9 @@ static void go_forth(const cm_spline_stripes *stripes, size_t bundle, float *rea
         memcpy(reached, stripes->forth + stripe * state_floats(stripes) + bundle * STATE,
                STATE * sizeof *reached);
     }
-    stripes->set->spline_columns_part(
-        stripes->window + first, left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS, rows,
-        stripes->shape.row, CM_SPLINE_FORTH, stripe == 0, reached);
+    stripes->set->spline_columns_part(stripes->window + first,
+                                      left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS, rows,
+                                      stripes->shape.row, CM_SPLINE_FORTH, stripe == 0, reached);
 }
 
 static void do_forth(size_t begin, size_t end, void *user)
@@ -404,10 +402,10 @@ static void do_both(size_t begin, size_t end, void *user)
         const size_t first = at * CM_BUNDLE_COLUMNS;
         const size_t left = stripes->floats - first;
         go_forth(stripes, at, reached);
-        stripes->set->spline_columns_part(
-            stripes->window + first, left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS, rows,
-            stripes->shape.row, CM_SPLINE_BACK, stripe + 1 == stripes->count,
-            stripes->back + at * STATE);
+        stripes->set->spline_columns_part(stripes->window + first,
+                                          left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS, rows,
+                                          stripes->shape.row, CM_SPLINE_BACK,
+                                          stripe + 1 == stripes->count, stripes->back + at * STATE);
     }
 }
 

@@ -32,6 +32,8 @@ constexpr std::uint64_t ceiling_parts = 16;
 constexpr std::size_t band_most = std::size_t{32} << 20;
 // For how many threads bands are where rows are kept for another run.
 constexpr int kept_threads = 4;
+// The library keeps a spline's coefficients that are no larger.
+constexpr std::uint64_t kept_coefficients = std::uint64_t{32} << 20;
 
 } // namespace
 
@@ -111,19 +113,26 @@ void Output::compute_rows(const Render &render, const cm_rows &rows,
     }
 }
 
+// Dense; the first byte may be of rows that are not there.
+cm_image Output::picture_at(unsigned char *first) const
+{
+    cm_image picture = {};
+    picture.size = sizeof picture;
+    picture.data = first;
+    picture.type = row_type;
+    picture.width = cm_surface_width(surface);
+    picture.height = cm_surface_height(surface);
+    picture.channels = static_cast<std::uint32_t>(channels);
+    return picture;
+}
+
 // The picture as a whole is not there: only the band's rows are touched.
 void Output::compute(const Render &render, std::size_t index, const Rows &band, int threads)
 {
     const std::size_t row = row_bytes();
     std::memset(band.bytes, 0, row * static_cast<std::size_t>(band.end - band.first));
-    cm_image picture = {};
-    picture.size = sizeof picture;
-    picture.data = reinterpret_cast<void *>(reinterpret_cast<std::uintptr_t>(band.bytes) -
-                                            static_cast<std::size_t>(band.first) * row);
-    picture.type = row_type;
-    picture.width = cm_surface_width(surface);
-    picture.height = cm_surface_height(surface);
-    picture.channels = static_cast<std::uint32_t>(channels);
+    const cm_image picture = picture_at(reinterpret_cast<unsigned char *>(
+        reinterpret_cast<std::uintptr_t>(band.bytes) - static_cast<std::size_t>(band.first) * row));
     std::vector<cm_image> pictures(cm_surface_picture_count(surface), picture);
     for (const PlanePlace &place : places)
     {
@@ -136,6 +145,43 @@ void Output::compute(const Render &render, std::size_t index, const Rows &band, 
         if (row_type == CM_PIXEL_FLOAT && (lines || colors.is_needed()))
         {
             finish_rows(place, rows, band, threads);
+        }
+    }
+}
+
+// A spline whose coefficients are large takes less memory if all of the target is asked for at once, and is in memory.
+bool Output::holds_pictures(const Render &render, const Input &input) const
+{
+    const std::uint64_t pixels = std::uint64_t{cm_surface_width(&input.surface())} *
+                                 cm_surface_height(&input.surface()) *
+                                 cm_surface_picture_count(&input.surface());
+    const std::uint64_t coefficients =
+        pixels * static_cast<std::uint64_t>(channels) * sizeof(float);
+    const std::uint64_t target =
+        row_bytes() * cm_surface_height(surface) * cm_surface_picture_count(surface);
+    return render.source.filter() == CM_FILTER_BSPLINE5 && render.ceiling.functions() == nullptr &&
+           !work && !whole.is_needed() && coefficients > kept_coefficients &&
+           target < coefficients - kept_coefficients;
+}
+
+void Output::compute_all(const Render &render, int threads)
+{
+    const int height = static_cast<int>(cm_surface_height(surface));
+    const std::size_t bytes = row_bytes() * static_cast<std::size_t>(height);
+    std::vector<cm_image> pictures;
+    for (std::size_t i = 0; i < cm_surface_picture_count(surface); ++i)
+    {
+        whole_pictures.emplace_back(bytes);
+        std::memset(whole_pictures.back().bytes(), 0, bytes);
+        pictures.push_back(picture_at(whole_pictures.back().bytes()));
+    }
+    render.source.resample(render.plan, pictures, {}, threads);
+    for (const PlanePlace &place : places)
+    {
+        if (row_type == CM_PIXEL_FLOAT && (lines || colors.is_needed()))
+        {
+            finish_rows(place, place.part(0, height),
+                        {0, height, whole_pictures[place.picture].bytes()}, threads);
         }
     }
 }
@@ -193,6 +239,14 @@ std::vector<int> Output::bands_of(const Render &render, std::size_t index, int t
 void Output::fill_rows(const Render &render, std::size_t index, const Rows &band, int threads)
 {
     const std::size_t size = row_bytes() * static_cast<std::size_t>(band.end - band.first);
+    if (!whole_pictures.empty())
+    {
+        std::memcpy(band.bytes,
+                    whole_pictures[index].bytes() +
+                        row_bytes() * static_cast<std::size_t>(band.first),
+                    size);
+        return;
+    }
     if (work && work->load(index, band.first, band.end, band.bytes, size))
     {
         return;

@@ -468,7 +468,12 @@ void Output::write(const Options &options, const Input &input, int threads, Memo
             leave_work(options);
             return;
         }
+        if (holds_pictures(render, input))
+        {
+            compute_all(render, threads);
+        }
         write_pictures(render, threads);
+        whole_pictures.clear();
     }
     if (options.sidecar)
     {

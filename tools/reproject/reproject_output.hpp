@@ -10,6 +10,7 @@
 #include "hips_output.hpp"
 #include "kept_plan.hpp"
 #include "output_render.hpp"
+#include "pixel_memory.hpp"
 #include "plane_place.hpp"
 #include "reproject_input.hpp"
 #include "surface_lines.hpp"
@@ -80,6 +81,9 @@ private:
     static void compute_rows(const Render &render, const cm_rows &rows,
                              std::vector<cm_image> &pictures, int threads);
     void fill_rows(const Render &render, std::size_t index, const Rows &band, int threads);
+    bool holds_pictures(const Render &render, const Input &input) const;
+    void compute_all(const Render &render, int threads);
+    cm_image picture_at(unsigned char *first) const;
     void write_sidecar();
     void write_manifest(const Options &options, const Input &input);
     PictureKind kind() const;
@@ -91,9 +95,10 @@ private:
     const cm_surface *surface;        // whose pixels are computed
     std::optional<cm_rotation> rotation;
     std::vector<PlanePlace> places;
-    std::string chosen_mapping;                     // for people
-    std::string kept_density;                       // for people
-    std::vector<std::string> names;                 // of the pictures' files
+    std::vector<PixelMemory> whole_pictures; // the pictures, where they are computed all at once
+    std::string chosen_mapping;              // for people
+    std::string kept_density;                // for people
+    std::vector<std::string> names;          // of the pictures' files
     std::vector<std::unique_ptr<AtomicFile>> files; // of those, then sidecar and manifest
     ImagePlan plan;
     bool georeferenced = false;
