@@ -18,16 +18,16 @@ static uint32_t magnitude_of(float x)
     return word & 0x7fffffffu;
 }
 
-/* Does conformal's inverse raise nothing but inexact there? Its powers underflow where both coordinates are within 2^-10 of an
- * edge, as the eighth of the distance to a corner, and where both are below 2^-7, beside diagonals, as the square of what the
- * series adds to them. */
+/* Does conformal's inverse raise nothing but inexact there? Its powers underflow where both coordinates are within 2^-8 of an
+ * edge, as the squares of what is left of differences of fourth powers of the distance to a corner, and where both are below
+ * 2^-7, beside diagonals, as the square of what the series adds to them. */
 static int is_calm(const float uv[2])
 {
     const uint32_t u = magnitude_of(uv[0]);
     const uint32_t v = magnitude_of(uv[1]);
     const uint32_t less = u < v ? u : v;
     const uint32_t more = u < v ? v : u;
-    return less < 0x3f7fc000u && more >= 0x3c000000u;
+    return less < 0x3f7f0000u && more >= 0x3c000000u;
 }
 
 /* As held, of conformal: elsewhere nothing waits for the flags. */
