@@ -3,7 +3,7 @@
 // The few functions whose arguments no rule of the list describes: pictures, rings of polygons, whole maps of HEALPix.
 
 import { F32, F64 } from "./memory.js";
-import { putPicture, takePicture } from "./pictures.js";
+import { putPicture, settlePicture, takePicture } from "./pictures.js";
 
 /** No surface has more pictures; what is missing of them the library refuses, as it sees zeros. */
 const MOST_PICTURES = 6;
@@ -17,10 +17,14 @@ function putPictures(of, pictures, name) {
     return { all, places: pictures.map((picture, i) => putPicture(of, picture, all + 32 * i, name)) };
 }
 
+/** Each with its pixels settled; what are no pictures stays, for putPictures to refuse. */
+const settlePictures = (of, pictures) => (Array.isArray(pictures) ? pictures.map((one) => settlePicture(of, one)) : pictures);
+
 export function cm_resample(of, plan, from, to) {
     const { X, M, check } = of;
-    const sources = putPictures(of, from, "from");
-    const targets = putPictures(of, to, "to");
+    const [settledFrom, settledTo] = [settlePictures(of, from), settlePictures(of, to)];
+    const sources = putPictures(of, settledFrom, "from");
+    const targets = putPictures(of, settledTo, "to");
     check(X.cm_resample(plan.pointer, sources.all, targets.all, M.zeros(20)));
     targets.places.forEach((place) => takePicture(of, place));
     return to;
@@ -28,9 +32,10 @@ export function cm_resample(of, plan, from, to) {
 
 export function cm_sample(of, surface, pictures, filter, x, y, z) {
     const { X, M, check, code, enumerations } = of;
+    const settled = settlePictures(of, pictures);
     const places = [x, y, z].map((values) => M.settle(values)); // before pictures, for which the memory may grow
     const n = M.count(places[0], "x");
-    const { all } = putPictures(of, pictures, "pictures");
+    const { all } = putPictures(of, settled, "pictures");
     const [px, py, pz] = ["x", "y", "z"].map((name, i) => M.input(F64, places[i], n, name));
     const size = n * (pictures[0]?.channels ?? 1);
     const out = M.room(size * F32.bytes);

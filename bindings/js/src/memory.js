@@ -25,7 +25,7 @@ export function typeOf(value) {
 }
 
 /** Where an array in the memory is. */
-class Place {
+export class Place {
     constructor(type, pointer, length) {
         this.type = type;
         this.pointer = pointer;

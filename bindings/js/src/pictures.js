@@ -2,9 +2,15 @@
 //
 // Pictures as structs of the library, with their pixels in the module's memory.
 
-import { typeOf } from "./memory.js";
+import { Place, typeOf } from "./memory.js";
 
 const PIXELS = { Uint8Array: "u8", Uint8ClampedArray: "u8", Uint16Array: "u16", Float32Array: "float" };
+
+/** A picture whose pixels, if they are in this memory, are known by their place, before a call asks for memory, which may grow and
+ *  end all views. */
+export function settlePicture(of, picture) {
+    return picture && typeof picture === "object" ? { ...picture, data: of.M.settle(picture.data) } : picture;
+}
 
 /** A picture, { data, width, height, channels }, at a place where 32 bytes are zero: where its pixels are then. */
 export function putPicture(of, picture, at, name) {
@@ -13,17 +19,17 @@ export function putPicture(of, picture, at, name) {
         throw new TypeError(`${name} is to be a picture: { data, width, height, channels }`);
     }
     const { data, width, height, channels = 1 } = picture;
-    const array = data.array ?? data;
-    const type = PIXELS[typeOf(array)];
+    const array = M.settle(data);
+    const isHere = array instanceof Place;
+    const type = PIXELS[isHere ? array.type : typeOf(array)];
     if (type === undefined) {
         throw new TypeError(`${name}: pixels are to be a Uint8Array, a Uint16Array or a Float32Array`);
     }
     if (array.length !== width * height * channels) {
         throw new RangeError(`${name}: ${array.length} numbers are not ${width} x ${height} pixels of ${channels}`);
     }
-    const isHere = array.buffer === M.buffer;
-    const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
-    const place = isHere ? array.byteOffset : M.room(bytes.length);
+    const bytes = isHere ? undefined : new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+    const place = isHere ? array.pointer : M.room(bytes.length);
     if (!isHere) {
         new Uint8Array(M.buffer, place, bytes.length).set(bytes);
     }

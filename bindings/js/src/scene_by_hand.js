@@ -6,7 +6,7 @@ import { ArgumentError, CameraError, DataError } from "./errors.js";
 import { callbacksOf } from "./load.js";
 import { F32, F64, U32, U8 } from "./memory.js";
 import { big, whole } from "./numbers.js";
-import { putPicture, takePicture } from "./pictures.js";
+import { putPicture, settlePicture, takePicture } from "./pictures.js";
 
 const STOPPED = 16;
 
@@ -290,12 +290,13 @@ export function cm_octree_render(of, octree, camera, pose, shading, to) {
     const [width, height] = [M.data.getUint32(options + at.width, true), M.data.getUint32(options + at.height, true)];
     const made = to ?? { color: { data: new Uint8Array(4 * width * height), width, height, channels: 4 },
         depth: { data: new Float32Array(width * height), width, height, channels: 1 } };
+    const settled = Object.fromEntries(Object.entries(made).map(([name, picture]) => [name, settlePicture(of, picture)]));
     const places = ["color", "depth"].map((name) => {
         if (made[name] === undefined || made[name] === null) {
             return { p: 0 };
         }
         const p = structs.write_cm_image({});
-        return { p, place: putPicture(of, made[name], p, name) };
+        return { p, place: putPicture(of, settled[name], p, name) };
     });
     const [color, depth] = places;
     const pShading = structs.write_cm_octree_shading(shading);

@@ -73,3 +73,15 @@ test("surfaces, plans, samples", async () => {
     const place = surface.positions(1, 0, 0);
     assert.deepEqual(place, { plane: 0, column: 128, row: 64 });
 });
+
+test("pixels in the module's memory survive its growth in a call", async () => {
+    const image = await load();
+    const plan = new image.Plan(new image.Surface("equirect;size=2048"), new image.Surface("cube:coupled;size=16"),
+        { filter: "bilinear" });
+    const data = Array.from({ length: 6 }, () => image.float32(16 * 16));
+    const from = { data: new Float32Array(2048 * 1024).fill(0.5), width: 2048, height: 1024 };
+    const before = image.memory.buffer;
+    plan.resample([from], data.map(({ array }) => ({ data: array, width: 16, height: 16 })));
+    assert.notEqual(image.memory.buffer, before, "it has grown");
+    data.forEach(({ array }) => assert.ok(array.every((value) => value === 0.5)));
+});

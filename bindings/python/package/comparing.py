@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _library as library
+from ._masked_pictures import unmasked
 from ._texts import created, number_of, struct
 from .images import PIXEL_TYPES
 from .mapping import Mapping, mapping_of
@@ -64,7 +65,7 @@ class MapFigures(NamedTuple):
 
 def _image(picture):
     """A struct for one picture, and the dense array that it points into."""
-    picture = np.ascontiguousarray(picture)
+    picture = np.ascontiguousarray(unmasked(picture, "picture"))
     if picture.dtype.name not in PIXEL_TYPES:
         raise TypeError(f"picture: {', '.join(PIXEL_TYPES)}, not {picture.dtype}")
     if picture.ndim not in (2, 3) or 0 in picture.shape:
@@ -110,7 +111,7 @@ def compare_errors(reference: ArrayLike, picture: ArrayLike, *, weights: ArrayLi
 def compare_values(reference: ArrayLike, picture: ArrayLike, *, weights: ArrayLike | None = None,
                    not_finite: str = "refuse", peak: float = 0.0, threads: int = 1) -> ErrorFigures:
     """Errors of values at points, (n[, channels]) of float32, as ErrorFigures: at sphere_points, psnr is S-PSNR."""
-    one, other = (np.ascontiguousarray(values, np.float32) for values in (reference, picture))
+    one, other = (np.ascontiguousarray(unmasked(values, "values"), np.float32) for values in (reference, picture))
     if one.shape != other.shape or one.ndim not in (1, 2):
         raise ValueError(f"values: two of (n[, channels]), not {one.shape} and {other.shape}")
     weights = None if weights is None else np.asarray(weights, np.float32)[np.newaxis, :]

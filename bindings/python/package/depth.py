@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _library as library
+from ._masked_pictures import filled, is_masked
 from ._method import name_results
 from ._methods import DepthPyramidMethods
 from ._texts import Specified, checked_text, created, number_of, struct
@@ -62,7 +63,7 @@ name_results("cm_depth_pyramid_bounds", DepthBounds)
 def _dense(image, shape=None):
     """An image as the library reads it: float32, row by row. Whole numbers are no depths; clean_depth makes some of
     them."""
-    image = np.asarray(image)
+    image = np.asarray(filled(image) if is_masked(image) else image)
     if image.dtype.kind != "f":
         raise TypeError(f"image: real numbers, not {image.dtype}; clean_depth makes depths of stored units")
     if image.ndim != 2 or (shape is not None and image.shape != shape):
@@ -96,6 +97,8 @@ def clean_depth(picture: ArrayLike, unit: float, *, nearest: float = 0.0, farthe
     """
     if np.ndim(picture) != 2:
         raise ValueError(f"picture: (rows, columns), not {np.shape(picture)}")
+    if is_masked(picture):
+        picture = filled(picture, "zero")  # which is no depth either
     image, _, kept = images_in(np.shape(picture), picture)
     limits = struct(library.cm_depth_limits, unit=unit, nearest=nearest, farthest=farthest)
     count = struct(library.cm_depth_count)

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
 from . import _library as library
+from ._masked_pictures import unmasked
 from ._texts import created, number_of, string_of, struct
 from .earth import Rotation
 from .images import PIXEL_TYPES
@@ -107,7 +108,7 @@ def harmonics_json(coefficients: ArrayLike) -> str:
 
 def _faces(pictures):
     """Structs of six pictures, (6, edge, edge[, channels]), and the dense array that they point into."""
-    pictures = np.ascontiguousarray(pictures)
+    pictures = np.ascontiguousarray(unmasked(pictures, "pictures"))
     stacked = pictures if pictures.ndim == 4 else pictures[..., np.newaxis]
     if stacked.ndim != 4 or stacked.shape[0] != 6:
         raise ValueError(f"pictures: (6, edge, edge[, channels]), not {pictures.shape}")

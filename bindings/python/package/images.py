@@ -3,7 +3,7 @@
 
 A picture is (rows, columns) or (rows, columns, channels); where a surface has several, as the six faces of a cube, they are
 stacked along a first axis: (6, rows, columns, channels). Numbers are uint8, uint16, float16 or float32. Only the channels
-of a pixel need be side by side; all other strides will do, and nothing is copied.
+of a pixel need be side by side; all other strides will do, and nothing is copied. What a masked array masks is no data, nor is what is made from it: that is masked, too.
 
 >>> earth = np.zeros((64, 128, 3), np.uint8)
 >>> earth[:32] = 255  # the north is white
@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, DTypeLike
 
 from . import _library as library
 from ._errors import Error, in_words
+from ._masked_pictures import as_nan, filled, is_masked, levelled, unmasked, with_mask
 from ._methods import SurfaceMethods
 from ._texts import Specified, checked_text, created, decoded, number_of, struct, words_of
 from .earth import Rotation
@@ -120,12 +121,23 @@ class Surface(SurfaceMethods, Specified):
 
     def sample(self, pictures: ArrayLike, x: ArrayLike, y: ArrayLike, z: ArrayLike, filter: str = "auto") -> np.ndarray:
         """Values of pictures in directions, float32 with the channels along the last axis; whole numbers are 0 to 1."""
+        if any(map(is_masked, (pictures, x, y, z))):
+            return self._sample_masked(pictures, x, y, z, filter)
         images, channels, _ = images_of(pictures, self)
         x, y, z = (np.ascontiguousarray(one, np.float64) for one in np.broadcast_arrays(x, y, z))
         out = np.empty((*x.shape, channels), np.float32)
         library.cm_sample(self._handle, images, number_of(filter, FILTERS, "filter"), x.size, x.ctypes.data, y.ctypes.data,
                           z.ctypes.data, out.ctypes.data)
         return out
+
+    def _sample_masked(self, pictures, x, y, z, filter):
+        bare = tuple(map(np.ma.getdata, (x, y, z)))
+        if filter == "auto" and is_masked(pictures):
+            filter = Plan(self, self).filter_of(pictures, dtype=np.float32)
+        found = self.sample(filled(pictures), *bare, filter)
+        gone = self.sample(as_nan(pictures), *bare, filter)
+        masks = np.broadcast_arrays(*map(np.ma.getmaskarray, (x, y, z)))
+        return with_mask(found, np.where(np.logical_or.reduce(masks)[..., np.newaxis], np.nan, gone))
 
 
 class SurfaceKind(NamedTuple):
@@ -168,7 +180,7 @@ def images_of(pictures, surface, writes=False):
 
 def images_in(shape, pictures, writes=False):
     """The same of pictures of a shape without channels: (rows, columns), or (pictures, rows, columns)."""
-    pictures = pictures if writes else np.asarray(pictures)
+    pictures = pictures if writes else np.asarray(unmasked(pictures, "pictures"))
     if not writes and not pictures.dtype.isnative:
         pictures = pictures.astype(pictures.dtype.newbyteorder("="))  # as files of FITS have them
     name = pictures.dtype.name
@@ -253,11 +265,13 @@ class Plan(Specified):
         rows      (plane, first row, rows) or (plane, first row, rows, first column, columns): only that part is written
         threads   the most that work; 0 for all processors
         """
+        if is_masked(pictures):
+            return self._resample_masked(pictures, out, dtype=dtype, rows=rows, threads=threads)
         images, channels, kept = images_of(pictures, self.source)
         if out is None:
             shape = (*self.target.shape, *((channels,) if np.ndim(pictures) > len(self.source.shape) else ()))
             out = np.zeros(shape, kept.dtype if dtype is None else dtype)
-        to, to_channels, _ = images_of(out, self.target, writes=True)
+        to, to_channels, _ = images_of(np.ma.getdata(out) if is_masked(out) else out, self.target, writes=True)
         if to_channels != channels:
             raise ValueError(f"out: {channels} channels, as the pictures have, not {to_channels}")
         source = created(library.cm_source_create, "cm_source_destroy", self._handle, images, PIXEL_TYPES.index(out.dtype.name),
@@ -265,6 +279,20 @@ class Plan(Specified):
         part = library.cm_rows(*(rows or ()))
         library.cm_resample_source(self._handle, source, to, part, checked_threads(threads))
         return out
+
+    def _resample_masked(self, pictures, out, **how):
+        """Of the mask as of the pictures, by the filter that these have. Opacity and vectors take a pixel's channels together."""
+        options = self._options
+        numbers = filled(pictures, options["not_finite"])
+        of_pixels = bool(options["alpha"] or options["vector"])
+        plain = {name: options[name] for name in ("tolerance", "pixels_most", "not_finite", "instructions")}
+        chosen = self.filter_of(pictures, dtype=how["dtype"])
+        by_filter = Plan(self.source, self.target, filter=chosen, **plain)
+        of_numbers = self if chosen == options["filter"] else Plan(self.source, self.target, **{**options, "filter": chosen})
+        result = of_numbers.resample(numbers, out, **how)
+        before = as_nan(out) if is_masked(out) else None
+        gone = by_filter.resample(as_nan(pictures, of_pixels), before, **{**how, "dtype": np.float32})
+        return with_mask(result, gone, out)
 
     def to_text(self) -> str:
         """The plan as text, for a file; from_text reads it."""
@@ -291,7 +319,7 @@ class Plan(Specified):
 
     def filter_of(self, pictures: ArrayLike, *, dtype: DTypeLike | None = None) -> str:
         """The filter that is taken for pictures: the plan's, or what "auto" chooses."""
-        images, _, kept = images_of(pictures, self.source)
+        images, _, kept = images_of(levelled(pictures) if is_masked(pictures) else pictures, self.source)
         source = created(library.cm_source_create, "cm_source_destroy", self._handle, images,
                          PIXEL_TYPES.index(np.dtype(dtype or kept.dtype).name), 1, keep=(self._handle, images, kept))
         return FILTERS[library.cm_source_filter(source)]
@@ -330,6 +358,11 @@ def mips(surface: Surface, pictures: ArrayLike, *, transfer: str = "stored", gam
          alpha_multiplied: bool = False, not_finite: str = "spread", dither: bool = False,
          threads: int = 1) -> list[np.ndarray]:
     """All levels of a surface's pictures, each of half the size of the one before, filtered across seams: a list of arrays."""
+    if is_masked(pictures):
+        how = {"not_finite": not_finite, "threads": threads}
+        levels = mips(surface, filled(pictures, not_finite), transfer=transfer, gamma=gamma, alpha=alpha,
+                      alpha_multiplied=alpha_multiplied, dither=dither, **how)
+        return list(map(with_mask, levels, mips(surface, as_nan(pictures, bool(alpha)), **how)))
     images, channels, kept = images_of(pictures, surface)
     options = struct(library.cm_plan_options, transfer=number_of(transfer, TRANSFERS, "transfer"), gamma=gamma, alpha=alpha,
                      alpha_multiplied=alpha_multiplied, not_finite=number_of(not_finite, NOT_FINITE, "not_finite"), dither=dither)
@@ -354,6 +387,9 @@ def _level(made, level, pictures, channels, dtype, shape):
 def border(surface: Surface, pictures: ArrayLike, pixels: int, *, dtype: DTypeLike | None = None,
            threads: int = 1) -> np.ndarray:
     """The planes of a surface with so many pixels of what the sphere has around them: (planes, rows, columns[, channels])."""
+    if is_masked(pictures):
+        return with_mask(border(surface, filled(pictures), pixels, dtype=dtype, threads=threads),
+                         border(surface, as_nan(pictures), pixels, threads=threads))
     images, channels, kept = images_of(pictures, surface)
     planes, rows, columns = surface.plane_shape
     out = np.zeros((planes, rows + 2 * pixels, columns + 2 * pixels, channels), kept.dtype if dtype is None else dtype)
@@ -368,6 +404,9 @@ def border(surface: Surface, pictures: ArrayLike, pixels: int, *, dtype: DTypeLi
 def healpix_arrange(values: ArrayLike, nside: int, order: str = "ring", *, to_list: bool = False) -> np.ndarray:
     """The pixels of a HEALPix map, (12 nside^2[, channels]), as the picture of the surface "healpix", (nside, 12 nside[, channels]);
     or back."""
+    if is_masked(values):
+        data, mask = (healpix_arrange(one, nside, order, to_list=to_list) for one in (values.data, np.ma.getmaskarray(values)))
+        return np.ma.array(data, mask=mask)
     values = np.ascontiguousarray(values)
     shape = (nside, 12 * nside) if to_list else (12 * nside * nside,)
     if values.shape[:len(shape)] != shape or values.ndim > len(shape) + 1:

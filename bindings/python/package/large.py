@@ -205,7 +205,7 @@ def _sample_part(block, places, number, box, surface_given, plane, rows, columns
     surface = Surface(*surface_given[0], **surface_given[1])
     row, column = np.divmod(place, np.uint32(columns[1] - columns[0]))
     x, y, z = surface.directions(np.uint8(plane), column + (columns[0] + 0.5), row + (rows[0] + 0.5))
-    return place, Surface(*box).sample(np.asarray(block), x, y, z, filter)
+    return place, np.ma.filled(Surface(*box).sample(np.asanyarray(block), x, y, z, filter), np.nan)
 
 
 def _join_parts(shape, channels, whole, *parts):

@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._errors import Error
+from ._masked_pictures import unmasked
 from ._texts import number_of, struct, words_of
 from .earth import LATITUDES, Ellipsoid, Rotation, ellipsoid_of
 from .mapping import Mapping, mapping_of
@@ -103,7 +104,7 @@ class Orient(NamedTuple):
 
 
 def _mask_options(mask, measure, over, resolution, threads, boxes_max):
-    mask = np.ascontiguousarray(mask, np.float32)
+    mask = np.ascontiguousarray(unmasked(mask, "mask"), np.float32)
     if mask.ndim != 2:
         raise ValueError(f"mask: rows and columns, not {mask.shape}")
     raster = struct(library.cm_mask, width=mask.shape[1], height=mask.shape[0], value=mask.ctypes.data)

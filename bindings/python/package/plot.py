@@ -63,7 +63,7 @@ def faces(pictures: ArrayLike, mapping: str | Mapping = "coupled", *, axes: Axes
     keywords go to imshow: cmap="cubemap.sequential-single", vmin=...
     """
     mapping = mapping_of(mapping)
-    pictures = np.asarray(pictures)
+    pictures = np.asanyarray(pictures)
     if len(pictures) != mapping.face_count:
         raise ValueError(f"pictures: {mapping.face_count} of them, not {len(pictures)}")
     offsets = _offsets(mapping, arrangement)

@@ -285,11 +285,11 @@ static int has_subclass(PyObject *const *args, Py_ssize_t count)
     return 0;
 }
 
-/* A call of a gufunc by Python, which sees to masks. */
-static PyObject *call_masked(const struct function *self, PyObject *const *args, Py_ssize_t count,
-                             PyObject *names)
+/* A call of the ufunc by Python: a module that sees to masks, or to units. */
+static PyObject *call_by(const char *name, const struct function *self, PyObject *const *args,
+                         Py_ssize_t count, PyObject *names)
 {
-    PyObject *module = PyImport_ImportModule("cubemap._masked");
+    PyObject *module = PyImport_ImportModule(name);
     PyObject *keywords = module ? PyDict_New() : NULL;
     PyObject *given = keywords ? PyTuple_New(count) : NULL;
     for (Py_ssize_t k = 0; given && k < count; k++)
@@ -319,9 +319,35 @@ static PyObject *call_ufunc(const struct function *self, PyObject *const *args, 
     const Py_ssize_t named = names ? PyTuple_GET_SIZE(names) : 0;
     if (((PyUFuncObject *)self->ufunc)->core_enabled && has_subclass(args, count + named))
     {
-        return call_masked(self, args, count, names);
+        return call_by("cubemap._masked", self, args, count, names);
     }
     return PyObject_Vectorcall(self->ufunc, args, flagged, names);
+}
+
+/* As call_ufunc; what refuses because of an array of a subclass is tried again with the numbers of quantities. */
+static PyObject *call_general(const struct function *self, PyObject *const *args, size_t flagged,
+                              PyObject *names)
+{
+    PyObject *found = call_ufunc(self, args, flagged, names);
+    const Py_ssize_t count = PyVectorcall_NARGS(flagged);
+    const Py_ssize_t named = names ? PyTuple_GET_SIZE(names) : 0;
+    if (found || !PyErr_ExceptionMatches(PyExc_TypeError) || !has_subclass(args, count + named))
+    {
+        return found;
+    }
+    PyObject *type, *value, *traceback;
+    PyErr_Fetch(&type, &value, &traceback);
+    found = call_by("cubemap._quantities", self, args, count, names);
+    if (found != Py_None)
+    {
+        Py_DECREF(type);
+        Py_XDECREF(value);
+        Py_XDECREF(traceback);
+        return found;
+    }
+    Py_DECREF(found); /* there are none */
+    PyErr_Restore(type, value, traceback);
+    return NULL;
 }
 
 static PyObject *function_call(PyObject *object, PyObject *const *args, size_t flagged,
@@ -339,7 +365,7 @@ static PyObject *function_call(PyObject *object, PyObject *const *args, size_t f
     }
     if (!found)
     {
-        found = call_ufunc(self, args, flagged, names);
+        found = call_general(self, args, flagged, names);
     }
     return found && self->result && PyTuple_CheckExact(found) ? name_outputs(self, found) : found;
 }
