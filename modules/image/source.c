@@ -10,7 +10,9 @@
 
 #include <stdlib.h>
 #include <string.h>
+#if defined(__unix__) || defined(__APPLE__)
 #include <time.h>
+#endif
 
 cm_status cm_pictures_check(const cm_surface *surface, const cm_image *pictures)
 {
@@ -142,8 +144,8 @@ static cm_status prepare_spline(cm_source *source, const cm_image *from, unsigne
 static void wait_a_while(void)
 {
 #if defined(__unix__) || defined(__APPLE__)
-    const struct timespec while_ = {0, 1000000};
-    nanosleep(&while_, NULL);
+    const struct timespec millisecond = {0, 1000000};
+    nanosleep(&millisecond, NULL);
 #endif
 }
 

@@ -70,6 +70,19 @@ void ceiling_filters()
     same_output("floats below a ceiling, ewa", "--size 40 --filter ewa floats.tif", "exr");
 }
 
+// A spline's coefficients of more than 32 MiB are made some rows at a time: with a ceiling they are kept, in memory or in
+// files, and the pictures have the same bytes. With lines there are floats between.
+void large_splines()
+{
+    make_noise(2400, 1200, "noise.ppm");
+    same_output("a large spline", "--size 100 --filter bspline5 noise.ppm", "png");
+    same_output("a large spline, threads and lines",
+                "--size 100 --filter bspline5 --threads 3 --graticule 30 noise.ppm", "png");
+    does("reproject --quiet --to equirect --size 64 --filter bspline5 noise.ppm free.png");
+    does("reproject --quiet --to equirect --size 64 --filter bspline5 --memory 1T noise.ppm a.png");
+    result(same_content("free.png", "a.png"), "a large spline to one picture", "");
+}
+
 // Of compressed strips, and a picture that must be turned; of six files.
 void ceiling_files()
 {
@@ -410,6 +423,7 @@ void manifest()
 const std::vector<Subject> &reproject_memory_subjects()
 {
     static const std::vector<Subject> subjects = {{"ceiling_filters", ceiling_filters},
+                                                  {"large_splines", large_splines},
                                                   {"ceiling_files", ceiling_files},
                                                   {"ceiling_tiles", ceiling_tiles},
                                                   {"ceiling_lines", ceiling_lines},
