@@ -88,7 +88,7 @@ static void check_same(const pictures *one, const pictures *other)
 
 START_TEST(same_bits)
 {
-    for (size_t i = 0; i < WAYS; i += step_of(WAYS))
+    for (size_t i = 0; i < WAYS; i++)
     {
         const way *at = &ways[i];
         pictures from = make_pictures(at->from, NULL, at->type, at->channels, 0);
