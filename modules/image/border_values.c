@@ -6,6 +6,7 @@
 #include "border_values.h"
 #include "level_rim.h"
 
+#include <stdint.h>
 #include <string.h>
 
 #ifdef __SSE2__
@@ -536,7 +537,10 @@ static void put_from_pictures(const cm_border_values *values, unsigned plane, in
             cm_level_read(values->reader, at->found[begin], box.left, line, box.right - box.left,
                           pixels + (line - box.top) * some.row);
         }
-        some.first[at->found[begin]] = pixels - (box.top * some.row + box.left * some.pixel);
+        /* where the plane's own first pixel would be, which is outside of these */
+        const intptr_t before = (intptr_t)box.top * some.row + (intptr_t)box.left * some.pixel;
+        some.first[at->found[begin]] =
+            (float *)((intptr_t)pixels - before * (intptr_t)sizeof *pixels);
         for (; begin < end; begin++)
         {
             put_pixel(
