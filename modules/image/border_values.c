@@ -502,8 +502,9 @@ static size_t gather(const places *at, size_t begin, int32_t channels, tile *box
                            greater(box->right, at->columns.first[i] + POINTS),
                            lesser(box->top, at->rows.first[i]),
                            greater(box->bottom, at->rows.first[i] + POINTS)};
-        const int32_t pixels = (more.right - more.left) * (more.bottom - more.top);
-        if (i > begin && (pixels < 0 || pixels > TILE_MOST / channels))
+        const int64_t pixels =
+            ((int64_t)more.right - more.left) * ((int64_t)more.bottom - more.top);
+        if (i > begin && pixels > TILE_MOST / channels)
         {
             break;
         }

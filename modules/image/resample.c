@@ -215,8 +215,8 @@ cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch 
                                : sample_run(source, group, 0, whole, box, scratch, to);
 }
 
-/* Blocks go along curves in the source, which processors do not foresee. Of eight pixels in a row one will do, of four where they are large, which has its last row of taps
- * asked for. */
+/* Blocks go along curves in the source, which processors do not foresee. Of eight pixels in a row one will do, of four where
+ * they are large, which has its last row of taps asked for. */
 void cm_source_fetch(const cm_source *source, const cm_group *group)
 {
     cm_window window;

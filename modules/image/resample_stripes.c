@@ -208,12 +208,27 @@ static size_t key_of(const stripe_job *job, uint8_t plane, int32_t first)
            cm_spline_stripes_of(job->stripes, first);
 }
 
+/* The key of a part; 0 if one before it is of the same block and key: they are done together. */
+static int is_first_of_key(const stripe_job *job, const part_list *list, size_t i, size_t *key)
+{
+    const block_part *parts = list->parts;
+    *key = key_of(job, parts[i].plane, parts[i].first);
+    for (size_t before = i; before > 0 && parts[before - 1].block == parts[i].block; before--)
+    {
+        if (key_of(job, parts[before - 1].plane, parts[before - 1].first) == *key)
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* A part is done when the stripe has come in which it begins. */
 static cm_status sort_parts(stripe_job *job)
 {
     const size_t keys =
         job->target.plan->from->planes * (size_t)cm_spline_stripes_count(job->stripes);
-    size_t count = 0;
+    size_t count = 0, key;
     job->begin = calloc(keys + 2, sizeof *job->begin);
     for (const part_list *list = atomic_load(&job->lists); list != NULL; list = list->next)
     {
@@ -224,17 +239,19 @@ static cm_status sort_parts(stripe_job *job)
     {
         return CM_ERROR_MEMORY;
     }
-    size_t *next =
-        job->begin +
-        1; /* where the next one of each stripe goes, then where the stripe after it begins */
+    /* where the next one of each stripe goes; when all have gone there it is where those of the next stripe begin */
+    size_t *next = job->begin + 1;
     for (const part_list *list = atomic_load(&job->lists); list != NULL; list = list->next)
     {
         for (size_t i = 0; i < list->count; i++)
         {
-            next[key_of(job, list->parts[i].plane, list->parts[i].first) + 1]++;
+            if (is_first_of_key(job, list, i, &key))
+            {
+                next[key + 1]++;
+            }
         }
     }
-    for (size_t key = 0; key < keys; key++)
+    for (key = 0; key < keys; key++)
     {
         next[key + 1] += next[key];
     }
@@ -242,8 +259,10 @@ static cm_status sort_parts(stripe_job *job)
     {
         for (size_t i = 0; i < list->count; i++)
         {
-            job->order[next[key_of(job, list->parts[i].plane, list->parts[i].first)]++] =
-                list->parts[i].block;
+            if (is_first_of_key(job, list, i, &key))
+            {
+                job->order[next[key]++] = list->parts[i].block;
+            }
         }
     }
     return CM_OK;

@@ -48,15 +48,23 @@ static uint32_t steps_of(const cm_primitive *moving)
     return report.times;
 }
 
+/* A ball that goes along a trajectory. */
+static uint32_t steps_of_ball(double x, double z, double radius, size_t n, const double *stamp,
+                              const double (*place)[3])
+{
+    cm_trajectory *motion = make_motion(n, stamp, place);
+    const cm_primitive moving = ball(x, z, radius, motion);
+    const uint32_t steps = steps_of(&moving);
+    cm_trajectory_destroy(motion);
+    return steps;
+}
+
 /* A ball that stands in the first exposure and in the third one moves by 16 of its pixels. */
 START_TEST(what_begins_to_move_later_counts)
 {
     const double stamp[3] = {0.0, 4e-3, 5e-3};
     const double place[3][3] = {{0, 0, 0}, {0, 0, 0}, {0.32, 0, 0}};
-    cm_trajectory *motion = make_motion(3, stamp, place);
-    const cm_primitive moving = ball(-0.2, 1.2, 0.2, motion);
-    ck_assert_uint_eq(steps_of(&moving), 16);
-    cm_trajectory_destroy(motion);
+    ck_assert_uint_eq(steps_of_ball(-0.2, 1.2, 0.2, 3, stamp, place), 16);
 }
 END_TEST
 
@@ -65,10 +73,7 @@ START_TEST(what_comes_in_counts)
 {
     const double stamp[2] = {0.0, 1e-3};
     const double place[2][3] = {{0, 0, 0}, {1.5, 0, 0}};
-    cm_trajectory *motion = make_motion(2, stamp, place);
-    const cm_primitive moving = ball(-1.5, 1.2, 0.2, motion);
-    ck_assert_uint_eq(steps_of(&moving), 16);
-    cm_trajectory_destroy(motion);
+    ck_assert_uint_eq(steps_of_ball(-1.5, 1.2, 0.2, 2, stamp, place), 16);
 }
 END_TEST
 
@@ -77,12 +82,9 @@ START_TEST(small_things_count)
 {
     const double stamp[2] = {0.0, 1e-3};
     const double place[2][3] = {{0, 0, 0}, {0.1, 0, 0}};
-    cm_trajectory *motion = make_motion(2, stamp, place);
-    const cm_primitive moving = ball(0.01, 1.0, 0.02, motion);
-    const uint32_t steps = steps_of(&moving);
+    const uint32_t steps = steps_of_ball(0.01, 1.0, 0.02, 2, stamp, place);
     ck_assert_uint_ge(steps, 5);
     ck_assert_uint_le(steps, 6);
-    cm_trajectory_destroy(motion);
 }
 END_TEST
 
@@ -91,10 +93,7 @@ START_TEST(what_is_not_seen_does_not_count)
 {
     const double stamp[2] = {0.0, 1e-3};
     const double place[2][3] = {{0, 0, 0}, {0, 0, 0.5}};
-    cm_trajectory *motion = make_motion(2, stamp, place);
-    const cm_primitive moving = ball(-4.0, 1.0, 0.02, motion);
-    ck_assert_uint_eq(steps_of(&moving), 1);
-    cm_trajectory_destroy(motion);
+    ck_assert_uint_eq(steps_of_ball(-4.0, 1.0, 0.02, 2, stamp, place), 1);
 }
 END_TEST
 
