@@ -3,7 +3,8 @@
 
 A picture is (rows, columns) or (rows, columns, channels); where a surface has several, as the six faces of a cube, they are
 stacked along a first axis: (6, rows, columns, channels). Numbers are uint8, uint16, float16 or float32. Only the channels
-of a pixel need be side by side; all other strides will do, and nothing is copied. What a masked array masks is no data, nor is what is made from it: that is masked, too.
+of a pixel need be side by side; all other strides will do, and nothing is copied. What a masked array masks is no data,
+nor is what is made from it: that is masked, too.
 
 >>> earth = np.zeros((64, 128, 3), np.uint8)
 >>> earth[:32] = 255  # the north is white
