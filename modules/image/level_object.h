@@ -80,6 +80,14 @@ static inline int cm_level_is_across(uint32_t width, int32_t left, int32_t top, 
 /* The sums of a pixel's channels as a pixel that can be mixed. */
 void cm_level_put(const cm_level *level, const float *sum, unsigned char *to);
 
+/* The pixel of a plane's skirt; (column, row) is beyond an edge. */
+unsigned char *cm_level_skirt_pixel(const cm_level *level, unsigned plane, int32_t column,
+                                    int32_t row);
+
+/* What is beyond the edges of a level whose planes are laid and have room for it (level_skirt.c). */
+void cm_level_fill_skirt(const cm_level *level, const cm_surface *surface, const cm_memory *memory,
+                         unsigned threads);
+
 /* Are these pixels in memory as samplers take them? */
 int cm_level_there(const cm_level *level, unsigned plane, int32_t column, int32_t row,
                    int32_t width, int32_t height);

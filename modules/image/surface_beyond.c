@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* Points of a polynomial, from the edge inwards: a pixel apart, or what is taken for one. */
-#define NODES 8
+#define NODES CM_EDGE_NODES
 
 /* Places that are done at once, and nodes for them: neighbours along a line that leaves the plane share theirs. */
 #define PLACES 64
@@ -254,6 +254,63 @@ void cm_surface_directions_beyond(const cm_surface *surface, unsigned plane, siz
 {
     const double pixel[2] = {1.0, 1.0};
     cm_surface_directions_spaced(surface, plane, pixel, n, column, row, x, y, z);
+}
+
+int cm_surface_edge_nodes(const cm_surface *surface, unsigned plane, cm_edge edge, int32_t begin,
+                          size_t count, cm_edge_run *run)
+{
+    const int is_row = edge == CM_EDGE_UPPER || edge == CM_EDGE_LOWER;
+    const double across = is_row ? surface->height : surface->width;
+    const double along = is_row ? surface->width : surface->height;
+    const double first = edge == CM_EDGE_LEFT || edge == CM_EDGE_UPPER ? 0.0 : across;
+    const double step = first == 0.0 ? 1.0 : -1.0;
+    /* as find_nodes has it, of the pixel that is nearest to a corner */
+    const double corner =
+        fmin(to_corner(begin + 0.5, along), to_corner(begin + (double)count - 0.5, along));
+    const double room = surface->creased ? fmin(corner, across) : across;
+    double column[NODES * CM_EDGE_RUN], row[NODES * CM_EDGE_RUN];
+    if (surface->methods->can_go_beyond || count > CM_EDGE_RUN || room < NODES)
+    {
+        return 0;
+    }
+    run->count = count;
+    for (size_t i = 0; i < NODES * count; i++)
+    {
+        const double centre = begin + (double)(i % count) + 0.5;
+        const double node = first + step * ordinal[i / count];
+        column[i] = is_row ? centre : node;
+        row[i] = is_row ? node : centre;
+    }
+    cm_surface_own_directions(surface, plane, NODES * count, column, row, run->node[0],
+                              run->node[1], run->node[2]);
+    return 1;
+}
+
+/* The sum of nodes, whose rows have n of them. */
+static void sum_run(const double *weight, const double *restrict node, size_t n,
+                    double *restrict sum)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        sum[i] = 0.0;
+    }
+    for (size_t k = 0; k < NODES; k++, node += n)
+    {
+        for (size_t i = 0; i < n; i++)
+        {
+            sum[i] += weight[k] * node[i];
+        }
+    }
+}
+
+void cm_surface_edge_directions(const cm_edge_run *run, int32_t away, double *x, double *y,
+                                double *z)
+{
+    weights at;
+    weigh(NODES, away + 0.5, &at);
+    sum_run(at.weight, run->node[0], run->count, x);
+    sum_run(at.weight, run->node[1], run->count, y);
+    sum_run(at.weight, run->node[2], run->count, z);
 }
 
 /* Columns that come again are meridians as far from one another, and rows are parallels: one pixel tells of all. */

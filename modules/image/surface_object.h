@@ -88,6 +88,34 @@ void cm_surface_directions_beyond(const cm_surface *surface, unsigned plane, siz
                                   const double *column, const double *row, double *x, double *y,
                                   double *z);
 
+/* Pixels along an edge that are asked for together, and the points that the directions beyond them are made of. */
+#define CM_EDGE_RUN 64
+#define CM_EDGE_NODES 8
+
+typedef enum cm_edge
+{
+    CM_EDGE_LEFT,
+    CM_EDGE_RIGHT,
+    CM_EDGE_UPPER,
+    CM_EDGE_LOWER
+} cm_edge;
+
+typedef struct cm_edge_run
+{
+    size_t count;
+    double node[3][CM_EDGE_NODES * CM_EDGE_RUN]; /* rows along the edge, from the edge inwards */
+} cm_edge_run;
+
+/* What lies beyond `count` pixels along an edge, from pixel `begin` of it on; 0 if cm_surface_directions_beyond must be asked,
+ * which has other polynomials for some. */
+int cm_surface_edge_nodes(const cm_surface *surface, unsigned plane, cm_edge edge, int32_t begin,
+                          size_t count, cm_edge_run *run);
+
+/* Directions of the centres of those `away` pixels beyond the last, from 0 on: the same numbers as
+ * cm_surface_directions_beyond has. */
+void cm_surface_edge_directions(const cm_edge_run *run, int32_t away, double *x, double *y,
+                                double *z);
+
 /* 1 for positions on the plane that have a direction, else 0. */
 void cm_surface_covers(const cm_surface *surface, unsigned plane, size_t n, const double *column,
                        const double *row, uint8_t *covered);

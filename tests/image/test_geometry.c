@@ -573,9 +573,82 @@ START_TEST(test_beyond)
 }
 END_TEST
 
+/* A run along an edge. */
+static void check_edge_run(const cm_surface *surface, unsigned plane, cm_edge edge, int32_t begin,
+                           size_t count, unsigned *runs)
+{
+    static cm_edge_run run;
+    const int is_row = edge == CM_EDGE_UPPER || edge == CM_EDGE_LOWER;
+    const double last = is_row ? surface->height : surface->width;
+    if (!cm_surface_edge_nodes(surface, plane, edge, begin, count, &run))
+    {
+        return;
+    }
+    ++*runs;
+    for (int32_t away = 0; away < 21; away++)
+    {
+        double column[CM_EDGE_RUN], row[CM_EDGE_RUN], own[3][CM_EDGE_RUN], other[3][CM_EDGE_RUN];
+        const double across =
+            edge == CM_EDGE_LEFT || edge == CM_EDGE_UPPER ? -0.5 - away : last + away + 0.5;
+        for (size_t i = 0; i < count; i++)
+        {
+            const double along = begin + (double)i + 0.5;
+            column[i] = is_row ? along : across;
+            row[i] = is_row ? across : along;
+        }
+        cm_surface_edge_directions(&run, away, own[0], own[1], own[2]);
+        cm_surface_directions_beyond(surface, plane, count, column, row, other[0], other[1],
+                                     other[2]);
+        for (int axis = 0; axis < 3; axis++)
+        {
+            REQUIRE(memcmp(own[axis], other[axis], count * sizeof(double)) == 0,
+                    "%s, plane %u, edge %d, from %d on: %d away", cm_surface_specification(surface),
+                    plane, (int)edge, (int)begin, (int)away);
+        }
+    }
+}
+
+/* Pixels along an edge have the same bits together as one by one, beside corners and creases, too. */
+START_TEST(test_edge_runs)
+{
+    static const char *const kinds[] = {
+        "cube:gnomonic", "cube:qsc",   "cube:coupled", "cube:slice",    "equirect", "dual-fisheye",
+        "octahedral",    "healpix:64", "quincuncial",  "cube:seamless", "rhealpix"};
+    static const uint32_t sizes[] = {7, 8, 9, 16, 150};
+    unsigned runs = 0;
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+    {
+        for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++)
+        {
+            cm_surface *surface = NULL;
+            const cm_surface_options options = {.size = sizeof options, .width = sizes[s]};
+            if (cm_surface_create(kinds[k], &options, &surface) != CM_OK)
+            {
+                continue;
+            }
+            const int32_t least =
+                (int32_t)(surface->width < surface->height ? surface->width : surface->height);
+            for (unsigned task = 0; task < 4 * surface->planes; task++)
+            {
+                for (int32_t begin = 0; begin < least; begin += 7)
+                {
+                    const int32_t left = least - begin;
+                    check_edge_run(surface, task / 4, (cm_edge)(task % 4), begin,
+                                   (size_t)(left < CM_EDGE_RUN ? left : CM_EDGE_RUN), &runs);
+                    check_edge_run(surface, task / 4, (cm_edge)(task % 4), begin, 1, &runs);
+                }
+            }
+            cm_surface_destroy(surface);
+        }
+    }
+    REQUIRE(runs > 1000, "%u runs", runs);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {test_nearness,    test_parts,  test_completeness,
-                                  test_derivatives, test_beyond, NULL};
+    const TTest *const tests[] = {
+        test_nearness,  test_parts, test_completeness, test_derivatives, test_beyond,
+        test_edge_runs, NULL};
     return run_suite("geometry", tests);
 }
