@@ -86,15 +86,33 @@ static void read_row(const cleaning *c, size_t row, float *to)
     }
 }
 
-/* Why a value is no measurement. */
-static void count_one(const cleaning *c, float value, cm_depth_count *count)
+/* How many of a row are which kind: 32 bits, as vectors count. */
+typedef struct row_count
 {
-    count->zero += value == 0.0f;
-    count->nan += isnan(value) != 0;
-    count->infinite += isinf(value) != 0;
-    count->negative += value < 0.0f && !isinf(value);
-    count->near += value > 0.0f && value < c->nearest;
-    count->far += value > c->farthest && !isinf(value);
+    uint32_t zero, nan, infinite, negative, near, far;
+} row_count;
+
+/* Why values are no measurements; without a branch, which invalid pixels here and there would make slow. */
+static void count_kinds(const cleaning *c, const float *value, cm_depth_count *all)
+{
+    const float nearest = c->nearest, farthest = c->farthest;
+    row_count count = {0};
+    for (size_t i = 0; i < c->width; i++)
+    {
+        const float v = value[i];
+        count.zero += (uint32_t)(v == 0.0f);
+        count.nan += (uint32_t)(v != v);
+        count.infinite += (uint32_t)(fabsf(v) > FLT_MAX);
+        count.negative += (uint32_t)(v < 0.0f) & (uint32_t)(v >= -FLT_MAX);
+        count.near += (uint32_t)(v > 0.0f) & (uint32_t)(v < nearest);
+        count.far += (uint32_t)(v > farthest) & (uint32_t)(v <= FLT_MAX);
+    }
+    all->zero += count.zero;
+    all->nan += count.nan;
+    all->infinite += count.infinite;
+    all->negative += count.negative;
+    all->near += count.near;
+    all->far += count.far;
 }
 
 static void clean_band(size_t first, size_t last, size_t band, void *user)
@@ -112,13 +130,14 @@ static void clean_band(size_t first, size_t last, size_t band, void *user)
             valid += (uint32_t)(to[i] >= nearest) & (uint32_t)(to[i] <= farthest);
         }
         count.valid += valid;
-        for (size_t i = 0; valid < c->width && i < c->width; i++)
+        if (valid == c->width)
         {
-            if (!(to[i] >= c->nearest && to[i] <= c->farthest))
-            {
-                count_one(c, to[i], &count);
-                to[i] = NAN;
-            }
+            continue;
+        }
+        count_kinds(c, to, &count);
+        for (size_t i = 0; i < c->width; i++)
+        {
+            to[i] = to[i] >= nearest && to[i] <= farthest ? to[i] : NAN;
         }
     }
     c->counts[band] = count;

@@ -283,10 +283,15 @@ typedef struct offset_work
 static void put_offsets(size_t begin, size_t end, void *user)
 {
     const offset_work *doing = user;
-    for (size_t i = begin; i < end; i++)
+    double normal[RANDOM_BLOCK];
+    for (size_t first = begin; first < end; first += RANDOM_BLOCK)
     {
-        doing->offset[i] =
-            (float)(doing->deviation * cm_random_normal(doing->seed, OFFSET_VIEW, (uint32_t)i, 0));
+        const size_t n = end - first < RANDOM_BLOCK ? end - first : RANDOM_BLOCK;
+        cm_random_normal_array(doing->seed, OFFSET_VIEW, (uint32_t)first, 0, n, normal);
+        for (size_t i = 0; i < n; i++)
+        {
+            doing->offset[first + i] = (float)(doing->deviation * normal[i]);
+        }
     }
 }
 

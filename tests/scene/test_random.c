@@ -3,11 +3,20 @@
  * Counted random numbers: the published vectors, the same bits everywhere, and distributions by Pearson's test at fixed
  * seeds.
  */
+#define _POSIX_C_SOURCE 200809L
+#include <cubemap/options.h>
 #include <cubemap/random.h>
 
 #include <float.h>
 
-#include "modules/scene/exact_logarithm.h"
+#define CM_SET_IS_SCALAR 1
+#include "modules/scene/random_lanes.inc"
+
+#include "modules/scene/exact_logarithm.inc"
+#include "modules/scene/random_set.h"
+
+#include "modules/scene/philox.inc"
+#include "tests/instructions_variable.h"
 #include "tests/suite.h"
 
 #define BINS_MOST 128
@@ -74,18 +83,18 @@ START_TEST(logarithm_and_exponential)
         if (x > 1e-308 && x < 1e308)
         {
             const double truth = log(x);
-            worst = fmax(worst, fabs(cm_exact_log(x) - truth) / (fabs(truth) + DBL_MIN));
+            worst = fmax(worst, fabs(exact_log(x) - truth) / (fabs(truth) + DBL_MIN));
         }
     }
-    REQUIRE(worst <= 4.0 * DBL_EPSILON && cm_exact_log(1.0) == 0.0, "log: %g eps",
+    REQUIRE(worst <= 4.0 * DBL_EPSILON && exact_log(1.0) == 0.0, "log: %g eps",
             worst / DBL_EPSILON);
     for (double x = 1.0 - 1e-3; x < 1.0 + 1e-3; x += 1.7e-6)
     {
-        REQUIRE(fabs(cm_exact_log(x) - log(x)) <= 2.0 * DBL_EPSILON * fabs(log(x)), "%.17g", x);
+        REQUIRE(fabs(exact_log(x) - log(x)) <= 2.0 * DBL_EPSILON * fabs(log(x)), "%.17g", x);
     }
     for (double x = -30.0; x <= 0.0; x += 0.00137)
     {
-        REQUIRE(fabs(cm_exact_exp(x) / exp(x) - 1.0) <= 4.0 * DBL_EPSILON, "exp %.17g", x);
+        REQUIRE(fabs(exact_exp(x) / exp(x) - 1.0) <= 4.0 * DBL_EPSILON, "exp %.17g", x);
     }
 }
 END_TEST
@@ -122,8 +131,8 @@ START_TEST(uniform_numbers)
         sum += off * off / expected;
     }
     REQUIRE(!is_unlikely(sum, BINS * BINS - 1), "%g", sum);
-    ck_assert(cm_fraction_of(0, 0) == 0x1p-53);
-    ck_assert(cm_fraction_of(0xffffffff, 0xffffffff) == 1.0 - 0x1p-53);
+    ck_assert(fraction_of(0, 0) == 0x1p-53);
+    ck_assert(fraction_of(0xffffffff, 0xffffffff) == 1.0 - 0x1p-53);
 }
 END_TEST
 
@@ -141,7 +150,7 @@ START_TEST(normal_numbers)
     {
         uint32_t words[4];
         cm_random_block(9, 2, i, 3, (uint32_t)2 << 28, words);
-        const double u = cm_fraction_of(words[0], words[1]);
+        const double u = fraction_of(words[0], words[1]);
         const double x = cm_random_normal(9, 2, i, 3);
         const double tail = fmin(u, 1.0 - u);
         const double back = 0.5 * erfc(fabs(x) / sqrt(2.0));
@@ -291,6 +300,109 @@ START_TEST(arrays)
 }
 END_TEST
 
+/* Means of all kinds, many and few of each beside one another: invalid ones, 0, around 10, around 16, and so great that no
+ * whole number is left out. */
+static double rough_mean(uint32_t i)
+{
+    static const double special[] = {0.0,  5e-324,          1e-20,          9.999999999999998,
+                                     10.0, 10.000000000001, 1e300,          (double)INFINITY,
+                                     -1.0, (double)NAN,     0x1.8p52 + 1.0, DBL_MAX};
+    const double u = cm_random_uniform(4, 0, i, 0);
+    switch (i / 37 % 6)
+    {
+    case 0:
+        return special[i % (sizeof special / sizeof *special)];
+    case 1:
+        return 10.0 * u;
+    case 2:
+        return 8.0 + 20.0 * u;
+    case 3:
+        return 1000.0 * u;
+    case 4:
+        return exp2(70.0 * u);
+    default:
+        return i % 2 == 0 ? 3.0 : 3000.0;
+    }
+}
+
+enum
+{
+    SET_NUMBERS = 4000
+};
+
+static void check_same_bits(const char *set, const char *what, const double *value,
+                            const double *alone, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        REQUIRE(memcmp(value + i, alone + i, sizeof *value) == 0 ||
+                    (isnan(value[i]) && isnan(alone[i])),
+                "%s, %s %zu of %zu: %.17g, alone %.17g", set, what, i, n, value[i], alone[i]);
+    }
+    ck_assert(value[n] == -7.0); /* and nothing behind */
+}
+
+static void check_set(const char *set, size_t n)
+{
+    static double alone[3][SET_NUMBERS];
+    static double value[3][SET_NUMBERS + 1];
+    static double mean[SET_NUMBERS];
+    const uint64_t seed = 0xfedcba9876543210;
+    const uint32_t first = UINT32_MAX - (uint32_t)n / 2;
+    for (uint32_t i = 0; i < n; i++)
+    {
+        mean[i] = rough_mean(i + (uint32_t)n);
+        alone[0][i] = cm_random_uniform(seed, 0x80000000, first + i, 0xffffffff);
+        alone[1][i] = cm_random_normal(seed, 0x80000000, first + i, 0xffffffff);
+        alone[2][i] = cm_random_poisson(seed, 0x80000000, first + i, 0xffffffff, mean[i]);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        value[k][n] = -7.0;
+    }
+    set_instructions_variable(set);
+    cm_random_uniform_array(seed, 0x80000000, first, 0xffffffff, n, value[0]);
+    cm_random_normal_array(seed, 0x80000000, first, 0xffffffff, n, value[1]);
+    cm_random_poisson_array(seed, 0x80000000, first, 0xffffffff, n, mean, value[2]);
+    set_instructions_variable(NULL);
+    check_same_bits(set, "uniform", value[0], alone[0], n);
+    check_same_bits(set, "normal", value[1], alone[1], n);
+    check_same_bits(set, "Poisson", value[2], alone[2], n);
+}
+
+/* Numbers of arrays are those that are made alone, by every set, in every length; and a name that is no set's does no harm. */
+START_TEST(instruction_sets)
+{
+    const char *const before = getenv("CUBEMAP_INSTRUCTIONS");
+    char *const kept = before == NULL ? NULL : strdup(before);
+    for (size_t k = 0; k <= cm_instructions_count(); k++)
+    {
+        const char *set = k < cm_instructions_count() ? cm_instructions_at(k) : "abacus";
+        for (size_t n = 0; n < 300; n += n < 30 ? 1 : 17)
+        {
+            check_set(set, n);
+        }
+        check_set(set, SET_NUMBERS);
+    }
+    set_instructions_variable(kept);
+    free(kept);
+}
+END_TEST
+
+START_TEST(whole_numbers)
+{
+    for (double x = -3.0; x <= 3.0; x += 0.125)
+    {
+        ck_assert(floor_of(x) == floor(x));
+        ck_assert(floor_of(x * 0x1p49 + 0.25) == floor(x * 0x1p49 + 0.25));
+        ck_assert(floor_of(x * 0x1p51) == floor(x * 0x1p51));
+        ck_assert(floor_of(x * 0x1p60) == x * 0x1p60);
+    }
+    ck_assert(floor_of(-0x1p-1074) == -1.0 && floor_of(0x1p-1074) == 0.0);
+    ck_assert(floor_of(1.0 - 0x1p-53) == 0.0 && floor_of(DBL_MAX) == DBL_MAX);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {published_vectors,
@@ -301,6 +413,8 @@ int main(void)
                                   poisson_numbers,
                                   great_means,
                                   arrays,
+                                  instruction_sets,
+                                  whole_numbers,
                                   NULL};
     return run_suite("random", tests);
 }

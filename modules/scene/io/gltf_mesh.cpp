@@ -2,6 +2,7 @@
 
 #include "file_failure.hpp"
 #include "flat_mesh.hpp"
+#include "gltf_numbers.hpp"
 #include "gltf_text.hpp"
 
 #include <cubemap/pose.h>
@@ -17,8 +18,6 @@ namespace
 {
 
 using Matrix = std::array<double, 16>; // by columns, as glTF has it
-
-constexpr std::size_t largest_file = std::size_t{1} << 31;
 
 // ---- files: no name is expanded by a shell, and none leads out of the folder
 
@@ -59,7 +58,7 @@ bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::
     }
     file.seekg(0, std::ios::end);
     const std::streamoff size = file.tellg();
-    if (!file || size <= 0 || static_cast<std::size_t>(size) > largest_file)
+    if (!file || size <= 0 || static_cast<std::size_t>(size) > largest_gltf)
     {
         *error = size == 0 ? "is empty" : "cannot be read";
         return false;
@@ -80,111 +79,6 @@ bool no_picture(tinygltf::Image *, const int, std::string *, std::string *, int,
 {
     return true;
 }
-
-// ---- numbers
-
-const char *const damaged = "has an accessor that is none";
-
-template <typename Value>
-const Value &element(const std::vector<Value> &list, int index, const char *what)
-{
-    if (index < 0 || static_cast<std::size_t>(index) >= list.size())
-    {
-        throw MeshFailure(std::string("names ") + what + " that is not there");
-    }
-    return list[static_cast<std::size_t>(index)];
-}
-
-// The numbers of an accessor, within their buffer.
-class Numbers
-{
-public:
-    Numbers(const tinygltf::Model &model, int which)
-        : accessor(element(model.accessors, which, "an accessor"))
-    {
-        if (accessor.sparse.isSparse) // which may have no buffer view
-        {
-            throw MeshFailure("has a sparse accessor, which is not read");
-        }
-        const tinygltf::BufferView &view =
-            element(model.bufferViews, accessor.bufferView, "a buffer view");
-        const tinygltf::Buffer &buffer = element(model.buffers, view.buffer, "a buffer");
-        const int size =
-            tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
-        const int count =
-            tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
-        const int step = accessor.ByteStride(view);
-        if (size <= 0 || count <= 0 || step <= 0 || accessor.count > largest_file ||
-            accessor.byteOffset > largest_file)
-        {
-            throw MeshFailure(damaged);
-        }
-        component = static_cast<std::size_t>(size);
-        components = static_cast<std::size_t>(count);
-        stride = static_cast<std::size_t>(step);
-        const std::size_t length =
-            accessor.count == 0 ? 0 : (accessor.count - 1) * stride + component * components;
-        if (accessor.byteOffset > view.byteLength || length > view.byteLength - accessor.byteOffset)
-        {
-            throw MeshFailure("has accessor " + std::to_string(which) +
-                              ", which ends behind its buffer view");
-        }
-        data = buffer.data.data() + view.byteOffset + accessor.byteOffset; // check_views
-    }
-
-    std::size_t count() const
-    {
-        return accessor.count;
-    }
-    std::size_t width() const
-    {
-        return components;
-    }
-    int type() const
-    {
-        return accessor.componentType;
-    }
-
-    double at(std::size_t i, std::size_t k) const
-    {
-        const unsigned char *const from = data + i * stride + k * component;
-        switch (accessor.componentType)
-        {
-        case TINYGLTF_COMPONENT_TYPE_FLOAT:
-            return static_cast<double>(read<float>(from));
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return *from;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return read<std::uint16_t>(from);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-            return read<std::uint32_t>(from);
-        default:
-            throw MeshFailure(damaged);
-        }
-    }
-
-    // What a normalised whole number counts as 1.
-    double one() const
-    {
-        return type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 255.0
-               : type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 65535.0
-                                                                  : 1.0;
-    }
-
-private:
-    template <typename Value> static Value read(const unsigned char *from)
-    {
-        Value value;
-        std::memcpy(&value, from, sizeof value);
-        return value;
-    }
-
-    const tinygltf::Accessor &accessor;
-    const unsigned char *data = nullptr;
-    std::size_t component = 0;
-    std::size_t components = 0;
-    std::size_t stride = 0;
-};
 
 // ---- transforms
 
@@ -268,7 +162,7 @@ public:
         const int which = model.defaultScene < 0 ? 0 : model.defaultScene;
         // not by calls in each other: trees may be of any depth
         std::vector<Placed> waiting;
-        add_waiting(element(model.scenes, which, "a scene").nodes, identity, waiting);
+        add_waiting(gltf_element(model.scenes, which, "a scene").nodes, identity, waiting);
         while (!waiting.empty())
         {
             const Placed next = waiting.back();
@@ -299,7 +193,7 @@ private:
     // The node's own parts; its transform.
     Matrix add_node(int index, const Matrix &outer)
     {
-        const tinygltf::Node &node = element(model.nodes, index, "a node");
+        const tinygltf::Node &node = gltf_element(model.nodes, index, "a node");
         if (seen[static_cast<std::size_t>(index)])
         {
             throw MeshFailure("has nodes that are no tree");
@@ -309,7 +203,7 @@ private:
         if (node.mesh >= 0)
         {
             for (const tinygltf::Primitive &part :
-                 element(model.meshes, node.mesh, "a mesh").primitives)
+                 gltf_element(model.meshes, node.mesh, "a mesh").primitives)
             {
                 add_part(part, matrix);
             }
@@ -331,7 +225,7 @@ private:
             return; // points and lines
         }
         const std::size_t first = mesh.position.size() / 3;
-        const Numbers at(model, position->second);
+        const GltfNumbers at(model, position->second);
         if (at.type() != TINYGLTF_COMPONENT_TYPE_FLOAT || at.width() != 3)
         {
             throw MeshFailure("has positions that are no floats");
@@ -354,13 +248,13 @@ private:
         if (part.material >= 0)
         {
             const std::vector<double> &factor =
-                element(model.materials, part.material, "a material")
+                gltf_element(model.materials, part.material, "a material")
                     .pbrMetallicRoughness.baseColorFactor;
             base = {number_of(factor, 0, 1), number_of(factor, 1, 1), number_of(factor, 2, 1)};
         }
         const auto own = part.attributes.find("COLOR_0");
         const bool has_own = own != part.attributes.end();
-        const Numbers colors(model, has_own ? own->second : part.attributes.at("POSITION"));
+        const GltfNumbers colors(model, has_own ? own->second : part.attributes.at("POSITION"));
         if (has_own && (colors.count() < count || colors.width() < 3))
         {
             throw MeshFailure("has fewer colours than vertices");
@@ -378,7 +272,7 @@ private:
         std::vector<std::uint32_t> list;
         if (part.indices >= 0)
         {
-            const Numbers indices(model, part.indices);
+            const GltfNumbers indices(model, part.indices);
             if (indices.type() == TINYGLTF_COMPONENT_TYPE_FLOAT || indices.width() != 1)
             {
                 throw MeshFailure("has indices that are no whole numbers, one a vertex");
@@ -420,7 +314,7 @@ void check_views(const tinygltf::Model &model)
     for (std::size_t i = 0; i < model.bufferViews.size(); ++i)
     {
         const tinygltf::BufferView &view = model.bufferViews[i];
-        const std::size_t size = element(model.buffers, view.buffer, "a buffer").data.size();
+        const std::size_t size = gltf_element(model.buffers, view.buffer, "a buffer").data.size();
         if (view.byteOffset > size || view.byteLength > size - view.byteOffset)
         {
             throw MeshFailure("has buffer view " + std::to_string(i) +

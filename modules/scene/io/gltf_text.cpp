@@ -216,6 +216,23 @@ private:
         whole(item, who, "byteOffset", accessor.byteOffset);
         whole(item, who, "count", accessor.count);
         whole(item, who, "componentType", accessor.componentType);
+        if (accessor.sparse.isSparse)
+        {
+            const cJSON *const sparse = member(item, "sparse");
+            const std::string whose = who + " with sparse numbers";
+            whole(sparse, whose, "count", accessor.sparse.count);
+            check_place(member(sparse, "indices"), whose, accessor.sparse.indices);
+            whole(member(sparse, "indices"), whose, "componentType",
+                  accessor.sparse.indices.componentType);
+            check_place(member(sparse, "values"), whose, accessor.sparse.values);
+        }
+    }
+
+    template <typename Place>
+    void check_place(const cJSON *item, const std::string &who, const Place &place) const
+    {
+        whole(item, who, "bufferView", place.bufferView);
+        whole(item, who, "byteOffset", place.byteOffset);
     }
 
     void check_view(const cJSON *item, const std::string &who,
