@@ -118,8 +118,12 @@ typedef struct cm_view_table
 typedef struct cm_eye
 {
     float aside[3];
-    float edge;
-    float edges; /* a unit of length */
+    float ray
+        [3]
+        [3]; /* edges along the world's axes: a column, a row, and straight ahead, at distance 1 */
+    float step
+        [3]
+        [3]; /* columns times Z, rows times Z, and Z, of an edge along each of the world's axes */
 } cm_eye;
 
 /* Rays that end farther from the camera, in edges, are not looked at: floats have no places of voxels there. */

@@ -24,8 +24,8 @@ void cm_ray_ends_mark(const cm_view_desk *desk, const cm_view_band *band, size_t
     {
         const size_t first = cm_view_row(desk, row) + column;
         const float *reach = band->reach + first;
-        int is_steep = 0;
-        for (size_t k = 0; k < CM_BREAK_RUN; k++)
+        int is_steep = 0; /* what is steep is wider than a few pixels, or beside breaks */
+        for (size_t k = 0; k < CM_BREAK_RUN; k += 4)
         {
             is_steep |= reach[k] >= most;
         }
@@ -130,8 +130,14 @@ static int describe_eye(end_work *work, const cm_view *view)
         work->eye_place[axis] = (int64_t)floor(at);
         work->eye.aside[axis] = (float)(at - floor(at));
     }
-    work->eye.edge = (float)options->edge;
-    work->eye.edges = (float)(1.0 / options->edge);
+    const double focal[3] = {(double)work->desk->table.focal[0], (double)work->desk->table.focal[1],
+                             1.0};
+    for (int i = 0; i < 9; i++)
+    {
+        const double of_axis = view->pose.rotation.row[i / 3][i % 3];
+        work->eye.ray[i / 3][i % 3] = (float)(of_axis / (focal[i / 3] * options->edge));
+        work->eye.step[i / 3][i % 3] = (float)(of_axis * focal[i / 3] * options->edge);
+    }
     return 1;
 }
 
