@@ -22,8 +22,8 @@ typedef struct cm_pixel_rule
     uint32_t reach_front;
 } cm_pixel_rule;
 
-/* A bit of reach_front, the sign of a front above 0: the pixel has a gap, and what lies in it is a miss, too;
- * voxels in front of the gap may be of the pixels beside it. It may be empty. */
+/* A bit of reach_front, the sign of a front above 0: the pixel has a gap, and what lies in it is a miss, too. It may be
+ * empty. */
 #define CM_RULE_HAS_GAP 0x80000000u
 
 /* The upper half of a number not below 0, rounded up. */
@@ -55,8 +55,8 @@ typedef struct cm_pixel_gap
 /* Pixels beside a break are no farther from it. */
 #define CM_BREAK_RADIUS 8
 
-/* A voxel that reaches over a silhouette looks for rays that end in it, so many pixels around its own. */
-#define CM_BESIDE_MOST 8
+/* Runs of so many pixels of a row are worked on together. */
+#define CM_BREAK_RUN 16
 
 /* A pixel at a break tells pixels around it, in a row, what it sees. */
 typedef struct cm_break_teller
@@ -113,6 +113,27 @@ typedef struct cm_view_table
     uint32_t first_window[CM_WINDOW_LEVELS];
     uint32_t window_row[CM_WINDOW_LEVELS];
 } cm_view_table;
+
+/* Where the camera is: so many edges aside of the lower corner of the voxel it is in. */
+typedef struct cm_eye
+{
+    float aside[3];
+    float ray
+        [3]
+        [3]; /* edges along the world's axes: a column, a row, and straight ahead, at distance 1 */
+    float step
+        [3]
+        [3]; /* columns times Z, rows times Z, and Z, of an edge along each of the world's axes */
+} cm_eye;
+
+/* Rays that end farther from the camera, in edges, are not looked at: floats have no places of voxels there. */
+#define CM_CELLS_AWAY 4194304.0f
+
+/* Voxels that the rays of a run of pixels end in, from that of the camera. */
+typedef struct cm_ended_run
+{
+    int32_t cell[3][CM_BREAK_RUN];
+} cm_ended_run;
 
 /* What is known of a cube of voxel centres. */
 typedef enum cm_cube_class
@@ -232,6 +253,10 @@ typedef struct cm_octree_set
      * others. */
     void (*visit)(const cm_view_table *view, const cm_visited_group *group, uint64_t *hits,
                   uint64_t *misses, int32_t pixel[64]);
+    /* Bits of a run of pixels, from a column on, that hit something while the voxel that their ray ends in is not hit by the pixel its
+     * centre falls on. Pixels behind the end of the row may have bits, too. */
+    uint32_t (*lost_ends)(const cm_view_table *view, const cm_eye *eye, uint32_t column,
+                          uint32_t row, cm_ended_run *run);
     /* Colors after hits whose colors are `more`, mixed in parts as cm_color_blend; a part of 0: none. n is a multiple of
      * CM_MIX_MULTIPLE. */
     void (*mix)(size_t n, uint32_t *color, const uint32_t *more, const uint32_t *part);

@@ -136,6 +136,7 @@ static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, co
     cm_update_make_parts(update);
     desk->count = 0;
     desk->missed_count = 0;
+    update->ends.first = update->ends.end = NULL;
     make_offsets(update);
 }
 
@@ -226,21 +227,24 @@ static int is_whole(const cm_octree *octree)
 }
 
 static cm_status go_down(cm_update *update, uint32_t node, const uint32_t place[3], int level,
-                         unsigned class_of)
+                         unsigned class_of, cm_ray_ends above)
 {
     cm_octree *octree = update->octree;
-    if (cm_update_is_left_out(update, class_of))
+    const cm_ray_ends ends = cm_ray_ends_in(above, place, level);
+    const int has_ends = ends.first != ends.end;
+    if (!has_ends && cm_update_is_left_out(update, class_of))
     {
         return CM_OK;
     }
-    if (class_of == CM_CUBE_FREE && is_whole(octree))
+    if (!has_ends && class_of == CM_CUBE_FREE && is_whole(octree))
     {
         return cm_update_list_miss(update, node);
     }
     if (level == CM_REGION_LEVEL)
     {
         const cm_node *at = &octree->node[node];
-        if (at->kind == CM_NODE_LEAF && !cm_update_may_change(update, place, at->value))
+        if (!has_ends && at->kind == CM_NODE_LEAF &&
+            !cm_update_may_change(update, place, at->value))
         {
             return CM_OK;
         }
@@ -260,7 +264,8 @@ static cm_status go_down(cm_update *update, uint32_t node, const uint32_t place[
         {
             below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
         }
-        status = go_down(update, octree->node[node].link + child, below, level - 1, classes[child]);
+        status = go_down(update, octree->node[node].link + child, below, level - 1, classes[child],
+                         ends);
     }
     return status;
 }
@@ -345,6 +350,9 @@ static cm_status update_straight(cm_update *update, cm_pool *pool)
     cm_octree *octree = update->octree;
     const cm_camera_options *camera = cm_camera_describe(update->view->camera);
     cm_status status = cm_view_desk_fill(&update->desk->view, octree, update->view, pool);
+    status = status == CM_OK
+                 ? cm_ray_ends_find(&update->desk->view, octree, update->view, pool, &update->ends)
+                 : status;
     if (status != CM_OK)
     {
         octree->step--;
@@ -357,7 +365,7 @@ static cm_status update_straight(cm_update *update, cm_pool *pool)
     cm_update_half(update, CM_BLOCK_LEVEL + 1, reach, update->eight_half);
     cm_update_half(update, 2, reach, update->group_half);
     const uint32_t first[3] = {0, 0, 0};
-    status = go_down(update, 0, first, octree->tree_level, CM_CUBE_PART);
+    status = go_down(update, 0, first, octree->tree_level, CM_CUBE_PART, update->ends);
     cm_update_end_lists(update, status);
     const uint64_t before = cm_update_listed_bytes(update);
     if (status == CM_OK)

@@ -8,6 +8,7 @@
 #include <stdatomic.h>
 
 #include "node_tree.h"
+#include "ray_ends.h"
 #include "view_table.h"
 
 #define CM_DETAILS 4
@@ -47,7 +48,8 @@ typedef struct cm_update
     uint32_t part_of[256];
     cm_cell_offsets offset[CM_DETAILS];
     cm_cell_offsets block; /* of the blocks of a region */
-    atomic_int failed;     /* 1: no memory */
+    cm_ray_ends ends;  /* voxels that are hit, whatever the pixels say that their centres fall on */
+    atomic_int failed; /* 1: no memory */
 } cm_update;
 
 /* The desk of a map, which is made if there is none; NULL if there is no memory. */

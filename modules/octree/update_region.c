@@ -195,6 +195,7 @@ typedef struct block_work
     const uint8_t *group_class; /* of eight groups */
     const cm_cube_bounds *bounds;
     const uint32_t *color; /* of an open block; NULL: none yet */
+    cm_ray_ends ends;
 } block_work;
 
 static void first_voxel(const cm_update *update, const uint32_t place[3], unsigned block,
@@ -263,6 +264,22 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
     }
 }
 
+/* What rays end in is hit by their pixels, where it is not by its own. Coarser cells are large enough for their own pixel. */
+static void take_ends(const block_work *work, cm_block_change *change)
+{
+    for (const cm_ray_end *end = work->ends.first; end != work->ends.end && change->detail == 0;
+         end++)
+    {
+        const unsigned group = (unsigned)(end->key >> 6 & 7u), cell = (unsigned)(end->key & 63u);
+        const uint64_t bit = (uint64_t)1 << cell;
+        if ((change->hits[group] & bit) == 0)
+        {
+            change->hits[group] |= bit;
+            change->pixel[group][cell] = (int32_t)end->pixel;
+        }
+    }
+}
+
 /* A block is on its way from memory while the next ones are worked on. */
 static void fetch(const cm_region *region, unsigned block)
 {
@@ -288,6 +305,10 @@ static void visit_block(cm_update *update, cm_region *region, const block_work *
     for (unsigned group = 0; group * 64 < cells; group++)
     {
         visit_group(update, work, detail, group, change);
+    }
+    take_ends(work, change);
+    for (unsigned group = 0; group * 64 < cells; group++)
+    {
         const uint64_t valid =
             is_whole ? all : cm_update_valid(update->octree, region, block, detail, group) & all;
         change->hits[group] &= valid;
@@ -344,8 +365,36 @@ static void classify_eights(const cm_update *update, const float first[3], cube_
                           places->z, update->eight_half, places->class_of, NULL);
 }
 
-/* Blocks in which something may happen, in their order, and how many; and their classes, and Z of their centres. */
-static size_t classify_blocks(const cm_update *update, const uint32_t place[3], cube_places *places,
+/* Bits of the blocks of a region. */
+typedef struct block_bits
+{
+    uint64_t word[CM_REGION_BLOCKS / 64];
+} block_bits;
+
+static block_bits blocks_of(cm_ray_ends ends)
+{
+    block_bits bits = {{0}};
+    for (const cm_ray_end *end = ends.first; end != ends.end; end++)
+    {
+        bits.word[end->key >> 15 & 7u] |= (uint64_t)1 << (end->key >> 9 & 63u);
+    }
+    return bits;
+}
+
+static int has_eight(const block_bits *bits, unsigned eight)
+{
+    return (bits->word[eight / 8] >> 8 * (eight % 8) & 255u) != 0;
+}
+
+static int has_block(const block_bits *bits, unsigned block)
+{
+    return (int)(bits->word[block / 64] >> block % 64 & 1u);
+}
+
+/* Blocks in which something may happen, in their order, and how many; and their classes, and Z of their centres. In those that rays
+ * end in it may, wherever their centres are. */
+static size_t classify_blocks(const cm_update *update, const uint32_t place[3],
+                              const block_bits *ended, cube_places *places,
                               uint16_t listed[CM_REGION_BLOCKS + 1],
                               uint8_t class_of[CM_REGION_BLOCKS], float z[CM_REGION_BLOCKS])
 {
@@ -356,7 +405,8 @@ static size_t classify_blocks(const cm_update *update, const uint32_t place[3], 
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
         listed[count] = (uint16_t)block;
-        count += !cm_update_is_left_out(update, places->class_of[block / 8]);
+        count += has_eight(ended, block / 8) ||
+                 !cm_update_is_left_out(update, places->class_of[block / 8]);
     }
     for (size_t i = 0; i < count; i++)
     {
@@ -370,6 +420,10 @@ static size_t classify_blocks(const cm_update *update, const uint32_t place[3], 
     }
     update->set->classify(&update->desk->view.table, count, places->x, places->y, places->z,
                           update->block_half, class_of, NULL);
+    for (size_t i = 0; i < count; i++)
+    {
+        class_of[i] = has_block(ended, listed[i]) ? (uint8_t)CM_CUBE_PART : class_of[i];
+    }
     return count;
 }
 
@@ -448,13 +502,27 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
     }
 }
 
+/* The ends in a block, which those in blocks before it are no longer among. */
+static cm_ray_ends take_block(cm_ray_ends *ends, unsigned block)
+{
+    const cm_ray_end *end = ends->first;
+    while (end != ends->end && (end->key >> 9 & 511u) == block)
+    {
+        end++;
+    }
+    const cm_ray_ends taken = {ends->first, end};
+    ends->first = end;
+    return taken;
+}
+
 int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8_t alpha)
 {
     cube_places places;
     uint8_t class_of[CM_REGION_BLOCKS];
     float z[CM_REGION_BLOCKS];
     uint16_t listed[CM_REGION_BLOCKS + 1];
-    const size_t count = classify_blocks(update, place, &places, listed, class_of, z);
+    const block_bits none = {{0}};
+    const size_t count = classify_blocks(update, place, &none, &places, listed, class_of, z);
     const int is_lowest = cm_after_misses(&update->octree->rule, alpha, 1) == alpha;
     int may_change = 0;
     for (size_t i = 0; i < count; i++)
@@ -473,7 +541,10 @@ void cm_update_region(cm_update *update, cm_region *region)
     float z[CM_REGION_BLOCKS];
     uint16_t listed[CM_REGION_BLOCKS + 1];
     float first[CM_REGION_BLOCKS][3];
-    const size_t classified = classify_blocks(update, region->place, &places, listed, class_of, z);
+    cm_ray_ends ends = cm_ray_ends_in(update->ends, region->place, CM_REGION_LEVEL);
+    const block_bits ended = blocks_of(ends);
+    const size_t classified =
+        classify_blocks(update, region->place, &ended, &places, listed, class_of, z);
     size_t count = 0;
     for (size_t i = 0; i < classified; i++)
     {
@@ -506,7 +577,8 @@ void cm_update_region(cm_update *update, cm_region *region)
         next->block = listed[i];
         block_work work = {.group_class = places.class_of + 8 * i,
                            .bounds = places.bounds + 8 * i,
-                           .color = open_colors(region, listed[i])};
+                           .color = open_colors(region, listed[i]),
+                           .ends = take_block(&ends, listed[i])};
         memcpy(work.first, first[i], sizeof work.first);
         visit_block(update, region, &work, detail_at(update, region, listed[i], z[i]), next);
     }

@@ -8,6 +8,7 @@
 
 #include "color_word.h"
 #include "huge_pages.h"
+#include "ray_ends.h"
 
 /* Slopes of noisy images are taken over more pixels. */
 #define APART 1
@@ -48,6 +49,8 @@ void cm_view_desk_clear(cm_view_desk *desk)
     free(desk->memory);
     free(desk->windows);
     free(desk->gap);
+    free(desk->may_end);
+    free(desk->end);
     free(desk->too_near);
     clear_bands(desk);
     cm_rays_destroy(desk->rays);
@@ -87,7 +90,8 @@ static int take_images(cm_view_desk *desk)
     desk->memory = cm_huge_allocate(pixels * (sizeof *desk->rule + sizeof *desk->word) +
                                     (packed + count * cells) * sizeof *desk->packed);
     desk->gap = cm_huge_allocate(pixels * sizeof *desk->gap);
-    if (desk->memory == NULL || desk->gap == NULL)
+    desk->may_end = malloc(pixels / CM_BREAK_RUN);
+    if (desk->memory == NULL || desk->gap == NULL || desk->may_end == NULL)
     {
         return 0;
     }
@@ -433,6 +437,7 @@ static void rule_rows(const fill_work *work, const cm_view_band *band, size_t ro
                          desk->rule + (row + k) * desk->stride, least[k], most[k]);
         cm_view_desk_silence(desk, row + k, desk->rule + (row + k) * desk->stride, least[k],
                              most[k]);
+        cm_ray_ends_mark(desk, band, row + k, work->row.most);
         cm_breaks_gaps(desk, band, row + k);
     }
     const float *const leasts[2] = {least[0], least[second]};

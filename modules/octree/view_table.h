@@ -59,6 +59,9 @@ typedef struct cm_view_desk
     cm_view_band *band; /* as many as threads have served */
     size_t bands;
     cm_pixel_gap *gap;
+    uint8_t *may_end; /* of runs of pixels, CM_BREAK_RUN each: 1 where ray_ends.h is to look */
+    struct cm_ray_end *end;
+    size_t end_room;
     float heed; /* half a voxel's diagonal in pixels at distance 1: so far pixels heed each other */
     float hides;    /* and no farther behind what they see */
     float greatest; /* of all that pixels say: nothing happens beyond */
@@ -97,9 +100,6 @@ static inline size_t cm_view_row(const cm_view_desk *desk, size_t row)
 {
     return (row & (CM_BAND_ROWS - 1)) * desk->stride;
 }
-
-/* Runs of so many pixels of a row, of which one at least is beside a break. */
-#define CM_BREAK_RUN 16
 
 /* Pixels of a row that are breaks tell those of some rows of the band what they see. All fronts that it is told to are there. */
 void cm_breaks_tell(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,

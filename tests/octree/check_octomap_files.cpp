@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -115,6 +116,29 @@ void compare_colors(const octomap::ColorOcTree &tree, const cm_octree *map)
     expect(colored > 1000, "too few colours", colored, 0, 0);
 }
 
+// A tree of which the root alone is left: both read the same file.
+void compare_root(const std::string &name)
+{
+    {
+        std::ofstream file(name, std::ios::binary);
+        file << "# Octomap OcTree binary file\nid OcTree\nsize 1\nres 0.05\ndata\n";
+        file.write("\0\0", 2);
+    }
+    octomap::OcTree tree(0.05);
+    expect(tree.readBinary(name) && tree.size() == 1, "OctoMap does not read a root alone", 0, 0,
+           0);
+    const MapPointer map = read_map(name);
+    for (const double at : {-1500.0, -0.02, 0.02, 700.0, 1600.0})
+    {
+        const double point[3] = {at, 0.02, 0.02};
+        const bool is_occupied = tree.isNodeOccupied(tree.getRoot()) && std::abs(at) < 0.05 * 32768;
+        expect(cm_octree_at(map.get(), point, 0, nullptr) ==
+                   (is_occupied ? CM_VOXEL_OCCUPIED : CM_VOXEL_UNKNOWN),
+               "another state of a root alone", at, 0.02, 0.02);
+    }
+    expect(tree.isNodeOccupied(tree.getRoot()), "OctoMap's root is not occupied", 0, 0, 0);
+}
+
 } // namespace
 
 int main()
@@ -145,6 +169,7 @@ int main()
     const MapPointer map = read_map(values);
     compare(colored, map.get());
     compare_colors(colored, map.get());
+    compare_root(bits);
     unlink(bits.c_str());
     unlink(values.c_str());
     std::printf("%d failures\n", failures);

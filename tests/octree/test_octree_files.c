@@ -146,6 +146,47 @@ START_TEST(large_voxels_of_bits)
 }
 END_TEST
 
+/* The root alone: all of the map is one occupied voxel, as OctoMap reads it. */
+static int add_occupied(void *user, const cm_voxel *voxel)
+{
+    ck_assert_int_eq(voxel->state, CM_VOXEL_OCCUPIED);
+    *(double *)user += voxel->edge * voxel->edge * voxel->edge;
+    return 0;
+}
+
+START_TEST(a_root_without_children_is_occupied)
+{
+    file made = begin_bits("1");
+    put_codes(&made, (const int[8]){0});
+    cm_octree *map = map_of(&made);
+    const double half = 0.1 * (1 << (LEVELS - 1)), middle[3] = {0.05, 0.05, 0.05};
+    expect_state(map, 0.05, 0.05, 0.05, CM_VOXEL_OCCUPIED);
+    expect_state(map, 0.05 - half, half - 0.05, 0.05, CM_VOXEL_OCCUPIED);
+    expect_state(map, half + 0.05, 0.05, 0.05, CM_VOXEL_UNKNOWN);
+    cm_octree_count count = {.size = sizeof count};
+    ck_assert_int_eq(cm_octree_count_voxels(map, &count), CM_OK);
+    ck_assert_uint_eq(count.occupied, (uint64_t)1 << 3 * LEVELS);
+    ck_assert_uint_eq(count.free, 0);
+    cm_voxel voxel;
+    ck_assert_int_eq(cm_octree_nearest(map, middle, 1.0, &voxel), 1);
+    const double outside[3] = {half + 5.0, 0.05, 0.05}, left[3] = {-1.0, 0.0, 0.0};
+    ck_assert_int_eq(cm_octree_nearest(map, outside, 6.0, &voxel), 1);
+    ck_assert_int_eq(cm_octree_nearest(map, outside, 4.5, &voxel), 0);
+    ck_assert_int_eq(cm_octree_ray(map, outside, left, 100.0, &voxel), 1);
+    ck_assert_double_eq_tol(voxel.distance, 5.0, 1e-6);
+    double volume = 0.0;
+    const double low[3] = {1.0, 1.0, 1.0}, high[3] = {1.25, 1.25, 1.25};
+    ck_assert_int_eq(cm_octree_walk_box(map, low, high, add_occupied, &volume), CM_OK);
+    ck_assert_double_gt(volume, 0.25 * 0.25 * 0.25 - 1e-9);
+    cm_octree_destroy(map);
+    /* one node that says it has children has more than one */
+    made = begin_bits("1");
+    put_codes(&made, (const int[8]){1});
+    char message[CM_IMAGE_MESSAGE];
+    ck_assert_int_eq(parse(&made, &map, message), CM_ERROR_DATA);
+}
+END_TEST
+
 /* ---- values */
 
 static void put_value(file *to, float value, const unsigned char *color, unsigned char children)
@@ -383,6 +424,7 @@ int main(void)
 {
     const TTest *const tests[] = {bits,
                                   large_voxels_of_bits,
+                                  a_root_without_children_is_occupied,
                                   values,
                                   colors,
                                   empty_maps,

@@ -6,7 +6,9 @@
 #include "dense_map.h"
 
 #include "modules/octree/color_word.h"
+#include "modules/octree/interleave.h"
 #include "modules/octree/node_tree.h"
+#include "modules/octree/ray_ends.h"
 #include "modules/octree/view_table.h"
 
 /* ---- the rule, voxel by voxel ---- */
@@ -66,46 +68,6 @@ static void centre_of(const voxel_rules *rules, const int64_t place[3], int deta
     }
 }
 
-/* Does a pixel's ray end in the voxel with this centre? */
-static int ends_in(const voxel_rules *rules, const float at[3], uint32_t column, uint32_t row)
-{
-    const cm_view_table *table = &rules->desk.table;
-    const cm_pixel_rule *rule = &table->rule[row * table->stride + column];
-    const float depth = rule->depth;
-    const float from[3] = {((float)column - table->centre[0]) * depth / table->focal[0] - at[0],
-                           ((float)row - table->centre[1]) * depth / table->focal[1] - at[1],
-                           depth - at[2]};
-    int is_in = half_of(rule->reach_front << 16) >= 0.0f;
-    for (int axis = 0; axis < 3; axis++)
-    {
-        const float away = from[0] * table->axes[0][axis] + from[1] * table->axes[1][axis] +
-                           from[2] * table->axes[2][axis];
-        is_in = is_in && fabsf(away) <= table->half;
-    }
-    return is_in;
-}
-
-/* The first pixel near one whose ray ends in the voxel; 0: none does. */
-static int find_beside(const voxel_rules *rules, const float at[3], size_t *pixel)
-{
-    const cm_view_table *table = &rules->desk.table;
-    const uint32_t at_row = (uint32_t)(*pixel / table->width);
-    const uint32_t at_column = (uint32_t)(*pixel % table->width);
-    const float reach = 1.7321f * table->half * table->widest / at[2] + 0.5f;
-    const uint32_t around = reach < CM_BESIDE_MOST ? (uint32_t)reach : CM_BESIDE_MOST;
-    for (uint32_t i = 0; i < (2 * around + 1) * (2 * around + 1); i++)
-    {
-        const uint32_t row = at_row + i / (2 * around + 1) - around;
-        const uint32_t column = at_column + i % (2 * around + 1) - around;
-        if (row < table->height && column < table->width && ends_in(rules, at, column, row))
-        {
-            *pixel = (size_t)row * table->width + column;
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* What the view says of a voxel: 1 a hit, -1 a miss, 0 nothing. */
 static int word_of(const voxel_rules *rules, const float at[3], int detail, size_t *pixel)
 {
@@ -137,12 +99,9 @@ static int word_of(const voxel_rules *rules, const float at[3], int detail, size
     const int has_gap = (rule->reach_front & CM_RULE_HAS_GAP) != 0;
     const int is_in_gap =
         has_gap && at[2] > table->gap[index].from + more && at[2] < table->gap[index].to - more;
-    const int word = is_seen && fabsf(away) <= reach * (float)(1 << detail) ? 1
-                     : away + (front + more) < 0.0f || is_in_gap            ? -1
-                                                                            : 0;
-    const int is_beside = word == 0 && has_gap && is_seen && detail == 0 && away < 0.0f &&
-                          at[2] <= table->gap[index].from;
-    return is_beside ? find_beside(rules, at, pixel) : word;
+    return is_seen && fabsf(away) <= reach * (float)(1 << detail) ? 1
+           : away + (front + more) < 0.0f || is_in_gap            ? -1
+                                                                  : 0;
 }
 
 static int clamped(int value, int low, int high)
@@ -190,6 +149,52 @@ typedef struct told_words
     uint32_t *pixel;
 } told_words;
 
+/* The point that a pixel sees is in the voxel, but for the rounding of floats. */
+static void check_end(const voxel_rules *rules, const uint32_t place[3], uint32_t column,
+                      uint32_t row)
+{
+    const cm_view_table *table = &rules->desk.table;
+    const double depth = (double)table->rule[row * table->stride + column].depth;
+    const double in_camera[3] = {
+        ((double)column - (double)table->centre[0]) / (double)table->focal[0] * depth,
+        ((double)row - (double)table->centre[1]) / (double)table->focal[1] * depth, depth};
+    const cm_octree_options *options = &rules->octree->options;
+    double point[3];
+    cm_pose_apply_back(&rules->view->pose, in_camera, point);
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const double at = (point[axis] - options->centre[axis]) / options->edge +
+                          ldexp(1.0, rules->octree->tree_level - 1) - place[axis];
+        const double little = 1e-3 + 1e-6 * depth / options->edge;
+        ck_assert_msg(at >= -little && at <= 1.0 + little, "a ray ends %g edges along axis %d", at,
+                      axis);
+    }
+}
+
+/* What rays end in is hit by their pixels unless it is by its own. */
+static void add_ends(told_words *words, const dense_map *map, const cm_octree *octree)
+{
+    voxel_rules *rules = &words->rules;
+    cm_ray_ends ends;
+    ck_assert_int_eq(cm_ray_ends_find(&rules->desk, octree, rules->view, NULL, &ends), CM_OK);
+    for (const cm_ray_end *end = ends.first; end != ends.end; end++)
+    {
+        uint32_t place[3];
+        cm_divide(end->key, place);
+        const uint32_t column = (uint32_t)(end->pixel % rules->desk.stride);
+        const uint32_t row = (uint32_t)(end->pixel / rules->desk.stride);
+        check_end(rules, place, column, row);
+        const size_t i =
+            dense_at(map, (int64_t)place[0] - octree->first[0],
+                     (int64_t)place[1] - octree->first[1], (int64_t)place[2] - octree->first[2]);
+        if (words->word[i] != 1)
+        {
+            words->word[i] = 1;
+            words->pixel[i] = row * rules->desk.width + column;
+        }
+    }
+}
+
 static told_words words_of(const dense_map *map, const cm_octree *octree, const cm_view *view)
 {
     told_words words = {.voxels = (size_t)(map->n * map->n * map->n)};
@@ -219,6 +224,7 @@ static told_words words_of(const dense_map *map, const cm_octree *octree, const 
             }
         }
     }
+    add_ends(&words, map, octree);
     return words;
 }
 

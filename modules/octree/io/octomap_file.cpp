@@ -307,7 +307,14 @@ public:
         if (head.size > 0)
         {
             count(1);
-            head.is_binary ? read_bits(root) : read_values(root);
+            if (head.is_binary && head.size == 1)
+            {
+                read_root_leaf(root);
+            }
+            else
+            {
+                head.is_binary ? read_bits(root) : read_values(root);
+            }
         }
         if (counted != head.size)
         {
@@ -339,6 +346,16 @@ private:
         }
         at += bytes;
         return at - bytes;
+    }
+
+    // Bits are of children alone. Where the root has none, all is occupied: OctoMap reads it so, and writes so what is.
+    void read_root_leaf(const NodePlace &root)
+    {
+        const unsigned char *const bytes = take(2);
+        count(bytes[0] != 0 || bytes[1] != 0 ? 1 : 0);
+        VoxelValue value;
+        value.alpha = alpha_of(standard_high);
+        filler.leaf(root, value);
     }
 
     void read_bits(const NodePlace &place)
