@@ -184,27 +184,12 @@ typedef struct block
 
 static void see_block(const tof_virtual_lights *lights, uint32_t which, size_t n, block *b)
 {
-    const gather_light *light = lights->fast + which;
-    for (int k = 0; k < 3; k++)
-    {
-        for (size_t i = 0; i < n; i++)
-        {
-            b->way[k][i] = b->position[k][i] - light->position[k];
-        }
-    }
-    cm_forward_array_f32(lights->shadow_mapping, n, b->way[0], b->way[1], b->way[2], b->face, b->u,
-                         b->v);
-    for (size_t i = 0; i < n; i++)
-    {
-        /* At the light itself any cell will do. */
-        const int is_on_map = b->face[i] != CM_NO_FACE;
-        b->face[i] = is_on_map ? b->face[i] : 0;
-        b->u[i] = is_on_map ? b->u[i] : 0.0f;
-        b->v[i] = is_on_map ? b->v[i] : 0.0f;
-    }
+    const float *const position[3] = {b->position[0], b->position[1], b->position[2]};
+    float *const way[3] = {b->way[0], b->way[1], b->way[2]};
+    lights->set->look(lights->fast + which, n, position, way);
+    cm_forward_array_f32(lights->shadow_mapping, n, way[0], way[1], way[2], b->face, b->u, b->v);
     const gather_shadow shadow = {lights->shadow_edge,
                                   (const float(*)[4])lights->plane + which * lights->shadow_cells};
-    const float *const position[3] = {b->position[0], b->position[1], b->position[2]};
     lights->set->see(&shadow, n, position, b->face, b->u, b->v, b->height);
 }
 

@@ -333,7 +333,7 @@ START_TEST(instruction_sets)
 }
 END_TEST
 
-/* Heights above the planes of cells, also of places on a map's last rim, beside sums in double. */
+/* Heights above the planes of cells, also of places on a map's last rim and of one on none, beside sums in double. */
 START_TEST(heights)
 {
     enum
@@ -352,8 +352,8 @@ START_TEST(heights)
     }
     for (int i = 0; i < 4 * GATHER_ROOM; i++)
     {
-        face[i] = (uint8_t)(i % 6);
-        u[i] = (float)(i % 9) / 4.0f - 1.0f;
+        face[i] = i == 7 ? CM_NO_FACE : (uint8_t)(i % 6);
+        u[i] = i == 7 ? NAN : (float)(i % 9) / 4.0f - 1.0f;
         v[i] = (float)(i % 5) / 2.0f - 1.0f;
         for (int k = 0; k < 3; k++)
         {
@@ -366,6 +366,11 @@ START_TEST(heights)
         set->see(&shadow, 4 * GATHER_ROOM, position, face, u, v, height);
         for (int i = 0; i < 4 * GATHER_ROOM; i++)
         {
+            if (face[i] == CM_NO_FACE)
+            {
+                REQUIRE(isfinite(height[i]), "%s: nowhere is at %g", set->name, (double)height[i]);
+                continue;
+            }
             const int column = i % 9 == 8 ? 2 : (int)((i % 9) / 8.0 * 3.0);
             const int row = i % 5 == 4 ? 2 : (int)((i % 5) / 4.0 * 3.0);
             const float *const p = plane[(face[i] * EDGE + row) * EDGE + column];
