@@ -55,9 +55,12 @@ typedef struct gather_set
     void (*gather)(const gather_light *light, const gather_waves *waves, size_t n,
                    const float *const position[3], const float *const normal[3],
                    const float *height, const gather_sum *sum);
-    /* Heights of n places, each three coordinates and 1, that a mapping has at face, u and v. */
-    void (*see)(const gather_shadow *shadow, size_t n, const float (*place)[4], const uint8_t *face,
-                const float *u, const float *v, float *height);
+    /* From the light to n places. */
+    void (*look)(const gather_light *light, size_t n, const float *const position[3],
+                 float *const way[3]);
+    /* Heights of n places that a mapping has at face, u and v, or nowhere; n is a multiple of GATHER_ROOM. */
+    void (*see)(const gather_shadow *shadow, size_t n, const float *const position[3],
+                const uint8_t *face, const float *u, const float *v, float *height);
 } gather_set;
 
 extern const gather_set cm_gather_scalar;

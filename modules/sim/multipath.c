@@ -94,6 +94,17 @@ static cm_status make_lights(tof_virtual_lights *lights, const tof_lamp *lamp, s
         }
         lights->mapping = lights->own;
     }
+    /* Shadows need no cells of equal area, and each pair asks for one: a mapping that costs less. */
+    lights->shadow_mapping = lights->mapping;
+    if (options->mapping == NULL && options->visibility)
+    {
+        const cm_status status = cm_mapping_create("algebraic", NULL, &lights->own_of_shadows);
+        if (status != CM_OK)
+        {
+            return status;
+        }
+        lights->shadow_mapping = lights->own_of_shadows;
+    }
     lights->set = gather_set_find(cm_mapping_instructions(lights->mapping));
     lights->light = malloc(count * sizeof *lights->light);
     lights->fast = malloc(count * sizeof *lights->fast);
@@ -140,6 +151,7 @@ void tof_virtual_lights_destroy(tof_virtual_lights *lights)
     if (lights != NULL)
     {
         cm_mapping_destroy(lights->own);
+        cm_mapping_destroy(lights->own_of_shadows);
         free(lights->light);
         free(lights->fast);
         free(lights->begun);
@@ -163,7 +175,6 @@ typedef struct block
     float way[3][BLOCK]; /* from a light */
     float u[BLOCK];
     float v[BLOCK];
-    float place[BLOCK][4]; /* and 1 */
     float height[BLOCK];
     uint8_t face[BLOCK];
     float total[BLOCK];
@@ -173,26 +184,13 @@ typedef struct block
 
 static void see_block(const tof_virtual_lights *lights, uint32_t which, size_t n, block *b)
 {
-    const gather_light *light = lights->fast + which;
-    for (int k = 0; k < 3; k++)
-    {
-        for (size_t i = 0; i < n; i++)
-        {
-            b->way[k][i] = b->position[k][i] - light->position[k];
-        }
-    }
-    cm_forward_array_f32(lights->mapping, n, b->way[0], b->way[1], b->way[2], b->face, b->u, b->v);
-    for (size_t i = 0; i < n; i++)
-    {
-        /* At the light itself any cell will do. */
-        const int is_on_map = b->face[i] != CM_NO_FACE;
-        b->face[i] = is_on_map ? b->face[i] : 0;
-        b->u[i] = is_on_map ? b->u[i] : 0.0f;
-        b->v[i] = is_on_map ? b->v[i] : 0.0f;
-    }
+    const float *const position[3] = {b->position[0], b->position[1], b->position[2]};
+    float *const way[3] = {b->way[0], b->way[1], b->way[2]};
+    lights->set->look(lights->fast + which, n, position, way);
+    cm_forward_array_f32(lights->shadow_mapping, n, way[0], way[1], way[2], b->face, b->u, b->v);
     const gather_shadow shadow = {lights->shadow_edge,
                                   (const float(*)[4])lights->plane + which * lights->shadow_cells};
-    lights->set->see(&shadow, n, (const float(*)[4])b->place, b->face, b->u, b->v, b->height);
+    lights->set->see(&shadow, n, position, b->face, b->u, b->v, b->height);
 }
 
 static void load_block(const tof_virtual_lights *lights, const tof_points *points, size_t begin,
@@ -205,8 +203,6 @@ static void load_block(const tof_virtual_lights *lights, const tof_points *point
             const size_t from = begin + (i < n ? i : n - 1);
             b->position[k][i] = (float)(points->position[k][from] - lights->origin[k]);
             b->normal[k][i] = (float)points->normal[k][from];
-            b->place[i][k] = b->position[k][i];
-            b->place[i][3] = 1.0f;
         }
     }
     memset(b->total, 0, sizeof b->total);

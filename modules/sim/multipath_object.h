@@ -22,8 +22,10 @@ typedef struct virtual_light
 struct tof_virtual_lights
 {
     const tof_instant *instant;
-    const cm_mapping *mapping; /* of the map and of shadows */
-    cm_mapping *own;           /* NULL: the caller's */
+    const cm_mapping *mapping; /* of the map */
+    const cm_mapping *shadow_mapping;
+    cm_mapping *own;            /* NULL: the caller's */
+    cm_mapping *own_of_shadows; /* NULL: those of the map */
     const gather_set *set;
     tof_waves waves;
     uint32_t count;

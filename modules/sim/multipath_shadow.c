@@ -93,7 +93,7 @@ static void draw_some_shadows(size_t from, size_t to, void *user)
 
 cm_status draw_shadows(tof_virtual_lights *lights, cm_pool *pool)
 {
-    const size_t faces = (size_t)map_faces(lights->mapping);
+    const size_t faces = (size_t)map_faces(lights->shadow_mapping);
     const size_t cells = faces * EDGE * EDGE;
     double *const number = malloc(5 * cells * sizeof *number);
     uint8_t *const face = malloc(cells);
@@ -112,7 +112,7 @@ cm_status draw_shadows(tof_virtual_lights *lights, cm_pool *pool)
         u[i] = ((double)(i % EDGE) + 0.5) * 2.0 / EDGE - 1.0;
         v[i] = ((double)(i / EDGE % EDGE) + 0.5) * 2.0 / EDGE - 1.0;
     }
-    cm_inverse_array(lights->mapping, cells, face, u, v, number, number + cells,
+    cm_inverse_array(lights->shadow_mapping, cells, face, u, v, number, number + cells,
                      number + 2 * cells);
     lights->shadow_edge = EDGE;
     lights->shadow_cells = cells;
@@ -136,7 +136,7 @@ int is_seen(const tof_virtual_lights *lights, uint32_t which, const double posit
         way[k] = at[k] - lights->fast[which].position[k];
         square += (double)way[k] * (double)way[k];
     }
-    const uint8_t face = cm_forward_f32(lights->mapping, way, uv);
+    const uint8_t face = cm_forward_f32(lights->shadow_mapping, way, uv);
     if (face == CM_NO_FACE)
     {
         return 1;

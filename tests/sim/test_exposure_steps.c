@@ -126,10 +126,119 @@ START_TEST(what_comes_nearer_counts)
 }
 END_TEST
 
+enum
+{
+    MOMENTS = 7,
+    IMAGES = 10 /* two series of five */
+};
+
+static float whole_a[IMAGES * PIXELS], whole_b[IMAGES * PIXELS], moment_a[IMAGES * PIXELS],
+    moment_b[IMAGES * PIXELS];
+
+/* Means of charges of an image, over frames of a picosecond, each as bright as the whole exposure. */
+static void take_means(const stage *at, const cm_trajectory *path, size_t image, double *mean_a,
+                       double *mean_b)
+{
+    const cm_tof_options options = {.size = sizeof options,
+                                    .sample_times = 1,
+                                    .sample_columns = 3,
+                                    .sample_rows = 2,
+                                    .full = 1};
+    cm_tof_result result = {.size = sizeof result, .charge_a = moment_a, .charge_b = moment_b};
+    cm_tof_sensor moment = at->sensor;
+    cm_tof_light flash = at->light;
+    moment.exposure = 1e-12;
+    moment.readout = 0.0;
+    flash.power *= at->sensor.exposure / moment.exposure;
+    memset(mean_a, 0, PIXELS * sizeof *mean_a);
+    memset(mean_b, 0, PIXELS * sizeof *mean_b);
+    for (int k = 0; k < MOMENTS; k++)
+    {
+        const double time = (double)image * (at->sensor.exposure + at->sensor.readout) +
+                            (k + 0.5) / MOMENTS * at->sensor.exposure;
+        ck_assert_int_eq(
+            cm_tof_simulate(at->scene, &moment, &flash, 1, path, time, &options, NULL, &result),
+            CM_OK);
+        for (size_t i = 0; i < PIXELS; i++)
+        {
+            mean_a[i] += (double)moment_a[image * PIXELS + i] / MOMENTS;
+            mean_b[i] += (double)moment_b[image * PIXELS + i] / MOMENTS;
+        }
+    }
+}
+
+static void compare_means(const stage *at, const cm_trajectory *path)
+{
+    static double mean_a[PIXELS], mean_b[PIXELS];
+    const cm_tof_options options = {.size = sizeof options,
+                                    .sample_times = MOMENTS,
+                                    .sample_columns = 3,
+                                    .sample_rows = 2,
+                                    .full = 1};
+    cm_tof_result result = {.size = sizeof result, .charge_a = whole_a, .charge_b = whole_b};
+    ck_assert_int_eq(
+        cm_tof_simulate(at->scene, &at->sensor, &at->light, 1, path, 0.0, &options, NULL, &result),
+        CM_OK);
+    for (size_t image = 0; image < IMAGES; image += step_of(3))
+    {
+        take_means(at, path, image, mean_a, mean_b);
+        for (size_t i = 0; i < PIXELS; i++)
+        {
+            const double a = (double)whole_a[image * PIXELS + i];
+            const double b = (double)whole_b[image * PIXELS + i];
+            REQUIRE(fabs(a - mean_a[i]) < 1e-4 * (a + b) && fabs(b - mean_b[i]) < 1e-4 * (a + b),
+                    "layout %d, image %zu, pixel %zu: %g and %g, not %g and %g",
+                    at->sensor.single_readout, image, i, a, b, mean_a[i], mean_b[i]);
+        }
+    }
+}
+
+/* A camera that turns while it goes, a ball that crosses. In both layouts, with a mask, harmonics and two frequencies. */
+START_TEST(charges_are_means_of_moments)
+{
+    static const float mask[6] = {0.9f, 0.0f, 1.0f, 0.3f, 0.7f, 0.2f};
+    static const double harmonic[3] = {0.9, 0.05, 0.11};
+    const double stamp[2] = {0.0, 0.05};
+    const double place[2][3] = {{0, 0, 0}, {0.4, 0.1, 0.2}};
+    const double turn[2][4] = {{0, 0, 0, 1}, {0.06, -0.1, 0.15, 0.98178409}};
+    cm_pose key[2];
+    cm_trajectory *path = NULL, *motion = make_motion(2, stamp, place);
+    for (int i = 0; i < 2; i++)
+    {
+        ck_assert_int_eq(cm_pose_from_quaternion(place[i], turn[i], &key[i]), CM_OK);
+    }
+    ck_assert_int_eq(cm_trajectory_create(2, stamp, key, &path, NULL), CM_OK);
+    const cm_primitive both[2] = {wall, ball(-0.2, 1.1, 0.2, motion)};
+    for (int single = 0; single < 2; single++)
+    {
+        stage at = make_stage(both, 2);
+        at.sensor.exposure = 4e-3;
+        at.sensor.readout = 1e-3;
+        at.sensor.phases = IMAGES / 2;
+        at.sensor.second_frequency = 17e6;
+        at.sensor.harmonics = 3;
+        at.sensor.harmonic = harmonic;
+        at.sensor.mask = mask;
+        at.sensor.mask_columns = 3;
+        at.sensor.mask_rows = 2;
+        at.sensor.single_readout = single;
+        at.light.position[0] = 0.04;
+        compare_means(&at, path);
+        free_stage(&at);
+    }
+    cm_trajectory_destroy(path);
+    cm_trajectory_destroy(motion);
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {
-        what_begins_to_move_later_counts, what_comes_in_counts,     small_things_count,
-        what_is_not_seen_does_not_count,  what_comes_nearer_counts, NULL};
+    const TTest *const tests[] = {what_begins_to_move_later_counts,
+                                  what_comes_in_counts,
+                                  small_things_count,
+                                  what_is_not_seen_does_not_count,
+                                  what_comes_nearer_counts,
+                                  charges_are_means_of_moments,
+                                  NULL};
     return run_suite("exposure steps", tests);
 }

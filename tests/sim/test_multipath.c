@@ -296,14 +296,14 @@ START_TEST(instruction_sets)
     for (size_t which = 0; cm_instructions_at(which) != NULL; which++)
     {
         const gather_set *set = gather_set_find(cm_instructions_at(which));
-        for (int kind = 0; kind < 3; kind++)
+        for (int kind = 0; kind < 4; kind++)
         {
-            const gather_waves waves = {kind == 0 ? 1 : 2, per_metre, begun};
+            const gather_waves waves = {kind == 0 || kind == 3 ? 1 : 2, per_metre, begun};
             const gather_sum to = {sum[0], sum[1], sum[3], ROOM};
             const float *const position[3] = {at[0], at[1], at[2]};
             const float *const normals[3] = {normal[0], normal[1], normal[2]};
             memset(sum, 0, sizeof sum);
-            set->gather(&light, &waves, ROOM, position, normals, kind == 2 ? height : NULL, &to);
+            set->gather(&light, &waves, ROOM, position, normals, kind >= 2 ? height : NULL, &to);
             for (int i = 0; i < ROOM; i++)
             {
                 double square = 0.0, sent = 0.0, received = 0.0;
@@ -317,7 +317,7 @@ START_TEST(instruction_sets)
                 const double pair =
                     square > 0.0 ? fmax(0.0, sent) * fmax(0.0, received) / (square * square) : 0.0;
                 const double flux =
-                    2.0 * fmin(3.0, pair) * (kind == 2 && height[i] < 0.0f ? 0.0 : 1.0);
+                    2.0 * fmin(3.0, pair) * (kind >= 2 && height[i] < 0.0f ? 0.0 : 1.0);
                 REQUIRE(fabs((double)sum[0][i] - flux) < 1e-5, "%s %d: %g, not %g", set->name, i,
                         (double)sum[0][i], flux);
                 for (size_t j = 0; j < waves.count; j++)
@@ -333,7 +333,7 @@ START_TEST(instruction_sets)
 }
 END_TEST
 
-/* Heights above the planes of cells, also of places on a map's last rim, beside sums in double. */
+/* Heights above the planes of cells, also of places on a map's last rim and of one on none, beside sums in double. */
 START_TEST(heights)
 {
     enum
@@ -341,37 +341,43 @@ START_TEST(heights)
         EDGE = 3,
         CELLS = 6 * EDGE * EDGE
     };
-    float plane[CELLS][4], place[4 * GATHER_ROOM][4], u[4 * GATHER_ROOM], v[4 * GATHER_ROOM],
+    float plane[CELLS][4], place[3][4 * GATHER_ROOM], u[4 * GATHER_ROOM], v[4 * GATHER_ROOM],
         height[4 * GATHER_ROOM];
     uint8_t face[4 * GATHER_ROOM];
     const gather_shadow shadow = {EDGE, (const float(*)[4])plane};
+    const float *const position[3] = {place[0], place[1], place[2]};
     for (int i = 0; i < CELLS * 4; i++)
     {
         plane[i / 4][i % 4] = (float)sin(2.0 * i);
     }
     for (int i = 0; i < 4 * GATHER_ROOM; i++)
     {
-        face[i] = (uint8_t)(i % 6);
-        u[i] = (float)(i % 9) / 4.0f - 1.0f;
+        face[i] = i == 7 ? CM_NO_FACE : (uint8_t)(i % 6);
+        u[i] = i == 7 ? NAN : (float)(i % 9) / 4.0f - 1.0f;
         v[i] = (float)(i % 5) / 2.0f - 1.0f;
-        for (int k = 0; k < 4; k++)
+        for (int k = 0; k < 3; k++)
         {
-            place[i][k] = k == 3 ? 1.0f : (float)cos(i + 7.0 * k);
+            place[k][i] = (float)cos(i + 7.0 * k);
         }
     }
     for (size_t which = 0; cm_instructions_at(which) != NULL; which++)
     {
         const gather_set *set = gather_set_find(cm_instructions_at(which));
-        set->see(&shadow, 4 * GATHER_ROOM, (const float(*)[4])place, face, u, v, height);
+        set->see(&shadow, 4 * GATHER_ROOM, position, face, u, v, height);
         for (int i = 0; i < 4 * GATHER_ROOM; i++)
         {
+            if (face[i] == CM_NO_FACE)
+            {
+                REQUIRE(isfinite(height[i]), "%s: nowhere is at %g", set->name, (double)height[i]);
+                continue;
+            }
             const int column = i % 9 == 8 ? 2 : (int)((i % 9) / 8.0 * 3.0);
             const int row = i % 5 == 4 ? 2 : (int)((i % 5) / 4.0 * 3.0);
             const float *const p = plane[(face[i] * EDGE + row) * EDGE + column];
-            double right = 0.0;
-            for (int k = 0; k < 4; k++)
+            double right = (double)p[3];
+            for (int k = 0; k < 3; k++)
             {
-                right += (double)p[k] * (double)place[i][k];
+                right += (double)p[k] * (double)place[k][i];
             }
             REQUIRE(fabs((double)height[i] - right) < 1e-6, "%s %d: %g, not %g", set->name, i,
                     (double)height[i], right);
