@@ -5,7 +5,8 @@
  *
  *   grazing-misses [--edge 0.02] [--views 60] [--centre 0.37]
  *
- * prints for each of these how many there are: the centre is beside the picture; what is seen there is nearer, so that the centre is
+ * prints how many they are, how many of them were hit by a view that met them, so that others missed them, and for each of
+ * these how many there are: the centre is beside the picture; what is seen there is nearer, so that the centre is
  * hidden; it is farther, so that the centre lies before a background; or neither, within an edge. A voxel is seen if the ray of any
  * pixel meets a surface in it, be it in a corner.
  */
@@ -39,6 +40,8 @@ typedef struct seen_voxel
     float cosine; /* the best */
     float behind; /* edges from what is seen where its centre falls on */
     uint8_t cause;
+    uint8_t before;  /* alpha, before the view */
+    uint8_t was_hit; /* by one of the views that met it */
 } seen_voxel;
 
 typedef struct work
@@ -123,11 +126,33 @@ static miss_cause cause_at(const work *w, const cm_pose *pose, size_t index, flo
     return *behind > 1.0f ? HIDDEN : *behind < -1.0f ? BEFORE_BACKGROUND : WITHIN_AN_EDGE;
 }
 
+static int alpha_of(const work *w, size_t index)
+{
+    double at[3];
+    cm_voxel voxel = {.alpha = 127};
+    voxel_centre(w, index, at);
+    cm_octree_at(w->map, at, 0, &voxel);
+    return voxel.alpha;
+}
+
+static void remember_alphas(work *w)
+{
+    for (size_t pixel = 0; pixel < w->picture.pixels; pixel++)
+    {
+        size_t index;
+        if (isfinite(w->picture.depth[pixel]) && voxel_met(w, pixel, &index))
+        {
+            w->seen[index].before = (uint8_t)alpha_of(w, index);
+        }
+    }
+}
+
 static void see(work *w, size_t view)
 {
     const cm_pose pose = room_pose(view, w->views);
     room_picture_take(w->scene, w->camera, &pose, 0.0, (uint32_t)view, &w->picture);
     const cm_view of_map = room_picture_view(&w->picture, w->camera, &pose, 0);
+    remember_alphas(w);
     need(cm_octree_update(w->map, &of_map, NULL), "update");
     for (size_t pixel = 0; pixel < w->picture.pixels; pixel++)
     {
@@ -140,6 +165,11 @@ static void see(work *w, size_t view)
             seen->cosine = cosine;
             seen->cause = (uint8_t)cause_at(w, &pose, index, &seen->behind);
         }
+        if (isfinite(w->picture.depth[pixel]) && voxel_met(w, pixel, &index) &&
+            alpha_of(w, index) > w->seen[index].before)
+        {
+            w->seen[index].was_hit = 1;
+        }
     }
 }
 
@@ -149,7 +179,7 @@ static void report(const work *w)
         "", "the centre is beside the picture", "the centre is hidden",
         "the centre is before a background", "the centre is within an edge of what is seen"};
     const size_t voxels = w->count[0] * w->count[1] * w->count[2];
-    size_t grazing = 0, missed = 0, by_cause[CAUSES] = {0};
+    size_t grazing = 0, missed = 0, erased = 0, by_cause[CAUSES] = {0};
     double *behind = allocate(voxels, sizeof *behind);
     for (size_t i = 0; i < voxels; i++)
     {
@@ -162,11 +192,13 @@ static void report(const work *w)
         const int is_missed = cm_octree_at(w->map, centre, 0, NULL) != CM_VOXEL_OCCUPIED;
         grazing++;
         missed += (size_t)is_missed;
+        erased += (size_t)(is_missed && w->seen[i].was_hit);
         behind[by_cause[HIDDEN]] = (double)w->seen[i].behind;
         by_cause[w->seen[i].cause] += (size_t)is_missed;
     }
     printf("%-46s %zu\n%-46s %zu\n", "seen at grazing angles alone", grazing, "not occupied",
            missed);
+    printf("%-46s %zu\n", "    of these hit, and missed as often or more", erased);
     for (int cause = BESIDE_PICTURE; cause < CAUSES; cause++)
     {
         printf("    %-42s %zu\n", names[cause], by_cause[cause]);
