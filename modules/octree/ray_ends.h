@@ -22,9 +22,6 @@ typedef struct cm_ray_ends
     const cm_ray_end *end;
 } cm_ray_ends;
 
-/* Runs of a row that may have such pixels, before what was told of its breaks is forgotten. most: no hit reaches more but for noise. */
-void cm_ray_ends_mark(const cm_view_desk *desk, const cm_view_band *band, size_t row, float most);
-
 /* The ends of a view whose rules are there, each voxel once, with the first pixel in rows; they are the desk's. */
 cm_status cm_ray_ends_find(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
                            cm_pool *pool, cm_ray_ends *ends);

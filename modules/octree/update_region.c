@@ -533,22 +533,26 @@ int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8
     return may_change;
 }
 
-void cm_update_region(cm_update *update, cm_region *region)
+/* The blocks that are looked at voxel by voxel, in the order of their numbers. */
+typedef struct chosen_blocks
 {
-    cube_places places;
-    fetch_rules(update, region);
-    uint8_t class_of[CM_REGION_BLOCKS];
-    float z[CM_REGION_BLOCKS];
+    size_t count;
     uint16_t listed[CM_REGION_BLOCKS + 1];
+    float z[CM_REGION_BLOCKS];
     float first[CM_REGION_BLOCKS][3];
-    cm_ray_ends ends = cm_ray_ends_in(update->ends, region->place, CM_REGION_LEVEL);
-    const block_bits ended = blocks_of(ends);
+} chosen_blocks;
+
+/* Chooses them; those that are wholly free are counted as such at once. */
+static void choose_blocks(cm_update *update, cm_region *region, const block_bits *ended,
+                          cube_places *places, chosen_blocks *chosen)
+{
+    uint8_t class_of[CM_REGION_BLOCKS];
     const size_t classified =
-        classify_blocks(update, region->place, &ended, &places, listed, class_of, z);
-    size_t count = 0;
+        classify_blocks(update, region->place, ended, places, chosen->listed, class_of, chosen->z);
+    chosen->count = 0;
     for (size_t i = 0; i < classified; i++)
     {
-        const unsigned block = listed[i];
+        const unsigned block = chosen->listed[i];
         if (cm_update_is_left_out(update, class_of[i]))
         {
             continue;
@@ -559,32 +563,49 @@ void cm_update_region(cm_update *update, cm_region *region)
         }
         else
         {
-            first_voxel(update, region->place, block, first[count]);
-            z[count] = z[i];
-            listed[count++] = (uint16_t)block;
+            first_voxel(update, region->place, block, chosen->first[chosen->count]);
+            chosen->z[chosen->count] = chosen->z[i];
+            chosen->listed[chosen->count++] = (uint16_t)block;
         }
     }
-    classify_groups(update, count, (const float(*)[3])first, &places);
+}
+
+static void visit_blocks(cm_update *update, cm_region *region, const cube_places *places,
+                         const chosen_blocks *chosen, cm_ray_ends ends)
+{
     waiting_block waiting[BLOCKS_WAITING];
     for (size_t i = 0; i < BLOCKS_WAITING; i++)
     {
         waiting[i].is_changed = 0;
     }
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < chosen->count; i++)
     {
+        const uint16_t block = chosen->listed[i];
         waiting_block *next = &waiting[i % BLOCKS_WAITING];
         change_block(update, region, next);
-        next->block = listed[i];
-        block_work work = {.group_class = places.class_of + 8 * i,
-                           .bounds = places.bounds + 8 * i,
-                           .color = open_colors(region, listed[i]),
-                           .ends = take_block(&ends, listed[i])};
-        memcpy(work.first, first[i], sizeof work.first);
-        visit_block(update, region, &work, detail_at(update, region, listed[i], z[i]), next);
+        next->block = block;
+        block_work work = {.group_class = places->class_of + 8 * i,
+                           .bounds = places->bounds + 8 * i,
+                           .color = open_colors(region, block),
+                           .ends = take_block(&ends, block)};
+        memcpy(work.first, chosen->first[i], sizeof work.first);
+        visit_block(update, region, &work, detail_at(update, region, block, chosen->z[i]), next);
     }
     for (size_t i = 0; i < BLOCKS_WAITING; i++)
     {
         change_block(update, region, &waiting[i]);
     }
+}
+
+void cm_update_region(cm_update *update, cm_region *region)
+{
+    cube_places places;
+    chosen_blocks chosen;
+    fetch_rules(update, region);
+    const cm_ray_ends ends = cm_ray_ends_in(update->ends, region->place, CM_REGION_LEVEL);
+    const block_bits ended = blocks_of(ends);
+    choose_blocks(update, region, &ended, &places, &chosen);
+    classify_groups(update, chosen.count, (const float(*)[3])chosen.first, &places);
+    visit_blocks(update, region, &places, &chosen, ends);
     region->is_dirty = 1;
 }

@@ -8,7 +8,6 @@
 
 #include "color_word.h"
 #include "huge_pages.h"
-#include "ray_ends.h"
 
 /* Slopes of noisy images are taken over more pixels. */
 #define APART 1
