@@ -4,6 +4,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "modules/scene/io/check_sum.h"
 #include "modules/scene/io/view_stream.h"
 
 #include "tests/memory_stream.h"
@@ -210,10 +211,78 @@ START_TEST(views_that_are_none_are_refused)
 }
 END_TEST
 
+/* A stream of so many views at these times. */
+static size_t write_times(unsigned char *bytes, const double *time, size_t count)
+{
+    cm_camera *camera = make_camera();
+    memory_stream memory = {bytes, 0, ROOM, 0};
+    const cm_image_stream stream = stream_of(&memory);
+    cm_view_writer *writer = NULL;
+    REQUIRE(cm_view_writer_create("out", &stream, camera, 1000.0, &writer, message) == CM_OK, "%s",
+            message);
+    for (size_t i = 0; i < count; i++)
+    {
+        cm_view view = make_view(camera, 0);
+        view.time = time[i];
+        REQUIRE(cm_view_writer_put(writer, &view, message) == CM_OK, "%s", message);
+    }
+    REQUIRE(cm_view_writer_finish(writer, message) == CM_OK, "%s", message);
+    cm_view_writer_destroy(writer);
+    cm_camera_destroy(camera);
+    return memory.size;
+}
+
+START_TEST(views_come_in_time)
+{
+    static const double times[][3] = {{1, 2, 2}, {1, 2, 1.5}, {-1, 0, -0.0}};
+    unsigned char bytes[ROOM];
+    cm_status status;
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++)
+    {
+        const size_t size = write_times(bytes, times[i], 3);
+        ck_assert_uint_eq(read_stream(bytes, size, &status), 2);
+        REQUIRE(status == CM_ERROR_DATA &&
+                    strcmp(message, "in: view 2: its time is not after the one before") == 0,
+                "%d %s", (int)status, message);
+    }
+    ck_assert_uint_eq(read_stream(bytes, write_times(bytes, times[0], 2), &status), 2);
+    ck_assert_int_eq(status, CM_ERROR_RANGE);
+}
+END_TEST
+
+/* What a later version may say there is not passed over, though the sums are right. */
+START_TEST(words_that_are_unknown_are_told)
+{
+    static const size_t places[] = {120, 124, 176};
+    const double times[] = {1};
+    unsigned char bytes[ROOM];
+    cm_status status;
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+    {
+        const size_t size = write_times(bytes, times, 1);
+        unsigned char *head = bytes + size - 24 - WIDTH * HEIGHT * sizeof *whole - 192;
+        ck_assert(memcmp(head, "VIEW", 4) == 0);
+        head[places[i]] = 2;
+        const uint64_t sum = cm_check_sum(CM_CHECK_SUM_BEGIN, head, 184);
+        for (int k = 0; k < 8; k++)
+        {
+            head[184 + k] = (unsigned char)(sum >> (8 * k));
+        }
+        ck_assert_uint_eq(read_stream(bytes, size, &status), 0);
+        REQUIRE(status == CM_ERROR_DATA && strstr(message, "in its head") != NULL, "%d %s",
+                (int)status, message);
+    }
+}
+END_TEST
+
 int main(void)
 {
-    const TTest *const tests[] = {views_come_through, cut_streams_are_told_from_whole_ones,
-                                  damage_of_any_byte_is_told, views_that_are_none_are_refused,
+    const TTest *const tests[] = {views_come_through,
+                                  cut_streams_are_told_from_whole_ones,
+                                  damage_of_any_byte_is_told,
+                                  views_that_are_none_are_refused,
+                                  views_come_in_time,
+                                  words_that_are_unknown_are_told,
                                   NULL};
     return run_suite("view stream", tests);
 }

@@ -10,6 +10,9 @@ namespace
 
 const char *const damaged = "has an accessor that is none";
 
+// Elements that are 0 but for some: few bytes may ask for very many, of which a mesh makes nothing.
+constexpr std::size_t most_zeros = std::size_t{1} << 24;
+
 template <typename Value> Value read_value(const unsigned char *from)
 {
     Value value;
@@ -64,6 +67,11 @@ GltfNumbers::GltfNumbers(const tinygltf::Model &model, int which)
     if (accessor.bufferView >= 0 || !accessor.sparse.isSparse)
     {
         read_dense(model);
+    }
+    else if (accessor.count > most_zeros)
+    {
+        throw MeshFailure("has " + name + ", of more than " + std::to_string(most_zeros) +
+                          " elements without a buffer view");
     }
     if (accessor.sparse.isSparse)
     {

@@ -230,7 +230,17 @@ const cm_view *cm_view_reader::next()
     {
         fail("is not of the camera's size");
     }
+    if (cm_file_u32(head.data() + 120) > 1 || cm_file_u32(head.data() + 124) != 0 ||
+        cm_file_u64(head.data() + 176) != 0)
+    {
+        fail("has words in its head that this version does not know");
+    }
+    const double before = view.time;
     read_head(head.data());
+    if (count > 0 && view.time <= before)
+    {
+        fail("its time is not after the one before");
+    }
     std::uint64_t left = cm_file_u64(head.data() + 160);
     std::uint64_t sum = CM_CHECK_SUM_BEGIN;
     for (std::size_t i = 0; i < 3; ++i)

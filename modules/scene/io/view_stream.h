@@ -2,6 +2,7 @@
  *
  * Views one after the other through a pipe. All numbers are little-endian; sums are those of check_sum.h.
  *
+ *   time     seconds, of each view after that of the one before
  *   head     "CMVIEWS1", bytes of text (u32), 0 (u32), sum of the text (u64), the text of CAMERA.json
  *   view     "VIEW" and 192 (u32), time, rotation by rows (9), position (3), depth_unit (f64 each: bytes 8 to 120),
  *            depth_is_range (u32), 0 (u32), width and height (u32), three pictures, depth, color, amplitude: type as in
