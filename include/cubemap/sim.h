@@ -134,9 +134,9 @@ typedef struct cm_tof_options
     int noise;     /* 1: shot noise, and the sensor's dark, read and fixed pattern noise */
     uint64_t seed; /* of all random numbers */
     uint32_t view; /* number of the frame, for the noise */
-    const cm_mapping *
-        mapping; /* of the map in which virtual lights are found; NULL: the equal-area cube healpix */
-    uint32_t map_edge;                     /* its cells along a face's side; 0: 64 */
+    const cm_mapping *mapping; /* of the map in which virtual lights are found, and of their
+                                  shadows; NULL: the equal-area cube healpix, and algebraic */
+    uint32_t map_edge;         /* its cells along a face's side; 0: 64 */
     const cm_tof_environment *environment; /* NULL: none */
     int shot;                              /* of the noise: CM_TOF_POISSON, CM_TOF_FREEMAN_TUKEY */
 } cm_tof_options;

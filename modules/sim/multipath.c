@@ -79,31 +79,33 @@ static cm_status sort_lights(tof_virtual_lights *lights)
     return CM_OK;
 }
 
+/* Shadows need no cells of equal area, and each pair asks for one: a mapping that costs less. */
+static cm_status choose_mappings(tof_virtual_lights *lights, const cm_tof_options *options)
+{
+    lights->mapping = lights->shadow_mapping = options->mapping;
+    if (options->mapping != NULL)
+    {
+        return CM_OK;
+    }
+    cm_status status = cm_mapping_create("healpix", NULL, &lights->own);
+    if (status == CM_OK && options->visibility)
+    {
+        status = cm_mapping_create("algebraic", NULL, &lights->own_of_shadows);
+    }
+    lights->mapping = lights->own;
+    lights->shadow_mapping = lights->own_of_shadows;
+    return status;
+}
+
 static cm_status make_lights(tof_virtual_lights *lights, const tof_lamp *lamp, size_t lamps,
                              const cm_tof_options *options, cm_pool *pool)
 {
     const uint32_t count = options->lights != 0 ? options->lights : TOF_LIGHTS;
     const uint32_t edge = options->map_edge != 0 ? options->map_edge : MAP_EDGE;
-    lights->mapping = options->mapping;
-    if (lights->mapping == NULL)
+    cm_status status = choose_mappings(lights, options);
+    if (status != CM_OK)
     {
-        const cm_status status = cm_mapping_create("healpix", NULL, &lights->own);
-        if (status != CM_OK)
-        {
-            return status;
-        }
-        lights->mapping = lights->own;
-    }
-    /* Shadows need no cells of equal area, and each pair asks for one: a mapping that costs less. */
-    lights->shadow_mapping = lights->mapping;
-    if (options->mapping == NULL && options->visibility)
-    {
-        const cm_status status = cm_mapping_create("algebraic", NULL, &lights->own_of_shadows);
-        if (status != CM_OK)
-        {
-            return status;
-        }
-        lights->shadow_mapping = lights->own_of_shadows;
+        return status;
     }
     lights->set = gather_set_find(cm_mapping_instructions(lights->mapping));
     lights->light = malloc(count * sizeof *lights->light);
@@ -113,8 +115,8 @@ static cm_status make_lights(tof_virtual_lights *lights, const tof_lamp *lamp, s
     {
         return CM_ERROR_MEMORY;
     }
-    cm_status status = draw_virtual_lights(lights->instant, lights->mapping, edge, lamp, lamps,
-                                           count, pool, lights->light, &lights->count);
+    status = draw_virtual_lights(lights->instant, lights->mapping, edge, lamp, lamps, count, pool,
+                                 lights->light, &lights->count);
     status = status != CM_OK ? status : sort_lights(lights);
     if (status != CM_OK)
     {

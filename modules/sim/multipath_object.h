@@ -25,7 +25,7 @@ struct tof_virtual_lights
     const cm_mapping *mapping; /* of the map */
     const cm_mapping *shadow_mapping;
     cm_mapping *own;            /* NULL: the caller's */
-    cm_mapping *own_of_shadows; /* NULL: those of the map */
+    cm_mapping *own_of_shadows; /* NULL: the caller's, or no shadows */
     const gather_set *set;
     tof_waves waves;
     uint32_t count;
