@@ -7,6 +7,7 @@
 
 #include <cubemap/number.h>
 
+#include <float.h>
 #include <math.h>
 
 #define PI 3.14159265358979323846
@@ -35,9 +36,9 @@ enum
 };
 
 static const cm_surface_parameter parameters[PARAMETERS] = {
-    {"fov", 1e-6, 179.999999}, {"vfov", 1e-6, 179.999999}, {"focal", 1e-3, 1e9},
-    {"lon", -360.0, 360.0},    {"lat", -90.0, 90.0},       {"roll", -360.0, 360.0},
-    {"shift-x", -1e3, 1e3},    {"shift-y", -1e3, 1e3}};
+    {"fov", 1e-6, 179.999999},  {"vfov", 1e-6, 179.999999}, {"focal", 1e-3, 1e9},
+    {"lon", -DBL_MAX, DBL_MAX}, {"lat", -90.0, 90.0},       {"roll", -DBL_MAX, DBL_MAX},
+    {"shift-x", -1e3, 1e3},     {"shift-y", -1e3, 1e3}};
 
 /* The width of the film to which 35 mm equivalents refer, in mm (ISO 1007: 36 x 24). */
 #define FILM_WIDTH 36.0

@@ -221,6 +221,33 @@ START_TEST(test_directions_have_places)
 }
 END_TEST
 
+/* Angles of a view go round, as those of a rotation do. */
+START_TEST(test_angles_of_views_go_round)
+{
+    static const char *const same[][2] = {
+        {"view:fov=80,lon=370,lat=20,roll=-400;size=8",
+         "view:fov=80,lon=10,lat=20,roll=-40;size=8"},
+        {"view:fov=80,lon=-3590;size=8", "view:fov=80,lon=10;size=8"}};
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++)
+    {
+        cm_surface *view[2] = {make(same[i][0]), make(same[i][1])};
+        for (int k = 0; k < 48; k++)
+        {
+            const double column = k % 8 + 0.5, row = k / 8 + 0.5;
+            double d[2][3];
+            for (int side = 0; side < 2; side++)
+            {
+                cm_surface_directions(view[side], 0, 1, &column, &row, &d[side][0], &d[side][1],
+                                      &d[side][2]);
+            }
+            ck_assert_mem_eq(d[0], d[1], sizeof *d);
+        }
+        cm_surface_destroy(view[0]);
+        cm_surface_destroy(view[1]);
+    }
+}
+END_TEST
+
 /* What kinds that show a part promise of it. */
 START_TEST(test_parts_of_the_sphere)
 {
@@ -576,6 +603,7 @@ int main(void)
 {
     const TTest *const tests[] = {test_positions_return,
                                   test_directions_have_places,
+                                  test_angles_of_views_go_round,
                                   test_parts_of_the_sphere,
                                   test_lenses,
                                   test_bad_positions,
