@@ -233,12 +233,13 @@ START_TEST(test_angles_of_views_go_round)
         cm_surface *view[2] = {make(same[i][0]), make(same[i][1])};
         for (int k = 0; k < 48; k++)
         {
+            const uint8_t plane = 0;
             const double column = k % 8 + 0.5, row = k / 8 + 0.5;
             double d[2][3];
             for (int side = 0; side < 2; side++)
             {
-                cm_surface_directions(view[side], 0, 1, &column, &row, &d[side][0], &d[side][1],
-                                      &d[side][2]);
+                cm_surface_directions(view[side], 1, &plane, &column, &row, &d[side][0],
+                                      &d[side][1], &d[side][2]);
             }
             ck_assert_mem_eq(d[0], d[1], sizeof *d);
         }
