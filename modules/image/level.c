@@ -6,11 +6,6 @@
 
 /* ---- windows ---- */
 
-static int32_t least(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
 /* Bytes of a plane's skirt: rows above and below as wide as the plane with both ends, columns as high as it. */
 static size_t skirt_size(const cm_level *level)
 {
@@ -81,7 +76,10 @@ void cm_level_row(const cm_level *level, unsigned plane, int32_t column, int32_t
     while (at < end)
     {
         const int inside = at >= 0 && at < right;
-        const int32_t count = (at < 0 ? least(end, 0) : inside ? least(end, right) : end) - at;
+        const int32_t count = (at < 0   ? cm_level_least(end, 0)
+                               : inside ? cm_level_least(end, right)
+                                        : end) -
+                              at;
         unsigned char *here = to + (size_t)(at - column) * level->pixel_size;
         if (inside)
         {

@@ -9,6 +9,11 @@
 
 #include "level_object.h"
 
+static inline int32_t cm_level_least(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
 /* Pixels that a value is continued from, and their weights, whose sum is 1. */
 #define CM_RIM_NODES 3
 

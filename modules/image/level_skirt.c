@@ -11,11 +11,6 @@
 
 #include <string.h>
 
-static int32_t least(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
 /* Points of a polynomial each way, which stay inside the neighbour: the nearest ones, not always around the place. */
 #define POINTS CM_LEVEL_POINTS
 #define BLOCK 64
@@ -459,7 +454,7 @@ static void fill_lines(skirt_run *run, size_t block)
         return;
     }
     const int32_t begin = (int32_t)(is_column ? block - rows : block) * BLOCK;
-    fill_block(run, is_column, begin, least(extent - begin, BLOCK));
+    fill_block(run, is_column, begin, cm_level_least(extent - begin, BLOCK));
 }
 
 static void fill_blocks(size_t begin, size_t end, void *user)
@@ -490,7 +485,7 @@ static void fill_from_row(const cm_level *level, int32_t column, int32_t row, in
     while (count > 0)
     {
         const int32_t from = at_turn(from_column, width);
-        const int32_t n = least(count, width - from);
+        const int32_t n = cm_level_least(count, width - from);
         cm_level_load(level, 0, from, from_row, n, cm_level_skirt_pixel(level, 0, column, row));
         column += n;
         from_column += n;

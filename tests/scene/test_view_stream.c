@@ -74,7 +74,8 @@ static cm_view make_view(const cm_camera *camera, unsigned k)
     return view;
 }
 
-static size_t write_stream(unsigned char *bytes)
+/* So many of the views that make_view makes; with times, all like the first but at those. */
+static size_t write_views(unsigned char *bytes, size_t count, const double *time)
 {
     cm_camera *camera = make_camera();
     memory_stream memory = {bytes, 0, ROOM, 0};
@@ -82,15 +83,21 @@ static size_t write_stream(unsigned char *bytes)
     cm_view_writer *writer = NULL;
     REQUIRE(cm_view_writer_create("out", &stream, camera, 1000.0, &writer, message) == CM_OK, "%s",
             message);
-    for (unsigned k = 0; k < VIEWS; k++)
+    for (size_t i = 0; i < count; i++)
     {
-        const cm_view view = make_view(camera, k);
+        cm_view view = make_view(camera, time == NULL ? (unsigned)i : 0);
+        view.time = time == NULL ? view.time : time[i];
         REQUIRE(cm_view_writer_put(writer, &view, message) == CM_OK, "%s", message);
     }
     REQUIRE(cm_view_writer_finish(writer, message) == CM_OK, "%s", message);
     cm_view_writer_destroy(writer);
     cm_camera_destroy(camera);
     return memory.size;
+}
+
+static size_t write_stream(unsigned char *bytes)
+{
+    return write_views(bytes, VIEWS, NULL);
 }
 
 /* How many views are read before the status that is not CM_OK. */
@@ -211,27 +218,6 @@ START_TEST(views_that_are_none_are_refused)
 }
 END_TEST
 
-/* A stream of so many views at these times. */
-static size_t write_times(unsigned char *bytes, const double *time, size_t count)
-{
-    cm_camera *camera = make_camera();
-    memory_stream memory = {bytes, 0, ROOM, 0};
-    const cm_image_stream stream = stream_of(&memory);
-    cm_view_writer *writer = NULL;
-    REQUIRE(cm_view_writer_create("out", &stream, camera, 1000.0, &writer, message) == CM_OK, "%s",
-            message);
-    for (size_t i = 0; i < count; i++)
-    {
-        cm_view view = make_view(camera, 0);
-        view.time = time[i];
-        REQUIRE(cm_view_writer_put(writer, &view, message) == CM_OK, "%s", message);
-    }
-    REQUIRE(cm_view_writer_finish(writer, message) == CM_OK, "%s", message);
-    cm_view_writer_destroy(writer);
-    cm_camera_destroy(camera);
-    return memory.size;
-}
-
 START_TEST(views_come_in_time)
 {
     static const double times[][3] = {{1, 2, 2}, {1, 2, 1.5}, {-1, 0, -0.0}};
@@ -239,13 +225,13 @@ START_TEST(views_come_in_time)
     cm_status status;
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
     {
-        const size_t size = write_times(bytes, times[i], 3);
+        const size_t size = write_views(bytes, 3, times[i]);
         ck_assert_uint_eq(read_stream(bytes, size, &status), 2);
         REQUIRE(status == CM_ERROR_DATA &&
                     strcmp(message, "in: view 2: its time is not after the one before") == 0,
                 "%d %s", (int)status, message);
     }
-    ck_assert_uint_eq(read_stream(bytes, write_times(bytes, times[0], 2), &status), 2);
+    ck_assert_uint_eq(read_stream(bytes, write_views(bytes, 2, times[0]), &status), 2);
     ck_assert_int_eq(status, CM_ERROR_RANGE);
 }
 END_TEST
@@ -259,7 +245,7 @@ START_TEST(words_that_are_unknown_are_told)
     cm_status status;
     for (size_t i = 0; i < sizeof places / sizeof *places; i++)
     {
-        const size_t size = write_times(bytes, times, 1);
+        const size_t size = write_views(bytes, 1, times);
         unsigned char *head = bytes + size - 24 - WIDTH * HEIGHT * sizeof *whole - 192;
         ck_assert(memcmp(head, "VIEW", 4) == 0);
         head[places[i]] = 2;
