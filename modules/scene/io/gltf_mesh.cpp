@@ -17,6 +17,8 @@
 namespace
 {
 
+const char *const quantization = "KHR_mesh_quantization";
+
 using Matrix = std::array<double, 16>; // by columns, as glTF has it
 
 // ---- files: no name is expanded by a shell, and none leads out of the folder
@@ -226,20 +228,37 @@ private:
         }
         const std::size_t first = mesh.position.size() / 3;
         const GltfNumbers at(model, position->second);
-        if (at.type() != TINYGLTF_COMPONENT_TYPE_FLOAT || at.width() != 3)
-        {
-            throw MeshFailure("has positions that are no floats");
-        }
+        check_positions(at);
         for (std::size_t i = 0; i < at.count(); ++i)
         {
             for (std::size_t k = 0; k < 3; ++k)
             {
-                mesh.position.push_back(matrix[k] * at.at(i, 0) + matrix[4 + k] * at.at(i, 1) +
-                                        matrix[8 + k] * at.at(i, 2) + matrix[12 + k]);
+                mesh.position.push_back(matrix[k] * at.value(i, 0) +
+                                        matrix[4 + k] * at.value(i, 1) +
+                                        matrix[8 + k] * at.value(i, 2) + matrix[12 + k]);
             }
         }
         add_colors(part, at.count());
         add_triangles(part, mode, first, at.count());
+    }
+
+    // Floats, or, where the file names KHR_mesh_quantization, bytes and shorts too.
+    void check_positions(const GltfNumbers &at) const
+    {
+        const bool is_whole = at.type() != TINYGLTF_COMPONENT_TYPE_FLOAT;
+        const bool is_short = at.type() >= TINYGLTF_COMPONENT_TYPE_BYTE &&
+                              at.type() <= TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+        if (at.width() != 3 || (is_whole && !is_short))
+        {
+            throw MeshFailure("has positions that are no three floats, bytes or shorts");
+        }
+        const auto names = [](const std::vector<std::string> &list)
+        { return std::find(list.begin(), list.end(), quantization) != list.end(); };
+        if (is_whole && !names(model.extensionsRequired) && !names(model.extensionsUsed))
+        {
+            throw MeshFailure("has positions that are no floats, and does not name the extension " +
+                              std::string(quantization));
+        }
     }
 
     void add_colors(const tinygltf::Primitive &part, std::size_t count)
@@ -259,6 +278,12 @@ private:
         {
             throw MeshFailure("has fewer colours than vertices");
         }
+        if (has_own && colors.type() != TINYGLTF_COMPONENT_TYPE_FLOAT &&
+            colors.type() != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+            colors.type() != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+        {
+            throw MeshFailure("has colours that are neither floats nor unsigned bytes or shorts");
+        }
         for (std::size_t i = 0; i < 3 * count; ++i)
         {
             const double color = has_own ? colors.at(i / 3, i % 3) / colors.one() : 1.0;
@@ -273,7 +298,7 @@ private:
         if (part.indices >= 0)
         {
             const GltfNumbers indices(model, part.indices);
-            if (indices.type() == TINYGLTF_COMPONENT_TYPE_FLOAT || indices.width() != 1)
+            if (gltf_index_size(indices.type()) == 0 || indices.width() != 1)
             {
                 throw MeshFailure("has indices that are no whole numbers, one a vertex");
             }
@@ -329,8 +354,10 @@ void check_needs(const GltfNeeds &needs)
     for (const std::string &name : needs.extensions)
     {
         const bool is_looks = name.rfind("KHR_materials_", 0) == 0 ||
-                              name.rfind("KHR_texture_", 0) == 0 || name == "KHR_lights_punctual";
-        if (!is_looks)
+                              name.rfind("KHR_texture_", 0) == 0 ||
+                              name.rfind("EXT_texture_", 0) == 0 || name == "MSFT_texture_dds" ||
+                              name == "KHR_lights_punctual";
+        if (!is_looks && name != quantization)
         {
             throw MeshFailure("needs the extension " + name + ", which is not read");
         }

@@ -2,6 +2,7 @@
 
 #include "gltf_numbers.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -33,14 +34,6 @@ const unsigned char *bytes_of(const tinygltf::Model &model, int view_index, std:
     return buffer.data.data() + view.byteOffset + offset; // check_views
 }
 
-std::size_t index_size(int type)
-{
-    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 1
-           : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 2
-           : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT   ? 4
-                                                            : 0;
-}
-
 std::size_t index_at(const unsigned char *from, std::size_t size)
 {
     return size == 1   ? *from
@@ -49,6 +42,14 @@ std::size_t index_at(const unsigned char *from, std::size_t size)
 }
 
 } // namespace
+
+std::size_t gltf_index_size(int type)
+{
+    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 1
+           : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 2
+           : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT   ? 4
+                                                            : 0;
+}
 
 GltfNumbers::GltfNumbers(const tinygltf::Model &model, int which)
     : accessor(gltf_element(model.accessors, which, "an accessor")),
@@ -98,7 +99,7 @@ void GltfNumbers::replace_some(const tinygltf::Model &model)
     const std::size_t size = component * components;
     const std::size_t count = static_cast<std::size_t>(accessor.sparse.count);
     const auto &where = accessor.sparse.indices;
-    const std::size_t step = index_size(where.componentType);
+    const std::size_t step = gltf_index_size(where.componentType);
     if (step == 0)
     {
         throw MeshFailure("has " + name + ", whose sparse indices are no whole numbers");
@@ -137,8 +138,12 @@ double GltfNumbers::at(std::size_t i, std::size_t k) const
     {
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
         return static_cast<double>(read_value<float>(from));
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return read_value<std::int8_t>(from);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
         return *from;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return read_value<std::int16_t>(from);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
         return read_value<std::uint16_t>(from);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
@@ -150,7 +155,23 @@ double GltfNumbers::at(std::size_t i, std::size_t k) const
 
 double GltfNumbers::one() const
 {
-    return type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 255.0
-           : type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 65535.0
-                                                              : 1.0;
+    switch (type())
+    {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return 127.0;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return 255.0;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return 32767.0;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return 65535.0;
+    default:
+        return 1.0;
+    }
+}
+
+double GltfNumbers::value(std::size_t i, std::size_t k) const
+{
+    const bool is_scaled = accessor.normalized && type() != TINYGLTF_COMPONENT_TYPE_FLOAT;
+    return is_scaled ? std::max(at(i, k) / one(), -1.0) : at(i, k);
 }

@@ -26,6 +26,9 @@ const Value &gltf_element(const std::vector<Value> &list, int index, const char 
     return list[static_cast<std::size_t>(index)];
 }
 
+// Bytes of an index of that component type; 0 for types that indices do not have (glTF 2.0, 3.7.2.1 and 5.4.1).
+std::size_t gltf_index_size(int type);
+
 // Within their buffer views, which lie within their buffers. Of a sparse accessor (glTF 2.0, 3.6.2.3) they are a copy: those
 // of its buffer view, or 0 where it has none, but for some that stand elsewhere.
 class GltfNumbers
@@ -50,6 +53,8 @@ public:
     double at(std::size_t i, std::size_t k) const;
     // What a normalised whole number counts as 1.
     double one() const;
+    // The number that is meant: glTF 2.0, 3.6.2.2, where it is normalised; -128 / 127 is -1.
+    double value(std::size_t i, std::size_t k) const;
 
 private:
     void read_dense(const tinygltf::Model &model);

@@ -216,6 +216,11 @@ private:
         whole(item, who, "byteOffset", accessor.byteOffset);
         whole(item, who, "count", accessor.count);
         whole(item, who, "componentType", accessor.componentType);
+        const cJSON *const normalized = member(item, "normalized");
+        if (normalized != nullptr && !cJSON_IsBool(normalized))
+        {
+            fail(normalized, who, "normalized", "true or false");
+        }
         if (accessor.sparse.isSparse)
         {
             const cJSON *const sparse = member(item, "sparse");
