@@ -100,6 +100,10 @@ def mesh_file_inputs():
             b'"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],'
             b'"buffers":[{%s"byteLength":42}]}')
     inline = b'"uri":"data:application/octet-stream;base64,' + base64.b64encode(triangle) + b'",'
+    shorts = struct.pack("<12h3H", 0, 0, 0, 0, 32767, 0, 0, 0, 0, -32768, 0, 0, 0, 1, 2) + bytes(12)
+    quantized = (text % inline).replace(b'5126', b'5122,"normalized":true').replace(b'"byteLength":36', b'"byteLength":24,"byteStride":8')
+    quantized = quantized.replace(b'"byteOffset":36', b'"byteOffset":24').replace(b'{"asset"', b'{"extensionsRequired":["KHR_mesh_quantization"],"asset"')
+    quantized = quantized.replace(base64.b64encode(triangle), base64.b64encode(shorts))
     chunk = text % b""
     chunk += b" " * (-len(chunk) % 4)
     binary = triangle + b"\0" * (-len(triangle) % 4)
@@ -109,6 +113,7 @@ def mesh_file_inputs():
     return {
         "text": bytes([0]) + text % inline,
         "binary": bytes([1]) + glb,
+        "quantized": bytes([0]) + quantized,
         "obj": bytes([2]) + b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 -2 -1\n",
     }
 
@@ -196,7 +201,8 @@ def view_stream_inputs():
             number("I", 1, 1, 0, 3, 0, 0) + number("Q", len(pixels)) + check_sum(pixels) + number("Q", 0))
     end = b"DONE" + word(24) + number("Q", 1)
     whole = head + view + check_sum(view) + pixels + end + check_sum(end)
-    return {"whole": b"0" + whole, "mended": b"1" + whole, "cut": b"1" + whole[:-60], "empty": b"0" + head}
+    return {"whole": b"0" + whole, "mended": b"1" + whole, "cut": b"1" + whole[:-60], "empty": b"0" + head,
+            "two": b"1" + whole + whole}
 
 
 def tof_inputs():

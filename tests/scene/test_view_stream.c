@@ -261,6 +261,32 @@ START_TEST(words_that_are_unknown_are_told)
 }
 END_TEST
 
+/* Streams put one behind the other are not taken for the first of them. */
+START_TEST(bytes_behind_the_end_are_told)
+{
+    unsigned char bytes[2 * ROOM] = {0};
+    cm_status status;
+    const size_t size = write_stream(bytes);
+    ck_assert_uint_eq(write_stream(bytes + size), size);
+    const size_t more[] = {1, 8, 24, size};
+    for (size_t i = 0; i < sizeof more / sizeof *more; i++)
+    {
+        ck_assert_uint_eq(read_stream(bytes, size + more[i], &status), VIEWS);
+        REQUIRE(status == CM_ERROR_DATA &&
+                    strcmp(message, "in: bytes follow the end of the stream, after 3 views; one "
+                                    "stream is read") == 0,
+                "%zu more: %d %s", more[i], (int)status, message);
+    }
+    static const double none[1] = {0};
+    const size_t empty = write_views(bytes, 0, none);
+    bytes[empty] = '\n';
+    ck_assert_uint_eq(read_stream(bytes, empty, &status), 0);
+    ck_assert_int_eq(status, CM_ERROR_RANGE);
+    ck_assert_uint_eq(read_stream(bytes, empty + 1, &status), 0);
+    ck_assert_int_eq(status, CM_ERROR_DATA);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {views_come_through,
@@ -269,6 +295,7 @@ int main(void)
                                   views_that_are_none_are_refused,
                                   views_come_in_time,
                                   words_that_are_unknown_are_told,
+                                  bytes_behind_the_end_are_told,
                                   NULL};
     return run_suite("view stream", tests);
 }

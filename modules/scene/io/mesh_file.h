@@ -7,7 +7,8 @@
  *               message
  *   glTF        triangles, strips and fans of the default scene, with the nodes' transforms; colours are the materials' base
  *               colour times the vertices'. Axes stay as they are in the file. Textures, skins and morphs are left out;
- *               numbers that cannot be read and extensions that change geometry are refused
+ *               numbers that cannot be read and extensions that change geometry are refused, but for
+ *               KHR_mesh_quantization: positions of bytes and shorts
  *   OBJ         polygons as triangles, indices from either end, the diffuse colours of materials times those of vertices
  *   nearby      files that these name are read in their folder and below it only
  *   message     one line of CM_IMAGE_MESSAGE bytes at most, "FILE: what is wrong". Written on failure only

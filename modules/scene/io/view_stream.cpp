@@ -216,6 +216,13 @@ const cm_view *cm_view_reader::next()
     }
     if (is_end(head.data()))
     {
+        // streams that a shell has put together would lose all but the first without a word
+        unsigned char more = 0;
+        if (take_all(stream, &more, 1) != 0)
+        {
+            fail_file(name, "bytes follow the end of the stream, after " + std::to_string(count) +
+                                " views; one stream is read");
+        }
         throw FileFailure(CM_ERROR_RANGE, name + ": has no more views");
     }
     if (std::memcmp(head.data(), "VIEW", 4) != 0 || cm_file_u32(head.data() + 4) != head.size() ||

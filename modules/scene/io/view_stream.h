@@ -8,7 +8,8 @@
  *            depth_is_range (u32), 0 (u32), width and height (u32), three pictures, depth, color, amplitude: type as in
  *            cm_pixel_type (u32), channels (u32; 0: none) (bytes 136 to 160), bytes of all pictures (u64), their sum (u64), 0
  *            (u64), sum of these 184 bytes (u64); then the pictures, dense, rows from the top
- *   end      "DONE" and 24 (u32), number of views (u64), sum of these 16 bytes (u64). Without it a stream was cut
+ *   end      "DONE" and 24 (u32), number of views (u64), sum of these 16 bytes (u64). Without it a stream was cut,
+ *            and nothing may follow it: readers wait for the end of the pipe
  *   message  one line of CM_IMAGE_MESSAGE bytes at most, "NAME: view K: what is wrong". Written on failure only
  */
 #ifndef CUBEMAP_MODULES_SCENE_VIEW_STREAM_H
@@ -33,7 +34,8 @@ cm_status cm_view_reader_create(const char *name, const cm_image_stream *stream,
 void cm_view_reader_destroy(cm_view_reader *reader);
 /* What the head says; lives as long as the reader. */
 const cm_camera *cm_view_reader_camera(const cm_view_reader *reader, double *depth_scale);
-/* The next view, which lives until the one after it is asked for. CM_ERROR_RANGE at the end; CM_ERROR_DATA, _MEMORY. */
+/* The next view, which lives until the one after it is asked for. CM_ERROR_RANGE at the end, which is
+ * that of the bytes too; CM_ERROR_DATA, _MEMORY. */
 cm_status cm_view_reader_next(cm_view_reader *reader, const cm_view **view, char *message);
 
 /* Begin to write; of the stream's functions only write is called. */
