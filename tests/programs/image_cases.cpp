@@ -218,6 +218,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"octree", octree_subjects()},
         {"octree runs", octree_run_subjects()},
         {"scene", scene_subjects()},
+        {"scene motion", scene_motion_subjects()},
         {"scene refusals", scene_refusal_subjects()},
 #endif
 #ifdef HAVE_TOF

@@ -108,6 +108,7 @@ const std::vector<Subject> &distortion_subjects();
 const std::vector<Subject> &orient_subjects();
 const std::vector<Subject> &colormap_subjects();
 const std::vector<Subject> &scene_subjects();
+const std::vector<Subject> &scene_motion_subjects();
 const std::vector<Subject> &scene_refusal_subjects();
 const std::vector<Subject> &octree_subjects();
 const std::vector<Subject> &octree_run_subjects();

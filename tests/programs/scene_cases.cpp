@@ -4,16 +4,15 @@
 
 #include "image_cases.hpp"
 #include "picture.hpp"
+#include "truth_picture.hpp"
 
 #include "modules/scene/io/camera_file.h"
-#include "tools/cli/image_file.hpp"
 #include "truth/scenes/ray_truth.h"
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -86,53 +85,6 @@ void write_scene_inputs()
     write_file("camera.json", "{\"width\":40,\"height\":30,\"fx\":32,\"fy\":32,\"cx\":19.5,"
                               "\"cy\":14.5}\n");
     write_file("cube.json", "{\"mapping\":\"coupled\",\"frame\":\"geo\",\"size\":16}\n");
-}
-
-// A file of --truth, by the names of its channels.
-class TruthPicture
-{
-public:
-    explicit TruthPicture(const std::string &name)
-    {
-        ImageFile file(name);
-        width = file.width();
-        channels = file.channels();
-        for (int i = 0; i < channels; ++i)
-        {
-            number[file.channel_name(i)] = i;
-        }
-        const std::size_t row = static_cast<std::size_t>(width * channels);
-        values.resize(row * static_cast<std::size_t>(file.height()));
-        file.read(values.data(), row, Finite::any);
-    }
-
-    double at(const std::string &channel, int x, int y) const
-    {
-        const int place = (y * width + x) * channels + number.at(channel);
-        return static_cast<double>(values[static_cast<std::size_t>(place)]);
-    }
-
-private:
-    int width = 0;
-    int channels = 0;
-    std::map<std::string, int> number;
-    std::vector<float> values;
-};
-
-[[noreturn]] void wrong_at(int x, int y, const std::string &what, double seen, double wanted)
-{
-    char text[300];
-    std::snprintf(text, sizeof text, "%s at %d, %d is %.9g, not %.9g", what.c_str(), x, y, seen,
-                  wanted);
-    throw std::runtime_error(text);
-}
-
-void near(const std::string &what, int x, int y, double seen, double wanted, double within)
-{
-    if (!(std::fabs(seen - wanted) <= within))
-    {
-        wrong_at(x, y, what, seen, wanted);
-    }
 }
 
 struct PixelTruth

@@ -154,17 +154,23 @@ void render_view(const ViewMaking &making, const TimedPoses &poses, std::size_t 
                  Progress &progress, SceneView &pictures)
 {
     const std::uint32_t height = cm_camera_describe(making.camera)->height;
-    const cm_pose *const here = &poses.pose[number];
-    const cm_pose *const next = number + 1 < poses.pose.size() ? here + 1 : nullptr;
-    const cm_pose *const before = number > 0 ? here - 1 : nullptr;
+    const auto place_of = [&poses](std::size_t k) {
+        return ViewPlace{poses.time[k], poses.pose[k]};
+    };
+    const bool is_first = number == 0;
+    const bool is_last = number + 1 == poses.pose.size();
+    const ViewPlace here = place_of(number);
+    const ViewPlace next = is_last ? here : place_of(number + 1);
+    const ViewPlace before = is_first ? here : place_of(number - 1);
     const int pieces = static_cast<int>((height + rows_a_piece - 1) / rows_a_piece);
     parallel_for(pieces, threads,
                  [&](int piece)
                  {
                      const std::uint32_t first = static_cast<std::uint32_t>(piece) * rows_a_piece;
                      const std::uint32_t end = std::min(first + rows_a_piece, height);
-                     render_rows(making, static_cast<std::uint32_t>(number), *here, next, before,
-                                 first, end, pictures);
+                     render_rows(making, static_cast<std::uint32_t>(number), here,
+                                 is_last ? nullptr : &next, is_first ? nullptr : &before, first,
+                                 end, pictures);
                      progress.advance(end - first);
                  });
 }
@@ -217,7 +223,8 @@ int render(const RenderOptions &options, const cm_streams &streams)
     const CameraFile camera = read_camera(options.camera);
     const TimedPoses poses = read_poses(options.trajectory);
     ViewMaking making;
-    making.scene = world.scene.get();
+    const SceneInTime scene(world.scene.get());
+    making.scene = &scene;
     making.camera = camera.camera.get();
     making.depth_scale = camera.depth_scale;
     making.noise = options.noise;

@@ -23,6 +23,10 @@ struct Vectors
     explicit Vectors(std::size_t n) : x(n), y(n), z(n)
     {
     }
+    VectorArrays arrays() const
+    {
+        return {x.data(), y.data(), z.data()};
+    }
     Numbers x, y, z;
 };
 
@@ -66,7 +70,7 @@ void turn_rays(const cm_pose &pose, RowHits &hits)
     }
 }
 
-void cast_row(const ViewMaking &making, const cm_pose &pose, std::uint32_t row, RowHits &hits)
+void cast_row(const ViewMaking &making, const ViewPlace &place, std::uint32_t row, RowHits &hits)
 {
     const double centre = cm_camera_describe(making.camera)->pixel_centre;
     for (std::size_t i = 0; i < hits.count(); ++i)
@@ -76,7 +80,7 @@ void cast_row(const ViewMaking &making, const cm_pose &pose, std::uint32_t row, 
     }
     cm_camera_ray_array(making.camera, hits.count(), hits.column.data(), hits.row.data(),
                         hits.ray.x.data(), hits.ray.y.data(), hits.ray.z.data());
-    turn_rays(pose, hits);
+    turn_rays(place.pose, hits);
     const cm_hit_arrays hit = {sizeof hit,
                                hits.distance.data(),
                                hits.id.data(),
@@ -84,9 +88,8 @@ void cast_row(const ViewMaking &making, const cm_pose &pose, std::uint32_t row, 
                                {hits.normal.x.data(), hits.normal.y.data(), hits.normal.z.data()},
                                {hits.color.x.data(), hits.color.y.data(), hits.color.z.data()},
                                nullptr};
-    cm_scene_cast_array(making.scene, hits.count(), hits.origin.x.data(), hits.origin.y.data(),
-                        hits.origin.z.data(), hits.direction.x.data(), hits.direction.y.data(),
-                        hits.direction.z.data(), &hit);
+    making.scene->cast(place.time, hits.count(), hits.origin.arrays(), hits.direction.arrays(),
+                       hit);
 }
 
 std::uint16_t units_of(double depth)
@@ -131,19 +134,20 @@ struct Flow
 };
 
 // Which points another view sees, by casting rays of length 1 that end there.
-std::vector<bool> points_seen(const cm_scene *scene, const cm_pose &other, const Vectors &points)
+std::vector<bool> points_seen(const SceneInTime &scene, const ViewPlace &other,
+                              const Vectors &points)
 {
     const std::size_t n = points.x.size();
     Vectors origin(n), direction(n);
     Numbers distance(n);
     for (std::size_t i = 0; i < n; ++i)
     {
-        origin.x[i] = other.position[0];
-        origin.y[i] = other.position[1];
-        origin.z[i] = other.position[2];
-        direction.x[i] = points.x[i] - other.position[0];
-        direction.y[i] = points.y[i] - other.position[1];
-        direction.z[i] = points.z[i] - other.position[2];
+        origin.x[i] = other.pose.position[0];
+        origin.y[i] = other.pose.position[1];
+        origin.z[i] = other.pose.position[2];
+        direction.x[i] = points.x[i] - other.pose.position[0];
+        direction.y[i] = points.y[i] - other.pose.position[1];
+        direction.z[i] = points.z[i] - other.pose.position[2];
     }
     const cm_hit_arrays hit = {sizeof hit,
                                distance.data(),
@@ -152,8 +156,7 @@ std::vector<bool> points_seen(const cm_scene *scene, const cm_pose &other, const
                                {nullptr, nullptr, nullptr},
                                {nullptr, nullptr, nullptr},
                                nullptr};
-    cm_scene_cast_array(scene, n, origin.x.data(), origin.y.data(), origin.z.data(),
-                        direction.x.data(), direction.y.data(), direction.z.data(), &hit);
+    scene.cast(other.time, n, origin.arrays(), direction.arrays(), hit);
     std::vector<bool> seen(n);
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -162,9 +165,9 @@ std::vector<bool> points_seen(const cm_scene *scene, const cm_pose &other, const
     return seen;
 }
 
-// From the pixels of a row to where their points are in another view.
-Flow flow_to(const ViewMaking &making, const RowHits &hits, const Vectors &points,
-             const cm_pose *other)
+// From the pixels of a row, which are of a time, to where their points are then in another view.
+Flow flow_to(const ViewMaking &making, const RowHits &hits, double time, Vectors points,
+             const ViewPlace *other)
 {
     const std::size_t n = hits.count();
     Flow flow(n);
@@ -177,14 +180,18 @@ Flow flow_to(const ViewMaking &making, const RowHits &hits, const Vectors &point
     for (std::size_t i = 0; i < n; ++i)
     {
         double point[3] = {points.x[i], points.y[i], points.z[i]};
-        cm_pose_apply(other, point, point);
+        making.scene->carry(hits.id[i], time, other->time, point);
+        points.x[i] = point[0];
+        points.y[i] = point[1];
+        points.z[i] = point[2];
+        cm_pose_apply(&other->pose, point, point);
         local.x[i] = point[0];
         local.y[i] = point[1];
         local.z[i] = point[2];
     }
     cm_camera_project_array(making.camera, n, local.x.data(), local.y.data(), local.z.data(),
                             flow.column.data(), flow.row.data());
-    const std::vector<bool> seen = points_seen(making.scene, *other, points);
+    const std::vector<bool> seen = points_seen(*making.scene, *other, points);
     for (std::size_t i = 0; i < n; ++i)
     {
         const double right = flow.column[i] - camera.pixel_centre + 0.5;
@@ -197,8 +204,8 @@ Flow flow_to(const ViewMaking &making, const RowHits &hits, const Vectors &point
     return flow;
 }
 
-void put_truth(const ViewMaking &making, const cm_pose *next, const cm_pose *before,
-               std::uint32_t row, const RowHits &hits, SceneView &view)
+void put_truth(const ViewMaking &making, double time, const ViewPlace *next,
+               const ViewPlace *before, std::uint32_t row, const RowHits &hits, SceneView &view)
 {
     const std::size_t n = hits.count();
     Vectors points(n);
@@ -209,8 +216,8 @@ void put_truth(const ViewMaking &making, const cm_pose *next, const cm_pose *bef
         points.y[i] = hits.origin.y[i] + far * hits.direction.y[i];
         points.z[i] = hits.origin.z[i] + far * hits.direction.z[i];
     }
-    const Flow forward = flow_to(making, hits, points, next);
-    const Flow backward = flow_to(making, hits, points, before);
+    const Flow forward = flow_to(making, hits, time, points, next);
+    const Flow backward = flow_to(making, hits, time, points, before);
     float *to = view.truth.data() + truth_channels.size() * n * row;
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -249,18 +256,18 @@ SceneView empty_view(const ViewMaking &making)
     return view;
 }
 
-void render_rows(const ViewMaking &making, std::uint32_t number, const cm_pose &pose,
-                 const cm_pose *next, const cm_pose *before, std::uint32_t first, std::uint32_t end,
-                 SceneView &view)
+void render_rows(const ViewMaking &making, std::uint32_t number, const ViewPlace &place,
+                 const ViewPlace *next, const ViewPlace *before, std::uint32_t first,
+                 std::uint32_t end, SceneView &view)
 {
     RowHits hits(cm_camera_describe(making.camera)->width);
     for (std::uint32_t row = first; row < end; ++row)
     {
-        cast_row(making, pose, row, hits);
+        cast_row(making, place, row, hits);
         put_pictures(making, number, row, hits, view);
         if (making.truth)
         {
-            put_truth(making, next, before, row, hits, view);
+            put_truth(making, place.time, next, before, row, hits, view);
         }
     }
 }

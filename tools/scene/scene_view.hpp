@@ -12,17 +12,24 @@
 
 #include <cubemap/camera.h>
 #include <cubemap/pose.h>
-#include <cubemap/world.h>
+#include "scene_in_time.hpp"
 
 // How pictures of depth are made.
 struct ViewMaking
 {
-    const cm_scene *scene = nullptr;
+    const SceneInTime *scene = nullptr;
     const cm_camera *camera = nullptr;
     double depth_scale = 5000;   // units a metre
     std::optional<double> noise; // of range, relative
     std::uint64_t seed = 0;
     bool truth = false;
+};
+
+// From where, and when.
+struct ViewPlace
+{
+    double time;
+    cm_pose pose;
 };
 
 // What a truth file has of a pixel, in this order.
@@ -39,11 +46,11 @@ struct SceneView
     std::vector<float> truth;         // truth_channels a pixel
 };
 
-// Of the view of this number, from a pose; with truth, the flow to the poses of the next view and of the one before,
+// Of the view of this number, from a place; with truth, the flow to the places of the next view and of the one before,
 // which may be nullptr. Rows from first to before end.
-void render_rows(const ViewMaking &making, std::uint32_t number, const cm_pose &pose,
-                 const cm_pose *next, const cm_pose *before, std::uint32_t first, std::uint32_t end,
-                 SceneView &view);
+void render_rows(const ViewMaking &making, std::uint32_t number, const ViewPlace &place,
+                 const ViewPlace *next, const ViewPlace *before, std::uint32_t first,
+                 std::uint32_t end, SceneView &view);
 
 // With room for all pixels of the camera.
 SceneView empty_view(const ViewMaking &making);
