@@ -101,9 +101,12 @@ def mesh_file_inputs():
             b'"buffers":[{%s"byteLength":42}]}')
     inline = b'"uri":"data:application/octet-stream;base64,' + base64.b64encode(triangle) + b'",'
     shorts = struct.pack("<12h3H", 0, 0, 0, 0, 32767, 0, 0, 0, 0, -32768, 0, 0, 0, 1, 2) + bytes(12)
-    quantized = (text % inline).replace(b'5126', b'5122,"normalized":true').replace(b'"byteLength":36', b'"byteLength":24,"byteStride":8')
-    quantized = quantized.replace(b'"byteOffset":36', b'"byteOffset":24').replace(b'{"asset"', b'{"extensionsRequired":["KHR_mesh_quantization"],"asset"')
-    quantized = quantized.replace(base64.b64encode(triangle), base64.b64encode(shorts))
+    quantized = text % inline
+    for old, new in ((b'5126', b'5122,"normalized":true'), (b'"byteLength":36', b'"byteLength":24,"byteStride":8'),
+                     (b'"byteOffset":36', b'"byteOffset":24'),
+                     (b'{"asset"', b'{"extensionsRequired":["KHR_mesh_quantization"],"asset"'),
+                     (base64.b64encode(triangle), base64.b64encode(shorts))):
+        quantized = quantized.replace(old, new)
     chunk = text % b""
     chunk += b" " * (-len(chunk) % 4)
     binary = triangle + b"\0" * (-len(triangle) % 4)
