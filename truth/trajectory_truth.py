@@ -30,13 +30,9 @@ def read(path):
     return rows[:, 0], [matrix_of(row) for row in rows[:, 1:]]
 
 
-def distance(a, b):
-    """Of the decimals, the shortest that are these numbers."""
-    return abs(decimal.Decimal(repr(float(a))) - decimal.Decimal(repr(float(b))))
-
-
 def is_within(a, b, apart):
-    return distance(a, b) <= decimal.Decimal(repr(apart))
+    """Of the decimals, the shortest that are these numbers."""
+    return abs(decimal.Decimal(repr(float(a))) - decimal.Decimal(repr(float(b)))) <= decimal.Decimal(repr(apart))
 
 
 def is_after(begin, end, interval):
@@ -46,7 +42,7 @@ def is_after(begin, end, interval):
 
 def associate(first, second, apart=0.02):
     """Pairs of indices: of all pairs the closest, then the closest of those that are left."""
-    candidates = sorted((distance(a, second[k]), i, k) for i, a in enumerate(first)
+    candidates = sorted((abs(a - second[k]), i, k) for i, a in enumerate(first)
                         for k in numpy.nonzero(abs(second - a) <= 2 * apart)[0] if is_within(a, second[k], apart))
     taken_first, taken_second, pairs = set(), set(), []
     for _, i, k in candidates:

@@ -26,7 +26,7 @@ typedef struct member
 /* Neighbours, one of each trajectory. */
 typedef struct neighbours
 {
-    double apart; /* as cm_stamps_apart */
+    double apart;
     size_t first;
     size_t second;
 } neighbours;
@@ -38,7 +38,6 @@ typedef struct match
     neighbours *heap; /* no more than twice as many as there are stamps */
     size_t heap_count;
     double apart;
-    double scale;    /* cm_stamps_scale */
     size_t *partner; /* of a's stamps: the index in b, or NONE */
 } match;
 
@@ -103,7 +102,7 @@ static void offer(match *m, size_t first, size_t second)
     const double end = m->all[second].stamp;
     if (cm_stamps_within(begin, end, m->apart))
     {
-        push(m, (neighbours){cm_stamps_apart(begin, end, m->scale), first, second});
+        push(m, (neighbours){end - begin, first, second});
     }
 }
 
@@ -172,12 +171,6 @@ static void write_pairs(const match *m, size_t count_a, size_t *index_a, size_t 
     }
 }
 
-/* Without its sign. */
-static double largest_stamp(const cm_trajectory *trajectory)
-{
-    return fmax(fabs(trajectory->stamp[0]), fabs(trajectory->stamp[trajectory->count - 1]));
-}
-
 cm_status cm_trajectory_associate(const cm_trajectory *a, const cm_trajectory *b, double apart,
                                   size_t room, size_t *index_a, size_t *index_b, size_t *count)
 {
@@ -201,7 +194,6 @@ cm_status cm_trajectory_associate(const cm_trajectory *a, const cm_trajectory *b
         {
             m.partner[i] = NONE;
         }
-        m.scale = cm_stamps_scale(fmax(largest_stamp(a), largest_stamp(b)));
         merge(&m, a, b);
         *count = take_pairs(&m);
         status = *count <= room ? CM_OK : CM_ERROR_SPACE;

@@ -38,34 +38,6 @@ static inline int cm_stamps_reach(double first, double second, double apart)
     return second - first >= apart - cm_stamps_rounding(first, second, apart);
 }
 
-/* Stamps are decimals: their distances are whole numbers of the least power of ten that rounding to double leaves sure, here
- * how many of them a second has. 0 where stamps of that size, positive, are no surer than whole seconds. */
-static inline double cm_stamps_scale(double largest)
-{
-    const double sure =
-        nextafter(largest, INFINITY) - largest; /* two stamps, each half of it off */
-    double scale = sure < 0.5 ? 1.0 : 0.0;
-    while (scale > 0.0 && scale < 1e15 && sure * (10.0 * scale) < 0.5)
-    {
-        scale *= 10.0;
-    }
-    return scale;
-}
-
-/* How far they are apart as they were written, to be compared with others of the same scale: 1.01 is as far from 1 as from
- * 1.02, though as doubles it is not. */
-static inline double cm_stamps_apart(double a, double b, double scale)
-{
-    return scale > 0.0 ? nearbyint(fabs(a - b) * scale) : fabs(a - b);
-}
-
-/* Is b nearer to time than a is, as they were written? */
-static inline int cm_stamps_nearer(double a, double b, double time)
-{
-    const double scale = cm_stamps_scale(fmax(fabs(time), fmax(fabs(a), fabs(b))));
-    return cm_stamps_apart(b, time, scale) < cm_stamps_apart(a, time, scale);
-}
-
 /* The last of count stamps that is not after time; 0 if all are. */
 static inline size_t cm_stamp_before(const double *stamp, size_t count, double time)
 {

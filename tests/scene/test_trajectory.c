@@ -201,40 +201,6 @@ START_TEST(limits_are_as_written)
 }
 END_TEST
 
-/* Of two stamps as near as decimals the earlier one is taken, though the doubles of one are nearer. */
-START_TEST(ties_are_of_what_is_written)
-{
-    fill(0.0, 0.05);
-    size_t turned = 0;
-    for (long k = 0; k < 2000; k++)
-    {
-        const long begin = k % 2 == 0 ? 0 : 1705031102;
-        char text[40];
-        double stamp[3];
-        size_t index_a[2], index_b[2];
-        for (int i = 0; i < 3; i++)
-        {
-            snprintf(text, sizeof text, "%ld.%06ld", begin, (k * 7919) % 970000 + 5000 * i);
-            stamp[i] = strtod(text, NULL);
-        }
-        const double outer[2] = {stamp[0], stamp[2]};
-        turned += stamp[2] - stamp[1] < stamp[1] - stamp[0] ? 1 : 0;
-        ck_assert_uint_eq(associate(2, outer, 1, stamp + 1, 0.02, index_a, index_b), 1);
-        REQUIRE(index_a[0] == 0 && index_b[0] == 0, "%s: the later stamp", text);
-        ck_assert_uint_eq(associate(1, stamp + 1, 2, outer, 0.02, index_a, index_b), 1);
-        REQUIRE(index_a[0] == 0 && index_b[0] == 0, "%s: the later stamp of b", text);
-        cm_trajectory *made = make(2, outer, poses);
-        ck_assert_int_eq(cm_trajectory_nearest(made, stamp[1], 0.02, index_a), CM_OK);
-        REQUIRE(index_a[0] == 0, "%s: the later stamp is the nearest", text);
-        /* by the last digit nearer is nearer */
-        ck_assert_int_eq(cm_trajectory_nearest(made, stamp[1] + 1e-6, 0.02, index_a), CM_OK);
-        REQUIRE(index_a[0] == 1, "%s: the earlier stamp is the nearest", text);
-        cm_trajectory_destroy(made);
-    }
-    REQUIRE(turned > 300, "only %zu of these would be turned by rounding", turned);
-}
-END_TEST
-
 START_TEST(room_for_pairs)
 {
     fill(0.0, 0.05);
@@ -425,7 +391,6 @@ int main(void)
                                   near_and_between,
                                   closest_pairs_first,
                                   limits_are_as_written,
-                                  ties_are_of_what_is_written,
                                   room_for_pairs,
                                   alignment_and_its_rank,
                                   known_errors,

@@ -51,7 +51,7 @@ std::size_t nearest_time(std::size_t count, const TimeAt &time_at, double time, 
     for (const std::size_t i : {low - 1, low}) // below 0 is beyond count
     {
         if (i < count && cm_stamps_within(time_at(i), time, within) &&
-            (best == count || cm_stamps_nearer(time_at(best), time_at(i), time)))
+            (best == count || std::fabs(time_at(i) - time) < std::fabs(time_at(best) - time)))
         {
             best = i;
         }
