@@ -146,7 +146,7 @@ typedef struct cm_tof_options
 #define CM_TOF_NOTHING 2u    /* no modulated light came */
 #define CM_TOF_FLYING 4u     /* surfaces apart from each other share the pixel */
 #define CM_TOF_MOTION 8u     /* phase images saw different surfaces */
-#define CM_TOF_MULTIPATH 16u /* scattered light moves the distance by more than 1 mm */
+#define CM_TOF_MULTIPATH 16u /* scattered light moves the first series by more than 1 mm */
 
 /* What was done for a frame. */
 typedef struct cm_tof_report

@@ -210,6 +210,50 @@ static cm_status find_times(frame *doing)
     return status;
 }
 
+/* ---- scattered light ---- */
+
+/* Of a pixel's cells: its own, or the first of three between which circuits are. */
+static size_t first_cell(const tof_sensor *sensor, size_t pixel)
+{
+    return sensor->given.single_readout
+               ? pixel / sensor->width * sensor->cells.columns + 2 * (pixel % sensor->width)
+               : pixel;
+}
+
+/* Does scattered light move the distance of the first series? */
+static int is_multipath(const frame *doing, size_t cell, double per_turn)
+{
+    const tof_sums *sum = &doing->picture.sum;
+    const double real = sum->direct_real[cell], imaginary = sum->direct_imaginary[cell];
+    const double all_real = sum->real[cell], all_imaginary = sum->imaginary[cell];
+    const double turn = atan2(all_imaginary * real - all_real * imaginary,
+                              all_real * real + all_imaginary * imaginary);
+    return fabs(turn * per_turn) > MULTIPATH_APART;
+}
+
+static void flag_multipath_of(size_t begin, size_t end, void *user)
+{
+    const frame *doing = user;
+    const size_t middle = doing->sensor.given.single_readout ? 1 : 0;
+    const double per_turn = sensor_unambiguous(&doing->sensor.given, 0) / (2.0 * PI);
+    for (size_t i = begin; i < end; i++)
+    {
+        if (is_multipath(doing, first_cell(&doing->sensor, i) + middle, per_turn))
+        {
+            doing->flags[i] |= CM_TOF_MULTIPATH;
+        }
+    }
+}
+
+/* While the picture has the first series' light: of what moves, that of its last phase image. */
+static void flag_multipath(frame *doing)
+{
+    if (doing->options.bounces > 0)
+    {
+        cm_pool_run(doing->pool, doing->pixels, PIXELS_AT_ONCE, flag_multipath_of, doing);
+    }
+}
+
 /* ---- all of a frame ---- */
 
 static void keep_charges(frame *doing, size_t picture_wave, int series, int phase)
@@ -226,6 +270,10 @@ static cm_status take_still(frame *doing)
 {
     doing->times = 1;
     const cm_status status = add_time(doing, doing->time, -1, 1.0, 1);
+    if (status == CM_OK)
+    {
+        flag_multipath(doing);
+    }
     for (int series = 0; status == CM_OK && series < doing->sensor.series; series++)
     {
         size_t wave = 0;
@@ -257,39 +305,24 @@ static cm_status take_moving(frame *doing)
                               image == 0 && step == 0);
         }
         keep_charges(doing, 0, image / given->phases, image % given->phases);
+        if (status == CM_OK && image + 1 == given->phases)
+        {
+            flag_multipath(doing);
+        }
     }
     return status;
 }
 
-/* Does scattered light move the distance? Of what moves that is so of the last phase image. */
-static int is_multipath(const frame *doing, size_t cell, double per_turn)
-{
-    const tof_sums *sum = &doing->picture.sum;
-    const double real = sum->direct_real[cell], imaginary = sum->direct_imaginary[cell];
-    const double all_real = sum->real[cell], all_imaginary = sum->imaginary[cell];
-    const double turn = atan2(all_imaginary * real - all_real * imaginary,
-                              all_real * real + all_imaginary * imaginary);
-    return fabs(turn * per_turn) > MULTIPATH_APART;
-}
-
-/* Of the cells of each pixel: one, or three between which circuits are, whose middle one is the pixel's own. */
+/* Of the cells of each pixel: one, or three between which circuits are. */
 static void flag_pixels(size_t begin, size_t end, void *user)
 {
     const frame *doing = user;
-    const tof_sensor *sensor = &doing->sensor;
-    const size_t single = sensor->given.single_readout ? 1 : 0;
-    const double per_turn = sensor_unambiguous(&sensor->given, 0) / (2.0 * PI);
+    const size_t single = doing->sensor.given.single_readout ? 1 : 0;
     for (size_t i = begin; i < end; i++)
     {
-        const size_t cell =
-            single ? i / sensor->width * sensor->cells.columns + 2 * (i % sensor->width) : i;
         for (size_t k = 0; k <= 2 * single; k++)
         {
-            doing->flags[i] |= doing->picture.flags[cell + k];
-        }
-        if (doing->options.bounces > 0 && is_multipath(doing, cell + single, per_turn))
-        {
-            doing->flags[i] |= CM_TOF_MULTIPATH;
+            doing->flags[i] |= doing->picture.flags[first_cell(&doing->sensor, i) + k];
         }
     }
 }
