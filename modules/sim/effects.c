@@ -291,13 +291,41 @@ static void choose(const effect *of, const cm_tof_options *most, cm_tof_options 
     const int further = most->bounces > 1 ? most->bounces : FURTHER;
     *chosen = *most;
     chosen->noise = of[NOISE].entry.is_kept;
-    chosen->bounces = of[FURTHER_BOUNCES].entry.is_kept ? further : of[MULTIPATH].entry.is_kept;
+    const int is_scattered = of[MULTIPATH].entry.is_kept || of[VISIBILITY].entry.is_kept;
+    chosen->bounces = of[FURTHER_BOUNCES].entry.is_kept ? further : is_scattered;
     chosen->visibility = of[VISIBILITY].entry.is_kept;
     chosen->sample_times = of[MOTION].entry.is_kept ? 0 : 1;
     if (!of[OVERSAMPLING].entry.is_kept)
     {
         chosen->sample_columns = 1;
         chosen->sample_rows = 1;
+    }
+}
+
+static void take_along(effect *of, const char *reason, double *error)
+{
+    if (!of->entry.is_kept && of->entry.contribution > 0.0)
+    {
+        of->entry.is_kept = 1;
+        of->entry.reason = reason;
+        *error -= of->entry.contribution;
+    }
+}
+
+/* What comes with what is chosen: paths have shadows, and shadows of scattered light, or its further bounces, the first. What it
+ * would cost by virtual lights is no cost of paths. */
+static void follow(effect *of, cm_tof_options *chosen, double *error)
+{
+    if (chosen->bounces > 0)
+    {
+        take_along(&of[MULTIPATH], "comes with what is kept", error);
+    }
+    if (chosen->bounces > 1 || (chosen->bounces == 1 && chosen->traces))
+    {
+        take_along(&of[VISIBILITY], "paths have it", error);
+        of[VISIBILITY].entry.cost = 0.0;
+        of[MULTIPATH].entry.cost = 0.0;
+        chosen->visibility = 1;
     }
 }
 
@@ -316,10 +344,12 @@ static cm_status choose_all(const planning *with, const cm_tof_sensor *sensor,
     }
     if (status == CM_OK)
     {
+        follow(of, chosen, &error);
         status = sampling_choose(with, sensor, most, limit - error, chosen, &of[SAMPLING].entry);
     }
     if (status == CM_OK && chosen->bounces > 0)
     {
+        follow(of, chosen, &error); /* lights may have become paths */
         /* it is the cost of one effect, and counts once */
         of[chosen->bounces > 1 ? FURTHER_BOUNCES : MULTIPATH].entry.cost = of[SAMPLING].entry.cost;
         of[SAMPLING].entry.cost = 0.0;

@@ -395,6 +395,33 @@ START_TEST(bounces_are_not_more_than_given)
 }
 END_TEST
 
+/* What is told is what is done: paths have shadows, further bounces and shadows the first one; by whatever limit. */
+START_TEST(what_comes_along_is_not_told_as_dropped)
+{
+    static const double limits[] = {0.3, 0.1, 0.06, 0.03, 0.02, 0.01};
+    const cm_primitive room[4] = {corner[0], corner[1], corner[2], ball};
+    stage at = make_stage(room, 4);
+    int along = 0;
+    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
+    {
+        cm_budget_entry entry[CM_TOF_EFFECTS] = {{0}};
+        cm_budget budget = {.size = sizeof budget, .entry = entry};
+        const cm_tof_options most = {.size = sizeof most, .paths = 16};
+        cm_tof_options chosen = {0};
+        plan_most(&at, limits[i], &most, NULL, &chosen, &budget);
+        const int by_paths = chosen.bounces > 1 || (chosen.bounces == 1 && chosen.traces);
+        ck_assert(entry[MULTIPATH].contribution > 0.0 && entry[VISIBILITY].contribution > 0.0);
+        ck_assert_int_eq(entry[FURTHER].is_kept, chosen.bounces > 1);
+        ck_assert_int_eq(entry[MULTIPATH].is_kept, chosen.bounces > 0);
+        ck_assert_int_eq(entry[VISIBILITY].is_kept, chosen.bounces > 0 && chosen.visibility);
+        ck_assert(!by_paths || chosen.visibility);
+        along += strcmp(entry[VISIBILITY].reason, "paths have it") == 0 ? 1 : 0;
+    }
+    ck_assert_int_gt(along, 0);
+    free_stage(&at);
+}
+END_TEST
+
 /* Neither threads nor clocks choose, also where some effects must go and others not. */
 START_TEST(plans_have_one_answer)
 {
@@ -435,6 +462,7 @@ int main(void)
                                   error_of_lights_is_that_beside_paths,
                                   error_of_lights_beside_a_ball_is_not_told_too_small,
                                   bounces_are_not_more_than_given,
+                                  what_comes_along_is_not_told_as_dropped,
                                   plans_have_one_answer,
                                   NULL};
     return run_suite("plan", tests);
