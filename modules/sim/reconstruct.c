@@ -23,7 +23,7 @@ typedef struct driver
     const tof_set *set;
     size_t stride; /* pixels of a phase image */
     const float *charge_a, *charge_b;
-    float *distance, *amplitude, *intensity;
+    float *phase, *distance, *amplitude, *intensity;
     uint8_t *flags;
 } driver;
 
@@ -126,11 +126,26 @@ static void put_block(const driver *with, size_t first, size_t n, const tof_phas
     }
 }
 
+/* What a camera gives of each phase image. */
+static void put_phases(const driver *with, size_t begin, size_t end)
+{
+    const size_t images = (size_t)(with->series * with->sensor->phases);
+    for (size_t k = 0; with->phase != NULL && k < images; k++)
+    {
+        const size_t last = k * with->stride + end;
+        for (size_t i = k * with->stride + begin; i < last; i++)
+        {
+            with->phase[i] = with->charge_a[i] - with->charge_b[i];
+        }
+    }
+}
+
 static void put_pixels(size_t begin, size_t end, void *user)
 {
     const driver *with = user;
     _Alignas(64) tof_phasors one, other;
     const size_t series = (size_t)with->sensor->phases * with->stride;
+    put_phases(with, begin, end);
     for (size_t first = begin; first < end; first += TOF_BLOCK)
     {
         const size_t n = end - first < TOF_BLOCK ? end - first : TOF_BLOCK;
@@ -153,6 +168,7 @@ void reconstruct(const tof_set *set, const cm_tof_sensor *sensor, size_t n, cons
                    .stride = n,
                    .charge_a = charge_a,
                    .charge_b = charge_b,
+                   .phase = result->phase,
                    .distance = result->distance,
                    .amplitude = result->amplitude,
                    .intensity = result->intensity,

@@ -256,13 +256,13 @@ static void flag_multipath(frame *doing)
 
 /* ---- all of a frame ---- */
 
-static void keep_charges(frame *doing, size_t picture_wave, int series, int phase)
+static void keep_charges(frame *doing, size_t picture_wave, int series, int phase, int count)
 {
     const size_t image = (size_t)series * (size_t)doing->sensor.given.phases + (size_t)phase;
-    doing->is_beyond |=
-        charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series,
-                         phase, doing->offset, doing->pool, doing->charge_a + image * doing->pixels,
-                         doing->charge_b + image * doing->pixels);
+    doing->is_beyond |= charges_of_phases(doing->scene->set, &doing->sensor, &doing->picture,
+                                          picture_wave, series, phase, count, doing->offset,
+                                          doing->pool, doing->charge_a + image * doing->pixels,
+                                          doing->charge_b + image * doing->pixels);
 }
 
 /* Nothing moves: one sum for all phases and frequencies. */
@@ -281,10 +281,7 @@ static cm_status take_still(frame *doing)
         {
             wave++;
         }
-        for (int phase = 0; phase < doing->sensor.given.phases; phase++)
-        {
-            keep_charges(doing, wave, series, phase);
-        }
+        keep_charges(doing, wave, series, 0, doing->sensor.given.phases);
     }
     return status;
 }
@@ -304,7 +301,7 @@ static cm_status take_moving(frame *doing)
             status = add_time(doing, time, image / given->phases, 1.0 / doing->times,
                               image == 0 && step == 0);
         }
-        keep_charges(doing, 0, image / given->phases, image % given->phases);
+        keep_charges(doing, 0, image / given->phases, image % given->phases, 1);
         if (status == CM_OK && image + 1 == given->phases)
         {
             flag_multipath(doing);
@@ -317,13 +314,20 @@ static cm_status take_moving(frame *doing)
 static void flag_pixels(size_t begin, size_t end, void *user)
 {
     const frame *doing = user;
-    const size_t single = doing->sensor.given.single_readout ? 1 : 0;
+    const uint8_t *const from = doing->picture.flags;
+    uint8_t *const to = doing->flags;
+    if (!doing->sensor.given.single_readout)
+    {
+        for (size_t i = begin; i < end; i++)
+        {
+            to[i] |= from[i];
+        }
+        return;
+    }
     for (size_t i = begin; i < end; i++)
     {
-        for (size_t k = 0; k <= 2 * single; k++)
-        {
-            doing->flags[i] |= doing->picture.flags[first_cell(&doing->sensor, i) + k];
-        }
+        const size_t k = first_cell(&doing->sensor, i);
+        to[i] |= (uint8_t)(from[k] | from[k + 1] | from[k + 2]);
     }
 }
 
@@ -358,24 +362,11 @@ static void put_report(const frame *doing, cm_tof_report *report)
     }
 }
 
-static void put_phases(size_t begin, size_t end, void *user)
-{
-    const frame *doing = user;
-    for (size_t i = begin; i < end; i++)
-    {
-        doing->result->phase[i] = doing->charge_a[i] - doing->charge_b[i];
-    }
-}
-
 static void put_result(frame *doing)
 {
     cm_tof_result *const result = doing->result;
     const size_t images = (size_t)(doing->sensor.series * doing->sensor.given.phases);
     const size_t count = images * doing->pixels;
-    if (result->phase != NULL)
-    {
-        cm_pool_run(doing->pool, count, PIXELS_AT_ONCE, put_phases, doing);
-    }
     if (result->charge_a != NULL)
     {
         memcpy(result->charge_a, doing->charge_a, count * sizeof(float));
