@@ -198,8 +198,8 @@ CM_API cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor 
  * most: what is given, NULL: 3 x 3 samples. Its lights, and its paths, are not exceeded where they are not 0; traces 1: paths
  * alone. Its bounces: 0 for as many as are needed, up to 4; 1 or more: not more than these; below 0: direct light alone.
  * What more would do is told and counts in budget->error, its reason is "dropped: limit given"; a limit that is exceeded by
- * that alone is one for the rest. What is not dropped is in *chosen, with lights and paths; what paths have anyway, shadows and
- * the first bounce, is kept with them.
+ * that alone is one for the rest. What is not dropped is in *chosen, with lights and paths; what paths have anyway,
+ * shadows and the first bounce, is kept with them.
  * budget->entry has room for CM_TOF_EFFECTS; subject, unit (m), cost_unit (ms of the processor) and all else of the budget are
  * set. Choices depend on counted work, not on the clock: they are the same in each run, for any number of threads. A lens
  * without distortion is the caller's to make, if "distortion" is dropped. Shot noise is of most's kind, and that of its
