@@ -203,7 +203,8 @@ CM_API cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor 
  * budget->entry has room for CM_TOF_EFFECTS; subject, unit (m), cost_unit (ms of the processor) and all else of the budget are
  * set. Choices depend on counted work, not on the clock: they are the same in each run, for any number of threads. A lens
  * without distortion is the caller's to make, if "distortion" is dropped. Shot noise is of most's kind, and that of its
- * environment's light, too; of two frequencies noise is that of their mean, and of wraps that it takes for others. CM_OK and errors as cm_tof_simulate; CM_ERROR_RANGE (limit). */
+ * environment's light, too; of two frequencies noise is that of their mean, and of wraps that it takes for others.
+ * CM_OK and errors as cm_tof_simulate; CM_ERROR_RANGE (limit). */
 CM_API cm_status cm_tof_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
                              const cm_tof_light *light, size_t lights,
                              const cm_trajectory *trajectory, double time, double limit,
