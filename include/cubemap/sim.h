@@ -146,7 +146,7 @@ typedef struct cm_tof_options
 #define CM_TOF_NOTHING 2u    /* no modulated light came */
 #define CM_TOF_FLYING 4u     /* surfaces apart from each other share the pixel */
 #define CM_TOF_MOTION 8u     /* phase images saw different surfaces */
-#define CM_TOF_MULTIPATH 16u /* scattered light moves the distance by more than 1 mm */
+#define CM_TOF_MULTIPATH 16u /* scattered light moves the first series by more than 1 mm */
 
 /* What was done for a frame. */
 typedef struct cm_tof_report
@@ -198,11 +198,13 @@ CM_API cm_status cm_tof_simulate(const cm_tof_scene *scene, const cm_tof_sensor 
  * most: what is given, NULL: 3 x 3 samples. Its lights, and its paths, are not exceeded where they are not 0; traces 1: paths
  * alone. Its bounces: 0 for as many as are needed, up to 4; 1 or more: not more than these; below 0: direct light alone.
  * What more would do is told and counts in budget->error, its reason is "dropped: limit given"; a limit that is exceeded by
- * that alone is one for the rest. What is not dropped is in *chosen, with lights and paths.
+ * that alone is one for the rest. What is not dropped is in *chosen, with lights and paths; what paths have anyway,
+ * shadows and the first bounce, is kept with them.
  * budget->entry has room for CM_TOF_EFFECTS; subject, unit (m), cost_unit (ms of the processor) and all else of the budget are
  * set. Choices depend on counted work, not on the clock: they are the same in each run, for any number of threads. A lens
  * without distortion is the caller's to make, if "distortion" is dropped. Shot noise is of most's kind, and that of its
- * environment's light, too. CM_OK and errors as cm_tof_simulate; CM_ERROR_RANGE (limit). */
+ * environment's light, too; of two frequencies noise is that of their mean, and of wraps that it takes for others.
+ * CM_OK and errors as cm_tof_simulate; CM_ERROR_RANGE (limit). */
 CM_API cm_status cm_tof_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
                              const cm_tof_light *light, size_t lights,
                              const cm_trajectory *trajectory, double time, double limit,

@@ -16,6 +16,8 @@ enum
 {
     RUN = 64, /* pixels */
     RANDOM_BLOCK = 256,
+    IMAGES_AT_ONCE = 8,
+    NEAR = 512,         /* pixels */
     NUMBERS_A_PHASE = 4 /* shot noise of both circuits, their reading */
 };
 
@@ -155,26 +157,58 @@ static void put_rule(phase_work *doing, int series)
     put_waves(sensor, doing->first_wave, doing->tau, rule);
 }
 
-int charges_of_phase(const tof_set *set, const tof_sensor *sensor, const tof_picture *picture,
-                     size_t picture_wave, int series, int phase, const float *offset, cm_pool *pool,
-                     float *charge_a, float *charge_b)
+/* Phase images of the same light. */
+typedef struct phases_work
+{
+    int count;
+    int is_plain;
+    phase_work image[IMAGES_AT_ONCE];
+} phases_work;
+
+/* Image after image of a few pixels, whose light stays near the processor meanwhile. */
+static void put_images(size_t begin, size_t end, void *user)
+{
+    phases_work *doing = user;
+    for (size_t first = begin; first < end; first += NEAR)
+    {
+        const size_t last = end - first < NEAR ? end : first + NEAR;
+        for (int k = 0; k < doing->count; k++)
+        {
+            (doing->is_plain ? put_plain_pixels : put_pixels)(first, last, &doing->image[k]);
+        }
+    }
+}
+
+int charges_of_phases(const tof_set *set, const tof_sensor *sensor, const tof_picture *picture,
+                      size_t picture_wave, int series, int phase, int count, const float *offset,
+                      cm_pool *pool, float *charge_a, float *charge_b)
 {
     const tof_sums *sum = &picture->sum;
     const size_t wave = picture_wave * picture->cells; /* the first of this series */
+    const size_t pixels = (size_t)sensor->width * sensor->height;
     atomic_int is_beyond = 0;
-    phase_work doing = {.set = set,
-                        .sensor = sensor,
-                        .cells = {sum->total, sum->ambient, sum->real + wave, sum->imaginary + wave,
-                                  picture->cells},
-                        .offset = offset,
-                        .tau = 2.0 * PI * (double)phase / (double)sensor->given.phases,
-                        .charge_a = charge_a,
-                        .charge_b = charge_b,
-                        .is_beyond = &is_beyond};
-    const int is_plain = offset == NULL && !sensor->given.single_readout;
-    put_rule(&doing, series);
-    cm_pool_run(pool, (size_t)sensor->width * sensor->height, 4096,
-                is_plain ? put_plain_pixels : put_pixels, &doing);
+    phases_work doing = {.is_plain = offset == NULL && !sensor->given.single_readout};
+    for (int first = 0; first < count; first += doing.count)
+    {
+        doing.count = count - first < IMAGES_AT_ONCE ? count - first : IMAGES_AT_ONCE;
+        for (int k = 0; k < doing.count; k++)
+        {
+            const size_t image = (size_t)(first + k);
+            const phase_work one = {.set = set,
+                                    .sensor = sensor,
+                                    .cells = {sum->total, sum->ambient, sum->real + wave,
+                                              sum->imaginary + wave, picture->cells},
+                                    .offset = offset,
+                                    .tau = 2.0 * PI * (double)(phase + first + k) /
+                                           (double)sensor->given.phases,
+                                    .charge_a = charge_a + image * pixels,
+                                    .charge_b = charge_b + image * pixels,
+                                    .is_beyond = &is_beyond};
+            doing.image[k] = one;
+            put_rule(&doing.image[k], series);
+        }
+        cm_pool_run(pool, pixels, 4096, put_images, &doing);
+    }
     return atomic_load(&is_beyond);
 }
 

@@ -2,10 +2,11 @@
  *
  * What each effect does to distances here: a frame with it beside one without.
  */
+#include "noise_spread.h"
 #include "planned_frame.h"
+#include "reconstruct.h"
 #include "sampling_spread.h"
 #include "sensor.h"
-#include "shot_noise.h"
 #include "vector.h"
 
 #include <math.h>
@@ -51,14 +52,6 @@ typedef struct effect
     double work;         /* what decides in place of its cost, which is by the clock */
     int is_beyond_given; /* fewer bounces are allowed than it needs */
 } effect;
-
-/* Of a frame. */
-typedef struct charges
-{
-    size_t pixels;
-    float *charge_a, *charge_b; /* series x phases x pixels */
-    float *amplitude;
-} charges;
 
 static double milliseconds_of(clock_t ticks)
 {
@@ -182,45 +175,6 @@ static cm_status measure_scattering(const planning *with, const cm_tof_sensor *s
     return status;
 }
 
-/* Of a phase image's circuits together, the mean over the first series' images. */
-static double variance_of_pixel(const cm_tof_sensor *sensor, int shot, size_t pixels,
-                                const float *charge_a, const float *charge_b)
-{
-    double sum = 0.0;
-    for (size_t k = 0; k < (size_t)sensor->phases; k++)
-    {
-        const double a = (double)charge_a[k * pixels], b = (double)charge_b[k * pixels];
-        sum += shot == CM_TOF_FREEMAN_TUKEY
-                   ? shot_noise_variance(sensor, a) + shot_noise_variance(sensor, b)
-                   : a + b;
-    }
-    return sum / sensor->phases + 2.0 * sensor->read_noise * sensor->read_noise;
-}
-
-/* The root mean square over pixels, by the formula: one frame's noise is one of many. What is not modulated light is noise
- * alone. */
-static double spread_by_formula(const planning *with, const cm_tof_sensor *sensor, int shot,
-                                const charges *of)
-{
-    const double pattern = sensor->fixed_pattern * with->unambiguous / (2.0 * PI);
-    double squares = 0.0;
-    size_t count = 0;
-    for (size_t i = 0; i < of->pixels; i++)
-    {
-        const double signal = (double)of->amplitude[i] / sensor->contrast;
-        if (signal > 0.0)
-        {
-            const double variance =
-                variance_of_pixel(sensor, shot, of->pixels, of->charge_a + i, of->charge_b + i);
-            const double spread = fmin(cm_tof_noise_of_distance(sensor, signal, variance - signal),
-                                       with->unambiguous);
-            squares += spread * spread + pattern * pattern;
-            count++;
-        }
-    }
-    return count == 0 ? 0.0 : sqrt(squares / (double)count);
-}
-
 /* Noise is added to a frame of direct light and the surroundings'. */
 static cm_status measure_noise(const planning *with, const cm_tof_sensor *sensor,
                                const cm_tof_options *most, effect *of_noise)
@@ -233,14 +187,15 @@ static cm_status measure_noise(const planning *with, const cm_tof_sensor *sensor
     {
         return CM_ERROR_MEMORY;
     }
-    const charges of = {pixels, memory, memory + images * pixels, memory + 2 * images * pixels};
+    float *const amplitude = memory + 2 * images * pixels;
+    const noise_charges of = {pixels, memory, memory + images * pixels, amplitude};
     cm_tof_options options = {.size = sizeof options};
     options.environment = most->environment;
     options.paths = most->paths;
     cm_tof_result result = {.size = sizeof result,
-                            .charge_a = of.charge_a,
-                            .charge_b = of.charge_b,
-                            .amplitude = of.amplitude};
+                            .charge_a = memory,
+                            .charge_b = memory + images * pixels,
+                            .amplitude = amplitude};
     const clock_t begin = clock();
     const cm_status status =
         cm_tof_simulate(with->scene, sensor, with->light, with->lights, with->trajectory,
@@ -249,7 +204,7 @@ static cm_status measure_noise(const planning *with, const cm_tof_sensor *sensor
     {
         /* numbers take about as long as a frame */
         of_noise->entry.cost = fmax(milliseconds_of(1), milliseconds_of(clock() - begin));
-        of_noise->entry.contribution = spread_by_formula(with, sensor, most->shot, &of);
+        of_noise->entry.contribution = noise_spread(sensor, most->shot, &of);
         of_noise->work = (double)(pixels * images) * MS_OF_NOISE;
     }
     free(memory);
@@ -336,13 +291,41 @@ static void choose(const effect *of, const cm_tof_options *most, cm_tof_options 
     const int further = most->bounces > 1 ? most->bounces : FURTHER;
     *chosen = *most;
     chosen->noise = of[NOISE].entry.is_kept;
-    chosen->bounces = of[FURTHER_BOUNCES].entry.is_kept ? further : of[MULTIPATH].entry.is_kept;
+    const int is_scattered = of[MULTIPATH].entry.is_kept || of[VISIBILITY].entry.is_kept;
+    chosen->bounces = of[FURTHER_BOUNCES].entry.is_kept ? further : is_scattered;
     chosen->visibility = of[VISIBILITY].entry.is_kept;
     chosen->sample_times = of[MOTION].entry.is_kept ? 0 : 1;
     if (!of[OVERSAMPLING].entry.is_kept)
     {
         chosen->sample_columns = 1;
         chosen->sample_rows = 1;
+    }
+}
+
+static void take_along(effect *of, const char *reason, double *error)
+{
+    if (!of->entry.is_kept && of->entry.contribution > 0.0)
+    {
+        of->entry.is_kept = 1;
+        of->entry.reason = reason;
+        *error -= of->entry.contribution;
+    }
+}
+
+/* What comes with what is chosen: paths have shadows, and shadows of scattered light, or its further bounces, the first. What it
+ * would cost by virtual lights is no cost of paths. */
+static void follow(effect *of, cm_tof_options *chosen, double *error)
+{
+    if (chosen->bounces > 0)
+    {
+        take_along(&of[MULTIPATH], "comes with what is kept", error);
+    }
+    if (chosen->bounces > 1 || (chosen->bounces == 1 && chosen->traces))
+    {
+        take_along(&of[VISIBILITY], "paths have it", error);
+        of[VISIBILITY].entry.cost = 0.0;
+        of[MULTIPATH].entry.cost = 0.0;
+        chosen->visibility = 1;
     }
 }
 
@@ -361,10 +344,12 @@ static cm_status choose_all(const planning *with, const cm_tof_sensor *sensor,
     }
     if (status == CM_OK)
     {
+        follow(of, chosen, &error);
         status = sampling_choose(with, sensor, most, limit - error, chosen, &of[SAMPLING].entry);
     }
     if (status == CM_OK && chosen->bounces > 0)
     {
+        follow(of, chosen, &error); /* lights may have become paths */
         /* it is the cost of one effect, and counts once */
         of[chosen->bounces > 1 ? FURTHER_BOUNCES : MULTIPATH].entry.cost = of[SAMPLING].entry.cost;
         of[SAMPLING].entry.cost = 0.0;
@@ -414,8 +399,7 @@ cm_status cm_tof_plan(const cm_tof_scene *scene, const cm_tof_sensor *sensor,
     {
         return CM_ERROR_RANGE;
     }
-    const planning with = {
-        scene, light, lights, trajectory, time, pool, sensor_unambiguous(sensor, 0)};
+    const planning with = {scene, light, lights, trajectory, time, pool, reconstruct_range(sensor)};
     cm_tof_options made;
     effect of[CM_TOF_EFFECTS];
     memset(of, 0, sizeof of);

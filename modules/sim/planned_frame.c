@@ -62,7 +62,11 @@ void planned_frame_drop(planned_frame *frame)
 
 double planned_frame_apart(const planning *with, double one, double other)
 {
-    const double apart = isnan(one) ? other : isnan(other) ? one : one - other;
+    if (isnan(one) || isnan(other))
+    {
+        return isnan(one) ? other : one;
+    }
+    const double apart = one - other;
     return apart - with->unambiguous * round(apart / with->unambiguous);
 }
 

@@ -16,7 +16,7 @@ typedef struct planning
     const cm_trajectory *trajectory;
     double time;
     cm_pool *pool;
-    double unambiguous; /* metres */
+    double unambiguous; /* metres, from where on distances repeat */
 } planning;
 
 /* One of them. */

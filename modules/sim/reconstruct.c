@@ -18,12 +18,12 @@ typedef struct driver
     const cm_tof_sensor *sensor;
     int series;
     double cosine[MOST_PHASES], sine[MOST_PHASES];
-    double unambiguous[2];
-    int wraps; /* of the first series that are tried */
+    double unambiguous;
+    series_mean mean; /* of two series */
     const tof_set *set;
     size_t stride; /* pixels of a phase image */
     const float *charge_a, *charge_b;
-    float *distance, *amplitude, *intensity;
+    float *phase, *distance, *amplitude, *intensity;
     uint8_t *flags;
 } driver;
 
@@ -31,17 +31,16 @@ typedef struct driver
 static double agree(const driver *with, double first, double second)
 {
     double best = INFINITY, distance = first;
-    const double one = with->unambiguous[0], other = with->unambiguous[1];
-    for (int k = 0; k < with->wraps; k++)
+    const double one = with->mean.unambiguous[0], other = with->mean.unambiguous[1];
+    for (int k = 0; k < with->mean.wraps; k++)
     {
         const double candidate = first + k * one;
         const double apart = (candidate - second) / other;
         const double rest = (apart - nearbyint(apart)) * other;
         if (fabs(rest) < best * (1.0 - 1e-6) && candidate - rest > -0.5 * other)
         {
-            const double weight = one * one / (one * one + other * other);
             best = fabs(rest);
-            distance = candidate - weight * rest;
+            distance = candidate - with->mean.weight * rest;
         }
     }
     return distance;
@@ -64,6 +63,21 @@ static int wraps_of(double frequency, double second)
     return MOST_WRAPS;
 }
 
+series_mean series_mean_of(const cm_tof_sensor *sensor)
+{
+    const double one = sensor_unambiguous(sensor, 0), other = sensor_unambiguous(sensor, 1);
+    const series_mean made = {{one, other},
+                              one * one / (one * one + other * other),
+                              wraps_of(sensor->frequency, sensor->second_frequency)};
+    return made;
+}
+
+double reconstruct_range(const cm_tof_sensor *sensor)
+{
+    return sensor_unambiguous(sensor, 0) *
+           (sensor->second_frequency > 0.0 ? series_mean_of(sensor).wraps : 1);
+}
+
 static void prepare(const cm_tof_sensor *sensor, driver *with)
 {
     with->sensor = sensor;
@@ -73,11 +87,10 @@ static void prepare(const cm_tof_sensor *sensor, driver *with)
         with->cosine[k] = cos(2.0 * PI * k / sensor->phases);
         with->sine[k] = sin(2.0 * PI * k / sensor->phases);
     }
-    with->unambiguous[0] = sensor_unambiguous(sensor, 0);
+    with->unambiguous = sensor_unambiguous(sensor, 0);
     if (with->series == 2)
     {
-        with->unambiguous[1] = sensor_unambiguous(sensor, 1);
-        with->wraps = wraps_of(sensor->frequency, sensor->second_frequency);
+        with->mean = series_mean_of(sensor);
     }
 }
 
@@ -88,11 +101,11 @@ static void put_block(const driver *with, size_t first, size_t n, const tof_phas
     for (size_t i = 0; i < n; i++)
     {
         int is_there = one->amplitude[i] > 0.0;
-        double found = one->turns[i] * with->unambiguous[0];
+        double found = one->turns[i] * with->unambiguous;
         if (with->series == 2)
         {
             is_there = is_there && other->amplitude[i] > 0.0;
-            found = agree(with, found, other->turns[i] * with->unambiguous[1]);
+            found = agree(with, found, other->turns[i] * with->mean.unambiguous[1]);
         }
         if (with->distance != NULL)
         {
@@ -113,11 +126,26 @@ static void put_block(const driver *with, size_t first, size_t n, const tof_phas
     }
 }
 
+/* What a camera gives of each phase image. */
+static void put_phases(const driver *with, size_t begin, size_t end)
+{
+    const size_t images = (size_t)(with->series * with->sensor->phases);
+    for (size_t k = 0; with->phase != NULL && k < images; k++)
+    {
+        const size_t last = k * with->stride + end;
+        for (size_t i = k * with->stride + begin; i < last; i++)
+        {
+            with->phase[i] = with->charge_a[i] - with->charge_b[i];
+        }
+    }
+}
+
 static void put_pixels(size_t begin, size_t end, void *user)
 {
     const driver *with = user;
     _Alignas(64) tof_phasors one, other;
     const size_t series = (size_t)with->sensor->phases * with->stride;
+    put_phases(with, begin, end);
     for (size_t first = begin; first < end; first += TOF_BLOCK)
     {
         const size_t n = end - first < TOF_BLOCK ? end - first : TOF_BLOCK;
@@ -140,6 +168,7 @@ void reconstruct(const tof_set *set, const cm_tof_sensor *sensor, size_t n, cons
                    .stride = n,
                    .charge_a = charge_a,
                    .charge_b = charge_b,
+                   .phase = result->phase,
                    .distance = result->distance,
                    .amplitude = result->amplitude,
                    .intensity = result->intensity,

@@ -210,15 +210,59 @@ static cm_status find_times(frame *doing)
     return status;
 }
 
+/* ---- scattered light ---- */
+
+/* Of a pixel's cells: its own, or the first of three between which circuits are. */
+static size_t first_cell(const tof_sensor *sensor, size_t pixel)
+{
+    return sensor->given.single_readout
+               ? pixel / sensor->width * sensor->cells.columns + 2 * (pixel % sensor->width)
+               : pixel;
+}
+
+/* Does scattered light move the distance of the first series? */
+static int is_multipath(const frame *doing, size_t cell, double per_turn)
+{
+    const tof_sums *sum = &doing->picture.sum;
+    const double real = sum->direct_real[cell], imaginary = sum->direct_imaginary[cell];
+    const double all_real = sum->real[cell], all_imaginary = sum->imaginary[cell];
+    const double turn = atan2(all_imaginary * real - all_real * imaginary,
+                              all_real * real + all_imaginary * imaginary);
+    return fabs(turn * per_turn) > MULTIPATH_APART;
+}
+
+static void flag_multipath_of(size_t begin, size_t end, void *user)
+{
+    const frame *doing = user;
+    const size_t middle = doing->sensor.given.single_readout ? 1 : 0;
+    const double per_turn = sensor_unambiguous(&doing->sensor.given, 0) / (2.0 * PI);
+    for (size_t i = begin; i < end; i++)
+    {
+        if (is_multipath(doing, first_cell(&doing->sensor, i) + middle, per_turn))
+        {
+            doing->flags[i] |= CM_TOF_MULTIPATH;
+        }
+    }
+}
+
+/* While the picture has the first series' light: of what moves, that of its last phase image. */
+static void flag_multipath(frame *doing)
+{
+    if (doing->options.bounces > 0)
+    {
+        cm_pool_run(doing->pool, doing->pixels, PIXELS_AT_ONCE, flag_multipath_of, doing);
+    }
+}
+
 /* ---- all of a frame ---- */
 
-static void keep_charges(frame *doing, size_t picture_wave, int series, int phase)
+static void keep_charges(frame *doing, size_t picture_wave, int series, int phase, int count)
 {
     const size_t image = (size_t)series * (size_t)doing->sensor.given.phases + (size_t)phase;
-    doing->is_beyond |=
-        charges_of_phase(doing->scene->set, &doing->sensor, &doing->picture, picture_wave, series,
-                         phase, doing->offset, doing->pool, doing->charge_a + image * doing->pixels,
-                         doing->charge_b + image * doing->pixels);
+    doing->is_beyond |= charges_of_phases(doing->scene->set, &doing->sensor, &doing->picture,
+                                          picture_wave, series, phase, count, doing->offset,
+                                          doing->pool, doing->charge_a + image * doing->pixels,
+                                          doing->charge_b + image * doing->pixels);
 }
 
 /* Nothing moves: one sum for all phases and frequencies. */
@@ -226,6 +270,10 @@ static cm_status take_still(frame *doing)
 {
     doing->times = 1;
     const cm_status status = add_time(doing, doing->time, -1, 1.0, 1);
+    if (status == CM_OK)
+    {
+        flag_multipath(doing);
+    }
     for (int series = 0; status == CM_OK && series < doing->sensor.series; series++)
     {
         size_t wave = 0;
@@ -233,10 +281,7 @@ static cm_status take_still(frame *doing)
         {
             wave++;
         }
-        for (int phase = 0; phase < doing->sensor.given.phases; phase++)
-        {
-            keep_charges(doing, wave, series, phase);
-        }
+        keep_charges(doing, wave, series, 0, doing->sensor.given.phases);
     }
     return status;
 }
@@ -256,41 +301,33 @@ static cm_status take_moving(frame *doing)
             status = add_time(doing, time, image / given->phases, 1.0 / doing->times,
                               image == 0 && step == 0);
         }
-        keep_charges(doing, 0, image / given->phases, image % given->phases);
+        keep_charges(doing, 0, image / given->phases, image % given->phases, 1);
+        if (status == CM_OK && image + 1 == given->phases)
+        {
+            flag_multipath(doing);
+        }
     }
     return status;
 }
 
-/* Does scattered light move the distance? Of what moves that is so of the last phase image. */
-static int is_multipath(const frame *doing, size_t cell, double per_turn)
-{
-    const tof_sums *sum = &doing->picture.sum;
-    const double real = sum->direct_real[cell], imaginary = sum->direct_imaginary[cell];
-    const double all_real = sum->real[cell], all_imaginary = sum->imaginary[cell];
-    const double turn = atan2(all_imaginary * real - all_real * imaginary,
-                              all_real * real + all_imaginary * imaginary);
-    return fabs(turn * per_turn) > MULTIPATH_APART;
-}
-
-/* Of the cells of each pixel: one, or three between which circuits are, whose middle one is the pixel's own. */
+/* Of the cells of each pixel: one, or three between which circuits are. */
 static void flag_pixels(size_t begin, size_t end, void *user)
 {
     const frame *doing = user;
-    const tof_sensor *sensor = &doing->sensor;
-    const size_t single = sensor->given.single_readout ? 1 : 0;
-    const double per_turn = sensor_unambiguous(&sensor->given, 0) / (2.0 * PI);
+    const uint8_t *const from = doing->picture.flags;
+    uint8_t *const to = doing->flags;
+    if (!doing->sensor.given.single_readout)
+    {
+        for (size_t i = begin; i < end; i++)
+        {
+            to[i] |= from[i];
+        }
+        return;
+    }
     for (size_t i = begin; i < end; i++)
     {
-        const size_t cell =
-            single ? i / sensor->width * sensor->cells.columns + 2 * (i % sensor->width) : i;
-        for (size_t k = 0; k <= 2 * single; k++)
-        {
-            doing->flags[i] |= doing->picture.flags[cell + k];
-        }
-        if (doing->options.bounces > 0 && is_multipath(doing, cell + single, per_turn))
-        {
-            doing->flags[i] |= CM_TOF_MULTIPATH;
-        }
+        const size_t k = first_cell(&doing->sensor, i);
+        to[i] |= (uint8_t)(from[k] | from[k + 1] | from[k + 2]);
     }
 }
 
@@ -325,24 +362,11 @@ static void put_report(const frame *doing, cm_tof_report *report)
     }
 }
 
-static void put_phases(size_t begin, size_t end, void *user)
-{
-    const frame *doing = user;
-    for (size_t i = begin; i < end; i++)
-    {
-        doing->result->phase[i] = doing->charge_a[i] - doing->charge_b[i];
-    }
-}
-
 static void put_result(frame *doing)
 {
     cm_tof_result *const result = doing->result;
     const size_t images = (size_t)(doing->sensor.series * doing->sensor.given.phases);
     const size_t count = images * doing->pixels;
-    if (result->phase != NULL)
-    {
-        cm_pool_run(doing->pool, count, PIXELS_AT_ONCE, put_phases, doing);
-    }
     if (result->charge_a != NULL)
     {
         memcpy(result->charge_a, doing->charge_a, count * sizeof(float));

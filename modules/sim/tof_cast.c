@@ -7,6 +7,11 @@
 #include <math.h>
 #include <string.h>
 
+enum
+{
+    CONE_LANES = 8
+};
+
 /* A cone around directions of one origin. */
 typedef struct cone
 {
@@ -16,32 +21,60 @@ typedef struct cone
     int is_there;
 } cone;
 
+/* The least cosine of directions to the axis, in lanes that compilers make vectors of. */
+static double least_cosine(const tof_block *block, size_t room, const double axis[3])
+{
+    double least[CONE_LANES];
+    for (size_t k = 0; k < CONE_LANES; k++)
+    {
+        least[k] = 1.0;
+    }
+    for (size_t first = 0; first < room; first += CONE_LANES)
+    {
+        for (size_t k = 0; k < CONE_LANES; k++)
+        {
+            const size_t i = first + k;
+            const double cosine = block->direction[0][i] * axis[0] +
+                                  block->direction[1][i] * axis[1] +
+                                  block->direction[2][i] * axis[2];
+            least[k] = cosine < least[k] ? cosine : least[k];
+        }
+    }
+    double all = 1.0;
+    for (size_t k = 0; k < CONE_LANES; k++)
+    {
+        all = least[k] < all ? least[k] : all;
+    }
+    return all;
+}
+
+/* What whole vectors have beyond n is as the last ray. Few directions are enough for an axis. */
 static cone cone_around(const tof_block *block, size_t n)
 {
+    const size_t room = (n + TOF_ROOM - 1) / TOF_ROOM * TOF_ROOM;
     cone around = {.is_there = 1, .cosine = 1.0};
     double square = 0.0;
     for (int k = 0; k < 3; k++)
     {
         around.apex[k] = block->origin[k][0];
-        for (size_t i = 0; i < n; i++)
+        for (size_t i = 0; i < n; i += CONE_LANES)
         {
-            around.is_there &= block->origin[k][i] == around.apex[k];
-            around.axis[k] += block->direction[k][i];
+            around.axis[k] += block->direction[k][i] + block->direction[k][n - 1 - i];
         }
+        /* each as the next one */
+        around.is_there &=
+            memcmp(block->origin[k], block->origin[k] + 1, (n - 1) * sizeof *block->origin[k]) == 0;
         square += around.axis[k] * around.axis[k];
     }
     const double length = sqrt(square);
     around.is_there &= length > 0.0;
-    for (int k = 0; around.is_there && k < 3; k++)
+    if (around.is_there)
     {
-        around.axis[k] /= length;
-    }
-    for (size_t i = 0; around.is_there && i < n; i++)
-    {
-        const double cosine = block->direction[0][i] * around.axis[0] +
-                              block->direction[1][i] * around.axis[1] +
-                              block->direction[2][i] * around.axis[2];
-        around.cosine = cosine < around.cosine ? cosine : around.cosine;
+        for (int k = 0; k < 3; k++)
+        {
+            around.axis[k] /= length;
+        }
+        around.cosine = least_cosine(block, room, around.axis);
     }
     around.is_there &= around.cosine > 0.1;
     around.sine = sqrt(fmax(0.0, 1.0 - around.cosine * around.cosine)) + 1e-12;

@@ -231,6 +231,43 @@ START_TEST(charges_are_means_of_moments)
 }
 END_TEST
 
+/* How far scattered light moves distances does not depend on whether anything moves: of two frequencies it is that of the
+ * first. Here the camera moves by a millionth of a pixel. */
+START_TEST(multipath_is_flagged_by_the_first_frequency)
+{
+    static uint8_t still[PIXELS];
+    const double stamp[2] = {0.0, 1.0};
+    const double place[2][3] = {{0, 0, 0}, {1e-7, 0, 0}};
+    cm_trajectory *path = make_motion(2, stamp, place);
+    cm_primitive both[2] = {wall, wall};
+    both[1].material.reflectance = 0.02;
+    both[1].first[0] = 2.5;
+    both[1].second[0] = 1.0;
+    both[1].second[2] = 0.0;
+    stage at = make_stage(both, 2);
+    at.sensor.second_frequency = 100e6;
+    const cm_tof_options options = {.size = sizeof options, .bounces = 1};
+    cm_tof_result result = {.size = sizeof result, .flags = still};
+    ck_assert_int_eq(
+        cm_tof_simulate(at.scene, &at.sensor, &at.light, 1, NULL, 0.0, &options, NULL, &result),
+        CM_OK);
+    result.flags = flags;
+    ck_assert_int_eq(
+        cm_tof_simulate(at.scene, &at.sensor, &at.light, 1, path, 0.0, &options, NULL, &result),
+        CM_OK);
+    size_t flagged = 0, other = 0;
+    for (size_t i = 0; i < PIXELS; i++)
+    {
+        flagged += still[i] & CM_TOF_MULTIPATH ? 1 : 0;
+        other += ((still[i] ^ flags[i]) & CM_TOF_MULTIPATH) != 0 ? 1 : 0;
+    }
+    REQUIRE(flagged > 100 && flagged < PIXELS - 100, "%zu pixels are flagged", flagged);
+    REQUIRE(other < 10, "%zu pixels are flagged otherwise while something moves", other);
+    free_stage(&at);
+    cm_trajectory_destroy(path);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {what_begins_to_move_later_counts,
@@ -239,6 +276,7 @@ int main(void)
                                   what_is_not_seen_does_not_count,
                                   what_comes_nearer_counts,
                                   charges_are_means_of_moments,
+                                  multipath_is_flagged_by_the_first_frequency,
                                   NULL};
     return run_suite("exposure steps", tests);
 }

@@ -71,8 +71,20 @@ START_TEST(clocks_decide_nothing)
 }
 END_TEST
 
-/* The root mean square of what noise changes of distances. */
-static double spread_of_noise(const stage *at, const cm_tof_options *options)
+/* From where on distances of 20 MHz, and another frequency with them, repeat. */
+static double range_of(const cm_tof_sensor *sensor)
+{
+    int wraps = 1;
+    while (sensor->second_frequency > 0.0 &&
+           fmod(wraps * sensor->second_frequency, sensor->frequency) != 0.0)
+    {
+        wraps++;
+    }
+    return wraps * 0.5 * CM_SPEED_OF_LIGHT / sensor->frequency;
+}
+
+/* The root mean square of what noise changes of distances, around their circle. */
+static double spread_of_noise(const stage *at, const cm_tof_options *options, double range)
 {
     static float clean[PIXELS];
     cm_tof_options with = *options;
@@ -84,8 +96,8 @@ static double spread_of_noise(const stage *at, const cm_tof_options *options)
     ck_assert_int_eq(simulate(at, &with), CM_OK);
     for (size_t i = 0; i < PIXELS; i++)
     {
-        squares +=
-            ((double)distance[i] - (double)clean[i]) * ((double)distance[i] - (double)clean[i]);
+        const double apart = remainder((double)distance[i] - (double)clean[i], range);
+        squares += apart * apart;
     }
     return sqrt(squares / PIXELS);
 }
@@ -102,12 +114,18 @@ START_TEST(noise_is_that_of_frames)
         int shot;
         size_t terms;
         const cm_tof_environment *environment;
-    } kinds[] = {{"Poisson", 0, 0, 0, CM_TOF_POISSON, 0, NULL},
-                 {"circuits", 1e5, 30, 0.02, CM_TOF_POISSON, 0, NULL},
-                 {"surroundings", 0, 0, 0, CM_TOF_POISSON, 0, &sky},
-                 {"Freeman and Tukey", 0, 0, 0, CM_TOF_FREEMAN_TUKEY, 0, NULL},
-                 {"nine times the variance", 0, 0, 0, CM_TOF_FREEMAN_TUKEY, 1, NULL},
-                 {"all", 1e5, 30, 0.02, CM_TOF_FREEMAN_TUKEY, 1, &sky}};
+        double second_frequency, bound;
+    } kinds[] = {{"Poisson", 0, 0, 0, CM_TOF_POISSON, 0, NULL, 0, 0.05},
+                 {"circuits", 1e5, 30, 0.02, CM_TOF_POISSON, 0, NULL, 0, 0.05},
+                 {"surroundings", 0, 0, 0, CM_TOF_POISSON, 0, &sky, 0, 0.05},
+                 {"Freeman and Tukey", 0, 0, 0, CM_TOF_FREEMAN_TUKEY, 0, NULL, 0, 0.05},
+                 {"nine times the variance", 0, 0, 0, CM_TOF_FREEMAN_TUKEY, 1, NULL, 0, 0.05},
+                 {"all", 1e5, 30, 0.02, CM_TOF_FREEMAN_TUKEY, 1, &sky, 0, 0.05},
+                 {"two frequencies", 1e5, 30, 0.02, CM_TOF_POISSON, 0, NULL, 15e6, 0.05},
+                 {"two and a pattern", 0, 0, 0.1, CM_TOF_POISSON, 0, NULL, 35e6, 0.05},
+                 {"one repeats in the other", 0, 0, 0, CM_TOF_POISSON, 0, NULL, 40e6, 0.05},
+                 /* some hundred pixels of 3072, whose number is by chance, too */
+                 {"wrong wraps", 1e5, 150, 0, CM_TOF_POISSON, 0, NULL, 19e6, 0.15}};
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
     {
         const cm_primitive far = {.size = sizeof far,
@@ -120,6 +138,7 @@ START_TEST(noise_is_that_of_frames)
         at.sensor.dark = kinds[i].dark;
         at.sensor.read_noise = kinds[i].read_noise;
         at.sensor.fixed_pattern = kinds[i].fixed_pattern;
+        at.sensor.second_frequency = kinds[i].second_frequency;
         at.sensor.shot_terms = kinds[i].terms;
         at.sensor.shot_variance = nine;
         at.sensor.shot_least = 1.0;
@@ -136,14 +155,33 @@ START_TEST(noise_is_that_of_frames)
         ck_assert_int_eq(cm_tof_plan(at.scene, &at.sensor, &at.light, 1, NULL, 0.0, 0.0, &most,
                                      NULL, &chosen, &budget),
                          CM_OK);
-        const double measured = spread_of_noise(&at, &most);
+        const double measured = spread_of_noise(&at, &most, range_of(&at.sensor));
         printf("%s: %.3f mm, %.3f mm planned\n", kinds[i].name, 1e3 * measured,
                1e3 * entry[4].contribution);
         ck_assert_str_eq(entry[4].name, "noise");
-        REQUIRE(fabs(entry[4].contribution - measured) < 0.05 * measured, "%s: %g m, not %g",
-                kinds[i].name, entry[4].contribution, measured);
+        REQUIRE(fabs(entry[4].contribution - measured) < kinds[i].bound * measured,
+                "%s: %g m, not %g", kinds[i].name, entry[4].contribution, measured);
         free_stage(&at);
     }
+}
+END_TEST
+
+/* A ball between the rays through pixels' middles, almost as far as distances repeat: all of it is what samples bring. */
+START_TEST(what_one_frame_alone_sees_counts_in_full)
+{
+    const cm_primitive small = {.size = sizeof small,
+                                .kind = CM_PRIMITIVE_SPHERE,
+                                .first = {0.074, 0.074, 7.4},
+                                .radius = 0.06,
+                                .material = {{1, 1, 1}, 0.8}};
+    stage at = make_stage(&small, 1);
+    cm_budget_entry entry[CM_TOF_EFFECTS] = {{0}};
+    cm_budget budget = {.size = sizeof budget, .entry = entry};
+    cm_tof_options chosen = {.size = sizeof chosen};
+    plan(&at, 1.0, &chosen, &budget);
+    ck_assert_double_eq_tol(entry[0].contribution, 7.35, 0.05);
+    ck_assert_int_eq(entry[0].is_kept, 1);
+    free_stage(&at);
 }
 END_TEST
 
@@ -357,6 +395,33 @@ START_TEST(bounces_are_not_more_than_given)
 }
 END_TEST
 
+/* What is told is what is done: paths have shadows, further bounces and shadows the first one; by whatever limit. */
+START_TEST(what_comes_along_is_not_told_as_dropped)
+{
+    static const double limits[] = {0.3, 0.1, 0.06, 0.03, 0.02, 0.01};
+    const cm_primitive room[4] = {corner[0], corner[1], corner[2], ball};
+    stage at = make_stage(room, 4);
+    int along = 0;
+    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
+    {
+        cm_budget_entry entry[CM_TOF_EFFECTS] = {{0}};
+        cm_budget budget = {.size = sizeof budget, .entry = entry};
+        const cm_tof_options most = {.size = sizeof most, .paths = 16};
+        cm_tof_options chosen = {0};
+        plan_most(&at, limits[i], &most, NULL, &chosen, &budget);
+        const int by_paths = chosen.bounces > 1 || (chosen.bounces == 1 && chosen.traces);
+        ck_assert(entry[MULTIPATH].contribution > 0.0 && entry[VISIBILITY].contribution > 0.0);
+        ck_assert_int_eq(entry[FURTHER].is_kept, chosen.bounces > 1);
+        ck_assert_int_eq(entry[MULTIPATH].is_kept, chosen.bounces > 0);
+        ck_assert_int_eq(entry[VISIBILITY].is_kept, chosen.bounces > 0 && chosen.visibility);
+        ck_assert(!by_paths || chosen.visibility);
+        along += strcmp(entry[VISIBILITY].reason, "paths have it") == 0 ? 1 : 0;
+    }
+    ck_assert_int_gt(along, 0);
+    free_stage(&at);
+}
+END_TEST
+
 /* Neither threads nor clocks choose, also where some effects must go and others not. */
 START_TEST(plans_have_one_answer)
 {
@@ -391,11 +456,13 @@ int main(void)
 {
     const TTest *const tests[] = {clocks_decide_nothing,
                                   noise_is_that_of_frames,
+                                  what_one_frame_alone_sees_counts_in_full,
                                   spread_of_paths_is_that_of_frames,
                                   paths_are_as_many_as_the_limit_needs,
                                   error_of_lights_is_that_beside_paths,
                                   error_of_lights_beside_a_ball_is_not_told_too_small,
                                   bounces_are_not_more_than_given,
+                                  what_comes_along_is_not_told_as_dropped,
                                   plans_have_one_answer,
                                   NULL};
     return run_suite("plan", tests);
