@@ -50,7 +50,7 @@ class Argument:
 
     def __init__(self, listed, declared):
         self.name, self.direction, self.shape, self.is_text = camel(listed.name), listed.direction, listed.shape, listed.is_text
-        self.base, self.pointers, self.extents = declared.base, declared.pointers, declared.extents
+        self.base, self.constant, self.pointers, self.extents = declared.base, declared.constant, declared.pointers, declared.extents
         self.kind = KINDS.get(declared.base)
         self.is_nullable = False
         if declared.base in RESULTS:
@@ -401,7 +401,7 @@ class Writer:
             lines += [f"const isFloat = M.isFloat({real.name});", "const R = isFloat ? F32 : F64;"]
             R = "R"
         if call.handle() is not None:
-            values[call.handle().name] = "this.pointer"
+            values[call.handle().name] = "this.pointer" if call.handle().constant else "this.pointerToChange"
         for one in call.arguments:
             kind = R if one.kind == "F64" else one.kind
             if one.name == "n":
@@ -472,7 +472,7 @@ class Writer:
         inputs, room = self.parameters(call)
         values, lines, outputs = {}, [], []
         if call.handle() is not None:
-            values[call.handle().name] = "this.pointer"
+            values[call.handle().name] = "this.pointer" if call.handle().constant else "this.pointerToChange"
         for one in room:
             values[one.name] = number_text(one.base, one.name, one.name)
         for one in call.arguments:
@@ -597,7 +597,7 @@ class Writer:
             else:
                 parts = []
                 for name, calls in methods.items():
-                    text = self.wrapped(*self.function(name, calls)).replace("this.pointer", "0")
+                    text = self.wrapped(*self.function(name, calls)).replace("this.pointerToChange", "0").replace("this.pointer", "0")
                     parts.append(f"{name}{text},")
                 texts.append(f"const {owner} = Object.freeze({{\n" + "\n".join(parts) + "\n});")
         return "\n\n".join(texts)

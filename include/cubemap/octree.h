@@ -156,7 +156,7 @@ CM_API int cm_octree_ray(const cm_octree *octree, const double origin[3], const 
 CM_API int cm_octree_nearest(const cm_octree *octree, const double point[3], double radius,
                              cm_voxel *voxel);
 
-/* Called for a voxel; what is not 0 ends the walk with CM_ERROR_STOPPED. */
+/* Called for a voxel; what is not 0 ends the walk with CM_ERROR_STOPPED. It may read the octree, but not change or destroy it. */
 typedef int (*cm_voxel_job)(void *user, const cm_voxel *voxel);
 
 /* All known voxels of level 0 along a ray up to far, in its order; of a box [least, greatest], those whose centre is in it,

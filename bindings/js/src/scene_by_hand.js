@@ -199,8 +199,8 @@ export function cm_store_next(of, store, after) {
 
 // ---- Octrees
 
-/** walk(job) with a job that calls visit; what visit throws is thrown after the walk's end. */
-function visitVoxels(of, visit, walk) {
+/** walk(pointer, job) of an octree with a job that calls visit; what visit throws is thrown after the walk's end. */
+function visitVoxels(of, octree, visit, walk) {
     const { X, check, structs } = of;
     const callbacks = callbacksOf(X);
     const before = callbacks.voxel;
@@ -215,7 +215,7 @@ function visitVoxels(of, visit, walk) {
     };
     let status;
     try {
-        status = walk(X.cubemap_voxel_job());
+        status = octree.whileRead((pointer) => walk(pointer, X.cubemap_voxel_job()));
     } finally {
         callbacks.voxel = before;
     }
@@ -228,17 +228,17 @@ function visitVoxels(of, visit, walk) {
 export function cm_octree_walk_ray(of, octree, origin, direction, far, visit) {
     const { X, M, number } = of;
     const [from, along] = [M.input(F64, origin, 3, "origin"), M.input(F64, direction, 3, "direction")];
-    visitVoxels(of, visit, (job) => X.cm_octree_walk_ray(octree.pointer, from, along, number(far, "far"), job, 0));
+    visitVoxels(of, octree, visit, (pointer, job) => X.cm_octree_walk_ray(pointer, from, along, number(far, "far"), job, 0));
 }
 
 export function cm_octree_walk_box(of, octree, least, greatest, visit) {
     const { X, M } = of;
     const [from, to] = [M.input(F64, least, 3, "least"), M.input(F64, greatest, 3, "greatest")];
-    visitVoxels(of, visit, (job) => X.cm_octree_walk_box(octree.pointer, from, to, job, 0));
+    visitVoxels(of, octree, visit, (pointer, job) => X.cm_octree_walk_box(pointer, from, to, job, 0));
 }
 
 export function cm_octree_walk_changes(of, octree, since, visit) {
-    visitVoxels(of, visit, (job) => of.X.cm_octree_walk_changes(octree.pointer, big(since, "since", false), job, 0));
+    visitVoxels(of, octree, visit, (pointer, job) => of.X.cm_octree_walk_changes(pointer, big(since, "since", false), job, 0));
 }
 
 /** Arrays, since voxels are many. */
@@ -272,7 +272,7 @@ export function cm_octree_save(of, octree, store, userData) {
     const { X, M, check, pointerOf, classes } = of;
     const bytes = userData === undefined || userData === null ? new Uint8Array(0) : bytesOf(userData, "userData");
     const p = bytes.length === 0 ? 0 : M.input(U8, bytes, bytes.length, "userData");
-    check(X.cm_octree_save(octree.pointer, pointerOf(store, classes.Store, "store"), p, bytes.length));
+    check(X.cm_octree_save(octree.pointerToChange, pointerOf(store, classes.Store, "store"), p, bytes.length));
 }
 
 export function cm_octree_user_data(of, octree) {
@@ -312,5 +312,5 @@ export function cm_hull_carve(of, octree, masks, outsideSurvives = false) {
     }
     const p = M.zeros(at.BYTES * masks.length);
     masks.forEach((view, i) => structs.write_cm_view(view, p + at.BYTES * i));
-    check(X.cm_hull_carve(octree.pointer, masks.length, p, outsideSurvives ? 1 : 0, 0));
+    check(X.cm_hull_carve(octree.pointerToChange, masks.length, p, outsideSurvives ? 1 : 0, 0));
 }

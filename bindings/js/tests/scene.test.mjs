@@ -128,6 +128,15 @@ test("walks call a function for each voxel", () => {
     octree.walkBox([-1, -1, 1], [1, 1, 2], () => ++all === 5);
     assert.equal(all, 5);
     assert.throws(() => octree.walkBox([-1, -1, 1], [1, 1, 2], () => { throw new Error("mine"); }), /^Error: mine$/);
+    // what a walk reads stays as it is until its end; reading it is allowed
+    for (const change of [() => octree.free(), () => octree.compact(), () => octree.save(new lib.Store()),
+        () => octree.updatePoints([0, 0, 1.2], Float32Array.of(0.5, 0.5, 1.2), Uint8Array.of(255, 0, 0)),
+        () => octree.walkRay([0, 0.2, 1.8], [1, 0, 0], 0, () => octree.free())]) {
+        assert.throws(() => octree.walkBox([-1, -1, 1], [1, 1, 2], change), /^ReferenceError: the Octree is being read: /);
+    }
+    let read = 0;
+    octree.walkBox([-1, -1, 1], [1, 1, 2], ({ x, y, z }) => { octree.walkRay([0, 0.2, 1.8], [1, 0, 0], 0, () => { read++; }); octree.at([x, y, z]); });
+    assert.ok(read > 100);
     const since = octree.step;
     octree.updatePoints([0, 0, 1.2], Float32Array.of(0.5, 0.5, 1.2), Uint8Array.of(255, 0, 0));
     let changed = 0;

@@ -96,6 +96,13 @@ def string_of(write):
     return text.value.decode()
 
 
+def handle_of(given, kind, what):
+    """Its handle; TypeError for what is none of the kind, whose handle the library would take for one."""
+    if not isinstance(given, kind):
+        raise TypeError(f"{what}: a {kind.__name__}, not {type(given).__name__}")
+    return given._handle
+
+
 def checked_text(text, what):
     """The bytes of a text without zero bytes, which would end it."""
     if not isinstance(text, str):

@@ -54,7 +54,11 @@ _PI, _MOST = math.pi, np.finfo(np.float64).max.item()  # names of the module are
 
 
 def _healpix(nside, nest):
-    return _made(nside.item() if isinstance(nside, np.ndarray) and nside.ndim == 0 else nside, nest)
+    if isinstance(nside, np.ndarray):
+        if nside.size != 1:
+            raise ValueError(f"nside is one number here, not {nside.size}")
+        nside = nside.item()
+    return _made(nside, nest)
 
 
 @functools.lru_cache(maxsize=128)
@@ -82,16 +86,20 @@ def _each(nside, nest, method, *arrays):
     """A method of Healpix, also for an array of nsides."""
     if isinstance(nside, int) or np.ndim(nside) == 0:
         return getattr(_healpix(nside, nest), method)(*arrays)
-    nside, *arrays = np.broadcast_arrays(nside, *arrays)
+    masks = [np.ma.getmaskarray(array) for array in (nside, *arrays) if isinstance(array, np.ma.MaskedArray)]
+    nside, *arrays = np.broadcast_arrays(_checked_nside(nside, nest), *arrays)
     found = None
-    for one in np.unique(nside):
+    for one in np.unique(nside).tolist() or [1]:  # of none, to know what kinds of arrays there would be
         here = nside == one
-        part = getattr(_healpix(one.item(), nest), method)(*(array[here] for array in arrays))
+        part = getattr(_healpix(one, nest), method)(*(array[here] for array in arrays))
         parts = part if isinstance(part, tuple) else (part,)
         if found is None:
             found = tuple(np.empty((*nside.shape, *one_part.shape[1:]), one_part.dtype) for one_part in parts)
         for to, one_part in zip(found, parts, strict=True):
             to[here] = one_part
+    if masks:
+        masked = np.broadcast_to(functools.reduce(np.logical_or, masks), nside.shape)
+        found = tuple(np.ma.array(one, mask=masked) for one in found)
     return found if len(found) > 1 else found[0]
 
 
@@ -136,7 +144,7 @@ def pix2ang(nside: ArrayLike, ipix: ArrayLike, nest: bool = False, lonlat: bool 
             return lon + 360.0 if lon < 0 else lon, math.degrees(lat)
         lon, lat = _each(nside, nest, "lonlat_from_pixel", ipix)
         lon, lat = np.degrees(lon), np.degrees(lat)
-        return np.where(lon < 0, lon + 360.0, lon)[()], lat
+        return lon + np.where(lon < 0, 360.0, 0.0), lat  # a sum keeps the mask of a masked array
     if type(nside) is int:
         return (_to_angles.get((nside, nest)) or _bind(_to_angles, "angles_from_pixel", nside, nest))(ipix)
     return _each(nside, nest, "angles_from_pixel", ipix)
@@ -204,8 +212,9 @@ def ring2nest(nside: ArrayLike, ipix: ArrayLike) -> Any:
 def get_all_neighbours(nside: ArrayLike, theta: ArrayLike, phi: ArrayLike | None = None, nest: bool = False,
                        lonlat: bool = False) -> np.ndarray:
     """The neighbours SW, W, NW, N, NE, E, SE and S, along the first axis; -1 where there is none."""
+    # what has no mask for eight of each
+    nside, theta, phi = (np.ma.getdata(one) if isinstance(one, np.ma.MaskedArray) else one for one in (nside, theta, phi))
     pixel = theta if phi is None else ang2pix(nside, theta, phi, nest, lonlat)
-    pixel = np.ma.getdata(pixel) if isinstance(pixel, np.ma.MaskedArray) else pixel  # what has no mask for eight of each
     if type(nside) is int and type(pixel) is int:
         return _core.pixel_neighbours(_handles.get((nside, nest)) or _bind(_handles, "_handle", nside, nest), pixel)
     found = _each(nside, nest, "neighbours", pixel)
@@ -234,6 +243,8 @@ def isnsideok(nside: ArrayLike, nest: bool = False) -> Any:
     if type(nside) is int:
         return 0 < nside <= NSIDE_MAX and not (nest and nside & (nside - 1))
     nside = np.asarray(nside)
+    if nside.dtype.kind in "SU":
+        raise TypeError("nside is a number, not a text")
     whole = nside.astype(np.int64)
     good = (nside == whole) & (whole > 0) & (whole <= NSIDE_MAX)
     good = good & ((whole & (whole - 1)) == 0) if nest else good
@@ -327,7 +338,10 @@ def get_map_size(m: ArrayLike) -> int:
 
 def get_nside(m: ArrayLike) -> int:
     """The nside of a map, or of several of one size."""
-    return npix2nside(_map_shape(m)[-1])
+    npix = _map_shape(m)[-1]
+    if not isnpixok(npix):
+        raise TypeError(f"bad number of pixels: {npix}")
+    return npix2nside(npix)
 
 
 def _map_shape(m):

@@ -187,7 +187,7 @@ def images_in(shape, pictures, writes=False):
     name = pictures.dtype.name
     if name not in PIXEL_TYPES or not pictures.dtype.isnative:
         raise TypeError(f"pictures: {', '.join(PIXEL_TYPES)}, not {pictures.dtype}")
-    if pictures.shape[:len(shape)] != shape or pictures.ndim > len(shape) + 1:
+    if pictures.shape[:len(shape)] != shape or pictures.ndim > len(shape) + 1 or pictures.shape[-1] == 0:
         raise ValueError(f"pictures: {shape} or {(*shape, 'channels')}, not {pictures.shape}")
     stacked = pictures if len(shape) == 3 else pictures[np.newaxis]
     stacked = stacked if stacked.ndim == 4 else stacked[..., np.newaxis]

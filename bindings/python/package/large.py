@@ -20,6 +20,7 @@ Dask has its own.
 from __future__ import annotations
 
 import itertools
+import math
 import re
 from typing import Any
 
@@ -246,6 +247,10 @@ def reproject(raster: Any, target: str = "cube:coupled", size: int | None = None
         raise TypeError(f"raster: {', '.join(PIXEL_TYPES)}, not {array.dtype}")
     if tile < 1:
         raise ValueError(f"tile: 1 or more, not {tile}")
+    if array.ndim not in (2, 3) or not all(array.shape):
+        raise ValueError(f"raster: rows and columns, and channels if there are some, not the shape {array.shape}")
+    if not -math.inf < west < east < math.inf or not -math.inf < south < north < math.inf:
+        raise ValueError(f"the raster's outer edges: from {west} to {east} in longitude, from {south} to {north} in latitude")
     flat = array.ndim == 2
     array = array[..., np.newaxis] if flat else array
     array = array.rechunk({2: -1})

@@ -21,7 +21,7 @@ from . import _library as library
 from ._errors import Error
 from ._method import name_results
 from ._methods import OctreeMethods
-from ._texts import checked_text, created, number_of, struct
+from ._texts import checked_text, created, handle_of, number_of, struct
 from .camera import DEPTH_KINDS, Camera
 from .images import PIXEL_TYPES, images_in
 from .mapping import checked_threads, pool_of
@@ -184,7 +184,7 @@ class Octree(OctreeMethods):
 
     def merge(self, other: Octree, pose: Pose | None = None) -> None:
         """Add another map of the same rule; the pose takes its points to this one's."""
-        library.cm_octree_merge(self._handle, other._handle, pose_pointer(pose))
+        library.cm_octree_merge(self._handle, handle_of(other, Octree, "other"), pose_pointer(pose))
 
     def compact(self) -> None:
         """Give memory back; nothing that is asked changes."""
@@ -285,13 +285,14 @@ class Octree(OctreeMethods):
         light          the place of a virtual light with a shadow of light_angle; ambient: of the light everywhere
         mesh           a Raster before the same camera, whose pixels hide what is behind; mesh_color (rows, columns, 3)
         """
+        before = handle_of(camera, Camera, "camera")
         shading = struct(library.cm_octree_shading, coarsest=coarsest, far=far, light=light is not None,
                          light_angle=light_angle, ambient=ambient, pool=None if self._pool is None else self._pool.address)
         shading.background[:] = _three(background, "background")
         if light is not None:
             shading.light_position[:] = _three(light, "light")
         if mesh is not None:
-            shading.mesh = mesh._handle.address
+            shading.mesh = handle_of(mesh, Raster, "mesh").address
         if mesh_color is not None:
             mesh_color = np.ascontiguousarray(mesh_color, np.float32)
             if mesh_color.shape != (*camera.shape, 3):
@@ -302,14 +303,14 @@ class Octree(OctreeMethods):
         pictures = [np.empty((*camera.shape, channels), dtype) if color else None,
                     np.empty(camera.shape, np.float32) if depth else None]
         given = [None if one is None else images_in(camera.shape, one, writes=True)[0] for one in pictures]
-        library.cm_octree_render(self._handle, camera._handle, pose_pointer(pose), ctypes.byref(shading), *given)
+        library.cm_octree_render(self._handle, before, pose_pointer(pose), ctypes.byref(shading), *given)
         return OctreePicture(*pictures)
 
 
 def _paging(memory, pages, instructions):
     """The options of a map that the file does not keep."""
     text = None if instructions is None else checked_text(instructions, "instructions")
-    return {"memory": memory, "pages": None if pages is None else pages._handle.address, "instructions": text}
+    return {"memory": memory, "pages": None if pages is None else handle_of(pages, Store, "pages").address, "instructions": text}
 
 
 def _three(values, name):
@@ -326,7 +327,7 @@ def _pointer(values, name):
 
 def _view(camera, pose, **pictures):
     """A view of the library with these pictures, and what must live as long."""
-    view = struct(library.cm_view, camera=camera._handle.address, pose=pose._struct())
+    view = struct(library.cm_view, camera=handle_of(camera, Camera, "camera").address, pose=pose._struct())
     kept = [camera]
     for name, picture in pictures.items():
         if picture is not None:

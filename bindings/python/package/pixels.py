@@ -22,7 +22,7 @@ from . import _core
 from . import _library as library
 from ._errors import Error, in_words
 from ._methods import HealpixMethods
-from ._texts import Specified, created, number_of, struct
+from ._texts import Specified, created, handle_of, number_of, struct
 from .mapping import checked_threads, options_of
 
 ORDERS = ("ring", "nested")
@@ -122,8 +122,9 @@ class Healpix(HealpixMethods, Specified):
         values = values if values.dtype == np.float32 else values.astype(np.float64, casting="same_kind", copy=False)
         if values.shape != (self.pixel_count,):
             raise ValueError(f"values: {self.pixel_count} numbers, not {values.shape}")
+        target = handle_of(to, Healpix, "to")
         result = np.empty(to.pixel_count, values.dtype)
         options = struct(library.cm_healpix_regrade_options, is_pessimistic=bool(pessimistic), power=power, bad_is_nan=bool(bad_is_nan))
         function = library.cm_healpix_regrade_f32 if values.dtype == np.float32 else library.cm_healpix_regrade
-        function(self._handle, values.ctypes.data, to._handle, result.ctypes.data, ctypes.byref(options))
+        function(self._handle, values.ctypes.data, target, result.ctypes.data, ctypes.byref(options))
         return result

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._errors import Error
-from ._texts import checked_text, created, struct
+from ._texts import checked_text, created, handle_of, struct
 from .camera import Camera, whole_number
 from .mapping import checked_threads
 from .pose import Pose, pose_pointer
@@ -63,7 +63,7 @@ class Raster:
     def __init__(self, camera: Camera, nearest: float = 0.0, *, instructions: str | None = None,
                  threads: int = 1) -> None:
         text = None if instructions is None else checked_text(instructions, "instructions")
-        self._handle = created(library.cm_raster_create, "cm_raster_destroy", camera._handle, nearest, text,
+        self._handle = created(library.cm_raster_create, "cm_raster_destroy", handle_of(camera, Camera, "camera"), nearest, text,
                                keep=camera._handle)
         self._camera = camera
         self._threads = checked_threads(threads)

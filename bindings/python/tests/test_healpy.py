@@ -391,6 +391,58 @@ def test_what_is_no_map_and_no_pixel():
             healpy.boundaries(16, none)
 
 
+NSIDES = pytest.mark.parametrize("nside", [8, np.array([8]), np.array([2, 4, 8]), [2, 4, 8], np.array([[2], [4]])], ids=repr)
+
+
+@NSIDES
+@BOTH
+def test_masks_come_along_with_resolutions_that_are_arrays(nside, nest):
+    pixel = np.ma.masked_array([1, 2, 3], [False, True, False])
+    angle = np.ma.masked_array([0.1, 0.2, 0.3], [False, True, False])
+    for name, arguments in (("pix2ang", (pixel, nest)), ("pix2ang", (pixel, nest, True)), ("pix2vec", (pixel, nest)),
+                            ("ang2pix", (angle, 0.3, nest)), ("ang2pix", (0.3, angle, nest, True)), ("vec2pix", (angle, angle, 1.0, nest))):
+        found = [getattr(module, name)(nside, *arguments) for module in (healpy, reference)]
+        for one, theirs in zip(*found, strict=True) if name.startswith("pix") else [found]:
+            assert type(one) is np.ma.MaskedArray and np.array_equal(one.mask, theirs.mask) and np.ma.allclose(one, theirs)
+    # what has no mask: not the neighbours of what is under one, in other units
+    found = healpy.get_all_neighbours(nside, np.rad2deg(angle), np.rad2deg(angle), nest=nest, lonlat=True)
+    wanted = healpy.get_all_neighbours(nside, np.rad2deg(angle.data), np.rad2deg(angle.data), nest=nest, lonlat=True)
+    assert type(found) is np.ndarray and np.array_equal(found, wanted)
+    nside = np.ma.masked_array(np.broadcast_to(nside, 3) if np.ndim(nside) < 2 else nside, np.arange(np.size(nside)) == 1)
+    assert type(healpy.get_all_neighbours(nside, 1)) is np.ndarray
+
+
+@BOTH
+def test_no_pixels_of_resolutions_that_are_arrays(nest):
+    for nside, pixel in ((np.array([8]), np.array([], int)), (np.array([[2], [4]]), np.array([], int)), ([8], np.empty((0, 1), int))):
+        for name in ("pix2ang", "pix2vec", "get_all_neighbours"):
+            ours, theirs = (np.array(getattr(module, name)(nside, pixel, nest=nest)) for module in (healpy, reference))
+            assert ours.shape == theirs.shape and ours.dtype == theirs.dtype
+        assert healpy.nest2ring(nside, pixel).shape == reference.nest2ring(nside, pixel).shape
+        assert healpy.ang2pix(nside, pixel / 2, pixel / 2, nest).dtype == np.int64
+    for module in (healpy, reference):
+        with pytest.raises(ValueError):
+            module.pix2ang(np.array([0]), np.array([], int), nest)
+
+
+@pytest.mark.parametrize("module", [healpy, reference], ids=["ours", "theirs"])
+def test_kinds_of_errors(module):
+    for nside in ("8", ["8"]):
+        for call in (module.isnsideok, module.nside2pixarea, lambda nside: module.pix2ang(nside, 3)):
+            with pytest.raises(TypeError):
+                call(nside)
+    for npix in (47, 0):
+        with pytest.raises(TypeError):
+            module.get_nside(np.zeros(npix))
+    for call in (lambda values: module.ud_grade(values, 4), lambda values: module.reorder(values, r2n=True)):
+        with pytest.raises(TypeError):
+            call(np.zeros(47))
+    with pytest.raises(ValueError):
+        module.boundaries(np.array([8, 8]), 3)
+    assert module.boundaries(np.array([8]), 3).shape == (3, 4)
+    assert module.query_disc(np.array([8]), (1, 0, 0), 0.3).dtype == np.int64
+
+
 def test_rings_and_pixels():
     hp = Healpix(7)
     assert [hp.ring_info(ring).first for ring in (1, 2)] == [0, 4] and hp.ring_count == 27

@@ -160,5 +160,11 @@ def test_types_beside_numbers_of_python():
 def test_rasters_that_are_refused_at_once():
     with pytest.raises(TypeError, match="raster: .*float32, not float64"):
         large.reproject(np.ones((8, 16)), "cube:coupled", 8)
+    for shape in ((8,), (0, 0), (8, 0), (8, 16, 0), (1, 8, 16, 1)):
+        with pytest.raises(ValueError, match="raster: rows and columns"):
+            large.reproject(np.ones(shape, "f4"), "cube:coupled", 8)
+    for edges in ({"west": 10, "east": 10}, {"west": 20, "east": 10}, {"north": np.nan}, {"south": 90, "north": -90}, {"west": -np.inf}):
+        with pytest.raises(ValueError, match="outer edges"):
+            large.reproject(np.ones((8, 16), "f4"), "cube:coupled", 8, **edges)
     with pytest.raises(ValueError, match="tile: 1 or more"):
         large.reproject(np.ones((8, 16), np.float32), "cube:coupled", 8, tile=0)

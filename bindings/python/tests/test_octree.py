@@ -222,3 +222,19 @@ def test_options():
             made.update(wrong, CAMERA, AHEAD)
     with pytest.raises(cubemap.Error):
         made.extract(11)
+
+
+def test_objects_of_other_kinds_are_refused():
+    """The library would take their handles for what it asked for."""
+    camera, octree, other = cubemap.Camera(16, 12, 12, 12, 7.5, 5.5), cubemap.Octree(0.1, 6), cubemap.Healpix(8)
+    depth = np.ones(camera.shape, np.float32)
+    for call, words in ((lambda: octree.merge(other), "other: a Octree, not Healpix"),
+                        (lambda: octree.update(depth, Pose()), "camera: a Camera, not Pose"),
+                        (lambda: octree.update(depth, other), "camera: a Camera, not Healpix"),
+                        (lambda: octree.render(other), "camera: a Camera, not Healpix"),
+                        (lambda: octree.render(camera, mesh=other), "mesh: a Raster, not Healpix"),
+                        (lambda: cubemap.Octree(0.1, 6, pages=other), "pages: a Store, not Healpix"),
+                        (lambda: cubemap.Raster(other), "camera: a Camera, not Healpix"),
+                        (lambda: other.regrade(np.ones(768), 4), "to: a Healpix, not int")):
+        with pytest.raises(TypeError, match=words):
+            call()

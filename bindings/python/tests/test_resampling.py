@@ -70,6 +70,8 @@ def test_strides_of_pictures(random):
     for bad in (picture.astype(np.float64), picture[:10], np.zeros((6, 64, 128, 3), np.float32)):
         with pytest.raises((TypeError, ValueError)):
             plan.resample(bad)
+    with pytest.raises(ValueError, match="pictures: "):  # not: out
+        plan.resample(picture[..., :0])
     with pytest.raises(ValueError):
         plan.resample(picture, out=np.zeros((6, 32, 32, 4), np.float32))
     fixed = np.zeros((6, 32, 32, 3), np.float32)

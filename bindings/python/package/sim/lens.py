@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _library as library
-from .._texts import created, struct
+from .._texts import created, handle_of, struct
 from ..camera import Camera
 from ..mapping import pool_of
 from ._dense import dense
@@ -26,7 +26,7 @@ from ._dense import dense
 def lens_frustum(camera: Camera) -> np.ndarray:
     """The planes of the picture's left, right, upper and lower edge at z = 1, of the camera without its distortion."""
     frustum = np.empty(4)
-    library.cm_lens_frustum(camera._handle, frustum.ctypes.data)
+    library.cm_lens_frustum(handle_of(camera, Camera, "camera"), frustum.ctypes.data)
     return frustum
 
 
@@ -34,7 +34,7 @@ def lens_guard(camera: Camera, delta: float = 0.1) -> float:
     """How far vertices must be kept around the frustum, in normalised device coordinates: 1 + delta + what the lens
     brings in from beyond it."""
     guard = ctypes.c_double()
-    library.cm_lens_guard(camera._handle, delta, ctypes.byref(guard))
+    library.cm_lens_guard(handle_of(camera, Camera, "camera"), delta, ctypes.byref(guard))
     return guard.value
 
 
@@ -47,7 +47,7 @@ def lens_move_vertices(camera: Camera, points: ArrayLike, guard: float = 0.0) ->
     given = np.ascontiguousarray(np.moveaxis(points, -1, 0))
     moved = np.empty_like(given)
     addresses = [one.ctypes.data for side in (given.reshape(3, -1), moved.reshape(3, -1)) for one in side]
-    library.cm_lens_move_vertices(camera._handle, guard, points.size // 3, *addresses)
+    library.cm_lens_move_vertices(handle_of(camera, Camera, "camera"), guard, points.size // 3, *addresses)
     return np.moveaxis(moved, 0, -1)
 
 
@@ -55,7 +55,7 @@ def lens_pinhole(camera: Camera, scale: float = 0.0) -> Camera:
     """The pinhole whose picture covers the whole distorted one. Its focal lengths are the camera's times scale; 0: so
     many times that neighbours are nowhere less than a pixel apart."""
     options = struct(library.cm_camera_options)
-    library.cm_lens_pinhole(camera._handle, scale, ctypes.byref(options))
+    library.cm_lens_pinhole(handle_of(camera, Camera, "camera"), scale, ctypes.byref(options))
     return Camera(*(getattr(options, name) for name in ("width", "height", "fx", "fy", "cx", "cy", "pixel_centre")))
 
 
@@ -77,7 +77,7 @@ class LensMap:
     def __init__(self, camera: Camera, pinhole: Camera | None = None, *, threads: int = 1) -> None:
         self._cameras = (camera, lens_pinhole(camera) if pinhole is None else pinhole)
         self._pool = pool_of(threads)
-        handles = tuple(one._handle for one in self._cameras)
+        handles = tuple(handle_of(one, Camera, "cameras") for one in self._cameras)
         self._handle = created(library.cm_lens_map_create, "cm_lens_map_destroy", *handles, self._pool, keep=handles)
 
     def __repr__(self):

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from .. import _library as library
 from .. import _methods
-from .._texts import number_of, struct
+from .._texts import handle_of, number_of, struct
 from ..mapping import pool_of
 from ..pose import Pose, pose_pointer
 from ..world import Scene
@@ -130,6 +130,6 @@ def texel_render(scene: Scene, pose: Pose, options: TexelOptions, *, threads: in
     whole = texel_complete(options)
     color = np.empty((whole.height, whole.width, 3), np.float32)
     made, image = _image(whole, color, np.empty((whole.rows, whole.columns), np.float32))
-    library.cm_texel_render(scene._handle, pose_pointer(pose), ctypes.byref(options._struct()), pool_of(threads),
-                            ctypes.byref(made))
+    library.cm_texel_render(handle_of(scene, Scene, "scene"), pose_pointer(pose), ctypes.byref(options._struct()),
+                            pool_of(threads), ctypes.byref(made))
     return image

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _library as library
-from .._texts import Specified, created, struct
+from .._texts import Specified, created, handle_of, struct
 from ..budget import Budget
 from ..camera import Camera, whole_number
 from ..mapping import Mapping, checked_threads, mapping_of, pool_of
@@ -115,7 +115,7 @@ class Sensor(NamedTuple):
         mask = dense(self.mask, "mask", (None, None)) if np.size(self.mask) else None
         harmonic = dense(self.harmonics, "harmonics", (None,), np.float64)
         shot = dense(self.shot_variance, "shot_variance", (None,), np.float64)
-        made = struct(library.cm_tof_sensor, camera=self.camera._handle.address, mask=address(mask),
+        made = struct(library.cm_tof_sensor, camera=handle_of(self.camera, Camera, "camera").address, mask=address(mask),
                       harmonics=harmonic.size, harmonic=address(harmonic) if harmonic.size else None,
                       shot_terms=shot.size, shot_variance=address(shot) if shot.size else None, **numbers)
         made.shot_least, made.shot_most = dense(self.shot_range, "shot_range", (2,), np.float64).tolist()
@@ -275,7 +275,7 @@ def _path(trajectory):
 
 
 def _handle(trajectory):
-    return None if trajectory is None else trajectory._handle
+    return None if trajectory is None else handle_of(trajectory, Trajectory, "trajectory")
 
 
 class TofScene(Specified):
@@ -295,7 +295,8 @@ class TofScene(Specified):
     _standard = {"threads": 1}
 
     def __init__(self, scene: Scene, *, threads: int = 1) -> None:
-        self._handle = created(library.cm_tof_scene_create, "cm_tof_scene_destroy", scene._handle, keep=scene._handle)
+        world = handle_of(scene, Scene, "scene")
+        self._handle = created(library.cm_tof_scene_create, "cm_tof_scene_destroy", world, keep=world)
         self._scene, self._threads = scene, checked_threads(threads)
         self._pool = pool_of(threads)
 
