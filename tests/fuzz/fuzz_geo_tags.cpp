@@ -39,6 +39,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     }
     set_input(data + 1, size - 1);
+    const bool cut = cm_geo_tags_are_cut("/proc/self/fd/0", data[0] % 4);
+    set_input(data + 1, size - 1);
     cm_image_geo_tags *const tags = cm_geo_tags_read("/proc/self/fd/0", data[0] % 4);
     if (tags != nullptr)
     {
@@ -51,5 +53,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         EXPECT(tags->no_data == nullptr || strlen(tags->no_data) <= size, "%zu bytes", size);
     }
     std::free(tags);
+    if (cut) // there is a head, and a directory with an entry
+    {
+        EXPECT(size > 8 + 2 + 12, "%zu bytes", size);
+    }
     return 0;
 }

@@ -254,8 +254,8 @@ P
     rm -rf whole made
 }
 
-# A picture of 54 MB and 216 MB of coefficients, of which no more than 32 MB may be in memory without a ceiling either. PPM is
-# read by rows, as TIFF is.
+# A picture of 54 MB and 216 MB of coefficients, of which no more than 32 MB may be in memory without a ceiling either. PPM and
+# PFM are read by rows, as TIFF is: one of 216 MB, four times the TIFF file, takes no more below a ceiling.
 memory_ceiling()
 {
     python3 - "$programs/cubemap-reproject" "$earth" >peaks.txt <<'P'
@@ -271,19 +271,23 @@ def peak(*words):
     return usage.ru_maxrss if status == 0 else 0
 spline = ["--filter", "bspline5", "--size", "64", "large.tif"]
 bilinear = ["--filter", "bilinear", "--layout", "3x2", "--size", "1500"]
-subprocess.run([program, "--quiet", "--to", "equirect", "--size", "6000", "--filter", "nearest", "large.tif", "large.ppm"],
-               check=True)
+for copy in "large.ppm", "large.pfm":
+    subprocess.run([program, "--quiet", "--to", "equirect", "--size", "6000", "--filter", "nearest", "large.tif", copy],
+                   check=True)
 print(peak(*spline), peak("--memory", "64M", *spline), peak(*bilinear, "large.tif"),
-      peak(*bilinear, "large.ppm"), peak("--filter", "nearest", "--size", "64", "large.tif"))
+      peak(*bilinear, "large.ppm"), peak("--filter", "nearest", "--size", "64", "large.tif"),
+      peak("--memory", "64M", *bilinear, "large.tif"), peak("--memory", "64M", *bilinear, "large.pfm"))
 P
-    read -r free below tiff ppm nearest <peaks.txt
+    read -r free below tiff ppm nearest tiff_below pfm_below <peaks.txt
     [ "$nearest" -gt 0 ] && [ "$((free - nearest))" -le 32768 ]
     result $? 'coefficients take 32 MB at most' "$(cat peaks.txt) kB"
     [ "$below" -gt 0 ] && [ "$((free - below))" -gt 30000 ]
     result $? 'less memory with --memory than without' "$(cat peaks.txt) kB"
     [ "$ppm" -gt 0 ] && [ "$ppm" -lt "$((tiff + 20000))" ]
     result $? 'a PPM file takes no more memory than TIFF' "$(cat peaks.txt) kB"
-    rm -f large.tif large.ppm
+    [ "$pfm_below" -gt 0 ] && [ "$pfm_below" -lt "$((tiff_below + 32768))" ]
+    result $? 'a PFM file takes no more memory than TIFF below a ceiling' "$(cat peaks.txt) kB"
+    rm -f large.tif large.ppm large.pfm
 }
 
 # What reads and writes images is opened when a file is.

@@ -159,6 +159,15 @@ void cut_files()
     }
     cut("whole.png", content_of("whole.png").size() - 3, "part.png");
     fails("png without its last bytes", 1, "'part.png'", "reproject part.png made/a.png");
+    fails("png without its last bytes that GDAL would read", 1,
+          "'part.png' is damaged.*without its end$",
+          "reproject --from equirect part.png made/a.png");
+    does("reproject --quiet --filter nearest --to cube:qsc --layout strip --size 32 noise.ppm "
+         "whole.tif");
+    cut("whole.tif", content_of("whole.tif").find("cubemap:surface") + 4, "part.tif");
+    fails("tif with all pixels, but without what says that they are qsc", 1,
+          "'part.tif' is damaged or ends too early: what it says of itself is not whole$",
+          "reproject part.tif made/a.png");
     cut("whole.jpg", content_of("whole.jpg").size() - 2, "part.jpg");
     fails("jpg without its last bytes", 1, "'part.jpg'", "reproject part.jpg made/a.png");
     cut("noise.ppm", 1000, "part.ppm");

@@ -66,23 +66,41 @@ bool cm_file_pad(const cm_image_stream *stream, size_t count)
     return true;
 }
 
-void cm_file_order(void *samples, size_t count, size_t sample_size, bool little_endian)
+/* Samples of so many bytes. Called with a constant size, so that the compiler turns several at a time. */
+static inline void turn(unsigned char *at, size_t count, size_t size)
 {
-    const uint16_t one = 1;
-    unsigned char first;
-    memcpy(&first, &one, 1);
-    if (sample_size < 2 || little_endian == (first == 1))
+    for (size_t i = 0; i < count; i++, at += size)
     {
-        return;
-    }
-    unsigned char *at = samples;
-    for (size_t i = 0; i < count; i++, at += sample_size)
-    {
-        for (size_t low = 0, high = sample_size - 1; low < high; low++, high--)
+        for (size_t low = 0, high = size - 1; low < high; low++, high--)
         {
             const unsigned char kept = at[low];
             at[low] = at[high];
             at[high] = kept;
         }
+    }
+}
+
+void cm_file_order(void *samples, size_t count, size_t sample_size, bool little_endian)
+{
+    const uint16_t one = 1;
+    unsigned char first;
+    memcpy(&first, &one, 1);
+    if (little_endian == (first == 1))
+    {
+        return;
+    }
+    switch (sample_size)
+    {
+    case 2:
+        turn(samples, count, 2);
+        break;
+    case 4:
+        turn(samples, count, 4);
+        break;
+    case 8:
+        turn(samples, count, 8);
+        break;
+    default:
+        break;
     }
 }

@@ -16,13 +16,18 @@ typedef struct tiff
     FILE *file;
     bool little;
     bool big;
+    bool cut; /* a directory was read, of which a tag that counts goes on beyond the file's end */
 } tiff;
 
 enum
 {
+    TYPE_BYTE = 1,
     TYPE_ASCII = 2,
     TYPE_SHORT = 3,
+    TYPE_UNDEFINED = 7,
     TYPE_DOUBLE = 12,
+    TAG_DESCRIPTION = 270,
+    TAG_XMP = 700,
     TAG_COUNT = 7
 };
 
@@ -77,6 +82,36 @@ static bool read_number(const tiff *t, uint64_t offset, size_t count, uint64_t *
     return true;
 }
 
+/* Is there a byte at this place? */
+static bool is_there(const tiff *t, uint64_t offset)
+{
+    unsigned char byte;
+    return read_at(t, offset, &byte, 1);
+}
+
+/* Does an entry that is one of those that are wanted, or a text, have content that is not in the file? */
+static bool is_cut(const tiff *t, const unsigned char *entry)
+{
+    const size_t wide = t->big ? 8 : 4;
+    const uint64_t number = number_of(t, entry, 2);
+    const uint64_t type = number_of(t, entry + 2, 2);
+    const uint64_t count = number_of(t, entry + 4, wide);
+    const bool bytes = type == TYPE_BYTE || type == TYPE_ASCII || type == TYPE_UNDEFINED;
+    bool counts = bytes && (number == TAG_DESCRIPTION || number == TAG_XMP);
+    for (size_t i = 0; i < TAG_COUNT; i++)
+    {
+        counts = counts || (number == wanted[i].number && type == wanted[i].type);
+    }
+    const uint64_t size = size_of_type((uint16_t)type);
+    if (!counts || count <= wide / size)
+    {
+        return false;
+    }
+    const uint64_t offset = number_of(t, entry + 4 + wide, wide);
+    return count > INT64_MAX / size || offset > INT64_MAX ||
+           !is_there(t, offset + count * size - 1);
+}
+
 /* Where the first directory stands, or 0. */
 static uint64_t first_directory(tiff *t)
 {
@@ -116,7 +151,7 @@ static void note_entry(const tiff *t, const unsigned char *entry, uint64_t at,
 }
 
 /* Reads a directory; false if it is damaged. *next is where the one behind it stands, or 0. */
-static bool read_directory(const tiff *t, uint64_t offset, place places[TAG_COUNT], uint64_t *next)
+static bool read_directory(tiff *t, uint64_t offset, place places[TAG_COUNT], uint64_t *next)
 {
     const size_t count_size = t->big ? 8 : 2;
     const size_t entry_size = t->big ? 20 : 12;
@@ -127,6 +162,7 @@ static bool read_directory(const tiff *t, uint64_t offset, place places[TAG_COUN
         return false;
     }
     memset(places, 0, TAG_COUNT * sizeof *places);
+    bool cut = false;
     offset += count_size;
     for (uint64_t i = 0; i < count; i++, offset += entry_size)
     {
@@ -136,7 +172,9 @@ static bool read_directory(const tiff *t, uint64_t offset, place places[TAG_COUN
             return false;
         }
         note_entry(t, entry, offset, places);
+        cut = cut || is_cut(t, entry);
     }
+    t->cut = cut;
     return read_number(t, offset, t->big ? 8 : 4, next);
 }
 
@@ -243,4 +281,17 @@ cm_image_geo_tags *cm_geo_tags_read(const char *path, uint32_t subimage)
         find_directory(&t, subimage, places) ? read_contents(&t, places) : NULL;
     fclose(t.file);
     return tags;
+}
+
+bool cm_geo_tags_are_cut(const char *path, uint32_t subimage)
+{
+    tiff t = {.file = fopen(path, "rb")};
+    if (t.file == NULL)
+    {
+        return false;
+    }
+    place places[TAG_COUNT];
+    const bool cut = find_directory(&t, subimage, places) && t.cut;
+    fclose(t.file);
+    return cut;
 }

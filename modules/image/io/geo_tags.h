@@ -21,6 +21,10 @@ cm_status cm_geo_tags_write(const cm_image_stream *stream, const cm_image_geo_ta
  * it has none, is no TIFF, or there is no memory. Damaged tags count as none. */
 cm_image_geo_tags *cm_geo_tags_read(const char *path, uint32_t subimage);
 
+/* Does what that picture of a TIFF file says of itself, these tags, its description (270) or its XMP (700), go on beyond the
+ * file's end? Its pixels may be whole, and libtiff reads such a file without a word of what is missing. */
+bool cm_geo_tags_are_cut(const char *path, uint32_t subimage);
+
 #ifdef __cplusplus
 }
 #endif

@@ -9,7 +9,8 @@
  *   message     one line of CM_IMAGE_MESSAGE bytes at most, ended by a zero byte, of what went wrong, to follow the
  *               file's name: "is not an image that can be read: ...". Written on failure only
  *   threads     one file is used by one thread at a time, different files by any number
- *   failures    CM_ERROR_ARGUMENT, CM_ERROR_MEMORY, and CM_ERROR_UNSUPPORTED for what is wrong with a file
+ *   failures    CM_ERROR_ARGUMENT, CM_ERROR_MEMORY, and CM_ERROR_UNSUPPORTED for what is wrong with a file; of open
+ *               CM_ERROR_DATA where nobody else should try: the file is known, and a part of it is missing
  */
 #ifndef CUBEMAP_MODULES_IMAGE_IO_H
 #define CUBEMAP_MODULES_IMAGE_IO_H

@@ -105,7 +105,8 @@ LibraryReader::LibraryReader(const std::string &path, std::uint32_t which)
 {
     if (!cm_png_is_whole(path.c_str()))
     {
-        throw ImageFailure("is damaged or ends too early: a PNG file without its end");
+        throw ImageFailure("is damaged or ends too early: a PNG file without its end",
+                           CM_ERROR_DATA);
     }
     input = open_input(path);
     choose_subimage(which, path);
@@ -113,6 +114,11 @@ LibraryReader::LibraryReader(const std::string &path, std::uint32_t which)
     describe(path);
     if (std::strcmp(input->format_name(), "tiff") == 0)
     {
+        if (cm_geo_tags_are_cut(path.c_str(), which))
+        {
+            throw ImageFailure("is damaged or ends too early: what it says of itself is not whole",
+                               CM_ERROR_DATA);
+        }
         geo_tags = cm_geo_tags_read(path.c_str(), which);
         description.geo_tags = geo_tags;
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// PGM and PPM of bytes and words among the image files, row by row where they stand: OpenImageIO holds them whole.
+// PGM and PPM of bytes and words, and PFM, among the image files, row by row where they stand: OpenImageIO holds them whole.
 
 #include "image_reader.hpp"
+#include "file_words.h"
 #include "header_tags.hpp"
 #include "opened_file.hpp"
 #include "pnm_file.h"
@@ -19,17 +20,6 @@ namespace
 // Rows are read in bands of about so many bytes where they become another type.
 constexpr std::size_t pnm_band_bytes = std::size_t{1} << 20;
 
-// Of two bytes the file has the higher one first.
-void order_words(char *words, std::size_t count)
-{
-    unsigned char *bytes = reinterpret_cast<unsigned char *>(words);
-    for (std::size_t i = 0; i < count; ++i, bytes += 2)
-    {
-        const auto word = static_cast<std::uint16_t>(bytes[0] << 8 | bytes[1]);
-        std::memcpy(bytes, &word, sizeof word);
-    }
-}
-
 class PnmReader final : public cm_image_reader
 {
 public:
@@ -44,20 +34,25 @@ private:
         return static_cast<std::size_t>(size_of(description.type)) * description.channels;
     }
 
+    void describe_samples(const cm_pnm_picture &found);
+
     FilePointer file;
     off_t first;
+    bool bottom_up;
+    bool little_endian;
     HeaderTags own_tags;
     std::vector<cm_image_tag> tags;
     int is_binary = 1;
+    int is_big_endian;
     float bits;
     const char *const color_space = "Rec709";
 };
 
-// The tags are those that OpenImageIO has.
 PnmReader::PnmReader(FilePointer opened, const cm_pnm_picture &found, off_t first_byte,
                      HeaderTags said)
-    : file(std::move(opened)), first(first_byte), own_tags(std::move(said)),
-      bits(found.type == CM_PIXEL_U8 ? 8.0f : 16.0f)
+    : file(std::move(opened)), first(first_byte), bottom_up(found.bottom_up != 0),
+      little_endian(found.little_endian != 0), own_tags(std::move(said)),
+      is_big_endian(little_endian ? 0 : 1), bits(found.type == CM_PIXEL_U8 ? 8.0f : 16.0f)
 {
     static constexpr const char *const colors[] = {"R", "G", "B"};
     static constexpr const char *const gray[] = {"Y"};
@@ -68,15 +63,13 @@ PnmReader::PnmReader(FilePointer opened, const cm_pnm_picture &found, off_t firs
     description.channel_names = found.channels == 1 ? gray : colors;
     description.type = found.type;
     description.stored_type = type_of(found.type).c_str();
-    description.whole_numbers = true;
+    description.whole_numbers = found.type != CM_PIXEL_FLOAT;
     description.alpha = -1;
     description.alpha_multiplied = true;
     description.color = CM_IMAGE_COLOR_UNKNOWN;
     description.orientation = 1;
     description.subimage_count = 1;
-    tags.push_back({"pnm:binary", "1", "int", &is_binary, sizeof is_binary});
-    tags.push_back({"oiio:BitsPerSample", found.type == CM_PIXEL_U8 ? "8" : "16", "float", &bits,
-                    sizeof bits});
+    describe_samples(found);
     tags.push_back({"oiio:ColorSpace", color_space, "string", &color_space, sizeof color_space});
     for (const auto &[key, text] : own_tags)
     {
@@ -86,19 +79,32 @@ PnmReader::PnmReader(FilePointer opened, const cm_pnm_picture &found, off_t firs
     description.tag_count = tags.size();
 }
 
+// The tags are those that OpenImageIO has.
+void PnmReader::describe_samples(const cm_pnm_picture &found)
+{
+    if (found.type == CM_PIXEL_FLOAT)
+    {
+        tags.push_back({"pnm:bigendian", little_endian ? "0" : "1", "int", &is_big_endian,
+                        sizeof is_big_endian});
+        return;
+    }
+    tags.push_back({"pnm:binary", "1", "int", &is_binary, sizeof is_binary});
+    tags.push_back({"oiio:BitsPerSample", found.type == CM_PIXEL_U8 ? "8" : "16", "float", &bits,
+                    sizeof bits});
+}
+
 // Pixels of the file's type.
 void PnmReader::read_run(std::uint32_t row, std::uint32_t column, std::size_t count, char *to)
 {
-    const std::uint64_t before = std::uint64_t{row} * description.width + column;
+    const std::uint32_t above = bottom_up ? description.height - 1 - row : row;
+    const std::uint64_t before = std::uint64_t{above} * description.width + column;
     if (fseeko(file.get(), first + static_cast<off_t>(before * pixel()), SEEK_SET) != 0 ||
         std::fread(to, pixel(), count, file.get()) != count)
     {
         throw ImageFailure("is damaged or ends too early");
     }
-    if (description.type == CM_PIXEL_U16)
-    {
-        order_words(to, count * description.channels);
-    }
+    cm_file_order(to, count * description.channels,
+                  static_cast<std::size_t>(size_of(description.type)), little_endian);
 }
 
 void PnmReader::read(const cm_image_region &region, cm_pixel_type type, char *pixels,
@@ -134,6 +140,21 @@ void PnmReader::read(const cm_image_region &region, cm_pixel_type type, char *pi
     }
 }
 
+// The kinds whose numbers stand in the file as they are.
+bool is_plain(const cm_pnm_picture &found)
+{
+    switch (found.kind)
+    {
+    case CM_PNM_PGM:
+    case CM_PNM_PPM:
+        return found.maximum == (found.type == CM_PIXEL_U8 ? 255 : 65535);
+    case CM_PNM_PFM:
+        return found.scale == 1.0f;
+    default:
+        return false;
+    }
+}
+
 } // namespace
 
 // What else there is of the format, and what is wrong with a file, is for others.
@@ -153,9 +174,7 @@ ReaderPointer open_pnm(const std::string &path, std::uint32_t which)
     found.size = sizeof found;
     bool more = false;
     char message[CM_IMAGE_MESSAGE] = "";
-    if (cm_pnm_next(&header, &found, &more, message) != CM_OK || !more ||
-        (found.kind != CM_PNM_PGM && found.kind != CM_PNM_PPM) ||
-        found.maximum != (found.type == CM_PIXEL_U8 ? 255 : 65535))
+    if (cm_pnm_next(&header, &found, &more, message) != CM_OK || !more || !is_plain(found))
     {
         return nullptr;
     }
