@@ -264,22 +264,6 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
     }
 }
 
-/* What rays end in is hit by their pixels, where it is not by its own. Coarser cells are large enough for their own pixel. */
-static void take_ends(const block_work *work, cm_block_change *change)
-{
-    for (const cm_ray_end *end = work->ends.first; end != work->ends.end && change->detail == 0;
-         end++)
-    {
-        const unsigned group = (unsigned)(end->key >> 6 & 7u), cell = (unsigned)(end->key & 63u);
-        const uint64_t bit = (uint64_t)1 << cell;
-        if ((change->hits[group] & bit) == 0)
-        {
-            change->hits[group] |= bit;
-            change->pixel[group][cell] = (int32_t)end->pixel;
-        }
-    }
-}
-
 /* A block is on its way from memory while the next ones are worked on. */
 static void fetch(const cm_region *region, unsigned block)
 {
@@ -306,7 +290,10 @@ static void visit_block(cm_update *update, cm_region *region, const block_work *
     {
         visit_group(update, work, detail, group, change);
     }
-    take_ends(work, change);
+    if (detail == 0) /* coarser cells are large enough for their own pixel */
+    {
+        cm_ray_ends_hit(work->ends, change->hits, change->pixel);
+    }
     for (unsigned group = 0; group * 64 < cells; group++)
     {
         const uint64_t valid =
@@ -502,19 +489,6 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
     }
 }
 
-/* The ends in a block, which those in blocks before it are no longer among. */
-static cm_ray_ends take_block(cm_ray_ends *ends, unsigned block)
-{
-    const cm_ray_end *end = ends->first;
-    while (end != ends->end && (end->key >> 9 & 511u) == block)
-    {
-        end++;
-    }
-    const cm_ray_ends taken = {ends->first, end};
-    ends->first = end;
-    return taken;
-}
-
 int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8_t alpha)
 {
     cube_places places;
@@ -587,7 +561,7 @@ static void visit_blocks(cm_update *update, cm_region *region, const cube_places
         block_work work = {.group_class = places->class_of + 8 * i,
                            .bounds = places->bounds + 8 * i,
                            .color = open_colors(region, block),
-                           .ends = take_block(&ends, block)};
+                           .ends = cm_ray_ends_take_block(&ends, block)};
         memcpy(work.first, chosen->first[i], sizeof work.first);
         visit_block(update, region, &work, detail_at(update, region, block, chosen->z[i]), next);
     }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Views of lenses and of whole surroundings: cubes are compared with cones around tiles of pixels, and voxels are asked of the camera
- * one by one. What a pixel says of a voxel is as for straight cameras, but
- * that pixels beside its own are not asked.
+ * one by one. What a pixel says of a voxel is as for straight cameras, but that pixels beside its own are asked only for the least of
+ * their fronts.
  */
 #include "update_round.h"
 
@@ -322,7 +322,7 @@ static unsigned class_of_cube(const round_work *work, const uint32_t place[3], i
     {
         return CM_CUBE_OUTSIDE;
     }
-    if (distance <= radius || near <= update->octree->options.near)
+    if (distance <= radius)
     {
         return CM_CUBE_PART;
     }
@@ -331,9 +331,13 @@ static unsigned class_of_cube(const round_work *work, const uint32_t place[3], i
                            (float)(centre[2] / distance)};
     const cm_cone_bounds bounds =
         cm_pixel_tree_ask(&work->round->tree, axis, (float)sqrt(1.0 - sine * sine), (float)sine);
-    return bounds.is_empty || near > (double)bounds.most     ? CM_CUBE_OUTSIDE
-           : !bounds.is_border && far < (double)bounds.least ? CM_CUBE_FREE
-                                                             : CM_CUBE_PART;
+    if (bounds.is_empty || near > (double)bounds.most)
+    {
+        return CM_CUBE_OUTSIDE; /* also most of what the plane through a lens cuts */
+    }
+    return near > update->octree->options.near && !bounds.is_border && far < (double)bounds.least
+               ? CM_CUBE_FREE
+               : CM_CUBE_PART;
 }
 
 /* ---- voxels ---- */
@@ -356,56 +360,60 @@ static void cell_centres(const cm_update *update, const uint32_t place[3], unsig
     }
 }
 
-/* What a pixel says of a value: 1 a hit, -1 a miss, 0 nothing. */
-static int word_of(const cm_pixel_rule *rule, float value, float scale)
+/* What the pixel that a cell's centre falls on says of it, and which it is. */
+static int word_at(const round_work *work, const double at[3], double column, double row,
+                   unsigned detail, int32_t *pixel)
 {
-    const uint32_t lower = rule->reach_front << 16, upper = rule->reach_front & 0xffff0000u;
-    float reach, front;
-    memcpy(&reach, &lower, sizeof reach);
-    memcpy(&front, &upper, sizeof front);
-    const float away = value - rule->depth;
-    front += (reach > 0.0f ? reach : 0.0f) * (scale - 1.0f);
-    return fabsf(away) <= reach * scale ? 1 : away + front < 0.0f ? -1 : 0;
+    const cm_pixel_tree *tree = &work->round->tree;
+    const double c = floor(column - work->centre + 0.5), r = floor(row - work->centre + 0.5);
+    const double value = cm_round_value(work->round, at);
+    if (!(c >= 0.0 && c < tree->width && r >= 0.0 && r < tree->height) ||
+        !(value > work->update->octree->options.near))
+    {
+        return 0;
+    }
+    const size_t at_row = (size_t)r, at_column = (size_t)c;
+    *pixel = (int32_t)(at_row * work->update->desk->view.stride + at_column);
+    return cm_round_word(&work->round->rule[at_row * tree->width + at_column], (float)value,
+                         (float)(1u << detail));
+}
+
+static void ask_pixels(const round_work *work, const uint32_t place[3], cm_block_change *change)
+{
+    const size_t cells = cm_cell_count(change->detail);
+    double x[512] = {0}, y[512] = {0}, z[512] = {0}, column[512], row[512];
+    cell_centres(work->update, place, change->detail, cells, x, y, z);
+    cm_camera_project_array(work->update->view->camera, cells, x, y, z, column, row);
+    for (size_t cell = 0; cell < cells; cell++)
+    {
+        const double at[3] = {x[cell], y[cell], z[cell]};
+        const int word = word_at(work, at, column[cell], row[cell], change->detail,
+                                 &change->pixel[cell / 64][cell % 64]);
+        change->hits[cell / 64] |= (uint64_t)(word > 0) << cell % 64;
+        change->misses[cell / 64] |= (uint64_t)(word < 0) << cell % 64;
+    }
 }
 
 static void visit_block(round_work *work, cm_region *region, unsigned block,
-                        const uint32_t place[3], unsigned detail)
+                        const uint32_t place[3], unsigned detail, cm_ray_ends ends)
 {
     cm_update *update = work->update;
-    const cm_pixel_tree *tree = &work->round->tree;
-    const size_t cells = cm_cell_count(detail), stride = update->desk->view.stride;
-    double x[512] = {0}, y[512] = {0}, z[512] = {0}, column[512], row[512];
-    cell_centres(update, place, detail, cells, x, y, z);
-    cm_camera_project_array(update->view->camera, cells, x, y, z, column, row);
     cm_block_change change;
     memset(&change, 0, sizeof change);
     change.detail = detail;
-    uint64_t any = 0;
-    for (size_t cell = 0; cell < cells; cell++)
+    ask_pixels(work, place, &change);
+    if (detail == 0) /* coarser cells are large enough for their own pixel */
     {
-        const double c = floor(column[cell] - work->centre + 0.5),
-                     r = floor(row[cell] - work->centre + 0.5);
-        if (!(c >= 0.0 && c < tree->width && r >= 0.0 && r < tree->height))
-        {
-            continue;
-        }
-        const double value = work->round->is_range
-                                 ? sqrt(x[cell] * x[cell] + y[cell] * y[cell] + z[cell] * z[cell])
-                                 : z[cell];
-        const size_t at_row = (size_t)r, at_column = (size_t)c;
-        const int word = value > update->octree->options.near
-                             ? word_of(&work->round->rule[at_row * tree->width + at_column],
-                                       (float)value, (float)(1u << detail))
-                             : 0;
-        const uint64_t valid =
-            cm_update_valid(update->octree, region, block, detail, (unsigned)(cell / 64));
-        const uint64_t bit = word > 0 || !update->octree->options.endpoints_only
-                                 ? (uint64_t)1 << cell % 64 & valid
-                                 : 0;
-        change.hits[cell / 64] |= word > 0 ? bit : 0;
-        change.misses[cell / 64] |= word < 0 ? bit : 0;
-        change.pixel[cell / 64][cell % 64] = (int32_t)(at_row * stride + at_column);
-        any |= word != 0 ? bit : 0;
+        cm_ray_ends_hit(ends, change.hits, change.pixel);
+    }
+    uint64_t any = 0;
+    for (unsigned group = 0; group < 8; group++)
+    {
+        const uint64_t valid = cm_update_valid(update->octree, region, block, detail, group);
+        change.hits[group] &= valid;
+        change.misses[group] &=
+            update->octree->options.endpoints_only ? 0 : valid & ~change.hits[group];
+        any |= change.hits[group] | change.misses[group];
     }
     if (any != 0 && !cm_update_block(update, region, block, &change))
     {
@@ -434,13 +442,17 @@ static unsigned detail_of(const round_work *work, const cm_region *region, unsig
 
 static void update_region(round_work *work, cm_region *region)
 {
+    cm_ray_ends ends = cm_ray_ends_in(work->update->ends, region->place, CM_REGION_LEVEL);
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
         unsigned in[3];
         cm_divide_3(block, in);
         const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
                                    region->place[2] + 8 * in[2]};
-        const unsigned class_of = class_of_cube(work, place, CM_BLOCK_LEVEL);
+        const cm_ray_ends here = cm_ray_ends_take_block(&ends, block);
+        const unsigned class_of = here.first != here.end
+                                      ? (unsigned)CM_CUBE_PART
+                                      : class_of_cube(work, place, CM_BLOCK_LEVEL);
         if (cm_update_is_left_out(work->update, class_of))
         {
             continue;
@@ -453,7 +465,7 @@ static void update_region(round_work *work, cm_region *region)
         }
         else
         {
-            visit_block(work, region, block, place, detail_of(work, region, block, place));
+            visit_block(work, region, block, place, detail_of(work, region, block, place), here);
         }
     }
     region->is_dirty = 1;
@@ -471,10 +483,14 @@ static void update_regions(size_t first, size_t end, void *user)
 
 /* ---- the tree ---- */
 
-static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3], int level)
+static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3], int level,
+                         cm_ray_ends above)
 {
     cm_octree *octree = work->update->octree;
-    const unsigned class_of = class_of_cube(work, place, level);
+    const cm_ray_ends ends = cm_ray_ends_in(above, place, level);
+    /* in what rays end in something may happen, wherever its centre is */
+    const unsigned class_of =
+        ends.first != ends.end ? (unsigned)CM_CUBE_PART : class_of_cube(work, place, level);
     if (cm_update_is_left_out(work->update, class_of))
     {
         return CM_OK;
@@ -499,7 +515,7 @@ static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3
         {
             below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
         }
-        status = go_down(work, octree->node[node].link + child, below, level - 1);
+        status = go_down(work, octree->node[node].link + child, below, level - 1, ends);
     }
     return status;
 }
@@ -511,6 +527,7 @@ cm_status cm_update_round(cm_update *update, cm_pool *pool)
     round_work work = {.update = update, .centre = camera->pixel_centre};
     cm_status status = round_of(update, &work.round);
     status = status == CM_OK ? make_rules(&work, pool) : status;
+    status = status == CM_OK ? cm_round_ends_find(update, work.round, pool, &update->ends) : status;
     if (status != CM_OK)
     {
         update->octree->step--;
@@ -518,7 +535,7 @@ cm_status cm_update_round(cm_update *update, cm_pool *pool)
     }
     update->pixel = options->footprint * mean_pixel(camera) / options->edge;
     const uint32_t first[3] = {0, 0, 0};
-    status = go_down(&work, 0, first, update->octree->tree_level);
+    status = go_down(&work, 0, first, update->octree->tree_level, update->ends);
     cm_update_end_lists(update, status);
     const uint64_t before = cm_update_listed_bytes(update);
     if (status == CM_OK)
