@@ -25,6 +25,7 @@ static void clear_round(cm_round_desk *round)
     cm_rays_destroy(round->rays);
     free(round->memory);
     free(round->rule);
+    free(round->side);
     memset(round, 0, sizeof *round);
 }
 
@@ -71,6 +72,18 @@ static int has_same_rays(const cm_round_desk *round, const cm_camera *camera)
     return 1;
 }
 
+/* How wide pixels are, at distance 1. */
+static void take_sides(cm_round_desk *round, const cm_camera *camera)
+{
+    const uint32_t width = round->tree.width;
+    const double centre = round->camera.pixel_centre;
+    for (size_t pixel = 0; pixel < (size_t)width * round->tree.height; pixel++)
+    {
+        round->side[pixel] = sqrt(cm_camera_solid_angle(camera, (double)(pixel % width) + centre,
+                                                        (double)(pixel / width) + centre));
+    }
+}
+
 static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const cm_camera *camera)
 {
     const cm_camera_options *options = cm_camera_describe(camera);
@@ -87,10 +100,12 @@ static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const
     }
     round->memory = malloc(8 * pixels * sizeof *round->memory);
     round->rule = malloc(pixels * sizeof *round->rule);
-    if (round->memory == NULL || round->rule == NULL)
+    round->side = malloc(pixels * sizeof *round->side);
+    if (round->memory == NULL || round->rule == NULL || round->side == NULL)
     {
         return CM_ERROR_MEMORY;
     }
+    take_sides(round, camera);
     for (size_t i = 0; i < 3; i++)
     {
         round->vertex[i] = round->memory + i * pixels;
@@ -163,9 +178,7 @@ static round_reach reach_of(const cm_update *update, const cm_round_desk *round,
     const double range = sqrt(square);
     const double cosine = fmin(fabs(along) / range, 1.0);
     const double tangent = sqrt(1.0 - cosine * cosine) / cosine;
-    const double side = sqrt(cm_camera_solid_angle(
-        update->view->camera, (double)(pixel % round->tree.width) + round->camera.pixel_centre,
-        (double)(pixel / round->tree.width) + round->camera.pixel_centre));
+    const double side = round->side[pixel];
     const double beside = isfinite(side) ? 0.5 * side * tangent * value : 0.0;
     const double crossed = 0.5 * sum * value / fabs(along), most = CM_REACH_MOST * edge;
     return (round_reach){fmin(crossed + CM_HIT_ASIDE * beside + CM_HIT_MORE * edge, most),
@@ -196,27 +209,35 @@ static void reach_rows(size_t first, size_t end, void *user)
     }
 }
 
-/* The least front around a pixel of a face: as in view_table.c. */
-static float least_around(const cm_round_desk *round, uint32_t column, uint32_t row)
+/* The least fronts around the pixels of a row, within its face: as in view_table.c. Of columns, then of those beside each other. */
+static void least_row(const cm_round_desk *round, uint32_t row)
 {
-    const cm_pixel_tree *tree = &round->tree;
-    const uint32_t face = row / tree->face_rows * tree->face_rows;
-    const uint32_t beside = 2 * (uint32_t)round->around;
-    const uint32_t last_of_face = face + tree->face_rows - 1;
+    const uint32_t width = round->tree.width, rows = round->tree.face_rows;
+    const uint32_t face = row / rows * rows, beside = 2 * (uint32_t)round->around;
     const uint32_t first_row = row >= face + beside ? row - beside : face;
-    const uint32_t last_row = row + beside < last_of_face ? row + beside : last_of_face;
-    const uint32_t first_column = column >= beside ? column - beside : 0;
-    const uint32_t last_column = column + beside < tree->width ? column + beside : tree->width - 1;
-    float least = INFINITY;
-    for (uint32_t r = first_row; r <= last_row; r++)
+    const uint32_t end_row = row + beside < face + rows ? row + beside + 1 : face + rows;
+    float *least = round->five + (size_t)row * width,
+          *of_column = round->vertex[0] + (size_t)row * width;
+    for (uint32_t c = 0; c < width; c++)
     {
-        for (uint32_t c = first_column; c <= last_column; c++)
+        least[c] = of_column[c] = INFINITY;
+    }
+    for (uint32_t r = first_row; r < end_row; r++)
+    {
+        const float *front = round->front + (size_t)r * width;
+        for (uint32_t c = 0; c < width; c++)
         {
-            const float front = round->front[(size_t)r * tree->width + c];
-            least = front < least ? front : least;
+            of_column[c] = front[c] < of_column[c] ? front[c] : of_column[c];
         }
     }
-    return least;
+    for (uint32_t c = 0; c < width; c++)
+    {
+        const uint32_t end = c + beside < width ? c + beside + 1 : width;
+        for (uint32_t k = c >= beside ? c - beside : 0; k < end; k++)
+        {
+            least[c] = of_column[k] < least[c] ? of_column[k] : least[c];
+        }
+    }
 }
 
 static void least_rows(size_t first, size_t end, void *user)
@@ -224,11 +245,7 @@ static void least_rows(size_t first, size_t end, void *user)
     const round_work *work = user;
     for (size_t row = first; row < end; row++)
     {
-        for (uint32_t column = 0; column < work->round->tree.width; column++)
-        {
-            work->round->five[row * work->round->tree.width + column] =
-                least_around(work->round, column, (uint32_t)row);
-        }
+        least_row(work->round, (uint32_t)row);
     }
 }
 

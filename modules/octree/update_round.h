@@ -20,6 +20,7 @@ typedef struct cm_round_desk
     float *memory; /* eight images */
     float *vertex[3], *normal[3];
     float *front, *five;
+    double *side; /* of pixels, at distance 1 */
     cm_pixel_rule *rule;
     int is_range;
     int around; /* least fronts are over so many windows of 5 x 5, one after the other */
