@@ -53,6 +53,12 @@ static inline double cm_round_value(const cm_round_desk *round, const double at[
     return round->is_range ? sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]) : at[2];
 }
 
+/* Pixels of the whole picture are as wide as these in the mean, at distance 1. */
+double cm_round_mean_pixel(const cm_camera_options *camera);
+
+/* The rules of all pixels of a cleaned view, and their bounds into the tree of cones. */
+cm_status cm_round_rules_make(const cm_update *update, cm_round_desk *round, cm_pool *pool);
+
 /* As cm_ray_ends_find, after the rules of a view are there. */
 cm_status cm_round_ends_find(const cm_update *update, const cm_round_desk *round, cm_pool *pool,
                              cm_ray_ends *ends);
