@@ -248,7 +248,7 @@ static int tell(void *user, const cm_voxel *voxel)
     return 0;
 }
 
-static void check_box(const twins *at, dice *from, uint8_t *is_told)
+static void check_box(const twins *at, const cm_octree *octree, dice *from, uint8_t *is_told)
 {
     double least[3], greatest[3];
     for (int axis = 0; axis < 3; axis++)
@@ -258,7 +258,7 @@ static void check_box(const twins *at, dice *from, uint8_t *is_told)
     }
     told to = {at, is_told};
     memset(is_told, 0, (size_t)N * N * N);
-    ck_assert_int_eq(cm_octree_walk_box(at->other, least, greatest, tell, &to), CM_OK);
+    ck_assert_int_eq(cm_octree_walk_box(octree, least, greatest, tell, &to), CM_OK);
     for (int64_t i = 0; i < (int64_t)N * N * N; i++)
     {
         const int64_t place[3] = {i % N, i / N % N, i / N / N};
@@ -267,7 +267,7 @@ static void check_box(const twins *at, dice *from, uint8_t *is_told)
         cm_voxel voxel = {.x = centre[0], .y = centre[1], .z = centre[2]};
         if (at->options.footprint > 0.0) /* the voxel of level 0 may be a larger one */
         {
-            cm_octree_at(at->plain, centre, 0, &voxel);
+            cm_octree_at(octree, centre, 0, &voxel);
         }
         const int is_inside = voxel.x >= least[0] && voxel.x <= greatest[0] &&
                               voxel.y >= least[1] && voxel.y <= greatest[1] &&
@@ -409,7 +409,7 @@ static void check(twins *at, uint8_t *is_told)
     check_changes(at, is_told);
     for (int i = 0; i < 3; i++)
     {
-        check_box(at, &at->from, is_told);
+        check_box(at, i == 0 ? at->plain : at->other, &at->from, is_told);
         check_ray(at, &at->from);
     }
     if (below(&at->from, 3) == 0)
