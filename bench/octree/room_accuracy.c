@@ -5,10 +5,11 @@
  *
  *   room-accuracy [--edge 0.01] [--noise 0] [--views 60] [--passes 2] [--threads 1] [--color 1] [--far 0] [--levels 12]
  *                 [--centre 0] [--footprint 0] [--rule 0] [--points 0] [--endpoints 0]
- *                 [--judge 1]
+ *                 [--judge 1] [--distortion 0] [--around 0]
  *
  * --centre moves the root's centre along all axes by so many edges, so that walls do not lie on borders of voxels; --points 1
- * integrates points instead of views; --endpoints 1 leaves free space unknown. Times are of the processor for one thread, else of
+ * integrates points instead of views; --endpoints 1 leaves free space unknown; --distortion is the first of the lens's, and
+ * --around N a cube of six pictures of N x N pixels in place of the lens. Times are of the processor for one thread, else of
  * the clock, and of the passes after the first; noise is drawn anew for each view of each pass.
  */
 #include "bench/harness/harness.h"
@@ -19,6 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <cubemap/mapping.h>
 #include <cubemap/octree.h>
 
 typedef struct settings
@@ -37,6 +39,8 @@ typedef struct settings
     double points;
     double endpoints;
     double judge;
+    double distortion;
+    double around;
 } settings;
 
 static settings read_settings(int count, char **word)
@@ -60,7 +64,9 @@ static settings read_settings(int count, char **word)
                  {"--footprint", &s.footprint},
                  {"--points", &s.points},
                  {"--endpoints", &s.endpoints},
-                 {"--judge", &s.judge}};
+                 {"--judge", &s.judge},
+                 {"--distortion", &s.distortion},
+                 {"--around", &s.around}};
     for (int i = 1; i < count; i += 2)
     {
         size_t k = 0;
@@ -99,8 +105,8 @@ static float *points_of(const room_picture *picture, const cm_camera *camera, co
     float *points = allocate(3 * picture->pixels, sizeof *points);
     for (size_t i = 0; i < picture->pixels; i++)
     {
-        double column = (double)(i % options->width);
-        double row = (double)(i / options->width);
+        double column = (double)(i % options->width) + options->pixel_centre;
+        double row = (double)(i / options->width) + options->pixel_centre;
         double ray[3], point[3];
         const double depth = (double)picture->measured[i];
         cm_camera_ray_array(camera, 1, &column, &row, ray, ray + 1, ray + 2);
@@ -216,22 +222,41 @@ static cm_octree_options map_options(const settings *s)
     return options;
 }
 
+static cm_camera *make_camera(const settings *s)
+{
+    cm_camera_options options = {.size = sizeof options,
+                                 .width = 640,
+                                 .height = 480,
+                                 .fx = 525.0,
+                                 .fy = 525.0,
+                                 .cx = 319.5,
+                                 .cy = 239.5,
+                                 .distortion = {s->distortion}};
+    cm_mapping *cube = NULL;
+    if (s->around > 0.0)
+    {
+        ask(cm_mapping_create("gnomonic", NULL, &cube), "mapping");
+        options = (cm_camera_options){.size = sizeof options,
+                                      .width = (uint32_t)s->around,
+                                      .height = 6 * (uint32_t)s->around,
+                                      .pixel_centre = 0.5,
+                                      .mapping = cube};
+    }
+    cm_camera *camera = NULL;
+    ask(cm_camera_create(&options, &camera), "camera");
+    cm_mapping_destroy(cube);
+    return camera;
+}
+
 static void begin(bench *at, const settings *s)
 {
-    const cm_camera_options of_camera = {.size = sizeof of_camera,
-                                         .width = 640,
-                                         .height = 480,
-                                         .fx = 525.0,
-                                         .fy = 525.0,
-                                         .cx = 319.5,
-                                         .cy = 239.5};
     const cm_octree_options options = map_options(s);
     const double least[3] = {-3.0, -2.5, 0.0};
     const double greatest[3] = {3.0, 2.5, 3.0};
     memset(at, 0, sizeof *at);
     at->s = *s;
     ask(cm_scene_create_named("room", &at->scene), "room");
-    ask(cm_camera_create(&of_camera, &at->camera), "camera");
+    at->camera = make_camera(s);
     ask(cm_octree_create(&options, &at->map), "map");
     if (s->threads > 1.0)
     {

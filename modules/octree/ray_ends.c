@@ -148,6 +148,24 @@ static int compare_ends(const void *one, const void *other)
                             : (a->pixel > b->pixel) - (a->pixel < b->pixel);
 }
 
+cm_ray_ends cm_ray_ends_sort(cm_ray_end *list, size_t found)
+{
+    if (found == 0)
+    {
+        return (cm_ray_ends){NULL, NULL};
+    }
+    qsort(list, found, sizeof *list, compare_ends);
+    size_t count = 0;
+    for (size_t i = 0; i < found; i++)
+    {
+        if (count == 0 || list[i].key != list[count - 1].key)
+        {
+            list[count++] = list[i];
+        }
+    }
+    return (cm_ray_ends){list, list + count};
+}
+
 static int has_room(cm_view_desk *desk)
 {
     size_t runs = 0;
@@ -180,25 +198,37 @@ cm_status cm_ray_ends_find(cm_view_desk *desk, const cm_octree *octree, const cm
     }
     work.list = desk->end;
     cm_pool_run(pool, desk->height, 16, find_in_rows, &work);
-    const size_t found = atomic_load(&work.count);
-    if (found > 0)
-    {
-        qsort(work.list, found, sizeof *work.list, compare_ends);
-    }
-    size_t count = 0;
-    for (size_t i = 0; i < found; i++)
-    {
-        if (count == 0 || work.list[i].key != work.list[count - 1].key)
-        {
-            work.list[count++] = work.list[i];
-        }
-    }
-    ends->first = work.list;
-    ends->end = count > 0 ? work.list + count : work.list;
+    *ends = cm_ray_ends_sort(work.list, atomic_load(&work.count));
     return CM_OK;
 }
 
 /* ---- cubes ---- */
+
+cm_ray_ends cm_ray_ends_take_block(cm_ray_ends *ends, unsigned block)
+{
+    const cm_ray_end *end = ends->first;
+    while (end != ends->end && (end->key >> 9 & 511u) == block)
+    {
+        end++;
+    }
+    const cm_ray_ends taken = {ends->first, end};
+    ends->first = end;
+    return taken;
+}
+
+void cm_ray_ends_hit(cm_ray_ends ends, uint64_t hits[8], int32_t pixel[8][64])
+{
+    for (const cm_ray_end *end = ends.first; end != ends.end; end++)
+    {
+        const unsigned group = (unsigned)(end->key >> 6 & 7u), cell = (unsigned)(end->key & 63u);
+        const uint64_t bit = (uint64_t)1 << cell;
+        if ((hits[group] & bit) == 0)
+        {
+            hits[group] |= bit;
+            pixel[group][cell] = (int32_t)end->pixel;
+        }
+    }
+}
 
 static const cm_ray_end *first_from(cm_ray_ends ends, uint64_t key)
 {

@@ -26,7 +26,16 @@ typedef struct cm_ray_ends
 cm_status cm_ray_ends_find(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
                            cm_pool *pool, cm_ray_ends *ends);
 
+/* Ends as they were found, in any order: into the order of keys, each voxel once. They stay where they are. */
+cm_ray_ends cm_ray_ends_sort(cm_ray_end *list, size_t found);
+
 /* Those in a cube of 2^level voxels at a place. */
 cm_ray_ends cm_ray_ends_in(cm_ray_ends ends, const uint32_t place[3], int level);
+
+/* Of those in a region: those in a block, which are taken from them. Blocks are asked in the order of their numbers. */
+cm_ray_ends cm_ray_ends_take_block(cm_ray_ends *ends, unsigned block);
+
+/* What rays end in, of one block of finest voxels, is hit by their pixels, where it is not by its own. */
+void cm_ray_ends_hit(cm_ray_ends ends, uint64_t hits[8], int32_t pixel[8][64]);
 
 #endif

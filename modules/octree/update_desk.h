@@ -114,6 +114,9 @@ static inline unsigned cm_update_details(const cm_octree *octree)
     return octree->options.levels < CM_DETAILS ? (unsigned)octree->options.levels : CM_DETAILS;
 }
 
+/* Is a small map, which does not fill its region, wholly around a block? */
+int cm_update_is_within(const cm_octree *octree, const cm_region *region, unsigned block);
+
 /* Which cells of a group are voxels of the map, and not beyond a small one. */
 uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block,
                          unsigned detail, unsigned group);

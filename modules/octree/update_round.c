@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Views of lenses and of whole surroundings: cubes are compared with cones around tiles of pixels, and voxels are asked of the camera
- * one by one. What a pixel says of a voxel is as for straight cameras, but
- * that pixels beside its own are not asked.
+ * one by one. What a pixel says of a voxel is as for straight cameras, but that pixels beside its own are asked only for the least of
+ * their fronts.
  */
 #include "update_round.h"
 
@@ -25,6 +25,7 @@ static void clear_round(cm_round_desk *round)
     cm_rays_destroy(round->rays);
     free(round->memory);
     free(round->rule);
+    free(round->side);
     memset(round, 0, sizeof *round);
 }
 
@@ -71,6 +72,18 @@ static int has_same_rays(const cm_round_desk *round, const cm_camera *camera)
     return 1;
 }
 
+/* How wide pixels are, at distance 1. */
+static void take_sides(cm_round_desk *round, const cm_camera *camera)
+{
+    const uint32_t width = round->tree.width;
+    const double centre = round->camera.pixel_centre;
+    for (size_t pixel = 0; pixel < (size_t)width * round->tree.height; pixel++)
+    {
+        round->side[pixel] = sqrt(cm_camera_solid_angle(camera, (double)(pixel % width) + centre,
+                                                        (double)(pixel / width) + centre));
+    }
+}
+
 static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const cm_camera *camera)
 {
     const cm_camera_options *options = cm_camera_describe(camera);
@@ -87,10 +100,12 @@ static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const
     }
     round->memory = malloc(8 * pixels * sizeof *round->memory);
     round->rule = malloc(pixels * sizeof *round->rule);
-    if (round->memory == NULL || round->rule == NULL)
+    round->side = malloc(pixels * sizeof *round->side);
+    if (round->memory == NULL || round->rule == NULL || round->side == NULL)
     {
         return CM_ERROR_MEMORY;
     }
+    take_sides(round, camera);
     for (size_t i = 0; i < 3; i++)
     {
         round->vertex[i] = round->memory + i * pixels;
@@ -127,170 +142,6 @@ static cm_status round_of(cm_update *update, cm_round_desk **round)
     return status;
 }
 
-/* ---- rules of pixels ---- */
-
-/* How far along a pixel's ray the surface may cross a voxel, for a hit and for what is no miss. */
-typedef struct round_reach
-{
-    double hit;
-    double front;
-} round_reach;
-
-/* As in octree_set.inc, from the normal. */
-static round_reach reach_of(const cm_update *update, const cm_round_desk *round, size_t pixel,
-                            double value)
-{
-    const double edge = update->octree->options.edge;
-    double point[3], normal[3], along = 0.0, square = 0.0;
-    for (int axis = 0; axis < 3; axis++)
-    {
-        point[axis] = (double)round->vertex[axis][pixel];
-        normal[axis] = (double)round->normal[axis][pixel];
-        along += normal[axis] * point[axis];
-        square += point[axis] * point[axis];
-    }
-    if (!(fabs(along) > 0.0))
-    {
-        return (round_reach){(0.5 * sqrt(3.0) + CM_HIT_MORE) * edge,
-                             (0.5 * sqrt(3.0) + CM_FRONT_MORE) * edge};
-    }
-    double sum = 0.0;
-    for (int axis = 0; axis < 3; axis++)
-    {
-        sum += fabs(normal[0] * update->step[axis][0] + normal[1] * update->step[axis][1] +
-                    normal[2] * update->step[axis][2]);
-    }
-    const double range = sqrt(square);
-    const double cosine = fmin(fabs(along) / range, 1.0);
-    const double tangent = sqrt(1.0 - cosine * cosine) / cosine;
-    const double side = sqrt(cm_camera_solid_angle(
-        update->view->camera, (double)(pixel % round->tree.width) + round->camera.pixel_centre,
-        (double)(pixel / round->tree.width) + round->camera.pixel_centre));
-    const double beside = isfinite(side) ? 0.5 * side * tangent * value : 0.0;
-    const double crossed = 0.5 * sum * value / fabs(along), most = CM_REACH_MOST * edge;
-    return (round_reach){fmin(crossed + CM_HIT_ASIDE * beside + CM_HIT_MORE * edge, most),
-                         fmin(crossed + CM_FRONT_ASIDE * beside + CM_FRONT_MORE * edge, most)};
-}
-
-static void reach_rows(size_t first, size_t end, void *user)
-{
-    const round_work *work = user;
-    cm_round_desk *round = work->round;
-    const cm_octree_options *options = &work->update->octree->options;
-    const float *value = work->update->desk->view.packed;
-    const float far = options->far > 0.0 ? (float)options->far : INFINITY;
-    const size_t width = round->tree.width;
-    for (size_t pixel = first * width; pixel < end * width; pixel++)
-    {
-        const float v = value[pixel];
-        float reach_here = -1.0f;
-        round->front[pixel] = v > far ? far : INFINITY;
-        if (v <= far)
-        {
-            const double d = (double)v;
-            const round_reach reach = reach_of(work->update, round, pixel, d);
-            reach_here = (float)(reach.hit + options->noise * d);
-            round->front[pixel] = (float)(d - reach.front - 2.0 * options->noise * d);
-        }
-        round->vertex[2][pixel] = reach_here; /* the pixel's maps have served */
-    }
-}
-
-/* The least front around a pixel of a face: as in view_table.c. */
-static float least_around(const cm_round_desk *round, uint32_t column, uint32_t row)
-{
-    const cm_pixel_tree *tree = &round->tree;
-    const uint32_t face = row / tree->face_rows * tree->face_rows;
-    const uint32_t beside = 2 * (uint32_t)round->around;
-    const uint32_t last_of_face = face + tree->face_rows - 1;
-    const uint32_t first_row = row >= face + beside ? row - beside : face;
-    const uint32_t last_row = row + beside < last_of_face ? row + beside : last_of_face;
-    const uint32_t first_column = column >= beside ? column - beside : 0;
-    const uint32_t last_column = column + beside < tree->width ? column + beside : tree->width - 1;
-    float least = INFINITY;
-    for (uint32_t r = first_row; r <= last_row; r++)
-    {
-        for (uint32_t c = first_column; c <= last_column; c++)
-        {
-            const float front = round->front[(size_t)r * tree->width + c];
-            least = front < least ? front : least;
-        }
-    }
-    return least;
-}
-
-static void least_rows(size_t first, size_t end, void *user)
-{
-    const round_work *work = user;
-    for (size_t row = first; row < end; row++)
-    {
-        for (uint32_t column = 0; column < work->round->tree.width; column++)
-        {
-            work->round->five[row * work->round->tree.width + column] =
-                least_around(work->round, column, (uint32_t)row);
-        }
-    }
-}
-
-/* Range of omnidirectional cameras, depth of lenses. */
-static cm_status take_values(round_work *work)
-{
-    const cm_view *view = work->update->view;
-    float *value = work->update->desk->view.packed;
-    cm_round_desk *round = work->round;
-    cm_status status = CM_OK;
-    if (!round->is_range && view->depth_is_range)
-    {
-        status = cm_depth_from_range(round->rays, value, 1, value);
-    }
-    const cm_depth_maps maps = {.size = sizeof maps,
-                                .is_range = round->is_range,
-                                .vertex = {round->vertex[0], round->vertex[1], round->vertex[2]},
-                                .normal = {round->normal[0], round->normal[1], round->normal[2]}};
-    return status == CM_OK ? cm_depth_make_maps(round->rays, value, 1, &maps) : status;
-}
-
-/* Pixels of the whole picture are as wide as these in the mean, at distance 1. */
-static double mean_pixel(const cm_camera_options *camera)
-{
-    if (camera->mapping == NULL)
-    {
-        return 2.0 / (fabs(camera->fx) + fabs(camera->fy));
-    }
-    return sqrt(4.0 * 3.14159265358979 / ((double)camera->width * camera->height));
-}
-
-static cm_status make_rules(round_work *work, cm_pool *pool)
-{
-    cm_update *update = work->update;
-    cm_round_desk *round = work->round;
-    const cm_octree_options *options = &update->octree->options;
-    const size_t width = round->tree.width, height = round->tree.height;
-    cm_status status = take_values(work);
-    if (status != CM_OK)
-    {
-        return status;
-    }
-    round->around = cm_view_desk_around(
-        &update->desk->view, options->edge / mean_pixel(cm_camera_describe(update->view->camera)));
-    cm_pool_run(pool, height, 4, reach_rows, work);
-    cm_pool_run(pool, height, 4, least_rows, work);
-    const float far = options->far > 0.0 ? (float)options->far : INFINITY;
-    const float free_far = options->no_return_is_free ? (float)options->far : NAN;
-    /* the maps have served: their memory takes the bounds */
-    for (size_t row = 0; row < height; row++)
-    {
-        const size_t at = row * width;
-        update->set->rules(width, update->desk->view.packed + at, round->vertex[2] + at,
-                           round->five + at, far, free_far, round->rule + at, round->vertex[0] + at,
-                           round->vertex[1] + at);
-        cm_view_desk_silence(&update->desk->view, row, round->rule + at, round->vertex[0] + at,
-                             round->vertex[1] + at);
-    }
-    cm_pixel_tree_fill(&round->tree, round->vertex[0], round->vertex[1]);
-    return CM_OK;
-}
-
 /* ---- cubes ---- */
 
 /* The class of a cube of 2^level voxels at a place. */
@@ -322,7 +173,7 @@ static unsigned class_of_cube(const round_work *work, const uint32_t place[3], i
     {
         return CM_CUBE_OUTSIDE;
     }
-    if (distance <= radius || near <= update->octree->options.near)
+    if (distance <= radius)
     {
         return CM_CUBE_PART;
     }
@@ -331,9 +182,13 @@ static unsigned class_of_cube(const round_work *work, const uint32_t place[3], i
                            (float)(centre[2] / distance)};
     const cm_cone_bounds bounds =
         cm_pixel_tree_ask(&work->round->tree, axis, (float)sqrt(1.0 - sine * sine), (float)sine);
-    return bounds.is_empty || near > (double)bounds.most     ? CM_CUBE_OUTSIDE
-           : !bounds.is_border && far < (double)bounds.least ? CM_CUBE_FREE
-                                                             : CM_CUBE_PART;
+    if (bounds.is_empty || near > (double)bounds.most)
+    {
+        return CM_CUBE_OUTSIDE; /* also most of what the plane through a lens cuts */
+    }
+    return near > update->octree->options.near && !bounds.is_border && far < (double)bounds.least
+               ? CM_CUBE_FREE
+               : CM_CUBE_PART;
 }
 
 /* ---- voxels ---- */
@@ -356,56 +211,60 @@ static void cell_centres(const cm_update *update, const uint32_t place[3], unsig
     }
 }
 
-/* What a pixel says of a value: 1 a hit, -1 a miss, 0 nothing. */
-static int word_of(const cm_pixel_rule *rule, float value, float scale)
+/* What the pixel that a cell's centre falls on says of it, and which it is. */
+static int word_at(const round_work *work, const double at[3], double column, double row,
+                   unsigned detail, int32_t *pixel)
 {
-    const uint32_t lower = rule->reach_front << 16, upper = rule->reach_front & 0xffff0000u;
-    float reach, front;
-    memcpy(&reach, &lower, sizeof reach);
-    memcpy(&front, &upper, sizeof front);
-    const float away = value - rule->depth;
-    front += (reach > 0.0f ? reach : 0.0f) * (scale - 1.0f);
-    return fabsf(away) <= reach * scale ? 1 : away + front < 0.0f ? -1 : 0;
+    const cm_pixel_tree *tree = &work->round->tree;
+    const double c = floor(column - work->centre + 0.5), r = floor(row - work->centre + 0.5);
+    const double value = cm_round_value(work->round, at);
+    if (!(c >= 0.0 && c < tree->width && r >= 0.0 && r < tree->height) ||
+        !(value > work->update->octree->options.near))
+    {
+        return 0;
+    }
+    const size_t at_row = (size_t)r, at_column = (size_t)c;
+    *pixel = (int32_t)(at_row * work->update->desk->view.stride + at_column);
+    return cm_round_word(&work->round->rule[at_row * tree->width + at_column], (float)value,
+                         (float)(1u << detail));
+}
+
+static void ask_pixels(const round_work *work, const uint32_t place[3], cm_block_change *change)
+{
+    const size_t cells = cm_cell_count(change->detail);
+    double x[512] = {0}, y[512] = {0}, z[512] = {0}, column[512], row[512];
+    cell_centres(work->update, place, change->detail, cells, x, y, z);
+    cm_camera_project_array(work->update->view->camera, cells, x, y, z, column, row);
+    for (size_t cell = 0; cell < cells; cell++)
+    {
+        const double at[3] = {x[cell], y[cell], z[cell]};
+        const int word = word_at(work, at, column[cell], row[cell], change->detail,
+                                 &change->pixel[cell / 64][cell % 64]);
+        change->hits[cell / 64] |= (uint64_t)(word > 0) << cell % 64;
+        change->misses[cell / 64] |= (uint64_t)(word < 0) << cell % 64;
+    }
 }
 
 static void visit_block(round_work *work, cm_region *region, unsigned block,
-                        const uint32_t place[3], unsigned detail)
+                        const uint32_t place[3], unsigned detail, cm_ray_ends ends)
 {
     cm_update *update = work->update;
-    const cm_pixel_tree *tree = &work->round->tree;
-    const size_t cells = cm_cell_count(detail), stride = update->desk->view.stride;
-    double x[512] = {0}, y[512] = {0}, z[512] = {0}, column[512], row[512];
-    cell_centres(update, place, detail, cells, x, y, z);
-    cm_camera_project_array(update->view->camera, cells, x, y, z, column, row);
     cm_block_change change;
     memset(&change, 0, sizeof change);
     change.detail = detail;
-    uint64_t any = 0;
-    for (size_t cell = 0; cell < cells; cell++)
+    ask_pixels(work, place, &change);
+    if (detail == 0) /* coarser cells are large enough for their own pixel */
     {
-        const double c = floor(column[cell] - work->centre + 0.5),
-                     r = floor(row[cell] - work->centre + 0.5);
-        if (!(c >= 0.0 && c < tree->width && r >= 0.0 && r < tree->height))
-        {
-            continue;
-        }
-        const double value = work->round->is_range
-                                 ? sqrt(x[cell] * x[cell] + y[cell] * y[cell] + z[cell] * z[cell])
-                                 : z[cell];
-        const size_t at_row = (size_t)r, at_column = (size_t)c;
-        const int word = value > update->octree->options.near
-                             ? word_of(&work->round->rule[at_row * tree->width + at_column],
-                                       (float)value, (float)(1u << detail))
-                             : 0;
-        const uint64_t valid =
-            cm_update_valid(update->octree, region, block, detail, (unsigned)(cell / 64));
-        const uint64_t bit = word > 0 || !update->octree->options.endpoints_only
-                                 ? (uint64_t)1 << cell % 64 & valid
-                                 : 0;
-        change.hits[cell / 64] |= word > 0 ? bit : 0;
-        change.misses[cell / 64] |= word < 0 ? bit : 0;
-        change.pixel[cell / 64][cell % 64] = (int32_t)(at_row * stride + at_column);
-        any |= word != 0 ? bit : 0;
+        cm_ray_ends_hit(ends, change.hits, change.pixel);
+    }
+    uint64_t any = 0;
+    for (unsigned group = 0; group < 8; group++)
+    {
+        const uint64_t valid = cm_update_valid(update->octree, region, block, detail, group);
+        change.hits[group] &= valid;
+        change.misses[group] &=
+            update->octree->options.endpoints_only ? 0 : valid & ~change.hits[group];
+        any |= change.hits[group] | change.misses[group];
     }
     if (any != 0 && !cm_update_block(update, region, block, &change))
     {
@@ -434,13 +293,17 @@ static unsigned detail_of(const round_work *work, const cm_region *region, unsig
 
 static void update_region(round_work *work, cm_region *region)
 {
+    cm_ray_ends ends = cm_ray_ends_in(work->update->ends, region->place, CM_REGION_LEVEL);
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
         unsigned in[3];
         cm_divide_3(block, in);
         const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
                                    region->place[2] + 8 * in[2]};
-        const unsigned class_of = class_of_cube(work, place, CM_BLOCK_LEVEL);
+        const cm_ray_ends here = cm_ray_ends_take_block(&ends, block);
+        const unsigned class_of = here.first != here.end
+                                      ? (unsigned)CM_CUBE_PART
+                                      : class_of_cube(work, place, CM_BLOCK_LEVEL);
         if (cm_update_is_left_out(work->update, class_of))
         {
             continue;
@@ -453,7 +316,7 @@ static void update_region(round_work *work, cm_region *region)
         }
         else
         {
-            visit_block(work, region, block, place, detail_of(work, region, block, place));
+            visit_block(work, region, block, place, detail_of(work, region, block, place), here);
         }
     }
     region->is_dirty = 1;
@@ -471,10 +334,14 @@ static void update_regions(size_t first, size_t end, void *user)
 
 /* ---- the tree ---- */
 
-static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3], int level)
+static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3], int level,
+                         cm_ray_ends above)
 {
     cm_octree *octree = work->update->octree;
-    const unsigned class_of = class_of_cube(work, place, level);
+    const cm_ray_ends ends = cm_ray_ends_in(above, place, level);
+    /* in what rays end in something may happen, wherever its centre is */
+    const unsigned class_of =
+        ends.first != ends.end ? (unsigned)CM_CUBE_PART : class_of_cube(work, place, level);
     if (cm_update_is_left_out(work->update, class_of))
     {
         return CM_OK;
@@ -499,7 +366,7 @@ static cm_status go_down(round_work *work, uint32_t node, const uint32_t place[3
         {
             below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
         }
-        status = go_down(work, octree->node[node].link + child, below, level - 1);
+        status = go_down(work, octree->node[node].link + child, below, level - 1, ends);
     }
     return status;
 }
@@ -510,15 +377,16 @@ cm_status cm_update_round(cm_update *update, cm_pool *pool)
     const cm_camera_options *camera = cm_camera_describe(update->view->camera);
     round_work work = {.update = update, .centre = camera->pixel_centre};
     cm_status status = round_of(update, &work.round);
-    status = status == CM_OK ? make_rules(&work, pool) : status;
+    status = status == CM_OK ? cm_round_rules_make(update, work.round, pool) : status;
+    status = status == CM_OK ? cm_round_ends_find(update, work.round, pool, &update->ends) : status;
     if (status != CM_OK)
     {
         update->octree->step--;
         return status;
     }
-    update->pixel = options->footprint * mean_pixel(camera) / options->edge;
+    update->pixel = options->footprint * cm_round_mean_pixel(camera) / options->edge;
     const uint32_t first[3] = {0, 0, 0};
-    status = go_down(&work, 0, first, update->octree->tree_level);
+    status = go_down(&work, 0, first, update->octree->tree_level, update->ends);
     cm_update_end_lists(update, status);
     const uint64_t before = cm_update_listed_bytes(update);
     if (status == CM_OK)

@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What an update changes in one block: its counts and its colors.
+ */
+#include "interleave.h"
+#include "update_desk.h"
+
+int cm_update_is_within(const cm_octree *octree, const cm_region *region, unsigned block)
+{
+    unsigned at[3];
+    cm_divide_3(block, at);
+    int within = 1;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const uint32_t first = region->place[axis] + 8 * at[axis];
+        within &= first >= octree->first[axis] && first + 8 <= octree->beyond[axis];
+    }
+    return within;
+}
+
+uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsigned block,
+                         unsigned detail, unsigned group)
+{
+    if (cm_update_is_within(octree, region, block))
+    {
+        return ~(uint64_t)0;
+    }
+    unsigned at[3];
+    cm_divide_3(block, at);
+    uint64_t valid = 0;
+    const size_t cells = cm_cell_count(detail);
+    for (unsigned i = 0; i < 64 && i < cells; i++)
+    {
+        unsigned in[3];
+        cm_divide_3((64 * group + i) << 3 * detail, in);
+        int is_valid = 1;
+        for (int axis = 0; axis < 3; axis++)
+        {
+            const uint32_t place = region->place[axis] + 8 * at[axis] + in[axis];
+            is_valid &= place >= octree->first[axis] && place < octree->beyond[axis];
+        }
+        valid |= (uint64_t)is_valid << i;
+    }
+    return valid;
+}
+
+/* Colors of hits, of which there are some, lie apart: they are brought together, mixed, and put back. */
+static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color,
+                       uint64_t hits, const int32_t pixel[64])
+{
+    const uint32_t *word = update->word;
+    uint32_t old[64], more[64], part[64];
+    uint8_t cell[64];
+    size_t count = 0;
+    do
+    {
+        const unsigned i = (unsigned)__builtin_ctzll(hits);
+        cell[count] = (uint8_t)i;
+        old[count] = color[i];
+        more[count] = word[pixel[i]];
+        part[count++] = update->part_of[alpha[i]];
+        hits &= hits - 1;
+    } while (hits != 0);
+    size_t end = count;
+    for (; end % CM_MIX_MULTIPLE != 0; end++)
+    {
+        old[end] = more[end] = part[end] = 0;
+    }
+    update->set->mix(end, old, more, part);
+    for (size_t k = 0; k < count; k++)
+    {
+        color[cell[k]] = old[k];
+    }
+}
+
+/* Hits without a color: what was no longer occupied has none of its former life. */
+static void forget_colors(const uint8_t alpha[64], uint32_t *color, uint64_t hits)
+{
+    for (; hits != 0; hits &= hits - 1)
+    {
+        const unsigned i = (unsigned)__builtin_ctzll(hits);
+        color[i] = alpha[i] > CM_UNKNOWN ? color[i] : 0;
+    }
+}
+
+int cm_update_block(cm_update *update, cm_region *region, unsigned block,
+                    const cm_block_change *change)
+{
+    const cm_count_rule *rule = &update->octree->rule;
+    uint8_t *alpha = cm_block_open(region, block, rule, change->detail);
+    if (alpha == NULL)
+    {
+        return 0;
+    }
+    const size_t cells = cm_cell_count(region->detail[block]);
+    uint64_t any_hits = 0;
+    int has_changed = 0;
+    for (size_t group = 0; group * 64 < cells; group++)
+    {
+        any_hits |= change->hits[group];
+        if (change->hits[group] != 0 && update->has_color)
+        {
+            uint32_t *color = cm_block_colors(region, block);
+            if (color == NULL)
+            {
+                return 0;
+            }
+            color_hits(update, alpha + 64 * group, color + 64 * group, change->hits[group],
+                       change->pixel[group]);
+        }
+        else if (change->hits[group] != 0 && region->color != NULL && region->color[block] != NULL)
+        {
+            forget_colors(alpha + 64 * group, region->color[block] + 64 * group,
+                          change->hits[group]);
+        }
+        if ((change->hits[group] | change->misses[group]) != 0)
+        {
+            has_changed |=
+                update->set->count(alpha + 64 * group, change->hits[group], change->misses[group],
+                                   rule->hit, rule->miss, rule->low, rule->high);
+        }
+    }
+    if (has_changed)
+    {
+        region->changed[block] = update->octree->step;
+    }
+    if (any_hits != 0)
+    {
+        cm_region_mark(region, block, 1);
+    }
+    else
+    {
+        cm_block_settle(region, block);
+    }
+    return 1;
+}
+
+void cm_update_free_block(cm_update *update, cm_region *region, unsigned block)
+{
+    const cm_count_rule *rule = &update->octree->rule;
+    const uint8_t old = region->value[block];
+    if (region->form[block] == CM_BLOCK_EVEN)
+    {
+        region->value[block] = cm_after_misses(rule, old, 1);
+    }
+    else
+    {
+        region->value[block] = cm_more_misses(old, 1);
+        cm_block_drain(region, block, rule);
+    }
+    if (region->value[block] != old)
+    {
+        region->changed[block] = update->octree->step;
+    }
+}
