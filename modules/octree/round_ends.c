@@ -14,6 +14,7 @@ typedef struct end_work
     const cm_round_desk *round;
     cm_ray_end *list;
     atomic_size_t count;
+    double middle; /* of the tree, in finest edges */
 } end_work;
 
 /* Pixels whose voxels' centres are projected together. */
@@ -43,8 +44,8 @@ static int voxel_of(const end_work *work, size_t pixel, uint32_t place[3])
     cm_pose_apply_back(&work->update->view->pose, in_camera, point);
     for (int axis = 0; axis < 3; axis++)
     {
-        const double at = floor(CM_PLACE_OF(point[axis], options->centre[axis], options->edge,
-                                            ldexp(1.0, octree->tree_level - 1)));
+        const double at =
+            floor(CM_PLACE_OF(point[axis], options->centre[axis], options->edge, work->middle));
         if (!(at >= octree->first[axis] && at < octree->beyond[axis]))
         {
             return 0; /* a ray that is not there ends nowhere: its coordinates are no numbers */
@@ -58,18 +59,14 @@ static int voxel_of(const end_work *work, size_t pixel, uint32_t place[3])
 static int is_lost(const end_work *work, const end_group *group, size_t i, double column,
                    double row)
 {
-    const cm_pixel_tree *tree = &work->round->tree;
     const double point[3] = {group->at[0][i], group->at[1][i], group->at[2][i]};
     const double value = cm_round_value(work->round, point);
     if (!(value > work->update->octree->options.near))
     {
         return 0;
     }
-    const double c = floor(column - work->round->camera.pixel_centre + 0.5);
-    const double r = floor(row - work->round->camera.pixel_centre + 0.5);
-    return !(c >= 0.0 && c < tree->width && r >= 0.0 && r < tree->height) ||
-           cm_round_word(&work->round->rule[(size_t)r * tree->width + (size_t)c], (float)value,
-                         1.0f) <= 0;
+    const size_t pixel = cm_round_pixel(work->round, column, row);
+    return pixel == SIZE_MAX || cm_round_word(&work->round->rule[pixel], (float)value, 1.0f) <= 0;
 }
 
 static void take_group(end_work *work, end_group *group)
@@ -141,7 +138,10 @@ cm_status cm_round_ends_find(const cm_update *update, const cm_round_desk *round
     {
         return CM_ERROR_MEMORY;
     }
-    end_work work = {.update = update, .round = round, .list = desk->end};
+    end_work work = {.update = update,
+                     .round = round,
+                     .list = desk->end,
+                     .middle = ldexp(1.0, update->octree->tree_level - 1)};
     cm_pool_run(pool, round->tree.height, 16, find_in_rows, &work);
     *ends = cm_ray_ends_sort(work.list, atomic_load(&work.count));
     return CM_OK;

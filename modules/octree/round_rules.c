@@ -8,6 +8,7 @@ typedef struct rule_work
 {
     const cm_update *update;
     cm_round_desk *round;
+    size_t apart; /* pixels between which slopes are taken */
 } rule_work;
 
 /* How far along a pixel's ray the surface may cross a voxel, for a hit and for what is no miss. */
@@ -17,20 +18,99 @@ typedef struct round_reach
     double front;
 } round_reach;
 
-/* As in octree_set.inc, from the normal. */
-static round_reach reach_of(const cm_update *update, const cm_round_desk *round, size_t pixel,
-                            double value)
+/* The ray of a pixel, at value 1. */
+static void ray_of(const cm_round_desk *round, size_t pixel, double ray[3])
 {
-    const double edge = update->octree->options.edge;
-    double point[3], normal[3], along = 0.0, square = 0.0;
+    const double along = round->is_range ? 1.0 : (double)round->tree.ray[2][pixel];
     for (int axis = 0; axis < 3; axis++)
     {
-        point[axis] = (double)round->vertex[axis][pixel];
-        normal[axis] = (double)round->normal[axis][pixel];
-        along += normal[axis] * point[axis];
-        square += point[axis] * point[axis];
+        ray[axis] = (double)round->tree.ray[axis][pixel] / along;
     }
-    if (!(fabs(along) > 0.0))
+}
+
+/* From a pixel to one beside it: what 1 / value rises, and the ray's way. */
+typedef struct round_slope
+{
+    double rise;
+    double way[3];
+} round_slope;
+
+static round_slope slope_to(const rule_work *work, size_t pixel, size_t other)
+{
+    const float *value = work->update->desk->view.packed;
+    double here[3], there[3];
+    round_slope slope = {.rise = 1.0 / (double)value[other] - 1.0 / (double)value[pixel]};
+    ray_of(work->round, pixel, here);
+    ray_of(work->round, other, there);
+    for (int axis = 0; axis < 3; axis++)
+    {
+        slope.way[axis] = there[axis] - here[axis];
+    }
+    return slope;
+}
+
+/* Of the pixels `beside` this one along a row or a column, where they are, that to which 1 / value changes less, as in
+ * octree_set.inc: it is of the same surface. Where neither has measured something: no rise. */
+static round_slope slope_of(const rule_work *work, size_t pixel, size_t beside, int has_before,
+                            int has_after)
+{
+    round_slope chosen = {.rise = NAN, .way = {NAN, NAN, NAN}};
+    for (int side = 0; side < 2; side++)
+    {
+        if (side == 0 ? has_before : has_after)
+        {
+            const round_slope slope =
+                slope_to(work, pixel, side == 0 ? pixel - beside : pixel + beside);
+            const int is_better = isnan(chosen.rise) || fabs(slope.rise) < fabs(chosen.rise);
+            chosen = is_better && !isnan(slope.way[0]) ? slope : chosen;
+        }
+    }
+    chosen.rise = isnan(chosen.rise) ? 0.0 : chosen.rise;
+    return chosen;
+}
+
+static void cross(const double a[3], const double b[3], double to[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+        to[axis] = a[next] * b[last] - a[last] * b[next];
+    }
+}
+
+/* The plane n X = 1 that a pixel shows, in the camera's axes: at its ray n is 1 / value, and along both ways it rises. 0: none. */
+static int plane_of(const double ray[3], double inverse, const round_slope *across,
+                    const round_slope *down, double n[3])
+{
+    double of_ray[3], of_across[3], of_down[3];
+    cross(across->way, down->way, of_ray);
+    cross(down->way, ray, of_across);
+    cross(ray, across->way, of_down);
+    const double volume = ray[0] * of_ray[0] + ray[1] * of_ray[1] + ray[2] * of_ray[2];
+    for (int axis = 0; axis < 3; axis++)
+    {
+        n[axis] =
+            (inverse * of_ray[axis] + across->rise * of_across[axis] + down->rise * of_down[axis]) /
+            volume;
+    }
+    return fabs(volume) > 0.0;
+}
+
+/* As in octree_set.inc. |n X - 1| is at most half an edge times the sum where the plane crosses a cube. */
+static round_reach reach_of(const rule_work *work, size_t row, size_t column, double value)
+{
+    const cm_round_desk *round = work->round;
+    const cm_update *update = work->update;
+    const size_t width = round->tree.width, pixel = row * width + column, apart = work->apart;
+    const size_t in_face = row % round->tree.face_rows;
+    const double edge = update->octree->options.edge;
+    const round_slope across =
+        slope_of(work, pixel, apart, column >= apart, column + apart < width);
+    const round_slope down = slope_of(work, pixel, apart * width, in_face >= apart,
+                                      in_face + apart < round->tree.face_rows);
+    double ray[3], n[3];
+    ray_of(round, pixel, ray);
+    if (!plane_of(ray, 1.0 / value, &across, &down, n))
     {
         return (round_reach){(0.5 * sqrt(3.0) + CM_HIT_MORE) * edge,
                              (0.5 * sqrt(3.0) + CM_FRONT_MORE) * edge};
@@ -38,15 +118,12 @@ static round_reach reach_of(const cm_update *update, const cm_round_desk *round,
     double sum = 0.0;
     for (int axis = 0; axis < 3; axis++)
     {
-        sum += fabs(normal[0] * update->step[axis][0] + normal[1] * update->step[axis][1] +
-                    normal[2] * update->step[axis][2]);
+        sum += fabs(n[0] * update->step[axis][0] + n[1] * update->step[axis][1] +
+                    n[2] * update->step[axis][2]);
     }
-    const double range = sqrt(square);
-    const double cosine = fmin(fabs(along) / range, 1.0);
-    const double tangent = sqrt(1.0 - cosine * cosine) / cosine;
-    const double side = round->side[pixel];
-    const double beside = isfinite(side) ? 0.5 * side * tangent * value : 0.0;
-    const double crossed = 0.5 * sum * value / fabs(along), most = CM_REACH_MOST * edge;
+    const double beside =
+        0.5 * value * value * (fabs(across.rise) + fabs(down.rise)) / (double)apart;
+    const double crossed = 0.5 * sum * value, most = CM_REACH_MOST * edge;
     return (round_reach){fmin(crossed + CM_HIT_ASIDE * beside + CM_HIT_MORE * edge, most),
                          fmin(crossed + CM_FRONT_ASIDE * beside + CM_FRONT_MORE * edge, most)};
 }
@@ -62,16 +139,15 @@ static void reach_rows(size_t first, size_t end, void *user)
     for (size_t pixel = first * width; pixel < end * width; pixel++)
     {
         const float v = value[pixel];
-        float reach_here = -1.0f;
+        round->reach[pixel] = -1.0f;
         round->front[pixel] = v > far ? far : INFINITY;
         if (v <= far)
         {
             const double d = (double)v;
-            const round_reach reach = reach_of(work->update, round, pixel, d);
-            reach_here = (float)(reach.hit + options->noise * d);
+            const round_reach reach = reach_of(work, pixel / width, pixel % width, d);
+            round->reach[pixel] = (float)(reach.hit + options->noise * d);
             round->front[pixel] = (float)(d - reach.front - 2.0 * options->noise * d);
         }
-        round->vertex[2][pixel] = reach_here; /* the pixel's maps have served */
     }
 }
 
@@ -83,7 +159,7 @@ static void least_row(const cm_round_desk *round, uint32_t row)
     const uint32_t first_row = row >= face + beside ? row - beside : face;
     const uint32_t end_row = row + beside < face + rows ? row + beside + 1 : face + rows;
     float *least = round->five + (size_t)row * width,
-          *of_column = round->vertex[0] + (size_t)row * width;
+          *of_column = round->bound[0] + (size_t)row * width;
     for (uint32_t c = 0; c < width; c++)
     {
         least[c] = of_column[c] = INFINITY;
@@ -126,11 +202,7 @@ static cm_status take_values(rule_work *work)
     {
         status = cm_depth_from_range(round->rays, value, 1, value);
     }
-    const cm_depth_maps maps = {.size = sizeof maps,
-                                .is_range = round->is_range,
-                                .vertex = {round->vertex[0], round->vertex[1], round->vertex[2]},
-                                .normal = {round->normal[0], round->normal[1], round->normal[2]}};
-    return status == CM_OK ? cm_depth_make_maps(round->rays, value, 1, &maps) : status;
+    return status;
 }
 
 double cm_round_mean_pixel(const cm_camera_options *camera)
@@ -144,8 +216,10 @@ double cm_round_mean_pixel(const cm_camera_options *camera)
 
 cm_status cm_round_rules_make(const cm_update *update, cm_round_desk *round, cm_pool *pool)
 {
-    rule_work work = {.update = update, .round = round};
     const cm_octree_options *options = &update->octree->options;
+    rule_work work = {.update = update,
+                      .round = round,
+                      .apart = options->noise > 0.0 ? CM_APART_WITH_NOISE : CM_APART};
     const size_t width = round->tree.width, height = round->tree.height;
     cm_status status = take_values(&work);
     if (status != CM_OK)
@@ -159,16 +233,15 @@ cm_status cm_round_rules_make(const cm_update *update, cm_round_desk *round, cm_
     cm_pool_run(pool, height, 4, least_rows, &work);
     const float far = options->far > 0.0 ? (float)options->far : INFINITY;
     const float free_far = options->no_return_is_free ? (float)options->far : NAN;
-    /* the maps have served: their memory takes the bounds */
     for (size_t row = 0; row < height; row++)
     {
         const size_t at = row * width;
-        update->set->rules(width, update->desk->view.packed + at, round->vertex[2] + at,
-                           round->five + at, far, free_far, round->rule + at, round->vertex[0] + at,
-                           round->vertex[1] + at);
-        cm_view_desk_silence(&update->desk->view, row, round->rule + at, round->vertex[0] + at,
-                             round->vertex[1] + at);
+        update->set->rules(width, update->desk->view.packed + at, round->reach + at,
+                           round->five + at, far, free_far, round->rule + at, round->bound[0] + at,
+                           round->bound[1] + at);
+        cm_view_desk_silence(&update->desk->view, row, round->rule + at, round->bound[0] + at,
+                             round->bound[1] + at);
     }
-    cm_pixel_tree_fill(&round->tree, round->vertex[0], round->vertex[1]);
+    cm_pixel_tree_fill(&round->tree, round->bound[0], round->bound[1]);
     return CM_OK;
 }

@@ -16,7 +16,6 @@ typedef struct round_work
 {
     cm_update *update;
     cm_round_desk *round;
-    double centre; /* of pixels */
 } round_work;
 
 static void clear_round(cm_round_desk *round)
@@ -25,7 +24,6 @@ static void clear_round(cm_round_desk *round)
     cm_rays_destroy(round->rays);
     free(round->memory);
     free(round->rule);
-    free(round->side);
     memset(round, 0, sizeof *round);
 }
 
@@ -72,18 +70,6 @@ static int has_same_rays(const cm_round_desk *round, const cm_camera *camera)
     return 1;
 }
 
-/* How wide pixels are, at distance 1. */
-static void take_sides(cm_round_desk *round, const cm_camera *camera)
-{
-    const uint32_t width = round->tree.width;
-    const double centre = round->camera.pixel_centre;
-    for (size_t pixel = 0; pixel < (size_t)width * round->tree.height; pixel++)
-    {
-        round->side[pixel] = sqrt(cm_camera_solid_angle(camera, (double)(pixel % width) + centre,
-                                                        (double)(pixel / width) + centre));
-    }
-}
-
 static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const cm_camera *camera)
 {
     const cm_camera_options *options = cm_camera_describe(camera);
@@ -98,21 +84,17 @@ static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const
     {
         return status;
     }
-    round->memory = malloc(8 * pixels * sizeof *round->memory);
+    round->memory = malloc(5 * pixels * sizeof *round->memory);
     round->rule = malloc(pixels * sizeof *round->rule);
-    round->side = malloc(pixels * sizeof *round->side);
-    if (round->memory == NULL || round->rule == NULL || round->side == NULL)
+    if (round->memory == NULL || round->rule == NULL)
     {
         return CM_ERROR_MEMORY;
     }
-    take_sides(round, camera);
-    for (size_t i = 0; i < 3; i++)
-    {
-        round->vertex[i] = round->memory + i * pixels;
-        round->normal[i] = round->memory + (3 + i) * pixels;
-    }
-    round->front = round->memory + 6 * pixels;
-    round->five = round->memory + 7 * pixels;
+    round->reach = round->memory;
+    round->front = round->memory + pixels;
+    round->five = round->memory + 2 * pixels;
+    round->bound[0] = round->memory + 3 * pixels;
+    round->bound[1] = round->memory + 4 * pixels;
     return CM_OK;
 }
 
@@ -211,35 +193,30 @@ static void cell_centres(const cm_update *update, const uint32_t place[3], unsig
     }
 }
 
-/* What the pixel that a cell's centre falls on says of it, and which it is. */
-static int word_at(const round_work *work, const double at[3], double column, double row,
-                   unsigned detail, int32_t *pixel)
-{
-    const cm_pixel_tree *tree = &work->round->tree;
-    const double c = floor(column - work->centre + 0.5), r = floor(row - work->centre + 0.5);
-    const double value = cm_round_value(work->round, at);
-    if (!(c >= 0.0 && c < tree->width && r >= 0.0 && r < tree->height) ||
-        !(value > work->update->octree->options.near))
-    {
-        return 0;
-    }
-    const size_t at_row = (size_t)r, at_column = (size_t)c;
-    *pixel = (int32_t)(at_row * work->update->desk->view.stride + at_column);
-    return cm_round_word(&work->round->rule[at_row * tree->width + at_column], (float)value,
-                         (float)(1u << detail));
-}
-
+/* What pixels say of the cells whose centres fall on them, and which pixels hit. */
 static void ask_pixels(const round_work *work, const uint32_t place[3], cm_block_change *change)
 {
-    const size_t cells = cm_cell_count(change->detail);
+    const cm_round_desk *round = work->round;
+    const size_t cells = cm_cell_count(change->detail), width = round->tree.width;
+    const double near = work->update->octree->options.near;
+    const float scale = (float)(1u << change->detail);
     double x[512] = {0}, y[512] = {0}, z[512] = {0}, column[512], row[512];
     cell_centres(work->update, place, change->detail, cells, x, y, z);
     cm_camera_project_array(work->update->view->camera, cells, x, y, z, column, row);
     for (size_t cell = 0; cell < cells; cell++)
     {
-        const double at[3] = {x[cell], y[cell], z[cell]};
-        const int word = word_at(work, at, column[cell], row[cell], change->detail,
-                                 &change->pixel[cell / 64][cell % 64]);
+        const double value = cm_round_value(round, (const double[3]){x[cell], y[cell], z[cell]});
+        const size_t pixel = cm_round_pixel(round, column[cell], row[cell]);
+        if (pixel == SIZE_MAX || !(value > near))
+        {
+            continue;
+        }
+        const int word = cm_round_word(&round->rule[pixel], (float)value, scale);
+        if (word > 0)
+        {
+            change->pixel[cell / 64][cell % 64] =
+                (int32_t)(pixel / width * work->update->desk->view.stride + pixel % width);
+        }
         change->hits[cell / 64] |= (uint64_t)(word > 0) << cell % 64;
         change->misses[cell / 64] |= (uint64_t)(word < 0) << cell % 64;
     }
@@ -375,7 +352,7 @@ cm_status cm_update_round(cm_update *update, cm_pool *pool)
 {
     const cm_octree_options *options = &update->octree->options;
     const cm_camera_options *camera = cm_camera_describe(update->view->camera);
-    round_work work = {.update = update, .centre = camera->pixel_centre};
+    round_work work = {.update = update};
     cm_status status = round_of(update, &work.round);
     status = status == CM_OK ? cm_round_rules_make(update, work.round, pool) : status;
     status = status == CM_OK ? cm_round_ends_find(update, work.round, pool, &update->ends) : status;

@@ -17,10 +17,8 @@ typedef struct cm_round_desk
     cm_camera_options camera; /* whose cones these are */
     cm_pixel_tree tree;
     cm_rays *rays;
-    float *memory; /* eight images */
-    float *vertex[3], *normal[3];
-    float *front, *five;
-    double *side; /* of pixels, at distance 1 */
+    float *memory; /* five images */
+    float *reach, *front, *five, *bound[2];
     cm_pixel_rule *rule;
     int is_range;
     int around; /* least fronts are over so many windows of 5 x 5, one after the other */
@@ -51,6 +49,15 @@ static inline int cm_round_word(const cm_pixel_rule *rule, float value, float sc
 static inline double cm_round_value(const cm_round_desk *round, const double at[3])
 {
     return round->is_range ? sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]) : at[2];
+}
+
+/* The pixel that a place in the picture falls on, NaN for none, from 0 on; SIZE_MAX: none. */
+static inline size_t cm_round_pixel(const cm_round_desk *round, double column, double row)
+{
+    const double c = column - round->camera.pixel_centre + 0.5;
+    const double r = row - round->camera.pixel_centre + 0.5;
+    const int is_inside = c >= 0.0 && c < round->tree.width && r >= 0.0 && r < round->tree.height;
+    return is_inside ? (size_t)r * round->tree.width + (size_t)c : SIZE_MAX;
 }
 
 /* Pixels of the whole picture are as wide as these in the mean, at distance 1. */

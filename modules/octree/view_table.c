@@ -9,10 +9,6 @@
 #include "color_word.h"
 #include "huge_pages.h"
 
-/* Slopes of noisy images are taken over more pixels. */
-#define APART 1
-#define APART_WITH_NOISE 4
-
 /* A voxel is no miss if anything nearer is seen this close to its centre, in edges: half its diagonal. Views of round cameras
  * take windows of 5 x 5 pixels, as many times one after the other as that needs for the nearest seen, but not more often. */
 #define AROUND_EDGES 0.87
@@ -516,7 +512,7 @@ static void describe_rows(fill_work *work, const cm_octree *octree, const cm_vie
     const cm_camera_options *camera = cm_camera_describe(view->camera);
     cm_rule_row *row = &work->row;
     const int is_noisy = options->noise > 0.0;
-    row->apart = is_noisy ? APART_WITH_NOISE : APART;
+    row->apart = is_noisy ? CM_APART_WITH_NOISE : CM_APART;
     row->step = 1.0f / (float)row->apart;
     memcpy(row->focal, table->focal, sizeof row->focal);
     memcpy(row->axes, table->axes, sizeof row->axes);

@@ -20,6 +20,10 @@
 #define CM_FRONT_ASIDE 0.75
 #define CM_FRONT_MORE 0.08
 
+/* Slopes of noisy images are taken over more pixels. */
+#define CM_APART 1
+#define CM_APART_WITH_NOISE 4
+
 /* Rows of a band of a view that are made one after the other and forgotten soon, so that they stay near: a power of two of them, as
  * many as lie between the first and the last that a pixel has to do with. Row r of each begins at cm_view_row. */
 #define CM_BAND_ROWS 32
