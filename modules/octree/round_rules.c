@@ -18,16 +18,6 @@ typedef struct round_reach
     double front;
 } round_reach;
 
-/* The ray of a pixel, at value 1. */
-static void ray_of(const cm_round_desk *round, size_t pixel, double ray[3])
-{
-    const double along = round->is_range ? 1.0 : (double)round->tree.ray[2][pixel];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        ray[axis] = (double)round->tree.ray[axis][pixel] / along;
-    }
-}
-
 /* From a pixel to one beside it: what 1 / value rises, and the ray's way. */
 typedef struct round_slope
 {
@@ -35,23 +25,19 @@ typedef struct round_slope
     double way[3];
 } round_slope;
 
-static round_slope slope_to(const rule_work *work, size_t pixel, size_t other)
+static round_slope slope_to(const cm_round_desk *round, size_t pixel, size_t other)
 {
-    const float *value = work->update->desk->view.packed;
-    double here[3], there[3];
-    round_slope slope = {.rise = 1.0 / (double)value[other] - 1.0 / (double)value[pixel]};
-    ray_of(work->round, pixel, here);
-    ray_of(work->round, other, there);
+    round_slope slope = {.rise = (double)round->inverse[other] - (double)round->inverse[pixel]};
     for (int axis = 0; axis < 3; axis++)
     {
-        slope.way[axis] = there[axis] - here[axis];
+        slope.way[axis] = (double)round->ray[axis][other] - (double)round->ray[axis][pixel];
     }
     return slope;
 }
 
 /* Of the pixels `beside` this one along a row or a column, where they are, that to which 1 / value changes less, as in
  * octree_set.inc: it is of the same surface. Where neither has measured something: no rise. */
-static round_slope slope_of(const rule_work *work, size_t pixel, size_t beside, int has_before,
+static round_slope slope_of(const cm_round_desk *round, size_t pixel, size_t beside, int has_before,
                             int has_after)
 {
     round_slope chosen = {.rise = NAN, .way = {NAN, NAN, NAN}};
@@ -60,7 +46,7 @@ static round_slope slope_of(const rule_work *work, size_t pixel, size_t beside, 
         if (side == 0 ? has_before : has_after)
         {
             const round_slope slope =
-                slope_to(work, pixel, side == 0 ? pixel - beside : pixel + beside);
+                slope_to(round, pixel, side == 0 ? pixel - beside : pixel + beside);
             const int is_better = isnan(chosen.rise) || fabs(slope.rise) < fabs(chosen.rise);
             chosen = is_better && !isnan(slope.way[0]) ? slope : chosen;
         }
@@ -105,11 +91,12 @@ static round_reach reach_of(const rule_work *work, size_t row, size_t column, do
     const size_t in_face = row % round->tree.face_rows;
     const double edge = update->octree->options.edge;
     const round_slope across =
-        slope_of(work, pixel, apart, column >= apart, column + apart < width);
-    const round_slope down = slope_of(work, pixel, apart * width, in_face >= apart,
+        slope_of(round, pixel, apart, column >= apart, column + apart < width);
+    const round_slope down = slope_of(round, pixel, apart * width, in_face >= apart,
                                       in_face + apart < round->tree.face_rows);
-    double ray[3], n[3];
-    ray_of(round, pixel, ray);
+    const double ray[3] = {(double)round->ray[0][pixel], (double)round->ray[1][pixel],
+                           (double)round->ray[2][pixel]};
+    double n[3];
     if (!plane_of(ray, 1.0 / value, &across, &down, n))
     {
         return (round_reach){(0.5 * sqrt(3.0) + CM_HIT_MORE) * edge,
@@ -126,6 +113,15 @@ static round_reach reach_of(const rule_work *work, size_t row, size_t column, do
     const double crossed = 0.5 * sum * value, most = CM_REACH_MOST * edge;
     return (round_reach){fmin(crossed + CM_HIT_ASIDE * beside + CM_HIT_MORE * edge, most),
                          fmin(crossed + CM_FRONT_ASIDE * beside + CM_FRONT_MORE * edge, most)};
+}
+
+static void invert_rows(size_t first, size_t end, void *user)
+{
+    const rule_work *work = user;
+    const cm_view_desk *desk = &work->update->desk->view;
+    const size_t width = work->round->tree.width;
+    work->update->set->invert((end - first) * width, desk->packed + first * width,
+                              work->round->inverse + first * width);
 }
 
 static void reach_rows(size_t first, size_t end, void *user)
@@ -229,6 +225,7 @@ cm_status cm_round_rules_make(const cm_update *update, cm_round_desk *round, cm_
     round->around = cm_view_desk_around(
         &update->desk->view,
         options->edge / cm_round_mean_pixel(cm_camera_describe(update->view->camera)));
+    cm_pool_run(pool, height, 4, invert_rows, &work);
     cm_pool_run(pool, height, 4, reach_rows, &work);
     cm_pool_run(pool, height, 4, least_rows, &work);
     const float far = options->far > 0.0 ? (float)options->far : INFINITY;

@@ -70,6 +70,44 @@ static int has_same_rays(const cm_round_desk *round, const cm_camera *camera)
     return 1;
 }
 
+/* A lens's rays at depth 1. */
+static void take_rays(cm_round_desk *round, size_t pixels)
+{
+    for (size_t i = 0; i < pixels; i++)
+    {
+        const double along = (double)round->tree.ray[2][i];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            round->ray[axis][i] = (float)((double)round->tree.ray[axis][i] / along);
+        }
+    }
+}
+
+static cm_status take_round_images(cm_round_desk *round, size_t pixels)
+{
+    float **const images[] = {&round->reach,    &round->front,    &round->five,
+                              &round->bound[0], &round->bound[1], &round->inverse,
+                              &round->ray[0],   &round->ray[1],   &round->ray[2]};
+    const size_t all = sizeof images / sizeof *images, own = round->is_range ? all - 3 : all;
+    round->memory = malloc(own * pixels * sizeof *round->memory);
+    round->rule = malloc(pixels * sizeof *round->rule);
+    if (round->memory == NULL || round->rule == NULL)
+    {
+        return CM_ERROR_MEMORY;
+    }
+    for (size_t i = 0; i < own; i++)
+    {
+        *images[i] = round->memory + i * pixels;
+    }
+    if (round->is_range)
+    {
+        memcpy(round->ray, round->tree.ray, sizeof round->ray);
+        return CM_OK;
+    }
+    take_rays(round, pixels);
+    return CM_OK;
+}
+
 static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const cm_camera *camera)
 {
     const cm_camera_options *options = cm_camera_describe(camera);
@@ -84,18 +122,7 @@ static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const
     {
         return status;
     }
-    round->memory = malloc(5 * pixels * sizeof *round->memory);
-    round->rule = malloc(pixels * sizeof *round->rule);
-    if (round->memory == NULL || round->rule == NULL)
-    {
-        return CM_ERROR_MEMORY;
-    }
-    round->reach = round->memory;
-    round->front = round->memory + pixels;
-    round->five = round->memory + 2 * pixels;
-    round->bound[0] = round->memory + 3 * pixels;
-    round->bound[1] = round->memory + 4 * pixels;
-    return CM_OK;
+    return take_round_images(round, pixels);
 }
 
 static cm_status round_of(cm_update *update, cm_round_desk **round)

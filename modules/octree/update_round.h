@@ -17,7 +17,9 @@ typedef struct cm_round_desk
     cm_camera_options camera; /* whose cones these are */
     cm_pixel_tree tree;
     cm_rays *rays;
-    float *memory; /* five images */
+    float *memory;  /* of images */
+    float *ray[3];  /* of pixels, at range or depth 1; of surroundings the tree's */
+    float *inverse; /* 1 / value */
     float *reach, *front, *five, *bound[2];
     cm_pixel_rule *rule;
     int is_range;
