@@ -19,7 +19,7 @@ from . import _library as library
 from ._errors import Error
 from ._method import name_results
 from ._methods import SceneMethods
-from ._texts import Specified, checked_text, created, struct, words_of
+from ._texts import Specified, checked_text, created, handle_of, struct, words_of
 from .camera import Camera
 from .mapping import checked_threads
 from .pose import Pose
@@ -179,8 +179,8 @@ class Primitive(NamedTuple):
     def _struct(self):
         made = struct(library.cm_primitive, kind=PRIMITIVES.index(self.kind), radius=self.radius,
                       pose=self.pose._struct(),
-                      **{name: None if part is None else part._handle.address
-                         for name, part in zip(("mesh", "motion", "brdf"), self._parts, strict=True)})
+                      **{name: None if part is None else handle_of(part, kind, name).address
+                         for name, part, kind in zip(("mesh", "motion", "brdf"), self._parts, self._kinds(), strict=True)})
         made.first[:], made.second[:] = self.first, self.second
         _set_material(made.material, self.material)
         return made
@@ -189,6 +189,13 @@ class Primitive(NamedTuple):
     def _parts(self):
         """What must live as long as a world with it."""
         return self.of, self.motion, self.brdf
+
+    def _kinds(self):
+        """The classes of these parts; that of BRDFs is in a module that need not be there."""
+        if self.brdf is None:
+            return Mesh, Trajectory, None
+        from .sim import Brdf
+        return Mesh, Trajectory, Brdf
 
     @classmethod
     def _read(cls, made, parts):
@@ -222,12 +229,13 @@ class Scene(SceneMethods, Specified):
     _is_remade = False
 
     def __init__(self, primitives: list | tuple = (), *, threads: int = 1) -> None:
+        given = [one._struct() for one in primitives]
         parts = tuple(one._parts for one in primitives)
         self._handle = created(library.cm_scene_create, "cm_scene_destroy",
                                keep=tuple(part._handle for own in parts for part in own if part is not None))
-        for place, one in enumerate(primitives):
+        for place, one in enumerate(given):
             try:
-                library.cm_scene_add(self._handle, ctypes.byref(one._struct()), None)
+                library.cm_scene_add(self._handle, ctypes.byref(one), None)
             except Error as error:
                 raise Error(error.status, f"primitives[{place}]: {error}") from None
         self._parts = parts

@@ -189,6 +189,12 @@ def test_refused_worlds():
         cubemap.Scene([Primitive.mesh(TETRAHEDRON, cubemap.Pose(position=np.zeros((2, 3))))])
     with pytest.raises(ValueError):
         cubemap.Scene([Primitive.sphere((0, 0), 1)])
+    ball, other = Primitive.sphere((0, 0, 0), 1), cubemap.Healpix(8)
+    for wrong, words in ((Primitive.mesh(other), "mesh: a Mesh, not Healpix"),
+                         (ball._replace(motion=other), "motion: a Trajectory, not Healpix"),
+                         (ball._replace(brdf=other), "brdf: a Brdf, not Healpix")):
+        with pytest.raises(TypeError, match=words):
+            cubemap.Scene([wrong])
 
 
 def test_budgets():
