@@ -196,7 +196,10 @@ static cm_status take_values(rule_work *work)
     cm_status status = CM_OK;
     if (!round->is_range && view->depth_is_range)
     {
-        status = cm_depth_from_range(round->rays, value, 1, value);
+        status = round->rays != NULL
+                     ? CM_OK
+                     : cm_rays_create(view->camera, work->update->set->name, &round->rays);
+        status = status != CM_OK ? status : cm_depth_from_range(round->rays, value, 1, value);
     }
     return status;
 }

@@ -108,7 +108,7 @@ static cm_status take_round_images(cm_round_desk *round, size_t pixels)
     return CM_OK;
 }
 
-static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const cm_camera *camera)
+static cm_status make_round(cm_round_desk *round, const cm_camera *camera)
 {
     const cm_camera_options *options = cm_camera_describe(camera);
     const size_t pixels = (size_t)options->width * options->height;
@@ -116,13 +116,8 @@ static cm_status make_round(cm_round_desk *round, const cm_octree *octree, const
     round->camera = *options;
     round->camera.mapping = NULL;
     round->is_range = options->mapping != NULL;
-    cm_status status = cm_pixel_tree_make(camera, &round->tree);
-    status = status == CM_OK ? cm_rays_create(camera, octree->set->name, &round->rays) : status;
-    if (status != CM_OK)
-    {
-        return status;
-    }
-    return take_round_images(round, pixels);
+    const cm_status status = cm_pixel_tree_make(camera, &round->tree);
+    return status == CM_OK ? take_round_images(round, pixels) : status;
 }
 
 static cm_status round_of(cm_update *update, cm_round_desk **round)
@@ -143,7 +138,7 @@ static cm_status round_of(cm_update *update, cm_round_desk **round)
     {
         return CM_OK;
     }
-    const cm_status status = make_round(*round, update->octree, camera);
+    const cm_status status = make_round(*round, camera);
     if (status != CM_OK)
     {
         clear_round(*round);

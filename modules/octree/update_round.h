@@ -16,8 +16,8 @@ typedef struct cm_round_desk
 {
     cm_camera_options camera; /* whose cones these are */
     cm_pixel_tree tree;
-    cm_rays *rays;
-    float *memory;  /* of images */
+    cm_rays *rays;  /* of a lens, once a view had range; else NULL */
+    float *memory;  /* of what follows */
     float *ray[3];  /* of pixels, at range or depth 1; of surroundings the tree's */
     float *inverse; /* 1 / value */
     float *reach, *front, *five, *bound[2];

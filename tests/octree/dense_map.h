@@ -5,6 +5,7 @@
 #ifndef TESTS_OCTREE_DENSE_MAP_H
 #define TESTS_OCTREE_DENSE_MAP_H
 
+#include <cubemap/mapping.h>
 #include <cubemap/octree.h>
 
 #include "tests/suite.h"
@@ -79,5 +80,31 @@ cm_octree *even_map(const cm_octree_options *options, int is_occupied);
 
 /* A pool of so many threads; NULL for one. */
 cm_pool *make_pool(unsigned threads);
+
+/* Kind 0: straight, 1: by a lens, 2: all around. */
+static inline cm_camera *camera_of(int kind)
+{
+    cm_camera_options options = {.size = sizeof options,
+                                 .width = 61,
+                                 .height = 47,
+                                 .fx = 50.0,
+                                 .fy = 50.0,
+                                 .cx = 30.0,
+                                 .cy = 23.0};
+    cm_mapping *mapping = kind == 2 ? make_mapping("gnomonic", NULL) : NULL;
+    options.distortion[0] = kind == 1 ? 0.05 : 0.0;
+    if (kind == 2)
+    {
+        options = (cm_camera_options){.size = sizeof options,
+                                      .width = 23,
+                                      .height = 6 * 23,
+                                      .pixel_centre = 0.5,
+                                      .mapping = mapping};
+    }
+    cm_camera *camera = NULL;
+    ck_assert_int_eq(cm_camera_create(&options, &camera), CM_OK);
+    cm_mapping_destroy(mapping);
+    return camera;
+}
 
 #endif

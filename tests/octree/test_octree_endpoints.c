@@ -19,32 +19,6 @@ static cm_octree_options options_of(int endpoints_only)
                                .endpoints_only = endpoints_only};
 }
 
-/* Straight, by a lens, all around. */
-static cm_camera *camera_of(int kind)
-{
-    cm_camera_options options = {.size = sizeof options,
-                                 .width = 61,
-                                 .height = 47,
-                                 .fx = 50.0,
-                                 .fy = 50.0,
-                                 .cx = 30.0,
-                                 .cy = 23.0};
-    cm_mapping *mapping = kind == 2 ? make_mapping("gnomonic", NULL) : NULL;
-    options.distortion[0] = kind == 1 ? 0.05 : 0.0;
-    if (kind == 2)
-    {
-        options = (cm_camera_options){.size = sizeof options,
-                                      .width = 23,
-                                      .height = 6 * 23,
-                                      .pixel_centre = 0.5,
-                                      .mapping = mapping};
-    }
-    cm_camera *camera = NULL;
-    ck_assert_int_eq(cm_camera_create(&options, &camera), CM_OK);
-    cm_mapping_destroy(mapping);
-    return camera;
-}
-
 /* A view, or its pixels' depths as points from where it is. */
 static void add(cm_octree *octree, const drawn_view *drawn, int as_points)
 {

@@ -27,31 +27,6 @@ typedef struct twins
     uint64_t step;
 } twins;
 
-static cm_camera *camera_of(int kind)
-{
-    cm_camera_options options = {.size = sizeof options,
-                                 .width = 61,
-                                 .height = 47,
-                                 .fx = 40.0,
-                                 .fy = 41.0,
-                                 .cx = 30.0,
-                                 .cy = 23.0};
-    cm_mapping *cube = kind == 2 ? make_mapping("gnomonic", NULL) : NULL;
-    options.distortion[0] = kind == 1 ? 0.08 : 0.0;
-    if (kind == 2)
-    {
-        options = (cm_camera_options){.size = sizeof options,
-                                      .width = 19,
-                                      .height = 6 * 19,
-                                      .pixel_centre = 0.5,
-                                      .mapping = cube};
-    }
-    cm_camera *camera = NULL;
-    ck_assert_int_eq(cm_camera_create(&options, &camera), CM_OK);
-    cm_mapping_destroy(cube);
-    return camera;
-}
-
 static int below(dice *from, int n)
 {
     const int drawn = (int)(throw_dice(from) * n);
