@@ -316,9 +316,66 @@ START_TEST(a_lens_of_no_distortion_is_nearly_straight)
 }
 END_TEST
 
+/* The depths of a lens as ranges along its rays; NaN and 0 stay. */
+static void make_range(drawn_view *drawn, const cm_camera *camera)
+{
+    const cm_camera_options *options = cm_camera_describe(camera);
+    for (size_t i = 0; i < (size_t)options->width * options->height; i++)
+    {
+        const double column = (double)(i % options->width) + options->pixel_centre;
+        const double row = (double)(i / options->width) + options->pixel_centre;
+        double x, y, z;
+        cm_camera_ray_array(camera, 1, &column, &row, &x, &y, &z);
+        drawn->depth[i] = (float)((double)drawn->depth[i] * sqrt(x * x + y * y + z * z) / z);
+    }
+    drawn->view.depth_is_range = 1;
+}
+
+/* But for rounding of the ranges, which some voxels on the border of being hit tell. */
+START_TEST(ranges_of_a_lens_are_its_depths)
+{
+    const double distortion[] = {0.1, -0.05};
+    cm_camera *camera = lens(distortion, 2);
+    const cm_octree_options options = {.size = sizeof options, .levels = 6, .edge = 0.05};
+    dense_map map[2] = {dense_make(6), dense_make(6)};
+    for (int i = 0; i < 2; i++)
+    {
+        dice from = {7};
+        cm_octree *octree = make_map(&options);
+        for (int k = 0; k < 3; k++) /* a lens's rays stay from view to view */
+        {
+            const double place[3] = {0.2 * k - 0.3, 0.1, -1.2}, at[3] = {0.1, 0.2, 0.3};
+            const cm_pose pose = look_at(place, at, 0.2 * k);
+            drawn_view drawn;
+            draw_view(&drawn, camera, &pose, 1.3, 0, &from);
+            if (i == 1)
+            {
+                make_range(&drawn, camera);
+            }
+            ck_assert_int_eq(cm_octree_update(octree, &drawn.view, NULL), CM_OK);
+            clear_view(&drawn);
+        }
+        dense_read(octree, &map[i]);
+        cm_octree_destroy(octree);
+    }
+    size_t different = 0, known = 0;
+    for (size_t i = 0; i < (size_t)1 << 18; i++)
+    {
+        known += map[0].alpha[i] != 127;
+        different += map[0].alpha[i] != map[1].alpha[i];
+    }
+    ck_assert_uint_gt(known, 20000);
+    ck_assert_msg(different < known / 1000, "%zu of %zu differ", different, known);
+    dense_clear(&map[0]);
+    dense_clear(&map[1]);
+    cm_camera_destroy(camera);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {lenses_are_exact, surroundings_are_exact,
-                                  a_lens_of_no_distortion_is_nearly_straight, NULL};
+                                  a_lens_of_no_distortion_is_nearly_straight,
+                                  ranges_of_a_lens_are_its_depths, NULL};
     return run_suite("octree round", tests);
 }
