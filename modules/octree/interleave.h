@@ -25,18 +25,21 @@ static inline void cm_divide_3(unsigned key, unsigned place[3])
     }
 }
 
-/* 20 bits each as a number of 60. */
+/* 21 bits, each two places from the next. */
+static inline uint64_t cm_spread(uint64_t bits)
+{
+    bits &= 0x1fffffu;
+    bits = (bits | bits << 32) & 0x001f00000000ffffu;
+    bits = (bits | bits << 16) & 0x001f0000ff0000ffu;
+    bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
+    bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
+    return (bits | bits << 2) & 0x1249249249249249u;
+}
+
+/* 21 bits each as a number of 63. */
 static inline uint64_t cm_interleave(const uint32_t place[3])
 {
-    uint64_t key = 0;
-    for (unsigned bit = 0; bit < 21; bit++)
-    {
-        for (unsigned axis = 0; axis < 3; axis++)
-        {
-            key |= (uint64_t)(place[axis] >> bit & 1u) << (3 * bit + axis);
-        }
-    }
-    return key;
+    return cm_spread(place[0]) | cm_spread(place[1]) << 1 | cm_spread(place[2]) << 2;
 }
 
 /* And back. */

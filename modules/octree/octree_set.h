@@ -10,6 +10,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "round_loops.h"
+
 /* Rows of images have so many floats before their beginning and behind their end that can be read. */
 #define CM_OCTREE_SLACK 16
 
@@ -141,7 +143,8 @@ typedef enum cm_cube_class
     CM_CUBE_OUTSIDE = 0, /* nothing happens in it */
     CM_CUBE_FREE = 1,    /* all of it is missed */
     CM_CUBE_BAND = 2,    /* perhaps not, and all of it falls on the picture */
-    CM_CUBE_PART = 3     /* perhaps not */
+    CM_CUBE_PART = 3,    /* perhaps not */
+    CM_CUBE_UNKNOWN = 4  /* not told here; no loop says so */
 } cm_cube_class;
 
 /* Offsets of the cells' centres of a block from that of its first voxel, in the camera's axes; those of each detail. */
@@ -249,6 +252,12 @@ typedef struct cm_octree_set
     void (*classify)(const cm_view_table *view, size_t n, const float *x, const float *y,
                      const float *z, const float half[3], uint8_t *class_of,
                      cm_cube_bounds *bounds);
+    /* The same of what is measured from `near` to `far` of each cube, where that is not Z; what is no farther than `nearest` is not
+     * seen. All cubes are in front of the picture. */
+    void (*classify_between)(const cm_view_table *view, size_t n, const float *x, const float *y,
+                             const float *z, const float half[3], const float *near,
+                             const float *far, float nearest, uint8_t *class_of,
+                             cm_cube_bounds *bounds);
     /* What happens to the cells of a group: bits of hits and misses, and the rules' indices of those that are hit, perhaps of
      * others. */
     void (*visit)(const cm_view_table *view, const cm_visited_group *group, uint64_t *hits,
@@ -266,6 +275,16 @@ typedef struct cm_octree_set
     /* Voxels of CM_POINTS_TOGETHER points. place[-1] is that before the first. Returns bits of those that are in a voxel, and not in
      * that of the point before. */
     uint64_t (*places)(const cm_point_grid *grid, const float *xyz, uint64_t *place);
+    /* Of cameras that are not straight, as round_loops.inc has them. */
+    void (*round_reaches)(size_t n, const cm_round_row *row, float *reach, float *front);
+    void (*round_least)(size_t n, size_t count, size_t apart, const float *from, float *to);
+    void (*round_ends)(size_t n, const cm_round_rays *rays, size_t first, int32_t *x, int32_t *y,
+                       int32_t *z);
+    uint64_t (*round_eights)(const cm_round_terms *terms, const cm_round_group *group,
+                             cm_round_cells *to);
+    void (*round_ask)(const cm_round_picture *picture, size_t n, const double *column,
+                      const double *row, float scale, float *value, int32_t *pixel,
+                      uint64_t hits[8], uint64_t misses[8]);
 } cm_octree_set;
 
 extern const cm_octree_set cm_octree_scalar;

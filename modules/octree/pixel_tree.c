@@ -15,15 +15,23 @@ static void ray_of(const cm_pixel_tree *tree, size_t pixel, double ray[3])
     }
 }
 
-static double angle_between(const double a[3], const double b[3])
+static double chord_between(const double a[3], const double b[3])
 {
     const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-    const double chord = 0.5 * sqrt(x * x + y * y + z * z);
+    return 0.5 * sqrt(x * x + y * y + z * z);
+}
+
+static double angle_of(double chord)
+{
     return 2.0 * asin(chord < 1.0 ? chord : 1.0);
 }
 
-/* The greatest angle to a pixel beside: more than what a pixel reaches from its own centre. NaN rays are of none. */
-static double angle_beside(const cm_pixel_tree *tree, uint32_t column, uint32_t row, int *is_border)
+static double angle_between(const double a[3], const double b[3])
+{
+    return angle_of(chord_between(a, b));
+}
+
+double cm_pixel_angle_beside(const cm_pixel_tree *tree, uint32_t column, uint32_t row, int *border)
 {
     const uint32_t first = row / tree->face_rows * tree->face_rows;
     double own[3], most = 0.0;
@@ -36,17 +44,17 @@ static double angle_beside(const cm_pixel_tree *tree, uint32_t column, uint32_t 
             if (c < 0 || c >= (int64_t)tree->width || r < (int64_t)first ||
                 r >= (int64_t)first + (int64_t)tree->face_rows)
             {
-                *is_border |= tree->faces == 1;
+                *border |= tree->faces == 1 ? CM_BORDER_OF_PICTURE : 0;
                 continue;
             }
             double beside[3];
             ray_of(tree, (size_t)r * tree->width + (size_t)c, beside);
-            const double angle = angle_between(own, beside);
-            *is_border |= isnan(angle);
-            most = angle > most ? angle : most;
+            const double chord = chord_between(own, beside);
+            *border |= isnan(chord) ? CM_BORDER_OF_RAYS : 0;
+            most = chord > most ? chord : most;
         }
     }
-    return most;
+    return angle_of(most);
 }
 
 /* A cell around directions with angles. */
@@ -85,7 +93,7 @@ static void make_tile(const cm_pixel_tree *tree, uint32_t column, uint32_t row, 
     const uint32_t last_column =
         column + CM_TILE_EDGE < tree->width ? column + CM_TILE_EDGE : tree->width;
     cone_sum sum = {{0}, 0.0, 0};
-    int is_border = 0;
+    int border = 0;
     for (uint32_t r = row; r < last_row; r++)
     {
         for (uint32_t c = column; c < last_column; c++)
@@ -94,7 +102,7 @@ static void make_tile(const cm_pixel_tree *tree, uint32_t column, uint32_t row, 
             ray_of(tree, (size_t)r * tree->width + c, ray);
             const int is_ray = !isnan(ray[0]);
             sum.count += (size_t)is_ray;
-            is_border |= !is_ray;
+            border |= is_ray ? 0 : CM_BORDER_OF_PICTURE;
             for (int axis = 0; is_ray && axis < 3; axis++)
             {
                 sum.axis[axis] += ray[axis];
@@ -111,13 +119,17 @@ static void make_tile(const cm_pixel_tree *tree, uint32_t column, uint32_t row, 
             ray_of(tree, (size_t)r * tree->width + c, ray);
             if (!isnan(ray[0]))
             {
+                int own_border = 0;
+                const double beside = cm_pixel_angle_beside(tree, c, r, &own_border);
+                /* what the rays beside would be is not known */
                 const double angle =
-                    angle_between(sum.axis, ray) + angle_beside(tree, c, r, &is_border);
+                    own_border & CM_BORDER_OF_RAYS ? 3.2 : angle_between(sum.axis, ray) + beside;
+                border |= own_border;
                 sum.angle = fmax(sum.angle, angle);
             }
         }
     }
-    cell->is_border = (uint8_t)is_border;
+    cell->is_border = border != 0;
     close_cone(cell, &sum);
 }
 
@@ -190,15 +202,17 @@ static cm_status take_memory(cm_pixel_tree *tree)
         width = divided(width, 2);
         rows = divided(rows, 2);
     }
-    const size_t pixels = (size_t)tree->width * tree->height;
+    const size_t apart = (size_t)tree->width * tree->height + 2 * CM_PIXEL_SLACK;
     tree->memory = calloc(cells, sizeof *tree->memory);
-    tree->ray[0] = malloc(3 * pixels * sizeof(float));
-    if (tree->memory == NULL || tree->ray[0] == NULL)
+    tree->rays = calloc(3 * apart, sizeof *tree->rays);
+    if (tree->memory == NULL || tree->rays == NULL)
     {
         return CM_ERROR_MEMORY;
     }
-    tree->ray[1] = tree->ray[0] + pixels;
-    tree->ray[2] = tree->ray[1] + pixels;
+    for (size_t axis = 0; axis < 3; axis++)
+    {
+        tree->ray[axis] = tree->rays + axis * apart + CM_PIXEL_SLACK;
+    }
     cm_pixel_cell *next = tree->memory;
     for (int level = 0; level < tree->levels; level++)
     {
@@ -289,7 +303,7 @@ cm_status cm_pixel_tree_make(const cm_camera *camera, cm_pixel_tree *tree)
 void cm_pixel_tree_clear(cm_pixel_tree *tree)
 {
     free(tree->memory);
-    free(tree->ray[0]);
+    free(tree->rays);
     memset(tree, 0, sizeof *tree);
 }
 

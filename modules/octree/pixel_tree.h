@@ -34,6 +34,8 @@ typedef struct cm_pixel_level
 
 #define CM_PIXEL_LEVELS 32
 
+#define CM_PIXEL_SLACK 32
+
 /* The cones depend on the camera alone. */
 typedef struct cm_pixel_tree
 {
@@ -44,6 +46,7 @@ typedef struct cm_pixel_tree
     int levels;
     cm_pixel_level level[CM_PIXEL_LEVELS];
     cm_pixel_cell *memory;
+    float *rays;   /* memory of these; CM_PIXEL_SLACK floats before and behind each can be read */
     float *ray[3]; /* unit, of all pixels; NaN where there is none */
 } cm_pixel_tree;
 
@@ -58,6 +61,12 @@ typedef struct cm_cone_bounds
 
 cm_status cm_pixel_tree_make(const cm_camera *camera, cm_pixel_tree *tree);
 void cm_pixel_tree_clear(cm_pixel_tree *tree);
+
+/* The greatest angle to a pixel beside: more than what a pixel reaches from its own centre. Pixels without a ray are
+ * of none. Bits of *border become 1: the picture ends beside the pixel, or what has rays does. */
+#define CM_BORDER_OF_PICTURE 1
+#define CM_BORDER_OF_RAYS 2
+double cm_pixel_angle_beside(const cm_pixel_tree *tree, uint32_t column, uint32_t row, int *border);
 
 /* From bounds of each pixel. */
 void cm_pixel_tree_fill(cm_pixel_tree *tree, const float *least, const float *most);

@@ -11,110 +11,6 @@ typedef struct rule_work
     size_t apart; /* pixels between which slopes are taken */
 } rule_work;
 
-/* How far along a pixel's ray the surface may cross a voxel, for a hit and for what is no miss. */
-typedef struct round_reach
-{
-    double hit;
-    double front;
-} round_reach;
-
-/* From a pixel to one beside it: what 1 / value rises, and the ray's way. */
-typedef struct round_slope
-{
-    double rise;
-    double way[3];
-} round_slope;
-
-static round_slope slope_to(const cm_round_desk *round, size_t pixel, size_t other)
-{
-    round_slope slope = {.rise = (double)round->inverse[other] - (double)round->inverse[pixel]};
-    for (int axis = 0; axis < 3; axis++)
-    {
-        slope.way[axis] = (double)round->ray[axis][other] - (double)round->ray[axis][pixel];
-    }
-    return slope;
-}
-
-/* Of the pixels `beside` this one along a row or a column, where they are, that to which 1 / value changes less, as in
- * octree_set.inc: it is of the same surface. Where neither has measured something: no rise. */
-static round_slope slope_of(const cm_round_desk *round, size_t pixel, size_t beside, int has_before,
-                            int has_after)
-{
-    round_slope chosen = {.rise = NAN, .way = {NAN, NAN, NAN}};
-    for (int side = 0; side < 2; side++)
-    {
-        if (side == 0 ? has_before : has_after)
-        {
-            const round_slope slope =
-                slope_to(round, pixel, side == 0 ? pixel - beside : pixel + beside);
-            const int is_better = isnan(chosen.rise) || fabs(slope.rise) < fabs(chosen.rise);
-            chosen = is_better && !isnan(slope.way[0]) ? slope : chosen;
-        }
-    }
-    chosen.rise = isnan(chosen.rise) ? 0.0 : chosen.rise;
-    return chosen;
-}
-
-static void cross(const double a[3], const double b[3], double to[3])
-{
-    for (int axis = 0; axis < 3; axis++)
-    {
-        const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-        to[axis] = a[next] * b[last] - a[last] * b[next];
-    }
-}
-
-/* The plane n X = 1 that a pixel shows, in the camera's axes: at its ray n is 1 / value, and along both ways it rises. 0: none. */
-static int plane_of(const double ray[3], double inverse, const round_slope *across,
-                    const round_slope *down, double n[3])
-{
-    double of_ray[3], of_across[3], of_down[3];
-    cross(across->way, down->way, of_ray);
-    cross(down->way, ray, of_across);
-    cross(ray, across->way, of_down);
-    const double volume = ray[0] * of_ray[0] + ray[1] * of_ray[1] + ray[2] * of_ray[2];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        n[axis] =
-            (inverse * of_ray[axis] + across->rise * of_across[axis] + down->rise * of_down[axis]) /
-            volume;
-    }
-    return fabs(volume) > 0.0;
-}
-
-/* As in octree_set.inc. |n X - 1| is at most half an edge times the sum where the plane crosses a cube. */
-static round_reach reach_of(const rule_work *work, size_t row, size_t column, double value)
-{
-    const cm_round_desk *round = work->round;
-    const cm_update *update = work->update;
-    const size_t width = round->tree.width, pixel = row * width + column, apart = work->apart;
-    const size_t in_face = row % round->tree.face_rows;
-    const double edge = update->octree->options.edge;
-    const round_slope across =
-        slope_of(round, pixel, apart, column >= apart, column + apart < width);
-    const round_slope down = slope_of(round, pixel, apart * width, in_face >= apart,
-                                      in_face + apart < round->tree.face_rows);
-    const double ray[3] = {(double)round->ray[0][pixel], (double)round->ray[1][pixel],
-                           (double)round->ray[2][pixel]};
-    double n[3];
-    if (!plane_of(ray, 1.0 / value, &across, &down, n))
-    {
-        return (round_reach){(0.5 * sqrt(3.0) + CM_HIT_MORE) * edge,
-                             (0.5 * sqrt(3.0) + CM_FRONT_MORE) * edge};
-    }
-    double sum = 0.0;
-    for (int axis = 0; axis < 3; axis++)
-    {
-        sum += fabs(n[0] * update->step[axis][0] + n[1] * update->step[axis][1] +
-                    n[2] * update->step[axis][2]);
-    }
-    const double beside =
-        0.5 * value * value * (fabs(across.rise) + fabs(down.rise)) / (double)apart;
-    const double crossed = 0.5 * sum * value, most = CM_REACH_MOST * edge;
-    return (round_reach){fmin(crossed + CM_HIT_ASIDE * beside + CM_HIT_MORE * edge, most),
-                         fmin(crossed + CM_FRONT_ASIDE * beside + CM_FRONT_MORE * edge, most)};
-}
-
 static void invert_rows(size_t first, size_t end, void *user)
 {
     const rule_work *work = user;
@@ -124,66 +20,105 @@ static void invert_rows(size_t first, size_t end, void *user)
                               work->round->inverse + first * width);
 }
 
+/* What is the same of all rows. */
+static cm_round_row describe_row(const rule_work *work)
+{
+    const cm_octree_options *options = &work->update->octree->options;
+    cm_round_row row = {.apart = work->apart,
+                        .by_apart = 1.0 / (double)work->apart,
+                        .edge = options->edge,
+                        .noise = options->noise,
+                        .far = options->far > 0.0 ? (float)options->far : INFINITY,
+                        .hit_aside = CM_HIT_ASIDE,
+                        .hit_more = CM_HIT_MORE,
+                        .front_aside = CM_FRONT_ASIDE,
+                        .front_more = CM_FRONT_MORE,
+                        .most = CM_REACH_MOST};
+    memcpy(row.step, work->update->step, sizeof row.step);
+    return row;
+}
+
 static void reach_rows(size_t first, size_t end, void *user)
 {
     const rule_work *work = user;
     cm_round_desk *round = work->round;
-    const cm_octree_options *options = &work->update->octree->options;
-    const float *value = work->update->desk->view.packed;
-    const float far = options->far > 0.0 ? (float)options->far : INFINITY;
     const size_t width = round->tree.width;
-    for (size_t pixel = first * width; pixel < end * width; pixel++)
+    cm_round_row row = describe_row(work);
+    for (size_t r = first; r < end; r++)
     {
-        const float v = value[pixel];
-        round->reach[pixel] = -1.0f;
-        round->front[pixel] = v > far ? far : INFINITY;
-        if (v <= far)
+        const size_t in_face = r % round->tree.face_rows, away = work->apart * width;
+        const int is_there[3] = {in_face >= work->apart, 1,
+                                 in_face + work->apart < round->tree.face_rows};
+        row.value = work->update->desk->view.packed + r * width;
+        for (size_t k = 0; k < 3; k++)
         {
-            const double d = (double)v;
-            const round_reach reach = reach_of(work, pixel / width, pixel % width, d);
-            round->reach[pixel] = (float)(reach.hit + options->noise * d);
-            round->front[pixel] = (float)(d - reach.front - 2.0 * options->noise * d);
+            const size_t at = is_there[k] ? r * width + k * away - away : 0;
+            row.inverse[k] = is_there[k] ? round->inverse + at : round->none;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                row.ray[axis][k] = is_there[k] ? round->ray[axis] + at : round->none;
+            }
         }
+        work->update->set->round_reaches(width, &row, round->reach + r * width,
+                                         round->front + r * width);
     }
 }
 
-/* The least fronts around the pixels of a row, within its face: as in view_table.c. Of columns, then of those beside each other. */
-static void least_row(const cm_round_desk *round, uint32_t row)
+/* Columns whose least fronts are found together, and twice as many as are looked at beside them at most: vectors are whole. */
+#define COLUMNS_TOGETHER 512
+#define COLUMNS_BESIDE (4 * CM_AROUND_MOST)
+
+/* The least fronts around some pixels of a row, within its face: as in view_table.c. Of columns, then of those beside each other. */
+static void least_part(const rule_work *work, uint32_t row, uint32_t first, uint32_t end)
 {
+    const cm_round_desk *round = work->round;
     const uint32_t width = round->tree.width, rows = round->tree.face_rows;
     const uint32_t face = row / rows * rows, beside = 2 * (uint32_t)round->around;
     const uint32_t first_row = row >= face + beside ? row - beside : face;
     const uint32_t end_row = row + beside < face + rows ? row + beside + 1 : face + rows;
-    float *least = round->five + (size_t)row * width,
-          *of_column = round->bound[0] + (size_t)row * width;
-    for (uint32_t c = 0; c < width; c++)
+    const uint32_t left = first >= beside ? first - beside : 0;
+    const uint32_t right = width - end > beside ? end + beside : width;
+    float of_column[COLUMNS_TOGETHER + 4 * COLUMNS_BESIDE],
+        least[COLUMNS_TOGETHER + COLUMNS_BESIDE];
+    for (size_t i = 0; i < COLUMNS_BESIDE; i++)
     {
-        least[c] = of_column[c] = INFINITY;
+        of_column[i] = INFINITY;
     }
-    for (uint32_t r = first_row; r < end_row; r++)
+    float *const from_left = of_column + COLUMNS_BESIDE;
+    work->update->set->round_least(right - left, end_row - first_row, width,
+                                   round->front + (size_t)first_row * width + left, from_left);
+    for (size_t i = 0; i < 2 * COLUMNS_BESIDE; i++)
     {
-        const float *front = round->front + (size_t)r * width;
-        for (uint32_t c = 0; c < width; c++)
-        {
-            of_column[c] = front[c] < of_column[c] ? front[c] : of_column[c];
-        }
+        from_left[right - left + i] = INFINITY;
     }
-    for (uint32_t c = 0; c < width; c++)
-    {
-        const uint32_t end = c + beside < width ? c + beside + 1 : width;
-        for (uint32_t k = c >= beside ? c - beside : 0; k < end; k++)
-        {
-            least[c] = of_column[k] < least[c] ? of_column[k] : least[c];
-        }
-    }
+    work->update->set->round_least(end - first, 2 * beside + 1, 1,
+                                   from_left + (first - left) - beside, least);
+    memcpy(round->five + (size_t)row * width + first, least, (end - first) * sizeof *least);
 }
 
-static void least_rows(size_t first, size_t end, void *user)
+static void rule_rows(size_t first, size_t end, void *user)
 {
     const rule_work *work = user;
+    const cm_octree_options *options = &work->update->octree->options;
+    const cm_view_desk *desk = &work->update->desk->view;
+    cm_round_desk *round = work->round;
+    const float far = options->far > 0.0 ? (float)options->far : INFINITY;
+    const float free_far = options->no_return_is_free ? (float)options->far : NAN;
+    const uint32_t width = round->tree.width;
     for (size_t row = first; row < end; row++)
     {
-        least_row(work->round, (uint32_t)row);
+        for (uint32_t column = 0; column < width; column += COLUMNS_TOGETHER)
+        {
+            const uint32_t rest = width - column;
+            least_part(work, (uint32_t)row, column,
+                       rest < COLUMNS_TOGETHER ? width : column + COLUMNS_TOGETHER);
+        }
+        const size_t at = row * width;
+        work->update->set->rules(width, desk->packed + at, round->reach + at, round->five + at, far,
+                                 free_far, round->rule + at, round->bound[0] + at,
+                                 round->bound[1] + at);
+        cm_view_desk_silence(desk, row, round->rule + at, round->bound[0] + at,
+                             round->bound[1] + at);
     }
 }
 
@@ -219,7 +154,7 @@ cm_status cm_round_rules_make(const cm_update *update, cm_round_desk *round, cm_
     rule_work work = {.update = update,
                       .round = round,
                       .apart = options->noise > 0.0 ? CM_APART_WITH_NOISE : CM_APART};
-    const size_t width = round->tree.width, height = round->tree.height;
+    const size_t height = round->tree.height;
     cm_status status = take_values(&work);
     if (status != CM_OK)
     {
@@ -230,18 +165,8 @@ cm_status cm_round_rules_make(const cm_update *update, cm_round_desk *round, cm_
         options->edge / cm_round_mean_pixel(cm_camera_describe(update->view->camera)));
     cm_pool_run(pool, height, 4, invert_rows, &work);
     cm_pool_run(pool, height, 4, reach_rows, &work);
-    cm_pool_run(pool, height, 4, least_rows, &work);
-    const float far = options->far > 0.0 ? (float)options->far : INFINITY;
-    const float free_far = options->no_return_is_free ? (float)options->far : NAN;
-    for (size_t row = 0; row < height; row++)
-    {
-        const size_t at = row * width;
-        update->set->rules(width, update->desk->view.packed + at, round->reach + at,
-                           round->five + at, far, free_far, round->rule + at, round->bound[0] + at,
-                           round->bound[1] + at);
-        cm_view_desk_silence(&update->desk->view, row, round->rule + at, round->bound[0] + at,
-                             round->bound[1] + at);
-    }
+    cm_pool_run(pool, height, 4, rule_rows, &work);
     cm_pixel_tree_fill(&round->tree, round->bound[0], round->bound[1]);
+    cm_round_faces_fill(&round->faces, update->set, round->bound[0], round->bound[1], pool);
     return CM_OK;
 }

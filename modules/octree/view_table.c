@@ -9,10 +9,8 @@
 #include "color_word.h"
 #include "huge_pages.h"
 
-/* A voxel is no miss if anything nearer is seen this close to its centre, in edges: half its diagonal. Views of round cameras
- * take windows of 5 x 5 pixels, as many times one after the other as that needs for the nearest seen, but not more often. */
+/* A voxel is no miss if anything nearer is seen this close to its centre, in edges: half its diagonal. */
 #define AROUND_EDGES 0.87
-#define AROUND_MOST 4
 
 /* So far behind a silhouette, in edges, the unseen side of the same body may cross voxels that reach over to it. */
 #define HIDES_EDGES 8.0
@@ -64,20 +62,10 @@ int cm_camera_is_straight(const cm_camera_options *camera)
 
 /* ---- memory ---- */
 
-static size_t level_cells(uint32_t pixels, int level)
-{
-    return (size_t)(((uint64_t)pixels + (1u << level) - 1) >> level);
-}
-
-static int has_more_levels(const cm_view_desk *desk, int level)
-{
-    return level_cells(desk->width, level) > 2 || level_cells(desk->height, level) > 2;
-}
-
 /* One piece of memory for all, in which the rest begins at whole lines. */
 static int take_images(cm_view_desk *desk)
 {
-    const size_t cells = desk->stride * ((desk->height + 1) / 2 + 2);
+    const size_t cells = cm_view_cells(desk);
     const size_t pixels = desk->stride * desk->height;
     const size_t dense = (size_t)desk->width * desk->height, packed = dense / 16 * 16 + 32;
     float **const images[] = {&desk->least[0], &desk->least[1], &desk->most[0], &desk->most[1]};
@@ -166,34 +154,6 @@ static int take_bands(cm_view_desk *desk, size_t bands)
     return 1;
 }
 
-static int take_windows(cm_view_desk *desk)
-{
-    size_t windows = 0;
-    int levels = 1;
-    do
-    {
-        windows +=
-            level_cells(desk->width, levels) * level_cells(desk->height, levels) + CM_OCTREE_SLACK;
-        levels++;
-    } while (has_more_levels(desk, levels - 1));
-    desk->windows = cm_huge_allocate(windows * sizeof *desk->windows);
-    cm_cube_bounds *next = desk->windows;
-    desk->table.levels = levels;
-    desk->table.window = desk->windows;
-    for (int level = 1; desk->windows != NULL && level < levels; level++)
-    {
-        cm_window_level *at = &desk->table.level[level];
-        at->width = (uint32_t)level_cells(desk->width, level);
-        at->height = (uint32_t)level_cells(desk->height, level);
-        const size_t cells = (size_t)at->width * at->height + CM_OCTREE_SLACK;
-        at->bounds = next;
-        desk->table.first_window[level] = (uint32_t)(next - desk->windows);
-        desk->table.window_row[level] = at->width;
-        next += cells;
-    }
-    return desk->windows != NULL;
-}
-
 static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
 {
     if (desk->memory != NULL && desk->windows != NULL && desk->width == width &&
@@ -204,8 +164,8 @@ static cm_status desk_for(cm_view_desk *desk, uint32_t width, uint32_t height)
     cm_view_desk_clear(desk);
     desk->width = width;
     desk->height = height;
-    desk->stride = ((size_t)width + 15) / 16 * 16 + 2 * CM_OCTREE_SLACK;
-    if (!take_images(desk) || !take_windows(desk))
+    desk->stride = cm_view_stride(width);
+    if (!take_images(desk) || !cm_view_windows_take(desk))
     {
         cm_view_desk_clear(desk);
         return CM_ERROR_MEMORY;
@@ -332,7 +292,7 @@ int cm_view_desk_around(const cm_view_desk *desk, double focal_edges)
         nearest = desk->packed[i] < nearest ? desk->packed[i] : nearest;
     }
     const double around = ceil(0.5 * AROUND_EDGES * focal_edges / (double)nearest);
-    return around < 1.0 ? 1 : around > AROUND_MOST ? AROUND_MOST : (int)around;
+    return around < 1.0 ? 1 : around > CM_AROUND_MOST ? CM_AROUND_MOST : (int)around;
 }
 
 /* Depth of what is range, by the rays of the camera. */

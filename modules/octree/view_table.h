@@ -24,6 +24,10 @@
 #define CM_APART 1
 #define CM_APART_WITH_NOISE 4
 
+/* Views of round cameras take least fronts in windows of 5 x 5 pixels, as many times one after the other as half a voxel's diagonal
+ * needs for the nearest seen, but not more often. */
+#define CM_AROUND_MOST 4
+
 /* Rows of a band of a view that are made one after the other and forgotten soon, so that they stay near: a power of two of them, as
  * many as lie between the first and the last that a pixel has to do with. Row r of each begins at cm_view_row. */
 #define CM_BAND_ROWS 32
@@ -96,6 +100,22 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
 /* Words of a view's colors, if it has any. */
 void cm_view_desk_colors(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
                          cm_pool *pool);
+
+/* Floats from row to row of an image so wide; and those of an image of cells of the first level. */
+static inline size_t cm_view_stride(uint32_t width)
+{
+    return ((size_t)width + 15) / 16 * 16 + 2 * CM_OCTREE_SLACK;
+}
+
+static inline size_t cm_view_cells(const cm_view_desk *desk)
+{
+    return desk->stride * ((desk->height + 1) / 2 + 2);
+}
+
+/* Memory of the windows of a picture whose width and height are there; and that of its cells, too, for a desk that has nothing
+ * else. 0: none. */
+int cm_view_windows_take(cm_view_desk *desk);
+int cm_view_cells_take(cm_view_desk *desk);
 
 /* Bounds in windows from those in cells of the first level, desk->least[1] and desk->most[1]. */
 void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool);

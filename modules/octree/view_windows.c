@@ -2,9 +2,67 @@
  *
  * Bounds of what the pixels of a view say, in windows of all levels.
  */
+#include "view_table.h"
+
 #include <math.h>
 
-#include "view_table.h"
+#include "huge_pages.h"
+
+/* ---- memory ---- */
+
+static size_t level_cells(uint32_t pixels, int level)
+{
+    return (size_t)(((uint64_t)pixels + (1u << level) - 1) >> level);
+}
+
+static int has_more_levels(const cm_view_desk *desk, int level)
+{
+    return level_cells(desk->width, level) > 2 || level_cells(desk->height, level) > 2;
+}
+
+int cm_view_windows_take(cm_view_desk *desk)
+{
+    size_t windows = 0;
+    int levels = 1;
+    do
+    {
+        windows +=
+            level_cells(desk->width, levels) * level_cells(desk->height, levels) + CM_OCTREE_SLACK;
+        levels++;
+    } while (has_more_levels(desk, levels - 1));
+    desk->windows = cm_huge_allocate(windows * sizeof *desk->windows);
+    cm_cube_bounds *next = desk->windows;
+    desk->table.levels = levels;
+    desk->table.window = desk->windows;
+    for (int level = 1; desk->windows != NULL && level < levels; level++)
+    {
+        cm_window_level *at = &desk->table.level[level];
+        at->width = (uint32_t)level_cells(desk->width, level);
+        at->height = (uint32_t)level_cells(desk->height, level);
+        const size_t cells = (size_t)at->width * at->height + CM_OCTREE_SLACK;
+        at->bounds = next;
+        desk->table.first_window[level] = (uint32_t)(next - desk->windows);
+        desk->table.window_row[level] = at->width;
+        next += cells;
+    }
+    return desk->windows != NULL;
+}
+
+int cm_view_cells_take(cm_view_desk *desk)
+{
+    desk->stride = cm_view_stride(desk->width);
+    float **const images[] = {&desk->least[0], &desk->least[1], &desk->most[0], &desk->most[1]};
+    const size_t count = sizeof images / sizeof *images, cells = cm_view_cells(desk);
+    float *const memory = cm_huge_allocate(count * cells * sizeof *memory);
+    desk->memory = memory;
+    for (size_t i = 0; memory != NULL && i < count; i++)
+    {
+        *images[i] = memory + i * cells + CM_OCTREE_SLACK;
+    }
+    return memory != NULL && cm_view_windows_take(desk);
+}
+
+/* ---- windows ---- */
 
 /* One cell more to the right and below, where nothing is: windows there are of what there is. */
 static void close_cells(cm_view_desk *desk, int which, size_t width, size_t height)
