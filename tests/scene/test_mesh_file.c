@@ -482,23 +482,6 @@ START_TEST(a_reader_that_crashes_is_one_line)
 }
 END_TEST
 
-START_TEST(a_reader_is_stopped_at_its_limits)
-{
-    FILE *file = fopen("long.obj", "w");
-    ck_assert_ptr_nonnull(file);
-    for (int i = 0; i < 400000; i++)
-    {
-        fprintf(file, "v %d 0 0\nv 0 %d 0\nv 0 0 %d\nf -1 -2 -3\n", i, i, i);
-    }
-    fclose(file);
-    const cm_mesh_limits little = {sizeof little, 1 << 20, 0};
-    refused_with("long.obj", &little, CM_ERROR_DATA, "more memory than a mesh may");
-    cm_mesh *mesh = read_good("long.obj");
-    ck_assert_uint_eq(cm_mesh_describe(mesh)->triangle_count, 400000);
-    cm_mesh_destroy(mesh);
-}
-END_TEST
-
 int main(void)
 {
     if (chdir(test_folder()) != 0)
@@ -520,7 +503,6 @@ int main(void)
                                   texts_of_odd_shapes_are_read_or_told,
                                   trees_of_nodes_may_be_deep,
                                   a_reader_that_crashes_is_one_line,
-                                  a_reader_is_stopped_at_its_limits,
                                   NULL};
     return run_suite("mesh file", tests);
 }
