@@ -2,7 +2,7 @@
 //
 // What lies in a module's memory: arrays that live there, arguments that are put there for one call, texts.
 
-import { big, whole } from "./numbers.js";
+import { big, shown, whole } from "./numbers.js";
 
 /** What an array holds: the typed array of it and how large an element is. */
 function kind(Type, name, viewed) {
@@ -42,7 +42,7 @@ export class Vector {
 
     constructor(memory, of, length) {
         if (!Number.isInteger(length) || length < 0) {
-            throw new RangeError(`the length of an array is ${length}, but is to be a whole number, 0 or more`);
+            throw new RangeError(`the length of an array is ${shown(length)}, but is to be a whole number, 0 or more`);
         }
         this.kind = of;
         this.length = length;
@@ -150,7 +150,9 @@ export class Memory {
         return pointer;
     }
 
-    zeros(bytes) {
+    /** For the library to judge, if a length from which that follows is negative. */
+    zeros(size) {
+        const bytes = Math.max(0, size);
         const pointer = this.room(bytes);
         new Uint8Array(this.buffer, pointer, bytes).fill(0);
         return pointer;
@@ -200,7 +202,7 @@ export class Memory {
 
     /** How many elements. */
     count(value, name) {
-        if (!Number.isInteger(value?.length)) {
+        if (!Number.isInteger(value?.length) || value.length < 0) {
             throw new TypeError(`${name} is to be a number or an array of numbers`);
         }
         return value.length;
