@@ -186,6 +186,8 @@ class Writer:
 
     def put(self, member, value, offset):
         """Statements that put one element of a member from a JavaScript value; None of what JavaScript does not give."""
+        if member.base == "cm_memory":
+            return None
         if member.base == "cm_image":
             return f"picture({value}, p + {offset}, \"{camel(member.name)}\");"
         if member.pointers:

@@ -9,12 +9,12 @@ import { putPicture, settlePicture, takePicture } from "./pictures.js";
 const MOST_PICTURES = 6;
 
 /** Pictures as structs beside each other, their pixels in the module's memory. */
-function putPictures(of, pictures, name) {
+function putPictures(of, pictures, name, isTarget = false) {
     if (!Array.isArray(pictures) || pictures.length > MOST_PICTURES) {
         throw new TypeError(`${name} is to be an array of at most ${MOST_PICTURES} pictures`);
     }
     const all = of.M.zeros(32 * MOST_PICTURES);
-    return { all, places: pictures.map((picture, i) => putPicture(of, picture, all + 32 * i, name)) };
+    return { all, places: pictures.map((picture, i) => putPicture(of, picture, all + 32 * i, name, isTarget)) };
 }
 
 /** Each with its pixels settled; what are no pictures stays, for putPictures to refuse. */
@@ -24,7 +24,7 @@ export function cm_resample(of, plan, from, to) {
     const { X, M, check } = of;
     const [settledFrom, settledTo] = [settlePictures(of, from), settlePictures(of, to)];
     const sources = putPictures(of, settledFrom, "from");
-    const targets = putPictures(of, settledTo, "to");
+    const targets = putPictures(of, settledTo, "to", true);
     check(X.cm_resample(of.own(), sources.all, targets.all, M.zeros(20)));
     targets.places.forEach((place) => takePicture(of, place));
     return to;

@@ -305,7 +305,7 @@ export function cm_octree_render(of, octree, camera, pose, shading, to) {
             return { p: 0 };
         }
         const p = structs.write_cm_image({});
-        return { p, place: putPicture(of, settled[name], p, name) };
+        return { p, place: putPicture(of, settled[name], p, name, true) };
     });
     const [color, depth] = places;
     const pShading = structs.write_cm_octree_shading(shading);
