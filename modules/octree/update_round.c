@@ -271,7 +271,7 @@ static void visit_block(round_work *work, cm_region *region, unsigned block,
     }
 }
 
-static unsigned detail_of(const round_work *work, const cm_region *region, unsigned block,
+static unsigned detail_of(const round_work *work, cm_region *region, unsigned block,
                           const uint32_t place[3])
 {
     const cm_update *update = work->update;
@@ -280,14 +280,7 @@ static unsigned detail_of(const round_work *work, const cm_region *region, unsig
     cm_update_place(update, at, centre);
     const double distance =
         sqrt(centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2]);
-    unsigned detail = 0;
-    while (detail + 1 < cm_update_details(update->octree) &&
-           (double)(1u << detail) < update->pixel * distance)
-    {
-        detail++;
-    }
-    const int is_even = region->form[block] == CM_BLOCK_EVEN;
-    return is_even || detail < region->detail[block] ? detail : region->detail[block];
+    return cm_update_detail(update, region, block, update->pixel * distance);
 }
 
 static void update_region(round_work *work, cm_region *region)
