@@ -26,6 +26,7 @@ typedef struct step_costs
 {
     const cm_filter_set *set;
     double of[2];
+    float largest; /* of them */
     cm_ewa_axes axes;
 } step_costs;
 
@@ -54,24 +55,55 @@ static cm_status add_costs(void *user, const cm_group *group)
     for (unsigned i = 0; i < group->count; i++)
     {
         const float minor = costs->axes.minor[i];
+        costs->largest = fmaxf(costs->largest, minor);
         costs->of[CM_PYRAMID_HALVES] += (double)(minor / level_square(minor, 2.0f));
         costs->of[CM_PYRAMID_EIGHTHS] += (double)(minor / level_square(minor, 8.0f / 3.0f));
     }
     return CM_OK;
 }
 
-/* What leaves fewer pixels to be summed. */
+/* What leaves fewer pixels to be summed; and the square of the largest minor axis that has been seen. */
 static cm_status choose_steps(const cm_plan *plan, const cm_filter_set *set,
-                              cm_pyramid_steps *steps)
+                              cm_pyramid_steps *steps, float *largest)
 {
     step_costs costs = {.set = set};
     const cm_status status = cm_survey(plan, BLOCKS_SEEN, add_costs, &costs);
     *steps = costs.of[CM_PYRAMID_HALVES] < costs.of[CM_PYRAMID_EIGHTHS] ? CM_PYRAMID_HALVES
                                                                         : CM_PYRAMID_EIGHTHS;
+    *largest = costs.largest;
     return status;
 }
 
 /* ---- life ---- */
+
+/* Of a level, the square of the minor axis that it needs, in source pixels. */
+static float least_of(const cm_surface *surface, uint32_t width, uint32_t height)
+{
+    const double across = (double)surface->width / width;
+    const double down = (double)surface->height / height;
+    const double least = CM_EWA_MINOR * fmax(across, down);
+    return (float)(least * least);
+}
+
+/* Levels that footprints want which have been looked at: what others want is made when they ask. */
+static unsigned levels_wanted(const cm_plan *plan, cm_pyramid_steps steps, float largest)
+{
+    const cm_surface *surface = plan->from;
+    cm_level_size sizes[CM_LEVELS_MAX];
+    const unsigned count = cm_pyramid_sizes(steps, surface->width, surface->height, sizes);
+    unsigned wanted = 1;
+    if (plan->options.memory != NULL)
+    {
+        /* nobody else may ask for the caller's memory */
+        return count;
+    }
+    while (wanted < count &&
+           largest >= least_of(surface, sizes[wanted].width, sizes[wanted].height))
+    {
+        wanted++;
+    }
+    return wanted;
+}
 
 cm_status cm_ewa_make(const cm_plan *plan, const cm_image *pictures, const cm_values *values,
                       const cm_sample_set *set, const cm_filter_table *table, int is_whole,
@@ -79,26 +111,25 @@ cm_status cm_ewa_make(const cm_plan *plan, const cm_image *pictures, const cm_va
 {
     const cm_surface *surface = plan->from;
     cm_pyramid_steps steps;
+    float largest;
     memset(ewa, 0, sizeof *ewa);
     ewa->set = cm_filter_set_find(set->name);
     ewa->table = table;
     ewa->pixels_most = (float)fmin(plan->options.pixels_most, 1e9);
     ewa->kernel = kernel;
-    cm_status status = choose_steps(plan, ewa->set, &steps);
+    cm_status status = choose_steps(plan, ewa->set, &steps, &largest);
     if (status != CM_OK)
     {
         return status;
     }
     status = cm_pyramid_make(surface, pictures, values, set, steps, PICTURE_BORDER, is_whole,
-                             plan->options.memory, threads, &ewa->pyramid);
+                             levels_wanted(plan, steps, largest), plan->options.memory, threads,
+                             &ewa->pyramid);
     for (unsigned k = 0; k < ewa->pyramid.count; k++)
     {
         ewa->width[k] = k == 0 ? surface->width : ewa->pyramid.level[k].width;
         ewa->height[k] = k == 0 ? surface->height : ewa->pyramid.level[k].height;
-        const double across = (double)surface->width / ewa->width[k];
-        const double down = (double)surface->height / ewa->height[k];
-        const double least = CM_EWA_MINOR * fmax(across, down);
-        ewa->least[k] = (float)(least * least);
+        ewa->least[k] = least_of(surface, ewa->width[k], ewa->height[k]);
     }
     cm_ewa_caps(surface, ewa);
     return status;
@@ -442,9 +473,10 @@ static size_t take_level(const cm_ewa *ewa, ewa_desk *desk, unsigned k, uint8_t 
 static cm_status do_level(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, size_t n,
                           const uint8_t *which)
 {
-    if (n == 0)
+    const cm_status status = n > 0 ? cm_pyramid_need(&ewa->pyramid, k) : CM_OK;
+    if (n == 0 || status != CM_OK)
     {
-        return CM_OK;
+        return status;
     }
     if (has_windows(ewa, k))
     {
