@@ -243,7 +243,7 @@ cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_
     padded->goes_on = cm_rim_goes_on(values);
     if (status == CM_OK && !surface->has_gaps)
     {
-        cm_padded_border(padded, surface, threads);
+        cm_padded_border(padded, surface, job.loops, threads);
     }
     return status;
 }

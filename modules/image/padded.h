@@ -73,7 +73,8 @@ cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_
 /* The border from the planes' own pixels, of whatever size, interpolated inside the neighbour by six points each way. Directions there are
  * the kind's own or extrapolated (surface_beyond.c), so that a plane of faces has borders of half its extent at most, and
  * never less than CM_BORDER_LEAST. */
-void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsigned threads);
+void cm_padded_border(const cm_padded *padded, const cm_surface *surface, const cm_filter_set *set,
+                      unsigned threads);
 
 /* What filters need at least: taps have 3, the halving of levels 6. */
 #define CM_BORDER_LEAST 6

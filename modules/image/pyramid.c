@@ -561,7 +561,7 @@ static cm_status make_level(cm_pyramid *pyramid, const cm_memory *memory, unsign
         cm_padded_release(level);
         return status;
     }
-    cm_padded_border(level, surface, threads);
+    cm_padded_border(level, surface, pyramid->set, threads);
     atomic_store(&pyramid->made, k + 1);
     return CM_OK;
 }
