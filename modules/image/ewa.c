@@ -4,6 +4,7 @@
  */
 #include "ewa.h"
 #include "ewa_pole.h"
+#include "ewa_window.h"
 #include "survey.h"
 
 #include <math.h>
@@ -242,14 +243,6 @@ static int has_windows(const cm_ewa *ewa, unsigned k)
 #define WINDOW_MOST ((int64_t)1 << 18)
 #define WINDOW_SHARED 64
 
-typedef struct window_box
-{
-    int32_t left;
-    int32_t right;
-    int32_t top;
-    int32_t bottom;
-} window_box;
-
 static int32_t smaller(int32_t a, int32_t b)
 {
     return a < b ? a : b;
@@ -261,9 +254,9 @@ static int32_t larger(int32_t a, int32_t b)
 }
 
 /* Of all pixels of the group, or of some. */
-static window_box extent_of_all(const cm_ewa_shapes *shapes, size_t n)
+static cm_ewa_box extent_of_all(const cm_ewa_shapes *shapes, size_t n)
 {
-    window_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+    cm_ewa_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < n; i++)
     {
         box.left = smaller(box.left, shapes->left[i]);
@@ -274,9 +267,9 @@ static window_box extent_of_all(const cm_ewa_shapes *shapes, size_t n)
     return box;
 }
 
-static window_box extent_of(const cm_ewa_shapes *shapes, size_t n, const uint8_t *which)
+static cm_ewa_box extent_of(const cm_ewa_shapes *shapes, size_t n, const uint8_t *which)
 {
-    window_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+    cm_ewa_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < n; i++)
     {
         const unsigned at = which[i];
@@ -289,11 +282,11 @@ static window_box extent_of(const cm_ewa_shapes *shapes, size_t n, const uint8_t
 }
 
 /* With what sharpness needs, which is only where some pixel is not smaller than one of the source. */
-static window_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
+static cm_ewa_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
 {
     const cm_ewa_frame *frame = &desk->frame;
     const int32_t more = desk->first > 0 ? 0 : CM_EWA_SHARP;
-    window_box box = n == desk->group->count ? extent_of_all(&desk->shapes, n)
+    cm_ewa_box box = n == desk->group->count ? extent_of_all(&desk->shapes, n)
                                              : extent_of(&desk->shapes, n, which);
     box.left = larger(box.left - more, frame->left);
     box.right = smaller(box.right + more, frame->right);
@@ -302,99 +295,24 @@ static window_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
     return box;
 }
 
-static int64_t box_pixels(const window_box *box)
+static int64_t box_pixels(const cm_ewa_box *box)
 {
     return ((int64_t)box->right - box->left + 1) * ((int64_t)box->bottom - box->top + 1);
-}
-
-/* So many rows further down. */
-#define FETCHED 8
-
-/* A row further down, which is read soon: rows of a window lie far from one another. */
-static void fetch_row(const cm_padded *level, const int16_t *from, int32_t row, size_t n)
-{
-#ifdef __GNUC__
-    for (size_t i = 0; i < n && row + FETCHED < (int32_t)level->height; i += 32)
-    {
-        __builtin_prefetch(from + FETCHED * level->row + i);
-    }
-#else
-    (void)level;
-    (void)from;
-    (void)row;
-    (void)n;
-#endif
-}
-
-/* A row of a window of level k, of channels `line` floats apart. Behind the row there are zeros, or other numbers of the
- * level, none of which is infinite. */
-static void read_row(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, int32_t left, int32_t row,
-                     size_t width, size_t line, float *run, float *to)
-{
-    const size_t channels = ewa->pyramid.pictures.channels;
-    const unsigned plane = desk->group->plane;
-    if (k > 0)
-    {
-        const cm_padded *level = &ewa->pyramid.level[k];
-        const int16_t *from =
-            level->whole[plane] + (desk->row + row) * level->row + desk->column + left;
-        for (size_t c = 0; c < channels; c++)
-        {
-            const int16_t *own = from + (ptrdiff_t)c * level->channel;
-            fetch_row(level, own, desk->row + row, line);
-            ewa->set->from_whole(line, own, CM_PADDED_ONE, to + c * line);
-        }
-        return;
-    }
-    cm_level_read(&ewa->pyramid.reader, plane, desk->column + left, desk->row + row, (int32_t)width,
-                  run);
-    ewa->set->part_channels(run, channels, width, to, (ptrdiff_t)line);
-    for (size_t c = 0; c < channels; c++)
-    {
-        memset(to + c * line + width, 0, (line - width) * sizeof(float));
-    }
-}
-
-/* The window's pixels as floats, channel by channel. */
-static cm_status open_window(const cm_ewa *ewa, const ewa_desk *desk, unsigned k,
-                             const window_box *box, cm_ewa_pixels *pixels)
-{
-    const size_t channels = ewa->pyramid.pictures.channels;
-    const size_t width = (size_t)(box->right - box->left + 1);
-    const size_t height = (size_t)(box->bottom - box->top + 1);
-    const size_t line = (width + 15) / 16 * 16 + (k > 0 ? 0 : CM_WINDOW_SLACK / sizeof(float));
-    const cm_status status = cm_scratch_room(
-        desk->scratch, (height + 1) * line * channels * sizeof(float) + CM_WINDOW_SLACK);
-    if (status != CM_OK)
-    {
-        return status;
-    }
-    float *window = (float *)(void *)desk->scratch->bytes;
-    float *run = window + height * line * channels;
-    for (size_t row = 0; row < height; row++)
-    {
-        read_row(ewa, desk, k, box->left, box->top + (int32_t)row, width, line, run,
-                 window + row * line * channels);
-    }
-    pixels->row = (ptrdiff_t)(line * channels);
-    pixels->channel = (ptrdiff_t)line;
-    pixels->channels = channels;
-    pixels->first = window - box->top * pixels->row - box->left;
-    return CM_OK;
 }
 
 /* Pixels of a group by one window, or by more where it would be large. */
 static cm_status sum_windows(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, size_t n,
                              const uint8_t *which)
 {
-    const window_box box = box_of(desk, n, which);
+    const cm_ewa_box box = box_of(desk, n, which);
     if (n > 1 && box_pixels(&box) > (int64_t)(n * WINDOW_SHARED))
     {
         const cm_status status = sum_windows(ewa, desk, k, n / 2, which);
         return status == CM_OK ? sum_windows(ewa, desk, k, n - n / 2, which + n / 2) : status;
     }
     cm_ewa_pixels pixels;
-    const cm_status status = open_window(ewa, desk, k, &box, &pixels);
+    const cm_ewa_level at = {ewa, k, desk->group->plane, desk->column, desk->row};
+    const cm_status status = cm_ewa_window(&at, &box, desk->scratch, &pixels);
     if (status == CM_OK)
     {
         sum_pixels(ewa, desk, k, &pixels, n, which);
@@ -416,7 +334,7 @@ static int suits(const cm_ewa *ewa, const ewa_desk *desk, unsigned i, unsigned k
     {
         return 0;
     }
-    const window_box box = box_of(desk, 1, &which);
+    const cm_ewa_box box = box_of(desk, 1, &which);
     return !has_windows(ewa, k) || box_pixels(&box) <= WINDOW_MOST;
 }
 
@@ -433,7 +351,7 @@ static int all_suit(const cm_ewa *ewa, const ewa_desk *desk, unsigned k)
     {
         return 0;
     }
-    const window_box box = box_of(desk, desk->group->count, NULL);
+    const cm_ewa_box box = box_of(desk, desk->group->count, NULL);
     return !has_windows(ewa, k) || box_pixels(&box) <= WINDOW_MOST;
 }
 

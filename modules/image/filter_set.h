@@ -185,6 +185,9 @@ typedef struct cm_filter_set
     /* n pixels, whose channels are one beside the other, channel by channel, `channel` floats apart. */
     void (*part_channels)(const float *from, size_t channels, size_t n, float *to,
                           ptrdiff_t channel);
+    /* The same of bytes times a scale. */
+    void (*part_bytes)(const uint8_t *from, size_t channels, size_t n, float scale, float *to,
+                       ptrdiff_t channel);
     /* Floats of whole numbers, of which `one` is 1, and back, rounded and clamped. */
     void (*from_whole)(size_t n, const int16_t *from, float one, float *to);
     void (*to_whole)(size_t n, const float *from, float one, int16_t *to);
