@@ -279,6 +279,7 @@ typedef struct skirt_run
 {
     const cm_level *level;
     const cm_surface *surface;
+    const cm_filter_set *set;
     unsigned plane;
     unsigned count;
     int32_t column[BLOCK];
@@ -296,6 +297,98 @@ static void fetch_pixel(const cm_level *level, uint8_t plane, double x, double y
     }
 }
 
+/* ---- many at once ---- */
+
+/* Where six pixels each way begin, if all that loops read of them is there; else NULL. */
+static const void *six_at(const cm_level *level, unsigned plane, int32_t left, int32_t top)
+{
+    const pixel_box box = {plane, left, top, POINTS, POINTS};
+    const cm_level_plane *from = &level->plane[plane];
+    const ptrdiff_t number = level->values->type == CM_PIXEL_U8 ? 1 : (ptrdiff_t)sizeof(float);
+    return are_dense(level, &box, (ptrdiff_t)level->channels * number, SIXTEEN * number)
+               ? from->pixels + top * from->row_stride + left * from->pixel_stride
+               : NULL;
+}
+
+/* May places be done many at once, of bytes or floats as they are stored? */
+static int are_many(const skirt_run *run)
+{
+    const cm_level *level = run->level;
+    const int are_plain = level->values->type == CM_PIXEL_U8
+                              ? level->is_plain || cm_values_are_stored(level->values)
+                              : level->is_plain;
+    return are_plain && !run->surface->creased && level->width >= POINTS &&
+           level->height >= POINTS && level->channels <= CM_SIX_CHANNELS;
+}
+
+/* The values of places that lie on planes, one after the other, rows as far apart; those that have six pixels there. */
+static void sum_many(const skirt_run *run, const uint8_t *found, const cm_six_points *across,
+                     const cm_six_points *along, const void **from, float *sum)
+{
+    const cm_level *level = run->level;
+    const ptrdiff_t row = level->plane[run->plane].row_stride;
+    const int are_bytes = level->values->type == CM_PIXEL_U8;
+    const void *some = NULL;
+    for (unsigned i = 0; i < run->count; i++)
+    {
+        /* of floats what weighs nothing may be NaN */
+        const int is_one = found[i] == CM_NO_FACE ||
+                           level->plane[found[i]].row_stride != row ||
+                           (!are_bytes && (across->exact[i] || along->exact[i]));
+        from[i] = is_one ? NULL : six_at(level, found[i], across->first[i], along->first[i]);
+        some = from[i] != NULL ? from[i] : some;
+    }
+    if (some == NULL)
+    {
+        return;
+    }
+    const void *all[BLOCK];
+    for (unsigned i = 0; i < run->count; i++)
+    {
+        all[i] = from[i] != NULL ? from[i] : some;
+    }
+    if (are_bytes)
+    {
+        run->set->six_bytes(level->channels, run->count, all, row,
+                            level->is_bytes ? 1.0f : 1.0f / 255.0f, across, along, sum);
+        return;
+    }
+    run->set->six_floats(level->channels, run->count, all, row, 1.0f, across, along, sum);
+}
+
+/* The pixels of a run from their places. */
+static void put_places(skirt_run *run, const uint8_t *found, const double *x, const double *y)
+{
+    const cm_level *level = run->level;
+    const int many = are_many(run);
+    const int is_cautious = level->values->type == CM_PIXEL_U8;
+    const void *from[BLOCK] = {0};
+    float sum[CM_SIX_CHANNELS * BLOCK];
+    cm_six_points across, along;
+    if (many)
+    {
+        run->set->six_points(run->count, x, level->width, is_cautious, &across);
+        run->set->six_points(run->count, y, level->height, is_cautious, &along);
+        sum_many(run, found, &across, &along, from, sum);
+    }
+    for (unsigned i = 0; i < run->count; i++)
+    {
+        unsigned char *to = cm_level_skirt_pixel(level, run->plane, run->column[i], run->row[i]);
+        if (found[i] == CM_NO_FACE)
+        {
+            cm_level_continue_edge(level, run->plane, run->column[i], run->row[i], to);
+        }
+        else if (many && from[i] != NULL)
+        {
+            cm_level_put(level, sum + CM_SIX_CHANNELS * i, to);
+        }
+        else
+        {
+            interpolate(level, run->surface->creased, found[i], x[i], y[i], to);
+        }
+    }
+}
+
 /* The pixels of a run from their directions, which become places. */
 static void put_run(skirt_run *run, double *x, double *y, double *z)
 {
@@ -304,21 +397,11 @@ static void put_run(skirt_run *run, double *x, double *y, double *z)
     cm_surface_find(run->surface, count, x, y, z, found, x, y);
     for (unsigned i = 0; i < count; i++)
     {
+        x[i] = found[i] != CM_NO_FACE ? x[i] : 0.0;
+        y[i] = found[i] != CM_NO_FACE ? y[i] : 0.0;
         fetch_pixel(run->level, found[i], x[i], y[i]);
     }
-    for (unsigned i = 0; i < count; i++)
-    {
-        unsigned char *to =
-            cm_level_skirt_pixel(run->level, run->plane, run->column[i], run->row[i]);
-        if (found[i] == CM_NO_FACE)
-        {
-            cm_level_continue_edge(run->level, run->plane, run->column[i], run->row[i], to);
-        }
-        else
-        {
-            interpolate(run->level, run->surface->creased, found[i], x[i], y[i], to);
-        }
-    }
+    put_places(run, found, x, y);
     run->count = 0;
 }
 
@@ -403,6 +486,7 @@ typedef struct skirt_job
 {
     const cm_level *level;
     const cm_surface *surface;
+    const cm_filter_set *set;
     const cm_memory *memory;
 } skirt_job;
 
@@ -461,7 +545,7 @@ static void fill_blocks(size_t begin, size_t end, void *user)
 {
     const skirt_job *job = user;
     const size_t per_plane = blocks_of(job->level);
-    skirt_run run = {.level = job->level, .surface = job->surface};
+    skirt_run run = {.level = job->level, .surface = job->surface, .set = job->set};
     for (size_t at = begin / TASK; at < end / TASK; at++)
     {
         run.plane = (unsigned)(at / per_plane);
@@ -528,7 +612,7 @@ void cm_level_fill_skirt(const cm_level *level, const cm_surface *surface, const
 {
     if (!fill_copies(level, surface, memory))
     {
-        skirt_job job = {level, surface, memory};
+        skirt_job job = {level, surface, cm_filter_set_find(level->set->name), memory};
         cm_run_threads(threads, level->planes * blocks_of(level) * TASK, 2 * TASK, fill_blocks,
                        &job);
     }
