@@ -18,7 +18,7 @@ typedef struct cm_border_values
     const cm_padded *padded;
     const cm_surface *surface;
     const cm_filter_set *set; /* NULL if there is a reader */
-    double scale[2]; /* the surface's pixels of one of the planes', of columns and rows */
+    double scale[2];          /* the surface's pixels of one of the planes', of columns and rows */
     const cm_level_reader *reader; /* of pictures that values come from; NULL: from padded */
     const cm_padded *side;         /* CM_BORDER_SIDES where they go then */
 } cm_border_values;

@@ -533,8 +533,8 @@ static int32_t border_of(int32_t wanted, uint32_t extent)
 static void shape_level(const cm_surface *surface, cm_level_size size, uint32_t channels,
                         cm_padded *level)
 {
-    const int32_t beside = border_of(
-        surface->period != 0.0 ? CM_PYRAMID_BESIDE : CM_PYRAMID_BORDER, size.width);
+    const int32_t beside =
+        border_of(surface->period != 0.0 ? CM_PYRAMID_BESIDE : CM_PYRAMID_BORDER, size.width);
     const int32_t beyond = border_of(CM_PYRAMID_BORDER, size.height);
     cm_padded_shape(surface, size.width, size.height, channels, beside, beyond, CM_PADDED_CHANNELS,
                     level);
@@ -551,10 +551,9 @@ static cm_status make_level(cm_pyramid *pyramid, const cm_memory *memory, unsign
     cm_status status = cm_padded_allocate(pyramid->is_whole, memory, threads, level);
     if (status == CM_OK)
     {
-        status = halve(&pyramid->reader, above, are_eighths,
-                       above != NULL ? above->width : surface->width,
-                       above != NULL ? above->height : surface->height, level, pyramid->set,
-                       threads);
+        status = halve(
+            &pyramid->reader, above, are_eighths, above != NULL ? above->width : surface->width,
+            above != NULL ? above->height : surface->height, level, pyramid->set, threads);
     }
     if (status != CM_OK)
     {

@@ -45,8 +45,16 @@ static void fill(void)
 /* Between pixels, on some, at both ends, and before and behind all of them. */
 static void place(size_t n, double *position)
 {
-    static const double hard[] = {0.5,         0.0, 0.499999999999, 0.25, EXTENT - 0.5, EXTENT - 0.01,
-                                  EXTENT - 0.5000001, 3.5, 3.5 + 1e-12,  3.0};
+    static const double hard[] = {0.5,
+                                  0.0,
+                                  0.499999999999,
+                                  0.25,
+                                  EXTENT - 0.5,
+                                  EXTENT - 0.01,
+                                  EXTENT - 0.5000001,
+                                  3.5,
+                                  3.5 + 1e-12,
+                                  3.0};
     for (size_t i = 0; i < n; i++)
     {
         position[i] = i < sizeof hard / sizeof *hard
@@ -100,17 +108,18 @@ static void check_points(const cm_filter_set *set, const cm_filter_set *plain, s
 }
 
 /* What a place's number is, by the weights as they are. */
-static double true_sum(const cm_six_points *across, const cm_six_points *along, size_t i, size_t step,
-                       size_t first, double scale, double (*number)(size_t row, size_t at))
+static double true_sum(const cm_six_points *across, const cm_six_points *along, size_t i,
+                       size_t step, size_t first, double scale,
+                       double (*number)(size_t row, size_t at))
 {
     double sum = 0.0;
     for (size_t j = 0; j < CM_SIX; j++)
     {
         for (size_t k = 0; k < CM_SIX; k++)
         {
-            sum += (double)along->weight[j][i] * (double)across->weight[k][i] * scale *
-                   number((size_t)along->first[i] + j,
-                          ((size_t)across->first[i] + k) * step + first);
+            sum +=
+                (double)along->weight[j][i] * (double)across->weight[k][i] * scale *
+                number((size_t)along->first[i] + j, ((size_t)across->first[i] + k) * step + first);
         }
     }
     return sum;
@@ -242,8 +251,7 @@ START_TEST(bytes_come_apart)
                 set->part_bytes(from, channels, n, 1.0f / 255.0f, to, (ptrdiff_t)n);
                 for (size_t i = 0; i < n * channels; i++)
                 {
-                    const float wanted =
-                        (float)from[i % n * channels + i / n] * (1.0f / 255.0f);
+                    const float wanted = (float)from[i % n * channels + i / n] * (1.0f / 255.0f);
                     ck_assert(memcmp(&to[i], &wanted, sizeof wanted) == 0);
                 }
                 ck_assert(to[channels * n] == GUARD);
