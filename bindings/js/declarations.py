@@ -128,15 +128,12 @@ class Declarations:
             return "bigint" if one.base != "int64_t" else "bigint | number"
         return "number"
 
-    def is_optional(self, one):
-        return one.is_nullable or one.direction == "option" and not one.shape and (one.base in self.interface.structs) or one.name in ("frame", "instructions")
-
     def parameters(self, inputs):
         """The last ones may be left out if they are options."""
         texts, may = [], True
         for one in reversed(inputs):
-            may = may and self.is_optional(one)
-            kind = self.input(one) + (" | null" if self.is_optional(one) else "")
+            may = may and self.writer.is_optional(one)
+            kind = self.input(one) + (" | null" if self.writer.is_optional(one) else "")
             texts.append(f"{one.name}{'?' if may else ''}: {kind}")
         return texts[::-1]
 

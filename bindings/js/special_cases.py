@@ -21,6 +21,12 @@ NULLABLE = {("cm_octree_update_points", "rgb"), ("cm_octree_merge", "pose"), ("c
             ("cm_raster_discs", "pose"), ("cm_raster_points", "pose"), ("cm_raster_weights", "pose"),
             ("cm_octree_at", "level"), ("cm_octree_load", "options"), ("cm_raster_create", "nearest")}
 
+# What may not be left out, though options elsewhere may.
+REQUIRED = {("cm_camera_create", "options"), ("cm_motion_inertial", "options"), ("cm_frame_check", "frame")}
+
+# Arrays in structs of which the first elements are enough.
+FEWER = {("cm_camera_options", "distortion")}
+
 # Objects that must outlive what is made, or what they are added to, as JavaScript.
 NEEDS = {"cm_raster_create": ["camera"], "cm_octree_create": ["options?.pages"], "cm_octree_load": ["options?.pages"],
          "cm_scene_add": ["primitive?.mesh", "primitive?.motion"]}
@@ -61,7 +67,7 @@ BY_HAND = {
                        "(picture: Picture, limits?: Partial<DepthLimits>): { depth: Float32Array; count: DepthCount }",
                        ["cm_image", "cm_depth_limits", "cm_depth_count", "<cm_depth_count"]),
     "cm_depth_make_maps": ("image, options",
-                           "(image: Floats, options?: { isRange?: boolean; gap?: number; normal?: boolean; radius?: boolean }): DepthMapArrays",
+                           "(image: Floats, options?: { isRange?: boolean; gap?: number; normal?: boolean; radius?: boolean } | null): DepthMapArrays",
                            ["@cm_depth_maps"]),
     "cm_depth_halve_camera": ("", "(): Camera", ["@cm_camera_options", "cm_camera_describe", "cm_camera_create"]),
     "cm_depth_pyramid_level": ("level", "(level: number): DepthLevelArrays", ["@cm_depth_level"]),

@@ -8,7 +8,8 @@ names in camel case, enumerators texts."""
 import re
 
 from layouts import SCALARS
-from special_cases import BY_HAND, CHECKS, COUNTED, EXTENTS, FINDERS, METHODS, NEEDS, NULLABLE, RESULTS, SEEKERS, TELLERS
+from special_cases import (BY_HAND, CHECKS, COUNTED, EXTENTS, FEWER, FINDERS, METHODS, NEEDS, NULLABLE, REQUIRED, RESULTS, SEEKERS,
+                           TELLERS)
 
 KINDS = {"double": "F64", "float": "F32", "uint8_t": "U8", "uint32_t": "U32", "size_t": "U32", "int64_t": "I64",
          "uint64_t": "U64", "cm_cell": "U64"}
@@ -52,7 +53,7 @@ class Argument:
         self.name, self.direction, self.shape, self.is_text = camel(listed.name), listed.direction, listed.shape, listed.is_text
         self.base, self.constant, self.pointers, self.extents = declared.base, declared.constant, declared.pointers, declared.extents
         self.kind = KINDS.get(declared.base)
-        self.is_nullable = False
+        self.is_nullable = self.is_required = False
         if declared.base in RESULTS:
             self.direction = "out"
 
@@ -92,6 +93,7 @@ class Call:
         self.result = Argument(listed.result, declared.result) if listed.result else None
         for one in self.arguments:
             one.is_nullable = (self.name, one.name) in NULLABLE
+            one.is_required = (self.name, one.name) in REQUIRED
         self.js = listed.names["js"]
         self.has_arrays = any(one.shape == ("n",) or (len(one.shape) == 2 and one.shape[1] == "n") for one in self.arguments)
         self.is_float = self.name.endswith("_f32")
@@ -126,7 +128,7 @@ class Call:
 
     def needs(self):
         """Statements in a method after the call."""
-        return [f"this.needs({', '.join(NEEDS[self.name])});"] if self.name in NEEDS else []
+        return [f"needs(this, {', '.join(NEEDS[self.name])});"] if self.name in NEEDS else []
 
 
 class Writer:
@@ -184,6 +186,8 @@ class Writer:
 
     def put(self, member, value, offset):
         """Statements that put one element of a member from a JavaScript value; None of what JavaScript does not give."""
+        if member.base == "cm_memory":
+            return None
         if member.base == "cm_image":
             return f"picture({value}, p + {offset}, \"{camel(member.name)}\");"
         if member.pointers:
@@ -191,7 +195,7 @@ class Writer:
                 if member.base in self.interface.structs:
                     size = self.layouts.of(member.base).size
                     return (f"const q = M.zeros({size} * {value}.length); M.data.setUint32(p + {offset}, q, true); "
-                            f"{value}.forEach((one, i) => {{ {self.write_struct(member.base)}(one, q + {size} * i); }});")
+                            f"Array.from({value}, (one, i) => {{ {self.write_struct(member.base)}(present(one, \"{camel(member.name)}\"), q + {size} * i); }});")
                 kind = KINDS[member.base]
                 return (f"const q = M.input({kind}, {value}, {self.extent(member)}, \"{camel(member.name)}\"); "
                         f"M.data.setUint32(p + {offset}, q, true);")
@@ -257,7 +261,8 @@ class Writer:
                 put = self.put(member, "value", f"{member.offset} + {member.size} * i")
                 if put is not None:
                     parts = "arrays" if member.pointers else "elements"
-                    lines.append(f"if ({value} !== undefined) {{ {parts}({value}, {member.count}, \"{camel(member.name)}\").forEach((value, i) => {{ {put} }}); }}")
+                    fewer = ", true" if (name, member.name) in FEWER else ""
+                    lines.append(f"if ({value} !== undefined) {{ {parts}({value}, {member.count}, \"{camel(member.name)}\"{fewer}).forEach((value, i) => {{ {put} }}); }}")
             else:
                 put = self.put(member, value, member.offset)
                 if put is not None:
@@ -301,6 +306,17 @@ class Writer:
 
     # ---- Calls
 
+    def own_pointer(self, call):
+        """Of the object whose method this is."""
+        handle = call.handle()
+        return f'{"pointerOf" if handle.constant else "pointerToChange"}(this, {self.handle_classes[handle.base]}, "this")'
+
+    def is_optional(self, argument):
+        """May it be left out? Zero stands for it then."""
+        is_struct = argument.base in self.interface.structs
+        return not argument.is_required and (argument.is_nullable or argument.name in ("frame", "instructions") or
+                                             argument.direction == "option" and not argument.shape and is_struct)
+
     def input(self, argument, n):
         """JavaScript for what is passed."""
         name, base = argument.name, argument.base
@@ -308,16 +324,17 @@ class Writer:
             return "1" if argument.name == "threads" else "0"
         if argument.direction == "handle":
             return f"pointerOf({name}, {self.handle_classes[base]}, \"{name}\")"
+        value = name if self.is_optional(argument) else f"present({name}, \"{name}\")"
         if argument.is_text:
-            return f"M.text({name}, \"{name}\")"
+            return f"M.text({value}, \"{name}\")"
         if base in self.interface.structs and not argument.kind:
-            return f"{self.write_struct(base)}({name})"
+            return f"{self.write_struct(base)}({value})"
         if base in self.interface.enumerations and argument.pointers == 0:
-            return f"code({self.enum_table(base)}, {name}, \"{name}\")"
+            return f"code({self.enum_table(base)}, {value}, \"{name}\")"
         if argument.pointers or argument.extents:
             length = n if argument.shape == ("n",) else argument.length()
             return f"M.input({argument.kind}, {name}, {length}, \"{name}\")"
-        return number_text(base, name, name)
+        return number_text(base, value, name)
 
     def plain(self, argument, pointer):
         """What one value at a pointer is."""
@@ -335,7 +352,7 @@ class Writer:
         if argument.direction == "borrowed" or argument.pointers:
             if base in self.interface.structs:
                 return f"{self.read_struct(base)}(r)"
-            return f"{self.handle_classes[base]}.borrowed(r, this)"
+            return f"borrowed({self.handle_classes[base]}, r, this)"
         if base in self.interface.enumerations:
             return f"word({self.enum_table(base)}, r)"
         if base == "int" and PREDICATE.search(method):
@@ -375,8 +392,11 @@ class Writer:
             else:
                 self.called.add(one)
         rest = f", {names}" if names else ""
-        return names, (f"return byHand.{call.name}({{ X, M, check, number, pointerOf, code, enumerations, structs, layouts, classes: kept, "
-                       f"picture }}, this{rest});")
+        owner, _, _ = call.js.rpartition(".")
+        own = f'own, ownToChange: () => pointerToChange(this, {owner}, "this"), whileRead: (read) => whileRead(this, {owner}, read), '
+        lines = [f'const own = () => pointerOf(this, {owner}, "this");', "own();"] if call.is_method else []
+        return names, "\n".join([*lines, f"return byHand.{call.name}({{ X, M, check, number, pointerOf, owned, code, {own if lines else ''}"
+                                         f"enumerations, structs, layouts, classes: kept, picture }}, this{rest});"])
 
     def arguments_text(self, call, values):
         return ", ".join(values[one.name] for one in call.arguments)
@@ -392,7 +412,8 @@ class Writer:
             ["const one = false;", "counted(n, \"n\");"]  # nothing says how many, but who calls
         # where arrays are in this memory, which may grow before all that are not have room there
         moved = [one.name for one in inputs if one.kind and one.shape and one.direction != "inout"]
-        lines = [f"{name} = M.settle({name});" for name in moved] + lines
+        own = [f"{self.own_pointer(call)};"] if call.handle() is not None else []
+        lines = own + [f"{name} = M.settle({name});" for name in moved] + lines
         if any(one.direction != "inout" for one in outputs):
             lines.append("const to = M.settleAll(out);")
         real = next((one for one in inputs if one.base == "double" and one.shape == ("n",)), first)
@@ -401,7 +422,7 @@ class Writer:
             lines += [f"const isFloat = M.isFloat({real.name});", "const R = isFloat ? F32 : F64;"]
             R = "R"
         if call.handle() is not None:
-            values[call.handle().name] = "this.pointer" if call.handle().constant else "this.pointerToChange"
+            values[call.handle().name] = self.own_pointer(call)
         for one in call.arguments:
             kind = R if one.kind == "F64" else one.kind
             if one.name == "n":
@@ -472,9 +493,11 @@ class Writer:
         inputs, room = self.parameters(call)
         values, lines, outputs = {}, [], []
         if call.handle() is not None:
-            values[call.handle().name] = "this.pointer" if call.handle().constant else "this.pointerToChange"
+            lines.append(f"{self.own_pointer(call)};")  # before anything else is asked
+            values[call.handle().name] = self.own_pointer(call)
         for one in room:
-            values[one.name] = number_text(one.base, one.name, one.name)
+            lines.append(f"{one.name} = " + number_text(one.base, f"present({one.name}, \"{one.name}\")", one.name) + ";")
+            values[one.name] = one.name
         for one in call.arguments:
             if one.is_input and one.name not in values:
                 put = self.input(one, '')
@@ -488,9 +511,9 @@ class Writer:
                 for count in call.arguments:
                     if count.direction == "count" and one.shape == (count.name,) and one.kind:
                         values[count.name] = count.name
-                        lines[-1] = f"const {count.name} = {one.name}.length;\nconst p_{one.name} = M.input({one.kind}, {one.name}, {count.name}, \"{one.name}\");"
+                        lines[-1] = f"const {count.name} = M.count({one.name}, \"{one.name}\");\nconst p_{one.name} = M.input({one.kind}, {one.name}, {count.name}, \"{one.name}\");"
                     if count.direction == "count" and one.shape == (count.name,) and one.base == "char":
-                        lines[-1] = f"const p_{one.name} = M.text({one.name}, \"{one.name}\");"
+                        lines[-1] = f"const p_{one.name} = M.text(present({one.name}, \"{one.name}\"), \"{one.name}\");"
                         values[count.name] = f"new TextEncoder().encode({one.name}).length"
             elif one.direction == "new":
                 lines.append("const q_new = M.zeros(4);")
@@ -579,8 +602,8 @@ class Writer:
         if method == "constructor":
             return [*lines, f"return {made};"]
         owner = self.handle_classes[next(one.base for one in call.arguments if one.direction == "new")]
-        needs = f".needs({', '.join(NEEDS[call.name])})" if call.name in NEEDS else ""
-        return [*lines, f"return new {owner}(OWNED, {made}){needs};"]
+        needed = NEEDS.get(call.name, [])
+        return [*lines, f"return {'needs(' if needed else ''}owned({owner}, {made}){', ' + ', '.join(needed) + ')' if needed else ''};"]
 
     # ---- Classes
 
@@ -597,7 +620,7 @@ class Writer:
             else:
                 parts = []
                 for name, calls in methods.items():
-                    text = self.wrapped(*self.function(name, calls)).replace("this.pointerToChange", "0").replace("this.pointer", "0")
+                    text = self.wrapped(*self.function(name, calls))
                     parts.append(f"{name}{text},")
                 texts.append(f"const {owner} = Object.freeze({{\n" + "\n".join(parts) + "\n});")
         return "\n\n".join(texts)
@@ -610,12 +633,12 @@ class Writer:
         if "constructor" in methods:
             names, body = self.function("constructor", methods["constructor"])
             needs = NEEDS.get(methods["constructor"][0].name)
-            keeps = f" if (given[0] !== OWNED) {{ const [{names}] = given; this.needs({', '.join(needs)}); }}" if needs else ""
+            keeps = f" if (given[0] !== OWNED) {{ const [{names}] = given; needs(this, {', '.join(needs)}); }}" if needs else ""
             lines += [f"static #make{self.wrapped(names, body)}",
-                      f"constructor(...given) {{ super(given[0] === OWNED ? given[1] : {owner}.#make(...given), \"{destroy}\", "
+                      f"constructor(...given) {{ super({owner}, given[0] === OWNED ? given[1] : {owner}.#make(...given), \"{destroy}\", "
                       f"given[0] === OWNED ? given[2] : undefined);{keeps} }}"]
         else:
-            lines += [f"constructor(...given) {{ if (given[0] !== OWNED) {{ throw new TypeError(\"{owner} has no constructor\"); }} super(given[1], \"{destroy}\", given[2]); }}"]
+            lines += [f"constructor(...given) {{ if (given[0] !== OWNED) {{ throw new TypeError(\"{owner} has no constructor\"); }} super({owner}, given[1], \"{destroy}\", given[2]); }}"]
         for name, calls in methods.items():
             if name == "constructor":
                 continue

@@ -309,7 +309,8 @@ def write_library(binding):
         result = c_type(binding, declared.result, known) if declared.result else "None"
         whole = [f", ({place}, {argument.name!r}, {RANGES[word]})" for place, (word, argument) in enumerate(zip(words, declared.arguments, strict=True))
                  if word in RANGES]
-        lines += [f"{function.name} = function({function.name!r}{''.join(whole)})", f"{function.name}.argtypes = [{', '.join(words)}]",
+        names = " ".join(argument.name for argument in declared.arguments)
+        lines += [f"{function.name} = function({function.name!r}, {names!r}{''.join(whole)})", f"{function.name}.argtypes = [{', '.join(words)}]",
                   f"{function.name}.restype = {result}"]
         if function.result and function.result.direction == "status":
             lines += [f"{function.name}.errcheck = check"]

@@ -232,7 +232,7 @@ typedef struct cm_tof_truth
     uint32_t *object;      /* id of the primitive */
     uint32_t *shape;       /* its kind */
     uint32_t *triangle;    /* of its mesh; 0 of other kinds */
-    float *depth;          /* along the optical axis */
+    float *depth;          /* along the optical axis; range of cameras with a mapping */
     float *range;          /* along the ray */
     float *flow_next[3];   /* pixels, pixels, metres of range: to the time next */
     float *flow_before[3]; /* to the time before */

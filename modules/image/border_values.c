@@ -58,15 +58,8 @@ static points points_around(double position, uint32_t extent, int32_t count)
 }
 
 /* The same of many positions, by six points. */
-typedef struct many_points
-{
-    int32_t first[CM_BORDER_RUN];
-    int32_t exact[CM_BORDER_RUN]; /* is the position a pixel's centre? */
-    float weight[POINTS][CM_BORDER_RUN];
-} many_points;
-
 static void find_points(const double *restrict position, size_t n, double scale, uint32_t extent,
-                        many_points *restrict at)
+                        cm_six_points *restrict at)
 {
     const int32_t most = (int32_t)extent - POINTS;
     float place[CM_BORDER_RUN];
@@ -98,7 +91,7 @@ static void find_points(const double *restrict position, size_t n, double scale,
     }
 }
 
-static void take_point(const many_points *many, size_t i, points *at)
+static void take_point(const cm_six_points *many, size_t i, points *at)
 {
     at->first = many->first[i];
     at->count = POINTS;
@@ -344,8 +337,8 @@ static void sum_six_whole(const cm_padded *padded, spot from, const points *x, c
     }
 }
 
-static void interpolate_six(const cm_padded *padded, unsigned plane, const many_points *columns,
-                            const many_points *rows, size_t i, spot to)
+static void interpolate_six(const cm_padded *padded, unsigned plane, const cm_six_points *columns,
+                            const cm_six_points *rows, size_t i, spot to)
 {
     points x, y;
     take_point(columns, i, &x);
@@ -408,8 +401,8 @@ static void continue_plane(const cm_padded *padded, int32_t column, int32_t row,
 }
 
 /* As many points as do not lie on both sides of a diagonal, where creases are; two if there are none. */
-static int32_t points_beside_crease(const cm_padded *padded, const many_points *columns,
-                                    const many_points *rows, size_t i)
+static int32_t points_beside_crease(const cm_padded *padded, const cm_six_points *columns,
+                                    const cm_six_points *rows, size_t i)
 {
     /* four are the inner ones of six, and are two if these are across */
     return cm_level_is_across(padded->width, columns->first[i] + 1, rows->first[i] + 1, 4) ? 2 : 4;
@@ -421,8 +414,8 @@ typedef struct places
     size_t n;
     uint8_t found[CM_BORDER_RUN];
     int are_many; /* points, which planes of few pixels do not have */
-    many_points columns;
-    many_points rows;
+    cm_six_points columns;
+    cm_six_points rows;
     const double *x;
     const double *y;
 } places;
@@ -551,6 +544,78 @@ static void put_from_pictures(const cm_border_values *values, unsigned plane, in
     }
 }
 
+/* ---- many at once ---- */
+
+/* The sums of n places, by pixels or channel by channel. */
+static void sum_many(const cm_border_values *values, const places *at, const void *const *from,
+                     float *sum)
+{
+    const cm_padded *padded = values->padded;
+    const cm_filter_set *set = values->set;
+    const ptrdiff_t size = padded->is_whole ? sizeof(int16_t) : sizeof(float);
+    if (padded->channel == 1)
+    {
+        set->six_floats(padded->channels, at->n, from, padded->row * size, 1.0f, &at->columns,
+                        &at->rows, sum);
+        return;
+    }
+    (padded->is_whole ? set->six_words : set->six_lines)(padded->channels, at->n, from,
+                                                         padded->row * size, padded->channel * size,
+                                                         &at->columns, &at->rows, sum);
+}
+
+static void put_sum(const cm_padded *padded, const float *sum, size_t i, spot to)
+{
+    const int are_pixels = padded->channel == 1;
+    for (uint32_t c = 0; c < padded->channels; c++)
+    {
+        const float value = sum[are_pixels ? i * CM_SIX_CHANNELS + c : c * CM_SIX_MOST + i];
+        const ptrdiff_t number = to.at + c * padded->channel;
+        if (padded->is_whole)
+        {
+            padded->whole[to.plane][number] = to_whole(value);
+        }
+        else
+        {
+            padded->first[to.plane][number] = value;
+        }
+    }
+}
+
+/* Places of planes with six pixels each way and without creases, from these planes. */
+static void put_many(const cm_border_values *values, unsigned plane, int32_t column, int32_t row,
+                     int32_t right, int32_t down, const places *at)
+{
+    const cm_padded *padded = values->padded;
+    const void *from[CM_BORDER_RUN];
+    float sum[CM_SIX_CHANNELS * CM_SIX_MOST];
+    for (size_t i = 0; i < at->n; i++)
+    {
+        const unsigned of = at->found[i] != CM_NO_FACE ? at->found[i] : 0;
+        const ptrdiff_t first =
+            at->rows.first[i] * padded->row + at->columns.first[i] * padded->pixel;
+        from[i] = padded->is_whole ? (const void *)(padded->whole[of] + first)
+                                   : (const void *)(padded->first[of] + first);
+    }
+    sum_many(values, at, from, sum);
+    for (size_t i = 0; i < at->n; i++, column += right, row += down)
+    {
+        const spot to = spot_of(padded, plane, column, row);
+        if (at->found[i] == CM_NO_FACE)
+        {
+            continue_plane(padded, column, row, to);
+        }
+        else if (at->columns.exact[i] && at->rows.exact[i])
+        {
+            interpolate_six(padded, at->found[i], &at->columns, &at->rows, i, to);
+        }
+        else
+        {
+            put_sum(padded, sum, i, to);
+        }
+    }
+}
+
 void cm_border_put(const cm_border_values *values, unsigned plane, int32_t column, int32_t row,
                    int32_t right, int32_t down, size_t n, double *x, double *y, double *z)
 {
@@ -560,6 +625,11 @@ void cm_border_put(const cm_border_values *values, unsigned plane, int32_t colum
     if (values->reader != NULL)
     {
         put_from_pictures(values, plane, column, row, right, down, &at);
+        return;
+    }
+    if (at.are_many && !values->surface->creased && padded->channels <= CM_SIX_CHANNELS)
+    {
+        put_many(values, plane, column, row, right, down, &at);
         return;
     }
     for (size_t i = 0; i < n; i++, column += right, row += down)

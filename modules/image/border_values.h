@@ -8,7 +8,7 @@
 #include "padded.h"
 
 /* So many pixels are put at once, at most. */
-#define CM_BORDER_RUN 64
+#define CM_BORDER_RUN CM_SIX_MOST
 
 /* The four parts of a border that stands alone: rows above and below with both ends, columns to the left and right. */
 #define CM_BORDER_SIDES 4
@@ -17,7 +17,8 @@ typedef struct cm_border_values
 {
     const cm_padded *padded;
     const cm_surface *surface;
-    double scale[2]; /* the surface's pixels of one of the planes', of columns and rows */
+    const cm_filter_set *set; /* NULL if there is a reader */
+    double scale[2];          /* the surface's pixels of one of the planes', of columns and rows */
     const cm_level_reader *reader; /* of pictures that values come from; NULL: from padded */
     const cm_padded *side;         /* CM_BORDER_SIDES where they go then */
 } cm_border_values;

@@ -4,6 +4,7 @@
  */
 #include "ewa.h"
 #include "ewa_pole.h"
+#include "ewa_window.h"
 #include "survey.h"
 
 #include <math.h>
@@ -26,6 +27,7 @@ typedef struct step_costs
 {
     const cm_filter_set *set;
     double of[2];
+    float largest; /* of them */
     cm_ewa_axes axes;
 } step_costs;
 
@@ -54,24 +56,55 @@ static cm_status add_costs(void *user, const cm_group *group)
     for (unsigned i = 0; i < group->count; i++)
     {
         const float minor = costs->axes.minor[i];
+        costs->largest = fmaxf(costs->largest, minor);
         costs->of[CM_PYRAMID_HALVES] += (double)(minor / level_square(minor, 2.0f));
         costs->of[CM_PYRAMID_EIGHTHS] += (double)(minor / level_square(minor, 8.0f / 3.0f));
     }
     return CM_OK;
 }
 
-/* What leaves fewer pixels to be summed. */
+/* What leaves fewer pixels to be summed; and the square of the largest minor axis that has been seen. */
 static cm_status choose_steps(const cm_plan *plan, const cm_filter_set *set,
-                              cm_pyramid_steps *steps)
+                              cm_pyramid_steps *steps, float *largest)
 {
     step_costs costs = {.set = set};
     const cm_status status = cm_survey(plan, BLOCKS_SEEN, add_costs, &costs);
     *steps = costs.of[CM_PYRAMID_HALVES] < costs.of[CM_PYRAMID_EIGHTHS] ? CM_PYRAMID_HALVES
                                                                         : CM_PYRAMID_EIGHTHS;
+    *largest = costs.largest;
     return status;
 }
 
 /* ---- life ---- */
+
+/* Of a level, the square of the minor axis that it needs, in source pixels. */
+static float least_of(const cm_surface *surface, uint32_t width, uint32_t height)
+{
+    const double across = (double)surface->width / width;
+    const double down = (double)surface->height / height;
+    const double least = CM_EWA_MINOR * fmax(across, down);
+    return (float)(least * least);
+}
+
+/* Levels that footprints want which have been looked at: what others want is made when they ask. */
+static unsigned levels_wanted(const cm_plan *plan, cm_pyramid_steps steps, float largest)
+{
+    const cm_surface *surface = plan->from;
+    cm_level_size sizes[CM_LEVELS_MAX];
+    const unsigned count = cm_pyramid_sizes(steps, surface->width, surface->height, sizes);
+    unsigned wanted = 1;
+    if (plan->options.memory != NULL)
+    {
+        /* nobody else may ask for the caller's memory */
+        return count;
+    }
+    while (wanted < count &&
+           largest >= least_of(surface, sizes[wanted].width, sizes[wanted].height))
+    {
+        wanted++;
+    }
+    return wanted;
+}
 
 cm_status cm_ewa_make(const cm_plan *plan, const cm_image *pictures, const cm_values *values,
                       const cm_sample_set *set, const cm_filter_table *table, int is_whole,
@@ -79,26 +112,25 @@ cm_status cm_ewa_make(const cm_plan *plan, const cm_image *pictures, const cm_va
 {
     const cm_surface *surface = plan->from;
     cm_pyramid_steps steps;
+    float largest;
     memset(ewa, 0, sizeof *ewa);
     ewa->set = cm_filter_set_find(set->name);
     ewa->table = table;
     ewa->pixels_most = (float)fmin(plan->options.pixels_most, 1e9);
     ewa->kernel = kernel;
-    cm_status status = choose_steps(plan, ewa->set, &steps);
+    cm_status status = choose_steps(plan, ewa->set, &steps, &largest);
     if (status != CM_OK)
     {
         return status;
     }
     status = cm_pyramid_make(surface, pictures, values, set, steps, PICTURE_BORDER, is_whole,
-                             plan->options.memory, threads, &ewa->pyramid);
+                             levels_wanted(plan, steps, largest), plan->options.memory, threads,
+                             &ewa->pyramid);
     for (unsigned k = 0; k < ewa->pyramid.count; k++)
     {
         ewa->width[k] = k == 0 ? surface->width : ewa->pyramid.level[k].width;
         ewa->height[k] = k == 0 ? surface->height : ewa->pyramid.level[k].height;
-        const double across = (double)surface->width / ewa->width[k];
-        const double down = (double)surface->height / ewa->height[k];
-        const double least = CM_EWA_MINOR * fmax(across, down);
-        ewa->least[k] = (float)(least * least);
+        ewa->least[k] = least_of(surface, ewa->width[k], ewa->height[k]);
     }
     cm_ewa_caps(surface, ewa);
     return status;
@@ -211,14 +243,6 @@ static int has_windows(const cm_ewa *ewa, unsigned k)
 #define WINDOW_MOST ((int64_t)1 << 18)
 #define WINDOW_SHARED 64
 
-typedef struct window_box
-{
-    int32_t left;
-    int32_t right;
-    int32_t top;
-    int32_t bottom;
-} window_box;
-
 static int32_t smaller(int32_t a, int32_t b)
 {
     return a < b ? a : b;
@@ -230,9 +254,9 @@ static int32_t larger(int32_t a, int32_t b)
 }
 
 /* Of all pixels of the group, or of some. */
-static window_box extent_of_all(const cm_ewa_shapes *shapes, size_t n)
+static cm_ewa_box extent_of_all(const cm_ewa_shapes *shapes, size_t n)
 {
-    window_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+    cm_ewa_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < n; i++)
     {
         box.left = smaller(box.left, shapes->left[i]);
@@ -243,9 +267,9 @@ static window_box extent_of_all(const cm_ewa_shapes *shapes, size_t n)
     return box;
 }
 
-static window_box extent_of(const cm_ewa_shapes *shapes, size_t n, const uint8_t *which)
+static cm_ewa_box extent_of(const cm_ewa_shapes *shapes, size_t n, const uint8_t *which)
 {
-    window_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+    cm_ewa_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < n; i++)
     {
         const unsigned at = which[i];
@@ -258,11 +282,11 @@ static window_box extent_of(const cm_ewa_shapes *shapes, size_t n, const uint8_t
 }
 
 /* With what sharpness needs, which is only where some pixel is not smaller than one of the source. */
-static window_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
+static cm_ewa_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
 {
     const cm_ewa_frame *frame = &desk->frame;
     const int32_t more = desk->first > 0 ? 0 : CM_EWA_SHARP;
-    window_box box = n == desk->group->count ? extent_of_all(&desk->shapes, n)
+    cm_ewa_box box = n == desk->group->count ? extent_of_all(&desk->shapes, n)
                                              : extent_of(&desk->shapes, n, which);
     box.left = larger(box.left - more, frame->left);
     box.right = smaller(box.right + more, frame->right);
@@ -271,99 +295,24 @@ static window_box box_of(const ewa_desk *desk, size_t n, const uint8_t *which)
     return box;
 }
 
-static int64_t box_pixels(const window_box *box)
+static int64_t box_pixels(const cm_ewa_box *box)
 {
     return ((int64_t)box->right - box->left + 1) * ((int64_t)box->bottom - box->top + 1);
-}
-
-/* So many rows further down. */
-#define FETCHED 8
-
-/* A row further down, which is read soon: rows of a window lie far from one another. */
-static void fetch_row(const cm_padded *level, const int16_t *from, int32_t row, size_t n)
-{
-#ifdef __GNUC__
-    for (size_t i = 0; i < n && row + FETCHED < (int32_t)level->height; i += 32)
-    {
-        __builtin_prefetch(from + FETCHED * level->row + i);
-    }
-#else
-    (void)level;
-    (void)from;
-    (void)row;
-    (void)n;
-#endif
-}
-
-/* A row of a window of level k, of channels `line` floats apart. Behind the row there are zeros, or other numbers of the
- * level, none of which is infinite. */
-static void read_row(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, int32_t left, int32_t row,
-                     size_t width, size_t line, float *run, float *to)
-{
-    const size_t channels = ewa->pyramid.pictures.channels;
-    const unsigned plane = desk->group->plane;
-    if (k > 0)
-    {
-        const cm_padded *level = &ewa->pyramid.level[k];
-        const int16_t *from =
-            level->whole[plane] + (desk->row + row) * level->row + desk->column + left;
-        for (size_t c = 0; c < channels; c++)
-        {
-            const int16_t *own = from + (ptrdiff_t)c * level->channel;
-            fetch_row(level, own, desk->row + row, line);
-            ewa->set->from_whole(line, own, CM_PADDED_ONE, to + c * line);
-        }
-        return;
-    }
-    cm_level_read(&ewa->pyramid.reader, plane, desk->column + left, desk->row + row, (int32_t)width,
-                  run);
-    ewa->set->part_channels(run, channels, width, to, (ptrdiff_t)line);
-    for (size_t c = 0; c < channels; c++)
-    {
-        memset(to + c * line + width, 0, (line - width) * sizeof(float));
-    }
-}
-
-/* The window's pixels as floats, channel by channel. */
-static cm_status open_window(const cm_ewa *ewa, const ewa_desk *desk, unsigned k,
-                             const window_box *box, cm_ewa_pixels *pixels)
-{
-    const size_t channels = ewa->pyramid.pictures.channels;
-    const size_t width = (size_t)(box->right - box->left + 1);
-    const size_t height = (size_t)(box->bottom - box->top + 1);
-    const size_t line = (width + 15) / 16 * 16 + (k > 0 ? 0 : CM_WINDOW_SLACK / sizeof(float));
-    const cm_status status = cm_scratch_room(
-        desk->scratch, (height + 1) * line * channels * sizeof(float) + CM_WINDOW_SLACK);
-    if (status != CM_OK)
-    {
-        return status;
-    }
-    float *window = (float *)(void *)desk->scratch->bytes;
-    float *run = window + height * line * channels;
-    for (size_t row = 0; row < height; row++)
-    {
-        read_row(ewa, desk, k, box->left, box->top + (int32_t)row, width, line, run,
-                 window + row * line * channels);
-    }
-    pixels->row = (ptrdiff_t)(line * channels);
-    pixels->channel = (ptrdiff_t)line;
-    pixels->channels = channels;
-    pixels->first = window - box->top * pixels->row - box->left;
-    return CM_OK;
 }
 
 /* Pixels of a group by one window, or by more where it would be large. */
 static cm_status sum_windows(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, size_t n,
                              const uint8_t *which)
 {
-    const window_box box = box_of(desk, n, which);
+    const cm_ewa_box box = box_of(desk, n, which);
     if (n > 1 && box_pixels(&box) > (int64_t)(n * WINDOW_SHARED))
     {
         const cm_status status = sum_windows(ewa, desk, k, n / 2, which);
         return status == CM_OK ? sum_windows(ewa, desk, k, n - n / 2, which + n / 2) : status;
     }
     cm_ewa_pixels pixels;
-    const cm_status status = open_window(ewa, desk, k, &box, &pixels);
+    const cm_ewa_level at = {ewa, k, desk->group->plane, desk->column, desk->row};
+    const cm_status status = cm_ewa_window(&at, &box, desk->scratch, &pixels);
     if (status == CM_OK)
     {
         sum_pixels(ewa, desk, k, &pixels, n, which);
@@ -385,7 +334,7 @@ static int suits(const cm_ewa *ewa, const ewa_desk *desk, unsigned i, unsigned k
     {
         return 0;
     }
-    const window_box box = box_of(desk, 1, &which);
+    const cm_ewa_box box = box_of(desk, 1, &which);
     return !has_windows(ewa, k) || box_pixels(&box) <= WINDOW_MOST;
 }
 
@@ -402,7 +351,7 @@ static int all_suit(const cm_ewa *ewa, const ewa_desk *desk, unsigned k)
     {
         return 0;
     }
-    const window_box box = box_of(desk, desk->group->count, NULL);
+    const cm_ewa_box box = box_of(desk, desk->group->count, NULL);
     return !has_windows(ewa, k) || box_pixels(&box) <= WINDOW_MOST;
 }
 
@@ -442,9 +391,10 @@ static size_t take_level(const cm_ewa *ewa, ewa_desk *desk, unsigned k, uint8_t 
 static cm_status do_level(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, size_t n,
                           const uint8_t *which)
 {
-    if (n == 0)
+    const cm_status status = n > 0 ? cm_pyramid_need(&ewa->pyramid, k) : CM_OK;
+    if (n == 0 || status != CM_OK)
     {
-        return CM_OK;
+        return status;
     }
     if (has_windows(ewa, k))
     {

@@ -569,13 +569,18 @@ cm_status cm_ewa_poles(const cm_ewa *ewa, const cm_group *group, int32_t coarses
         wanted |= (uint32_t)1 << poles.axes.level[i];
         axes->level[poles.which[i]] = CM_EWA_DONE;
     }
-    for (unsigned k = 0; k < ewa->pyramid.count; k++)
+    cm_status there = CM_OK;
+    for (unsigned k = 0; k < ewa->pyramid.count && there == CM_OK; k++)
     {
         if (wanted >> k & 1)
         {
-            do_level(ewa, group, &poles, k, &shapes, desk, to);
+            there = cm_pyramid_need(&ewa->pyramid, k);
+            if (there == CM_OK)
+            {
+                do_level(ewa, group, &poles, k, &shapes, desk, to);
+            }
         }
     }
     *count = poles.count;
-    return CM_OK;
+    return there;
 }

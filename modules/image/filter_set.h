@@ -127,9 +127,44 @@ typedef struct cm_ewa_pixels
     size_t channels;
 } cm_ewa_pixels;
 
+/* Places between six pixels each way, CM_SIX_MOST at most: of one way the first pixel of each, and weights. */
+#define CM_SIX 6
+#define CM_SIX_MOST 64
+#define CM_SIX_CHANNELS 4
+typedef struct cm_six_points
+{
+    int32_t first[CM_SIX_MOST];
+    int32_t exact[CM_SIX_MOST];   /* is the place a pixel's centre? */
+    int32_t outside[CM_SIX_MOST]; /* does it lie before the first pixel or behind the last? */
+    double place[CM_SIX_MOST];    /* from the first one */
+    float weight[CM_SIX][CM_SIX_MOST];
+} cm_six_points;
+
 typedef struct cm_filter_set
 {
     const char *name; /* as in options.h */
+    /* Of n positions in a row of `extent` pixels, six at least, the nearest ones and Lagrange's weights, exactly 0 and 1 at
+     * pixels. is_cautious: what is outside has two points, since six would magnify what rounding has left of bytes eight
+     * times. All sets have the same bits of these, and of the sums. */
+    void (*six_points)(size_t n, const double *position, uint32_t extent, int is_cautious,
+                       cm_six_points *at);
+    /* The values of n places from their first pixels, whose channels, CM_SIX_CHANNELS at most, are one beside the other, as
+     * bytes times a scale, or as floats; rows are so many bytes apart. CM_SIX_CHANNELS floats are written of each. Of a row
+     * 24 numbers may be read. */
+    void (*six_bytes)(size_t channels, size_t n, const void *const *from, ptrdiff_t row,
+                      float scale, const cm_six_points *across, const cm_six_points *along,
+                      float *to);
+    void (*six_floats)(size_t channels, size_t n, const void *const *from, ptrdiff_t row,
+                       float scale, const cm_six_points *across, const cm_six_points *along,
+                       float *to);
+    /* The same of whole numbers and of floats whose channels, CM_SIX_CHANNELS at most, are so many bytes apart, and
+     * CM_SIX_MOST floats in `to`. Of a row eight numbers may be read. */
+    void (*six_words)(size_t channels, size_t n, const void *const *from, ptrdiff_t row,
+                      ptrdiff_t channel, const cm_six_points *across, const cm_six_points *along,
+                      float *to);
+    void (*six_lines)(size_t channels, size_t n, const void *const *from, ptrdiff_t row,
+                      ptrdiff_t channel, const cm_six_points *across, const cm_six_points *along,
+                      float *to);
     /* Coefficients of quintic splines in place, along columns: `floats` of them, CM_BUNDLE_COLUMNS at most, rows `stride`
      * floats apart. */
     void (*spline_columns)(float *first, size_t floats, size_t rows, ptrdiff_t stride);
@@ -150,6 +185,9 @@ typedef struct cm_filter_set
     /* n pixels, whose channels are one beside the other, channel by channel, `channel` floats apart. */
     void (*part_channels)(const float *from, size_t channels, size_t n, float *to,
                           ptrdiff_t channel);
+    /* The same of bytes times a scale. */
+    void (*part_bytes)(const uint8_t *from, size_t channels, size_t n, float scale, float *to,
+                       ptrdiff_t channel);
     /* Floats of whole numbers, of which `one` is 1, and back, rounded and clamped. */
     void (*from_whole)(size_t n, const int16_t *from, float one, float *to);
     void (*to_whole)(size_t n, const float *from, float one, int16_t *to);

@@ -160,7 +160,7 @@ static cm_status fill(const cm_surface *surface, const cm_image *pictures, const
 {
     cm_pyramid pyramid;
     cm_status status = cm_pyramid_make(surface, pictures, values, set, CM_PYRAMID_HALVES, 0, 0,
-                                       memory, threads, &pyramid);
+                                       mips->count, memory, threads, &pyramid);
     if (status != CM_OK)
     {
         return status;

@@ -73,53 +73,44 @@ static size_t bytes_of(const cm_padded *padded)
     return padded->plane_floats * padded->planes * number;
 }
 
-static void lay_out(const cm_surface *surface, uint32_t width, uint32_t height, uint32_t channels,
-                    int32_t beside, int32_t beyond, cm_padded_order order, cm_padded *padded)
+void cm_padded_shape(const cm_surface *surface, uint32_t width, uint32_t height, uint32_t channels,
+                     int32_t beside, int32_t beyond, cm_padded_order order, cm_padded *shape)
 {
     const size_t slack = CM_WINDOW_SLACK / sizeof(float);
-    memset(padded, 0, sizeof *padded);
-    padded->planes = surface->planes;
-    padded->width = width;
-    padded->height = height;
-    padded->channels = channels;
-    padded->beside = cm_border_of(surface, width < height ? width : height, beside);
-    padded->beyond = cm_border_of(surface, width < height ? width : height, beyond);
-    const size_t wide = width + 2 * (size_t)padded->beside;
-    const size_t high = height + 2 * (size_t)padded->beyond;
+    memset(shape, 0, sizeof *shape);
+    shape->planes = surface->planes;
+    shape->width = width;
+    shape->height = height;
+    shape->channels = channels;
+    shape->beside = cm_border_of(surface, width < height ? width : height, beside);
+    shape->beyond = cm_border_of(surface, width < height ? width : height, beyond);
+    const size_t wide = width + 2 * (size_t)shape->beside;
+    const size_t high = height + 2 * (size_t)shape->beyond;
     const size_t line = rounded(order == CM_PADDED_PIXELS ? wide * channels + slack : wide + slack);
-    padded->pixel = order == CM_PADDED_PIXELS ? (ptrdiff_t)channels : 1;
-    padded->channel = order == CM_PADDED_PIXELS ? 1 : (ptrdiff_t)line;
-    padded->row = (ptrdiff_t)(order == CM_PADDED_PIXELS ? line : line * channels);
-    padded->plane_floats = (size_t)padded->row * high;
+    shape->pixel = order == CM_PADDED_PIXELS ? (ptrdiff_t)channels : 1;
+    shape->channel = order == CM_PADDED_PIXELS ? 1 : (ptrdiff_t)line;
+    shape->row = (ptrdiff_t)(order == CM_PADDED_PIXELS ? line : line * channels);
+    shape->plane_floats = (size_t)shape->row * high;
 }
 
-void cm_padded_shape(const cm_surface *surface, uint32_t width, uint32_t height, uint32_t channels,
-                     int32_t border, cm_padded *shape)
+cm_status cm_padded_allocate(int is_whole, const cm_memory *memory, unsigned threads,
+                             cm_padded *shape)
 {
-    lay_out(surface, width, height, channels, border, border, CM_PADDED_PIXELS, shape);
-}
-
-static cm_status create(const cm_surface *surface, uint32_t width, uint32_t height,
-                        uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
-                        int is_whole, const cm_memory *memory, unsigned threads, cm_padded *padded)
-{
-    lay_out(surface, width, height, channels, beside, beyond, order, padded);
-    padded->is_whole = is_whole;
-    padded->owner = memory;
-    padded->memory = cm_large_allocate(memory, bytes_of(padded));
-    if (padded->memory == NULL)
+    shape->is_whole = is_whole;
+    shape->owner = memory;
+    shape->memory = cm_large_allocate(memory, bytes_of(shape));
+    if (shape->memory == NULL)
     {
         return CM_ERROR_MEMORY;
     }
-    for (unsigned plane = 0; plane < padded->planes; plane++)
+    for (unsigned plane = 0; plane < shape->planes; plane++)
     {
-        const size_t first =
-            plane * padded->plane_floats +
-            (size_t)(padded->beyond * padded->row + padded->beside * padded->pixel);
-        padded->first[plane] = is_whole ? NULL : padded->memory + first;
-        padded->whole[plane] = is_whole ? (int16_t *)(void *)padded->memory + first : NULL;
+        const size_t first = plane * shape->plane_floats +
+                             (size_t)(shape->beyond * shape->row + shape->beside * shape->pixel);
+        shape->first[plane] = is_whole ? NULL : shape->memory + first;
+        shape->whole[plane] = is_whole ? (int16_t *)(void *)shape->memory + first : NULL;
     }
-    clear_frame(padded, threads);
+    clear_frame(shape, threads);
     return CM_OK;
 }
 
@@ -127,21 +118,19 @@ cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t h
                            uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
                            const cm_memory *memory, unsigned threads, cm_padded *padded)
 {
-    return create(surface, width, height, channels, beside, beyond, order, 0, memory, threads,
-                  padded);
+    cm_padded_shape(surface, width, height, channels, beside, beyond, order, padded);
+    return cm_padded_allocate(0, memory, threads, padded);
 }
 
-cm_status cm_padded_create_whole(const cm_surface *surface, uint32_t width, uint32_t height,
-                                 uint32_t channels, int32_t beside, int32_t beyond,
-                                 const cm_memory *memory, unsigned threads, cm_padded *padded)
+void cm_padded_release(cm_padded *padded)
 {
-    return create(surface, width, height, channels, beside, beyond, CM_PADDED_CHANNELS, 1, memory,
-                  threads, padded);
+    cm_large_free(padded->owner, padded->memory, bytes_of(padded));
+    padded->memory = NULL;
 }
 
 void cm_padded_free(cm_padded *padded)
 {
-    cm_large_free(padded->owner, padded->memory, bytes_of(padded));
+    cm_padded_release(padded);
     memset(padded, 0, sizeof *padded);
 }
 
@@ -254,7 +243,7 @@ cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_
     padded->goes_on = cm_rim_goes_on(values);
     if (status == CM_OK && !surface->has_gaps)
     {
-        cm_padded_border(padded, surface, threads);
+        cm_padded_border(padded, surface, job.loops, threads);
     }
     return status;
 }

@@ -41,20 +41,23 @@ typedef struct cm_padded
     int16_t *whole[CM_PLANES_MAX];
 } cm_padded;
 
-/* Room for the surface's planes in that size, of `memory` or, if that is NULL, the system, with zeros behind rows. `beside` and `beyond` are what is wanted: smaller planes have less of what
- * cannot be known, see cm_padded_border. CM_OK or CM_ERROR_MEMORY. */
+/* Sizes and strides for the surface's planes in that size, without memory. `beside` and `beyond` are what is wanted:
+ * smaller planes have less of what cannot be known, see cm_padded_border. */
+void cm_padded_shape(const cm_surface *surface, uint32_t width, uint32_t height, uint32_t channels,
+                     int32_t beside, int32_t beyond, cm_padded_order order, cm_padded *shape);
+
+/* Room for a shape's planes, as floats or whole numbers, of `memory` or, if that is NULL, the system, with zeros behind
+ * rows. CM_OK or CM_ERROR_MEMORY. */
+cm_status cm_padded_allocate(int is_whole, const cm_memory *memory, unsigned threads,
+                             cm_padded *shape);
+
+/* Both for floats. */
 cm_status cm_padded_create(const cm_surface *surface, uint32_t width, uint32_t height,
                            uint32_t channels, int32_t beside, int32_t beyond, cm_padded_order order,
                            const cm_memory *memory, unsigned threads, cm_padded *padded);
 
-/* The same of whole numbers, channel by channel. */
-cm_status cm_padded_create_whole(const cm_surface *surface, uint32_t width, uint32_t height,
-                                 uint32_t channels, int32_t beside, int32_t beyond,
-                                 const cm_memory *memory, unsigned threads, cm_padded *padded);
-
-/* The sizes and strides of cm_padded_create, pixel by pixel, without memory. */
-void cm_padded_shape(const cm_surface *surface, uint32_t width, uint32_t height, uint32_t channels,
-                     int32_t border, cm_padded *shape);
+/* Leaves the shape alone. */
+void cm_padded_release(cm_padded *padded);
 
 void cm_padded_free(cm_padded *padded);
 
@@ -70,7 +73,8 @@ cm_status cm_padded_load(cm_padded *padded, const cm_surface *surface, const cm_
 /* The border from the planes' own pixels, of whatever size, interpolated inside the neighbour by six points each way. Directions there are
  * the kind's own or extrapolated (surface_beyond.c), so that a plane of faces has borders of half its extent at most, and
  * never less than CM_BORDER_LEAST. */
-void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsigned threads);
+void cm_padded_border(const cm_padded *padded, const cm_surface *surface, const cm_filter_set *set,
+                      unsigned threads);
 
 /* What filters need at least: taps have 3, the halving of levels 6. */
 #define CM_BORDER_LEAST 6

@@ -335,9 +335,10 @@ static void do_planes(border_job *job, unsigned planes, unsigned threads)
     cm_run_threads(threads, planes * job->per_plane * CM_TASK, 2 * CM_TASK, do_tasks, job);
 }
 
-void cm_padded_border(const cm_padded *padded, const cm_surface *surface, unsigned threads)
+void cm_padded_border(const cm_padded *padded, const cm_surface *surface, const cm_filter_set *set,
+                      unsigned threads)
 {
-    border_job job = {.values = {.padded = padded, .surface = surface}};
+    border_job job = {.values = {.padded = padded, .surface = surface, .set = set}};
     do_planes(&job, padded->planes, threads);
 }
 

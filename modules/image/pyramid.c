@@ -7,6 +7,7 @@
 #include "pyramid.h"
 #include "filter_set.h"
 #include "large_memory.h"
+#include "wait_a_while.h"
 
 #include <cubemap/threads.h>
 
@@ -528,66 +529,101 @@ static int32_t border_of(int32_t wanted, uint32_t extent)
     return wanted < most ? wanted : most;
 }
 
-static cm_status make_level(const cm_surface *surface, uint32_t width, uint32_t height,
-                            uint32_t channels, int is_whole, const cm_memory *memory,
-                            unsigned threads, cm_padded *level)
+/* The size and the border of a level. */
+static void shape_level(const cm_surface *surface, cm_level_size size, uint32_t channels,
+                        cm_padded *level)
 {
     const int32_t beside =
-        border_of(surface->period != 0.0 ? CM_PYRAMID_BESIDE : CM_PYRAMID_BORDER, width);
-    const int32_t beyond = border_of(CM_PYRAMID_BORDER, height);
-    if (is_whole)
+        border_of(surface->period != 0.0 ? CM_PYRAMID_BESIDE : CM_PYRAMID_BORDER, size.width);
+    const int32_t beyond = border_of(CM_PYRAMID_BORDER, size.height);
+    cm_padded_shape(surface, size.width, size.height, channels, beside, beyond, CM_PADDED_CHANNELS,
+                    level);
+}
+
+/* The next level that is not there. */
+static cm_status make_level(cm_pyramid *pyramid, const cm_memory *memory, unsigned threads)
+{
+    const cm_surface *surface = pyramid->surface;
+    const unsigned k = atomic_load(&pyramid->made);
+    const cm_padded *above = k > 1 ? &pyramid->level[k - 1] : NULL;
+    const int are_eighths = k == 1 && has_eighths(pyramid->steps, surface->width, surface->height);
+    cm_padded *level = &pyramid->level[k];
+    cm_status status = cm_padded_allocate(pyramid->is_whole, memory, threads, level);
+    if (status == CM_OK)
     {
-        return cm_padded_create_whole(surface, width, height, channels, beside, beyond, memory,
-                                      threads, level);
+        status = halve(
+            &pyramid->reader, above, are_eighths, above != NULL ? above->width : surface->width,
+            above != NULL ? above->height : surface->height, level, pyramid->set, threads);
     }
-    return cm_padded_create(surface, width, height, channels, beside, beyond, CM_PADDED_CHANNELS,
-                            memory, threads, level);
+    if (status != CM_OK)
+    {
+        cm_padded_release(level);
+        return status;
+    }
+    cm_padded_border(level, surface, pyramid->set, threads);
+    atomic_store(&pyramid->made, k + 1);
+    return CM_OK;
 }
 
 cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                           const cm_values *values, const cm_sample_set *set, cm_pyramid_steps steps,
-                          int32_t border, int is_whole, const cm_memory *memory, unsigned threads,
-                          cm_pyramid *pyramid)
+                          int32_t border, int is_whole, unsigned wanted, const cm_memory *memory,
+                          unsigned threads, cm_pyramid *pyramid)
 {
-    const cm_filter_set *loops = cm_filter_set_find(set->name);
     const uint32_t least = surface->width < surface->height ? surface->width : surface->height;
-    const int32_t wanted = surface->has_gaps          ? CM_BESIDE_MAP
+    const int32_t beyond = surface->has_gaps          ? CM_BESIDE_MAP
                            : border > CM_BORDER_LEAST ? border
                                                       : CM_BORDER_LEAST;
     memset(pyramid, 0, sizeof *pyramid);
     cm_status status = cm_level_of_pictures(surface, pictures, values, set, 0,
-                                            cm_border_of(surface, least, wanted), memory, threads,
+                                            cm_border_of(surface, least, beyond), memory, threads,
                                             &pyramid->pictures);
     if (status != CM_OK)
     {
         return status;
     }
+    cm_level_size sizes[CM_LEVELS_MAX];
+    pyramid->count = cm_pyramid_sizes(steps, surface->width, surface->height, sizes);
     pyramid->reader = cm_level_reader_of(&pyramid->pictures, surface, set);
     pyramid->is_whole = is_whole;
-    pyramid->count = 1;
-    cm_level_size sizes[CM_LEVELS_MAX];
-    const unsigned count = cm_pyramid_sizes(steps, surface->width, surface->height, sizes);
-    while (status == CM_OK && pyramid->count < count)
+    pyramid->surface = surface;
+    pyramid->steps = steps;
+    pyramid->set = cm_filter_set_find(set->name);
+    atomic_init(&pyramid->made, 1);
+    atomic_init(&pyramid->busy, 0);
+    for (unsigned k = 1; k < pyramid->count; k++)
     {
-        const unsigned k = pyramid->count++;
-        const unsigned above = k - 1;
-        const int are_eighths = k == 1 && has_eighths(steps, surface->width, surface->height);
-        cm_padded *level = &pyramid->level[k];
-        status = make_level(surface, sizes[k].width, sizes[k].height, values->working, is_whole,
-                            memory, threads, level);
-        status =
-            status == CM_OK
-                ? halve(&pyramid->reader, above > 0 ? &pyramid->level[above] : NULL, are_eighths,
-                        sizes[above].width, sizes[above].height, level, loops, threads)
-                : status;
-        if (status == CM_OK)
-        {
-            cm_padded_border(level, surface, threads);
-        }
+        shape_level(surface, sizes[k], values->working, &pyramid->level[k]);
+    }
+    while (status == CM_OK && atomic_load(&pyramid->made) < wanted &&
+           atomic_load(&pyramid->made) < pyramid->count)
+    {
+        status = make_level(pyramid, memory, threads);
     }
     if (status != CM_OK)
     {
         cm_pyramid_free(pyramid);
+    }
+    return status;
+}
+
+cm_status cm_pyramid_need(const cm_pyramid *pyramid, unsigned k)
+{
+    cm_pyramid *own = (cm_pyramid *)(uintptr_t)pyramid; /* they are all made by cm_pyramid_make */
+    cm_status status = CM_OK;
+    while (status == CM_OK && atomic_load(&own->made) <= k)
+    {
+        int busy = 0;
+        if (!atomic_compare_exchange_strong(&own->busy, &busy, 1))
+        {
+            cm_wait_a_while();
+            continue;
+        }
+        while (status == CM_OK && atomic_load(&own->made) <= k)
+        {
+            status = make_level(own, NULL, 1);
+        }
+        atomic_store(&own->busy, 0);
     }
     return status;
 }

@@ -8,6 +8,8 @@
 
 #include "padded.h"
 
+#include <stdatomic.h>
+
 /* Planes of 2^30 pixels have 31 halves. */
 #define CM_LEVELS_MAX 32
 
@@ -33,9 +35,15 @@ typedef struct cm_pyramid
 {
     unsigned count;
     cm_level pictures;
-    cm_level_reader reader;         /* of the pictures */
-    int is_whole;                   /* are the other levels whole numbers? */
-    cm_padded level[CM_LEVELS_MAX]; /* from 1 on; each row channel by channel */
+    cm_level_reader reader; /* of the pictures */
+    int is_whole;           /* are the other levels whole numbers? */
+    /* from 1 on; each row channel by channel. Sizes and borders are known before the pixels are there */
+    cm_padded level[CM_LEVELS_MAX];
+    const cm_surface *surface;
+    cm_pyramid_steps steps;
+    const cm_filter_set *set;
+    atomic_uint made; /* levels that are there, with the pictures */
+    atomic_int busy;  /* does some thread make more of them? */
 } cm_pyramid;
 
 /* The sizes of levels from that to 1 x 1; returns how many there are. */
@@ -44,11 +52,16 @@ unsigned cm_pyramid_sizes(cm_pyramid_steps steps, uint32_t width, uint32_t heigh
 
 /* The levels of pictures of the surface, whose own have a border as wide as wanted, or what the next level needs; the
  * others lie in `memory` as of cm_padded_create. If is_whole, they are whole numbers of CM_PADDED_ONE, which is for bytes.
- * CM_OK or CM_ERROR_MEMORY. */
+ * What is after the first `wanted` levels is made when cm_pyramid_need asks for it. The surface must stay. CM_OK or
+ * CM_ERROR_MEMORY. */
 cm_status cm_pyramid_make(const cm_surface *surface, const cm_image *pictures,
                           const cm_values *values, const cm_sample_set *set, cm_pyramid_steps steps,
-                          int32_t border, int is_whole, const cm_memory *memory, unsigned threads,
-                          cm_pyramid *pyramid);
+                          int32_t border, int is_whole, unsigned wanted, const cm_memory *memory,
+                          unsigned threads, cm_pyramid *pyramid);
+
+/* Level k is there from now on: it is made if it is not, by one thread, for which others wait. Bits do not depend on when
+ * that is. CM_OK or CM_ERROR_MEMORY, after which it may be tried again. */
+cm_status cm_pyramid_need(const cm_pyramid *pyramid, unsigned k);
 
 void cm_pyramid_free(cm_pyramid *pyramid);
 

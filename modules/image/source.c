@@ -2,17 +2,13 @@
  *
  * A source made ready for a filter.
  */
-#define _POSIX_C_SOURCE 200809L
-
 #include "source.h"
 #include "auto.h"
 #include "spline_stripes.h"
+#include "wait_a_while.h"
 
 #include <stdlib.h>
 #include <string.h>
-#if defined(__unix__) || defined(__APPLE__)
-#include <time.h>
-#endif
 
 cm_status cm_pictures_check(const cm_surface *surface, const cm_image *pictures)
 {
@@ -140,15 +136,6 @@ static cm_status prepare_spline(cm_source *source, const cm_image *from, unsigne
     return CM_OK;
 }
 
-/* Another thread does something, which takes long. */
-static void wait_a_while(void)
-{
-#if defined(__unix__) || defined(__APPLE__)
-    const struct timespec millisecond = {0, 1000000};
-    nanosleep(&millisecond, NULL);
-#endif
-}
-
 cm_status cm_source_complete(const cm_source *source, unsigned threads)
 {
     cm_source *own = (cm_source *)(uintptr_t)source; /* they are all made by cm_source_create */
@@ -164,7 +151,7 @@ cm_status cm_source_complete(const cm_source *source, unsigned threads)
         }
         if (state == CM_SOURCE_BUSY)
         {
-            wait_a_while();
+            cm_wait_a_while();
         }
     }
     return CM_OK;

@@ -174,15 +174,16 @@ cm_status cm_spline_make(const cm_surface *surface, const cm_image *pictures,
         return status;
     }
     uint64_t *holes = NULL;
+    const cm_filter_set *loops = cm_filter_set_find(set->name);
     const int may_have_holes = values->type == CM_PIXEL_HALF || values->type == CM_PIXEL_FLOAT;
     int has_holes = 0;
     status = cm_padded_load(coefficients, surface, pictures, values, set, threads, CM_SPLINE_MOST,
                             may_have_holes ? &has_holes : NULL);
     if (status == CM_OK && may_have_holes)
     {
-        status = cm_spline_holes_fill(coefficients, surface, has_holes, threads, &holes);
+        status = cm_spline_holes_fill(coefficients, surface, loops, has_holes, threads, &holes);
     }
-    spline_job job = {.padded = coefficients, .set = cm_filter_set_find(set->name)};
+    spline_job job = {.padded = coefficients, .set = loops};
     job.high = coefficients->height + 2 * (size_t)coefficients->beyond;
     job.floats = (coefficients->width + 2 * (size_t)coefficients->beside) * values->working;
     atomic_init(&job.failed, (int)status);

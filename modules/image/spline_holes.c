@@ -172,8 +172,9 @@ static void fill_planes(size_t begin, size_t end, void *user)
     }
 }
 
-cm_status cm_spline_holes_fill(const cm_padded *padded, const cm_surface *surface, int has_holes,
-                               unsigned threads, uint64_t **holes)
+cm_status cm_spline_holes_fill(const cm_padded *padded, const cm_surface *surface,
+                               const cm_filter_set *set, int has_holes, unsigned threads,
+                               uint64_t **holes)
 {
     hole_job job = {.padded = padded};
     job.words = (rows_of(padded) * floats_of(padded) + 63) / 64;
@@ -196,7 +197,7 @@ cm_status cm_spline_holes_fill(const cm_padded *padded, const cm_surface *surfac
     cm_run_threads(threads, padded->planes * rows_of(padded), 64, blank, &job);
     if (!surface->has_gaps)
     {
-        cm_padded_border(padded, surface, threads);
+        cm_padded_border(padded, surface, set, threads);
     }
     cm_run_threads(threads, (size_t)padded->planes * CM_TASK, CM_TASK, fill_planes, &job);
     *holes = job.bits;

@@ -14,8 +14,9 @@
 
 /* Find them in planes with their borders, and fill them. has_holes: is there one inside? A look at borders alone finds
  * the others. *holes is NULL if there are none; else free it. CM_OK or CM_ERROR_MEMORY. */
-cm_status cm_spline_holes_fill(const cm_padded *padded, const cm_surface *surface, int has_holes,
-                               unsigned threads, uint64_t **holes);
+cm_status cm_spline_holes_fill(const cm_padded *padded, const cm_surface *surface,
+                               const cm_filter_set *set, int has_holes, unsigned threads,
+                               uint64_t **holes);
 
 /* NaN for all that were found. holes may be NULL. */
 void cm_spline_holes_put(const cm_padded *padded, const uint64_t *holes);

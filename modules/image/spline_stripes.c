@@ -121,7 +121,7 @@ static void lay_out(cm_spline_stripes *stripes, const cm_surface *surface, const
     stripes->surface = surface;
     stripes->below = below;
     cm_padded_shape(surface, surface->width, surface->height, values->working, BEYOND_MOST,
-                    &stripes->shape);
+                    BEYOND_MOST, CM_PADDED_PIXELS, &stripes->shape);
     stripes->floats =
         (surface->width + 2 * (size_t)stripes->shape.beside) * stripes->shape.channels;
     choose_rows(stripes, bytes);
@@ -130,7 +130,8 @@ static void lay_out(cm_spline_stripes *stripes, const cm_surface *surface, const
 size_t cm_spline_bytes(const cm_surface *surface, const cm_values *values)
 {
     cm_padded shape;
-    cm_padded_shape(surface, surface->width, surface->height, values->working, BEYOND_MOST, &shape);
+    cm_padded_shape(surface, surface->width, surface->height, values->working, BEYOND_MOST,
+                    BEYOND_MOST, CM_PADDED_PIXELS, &shape);
     return shape.plane_floats * shape.planes * sizeof(float);
 }
 

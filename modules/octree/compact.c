@@ -28,11 +28,7 @@ cm_status cm_octree_compact(cm_octree *octree)
             status = cm_block_pack(region, block, &octree->rule) ? status : CM_ERROR_MEMORY;
         }
         octree->bytes += cm_region_size(region);
-        uint8_t alpha;
-        if (cm_region_is_even(region, &alpha))
-        {
-            cm_node_close(octree, node, alpha);
-        }
+        cm_node_close_even(octree, node);
     }
     cm_nodes_join(octree);
     return status;

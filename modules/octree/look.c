@@ -92,7 +92,10 @@ static cm_status finest_at(const cm_octree *octree, const uint32_t place[3], cm_
     const unsigned cell = cm_interleave_3(place[0], place[1], place[2]);
     uint32_t color = 0;
     const uint8_t alpha = cm_block_cell(region, block, &octree->rule, spot.misses, cell, &color);
-    const unsigned detail = region->detail[block];
+    uint8_t only;
+    const unsigned detail = cm_block_is_even(region, block, &octree->rule, spot.misses, &only)
+                                ? 0
+                                : region->detail[block];
     const uint32_t corner[3] = {place[0] >> detail << detail, place[1] >> detail << detail,
                                 place[2] >> detail << detail};
     *found = cm_voxel_at(octree, corner, (int)detail, alpha, color);

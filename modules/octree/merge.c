@@ -41,7 +41,16 @@ typedef struct added_block
     uint8_t alpha[512];
     uint32_t color[512];
     unsigned detail;
+    int is_even; /* 1: all have one alpha and no color, and the detail says nothing */
 } added_block;
+
+static void make_even(added_block *added, uint8_t alpha)
+{
+    added->detail = CM_BLOCK_LEVEL;
+    added->is_even = 1;
+    memset(added->alpha, alpha, sizeof added->alpha);
+    memset(added->color, 0, sizeof added->color);
+}
 
 static int add_cells(cm_octree *to, cm_region *region, unsigned block, const added_block *added)
 {
@@ -78,9 +87,21 @@ static int add_cells(cm_octree *to, cm_region *region, unsigned block, const add
         is_solid |= sum > CM_UNKNOWN;
     }
     cm_region_mark(region, block, is_solid);
-    region->changed[block] = to->step;
     cm_block_settle(region, block);
     return 1;
+}
+
+/* What is even stays so where all of it gets one alpha, as a leaf does. */
+static int add_values(cm_octree *to, cm_region *region, unsigned block, const added_block *added)
+{
+    cm_block_drop_cells(region, block, &to->rule);
+    region->changed[block] = to->step;
+    if (added->is_even && region->form[block] == CM_BLOCK_EVEN)
+    {
+        cm_block_even(region, block, sum_of(&to->rule, region->value[block], added->alpha[0]));
+        return 1;
+    }
+    return add_cells(to, region, block, added);
 }
 
 static cm_status add_block(cm_octree *to, const uint32_t place[3], const added_block *added)
@@ -98,7 +119,7 @@ static cm_status add_block(cm_octree *to, const uint32_t place[3], const added_b
     }
     to->bytes -= cm_region_size(region);
     const int good =
-        add_cells(to, region, cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3), added);
+        add_values(to, region, cm_interleave_3(place[0] >> 3, place[1] >> 3, place[2] >> 3), added);
     to->bytes += cm_region_size(region);
     region->is_dirty = 1;
     return good ? cm_pages_trim(to) : CM_ERROR_MEMORY;
@@ -137,21 +158,12 @@ static cm_status add_even_region(cm_octree *to, uint32_t node, const uint32_t pl
     {
         return status;
     }
-    added_block added = {.detail = 3};
-    memset(added.alpha, alpha, sizeof added.alpha);
+    added_block added;
+    make_even(&added, alpha);
     to->bytes -= cm_region_size(region);
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
-        if (region->form[block] == CM_BLOCK_EVEN)
-        {
-            region->value[block] = sum_of(&to->rule, region->value[block], alpha);
-            cm_region_mark(region, block, region->value[block] > CM_UNKNOWN);
-            region->changed[block] = to->step;
-        }
-        else if (!add_cells(to, region, block, &added))
-        {
-            status = CM_ERROR_MEMORY;
-        }
+        status = add_values(to, region, block, &added) ? status : CM_ERROR_MEMORY;
     }
     to->bytes += cm_region_size(region);
     region->is_dirty = 1;
@@ -213,8 +225,8 @@ static cm_status add_cube(cm_octree *to, const int64_t place[3], int level, uint
     }
     if (level == CM_BLOCK_LEVEL)
     {
-        added_block added = {.detail = 3};
-        memset(added.alpha, alpha, sizeof added.alpha);
+        added_block added;
+        make_even(&added, alpha);
         return is_cube ? add_block(to, at, &added) : CM_OK;
     }
     cm_status status = CM_OK;
@@ -273,6 +285,7 @@ static int add_same_block(void *user, const cm_region *region, unsigned block, u
         return 0;
     }
     added_block added;
+    added.is_even = 0;
     expand(work->from, region, block, misses, &added);
     work->status = add_block(work->to, at, &added);
     return work->status != CM_OK;
@@ -320,8 +333,9 @@ static int is_region_even(const cm_octree *from, even_box *box, const cm_region 
         block_place(region, block, place);
         if (cm_box_meets(box->first, box->beyond, place, CM_BLOCK_LEVEL))
         {
-            is_even = region->form[block] == CM_BLOCK_EVEN &&
-                      is_like(box, cm_after_misses(&from->rule, region->value[block], misses));
+            uint8_t alpha;
+            is_even =
+                cm_block_is_even(region, block, &from->rule, misses, &alpha) && is_like(box, alpha);
         }
     }
     return is_even;

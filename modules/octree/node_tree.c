@@ -245,6 +245,23 @@ void cm_node_close(cm_octree *octree, uint32_t index, uint8_t alpha)
     node->link = 0;
 }
 
+void cm_node_close_even(cm_octree *octree, uint32_t index)
+{
+    const cm_region *region = octree->region[octree->node[index].link];
+    uint32_t changed = octree->node[index].changed;
+    uint8_t alpha;
+    if (!cm_region_is_even(region, &alpha))
+    {
+        return;
+    }
+    for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
+    {
+        changed = region->changed[block] > changed ? region->changed[block] : changed;
+    }
+    cm_node_close(octree, index, alpha);
+    octree->node[index].changed = changed;
+}
+
 static void join(cm_octree *octree, uint32_t index)
 {
     if (octree->node[index].kind != CM_NODE_INNER)

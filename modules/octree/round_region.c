@@ -12,7 +12,7 @@
 
 /* ---- details ---- */
 
-static unsigned detail_of(const cm_round_work *work, const cm_region *region, unsigned block,
+static unsigned detail_of(const cm_round_work *work, cm_region *region, unsigned block,
                           const uint32_t place[3])
 {
     const cm_update *update = work->update;
@@ -21,14 +21,7 @@ static unsigned detail_of(const cm_round_work *work, const cm_region *region, un
     cm_update_place(update, at, centre);
     const double distance =
         sqrt(centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2]);
-    unsigned detail = 0;
-    while (detail + 1 < cm_update_details(update->octree) &&
-           (double)(1u << detail) < update->pixel * distance)
-    {
-        detail++;
-    }
-    const int is_even = region->form[block] == CM_BLOCK_EVEN;
-    return is_even || detail < region->detail[block] ? detail : region->detail[block];
+    return cm_update_detail(update, region, block, update->pixel * distance);
 }
 
 /* ---- voxels ---- */

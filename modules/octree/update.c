@@ -288,19 +288,7 @@ void cm_update_close_regions(cm_update *update)
     cm_octree *octree = update->octree;
     for (size_t i = 0; i < update->desk->count; i++)
     {
-        const uint32_t node = update->desk->list[i];
-        const cm_region *region = octree->region[octree->node[node].link];
-        uint8_t alpha;
-        if (cm_region_is_even(region, &alpha))
-        {
-            uint32_t changed = octree->node[node].changed;
-            for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
-            {
-                changed = region->changed[block] > changed ? region->changed[block] : changed;
-            }
-            cm_node_close(octree, node, alpha);
-            octree->node[node].changed = changed;
-        }
+        cm_node_close_even(octree, update->desk->list[i]);
     }
 }
 

@@ -81,6 +81,10 @@ void cm_update_close_regions(cm_update *update);
 /* May something happen to a region at a place whose voxels all have an alpha? Asked before memory is taken for it. */
 int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8_t alpha);
 
+/* The detail that a block of a region is updated in, where a footprint is so many edges: cells are no larger than they are there,
+ * unless they are all alike. */
+unsigned cm_update_detail(const cm_update *update, cm_region *region, unsigned block, double edges);
+
 /* Update a region of a straight camera's view. */
 void cm_update_region(cm_update *update, cm_region *region);
 

@@ -12,14 +12,16 @@
 
 /* ---- details ---- */
 
-/* Voxels no finer than so many pixels, where the block is. */
-static unsigned detail_at(const cm_update *update, const cm_region *region, unsigned block, float z)
+unsigned cm_update_detail(const cm_update *update, cm_region *region, unsigned block, double edges)
 {
     unsigned detail = 0;
-    const double wanted = update->pixel * (double)z;
-    while (detail + 1 < cm_update_details(update->octree) && (double)(1u << detail) < wanted)
+    while (detail + 1 < cm_update_details(update->octree) && (double)(1u << detail) < edges)
     {
         detail++;
+    }
+    if (detail > region->detail[block])
+    {
+        cm_block_drop_cells(region, block, &update->octree->rule);
     }
     const int is_even = region->form[block] == CM_BLOCK_EVEN;
     return is_even || detail < region->detail[block] ? detail : region->detail[block];
@@ -411,7 +413,9 @@ static void visit_blocks(cm_update *update, cm_region *region, const cube_places
                            .color = open_colors(region, block),
                            .ends = cm_ray_ends_take_block(&ends, block)};
         memcpy(work.first, chosen->first[i], sizeof work.first);
-        visit_block(update, region, &work, detail_at(update, region, block, chosen->z[i]), next);
+        visit_block(update, region, &work,
+                    cm_update_detail(update, region, block, update->pixel * (double)chosen->z[i]),
+                    next);
     }
     for (size_t i = 0; i < BLOCKS_WAITING; i++)
     {

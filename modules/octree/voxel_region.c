@@ -326,6 +326,40 @@ void cm_block_settle(cm_region *region, unsigned block)
     cm_block_even(region, block, alpha[0]);
 }
 
+int cm_block_is_even(const cm_region *region, unsigned block, const cm_count_rule *rule,
+                     unsigned more, uint8_t *alpha)
+{
+    if (region->form[block] == CM_BLOCK_EVEN)
+    {
+        *alpha = cm_after_misses(rule, region->value[block], more);
+        return 1;
+    }
+    const unsigned misses = cm_more_misses(region->value[block], more);
+    if (misses == 0 && region->form[block] != CM_BLOCK_PLAIN)
+    {
+        return 0; /* or it would not have been packed so */
+    }
+    const uint8_t taken = cm_taken_by(rule, misses);
+    const uint8_t first = cm_lowered(cm_block_stored(region, block, 0), taken, rule->low);
+    const size_t cells = cm_cell_count(region->detail[block]);
+    int is_even = first <= CM_UNKNOWN;
+    for (size_t cell = 1; is_even && cell < cells; cell++)
+    {
+        is_even = cm_lowered(cm_block_stored(region, block, cell), taken, rule->low) == first;
+    }
+    *alpha = first;
+    return is_even;
+}
+
+void cm_block_drop_cells(cm_region *region, unsigned block, const cm_count_rule *rule)
+{
+    uint8_t alpha;
+    if (region->form[block] != CM_BLOCK_EVEN && cm_block_is_even(region, block, rule, 0, &alpha))
+    {
+        cm_block_even(region, block, alpha);
+    }
+}
+
 void cm_block_drain(cm_region *region, unsigned block, const cm_count_rule *rule)
 {
     if (region->form[block] != CM_BLOCK_EVEN &&

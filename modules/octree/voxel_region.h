@@ -63,6 +63,15 @@ uint32_t *cm_block_colors(cm_region *region, unsigned block);
 /* If all cells of an open block are equal and none is occupied with a color, it is even from now on. */
 void cm_block_settle(cm_region *region, unsigned block);
 
+/* Have all voxels of a block one alpha, and none is occupied, however it is stored? It is in *alpha, with the misses that wait in
+ * the block and `more` above it. Such a block says no more than an even one: what is asked and what is counted must not depend on
+ * its cells, which last only until it is packed. Even blocks are such, occupied ones too. */
+int cm_block_is_even(const cm_region *region, unsigned block, const cm_count_rule *rule,
+                     unsigned more, uint8_t *alpha);
+
+/* Then it has no cells from now on. */
+void cm_block_drop_cells(cm_region *region, unsigned block, const cm_count_rule *rule);
+
 /* Is a block even whatever was lowest before, since so many misses wait? Then it becomes so. */
 void cm_block_drain(cm_region *region, unsigned block, const cm_count_rule *rule);
 

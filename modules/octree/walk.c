@@ -91,10 +91,12 @@ static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_re
         {
             continue;
         }
+        /* to who looks for what is occupied the cells of one that is all free are nothing either way */
+        const int has_cells = walk->only_solid && region->form[block] != CM_BLOCK_EVEN;
+        uint8_t alpha;
         const int stops =
-            region->form[block] == CM_BLOCK_EVEN
-                ? walk->even(walk->user, place, CM_BLOCK_LEVEL,
-                             cm_after_misses(&octree->rule, region->value[block], misses))
+            !has_cells && cm_block_is_even(region, block, &octree->rule, misses, &alpha)
+                ? walk->even(walk->user, place, CM_BLOCK_LEVEL, alpha)
                 : walk->block(walk->user, region, block, misses);
         if (stops)
         {

@@ -222,8 +222,9 @@ void cm_camera_ray_array(const cm_camera *camera, size_t n, const double *column
         const size_t count = n - done < CM_CAMERA_BLOCK ? n - done : CM_CAMERA_BLOCK;
         take(block.column, column + done, count, camera->lens.cx);
         take(block.row, row + done, count, camera->lens.cy);
-        if (camera->set->rays(&camera->lens, camera->field.within, camera->field.furthest, &block) >
-            0)
+        camera->set->aim(&camera->lens, camera->field.furthest, &block);
+        cm_camera_image_drop(&camera->image, &block);
+        if (camera->set->rays(&camera->lens, camera->field.within, &block) > 0)
         {
             settle_pixels(camera, &block, count, kept != NULL ? kept : &own);
         }

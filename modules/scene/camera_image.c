@@ -368,21 +368,43 @@ int cm_camera_image_find(const cm_lens *lens, cm_camera_field *field, const doub
     return 1;
 }
 
+/* What the cell of a place says. */
+static inline cm_camera_reach reach_of_cell(const cm_camera_image *image, double x, double y)
+{
+    const double column = (x - image->first[0]) * image->per_unit[0];
+    const double row = (y - image->first[1]) * image->per_unit[1];
+    const int is_there =
+        column > 0.0 && column < CM_IMAGE_CELLS && row > 0.0 && row < CM_IMAGE_CELLS;
+    return is_there ? (cm_camera_reach)image->reach[(size_t)row][(size_t)column] : CM_IMAGE_UNKNOWN;
+}
+
+void cm_camera_image_drop(const cm_camera_image *image, cm_camera_block *block)
+{
+    if (image->corner == NULL)
+    {
+        return;
+    }
+    for (size_t i = 0; i < CM_CAMERA_BLOCK; i++)
+    {
+        if (reach_of_cell(image, block->aim_x[i], block->aim_y[i]) == CM_IMAGE_MISSED)
+        {
+            block->aim_x[i] = 0.0;
+            block->aim_y[i] = 0.0;
+            block->mark[i] = 0.0;
+        }
+    }
+}
+
 cm_camera_reach cm_camera_image_reaches(const cm_camera_image *image, double x, double y)
 {
     if (image->corner == NULL)
     {
         return CM_IMAGE_UNKNOWN;
     }
-    const double column = (x - image->first[0]) * image->per_unit[0];
-    const double row = (y - image->first[1]) * image->per_unit[1];
-    if (column > 0.0 && column < CM_IMAGE_CELLS && row > 0.0 && row < CM_IMAGE_CELLS)
+    const cm_camera_reach reach = reach_of_cell(image, x, y);
+    if (reach != CM_IMAGE_UNKNOWN)
     {
-        const cm_camera_reach reach = (cm_camera_reach)image->reach[(size_t)row][(size_t)column];
-        if (reach != CM_IMAGE_UNKNOWN)
-        {
-            return reach;
-        }
+        return reach;
     }
     if (!(fabs(x) + fabs(y) < 0.5 * DISCS_MOST * image->disc))
     {

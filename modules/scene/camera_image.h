@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "camera_field.h"
+#include "camera_set.h"
 
 /* The picture is divided into so many cells each way. */
 #define CM_IMAGE_CELLS 128
@@ -44,5 +45,8 @@ int cm_camera_image_find(const cm_lens *lens, cm_camera_field *field, const doub
 
 /* Can the lens make (x, y) of a ray inside? */
 cm_camera_reach cm_camera_image_reaches(const cm_camera_image *image, double x, double y);
+
+/* Takes the aims out of a block that a glance shows to be missed: no steps are made towards them. */
+void cm_camera_image_drop(const cm_camera_image *image, cm_camera_block *block);
 
 #endif

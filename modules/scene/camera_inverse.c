@@ -149,7 +149,7 @@ static int solve_from_net(const cm_camera_search *search, double ray[2])
     }
     size_t next = 0;
     cm_camera_net_make(lens, search->set, search->field, search->net);
-    for (int i = 0; cm_camera_net_find(search->net, search->field, place, &next, ray); i++)
+    for (int i = 0; cm_camera_net_find(search->net, place, &next, ray); i++)
     {
         insert_start(search, ray, list);
         if (i < NET_FIRST && solve_from_knots(search, ray))

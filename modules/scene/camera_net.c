@@ -21,22 +21,28 @@ typedef struct knot
     size_t side, ring;
 } knot;
 
-/* Up to the furthest border of this direction and its neighbours, since between them borders may leap; closer to each other
- * next to the axis, and up to infinity where there is no border. */
-static void ray_of(const cm_camera_field *field, knot at, double ray[2])
+/* Up to the furthest border of a direction and its neighbours, since between them borders may leap. */
+static void find_directions(const cm_camera_field *field, cm_camera_net *net)
 {
     const cm_field_end *end = field->end;
-    const double before = end[at.side > 0 ? at.side - 1 : CM_FIELD_SIDES - 1].border;
-    const double after = end[at.side < CM_FIELD_SIDES ? at.side + 1 : 1].border;
-    const double most = fmax(end[at.side].border, fmax(before, after));
-    const double border = fmin(most, CM_FIELD_FURTHEST);
+    for (size_t side = 0; side <= CM_FIELD_SIDES; side++)
+    {
+        const double before = end[side > 0 ? side - 1 : CM_FIELD_SIDES - 1].border;
+        const double after = end[side < CM_FIELD_SIDES ? side + 1 : 1].border;
+        const double most = fmax(end[side].border, fmax(before, after));
+        net->border[side] = fmin(most, CM_FIELD_FURTHEST);
+        cm_camera_field_direction((double)side, &net->cosine[side], &net->sine[side]);
+    }
+}
+
+/* Closer to each other next to the axis, and up to infinity where there is no border. */
+static void ray_of(const cm_camera_net *net, knot at, double ray[2])
+{
+    const double border = net->border[at.side];
     const double share = (double)at.ring / (CM_NET_RINGS - 1);
     const double radius = border * share / (1.0 + border * (1.0 - share));
-    double cosine;
-    double sine;
-    cm_camera_field_direction((double)at.side, &cosine, &sine);
-    ray[0] = radius * cosine;
-    ray[1] = radius * sine;
+    ray[0] = radius * net->cosine[at.side];
+    ray[1] = radius * net->sine[at.side];
 }
 
 /* Around knots of a side and the next, from a ring to another, and what is beside their triangles. */
@@ -77,13 +83,14 @@ void cm_camera_net_make(const cm_lens *lens, const cm_camera_set *set, const cm_
     {
         return;
     }
+    find_directions(field, net);
     for (size_t done = 0; done < knots; done += CM_CAMERA_BLOCK)
     {
         for (size_t i = 0; i < CM_CAMERA_BLOCK; i++)
         {
             const size_t number = done + i < knots ? done + i : 0;
             double ray[2];
-            ray_of(field, (knot){number / CM_NET_RINGS, number % CM_NET_RINGS}, ray);
+            ray_of(net, (knot){number / CM_NET_RINGS, number % CM_NET_RINGS}, ray);
             block.x[i] = ray[0];
             block.y[i] = ray[1];
             block.z[i] = 1.0;
@@ -142,21 +149,20 @@ static int is_in_mesh(const cm_camera_net *net, knot first, const float place[2]
 }
 
 /* A ray as the mean of three knots. */
-static void mean_of(const cm_camera_field *field, const knot corner[3], const double weight[3],
+static void mean_of(const cm_camera_net *net, const knot corner[3], const double weight[3],
                     double ray[2])
 {
     ray[0] = ray[1] = 0.0;
     for (int i = 0; i < 3; i++)
     {
         double at[2];
-        ray_of(field, corner[i], at);
+        ray_of(net, corner[i], at);
         ray[0] += weight[i] * at[0];
         ray[1] += weight[i] * at[1];
     }
 }
 
-int cm_camera_net_find(const cm_camera_net *net, const cm_camera_field *field,
-                       const double place[2], size_t *next, double ray[2])
+int cm_camera_net_find(const cm_camera_net *net, const double place[2], size_t *next, double ray[2])
 {
     const float near[2] = {(float)place[0], (float)place[1]};
     size_t i = *next;
@@ -181,7 +187,7 @@ int cm_camera_net_find(const cm_camera_net *net, const cm_camera_field *field,
         double weight[3];
         if (weigh(net, corner, place, weight))
         {
-            mean_of(field, corner, weight, ray);
+            mean_of(net, corner, weight, ray);
             *next = i;
             return 1;
         }

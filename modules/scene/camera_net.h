@@ -19,6 +19,8 @@
 typedef struct cm_camera_net
 {
     int is_made;
+    /* of directions, and up to where their knots are */
+    double cosine[CM_FIELD_SIDES + 1], sine[CM_FIELD_SIDES + 1], border[CM_FIELD_SIDES + 1];
     float x[CM_FIELD_SIDES + 1][CM_NET_RINGS];
     float y[CM_FIELD_SIDES + 1][CM_NET_RINGS];
     /* around a group's triangles and what is beside them: least x and y, most x and y */
@@ -31,7 +33,7 @@ void cm_camera_net_make(const cm_lens *lens, const cm_camera_set *set, const cm_
 
 /* The next triangle, from a number on, that the place on the sensor is in or beside: the ray that is where the place is in it,
  * were the lens straight there, and the number to go on from. 0 if none is left. */
-int cm_camera_net_find(const cm_camera_net *net, const cm_camera_field *field,
-                       const double place[2], size_t *next, double ray[2]);
+int cm_camera_net_find(const cm_camera_net *net, const double place[2], size_t *next,
+                       double ray[2]);
 
 #endif

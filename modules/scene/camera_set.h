@@ -37,9 +37,11 @@ typedef struct cm_camera_set
     /* Points to columns and rows; within so much of the axis (the square of a ray's length beside it) the lens's signs
      * alone say whether a ray is inside. The number of open ones. */
     int64_t (*project)(const cm_lens *lens, double within, cm_camera_block *block);
-    /* Columns and rows to rays. Aims further from the axis than `furthest`, squared, have none. Open ones are NaN, or rays of
-     * which the lens makes the aim, but perhaps not inside. */
-    int64_t (*rays)(const cm_lens *lens, double within, double furthest, cm_camera_block *block);
+    /* Columns and rows to aims. Those further from the axis than `furthest`, squared, have no ray: their mark is 0, others'
+     * 2. */
+    void (*aim)(const cm_lens *lens, double furthest, cm_camera_block *block);
+    /* Aims to rays. Open ones are NaN, or rays of which the lens makes the aim, but perhaps not inside. */
+    int64_t (*rays)(const cm_lens *lens, double within, cm_camera_block *block);
 } cm_camera_set;
 
 extern const cm_camera_set cm_camera_scalar;

@@ -16,7 +16,6 @@ enum
 {
     RUN = 64, /* pixels */
     RANDOM_BLOCK = 256,
-    IMAGES_AT_ONCE = 8,
     NEAR = 512,         /* pixels */
     NUMBERS_A_PHASE = 4 /* shot noise of both circuits, their reading */
 };
@@ -74,17 +73,6 @@ static void find_beyond(const phase_work *doing, const float *charge, size_t n)
     {
         atomic_store(doing->is_beyond, 1);
     }
-}
-
-/* A cell is a pixel, and all have one shift. */
-static void put_plain_pixels(size_t begin, size_t end, void *user)
-{
-    const phase_work *doing = user;
-    const tof_cells cells = cells_at(doing, begin);
-    doing->set->charge(&doing->rule, end - begin, &cells, doing->charge_a + begin,
-                       doing->charge_b + begin);
-    find_beyond(doing, doing->charge_a + begin, end - begin);
-    find_beyond(doing, doing->charge_b + begin, end - begin);
 }
 
 /* Pixels of a row, whose cells are given: their own, or three between which circuits are (2015, section IV-G). */
@@ -161,9 +149,26 @@ static void put_rule(phase_work *doing, int series)
 typedef struct phases_work
 {
     int count;
-    int is_plain;
-    phase_work image[IMAGES_AT_ONCE];
+    phase_work image[TOF_IMAGES];
 } phases_work;
+
+/* Cells are pixels, and all have one shift. */
+static void put_plain_images(size_t begin, size_t end, void *user)
+{
+    const phases_work *doing = user;
+    const tof_cells cells = cells_at(&doing->image[0], begin);
+    tof_charge_images images = {.count = doing->count};
+    for (int k = 0; k < doing->count; k++)
+    {
+        images.rule[k] = &doing->image[k].rule;
+        images.charge_a[k] = doing->image[k].charge_a;
+        images.charge_b[k] = doing->image[k].charge_b;
+    }
+    if (doing->image[0].set->charge(&images, end - begin, &cells, begin))
+    {
+        atomic_store(doing->image[0].is_beyond, 1);
+    }
+}
 
 /* Image after image of a few pixels, whose light stays near the processor meanwhile. */
 static void put_images(size_t begin, size_t end, void *user)
@@ -174,7 +179,7 @@ static void put_images(size_t begin, size_t end, void *user)
         const size_t last = end - first < NEAR ? end : first + NEAR;
         for (int k = 0; k < doing->count; k++)
         {
-            (doing->is_plain ? put_plain_pixels : put_pixels)(first, last, &doing->image[k]);
+            put_pixels(first, last, &doing->image[k]);
         }
     }
 }
@@ -187,10 +192,11 @@ int charges_of_phases(const tof_set *set, const tof_sensor *sensor, const tof_pi
     const size_t wave = picture_wave * picture->cells; /* the first of this series */
     const size_t pixels = (size_t)sensor->width * sensor->height;
     atomic_int is_beyond = 0;
-    phases_work doing = {.is_plain = offset == NULL && !sensor->given.single_readout};
+    const int is_plain = offset == NULL && !sensor->given.single_readout;
+    phases_work doing = {.count = 0};
     for (int first = 0; first < count; first += doing.count)
     {
-        doing.count = count - first < IMAGES_AT_ONCE ? count - first : IMAGES_AT_ONCE;
+        doing.count = count - first < TOF_IMAGES ? count - first : TOF_IMAGES;
         for (int k = 0; k < doing.count; k++)
         {
             const size_t image = (size_t)(first + k);
@@ -207,7 +213,7 @@ int charges_of_phases(const tof_set *set, const tof_sensor *sensor, const tof_pi
             doing.image[k] = one;
             put_rule(&doing.image[k], series);
         }
-        cm_pool_run(pool, pixels, 4096, put_images, &doing);
+        cm_pool_run(pool, pixels, 4096, is_plain ? put_plain_images : put_images, &doing);
     }
     return atomic_load(&is_beyond);
 }

@@ -6,10 +6,10 @@
 #include "vector.h"
 
 #include <math.h>
+#include <string.h>
 
 enum
 {
-    MOST_PHASES = 64,
     MOST_WRAPS = 1000
 };
 
@@ -17,7 +17,7 @@ typedef struct driver
 {
     const cm_tof_sensor *sensor;
     int series;
-    double cosine[MOST_PHASES], sine[MOST_PHASES];
+    double cosine[TOF_PHASES], sine[TOF_PHASES];
     double unambiguous;
     series_mean mean; /* of two series */
     const tof_set *set;
@@ -94,35 +94,31 @@ static void prepare(const cm_tof_sensor *sensor, driver *with)
     }
 }
 
-/* Distances of a block from its phasors. */
-static void put_block(const driver *with, size_t first, size_t n, const tof_phasors *one,
-                      const tof_phasors *other)
+/* Distances of a block from its phasors; NaN where there is none. */
+static void put_distances(const driver *with, size_t n, const tof_phasors *one,
+                          const tof_phasors *other, float *distance)
 {
     for (size_t i = 0; i < n; i++)
     {
-        int is_there = one->amplitude[i] > 0.0;
-        double found = one->turns[i] * with->unambiguous;
-        if (with->series == 2)
-        {
-            is_there = is_there && other->amplitude[i] > 0.0;
-            found = agree(with, found, other->turns[i] * with->mean.unambiguous[1]);
-        }
-        if (with->distance != NULL)
-        {
-            with->distance[first + i] = is_there ? (float)found : NAN;
-        }
-        if (with->flags != NULL && !is_there)
-        {
-            with->flags[first + i] |= CM_TOF_NOTHING;
-        }
+        distance[i] = (float)(one->turns[i] * with->unambiguous);
     }
-    for (size_t i = 0; with->amplitude != NULL && i < n; i++)
+    for (size_t i = 0; with->series == 2 && i < n; i++)
     {
-        with->amplitude[first + i] = (float)one->amplitude[i];
+        const double found = agree(with, one->turns[i] * with->unambiguous,
+                                   other->turns[i] * with->mean.unambiguous[1]);
+        distance[i] = isnan(one->turns[i]) || isnan(other->turns[i]) ? NAN : (float)found;
     }
-    for (size_t i = 0; with->intensity != NULL && i < n; i++)
+}
+
+static void flag_nothing(const driver *with, size_t n, const tof_phasors *one,
+                         const tof_phasors *other, uint8_t *flags)
+{
+    for (size_t i = 0; i < n; i++)
     {
-        with->intensity[first + i] = (float)one->intensity[i];
+        if (isnan(one->turns[i]) || (with->series == 2 && isnan(other->turns[i])))
+        {
+            flags[i] |= CM_TOF_NOTHING;
+        }
     }
 }
 
@@ -140,24 +136,44 @@ static void put_phases(const driver *with, size_t begin, size_t end)
     }
 }
 
-static void put_pixels(size_t begin, size_t end, void *user)
+/* Up to TOF_BLOCK pixels: what they have of charges stays near the processor. */
+static void put_block(const driver *with, size_t first, size_t n)
 {
-    const driver *with = user;
     _Alignas(64) tof_phasors one, other;
     const size_t series = (size_t)with->sensor->phases * with->stride;
-    put_phases(with, begin, end);
-    for (size_t first = begin; first < end; first += TOF_BLOCK)
-    {
-        const size_t n = end - first < TOF_BLOCK ? end - first : TOF_BLOCK;
+    put_phases(with, first, first + n);
+    int is_missing =
         with->set->phasors(with->sensor->phases, with->cosine, with->sine, n, with->stride,
                            with->charge_a + first, with->charge_b + first, &one);
-        if (with->series == 2)
-        {
-            with->set->phasors(with->sensor->phases, with->cosine, with->sine, n, with->stride,
-                               with->charge_a + series + first, with->charge_b + series + first,
-                               &other);
-        }
-        put_block(with, first, n, &one, &other);
+    if (with->series == 2)
+    {
+        is_missing |= with->set->phasors(with->sensor->phases, with->cosine, with->sine, n,
+                                         with->stride, with->charge_a + series + first,
+                                         with->charge_b + series + first, &other);
+    }
+    if (with->distance != NULL)
+    {
+        put_distances(with, n, &one, &other, with->distance + first);
+    }
+    if (with->flags != NULL && is_missing)
+    {
+        flag_nothing(with, n, &one, &other, with->flags + first);
+    }
+    if (with->amplitude != NULL)
+    {
+        memcpy(with->amplitude + first, one.amplitude, n * sizeof(float));
+    }
+    if (with->intensity != NULL)
+    {
+        memcpy(with->intensity + first, one.intensity, n * sizeof(float));
+    }
+}
+
+static void put_pixels(size_t begin, size_t end, void *user)
+{
+    for (size_t first = begin; first < end; first += TOF_BLOCK)
+    {
+        put_block(user, first, end - first < TOF_BLOCK ? end - first : TOF_BLOCK);
     }
 }
 

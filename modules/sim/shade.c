@@ -6,17 +6,14 @@
 
 #define PER_PI 0.31830988618379067154
 
-/* Rays of a block in the world, and the points at their ends. */
-typedef struct ray_block
+/* The points at which rays of a block end. */
+typedef struct ray_ends
 {
-    double origin[3][TOF_BLOCK];
-    double direction[3][TOF_BLOCK];
     double position[3][TOF_BLOCK];
-    double leg[TOF_BLOCK];      /* to the camera; 1 where nothing is */
-    double lens[TOF_BLOCK];     /* cos^4 of the angle from the optical axis; 1 without one */
-    double strength[TOF_BLOCK]; /* BRDF towards the camera of Lambert's surfaces */
-    uint8_t has_ray[TOF_BLOCK];
-} ray_block;
+    double leg[TOF_BLOCK]; /* to the camera; 1 where nothing is */
+    double
+        strength[TOF_BLOCK]; /* BRDF towards the camera of Lambert's surfaces; 0 where nothing is */
+} ray_ends;
 
 #define COLUMNS_OF(array)                                                                          \
     {                                                                                              \
@@ -28,61 +25,64 @@ static size_t room_of(size_t n)
     return (n + TOF_ROOM - 1) / TOF_ROOM * TOF_ROOM;
 }
 
-static void make_rays(const tof_scenery *scenery, size_t n, const double *column, const double *row,
-                      ray_block *rays)
+/* Of the camera's places; whole vectors end with more of the last one. Marks those that have no ray; returns 0 if all have. */
+static int make_rays(const tof_scenery *scenery, size_t n, const double *column, const double *row,
+                     tof_light_block *light, uint8_t *has_ray)
 {
-    double x[TOF_BLOCK], y[TOF_BLOCK], z[TOF_BLOCK];
-    const double(*const axes)[3] = scenery->camera.rotation.row;
+    _Alignas(64) double x[TOF_BLOCK], y[TOF_BLOCK], z[TOF_BLOCK];
     cm_camera_ray_array(scenery->sensor->given.camera, n, column, row, x, y, z);
-    for (size_t i = 0; i < n; i++)
-    {
-        const int is_ray = x[i] + y[i] + z[i] < INFINITY; /* not NaN */
-        x[i] = is_ray ? x[i] : 0.0;
-        y[i] = is_ray ? y[i] : 0.0;
-        z[i] = is_ray ? z[i] : 1.0;
-        rays->has_ray[i] = (uint8_t)is_ray;
-    }
-    const double origin[3] = {scenery->camera.position[0], scenery->camera.position[1],
-                              scenery->camera.position[2]};
     for (size_t i = n; i < room_of(n); i++)
     {
-        x[i] = y[i] = z[i] = 1.0;
+        x[i] = x[n - 1];
+        y[i] = y[n - 1];
+        z[i] = z[n - 1];
     }
-    scenery->set->aim(n, axes, x, y, z, rays->direction, rays->lens);
-    for (int k = 0; k < 3; k++)
+    light->rays.has_apex = 1;
+    memcpy(light->rays.apex, scenery->camera.position, sizeof light->rays.apex);
+    const int some_are_none = scenery->set->aim(n, scenery->camera.rotation.row, x, y, z,
+                                                light->rays.direction, light->lens);
+    for (size_t i = 0; some_are_none && i < n; i++)
     {
-        for (size_t i = 0; i < n; i++)
-        {
-            rays->origin[k][i] = origin[k];
-        }
+        has_ray[i] = x[i] + y[i] + z[i] < INFINITY; /* not NaN */
     }
     for (size_t i = 0; !scenery->sensor->has_axis && i < n; i++)
     {
-        rays->lens[i] = 1.0;
+        light->lens[i] = 1.0;
     }
+    return some_are_none;
 }
 
-/* Where rays end, and how Lambert's surfaces scatter; what is not there has strength 0 and stands in front of the camera. */
-static void put_points(const tof_scenery *scenery, size_t n, ray_block *rays,
-                       tof_light_block *light)
+/* What rays meet, and how Lambert's surfaces scatter there; places without a ray meet nothing. */
+static void meet_surfaces(const tof_scenery *scenery, size_t n, const uint8_t *has_ray,
+                          tof_light_block *light, ray_ends *ends)
 {
     const tof_surface *surface = tof_instant_surfaces(scenery->instant);
+    uint32_t triangle[TOF_BLOCK];
+    for (size_t i = 0; i < room_of(n); i++)
+    {
+        light->rays.distance[i] = INFINITY;
+    }
+    tof_meet(scenery->instant, n, &light->rays, triangle);
+    for (size_t i = 0; has_ray != NULL && i < n; i++)
+    {
+        light->rays.distance[i] = has_ray[i] ? light->rays.distance[i] : INFINITY;
+        light->rays.number[i] = has_ray[i] ? light->rays.number[i] : -1.0;
+    }
+    scenery->set->reach(n, &light->rays, ends->position, ends->leg);
     for (size_t i = 0; i < n; i++)
     {
-        light->range[i] = rays->has_ray[i] ? light->range[i] : INFINITY;
-        light->id[i] = light->range[i] < INFINITY ? light->id[i] : CM_SCENE_NOTHING;
-        const int is_there = light->id[i] != CM_SCENE_NOTHING;
-        rays->leg[i] = is_there ? light->range[i] : 1.0;
-        rays->strength[i] = is_there ? surface[light->id[i]].reflectance * PER_PI : 0.0;
-        for (int k = 0; k < 3; k++)
-        {
-            rays->position[k][i] = rays->origin[k][i] + rays->leg[i] * rays->direction[k][i];
-        }
+        const int64_t number = (int64_t)light->rays.number[i];
+        light->id[i] = (uint32_t)number; /* of -1 nothing */
+        ends->strength[i] = number < 0 ? 0.0 : surface[number].reflectance * PER_PI;
+    }
+    for (size_t i = n; i < room_of(n); i++)
+    {
+        ends->strength[i] = 0.0;
     }
 }
 
 /* What is between the lamp and the places: those that lie in shadow lose their strength. */
-static void cast_shadows(const tof_scenery *scenery, size_t lamp, size_t n, const ray_block *rays,
+static void cast_shadows(const tof_scenery *scenery, size_t lamp, size_t n, const ray_ends *ends,
                          tof_light_block *light, double *strength)
 {
     double origin[3][TOF_BLOCK], direction[3][TOF_BLOCK], far[TOF_BLOCK];
@@ -94,7 +94,7 @@ static void cast_shadows(const tof_scenery *scenery, size_t lamp, size_t n, cons
         for (int k = 0; k < 3; k++)
         {
             origin[k][i] = from[k];
-            direction[k][i] = rays->position[k][i] - from[k];
+            direction[k][i] = ends->position[k][i] - from[k];
             square += direction[k][i] * direction[k][i];
         }
         const double length = sqrt(square);
@@ -115,7 +115,7 @@ static void cast_shadows(const tof_scenery *scenery, size_t lamp, size_t n, cons
 }
 
 /* Of a table's lamp intensity by the even one's; of other surfaces their BRDF. */
-static void weigh(const tof_scenery *scenery, const tof_lamp *lamp, size_t n, const ray_block *rays,
+static void weigh(const tof_scenery *scenery, const tof_lamp *lamp, size_t n, const ray_ends *ends,
                   const tof_light_block *light, double *strength)
 {
     const tof_surface *surface = tof_instant_surfaces(scenery->instant);
@@ -133,9 +133,9 @@ static void weigh(const tof_scenery *scenery, const tof_lamp *lamp, size_t n, co
         double in[3], out[3], normal[3], square = 0.0;
         for (int k = 0; k < 3; k++)
         {
-            in[k] = lamp->position[k] - rays->position[k][i];
-            out[k] = -rays->direction[k][i];
-            normal[k] = light->normal[k][i];
+            in[k] = lamp->position[k] - ends->position[k][i];
+            out[k] = -light->rays.direction[k][i];
+            normal[k] = light->rays.normal[k][i];
             square += in[k] * in[k];
         }
         const double length = sqrt(square);
@@ -157,27 +157,38 @@ static void weigh(const tof_scenery *scenery, const tof_lamp *lamp, size_t n, co
     }
 }
 
-static void shine(const tof_scenery *scenery, size_t n, const ray_block *rays,
+static void shine(const tof_scenery *scenery, size_t n, const ray_ends *ends,
                   tof_light_block *light)
 {
-    double strength[TOF_BLOCK];
-    const tof_lit lit = {.position = COLUMNS_OF(rays->position),
-                         .normal = COLUMNS_OF(light->normal),
-                         .range = rays->leg,
-                         .strength = strength,
-                         .total = light->total,
-                         .real = light->real[0],
-                         .imaginary = light->imaginary[0],
-                         .stride = TOF_BLOCK};
+    _Alignas(64) double strength[TOF_BLOCK];
+    tof_lit lit = {.position = COLUMNS_OF(ends->position),
+                   .normal = COLUMNS_OF(light->rays.normal),
+                   .range = ends->leg,
+                   .total = light->total,
+                   .real = light->real[0],
+                   .imaginary = light->imaginary[0],
+                   .stride = TOF_BLOCK};
+    memset(light->shadows, 0, n * sizeof *light->shadows);
     for (size_t j = 0; j < scenery->lamps; j++)
     {
-        memcpy(strength, rays->strength, sizeof strength);
-        if (lamp_is_beside(&scenery->lamp[j], scenery->camera.position))
+        const tof_lamp *lamp = &scenery->lamp[j];
+        const int is_beside = lamp_is_beside(lamp, scenery->camera.position);
+        const int is_weighed = lamp->n > 0 || scenery->instant->has_brdf;
+        if (is_beside || is_weighed)
         {
-            cast_shadows(scenery, j, n, rays, light, strength);
+            memcpy(strength, ends->strength, room_of(n) * sizeof *strength);
         }
-        weigh(scenery, &scenery->lamp[j], n, rays, light, strength);
-        scenery->set->light(&scenery->lamp[j], &scenery->waves, n, &lit);
+        if (is_beside)
+        {
+            cast_shadows(scenery, j, n, ends, light, strength);
+        }
+        if (is_weighed)
+        {
+            weigh(scenery, lamp, n, ends, light, strength);
+        }
+        lit.strength = is_beside || is_weighed ? strength : ends->strength;
+        lit.is_first = j == 0;
+        scenery->set->light(lamp, &scenery->waves, n, &lit);
     }
 }
 
@@ -190,7 +201,7 @@ typedef struct places
     uint32_t id[TOF_BLOCK], number[TOF_BLOCK];
 } places;
 
-static void find_places(size_t n, const ray_block *rays, const uint32_t *number,
+static void find_places(size_t n, const ray_ends *ends, const uint32_t *number,
                         const tof_light_block *light, places *found)
 {
     found->count = 0;
@@ -203,11 +214,11 @@ static void find_places(size_t n, const ray_block *rays, const uint32_t *number,
         const size_t to = found->count++;
         for (int k = 0; k < 3; k++)
         {
-            found->position[k][to] = rays->position[k][i];
-            found->normal[k][to] = light->normal[k][i];
-            found->out[k][to] = -rays->direction[k][i];
+            found->position[k][to] = ends->position[k][i];
+            found->normal[k][to] = light->rays.normal[k][i];
+            found->out[k][to] = -light->rays.direction[k][i];
         }
-        found->range[to] = light->range[i];
+        found->range[to] = light->rays.distance[i];
         found->id[to] = light->id[i];
         found->number[to] = number[i];
         found->of[to] = i;
@@ -215,14 +226,14 @@ static void find_places(size_t n, const ray_block *rays, const uint32_t *number,
 }
 
 /* Scattered light and that of the surroundings, of the places that there are. */
-static cm_status scatter(const tof_scenery *scenery, size_t n, const ray_block *rays,
+static cm_status scatter(const tof_scenery *scenery, size_t n, const ray_ends *ends,
                          const uint32_t *number, tof_light_block *light)
 {
     const cm_tof_options *options = scenery->options;
     double total[TOF_BLOCK] = {0}, ambient[TOF_BLOCK] = {0};
     double real[SENSOR_WAVES * TOF_BLOCK], imaginary[SENSOR_WAVES * TOF_BLOCK];
     places at;
-    find_places(n, rays, number, light, &at);
+    find_places(n, ends, number, light, &at);
     const size_t count = at.count;
     memset(real, 0, sizeof *real * scenery->waves.count * count);
     memset(imaginary, 0, sizeof *imaginary * scenery->waves.count * count);
@@ -252,7 +263,7 @@ static cm_status scatter(const tof_scenery *scenery, size_t n, const ray_block *
     {
         const size_t i = at.of[k];
         light->total[i] += total[k];
-        light->ambient[i] += ambient[k];
+        light->ambient[i] = ambient[k];
         for (size_t j = 0; j < scenery->waves.count; j++)
         {
             light->real[j][i] += real[j * count + k];
@@ -263,88 +274,43 @@ static cm_status scatter(const tof_scenery *scenery, size_t n, const ray_block *
 }
 
 /* What is seen of the surroundings themselves. */
-static void look_beyond(const tof_scenery *scenery, size_t n, const ray_block *rays,
+static void look_beyond(const tof_scenery *scenery, size_t n, const uint8_t *has_ray,
                         tof_light_block *light)
 {
     for (size_t i = 0; i < n; i++)
     {
-        if (light->id[i] == CM_SCENE_NOTHING && rays->has_ray[i])
+        if (light->id[i] == CM_SCENE_NOTHING && (has_ray == NULL || has_ray[i]))
         {
-            const double direction[3] = {rays->direction[0][i], rays->direction[1][i],
-                                         rays->direction[2][i]};
+            const double direction[3] = {light->rays.direction[0][i], light->rays.direction[1][i],
+                                         light->rays.direction[2][i]};
             light->ambient[i] = sky_radiance(scenery->options->environment, direction);
         }
-    }
-}
-
-/* Lambers, Hoberg and Kolb 2015, eq. 9. */
-static void pass_lens(const tof_scenery *scenery, size_t n, const double *lens,
-                      tof_light_block *light)
-{
-    for (size_t i = 0; i < n; i++)
-    {
-        light->total[i] *= lens[i];
-        light->ambient[i] *= lens[i];
-        light->direct_real[i] *= lens[i];
-        light->direct_imaginary[i] *= lens[i];
-    }
-    for (size_t j = 0; j < scenery->waves.count; j++)
-    {
-        for (size_t i = 0; i < n; i++)
-        {
-            light->real[j][i] *= lens[i];
-            light->imaginary[j][i] *= lens[i];
-        }
-    }
-}
-
-/* No light has come; what whole vectors have beyond n is dark. */
-static void begin_light(size_t n, size_t waves, ray_block *rays, tof_light_block *light)
-{
-    for (size_t i = n; i < room_of(n); i++)
-    {
-        rays->strength[i] = 0.0;
-        rays->leg[i] = 1.0;
-        for (int k = 0; k < 3; k++)
-        {
-            rays->position[k][i] = rays->position[k][0];
-            light->normal[k][i] = light->normal[k][0];
-        }
-    }
-    memset(light->total, 0, sizeof light->total);
-    memset(light->ambient, 0, sizeof light->ambient);
-    memset(light->shadows, 0, sizeof light->shadows);
-    for (size_t j = 0; j < waves; j++)
-    {
-        memset(light->real[j], 0, sizeof light->real[j]);
-        memset(light->imaginary[j], 0, sizeof light->imaginary[j]);
     }
 }
 
 cm_status tof_shade(const tof_scenery *scenery, size_t n, const double *column, const double *row,
                     const uint32_t *number, tof_light_block *light)
 {
-    _Alignas(64) ray_block rays;
+    _Alignas(64) ray_ends ends;
+    uint8_t marks[TOF_BLOCK];
     const cm_tof_options *options = scenery->options;
-    make_rays(scenery, n, column, row, &rays);
-    const double *const origin[3] = COLUMNS_OF(rays.origin);
-    const double *const direction[3] = COLUMNS_OF(rays.direction);
-    const tof_hits hits = {light->range, light->id, NULL, COLUMNS_OF(light->normal)};
-    tof_cast(scenery->instant, n, origin, direction, &hits);
-    put_points(scenery, n, &rays, light);
-    begin_light(n, scenery->waves.count, &rays, light);
-    shine(scenery, n, &rays, light);
-    memcpy(light->direct_real, light->real[0], sizeof light->direct_real);
-    memcpy(light->direct_imaginary, light->imaginary[0], sizeof light->direct_imaginary);
+    const uint8_t *const has_ray = make_rays(scenery, n, column, row, light, marks) ? marks : NULL;
+    meet_surfaces(scenery, n, has_ray, light, &ends);
+    shine(scenery, n, &ends, light);
     cm_status status = CM_OK;
+    if (options->environment != NULL)
+    {
+        memset(light->ambient, 0, n * sizeof *light->ambient);
+    }
     if (options->bounces > 0 || options->environment != NULL)
     {
-        status = scatter(scenery, n, &rays, number, light);
+        memcpy(light->direct_real, light->real[0], n * sizeof *light->direct_real);
+        memcpy(light->direct_imaginary, light->imaginary[0], n * sizeof *light->direct_imaginary);
+        status = scatter(scenery, n, &ends, number, light);
     }
     if (options->environment != NULL)
     {
-        look_beyond(scenery, n, &rays, light);
+        look_beyond(scenery, n, has_ray, light);
     }
-    pass_lens(scenery, n, rays.lens, light);
     return status;
 }

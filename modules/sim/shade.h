@@ -7,7 +7,7 @@
 
 #include "lamp.h"
 #include "sensor.h"
-#include "tof_set.h"
+#include "tof_world.h"
 
 #define SHADE_LAMPS 64
 
@@ -26,17 +26,18 @@ typedef struct tof_scenery
     tof_waves waves;                          /* of this picture */
 } tof_scenery;
 
-/* What came through each place, lens included; room for TOF_BLOCK each. */
+/* What came through each place, before the lens; room for TOF_BLOCK each. */
 typedef struct tof_light_block
 {
+    tof_block rays; /* in the world, of one origin, and what they met; infinitely far: nothing */
     double total[TOF_BLOCK];
     double real[SENSOR_WAVES][TOF_BLOCK];
     double imaginary[SENSOR_WAVES][TOF_BLOCK];
-    double ambient[TOF_BLOCK];
-    double direct_real[TOF_BLOCK]; /* of the first wave, without scattered light */
+    double ambient[TOF_BLOCK];     /* if there are surroundings */
+    double direct_real[TOF_BLOCK]; /* of the first wave, without scattered light; if there is any */
     double direct_imaginary[TOF_BLOCK];
-    double range[TOF_BLOCK]; /* infinite for nothing */
-    double normal[3][TOF_BLOCK];
+    double lens
+        [TOF_BLOCK]; /* lets so much pass: cos^4 of the angle from the optical axis; 1 without one */
     uint32_t id[TOF_BLOCK];
     uint64_t shadows[TOF_BLOCK]; /* bits of lamps that do not shine there */
 } tof_light_block;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Rays in blocks: what is bounded and outside of a block's cone is left out, if its rays have one origin.
+ * Rays in blocks: what is bounded and outside of a block's cone, and planes behind all of it, are left out, if its rays have one
+ * origin.
  */
 #include "tof_world.h"
 
@@ -9,7 +10,7 @@
 
 enum
 {
-    CONE_LANES = 8
+    DIRECTIONS_APART = 8
 };
 
 /* A cone around directions of one origin. */
@@ -21,49 +22,18 @@ typedef struct cone
     int is_there;
 } cone;
 
-/* The least cosine of directions to the axis, in lanes that compilers make vectors of. */
-static double least_cosine(const tof_block *block, size_t room, const double axis[3])
-{
-    double least[CONE_LANES];
-    for (size_t k = 0; k < CONE_LANES; k++)
-    {
-        least[k] = 1.0;
-    }
-    for (size_t first = 0; first < room; first += CONE_LANES)
-    {
-        for (size_t k = 0; k < CONE_LANES; k++)
-        {
-            const size_t i = first + k;
-            const double cosine = block->direction[0][i] * axis[0] +
-                                  block->direction[1][i] * axis[1] +
-                                  block->direction[2][i] * axis[2];
-            least[k] = cosine < least[k] ? cosine : least[k];
-        }
-    }
-    double all = 1.0;
-    for (size_t k = 0; k < CONE_LANES; k++)
-    {
-        all = least[k] < all ? least[k] : all;
-    }
-    return all;
-}
-
 /* What whole vectors have beyond n is as the last ray. Few directions are enough for an axis. */
-static cone cone_around(const tof_block *block, size_t n)
+static cone cone_around(const tof_set *set, const tof_block *block, size_t n)
 {
-    const size_t room = (n + TOF_ROOM - 1) / TOF_ROOM * TOF_ROOM;
-    cone around = {.is_there = 1, .cosine = 1.0};
+    cone around = {.is_there = block->has_apex, .cosine = 1.0};
     double square = 0.0;
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; around.is_there && k < 3; k++)
     {
-        around.apex[k] = block->origin[k][0];
-        for (size_t i = 0; i < n; i += CONE_LANES)
+        around.apex[k] = block->apex[k];
+        for (size_t i = 0; i < n; i += DIRECTIONS_APART)
         {
             around.axis[k] += block->direction[k][i] + block->direction[k][n - 1 - i];
         }
-        /* each as the next one */
-        around.is_there &=
-            memcmp(block->origin[k], block->origin[k] + 1, (n - 1) * sizeof *block->origin[k]) == 0;
         square += around.axis[k] * around.axis[k];
     }
     const double length = sqrt(square);
@@ -74,7 +44,7 @@ static cone cone_around(const tof_block *block, size_t n)
         {
             around.axis[k] /= length;
         }
-        around.cosine = least_cosine(block, room, around.axis);
+        around.cosine = set->least_cosine(n, block, around.axis);
     }
     around.is_there &= around.cosine > 0.1;
     around.sine = sqrt(fmax(0.0, 1.0 - around.cosine * around.cosine)) + 1e-12;
@@ -101,10 +71,39 @@ static int is_outside(const cone *around, const double centre[3], double radius)
            along < -radius;
 }
 
+/* Do all rays of the cone leave a plane behind them? Never said where it is not so. */
+static int is_behind(const cone *around, const tof_solid *plane)
+{
+    const double *normal = plane->axis[0];
+    if (!around->is_there)
+    {
+        return 0;
+    }
+    double height = 0.0, along = 0.0, square = 0.0;
+    for (int k = 0; k < 3; k++)
+    {
+        height += (plane->centre[k] - around->apex[k]) * normal[k];
+        along += around->axis[k] * normal[k];
+        square += normal[k] * normal[k];
+    }
+    /* the most that any ray goes to the side where the plane is */
+    const double toward = height < 0.0 ? -along : along;
+    const double most =
+        toward * around->cosine + sqrt(fmax(0.0, square - along * along)) * around->sine;
+    return toward < 0.0 && height != 0.0 && most < -1e-9 * sqrt(square);
+}
+
+static int is_left_out(const cone *around, const tof_solid *solid, const tof_bound *bound)
+{
+    return solid->kind == CM_PRIMITIVE_PLANE ? is_behind(around, solid)
+                                             : is_outside(around, bound->centre, bound->radius);
+}
+
 static void load_block(tof_block *block, size_t n, size_t first, const double *const origin[3],
                        const double *const direction[3])
 {
     const size_t room = (n + TOF_ROOM - 1) / TOF_ROOM * TOF_ROOM;
+    block->has_apex = 1;
     for (int k = 0; k < 3; k++)
     {
         memcpy(block->origin[k], origin[k] + first, n * sizeof(double));
@@ -114,11 +113,10 @@ static void load_block(tof_block *block, size_t n, size_t first, const double *c
             block->origin[k][i] = block->origin[k][n - 1];
             block->direction[k][i] = block->direction[k][n - 1];
         }
-        memset(block->normal[k], 0, room * sizeof(double));
-    }
-    for (size_t i = 0; i < room; i++)
-    {
-        block->number[i] = -1.0;
+        block->apex[k] = block->origin[k][0];
+        /* each as the next one */
+        block->has_apex &=
+            memcmp(block->origin[k], block->origin[k] + 1, (n - 1) * sizeof *block->origin[k]) == 0;
     }
 }
 
@@ -130,9 +128,12 @@ static void meet_body(const tof_body *body, size_t n, tof_block *block, uint32_t
     uint32_t found[TOF_BLOCK];
     for (size_t i = 0; i < n; i++)
     {
-        const double from[3] = {block->origin[0][i], block->origin[1][i], block->origin[2][i]};
-        const double along[3] = {block->direction[0][i], block->direction[1][i],
-                                 block->direction[2][i]};
+        double from[3], along[3];
+        for (int k = 0; k < 3; k++)
+        {
+            from[k] = block->has_apex ? block->apex[k] : block->origin[k][i];
+            along[k] = block->direction[k][i];
+        }
         cm_pose_apply(&body->pose, from, origin[i]);
         cm_rotate(&body->pose.rotation, along, direction[i]);
     }
@@ -156,12 +157,21 @@ static void meet_body(const tof_body *body, size_t n, tof_block *block, uint32_t
     }
 }
 
-static void meet_all(const tof_instant *instant, size_t n, tof_block *block, uint32_t *triangle)
+void tof_meet(const tof_instant *instant, size_t n, tof_block *block, uint32_t *triangle)
 {
-    const cone around = cone_around(block, n);
+    const size_t room = (n + TOF_ROOM - 1) / TOF_ROOM * TOF_ROOM;
+    const cone around = cone_around(instant->set, block, n);
+    for (size_t i = 0; i < room; i++)
+    {
+        block->number[i] = -1.0;
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        memset(block->normal[k], 0, room * sizeof(double));
+    }
     for (size_t i = 0; i < instant->solids; i++)
     {
-        if (!is_outside(&around, instant->bound[i].centre, instant->bound[i].radius))
+        if (!is_left_out(&around, &instant->solid[i], &instant->bound[i]))
         {
             instant->set->meet(&instant->solid[i], n, block);
         }
@@ -218,7 +228,7 @@ void tof_cast(const tof_instant *instant, size_t n, const double *const origin[3
             block.distance[i] = INFINITY;
             triangle[i] = 0;
         }
-        meet_all(instant, count, &block, triangle);
+        tof_meet(instant, count, &block, triangle);
         put_block(&block, count, first, triangle, hits);
     }
 }
@@ -234,7 +244,7 @@ void tof_cast_shadows(const tof_instant *instant, size_t n, const double *const 
         load_block(&block, count, first, origin, direction);
         memset(block.distance, 0, sizeof block.distance);
         memcpy(block.distance, far + first, count * sizeof(double));
-        meet_all(instant, count, &block, triangle);
+        tof_meet(instant, count, &block, triangle);
         for (size_t i = 0; i < count; i++)
         {
             blocked[first + i] = block.number[i] >= 0.0;

@@ -151,6 +151,7 @@ cm_status tof_instant_create(const cm_tof_scene *scene, double time, tof_instant
         cm_pose pose;
         tof_pose_at(given->motion, time, &pose);
         put_surface(given, &pose, &instant->surface[i]);
+        instant->has_brdf |= given->brdf != NULL;
         if (given->kind == CM_PRIMITIVE_MESH)
         {
             put_body(given, scene->rays[i], (uint32_t)i, &pose, &instant->body[instant->bodies++]);

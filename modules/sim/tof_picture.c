@@ -149,19 +149,26 @@ typedef struct work
 typedef struct tile
 {
     size_t n;
+    size_t run; /* so many lie side by side, each time */
     size_t cell[TOF_BLOCK];
     double column[TOF_BLOCK];
     double row[TOF_BLOCK];
     uint32_t number[TOF_BLOCK];
 } tile;
 
-static void add_cell(const sensor_cells *cells, uint32_t column, uint32_t row, tile *to)
+/* Cells side by side. */
+static void add_cells(const sensor_cells *cells, uint32_t column, uint32_t row, size_t count,
+                      tile *to)
 {
-    const size_t k = to->n++;
-    to->cell[k] = (size_t)row * cells->columns + column;
-    to->column[k] = cells->first + ((double)column + 0.5) * cells->width;
-    to->row[k] = cells->top + (double)row + 0.5;
-    to->number[k] = (uint32_t)to->cell[k];
+    const size_t k = to->n, first = (size_t)row * cells->columns + column;
+    for (size_t i = 0; i < count; i++)
+    {
+        to->cell[k + i] = first + i;
+        to->column[k + i] = cells->first + ((double)(int32_t)(column + i) + 0.5) * cells->width;
+        to->row[k + i] = cells->top + (double)row + 0.5;
+        to->number[k + i] = (uint32_t)(first + i);
+    }
+    to->n += count;
 }
 
 static void put_tile(const work *doing, size_t number, tile *to)
@@ -170,13 +177,10 @@ static void put_tile(const work *doing, size_t number, tile *to)
     const uint32_t left = (uint32_t)(number % doing->tile_columns) * TILE_COLUMNS;
     const uint32_t top = (uint32_t)(number / doing->tile_columns) * TILE_ROWS;
     to->n = 0;
+    to->run = cells->columns - left < TILE_COLUMNS ? cells->columns - left : TILE_COLUMNS;
     for (uint32_t row = top; row < top + TILE_ROWS && row < cells->rows; row++)
     {
-        for (uint32_t column = left; column < left + TILE_COLUMNS && column < cells->columns;
-             column++)
-        {
-            add_cell(cells, column, row, to);
-        }
+        add_cells(cells, left, row, to->run, to);
     }
 }
 
@@ -188,11 +192,21 @@ static void keep_status(work *doing, cm_status status)
     }
 }
 
-static void add_values(const tile *at, const double *value, const double *weight, double *sum)
+/* Of one plane. */
+static void add_values(const work *doing, const tile *at, const double *value, const double *weight,
+                       const double *lens, double *sum)
 {
-    for (size_t i = 0; i < at->n; i++)
+    if (at->run == 1)
     {
-        sum[at->cell[i]] += weight[i] * value[i];
+        for (size_t i = 0; i < at->n; i++)
+        {
+            sum[at->cell[i]] += weight[i] * (value[i] * lens[i]);
+        }
+        return;
+    }
+    for (size_t i = 0; i < at->n; i += at->run)
+    {
+        doing->scenery->set->add(at->run, weight + i, lens + i, value + i, sum + at->cell[i]);
     }
 }
 
@@ -201,26 +215,38 @@ static void add_places(const work *doing, const tile *at, const tof_light_block 
 {
     const tof_picture *picture = doing->picture;
     const tof_sums *sum = &picture->sum;
-    add_values(at, light->total, weight, sum->total);
+    add_values(doing, at, light->total, weight, light->lens, sum->total);
     if (doing->scenery->options->environment != NULL)
     {
-        add_values(at, light->ambient, weight, sum->ambient);
+        add_values(doing, at, light->ambient, weight, light->lens, sum->ambient);
     }
     if (doing->scenery->options->bounces > 0)
     {
-        add_values(at, light->direct_real, weight, sum->direct_real);
-        add_values(at, light->direct_imaginary, weight, sum->direct_imaginary);
+        add_values(doing, at, light->direct_real, weight, light->lens, sum->direct_real);
+        add_values(doing, at, light->direct_imaginary, weight, light->lens, sum->direct_imaginary);
     }
     for (size_t j = 0; j < doing->scenery->waves.count; j++)
     {
-        add_values(at, light->real[j], weight, sum->real + j * picture->cells);
-        add_values(at, light->imaginary[j], weight, sum->imaginary + j * picture->cells);
+        const size_t plane = j * picture->cells;
+        add_values(doing, at, light->real[j], weight, light->lens, sum->real + plane);
+        add_values(doing, at, light->imaginary[j], weight, light->lens, sum->imaginary + plane);
     }
 }
 
-static int is_odd(const tof_sensor *sensor, size_t cell)
+/* Of a sample, in each cell: only half pixels differ, the even and the odd ones. */
+static void put_weights(const work *doing, const sensor_sample *sample, const tile *at,
+                        double *weight)
 {
-    return sensor->cells.width < 1.0 ? (int)(cell % sensor->cells.columns % 2) : 0;
+    const sensor_cells *cells = &doing->scenery->sensor->cells;
+    const double both[2] = {doing->part * sample->weight[0], doing->part * sample->weight[1]};
+    for (size_t i = 0; cells->width == 1.0 && i < at->n; i++)
+    {
+        weight[i] = both[0];
+    }
+    for (size_t i = 0; cells->width < 1.0 && i < at->n; i++)
+    {
+        weight[i] = both[at->cell[i] % cells->columns % 2];
+    }
 }
 
 /* What the middle sees is kept, and compared with what it saw before. */
@@ -233,10 +259,10 @@ static void keep_middles(const work *doing, const tile *at, const tof_light_bloc
         if (doing->is_first)
         {
             picture->id[cell] = light->id[i];
-            picture->range[cell] = light->range[i];
+            picture->range[cell] = light->rays.distance[i];
         }
         else if (picture->id[cell] != light->id[i] ||
-                 fabs(picture->range[cell] - light->range[i]) > MOTION_APART)
+                 fabs(picture->range[cell] - light->rays.distance[i]) > MOTION_APART)
         {
             picture->flags[cell] |= CM_TOF_MOTION;
         }
@@ -249,6 +275,7 @@ static void add_middles(size_t begin, size_t end, void *user)
     work *const doing = user;
     const tof_sensor *sensor = doing->scenery->sensor;
     tile at;
+    double weight[TOF_BLOCK];
     _Alignas(64) tof_light_block light;
     for (size_t number = begin; number < end; number++)
     {
@@ -256,37 +283,42 @@ static void add_middles(size_t begin, size_t end, void *user)
         keep_status(doing, tof_shade(doing->scenery, at.n, at.column, at.row, at.number, &light));
         keep_middles(doing, &at, &light);
         atomic_fetch_add(&doing->rays, at.n);
-        double weight[TOF_BLOCK];
-        for (size_t i = 0; i < at.n; i++)
-        {
-            weight[i] = doing->part * sensor->sample[0].weight[is_odd(sensor, at.cell[i])];
-        }
+        put_weights(doing, &sensor->sample[0], &at, weight);
         add_places(doing, &at, &light, weight);
     }
 }
 
 /* ---- all samples ---- */
 
-/* What the samples of a cell saw: more than one surface apart from each other? */
+/* What the samples of cells saw: more than one surface apart from each other? */
 typedef struct seen
 {
-    double nearest, farthest;
-    uint32_t id;
-    int is_mixed;
+    double nearest[TOF_BLOCK], farthest[TOF_BLOCK];
+    uint32_t id[TOF_BLOCK];
+    uint32_t differs[TOF_BLOCK]; /* bits in which ids do */
 } seen;
 
-static void see(seen *so_far, const tof_light_block *light, size_t i, size_t sample)
+static void see(seen *so_far, const tof_light_block *light, size_t n, size_t sample)
 {
-    const double range = light->range[i];
+    const double *const range = light->rays.distance;
     if (sample == 0)
     {
-        so_far->nearest = so_far->farthest = range;
-        so_far->id = light->id[i];
-        so_far->is_mixed = 0;
+        memcpy(so_far->nearest, range, n * sizeof *range);
+        memcpy(so_far->farthest, range, n * sizeof *range);
+        memcpy(so_far->id, light->id, n * sizeof *light->id);
+        memset(so_far->differs, 0, n * sizeof *so_far->differs);
+        return;
     }
-    so_far->nearest = fmin(so_far->nearest, range);
-    so_far->farthest = fmax(so_far->farthest, range);
-    so_far->is_mixed |= so_far->id != light->id[i];
+    for (size_t i = 0; i < n; i++)
+    {
+        const double near = so_far->nearest[i], far = so_far->farthest[i];
+        so_far->nearest[i] = range[i] < near ? range[i] : near;
+        so_far->farthest[i] = range[i] > far ? range[i] : far;
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        so_far->differs[i] |= so_far->id[i] ^ light->id[i];
+    }
 }
 
 /* Every sample of up to TOF_BLOCK cells, one sample of all cells at a time: so a block is of neighbours. */
@@ -295,14 +327,15 @@ static void sample_cells(work *doing, const tile *at, int keeps_middles)
     const tof_sensor *sensor = doing->scenery->sensor;
     double column[TOF_BLOCK], row[TOF_BLOCK], weight[TOF_BLOCK];
     uint32_t number[TOF_BLOCK];
-    seen of[TOF_BLOCK];
+    seen of;
     _Alignas(64) tof_light_block light;
     for (size_t s = 0; s < sensor->samples; s++)
     {
+        const double across = sensor->sample[s].x * sensor->cells.width, down = sensor->sample[s].y;
         for (size_t i = 0; i < at->n; i++)
         {
-            column[i] = at->column[i] + sensor->sample[s].x * sensor->cells.width;
-            row[i] = at->row[i] + sensor->sample[s].y;
+            column[i] = at->column[i] + across;
+            row[i] = at->row[i] + down;
             number[i] = at->number[i] * (uint32_t)sensor->samples + (uint32_t)s;
         }
         keep_status(doing, tof_shade(doing->scenery, at->n, column, row, number, &light));
@@ -310,16 +343,13 @@ static void sample_cells(work *doing, const tile *at, int keeps_middles)
         {
             keep_middles(doing, at, &light);
         }
-        for (size_t i = 0; i < at->n; i++)
-        {
-            see(&of[i], &light, i, s);
-            weight[i] = doing->part * sensor->sample[s].weight[is_odd(sensor, at->cell[i])];
-        }
+        see(&of, &light, at->n, s);
+        put_weights(doing, &sensor->sample[s], at, weight);
         add_places(doing, at, &light, weight);
     }
     for (size_t i = 0; i < at->n; i++)
     {
-        if (of[i].is_mixed && !(of[i].farthest - of[i].nearest <= FLYING_APART))
+        if (of.differs[i] != 0 && !(of.farthest[i] - of.nearest[i] <= FLYING_APART))
         {
             doing->picture->flags[at->cell[i]] |= CM_TOF_FLYING;
         }
@@ -341,10 +371,53 @@ static void add_all_samples(size_t begin, size_t end, void *user)
 
 /* ---- as many as needed ---- */
 
+/* What passes the lens, of cells side by side. */
+static void put_plane(size_t n, const double *value, const double *lens, double *to)
+{
+    for (size_t i = 0; i < n; i++)
+    {
+        to[i] = value[i] * lens[i];
+    }
+}
+
+/* What the middles of cells side by side saw: of the block's, from i on. */
+static void put_run(const work *doing, const tof_light_block *light, size_t i, size_t n,
+                    size_t cell)
+{
+    const tof_picture *picture = doing->picture;
+    const tof_sums *centre = &picture->centre;
+    const double *const lens = light->lens + i;
+    memcpy(picture->id + cell, light->id + i, n * sizeof *picture->id);
+    memcpy(picture->range + cell, light->rays.distance + i, n * sizeof *picture->range);
+    memcpy(picture->shadows + cell, light->shadows + i, n * sizeof *picture->shadows);
+    for (int k = 0; k < 3; k++)
+    {
+        for (size_t m = 0; m < n; m++)
+        {
+            picture->normal[k][cell + m] = (float)light->rays.normal[k][i + m];
+        }
+    }
+    put_plane(n, light->total + i, lens, centre->total + cell);
+    if (doing->scenery->options->environment != NULL)
+    {
+        put_plane(n, light->ambient + i, lens, centre->ambient + cell);
+    }
+    if (doing->scenery->options->bounces > 0)
+    {
+        put_plane(n, light->direct_real + i, lens, centre->direct_real + cell);
+        put_plane(n, light->direct_imaginary + i, lens, centre->direct_imaginary + cell);
+    }
+    for (size_t j = 0; j < doing->scenery->waves.count; j++)
+    {
+        const size_t plane = j * picture->cells + cell;
+        put_plane(n, light->real[j] + i, lens, centre->real + plane);
+        put_plane(n, light->imaginary[j] + i, lens, centre->imaginary + plane);
+    }
+}
+
 static void put_centres(size_t begin, size_t end, void *user)
 {
     work *const doing = user;
-    tof_picture *picture = doing->picture;
     tile at;
     _Alignas(64) tof_light_block light;
     for (size_t number = begin; number < end; number++)
@@ -353,25 +426,9 @@ static void put_centres(size_t begin, size_t end, void *user)
         keep_status(doing, tof_shade(doing->scenery, at.n, at.column, at.row, at.number, &light));
         keep_middles(doing, &at, &light);
         atomic_fetch_add(&doing->rays, at.n);
-        for (size_t i = 0; i < at.n; i++)
+        for (size_t i = 0; i < at.n; i += at.run)
         {
-            const size_t cell = at.cell[i];
-            picture->id[cell] = light.id[i];
-            picture->range[cell] = light.range[i];
-            picture->shadows[cell] = light.shadows[i];
-            for (int k = 0; k < 3; k++)
-            {
-                picture->normal[k][cell] = (float)light.normal[k][i];
-            }
-            picture->centre.total[cell] = light.total[i];
-            picture->centre.ambient[cell] = light.ambient[i];
-            picture->centre.direct_real[cell] = light.direct_real[i];
-            picture->centre.direct_imaginary[cell] = light.direct_imaginary[i];
-            for (size_t j = 0; j < doing->scenery->waves.count; j++)
-            {
-                picture->centre.real[j * picture->cells + cell] = light.real[j][i];
-                picture->centre.imaginary[j * picture->cells + cell] = light.imaginary[j][i];
-            }
+            put_run(doing, &light, i, at.run, at.cell[i]);
         }
     }
 }
@@ -446,7 +503,7 @@ static void sample_row(work *doing, size_t row, int has_smooth, tile *rest)
         {
             continue;
         }
-        add_cell(cells, column, (uint32_t)row, rest);
+        add_cells(cells, column, (uint32_t)row, 1, rest);
         if (rest->n == TOF_BLOCK)
         {
             sample_cells(doing, rest, 0);
@@ -460,7 +517,7 @@ static void add_rows(size_t begin, size_t end, void *user)
 {
     work *const doing = user;
     const sensor_cells *cells = &doing->scenery->sensor->cells;
-    tile rest = {.n = 0};
+    tile rest = {.n = 0, .run = 1};
     for (size_t band = begin; band < end; band++)
     {
         for (size_t row = band * TILE_ROWS; row < (band + 1) * TILE_ROWS && row < cells->rows;

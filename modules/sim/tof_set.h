@@ -11,10 +11,13 @@
 #define TOF_ROOM 8
 #define TOF_BLOCK 256
 #define TOF_WAVES 32 /* at most, of all series */
+#define TOF_PHASES 64
 
 /* Rays of a block and what they met so far. */
 typedef struct tof_block
 {
+    int has_apex; /* 1: all begin there, and origins are not looked at */
+    double apex[3];
     double origin[3][TOF_BLOCK];
     double direction[3][TOF_BLOCK];
     double distance[TOF_BLOCK];
@@ -33,6 +36,7 @@ typedef struct tof_lit
     double *real;           /* waves x stride */
     double *imaginary;
     size_t stride;
+    int is_first; /* 1: there is nothing so far, whatever is in memory */
 } tof_lit;
 
 /* What becomes of light in the circuits of a phase image: A and B have half of all, and what is moved between them. */
@@ -45,6 +49,16 @@ typedef struct tof_charge_rule
     double cosine[TOF_WAVES]; /* of the waves' shifts, with all factors */
     double sine[TOF_WAVES];
 } tof_charge_rule;
+
+/* Phase images of the same light: rules that differ in their waves' shifts alone. */
+#define TOF_IMAGES 8
+typedef struct tof_charge_images
+{
+    int count;
+    const tof_charge_rule *rule[TOF_IMAGES];
+    float *charge_a[TOF_IMAGES];
+    float *charge_b[TOF_IMAGES];
+} tof_charge_images;
 
 /* Light of cells that lie side by side. */
 typedef struct tof_cells
@@ -59,9 +73,9 @@ typedef struct tof_cells
 /* Pixels of one block of phase images, to phasors. */
 typedef struct tof_phasors
 {
-    double turns[TOF_BLOCK];     /* 0..1 */
-    double amplitude[TOF_BLOCK]; /* electrons */
-    double intensity[TOF_BLOCK];
+    double turns[TOF_BLOCK];    /* 0..1; NaN where no modulated light came */
+    float amplitude[TOF_BLOCK]; /* electrons */
+    float intensity[TOF_BLOCK];
 } tof_phasors;
 
 /* Three rows of what the middles of cells see, the middle one second; from the first cell that is asked about. */
@@ -94,18 +108,26 @@ typedef struct tof_set
     /* Light of a lamp of even intensity, once scattered to the camera. */
     void (*light)(const tof_lamp *lamp, const tof_waves *waves, size_t n, const tof_lit *lit);
     /* Rays of the camera's axes, of any length, to directions of length 1 in the world; cos^4 from its z. Rows of axes are the
-     * camera's. */
-    void (*aim)(size_t n, const double (*axes)[3], const double *x, const double *y,
-                const double *z, double (*direction)[TOF_BLOCK], double *lens);
-    /* Charges of n cells that are pixels. No room is needed: what is written are n floats each. */
-    void (*charge)(const tof_charge_rule *rule, size_t n, const tof_cells *cells, float *charge_a,
-                   float *charge_b);
+     * camera's. What is NaN or infinite becomes the optical axis; returns 1 if any is. */
+    int (*aim)(size_t n, const double (*axes)[3], const double *x, const double *y, const double *z,
+               double (*direction)[TOF_BLOCK], double *lens);
+    /* Where rays of one origin end, and how far that is: at 1 where nothing is. */
+    void (*reach)(size_t n, const tof_block *block, double (*position)[TOF_BLOCK], double *leg);
+    /* The least cosine of directions to an axis, and 1. */
+    double (*least_cosine)(size_t n, const tof_block *block, const double axis[3]);
+    /* Adds weight times what the lens lets pass of values. No room is needed. */
+    void (*add)(size_t n, const double *weight, const double *lens, const double *value,
+                double *sum);
+    /* Charges of n cells that are pixels, in all of some images from the pixel first on. No room is needed: what is written are n
+     * floats each. Returns 0 only if floats hold all. */
+    int (*charge)(const tof_charge_images *images, size_t n, const tof_cells *cells, size_t first);
     /* The same before it comes into circuits: half of all, and what is moved; n numbers each. */
     void (*split)(const tof_charge_rule *rule, size_t n, const tof_cells *cells, double *half,
                   double *moved);
-    /* n pixels, TOF_BLOCK at the most, of phase images that are stride apart. */
-    void (*phasors)(int phases, const double *cosine, const double *sine, size_t n, size_t stride,
-                    const float *charge_a, const float *charge_b, tof_phasors *to);
+    /* n pixels, TOF_BLOCK at the most, of phase images that are stride apart. Returns 0 only if modulated light
+     * came to all. */
+    int (*phasors)(int phases, const double *cosine, const double *sine, size_t n, size_t stride,
+                   const float *charge_a, const float *charge_b, tof_phasors *to);
     /* 1 for each of n cells that sees one smooth surface, or nothing, with its eight neighbours. Rows can be read from one cell
      * before to one behind. */
     void (*smooth)(size_t n, const tof_rows *rows, const tof_smoothness *than, uint8_t *is_smooth);

@@ -23,6 +23,7 @@ typedef struct truth_work
     const cm_tof_truth *truth;
     uint32_t width;
     double pixel_centre;
+    int has_axis; /* a perspective camera */
 } truth_work;
 
 /* Rays of up to TOF_BLOCK pixels, and what they met. */
@@ -31,7 +32,7 @@ typedef struct truth_block
     size_t n;
     double column[TOF_BLOCK], row[TOF_BLOCK];
     double origin[3][TOF_BLOCK], direction[3][TOF_BLOCK];
-    double along[TOF_BLOCK]; /* cosine from the optical axis */
+    double along[TOF_BLOCK]; /* cosine from the optical axis; 1 where there is none */
     double range[TOF_BLOCK], normal[3][TOF_BLOCK];
     uint32_t id[TOF_BLOCK], triangle[TOF_BLOCK];
     double position[3][TOF_BLOCK]; /* NaN for nothing */
@@ -56,7 +57,7 @@ static void make_rays(const truth_work *doing, size_t first, truth_block *at)
             camera[k] = length > 0.0 ? camera[k] / length : (double)NAN;
         }
         cm_rotate_back(&doing->pose.rotation, camera, world);
-        at->along[i] = camera[2];
+        at->along[i] = doing->has_axis ? camera[2] : 1.0;
         for (int k = 0; k < 3; k++)
         {
             at->origin[k][i] = doing->pose.position[k];
@@ -211,7 +212,8 @@ cm_status cm_tof_find_truth(const cm_tof_scene *scene, const cm_camera *camera,
                         .primitive = scene->primitive,
                         .truth = truth,
                         .width = shape->width,
-                        .pixel_centre = shape->pixel_centre};
+                        .pixel_centre = shape->pixel_centre,
+                        .has_axis = shape->mapping == NULL};
     tof_pose_at(trajectory, time, &doing.pose);
     cm_status status = tof_instant_create(scene, time, &instant);
     if (status == CM_OK)

@@ -63,7 +63,11 @@ struct tof_instant
     size_t solids;
     tof_body *body;
     size_t bodies;
+    int has_brdf; /* some surface is not Lambert's */
 };
+
+/* What the rays of a block meet nearer than its distances; triangles of meshes. */
+void tof_meet(const tof_instant *instant, size_t n, tof_block *block, uint32_t *triangle);
 
 /* The pose of a motion at a time: before its first stamp and after its last one it stands. */
 void tof_pose_at(const cm_trajectory *motion, double time, cm_pose *pose);

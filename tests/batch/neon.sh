@@ -45,7 +45,7 @@ for source in "$root"/modules/image/*.c; do
     *) pictures+=("$source") ;;
     esac
 done
-picture_tests=("$root"/tests/image/test_{halving,mips,sample_set}.c)
+picture_tests=("$root"/tests/image/test_{halving,mips,sample_set,six_points}.c)
 if [[ -z $quick ]]; then
     picture_tests=("$root"/tests/image/test_*.c)
     pictures+=("$root"/tests/image/{drawn_scene,own_flip}.c "$root"/truth/{analytic_scene,scene_errors,scene_surface}.c)

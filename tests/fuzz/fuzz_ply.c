@@ -23,6 +23,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         EXPECT(ply.corner[i] < ply.point_count, "corner %zu", i);
     }
     EXPECT(ply.point_count == 0 || ply.position != NULL, "no positions");
+    /* to their ends, where the sanitizer watches */
+    if (ply.point_count > 0)
+    {
+        const size_t last = 3 * ply.point_count - 1;
+        volatile double read = ply.position[last];
+        read = ply.normal != NULL ? (double)ply.normal[last] : read;
+        read = ply.color != NULL ? (double)ply.color[last] : read;
+        (void)read;
+    }
     cm_ply_clear(&ply);
     return 0;
 }

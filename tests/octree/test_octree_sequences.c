@@ -42,7 +42,7 @@ static cm_octree_options drawn_options(dice *from)
     options.near = below(from, 3) == 0 ? 0.4 : 0.0;
     options.no_return_is_free = options.far > 0.0 && below(from, 2);
     options.endpoints_only = !options.no_return_is_free && below(from, 5) == 0;
-    options.footprint = below(from, 3) == 0 ? 2.0 : 0.0;
+    options.footprint = below(from, 3) == 0 ? (double)(2 << below(from, 3)) : 0.0;
     options.noise = below(from, 3) == 0 ? 0.01 : 0.0;
     if (below(from, 2))
     {
@@ -371,6 +371,21 @@ static void check_levels(const twins *at, dice *from)
     }
 }
 
+/* Voxels are told in the same size, too. */
+static void check_sizes(const twins *at, dice from)
+{
+    for (int i = 0; i < 2000; i++)
+    {
+        const double point[3] = {dice_between(&from, -1.8, 1.8), dice_between(&from, -1.8, 1.8),
+                                 dice_between(&from, -1.8, 1.8)};
+        cm_voxel a, b;
+        cm_octree_at(at->plain, point, 0, &a);
+        cm_octree_at(at->other, point, 0, &b);
+        ck_assert_msg(memcmp(&a, &b, sizeof a) == 0, "levels %d and %d, alphas %d and %d", a.level,
+                      b.level, a.alpha, b.alpha);
+    }
+}
+
 static void check(twins *at, uint8_t *is_told)
 {
     dense_read(at->plain, &at->now);
@@ -379,6 +394,7 @@ static void check(twins *at, uint8_t *is_told)
     ck_assert_uint_eq(cm_octree_step(at->plain), cm_octree_step(at->other));
     check_counts(at);
     check_levels(at, &at->from);
+    check_sizes(at, at->from);
     check_changes(at, is_told);
     for (int i = 0; i < 3; i++)
     {

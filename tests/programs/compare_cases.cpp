@@ -137,6 +137,38 @@ void surfaces()
           "compare --reference-surface equirect world.tif untold.tif");
 }
 
+// What is beside the map of one image is in windows of its edges, and says nothing.
+void beside_the_map()
+{
+    make_constant(128, 96, 3, "uint8", 0.5f, "full.png");
+    make_constant(64, 32, 3, "uint8", 0.5f, "gray.png");
+    const std::string cross = does("compare --json -m ssim,flip --surface equirect "
+                                   "--reference-surface 'cube;layout=cross' full.png gray.png")
+                                  .out;
+    near("SSIM beside a cross", number_behind(cross, "\"ssim\": {\"mean\": "), 1, 1e-6);
+    near("FLIP beside a cross", number_behind(cross, "\"flip\": {\"mean\": "), 0, 1e-4);
+    make_constant(64, 64, 3, "uint8", 0.5f, "lens.png");
+    const std::string disc = does("compare --json -m ssim --reference-surface equirect --surface "
+                                  "azimuthal:equidistant:fov=180 gray.png lens.png")
+                                 .out;
+    near("SSIM beside a disc", number_behind(disc, "\"ssim\": {\"mean\": "), 1, 1e-6);
+}
+
+// Numbers of sRGB beside light are compared, and said; light beside light is not.
+void curves()
+{
+    make_constant(8, 4, 3, "uint8", 0.5f, "curve.png");
+    make_constant(8, 4, 3, "float", 0.5f, "light.exr");
+    for (const std::string names : {"curve.png light.exr", "light.exr curve.png"})
+    {
+        const std::string line = run("compare " + names).err;
+        result(matches(line, "'light.exr' holds light, 'curve.png' numbers with sRGB's curve"),
+               "another curve: " + names, line);
+    }
+    passes("the same curve", "compare light.exr light.exr");
+    passes("no curve at all", "compare curve.png curve.png");
+}
+
 // Of what files say of themselves, and of six faces.
 void told_surfaces()
 {
@@ -339,6 +371,7 @@ const std::vector<Subject> &compare_subjects()
         {"compare_surfaces", surfaces},       {"compare_range", high_dynamic_range},
         {"compare_told", told_surfaces},      {"compare_textures", faces_of_textures},
         {"compare_untold", untold_faces},     {"compare_pictures", pictures},
-        {"compare_wrong", wrong_comparisons}, {"compare_whole", whole_numbers}};
+        {"compare_wrong", wrong_comparisons}, {"compare_whole", whole_numbers},
+        {"compare_beside", beside_the_map},   {"compare_curves", curves}};
     return subjects;
 }

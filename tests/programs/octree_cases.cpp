@@ -163,6 +163,13 @@ void asks()
     const Ran more = run_with_input("0 0 1 1 0 0 7\n", "octree ray room.map");
     result(more.status == 1 && matches(more.err, "line 1: .* is not six numbers"),
            "a line with more numbers is told", more.err);
+    const Ran zero = run_with_input(std::string("0 0 1\0 2\n1 0 1\n", 15), "octree query room.map");
+    result(zero.status == 1 && zero.out.empty() && matches(zero.err, "line 1: .* is not three"),
+           "a line with a byte that is 0 is told", zero.out + zero.err);
+    const Ran cut = run_with_input("0 0 1" + std::string(1, '\0') + std::string(8000, '1') + "\n",
+                                   "octree query room.map");
+    result(cut.status == 1 && cut.out.empty() && matches(cut.err, "line 1: .* is too long"),
+           "a long line is one, whatever is in it", cut.out + cut.err);
     const Ran none = run_with_input("nan 0 1\n", "octree query room.map");
     result(none.status == 1, "what is no number is told", none.err);
 }

@@ -443,15 +443,45 @@ void keeps_budgets()
            "what it says makes the same bits again");
 }
 
+// A folder of an earlier run, into which another brings its first frame and no more.
+void is_cut_short(const std::string &command, const std::string &picture, const std::string &last)
+{
+    write_file("paused.txt", "0 0 0 0 0 0 0 1\n1 0 0 0.2 0 0 0 1\n2 0 0 0.5 0 0 0 1\n");
+    const std::string line = "tof " + command + " -o again" + last + " --quiet";
+    const std::string folder = "again" + last + "/";
+    does(line + " wall.json " + (command == "texel" ? "" : "sensor.json ") + "path.txt");
+    const std::string end = content_of(folder + last);
+    std::filesystem::remove(folder + picture + "_0000.exr");
+    std::filesystem::create_directory(folder + picture + "_0000.exr");
+    const std::string other =
+        line + " wall.json " + (command == "texel" ? "" : "sensor.json ") + "paused.txt";
+    fails("a folder in the first frame's way: " + command, 1, "is a folder", other);
+    result(content_of(folder + last) == end, last + " stays as long as its frames do");
+    std::filesystem::remove(folder + picture + "_0000.exr");
+    std::filesystem::remove(folder + picture + "_0001.exr");
+    std::filesystem::create_directory(folder + picture + "_0001.exr");
+    fails("a folder in the second's: " + command, 1, "is a folder", other);
+    result(std::filesystem::is_regular_file(folder + picture + "_0000.exr") &&
+               !std::filesystem::exists(folder + last),
+           last + " of an earlier run is away where this one was not completed", names_in(folder));
+}
+
+void are_completed()
+{
+    make_tof_inputs();
+    is_cut_short("simulate", "distance", "poses.txt");
+    is_cut_short("texel", "depth", "matrices.txt");
+}
+
 } // namespace
 
 const std::vector<Subject> &tof_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"tof_measures", measures},        {"tof_evaluates", evaluates},
-        {"tof_folder", lies_in_a_folder},  {"tof_arrays", are_arrays},
-        {"tof_hdf5", are_files_of_hdf5},   {"tof_texel", renders_texels},
-        {"tof_sensors", knows_sensors},    {"tof_budgets", keeps_budgets},
-        {"tof_shot_noise", has_shot_noise}};
+        {"tof_measures", measures},         {"tof_evaluates", evaluates},
+        {"tof_folder", lies_in_a_folder},   {"tof_arrays", are_arrays},
+        {"tof_hdf5", are_files_of_hdf5},    {"tof_texel", renders_texels},
+        {"tof_sensors", knows_sensors},     {"tof_budgets", keeps_budgets},
+        {"tof_shot_noise", has_shot_noise}, {"tof_completed", are_completed}};
     return subjects;
 }

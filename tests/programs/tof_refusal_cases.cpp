@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 
 namespace
 {
@@ -309,6 +310,7 @@ void refuses_reflections()
 void refuses_measured_reflections()
 {
     make_tof_inputs();
+    std::filesystem::create_directory("folder.json");
     write_file("table.csv", "10, 20, 30\n");
     write_file("measured.json", "{\"planes\": [{\"point\": [0, 0, 2], \"normal\": [0, 0, 1], "
                                 "\"brdf\": {\"kind\": \"measured\", \"file\": \"table.csv\"}}]}");
@@ -329,6 +331,12 @@ void refuses_measured_reflections()
     write_file("table.csv", "# nothing\n");
     fails("a table of no values", 1, "'table.csv' has no line of theta_in",
           "tof simulate measured.json sensor.json pose.txt -o made/x");
+    std::filesystem::remove("table.csv");
+    std::filesystem::create_directory("table.csv");
+    fails("a folder for a table", 1, "table.csv: is a folder, not a file",
+          "tof simulate measured.json sensor.json pose.txt -o made/x");
+    fails("a folder for a scene", 1, "folder.json: is a folder, not a file",
+          "tof simulate folder.json sensor.json pose.txt -o made/x");
 }
 
 void refuses_meshes()

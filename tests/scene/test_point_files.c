@@ -189,6 +189,24 @@ START_TEST(points_of_others_are_read)
 }
 END_TEST
 
+START_TEST(columns_and_elements_come_in_any_order)
+{
+    const char *const text = "ply\nformat ascii 1.0\nelement face 1\n"
+                             "property list uchar int vertex_indices\nelement vertex 3\n"
+                             "property uchar blue\nproperty float z\nproperty float red\n"
+                             "property float y\nproperty double green\nproperty float x\n"
+                             "end_header\n3 2 1 0\n128 3 0.5 2 1 1\n0 0 0 0 0 0\n9 0 0 1 0 1\n";
+    cm_ply ply = {.point_count = 0};
+    REQUIRE(cm_ply_parse("p", text, strlen(text), &ply, message) == CM_OK, "%s", message);
+    REQUIRE(ply.point_count == 3 && ply.triangle_count == 1 && ply.corner[0] == 2 &&
+                ply.position[0] == 1 && ply.position[1] == 2 && ply.position[2] == 3,
+            "%zu %zu", ply.point_count, ply.triangle_count);
+    REQUIRE(ply.color[0] == 128 && ply.color[1] == 255 && ply.color[2] == 128 && ply.color[8] == 9,
+            "%d %d %d", ply.color[0], ply.color[1], ply.color[2]);
+    cm_ply_clear(&ply);
+}
+END_TEST
+
 #define HEAD "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
 
 START_TEST(bad_points_are_refused)
@@ -220,6 +238,10 @@ START_TEST(bad_points_are_refused)
          "property float z\nend_header\n",
          "p.ply:7: the file is too short"},
         {"ply\nformat ascii 1.0\nelement vertex -1\nend_header\n", "p.ply:3: "},
+        {HEAD "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+              "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+              "end_header\n0 0 0 0 0 1\n1 1 1\n",
+         "p.ply:14: the head has the element vertex twice"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
     {
@@ -246,12 +268,9 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {arrays_come_back,
-                                  arrays_of_others_are_read,
-                                  bad_arrays_are_refused,
-                                  points_come_back,
-                                  points_of_others_are_read,
-                                  bad_points_are_refused,
-                                  NULL};
+    const TTest *const tests[] = {arrays_come_back,          arrays_of_others_are_read,
+                                  bad_arrays_are_refused,    points_come_back,
+                                  points_of_others_are_read, columns_and_elements_come_in_any_order,
+                                  bad_points_are_refused,    NULL};
     return run_suite("point files", tests);
 }

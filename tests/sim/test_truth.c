@@ -122,6 +122,35 @@ START_TEST(truth_is_what_the_world_says)
 }
 END_TEST
 
+/* No axis, no depth along it: a cube map's is its range, as its images have it. */
+START_TEST(depth_of_a_cube_map_is_its_range)
+{
+    cm_scene *world = NULL;
+    cm_tof_scene *scene = NULL;
+    cm_camera *camera = NULL;
+    cm_mapping *mapping = NULL;
+    cm_trajectory *path = make_path();
+    cm_tof_truth truth = truth_of(&seen);
+    ck_assert_int_eq(cm_mapping_create("coupled", NULL, &mapping), CM_OK);
+    const cm_camera_options shape = {
+        .size = sizeof shape, .width = 16, .height = 96, .mapping = mapping};
+    ck_assert_int_eq(cm_camera_create(&shape, &camera), CM_OK);
+    ck_assert_int_eq(cm_scene_create_named("room", &world), CM_OK);
+    ck_assert_int_eq(cm_tof_scene_create(world, &scene), CM_OK);
+    ck_assert_int_eq(cm_tof_find_truth(scene, camera, path, 0.0, 1.0, 0.0, NULL, &truth), CM_OK);
+    for (size_t i = 0; i < 16 * 96; i++)
+    {
+        REQUIRE(seen.range[i] > 0.1f && seen.depth[i] == seen.range[i], "%zu: %g and %g", i,
+                (double)seen.depth[i], (double)seen.range[i]);
+    }
+    cm_trajectory_destroy(path);
+    cm_camera_destroy(camera);
+    cm_mapping_destroy(mapping);
+    cm_tof_scene_destroy(scene);
+    cm_scene_destroy(world);
+}
+END_TEST
+
 /* The place that a pixel sees is where the flow says at the other time; before is now: it does not flow. */
 START_TEST(flow_leads_to_the_same_place)
 {
@@ -283,6 +312,7 @@ END_TEST
 int main(void)
 {
     const TTest *const tests[] = {truth_is_what_the_world_says,
+                                  depth_of_a_cube_map_is_its_range,
                                   flow_leads_to_the_same_place,
                                   bodies_carry_their_places_along,
                                   pixels_without_rays_see_nothing,

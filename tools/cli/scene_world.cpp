@@ -2,6 +2,7 @@
 
 #include "scene_world.hpp"
 
+#include "modules/scene/io/file_failure.hpp"
 #include "modules/scene/io/mesh_file.h"
 #include "catalogue_name.h"
 #include "json_members.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -21,7 +21,7 @@
 namespace
 {
 
-constexpr std::streamoff largest_scene_file = 1 << 26;
+constexpr std::uint64_t scene_bytes_most = std::uint64_t{1} << 26;
 
 // What the objects of a file have in common.
 struct SceneFile
@@ -82,24 +82,9 @@ bool ends_with(const std::string &text, const std::string &ending)
 
 std::string text_of_file(const std::string &path)
 {
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(0, std::ios::end);
-    const std::streamoff size = file.tellg();
-    if (!file || size < 0)
-    {
-        throw Failure(in_quotes(path) + " cannot be read");
-    }
-    if (size > largest_scene_file)
-    {
-        throw Failure(in_quotes(path) + " is too long for a scene");
-    }
-    std::string text(static_cast<std::size_t>(size), '\0');
-    file.seekg(0);
-    file.read(text.data(), size);
-    if (!file)
-    {
-        throw Failure(in_quotes(path) + " cannot be read");
-    }
+    std::string text;
+    char message[CM_IMAGE_MESSAGE] = "";
+    check_scene(guarded_file(message, [&] { text = read_whole(path, scene_bytes_most); }), message);
     return text;
 }
 

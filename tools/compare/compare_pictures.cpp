@@ -179,6 +179,22 @@ bool are_the_same(const cm_surface &a, const cm_surface &b, const Places &places
     return one == cm_surface_specification(&b) && here == directions_of(b, places, 0.5, 0.5);
 }
 
+// What only one image shows, or none, is in windows of what both show: there they are alike.
+void fill_beside(Pictures &pictures)
+{
+    const std::size_t channels = pictures.channels;
+    for (std::size_t i = 0; i < pictures.shown.size(); ++i)
+    {
+        if (!(pictures.shown[i] > 0.0f))
+        {
+            const auto from =
+                pictures.reference.begin() + static_cast<std::ptrdiff_t>(i * channels);
+            std::copy_n(from, channels,
+                        pictures.picture.begin() + static_cast<std::ptrdiff_t>(i * channels));
+        }
+    }
+}
+
 void lay_on_sphere(Pictures &pictures, ComparedFiles &b, const cm_surface &from, unsigned threads)
 {
     const Places places = places_of(*pictures.surface);
@@ -189,6 +205,7 @@ void lay_on_sphere(Pictures &pictures, ComparedFiles &b, const cm_surface &from,
         lay_over(pictures, from, static_cast<std::uint32_t>(b.width()),
                  static_cast<std::uint32_t>(b.height()), threads);
     }
+    fill_beside(pictures);
 }
 
 } // namespace
@@ -216,6 +233,13 @@ Pictures read_pictures(const std::string &reference, const std::string &picture,
         pictures.channel_names.emplace_back(a.channel_name(channel));
     }
     pictures.integers = a.holds_integers() && b.holds_integers();
+    if ((a.holds_light() && b.holds_curve()) || (a.holds_curve() && b.holds_light()))
+    {
+        pictures.warnings.push_back(in_quotes(a.holds_light() ? reference : picture) +
+                                    " holds light, " +
+                                    in_quotes(a.holds_light() ? picture : reference) +
+                                    " numbers with sRGB's curve; they are compared as they stand");
+    }
     std::shared_ptr<const cm_surface> from;
     if (on_sphere)
     {

@@ -65,6 +65,17 @@ bool ComparedFiles::holds_integers() const
     return std::all_of(files.files().begin(), files.files().end(), holds);
 }
 
+bool ComparedFiles::holds_light() const
+{
+    return files.description_of_pixels().color == CM_IMAGE_COLOR_LINEAR;
+}
+
+bool ComparedFiles::holds_curve() const
+{
+    const cm_image_color color = files.description_of_pixels().color;
+    return color == CM_IMAGE_COLOR_SRGB || (color == CM_IMAGE_COLOR_UNKNOWN && holds_integers());
+}
+
 std::string ComparedFiles::size_text() const
 {
     return in_quotes(files.files().front().path()) + " is " +

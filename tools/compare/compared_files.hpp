@@ -23,6 +23,9 @@ public:
     int channels() const;
     std::string channel_name(int channel) const;
     bool holds_integers() const;
+    // Are the numbers proportional to light, or have they sRGB's curve? Of some files nobody knows.
+    bool holds_light() const;
+    bool holds_curve() const;
 
     // "'earth.png' is 64 x 32 with 3 channels"
     std::string size_text() const;

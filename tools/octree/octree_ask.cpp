@@ -61,17 +61,22 @@ public:
 
     bool next()
     {
-        char text[longest_question + 2];
-        if (std::fgets(text, sizeof text, file) == nullptr)
+        line.clear();
+        int letter = std::getc(file); // bytes of 0, which are no number, end no line
+        while (letter != EOF && letter != '\n' && line.size() <= longest_question)
         {
-            if (std::ferror(file) != 0)
-            {
-                throw Failure("standard input cannot be read");
-            }
+            line.push_back(static_cast<char>(letter));
+            letter = std::getc(file);
+        }
+        if (std::ferror(file) != 0)
+        {
+            throw Failure("standard input cannot be read");
+        }
+        if (letter == EOF && line.empty())
+        {
             return false;
         }
         ++number;
-        line = text;
         if (line.size() > longest_question)
         {
             wrong("is too long");

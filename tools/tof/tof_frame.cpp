@@ -112,3 +112,23 @@ void write_text(const std::string &path, const std::string &text, FileList &file
     files.push_back(std::make_unique<AtomicFile>(path));
     files.back()->write(text.data(), text.size());
 }
+
+void bring_frame(const OutputFolder &folder, const FileList &files, std::size_t number,
+                 std::size_t count, const std::string &last)
+{
+    if (number == 0 && count > 1)
+    {
+        for (const std::unique_ptr<AtomicFile> &each : files)
+        {
+            each->finish(); // no disk is too full any more
+        }
+        std::error_code ignored; // who cannot remove cannot rename, and is told so
+        const std::filesystem::path old =
+            std::filesystem::weakly_canonical(folder.path_of(last), ignored);
+        if (std::filesystem::is_regular_file(old, ignored))
+        {
+            std::filesystem::remove(old, ignored);
+        }
+    }
+    appear_together(files);
+}

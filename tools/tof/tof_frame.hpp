@@ -59,6 +59,11 @@ std::string frame_file_name(const std::string &kind, std::size_t number,
 
 using FileList = std::vector<std::unique_ptr<AtomicFile>>;
 
+// Brings in the complete files of a frame, of so many. What an earlier run has left of the name that the last frame brings goes
+// away with the first: it would say that this run is completed.
+void bring_frame(const OutputFolder &folder, const FileList &files, std::size_t number,
+                 std::size_t count, const std::string &last);
+
 // Adds the files of a frame, which are complete, to those that will appear together.
 void write_frame(const OutputFolder &folder, const TofFrame &frame, std::size_t number, int threads,
                  FileList &files);

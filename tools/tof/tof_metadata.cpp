@@ -134,7 +134,9 @@ void add_truth_files(cJSON *files, int format)
         {"object", "number in scene.materials; 4294967295 where nothing is"},
         {"shape", "0 plane, 1 box, 2 sphere, 3 cylinder, 4 mesh; 4294967295 where nothing is"},
         {"triangle", "number in its mesh, 0 of other shapes; 4294967295 where nothing is"},
-        {"depth", "metres along the optical axis; NaN where nothing is"},
+        {"depth",
+         "metres along the optical axis, of cameras with a mapping along the ray; NaN where "
+         "nothing is"},
         {"range", "metres along the ray; NaN where nothing is"},
         {"flow_next", "columns, rows and metres of range to the next frame"},
         {"flow_before", "columns, rows and metres of range to the frame before"}};

@@ -29,6 +29,8 @@
 namespace
 {
 
+constexpr const char *poses_file = "poses.txt"; // comes with the last frame
+
 using TofScenePointer = std::unique_ptr<cm_tof_scene, HandleDeleter<cm_tof_scene_destroy>>;
 
 // What was done for all frames.
@@ -304,7 +306,7 @@ void write_texts(const SimulateOptions &options, const Simulation &with, const O
     }
     if (number + 1 == with.poses.time.size())
     {
-        write_text(folder.path_of("poses.txt"), poses_text(with.poses), files);
+        write_text(folder.path_of(poses_file), poses_text(with.poses), files);
     }
 }
 
@@ -340,7 +342,7 @@ public:
         FileList files;
         write_pictures(options, *folder, frame, truth, number, files);
         write_texts(options, with, *folder, number, files);
-        appear_together(files);
+        bring_frame(*folder, files, number, with.poses.time.size(), poses_file);
     }
     void finish()
     {

@@ -19,6 +19,8 @@
 namespace
 {
 
+constexpr const char *matrices_file = "matrices.txt"; // comes with the last image
+
 struct TexelOptions
 {
     std::string scene;
@@ -197,9 +199,9 @@ void render_all(const TexelOptions &options, const World &world, const TimedPose
         write_pictures(folder, pictures, i, thread_count(options.threads), files);
         if (i + 1 == count)
         {
-            write_text(folder.path_of("matrices.txt"), matrices_text(poses.pose), files);
+            write_text(folder.path_of(matrices_file), matrices_text(poses.pose), files);
         }
-        appear_together(files);
+        bring_frame(folder, files, i, count, matrices_file);
         progress.advance(1);
     }
 }

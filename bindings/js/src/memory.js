@@ -2,7 +2,7 @@
 //
 // What lies in a module's memory: arrays that live there, arguments that are put there for one call, texts.
 
-import { big, whole } from "./numbers.js";
+import { big, shown, whole } from "./numbers.js";
 
 /** What an array holds: the typed array of it and how large an element is. */
 function kind(Type, name, viewed) {
@@ -42,7 +42,7 @@ export class Vector {
 
     constructor(memory, of, length) {
         if (!Number.isInteger(length) || length < 0) {
-            throw new RangeError(`the length of an array is ${length}, but is to be a whole number, 0 or more`);
+            throw new RangeError(`the length of an array is ${shown(length)}, but is to be a whole number, 0 or more`);
         }
         this.kind = of;
         this.length = length;
@@ -86,6 +86,8 @@ export class Memory {
     #arena;
     #used = 0;
     #more = [];
+    #read = []; // places of a call's inputs, [begin, end]
+    #aside = []; // places of its outputs that lie on inputs, [where it writes, where that belongs, bytes]
     #registry;
 
     constructor(exports) {
@@ -127,11 +129,13 @@ export class Memory {
     // ---- Room for the arguments of one call
 
     mark() {
-        return { used: this.#used, more: this.#more.length };
+        return { used: this.#used, more: this.#more.length, read: this.#read.length, aside: this.#aside.length };
     }
 
     release(mark) {
         this.#used = mark.used;
+        this.#read.length = mark.read;
+        this.#aside.length = mark.aside;
         while (this.#more.length > mark.more) {
             this.#exports.free(this.#more.pop());
         }
@@ -150,7 +154,9 @@ export class Memory {
         return pointer;
     }
 
-    zeros(bytes) {
+    /** For the library to judge, if a length from which that follows is negative. */
+    zeros(size) {
+        const bytes = Math.max(0, size);
         const pointer = this.room(bytes);
         new Uint8Array(this.buffer, pointer, bytes).fill(0);
         return pointer;
@@ -182,6 +188,32 @@ export class Memory {
         return new TextDecoder().decode(all.subarray(pointer, all.indexOf(0, pointer)));
     }
 
+    // ---- Places that are the caller's own
+
+    /** Notes that a call reads there. */
+    reads(pointer, bytes) {
+        this.#read.push([pointer, pointer + bytes]);
+        return pointer;
+    }
+
+    /** Where a call may write what belongs there: aside if it reads there, which few functions allow. */
+    writes(pointer, bytes) {
+        if (!this.#read.some(([begin, end]) => pointer < end && begin < pointer + bytes)) {
+            return pointer;
+        }
+        const aside = this.room(bytes);
+        new Uint8Array(this.buffer).copyWithin(aside, pointer, pointer + bytes);
+        this.#aside.push([aside, pointer, bytes]);
+        return aside;
+    }
+
+    /** Where it belongs, and is now. */
+    written(pointer) {
+        const [from, to, bytes] = this.#aside.find(([aside]) => aside === pointer) ?? [pointer, pointer, 0];
+        new Uint8Array(this.buffer).copyWithin(to, from, from + bytes);
+        return to;
+    }
+
     // ---- Arrays
 
     /** An array in this memory by its place, before a call asks for memory, which may grow and end all views. */
@@ -200,7 +232,7 @@ export class Memory {
 
     /** How many elements. */
     count(value, name) {
-        if (!Number.isInteger(value?.length)) {
+        if (!Number.isInteger(value?.length) || value.length < 0) {
             throw new TypeError(`${name} is to be a number or an array of numbers`);
         }
         return value.length;
@@ -225,7 +257,7 @@ export class Memory {
             throw new TypeError(`${name} is to be a ${of.Type.name}`);
         }
         if (given instanceof Place && type === of.Type.name) {
-            return given.pointer;
+            return this.reads(given.pointer, n * of.bytes);
         }
         const pointer = this.room(n * of.bytes);
         if (given instanceof Place) {
@@ -266,15 +298,16 @@ export class Memory {
         if (given.length !== n) {
             throw new RangeError(`${name} has ${given.length} elements, but is to have ${n}`);
         }
-        return given instanceof Place ? given.pointer : this.room(n * of.bytes);
+        return given instanceof Place ? this.writes(given.pointer, n * of.bytes) : this.room(n * of.bytes);
     }
 
     /** What the function has written: in the caller's array if that is given. */
     result(of, value, pointer, n) {
+        const place = this.written(pointer);
         if (value instanceof Vector) {
-            return value.isIn(this) ? value.array : this.result(of, value.array, pointer, n);
+            return value.isIn(this) ? value.array : this.result(of, value.array, place, n);
         }
-        const view = new of.Type(this.buffer, pointer, n);
+        const view = new of.Type(this.buffer, place, n);
         if (value === undefined || value === null) {
             return view.slice();
         }

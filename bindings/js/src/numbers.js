@@ -2,8 +2,27 @@
 //
 // Whole numbers for the library: what does not fit is refused, where WebAssembly would cut off bits.
 
+/** A value in a message: a text in quotes, an object by its class. */
+export function shown(value) {
+    if (typeof value === "string") {
+        return `'${value}'`;
+    }
+    if (typeof value === "object" && value !== null) {
+        return `a ${typeof value.constructor === "function" ? value.constructor.name : "Object"}`;
+    }
+    return typeof value === "function" ? "a function" : String(value);
+}
+
+/** What must not be left out: zero would stand for it, and for a struct what is at address zero. */
+export function present(value, name) {
+    if (value === undefined || value === null) {
+        throw new TypeError(`${name} is missing`);
+    }
+    return value;
+}
+
 function refuse(value, name, least, most) {
-    throw new RangeError(`${name} is ${String(value)}, but is to be of the whole numbers from ${least} to ${most}`);
+    throw new RangeError(`${name} is ${shown(value)}, but is to be of the whole numbers from ${least} to ${most}`);
 }
 
 /** A whole number of at most 32 bits, also from a boolean; 0 for none. */

@@ -5,6 +5,7 @@
 import { Place, typeOf } from "./memory.js";
 
 const PIXELS = { Uint8Array: "u8", Uint8ClampedArray: "u8", Uint16Array: "u16", Float32Array: "float" };
+const BYTES = { u8: 1, u16: 2, float: 4 };
 
 /** A picture whose pixels, if they are in this memory, are known by their place, before a call asks for memory, which may grow and
  *  end all views. */
@@ -13,7 +14,7 @@ export function settlePicture(of, picture) {
 }
 
 /** A picture, { data, width, height, channels }, at a place where 32 bytes are zero: where its pixels are then. */
-export function putPicture(of, picture, at, name) {
+export function putPicture(of, picture, at, name, isTarget = false) {
     const { M, structs } = of;
     if (typeof picture !== "object" || picture === null || picture.data === undefined || picture.data === null) {
         throw new TypeError(`${name} is to be a picture: { data, width, height, channels }`);
@@ -29,7 +30,8 @@ export function putPicture(of, picture, at, name) {
         throw new RangeError(`${name}: ${array.length} numbers are not ${width} x ${height} pixels of ${channels}`);
     }
     const bytes = isHere ? undefined : new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
-    const place = isHere ? array.pointer : M.room(bytes.length);
+    const size = array.length * BYTES[type];
+    const place = isHere ? M[isTarget ? "writes" : "reads"](array.pointer, size) : M.room(size);
     if (!isHere) {
         new Uint8Array(M.buffer, place, bytes.length).set(bytes);
     }
@@ -40,7 +42,9 @@ export function putPicture(of, picture, at, name) {
 
 /** What the library has written, into the caller's picture. */
 export function takePicture(of, { place, isHere, bytes }) {
-    if (!isHere) {
+    if (isHere) {
+        of.M.written(place);
+    } else {
         bytes.set(new Uint8Array(of.M.buffer, place, bytes.length));
     }
 }

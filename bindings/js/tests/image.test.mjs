@@ -66,12 +66,28 @@ test("surfaces, plans, samples", async () => {
     const plan = new image.Plan(surface, new image.Surface("cube:coupled;size=16"));
     assert.equal(image.Plan.read(plan.text).text, plan.text);
     assert.throws(() => new image.Surface("equirekt"), /equirekt/);
+    assert.throws(() => new image.Plan(surface, surface, { memory: {} }), /planOptions has no 'memory', but alpha, [^]*instructions, notFinite/);
     assert.throws(() => plan.resample([], []), { name: "ArgumentError" });
     assert.throws(() => plan.resample({}, []), TypeError);
     assert.throws(() => plan.resample([blank(Uint8Array, 8)], Array.from({ length: 6 }, () => blank(Uint8Array, 16))),
         { name: "OutOfRangeError" });
     const place = surface.positions(1, 0, 0);
     assert.deepEqual(place, { plane: 0, column: 128, row: 64 });
+});
+
+test("a picture in the module's memory is drawn onto itself as onto another", async () => {
+    const image = await load();
+    const upright = new image.Surface("equirect;size=64");
+    const turned = new image.Surface("equirect;west=-77;east=283;size=64");
+    const plan = new image.Plan(upright, turned, { filter: "bilinear" });
+    const source = { data: Float32Array.from({ length: 64 * 32 }, (_, i) => Math.sin(i)), width: 64, height: 32 };
+    const wanted = { ...source, data: new Float32Array(64 * 32) };
+    plan.resample([source], [wanted]);
+    const pixels = image.float32(64 * 32);
+    pixels.array.set(source.data);
+    const own = { ...source, data: pixels };
+    plan.resample([own], [own]);
+    assert.deepEqual([...pixels.array], [...wanted.data]);
 });
 
 test("pixels in the module's memory survive its growth in a call", async () => {

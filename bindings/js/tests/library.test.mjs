@@ -112,6 +112,29 @@ test("the memory may grow while a call puts its arguments there", async () => {
     assert.equal(u.array[n - 1], mapping.forward(1, 0.1, 0).u);
 });
 
+test("outputs that lie on inputs in the module's memory have what others would have", () => {
+    const mapping = new cubemap.Mapping("coupled");
+    const n = 1000;
+    const [x, y, z] = [0, 1, 2].map((k) => Float64Array.from({ length: n }, (_, i) => Math.sin(3 * i + k)));
+    const wanted = { ...mapping.forward(x, y, z), jacobian: mapping.forwardJacobian(x, y, z) };
+    const room = cubemap.float64(4 * n);
+    for (const shift of [-7, -1, 0, 1, 2, 999]) {
+        const part = (at) => room.array.subarray(n + at, 2 * n + at);
+        const given = () => {
+            room.array.fill(0);
+            part(0).set(x);
+            return [part(0), y, z];
+        };
+        assert.deepEqual([...mapping.forward(...given(), { u: part(shift) }).u], [...wanted.u], `shifted by ${shift}`);
+        assert.deepEqual([...part(shift)], [...wanted.u]);
+        assert.deepEqual([...mapping.forwardJacobian(...given(), { jacobian: [part(shift)] })[0]], [...wanted.jacobian[0]]);
+    }
+    const own = cubemap.float64(n);
+    own.array.set(x);
+    assert.equal(mapping.forward(own, y, z, { u: own }).u, own.array);
+    assert.deepEqual([...own.array], [...wanted.u]);
+});
+
 test("arrays of another instance's memory, of other contexts, of classes that extend them, and shared ones", async () => {
     const mapping = new cubemap.Mapping("coupled");
     const other = await load();

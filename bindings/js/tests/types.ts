@@ -30,6 +30,8 @@ mapping.forward(1, [2], 3);
 new cubemap.CellGrid(grid, "peano");
 // @ts-expect-error: a cell is a BigInt
 cubemap.cellLevel(5);
+// @ts-expect-error: a camera needs its options
+() => new scene.Camera();
 // @ts-expect-error: no such option
 new cubemap.Grid({ elipsoid: "WGS84" });
 

@@ -47,13 +47,15 @@ class _Function(library._FuncPtr):
         for place, name, low, high in self.whole:
             if place < len(arguments) and hasattr(arguments[place], "__index__"):
                 _checked(name, operator.index(arguments[place]), low, high)
-        return super().__call__(*arguments)
+        try:
+            return super().__call__(*arguments)
+        except ctypes.ArgumentError as error:
+            place = int(str(error).split(":")[0].removeprefix("argument ")) - 1
+            raise TypeError(f"{self.names[place]}: cannot be a {type(arguments[place]).__name__}") from None
 
 
-def function(name, *whole):
-    """A function of the library by its name."""
-    if not whole:
-        return getattr(library, name)
+def function(name, names, *whole):
+    """A function of the library by its name, and those of its arguments; and of which of them are whole numbers."""
     found = _Function((name, library))
-    found.whole = whole
+    found.names, found.whole = names.split(), whole
     return found

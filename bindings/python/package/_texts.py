@@ -96,11 +96,16 @@ def string_of(write):
     return text.value.decode()
 
 
-def handle_of(given, kind, what):
-    """Its handle; TypeError for what is none of the kind, whose handle the library would take for one."""
+def checked_kind(given, kind, what):
+    """What is given; TypeError if it is none of the kind."""
     if not isinstance(given, kind):
         raise TypeError(f"{what}: a {kind.__name__}, not {type(given).__name__}")
-    return given._handle
+    return given
+
+
+def handle_of(given, kind, what):
+    """Its handle; TypeError for what is none of the kind, whose handle the library would take for one."""
+    return checked_kind(given, kind, what)._handle
 
 
 def checked_text(text, what):

@@ -22,7 +22,7 @@ from . import _library as library
 from ._errors import Error, in_words
 from ._method import bind
 from ._methods import CellGridMethods, RegionMethods
-from ._texts import Specified, checked_text, created, number_of, struct, words_of
+from ._texts import Specified, checked_text, created, handle_of, number_of, struct, words_of
 from .earth import Grid, grid_of
 from .mapping import RECOMMENDED, checked_threads
 
@@ -108,7 +108,7 @@ class CellGrid(CellGridMethods, Specified):
         inner   only those that are wholly in it
         """
         options = struct(library.cm_cover_options, level_min=level_min, level_max=level_max, cells_most=most, kind=int(bool(inner)))
-        return _as_many(library.cm_cover, self._handle, region._handle, ctypes.byref(options))
+        return _as_many(library.cm_cover, self._handle, handle_of(region, Region, "region"), ctypes.byref(options))
 
 
 def _as_many(function, *arguments):

@@ -22,7 +22,7 @@ from . import _library as library
 from ._masked_pictures import filled, is_masked
 from ._method import name_results
 from ._methods import DepthPyramidMethods
-from ._texts import Specified, checked_text, created, number_of, struct
+from ._texts import Specified, checked_text, created, handle_of, number_of, struct
 from .camera import DEPTH_KINDS, Camera
 from .images import images_in
 from .mapping import checked_threads
@@ -127,7 +127,7 @@ class Rays(Specified):
 
     def __init__(self, camera: Camera, *, instructions: str | None = None, threads: int = 1) -> None:
         text = None if instructions is None else checked_text(instructions, "instructions")
-        self._handle = created(library.cm_rays_create, "cm_rays_destroy", camera._handle, text)
+        self._handle = created(library.cm_rays_create, "cm_rays_destroy", handle_of(camera, Camera, "camera"), text)
         self._given = (camera, instructions)
         self._threads = checked_threads(threads)
 

@@ -20,7 +20,10 @@ What differs:
                 healpy computes with what is under the mask. An order that is none is refused
   query_disc    inclusive=True gives all pixels that the disc overlaps, and a few more: not the same few
   reorder       of bunches of memory nothing is said: a map is done at once. Masked arrays keep their mask
-  left out      what reads and writes files, draws or transforms, query_polygon, query_strip, interpolation
+  many turns    longitudes of millions of turns are taken to all their digits; healpy's turn is rounded
+  left out      query_polygon, query_strip, get_interp_val, get_interp_weights; pix2xyf, xyf2pix, pix2ring, ringinfo, dir2vec,
+                vec2dir, check_max_nside; masks: ma, mask_bad, mask_good, maptype, dist2holes, hotspots; fit_dipole, fit_monopole,
+                remove_dipole, remove_monopole; Rotator; what reads and writes files, draws, smooths or transforms into harmonics
 
 >>> from cubemap import healpy as hp
 >>> pixel = hp.ang2pix(1024, 0.3, 0.4)
@@ -183,7 +186,10 @@ def ang2vec(theta: ArrayLike, phi: ArrayLike, lonlat: bool = False) -> np.ndarra
         return vectors
     if type(theta) is float and type(phi) is float and 0.0 <= theta <= _PI and -_MOST <= phi <= _MOST:  # a single point
         return _core.angles_to_vector(theta, phi)
-    theta, phi = np.broadcast_arrays(np.asarray(theta, np.float64), np.asarray(phi, np.float64))
+    theta, phi = (np.asarray(one) for one in (theta, phi))
+    if theta.dtype.kind in "SUc" or phi.dtype.kind in "SUc":  # NumPy would read texts
+        raise TypeError("angles are real numbers")
+    theta, phi = np.broadcast_arrays(theta.astype(np.float64, copy=False), phi.astype(np.float64, copy=False))
     if not ((theta >= 0) & (theta <= np.pi + 1e-5)).all():
         raise ValueError("THETA is out of range [0,pi]")
     if not np.isfinite(phi).all():
@@ -422,6 +428,8 @@ def query_disc(nside: int, vec: ArrayLike, radius: float, inclusive: bool = Fals
     ring = (_handles.get((nside, False)) if type(nside) is int else None) or _bind(_handles, "_handle", nside, False)
     pixels = _core.pixel_disc(ring, vec, radius, fact if inclusive else 0, nest)
     if buff is not None:
+        if not isinstance(buff, np.ndarray) or buff.dtype != np.int64:  # others would cut numbers of pixels
+            raise ValueError("buff is an array of int64")
         buff[:pixels.size] = pixels
         return buff[:pixels.size]
     return pixels

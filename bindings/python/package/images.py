@@ -25,7 +25,7 @@ from . import _library as library
 from ._errors import Error, in_words
 from ._masked_pictures import as_nan, filled, is_masked, levelled, unmasked, with_mask
 from ._methods import SurfaceMethods
-from ._texts import Specified, checked_text, created, decoded, number_of, struct, words_of
+from ._texts import Specified, checked_kind, checked_text, created, decoded, handle_of, number_of, struct, words_of
 from .earth import Rotation
 from .mapping import Mapping, checked_threads
 from .pixels import ORDERS
@@ -176,7 +176,7 @@ def surface_presets() -> tuple[SurfacePreset, ...]:
 
 def images_of(pictures, surface, writes=False):
     """Structs of the library for an array of a surface's pictures, the channels, and the array that they point into."""
-    return images_in(surface.shape, pictures, writes)
+    return images_in(checked_kind(surface, Surface, "surface").shape, pictures, writes)
 
 
 def images_in(shape, pictures, writes=False):
@@ -352,6 +352,8 @@ def surface_of(pictures: ArrayLike, specification: str) -> Surface:
     shape = np.shape(pictures)
     if len(shape) == 4 or (len(shape) == 3 and shape[0] == 6 and shape[1] == shape[2]):
         return Surface(specification, shape[2], shape[1])
+    if len(shape) < 2:
+        raise ValueError(f"pictures: of rows and columns, not {shape}")
     return Surface(specification, shape[1], shape[0])
 
 
@@ -435,6 +437,8 @@ class Panorama(NamedTuple):
     @classmethod
     def read(cls, text: str | bytes) -> Panorama:
         """From a text that has the fields somewhere, as XMP has."""
+        if isinstance(text, int):
+            raise TypeError("text: a text or bytes, not a number")
         data = text.encode() if isinstance(text, str) else bytes(text)
         made = struct(library.cm_panorama)
         library.cm_panorama_read(data, len(data), ctypes.byref(made))
@@ -461,5 +465,5 @@ class Panorama(NamedTuple):
     def of_surface(cls, surface: Surface) -> Panorama:
         """The fields of a surface of kind equirect."""
         made = struct(library.cm_panorama)
-        library.cm_panorama_of_surface(surface._handle, ctypes.byref(made))
+        library.cm_panorama_of_surface(handle_of(surface, Surface, "surface"), ctypes.byref(made))
         return cls(*(getattr(made, name) for name in cls._fields))

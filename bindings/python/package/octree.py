@@ -21,7 +21,7 @@ from . import _library as library
 from ._errors import Error
 from ._method import name_results
 from ._methods import OctreeMethods
-from ._texts import checked_text, created, handle_of, number_of, struct
+from ._texts import checked_kind, checked_text, created, handle_of, number_of, struct
 from .camera import DEPTH_KINDS, Camera
 from .images import PIXEL_TYPES, images_in
 from .mapping import checked_threads, pool_of
@@ -251,7 +251,7 @@ class Octree(OctreeMethods):
 
     def save(self, store: Store, user_data: bytes = b"") -> None:
         """Put what changed into a store and commit; user_data are kept with it, 65536 bytes at most."""
-        store._call(lambda handle: library.cm_octree_save(self._handle, handle, user_data or None, len(user_data)))
+        checked_kind(store, Store, "store")._call(lambda handle: library.cm_octree_save(self._handle, handle, user_data or None, len(user_data)))
 
     @classmethod
     def load(cls, store: Store, *, memory: int = 0, pages: bool = False, instructions: str | None = None,
@@ -259,8 +259,8 @@ class Octree(OctreeMethods):
         """The map that a store keeps; pages: the store is its pages, and only what is needed is loaded."""
         options = struct(library.cm_octree_options, **_paging(memory, store if pages else None, instructions))
         made = object.__new__(cls)
-        store._call(lambda handle: made._begin(library.cm_octree_load, (handle, ctypes.byref(options)),
-                                               store if pages else None, threads))
+        checked_kind(store, Store, "store")._call(
+            lambda handle: made._begin(library.cm_octree_load, (handle, ctypes.byref(options)), store if pages else None, threads))
         return made
 
     @property
@@ -327,7 +327,7 @@ def _pointer(values, name):
 
 def _view(camera, pose, **pictures):
     """A view of the library with these pictures, and what must live as long."""
-    view = struct(library.cm_view, camera=handle_of(camera, Camera, "camera").address, pose=pose._struct())
+    view = struct(library.cm_view, camera=handle_of(camera, Camera, "camera").address, pose=checked_kind(pose, Pose, "pose")._struct())
     kept = [camera]
     for name, picture in pictures.items():
         if picture is not None:

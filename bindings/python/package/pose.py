@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from . import _library as library
 from . import _methods
 from ._errors import check
-from ._texts import Specified
+from ._texts import Specified, checked_kind
 from .earth import Rotation
 
 
@@ -177,11 +177,11 @@ class Pose(Specified):
 
     def between(self, to: Pose) -> Pose:
         """The other pose in the axes of this one: the motion from one view to the next."""
-        return Pose._make(_methods.pose_between(*self._parts, *to._parts))
+        return Pose._make(_methods.pose_between(*self._parts, *checked_kind(to, Pose, "to")._parts))
 
     def interpolate(self, to: Pose, t: ArrayLike) -> Pose:
         """Along the screw from this pose, t = 0, to another, t = 1; t may be an array."""
-        return Pose._make(_methods.pose_interpolate(*self._parts, *to._parts, t))
+        return Pose._make(_methods.pose_interpolate(*self._parts, *checked_kind(to, Pose, "to")._parts, t))
 
     def adjoint(self) -> np.ndarray:
         """(..., 6, 6): small twists in the camera's axes as twists in the world's."""
@@ -198,7 +198,7 @@ def _pose_of(rotation, position):
 
 def pose_pointer(pose: Pose | None) -> Any:
     """One pose for the library; None stays None."""
-    return None if pose is None else ctypes.byref(pose._struct())
+    return None if pose is None else ctypes.byref(checked_kind(pose, Pose, "pose")._struct())
 
 
 class Alignment(NamedTuple):

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from . import _library as library
 from ._errors import Error
-from ._texts import created, struct
+from ._texts import checked_kind, created, struct
 from .camera import whole_number
 
 KEY_BYTES_MOST = 255
@@ -65,7 +65,7 @@ class Store(MutableMapping):
 
     def put_blob(self, key: bytes, blob: Blob) -> None:
         """Put a blob in the place of what the key has."""
-        data = _bytes(blob.data, "data")
+        data = _bytes(checked_kind(blob, Blob, "blob").data, "data")
         given = struct(library.cm_blob, kind=whole_number(blob.kind, "kind"),
                        version=whole_number(blob.version, "version"), count=len(data),
                        data=ctypes.cast(ctypes.c_char_p(data), ctypes.c_void_p))

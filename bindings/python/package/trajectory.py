@@ -22,7 +22,7 @@ from . import _library as library
 from ._errors import Error
 from ._method import bind, name_results
 from ._methods import MotionMethods, TrajectoryMethods
-from ._texts import Specified, created, struct
+from ._texts import Specified, checked_kind, created, handle_of, struct
 from .pose import Pose
 
 NO_INDEX = -1
@@ -96,6 +96,7 @@ class Trajectory(TrajectoryMethods, Specified):
 
     def __init__(self, stamps: ArrayLike, poses: Pose) -> None:
         stamps = np.ascontiguousarray(stamps, np.float64)
+        checked_kind(poses, Pose, "poses")
         if stamps.ndim != 1 or poses.shape != stamps.shape:
             raise ValueError(f"stamps, poses: (n,) both, not {stamps.shape} and {poses.shape}")
         packed = np.concatenate((poses.rotation.reshape(-1, 9), poses.position), axis=1)
@@ -148,10 +149,11 @@ class Trajectory(TrajectoryMethods, Specified):
     def associate(self, other: Trajectory, apart: float = 0.02) -> tuple[np.ndarray, np.ndarray]:
         """Pairs of stamps, the closest first taken, at most so many seconds apart: indices of both, in this one's
         order."""
+        handle = handle_of(other, Trajectory, "other")
         room = min(len(self), len(other))
         mine, others = np.empty((2, room), np.uintp)
         count = ctypes.c_size_t()
-        library.cm_trajectory_associate(self._handle, other._handle, apart, room, mine.ctypes.data, others.ctypes.data,
+        library.cm_trajectory_associate(self._handle, handle, apart, room, mine.ctypes.data, others.ctypes.data,
                                         ctypes.byref(count))
         return mine[:count.value].astype(np.int64), others[:count.value].astype(np.int64)
 
@@ -159,7 +161,7 @@ class Trajectory(TrajectoryMethods, Specified):
         """ATE and RPE of an estimate, where this is the truth; apart and interval are seconds, 0 for these."""
         options = struct(library.cm_evaluation_options, apart=apart, interval=interval)
         found = struct(library.cm_evaluation)
-        library.cm_trajectory_evaluate(self._handle, estimate._handle, ctypes.byref(options), ctypes.byref(found))
+        library.cm_trajectory_evaluate(self._handle, handle_of(estimate, Trajectory, "estimate"), ctypes.byref(options), ctypes.byref(found))
         values = {name: getattr(found, name) for name in Evaluation._fields}
         return Evaluation(**{**values, "alignment": Pose._read(found.alignment),
                              "is_determined": bool(found.is_determined)})
@@ -180,7 +182,7 @@ class Motion(MotionMethods, Specified):
     """
 
     def __init__(self, trajectory: Trajectory) -> None:
-        self._handle = created(library.cm_motion_create, "cm_motion_destroy", trajectory._handle)
+        self._handle = created(library.cm_motion_create, "cm_motion_destroy", handle_of(trajectory, Trajectory, "trajectory"))
         self._trajectory = trajectory
         self._threads = 1
 

@@ -19,7 +19,7 @@ from . import _library as library
 from ._errors import Error
 from ._method import name_results
 from ._methods import SceneMethods
-from ._texts import Specified, checked_text, created, handle_of, struct, words_of
+from ._texts import Specified, checked_kind, checked_text, created, handle_of, struct, words_of
 from .camera import Camera
 from .mapping import checked_threads
 from .pose import Pose
@@ -229,7 +229,7 @@ class Scene(SceneMethods, Specified):
     _is_remade = False
 
     def __init__(self, primitives: list | tuple = (), *, threads: int = 1) -> None:
-        given = [one._struct() for one in primitives]
+        given = [checked_kind(one, Primitive, "primitives")._struct() for one in primitives]
         parts = tuple(one._parts for one in primitives)
         self._handle = created(library.cm_scene_create, "cm_scene_destroy",
                                keep=tuple(part._handle for own in parts for part in own if part is not None))
@@ -263,6 +263,6 @@ class Scene(SceneMethods, Specified):
 
     def render(self, camera: Camera, pose: Pose = Pose()) -> Hit:
         """What all pixels of a camera see, as Hit of its shape: distance is depth, of omnidirectional cameras range."""
-        rays = np.stack(camera.ray(*camera.pixels()), axis=-1)
-        directions = Pose(pose.rotation).apply_back(rays)
+        rays = np.stack(checked_kind(camera, Camera, "camera").ray(*camera.pixels()), axis=-1)
+        directions = Pose(checked_kind(pose, Pose, "pose").rotation).apply_back(rays)
         return self.cast(*pose.position, *np.moveaxis(directions, -1, 0))

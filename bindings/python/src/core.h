@@ -131,6 +131,10 @@ struct core_handle
 /* 0, or -1 with the package's own exception. */
 int core_check(cm_status status);
 
+/* A new reference to an array of double in a row: the object itself if it is one, which NumPy takes longer to find out. Texts
+ * and complex numbers, which NumPy would read and cut, are refused. */
+PyObject *core_doubles(PyObject *object);
+
 /* Of the module: pixels (pixel.c), and angles (vector_angle.c). */
 extern PyMethodDef core_methods[];
 PyObject *core_angles_to_vector(PyObject *module, PyObject *const *args, Py_ssize_t count);

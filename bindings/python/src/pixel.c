@@ -167,8 +167,7 @@ static PyObject *boundaries(PyObject *module, PyObject *const *args, Py_ssize_t 
 /* Three numbers as a unit vector; 0 with an exception. */
 static int read_vector(PyObject *object, double unit[3])
 {
-    PyObject *array =
-        PyArray_FROMANY(object, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST);
+    PyObject *array = core_doubles(object);
     if (!array)
     {
         return 0;

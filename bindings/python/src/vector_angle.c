@@ -26,15 +26,25 @@ static double *data_of(PyObject *array)
     return PyArray_DATA((PyArrayObject *)array);
 }
 
-/* A new reference to an array of double in a row: the object itself if it is one, which NumPy takes longer to find out. */
-static PyObject *doubles_of(PyObject *object)
+PyObject *core_doubles(PyObject *object)
 {
     if (PyArray_CheckExact(object) && PyArray_TYPE((PyArrayObject *)object) == NPY_DOUBLE &&
         PyArray_ISCARRAY_RO((PyArrayObject *)object))
     {
         return Py_NewRef(object);
     }
-    return PyArray_FROMANY(object, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST);
+    PyObject *found = PyArray_FROM_O(object);
+    if (found &&
+        (PyArray_ISSTRING((PyArrayObject *)found) || PyArray_ISCOMPLEX((PyArrayObject *)found)))
+    {
+        PyErr_SetString(PyExc_TypeError, "vectors are of real numbers");
+        Py_CLEAR(found);
+    }
+    PyObject *doubles =
+        found ? PyArray_FROMANY(found, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST)
+              : NULL;
+    Py_XDECREF(found);
+    return doubles;
 }
 
 /* Two arguments that are real numbers; 0 with an exception. */
@@ -99,7 +109,7 @@ PyObject *core_angles_to_vectors(PyObject *module, PyObject *const *args, Py_ssi
     PyObject *vectors = NULL;
     for (int k = 0; k < 2 && count == 2; k++)
     {
-        angles[k] = (PyArrayObject *)doubles_of(args[k]);
+        angles[k] = (PyArrayObject *)core_doubles(args[k]);
         if (!angles[k])
         {
             break;
@@ -215,7 +225,7 @@ PyObject *core_vectors_to_angles(PyObject *module, PyObject *const *args, Py_ssi
         return NULL;
     }
     const int lonlat = PyObject_IsTrue(args[1]);
-    PyObject *vectors = lonlat < 0 ? NULL : doubles_of(args[0]);
+    PyObject *vectors = lonlat < 0 ? NULL : core_doubles(args[0]);
     PyObject *pair = vectors ? angles_of((PyArrayObject *)vectors, lonlat) : NULL;
     Py_XDECREF(vectors);
     return pair;

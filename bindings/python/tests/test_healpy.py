@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """cubemap.healpy beside healpy: 10^6 points each."""
 
+import re
+
 import cubemap
 import numpy as np
 import pytest
@@ -294,6 +296,33 @@ def test_discs_of_half_a_turn_have_all():
         for pixel in range(12 * nside**2):
             around = -np.array(healpy.pix2vec(nside, pixel))
             assert healpy.query_disc(nside, around, np.pi).size == 12 * nside**2
+
+
+def test_what_is_left_out_is_named():
+    """All of healpy's functions of pixels and masks that are not here; those that draw, read and write, and of harmonics need no name."""
+    of_pixels = {f"healpy.{name}" for name in ("pixelfunc", "rotator", "_query_disc", "_pixelfunc", "_masktools", "_hotspots")}
+    lacking = {name for name in dir(reference) if getattr(getattr(reference, name), "__module__", "") in of_pixels and not hasattr(healpy, name)}
+    assert "get_interp_val" in lacking and "query_strip" in lacking
+    assert lacking <= set(re.findall(r"\w+", healpy.__doc__)), lacking
+
+
+def test_many_turns():
+    """Beside cosines and sines that know pi to all digits, as NumPy's."""
+    lon = 1e12 * np.linspace(-1, 1, 1000)
+    exact = healpy.vec2pix(256, np.cos(lon), np.sin(lon), np.full(1000, 0.1))
+    assert np.array_equal(healpy.ang2pix(256, np.full(1000, np.arctan2(1, 0.1)), lon), exact)
+    assert not np.array_equal(reference.ang2pix(256, np.full(1000, np.arctan2(1, 0.1)), lon), exact)
+
+
+def test_texts_and_short_integers_are_refused():
+    for what in (lambda: healpy.vec2ang(["1", "2", "3"]), lambda: healpy.vec2ang(np.array([1j, 2, 3])),
+                 lambda: healpy.query_disc(8, ["1", "0", "0"], 0.1), lambda: healpy.ang2vec("1", "2"), lambda: healpy.ang2vec(0.1, ["2"])):
+        with pytest.raises(TypeError, match="real numbers"):
+            what()
+    with pytest.raises(ValueError, match="int64"):
+        healpy.query_disc(64, (1, 0, 0), 0.2, buff=np.empty(3000, np.int16))
+    buff = np.empty(3000, np.int64)
+    assert np.array_equal(healpy.query_disc(64, (1, 0, 0), 0.2, buff=buff), healpy.query_disc(64, (1, 0, 0), 0.2))
 
 
 def test_arguments_of_discs():

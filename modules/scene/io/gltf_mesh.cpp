@@ -36,8 +36,23 @@ std::string as_it_is(const std::string &path, void *)
 struct MainFile
 {
     std::string path;
-    std::string bytes; // once it is read
+    std::string bytes;           // once it is read
+    std::vector<double> lengths; // that it wants of the files beside it
+    std::size_t asked = 0;       // for so many of them
 };
+
+// glTF 2.0, 3.6.1.1: files may be longer than their buffers; the library wants them to be as long, and reads buffers in order,
+// before pictures.
+std::size_t wanted_of(MainFile &main_file, std::size_t size)
+{
+    if (main_file.asked == main_file.lengths.size())
+    {
+        return size;
+    }
+    const double length = main_file.lengths[main_file.asked++];
+    return length >= 1 && length < static_cast<double>(size) ? static_cast<std::size_t>(length)
+                                                             : size;
+}
 
 bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::string &path,
                 void *user)
@@ -72,6 +87,11 @@ bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::
     {
         main_file.bytes.assign(out->begin(), out->end());
         check_gltf_chunks(main_file.bytes);
+        main_file.lengths = lengths_of_gltf_files(main_file.bytes);
+    }
+    else
+    {
+        out->resize(wanted_of(main_file, out->size()));
     }
     return static_cast<bool>(file);
 }
@@ -380,7 +400,7 @@ FlatMesh read_gltf(const std::string &path)
     tinygltf::Model model;
     std::string error;
     std::string warning;
-    MainFile main_file = {path, ""};
+    MainFile main_file = {path, "", {}};
     loader.SetFsCallbacks({is_there, as_it_is, read_whole, nullptr, &main_file});
     loader.SetImageLoader(no_picture, nullptr);
     const bool is_binary = path.size() > 4 && (path.compare(path.size() - 4, 4, ".glb") == 0 ||

@@ -309,3 +309,22 @@ GltfNeeds needs_of_gltf(std::string_view bytes)
     }
     return needs;
 }
+
+std::vector<double> lengths_of_gltf_files(std::string_view bytes)
+{
+    std::vector<double> lengths;
+    JsonFault fault;
+    const JsonPointer root = parse_json_object(text_of(bytes), fault);
+    const cJSON *buffer = nullptr;
+    cJSON_ArrayForEach(buffer, cJSON_GetObjectItemCaseSensitive(root.get(), "buffers"))
+    {
+        const cJSON *const name = cJSON_GetObjectItemCaseSensitive(buffer, "uri");
+        const std::string_view uri = cJSON_IsString(name) ? name->valuestring : "";
+        if (!uri.empty() && uri.substr(0, 5) != "data:")
+        {
+            const cJSON *const length = cJSON_GetObjectItemCaseSensitive(buffer, "byteLength");
+            lengths.push_back(cJSON_IsNumber(length) ? length->valuedouble : -1.0);
+        }
+    }
+    return lengths;
+}

@@ -30,4 +30,7 @@ struct GltfNeeds
 // As the text of a file has it, all of whose bytes are given; nothing, where it is no JSON.
 GltfNeeds needs_of_gltf(std::string_view bytes);
 
+// How many bytes it wants of each buffer that is a file of its own, in order; as many as there are where that is no number.
+std::vector<double> lengths_of_gltf_files(std::string_view bytes);
+
 #endif

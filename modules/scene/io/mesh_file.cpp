@@ -170,7 +170,7 @@ private:
 class Listener
 {
 public:
-    Listener(int descriptor, std::uint64_t most, unsigned seconds)
+    Listener(int descriptor, std::uint64_t most, std::uint64_t seconds)
         : from(descriptor), room(most), end(Clock::now() + std::chrono::seconds(seconds))
     {
     }
@@ -202,14 +202,21 @@ public:
     }
 
 private:
+    // Piece by piece: signals interrupt it, and milliseconds of 32 bits end after 24 days.
     void wait() const
     {
+        constexpr long long piece = 60000;
         pollfd waiting = {from, POLLIN, 0};
-        const auto left =
-            std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-        if (left <= 0 || poll(&waiting, 1, static_cast<int>(left)) == 0)
+        int ready = 0;
+        while (ready == 0 || (ready < 0 && errno == EINTR))
         {
-            throw MeshRefusal(CM_ERROR_DATA, "takes longer than a mesh may");
+            const long long left =
+                std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+            if (left <= 0)
+            {
+                throw MeshRefusal(CM_ERROR_DATA, "takes longer than a mesh may");
+            }
+            ready = poll(&waiting, 1, static_cast<int>(std::min(left, piece)));
         }
     }
 
@@ -405,7 +412,7 @@ cm_mesh *read_mesh(const char *path, const cm_mesh_limits &limits)
     const unsigned seconds = limits.seconds == 0 ? standard_seconds : limits.seconds;
     std::vector<char> said;
     Child child(reader, path, memory, seconds);
-    Listener(child.descriptor(), memory, 2 * seconds).listen(said);
+    Listener(child.descriptor(), memory, std::uint64_t{2} * seconds).listen(said);
     check_end(child.wait());
     return mesh_of(said);
 }

@@ -34,7 +34,7 @@ struct PlyColumns
     std::vector<int> place; // of a property: which of the wanted, or -1
     bool normals = false;
     bool colors = false;
-    double color_scale = 1.0;
+    double scale[wanted_columns] = {}; // of a colour, to 255
 };
 
 PlyColumns columns_of(const PlySource &source, const PlyElement &element)
@@ -53,9 +53,9 @@ PlyColumns columns_of(const PlySource &source, const PlyElement &element)
         {
             source.fail("vertices have " + property.name + " twice");
         }
-        if (place >= 6)
+        if (place >= 0)
         {
-            columns.color_scale = is_real(property.type) ? 255.0 : 1.0;
+            columns.scale[place] = is_real(property.type) ? 255.0 : 1.0;
         }
     }
     if (found[0] + found[1] + found[2] != 3)
@@ -95,7 +95,7 @@ void take_points(PlySource &source, const PlyElement &element, PlyArrays &arrays
         }
         for (std::size_t k = 6; k < 9 && columns.colors; ++k)
         {
-            const double value = row[k] * columns.color_scale;
+            const double value = row[k] * columns.scale[k];
             if (!(value >= 0.0 && value <= 255.0))
             {
                 source.fail("a colour is not from 0 to 255, or from 0 to 1");
@@ -192,20 +192,39 @@ template <typename Value> Value *array_of(const std::vector<Value> &values)
     return copy;
 }
 
-void parse_ply(const std::string &name, std::string_view bytes, cm_ply *ply)
+// Of the one element "vertex", which may stand behind the faces. Two would not have the same columns.
+std::uint64_t count_points(const PlySource &source)
 {
-    PlySource source(name, bytes);
-    PlyArrays arrays;
     std::uint64_t points = 0;
+    std::size_t found = 0;
     for (const PlyElement &element : source.elements())
     {
         if (element.name == "vertex")
         {
-            if (element.count > UINT32_MAX)
-            {
-                source.fail("it has more points than can be counted with 32 bits");
-            }
-            points += element.count;
+            points = element.count;
+            ++found;
+        }
+    }
+    if (found > 1)
+    {
+        source.fail("the head has the element vertex twice");
+    }
+    if (points > UINT32_MAX)
+    {
+        source.fail("it has more points than can be counted with 32 bits");
+    }
+    return points;
+}
+
+void parse_ply(const std::string &name, std::string_view bytes, cm_ply *ply)
+{
+    PlySource source(name, bytes);
+    PlyArrays arrays;
+    const std::uint64_t points = count_points(source);
+    for (const PlyElement &element : source.elements())
+    {
+        if (element.name == "vertex")
+        {
             take_points(source, element, arrays);
         }
         else if (element.name == "face")

@@ -26,7 +26,7 @@ def planes(points, name):
     points = np.asarray(points, np.float32)
     if points.shape[-1:] != (3,):
         raise ValueError(f"{name}: (..., 3), not {points.shape}")
-    return np.ascontiguousarray(np.moveaxis(points, -1, 0))
+    return np.require(np.moveaxis(points, -1, 0).reshape(3, *(points.shape[:-1] or (1,))), requirements="C")
 
 
 def set_planes(members, planes):

@@ -118,9 +118,7 @@ def depth_error_bad(depth: ArrayLike, truth: ArrayLike, limit: ArrayLike) -> np.
 def depth_error_temporal(depth: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Mean and standard deviation over frames, (frames, ...), of what each pixel has measured."""
     depth = np.ascontiguousarray(depth, np.float32)
-    if depth.ndim < 1:
-        raise ValueError("depth: (frames, ...)")
-    mean, deviation = np.empty((2, *depth.shape[1:]), np.float32)
+    mean, deviation = (np.empty(depth.shape[1:], np.float32) for _ in range(2))
     library.cm_depth_error_temporal(len(depth), mean.size, depth.ctypes.data, mean.ctypes.data, deviation.ctypes.data)
     return mean, deviation
 

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from .. import _library as library
 from .. import _methods
-from .._texts import handle_of, number_of, struct
+from .._texts import checked_kind, handle_of, number_of, struct
 from ..mapping import pool_of
 from ..pose import Pose, pose_pointer
 from ..world import Scene
@@ -75,7 +75,7 @@ def texel_linearise(near: float, far: float, z_buffer: ArrayLike) -> np.ndarray:
 
 def texel_complete(options: TexelOptions) -> TexelOptions:
     """The options with numbers in the place of zeros."""
-    made = options._struct()
+    made = checked_kind(options, TexelOptions, "options")._struct()
     library.cm_texel_complete(ctypes.byref(made))
     found = TexelOptions(*(getattr(made, name) for name in TexelOptions._fields))
     return found._replace(spacing=SPACINGS[found.spacing])
@@ -122,6 +122,7 @@ def texel_points(options: TexelOptions, depth: ArrayLike) -> TexelImage:
 def texel_matrix(base: Pose, scan: Pose, unit: float = 1.0) -> np.ndarray:
     """The matrices (..., 4, 4) that take points of a scan's camera to the axes of the base scan's; metres per unit of
     the world."""
+    base, scan = checked_kind(base, Pose, "base"), checked_kind(scan, Pose, "scan")
     return _methods.texel_matrix(base.rotation, base.position, scan.rotation, scan.position, unit)
 
 

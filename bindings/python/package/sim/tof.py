@@ -342,6 +342,7 @@ class TofScene(Specified):
     def find_truth(self, camera: Camera, trajectory: Trajectory | Pose | None = None, time: float = 0.0, *,
                    next: float | None = None, before: float | None = None) -> Truth:
         """What is truly there at a time, and its flow to the times next and before."""
+        handle = handle_of(camera, Camera, "camera")
         shape, path = camera.shape, _path(trajectory)
         truth, made = struct(library.cm_tof_truth), {}
         flows = (("flow_next", next), ("flow_before", before))
@@ -352,7 +353,7 @@ class TofScene(Specified):
         for name in ("object", "shape", "triangle", "depth", "range"):
             made[name] = np.empty(shape, np.float32 if name in ("depth", "range") else np.uint32)
             setattr(truth, name, made[name].ctypes.data)
-        library.cm_tof_find_truth(self._handle, camera._handle, _handle(path), time, time if next is None else next,
+        library.cm_tof_find_truth(self._handle, handle, _handle(path), time, time if next is None else next,
                                   time if before is None else before, self._pool, ctypes.byref(truth))
         return Truth(*(None if name not in made else np.moveaxis(made[name], 0, -1) if made[name].ndim == 3
                        else made[name] for name in Truth._fields))
