@@ -6,7 +6,8 @@
  *               they are
  *   pixels      column and row of a pixel's centre are i + pixel_centre: 0 as OpenCV and TUM have it, 0.5 as pictures of
  *               this library
- *   faces       the six faces of a cube lie one under another: width N, height 6 N
+ *   faces       the six faces of a cube lie one under another: width N, height 6 N. What falls on a face's last edge is told to be
+ *               just before it, by 2^-48 of the face, since the next face begins there
  *   distortion  OpenCV's model in full; its inverse is solved, not approximated
  *   valid field the rays up to the first fold: in each direction from the axis on, as long as the determinant of the
  *               distortion's Jacobian is positive (and its denominator, and the scale of a tilted sensor). What is beyond

@@ -33,11 +33,19 @@ cm_status cm_camera_take_mapping(cm_camera *camera, const cm_mapping *mapping)
     return status;
 }
 
+/* Behind a face's last pixel the next face begins: a place at that edge is told to be just before it, by more than its row is
+ * rounded. NaN stays. */
+static inline double before_edge(double place, double last)
+{
+    return place > last ? last : place;
+}
+
 void cm_camera_project_faces(const cm_camera *camera, size_t n, const double *x, const double *y,
                              const double *z, double *column, double *row)
 {
     const double half = camera->half;
     const double down = -half * camera->first_v;
+    const double last = 2.0 * half * (1.0 - 0x1p-48);
     for (size_t done = 0; done < n; done += BLOCK)
     {
         uint8_t face[BLOCK];
@@ -47,8 +55,9 @@ void cm_camera_project_faces(const cm_camera *camera, size_t n, const double *x,
         cm_forward_array(camera->options.mapping, count, x + done, y + done, z + done, face, u, v);
         for (size_t i = 0; i < count; i++)
         {
-            column[done + i] = half + half * u[i] - camera->shift;
-            row[done + i] = 2.0 * half * face[i] + (half + down * v[i]) - camera->shift;
+            column[done + i] = before_edge(half + half * u[i], last) - camera->shift;
+            row[done + i] =
+                2.0 * half * face[i] + before_edge(half + down * v[i], last) - camera->shift;
         }
     }
 }

@@ -422,6 +422,60 @@ START_TEST(faces_lie_as_in_pictures)
 }
 END_TEST
 
+static void check_edges(const cm_mapping *mapping, uint32_t width, double centre)
+{
+    const cm_camera_options options = {.size = sizeof options,
+                                       .width = width,
+                                       .height = 6 * width,
+                                       .pixel_centre = centre,
+                                       .mapping = mapping};
+    const char *name = cm_mapping_describe(mapping)->identifier;
+    cm_camera *camera = NULL;
+    ck_assert_int_eq(cm_camera_create(&options, &camera), CM_OK);
+    for (int i = 0; i < 6 * 3 * 9; i++) /* along the edges of all faces, corners too */
+    {
+        const int axis = i / 9 % 3, along = (axis + 1) % 3, other = (axis + 2) % 3;
+        double d[3], column, row, ray[3], uv[2];
+        d[axis] = i / 27 % 2 ? 1.0 : -1.0;
+        d[along] = i / 54 % 2 ? 1.0 : -1.0;
+        d[other] = (i % 9 - 4) / 4.0 * (i / 108 ? 0.9 : 1.0);
+        const uint8_t face = cm_forward(mapping, d, uv);
+        cm_camera_project_array(camera, 1, &d[0], &d[1], &d[2], &column, &row);
+        const double in_column = floor(column - centre + 0.5), in_row = floor(row - centre + 0.5);
+        REQUIRE(in_column >= 0.0 && in_column < width, "%s: column %.17g", name, column);
+        REQUIRE(in_row >= (double)face * width && in_row < (face + 1.0) * width,
+                "%s: face %d, row %.17g of %u", name, face, row, width);
+        cm_camera_ray_array(camera, 1, &column, &row, &ray[0], &ray[1], &ray[2]);
+        const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        for (int k = 0; k < 3; k++)
+        {
+            REQUIRE(fabs(ray[k] - d[k] / length) < 1e-6, "%s: %d", name, i);
+        }
+    }
+    cm_camera_destroy(camera);
+}
+
+/* Otherwise what is seen at a face's last edge would be the next face's, or beside the picture. */
+START_TEST(edges_belong_to_their_face)
+{
+    static const char *const names[] = {"gnomonic", "tangent", "coupled", "qsc", "cobe", "healpix"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+    {
+        for (size_t f = 0; f < cm_frame_count(); f++)
+        {
+            cm_mapping *mapping = make_mapping(names[i], cm_frame_at(f));
+            for (int k = 0; k < 5; k++)
+            {
+                const uint32_t widths[] = {1, 7, 64, 100, 4096};
+                check_edges(mapping, widths[k], 0.25 * (k + (int)f) - floor(0.25 * (k + (int)f)));
+                check_edges(mapping, widths[k], 0.5);
+            }
+            cm_mapping_destroy(mapping);
+        }
+    }
+}
+END_TEST
+
 /* Parameters, parts and frame of a mapping are in its copy. */
 START_TEST(copies_are_the_same_mapping)
 {
@@ -487,6 +541,7 @@ int main(void)
                                   instruction_sets_agree,
                                   every_mapping_is_a_camera,
                                   faces_lie_as_in_pictures,
+                                  edges_belong_to_their_face,
                                   copies_are_the_same_mapping,
                                   derivatives_of_mappings_are_slopes,
                                   NULL};
