@@ -281,6 +281,47 @@ static void add_pixel(run_writer *writer, size_t cell, uint32_t pixel, int begin
     writer->end[cell] = pixel + 1;
 }
 
+/* A pixel, and those beside one at a border whose centres have no ray: parts of them may have some, up to where a lens folds. */
+typedef struct pixel_group
+{
+    size_t count;
+    uint32_t pixel[9];
+} pixel_group;
+
+static pixel_group group_of(const pixel_reaches *reaches, size_t pixel)
+{
+    const cm_pixel_tree *tree = reaches->tree;
+    pixel_group group = {1, {(uint32_t)pixel}};
+    if (!(reaches->sine[pixel] < 0.0f))
+    {
+        return group;
+    }
+    const int64_t column = (int64_t)(pixel % tree->width),
+                  in_face = (int64_t)(pixel / tree->width) % tree->face_rows;
+    for (int64_t down = -1; down <= 1; down++)
+    {
+        for (int64_t right = -1; right <= 1; right++)
+        {
+            const int is_there = column + right >= 0 && column + right < tree->width &&
+                                 in_face + down >= 0 && in_face + down < tree->face_rows;
+            const size_t beside = (size_t)((int64_t)pixel + down * tree->width + right);
+            if (is_there && isnan(tree->ray[0][beside]))
+            {
+                group.pixel[group.count++] = (uint32_t)beside;
+            }
+        }
+    }
+    return group;
+}
+
+static void add_to_cell(run_writer *writer, const pixel_group *group, size_t cell, int begins_row)
+{
+    for (size_t i = 0; i < group->count; i++)
+    {
+        add_pixel(writer, cell, group->pixel[i], begins_row || i > 0);
+    }
+}
+
 static void add_pixels(run_writer *writer, const pixel_reaches *reaches)
 {
     cm_round_face *face = writer->face;
@@ -289,12 +330,13 @@ static void add_pixels(run_writer *writer, const pixel_reaches *reaches)
     for (size_t pixel = 0; pixel < (size_t)tree->width * tree->height; pixel++)
     {
         const cell_box box = box_of(face, reaches, pixel);
+        const pixel_group group = group_of(reaches, pixel);
         for (uint32_t row = box.first[1]; row < box.end[1]; row++)
         {
             for (uint32_t column = box.first[0]; column < box.end[0]; column++)
             {
                 const size_t cell = row * width + column;
-                add_pixel(writer, cell, (uint32_t)pixel, pixel % tree->width == 0);
+                add_to_cell(writer, &group, cell, pixel % tree->width == 0);
                 face->is_border[cell] |= (uint8_t)(reaches->sine[pixel] < 0.0f);
             }
         }

@@ -248,6 +248,25 @@ START_TEST(lenses_are_exact)
 }
 END_TEST
 
+/* Where a lens folds inside the picture, parts of pixels are seen whose centres are not. */
+START_TEST(folded_lenses_are_exact)
+{
+    dice from = {3};
+    for (int i = 0; i < 24; i += (int)step_of(4))
+    {
+        double distortion[5];
+        for (int k = 0; k < 5; k++)
+        {
+            const double most = k == 0 ? 0.5 : k == 2 || k == 3 ? 0.05 : 0.4;
+            distortion[k] = dice_between(&from, -most, most) - (k == 0 ? 0.6 : 0.0);
+        }
+        cm_camera *camera = lens(distortion, 5);
+        check_camera(camera, "folded lens", 5 + i % 2, 1.3, (uint64_t)i);
+        cm_camera_destroy(camera);
+    }
+}
+END_TEST
+
 START_TEST(surroundings_are_exact)
 {
     const struct
@@ -374,8 +393,11 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {lenses_are_exact, surroundings_are_exact,
+    const TTest *const tests[] = {lenses_are_exact,
+                                  folded_lenses_are_exact,
+                                  surroundings_are_exact,
                                   a_lens_of_no_distortion_is_nearly_straight,
-                                  ranges_of_a_lens_are_its_depths, NULL};
+                                  ranges_of_a_lens_are_its_depths,
+                                  NULL};
     return run_suite("octree round", tests);
 }
