@@ -170,6 +170,10 @@ void cut_files()
           "reproject part.tif made/a.png");
     cut("whole.jpg", content_of("whole.jpg").size() - 2, "part.jpg");
     fails("jpg without its last bytes", 1, "'part.jpg'", "reproject part.jpg made/a.png");
+    cut("whole.jpg", content_of("whole.jpg").find("\xff\xda") + 13, "part.jpg");
+    fails("jpg within the head of its pixels, which GDAL would make up", 1,
+          "'part.jpg' is damaged or ends too early",
+          "reproject --from equirect part.jpg made/a.png");
     cut("noise.ppm", 1000, "part.ppm");
     fails("ppm that ends early", 1, "'part.ppm'", "reproject part.ppm made/a.png");
 }

@@ -23,11 +23,26 @@ namespace
 // Parts of rows are taken out of whole rows, of about so many bytes at a time.
 constexpr std::size_t band_bytes = std::size_t{1} << 20;
 
+// As the JPEG library says it.
+bool ends_too_early(const std::string &message)
+{
+    return message.find("remature end") != std::string::npos;
+}
+
 // Does this message, with which a file was decoded, mean that pixels are missing or wrong? The JPEG library also complains
 // of whole files, where stray bytes stand between their parts.
 bool pixels_are_missing(const std::string &format, const std::string &message)
 {
-    return format == "jpeg" ? message.find("remature end") != std::string::npos : !message.empty();
+    return format == "jpeg" ? ends_too_early(message) : !message.empty();
+}
+
+// So that no other library makes up what is missing.
+void refuse_what_ends(const std::string &line)
+{
+    if (ends_too_early(line))
+    {
+        throw ImageFailure("is damaged or ends too early: " + line, CM_ERROR_DATA);
+    }
 }
 
 std::unique_ptr<OIIO::ImageInput> open_input(const std::string &path)
@@ -38,9 +53,11 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string &path)
     if (!input)
     {
         const std::string line = one_line(OIIO::geterror());
+        refuse_what_ends(line);
         throw ImageFailure("is not an image that can be read: " +
                            (line.empty() ? "it is damaged or ends too early" : line));
     }
+    refuse_what_ends(one_line(input->geterror())); // within its head
     return input;
 }
 
