@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "lagrange_weights.h"
 #include "level_between.h"
 
 #include <string.h>
@@ -6,32 +7,15 @@
 /* Points of a polynomial each way, which stay inside the neighbour: the nearest ones, not always around the place. */
 #define POINTS CM_LEVEL_POINTS
 
-/* Lagrange's weights of nodes 0, 1, ..., up to POINTS; exactly 0 and 1 at nodes. */
-static inline void weigh_nodes(double place, unsigned count, double *weight)
-{
-    static const double inverse[POINTS] = {1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0};
-    double before[POINTS + 1] = {1.0};
-    double after = 1.0;
-    for (unsigned i = 0; i < count; i++)
-    {
-        before[i + 1] = before[i] * (place - i);
-    }
-    for (unsigned i = count; i-- > 0;)
-    {
-        weight[i] = before[i] * after * inverse[i] * inverse[count - 1 - i];
-        after *= i - place;
-    }
-}
-
 /* Mostly there are six: then the compiler knows. */
 static void weigh(double place, unsigned count, double *weight)
 {
     if (count == POINTS)
     {
-        weigh_nodes(place, POINTS, weight);
+        cm_lagrange_weights(place, POINTS, weight);
         return;
     }
-    weigh_nodes(place, count, weight);
+    cm_lagrange_weights(place, (int)count, weight);
 }
 
 /* The first of count pixels around a position, and the weights. */
