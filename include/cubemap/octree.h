@@ -112,7 +112,8 @@ CM_API cm_status cm_octree_update_points(cm_octree *octree, const double origin[
  * _SPACE; CM_ERROR_MEMORY. */
 CM_API cm_status cm_octree_merge(cm_octree *to, const cm_octree *from, const cm_pose *pose);
 
-/* Give memory back that equal voxels need not have. Nothing that is asked changes. */
+/* Give memory back that equal voxels need not have. Nothing that is asked changes.
+ * CM_OK; CM_ERROR_ARGUMENT; CM_ERROR_FILE (pages: the map is whole); CM_ERROR_MEMORY. */
 CM_API cm_status cm_octree_compact(cm_octree *octree);
 
 /* ---- asking it ---- */

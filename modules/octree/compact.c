@@ -28,7 +28,8 @@ cm_status cm_octree_compact(cm_octree *octree)
             status = cm_block_pack(region, block, &octree->rule) ? status : CM_ERROR_MEMORY;
         }
         octree->bytes += cm_region_size(region);
-        cm_node_close_even(octree, node);
+        const cm_status closed = cm_node_close_even(octree, node);
+        status = status == CM_OK ? closed : status;
     }
     cm_nodes_join(octree);
     return status;

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "page.h"
+
 /* ---- memory ---- */
 
 int cm_nodes_make(cm_octree *octree)
@@ -135,6 +137,12 @@ void cm_node_miss(cm_octree *octree, uint32_t index, unsigned misses)
     }
 }
 
+/* The step of the last change: misses of what is at its lowest are none. */
+static uint32_t later_if(int has_changed, uint32_t changed, uint32_t step)
+{
+    return has_changed && step > changed ? step : changed;
+}
+
 void cm_node_push(cm_octree *octree, uint32_t index)
 {
     cm_node *node = &octree->node[index];
@@ -143,22 +151,31 @@ void cm_node_push(cm_octree *octree, uint32_t index)
         for (uint32_t child = 0; child < 8; child++)
         {
             cm_node *below = &octree->node[node->link + child];
+            const uint8_t value = below->kind == CM_NODE_LEAF
+                                      ? cm_after_misses(&octree->rule, below->value, node->value)
+                                      : cm_more_misses(below->value, node->value);
             /* when it waited, not now */
-            below->value = below->kind == CM_NODE_LEAF
-                               ? cm_after_misses(&octree->rule, below->value, node->value)
-                               : cm_more_misses(below->value, node->value);
-            below->changed = below->changed > node->changed ? below->changed : node->changed;
+            below->changed = later_if(value != below->value, below->changed, node->changed);
+            below->value = value;
         }
         node->value = 0;
     }
     else if (node->kind == CM_NODE_REGION && node->value > 0)
     {
         cm_region *region = octree->region[node->link];
+        uint8_t before[CM_REGION_BLOCKS];
+        octree->bytes -= cm_region_size(region);
+        for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
+        {
+            cm_block_drop_cells(region, block, &octree->rule);
+        }
+        octree->bytes += cm_region_size(region);
+        memcpy(before, region->value, sizeof before);
         cm_region_miss(region, &octree->rule, node->value);
         for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
         {
-            region->changed[block] =
-                region->changed[block] > node->changed ? region->changed[block] : node->changed;
+            region->changed[block] = later_if(region->value[block] != before[block],
+                                              region->changed[block], node->changed);
         }
         region->is_dirty = 1;
         node->value = 0;
@@ -245,21 +262,25 @@ void cm_node_close(cm_octree *octree, uint32_t index, uint8_t alpha)
     node->link = 0;
 }
 
-void cm_node_close_even(cm_octree *octree, uint32_t index)
+cm_status cm_node_close_even(cm_octree *octree, uint32_t index)
 {
     const cm_region *region = octree->region[octree->node[index].link];
-    uint32_t changed = octree->node[index].changed;
+    uint32_t changed = 0;
     uint8_t alpha;
     if (!cm_region_is_even(region, &alpha))
     {
-        return;
+        return CM_OK;
     }
+    const cm_status status = region->has_page && octree->options.pages != NULL
+                                 ? cm_page_remove(octree->options.pages, region->place)
+                                 : CM_OK;
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
         changed = region->changed[block] > changed ? region->changed[block] : changed;
     }
     cm_node_close(octree, index, alpha);
     octree->node[index].changed = changed;
+    return status;
 }
 
 static void join(cm_octree *octree, uint32_t index)

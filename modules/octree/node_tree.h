@@ -39,8 +39,9 @@ cm_status cm_node_take_region(cm_octree *octree, uint32_t node, cm_region *regio
 /* A node becomes a leaf, and all below it is given back. */
 void cm_node_close(cm_octree *octree, uint32_t node, uint8_t alpha);
 
-/* If the region of a node is even the node becomes a leaf, which changed when the last of the region's blocks did. */
-void cm_node_close_even(cm_octree *octree, uint32_t node);
+/* If the region of a node is even the node becomes a leaf, which changed when the last of the region's blocks did. Its page goes,
+ * so that a store has no more pages than the map has regions: the status is that of pages, and the map is whole in any case. */
+cm_status cm_node_close_even(cm_octree *octree, uint32_t node);
 
 /* Nodes of whom all eight children are equal leaves become leaves. */
 void cm_nodes_join(cm_octree *octree);

@@ -38,7 +38,7 @@ typedef enum cm_node_kind
 typedef struct cm_node
 {
     uint32_t link;
-    uint32_t changed; /* the step */
+    uint32_t changed; /* the step, of a leaf, else that of the last miss that waits */
     uint8_t kind;
     uint8_t value; /* alpha of a leaf, else misses */
 } cm_node;
@@ -63,6 +63,7 @@ typedef struct cm_region
     uint32_t node;     /* whose region it is */
     uint8_t is_dirty;  /* 1: it is not as it was last saved */
     uint8_t is_held;   /* 1: a walk is in it, whose caller may ask for others: it stays in memory */
+    uint8_t has_page;  /* 1: the map's pages have it, as it is or as it was */
     uint64_t bytes;    /* of its blocks and colors, without this struct */
     uint32_t *
         *color; /* of blocks, NULL where there is none; the table is NULL if no block has any */

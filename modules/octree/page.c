@@ -139,6 +139,7 @@ cm_status cm_page_put(const cm_octree *octree, cm_store *store, cm_region *regio
     const cm_blob blob = {sizeof blob, PAGE_KIND, PAGE_VERSION, data, bytes};
     const cm_status status = cm_store_put(store, &key, &blob);
     free(data);
+    region->has_page |= status == CM_OK && store == octree->options.pages;
     return status;
 }
 
@@ -295,6 +296,7 @@ cm_status cm_page_get(const cm_octree *octree, cm_store *store, const uint32_t p
         return status;
     }
     got->is_dirty = 0;
+    got->has_page = 1;
     *region = got;
     return CM_OK;
 }

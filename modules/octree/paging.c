@@ -22,6 +22,10 @@ cm_status cm_node_region(cm_octree *octree, uint32_t index, const uint32_t place
         {
             made = cm_region_make(place, octree->node[index].value);
             status = made == NULL ? CM_ERROR_MEMORY : CM_OK;
+            for (unsigned block = 0; made != NULL && block < CM_REGION_BLOCKS; block++)
+            {
+                made->changed[block] = octree->node[index].changed;
+            }
         }
         if (status == CM_OK)
         {

@@ -283,13 +283,16 @@ static void update_regions(size_t first, size_t end, void *user)
 }
 
 /* What is even again needs no region. */
-void cm_update_close_regions(cm_update *update)
+cm_status cm_update_close_regions(cm_update *update, cm_status status)
 {
     cm_octree *octree = update->octree;
+    status = status == CM_OK && update->failed ? CM_ERROR_MEMORY : status;
     for (size_t i = 0; i < update->desk->count; i++)
     {
-        cm_node_close_even(octree, update->desk->list[i]);
+        const cm_status closed = cm_node_close_even(octree, update->desk->list[i]);
+        status = status == CM_OK ? closed : status;
     }
+    return status;
 }
 
 uint64_t cm_update_listed_bytes(const cm_update *update)
@@ -361,8 +364,7 @@ static cm_status update_straight(cm_update *update, cm_pool *pool)
         cm_pool_run(pool, update->desk->count, 1, update_regions, update);
     }
     octree->bytes += cm_update_listed_bytes(update) - before;
-    cm_update_close_regions(update);
-    return status != CM_OK ? status : update->failed ? CM_ERROR_MEMORY : CM_OK;
+    return cm_update_close_regions(update, status);
 }
 
 cm_status cm_octree_update(cm_octree *octree, const cm_view *view, cm_pool *pool)

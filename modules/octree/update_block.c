@@ -44,9 +44,9 @@ uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsig
     return valid;
 }
 
-/* Colors of hits, of which there are some, lie apart: they are brought together, mixed, and put back. */
-static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color,
-                       uint64_t hits, const int32_t pixel[64])
+/* Colors of hits, of which there are some, lie apart: they are brought together, mixed, and put back. Returns 1 if any changed. */
+static int color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color,
+                      uint64_t hits, const int32_t pixel[64])
 {
     const uint32_t *word = update->word;
     uint32_t old[64], more[64], part[64];
@@ -67,10 +67,13 @@ static void color_hits(const cm_update *update, const uint8_t alpha[64], uint32_
         old[end] = more[end] = part[end] = 0;
     }
     update->set->mix(end, old, more, part);
+    uint32_t changed = 0;
     for (size_t k = 0; k < count; k++)
     {
+        changed |= color[cell[k]] ^ old[k];
         color[cell[k]] = old[k];
     }
+    return changed != 0;
 }
 
 /* Hits without a color: what was no longer occupied has none of its former life. */
@@ -105,8 +108,8 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block,
             {
                 return 0;
             }
-            color_hits(update, alpha + 64 * group, color + 64 * group, change->hits[group],
-                       change->pixel[group]);
+            has_changed |= color_hits(update, alpha + 64 * group, color + 64 * group,
+                                      change->hits[group], change->pixel[group]);
         }
         else if (change->hits[group] != 0 && region->color != NULL && region->color[block] != NULL)
         {
@@ -139,17 +142,11 @@ void cm_update_free_block(cm_update *update, cm_region *region, unsigned block)
 {
     const cm_count_rule *rule = &update->octree->rule;
     const uint8_t old = region->value[block];
-    if (region->form[block] == CM_BLOCK_EVEN)
-    {
-        region->value[block] = cm_after_misses(rule, old, 1);
-    }
-    else
-    {
-        region->value[block] = cm_more_misses(old, 1);
-        cm_block_drain(region, block, rule);
-    }
+    const int is_even = region->form[block] == CM_BLOCK_EVEN;
+    region->value[block] = is_even ? cm_after_misses(rule, old, 1) : cm_more_misses(old, 1);
     if (region->value[block] != old)
     {
         region->changed[block] = update->octree->step;
     }
+    cm_block_drain(region, block, rule);
 }

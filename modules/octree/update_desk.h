@@ -74,9 +74,11 @@ cm_status cm_update_list_miss(cm_update *update, uint32_t node);
 /* All regions are there: what is missed is. Else the map is as it was before the view. */
 void cm_update_end_lists(cm_update *update, cm_status status);
 
-/* The memory of listed regions; and those that are even again are given back. */
+/* The memory of listed regions. */
 uint64_t cm_update_listed_bytes(const cm_update *update);
-void cm_update_close_regions(cm_update *update);
+
+/* After the work on them: those that are even again are given back. What the update comes to, with the status so far. */
+cm_status cm_update_close_regions(cm_update *update, cm_status status);
 
 /* May something happen to a region at a place whose voxels all have an alpha? Asked before memory is taken for it. */
 int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8_t alpha);

@@ -275,6 +275,5 @@ cm_status cm_update_round(cm_update *update, cm_pool *pool)
         cm_pool_run(pool, update->desk->count, 1, update_regions, &work);
     }
     update->octree->bytes += cm_update_listed_bytes(update) - before;
-    cm_update_close_regions(update);
-    return status != CM_OK ? status : update->failed ? CM_ERROR_MEMORY : CM_OK;
+    return cm_update_close_regions(update, status);
 }

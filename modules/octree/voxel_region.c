@@ -362,9 +362,24 @@ void cm_block_drop_cells(cm_region *region, unsigned block, const cm_count_rule 
 
 void cm_block_drain(cm_region *region, unsigned block, const cm_count_rule *rule)
 {
-    if (region->form[block] != CM_BLOCK_EVEN &&
-        cm_after_misses(rule, rule->high, region->value[block]) == rule->low)
+    if (region->form[block] == CM_BLOCK_EVEN)
+    {
+        return;
+    }
+    const unsigned misses = region->value[block];
+    const unsigned listed = cm_palette_count(region->form[block]);
+    uint8_t most = listed > 0 ? 0 : rule->high;
+    for (unsigned i = 0; i < listed; i++)
+    {
+        const uint8_t alpha = region->alpha[block][i];
+        most = alpha > most ? alpha : most;
+    }
+    if (cm_after_misses(rule, most, misses) == rule->low)
     {
         cm_block_even(region, block, rule->low);
+    }
+    else if (cm_after_misses(rule, CM_UNKNOWN, misses) == rule->low)
+    {
+        cm_block_drop_cells(region, block, rule);
     }
 }

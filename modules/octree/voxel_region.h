@@ -72,7 +72,8 @@ int cm_block_is_even(const cm_region *region, unsigned block, const cm_count_rul
 /* Then it has no cells from now on. */
 void cm_block_drop_cells(cm_region *region, unsigned block, const cm_count_rule *rule);
 
-/* Is a block even whatever was lowest before, since so many misses wait? Then it becomes so. */
+/* Are all cells of a block at the lowest with the misses that wait, as far as is known without much looking? Then it becomes even,
+ * and further misses change nothing. */
 void cm_block_drain(cm_region *region, unsigned block, const cm_count_rule *rule);
 
 /* Less memory for the same cells; open blocks are made of it again when they are written. 0 if there is no memory: it is

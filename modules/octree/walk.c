@@ -72,8 +72,22 @@ int cm_box_has(const uint32_t first[3], const uint32_t beyond[3], const uint32_t
     return within;
 }
 
+static int is_old(const cm_walk *walk, uint32_t changed)
+{
+    return walk->since > 0 && changed <= walk->since;
+}
+
+/* Were a block's voxels all at the lowest before the misses that wait above? These change nothing then. */
+static int is_at_lowest(const cm_octree *octree, const cm_region *region, unsigned block,
+                        unsigned misses)
+{
+    uint8_t alpha;
+    return cm_block_is_even(region, block, &octree->rule, 0, &alpha) &&
+           cm_after_misses(&octree->rule, alpha, misses) == alpha;
+}
+
 static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_region *region,
-                       unsigned misses, uint32_t changed)
+                       unsigned misses, uint32_t missed)
 {
     for (unsigned block = 0; block < CM_REGION_BLOCKS; block++)
     {
@@ -85,9 +99,9 @@ static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_re
         cm_divide_3(block, in);
         const uint32_t place[3] = {region->place[0] + 8 * in[0], region->place[1] + 8 * in[1],
                                    region->place[2] + 8 * in[2]};
-        const uint32_t last = changed > region->changed[block] ? changed : region->changed[block];
         if (!cm_box_meets(walk->first, walk->beyond, place, CM_BLOCK_LEVEL) ||
-            (walk->since > 0 && last <= walk->since))
+            (is_old(walk, region->changed[block]) &&
+             (is_old(walk, missed) || is_at_lowest(octree, region, block, misses))))
         {
             continue;
         }
@@ -108,36 +122,36 @@ static int walk_region(const cm_octree *octree, const cm_walk *walk, const cm_re
 
 /* Who is called may ask the same map, which with pages puts regions away: not this one. */
 static int walk_held(const cm_octree *octree, const cm_walk *walk, cm_region *region,
-                     unsigned misses, uint32_t changed)
+                     unsigned misses, uint32_t missed)
 {
     if (octree->options.pages == NULL)
     {
-        return walk_region(octree, walk, region, misses, changed);
+        return walk_region(octree, walk, region, misses, missed);
     }
     const uint8_t was_held = region->is_held;
     region->is_held = 1;
-    const int stops = walk_region(octree, walk, region, misses, changed);
+    const int stops = walk_region(octree, walk, region, misses, missed);
     region->is_held = was_held;
     return stops;
 }
 
+/* missed: the step of the last of the misses that wait above. */
 static cm_status walk_node(const cm_octree *octree, const cm_walk *walk, uint32_t index,
-                           const uint32_t place[3], int level, unsigned misses, uint32_t changed)
+                           const uint32_t place[3], int level, unsigned misses, uint32_t missed)
 {
     const cm_node *node = &octree->node[index];
     if (!cm_box_meets(walk->first, walk->beyond, place, level))
     {
         return CM_OK;
     }
-    const uint32_t last = changed > node->changed ? changed : node->changed;
     if (node->kind == CM_NODE_LEAF)
     {
-        const int is_old = walk->since > 0 && last <= walk->since;
-        return !is_old && walk->even(walk->user, place, level,
-                                     cm_after_misses(&octree->rule, node->value, misses))
-                   ? CM_ERROR_STOPPED
-                   : CM_OK;
+        const uint8_t alpha = cm_after_misses(&octree->rule, node->value, misses);
+        const int is_same =
+            is_old(walk, node->changed) && (is_old(walk, missed) || alpha == node->value);
+        return !is_same && walk->even(walk->user, place, level, alpha) ? CM_ERROR_STOPPED : CM_OK;
     }
+    const uint32_t last = node->value > 0 && node->changed > missed ? node->changed : missed;
     const unsigned more = cm_more_misses(misses, node->value);
     cm_status status = CM_OK;
     if (node->kind == CM_NODE_INNER)

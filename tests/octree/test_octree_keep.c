@@ -110,6 +110,71 @@ START_TEST(old_pages_do_not_come_back)
 }
 END_TEST
 
+static size_t regions_in(cm_store *store)
+{
+    unsigned char key[CM_STORE_KEY_MAX];
+    size_t count = 0, regions = 0;
+    cm_store_key after = {"r", 1};
+    ck_assert_int_eq(cm_store_next(store, &after, key, &count), CM_OK);
+    for (; count > 0 && key[0] == 'r'; regions++)
+    {
+        const cm_store_key this_key = {key, count};
+        ck_assert_int_eq(cm_store_next(store, &this_key, key, &count), CM_OK);
+    }
+    return regions;
+}
+
+/* Or a long run over the same places would leave more and more in its store that nobody reads. */
+START_TEST(pages_of_what_became_even_go)
+{
+    cm_store *pages = memory_store();
+    cm_octree_options options = paged_options(pages);
+    options.memory = 0;
+    options.far = 0.0;
+    cm_octree *octree = make_map(&options), *back = NULL;
+    for (uint64_t seed = 0; seed < 3; seed++)
+    {
+        ck_assert_int_eq(update_drawn(octree, camera, seed), CM_OK);
+    }
+    ck_assert_int_eq(cm_octree_save(octree, pages, NULL, 0), CM_OK);
+    const size_t before = regions_in(pages);
+    /* nothing is left in the regions that the camera looks through */
+    const size_t pixels = (size_t)60 * 44;
+    float *depth = malloc(pixels * sizeof *depth);
+    ck_assert_ptr_nonnull(depth);
+    for (size_t i = 0; i < pixels; i++)
+    {
+        depth[i] = 50.0f;
+    }
+    const double place[3] = {0.1, 0.2, -12.0}, at[3] = {0.0, 0.0, 0.0};
+    const cm_view view = {.size = sizeof view,
+                          .camera = camera,
+                          .pose = look_at(place, at, 0.3),
+                          .depth_unit = 1.0,
+                          .depth = {.size = sizeof view.depth,
+                                    .data = depth,
+                                    .type = CM_PIXEL_FLOAT,
+                                    .width = 60,
+                                    .height = 44,
+                                    .channels = 1}};
+    for (int i = 0; i < 200; i++)
+    {
+        ck_assert_int_eq(cm_octree_update(octree, &view, NULL), CM_OK);
+    }
+    free(depth);
+    ck_assert_int_eq(cm_octree_compact(octree), CM_OK);
+    ck_assert_int_eq(cm_octree_save(octree, pages, NULL, 0), CM_OK);
+    cm_octree_destroy(octree);
+    ck_assert_int_eq(cm_octree_load(pages, &options, &back), CM_OK);
+    cm_octree_count count = {.size = sizeof count};
+    ck_assert_int_eq(cm_octree_count_voxels(back, &count), CM_OK);
+    ck_assert_msg(count.paged < before, "%zu regions of %zu", (size_t)count.paged, before);
+    ck_assert_uint_eq(regions_in(pages), count.paged);
+    cm_octree_destroy(back);
+    cm_store_destroy(pages);
+}
+END_TEST
+
 /* ---- stores that fail ---- */
 
 typedef struct failing_store
@@ -374,6 +439,7 @@ int main(void)
     const TTest *const tests[] = {pages_change_nothing,
                                   what_is_saved_is_loaded,
                                   old_pages_do_not_come_back,
+                                  pages_of_what_became_even_go,
                                   pages_that_fail_leave_a_whole_map,
                                   saving_and_loading_fail_whole,
                                   damaged_blobs_are_refused,
