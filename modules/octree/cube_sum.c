@@ -4,10 +4,18 @@
 #include "color_word.h"
 #include "walk.h"
 
-void cm_cube_add(cm_cube_sum *sum, uint8_t alpha, uint64_t voxels)
+void cm_cube_add(cm_cube_sum *sum, uint8_t alpha, int level)
 {
-    sum->above += alpha > CM_UNKNOWN ? (alpha - CM_UNKNOWN) * voxels : 0;
-    sum->below += alpha < CM_UNKNOWN ? (CM_UNKNOWN - alpha) * voxels : 0;
+    const int is_large = level >= CM_LARGE_LEVEL;
+    const uint64_t voxels = (uint64_t)1 << 3 * (is_large ? level - CM_LARGE_LEVEL : level);
+    if (alpha > CM_UNKNOWN)
+    {
+        *(is_large ? &sum->large_above : &sum->above) += (alpha - CM_UNKNOWN) * voxels;
+    }
+    else
+    {
+        *(is_large ? &sum->large_below : &sum->below) += (CM_UNKNOWN - alpha) * voxels;
+    }
 }
 
 static void add_color(cm_cube_sum *sum, uint8_t alpha, uint32_t color, uint64_t voxels)
@@ -47,16 +55,25 @@ void cm_cube_add_cells(cm_cube_sum *sum, const uint8_t alpha[512], const uint32_
     }
 }
 
+/* Sums over the voxels of a cube, to the nearest, halves up. Above the large level a half is whole large cubes. */
+static uint64_t mean_of(uint64_t sum, uint64_t large, int level)
+{
+    const int large_bits = 3 * CM_LARGE_LEVEL, bits = 3 * level;
+    const uint64_t half = (uint64_t)1 << bits >> 1;
+    return level <= CM_LARGE_LEVEL
+               ? (sum + (large << large_bits) + half) >> bits
+               : ((sum >> large_bits) + large + (half >> large_bits)) >> (bits - large_bits);
+}
+
 /* Free voxels do not outvote what is occupied: a wall is thin beside the room in front of it. */
 static uint8_t average(const cm_cube_sum *sum, int level)
 {
-    const uint64_t voxels = (uint64_t)1 << 3 * level;
     if (cm_cube_is_occupied(sum))
     {
-        const uint64_t mean = (sum->above + voxels / 2) / voxels;
+        const uint64_t mean = mean_of(sum->above, sum->large_above, level);
         return (uint8_t)(CM_UNKNOWN + (mean > 0 ? mean : 1));
     }
-    return (uint8_t)(CM_UNKNOWN - (sum->below + voxels / 2) / voxels);
+    return (uint8_t)(CM_UNKNOWN - mean_of(sum->below, sum->large_below, level));
 }
 
 cm_voxel cm_cube_voxel(const cm_octree *octree, const cm_cube_sum *sum, const uint32_t place[3],

@@ -76,7 +76,7 @@ static int extract_even(void *user, const uint32_t place[3], int level, uint8_t 
     if (level < work->level)
     {
         begin_cube(work, place);
-        cm_cube_add(&work->sum, alpha, (uint64_t)1 << 3 * level);
+        cm_cube_add(&work->sum, alpha, level);
         return 0;
     }
     const uint64_t voxels = alpha > CM_UNKNOWN ? (uint64_t)1 << 3 * (level - work->level) : 0;

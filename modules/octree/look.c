@@ -26,8 +26,7 @@ static int add_even(void *user, const uint32_t place[3], int level, uint8_t alph
 {
     look *work = user;
     (void)place;
-    const int shared = level < work->level ? level : work->level;
-    cm_cube_add(&work->sum, alpha, (uint64_t)1 << 3 * shared);
+    cm_cube_add(&work->sum, alpha, level < work->level ? level : work->level);
     return 0;
 }
 

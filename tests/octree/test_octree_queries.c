@@ -716,6 +716,38 @@ START_TEST(large_cubes_are_counted_at_once)
 }
 END_TEST
 
+/* All voxels of the largest root are 2^60, and alphas of all of them more than 64 bits hold. */
+START_TEST(the_largest_cubes_are_averages)
+{
+    const cm_octree_options options = {.size = sizeof options, .levels = 20, .edge = 0x1p-10};
+    for (int is_occupied = 0; is_occupied < 2; is_occupied++)
+    {
+        cm_octree *octree = even_map(&options, is_occupied);
+        for (int level = 0; level <= options.levels; level++)
+        {
+            cm_voxel voxel;
+            cm_octree_at(octree, (const double[3]){0.1, 0.1, 0.1}, level, &voxel);
+            ck_assert_msg(voxel.alpha == 255 * is_occupied, "level %d: %d", level, voxel.alpha);
+        }
+        /* an eighth of it, and one voxel more */
+        cm_octree_options aside = options;
+        aside.centre[0] = aside.centre[1] = aside.centre[2] = -ldexp(options.edge, 19);
+        cm_octree *part = make_map(&aside);
+        ck_assert_int_eq(cm_octree_merge(part, octree, NULL), CM_OK);
+        cm_voxel root;
+        cm_octree_at(part, aside.centre, 20, &root);
+        ck_assert_int_eq(root.alpha, is_occupied ? 127 + 16 : 127 - 16);
+        const float point[3] = {-600.0f, -600.0f, -600.0f};
+        const double origin[3] = {-600.0, -600.0, -601.0};
+        ck_assert_int_eq(cm_octree_update_points(part, origin, 1, point, NULL), CM_OK);
+        cm_octree_at(part, aside.centre, 20, &root);
+        ck_assert_int_eq(root.alpha, is_occupied ? 127 + 16 : 128);
+        cm_octree_destroy(part);
+        cm_octree_destroy(octree);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {levels_are_averages,
@@ -729,6 +761,7 @@ int main(void)
                                   changes_are_in_what_is_walked,
                                   only_changes_are_walked,
                                   large_cubes_are_counted_at_once,
+                                  the_largest_cubes_are_averages,
                                   NULL};
     camera = straight_camera(60, 44, 0.5);
     const int result = run_suite("octree queries", tests);
