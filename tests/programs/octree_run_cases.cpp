@@ -191,6 +191,64 @@ void begins_anew()
           integrated("link.map", "0.1"));
 }
 
+std::string big_endian(std::uint32_t number)
+{
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8)
+    {
+        bytes.push_back(static_cast<char>(number >> shift & 255));
+    }
+    return bytes;
+}
+
+// What SQLite has in a journal while it commits: all pages of a database as they were (sqlite.org/fileformat2.html, 3).
+std::string journal_of(const std::string &database)
+{
+    const auto byte = [&database](std::size_t at)
+    { return static_cast<std::uint32_t>(static_cast<unsigned char>(database[at])); };
+    const std::uint32_t size = byte(16) << 8 | byte(17), sector = 512, nonce = 7;
+    const auto pages = static_cast<std::uint32_t>(database.size() / size);
+    std::string journal = "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7" + big_endian(pages) +
+                          big_endian(nonce) + big_endian(pages) + big_endian(sector) +
+                          big_endian(size);
+    journal.resize(sector);
+    for (std::uint32_t page = 0; page < pages; ++page)
+    {
+        std::uint32_t sum = nonce;
+        for (std::uint32_t at = size - 200; at < size && at > 0; at -= 200)
+        {
+            sum += byte(std::size_t{page} * size + at);
+        }
+        journal += big_endian(page + 1) + database.substr(std::size_t{page} * size, size) +
+                   big_endian(sum);
+    }
+    return journal;
+}
+
+// A journal of the map that was there would be put into the new one.
+void replaces_ended_runs()
+{
+    make_small_room();
+    does(integrated("a.map", "0.2") + " --quiet");
+    does(integrated("b.map", "0.1") + " --quiet");
+    const std::string old = content_of("a.map"), journal = journal_of(old);
+    write_file("a.map", std::string(old.size(), 'x'));
+    write_file("a.map-journal", journal);
+    does("octree info a.map");
+    result(content_of("a.map") == old, "a journal is what a run that was killed leaves");
+    for (const std::string how : {"merge b.map b.map", "hull room --edge 0.1 --levels 6"})
+    {
+        write_file("a.map", old);
+        write_file("a.map-journal", journal);
+        does("octree " + how + " -o a.map");
+        says(how + " over an ended run", "\"edge\": 0.1,", "octree info a.map --json");
+        std::filesystem::remove("a.map");
+        write_file("a.map-journal", journal);
+        does("octree " + how + " -o a.map");
+        says(how + " beside its journal", "\"edge\": 0.1,", "octree info a.map --json");
+    }
+}
+
 } // namespace
 
 #ifdef __GLIBC__
@@ -208,6 +266,9 @@ extern "C" int rename(const char *from, const char *to) noexcept
 const std::vector<Subject> &octree_run_subjects()
 {
     static const std::vector<Subject> subjects = {
-        {"files of runs", takes_files}, {"their names", names_files}, {"empty files", begins_anew}};
+        {"files of runs", takes_files},
+        {"their names", names_files},
+        {"empty files", begins_anew},
+        {"journals of maps that are replaced", replaces_ended_runs}};
     return subjects;
 }

@@ -62,6 +62,33 @@ void check_saved(cm_status status, const std::string &path, const std::string &s
     }
 }
 
+// What a run that was killed while it committed left in a journal beside the name would be taken for the new map's: it goes
+// back into the old map first, or away with one that is not there any more.
+void settle_journal(const std::string &path)
+{
+    std::error_code ignored;
+    const std::string map = std::filesystem::weakly_canonical(path, ignored).string();
+    const std::string journal = map + "-journal";
+    const std::uintmax_t bytes = std::filesystem::file_size(journal, ignored);
+    if (ignored || bytes == 0)
+    {
+        return;
+    }
+    if (!std::filesystem::exists(map, ignored))
+    {
+        std::filesystem::remove(journal, ignored);
+        return;
+    }
+    cm_store *old = nullptr;
+    char message[CM_IMAGE_MESSAGE] = "";
+    if (cm_store_file_open(map.c_str(), nullptr, &old, message) != CM_OK)
+    {
+        throw Failure(in_quotes(path) + " cannot be replaced while " + in_quotes(journal) +
+                      " is beside it: " + without_name(message, map) + "; give another name");
+    }
+    cm_store_destroy(old);
+}
+
 } // namespace
 
 std::string note_of(const OctreeRun &run)
@@ -138,6 +165,7 @@ OctreeMap open_map(const std::string &path, std::uint64_t memory)
 void save_map(cm_octree *map, const std::string &path, const OctreeRun &run)
 {
     AtomicFile file(path);
+    settle_journal(path);
     {
         cm_store_file_options options = {};
         options.size = sizeof options;
