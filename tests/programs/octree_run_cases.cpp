@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The files of cubemap-octree integrate: whose they are while a run writes them, what their names are, and what a run that
-// ended too early leaves of them.
+// ended too early leaves of them; and maps that are damaged.
 
 #include "image_cases.hpp"
 
@@ -249,6 +249,41 @@ void replaces_ended_runs()
     }
 }
 
+// What is read only when it is asked for is not told to be empty if it is damaged.
+void tells_damage()
+{
+    make_small_room();
+    does(integrated("a.map", "0.1") + " --quiet");
+    const std::string good = content_of("a.map"), frame = "\x28\xb5\x2f\xfd"; // of zstd
+    const std::string points = "1 1 1\n-1 1 1\n1 -1 1\n-1 -1 1\n1 1 -1\n9999 0 0\n",
+                      rays = "0 0 1.2 1 0.1 0.1\n0 0 1.2 -1 -0.1 -0.1\n0 0 1.2 1 -9 0.1\n";
+    const struct
+    {
+        std::string input, line;
+    } asked[] = {{points, "octree query a.map --memory 1M"},
+                 {points, "octree query a.map --memory 1M --level 3"},
+                 {rays, "octree ray a.map --memory 1M"}};
+    for (const auto &each : asked)
+    {
+        write_file("a.map", good);
+        const Ran right = run_with_input(each.input, each.line);
+        int told = 0, wrong = right.status != 0;
+        for (std::size_t at = good.find(frame); at != std::string::npos;
+             at = good.find(frame, at + 1))
+        {
+            std::string damaged = good;
+            damaged[at + 20] = static_cast<char>(damaged[at + 20] ^ 1);
+            write_file("a.map", damaged);
+            const Ran ran = run_with_input(each.input, each.line);
+            told += ran.status == 1 && matches(ran.err, "a.map': .*damaged");
+            wrong += ran.status == 0 ? ran.out != right.out
+                                     : right.out.compare(0, ran.out.size(), ran.out) != 0;
+        }
+        result(told > 0 && wrong == 0, each.line + " of a damaged map",
+               std::to_string(told) + " are told, " + std::to_string(wrong) + " are not");
+    }
+}
+
 } // namespace
 
 #ifdef __GLIBC__
@@ -269,6 +304,7 @@ const std::vector<Subject> &octree_run_subjects()
         {"files of runs", takes_files},
         {"their names", names_files},
         {"empty files", begins_anew},
-        {"journals of maps that are replaced", replaces_ended_runs}};
+        {"journals of maps that are replaced", replaces_ended_runs},
+        {"damaged maps", tells_damage}};
     return subjects;
 }

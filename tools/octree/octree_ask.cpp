@@ -7,6 +7,7 @@
 #include "octree_table.h"
 
 #include <array>
+#include <cmath>
 #include <cstring>
 
 namespace
@@ -183,6 +184,42 @@ template <typename Answer> void answer_all(const cm_streams &streams, const Answ
     answers.flush();
 }
 
+// ---- parts of a map that are read when they are asked for
+
+int pass_by(void *, const cm_voxel *)
+{
+    return 0;
+}
+
+// An answer of nothing cannot say that a part of the map could not be read; walks over the same places can.
+void check_around(const OctreeMap &open, const AskOptions &options,
+                  const std::array<double, 3> &point)
+{
+    if (open.store == nullptr)
+    {
+        return;
+    }
+    const double reach = std::ldexp(cm_octree_describe(open.map.get())->edge, options.level);
+    std::array<double, 3> least = point, greatest = point;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        least[axis] -= reach;
+        greatest[axis] += reach;
+    }
+    check_map(cm_octree_walk_box(open.map.get(), least.data(), greatest.data(), pass_by, nullptr),
+              in_quotes(options.map), open.store.get());
+}
+
+void check_along(const OctreeMap &open, const AskOptions &options, const std::array<double, 6> &ray)
+{
+    if (open.store != nullptr)
+    {
+        check_map(cm_octree_walk_ray(open.map.get(), ray.data(), ray.data() + 3, options.far,
+                                     pass_by, nullptr),
+                  in_quotes(options.map), open.store.get());
+    }
+}
+
 } // namespace
 
 int query_octree(int argc, char **argv, const cm_streams &streams)
@@ -202,6 +239,10 @@ int query_octree(int argc, char **argv, const cm_streams &streams)
                    cm_voxel voxel = {};
                    const int state =
                        cm_octree_at(open.map.get(), point.data(), options.level, &voxel);
+                   if (voxel.edge == 0)
+                   {
+                       check_around(open, options, point);
+                   }
                    return states[state] + json_number(voxel.edge) + color_words(voxel);
                });
     return 0;
@@ -222,6 +263,10 @@ int cast_octree_rays(int argc, char **argv, const cm_streams &streams)
                    cm_voxel voxel = {};
                    const int met = cm_octree_ray(open.map.get(), ray.data(), ray.data() + 3,
                                                  options.far, &voxel);
+                   if (met == 0)
+                   {
+                       check_along(open, options, ray);
+                   }
                    return met != 0 ? json_number(voxel.distance) + color_words(voxel)
                                    : std::string("none");
                });
