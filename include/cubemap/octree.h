@@ -142,19 +142,19 @@ typedef struct cm_voxel
 } cm_voxel;
 
 /* The voxel of a level that has the point; at level 0 with a footprint, the larger one that was updated as one. Returns its
- * state; outside of the root, or for NaN, CM_VOXEL_UNKNOWN with edge 0. voxel may be NULL. */
+ * state; outside of the root, for NaN, or if pages fail, CM_VOXEL_UNKNOWN with edge 0. voxel may be NULL. */
 CM_API int cm_octree_at(const cm_octree *octree, const double point[3], int level, cm_voxel *voxel);
 
 /* The first occupied voxel along a ray of any length but 0, at level 0: 1, with the distance, in units of the world, to where
  * the ray enters it (0 if it begins inside); a larger cube of equal ones may be told for it, as walks do. 0 if there is none
- * up to far (0: no limit), or numbers are not finite. Unknown and free voxels are passed. When many rays have gone through a
+ * up to far (0: no limit), numbers are not finite, or pages fail (cm_octree_walk_ray says so). Unknown and free voxels are passed. When many rays have gone through a
  * map without pages, an index makes those to come faster, until the map changes or is compacted: some seven bytes for each
  * occupied voxel of a surface, a hundred for one alone. */
 CM_API int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3],
                          double far, cm_voxel *voxel);
 
 /* The occupied voxel of level 0 whose centre is the nearest within a radius, of equals the first in the order of keys: 1, with
- * its distance; 0 if there is none. */
+ * its distance; 0 if there is none, or pages fail. */
 CM_API int cm_octree_nearest(const cm_octree *octree, const double point[3], double radius,
                              cm_voxel *voxel);
 

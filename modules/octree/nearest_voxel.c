@@ -16,6 +16,7 @@ typedef struct nearest_work
     double best;  /* squared distance in voxels; nothing farther is wanted */
     uint64_t key; /* of the best */
     int is_found;
+    int failed; /* 1: pages, in which a nearer one may be */
     uint32_t place[3];
     unsigned detail;
     uint8_t alpha;
@@ -132,6 +133,10 @@ static void search(nearest_work *work, uint32_t index, const uint32_t place[3], 
         {
             search_region(work, region, more);
         }
+        else
+        {
+            work->failed = 1;
+        }
         return;
     }
     /* the child that the point is in or nearest to first */
@@ -175,7 +180,7 @@ int cm_octree_nearest(const cm_octree *octree, const double point[3], double rad
     const uint32_t first[3] = {0, 0, 0};
     search(&work, 0, first, octree->tree_level, 0);
     const double distance = sqrt(work.best) * octree->options.edge;
-    const int is_within = work.is_found && distance <= radius;
+    const int is_within = work.is_found && !work.failed && distance <= radius;
     if (is_within && voxel != NULL)
     {
         *voxel = cm_voxel_at(octree, work.place, 0, work.alpha, work.color);

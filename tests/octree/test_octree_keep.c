@@ -293,6 +293,51 @@ START_TEST(pages_that_fail_leave_a_whole_map)
 }
 END_TEST
 
+/* What cannot be read is no answer, and not what is farther. */
+START_TEST(pages_that_fail_are_no_answer)
+{
+    failing_store context;
+    cm_store *pages = store_that_fails(&context);
+    const cm_octree_options with = paged_options(pages), without = paged_options(NULL);
+    cm_octree *paged = make_map(&with), *whole = make_map(&without);
+    for (uint64_t seed = 0; seed < 3; seed++)
+    {
+        ck_assert_int_eq(update_drawn(paged, camera, seed), CM_OK);
+        ck_assert_int_eq(update_drawn(whole, camera, seed), CM_OK);
+    }
+    dice from = {5};
+    int failures = 0;
+    for (int i = 0; i < 300; i++)
+    {
+        double point[3], direction[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            point[axis] = dice_between(&from, -3.0, 3.0);
+            direction[axis] = dice_between(&from, -1.0, 1.0);
+        }
+        cm_voxel right, found;
+        const int is_near = cm_octree_nearest(whole, point, 3.0, &right);
+        context.calls_until_failure = i % 3;
+        const int is_found = cm_octree_nearest(paged, point, 3.0, &found);
+        failures += context.calls_until_failure < 0;
+        ck_assert(!is_found || (is_near && memcmp(&right, &found, sizeof found) == 0));
+        ck_assert(is_found || !is_near || context.calls_until_failure < 0);
+        const int is_met = cm_octree_ray(whole, point, direction, 0.0, &right);
+        context.calls_until_failure = i % 3;
+        const int is_hit = cm_octree_ray(paged, point, direction, 0.0, &found);
+        failures += context.calls_until_failure < 0;
+        ck_assert(!is_hit || (is_met && memcmp(&right, &found, sizeof found) == 0));
+        ck_assert(is_hit || !is_met || context.calls_until_failure < 0);
+    }
+    context.calls_until_failure = -1;
+    ck_assert_msg(failures > 50, "%d failures", failures);
+    ck_assert_str_eq(maps_differ(paged, whole), "");
+    cm_octree_destroy(paged);
+    cm_octree_destroy(whole);
+    cm_store_destroy(pages);
+}
+END_TEST
+
 START_TEST(saving_and_loading_fail_whole)
 {
     failing_store context;
@@ -441,6 +486,7 @@ int main(void)
                                   old_pages_do_not_come_back,
                                   pages_of_what_became_even_go,
                                   pages_that_fail_leave_a_whole_map,
+                                  pages_that_fail_are_no_answer,
                                   saving_and_loading_fail_whole,
                                   damaged_blobs_are_refused,
                                   what_a_newer_version_says_is_not_dropped,
