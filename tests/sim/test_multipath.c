@@ -249,6 +249,66 @@ START_TEST(shadows)
 }
 END_TEST
 
+/* Of a ball of 30 cm between a lamp and a wall, all places of the ball. */
+static void make_ball(corner *made)
+{
+    const cm_primitive both[2] = {{.size = sizeof *both,
+                                   .kind = CM_PRIMITIVE_PLANE,
+                                   .first = {0, 0, 2},
+                                   .second = {0, 0, 1},
+                                   .material = {{1, 1, 1}, .reflectance = 0.6}},
+                                  {.size = sizeof *both,
+                                   .kind = CM_PRIMITIVE_SPHERE,
+                                   .first = {0, 0, 1.4},
+                                   .radius = 0.3,
+                                   .material = {{1, 1, 1}, .reflectance = 0.6}}};
+    ck_assert_int_eq(cm_scene_create(&made->world), CM_OK);
+    ck_assert_int_eq(cm_scene_add(made->world, &both[0], NULL), CM_OK);
+    ck_assert_int_eq(cm_scene_add(made->world, &both[1], NULL), CM_OK);
+    ck_assert_int_eq(cm_tof_scene_create(made->world, &made->scene), CM_OK);
+    ck_assert_int_eq(tof_instant_create(made->scene, 0.0, &made->instant), CM_OK);
+    look_around(made->instant, both[1].first, &made->seen);
+    for (int k = 0; k < 3; k++)
+    {
+        for (size_t i = 0; i < PLACES; i++)
+        {
+            made->seen.normal[k][i] = -made->seen.normal[k][i];
+            made->seen.to_camera[k][i] = -made->seen.to_camera[k][i];
+        }
+    }
+}
+
+/* What is convex throws no shadow onto itself: no cell of a map, however it lies on the sphere, may have one there. */
+START_TEST(no_shadows_of_itself)
+{
+    static const char *const names[] = {NULL, "gnomonic", "octahedral"};
+    static corner c;
+    const tof_lamp lamp = lamp_at(0.05, 0.0, 0.0);
+    const tof_waves waves = {0};
+    make_ball(&c);
+    for (size_t m = 0; m < sizeof names / sizeof *names; m++)
+    {
+        cm_mapping *mapping = names[m] == NULL ? NULL : make_mapping(names[m], NULL);
+        double sum[2] = {0.0, 0.0};
+        for (int visibility = 0; visibility < 2; visibility++)
+        {
+            const cm_tof_options options = {
+                .size = sizeof options, .visibility = visibility, .mapping = mapping};
+            gather(c.instant, &lamp, 1, &options, &waves, NULL, &c.seen);
+            for (size_t i = 0; i < PLACES; i++)
+            {
+                sum[visibility] += c.seen.total[i];
+            }
+        }
+        printf("%s: %.4f of a ball's light with shadows\n", names[m] == NULL ? "-" : names[m],
+               sum[1] / sum[0]);
+        REQUIRE(sum[0] > 0.0 && sum[1] / sum[0] > 0.99, "%zu: %g of %g", m, sum[1], sum[0]);
+        cm_mapping_destroy(mapping);
+    }
+    free_corner(&c);
+}
+END_TEST
+
 START_TEST(same_bits)
 {
     static corner c;
@@ -408,7 +468,8 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {sphere,    any_mapping,      ways,    beside_paths, shadows,
-                                  same_bits, instruction_sets, heights, dark,         NULL};
+    const TTest *const tests[] = {
+        sphere,    any_mapping,      ways,    beside_paths, shadows, no_shadows_of_itself,
+        same_bits, instruction_sets, heights, dark,         NULL};
     return run_suite("multipath", tests);
 }
