@@ -139,13 +139,20 @@ START_TEST(tables_of_intensity_keep_the_power)
     stage at = make_stage(&wall, 1);
     const float even[3] = {2.0f, 2.0f, 2.0f};
     float cosine[91];
-    at.light.aperture = 1.4;
-    ck_assert_int_eq(simulate(&at, NULL), CM_OK);
-    const double without = (double)intensity[24 * WIDTH + 32];
-    at.light.n = 3;
+    static const double apertures[] = {1e-6, 1e-4, 1.4};
+    double without = 0.0;
     at.light.intensity = even;
-    ck_assert_int_eq(simulate(&at, NULL), CM_OK);
-    ck_assert_double_eq_tol((double)intensity[24 * WIDTH + 32], without, 1e-6 * without);
+    for (size_t i = 0; i < sizeof apertures / sizeof *apertures; i++)
+    {
+        at.light.aperture = apertures[i];
+        at.light.n = 0;
+        ck_assert_int_eq(simulate(&at, NULL), CM_OK);
+        without = (double)intensity[24 * WIDTH + 32];
+        at.light.n = 3;
+        ck_assert_int_eq(simulate(&at, NULL), CM_OK);
+        ck_assert_double_gt(without, 0.0);
+        ck_assert_double_eq_tol((double)intensity[24 * WIDTH + 32], without, 1e-6 * without);
+    }
     /* I = I0 cos(theta) over half of the sphere has I0 = power / pi */
     for (int i = 0; i < 91; i++)
     {
