@@ -146,8 +146,9 @@ void lamps_place(const cm_tof_light *light, size_t lights, double *const *table,
         lamp[i].least_cosine = light[i].aperture >= 2.0 * PI * (1.0 - 1e-9) ? -2.0 : rim;
         /* 1 - cos, of small angles too */
         const double sine = sin(0.25 * light[i].aperture);
+        lamp[i].part = sine * sine;
         const int is_dark = light[i].n == 1 && light[i].intensity[0] == 0.0f;
-        lamp[i].intensity = is_dark ? 0.0 : light[i].power / (4.0 * PI * sine * sine);
+        lamp[i].intensity = is_dark ? 0.0 : light[i].power / (4.0 * PI * lamp[i].part);
         lamp[i].n = is_even(&light[i]) ? 0 : light[i].n;
         lamp[i].table = table[i];
         lamp[i].step = is_even(&light[i]) ? 0.0 : step_of(&light[i]);

@@ -70,6 +70,7 @@ typedef struct tof_lamp
 {
     double position[3], axis[3];
     double least_cosine; /* of the cone; -1: everywhere */
+    double part;         /* of the sphere that the cone is */
     double intensity;    /* W/sr on the axis, even: everywhere in the cone */
     size_t n;            /* of the table; 0: even */
     const double *table; /* W/sr, evenly apart in angle */

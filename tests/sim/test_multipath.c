@@ -93,6 +93,35 @@ START_TEST(any_mapping)
 }
 END_TEST
 
+/* However thin a cone is, what it lights in a sphere scatters the same light to everywhere: all that the lamp has. */
+START_TEST(cones)
+{
+    static const double apertures[] = {1e-6, 1e-3, 0.02, 0.1, 0.3, 1.5, 4.0};
+    static sphere_of_light s;
+    make_sphere(&s, NULL);
+    for (size_t n = 0; n < sizeof apertures / sizeof *apertures; n++)
+    {
+        const double axis[3] = {0.6, 0.0, 0.8};
+        const double sine = sin(0.25 * apertures[n]);
+        const cm_tof_options options = {.size = sizeof options};
+        tof_lamp lamp = s.lamp;
+        memcpy(lamp.axis, axis, sizeof axis);
+        lamp.least_cosine = cos(0.5 * apertures[n]);
+        lamp.part = sine * sine;
+        lamp.intensity = 1.0 / lamp.part;
+        gather(s.instant, &lamp, 1, &options, &s.waves, NULL, &s.seen);
+        double sum = 0.0;
+        for (size_t i = 0; i < PLACES; i++)
+        {
+            sum += s.seen.total[i] * PI / 0.25 / PLACES;
+        }
+        printf("a cone of %g: %.6f of its light\n", apertures[n], sum);
+        REQUIRE(fabs(sum - 1.0) < 0.01, "a cone of %g: %g", apertures[n], sum);
+    }
+    free_sphere(&s);
+}
+END_TEST
+
 /* Several waves at once are each alone; facets that scatter nothing are Lambert's law by the slow way. */
 START_TEST(ways)
 {
@@ -468,8 +497,17 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {
-        sphere,    any_mapping,      ways,    beside_paths, shadows, no_shadows_of_itself,
-        same_bits, instruction_sets, heights, dark,         NULL};
+    const TTest *const tests[] = {sphere,
+                                  cones,
+                                  any_mapping,
+                                  ways,
+                                  beside_paths,
+                                  shadows,
+                                  no_shadows_of_itself,
+                                  same_bits,
+                                  instruction_sets,
+                                  heights,
+                                  dark,
+                                  NULL};
     return run_suite("multipath", tests);
 }
