@@ -74,15 +74,11 @@ static void turn_into_cone(const tof_lamp *lamp, const double all[3], double wit
     const double across = sqrt(all[0] * all[0] + all[1] * all[1]);
     const double cosine = across > 0.0 ? all[0] / across : 1.0;
     const double side = across > 0.0 ? all[1] / across : 0.0;
-    const double *const axis = lamp->axis;
-    const double away[3] = {fabs(axis[0]) < 0.6, fabs(axis[0]) >= 0.6, 0.0};
     double x[3], y[3];
-    cross(away, axis, x);
-    const double length = sqrt(dot(x, x));
-    cross(axis, x, y);
+    find_across(lamp->axis, x, y);
     for (int k = 0; k < 3; k++)
     {
-        within[k] = (1.0 - height) * axis[k] + sine * (cosine * x[k] + side * y[k]) / length;
+        within[k] = (1.0 - height) * lamp->axis[k] + sine * (cosine * x[k] + side * y[k]);
     }
 }
 

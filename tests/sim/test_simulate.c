@@ -168,6 +168,45 @@ START_TEST(tables_of_intensity_keep_the_power)
 }
 END_TEST
 
+/* Rims of cones are edges: samples where they are needed see what all samples see, of spots between pixels' middles, too. */
+START_TEST(rims_of_cones_are_sampled)
+{
+    static const double apertures[] = {0.6, 0.008};
+    static float full[PIXELS], bright[PIXELS];
+    for (size_t n = 0; n < sizeof apertures / sizeof *apertures; n++)
+    {
+        stage at = make_stage(&wall, 1);
+        cm_tof_options options = {
+            .size = sizeof options, .sample_columns = 9, .sample_rows = 9, .full = 1};
+        float most = 0.0f;
+        at.light.position[0] = 0.3;
+        at.light.direction[0] = -0.166;
+        at.light.direction[1] = 0.01;
+        at.light.direction[2] = 1.0;
+        at.light.aperture = apertures[n];
+        ck_assert_int_eq(simulate(&at, &options), CM_OK);
+        memcpy(full, distance, sizeof full);
+        memcpy(bright, amplitude, sizeof bright);
+        options.full = 0;
+        ck_assert_int_eq(simulate(&at, &options), CM_OK);
+        for (size_t i = 0; i < PIXELS; i++)
+        {
+            most = fmaxf(most, bright[i]);
+        }
+        ck_assert_float_gt(most, 0.0f);
+        for (size_t i = 0; i < PIXELS; i++)
+        {
+            REQUIRE(isnan(distance[i]) == isnan(full[i]) &&
+                        !(fabsf(distance[i] - full[i]) > 1e-4f) &&
+                        fabsf(amplitude[i] - bright[i]) < 1e-4f * most,
+                    "cone of %g, pixel %zu: %g and %g, not %g and %g", apertures[n], i,
+                    (double)distance[i], (double)amplitude[i], (double)full[i], (double)bright[i]);
+        }
+        free_stage(&at);
+    }
+}
+END_TEST
+
 /* Beside the camera a light throws shadows. */
 START_TEST(a_light_beside_the_camera_throws_a_shadow)
 {
@@ -624,6 +663,7 @@ int main(void)
                                   pixels_beyond_whole_vectors_are_as_the_others,
                                   ranges_are_those_of_the_world,
                                   tables_of_intensity_keep_the_power,
+                                  rims_of_cones_are_sampled,
                                   a_light_beside_the_camera_throws_a_shadow,
                                   shot_noise_has_the_spread_that_the_formula_gives,
                                   threads_change_no_bit,
