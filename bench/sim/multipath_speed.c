@@ -217,6 +217,7 @@ static void compare_in_corner(void)
                        {.position = {1.5, 1.4, 1.32},
                         .axis = {-0.6, -0.56, -0.5713},
                         .least_cosine = 0.7,
+                        .part = 0.15,
                         .intensity = 1.0},
                        {1, {2.0 * PI * 20e6 / CM_SPEED_OF_LIGHT}}};
     const cm_tof_options traced = {
@@ -268,10 +269,13 @@ int main(int argc, char **argv)
     need(cm_tof_scene_create(world, &scene));
     need(tof_instant_create(scene, 0.0, &instant));
     look(instant, from, 0.0, 0.0);
-    const setting s = {
-        instant,
-        {.position = {-2.0, 0.35, 1.4}, .axis = {1, 0, 0}, .least_cosine = -1.0, .intensity = 1.0},
-        {1, {2.0 * PI * 20e6 / CM_SPEED_OF_LIGHT}}};
+    const setting s = {instant,
+                       {.position = {-2.0, 0.35, 1.4},
+                        .axis = {1, 0, 0},
+                        .least_cosine = -1.0,
+                        .part = 1.0,
+                        .intensity = 1.0},
+                       {1, {2.0 * PI * 20e6 / CM_SPEED_OF_LIGHT}}};
     for (size_t i = 0; i < (argc > 2 ? 1 : sizeof mappings / sizeof *mappings); i++)
     {
         for (int visibility = 0; visibility < 2; visibility++)

@@ -15,6 +15,7 @@ enum
 {
     DEEPEST = 14,
     MOST_PLACES = 20000,
+    RIM_PLACES = 64, /* of a cone whose spot may lie between cells' middles */
     PLACES_AT_ONCE = 256
 };
 
@@ -347,6 +348,56 @@ static cm_status mark_all(drawing *to, cm_pool *pool)
     return status;
 }
 
+/* ---- cones of light ---- */
+
+static int is_cone(const tof_lamp *lamp)
+{
+    return lamp->least_cosine > -1.0;
+}
+
+void find_outside_cones(const tof_scenery *scenery, size_t n, tof_light_block *light)
+{
+    const double *const distance = light->rays.distance;
+    for (size_t j = 0; j < scenery->lamps; j++)
+    {
+        const tof_lamp *lamp = &scenery->lamp[j];
+        double from[3];
+        for (int k = 0; k < 3; k++)
+        {
+            from[k] = scenery->camera.position[k] - lamp->position[k];
+        }
+        for (size_t i = 0; is_cone(lamp) && i < n; i++)
+        {
+            const double way[3] = {from[0] + distance[i] * light->rays.direction[0][i],
+                                   from[1] + distance[i] * light->rays.direction[1][i],
+                                   from[2] + distance[i] * light->rays.direction[2][i]};
+            const int is_outside = dot(way, lamp->axis) < lamp->least_cosine * sqrt(dot(way, way));
+            light->shadows[i] |= (uint64_t)is_outside << j;
+        }
+    }
+}
+
+/* The cone's rim, as shadows are marked; the eye is the lamp. */
+static void mark_rim(const tof_lamp *lamp, drawing *to)
+{
+    const double sine = 2.0 * sqrt(lamp->part * (1.0 - lamp->part));
+    double x[3], y[3];
+    find_across(lamp->axis, x, y);
+    for (int i = 0; i < RIM_PLACES; i++)
+    {
+        const double angle = 2.0 * PI * i / RIM_PLACES;
+        double place[3];
+        for (int k = 0; k < 3; k++)
+        {
+            place[k] =
+                lamp->position[k] + BEHIND * ((1.0 - 2.0 * lamp->part) * lamp->axis[k] +
+                                              sine * (cos(angle) * x[k] + sin(angle) * y[k]));
+        }
+        mark_place(to, place);
+    }
+    mark_waiting(to);
+}
+
 cm_status mark_edges(const tof_scenery *scenery, cm_pool *pool, uint8_t *mark)
 {
     const tof_sensor *sensor = scenery->sensor;
@@ -364,10 +415,14 @@ cm_status mark_edges(const tof_scenery *scenery, cm_pool *pool, uint8_t *mark)
     to.step *= 0.5; /* what a shadow falls onto may be nearer to the camera than to the lamp */
     for (size_t j = 0; status == CM_OK && j < scenery->lamps; j++)
     {
+        to.eye = scenery->lamp[j].position;
         if (lamp_is_beside(&scenery->lamp[j], scenery->camera.position))
         {
-            to.eye = scenery->lamp[j].position;
             status = mark_all(&to, pool);
+        }
+        if (is_cone(&scenery->lamp[j]))
+        {
+            mark_rim(&scenery->lamp[j], &to);
         }
     }
     return status;

@@ -53,16 +53,28 @@ static double step_of(const cm_tof_light *light)
     return 0.5 * light->aperture / (double)(light->n - 1);
 }
 
-/* The integral over the cone of a table that is linear between its values: by parts, of each piece. */
+/* sin x - x cos x, the integral of t sin t to x, whose terms are nearly the same where x is small. */
+static double sine_moment(double x)
+{
+    const double square = x * x;
+    return x > 0.1 ? sin(x) - x * cos(x)
+                   : x * square *
+                         (1.0 / 3.0 -
+                          square * (1.0 / 30.0 - square * (1.0 / 840.0 - square / 45360.0)));
+}
+
+/* The integral over the cone of a table that is linear between its values: of each piece about its middle, which thin cones
+ * need, whose cosines are 1. */
 static double integral_of(const cm_tof_light *light)
 {
-    const double step = step_of(light);
+    const double step = step_of(light), half = 0.5 * step;
     double sum = 0.0;
     for (size_t k = 0; k + 1 < light->n; k++)
     {
-        const double from = step * (double)k, to = step * (double)(k + 1);
+        const double middle = step * ((double)k + 0.5);
         const double first = (double)light->intensity[k], last = (double)light->intensity[k + 1];
-        sum += first * cos(from) - last * cos(to) + (last - first) / step * (sin(to) - sin(from));
+        sum += (first + last) * sin(middle) * sin(half) +
+               2.0 * (last - first) / step * cos(middle) * sine_moment(half);
     }
     return 2.0 * PI * sum;
 }
@@ -134,8 +146,9 @@ void lamps_place(const cm_tof_light *light, size_t lights, double *const *table,
         lamp[i].least_cosine = light[i].aperture >= 2.0 * PI * (1.0 - 1e-9) ? -2.0 : rim;
         /* 1 - cos, of small angles too */
         const double sine = sin(0.25 * light[i].aperture);
+        lamp[i].part = sine * sine;
         const int is_dark = light[i].n == 1 && light[i].intensity[0] == 0.0f;
-        lamp[i].intensity = is_dark ? 0.0 : light[i].power / (4.0 * PI * sine * sine);
+        lamp[i].intensity = is_dark ? 0.0 : light[i].power / (4.0 * PI * lamp[i].part);
         lamp[i].n = is_even(&light[i]) ? 0 : light[i].n;
         lamp[i].table = table[i];
         lamp[i].step = is_even(&light[i]) ? 0.0 : step_of(&light[i]);

@@ -17,7 +17,8 @@
 
 enum
 {
-    BLOCK = 512
+    BLOCK = 512,
+    CELLS_A_LIGHT = 4 /* at least, of a map in which lights are drawn */
 };
 
 /* Metres. Loops over lights are of single precision, which has no fourth power of much more; nothing is lit from there. */
@@ -32,6 +33,7 @@ typedef struct map
     int level;   /* of the curve, whose cells are as many as the map's or more */
     size_t each; /* cells of the curve a lamp */
     const tof_lamp *lamp;
+    uint32_t count;    /* of lights to draw */
     double *scattered; /* watts of each cell of each lamp */
     atomic_int status;
 } map;
@@ -56,6 +58,28 @@ static int place_of_cell(const map *m, size_t index, cm_cell_place *place)
     const cm_cell cell = cm_cell_at_index(m->level, index);
     return cm_cell_to_place(CM_CURVE_HILBERT, cell, place) == CM_OK && place->i < m->edge &&
            place->j < m->edge;
+}
+
+/* Of a thin cone the map of all directions has few cells, or none. */
+static int is_of_cone(const map *m, const tof_lamp *lamp)
+{
+    const double cells = (double)map_faces(m->mapping) * m->edge * m->edge;
+    return lamp->part * cells < (double)CELLS_A_LIGHT * m->count;
+}
+
+/* From all directions to those of the cone, each as much smaller: heights of a sphere's zones are as their areas. */
+static void turn_into_cone(const tof_lamp *lamp, const double all[3], double within[3])
+{
+    const double height = lamp->part * (1.0 - all[2]), sine = sqrt(height * (2.0 - height));
+    const double across = sqrt(all[0] * all[0] + all[1] * all[1]);
+    const double cosine = across > 0.0 ? all[0] / across : 1.0;
+    const double side = across > 0.0 ? all[1] / across : 0.0;
+    double x[3], y[3];
+    find_across(lamp->axis, x, y);
+    for (int k = 0; k < 3; k++)
+    {
+        within[k] = (1.0 - height) * lamp->axis[k] + sine * (cosine * x[k] + side * y[k]);
+    }
 }
 
 /* Directions of cells' middles, and solid angles by the inverse's Jacobian. */
@@ -91,6 +115,18 @@ static void find_rays(const map *m, size_t n, const size_t *cell, rays *r)
         {
             r->direction[0][i] = r->direction[1][i] = 0.0;
             r->direction[2][i] = 1.0;
+        }
+        const tof_lamp *lamp = m->lamp + cell[i] / m->each;
+        if (is_of_cone(m, lamp))
+        {
+            const double all[3] = {r->direction[0][i], r->direction[1][i], r->direction[2][i]};
+            double within[3];
+            turn_into_cone(lamp, all, within);
+            for (int k = 0; k < 3; k++)
+            {
+                r->direction[k][i] = within[k];
+            }
+            r->angle[i] *= lamp->part;
         }
     }
 }
@@ -233,7 +269,7 @@ cm_status draw_virtual_lights(const tof_instant *instant, const cm_mapping *mapp
                               const tof_lamp *lamp, size_t lamps, uint32_t count, cm_pool *pool,
                               virtual_light *light, uint32_t *drawn)
 {
-    map m = {.instant = instant, .mapping = mapping, .edge = edge, .lamp = lamp};
+    map m = {.instant = instant, .mapping = mapping, .edge = edge, .lamp = lamp, .count = count};
     *drawn = 0;
     while ((uint32_t)1 << m.level < edge)
     {

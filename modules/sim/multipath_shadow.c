@@ -10,10 +10,13 @@
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum
 {
-    EDGE = 24,
+    CUBE_EDGE = 24,
+    SQUARE_EDGE = 59, /* of a map that is one square: about as many cells */
+    CELLS = SQUARE_EDGE * SQUARE_EDGE,
     BLOCK = 256
 };
 
@@ -55,6 +58,79 @@ static void put_planes(const tof_virtual_lights *lights, shadow_rays *r, float (
     r->n = 0;
 }
 
+/* ---- cells of curved surfaces ---- */
+
+static float height_above(const float plane[4], const float at[3])
+{
+    return plane[0] * at[0] + plane[1] * at[1] + plane[2] * at[2] + plane[3];
+}
+
+static int is_flat(const float one[4], const float other[4])
+{
+    return one[0] == other[0] && one[1] == other[1] && one[2] == other[2];
+}
+
+/* Where a cell's ray meets its plane. */
+static void find_place(const shadow_job *job, const float from[3], const float plane[4],
+                       size_t cell, float at[3])
+{
+    float along = 0.0f;
+    for (int k = 0; k < 3; k++)
+    {
+        along += plane[k] * (float)job->direction[k][cell];
+    }
+    const float distance = -height_above(plane, from) / along;
+    for (int k = 0; k < 3; k++)
+    {
+        at[k] = from[k] + distance * (float)job->direction[k][cell];
+    }
+}
+
+/* Of two cells beside each other on a convex surface, whose places are each below the other's plane: how far it falls from a
+ * cell's plane to the other's place, and half of that to the cell's corner. What throws a shadow onto another is above. */
+static void find_fall(const shadow_job *job, const float from[3], float (*plane)[4], size_t cell,
+                      size_t beside, float *fall)
+{
+    float here[3], there[3];
+    if (is_flat(plane[cell], plane[beside]))
+    {
+        return;
+    }
+    find_place(job, from, plane[cell], cell, here);
+    find_place(job, from, plane[beside], beside, there);
+    const float there_below = -height_above(plane[cell], there);
+    const float here_below = -height_above(plane[beside], here);
+    if (there_below > 0.0f && here_below > 0.0f)
+    {
+        fall[cell] = fmaxf(fall[cell], 0.5f * there_below);
+        fall[beside] = fmaxf(fall[beside], 0.5f * here_below);
+    }
+}
+
+/* Convex surfaces would else shadow themselves: planes of cells go down to where the surface is at the cell's corner. */
+static void lower_planes(const shadow_job *job, size_t which, float *fall, float (*plane)[4])
+{
+    const tof_virtual_lights *lights = job->lights;
+    const float *const from = lights->fast[which].position;
+    const size_t edge = (size_t)lights->shadow_edge;
+    memset(fall, 0, lights->shadow_cells * sizeof *fall);
+    for (size_t cell = 0; cell < lights->shadow_cells; cell++)
+    {
+        if (cell % edge + 1 < edge)
+        {
+            find_fall(job, from, plane, cell, cell + 1, fall);
+        }
+        if (cell / edge % edge + 1 < edge)
+        {
+            find_fall(job, from, plane, cell, cell + edge, fall);
+        }
+    }
+    for (size_t cell = 0; cell < lights->shadow_cells; cell++)
+    {
+        plane[cell][3] += fall[cell];
+    }
+}
+
 static void draw_some_shadows(size_t from, size_t to, void *user)
 {
     const shadow_job *const job = user;
@@ -64,6 +140,7 @@ static void draw_some_shadows(size_t from, size_t to, void *user)
         const virtual_light *l = lights->light + which;
         float(*const plane)[4] = lights->plane + which * lights->shadow_cells;
         shadow_rays r;
+        float fall[CELLS];
         double begin[3];
         r.n = 0;
         leave_surface(l->position, l->normal, begin);
@@ -88,13 +165,15 @@ static void draw_some_shadows(size_t from, size_t to, void *user)
                 put_planes(lights, &r, plane);
             }
         }
+        lower_planes(job, which, fall, plane);
     }
 }
 
 cm_status draw_shadows(tof_virtual_lights *lights, cm_pool *pool)
 {
     const size_t faces = (size_t)map_faces(lights->shadow_mapping);
-    const size_t cells = faces * EDGE * EDGE;
+    const size_t edge = faces == 1 ? SQUARE_EDGE : CUBE_EDGE;
+    const size_t cells = faces * edge * edge;
     double *const number = malloc(5 * cells * sizeof *number);
     uint8_t *const face = malloc(cells);
     lights->plane = malloc(lights->count * cells * sizeof *lights->plane);
@@ -108,13 +187,13 @@ cm_status draw_shadows(tof_virtual_lights *lights, cm_pool *pool)
     double *const v = number + 4 * cells;
     for (size_t i = 0; i < cells; i++)
     {
-        face[i] = (uint8_t)(i / (EDGE * EDGE));
-        u[i] = ((double)(i % EDGE) + 0.5) * 2.0 / EDGE - 1.0;
-        v[i] = ((double)(i / EDGE % EDGE) + 0.5) * 2.0 / EDGE - 1.0;
+        face[i] = (uint8_t)(i / (edge * edge));
+        u[i] = ((double)(i % edge) + 0.5) * 2.0 / (double)edge - 1.0;
+        v[i] = ((double)(i / edge % edge) + 0.5) * 2.0 / (double)edge - 1.0;
     }
     cm_inverse_array(lights->shadow_mapping, cells, face, u, v, number, number + cells,
                      number + 2 * cells);
-    lights->shadow_edge = EDGE;
+    lights->shadow_edge = (int)edge;
     lights->shadow_cells = cells;
     shadow_job job = {lights, {number, number + cells, number + 2 * cells}};
     cm_pool_run(pool, lights->count, 1, draw_some_shadows, &job);
@@ -141,11 +220,11 @@ int is_seen(const tof_virtual_lights *lights, uint32_t which, const double posit
     {
         return 1;
     }
-    const float scale = 0.5f * EDGE;
+    const int edge = lights->shadow_edge;
+    const float scale = 0.5f * (float)edge;
     const int column = (int)(uv[0] * scale + scale);
     const int row = (int)(uv[1] * scale + scale);
-    const float *const p = plane[(face * EDGE + (row < EDGE ? row : EDGE - 1)) * EDGE +
-                                 (column < EDGE ? column : EDGE - 1)];
-    const float height = p[0] * at[0] + p[1] * at[1] + p[2] * at[2] + p[3];
-    return (double)height >= -(double)PLANE_REACH * sqrt(square);
+    const float *const p = plane[(face * edge + (row < edge ? row : edge - 1)) * edge +
+                                 (column < edge ? column : edge - 1)];
+    return (double)height_above(p, at) >= -(double)PLANE_REACH * sqrt(square);
 }

@@ -7,6 +7,31 @@
 #include <math.h>
 #include <string.h>
 
+enum
+{
+    FIRST_ANGLES = 128, /* of the first series' noise */
+    OTHER_ANGLES = 181, /* of the second's: prime, so that borders of wraps fall anywhere between */
+    OFFSETS = 21,       /* of the pixels' own */
+    RATIOS = 512        /* of signal to noise, STEP apart in their logarithm from LEAST on */
+};
+
+#define STEP 0.05
+#define LEAST (-6.0)
+#define REACH 12.0       /* deviations of noise that count */
+#define OFFSET_REACH 5.0 /* the same of the pixels' own offsets */
+
+/* How wrong distances are, by errors of phases; and the mean squares of that by the ratio of a phasor to its noise. */
+typedef struct noise_model
+{
+    int series;
+    series_mean mean;      /* of two; of one its first wave alone */
+    double range;          /* in which distances are told apart, metres */
+    double step;           /* between the rests of wraps */
+    int wraps_a_step;      /* wraps of the first series to the next rest */
+    double pattern;        /* radians, standard deviation */
+    double square[RATIOS]; /* NaN: not asked for yet */
+} noise_model;
+
 /* Of a phase image's circuits together, the mean over a series' images. */
 static double variance_of_pixel(const cm_tof_sensor *sensor, int shot, size_t pixels,
                                 const float *charge_a, const float *charge_b)
@@ -22,83 +47,173 @@ static double variance_of_pixel(const cm_tof_sensor *sensor, int shot, size_t pi
     return sum / sensor->phases + 2.0 * sensor->read_noise * sensor->read_noise;
 }
 
-/* How distances spread in a series, but for the fixed pattern. */
-static double spread_of_series(const cm_tof_sensor *sensor, int shot, const noise_charges *of,
-                               int series, size_t pixel)
+/* A phasor's length by the standard deviation of its noise in each direction: of both series, whose light is the same. */
+static double ratio_of(const cm_tof_sensor *sensor, int shot, const noise_charges *of, int series,
+                       size_t pixel)
 {
-    const size_t first = (size_t)series * (size_t)sensor->phases * of->pixels + pixel;
     const double signal = (double)of->amplitude[pixel] / sensor->contrast;
-    const double variance =
-        variance_of_pixel(sensor, shot, of->pixels, of->charge_a + first, of->charge_b + first);
-    cm_tof_sensor one = *sensor;
-    one.frequency = series == 0 ? sensor->frequency : sensor->second_frequency;
-    return fmin(cm_tof_noise_of_distance(&one, signal, variance - signal),
-                sensor_unambiguous(sensor, series));
-}
-
-/* How far the distance jumps where noise lets the wrap beside be chosen: that whose rest is nearest, of all wraps' rests, which
- * lie evenly in the second series' wave. Around the circle of distances. */
-static double jump_of(const series_mean *mean)
-{
-    const double step = 1.0 / mean->wraps;
-    double jump = mean->weight * mean->unambiguous[1] * step, best = INFINITY;
-    for (int k = 1; k < mean->wraps; k++)
+    double variance = 0.0;
+    for (int k = 0; k < series; k++)
     {
-        const double waves = k * mean->unambiguous[0] / mean->unambiguous[1];
-        const double apart = fabs(waves - floor(waves) - step);
-        if (apart < best)
-        {
-            best = apart;
-            jump = (k < mean->wraps - k ? k : mean->wraps - k) * mean->unambiguous[0];
-        }
+        const size_t first = (size_t)(k * sensor->phases) * of->pixels + pixel;
+        variance += variance_of_pixel(sensor, shot, of->pixels, of->charge_a + first,
+                                      of->charge_b + first) /
+                    series;
     }
-    return jump;
+    const double spread = cm_tof_noise_of_distance(sensor, signal, variance - signal);
+    return sensor_unambiguous(sensor, 0) / (2.0 * PI * spread);
 }
 
-/* The mean square of a mean of both series, of which noise is independent and the pattern the same, and of wrong wraps. */
-static double square_of_mean(const series_mean *mean, const double spread[2], double pattern,
-                             double jump)
+/* ---- one pixel ---- */
+
+/* How dense the angle of a phasor with noise in both directions is: no normal distribution, but where noise is small, and
+ * wider than that at wraps' borders. */
+static double density_of(double ratio, double angle)
 {
-    const double one = (1.0 - mean->weight) * spread[0], other = mean->weight * spread[1];
-    const double moved = pattern * ((1.0 - mean->weight) * mean->unambiguous[0] +
-                                    mean->weight * mean->unambiguous[1]);
-    const double apart = pattern * (mean->unambiguous[0] - mean->unambiguous[1]);
-    const double rest = sqrt(spread[0] * spread[0] + spread[1] * spread[1] + apart * apart);
-    const double margin = 0.5 * mean->unambiguous[1] / mean->wraps;
-    const double wrong = rest > 0.0 ? erfc(margin / (sqrt(2.0) * rest)) : 0.0;
-    const double range = mean->wraps * mean->unambiguous[0];
-    return one * one + other * other + moved * moved +
-           fmin(wrong * jump * jump, range * range / 12.0);
+    const double along = ratio * cos(angle), across = ratio * sin(angle);
+    return exp(-0.5 * ratio * ratio) / (2.0 * PI) +
+           along * exp(-0.5 * across * across) * 0.5 * erfc(-along / sqrt(2.0)) / sqrt(2.0 * PI);
+}
+
+/* Angles evenly apart, as far as noise goes, and the parts of one that they have. */
+static void put_angles(double ratio, size_t n, double *angle, double *part)
+{
+    const double half = fmin(PI, REACH / ratio);
+    double sum = 0.0;
+    for (size_t i = 0; i < n; i++)
+    {
+        angle[i] = half * ((2.0 * (double)i + 1.0) / (double)n - 1.0);
+        part[i] = density_of(ratio, angle[i]);
+        sum += part[i];
+    }
+    for (size_t i = 0; i < n; i++)
+    {
+        part[i] /= sum;
+    }
+}
+
+/* What is told of distance 0 with these errors of both series, as reconstruct.c has it: the wrap is that whose rest is least. */
+static double error_of(const noise_model *model, double first, double other)
+{
+    const series_mean *mean = &model->mean;
+    double error = first;
+    if (model->series == 2)
+    {
+        const double steps = nearbyint((first - other) / model->step);
+        const double wraps = -steps * model->wraps_a_step;
+        error += (wraps - mean->wraps * nearbyint(wraps / mean->wraps)) * mean->unambiguous[0] -
+                 mean->weight * (first - other - steps * model->step);
+    }
+    return error - model->range * nearbyint(error / model->range);
+}
+
+/* The mean square of the errors with an offset of both phases. */
+static double square_at(const noise_model *model, double offset, const double *angle,
+                        const double *part, const double *other_angle, const double *other_part)
+{
+    const double one = model->mean.unambiguous[0] / (2.0 * PI);
+    const double two = model->mean.unambiguous[1] / (2.0 * PI);
+    const size_t others = model->series == 2 ? OTHER_ANGLES : 1;
+    double square = 0.0;
+    for (size_t k = 0; k < others; k++)
+    {
+        const double other = model->series == 2 ? two * (other_angle[k] + offset) : 0.0;
+        double sum = 0.0;
+        for (size_t i = 0; i < FIRST_ANGLES; i++)
+        {
+            const double error = error_of(model, one * (angle[i] + offset), other);
+            sum += part[i] * error * error;
+        }
+        square += model->series == 2 ? other_part[k] * sum : sum;
+    }
+    return square;
+}
+
+/* The same over the pixels' own offsets, which are normal. */
+static double square_of(const noise_model *model, double ratio)
+{
+    double angle[FIRST_ANGLES], part[FIRST_ANGLES], other_angle[OTHER_ANGLES],
+        other_part[OTHER_ANGLES], square = 0.0, sum = 0.0;
+    put_angles(ratio, FIRST_ANGLES, angle, part);
+    put_angles(ratio, OTHER_ANGLES, other_angle, other_part);
+    const int offsets = model->pattern > 0.0 ? OFFSETS : 1;
+    for (int i = 0; i < offsets; i++)
+    {
+        const double deviations = OFFSET_REACH * ((2.0 * i + 1.0) / offsets - 1.0);
+        const double weight = exp(-0.5 * deviations * deviations);
+        square += weight * square_at(model, deviations * model->pattern, angle, part, other_angle,
+                                     other_part);
+        sum += weight;
+    }
+    return square / sum;
+}
+
+/* ---- all pixels ---- */
+
+static void put_wraps(noise_model *model)
+{
+    const series_mean *mean = &model->mean;
+    const double one = mean->unambiguous[0], other = mean->unambiguous[1];
+    const double waves = nearbyint(mean->wraps * one / other);
+    model->step = waves > 0.0 ? other / mean->wraps : one;
+    model->wraps_a_step = 1;
+    while (waves > 0.0 && model->wraps_a_step < mean->wraps &&
+           fmod(model->wraps_a_step * waves, mean->wraps) != 1.0)
+    {
+        model->wraps_a_step++;
+    }
+}
+
+static void prepare(const cm_tof_sensor *sensor, noise_model *model)
+{
+    memset(model, 0, sizeof *model);
+    model->series = sensor->second_frequency > 0.0 ? 2 : 1;
+    model->mean.unambiguous[0] = sensor_unambiguous(sensor, 0);
+    model->range = reconstruct_range(sensor);
+    model->pattern = sensor->fixed_pattern;
+    if (model->series == 2)
+    {
+        model->mean = series_mean_of(sensor);
+        put_wraps(model);
+    }
+    for (size_t i = 0; i < RATIOS; i++)
+    {
+        model->square[i] = NAN;
+    }
+}
+
+static double square_of_node(noise_model *model, size_t node)
+{
+    if (isnan(model->square[node]))
+    {
+        model->square[node] = square_of(model, exp(LEAST + STEP * (double)node));
+    }
+    return model->square[node];
+}
+
+/* Between two ratios, and beyond the last, as a power of it. */
+static double square_between(noise_model *model, double ratio)
+{
+    const double place = fmax((log(ratio) - LEAST) / STEP, 0.0);
+    const size_t node = (size_t)fmin(place, RATIOS - 2);
+    const double part = place - (double)node;
+    const double low = square_of_node(model, node), high = square_of_node(model, node + 1);
+    return low * pow(high / low, part);
 }
 
 double noise_spread(const cm_tof_sensor *sensor, int shot, const noise_charges *of)
 {
-    const double pattern = sensor->fixed_pattern / (2.0 * PI); /* turns */
-    const double moved = pattern * sensor_unambiguous(sensor, 0);
-    const int has_two = sensor->second_frequency > 0.0;
-    series_mean mean;
-    memset(&mean, 0, sizeof mean);
-    if (has_two)
-    {
-        mean = series_mean_of(sensor);
-    }
-    const double jump = has_two ? jump_of(&mean) : 0.0;
+    noise_model model;
     double squares = 0.0;
     size_t count = 0;
+    prepare(sensor, &model);
     for (size_t i = 0; i < of->pixels; i++)
     {
-        if (!(of->amplitude[i] > 0.0f))
+        if (of->amplitude[i] > 0.0f)
         {
-            continue;
+            squares += square_between(&model, ratio_of(sensor, shot, of, model.series, i));
+            count++;
         }
-        double spread[2] = {spread_of_series(sensor, shot, of, 0, i), 0.0};
-        if (has_two)
-        {
-            spread[1] = spread_of_series(sensor, shot, of, 1, i);
-        }
-        squares += has_two ? square_of_mean(&mean, spread, pattern, jump)
-                           : spread[0] * spread[0] + moved * moved;
-        count++;
     }
     return count == 0 ? 0.0 : sqrt(squares / (double)count);
 }

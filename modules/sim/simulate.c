@@ -18,6 +18,7 @@ enum
 
 #define MULTIPATH_APART 0.001 /* metres */
 #define STEP_TURN 0.05        /* radians of phase: the mean over them is less by 1e-4 */
+#define BEND_TURN 1e-4        /* radians that a mean over a bend of a motion may be off */
 
 /* A frame while it is made. */
 typedef struct frame
@@ -167,24 +168,50 @@ static int moves(const frame *doing, double begin, double end)
     return (count > 1 && begin < last && end > first) || tof_scene_moves(doing->scene, begin, end);
 }
 
-/* The most that moves in any of the exposures. */
-static cm_status find_movement(const frame *doing, seen_movement *most)
+/* What moves in an exposure, whose ends do not say it where trajectories bend between. */
+static cm_status find_movement_from(const frame *doing, double begin, int bends,
+                                    seen_movement *whole)
+{
+    const double exposure = doing->sensor.given.exposure;
+    const int pieces = bends ? MOST_TIMES : 1;
+    cm_status status = CM_OK;
+    for (int k = 0; status == CM_OK && k < pieces; k++)
+    {
+        seen_movement piece = {0.0, 0.0};
+        status =
+            seen_motion(doing->scene, doing->trajectory, &doing->sensor,
+                        begin + k * exposure / pieces, begin + (k + 1) * exposure / pieces, &piece);
+        whole->angle += piece.angle;
+        whole->range += piece.range;
+    }
+    return status;
+}
+
+/* The most that moves in any of the exposures, and of those in which trajectories bend. */
+static cm_status find_movement(const frame *doing, seen_movement *most, seen_movement *bent)
 {
     const cm_tof_sensor *given = &doing->sensor.given;
     cm_status status = CM_OK;
     for (int image = 0; status == CM_OK && image < doing->sensor.series * given->phases; image++)
     {
         const double begin = doing->time + image * (given->exposure + given->readout);
-        if (moves(doing, begin, begin + given->exposure))
+        const double end = begin + given->exposure;
+        if (moves(doing, begin, end))
         {
-            status = seen_motion(doing->scene, doing->trajectory, &doing->sensor, begin,
-                                 begin + given->exposure, most);
+            const int bends = tof_trajectory_bends(doing->trajectory, begin, end) ||
+                              tof_scene_bends(doing->scene, begin, end);
+            seen_movement whole = {0.0, 0.0};
+            status = find_movement_from(doing, begin, bends, &whole);
+            most->angle = fmax(most->angle, whole.angle);
+            most->range = fmax(most->range, whole.range);
+            bent->range = fmax(bent->range, bends ? whole.range : 0.0);
         }
     }
     return status;
 }
 
-/* Steps of an exposure: in one no sample is to move by more than its width, and no phase by more than STEP_TURN. */
+/* Steps of an exposure: in one no sample is to move by more than its width, and no phase by more than STEP_TURN. Where motion
+ * bends, the middle of one of N steps is a quarter of its turn from its mean, which counts as one of N. */
 static cm_status find_times(frame *doing)
 {
     doing->times = (int)doing->options.sample_times;
@@ -192,8 +219,8 @@ static cm_status find_times(frame *doing)
     {
         return CM_OK;
     }
-    seen_movement most = {0.0, 0.0};
-    const cm_status status = find_movement(doing, &most);
+    seen_movement most = {0.0, 0.0}, bent = most;
+    const cm_status status = find_movement(doing, &most, &bent);
     const double solid_angle =
         cm_camera_solid_angle(doing->sensor.given.camera, 0.5 * (double)doing->sensor.width,
                               0.5 * (double)doing->sensor.height);
@@ -206,7 +233,8 @@ static cm_status find_times(frame *doing)
         number = fmax(number, doing->sensor.waves.number[wave]);
     }
     const double turns = 2.0 * number * most.range / STEP_TURN;
-    doing->times = (int)fmin(fmax(1.0, ceil(fmax(samples, turns))), MOST_TIMES);
+    const double bends = sqrt(2.0 * number * bent.range / (4.0 * BEND_TURN));
+    doing->times = (int)fmin(fmax(1.0, ceil(fmax(fmax(samples, turns), bends))), MOST_TIMES);
     return status;
 }
 

@@ -38,6 +38,24 @@ int tof_scene_moves(const cm_tof_scene *scene, double from, double to)
     return 0;
 }
 
+int tof_trajectory_bends(const cm_trajectory *trajectory, double from, double to)
+{
+    const double half = 0.5 * (to - from) * (1.0 - 1e-9); /* not at either end */
+    size_t index;
+    return trajectory != NULL && cm_trajectory_count(trajectory) > 1 &&
+           cm_trajectory_nearest(trajectory, 0.5 * (from + to), half, &index) == CM_OK;
+}
+
+int tof_scene_bends(const cm_tof_scene *scene, double from, double to)
+{
+    int any = 0;
+    for (size_t i = 0; i < scene->count && !any; i++)
+    {
+        any = tof_trajectory_bends(scene->primitive[i].motion, from, to);
+    }
+    return any;
+}
+
 static void put_box(const cm_primitive *given, const cm_pose *pose, tof_solid *solid)
 {
     double middle[3];

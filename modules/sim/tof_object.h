@@ -47,6 +47,10 @@ const tof_surface *tof_instant_surfaces(const tof_instant *instant); /* by id */
 /* Does anything move between two times? */
 int tof_scene_moves(const cm_tof_scene *scene, double from, double to);
 
+/* Has a trajectory, or one of a scene's, a stamp between two times? It may bend there. NULL has none. */
+int tof_trajectory_bends(const cm_trajectory *trajectory, double from, double to);
+int tof_scene_bends(const cm_tof_scene *scene, double from, double to);
+
 /* What rays met, one value a ray; arrays that are NULL are left out. */
 typedef struct tof_hits
 {
@@ -70,6 +74,7 @@ typedef struct tof_lamp
 {
     double position[3], axis[3];
     double least_cosine; /* of the cone; -1: everywhere */
+    double part;         /* of the sphere that the cone is */
     double intensity;    /* W/sr on the axis, even: everywhere in the cone */
     size_t n;            /* of the table; 0: even */
     const double *table; /* W/sr, evenly apart in angle */

@@ -424,6 +424,7 @@ static void put_centres(size_t begin, size_t end, void *user)
     {
         put_tile(doing, number, &at);
         keep_status(doing, tof_shade(doing->scenery, at.n, at.column, at.row, at.number, &light));
+        find_outside_cones(doing->scenery, at.n, &light);
         keep_middles(doing, &at, &light);
         atomic_fetch_add(&doing->rays, at.n);
         for (size_t i = 0; i < at.n; i += at.run)

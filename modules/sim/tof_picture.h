@@ -56,4 +56,7 @@ cm_status picture_add(const tof_scenery *scenery, double part, int is_first, cm_
  * CM_OK; CM_ERROR_MEMORY. */
 cm_status mark_edges(const tof_scenery *scenery, cm_pool *pool, uint8_t *mark);
 
+/* Adds the bits of lamps whose cones do not reach what was met to those of shadows: their rims are edges, too. */
+void find_outside_cones(const tof_scenery *scenery, size_t n, tof_light_block *light);
+
 #endif

@@ -99,7 +99,9 @@ void measures()
                   throw std::runtime_error(std::to_string(before) + " " + std::to_string(after));
               }
           });
-    write_file("table.csv", "# degrees\n0, 0, 0, 0.3\n30 30 180 0.3\n60, 60, 90, 0.3\n");
+    write_file(
+        "table.csv",
+        "\xef\xbb\xbf# with the mark of UTF-8\r\n0, 0, 0, 0.3\r\n30 30 180 0.3\n60, 60, 90, 0.3\n");
     write_file(
         "matter.json",
         R"({"planes": [{"point": [0, 0, 2], "normal": [0, 0, 1], "motion": [[0, 0, 0, 0, 0, 0, 0, 1],

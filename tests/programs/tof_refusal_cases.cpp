@@ -230,6 +230,10 @@ void refuses_sensor_tables()
                  sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 6,\n"
                              "\"intensity\": [1, 1e39]}]"),
                  "5: lights\\[0\\].intensity has a number beyond");
+    sensor_fails("intensities that would all be 0",
+                 sensor_text("\"lights\": [{\"power\": 1, \"aperture\": 1,\n"
+                             "\"intensity\": [1e-60, 2e-60]}]"),
+                 "5: lights\\[0\\].intensity has no number that single precision holds");
 }
 
 // A sensor's camera.

@@ -69,8 +69,11 @@ typedef struct sphere_of_light
 /* A lamp that shines everywhere, 1 W/sr. */
 static inline tof_lamp lamp_at(double x, double y, double z)
 {
-    const tof_lamp lamp = {
-        .position = {x, y, z}, .axis = {0, 0, 1}, .least_cosine = -1.0, .intensity = 1.0};
+    const tof_lamp lamp = {.position = {x, y, z},
+                           .axis = {0, 0, 1},
+                           .least_cosine = -1.0,
+                           .part = 1.0,
+                           .intensity = 1.0};
     return lamp;
 }
 

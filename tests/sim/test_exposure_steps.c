@@ -97,12 +97,10 @@ START_TEST(what_is_not_seen_does_not_count)
 }
 END_TEST
 
-/* Something flat comes nearer: its charges are the mean of a thousand moments', though it moves across no pixel. */
-START_TEST(what_comes_nearer_counts)
+/* Of something flat that moves to and fro charges are the mean of a thousand moments', though it moves across no pixel. */
+static void compare_with_many(size_t n, const double *stamp, const double (*place)[3], float bound)
 {
-    const double stamp[2] = {0.0, 1.0};
-    const double place[2][3] = {{0, 0, 0}, {0, 0, -60}};
-    cm_trajectory *motion = make_motion(2, stamp, place);
+    cm_trajectory *motion = make_motion(n, stamp, place);
     cm_primitive moving = wall;
     moving.motion = motion;
     stage at = make_stage(&moving, 1);
@@ -119,10 +117,29 @@ START_TEST(what_comes_nearer_counts)
     ck_assert_int_eq(simulate(&at, &options), CM_OK);
     for (size_t k = 0; k < PHASES; k++)
     {
-        ck_assert_float_eq_tol(chosen[k], phase[k * PIXELS + middle], 3e-4f * electrons);
+        ck_assert_float_eq_tol(chosen[k], phase[k * PIXELS + middle], bound * electrons);
     }
     free_stage(&at);
     cm_trajectory_destroy(motion);
+}
+
+START_TEST(what_comes_nearer_counts)
+{
+    const double stamp[2] = {0.0, 1.0};
+    const double place[2][3] = {{0, 0, 0}, {0, 0, -60}};
+    compare_with_many(2, stamp, place, 3e-4f);
+}
+END_TEST
+
+/* It is back where it was when an exposure ends; or stops in the middle of one. */
+START_TEST(what_bends_within_an_exposure_counts)
+{
+    const double swing[5] = {0.0, 2.5e-3, 5e-3, 7.5e-3, 10e-3};
+    const double swung[5][3] = {{0, 0, 0}, {0, 0, 0.04}, {0, 0, 0}, {0, 0, 0.04}, {0, 0, 0}};
+    const double stop[2] = {0.0, 7e-3};
+    const double stopped[2][3] = {{0, 0, 0}, {0, 0, 0.02}};
+    compare_with_many(5, swing, swung, 2e-4f);
+    compare_with_many(2, stop, stopped, 2e-4f);
 }
 END_TEST
 
@@ -275,6 +292,7 @@ int main(void)
                                   small_things_count,
                                   what_is_not_seen_does_not_count,
                                   what_comes_nearer_counts,
+                                  what_bends_within_an_exposure_counts,
                                   charges_are_means_of_moments,
                                   multipath_is_flagged_by_the_first_frequency,
                                   NULL};

@@ -93,6 +93,35 @@ START_TEST(any_mapping)
 }
 END_TEST
 
+/* However thin a cone is, what it lights in a sphere scatters the same light to everywhere: all that the lamp has. */
+START_TEST(cones)
+{
+    static const double apertures[] = {1e-6, 1e-3, 0.02, 0.1, 0.3, 1.5, 4.0};
+    static sphere_of_light s;
+    make_sphere(&s, NULL);
+    for (size_t n = 0; n < sizeof apertures / sizeof *apertures; n++)
+    {
+        const double axis[3] = {0.6, 0.0, 0.8};
+        const double sine = sin(0.25 * apertures[n]);
+        const cm_tof_options options = {.size = sizeof options};
+        tof_lamp lamp = s.lamp;
+        memcpy(lamp.axis, axis, sizeof axis);
+        lamp.least_cosine = cos(0.5 * apertures[n]);
+        lamp.part = sine * sine;
+        lamp.intensity = 1.0 / lamp.part;
+        gather(s.instant, &lamp, 1, &options, &s.waves, NULL, &s.seen);
+        double sum = 0.0;
+        for (size_t i = 0; i < PLACES; i++)
+        {
+            sum += s.seen.total[i] * PI / 0.25 / PLACES;
+        }
+        printf("a cone of %g: %.6f of its light\n", apertures[n], sum);
+        REQUIRE(fabs(sum - 1.0) < 0.01, "a cone of %g: %g", apertures[n], sum);
+    }
+    free_sphere(&s);
+}
+END_TEST
+
 /* Several waves at once are each alone; facets that scatter nothing are Lambert's law by the slow way. */
 START_TEST(ways)
 {
@@ -245,6 +274,66 @@ START_TEST(shadows)
     const double with = apart_from_paths(&c, &options);
     printf("room with a cube: %.4f without, %.4f with shadows\n", without, with);
     REQUIRE(with < 0.06 && with < 0.5 * without, "%g without, %g with", without, with);
+    free_corner(&c);
+}
+END_TEST
+
+/* Of a ball of 30 cm between a lamp and a wall, all places of the ball. */
+static void make_ball(corner *made)
+{
+    const cm_primitive both[2] = {{.size = sizeof *both,
+                                   .kind = CM_PRIMITIVE_PLANE,
+                                   .first = {0, 0, 2},
+                                   .second = {0, 0, 1},
+                                   .material = {{1, 1, 1}, .reflectance = 0.6}},
+                                  {.size = sizeof *both,
+                                   .kind = CM_PRIMITIVE_SPHERE,
+                                   .first = {0, 0, 1.4},
+                                   .radius = 0.3,
+                                   .material = {{1, 1, 1}, .reflectance = 0.6}}};
+    ck_assert_int_eq(cm_scene_create(&made->world), CM_OK);
+    ck_assert_int_eq(cm_scene_add(made->world, &both[0], NULL), CM_OK);
+    ck_assert_int_eq(cm_scene_add(made->world, &both[1], NULL), CM_OK);
+    ck_assert_int_eq(cm_tof_scene_create(made->world, &made->scene), CM_OK);
+    ck_assert_int_eq(tof_instant_create(made->scene, 0.0, &made->instant), CM_OK);
+    look_around(made->instant, both[1].first, &made->seen);
+    for (int k = 0; k < 3; k++)
+    {
+        for (size_t i = 0; i < PLACES; i++)
+        {
+            made->seen.normal[k][i] = -made->seen.normal[k][i];
+            made->seen.to_camera[k][i] = -made->seen.to_camera[k][i];
+        }
+    }
+}
+
+/* What is convex throws no shadow onto itself: no cell of a map, however it lies on the sphere, may have one there. */
+START_TEST(no_shadows_of_itself)
+{
+    static const char *const names[] = {NULL, "gnomonic", "octahedral"};
+    static corner c;
+    const tof_lamp lamp = lamp_at(0.05, 0.0, 0.0);
+    const tof_waves waves = {0};
+    make_ball(&c);
+    for (size_t m = 0; m < sizeof names / sizeof *names; m++)
+    {
+        cm_mapping *mapping = names[m] == NULL ? NULL : make_mapping(names[m], NULL);
+        double sum[2] = {0.0, 0.0};
+        for (int visibility = 0; visibility < 2; visibility++)
+        {
+            const cm_tof_options options = {
+                .size = sizeof options, .visibility = visibility, .mapping = mapping};
+            gather(c.instant, &lamp, 1, &options, &waves, NULL, &c.seen);
+            for (size_t i = 0; i < PLACES; i++)
+            {
+                sum[visibility] += c.seen.total[i];
+            }
+        }
+        printf("%s: %.4f of a ball's light with shadows\n", names[m] == NULL ? "-" : names[m],
+               sum[1] / sum[0]);
+        REQUIRE(sum[0] > 0.0 && sum[1] / sum[0] > 0.99, "%zu: %g of %g", m, sum[1], sum[0]);
+        cm_mapping_destroy(mapping);
+    }
     free_corner(&c);
 }
 END_TEST
@@ -408,7 +497,17 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {sphere,    any_mapping,      ways,    beside_paths, shadows,
-                                  same_bits, instruction_sets, heights, dark,         NULL};
+    const TTest *const tests[] = {sphere,
+                                  cones,
+                                  any_mapping,
+                                  ways,
+                                  beside_paths,
+                                  shadows,
+                                  no_shadows_of_itself,
+                                  same_bits,
+                                  instruction_sets,
+                                  heights,
+                                  dark,
+                                  NULL};
     return run_suite("multipath", tests);
 }

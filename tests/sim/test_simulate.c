@@ -139,13 +139,20 @@ START_TEST(tables_of_intensity_keep_the_power)
     stage at = make_stage(&wall, 1);
     const float even[3] = {2.0f, 2.0f, 2.0f};
     float cosine[91];
-    at.light.aperture = 1.4;
-    ck_assert_int_eq(simulate(&at, NULL), CM_OK);
-    const double without = (double)intensity[24 * WIDTH + 32];
-    at.light.n = 3;
+    static const double apertures[] = {1e-6, 1e-4, 1.4};
+    double without = 0.0;
     at.light.intensity = even;
-    ck_assert_int_eq(simulate(&at, NULL), CM_OK);
-    ck_assert_double_eq_tol((double)intensity[24 * WIDTH + 32], without, 1e-6 * without);
+    for (size_t i = 0; i < sizeof apertures / sizeof *apertures; i++)
+    {
+        at.light.aperture = apertures[i];
+        at.light.n = 0;
+        ck_assert_int_eq(simulate(&at, NULL), CM_OK);
+        without = (double)intensity[24 * WIDTH + 32];
+        at.light.n = 3;
+        ck_assert_int_eq(simulate(&at, NULL), CM_OK);
+        ck_assert_double_gt(without, 0.0);
+        ck_assert_double_eq_tol((double)intensity[24 * WIDTH + 32], without, 1e-6 * without);
+    }
     /* I = I0 cos(theta) over half of the sphere has I0 = power / pi */
     for (int i = 0; i < 91; i++)
     {
@@ -158,6 +165,45 @@ START_TEST(tables_of_intensity_keep_the_power)
     const double expected = without / (0.7 / (2.0 * PI * (1.0 - cos(0.7)))) * (0.7 / PI);
     ck_assert_double_eq_tol((double)intensity[24 * WIDTH + 32], expected, 1e-4 * expected);
     free_stage(&at);
+}
+END_TEST
+
+/* Rims of cones are edges: samples where they are needed see what all samples see, of spots between pixels' middles, too. */
+START_TEST(rims_of_cones_are_sampled)
+{
+    static const double apertures[] = {0.6, 0.008};
+    static float full[PIXELS], bright[PIXELS];
+    for (size_t n = 0; n < sizeof apertures / sizeof *apertures; n++)
+    {
+        stage at = make_stage(&wall, 1);
+        cm_tof_options options = {
+            .size = sizeof options, .sample_columns = 9, .sample_rows = 9, .full = 1};
+        float most = 0.0f;
+        at.light.position[0] = 0.3;
+        at.light.direction[0] = -0.166;
+        at.light.direction[1] = 0.01;
+        at.light.direction[2] = 1.0;
+        at.light.aperture = apertures[n];
+        ck_assert_int_eq(simulate(&at, &options), CM_OK);
+        memcpy(full, distance, sizeof full);
+        memcpy(bright, amplitude, sizeof bright);
+        options.full = 0;
+        ck_assert_int_eq(simulate(&at, &options), CM_OK);
+        for (size_t i = 0; i < PIXELS; i++)
+        {
+            most = fmaxf(most, bright[i]);
+        }
+        ck_assert_float_gt(most, 0.0f);
+        for (size_t i = 0; i < PIXELS; i++)
+        {
+            REQUIRE(isnan(distance[i]) == isnan(full[i]) &&
+                        !(fabsf(distance[i] - full[i]) > 1e-4f) &&
+                        fabsf(amplitude[i] - bright[i]) < 1e-4f * most,
+                    "cone of %g, pixel %zu: %g and %g, not %g and %g", apertures[n], i,
+                    (double)distance[i], (double)amplitude[i], (double)full[i], (double)bright[i]);
+        }
+        free_stage(&at);
+    }
 }
 END_TEST
 
@@ -617,6 +663,7 @@ int main(void)
                                   pixels_beyond_whole_vectors_are_as_the_others,
                                   ranges_are_those_of_the_world,
                                   tables_of_intensity_keep_the_power,
+                                  rims_of_cones_are_sampled,
                                   a_light_beside_the_camera_throws_a_shadow,
                                   shot_noise_has_the_spread_that_the_formula_gives,
                                   threads_change_no_bit,

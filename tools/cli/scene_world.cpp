@@ -104,7 +104,8 @@ const char *wrong_of_measured(const std::vector<double> &numbers)
 std::vector<BrdfWord> read_brdf_table(const std::string &path)
 {
     constexpr double degree = 3.14159265358979323846 / 180;
-    std::istringstream lines(text_of_file(path));
+    const std::string text = text_of_file(path);
+    std::istringstream lines(text.substr(begin_of_text(text)));
     std::vector<BrdfWord> words;
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number)

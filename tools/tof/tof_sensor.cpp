@@ -259,10 +259,12 @@ void read_light(const JsonPlace &place, const cJSON *json, std::size_t number, T
         members.fail("n", " is not how many numbers intensity has");
     }
     members.check_known();
-    if (!table.empty() &&
-        *std::max_element(table.begin(), table.end()) > double{std::numeric_limits<float>::max()})
+    const double most = table.empty() ? 0 : *std::max_element(table.begin(), table.end());
+    if (most > double{std::numeric_limits<float>::max()} ||
+        (most > 0 && most < double{std::numeric_limits<float>::min()}))
     {
-        members.fail("intensity", " has a number beyond those of single precision");
+        members.fail("intensity", most > 1 ? " has a number beyond those of single precision"
+                                           : " has no number that single precision holds");
     }
     made.intensity.emplace_back(table.begin(), table.end());
     light.n = table.size();

@@ -69,7 +69,7 @@ std::string quoted(std::string_view word)
 LineWords::LineWords(std::string file_name, std::string_view whole, std::string_view parted_by)
     : name(std::move(file_name)), text(whole), apart(parted_by)
 {
-    at = text.compare(0, byte_order_mark.size(), byte_order_mark) == 0 ? byte_order_mark.size() : 0;
+    at = begin_of_text(text);
 }
 
 bool LineWords::next()

@@ -75,6 +75,11 @@ template <typename Body> cm_status guarded_file(char *message, const Body &body)
 
 // Of UTF-8, which some editors begin a text with.
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+// Where a text begins behind it.
+inline std::size_t begin_of_text(std::string_view text)
+{
+    return text.substr(0, byte_order_mark.size()) == byte_order_mark ? byte_order_mark.size() : 0;
+}
 
 // The words of a text's lines. What is empty or begins with # is passed over.
 class LineWords

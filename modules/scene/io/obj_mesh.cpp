@@ -307,9 +307,8 @@ private:
 std::string text_of(const std::string &path)
 {
     std::string text = read_whole(path, largest_text);
-    const bool is_marked = text.compare(0, byte_order_mark.size(), byte_order_mark) == 0;
     std::size_t to = 0;
-    for (std::size_t i = is_marked ? byte_order_mark.size() : 0; i < text.size(); ++i)
+    for (std::size_t i = begin_of_text(text); i < text.size(); ++i)
     {
         const bool is_first_of_two = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
         i += is_first_of_two;
