@@ -16,7 +16,7 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from . import _library as library
-from ._texts import created, decoded, number_of, struct, words_of
+from ._texts import Changing, created, decoded, number_of, struct, words_of
 from .earth import LATITUDES, Ellipsoid, ellipsoid_of
 from .mapping import SMOOTHNESS
 from .measures import PRECISIONS
@@ -47,7 +47,7 @@ class Candidate(NamedTuple):
     reason: str
 
 
-class Advice:
+class Advice(Changing):
     """A ranked list: len(a), a[0], and a.qualified, how many of the first keep all limits.
 
     >>> advice = cubemap.advise([cubemap.Cost("coupled"), cubemap.Cost("seamless")], equal_area=True)
@@ -57,6 +57,9 @@ class Advice:
 
     def __init__(self, handle: Any) -> None:
         self._handle = handle
+
+    def __repr__(self):
+        return f"<cubemap.Advice of {len(self)} candidates, {self.qualified} qualified>"
 
     def __len__(self) -> int:
         return library.cm_advice_count(self._handle)

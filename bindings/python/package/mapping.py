@@ -136,7 +136,7 @@ class MappingInfo:
     parameters: tuple
     presets: tuple
     parts: str
-    bounds: dict
+    bounds: dict = dataclasses.field(hash=False)
 
     @classmethod
     def _read(cls, info):

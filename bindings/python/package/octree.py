@@ -21,7 +21,7 @@ from . import _library as library
 from ._errors import Error
 from ._method import name_results
 from ._methods import OctreeMethods
-from ._texts import checked_kind, checked_text, created, handle_of, number_of, struct
+from ._texts import Changing, checked_kind, checked_text, created, handle_of, number_of, struct
 from .camera import DEPTH_KINDS, Camera
 from .images import PIXEL_TYPES, images_in
 from .mapping import checked_threads, pool_of
@@ -84,7 +84,7 @@ def _voxels_in(data):
     return Voxels(*(found[name].copy() for name in Voxels._fields))
 
 
-class Octree(OctreeMethods):
+class Octree(OctreeMethods, Changing):
     """A map of a scene from depth views: Octree(0.01, far=8.0).
 
     edge          of the finest voxel

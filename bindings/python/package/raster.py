@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._errors import Error
-from ._texts import checked_text, created, handle_of, struct
+from ._texts import Changing, checked_text, created, handle_of, struct
 from .camera import Camera, whole_number
 from .mapping import checked_threads
 from .pose import Pose, pose_pointer
@@ -44,7 +44,7 @@ def indices_of(index: ArrayLike, vertices: int) -> np.ndarray:
     return numbers_of(index.astype(np.uint32), 3, np.uint32, "index")
 
 
-class Raster:
+class Raster(Changing):
     """An empty canvas in front of a camera, on which the nearest wins: Raster(camera).
 
     nearest        what is nearer is not seen; 0 for all that is in front
@@ -68,6 +68,9 @@ class Raster:
         self._camera = camera
         self._threads = checked_threads(threads)
         self._lock = threading.Lock()
+
+    def __repr__(self):
+        return f"<cubemap.Raster of {self._camera!r}>"
 
     @property
     def camera(self) -> Camera:
