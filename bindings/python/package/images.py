@@ -181,7 +181,7 @@ def images_of(pictures, surface, writes=False):
 
 def images_in(shape, pictures, writes=False):
     """The same of pictures of a shape without channels: (rows, columns), or (pictures, rows, columns)."""
-    pictures = pictures if writes else np.asarray(unmasked(pictures, "pictures"))
+    pictures = checked_kind(pictures, np.ndarray, "out") if writes else np.asarray(unmasked(pictures, "pictures"))
     if not writes and not pictures.dtype.isnative:
         pictures = pictures.astype(pictures.dtype.newbyteorder("="))  # as files of FITS have them
     name = pictures.dtype.name

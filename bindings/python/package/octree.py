@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._errors import Error
+from ._masked_pictures import unmasked
 from ._method import name_results
 from ._methods import OctreeMethods
 from ._texts import Changing, checked_kind, checked_text, created, handle_of, number_of, struct
@@ -314,7 +315,7 @@ def _paging(memory, pages, instructions):
 
 
 def _three(values, name):
-    values = np.asarray(values, float)
+    values = np.asarray(unmasked(values, name), float)
     if values.shape != (3,):
         raise ValueError(f"{name}: three numbers, not {values.shape}")
     return values.tolist()
