@@ -49,8 +49,8 @@ def created(creator, destroyer, *arguments, keep=None):
 class Specified:
     """What is made again from its arguments: it is equal, hashed, printed and pickled by them.
 
-    `_arguments()` gives them as a dictionary in the order of the constructor; those that are as they are without a word
-    are not printed.
+    `_arguments()` gives them as a dictionary in the order of the constructor, or as a tuple; those that are as they are without
+    a word are not printed.
     """
 
     _standard = {}
@@ -92,7 +92,8 @@ def _own_kind(kind):
 def _made_again(kind, arguments):
     """Its own constructor may have other arguments; what it has added comes as state."""
     made = kind.__new__(kind)
-    _own_kind(kind).__init__(made, **arguments)
+    begin = _own_kind(kind).__init__
+    begin(made, **arguments) if isinstance(arguments, dict) else begin(made, *arguments)
     return made
 
 

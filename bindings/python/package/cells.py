@@ -151,8 +151,8 @@ class Region(RegionMethods, Specified):
     def _same(self):
         return self._given
 
-    def __reduce__(self):
-        return Region, self._given
+    def _arguments(self):
+        return self._given
 
     @classmethod
     def cap(cls, lon: float, lat: float, radius: float) -> Region:

@@ -255,9 +255,6 @@ class Plan(Specified):
     def _same(self):
         return tuple(self._arguments().items())
 
-    def __reduce__(self):
-        return _plan_again, (self.source, self.target, self._options)
-
     def resample(self, pictures: ArrayLike, out: np.ndarray | None = None, *, dtype: DTypeLike | None = None,
                  rows: tuple[int, ...] | None = None, threads: int = 1) -> np.ndarray:
         """The target's pictures from the source's; what the source does not show is 0.
@@ -330,10 +327,6 @@ def _surface_of_lines(lines, name):
     rotation = lines.get(name + "-rotation")
     matrix = None if rotation is None else np.array(rotation.split(), float).reshape(3, 3)
     return Surface(lines[name], rotation=None if matrix is None else Rotation(matrix))
-
-
-def _plan_again(source, target, options):
-    return Plan(source, target, **options)
 
 
 def resample(pictures: ArrayLike, source: str | Surface, target: str | Surface, **options: Any) -> np.ndarray:

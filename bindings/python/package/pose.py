@@ -116,7 +116,8 @@ class Pose(Specified):
         return self.shape, (self._rotation + 0.0).tobytes(), (self._position + 0.0).tobytes()
 
     def __reduce__(self):
-        return _pose_of, self._parts
+        added = {name: value for name, value in vars(self).items() if name not in ("_rotation", "_position")}
+        return _pose_of, (*self._parts, type(self)), added or None
 
     def __getitem__(self, index: Any) -> Pose:
         places = np.arange(np.prod(self.shape, dtype=int)).reshape(self.shape)[index]
@@ -194,8 +195,8 @@ class Pose(Specified):
         return _methods.pose_transport(*self._parts, covariance)
 
 
-def _pose_of(rotation, position):
-    return Pose._make((rotation, position))
+def _pose_of(rotation, position, kind=Pose):
+    return kind._make((rotation, position))
 
 
 def pose_pointer(pose: Pose | None) -> Any:

@@ -311,6 +311,19 @@ class Named(cubemap.Mapping):
         self.name, self._seen = name, [1, 2]
 
 
+class Turned(cubemap.Pose):
+    pass
+
+
+class Disc(cubemap.Region):
+    def __init__(self, *given):
+        super().__init__("cap", *given)
+
+
+class Views(cubemap.Plan):
+    pass
+
+
 def test_classes_made_of_them_are_values():
     named = Named("mine")
     named.forward(1.0, 0.5, 0.0)
@@ -318,6 +331,10 @@ def test_classes_made_of_them_are_values():
         assert type(again) is Named and again == named and again.name == "mine" and again._seen == [1, 2]
         assert again.forward(1.0, 0.5, 0.0) == cubemap.Mapping("qsc").forward(1.0, 0.5, 0.0)
     assert pickle.loads(pickle.dumps(named.forward))(1.0, 0.5, 0.0) == named.forward(1.0, 0.5, 0.0)
+    for one in (Turned(), Disc(0.1, 0.2, 0.3), Views("equirect;size=8", "cube:coupled;size=4")):
+        one.name = "mine"
+        for again in (pickle.loads(pickle.dumps(one)), copy.copy(one)):
+            assert type(again) is type(one) and again == one and again.name == "mine"
 
 
 def test_what_things_are_put_into_is_no_value():
