@@ -16,7 +16,7 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from . import _library as library
-from ._texts import Changing, created, decoded, number_of, struct, words_of
+from ._texts import Changing, checked_text, created, decoded, number_of, struct, words_of
 from .earth import LATITUDES, Ellipsoid, ellipsoid_of
 from .mapping import SMOOTHNESS
 from .measures import PRECISIONS
@@ -93,7 +93,8 @@ def advise(costs: Iterable[Cost | tuple], limits: dict[str, float] | None = None
     rows = [Cost(*cost) for cost in costs]
     table = (library.cm_advice_cost * len(rows))()
     for to, one in zip(table, rows, strict=True):
-        to.specification, to.precision = one.specification.encode(), number_of(one.precision, PRECISIONS, "precision")
+        to.specification = checked_text(one.specification, "specification")
+        to.precision = number_of(one.precision, PRECISIONS, "precision")
         to.ns[:], to.single_ns[:] = one.ns, one.single_ns
     given = struct(library.cm_advice_costs, count=len(rows), cost=table)
     given.latitude_ns[:], given.latitude_single_ns[:] = latitude_ns, latitude_single_ns

@@ -89,6 +89,19 @@ def test_outputs_that_are_no_arrays_are_refused_by_name():
             take()
 
 
+def test_texts_are_texts():
+    frame = cubemap.Frame.named("gl")
+    for wrong, kind in [(5, TypeError), (b"sse2", TypeError), ("sse2\0", ValueError)]:
+        for name, take in [("instructions", lambda one: cubemap.Mapping(instructions=one)),
+                           ("instructions", lambda one: cubemap.Surface("equirect;size=8", instructions=one)),
+                           ("instructions", lambda one: cubemap.Plan("equirect;size=8", "cube;size=4", instructions=one)),
+                           ("specification", lambda one: cubemap.advise([(one,)])),
+                           ("identifier", lambda one: cubemap.Mapping("coupled", cubemap.Frame(one, frame.faces))),
+                           ("name", lambda one: cubemap.Mapping("coupled", cubemap.Frame("mine", frame.faces, name=one)))]:
+            with pytest.raises(kind, match=f"^{name}: a (text, not|zero byte in)"):
+                take(wrong)
+
+
 def test_errors_of_single_pixels_and_points():
     mean, deviation = sim.depth_error_temporal([1.0, 2.0, 3.0])
     assert mean.shape == deviation.shape == () and mean == 2.0 and deviation == pytest.approx(np.std([1, 2, 3]), abs=0.2)
