@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The commands of README, of the guides and of --help run as they are printed, on small files of the names that they have.
 
-    guide_commands.py REPOSITORY BUILD_FOLDER [FEATURE]...     features that were built: sim, gdal
+    guide_commands.py REPOSITORY BUILD_FOLDER [FEATURE]...     features that were built: sim, gdal, jansson
 
 A command stands in a block of the language sh, on indented lines, between backquotes, or behind "Example:" of --help. What the
 programs of the build and a shell can do is run, page by page, each in a folder of its own: CHANGED says which for a shorter
@@ -58,9 +58,10 @@ NEEDS = {
     r"\bgdal_translate\b|part\.tif\b": "gdal_translate",
     r"\butm33\.tif\b|earth\.tif\b|part\.tif\b": "gdal",
     r"^cubemap-tof |\"cubemap-tof\"": "sim",
+    r"^cubemap-bench compare\b": "jansson",
     r'^"\$PYTHON" - ': "numpy",
 }
-FEATURES = ("sim", "gdal")
+FEATURES = ("sim", "gdal", "jansson")
 # what is not run here, and who does it, or why nobody can
 ELSEWHERE = {
     r"^scripts/(demo|test)\b": "a fresh machine",
