@@ -214,7 +214,7 @@ const cm_command advise_command = {
     .group_count = sizeof groups / sizeof *groups,
     .notes = "Exit status: 0 if a mapping qualifies, 1 if none does, 2 for wrong usage.\n\n"
              "Examples:\n"
-             "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5 \\\n"
+             "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 \\\n"
              "      --equal-area no\n"
              "  cubemap-bench advise --equal-area yes --ellipsoid WGS84 --max-error 0.01 \\\n"
              "      --resolution 30arcsec\n",

@@ -160,7 +160,7 @@ const cm_command cm_bench_command = {
              "  cubemap-bench --quick\n"
              "  cubemap-bench --json results.json coupled qsc 'tangent:c=1.1823'\n"
              "  cubemap-bench compare --gate 5 results.json results-now.json\n"
-             "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8 --max-ns 5\n",
+             "  cubemap-bench advise --max-area-error 0.2 --max-isotropy 1.8\n",
     .operand = CM_OPTION_TEXT,
     .choice_at = subject_name_at,
     .commands = commands};

@@ -20,6 +20,8 @@ def is_masked(pictures):
 def filled(pictures, not_finite="spread"):
     """The numbers of a masked picture: NaN for what is masked. Whole numbers have none: they are the mean of the rest where the
     mask comes along, as filters of splines look at all pixels, and 0 where it counts as 0."""
+    if not is_masked(pictures):
+        return pictures
     data, mask = np.ma.getdata(pictures), np.ma.getmaskarray(pictures)
     if data.dtype.kind == "f":
         return np.where(mask, data.dtype.type(np.nan), data)

@@ -22,7 +22,7 @@ def bind(instance, name, options=(), shown=None):
     given = (name, instance._handle, options, instance._threads, _results.get(name))
     if shown is None or not getattr(instance, "_is_remade", False):
         return _core.Function(*given)
-    return _core.Function(*given, (_bound_again, (instance.__reduce__(), shown)))
+    return _core.Function(*given, (_bound_again, (instance.__reduce__()[:2], shown)))
 
 
 def _bound_again(made, shown):

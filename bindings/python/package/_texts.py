@@ -49,8 +49,8 @@ def created(creator, destroyer, *arguments, keep=None):
 class Specified:
     """What is made again from its arguments: it is equal, hashed, printed and pickled by them.
 
-    `_arguments()` gives them as a dictionary in the order of the constructor; those that are as they are without a word
-    are not printed.
+    `_arguments()` gives them as a dictionary in the order of the constructor, or as a tuple; those that are as they are without
+    a word are not printed.
     """
 
     _standard = {}
@@ -76,11 +76,32 @@ class Specified:
         return hash((type(self).__name__, self._same()))
 
     def __reduce__(self):
-        return _made_again, (type(self), self._arguments())
+        again = type(self), self._arguments()
+        if _own_kind(type(self)) is type(self):
+            return _made_again, again
+        held = vars(_made_again(*again)).keys()
+        return _made_again, again, {name: value for name, value in vars(self).items()
+                                    if name not in held and not isinstance(value, _core.Function)}
+
+
+def _own_kind(kind):
+    """The class of this package that a user's class is made of."""
+    return next(one for one in kind.__mro__ if one.__module__.split(".")[0] == __package__)
 
 
 def _made_again(kind, arguments):
-    return kind(**arguments)
+    """Its own constructor may have other arguments; what it has added comes as state."""
+    made = kind.__new__(kind)
+    begin = _own_kind(kind).__init__
+    begin(made, **arguments) if isinstance(arguments, dict) else begin(made, *arguments)
+    return made
+
+
+class Changing:
+    """What holds what was put into it, and is no value: a copy would be the same object under another name."""
+
+    def __reduce__(self):
+        raise TypeError(f"a cubemap.{type(self).__name__} cannot be copied or pickled: it holds what was put into it; make another one")
 
 
 def string_of(write):

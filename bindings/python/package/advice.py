@@ -16,7 +16,7 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from . import _library as library
-from ._texts import created, decoded, number_of, struct, words_of
+from ._texts import Changing, checked_text, created, decoded, number_of, struct, words_of
 from .earth import LATITUDES, Ellipsoid, ellipsoid_of
 from .mapping import SMOOTHNESS
 from .measures import PRECISIONS
@@ -47,7 +47,7 @@ class Candidate(NamedTuple):
     reason: str
 
 
-class Advice:
+class Advice(Changing):
     """A ranked list: len(a), a[0], and a.qualified, how many of the first keep all limits.
 
     >>> advice = cubemap.advise([cubemap.Cost("coupled"), cubemap.Cost("seamless")], equal_area=True)
@@ -57,6 +57,9 @@ class Advice:
 
     def __init__(self, handle: Any) -> None:
         self._handle = handle
+
+    def __repr__(self):
+        return f"<cubemap.Advice of {len(self)} candidates, {self.qualified} qualified>"
 
     def __len__(self) -> int:
         return library.cm_advice_count(self._handle)
@@ -90,7 +93,8 @@ def advise(costs: Iterable[Cost | tuple], limits: dict[str, float] | None = None
     rows = [Cost(*cost) for cost in costs]
     table = (library.cm_advice_cost * len(rows))()
     for to, one in zip(table, rows, strict=True):
-        to.specification, to.precision = one.specification.encode(), number_of(one.precision, PRECISIONS, "precision")
+        to.specification = checked_text(one.specification, "specification")
+        to.precision = number_of(one.precision, PRECISIONS, "precision")
         to.ns[:], to.single_ns[:] = one.ns, one.single_ns
     given = struct(library.cm_advice_costs, count=len(rows), cost=table)
     given.latitude_ns[:], given.latitude_single_ns[:] = latitude_ns, latitude_single_ns

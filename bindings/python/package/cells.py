@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._errors import Error, in_words
+from ._masked_pictures import unmasked
 from ._method import bind
 from ._methods import CellGridMethods, RegionMethods
 from ._texts import Specified, checked_text, created, handle_of, number_of, struct, words_of
@@ -150,8 +151,8 @@ class Region(RegionMethods, Specified):
     def _same(self):
         return self._given
 
-    def __reduce__(self):
-        return Region, self._given
+    def _arguments(self):
+        return self._given
 
     @classmethod
     def cap(cls, lon: float, lat: float, radius: float) -> Region:
@@ -166,7 +167,7 @@ class Region(RegionMethods, Specified):
     @classmethod
     def polygon(cls, *rings: ArrayLike) -> Region:
         """Rings of corners (lon, lat), outer ones anticlockwise, holes clockwise; edges are great circles."""
-        return cls("polygon", *(tuple(map(tuple, np.asarray(ring, float).tolist())) for ring in rings))
+        return cls("polygon", *(tuple(map(tuple, np.asarray(unmasked(ring, "rings"), float).tolist())) for ring in rings))
 
     @staticmethod
     def _cap(lon, lat, radius):

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._masked_pictures import unmasked
-from ._texts import created, number_of, struct
+from ._texts import Changing, created, number_of, struct
 from .images import PIXEL_TYPES
 from .mapping import Mapping, mapping_of
 
@@ -122,7 +122,7 @@ def compare_values(reference: ArrayLike, picture: ArrayLike, *, weights: ArrayLi
     return _figures(ErrorFigures, figures)
 
 
-class Errors:
+class Errors(Changing):
     """Errors of pictures that come in rows: add blocks from the top, then ask for figures.
 
     >>> errors = cubemap.Errors(1)
@@ -134,6 +134,9 @@ class Errors:
     def __init__(self, channels: int, *, not_finite: str = "refuse", peak: float = 0.0) -> None:
         options, _ = _options(None, 0, not_finite, peak, 1)
         self._handle = created(library.cm_errors_create, "cm_errors_destroy", channels, ctypes.byref(options))
+
+    def __repr__(self):
+        return f"<cubemap.Errors of {self.get().pixels} pixels>"
 
     def add(self, reference: ArrayLike, picture: ArrayLike, weights: ArrayLike | None = None) -> None:
         """The next rows, and their weights."""

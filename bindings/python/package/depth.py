@@ -22,7 +22,7 @@ from . import _library as library
 from ._masked_pictures import filled, is_masked
 from ._method import name_results
 from ._methods import DepthPyramidMethods
-from ._texts import Specified, checked_text, created, handle_of, number_of, struct
+from ._texts import Changing, Specified, checked_kind, checked_text, created, handle_of, number_of, struct
 from .camera import DEPTH_KINDS, Camera
 from .images import images_in
 from .mapping import checked_threads
@@ -75,7 +75,7 @@ def _written(out, image, write, shape=None, in_place=False):
     """What write(address) leaves in a dense array of a shape, or of the image's: out itself if it is dense and shares
     nothing with the image, or is just where that is and may be."""
     shape = image.shape if shape is None else shape
-    if out is not None and (out.shape != shape or out.dtype != np.float32 or not out.flags.writeable):
+    if out is not None and (checked_kind(out, np.ndarray, "out").shape != shape or out.dtype != np.float32 or not out.flags.writeable):
         raise ValueError(f"out: {shape} of float32, to be written to, not {out.shape} of {out.dtype}")
     fits = out is not None and out.flags.carray and (
         not np.may_share_memory(out, image) or (in_place and out.ctypes.data == image.ctypes.data))
@@ -189,7 +189,7 @@ class Rays(Specified):
         return _written(out, image, lambda to: library.cm_depth_halve(*self._given_to(image, gap), to), shape)
 
 
-class DepthPyramid(DepthPyramidMethods):
+class DepthPyramid(DepthPyramidMethods, Changing):
     """The least and greatest measurements of squares of 2, 4, 8 ... pixels of an image: DepthPyramid(depth).
 
     p.bounds(column, row, last_column, last_row) gives DepthBounds of boxes of pixels, ends included; what is no box
@@ -214,6 +214,9 @@ class DepthPyramid(DepthPyramidMethods):
         """Another image of the same size in the place of this one; no other thread may use the pyramid meanwhile."""
         image = _dense(image, self._shape)
         library.cm_depth_pyramid_fill(self._handle, image.ctypes.data, self._threads)
+
+    def __repr__(self):
+        return f"<cubemap.DepthPyramid of {self._shape[0]} rows, {self._shape[1]} columns>"
 
     @property
     def shape(self) -> tuple[int, int]:

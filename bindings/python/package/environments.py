@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, DTypeLike
 
 from . import _library as library
 from ._masked_pictures import unmasked
-from ._texts import created, number_of, string_of, struct
+from ._texts import Changing, created, number_of, string_of, struct
 from .earth import Rotation
 from .images import PIXEL_TYPES
 from .mapping import Mapping, checked_threads, mapping_of
@@ -138,7 +138,7 @@ def texel_solid_angles(mapping: str | Mapping, edge: int) -> np.ndarray:
     return angles
 
 
-class Environment:
+class Environment(Changing):
     """Six faces of linear light, (6, edge, edge[, channels]), as renderers need them.
 
     e.project(8) are coefficients, e.prefilter(0.3, "coupled", 64) a level for a roughness.
@@ -156,6 +156,9 @@ class Environment:
         self._threads = checked_threads(threads)
         self._handle = created(library.cm_environment_create, "cm_environment_destroy", mapping, images, self._threads,
                                keep=(mapping, images, kept))
+
+    def __repr__(self):
+        return f"<cubemap.Environment of {self.size} x {self.size} pixels a face, {self.channels} channels>"
 
     @property
     def size(self) -> int:

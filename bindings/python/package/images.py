@@ -60,7 +60,7 @@ class Surface(SurfaceMethods, Specified):
         text = checked_text(specification, "specification")
         rotation = rotation if rotation is None or isinstance(rotation, Rotation) else Rotation(rotation)
         options = struct(library.cm_surface_options, width=width, height=height,
-                         instructions=None if instructions is None else instructions.encode())
+                         instructions=None if instructions is None else checked_text(instructions, "instructions"))
         if rotation is not None:
             options.rotation = rotation._pointer()
         in_words(library.cm_surface_check, text, ctypes.byref(options))
@@ -181,7 +181,7 @@ def images_of(pictures, surface, writes=False):
 
 def images_in(shape, pictures, writes=False):
     """The same of pictures of a shape without channels: (rows, columns), or (pictures, rows, columns)."""
-    pictures = pictures if writes else np.asarray(unmasked(pictures, "pictures"))
+    pictures = checked_kind(pictures, np.ndarray, "out") if writes else np.asarray(unmasked(pictures, "pictures"))
     if not writes and not pictures.dtype.isnative:
         pictures = pictures.astype(pictures.dtype.newbyteorder("="))  # as files of FITS have them
     name = pictures.dtype.name
@@ -245,7 +245,7 @@ class Plan(Specified):
         made = struct(library.cm_plan_options, filter=number_of(given.pop("filter"), FILTERS, "filter"),
                       transfer=number_of(given.pop("transfer"), TRANSFERS, "transfer"),
                       not_finite=number_of(given.pop("not_finite"), NOT_FINITE, "not_finite"),
-                      instructions=None if instructions is None else instructions.encode(), **given)
+                      instructions=None if instructions is None else checked_text(instructions, "instructions"), **given)
         self._handle = created(library.cm_plan_create, "cm_plan_destroy", self.source._handle, self.target._handle,
                                ctypes.byref(made))
 
@@ -254,9 +254,6 @@ class Plan(Specified):
 
     def _same(self):
         return tuple(self._arguments().items())
-
-    def __reduce__(self):
-        return _plan_again, (self.source, self.target, self._options)
 
     def resample(self, pictures: ArrayLike, out: np.ndarray | None = None, *, dtype: DTypeLike | None = None,
                  rows: tuple[int, ...] | None = None, threads: int = 1) -> np.ndarray:
@@ -308,7 +305,7 @@ class Plan(Specified):
         data = checked_text(text, "text")
         made = object.__new__(cls)
         made._handle = created(library.cm_plan_read, "cm_plan_destroy", data, len(data),
-                               None if instructions is None else instructions.encode())
+                               None if instructions is None else checked_text(instructions, "instructions"))
         lines = dict(line.split(" ", 1) for line in text.splitlines() if " " in line)
         made.source, made.target = (_surface_of_lines(lines, name) for name in ("from", "to"))
         numbers = {name: float(lines[name.replace("_", "-")]) for name in cls._standard if name not in ("filter", "instructions")}
@@ -330,10 +327,6 @@ def _surface_of_lines(lines, name):
     rotation = lines.get(name + "-rotation")
     matrix = None if rotation is None else np.array(rotation.split(), float).reshape(3, 3)
     return Surface(lines[name], rotation=None if matrix is None else Rotation(matrix))
-
-
-def _plan_again(source, target, options):
-    return Plan(source, target, **options)
 
 
 def resample(pictures: ArrayLike, source: str | Surface, target: str | Surface, **options: Any) -> np.ndarray:

@@ -88,12 +88,13 @@ class Frame:
         return cls(decoded(table.identifier), faces, table.first_row_v, decoded(table.name))
 
     def _struct(self):
-        table = struct(library.cm_frame, identifier=self.identifier.encode(), name=self.name.encode(),
+        table = struct(library.cm_frame, identifier=checked_text(self.identifier, "identifier"),
+                       name=checked_text(self.name, "name"),
                        first_row_v=self.first_row_v)
         if len(self.faces) != 6:
             raise Error(library.CM_ERROR_FRAME, f"a frame has six faces, not {len(self.faces)}")
         for to, face in zip(table.face, map(lambda face: Face(*face), self.faces), strict=True):
-            to.name, to.outward, to.u, to.v = face.name.encode(), face.outward, face.u, face.v
+            to.name, to.outward, to.u, to.v = checked_text(face.name, "name"), face.outward, face.u, face.v
         library.cm_frame_check(ctypes.byref(table))
         return table
 
@@ -136,7 +137,7 @@ class MappingInfo:
     parameters: tuple
     presets: tuple
     parts: str
-    bounds: dict
+    bounds: dict = dataclasses.field(hash=False)
 
     @classmethod
     def _read(cls, info):
@@ -173,8 +174,8 @@ def instruction_sets() -> tuple[str, ...]:
 def options_of(instructions, tier):
     """A struct of options, as cubemap/options.h has it."""
     if instructions is not None:
-        in_words(library.cm_instructions_check, checked_text(instructions, "instructions"))
-        instructions = instructions.encode()
+        instructions = checked_text(instructions, "instructions")
+        in_words(library.cm_instructions_check, instructions)
     return struct(library.cm_options, instructions=instructions, tier=number_of(tier, TIERS, "tier"))
 
 

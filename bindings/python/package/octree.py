@@ -19,9 +19,10 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._errors import Error
+from ._masked_pictures import unmasked
 from ._method import name_results
 from ._methods import OctreeMethods
-from ._texts import checked_kind, checked_text, created, handle_of, number_of, struct
+from ._texts import Changing, checked_kind, checked_text, created, handle_of, number_of, struct
 from .camera import DEPTH_KINDS, Camera
 from .images import PIXEL_TYPES, images_in
 from .mapping import checked_threads, pool_of
@@ -84,7 +85,7 @@ def _voxels_in(data):
     return Voxels(*(found[name].copy() for name in Voxels._fields))
 
 
-class Octree(OctreeMethods):
+class Octree(OctreeMethods, Changing):
     """A map of a scene from depth views: Octree(0.01, far=8.0).
 
     edge          of the finest voxel
@@ -314,7 +315,7 @@ def _paging(memory, pages, instructions):
 
 
 def _three(values, name):
-    values = np.asarray(values, float)
+    values = np.asarray(unmasked(values, name), float)
     if values.shape != (3,):
         raise ValueError(f"{name}: three numbers, not {values.shape}")
     return values.tolist()

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 from . import _library as library
 from . import _methods
 from ._errors import check
+from ._masked_pictures import unmasked
 from ._texts import Specified, checked_kind
 from .earth import Rotation
 
@@ -46,7 +47,8 @@ class Pose(Specified):
 
     def __init__(self, rotation: ArrayLike | Rotation | None = None, position: ArrayLike = (0.0, 0.0, 0.0)) -> None:
         rotation = np.eye(3) if rotation is None else rotation.matrix if isinstance(rotation, Rotation) else rotation
-        rotation, position = np.asarray(rotation, np.float64), np.asarray(position, np.float64)
+        rotation = np.asarray(unmasked(rotation, "rotation"), np.float64)
+        position = np.asarray(unmasked(position, "position"), np.float64)
         if rotation.shape[-2:] != (3, 3) or position.shape[-1:] != (3,):
             raise ValueError(f"rotation, position: (..., 3, 3) and (..., 3), not {rotation.shape} and {position.shape}")
         self._set(rotation, position)
@@ -68,7 +70,7 @@ class Pose(Specified):
     @classmethod
     def from_matrix(cls, matrix: ArrayLike) -> Pose:
         """Of matrices (..., 4, 4) from camera to world, as `matrix` gives them."""
-        matrix = np.asarray(matrix, np.float64)
+        matrix = np.asarray(unmasked(matrix, "matrix"), np.float64)
         if matrix.shape[-2:] != (4, 4) or not (matrix[..., 3, :] == (0, 0, 0, 1)).all():
             raise ValueError("matrix: (..., 4, 4) with a last row of 0 0 0 1")
         return cls(np.swapaxes(matrix[..., :3, :3], -1, -2), matrix[..., :3, 3])
@@ -114,7 +116,8 @@ class Pose(Specified):
         return self.shape, (self._rotation + 0.0).tobytes(), (self._position + 0.0).tobytes()
 
     def __reduce__(self):
-        return _pose_of, self._parts
+        added = {name: value for name, value in vars(self).items() if name not in ("_rotation", "_position")}
+        return _pose_of, (*self._parts, type(self)), added or None
 
     def __getitem__(self, index: Any) -> Pose:
         places = np.arange(np.prod(self.shape, dtype=int)).reshape(self.shape)[index]
@@ -192,8 +195,8 @@ class Pose(Specified):
         return _methods.pose_transport(*self._parts, covariance)
 
 
-def _pose_of(rotation, position):
-    return Pose._make((rotation, position))
+def _pose_of(rotation, position, kind=Pose):
+    return kind._make((rotation, position))
 
 
 def pose_pointer(pose: Pose | None) -> Any:
@@ -212,7 +215,7 @@ class Alignment(NamedTuple):
 def align(points: ArrayLike, to: ArrayLike) -> Alignment:
     """The rigid motion that takes points, (n, 3), to others with the least sum of squares: motion.apply_back(points)
     is near them."""
-    points, to = (np.ascontiguousarray(one, np.float64) for one in (points, to))
+    points, to = (np.ascontiguousarray(unmasked(one, "points, to"), np.float64) for one in (points, to))
     if points.shape != to.shape or points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"points, to: (n, 3) both, not {points.shape} and {to.shape}")
     motion, rank, is_determined = library.cm_pose(), ctypes.c_int(), ctypes.c_int()

@@ -18,7 +18,8 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._errors import Error
-from ._texts import checked_text, created, handle_of, struct
+from ._masked_pictures import unmasked
+from ._texts import Changing, checked_text, created, handle_of, struct
 from .camera import Camera, whole_number
 from .mapping import checked_threads
 from .pose import Pose, pose_pointer
@@ -28,7 +29,7 @@ NO_ID = 2**32 - 1
 
 def numbers_of(values: ArrayLike, columns: int, dtype: type, name: str) -> np.ndarray:
     """Dense numbers, so many beside each other."""
-    values = np.ascontiguousarray(values, dtype)
+    values = np.ascontiguousarray(unmasked(values, name), dtype)
     if values.ndim != 2 or values.shape[1] != columns:
         raise ValueError(f"{name}: (n, {columns}), not {values.shape}")
     return values
@@ -36,7 +37,7 @@ def numbers_of(values: ArrayLike, columns: int, dtype: type, name: str) -> np.nd
 
 def indices_of(index: ArrayLike, vertices: int) -> np.ndarray:
     """Triangles as indices of vertices, in 32 bits."""
-    index = np.asarray(index)
+    index = np.asarray(unmasked(index, "index"))
     if index.dtype.kind not in "iu" and index.size:
         raise TypeError(f"index: whole numbers, not {index.dtype}")
     if index.size and not (0 <= index.min() and index.max() < vertices):
@@ -44,7 +45,7 @@ def indices_of(index: ArrayLike, vertices: int) -> np.ndarray:
     return numbers_of(index.astype(np.uint32), 3, np.uint32, "index")
 
 
-class Raster:
+class Raster(Changing):
     """An empty canvas in front of a camera, on which the nearest wins: Raster(camera).
 
     nearest        what is nearer is not seen; 0 for all that is in front
@@ -69,6 +70,9 @@ class Raster:
         self._threads = checked_threads(threads)
         self._lock = threading.Lock()
 
+    def __repr__(self):
+        return f"<cubemap.Raster of {self._camera!r}>"
+
     @property
     def camera(self) -> Camera:
         """The camera."""
@@ -92,7 +96,7 @@ class Raster:
         """Draw oriented surfels: centres (n, 3), normals (n, 3) of any length, radii (n); computed in float."""
         centre, normal = (np.ascontiguousarray(numbers_of(one, 3, np.float32, name).T)
                           for one, name in ((centre, "centre"), (normal, "normal")))
-        radius = np.ascontiguousarray(radius, np.float32)
+        radius = np.ascontiguousarray(unmasked(radius, "radius"), np.float32)
         if centre.shape != normal.shape or radius.shape != centre.shape[1:]:
             counts = f"{radius.shape}, {centre.shape[1:]} and {normal.shape[1:]}"
             raise ValueError(f"radius: as many as centres and normals, not {counts}")

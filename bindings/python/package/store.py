@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from . import _library as library
 from ._errors import Error
-from ._texts import checked_kind, created, struct
+from ._texts import Changing, checked_kind, created, struct
 from .camera import whole_number
 
 KEY_BYTES_MOST = 255
@@ -31,7 +31,7 @@ class Blob(NamedTuple):
     version: int
 
 
-class Store(MutableMapping):
+class Store(Changing, MutableMapping):
     """A store in memory, as a dictionary of bytes: s = Store(); s[b"block 7"] = b"..."; s.commit().
 
     kind, version   of what is put by s[key] = data; what is got by s[key] is of that kind and of a version not above
@@ -116,6 +116,9 @@ class Store(MutableMapping):
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
+
+    def __repr__(self):
+        return f"<cubemap.Store of {len(self)} keys>"
 
     def commit(self) -> None:
         """Keep what was put and removed since the last commit."""

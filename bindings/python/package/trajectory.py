@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from . import _library as library
 from ._errors import Error
+from ._masked_pictures import unmasked
 from ._method import bind, name_results
 from ._methods import MotionMethods, TrajectoryMethods
 from ._texts import Specified, checked_kind, created, handle_of, struct
@@ -95,7 +96,7 @@ class Trajectory(TrajectoryMethods, Specified):
     _is_remade = False
 
     def __init__(self, stamps: ArrayLike, poses: Pose) -> None:
-        stamps = np.ascontiguousarray(stamps, np.float64)
+        stamps = np.ascontiguousarray(unmasked(stamps, "stamps"), np.float64)
         checked_kind(poses, Pose, "poses")
         if stamps.ndim != 1 or poses.shape != stamps.shape:
             raise ValueError(f"stamps, poses: (n,) both, not {stamps.shape} and {poses.shape}")

@@ -295,11 +295,60 @@ def test_mappings_are_values():
         m = cubemap.Mapping(info.identifier)
         again = pickle.loads(pickle.dumps(m))
         assert again == m and hash(again) == hash(m) and eval(repr(m)) == m and m.info == info
+        assert pickle.loads(pickle.dumps(info)) == info and hash(m.info) == hash(info)
     assert cubemap.Mapping("tangent:c=1.1823") != cubemap.Mapping("tangent")
     assert cubemap.Mapping("coupled", "gl") != cubemap.Mapping("coupled")
     assert cubemap.Mapping("COUPLED") == cubemap.Mapping()
     assert cubemap.Mapping("asc:c=1" if cubemap.find_mapping("asc") is None else "tangent").info.identifier == "tangent"
     assert cubemap.find_mapping("nothing") is None
+
+
+class Named(cubemap.Mapping):
+    """As users make their own: with another constructor, and with more in it."""
+
+    def __init__(self, name, mapping="qsc"):
+        super().__init__(mapping)
+        self.name, self._seen = name, [1, 2]
+
+
+class Turned(cubemap.Pose):
+    pass
+
+
+class Disc(cubemap.Region):
+    def __init__(self, *given):
+        super().__init__("cap", *given)
+
+
+class Views(cubemap.Plan):
+    pass
+
+
+def test_classes_made_of_them_are_values():
+    named = Named("mine")
+    named.forward(1.0, 0.5, 0.0)
+    for again in (pickle.loads(pickle.dumps(named)), copy.copy(named), copy.deepcopy(named)):
+        assert type(again) is Named and again == named and again.name == "mine" and again._seen == [1, 2]
+        assert again.forward(1.0, 0.5, 0.0) == cubemap.Mapping("qsc").forward(1.0, 0.5, 0.0)
+    assert pickle.loads(pickle.dumps(named.forward))(1.0, 0.5, 0.0) == named.forward(1.0, 0.5, 0.0)
+    for one in (Turned(), Disc(0.1, 0.2, 0.3), Views("equirect;size=8", "cube:coupled;size=4")):
+        one.name = "mine"
+        for again in (pickle.loads(pickle.dumps(one)), copy.copy(one)):
+            assert type(again) is type(one) and again == one and again.name == "mine"
+
+
+def test_what_things_are_put_into_is_no_value():
+    """A copy would be the same under another name: what is put into the one were in the other."""
+    store = cubemap.Store()
+    store[b"key"] = b"kept"
+    depth = np.ones((6, 8), np.float32)
+    held = [store, cubemap.Octree(0.1), cubemap.Raster(cubemap.Camera(8, 6, 10, 10, 3.5, 2.5)), cubemap.DepthPyramid(depth),
+            cubemap.Environment("coupled", np.ones((6, 4, 4), np.float32)), cubemap.Errors(1), cubemap.advise([("coupled",)])]
+    for one in held:
+        for copied in (copy.copy, copy.deepcopy, pickle.dumps):
+            with pytest.raises(TypeError, match=rf"a cubemap.{type(one).__name__} cannot be copied or pickled"):
+                copied(one)
+        assert repr(one).startswith(f"<cubemap.{type(one).__name__} of ") and " at 0x" not in repr(one)
 
 
 def test_frames():

@@ -78,6 +78,13 @@ def test_samples_levels_borders_and_lists():
     x, y, z = surface.directions(0, np.arange(64) + 0.5, np.full(64, 11.5))
     sample = surface.sample(picture, np.ma.array(x, mask=np.arange(64) == 2), y, z, "nearest")
     assert np.array_equal(np.flatnonzero(sample.mask[:, 0]), [2, *range(20, 40)])
+    places = np.ma.array(x, mask=np.arange(64) == 2)
+    for whole in (picture.data, (picture.data > 0).astype(np.uint8)):  # a picture without a mask
+        sample = surface.sample(whole, places, y, z, "nearest")
+        assert np.array_equal(np.flatnonzero(sample.mask[:, 0]), [2])
+        assert np.array_equal(sample.data, surface.sample(whole, x, y, z, "nearest"))
+    with pytest.raises(TypeError, match="pictures: uint8"):
+        surface.sample(picture.data.tolist(), places, y, z)
     levels = cubemap.mips(surface, picture)
     assert levels[1].mask.any() and not levels[1].mask.all() and np.array_equal(levels[0].mask, picture.mask)
     bordered = cubemap.border(surface, picture, 1)

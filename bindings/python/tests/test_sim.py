@@ -240,6 +240,9 @@ def test_lenses_resample_a_plane_exactly():
     assert labels.dtype == np.uint16 and (labels == np.rint(column)).mean() > 0.99
     assert np.abs(lens.flow(np.zeros((*lens.pinhole.shape, 2)))).max() < 0.51  # the nearest pixel's centre
     assert np.array_equal(sim.LensMap(BARREL, threads=2).depth(drawn), lens.depth(drawn))
+    again = pickle.loads(pickle.dumps(lens))
+    assert again == lens == sim.LensMap(BARREL, threads=2) and hash(again) == hash(lens)
+    assert np.array_equal(again.depth(drawn), lens.depth(drawn))
 
 
 def test_lenses_move_vertices():

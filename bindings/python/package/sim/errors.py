@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 from .. import _library as library
 from .. import _methods
 from .._texts import number_of, struct
-from ._dense import address, dense, pair, planes
+from ._dense import address, dense, measured, pair, planes
 
 SPARSIFICATION_MEASURES = ("mae", "rmse")
 _Three = ctypes.c_void_p * 3
@@ -117,7 +117,7 @@ def depth_error_bad(depth: ArrayLike, truth: ArrayLike, limit: ArrayLike) -> np.
 
 def depth_error_temporal(depth: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Mean and standard deviation over frames, (frames, ...), of what each pixel has measured."""
-    depth = np.ascontiguousarray(depth, np.float32)
+    depth = np.ascontiguousarray(measured(depth), np.float32)
     mean, deviation = (np.empty(depth.shape[1:], np.float32) for _ in range(2))
     library.cm_depth_error_temporal(len(depth), mean.size, depth.ctypes.data, mean.ctypes.data, deviation.ctypes.data)
     return mean, deviation
@@ -139,8 +139,8 @@ def depth_error_plane(points: ArrayLike) -> DepthPlane:
 def depth_error_edges(depth: ArrayLike, truth: ArrayLike, gap: float = 0.05, reach: int = 1) -> DepthEdges:
     """Edges, where neighbours differ by more than gap of the nearer one, that have one of the other picture within
     reach pixels."""
-    depth = dense(depth, "depth", (None, None))
-    truth = dense(truth, "truth", depth.shape)
+    depth = dense(measured(depth), "depth", (None, None))
+    truth = dense(measured(truth), "truth", depth.shape)
     found = struct(library.cm_depth_edges)
     library.cm_depth_error_edges(depth.shape[1], depth.shape[0], depth.ctypes.data, truth.ctypes.data, gap, reach,
                                  ctypes.byref(found))

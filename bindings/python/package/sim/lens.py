@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _library as library
-from .._texts import created, handle_of, struct
+from .._texts import Specified, created, handle_of, struct
 from ..camera import Camera
 from ..mapping import pool_of
 from ._dense import dense
@@ -59,7 +59,7 @@ def lens_pinhole(camera: Camera, scale: float = 0.0) -> Camera:
     return Camera(*(getattr(options, name) for name in ("width", "height", "fx", "fy", "cx", "cy", "pixel_centre")))
 
 
-class LensMap:
+class LensMap(Specified):
     """Where each pixel of a camera's distorted picture is in an undistorted one: LensMap(camera).
 
     pinhole   the camera of that; None for lens_pinhole(camera)
@@ -76,9 +76,12 @@ class LensMap:
 
     def __init__(self, camera: Camera, pinhole: Camera | None = None, *, threads: int = 1) -> None:
         self._cameras = (camera, lens_pinhole(camera) if pinhole is None else pinhole)
-        self._pool = pool_of(threads)
+        self._pool, self._threads = pool_of(threads), threads
         handles = tuple(handle_of(one, Camera, "cameras") for one in self._cameras)
         self._handle = created(library.cm_lens_map_create, "cm_lens_map_destroy", *handles, self._pool, keep=handles)
+
+    def _arguments(self):
+        return {"camera": self.camera, "pinhole": self.pinhole, "threads": self._threads}
 
     def __repr__(self):
         return f"<cubemap.sim.LensMap from {self.pinhole.shape} to {self.camera.shape}>"

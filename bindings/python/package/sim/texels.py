@@ -21,7 +21,7 @@ from .._texts import checked_kind, handle_of, number_of, struct
 from ..mapping import pool_of
 from ..pose import Pose, pose_pointer
 from ..world import Scene
-from ._dense import dense, set_planes
+from ._dense import dense, measured, set_planes
 
 SPACINGS = ("even spaces", "even angles")
 
@@ -113,7 +113,7 @@ def _image(whole, color, depth):
 def texel_points(options: TexelOptions, depth: ArrayLike) -> TexelImage:
     """Points, ranges and places of samples from their depths, (rows, columns) in metres."""
     whole = texel_complete(options)
-    depth = dense(depth, "depth", (whole.rows, whole.columns))
+    depth = dense(measured(depth), "depth", (whole.rows, whole.columns))
     made, image = _image(whole, None, np.empty_like(depth))
     library.cm_texel_points(ctypes.byref(options._struct()), depth.ctypes.data, ctypes.byref(made))
     return image._replace(depth=depth)

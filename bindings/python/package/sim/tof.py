@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _library as library
+from .._masked_pictures import unmasked
 from .._texts import Specified, created, handle_of, struct
 from ..budget import Budget
 from ..camera import Camera, whole_number
@@ -142,7 +143,7 @@ class Sensor(NamedTuple):
     def reconstruct(self, charge_a: ArrayLike, charge_b: ArrayLike, flags: ArrayLike | None = None) -> Reconstruction:
         """Distance, amplitude and intensity of charges (images, ...); flags that are given are added to."""
         made, _kept = self._struct()
-        charge_a = np.ascontiguousarray(charge_a, np.float32)
+        charge_a = np.ascontiguousarray(unmasked(charge_a, "charge_a"), np.float32)
         if charge_a.shape[:1] != (self.images,):
             raise ValueError(f"charge_a: ({self.images}, ...), not {charge_a.shape}")
         charge_b = dense(charge_b, "charge_b", charge_a.shape)
