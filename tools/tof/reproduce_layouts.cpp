@@ -19,8 +19,7 @@ constexpr double far_depth = 1.5;
 constexpr double affected_apart = 0.001;
 constexpr int layout_frames = 26;
 
-// A layout with its camera. Circuits take 2 um and see nothing: dual readout has one at both sides of a pixel, single
-// readout one between any two active areas, which are half pixels.
+// A layout with its camera. Circuits take 2 um.
 struct Layout
 {
     TofPointer<cm_camera> camera;
@@ -28,24 +27,18 @@ struct Layout
     cm_tof_sensor sensor;
 };
 
-constexpr double circuit = 2e-6;
+constexpr double layout_circuit = 2e-6;
 
 Layout make_layout(bool is_single, double pitch)
 {
     const std::uint32_t columns = pitch < 10e-6 ? 384 : 256;
-    Layout made = {make_pinhole(columns, columns / 4 * 3, layout_aperture), {}, {}};
-    const int areas = is_single ? 2 : 1;
-    const std::uint32_t parts = static_cast<std::uint32_t>(std::lround(pitch / 1e-6));
-    for (std::uint32_t i = 0; i < parts; ++i)
-    {
-        const double place = std::fmod((i + 0.5) * 1e-6, pitch / areas);
-        const double border = is_single ? 0.5 * circuit : circuit;
-        made.mask.push_back(place > border && place < pitch / areas - border ? 1.0f : 0.0f);
-    }
+    Layout made = {make_pinhole(columns, columns / 4 * 3, layout_aperture),
+                   layout_mask(is_single, pitch, layout_circuit, 1e-6),
+                   {}};
     made.sensor = plain_sensor(made.camera.get());
     made.sensor.pitch = pitch;
     made.sensor.single_readout = is_single;
-    made.sensor.mask_columns = parts;
+    made.sensor.mask_columns = static_cast<std::uint32_t>(made.mask.size());
     made.sensor.mask_rows = 1;
     made.sensor.mask = made.mask.data();
     return made;
