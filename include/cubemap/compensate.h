@@ -123,8 +123,8 @@ CM_API cm_status cm_channel_equalize(uint32_t width, uint32_t height, const floa
                                      uint32_t bins, float *to);
 
 /* Contrast limited adaptive equalization (Zuiderveld 1994): eq. 9 of 256 bins in each of tiles x tiles parts, linear between
- * their centres; what a bin holds above limit times the mean of all bins is shared out among all. limit from 1 on; tiles from
- * 1 to 64, and no more than pixels of a side. to may be picture. */
+ * their centres; what a bin holds above limit times the mean of all bins is shared out among all. A part without a finite
+ * value is left out. limit from 1 on; tiles from 1 to 64, and no more than pixels of a side. to may be picture. */
 CM_API cm_status cm_channel_equalize_locally(uint32_t width, uint32_t height, const float *picture,
                                              uint32_t tiles, double limit, float *to);
 

@@ -308,6 +308,24 @@ static double between_tiles(uint32_t pixel, uint32_t count, uint32_t tiles, uint
     return inside - tile[0];
 }
 
+/* Of the four tiles around a pixel, the one that stands for a corner: its own, or the next in the row, the column, or across where
+ * nothing is in it. In one of them is the pixel. */
+static double part_at(const tiling *t, const uint32_t x[2], const uint32_t y[2], size_t corner,
+                      uint32_t bin)
+{
+    for (size_t k = 0; k < 4; k++)
+    {
+        const size_t other = corner ^ k;
+        const double *tile =
+            t->bin + ((size_t)y[other / 2] * t->tiles + x[other % 2]) * BINS_OF_A_TILE;
+        if (tile[BINS_OF_A_TILE - 1] > 0.0)
+        {
+            return tile[bin];
+        }
+    }
+    return 0.0;
+}
+
 static float equalized(const tiling *t, uint32_t column, uint32_t row, float value)
 {
     if (!isfinite(value))
@@ -321,7 +339,7 @@ static float equalized(const tiling *t, uint32_t column, uint32_t row, float val
     double part[4];
     for (size_t k = 0; k < 4; k++)
     {
-        part[k] = t->bin[((size_t)y[k / 2] * t->tiles + x[k % 2]) * BINS_OF_A_TILE + bin];
+        part[k] = part_at(t, x, y, k, bin);
     }
     const double above = part[0] + right * (part[1] - part[0]);
     const double below = part[2] + right * (part[3] - part[2]);

@@ -225,6 +225,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"tof", tof_subjects()},
         {"tof refusals", tof_refusal_subjects()},
         {"tof surroundings", tof_environment_subjects()},
+        {"tof measures", tof_evaluate_subjects()},
 #endif
         {"colormap", colormap_subjects()}};
     const bool every = names.empty();

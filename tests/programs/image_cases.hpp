@@ -115,5 +115,6 @@ const std::vector<Subject> &octree_run_subjects();
 const std::vector<Subject> &tof_subjects();
 const std::vector<Subject> &tof_refusal_subjects();
 const std::vector<Subject> &tof_environment_subjects();
+const std::vector<Subject> &tof_evaluate_subjects();
 
 #endif

@@ -192,6 +192,30 @@ START_TEST(tiles_between_two_ends)
 }
 END_TEST
 
+/* Half of a picture of one value is not there. What is there is equalized as without it, not towards 0. */
+START_TEST(tiles_of_nothing_do_not_count)
+{
+    enum
+    {
+        SIDE = 16
+    };
+    static float picture[SIDE * SIDE], to[SIDE * SIDE];
+    for (int by_rows = 0; by_rows < 2; by_rows++)
+    {
+        for (size_t i = 0; i < SIDE * SIDE; i++)
+        {
+            const size_t at = by_rows ? i / SIDE : i % SIDE;
+            picture[i] = at < SIDE / 2 ? NAN : 3.0f;
+        }
+        ck_assert_int_eq(cm_channel_equalize_locally(SIDE, SIDE, picture, 2, 1e6, to), CM_OK);
+        for (size_t i = 0; i < SIDE * SIDE; i++)
+        {
+            ck_assert(isnan(picture[i]) ? isnan(to[i]) : to[i] == 1.0f);
+        }
+    }
+}
+END_TEST
+
 START_TEST(bad_input_is_refused)
 {
     float one = 1.0f, to = 5.0f;
@@ -219,9 +243,10 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {
-        gradients_by_hand,      census_by_hand,       census_knows_no_gain,
-        ranges_by_hand,         windows_as_summed,    equalized_by_hand,
-        tiles_between_two_ends, bad_input_is_refused, NULL};
+    const TTest *const tests[] = {gradients_by_hand,      census_by_hand,
+                                  census_knows_no_gain,   ranges_by_hand,
+                                  windows_as_summed,      equalized_by_hand,
+                                  tiles_between_two_ends, tiles_of_nothing_do_not_count,
+                                  bad_input_is_refused,   NULL};
     return run_suite("compensate channel", tests);
 }

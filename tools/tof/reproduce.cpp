@@ -12,14 +12,8 @@
 #include "tools/cli/parallel.hpp"
 #include "tools/cli/program.hpp"
 
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace
 {
@@ -37,80 +31,19 @@ const char *experiment_at(std::size_t index)
     return index < std::size(experiments) ? experiments[index].name : nullptr;
 }
 
-std::string quoted(const std::string &text)
-{
-    std::string made = "\"";
-    for (const char c : text)
-    {
-        made += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-    }
-    return made + "\"";
-}
-
-template <class Number> std::string list_of(const std::vector<Number> &values)
-{
-    std::string made = "[";
-    for (const Number value : values)
-    {
-        made += made.size() > 1 ? "," : "";
-        made += std::isfinite(value) ? text_of_number(static_cast<double>(value), 9) : "null";
-    }
-    return made + "]";
-}
-
-std::string list_of(const std::vector<std::string> &words)
-{
-    std::string made = "[";
-    for (const std::string &word : words)
-    {
-        made += (&word == words.data() ? "" : ",") + quoted(word);
-    }
-    return made + "]";
-}
-
-std::string chart_json(const Chart &chart)
-{
-    std::string made = "{\"name\":" + quoted(chart.name) + ",\"title\":" + quoted(chart.title) +
-                       ",\"x\":" + quoted(chart.x) + ",\"y\":" + quoted(chart.y) +
-                       ",\"scatter\":" + (chart.is_scatter ? "true" : "false") +
-                       ",\"logarithmic\":" + (chart.is_logarithmic ? "true" : "false") +
-                       ",\"ticks\":" + list_of(chart.tick) + ",\"curves\":[";
-    for (const ChartCurve &curve : chart.curves)
-    {
-        made += &curve == chart.curves.data() ? "" : ",";
-        made += "{\"name\":" + quoted(curve.name) + ",\"x\":" + list_of(curve.x) +
-                ",\"y\":" + list_of(curve.y) + ",\"mark\":" + list_of(curve.mark) + "}";
-    }
-    made += "],\"pictures\":[";
-    for (const ChartPicture &picture : chart.pictures)
-    {
-        made += &picture == chart.pictures.data() ? "" : ",";
-        made += "{\"name\":" + quoted(picture.name) + ",\"unit\":" + quoted(picture.unit) +
-                ",\"width\":" + std::to_string(picture.width) +
-                ",\"value\":" + list_of(picture.value) + "}";
-    }
-    return made + "]}";
-}
-
 std::string reproduction_json(const Experiment &experiment, const Reproduction &made)
 {
-    std::string text = "{\"name\":" + quoted(experiment.name) +
-                       ",\"source\":" + quoted(experiment.source) +
-                       ",\"missing\":" + quoted(made.missing) + ",\"rows\":[";
+    std::string text = "{\"name\":" + json_text(experiment.name) +
+                       ",\"source\":" + json_text(experiment.source) +
+                       ",\"missing\":" + json_text(made.missing) + ",\"rows\":[";
     for (const ReproducedRow &row : made.rows)
     {
         text += &row == made.rows.data() ? "\n" : ",\n";
-        text += "{\"what\":" + quoted(row.what) + ",\"paper\":" + quoted(row.paper) +
-                ",\"ours\":" + quoted(row.ours) + ",\"holds\":" + (row.holds ? "true" : "false") +
-                "}";
+        text += "{\"what\":" + json_text(row.what) + ",\"paper\":" + json_text(row.paper) +
+                ",\"ours\":" + json_text(row.ours) +
+                ",\"holds\":" + (row.holds ? "true" : "false") + "}";
     }
-    text += "],\"charts\":[";
-    for (const Chart &chart : made.charts)
-    {
-        text += &chart == made.charts.data() ? "\n" : ",\n";
-        text += chart_json(chart);
-    }
-    return text + "]}\n";
+    return text + "],\"charts\":" + charts_json(made.charts) + "}\n";
 }
 
 void write_text(const std::string &path, const std::string &text)
@@ -119,43 +52,6 @@ void write_text(const std::string &path, const std::string &text)
     file.write(text.data(), text.size());
     file.finish();
     file.appear();
-}
-
-// Where the script is that draws: beside what is installed, or among the sources.
-std::string chart_script()
-{
-    for (const char *const path : {CM_TOF_CHART_INSTALLED, CM_TOF_CHART_SOURCE})
-    {
-        if (std::filesystem::exists(path))
-        {
-            return path;
-        }
-    }
-    return "";
-}
-
-// Did it draw? The system's Python has the system's matplotlib, where another comes first.
-bool draws(const char *python, const std::string &script, const std::string &json,
-           const std::string &folder)
-{
-    const pid_t child = fork();
-    if (child == 0)
-    {
-        execlp(python, python, script.c_str(), json.c_str(), folder.c_str(),
-               static_cast<char *>(nullptr));
-        _exit(127);
-    }
-    int status = 0;
-    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) &&
-           WEXITSTATUS(status) == 0;
-}
-
-// False if there are no charts, since Python or matplotlib is missing.
-bool draw(const std::string &json, const std::string &folder)
-{
-    const std::string script = chart_script();
-    return !script.empty() && (draws("python3", script, json, folder) ||
-                               draws("/usr/bin/python3", script, json, folder));
 }
 
 std::string table_of(const Experiment &experiment, const Reproduction &made)
@@ -241,13 +137,6 @@ ReproduceOptions parse(int argc, char **argv, const cm_streams &streams)
 
 } // namespace
 
-std::string text_of_number(double value, int digits)
-{
-    std::array<char, 40> text = {};
-    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-    return text.data();
-}
-
 int reproduce_papers(int argc, char **argv, const cm_streams &streams)
 {
     const ReproduceOptions options = parse(argc, argv, streams);
@@ -277,7 +166,7 @@ int reproduce_papers(int argc, char **argv, const cm_streams &streams)
         const std::string table = table_of(*experiment, made);
         print(streams, table);
         report += table;
-        if (!made.charts.empty() && !draw(json, options.folder))
+        if (!made.charts.empty() && !draw_charts(json, options.folder))
         {
             std::fprintf(streams.err,
                          "cubemap-tof: no charts of %s: python3 with matplotlib is not there\n",

@@ -5,6 +5,8 @@
 #ifndef CUBEMAP_TOOLS_TOF_REPRODUCE_HPP
 #define CUBEMAP_TOOLS_TOF_REPRODUCE_HPP
 
+#include "tof_chart.hpp"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,36 +18,6 @@ struct ReproducedRow
     std::string paper;
     std::string ours;
     bool holds = false;
-};
-
-struct ChartCurve
-{
-    std::string name;
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<std::string> mark = {}; // beside each point; none, or as many as points
-};
-
-// A picture in false colours; NaN is left white.
-struct ChartPicture
-{
-    std::string name;
-    std::string unit;
-    std::size_t width = 0;
-    std::vector<float> value;
-};
-
-struct Chart
-{
-    std::string name; // of the file
-    std::string title;
-    std::string x;
-    std::string y;
-    bool is_scatter = false;
-    std::vector<ChartCurve> curves;
-    std::vector<ChartPicture> pictures;
-    bool is_logarithmic = false;        // both axes
-    std::vector<std::string> tick = {}; // what x from 1 on is called, if it is no number
 };
 
 struct Reproduction
@@ -75,7 +47,5 @@ Reproduction reproduce_resolution(const ReproduceSettings &settings);
 Reproduction reproduce_multipath(const ReproduceSettings &settings);
 Reproduction reproduce_lens(const ReproduceSettings &settings);
 Reproduction reproduce_motion_compensation(const ReproduceSettings &settings);
-
-std::string text_of_number(double value, int digits);
 
 #endif

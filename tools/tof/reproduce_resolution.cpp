@@ -18,10 +18,11 @@ constexpr double edge_focal = 3e-3;  // metres, of both
 constexpr double edge_side = 1.2e-3; // metres of the sensor
 constexpr double edge_bin = 1e-6;    // metres
 constexpr int edge_bins = 400;
+constexpr double edge_part = 0.25e-6; // metres of a pixel, a sample each
 
 // How distances go from the near to the far one across the edge, by the place on the sensor across it: of all pixels, as
 // the standard of slanted edges has it, in edge_bins that are finer than pixels.
-std::vector<double> edge_profile(bool is_single, double pitch)
+std::vector<double> edge_profile(bool is_single, double pitch, double circuit)
 {
     const std::uint32_t count = static_cast<std::uint32_t>(std::lround(edge_side / pitch));
     const TofPointer<cm_camera> camera =
@@ -29,6 +30,10 @@ std::vector<double> edge_profile(bool is_single, double pitch)
     cm_tof_sensor sensor = plain_sensor(camera.get());
     sensor.pitch = pitch;
     sensor.single_readout = is_single;
+    const std::vector<float> mask = layout_mask(is_single, pitch, circuit, edge_part);
+    sensor.mask_columns = static_cast<std::uint32_t>(mask.size());
+    sensor.mask_rows = 1;
+    sensor.mask = mask.data();
     cm_primitive block = box_between(-2, -2, 0, 0, 2, 0.01, 0.8);
     const TofPointer<cm_trajectory> turned = []
     {
@@ -44,7 +49,7 @@ std::vector<double> edge_profile(bool is_single, double pitch)
     block.motion = turned.get();
     cm_tof_options options = {};
     options.size = sizeof options;
-    options.sample_columns = 16;
+    options.sample_columns = sensor.mask_columns;
     options.sample_rows = 8;
     const std::vector<float> distance =
         distances(make_stage({plane_at(0, 0, edge_far, 0, 0, 1, 0.8), block}).get(), sensor,
@@ -110,23 +115,49 @@ double value_at(const ChartCurve &curve, double x)
 
 Reproduction reproduce_resolution(const ReproduceSettings &settings)
 {
-    settings.tell("slanted edges");
     Reproduction made;
-    const ChartCurve dual = transfer_of("dual readout, 12 um", edge_profile(false, 12e-6));
-    const ChartCurve single = transfer_of("single readout, 8 um", edge_profile(true, 8e-6));
     const double nyquist = 1e-3 / (2 * 12e-6);
-    made.charts.push_back({"layouts-figure-7",
-                           "Transfer of a slanted edge",
-                           "cycles a mm on the sensor",
-                           "modulation",
-                           false,
-                           {dual, single},
-                           {}});
-    made.rows.push_back(
-        {"fig. 7: at the Nyquist frequency of 12 um single readout of 8 um transfers more",
-         "better",
-         text_of_number(value_at(dual, nyquist), 3) + " dual, " +
-             text_of_number(value_at(single, nyquist), 3) + " single",
-         value_at(single, nyquist) > value_at(dual, nyquist)});
+    Chart chart = {"layouts-figure-7",
+                   "Transfer of a slanted edge",
+                   "cycles a mm on the sensor",
+                   "modulation",
+                   false,
+                   {},
+                   {}};
+    struct Line
+    {
+        double circuit; // metres
+        const char *what;
+    };
+    constexpr Line lines[] = {{0, "of pixels that see everywhere"},
+                              {0.5e-6, "with circuits of 0.5 um that see nothing"},
+                              {1e-6, "with circuits of 1 um"},
+                              {2e-6, "with circuits of 2 um, as figures 9 and 10 have here"}};
+    for (const Line &line : lines)
+    {
+        settings.tell(std::string("slanted edges, ") + line.what);
+        const std::string with =
+            line.circuit > 0 ? ", circuits of " + text_of_number(1e6 * line.circuit, 2) + " um"
+                             : "";
+        const ChartCurve dual =
+            transfer_of("dual readout, 12 um" + with, edge_profile(false, 12e-6, line.circuit));
+        const ChartCurve single =
+            transfer_of("single readout, 8 um" + with, edge_profile(true, 8e-6, line.circuit));
+        made.rows.push_back(
+            {std::string(
+                 "fig. 7: at the Nyquist frequency of 12 um single readout of 8 um transfers "
+                 "more, ") +
+                 line.what,
+             "better",
+             text_of_number(value_at(dual, nyquist), 3) + " dual, " +
+                 text_of_number(value_at(single, nyquist), 3) + " single",
+             value_at(single, nyquist) > value_at(dual, nyquist)});
+        if (line.circuit == 0 || line.circuit == 2e-6)
+        {
+            chart.curves.push_back(dual);
+            chart.curves.push_back(single);
+        }
+    }
+    made.charts.push_back(chart);
     return made;
 }

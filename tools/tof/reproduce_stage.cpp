@@ -131,6 +131,19 @@ cm_tof_sensor plain_sensor(const cm_camera *camera)
     return sensor;
 }
 
+std::vector<float> layout_mask(bool is_single, double pitch, double circuit, double part)
+{
+    const int areas = is_single ? 2 : 1;
+    const double border = is_single ? 0.5 * circuit : circuit;
+    std::vector<float> mask;
+    for (long i = 0; i < std::lround(pitch / part); ++i)
+    {
+        const double place = std::fmod((static_cast<double>(i) + 0.5) * part, pitch / areas);
+        mask.push_back(place > border && place < pitch / areas - border ? 1.0f : 0.0f);
+    }
+    return mask;
+}
+
 cm_tof_light plain_light()
 {
     cm_tof_light light = {};

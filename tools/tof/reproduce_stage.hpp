@@ -62,6 +62,10 @@ cm_primitive sphere_at(double x, double y, double z, double radius, double refle
 // A camera of four phases at 20 MHz, whose frames take 0.2 s / 26.
 cm_tof_sensor plain_sensor(const cm_camera *camera);
 
+// A row of a pixel by parts of that width, 1 where it sees. Circuits see nothing: dual readout has one at both sides of a
+// pixel, single readout one between any two active areas, which are half pixels.
+std::vector<float> layout_mask(bool is_single, double pitch, double circuit, double part);
+
 // Beside the camera, everywhere.
 cm_tof_light plain_light();
 

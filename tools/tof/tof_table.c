@@ -174,6 +174,13 @@ static const cm_option evaluate_options[] = {
      .help = "how sure each pixel is, such as amplitude_0000.exr: its sparsification is told, the "
              "error "
              "of what is left when the least sure pixels are removed, beside the best there is"},
+    {.id = TOF_OUTPUT,
+     .letter = 'o',
+     .name = "output",
+     .kind = CM_OPTION_FILE,
+     .argument = "DIR",
+     .help = "a folder for the plot of --confidence, sparsification.json, and PNG and SVG where "
+             "Python has matplotlib; it is made if it is absent"},
     {.id = TOF_JSON, .name = "json", .help = "print all measures as JSON"},
 };
 
