@@ -17,18 +17,18 @@
  * from the origin, in source pixels, so that the centre of the source's pixel (column, row) is at (0, 0). */
 typedef struct cm_group
 {
-    uint8_t plane;  /* of the source */
-    unsigned count; /* pixels */
-    int32_t column; /* the origin, a pixel of the plane */
-    int32_t row;
     float x[CM_BLOCK_PIXELS];
     float y[CM_BLOCK_PIXELS];
-    const uint8_t *pixel;               /* which of the block, by rows of CM_BLOCK_EDGE; growing */
-    uint8_t own_pixel[CM_BLOCK_PIXELS]; /* what that is unless it is all of the block */
     float by_column
         [2]
         [CM_BLOCK_PIXELS]; /* derivatives of x and y by the target's column, in pixels, if wanted */
     float by_row[2][CM_BLOCK_PIXELS];
+    uint8_t own_pixel[CM_BLOCK_PIXELS]; /* what `pixel` is unless it is all of the block */
+    const uint8_t *pixel;               /* which of the block, by rows of CM_BLOCK_EDGE; growing */
+    uint8_t plane;                      /* of the source */
+    unsigned count;                     /* pixels */
+    int32_t column;                     /* the origin, a pixel of the plane */
+    int32_t row;
     int is_bounded; /* are the bounds below known? */
     float low[2];   /* no x and y is less, and the truth may be more */
     float high[2];

@@ -107,13 +107,16 @@ static void side_nodes(const border_job *job, unsigned plane, side where, int32_
 {
     double columns[NODES * BLOCK], rows[NODES * BLOCK];
     const int is_row = where == ABOVE || where == BELOW;
-    for (size_t i = 0; i < NODES * n; i++)
+    double *const along = is_row ? columns : rows;
+    double *const across = is_row ? rows : columns;
+    for (size_t k = 0; k < NODES; k++)
     {
-        const double along = begin + (double)(i % n) + 0.5;
-        const double across =
-            node_place(job, where == ABOVE || where == LEFT, is_row, (int)(i / n));
-        columns[i] = (is_row ? along : across) * job->values.scale[0];
-        rows[i] = (is_row ? across : along) * job->values.scale[1];
+        const double place = node_place(job, where == ABOVE || where == LEFT, is_row, (int)k);
+        for (size_t i = 0; i < n; i++)
+        {
+            along[k * n + i] = (begin + (double)i + 0.5) * job->values.scale[!is_row];
+            across[k * n + i] = place * job->values.scale[is_row];
+        }
     }
     cm_surface_own_directions(job->values.surface, plane, NODES * n, columns, rows, direction[0],
                               direction[1], direction[2]);

@@ -274,12 +274,15 @@ int cm_surface_edge_nodes(const cm_surface *surface, unsigned plane, cm_edge edg
         return 0;
     }
     run->count = count;
-    for (size_t i = 0; i < NODES * count; i++)
+    double *const centre = is_row ? column : row;
+    double *const node = is_row ? row : column;
+    for (size_t k = 0; k < NODES; k++)
     {
-        const double centre = begin + (double)(i % count) + 0.5;
-        const double node = first + step * ordinal[i / count];
-        column[i] = is_row ? centre : node;
-        row[i] = is_row ? node : centre;
+        for (size_t i = 0; i < count; i++)
+        {
+            centre[k * count + i] = begin + (double)i + 0.5;
+            node[k * count + i] = first + step * ordinal[k];
+        }
     }
     cm_surface_own_directions(surface, plane, NODES * count, column, row, run->node[0],
                               run->node[1], run->node[2]);
