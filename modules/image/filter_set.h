@@ -22,6 +22,7 @@
 typedef enum cm_spline_way
 {
     CM_SPLINE_FORTH,
+    CM_SPLINE_PASS, /* the same, which changes no number but the state */
     CM_SPLINE_BACK
 } cm_spline_way;
 

@@ -30,6 +30,7 @@ typedef struct cm_group
     int32_t column;                     /* the origin, a pixel of the plane */
     int32_t row;
     int is_bounded; /* are the bounds below known? */
+    int is_tight;   /* are they those of places? */
     float low[2];   /* no x and y is less, and the truth may be more */
     float high[2];
 } cm_group;
@@ -41,6 +42,7 @@ static inline void cm_group_begin(cm_group *group, uint8_t plane, double x, doub
     group->count = 0;
     group->pixel = group->own_pixel;
     group->is_bounded = 0;
+    group->is_tight = 0;
     group->column = (int32_t)x;
     group->row = (int32_t)y;
 }

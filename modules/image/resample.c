@@ -191,7 +191,9 @@ static size_t fill_up(cm_group *group)
 /* A row more each way: fewer pixels of a group may round otherwise. */
 void cm_source_rows(const cm_source *source, cm_group *group, int32_t *first, int32_t *end)
 {
-    const window_box box = box_of(source, group, 0, fill_up(group));
+    const float bounds[4] = {group->low[0], group->high[0], group->low[1], group->high[1]};
+    const window_box box = group->is_tight ? box_between(source, bounds)
+                                           : box_of(source, group, 0, fill_up(group));
     *first = group->row + box.row - 1;
     *end = group->row + box.row + box.height + 1;
 }
