@@ -3,6 +3,7 @@
  * From a source to a target, block by block.
  */
 #include "block_target.h"
+#include "ewa_window.h"
 #include "fetch.h"
 #include "large_memory.h"
 #include "past_caches.h"
@@ -192,8 +193,8 @@ static size_t fill_up(cm_group *group)
 void cm_source_rows(const cm_source *source, cm_group *group, int32_t *first, int32_t *end)
 {
     const float bounds[4] = {group->low[0], group->high[0], group->low[1], group->high[1]};
-    const window_box box = group->is_tight ? box_between(source, bounds)
-                                           : box_of(source, group, 0, fill_up(group));
+    const window_box box =
+        group->is_tight ? box_between(source, bounds) : box_of(source, group, 0, fill_up(group));
     *first = group->row + box.row - 1;
     *end = group->row + box.row + box.height + 1;
 }
@@ -224,6 +225,11 @@ cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch 
 void cm_source_fetch(const cm_source *source, const cm_group *group)
 {
     cm_window window;
+    if (source->filter == CM_FILTER_EWA)
+    {
+        cm_ewa_fetch(&source->ewa, group);
+        return;
+    }
     if (!group->is_bounded || !source->level.is_plain || source->filter == CM_FILTER_EWA)
     {
         return;

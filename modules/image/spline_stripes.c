@@ -442,8 +442,8 @@ cm_status cm_spline_stripes_begin(cm_spline_stripes *stripes, unsigned plane, un
     stripes->plane = plane;
     if (!has_period(stripes->surface))
     {
-        cm_padded_border_alone(&stripes->shape, stripes->surface, &stripes->reader, plane,
-                               stripes->side, threads);
+        cm_padded_border_alone(&stripes->shape, stripes->surface, stripes->set, &stripes->reader,
+                               plane, stripes->side, threads);
     }
     for (unsigned i = 0; i + 1 < stripes->count && !cm_spline_stripes_have_holes(stripes); i++)
     {

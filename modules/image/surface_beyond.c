@@ -289,31 +289,14 @@ int cm_surface_edge_nodes(const cm_surface *surface, unsigned plane, cm_edge edg
     return 1;
 }
 
-/* The sum of nodes, whose rows have n of them. */
-static void sum_run(const double *weight, const double *restrict node, size_t n,
-                    double *restrict sum)
-{
-    for (size_t i = 0; i < n; i++)
-    {
-        sum[i] = 0.0;
-    }
-    for (size_t k = 0; k < NODES; k++, node += n)
-    {
-        for (size_t i = 0; i < n; i++)
-        {
-            sum[i] += weight[k] * node[i];
-        }
-    }
-}
-
-void cm_surface_edge_directions(const cm_edge_run *run, int32_t away, double *x, double *y,
-                                double *z)
+void cm_surface_edge_directions(const cm_edge_run *run, const cm_filter_set *set, int32_t away,
+                                double *x, double *y, double *z)
 {
     weights at;
     weigh(NODES, away + 0.5, &at);
-    sum_run(at.weight, run->node[0], run->count, x);
-    sum_run(at.weight, run->node[1], run->count, y);
-    sum_run(at.weight, run->node[2], run->count, z);
+    set->sum_nodes(at.weight, run->node[0], run->count, x);
+    set->sum_nodes(at.weight, run->node[1], run->count, y);
+    set->sum_nodes(at.weight, run->node[2], run->count, z);
 }
 
 /* Columns that come again are meridians as far from one another, and rows are parallels: one pixel tells of all. */
