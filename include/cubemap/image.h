@@ -285,7 +285,8 @@ typedef struct cm_rows
 /* A source made ready for resampling: what is beyond the edges of its planes, the coefficients of splines and the levels
  * of EWA, as the plan's filter needs them. The pictures must stay as they are until cm_source_destroy.
  * Coefficients of more than 32 MiB are made when a part of a target is asked for, unless the plan has cm_memory. All of a
- * target in one call does without: they are made stripe by stripe, in a tenth of that memory, with the same bits. */
+ * target in one call does without: they are made stripe by stripe, of some 8 MiB, or of 16 where that is a whole plane,
+ * with the same bits. */
 typedef struct cm_source cm_source;
 
 /* from points to the plan's pictures, cm_surface_picture_count of them; target_type is that of the targets to come. threads as in threads.h.

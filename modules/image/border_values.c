@@ -57,40 +57,6 @@ static points points_around(double position, uint32_t extent, int32_t count)
     return at;
 }
 
-/* The same of many positions, by six points. */
-static void find_points(const double *restrict position, size_t n, double scale, uint32_t extent,
-                        cm_six_points *restrict at)
-{
-    const int32_t most = (int32_t)extent - POINTS;
-    float place[CM_BORDER_RUN];
-    for (size_t i = 0; i < n; i++)
-    {
-        const double centre = position[i] / scale - 0.5;
-        const int32_t nearest = (int32_t)(centre + 1.0 + 0.5) - 1;
-        const double off = centre - nearest;
-        const int exact = off < 1e-9 && off > -1e-9;
-        const int32_t whole = (int32_t)(centre + 1.0) - 1;
-        const int32_t wanted = (exact ? nearest : whole) - 2;
-        const int32_t first = wanted < 0 ? 0 : wanted > most ? most : wanted;
-        at->first[i] = first;
-        at->exact[i] = exact;
-        place[i] = exact ? (float)(nearest - first) : (float)(centre - first);
-    }
-    for (size_t i = 0; i < n; i++)
-    {
-        /* Lagrange's weights of points 0 to 5 */
-        const float t = place[i];
-        const float a = t * (t - 1.0f), b = (t - 2.0f) * (t - 3.0f), c = (t - 4.0f) * (t - 5.0f);
-        const float bc = b * c, ac = a * c, ab = a * b;
-        at->weight[0][i] = (t - 1.0f) * bc * (-1.0f / 120.0f);
-        at->weight[1][i] = t * bc * (1.0f / 24.0f);
-        at->weight[2][i] = (t - 3.0f) * ac * (-1.0f / 12.0f);
-        at->weight[3][i] = (t - 2.0f) * ac * (1.0f / 12.0f);
-        at->weight[4][i] = (t - 5.0f) * ab * (-1.0f / 24.0f);
-        at->weight[5][i] = (t - 4.0f) * ab * (1.0f / 120.0f);
-    }
-}
-
 static void take_point(const cm_six_points *many, size_t i, points *at)
 {
     at->first = many->first[i];
@@ -438,8 +404,8 @@ static void find_places(const cm_border_values *values, size_t n, double *x, dou
         x[i] = at->found[i] != CM_NO_FACE ? x[i] : 0.0;
         y[i] = at->found[i] != CM_NO_FACE ? y[i] : 0.0;
     }
-    find_points(x, n, values->scale[0], padded->width, &at->columns);
-    find_points(y, n, values->scale[1], padded->height, &at->rows);
+    values->set->border_points(n, x, values->scale[0], padded->width, &at->columns);
+    values->set->border_points(n, y, values->scale[1], padded->height, &at->rows);
 }
 
 /* A pixel from others of a plane of `padded`. */

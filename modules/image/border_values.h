@@ -30,7 +30,7 @@ void cm_border_put(const cm_border_values *values, unsigned plane, int32_t colum
 /* The border of one plane that is like those of `shape`, which has no memory, from pictures: of planes that go on everywhere
  * and have six pixels each way. It is what cm_padded_border makes of the same pixels. padded_border.c has it. */
 void cm_padded_border_alone(const cm_padded *shape, const cm_surface *surface,
-                            const cm_level_reader *reader, unsigned plane,
+                            const cm_filter_set *set, const cm_level_reader *reader, unsigned plane,
                             const cm_padded parts[CM_BORDER_SIDES], unsigned threads);
 
 /* Pixels from a column on, which are those of the row `same` so many columns further, whose columns come again. */

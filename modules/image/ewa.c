@@ -152,11 +152,11 @@ static int32_t floor_of(double x)
 /* A group at work. */
 typedef struct ewa_desk
 {
+    cm_ewa_axes axes;
+    cm_ewa_shapes shapes;
     const cm_group *group;
     cm_scratch *scratch;
     float *to;
-    cm_ewa_axes axes;
-    cm_ewa_shapes shapes;
     unsigned first;     /* the finest level that a pixel of the group wants */
     cm_ewa_frame frame; /* of the level that is being done */
     int32_t column;     /* the pixel of the level that the frame's places are from */
@@ -410,7 +410,7 @@ static cm_status do_level(const cm_ewa *ewa, const ewa_desk *desk, unsigned k, s
 
 cm_status cm_ewa_group(const cm_ewa *ewa, const cm_group *group, cm_scratch *scratch, float *to)
 {
-    ewa_desk desk;
+    _Alignas(64) ewa_desk desk; /* what vectors are stored to begins where a line of memory does */
     uint8_t which[CM_EWA_MOST] = {0};
     unsigned beside_poles;
     desk.group = group;

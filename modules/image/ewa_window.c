@@ -140,3 +140,69 @@ cm_status cm_ewa_window(const cm_ewa_level *at, const cm_ewa_box *box, cm_scratc
     pixels->first = desk.window - box->top * pixels->row - box->left;
     return CM_OK;
 }
+
+/* ---- before it is needed ---- */
+
+/* Where a level's pixels lie, in bytes. */
+typedef struct level_memory
+{
+    const char *first;
+    ptrdiff_t row;
+    ptrdiff_t pixel;
+    ptrdiff_t line; /* from channel to channel of those that are apart */
+    size_t lines;
+} level_memory;
+
+static level_memory memory_of(const cm_ewa *ewa, unsigned k, unsigned plane)
+{
+    const cm_level_plane *pictures = &ewa->pyramid.pictures.plane[plane];
+    const cm_padded *level = &ewa->pyramid.level[k];
+    const ptrdiff_t size = ewa->pyramid.is_whole ? sizeof(int16_t) : sizeof(float);
+    if (k == 0)
+    {
+        return (level_memory){(const char *)pictures->pixels, pictures->row_stride,
+                              pictures->pixel_stride, 0, 1};
+    }
+    return (level_memory){ewa->pyramid.is_whole ? (const char *)level->whole[plane]
+                                                : (const char *)level->first[plane],
+                          level->row * size, level->pixel * size, level->channel * size,
+                          level->channels};
+}
+
+/* Rows of a level that a row of pixels has for itself, or nearly so. */
+#define FETCHED_ROWS 3
+
+/* Of every fourth pixel, on the level that the one in the middle wants. */
+void cm_ewa_fetch(const cm_ewa *ewa, const cm_group *group)
+{
+    cm_ewa_axes axes;
+    const unsigned middle = group->count / 2;
+    if (!group->is_bounded)
+    {
+        return;
+    }
+    ewa->set->ewa_axes(1, group->by_column[0] + middle, group->by_column[1] + middle,
+                       group->by_row[0] + middle, group->by_row[1] + middle, ewa->least,
+                       ewa->pyramid.count, &axes);
+    const unsigned k = (unsigned)axes.level[0];
+    if (atomic_load(&ewa->pyramid.made) <= k)
+    {
+        return;
+    }
+    const level_memory level = memory_of(ewa, k, group->plane);
+    const float across = (float)ewa->width[k] / (float)ewa->width[0];
+    const float down = (float)ewa->height[k] / (float)ewa->height[0];
+    const float x = (float)group->column * across, y = (float)group->row * down;
+    for (unsigned i = 2; i < group->count; i += 4)
+    {
+        const char *at = level.first + (int32_t)(y + group->y[i] * down) * level.row +
+                         (int32_t)(x + group->x[i] * across) * level.pixel;
+        for (size_t c = 0; c < level.lines; c++, at += level.line)
+        {
+            for (ptrdiff_t row = 0; row < FETCHED_ROWS; row++)
+            {
+                CM_FETCH(at + row * level.row);
+            }
+        }
+    }
+}

@@ -30,4 +30,7 @@ typedef struct cm_ewa_box
 cm_status cm_ewa_window(const cm_ewa_level *at, const cm_ewa_box *box, cm_scratch *scratch,
                         cm_ewa_pixels *pixels);
 
+/* Asks for what a group needs, while the block before it is done. */
+void cm_ewa_fetch(const cm_ewa *ewa, const cm_group *group);
+
 #endif

@@ -22,6 +22,7 @@
 typedef enum cm_spline_way
 {
     CM_SPLINE_FORTH,
+    CM_SPLINE_PASS, /* the same, which changes no number but the state */
     CM_SPLINE_BACK
 } cm_spline_way;
 
@@ -140,14 +141,22 @@ typedef struct cm_six_points
     float weight[CM_SIX][CM_SIX_MOST];
 } cm_six_points;
 
+/* Rows of nodes of polynomials along edges. */
+#define CM_NODES 8
+
 typedef struct cm_filter_set
 {
     const char *name; /* as in options.h */
+    /* The sums of CM_NODES rows of n numbers, by the weights of rows, with the same bits in all sets. */
+    void (*sum_nodes)(const double *weight, const double *node, size_t n, double *sum);
     /* Of n positions in a row of `extent` pixels, six at least, the nearest ones and Lagrange's weights, exactly 0 and 1 at
      * pixels. is_cautious: what is outside has two points, since six would magnify what rounding has left of bytes eight
      * times. All sets have the same bits of these, and of the sums. */
     void (*six_points)(size_t n, const double *position, uint32_t extent, int is_cautious,
                        cm_six_points *at);
+    /* The same of n positions in pixels that are `scale` wide, which has no places, nor whether they are outside. */
+    void (*border_points)(size_t n, const double *position, double scale, uint32_t extent,
+                          cm_six_points *at);
     /* The values of n places from their first pixels, whose channels, CM_SIX_CHANNELS at most, are one beside the other, as
      * bytes times a scale, or as floats; rows are so many bytes apart. CM_SIX_CHANNELS floats are written of each. Of a row
      * 24 numbers may be read. */

@@ -110,6 +110,7 @@ static int patch_block(cm_geometry *geometry, unsigned plane, uint32_t block_col
     group->row = places.row;
     group->count = CM_BLOCK_PIXELS;
     group->is_bounded = 1;
+    group->is_tight = 1;
     memcpy(group->low, places.low, sizeof group->low);
     memcpy(group->high, places.high, sizeof group->high);
     group->pixel = geometry->between.all_pixels;

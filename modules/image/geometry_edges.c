@@ -88,6 +88,7 @@ static unsigned bring_back(const cm_surface *from, int derivatives, double slack
         group->column = all.column + (1 - s) * (int32_t)from->width;
         group->row = all.row;
         group->is_bounded = 0;
+        group->is_tight = 0;
         group->count = 0;
         for (unsigned i = 0; i < all.count; i++)
         {

@@ -205,7 +205,7 @@ static int fill_edge(skirt_run *run, cm_edge edge, int32_t begin, int32_t count)
             run->row[i] = is_row ? across : begin + i;
         }
         run->count = (unsigned)count;
-        cm_surface_edge_directions(&nodes, k, x, y, z);
+        cm_surface_edge_directions(&nodes, run->set, k, x, y, z);
         put_run(run, x, y, z);
     }
     return 1;

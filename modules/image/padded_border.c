@@ -14,7 +14,7 @@
 #define BLOCK CM_BORDER_RUN
 
 /* Points of the polynomial of directions. */
-#define NODES 8
+#define NODES CM_EDGE_NODES
 
 /* A task is a block of one side of a plane, or one corner. */
 typedef enum side
@@ -107,13 +107,16 @@ static void side_nodes(const border_job *job, unsigned plane, side where, int32_
 {
     double columns[NODES * BLOCK], rows[NODES * BLOCK];
     const int is_row = where == ABOVE || where == BELOW;
-    for (size_t i = 0; i < NODES * n; i++)
+    double *const along = is_row ? columns : rows;
+    double *const across = is_row ? rows : columns;
+    for (size_t k = 0; k < NODES; k++)
     {
-        const double along = begin + (double)(i % n) + 0.5;
-        const double across =
-            node_place(job, where == ABOVE || where == LEFT, is_row, (int)(i / n));
-        columns[i] = (is_row ? along : across) * job->values.scale[0];
-        rows[i] = (is_row ? across : along) * job->values.scale[1];
+        const double place = node_place(job, where == ABOVE || where == LEFT, is_row, (int)k);
+        for (size_t i = 0; i < n; i++)
+        {
+            along[k * n + i] = (begin + (double)i + 0.5) * job->values.scale[!is_row];
+            across[k * n + i] = place * job->values.scale[is_row];
+        }
     }
     cm_surface_own_directions(job->values.surface, plane, NODES * n, columns, rows, direction[0],
                               direction[1], direction[2]);
@@ -132,12 +135,9 @@ static void extrapolate_block(const border_job *job, unsigned plane, side where,
     {
         double x[3][BLOCK];
         const double *weight = job->weight[is_row][k];
-        for (size_t i = 0; i < n; i++)
+        for (int axis = 0; axis < 3; axis++)
         {
-            for (int axis = 0; axis < 3; axis++)
-            {
-                x[axis][i] = weighted(weight, node[axis] + i, n);
-            }
+            job->values.set->sum_nodes(weight, node[axis], n, x[axis]);
         }
         const int32_t across = where == ABOVE || where == LEFT ? -1 - k
                                : is_row                        ? (int32_t)padded->height + k
@@ -343,11 +343,14 @@ void cm_padded_border(const cm_padded *padded, const cm_surface *surface, const 
 }
 
 void cm_padded_border_alone(const cm_padded *shape, const cm_surface *surface,
-                            const cm_level_reader *reader, unsigned plane,
+                            const cm_filter_set *set, const cm_level_reader *reader, unsigned plane,
                             const cm_padded parts[CM_BORDER_SIDES], unsigned threads)
 {
-    border_job job = {
-        .values = {.padded = shape, .surface = surface, .reader = reader, .side = parts},
-        .plane = plane};
+    border_job job = {.values = {.padded = shape,
+                                 .surface = surface,
+                                 .set = set,
+                                 .reader = reader,
+                                 .side = parts},
+                      .plane = plane};
     do_planes(&job, 1, threads);
 }

@@ -7,6 +7,7 @@
 #define MODULES_IMAGE_PAST_CACHES_H
 
 #include <stddef.h>
+#include <stdint.h>
 #include <string.h>
 
 #if defined(__SSE2__)
@@ -17,6 +18,12 @@
 #endif
 
 #define CM_LINE 64
+
+/* The first line of memory at a place or behind it. */
+static inline void *cm_next_line(void *place)
+{
+    return (char *)place + (CM_LINE - (uintptr_t)place % CM_LINE) % CM_LINE;
+}
 
 /* `to` and bytes are multiples of CM_LINE. */
 static inline void cm_store_past_caches(unsigned char *to, const unsigned char *from, size_t bytes)

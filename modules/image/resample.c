@@ -3,6 +3,7 @@
  * From a source to a target, block by block.
  */
 #include "block_target.h"
+#include "ewa_window.h"
 #include "fetch.h"
 #include "large_memory.h"
 #include "past_caches.h"
@@ -34,18 +35,20 @@ typedef struct resample_job
     atomic_int failed;
 } resample_job;
 
-/* What a thread works with. */
+/* What a thread works with. It begins where a line of memory does, and so do the first ones of what vectors are stored to:
+ * what lies across two lines takes twice as long. */
 typedef struct resample_desk
 {
+    cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
+    cm_fixed_places places[2];
+    unsigned char bundle[CM_BUNDLE_BYTES]; /* of blocks, row by row */
+    void *memory;                          /* in which it lies */
     cm_geometry *geometry;
     cm_scratch scratch;
-    cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
-    cm_row_target row;                 /* of the row of blocks that is done */
+    cm_row_target row; /* of the row of blocks that is done */
     cm_block_target targets[2];
-    int has_places[2]; /* of blocks that go where they are to be at once */
-    cm_fixed_places places[2];
+    int has_places[2];     /* of blocks that go where they are to be at once */
     unsigned char *pixels; /* of a group */
-    unsigned char *bundle; /* of blocks, row by row */
 } resample_desk;
 
 /* ---- values of a group ---- */
@@ -189,7 +192,9 @@ static size_t fill_up(cm_group *group)
 /* A row more each way: fewer pixels of a group may round otherwise. */
 void cm_source_rows(const cm_source *source, cm_group *group, int32_t *first, int32_t *end)
 {
-    const window_box box = box_of(source, group, 0, fill_up(group));
+    const float bounds[4] = {group->low[0], group->high[0], group->low[1], group->high[1]};
+    const window_box box =
+        group->is_tight ? box_between(source, bounds) : box_of(source, group, 0, fill_up(group));
     *first = group->row + box.row - 1;
     *end = group->row + box.row + box.height + 1;
 }
@@ -220,6 +225,11 @@ cm_status cm_source_sample(const cm_source *source, cm_group *group, cm_scratch 
 void cm_source_fetch(const cm_source *source, const cm_group *group)
 {
     cm_window window;
+    if (source->filter == CM_FILTER_EWA)
+    {
+        cm_ewa_fetch(&source->ewa, group);
+        return;
+    }
     if (!group->is_bounded || !source->level.is_plain || source->filter == CM_FILTER_EWA)
     {
         return;
@@ -345,22 +355,33 @@ static uint32_t block_rows_of(const cm_rows *wanted)
            block_rows_before(wanted);
 }
 
+/* NULL if there is no memory. */
+static resample_desk *make_desk(const cm_target *target)
+{
+    const size_t pixels = CM_BLOCK_PIXELS * target->source->level.pixel_size + CM_WINDOW_SLACK;
+    void *memory = calloc(1, sizeof(resample_desk) + pixels + (size_t)2 * CM_LINE);
+    if (memory == NULL)
+    {
+        return NULL;
+    }
+    resample_desk *desk = cm_next_line(memory);
+    desk->memory = memory;
+    desk->pixels = cm_next_line(desk + 1);
+    desk->geometry = cm_geometry_create(target->plan, target->source->filter == CM_FILTER_EWA);
+    if (desk->geometry == NULL)
+    {
+        free(memory);
+        return NULL;
+    }
+    return desk;
+}
+
 /* Rows of blocks, of all wanted planes in a row. */
 static void do_rows(size_t begin, size_t end, void *user)
 {
     resample_job *job = user;
-    resample_desk *desk = calloc(1, sizeof *desk);
+    resample_desk *desk = make_desk(&job->target);
     cm_status status = desk == NULL ? CM_ERROR_MEMORY : CM_OK;
-    if (status == CM_OK)
-    {
-        desk->geometry =
-            cm_geometry_create(job->target.plan, job->target.source->filter == CM_FILTER_EWA);
-        desk->pixels = malloc(CM_BLOCK_PIXELS * job->target.source->level.pixel_size + 64);
-        desk->bundle = malloc(CM_BUNDLE_BYTES);
-        status = desk->geometry == NULL || desk->pixels == NULL || desk->bundle == NULL
-                     ? CM_ERROR_MEMORY
-                     : CM_OK;
-    }
     const uint32_t rows = block_rows_of(&job->target.wanted);
     /* a row counts as ROW_WEIGHT elements, so that a thread may have as few rows as it likes */
     for (size_t at = begin / ROW_WEIGHT; at < end / ROW_WEIGHT && status == CM_OK; at++)
@@ -377,9 +398,7 @@ static void do_rows(size_t begin, size_t end, void *user)
     {
         cm_geometry_destroy(desk->geometry);
         free(desk->scratch.bytes);
-        free(desk->pixels);
-        free(desk->bundle);
-        free(desk);
+        free(desk->memory);
     }
 }
 

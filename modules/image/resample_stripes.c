@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "resample_stripes.h"
+#include "past_caches.h"
 #include "spline_stripes.h"
 
 #include <cubemap/threads.h>
@@ -9,8 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What stripes may take, if there are rows enough in it. */
+/* What stripes may take, if there are rows enough in it. A plane that is one stripe has no walk down, and may take more. */
 #define STRIPE_BYTES ((size_t)8 << 20)
+#define PLANE_BYTES ((size_t)16 << 20)
 
 /* Blocks that are worth the making of a thread. */
 #define BLOCKS_LEAST 8
@@ -33,20 +35,23 @@ typedef struct part_list
     int32_t most; /* rows that one touches */
 } part_list;
 
-/* What a thread works with. */
+/* What a thread works with. It begins where a line of memory does, as that of resample.c. */
 typedef struct stripe_desk
 {
+    cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
+    void *memory;                      /* in which it lies */
     cm_geometry *geometry;
     cm_scratch scratch;
     unsigned char *pixels;
-    cm_group groups[2][CM_GROUPS_MAX]; /* of a block, and of the next one */
     unsigned count[2];
 } stripe_desk;
 
 typedef struct stripe_job
 {
+    cm_source
+        source; /* that of the target, whose level is the window; it begins where a line of memory does */
+    void *memory; /* in which the job lies */
     cm_target target;
-    cm_source source; /* that of the target, whose level is the window */
     uint32_t columns; /* of blocks, of a plane of the target */
     uint32_t rows;
     _Atomic(part_list *) lists;
@@ -68,9 +73,29 @@ static void destroy_desk(stripe_desk *desk)
     {
         cm_geometry_destroy(desk->geometry);
         free(desk->scratch.bytes);
-        free(desk->pixels);
-        free(desk);
+        free(desk->memory);
     }
+}
+
+/* NULL if there is no memory. */
+static stripe_desk *make_desk(const stripe_job *job)
+{
+    const size_t pixels = CM_BLOCK_PIXELS * job->source.level.pixel_size + CM_WINDOW_SLACK;
+    void *memory = calloc(1, sizeof(stripe_desk) + pixels + (size_t)2 * CM_LINE);
+    if (memory == NULL)
+    {
+        return NULL;
+    }
+    stripe_desk *desk = cm_next_line(memory);
+    desk->memory = memory;
+    desk->pixels = cm_next_line(desk + 1);
+    desk->geometry = cm_geometry_create(job->target.plan, 0);
+    if (desk->geometry == NULL)
+    {
+        free(memory);
+        return NULL;
+    }
+    return desk;
 }
 
 /* One that nobody has, or a new one; NULL if there is no memory. */
@@ -84,17 +109,7 @@ static stripe_desk *take_desk(stripe_job *job)
             return found;
         }
     }
-    stripe_desk *made = calloc(1, sizeof *made);
-    if (made != NULL)
-    {
-        made->geometry = cm_geometry_create(job->target.plan, 0);
-        made->pixels = malloc(CM_BLOCK_PIXELS * job->source.level.pixel_size + 64);
-        if (made->geometry == NULL || made->pixels == NULL)
-        {
-            destroy_desk(made);
-            made = NULL;
-        }
-    }
+    stripe_desk *made = make_desk(job);
     if (made == NULL)
     {
         atomic_store(&job->failed, CM_ERROR_MEMORY);
@@ -293,7 +308,8 @@ static cm_status do_block(const stripe_job *job, stripe_desk *desk, unsigned tur
 {
     const block_place at = place_of(job, block);
     cm_row_target row = cm_target_row(&job->target, at.plane, at.row * CM_BLOCK_EDGE, NULL);
-    row.bundle = 0; /* blocks side by side come at other times */
+    /* blocks side by side come at other times */
+    row.bundle = row.bundle == 1 ? 1 : 0;
     const cm_block_target to = cm_target_block(&job->target, &row, at.column * CM_BLOCK_EDGE);
     cm_status status = CM_OK;
     for (unsigned i = 0; i < desk->count[turn] && status == CM_OK; i++)
@@ -336,6 +352,7 @@ static void do_blocks(size_t begin, size_t end, void *user)
     {
         atomic_store(&job->failed, (int)status);
     }
+    cm_finish_past_caches();
     give_desk(job, desk);
 }
 
@@ -382,13 +399,21 @@ static int32_t rows_below(const stripe_job *job)
     return most;
 }
 
+static size_t stripe_bytes(const stripe_job *job, int32_t below)
+{
+    const cm_source *source = &job->source;
+    const int is_one =
+        cm_spline_stripes_are_one(source->plan->from, &source->values, below, PLANE_BYTES);
+    return is_one ? PLANE_BYTES : STRIPE_BYTES;
+}
+
 /* Is it less than half of what all coefficients take? */
 static int is_worth_while(const stripe_job *job, int32_t below)
 {
     const cm_source *source = &job->source;
     const cm_surface *surface = source->plan->from;
     return below < (int32_t)surface->height &&
-           cm_spline_stripes_bytes(surface, &source->values, below, STRIPE_BYTES) <
+           cm_spline_stripes_bytes(surface, &source->values, below, stripe_bytes(job, below)) <
                cm_spline_bytes(surface, &source->values) / 2;
 }
 
@@ -403,7 +428,7 @@ static cm_status do_stripes(stripe_job *job, unsigned threads, int *is_done)
     }
     cm_status status =
         cm_spline_stripes_create(source->plan->from, source->pictures, &source->values, source->set,
-                                 below, STRIPE_BYTES, threads, &stripes);
+                                 below, stripe_bytes(job, below), threads, &stripes);
     job->stripes = stripes;
     status = status == CM_OK ? sort_parts(job) : status;
     for (unsigned plane = 0; plane < source->plan->from->planes && status == CM_OK; plane++)
@@ -430,18 +455,20 @@ static void free_all(stripe_job *job)
     }
     free(job->order);
     free(job->begin);
-    free(job);
+    free(job->memory);
 }
 
 cm_status cm_resample_stripes(const cm_target *target, unsigned threads, int *is_done)
 {
     const cm_surface *to = target->plan->to;
-    stripe_job *job = calloc(1, sizeof *job);
+    void *memory = calloc(1, sizeof(stripe_job) + CM_LINE);
     *is_done = 0;
-    if (job == NULL)
+    if (memory == NULL)
     {
         return CM_ERROR_MEMORY;
     }
+    stripe_job *job = cm_next_line(memory);
+    job->memory = memory;
     memcpy(&job->source, target->source, sizeof job->source);
     job->target = *target;
     job->target.source = &job->source;

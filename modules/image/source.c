@@ -4,6 +4,7 @@
  */
 #include "source.h"
 #include "auto.h"
+#include "past_caches.h"
 #include "spline_stripes.h"
 #include "wait_a_while.h"
 
@@ -218,11 +219,13 @@ cm_status cm_source_create(const cm_plan *plan, const cm_image *from, cm_pixel_t
     {
         return status;
     }
-    cm_source *made = calloc(1, sizeof *made);
-    if (made == NULL)
+    void *source_memory = calloc(1, sizeof(cm_source) + CM_LINE);
+    if (source_memory == NULL)
     {
         return CM_ERROR_MEMORY;
     }
+    cm_source *made = cm_next_line(source_memory);
+    made->memory = source_memory;
     made->plan = plan;
     made->target_type = target_type;
     atomic_init(&made->state, CM_SOURCE_READY);
@@ -244,7 +247,7 @@ void cm_source_destroy(cm_source *source)
         cm_level_free(&source->level);
         cm_padded_free(&source->coefficients);
         cm_ewa_free(&source->ewa);
-        free(source);
+        free(source->memory);
     }
 }
 

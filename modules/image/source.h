@@ -13,6 +13,9 @@
 
 struct cm_source
 {
+    cm_filter_table
+        table;    /* begins where a line of memory does, so that no row of it lies in two */
+    void *memory; /* in which the source lies */
     const cm_plan *plan;
     cm_filter filter; /* never CM_FILTER_AUTO */
     cm_pixel_type target_type;
@@ -23,7 +26,6 @@ struct cm_source
     cm_places_finder *find_places; /* of `apart`; NULL if there is none */
     cm_apart_sampler *apart;       /* the same as sampler, into rows */
     int32_t taps;                  /* in a row: 1, 2, 4 or 6 */
-    cm_filter_table table;
     cm_level level;
     cm_ewa ewa;                       /* of CM_FILTER_EWA */
     cm_padded coefficients;           /* of CM_FILTER_BSPLINE5, which level looks at */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "spline_stripes.h"
 #include "filter_set.h"
+#include "past_caches.h"
 #include "spline_holes.h"
 
 #include <cubemap/threads.h>
@@ -37,11 +38,14 @@ struct cm_spline_stripes
     row_copy copy[2 * BEYOND_MOST];  /* above, then below, where columns come again */
     float *frame;                    /* else the plane's border */
     cm_padded side[CM_BORDER_SIDES]; /* which lies there */
-    float *window;
-    float *forth; /* before each stripe */
+    float *window_memory;
+    float *window; /* begins where a line of memory does */
+    float *forth;  /* before each stripe */
     float *back;
     unsigned plane; /* under way, and its stripe */
     unsigned stripe;
+    int32_t first; /* rows that are made, from the first one of the window on */
+    int32_t end;
     cm_level level;
     int may_have_holes;
     atomic_int has_holes;
@@ -143,6 +147,14 @@ size_t cm_spline_stripes_bytes(const cm_surface *surface, const cm_values *value
     return all_floats(&stripes) * sizeof(float);
 }
 
+int cm_spline_stripes_are_one(const cm_surface *surface, const cm_values *values, int32_t below,
+                              size_t bytes)
+{
+    cm_spline_stripes stripes = {0};
+    lay_out(&stripes, surface, values, below, bytes);
+    return stripes.count == 1;
+}
+
 unsigned cm_spline_stripes_count(const cm_spline_stripes *stripes)
 {
     return stripes->count;
@@ -218,14 +230,15 @@ static float *allocate(size_t floats)
 static cm_status make_room(cm_spline_stripes *stripes)
 {
     stripes->frame = allocate(frame_floats(stripes));
-    stripes->window = allocate(window_floats(stripes));
+    stripes->window_memory = allocate(window_floats(stripes) + CM_LINE / sizeof(float));
     stripes->forth = allocate(state_floats(stripes) * stripes->count);
     stripes->back = allocate(state_floats(stripes));
-    if (stripes->frame == NULL || stripes->window == NULL || stripes->forth == NULL ||
+    if (stripes->frame == NULL || stripes->window_memory == NULL || stripes->forth == NULL ||
         stripes->back == NULL)
     {
         return CM_ERROR_MEMORY;
     }
+    stripes->window = cm_next_line(stripes->window_memory);
     lay_frame(stripes);
     return CM_OK;
 }
@@ -268,7 +281,7 @@ void cm_spline_stripes_destroy(cm_spline_stripes *stripes)
     {
         cm_level_free(&stripes->pictures);
         free(stripes->frame);
-        free(stripes->window);
+        free(stripes->window_memory);
         free(stripes->forth);
         free(stripes->back);
         free(stripes);
@@ -322,24 +335,24 @@ static int has_hole(const float *from, size_t n)
     return found;
 }
 
-/* The rows of a stripe, along which coefficients are made. */
+/* Rows along which coefficients are made. */
 static void do_rows(size_t begin, size_t end, void *user)
 {
     cm_spline_stripes *stripes = user;
     const ptrdiff_t stride = stripes->shape.row;
-    const int32_t first = begin_of(stripes, stripes->stripe);
-    const int32_t last = end_of(stripes, stripes->stripe);
+    const int32_t first = stripes->first, end_row = stripes->end;
     int found = 0;
-    float *desk = malloc(CM_BUNDLE_ROWS * stripes->floats * sizeof *desk);
-    if (desk == NULL)
+    float *memory = allocate(CM_BUNDLE_ROWS * stripes->floats + CM_LINE / sizeof(float));
+    if (memory == NULL)
     {
         atomic_store(&stripes->failed, CM_ERROR_MEMORY);
         return;
     }
+    float *desk = cm_next_line(memory);
     for (size_t at = begin / CM_TASK; at < end / CM_TASK; at++)
     {
         const int32_t row = first + (int32_t)at * CM_BUNDLE_ROWS;
-        const int32_t rows = last - row < CM_BUNDLE_ROWS ? last - row : CM_BUNDLE_ROWS;
+        const int32_t rows = end_row - row < CM_BUNDLE_ROWS ? end_row - row : CM_BUNDLE_ROWS;
         float *to = stripes->window + (row - first) * stride;
         for (int32_t i = 0; i < rows; i++)
         {
@@ -353,42 +366,40 @@ static void do_rows(size_t begin, size_t end, void *user)
     {
         atomic_store(&stripes->has_holes, 1);
     }
-    free(desk);
+    free(memory);
 }
 
-static void make_rows(cm_spline_stripes *stripes, unsigned threads)
+/* Rows from `first` on, to the first ones of the window. */
+static void make_rows(cm_spline_stripes *stripes, int32_t first, int32_t end, unsigned threads)
 {
-    const int32_t rows = end_of(stripes, stripes->stripe) - begin_of(stripes, stripes->stripe);
-    const size_t bundles = ((size_t)rows + CM_BUNDLE_ROWS - 1) / CM_BUNDLE_ROWS;
+    const size_t bundles = ((size_t)(end - first) + CM_BUNDLE_ROWS - 1) / CM_BUNDLE_ROWS;
+    stripes->first = first;
+    stripes->end = end;
     cm_run_threads(threads, bundles * CM_TASK, CM_TASK, do_rows, stripes);
 }
 
 /* ---- columns ---- */
 
-/* A bundle of the stripe's columns, forth; what is reached goes from `state` to `reached`. */
-static void go_forth(const cm_spline_stripes *stripes, size_t bundle, float *reached)
+/* A bundle of the columns of rows that have been made; is_begin: are they the first ones of the plane that go this way? */
+static void go(const cm_spline_stripes *stripes, size_t bundle, cm_spline_way way, int is_begin,
+               float *state)
 {
-    const unsigned stripe = stripes->stripe;
     const size_t first = bundle * CM_BUNDLE_COLUMNS;
     const size_t left = stripes->floats - first;
-    const size_t rows = (size_t)(end_of(stripes, stripe) - begin_of(stripes, stripe));
-    if (stripe > 0)
-    {
-        memcpy(reached, stripes->forth + stripe * state_floats(stripes) + bundle * STATE,
-               STATE * sizeof *reached);
-    }
-    stripes->set->spline_columns_part(stripes->window + first,
-                                      left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS, rows,
-                                      stripes->shape.row, CM_SPLINE_FORTH, stripe == 0, reached);
+    stripes->set->spline_columns_part(
+        stripes->window + first, left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS,
+        (size_t)(stripes->end - stripes->first), stripes->shape.row, way, is_begin, state);
 }
 
-static void do_forth(size_t begin, size_t end, void *user)
+/* What is reached after a stripe is what the next one begins with. */
+static void do_pass(size_t begin, size_t end, void *user)
 {
     const cm_spline_stripes *stripes = user;
+    float *reached = stripes->forth + (stripes->stripe + 1) * state_floats(stripes);
+    const int is_begin = stripes->first == begin_of(stripes, 0);
     for (size_t at = begin / CM_TASK; at < end / CM_TASK; at++)
     {
-        go_forth(stripes, at,
-                 stripes->forth + (stripes->stripe + 1) * state_floats(stripes) + at * STATE);
+        go(stripes, at, CM_SPLINE_PASS, is_begin, reached + at * STATE);
     }
 }
 
@@ -396,17 +407,31 @@ static void do_both(size_t begin, size_t end, void *user)
 {
     const cm_spline_stripes *stripes = user;
     const unsigned stripe = stripes->stripe;
-    const size_t rows = (size_t)(end_of(stripes, stripe) - begin_of(stripes, stripe));
+    float *forth = stripes->forth + stripe * state_floats(stripes);
     for (size_t at = begin / CM_TASK; at < end / CM_TASK; at++)
     {
-        float reached[STATE];
-        const size_t first = at * CM_BUNDLE_COLUMNS;
-        const size_t left = stripes->floats - first;
-        go_forth(stripes, at, reached);
-        stripes->set->spline_columns_part(stripes->window + first,
-                                          left < CM_BUNDLE_COLUMNS ? left : CM_BUNDLE_COLUMNS, rows,
-                                          stripes->shape.row, CM_SPLINE_BACK,
-                                          stripe + 1 == stripes->count, stripes->back + at * STATE);
+        go(stripes, at, CM_SPLINE_FORTH, stripe == 0, forth + at * STATE);
+        go(stripes, at, CM_SPLINE_BACK, stripe + 1 == stripes->count, stripes->back + at * STATE);
+    }
+}
+
+/* The walk down a stripe. One thread alone does a bundle of rows after the other, which stay in a near cache. */
+static void pass_stripe(cm_spline_stripes *stripes, unsigned stripe, unsigned threads)
+{
+    const int32_t end = end_of(stripes, stripe);
+    const size_t floats = state_floats(stripes);
+    int32_t row = begin_of(stripes, stripe);
+    const int32_t step = threads == 1 ? CM_BUNDLE_ROWS : end - row;
+    stripes->stripe = stripe;
+    if (stripe > 0)
+    {
+        memcpy(stripes->forth + (stripe + 1) * floats, stripes->forth + stripe * floats,
+               floats * sizeof *stripes->forth);
+    }
+    for (; row < end; row += step)
+    {
+        make_rows(stripes, row, end - row < step ? end : row + step, threads);
+        cm_run_threads(threads, bundles_of(stripes) * CM_TASK, CM_TASK, do_pass, stripes);
     }
 }
 
@@ -417,14 +442,12 @@ cm_status cm_spline_stripes_begin(cm_spline_stripes *stripes, unsigned plane, un
     stripes->plane = plane;
     if (!has_period(stripes->surface))
     {
-        cm_padded_border_alone(&stripes->shape, stripes->surface, &stripes->reader, plane,
-                               stripes->side, threads);
+        cm_padded_border_alone(&stripes->shape, stripes->surface, stripes->set, &stripes->reader,
+                               plane, stripes->side, threads);
     }
     for (unsigned i = 0; i + 1 < stripes->count && !cm_spline_stripes_have_holes(stripes); i++)
     {
-        stripes->stripe = i;
-        make_rows(stripes, threads);
-        cm_run_threads(threads, bundles_of(stripes) * CM_TASK, CM_TASK, do_forth, stripes);
+        pass_stripe(stripes, i, threads);
     }
     stripes->stripe = stripes->count;
     return (cm_status)atomic_load(&stripes->failed);
@@ -456,7 +479,8 @@ cm_status cm_spline_stripes_next(cm_spline_stripes *stripes, unsigned threads)
     {
         keep_below(stripes, end_of(stripes, stripes->stripe) - begin_of(stripes, stripes->stripe));
     }
-    make_rows(stripes, threads);
+    make_rows(stripes, begin_of(stripes, stripes->stripe), end_of(stripes, stripes->stripe),
+              threads);
     cm_run_threads(threads, bundles_of(stripes) * CM_TASK, CM_TASK, do_both, stripes);
     look_at(stripes);
     return (cm_status)atomic_load(&stripes->failed);

@@ -32,6 +32,10 @@ void cm_spline_stripes_destroy(cm_spline_stripes *stripes);
 size_t cm_spline_stripes_bytes(const cm_surface *surface, const cm_values *values, int32_t below,
                                size_t bytes);
 
+/* Would it make one stripe of a plane? */
+int cm_spline_stripes_are_one(const cm_surface *surface, const cm_values *values, int32_t below,
+                              size_t bytes);
+
 /* Of a plane, and in which of them a row is. */
 unsigned cm_spline_stripes_count(const cm_spline_stripes *stripes);
 unsigned cm_spline_stripes_of(const cm_spline_stripes *stripes, int32_t row);

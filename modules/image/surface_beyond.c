@@ -274,43 +274,29 @@ int cm_surface_edge_nodes(const cm_surface *surface, unsigned plane, cm_edge edg
         return 0;
     }
     run->count = count;
-    for (size_t i = 0; i < NODES * count; i++)
+    double *const centre = is_row ? column : row;
+    double *const node = is_row ? row : column;
+    for (size_t k = 0; k < NODES; k++)
     {
-        const double centre = begin + (double)(i % count) + 0.5;
-        const double node = first + step * ordinal[i / count];
-        column[i] = is_row ? centre : node;
-        row[i] = is_row ? node : centre;
+        for (size_t i = 0; i < count; i++)
+        {
+            centre[k * count + i] = begin + (double)i + 0.5;
+            node[k * count + i] = first + step * ordinal[k];
+        }
     }
     cm_surface_own_directions(surface, plane, NODES * count, column, row, run->node[0],
                               run->node[1], run->node[2]);
     return 1;
 }
 
-/* The sum of nodes, whose rows have n of them. */
-static void sum_run(const double *weight, const double *restrict node, size_t n,
-                    double *restrict sum)
-{
-    for (size_t i = 0; i < n; i++)
-    {
-        sum[i] = 0.0;
-    }
-    for (size_t k = 0; k < NODES; k++, node += n)
-    {
-        for (size_t i = 0; i < n; i++)
-        {
-            sum[i] += weight[k] * node[i];
-        }
-    }
-}
-
-void cm_surface_edge_directions(const cm_edge_run *run, int32_t away, double *x, double *y,
-                                double *z)
+void cm_surface_edge_directions(const cm_edge_run *run, const cm_filter_set *set, int32_t away,
+                                double *x, double *y, double *z)
 {
     weights at;
     weigh(NODES, away + 0.5, &at);
-    sum_run(at.weight, run->node[0], run->count, x);
-    sum_run(at.weight, run->node[1], run->count, y);
-    sum_run(at.weight, run->node[2], run->count, z);
+    set->sum_nodes(at.weight, run->node[0], run->count, x);
+    set->sum_nodes(at.weight, run->node[1], run->count, y);
+    set->sum_nodes(at.weight, run->node[2], run->count, z);
 }
 
 /* Columns that come again are meridians as far from one another, and rows are parallels: one pixel tells of all. */

@@ -77,49 +77,136 @@ static void fold(const cm_surface *surface, double *height, double *lon)
     }
 }
 
-/* Longitudes and heights of n positions, with those beyond the poles folded back. */
-static void lonlats_of(const cm_surface *surface, size_t n, const double *column, const double *row,
-                       double *lon, double *height)
+static void lons_of(const cm_surface *surface, size_t n, const double *column, double *lon)
 {
-    const double *number = surface->number;
-    const double west = number[WEST];
-    const double top = number[TOP];
-    const double bottom = number[BOTTOM];
-    const double per_column = number[LON_EXTENT] / surface->width;
+    const double west = surface->number[WEST];
+    const double per_column = surface->number[LON_EXTENT] / surface->width;
+    for (size_t i = 0; i < n; i++)
+    {
+        lon[i] = west + column[i] * per_column;
+    }
+}
+
+/* Returns whether any is beyond the poles, or what else ends the picture. */
+static int heights_of(const cm_surface *surface, size_t n, const double *row, double *height)
+{
+    const double top = surface->number[TOP];
+    const double bottom = surface->number[BOTTOM];
     const double per_row = (top - bottom) / surface->height;
     const double middle = 0.5 * surface->height;
     const double level = 0.5 * (top + bottom);
     uint64_t beyond = 0; /* as wide as doubles are */
     for (size_t i = 0; i < n; i++)
     {
-        lon[i] = west + column[i] * per_column;
         height[i] = level + (middle - row[i]) * per_row;
     }
     for (size_t i = 0; i < n; i++)
     {
         beyond |= (uint64_t)(height[i] > top) | (uint64_t)(height[i] < bottom);
     }
-    for (size_t i = 0; beyond && i < n; i++)
+    return beyond != 0;
+}
+
+static void latitudes_of(const cm_surface *surface, size_t n, double *height)
+{
+    const int scale = (int)surface->number[SCALE];
+    for (size_t i = 0; scale != EQUIDISTANT && i < n; i++)
     {
-        fold(surface, &height[i], &lon[i]);
+        height[i] = latitude_of(scale, height[i]);
     }
+}
+
+/* Longitudes and latitudes of n positions, with those beyond the poles folded back. */
+static void lonlats_of(const cm_surface *surface, size_t n, const double *column, const double *row,
+                       double *lon, double *lat)
+{
+    lons_of(surface, n, column, lon);
+    const int are_beyond = heights_of(surface, n, row, lat);
+    for (size_t i = 0; are_beyond && i < n; i++)
+    {
+        fold(surface, &lat[i], &lon[i]);
+    }
+    latitudes_of(surface, n, lat);
+}
+
+/* How many columns a grid has whose places are here row by row; 0 if they are no grid. */
+static size_t grid_columns(size_t n, const double *column, const double *row)
+{
+    size_t across = 1;
+    uint64_t others = 0;
+    while (across < n && row[across] == row[0])
+    {
+        across++;
+    }
+    if (across < 4 || across == n || n % across != 0)
+    {
+        return 0;
+    }
+    for (size_t i = across; i < n; i++)
+    {
+        others |= (uint64_t)(column[i] != column[i - across]);
+    }
+    for (size_t line = across; line < n; line += across)
+    {
+        for (size_t i = 0; i < across; i++)
+        {
+            others |= (uint64_t)(row[line + i] != row[line]);
+        }
+    }
+    return others == 0 ? across : 0;
+}
+
+/* A direction is one of the equator, made shorter by one of the first meridian: those of a grid's columns and rows are
+ * enough, and the numbers are the same. 0 if the places are no such grid. */
+static int directions_of_grid(const cm_surface *surface, size_t n, const double *column,
+                              const double *row, double *x, double *y, double *z)
+{
+    double lon[BLOCK], lat[BLOCK], first[BLOCK], second[BLOCK], third[BLOCK], rows[BLOCK];
+    const size_t across = grid_columns(n, column, row);
+    const size_t down = across == 0 ? 0 : n / across;
+    if (across == 0 || across + down > BLOCK)
+    {
+        return 0;
+    }
+    memset(lat, 0, across * sizeof *lat);
+    memset(lon + across, 0, down * sizeof *lon);
+    for (size_t r = 0; r < down; r++)
+    {
+        rows[r] = row[r * across];
+    }
+    lons_of(surface, across, column, lon);
+    if (heights_of(surface, down, rows, lat + across))
+    {
+        return 0;
+    }
+    latitudes_of(surface, down, lat + across);
+    cm_direction_from_lonlat_array(across + down, lon, lat, first, second, third);
+    for (size_t r = 0; r < down; r++, x += across, y += across, z += across)
+    {
+        for (size_t k = 0; k < across; k++)
+        {
+            x[k] = first[across + r] * first[k];
+            y[k] = first[across + r] * second[k];
+            z[k] = third[across + r];
+        }
+    }
+    return 1;
 }
 
 static void directions(const cm_surface *surface, unsigned plane, size_t n, const double *column,
                        const double *row, double *x, double *y, double *z)
 {
     (void)plane;
-    const int scale = (int)surface->number[SCALE];
+    if (directions_of_grid(surface, n, column, row, x, y, z))
+    {
+        return;
+    }
     for (size_t done = 0; done < n; done += BLOCK)
     {
         double lon[BLOCK];
         double lat[BLOCK];
         const size_t count = n - done < BLOCK ? n - done : BLOCK;
         lonlats_of(surface, count, column + done, row + done, lon, lat);
-        for (size_t i = 0; scale != EQUIDISTANT && i < count; i++)
-        {
-            lat[i] = latitude_of(scale, lat[i]);
-        }
         cm_direction_from_lonlat_array(count, lon, lat, x + done, y + done, z + done);
     }
 }

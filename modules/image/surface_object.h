@@ -5,6 +5,8 @@
 #ifndef MODULES_IMAGE_SURFACE_OBJECT_H
 #define MODULES_IMAGE_SURFACE_OBJECT_H
 
+#include "filter_set.h"
+
 #include <cubemap/image.h>
 
 /* No surface has more planes: the twelve squares of HEALPix. */
@@ -90,7 +92,7 @@ void cm_surface_directions_beyond(const cm_surface *surface, unsigned plane, siz
 
 /* Pixels along an edge that are asked for together, and the points that the directions beyond them are made of. */
 #define CM_EDGE_RUN 64
-#define CM_EDGE_NODES 8
+#define CM_EDGE_NODES CM_NODES
 
 typedef enum cm_edge
 {
@@ -113,8 +115,8 @@ int cm_surface_edge_nodes(const cm_surface *surface, unsigned plane, cm_edge edg
 
 /* Directions of the centres of those `away` pixels beyond the last, from 0 on: the same numbers as
  * cm_surface_directions_beyond has. */
-void cm_surface_edge_directions(const cm_edge_run *run, int32_t away, double *x, double *y,
-                                double *z);
+void cm_surface_edge_directions(const cm_edge_run *run, const cm_filter_set *set, int32_t away,
+                                double *x, double *y, double *z);
 
 /* 1 for positions on the plane that have a direction, else 0. */
 void cm_surface_covers(const cm_surface *surface, unsigned plane, size_t n, const double *column,

@@ -573,6 +573,28 @@ START_TEST(test_beyond)
 }
 END_TEST
 
+/* Pixels of a run, so many beyond the last, by every set, against those that are asked one by one. */
+static void check_edge_pixels(const cm_surface *surface, const cm_edge_run *run, int32_t away,
+                              double *const other[3], const char *where)
+{
+    double own[3][CM_EDGE_RUN];
+    for (size_t s = 0; s < cm_instructions_count(); s++)
+    {
+        const char *name = cm_instructions_at(s);
+        if (cm_instructions_check(name, NULL, 0) != CM_OK)
+        {
+            continue;
+        }
+        cm_surface_edge_directions(run, cm_filter_set_find(name), away, own[0], own[1], own[2]);
+        for (int axis = 0; axis < 3; axis++)
+        {
+            REQUIRE(memcmp(own[axis], other[axis], run->count * sizeof(double)) == 0,
+                    "%s, %s, %s: %d away", cm_surface_specification(surface), name, where,
+                    (int)away);
+        }
+    }
+}
+
 /* A run along an edge. */
 static void check_edge_run(const cm_surface *surface, unsigned plane, cm_edge edge, int32_t begin,
                            size_t count, unsigned *runs)
@@ -587,7 +609,10 @@ static void check_edge_run(const cm_surface *surface, unsigned plane, cm_edge ed
     ++*runs;
     for (int32_t away = 0; away < 21; away++)
     {
-        double column[CM_EDGE_RUN], row[CM_EDGE_RUN], own[3][CM_EDGE_RUN], other[3][CM_EDGE_RUN];
+        double column[CM_EDGE_RUN], row[CM_EDGE_RUN], x[CM_EDGE_RUN], y[CM_EDGE_RUN],
+            z[CM_EDGE_RUN];
+        double *const other[3] = {x, y, z};
+        char where[64];
         const double across =
             edge == CM_EDGE_LEFT || edge == CM_EDGE_UPPER ? -0.5 - away : last + away + 0.5;
         for (size_t i = 0; i < count; i++)
@@ -596,15 +621,10 @@ static void check_edge_run(const cm_surface *surface, unsigned plane, cm_edge ed
             column[i] = is_row ? along : across;
             row[i] = is_row ? across : along;
         }
-        cm_surface_edge_directions(&run, away, own[0], own[1], own[2]);
-        cm_surface_directions_beyond(surface, plane, count, column, row, other[0], other[1],
-                                     other[2]);
-        for (int axis = 0; axis < 3; axis++)
-        {
-            REQUIRE(memcmp(own[axis], other[axis], count * sizeof(double)) == 0,
-                    "%s, plane %u, edge %d, from %d on: %d away", cm_surface_specification(surface),
-                    plane, (int)edge, (int)begin, (int)away);
-        }
+        cm_surface_directions_beyond(surface, plane, count, column, row, x, y, z);
+        snprintf(where, sizeof where, "plane %u, edge %d, from %d on", plane, (int)edge,
+                 (int)begin);
+        check_edge_pixels(surface, &run, away, other, where);
     }
 }
 
