@@ -234,14 +234,15 @@ typedef struct cm_plan_options
         tolerance; /* of positions, in source pixels: 0 for 1/4096, negative for as exact as a double is. EWA, whose
                       footprints are as wide as target pixels, takes four times so much of one of these */
     double pixels_most; /* of one EWA footprint; 0 for 4096. A longer ellipse is shortened to it */
-    cm_transfer transfer; /* of all channels but alpha */
+    cm_transfer transfer; /* of all channels but alpha and the vector */
     double
         gamma; /* of CM_TRANSFER_GAMMA, 2.2 say: linear light is the stored value to this power */
     uint32_t alpha;       /* the channel of opacity, counted from 1; 0 for none */
     int alpha_multiplied; /* are the others multiplied by it? */
     uint32_t
         vector; /* the first of three channels that are a vector in the source's axes, counted from 1, which is
-                            turned into the target's; 0 for none */
+                            turned into the target's; 0 for none. Whole numbers hold it as normal maps do: 0 to 1,
+                            which is 0 to 255, say, stands for -1 to 1 */
     cm_not_finite not_finite; /* what becomes of NaN and infinities */
     int dither;               /* are whole numbers dithered? */
     const char *instructions; /* as in cm_options */

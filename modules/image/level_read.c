@@ -13,9 +13,7 @@ static cm_converter *converter_of(const cm_values *values, const cm_sample_set *
     *scale = values->type == CM_PIXEL_U8    ? 1.0f / 255.0f
              : values->type == CM_PIXEL_U16 ? 1.0f / 65535.0f
                                             : 1.0f;
-    if (values->transfer != CM_TRANSFER_STORED ||
-        (values->alpha != 0 && !values->alpha_multiplied) ||
-        (!is_whole && values->not_finite != CM_NOT_FINITE_SPREAD))
+    if (!cm_values_are_stored(values) || (!is_whole && values->not_finite != CM_NOT_FINITE_SPREAD))
     {
         return NULL;
     }

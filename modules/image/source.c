@@ -192,7 +192,8 @@ static cm_status prepare(cm_source *source, const cm_image *from, unsigned threa
         source->level.pixel_size = source->values.working * sizeof(float);
         /* what is between bytes as they are, for bytes again, needs no more than 14 bits behind the point */
         const int is_whole = from->type == CM_PIXEL_U8 && source->target_type == CM_PIXEL_U8 &&
-                             plan->options.transfer == CM_TRANSFER_STORED;
+                             plan->options.transfer == CM_TRANSFER_STORED &&
+                             plan->options.vector == 0;
         return cm_ewa_make(plan, from, &source->values, source->set, &source->table, is_whole,
                            threads, &source->ewa);
     }

@@ -46,6 +46,43 @@ static float read_channel(cm_pixel_type type, const unsigned char *from, uint32_
     }
 }
 
+static int is_vector(const cm_values *values, uint32_t channel)
+{
+    return values->vector != 0 && channel + 1 >= values->vector && channel < values->vector + 2;
+}
+
+/* Whole numbers hold a vector as normal maps do: 0 to 1 stands for -1 to 1. */
+static int is_coded_vector(const cm_values *values)
+{
+    return values->vector != 0 && (values->type == CM_PIXEL_U8 || values->type == CM_PIXEL_U16);
+}
+
+/* What is added to a component that is coded, multiplied by alpha where that is. */
+static float vector_offset(const cm_values *values, const float *pixel)
+{
+    return values->alpha != 0 && values->alpha_multiplied ? pixel[values->alpha - 1] : 1.0f;
+}
+
+static void decode_vector(const cm_values *values, float *pixel)
+{
+    float *v = pixel + values->vector - 1;
+    const float offset = vector_offset(values, pixel);
+    for (int i = 0; i < 3; i++)
+    {
+        v[i] = 2.0f * v[i] - offset;
+    }
+}
+
+static void encode_vector(const cm_values *values, float *pixel)
+{
+    float *v = pixel + values->vector - 1;
+    const float offset = vector_offset(values, pixel);
+    for (int i = 0; i < 3; i++)
+    {
+        v[i] = 0.5f * (v[i] + offset);
+    }
+}
+
 /* 0 to most, rounded; what is no number is 0. */
 static float whole(float value, float most, float offset)
 {
@@ -99,7 +136,7 @@ static void load_meaning(const cm_values *values, float *pixel)
     const uint32_t alpha = values->alpha;
     for (uint32_t c = 0; c < values->channels; c++)
     {
-        if (c + 1 != alpha && values->transfer != CM_TRANSFER_STORED)
+        if (c + 1 != alpha && values->transfer != CM_TRANSFER_STORED && !is_vector(values, c))
         {
             /* what is multiplied by alpha is so as stored; light is multiplied as light */
             const float opacity = alpha != 0 && values->alpha_multiplied ? pixel[alpha - 1] : 1.0f;
@@ -116,7 +153,8 @@ static void load_meaning(const cm_values *values, float *pixel)
 int cm_values_are_stored(const cm_values *values)
 {
     return values->transfer == CM_TRANSFER_STORED &&
-           (values->alpha == 0 || values->alpha_multiplied) && values->working == values->channels;
+           (values->alpha == 0 || values->alpha_multiplied) &&
+           values->working == values->channels && !is_coded_vector(values);
 }
 
 int cm_values_are_plain(const cm_values *values)
@@ -252,6 +290,10 @@ void cm_values_load(const cm_values *values, const void *from, ptrdiff_t stride,
             out[c] = read_channel(values->type, pixel, c);
         }
         const int good = values->not_finite == CM_NOT_FINITE_SPREAD || clean(values, out);
+        if (is_coded_vector(values))
+        {
+            decode_vector(values, out);
+        }
         load_meaning(values, out);
         if (values->working > values->channels)
         {
@@ -297,7 +339,7 @@ static void store_meaning(const cm_values *values, float *pixel)
         }
         if (values->transfer != CM_TRANSFER_STORED)
         {
-            pixel[c] = stored_of(values, pixel[c]) *
+            pixel[c] = (is_vector(values, c) ? pixel[c] : stored_of(values, pixel[c])) *
                        (alpha != 0 && values->alpha_multiplied ? opacity : 1.0f);
         }
     }
@@ -327,6 +369,10 @@ void cm_values_store(const cm_values *values, float *from, size_t n, uint32_t co
     {
         float *in = from + i * values->working;
         store_meaning(values, in);
+        if (is_coded_vector(values))
+        {
+            encode_vector(values, in);
+        }
         for (uint32_t c = 0; c < values->channels; c++)
         {
             const float offset = values->dither ? noise(column + (uint32_t)i, row, c) : 0.0f;

@@ -6,6 +6,10 @@
 #include "image_cases.hpp"
 #include "picture_checks.hpp"
 
+#include "tools/compare/compare_main.h"
+#include "tools/reproject/reproject_main.h"
+
+#include <algorithm>
 #include <filesystem>
 
 #include <unistd.h>
@@ -300,12 +304,40 @@ void bad_output()
            ran.err + names_in("six"));
 }
 
+// ---- man pages
+
+// Each option of the program is in one of the examples of its man page.
+void examples(const cm_command &command, const std::string &page)
+{
+    std::string text = content_of(source_tree() + "/tools/" + page);
+    const std::size_t begin = text.find(".SH EXAMPLE");
+    text = begin == std::string::npos ? "" : text.substr(begin, text.find(".SH SEE") - begin);
+    text.erase(std::remove(text.begin(), text.end(), '\\'), text.end());
+    std::string missing;
+    for (std::size_t i = 0; i < command.group_count; ++i)
+    {
+        for (std::size_t k = 0; k < command.groups[i].count; ++k)
+        {
+            const std::string name = std::string("--") + command.groups[i].options[k].name;
+            missing += text.find(name + " ") == std::string::npos ? " " + name : "";
+        }
+    }
+    result(!text.empty() && missing.empty(), "every option is in an example of " + page, missing);
+}
+
+void examples_of_options()
+{
+    examples(cm_reproject_command, "reproject/cubemap-reproject.1.in");
+    examples(cm_compare_command, "compare/cubemap-compare.1.in");
+}
+
 } // namespace
 
 const std::vector<Subject> &reproject_mistake_subjects()
 {
     static const std::vector<Subject> subjects = {{"reproject_arguments", bad_arguments},
                                                   {"bad_input", bad_input},
-                                                  {"reproject_output", bad_output}};
+                                                  {"reproject_output", bad_output},
+                                                  {"examples_of_options", examples_of_options}};
     return subjects;
 }

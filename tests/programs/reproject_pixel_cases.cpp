@@ -247,6 +247,27 @@ std::string ink_tiff()
            number(0) + word(8) + word(8) + word(8) + word(8) + "CMYKcmyk";
 }
 
+// A JPEG file of 16 x 8 pixels of four inks as most programs write them, YCCK with Adobe's marker.
+std::string ink_jpeg()
+{
+    const auto bytes = [](const std::string &digits)
+    {
+        std::string made;
+        for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+        {
+            made += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+        }
+        return made;
+    };
+    const std::string steps(64, 'c');
+    return bytes("ffd8ffee000e41646f626500640000000002ffdb004300") + steps + bytes("ffdb004301") +
+           steps +
+           bytes("ffc00014080008001004011100021101031101041100ffc40016000101010000000000000000"
+                 "0000000000000506ffc40014100100000000000000000000000000000000ffc4001601010101"
+                 "00000000000000000000000000000506ffc40014110100000000000000000000000000000000"
+                 "ffda000e040100021103110400003f009eb2cfb4800fffd9");
+}
+
 void unusual_colors()
 {
     // GIF89a, 2 x 1 pixels of two colours
@@ -274,6 +295,10 @@ void unusual_colors()
     const Ran ran = run("reproject --quiet --size 8 ink.tif a_%f.png");
     result(ran.status == 0 && matches(ran.err, "'ink.tif' is CMYK; .* without a profile"),
            "inks are told", ran.err);
+    write_file("ink.jpg", ink_jpeg());
+    const Ran other = run("reproject --quiet --size 8 ink.jpg a_%f.png");
+    result(other.status == 0 && matches(other.err, "'ink.jpg' is CMYK; .* without a profile"),
+           "inks are told, of JPEG", other.err);
 }
 
 // ---- values
@@ -377,6 +402,11 @@ void dithers()
     does("reproject --quiet --threads 1 --dither noise.ppm one.png --layout cross");
     does("reproject --quiet --threads 3 --dither noise.ppm three.png --layout cross");
     result(same_content("one.png", "three.png"), "the same noise from any number of threads");
+    make_constant(64, 32, 3, "float", 0.5f, "floats.tif");
+    fails("floats need no noise", 2, "'a.exr', holds floats; leave it out",
+          "reproject --to equirect --dither floats.tif a.exr");
+    fails("nor do maps of HEALPix", 2, "'a.fits', holds floats; leave it out",
+          "reproject --to healpix:8 --dither noise.ppm a.fits");
 }
 
 void files_and_filters()

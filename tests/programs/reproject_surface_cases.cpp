@@ -169,11 +169,31 @@ void rotations()
 void vectors()
 {
     make_direction_image(equirect_shape, 512, "equirect.tif");
+    make_constant(64, 32, 3, "float", -2.0f, "two.tif");
     does("reproject --quiet --to equirect --vector 1 --rotate 30,40,50 equirect.tif turned.tif");
     holds("vectors turn with the axes",
           [] { check_direction_image(equirect_shape, "turned.tif", 1e-4, 3e-5); });
     does("reproject --quiet --to equirect --vector 1 turned.tif back.tif");
     holds("and back", [] { check_direction_image(equirect_shape, "back.tif", 2e-4, 6e-5); });
+    // whole numbers hold them as normal maps do, from which they come back as floats
+    const std::string vector = "reproject --quiet --to equirect --vector 1 ";
+    does(vector + "equirect.tif bytes.png");
+    holds("bytes are between -1 and 1",
+          [] {
+              check_pixel("bytes.png", 256, 128, {1.0, 128 / 255.0, 127 / 255.0});
+          });
+    does(vector + "--rotate 30,40,50 bytes.png turned.png");
+    for (const std::string filter : {"nearest", "bilinear", "spline36", "bspline5", "ewa"})
+    {
+        does(vector + "--filter " + filter + " turned.png back.pfm");
+        const double most = filter == "nearest" ? 0.02 : 0.012; // nearest is half a pixel off
+        holds("and turn as floats do, " + filter,
+              [most] { check_direction_image(equirect_shape, "back.pfm", most, 0.3 * most); });
+    }
+    says("a vector that is too long is told", "of vectors beyond 1 written as 1\\)$",
+         "reproject --to equirect --vector 1 two.tif two.png");
+    fails("nor have whole numbers lines over vectors", 2, "let OUTPUT be floats",
+          vector + "--graticule 30 bytes.png lines.png");
 }
 
 void programs()

@@ -651,7 +651,17 @@ void sidecars()
          "reproject --from turned.json other.pfm back.png");
     says("and --from-rotate says otherwise", "turned by 1,2,3,",
          "reproject --from-rotate 1,2,3 --from turned.json other.pfm back.png");
+    const std::string before = content_of("turned.json");
+    fails("--sidecar does not replace what --from reads", 2, "'made/../turned.json' is the file of",
+          "reproject --sidecar --from turned.json other.pfm made/../turned.png");
     does("reproject --quiet --sidecar noise.ppm six_%f.pfm --frame s2");
+    fails("nor what the pictures are known by", 2, "'six.json' is the file that says what INPUT is",
+          "reproject --sidecar six_%f.pfm six.png");
+    fails("nor does a manifest", 2, "'six.json' is the file that says what INPUT is",
+          "reproject --manifest six.json six_%f.pfm made/a.png");
+    fails("nor one of six pictures", 2, "'six_3.pfm' is INPUT, too",
+          "reproject --manifest six_3.pfm six_%f.pfm made/a.png");
+    result(content_of("turned.json") == before, "all of them stay");
     says("of six pictures", "^six_0.pfm .. six_5.pfm \\(cube:coupled, frame s2, 16x16,",
          "reproject six_%f.pfm back.png");
     does("reproject --quiet --to equirect --size 32 noise.ppm turned.pfm");

@@ -141,6 +141,7 @@ std::shared_ptr<const cm_surface> ComparedFiles::surface()
             made(is_six() ? as_strip(specification) : specification, {});
         if (!is_six())
         {
+            files.take_as(*said);
             return said;
         }
     }

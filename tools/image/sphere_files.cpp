@@ -9,7 +9,6 @@
 #include "tools/cli/program.hpp"
 
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <utility>
 
@@ -156,8 +155,10 @@ bool has_inks(const ImageFile &image)
     for (std::size_t i = 0; i < of.tag_count; ++i)
     {
         const std::string key = of.tags[i].key;
+        const std::string space = of.tags[i].text;
+        // most JPEG files of inks have three of the four as luminance and two differences
         if ((key == "tiff:ColorSpace" || key == "jpeg:ColorSpace") &&
-            std::strcmp(of.tags[i].text, "CMYK") == 0)
+            (space == "CMYK" || space == "YCbCrK"))
         {
             return true;
         }
@@ -350,9 +351,9 @@ void SphereFiles::find_surface()
                            !asked.from.rotation && key_of(said, "frame").empty();
         take(said.empty() || is_cube(said) ? cube_by_shape() : said,
              usual ? texture_surface().rotation : asked.from.rotation);
-        if (saved && !asked.as_it_stands)
+        if (saved)
         {
-            compare_with(*saved);
+            compare_with(*saved, *sphere, turned);
         }
         return;
     }
@@ -513,26 +514,36 @@ void SphereFiles::take(const std::string &specification, const std::optional<cm_
     turned = rotation;
 }
 
-void SphereFiles::compare_with(const SavedSurface &saved)
+void SphereFiles::take_as(const cm_surface &surface)
 {
-    const std::string here = cm_surface_specification(sphere.get());
+    const std::optional<SavedSurface> saved = find_saved();
+    if (saved)
+    {
+        compare_with(*saved, surface, {});
+    }
+}
+
+void SphereFiles::compare_with(const SavedSurface &saved, const cm_surface &taken,
+                               const std::optional<cm_rotation> &rotation)
+{
+    const std::string here = cm_surface_specification(&taken);
     const std::optional<cm_rotation> none;
     std::string message;
-    const SurfacePointer other = make_surface(
-        without_size(saved.specification), static_cast<int>(cm_surface_width(sphere.get())),
-        static_cast<int>(cm_surface_height(sphere.get())), none, message);
+    const SurfacePointer other =
+        make_surface(without_size(saved.specification), static_cast<int>(cm_surface_width(&taken)),
+                     static_cast<int>(cm_surface_height(&taken)), none, message);
     const std::string there = other ? cm_surface_specification(other.get()) : saved.specification;
-    const auto turn_of = [](const std::optional<cm_rotation> &rotation)
-    { return rotation && is_turned(*rotation) ? rotation_text(*rotation) : "0,0,0"; };
+    const auto turn_of = [](const std::optional<cm_rotation> &turn)
+    { return turn && is_turned(*turn) ? rotation_text(*turn) : "0,0,0"; };
     const std::string name = says(saved);
     if (here != there)
     {
         remarks.push_back(name + there + "; it is taken as " + here + ", as the command line says");
     }
-    else if (turn_of(turned) != turn_of(saved.rotation))
+    else if (turn_of(rotation) != turn_of(saved.rotation))
     {
         remarks.push_back(name + "turned by " + turn_of(saved.rotation) +
-                          "; it is taken as turned by " + turn_of(turned) +
+                          "; it is taken as turned by " + turn_of(rotation) +
                           ", as the command line says");
     }
 }

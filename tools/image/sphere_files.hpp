@@ -71,6 +71,9 @@ public:
     // Do the files say where on Earth they are?
     bool is_georeferenced() const;
 
+    // The caller takes the files as this, which is not turned: a warning if they say otherwise.
+    void take_as(const cm_surface &surface);
+
     // Lines for people about what is not as it seems.
     const std::vector<std::string> &warnings() const noexcept
     {
@@ -95,7 +98,8 @@ private:
     bool is_elsewhere(const SavedSurface &saved, const std::string &place);
     bool take_saved(const SavedSurface &saved, bool is_placed);
     void take(const std::string &specification, const std::optional<cm_rotation> &rotation);
-    void compare_with(const SavedSurface &saved);
+    void compare_with(const SavedSurface &saved, const cm_surface &taken,
+                      const std::optional<cm_rotation> &rotation);
     std::string cube_by_shape() const;
     std::string layout_by_shape() const;
 

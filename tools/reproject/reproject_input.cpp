@@ -61,6 +61,54 @@ void count_values(const unsigned char *values, std::size_t size, ValueCounts &co
     counts.above_one += above;
 }
 
+// Of a row, those of the vector that begins in a channel.
+template <typename Bits, Bits infinity, Bits one>
+void count_vector(const unsigned char *values, std::size_t size, std::size_t channels,
+                  std::size_t first, ValueCounts &counts)
+{
+    constexpr auto in_size = static_cast<Bits>(~(Bits{1} << (8 * sizeof(Bits) - 1)));
+    ValueCounts own;
+    ValueCounts lengths;
+    for (std::size_t i = first; i + 3 <= size; i += channels)
+    {
+        Bits component[3];
+        std::memcpy(component, values + i * sizeof(Bits), sizeof component);
+        count_values<Bits, infinity, one>(values + i * sizeof(Bits), 3, own);
+        for (Bits &bits : component)
+        {
+            bits &= in_size;
+        }
+        count_values<Bits, infinity, one>(reinterpret_cast<const unsigned char *>(component), 3,
+                                          lengths);
+    }
+    counts.components_below_zero += own.below_zero;
+    counts.components_above_one += own.above_one;
+    counts.components_beyond_one += lengths.above_one;
+}
+
+// Both of a row. vector: its first channel, counted from 1; 0: there is none.
+template <typename Bits, Bits infinity, Bits one>
+void count_row(const unsigned char *values, std::size_t size, std::size_t channels, int vector,
+               ValueCounts &counts)
+{
+    count_values<Bits, infinity, one>(values, size, counts);
+    if (vector > 0)
+    {
+        count_vector<Bits, infinity, one>(values, size, channels,
+                                          static_cast<std::size_t>(vector) - 1, counts);
+    }
+}
+
+void add(const ValueCounts &some, ValueCounts &all)
+{
+    all.not_finite += some.not_finite;
+    all.below_zero += some.below_zero;
+    all.above_one += some.above_one;
+    all.components_below_zero += some.components_below_zero;
+    all.components_above_one += some.components_above_one;
+    all.components_beyond_one += some.components_beyond_one;
+}
+
 } // namespace
 
 Input::Input(const Options &options, int threads, std::vector<ImageFile> opened)
@@ -126,7 +174,7 @@ void Input::read(const Options &options, int threads, MemoryCeiling &ceiling, st
     const auto has_floats = [](const ImageFile &image) { return !image.stored().whole_numbers; };
     if (std::any_of(files().begin(), files().end(), has_floats))
     {
-        count_all(threads);
+        count_all(options.vector, threads);
     }
     if (counts.not_finite > 0 && options.not_finite == NotFinite::refuse)
     {
@@ -176,35 +224,33 @@ void Input::read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
     parallel_for(static_cast<int>(files().size()), threads, read_file);
 }
 
-void Input::count_all(int threads)
+void Input::count_all(int vector, int threads)
 {
     const cm_pixel_type type = description_of_pixels().type;
-    const std::size_t row = static_cast<std::size_t>(files().front().width()) *
-                            static_cast<std::size_t>(files().front().channels());
+    const auto channels = static_cast<std::size_t>(files().front().channels());
+    const std::size_t row = static_cast<std::size_t>(files().front().width()) * channels;
     const int rows = files().front().height();
     counts = ValueCounts();
     std::mutex lock;
     for (const PixelMemory &picture : memory)
     {
-        const auto count_row = [&](int i)
+        const auto count = [&](int i)
         {
             const unsigned char *const at =
                 picture.bytes() + static_cast<std::size_t>(i) * row * channel_bytes(type);
             ValueCounts own;
             if (type == CM_PIXEL_HALF)
             {
-                count_values<std::uint16_t, 0x7c00, 0x3c00>(at, row, own);
+                count_row<std::uint16_t, 0x7c00, 0x3c00>(at, row, channels, vector, own);
             }
             else
             {
-                count_values<std::uint32_t, 0x7f800000, 0x3f800000>(at, row, own);
+                count_row<std::uint32_t, 0x7f800000, 0x3f800000>(at, row, channels, vector, own);
             }
             const std::lock_guard<std::mutex> held(lock);
-            counts.not_finite += own.not_finite;
-            counts.below_zero += own.below_zero;
-            counts.above_one += own.above_one;
+            add(own, counts);
         };
-        parallel_for(rows, threads, count_row);
+        parallel_for(rows, threads, count);
     }
 }
 

@@ -20,6 +20,10 @@ struct ValueCounts
     std::int64_t not_finite = 0;
     std::int64_t below_zero = 0; // and finite
     std::int64_t above_one = 0;  // and finite
+    // Of these, the components of a vector, and those of them whose size is above 1: whole numbers cannot have them.
+    std::int64_t components_below_zero = 0;
+    std::int64_t components_above_one = 0;
+    std::int64_t components_beyond_one = 0;
 };
 
 class Input : public SphereFiles
@@ -51,7 +55,7 @@ private:
     std::vector<bool> allocate(MemoryCeiling &ceiling, WorkFolder *work);
     void read_files(int threads, MemoryCeiling &ceiling, std::FILE *terminal,
                     const std::vector<bool> &there);
-    void count_all(int threads);
+    void count_all(int vector, int threads);
     [[noreturn]] void refuse_not_finite() const;
 
     std::vector<PixelMemory> memory;

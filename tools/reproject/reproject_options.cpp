@@ -172,9 +172,11 @@ bool read_surface_option(int id, OptionReader &reader, Options &options)
     {
     case REPROJECT_FROM:
         options.from.said_rotation.reset();
+        options.from_file.clear();
         if (std::filesystem::path(reader.text()).extension() == ".json")
         {
-            take_sidecar(reader.text(), options.from);
+            options.from_file = reader.text();
+            take_sidecar(options.from_file, options.from);
             return true;
         }
         options.from.specification = read_specification(reader, order);

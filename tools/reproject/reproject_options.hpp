@@ -35,6 +35,7 @@ enum class NotFinite
 struct Options
 {
     SurfaceOptions from;
+    std::string from_file; // that says what INPUT is; "": --from is not one
     SurfaceOptions to;
     const cm_surface_preset *preset = nullptr; // of OUTPUT
     std::string mapping;                       // --mapping, "" if it is not said

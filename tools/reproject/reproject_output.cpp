@@ -5,6 +5,7 @@
 #include "tools/image/geo_reference.hpp"
 #include "healpix_rules.hpp"
 #include "output_surface.hpp"
+#include "other_files.hpp"
 #include "tools/image/sidecar.hpp"
 #include "texture_rules.hpp"
 #include "tools/cli/parallel.hpp"
@@ -68,19 +69,29 @@ std::string not_finite_text(std::int64_t count, cm_not_finite what)
                                          : "kept");
 }
 
+bool is_whole(cm_pixel_type type)
+{
+    return type == CM_PIXEL_U8 || type == CM_PIXEL_U16;
+}
+
 // Of values that OUTPUT cannot have; "" if it can have all.
 std::string cut_text(const ValueCounts &counts, const ImagePlan &plan)
 {
     const cm_pixel_type type = held_type(plan.format, plan.description.type);
-    const bool whole = type == CM_PIXEL_U8 || type == CM_PIXEL_U16;
+    const bool whole = is_whole(type);
     const auto text_of = [](std::int64_t count, const char *where, const char *written)
     {
         return count == 0 ? ""
                           : "; " + std::to_string(count) + (count == 1 ? " value " : " values ") +
                                 where + " written as " + written;
     };
-    return (whole || plan.format == "hdr" ? text_of(counts.below_zero, "below 0", "0") : "") +
-           (whole ? text_of(counts.above_one, "above 1", "1") : "");
+    if (!whole)
+    {
+        return plan.format == "hdr" ? text_of(counts.below_zero, "below 0", "0") : "";
+    }
+    return text_of(counts.below_zero - counts.components_below_zero, "below 0", "0") +
+           text_of(counts.above_one - counts.components_above_one, "above 1", "1") +
+           text_of(counts.components_beyond_one, "of vectors beyond 1", "1");
 }
 
 // Of one file.
@@ -127,7 +138,7 @@ Output::Output(const Options &options, const Input &input)
     {
         keep_work(); // where its tiles are
     }
-    make_files(options);
+    make_files(options, input);
     if (options.resume && !tiles)
     {
         keep_work();
@@ -241,6 +252,31 @@ void Output::choose_colors(const Options &options, const Input &input)
     }
 }
 
+// What the engine does to whole numbers it does where they are what it stores.
+void Output::check_whole_numbers(const Options &options) const
+{
+    const bool computes_floats = lines || colors.is_needed();
+    const bool is_floats = !is_whole(held_type(plan.format, plan.description.type));
+    if (options.dither && is_floats)
+    {
+        throw UsageFailure("--dither is for whole numbers, and OUTPUT, " +
+                           in_quotes(options.output) + ", holds floats; leave it out");
+    }
+    if (options.dither && computes_floats)
+    {
+        throw UsageFailure(lines ? "--dither is not for pictures with lines; leave one out"
+                                 : "--dither is not for colours that change between light and "
+                                   "sRGB, or with alpha; say --stored, or leave it out");
+    }
+    if (options.vector > 0 && !is_floats && computes_floats)
+    {
+        throw UsageFailure(lines ? "--vector is not for pictures of whole numbers with lines; "
+                                   "leave one out, or let OUTPUT be floats in TIFF or EXR"
+                                 : "--vector is not for whole numbers whose alpha changes; let "
+                                   "OUTPUT be floats in TIFF or EXR");
+    }
+}
+
 void Output::choose_values(const Options &options, const Input &input)
 {
     const ImageDescription &source = input.description_of_pixels();
@@ -275,15 +311,10 @@ void Output::choose_values(const Options &options, const Input &input)
     }
     const bool floats = lines || colors.is_needed();
     row_type = floats ? CM_PIXEL_FLOAT : held_type(plan.format, plan.description.type);
-    if (options.dither && floats)
-    {
-        throw UsageFailure(lines ? "--dither is not for pictures with lines; leave one out"
-                                 : "--dither is not for colours that change between light and "
-                                   "sRGB, or with alpha; say --stored, or leave it out");
-    }
+    check_whole_numbers(options);
 }
 
-void Output::make_files(const Options &options)
+void Output::make_files(const Options &options, const Input &input)
 {
     if (!options.compression.empty())
     {
@@ -304,43 +335,14 @@ void Output::make_files(const Options &options)
                             ? std::make_unique<AtomicFile>("standard output", options.output_stream)
                             : std::make_unique<AtomicFile>(name));
     }
+    check_other_files(options, input, names);
     if (options.sidecar)
     {
         files.push_back(std::make_unique<AtomicFile>(sidecar_name(options.output)));
     }
     if (!options.manifest.empty())
     {
-        check_manifest(options);
         files.push_back(std::make_unique<AtomicFile>(options.manifest));
-    }
-}
-
-// It is no other file that is read or written.
-void Output::check_manifest(const Options &options) const
-{
-    std::vector<std::string> others = names;
-    others.push_back(options.input);
-    if (options.sidecar)
-    {
-        others.push_back(sidecar_name(options.output));
-    }
-    const auto place_of = [](const std::string &name)
-    {
-        std::error_code error;
-        const std::filesystem::path place = std::filesystem::weakly_canonical(name, error);
-        return error ? std::filesystem::path(name) : place;
-    };
-    for (const std::string &other : others)
-    {
-        if (place_of(other) == place_of(options.manifest))
-        {
-            throw UsageFailure("--manifest: " + in_quotes(options.manifest) + " is " +
-                               (other == options.input ? "INPUT"
-                                : options.sidecar && other == others.back()
-                                    ? "the file of --sidecar"
-                                    : "OUTPUT") +
-                               ", too; give it another name");
-        }
     }
 }
 

@@ -60,8 +60,8 @@ private:
     void choose_place(const Options &options, const Input &input);
     void choose_colors(const Options &options, const Input &input);
     void choose_values(const Options &options, const Input &input);
-    void make_files(const Options &options);
-    void check_manifest(const Options &options) const;
+    void check_whole_numbers(const Options &options) const;
+    void make_files(const Options &options, const Input &input);
     void write_hips(const Render &render, int threads);
     void write_pictures(const Render &render, int threads);
     void leave_work(const Options &options);

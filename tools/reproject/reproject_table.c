@@ -161,6 +161,8 @@ static const cm_option values[] = {
      .argument = "C",
      .help = "channels C to C+2, counted from 1, are a vector in INPUT's axes, to be turned into "
              "OUTPUT's",
+     .more = "In files of whole numbers it is as normal maps have it: 0 to 255, or to 65535, "
+             "stands for -1 to 1.",
      .low = 1,
      .high = CM_CHANNELS_MAX - 2},
     {.id = REPROJECT_NOT_FINITE,
