@@ -105,7 +105,7 @@ void cm_update_make_parts(cm_update *update)
         const unsigned sum = alpha + rule->hit;
         const unsigned hits = cm_hits_of(rule, sum < rule->high ? sum : rule->high);
         const uint32_t part = cm_color_part[hits < 255 ? hits : 255];
-        update->part_of[alpha] = hits > 0 && alpha <= CM_UNKNOWN ? 65536u : part;
+        update->hit.part_of[alpha] = hits > 0 && alpha <= CM_UNKNOWN ? 65536u : part;
     }
 }
 
@@ -132,7 +132,7 @@ static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, co
         }
     }
     update->has_color = options->color && view->color.data != NULL;
-    update->word = desk->view.word;
+    update->hit.word = desk->view.word;
     cm_update_make_parts(update);
     desk->count = 0;
     desk->missed_count = 0;

@@ -43,9 +43,7 @@ typedef struct cm_update
     float group_half[3]; /* of 4^3 voxels */
     double pixel;        /* edges that a pixel is wide at distance 1, times the footprint */
     int has_color;
-    const uint32_t *word; /* colors of what hits are by: pixels */
-    /* of a hit's color in its voxel's, in 65536ths, where alpha was that before; 0: it is not occupied even now */
-    uint32_t part_of[256];
+    cm_hit_colors hit;
     cm_cell_offsets offset[CM_DETAILS];
     cm_cell_offsets block; /* of the blocks of a region */
     cm_ray_ends ends;  /* voxels that are hit, whatever the pixels say that their centres fall on */

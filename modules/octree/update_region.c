@@ -65,9 +65,8 @@ static void first_voxel(const cm_update *update, const uint32_t place[3], unsign
     }
 }
 
-/* What hits will need: colors of pixels, and those of a group's cells if there are any. */
-static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_t hits,
-                         const int32_t pixel[64])
+/* Colors of a group's cells that hits will need, if there are any. */
+static void fetch_colors(const uint32_t *color, uint64_t hits)
 {
     for (size_t line = 0; color != NULL && line < 64; line += 16)
     {
@@ -75,10 +74,6 @@ static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_
         {
             __builtin_prefetch(color + line, 1);
         }
-    }
-    for (; hits != 0; hits &= hits - 1)
-    {
-        __builtin_prefetch(update->word + pixel[__builtin_ctzll(hits)]);
     }
 }
 
@@ -109,8 +104,7 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
                        &change->misses[group], change->pixel[group]);
     if (change->hits[group] != 0 && update->has_color)
     {
-        fetch_colors(update, work->color == NULL ? NULL : work->color + 64 * group,
-                     change->hits[group], change->pixel[group]);
+        fetch_colors(work->color == NULL ? NULL : work->color + 64 * group, change->hits[group]);
     }
 }
 
@@ -335,6 +329,11 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
         for (uint32_t column = (uint32_t)first[0]; (double)column <= last[0]; column += 8)
         {
             __builtin_prefetch(table->rule + (size_t)row * table->stride + column, 0, 2);
+        }
+        for (uint32_t column = (uint32_t)first[0]; update->has_color && (double)column <= last[0];
+             column += 16)
+        {
+            __builtin_prefetch(update->hit.word + (size_t)row * table->stride + column, 0, 2);
         }
     }
 }
