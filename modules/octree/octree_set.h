@@ -243,6 +243,8 @@ typedef struct cm_octree_set
      * to where voxels reach those. */
     void (*tell)(size_t n, const cm_break_teller *teller, const float *front, float *own_front,
                  float *near_front, float *near_back);
+    /* 1 for runs of pixels of which one, of every four, has a reach that is not below the most; else 0. */
+    void (*steep)(size_t runs, const float *reach, float most, uint8_t *is_steep);
     /* Rules and bounds of a row; front_of: the least front that each pixel heeds; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
     void (*rules)(size_t n, const float *depth, const float *reach, const float *front_of,
                   float far, float free_far, cm_pixel_rule *rule, float *least, float *most);

@@ -11,28 +11,35 @@
 /* ---- where to look ---- */
 
 /* Voxels reach over the picture's border no farther than breaks are heeded. */
-static int is_at_border(const cm_view_desk *desk, size_t row, size_t column)
+static void mark_borders(const cm_view_desk *desk, size_t row, uint8_t *may_end)
 {
-    return row < CM_BREAK_RADIUS || row + CM_BREAK_RADIUS >= desk->height || column == 0 ||
-           column + CM_BREAK_RUN + CM_BREAK_RADIUS >= desk->width;
+    const size_t runs = (desk->width + CM_BREAK_RUN - 1) / CM_BREAK_RUN;
+    if (row < CM_BREAK_RADIUS || row + CM_BREAK_RADIUS >= desk->height)
+    {
+        memset(may_end, 1, runs);
+        return;
+    }
+    may_end[0] = 1;
+    for (size_t run = runs; run-- > 0 && (run + 1) * CM_BREAK_RUN + CM_BREAK_RADIUS >= desk->width;)
+    {
+        may_end[run] = 1;
+    }
 }
 
-void cm_ray_ends_mark(const cm_view_desk *desk, const cm_view_band *band, size_t row, float most)
+/* What is steep is wider than a few pixels, or beside breaks. */
+void cm_ray_ends_mark(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
+                      size_t row, float most)
 {
-    const size_t runs = desk->stride / CM_BREAK_RUN;
-    for (size_t column = 0; column < desk->width; column += CM_BREAK_RUN)
+    const size_t runs = (desk->width + CM_BREAK_RUN - 1) / CM_BREAK_RUN;
+    const size_t first = cm_view_row(desk, row);
+    const uint8_t *is_taken = band->is_taken + first / CM_BREAK_RUN;
+    uint8_t *const may_end = desk->may_end + row * (desk->stride / CM_BREAK_RUN);
+    set->steep(runs, band->reach + first, most, may_end);
+    for (size_t run = 0; run < runs; run++)
     {
-        const size_t first = cm_view_row(desk, row) + column;
-        const float *reach = band->reach + first;
-        int is_steep = 0; /* what is steep is wider than a few pixels, or beside breaks */
-        for (size_t k = 0; k < CM_BREAK_RUN; k += 4)
-        {
-            is_steep |= reach[k] >= most;
-        }
-        desk->may_end[row * runs + column / CM_BREAK_RUN] =
-            (uint8_t)(is_steep | band->is_taken[first / CM_BREAK_RUN] |
-                      is_at_border(desk, row, column));
+        may_end[run] |= is_taken[run];
     }
+    mark_borders(desk, row, may_end);
 }
 
 /* ---- a picture ---- */
