@@ -155,22 +155,76 @@ static int compare_ends(const void *one, const void *other)
                             : (a->pixel > b->pixel) - (a->pixel < b->pixel);
 }
 
-cm_ray_ends cm_ray_ends_sort(cm_ray_end *list, size_t found)
+/* One digit of the keys, of eight bits, keeping the order of equal ones. 0: all have the same, and nothing was moved. */
+static int sort_by_digit(const cm_ray_end *from, size_t count, unsigned shift, cm_ray_end *to)
+{
+    size_t place[256] = {0};
+    for (size_t i = 0; i < count; i++)
+    {
+        place[from[i].key >> shift & 255u]++;
+    }
+    if (place[from[0].key >> shift & 255u] == count)
+    {
+        return 0;
+    }
+    size_t sum = 0;
+    for (unsigned digit = 0; digit < 256; digit++)
+    {
+        const size_t own = place[digit];
+        place[digit] = sum;
+        sum += own;
+    }
+    for (size_t i = 0; i < count; i++)
+    {
+        to[place[from[i].key >> shift & 255u]++] = from[i];
+    }
+    return 1;
+}
+
+/* By keys alone, digit by digit, where there is room for as many more. Returns where they are. */
+static cm_ray_end *sort_keys(cm_ray_end *list, size_t count)
+{
+    cm_ray_end *from = list, *to = list + count;
+    for (unsigned shift = 0; shift < 64; shift += 8)
+    {
+        if (sort_by_digit(from, count, shift, to))
+        {
+            cm_ray_end *const sorted = to;
+            to = from;
+            from = sorted;
+        }
+    }
+    return from;
+}
+
+cm_ray_ends cm_ray_ends_sort(cm_ray_end *list, size_t found, size_t room)
 {
     if (found == 0)
     {
         return (cm_ray_ends){NULL, NULL};
     }
-    qsort(list, found, sizeof *list, compare_ends);
+    cm_ray_end *sorted = list;
+    if (found <= room / 2)
+    {
+        sorted = sort_keys(list, found);
+    }
+    else
+    {
+        qsort(list, found, sizeof *list, compare_ends);
+    }
     size_t count = 0;
     for (size_t i = 0; i < found; i++)
     {
-        if (count == 0 || list[i].key != list[count - 1].key)
+        if (count == 0 || sorted[i].key != sorted[count - 1].key)
         {
-            list[count++] = list[i];
+            sorted[count++] = sorted[i];
+        }
+        else if (sorted[i].pixel < sorted[count - 1].pixel)
+        {
+            sorted[count - 1].pixel = sorted[i].pixel;
         }
     }
-    return (cm_ray_ends){list, list + count};
+    return (cm_ray_ends){sorted, sorted + count};
 }
 
 static int has_room(cm_view_desk *desk)
@@ -205,7 +259,7 @@ cm_status cm_ray_ends_find(cm_view_desk *desk, const cm_octree *octree, const cm
     }
     work.list = desk->end;
     cm_pool_run(pool, desk->height, 16, find_in_rows, &work);
-    *ends = cm_ray_ends_sort(work.list, atomic_load(&work.count));
+    *ends = cm_ray_ends_sort(work.list, atomic_load(&work.count), desk->end_room);
     return CM_OK;
 }
 
