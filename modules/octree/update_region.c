@@ -45,7 +45,7 @@ typedef struct block_work
     const uint8_t *group_class; /* of eight groups */
     const cm_cube_bounds *bounds;
     const uint32_t *color; /* of an open block; NULL: none yet */
-    int is_fetched;        /* 1: pixels are on their way for the whole region */
+    int is_fetched;        /* 1: colors of pixels are on their way for the whole region */
     cm_ray_ends ends;
 } block_work;
 
@@ -299,7 +299,11 @@ static const uint32_t *open_colors(const cm_region *region, unsigned block)
 /* No more pixels are fetched for a region: they would drive each other out of what is near. */
 #define FETCHED_MOST 40000.0
 
-/* Pixels that a region falls on are on their way, too: what they say is met in no order that processors know. 0: not these. */
+/* And no more colors of pixels: in larger regions few are of hits. */
+#define FETCHED_COLORS 20000.0
+
+/* Pixels that a region falls on are on their way, too: what they say is met in no order that processors know. 1: and their
+ * colors. */
 static int fetch_pixels(const cm_update *update, const cm_region *region)
 {
     const cm_view_table *table = &update->desk->view.table;
@@ -327,7 +331,9 @@ static int fetch_pixels(const cm_update *update, const cm_region *region)
         first[axis] = middle - wide > 0.0 ? middle - wide : 0.0;
         last[axis] = middle + wide < size[axis] ? middle + wide : size[axis];
     }
-    if ((last[0] - first[0]) * (last[1] - first[1]) > FETCHED_MOST)
+    const double pixels = (last[0] - first[0]) * (last[1] - first[1]);
+    const int has_colors = update->has_color && pixels <= FETCHED_COLORS;
+    if (pixels > FETCHED_MOST)
     {
         return 0;
     }
@@ -337,13 +343,13 @@ static int fetch_pixels(const cm_update *update, const cm_region *region)
         {
             __builtin_prefetch(table->rule + (size_t)row * table->stride + column, 0, 2);
         }
-        for (uint32_t column = (uint32_t)first[0]; update->has_color && (double)column <= last[0];
+        for (uint32_t column = (uint32_t)first[0]; has_colors && (double)column <= last[0];
              column += 16)
         {
             __builtin_prefetch(update->hit.word + (size_t)row * table->stride + column, 0, 2);
         }
     }
-    return 1;
+    return has_colors;
 }
 
 int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8_t alpha)
