@@ -42,15 +42,6 @@ cm_update_desk *cm_update_desk_of(cm_octree *octree)
 
 /* ---- places ---- */
 
-void cm_update_place(const cm_update *update, const double place[3], double at[3])
-{
-    for (int axis = 0; axis < 3; axis++)
-    {
-        at[axis] = update->origin[axis] + place[0] * update->step[0][axis] +
-                   place[1] * update->step[1][axis] + place[2] * update->step[2][axis];
-    }
-}
-
 void cm_update_half(const cm_update *update, int level, double distance, float half[3])
 {
     const double edges = 0.5 * (ldexp(1.0, level) - 1.0);

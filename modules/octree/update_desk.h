@@ -57,7 +57,14 @@ cm_update_desk *cm_update_desk_of(cm_octree *octree);
 void cm_update_make_parts(cm_update *update);
 
 /* A voxel's centre in the camera's axes. */
-void cm_update_place(const cm_update *update, const double place[3], double at[3]);
+static inline void cm_update_place(const cm_update *update, const double place[3], double at[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+    {
+        at[axis] = update->origin[axis] + place[0] * update->step[0][axis] +
+                   place[1] * update->step[1][axis] + place[2] * update->step[2][axis];
+    }
+}
 
 /* Half lengths of a box along the camera's axes around the centres of a cube of 2^level voxels, a little more for rounding at a
  * distance. */

@@ -110,8 +110,9 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
                        &change->misses[group], change->pixel[group]);
     if (change->hits[group] != 0 && update->has_color)
     {
-        fetch_colors(update, work->is_fetched, work->color == NULL ? NULL : work->color + 64 * group,
-                     change->hits[group], change->pixel[group]);
+        fetch_colors(update, work->is_fetched,
+                     work->color == NULL ? NULL : work->color + 64 * group, change->hits[group],
+                     change->pixel[group]);
     }
 }
 
@@ -271,13 +272,19 @@ static void classify_groups(const cm_update *update, size_t count, const float (
 {
     const cm_cell_offsets *offset =
         &update->offset[2]; /* cells of 4^3 voxels are those of detail 2 */
-    for (size_t i = 0; i < count; i++)
+    const float *const of[3] = {offset->x, offset->y, offset->z};
+    float *const to[3] = {places->x, places->y, places->z};
+    for (int axis = 0; axis < 3; axis++)
     {
-        for (size_t group = 0; group < 8; group++)
+        float aside[8]; /* what is written may be read, as far as compilers know */
+        memcpy(aside, of[axis], sizeof aside);
+        for (size_t i = 0; i < count; i++)
         {
-            places->x[8 * i + group] = first[i][0] + offset->x[group];
-            places->y[8 * i + group] = first[i][1] + offset->y[group];
-            places->z[8 * i + group] = first[i][2] + offset->z[group];
+            const float from = first[i][axis];
+            for (size_t group = 0; group < 8; group++)
+            {
+                to[axis][8 * i + group] = from + aside[group];
+            }
         }
     }
     for (size_t i = 8 * count; i % 16 != 0; i++)
