@@ -198,6 +198,14 @@ typedef struct cm_rule_row
 
 #define CM_MIX_MULTIPLE 16
 
+/* What hits do to colors. */
+typedef struct cm_hit_colors
+{
+    const uint32_t *word; /* of pixels */
+    /* of a hit's color in its voxel's, in 65536ths, where alpha was that before; 0: it is not occupied even now */
+    uint32_t part_of[256];
+} cm_hit_colors;
+
 /* Where a point is, in edges from the tree's lower corner, by which it is told which voxel it lies in. */
 #define CM_PLACE_OF(world, centre, edge, middle) (((world) - (centre)) / (edge) + (middle))
 
@@ -235,6 +243,8 @@ typedef struct cm_octree_set
      * to where voxels reach those. */
     void (*tell)(size_t n, const cm_break_teller *teller, const float *front, float *own_front,
                  float *near_front, float *near_back);
+    /* 1 for runs of pixels of which one, of every four, has a reach that is not below the most; else 0. */
+    void (*steep)(size_t runs, const float *reach, float most, uint8_t *is_steep);
     /* Rules and bounds of a row; front_of: the least front that each pixel heeds; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
     void (*rules)(size_t n, const float *depth, const float *reach, const float *front_of,
                   float far, float free_far, cm_pixel_rule *rule, float *least, float *most);
@@ -266,9 +276,9 @@ typedef struct cm_octree_set
      * centre falls on. Pixels behind the end of the row may have bits, too. */
     uint32_t (*lost_ends)(const cm_view_table *view, const cm_eye *eye, uint32_t column,
                           uint32_t row, cm_ended_run *run);
-    /* Colors after hits whose colors are `more`, mixed in parts as cm_color_blend; a part of 0: none. n is a multiple of
-     * CM_MIX_MULTIPLE. */
-    void (*mix)(size_t n, uint32_t *color, const uint32_t *more, const uint32_t *part);
+    /* Colors of up to 64 cells after hits by pixels, mixed as cm_color_blend; alpha: before them. Returns 1 if any changed. */
+    int (*color)(const cm_hit_colors *hit, const uint8_t alpha[64], uint64_t hits,
+                 const int32_t pixel[64], uint32_t *color);
     /* 64 alphas after hits and misses: saturating. Returns 1 if any changed. */
     int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss,
                  uint8_t low, uint8_t high);

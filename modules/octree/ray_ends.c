@@ -11,28 +11,35 @@
 /* ---- where to look ---- */
 
 /* Voxels reach over the picture's border no farther than breaks are heeded. */
-static int is_at_border(const cm_view_desk *desk, size_t row, size_t column)
+static void mark_borders(const cm_view_desk *desk, size_t row, uint8_t *may_end)
 {
-    return row < CM_BREAK_RADIUS || row + CM_BREAK_RADIUS >= desk->height || column == 0 ||
-           column + CM_BREAK_RUN + CM_BREAK_RADIUS >= desk->width;
+    const size_t runs = (desk->width + CM_BREAK_RUN - 1) / CM_BREAK_RUN;
+    if (row < CM_BREAK_RADIUS || row + CM_BREAK_RADIUS >= desk->height)
+    {
+        memset(may_end, 1, runs);
+        return;
+    }
+    may_end[0] = 1;
+    for (size_t run = runs; run-- > 0 && (run + 1) * CM_BREAK_RUN + CM_BREAK_RADIUS >= desk->width;)
+    {
+        may_end[run] = 1;
+    }
 }
 
-void cm_ray_ends_mark(const cm_view_desk *desk, const cm_view_band *band, size_t row, float most)
+/* What is steep is wider than a few pixels, or beside breaks. */
+void cm_ray_ends_mark(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
+                      size_t row, float most)
 {
-    const size_t runs = desk->stride / CM_BREAK_RUN;
-    for (size_t column = 0; column < desk->width; column += CM_BREAK_RUN)
+    const size_t runs = (desk->width + CM_BREAK_RUN - 1) / CM_BREAK_RUN;
+    const size_t first = cm_view_row(desk, row);
+    const uint8_t *is_taken = band->is_taken + first / CM_BREAK_RUN;
+    uint8_t *const may_end = desk->may_end + row * (desk->stride / CM_BREAK_RUN);
+    set->steep(runs, band->reach + first, most, may_end);
+    for (size_t run = 0; run < runs; run++)
     {
-        const size_t first = cm_view_row(desk, row) + column;
-        const float *reach = band->reach + first;
-        int is_steep = 0; /* what is steep is wider than a few pixels, or beside breaks */
-        for (size_t k = 0; k < CM_BREAK_RUN; k += 4)
-        {
-            is_steep |= reach[k] >= most;
-        }
-        desk->may_end[row * runs + column / CM_BREAK_RUN] =
-            (uint8_t)(is_steep | band->is_taken[first / CM_BREAK_RUN] |
-                      is_at_border(desk, row, column));
+        may_end[run] |= is_taken[run];
     }
+    mark_borders(desk, row, may_end);
 }
 
 /* ---- a picture ---- */
@@ -148,22 +155,76 @@ static int compare_ends(const void *one, const void *other)
                             : (a->pixel > b->pixel) - (a->pixel < b->pixel);
 }
 
-cm_ray_ends cm_ray_ends_sort(cm_ray_end *list, size_t found)
+/* One digit of the keys, of eight bits, keeping the order of equal ones. 0: all have the same, and nothing was moved. */
+static int sort_by_digit(const cm_ray_end *from, size_t count, unsigned shift, cm_ray_end *to)
+{
+    size_t place[256] = {0};
+    for (size_t i = 0; i < count; i++)
+    {
+        place[from[i].key >> shift & 255u]++;
+    }
+    if (place[from[0].key >> shift & 255u] == count)
+    {
+        return 0;
+    }
+    size_t sum = 0;
+    for (unsigned digit = 0; digit < 256; digit++)
+    {
+        const size_t own = place[digit];
+        place[digit] = sum;
+        sum += own;
+    }
+    for (size_t i = 0; i < count; i++)
+    {
+        to[place[from[i].key >> shift & 255u]++] = from[i];
+    }
+    return 1;
+}
+
+/* By keys alone, digit by digit, where there is room for as many more. Returns where they are. */
+static cm_ray_end *sort_keys(cm_ray_end *list, size_t count)
+{
+    cm_ray_end *from = list, *to = list + count;
+    for (unsigned shift = 0; shift < 64; shift += 8)
+    {
+        if (sort_by_digit(from, count, shift, to))
+        {
+            cm_ray_end *const sorted = to;
+            to = from;
+            from = sorted;
+        }
+    }
+    return from;
+}
+
+cm_ray_ends cm_ray_ends_sort(cm_ray_end *list, size_t found, size_t room)
 {
     if (found == 0)
     {
         return (cm_ray_ends){NULL, NULL};
     }
-    qsort(list, found, sizeof *list, compare_ends);
+    cm_ray_end *sorted = list;
+    if (found <= room / 2)
+    {
+        sorted = sort_keys(list, found);
+    }
+    else
+    {
+        qsort(list, found, sizeof *list, compare_ends);
+    }
     size_t count = 0;
     for (size_t i = 0; i < found; i++)
     {
-        if (count == 0 || list[i].key != list[count - 1].key)
+        if (count == 0 || sorted[i].key != sorted[count - 1].key)
         {
-            list[count++] = list[i];
+            sorted[count++] = sorted[i];
+        }
+        else if (sorted[i].pixel < sorted[count - 1].pixel)
+        {
+            sorted[count - 1].pixel = sorted[i].pixel;
         }
     }
-    return (cm_ray_ends){list, list + count};
+    return (cm_ray_ends){sorted, sorted + count};
 }
 
 static int has_room(cm_view_desk *desk)
@@ -198,7 +259,7 @@ cm_status cm_ray_ends_find(cm_view_desk *desk, const cm_octree *octree, const cm
     }
     work.list = desk->end;
     cm_pool_run(pool, desk->height, 16, find_in_rows, &work);
-    *ends = cm_ray_ends_sort(work.list, atomic_load(&work.count));
+    *ends = cm_ray_ends_sort(work.list, atomic_load(&work.count), desk->end_room);
     return CM_OK;
 }
 

@@ -26,8 +26,9 @@ typedef struct cm_ray_ends
 cm_status cm_ray_ends_find(cm_view_desk *desk, const cm_octree *octree, const cm_view *view,
                            cm_pool *pool, cm_ray_ends *ends);
 
-/* Ends as they were found, in any order: into the order of keys, each voxel once. They stay where they are. */
-cm_ray_ends cm_ray_ends_sort(cm_ray_end *list, size_t found);
+/* Ends as they were found, in any order: into the order of keys, each voxel once, with its first pixel. They stay in the list, which
+ * has room for more: twice as many are sorted faster. */
+cm_ray_ends cm_ray_ends_sort(cm_ray_end *list, size_t found, size_t room);
 
 /* Those in a cube of 2^level voxels at a place. */
 cm_ray_ends cm_ray_ends_in(cm_ray_ends ends, const uint32_t place[3], int level);

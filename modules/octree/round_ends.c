@@ -155,6 +155,6 @@ cm_status cm_round_ends_find(const cm_update *update, const cm_round_desk *round
     end_work work = {.update = update, .round = round, .list = desk->end};
     describe_rays(&work);
     cm_pool_run(pool, round->tree.height, 16, find_in_rows, &work);
-    *ends = cm_ray_ends_sort(work.list, atomic_load(&work.count));
+    *ends = cm_ray_ends_sort(work.list, atomic_load(&work.count), desk->end_room);
     return CM_OK;
 }

@@ -42,15 +42,6 @@ cm_update_desk *cm_update_desk_of(cm_octree *octree)
 
 /* ---- places ---- */
 
-void cm_update_place(const cm_update *update, const double place[3], double at[3])
-{
-    for (int axis = 0; axis < 3; axis++)
-    {
-        at[axis] = update->origin[axis] + place[0] * update->step[0][axis] +
-                   place[1] * update->step[1][axis] + place[2] * update->step[2][axis];
-    }
-}
-
 void cm_update_half(const cm_update *update, int level, double distance, float half[3])
 {
     const double edges = 0.5 * (ldexp(1.0, level) - 1.0);
@@ -105,7 +96,7 @@ void cm_update_make_parts(cm_update *update)
         const unsigned sum = alpha + rule->hit;
         const unsigned hits = cm_hits_of(rule, sum < rule->high ? sum : rule->high);
         const uint32_t part = cm_color_part[hits < 255 ? hits : 255];
-        update->part_of[alpha] = hits > 0 && alpha <= CM_UNKNOWN ? 65536u : part;
+        update->hit.part_of[alpha] = hits > 0 && alpha <= CM_UNKNOWN ? 65536u : part;
     }
 }
 
@@ -132,7 +123,7 @@ static void begin(cm_update *update, cm_octree *octree, cm_update_desk *desk, co
         }
     }
     update->has_color = options->color && view->color.data != NULL;
-    update->word = desk->view.word;
+    update->hit.word = desk->view.word;
     cm_update_make_parts(update);
     desk->count = 0;
     desk->missed_count = 0;

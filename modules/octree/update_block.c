@@ -44,38 +44,6 @@ uint64_t cm_update_valid(const cm_octree *octree, const cm_region *region, unsig
     return valid;
 }
 
-/* Colors of hits, of which there are some, lie apart: they are brought together, mixed, and put back. Returns 1 if any changed. */
-static int color_hits(const cm_update *update, const uint8_t alpha[64], uint32_t *color,
-                      uint64_t hits, const int32_t pixel[64])
-{
-    const uint32_t *word = update->word;
-    uint32_t old[64], more[64], part[64];
-    uint8_t cell[64];
-    size_t count = 0;
-    do
-    {
-        const unsigned i = (unsigned)__builtin_ctzll(hits);
-        cell[count] = (uint8_t)i;
-        old[count] = color[i];
-        more[count] = word[pixel[i]];
-        part[count++] = update->part_of[alpha[i]];
-        hits &= hits - 1;
-    } while (hits != 0);
-    size_t end = count;
-    for (; end % CM_MIX_MULTIPLE != 0; end++)
-    {
-        old[end] = more[end] = part[end] = 0;
-    }
-    update->set->mix(end, old, more, part);
-    uint32_t changed = 0;
-    for (size_t k = 0; k < count; k++)
-    {
-        changed |= color[cell[k]] ^ old[k];
-        color[cell[k]] = old[k];
-    }
-    return changed != 0;
-}
-
 /* Hits without a color: what was no longer occupied has none of its former life. */
 static void forget_colors(const uint8_t alpha[64], uint32_t *color, uint64_t hits)
 {
@@ -108,8 +76,8 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block,
             {
                 return 0;
             }
-            has_changed |= color_hits(update, alpha + 64 * group, color + 64 * group,
-                                      change->hits[group], change->pixel[group]);
+            has_changed |= update->set->color(&update->hit, alpha + 64 * group, change->hits[group],
+                                              change->pixel[group], color + 64 * group);
         }
         else if (change->hits[group] != 0 && region->color != NULL && region->color[block] != NULL)
         {

@@ -43,9 +43,7 @@ typedef struct cm_update
     float group_half[3]; /* of 4^3 voxels */
     double pixel;        /* edges that a pixel is wide at distance 1, times the footprint */
     int has_color;
-    const uint32_t *word; /* colors of what hits are by: pixels */
-    /* of a hit's color in its voxel's, in 65536ths, where alpha was that before; 0: it is not occupied even now */
-    uint32_t part_of[256];
+    cm_hit_colors hit;
     cm_cell_offsets offset[CM_DETAILS];
     cm_cell_offsets block; /* of the blocks of a region */
     cm_ray_ends ends;  /* voxels that are hit, whatever the pixels say that their centres fall on */
@@ -59,7 +57,14 @@ cm_update_desk *cm_update_desk_of(cm_octree *octree);
 void cm_update_make_parts(cm_update *update);
 
 /* A voxel's centre in the camera's axes. */
-void cm_update_place(const cm_update *update, const double place[3], double at[3]);
+static inline void cm_update_place(const cm_update *update, const double place[3], double at[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+    {
+        at[axis] = update->origin[axis] + place[0] * update->step[0][axis] +
+                   place[1] * update->step[1][axis] + place[2] * update->step[2][axis];
+    }
+}
 
 /* Half lengths of a box along the camera's axes around the centres of a cube of 2^level voxels, a little more for rounding at a
  * distance. */

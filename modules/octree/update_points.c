@@ -360,7 +360,7 @@ static cm_status apply(cm_octree *octree, const cm_point_marks *marks)
         octree->step++;
         update->octree = octree;
         update->set = octree->set;
-        update->word = marks->color;
+        update->hit.word = marks->color;
         update->has_color = marks->color != NULL;
         cm_update_make_parts(update);
     }

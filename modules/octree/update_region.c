@@ -45,6 +45,7 @@ typedef struct block_work
     const uint8_t *group_class; /* of eight groups */
     const cm_cube_bounds *bounds;
     const uint32_t *color; /* of an open block; NULL: none yet */
+    int is_fetched;        /* 1: colors of pixels are on their way for the whole region */
     cm_ray_ends ends;
 } block_work;
 
@@ -65,9 +66,9 @@ static void first_voxel(const cm_update *update, const uint32_t place[3], unsign
     }
 }
 
-/* What hits will need: colors of pixels, and those of a group's cells if there are any. */
-static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_t hits,
-                         const int32_t pixel[64])
+/* What hits will need: colors of a group's cells, if there are any, and those of pixels that are not fetched for the region. */
+static void fetch_colors(const cm_update *update, int is_fetched, const uint32_t *color,
+                         uint64_t hits, const int32_t pixel[64])
 {
     for (size_t line = 0; color != NULL && line < 64; line += 16)
     {
@@ -76,9 +77,9 @@ static void fetch_colors(const cm_update *update, const uint32_t *color, uint64_
             __builtin_prefetch(color + line, 1);
         }
     }
-    for (; hits != 0; hits &= hits - 1)
+    for (; !is_fetched && hits != 0; hits &= hits - 1)
     {
-        __builtin_prefetch(update->word + pixel[__builtin_ctzll(hits)]);
+        __builtin_prefetch(update->hit.word + pixel[__builtin_ctzll(hits)]);
     }
 }
 
@@ -109,8 +110,9 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
                        &change->misses[group], change->pixel[group]);
     if (change->hits[group] != 0 && update->has_color)
     {
-        fetch_colors(update, work->color == NULL ? NULL : work->color + 64 * group,
-                     change->hits[group], change->pixel[group]);
+        fetch_colors(update, work->is_fetched,
+                     work->color == NULL ? NULL : work->color + 64 * group, change->hits[group],
+                     change->pixel[group]);
     }
 }
 
@@ -270,13 +272,19 @@ static void classify_groups(const cm_update *update, size_t count, const float (
 {
     const cm_cell_offsets *offset =
         &update->offset[2]; /* cells of 4^3 voxels are those of detail 2 */
-    for (size_t i = 0; i < count; i++)
+    const float *const of[3] = {offset->x, offset->y, offset->z};
+    float *const to[3] = {places->x, places->y, places->z};
+    for (int axis = 0; axis < 3; axis++)
     {
-        for (size_t group = 0; group < 8; group++)
+        float aside[8]; /* what is written may be read, as far as compilers know */
+        memcpy(aside, of[axis], sizeof aside);
+        for (size_t i = 0; i < count; i++)
         {
-            places->x[8 * i + group] = first[i][0] + offset->x[group];
-            places->y[8 * i + group] = first[i][1] + offset->y[group];
-            places->z[8 * i + group] = first[i][2] + offset->z[group];
+            const float from = first[i][axis];
+            for (size_t group = 0; group < 8; group++)
+            {
+                to[axis][8 * i + group] = from + aside[group];
+            }
         }
     }
     for (size_t i = 8 * count; i % 16 != 0; i++)
@@ -298,8 +306,12 @@ static const uint32_t *open_colors(const cm_region *region, unsigned block)
 /* No more pixels are fetched for a region: they would drive each other out of what is near. */
 #define FETCHED_MOST 40000.0
 
-/* Pixels that a region falls on are on their way, too: what they say is met in no order that processors know. */
-static void fetch_rules(const cm_update *update, const cm_region *region)
+/* And no more colors of pixels: in larger regions few are of hits. */
+#define FETCHED_COLORS 20000.0
+
+/* Pixels that a region falls on are on their way, too: what they say is met in no order that processors know. 1: and their
+ * colors. */
+static int fetch_pixels(const cm_update *update, const cm_region *region)
 {
     const cm_view_table *table = &update->desk->view.table;
     double place[3], centre[3];
@@ -313,7 +325,7 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
     const double nearest = centre[2] - (double)half[2];
     if (!(nearest > 0.0))
     {
-        return;
+        return 0;
     }
     double first[2], last[2];
     const double size[2] = {table->width - 1.0, table->height - 1.0};
@@ -326,9 +338,11 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
         first[axis] = middle - wide > 0.0 ? middle - wide : 0.0;
         last[axis] = middle + wide < size[axis] ? middle + wide : size[axis];
     }
-    if ((last[0] - first[0]) * (last[1] - first[1]) > FETCHED_MOST)
+    const double pixels = (last[0] - first[0]) * (last[1] - first[1]);
+    const int has_colors = update->has_color && pixels <= FETCHED_COLORS;
+    if (pixels > FETCHED_MOST)
     {
-        return;
+        return 0;
     }
     for (uint32_t row = (uint32_t)first[1]; (double)row <= last[1]; row++)
     {
@@ -336,7 +350,13 @@ static void fetch_rules(const cm_update *update, const cm_region *region)
         {
             __builtin_prefetch(table->rule + (size_t)row * table->stride + column, 0, 2);
         }
+        for (uint32_t column = (uint32_t)first[0]; has_colors && (double)column <= last[0];
+             column += 16)
+        {
+            __builtin_prefetch(update->hit.word + (size_t)row * table->stride + column, 0, 2);
+        }
     }
+    return has_colors;
 }
 
 int cm_update_may_change(const cm_update *update, const uint32_t place[3], uint8_t alpha)
@@ -395,7 +415,7 @@ static void choose_blocks(cm_update *update, cm_region *region, const block_bits
 }
 
 static void visit_blocks(cm_update *update, cm_region *region, const cube_places *places,
-                         const chosen_blocks *chosen, cm_ray_ends ends)
+                         const chosen_blocks *chosen, int is_fetched, cm_ray_ends ends)
 {
     waiting_block waiting[BLOCKS_WAITING];
     for (size_t i = 0; i < BLOCKS_WAITING; i++)
@@ -411,6 +431,7 @@ static void visit_blocks(cm_update *update, cm_region *region, const cube_places
         block_work work = {.group_class = places->class_of + 8 * i,
                            .bounds = places->bounds + 8 * i,
                            .color = open_colors(region, block),
+                           .is_fetched = is_fetched,
                            .ends = cm_ray_ends_take_block(&ends, block)};
         memcpy(work.first, chosen->first[i], sizeof work.first);
         visit_block(update, region, &work,
@@ -427,11 +448,11 @@ void cm_update_region(cm_update *update, cm_region *region)
 {
     cube_places places;
     chosen_blocks chosen;
-    fetch_rules(update, region);
+    const int is_fetched = fetch_pixels(update, region);
     const cm_ray_ends ends = cm_ray_ends_in(update->ends, region->place, CM_REGION_LEVEL);
     const block_bits ended = blocks_of(ends);
     choose_blocks(update, region, &ended, &places, &chosen);
     classify_groups(update, chosen.count, (const float(*)[3])chosen.first, &places);
-    visit_blocks(update, region, &places, &chosen, ends);
+    visit_blocks(update, region, &places, &chosen, is_fetched, ends);
     region->is_dirty = 1;
 }

@@ -392,7 +392,7 @@ static void rule_rows(const fill_work *work, const cm_view_band *band, size_t ro
                          desk->rule + (row + k) * desk->stride, least[k], most[k]);
         cm_view_desk_silence(desk, row + k, desk->rule + (row + k) * desk->stride, least[k],
                              most[k]);
-        cm_ray_ends_mark(desk, band, row + k, work->row.most);
+        cm_ray_ends_mark(desk, work->set, band, row + k, work->row.most);
         cm_breaks_gaps(desk, band, row + k);
     }
     const float *const leasts[2] = {least[0], least[second]};

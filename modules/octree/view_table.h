@@ -135,6 +135,7 @@ void cm_breaks_gaps(const cm_view_desk *desk, const cm_view_band *band, size_t r
 
 /* Of a row, before what was told of its breaks is forgotten: runs of pixels whose rays may end in voxels that do not see them
  * (ray_ends.h). most: no hit reaches more but for noise. */
-void cm_ray_ends_mark(const cm_view_desk *desk, const cm_view_band *band, size_t row, float most);
+void cm_ray_ends_mark(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
+                      size_t row, float most);
 
 #endif
