@@ -22,6 +22,9 @@
 /* Elements of cm_run_threads for a row of blocks: chunks begin at multiples of it (threads.h). */
 #define ROW_WEIGHT 64
 
+/* Rows of blocks that a thread takes at a time. */
+#define ROWS_TAKEN 4
+
 /* What a block reads of a source: so many rows. */
 #define BLOCK_TOUCHES (CM_BLOCK_EDGE * CM_TOUCHED_AROUND)
 
@@ -32,6 +35,8 @@
 typedef struct resample_job
 {
     cm_target target;
+    size_t rows;        /* of blocks, of all wanted planes */
+    atomic_size_t next; /* that no thread has taken */
     atomic_int failed;
 } resample_job;
 
@@ -376,18 +381,28 @@ static resample_desk *make_desk(const cm_target *target)
     return desk;
 }
 
-/* Rows of blocks, of all wanted planes in a row. */
+static int take_rows(resample_job *job, size_t *at, size_t *beyond)
+{
+    *at = atomic_fetch_add(&job->next, ROWS_TAKEN);
+    *beyond = *at + ROWS_TAKEN < job->rows ? *at + ROWS_TAKEN : job->rows;
+    return *at < *beyond;
+}
+
+/* Rows of blocks, of all wanted planes in a row. Threads take some in turn: faces with a pole take longer than others. */
 static void do_rows(size_t begin, size_t end, void *user)
 {
     resample_job *job = user;
     resample_desk *desk = make_desk(&job->target);
     cm_status status = desk == NULL ? CM_ERROR_MEMORY : CM_OK;
-    const uint32_t rows = block_rows_of(&job->target.wanted);
-    /* a row counts as ROW_WEIGHT elements, so that a thread may have as few rows as it likes */
-    for (size_t at = begin / ROW_WEIGHT; at < end / ROW_WEIGHT && status == CM_OK; at++)
+    const size_t rows = block_rows_of(&job->target.wanted);
+    size_t at = 0, beyond = 0;
+    (void)begin;
+    (void)end;
+    while (status == CM_OK && (at < beyond || take_rows(job, &at, &beyond)))
     {
         status = do_block_row(job, desk, job->target.wanted.plane + (unsigned)(at / rows),
                               block_rows_before(&job->target.wanted) + (uint32_t)(at % rows));
+        at++;
     }
     cm_finish_past_caches();
     if (status != CM_OK)
@@ -457,8 +472,9 @@ cm_status cm_resample_source(const cm_plan *plan, const cm_source *source, cm_im
         }
     }
     atomic_init(&job.failed, CM_OK);
-    cm_run_threads(threads, (size_t)planes * block_rows_of(&job.target.wanted) * ROW_WEIGHT,
-                   4 * ROW_WEIGHT, do_rows, &job);
+    atomic_init(&job.next, 0);
+    job.rows = (size_t)planes * block_rows_of(&job.target.wanted);
+    cm_run_threads(threads, job.rows * ROW_WEIGHT, ROWS_TAKEN * ROW_WEIGHT, do_rows, &job);
     return (cm_status)atomic_load(&job.failed);
 }
 
