@@ -378,6 +378,47 @@ START_TEST(vectors)
 }
 END_TEST
 
+/* The same of whole numbers, which hold vectors as normal maps do. */
+START_TEST(vectors_in_whole_numbers)
+{
+    cm_rotation turned;
+    cm_rotation_from_angles(30.0, 20.0, 50.0, &turned);
+    pictures from = make_pictures("equirect;size=256", &turned, CM_PIXEL_U16, 4, 0);
+    pictures to = make_pictures("equirect;size=64", NULL, CM_PIXEL_U16, 4, 0);
+    const uint8_t number = 0;
+    for (size_t i = 0; i < 256 * 128; i++)
+    {
+        const double x = (double)(i % 256) + 0.5, y = (double)(i / 256) + 0.5;
+        double earth[3], own[3];
+        uint16_t *pixel = (uint16_t *)from.image->data + 4 * i;
+        cm_surface_directions(from.surface, 1, &number, &x, &y, &earth[0], &earth[1], &earth[2]);
+        cm_rotate(&turned, earth, own);
+        pixel[0] = 16384;
+        for (int k = 0; k < 3; k++)
+        {
+            pixel[k + 1] = (uint16_t)lround((0.5 * own[k] + 0.5) * 65535.0);
+        }
+    }
+    cm_plan_options options = options_of(CM_FILTER_CATMULL_ROM);
+    options.vector = 2;
+    resample(&from, &to, &options, 1);
+    for (size_t i = 0; i < 64 * 32; i++)
+    {
+        const double x = (double)(i % 64) + 0.5, y = (double)(i / 64) + 0.5;
+        const uint16_t *pixel = (const uint16_t *)to.image->data + 4 * i;
+        double earth[3];
+        cm_surface_directions(to.surface, 1, &number, &x, &y, &earth[0], &earth[1], &earth[2]);
+        ck_assert_int_eq(pixel[0], 16384);
+        for (int k = 0; k < 3; k++)
+        {
+            ck_assert_double_eq_tol(pixel[k + 1] / 65535.0 * 2.0 - 1.0, earth[k], 1e-4);
+        }
+    }
+    free_pictures(&from);
+    free_pictures(&to);
+}
+END_TEST
+
 /* A grey between two bytes becomes both, in the right parts. */
 START_TEST(dither)
 {
@@ -596,6 +637,7 @@ int main(void)
                                   not_finite,
                                   transfer,
                                   vectors,
+                                  vectors_in_whole_numbers,
                                   dither,
                                   strides,
                                   beyond_the_source,
