@@ -147,9 +147,9 @@ CM_API int cm_octree_at(const cm_octree *octree, const double point[3], int leve
 
 /* The first occupied voxel along a ray of any length but 0, at level 0: 1, with the distance, in units of the world, to where
  * the ray enters it (0 if it begins inside); a larger cube of equal ones may be told for it, as walks do. 0 if there is none
- * up to far (0: no limit), numbers are not finite, or pages fail (cm_octree_walk_ray says so). Unknown and free voxels are passed. When many rays have gone through a
- * map without pages, an index makes those to come faster, until the map changes or is compacted: some seven bytes for each
- * occupied voxel of a surface, a hundred for one alone. */
+ * up to far (0: no limit), numbers are not finite, or pages fail (cm_octree_walk_ray says so). Unknown and free voxels are
+ * passed. When many rays have gone through a map without pages, an index makes those to come faster, until the map changes or
+ * is compacted: some seven bytes for each occupied voxel of a surface, a hundred for one alone. */
 CM_API int cm_octree_ray(const cm_octree *octree, const double origin[3], const double direction[3],
                          double far, cm_voxel *voxel);
 

@@ -8,6 +8,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #if defined(__SSE2__)
@@ -23,6 +24,13 @@
 static inline void *cm_next_line(void *place)
 {
     return (char *)place + (CM_LINE - (uintptr_t)place % CM_LINE) % CM_LINE;
+}
+
+/* Zeros that begin where a line does, in memory that is to be freed; NULL if there is none. */
+static inline void *cm_zeros_in_lines(size_t bytes, void **memory)
+{
+    *memory = calloc(1, bytes + CM_LINE);
+    return *memory == NULL ? NULL : cm_next_line(*memory);
 }
 
 /* `to` and bytes are multiples of CM_LINE. */

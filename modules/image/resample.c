@@ -19,7 +19,7 @@
 /* A window may have so many pixels for each that is asked; else pixels are taken by fewer at once. */
 #define WINDOW_PER_PIXEL 64
 
-/* Elements of cm_run_threads for a row of blocks: chunks begin at multiples of it (threads.h). */
+/* Elements of cm_run_threads for a row of blocks: it counts in these (threads.h), and so there may be a thread for a few rows. */
 #define ROW_WEIGHT 64
 
 /* Rows of blocks that a thread takes at a time. */
@@ -235,7 +235,7 @@ void cm_source_fetch(const cm_source *source, const cm_group *group)
         cm_ewa_fetch(&source->ewa, group);
         return;
     }
-    if (!group->is_bounded || !source->level.is_plain || source->filter == CM_FILTER_EWA)
+    if (!group->is_bounded || !source->level.is_plain)
     {
         return;
     }
@@ -364,12 +364,12 @@ static uint32_t block_rows_of(const cm_rows *wanted)
 static resample_desk *make_desk(const cm_target *target)
 {
     const size_t pixels = CM_BLOCK_PIXELS * target->source->level.pixel_size + CM_WINDOW_SLACK;
-    void *memory = calloc(1, sizeof(resample_desk) + pixels + (size_t)2 * CM_LINE);
-    if (memory == NULL)
+    void *memory;
+    resample_desk *desk = cm_zeros_in_lines(sizeof *desk + CM_LINE + pixels, &memory);
+    if (desk == NULL)
     {
         return NULL;
     }
-    resample_desk *desk = cm_next_line(memory);
     desk->memory = memory;
     desk->pixels = cm_next_line(desk + 1);
     desk->geometry = cm_geometry_create(target->plan, target->source->filter == CM_FILTER_EWA);

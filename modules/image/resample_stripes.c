@@ -81,12 +81,12 @@ static void destroy_desk(stripe_desk *desk)
 static stripe_desk *make_desk(const stripe_job *job)
 {
     const size_t pixels = CM_BLOCK_PIXELS * job->source.level.pixel_size + CM_WINDOW_SLACK;
-    void *memory = calloc(1, sizeof(stripe_desk) + pixels + (size_t)2 * CM_LINE);
-    if (memory == NULL)
+    void *memory;
+    stripe_desk *desk = cm_zeros_in_lines(sizeof *desk + CM_LINE + pixels, &memory);
+    if (desk == NULL)
     {
         return NULL;
     }
-    stripe_desk *desk = cm_next_line(memory);
     desk->memory = memory;
     desk->pixels = cm_next_line(desk + 1);
     desk->geometry = cm_geometry_create(job->target.plan, 0);
@@ -461,13 +461,13 @@ static void free_all(stripe_job *job)
 cm_status cm_resample_stripes(const cm_target *target, unsigned threads, int *is_done)
 {
     const cm_surface *to = target->plan->to;
-    void *memory = calloc(1, sizeof(stripe_job) + CM_LINE);
+    void *memory;
+    stripe_job *job = cm_zeros_in_lines(sizeof *job, &memory);
     *is_done = 0;
-    if (memory == NULL)
+    if (job == NULL)
     {
         return CM_ERROR_MEMORY;
     }
-    stripe_job *job = cm_next_line(memory);
     job->memory = memory;
     memcpy(&job->source, target->source, sizeof job->source);
     job->target = *target;

@@ -220,13 +220,13 @@ cm_status cm_source_create(const cm_plan *plan, const cm_image *from, cm_pixel_t
     {
         return status;
     }
-    void *source_memory = calloc(1, sizeof(cm_source) + CM_LINE);
-    if (source_memory == NULL)
+    void *memory;
+    cm_source *made = cm_zeros_in_lines(sizeof *made, &memory);
+    if (made == NULL)
     {
         return CM_ERROR_MEMORY;
     }
-    cm_source *made = cm_next_line(source_memory);
-    made->memory = source_memory;
+    made->memory = memory;
     made->plan = plan;
     made->target_type = target_type;
     atomic_init(&made->state, CM_SOURCE_READY);

@@ -111,22 +111,14 @@ static void find_axes(const double normal[3], const double out[3], double x[3], 
     length = sqrt(dot(x, x));
     if (!(length > 1e-8))
     {
-        /* Duff and others 2017, "Building an orthonormal basis, revisited" */
-        const double sign = copysign(1.0, normal[2]);
-        const double a = -1.0 / (sign + normal[2]);
-        x[0] = 1.0 + sign * normal[0] * normal[0] * a;
-        x[1] = sign * normal[0] * normal[1] * a;
-        x[2] = -sign * normal[0];
+        find_across(normal, x);
         length = 1.0;
     }
     for (int k = 0; k < 3; k++)
     {
         x[k] /= length;
     }
-    for (int k = 0; k < 3; k++)
-    {
-        y[k] = normal[(k + 1) % 3] * x[(k + 2) % 3] - normal[(k + 2) % 3] * x[(k + 1) % 3];
-    }
+    cross(normal, x, y);
 }
 
 double cm_brdf_sample_direction(const cm_brdf *brdf, const double normal[3], const double out[3],

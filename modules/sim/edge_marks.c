@@ -145,32 +145,11 @@ static void mark_line(drawing *to, const double a[3], const double b[3], int dep
     }
 }
 
-/* Two directions across an axis of length 1. */
-static void make_across(const double axis[3], double one[3], double other[3])
-{
-    const double least = fmin(fabs(axis[0]), fmin(fabs(axis[1]), fabs(axis[2])));
-    double square = 0.0, along = 0.0;
-    for (int k = 0; k < 3; k++)
-    {
-        one[k] = fabs(axis[k]) == least ? 1.0 : 0.0;
-        along += one[k] * axis[k];
-    }
-    for (int k = 0; k < 3; k++)
-    {
-        one[k] -= along * axis[k];
-        square += one[k] * one[k];
-    }
-    for (int k = 0; k < 3; k++)
-    {
-        one[k] /= sqrt(square);
-    }
-    cross(axis, one, other);
-}
-
 static void mark_circle(drawing *to, const double centre[3], const double axis[3], double radius)
 {
     double one[3], other[3], square = 0.0;
-    make_across(axis, one, other);
+    find_across(axis, one);
+    cross(axis, one, other);
     for (int k = 0; k < 3; k++)
     {
         const double way = centre[k] - to->eye[k];
@@ -382,7 +361,8 @@ static void mark_rim(const tof_lamp *lamp, drawing *to)
 {
     const double sine = 2.0 * sqrt(lamp->part * (1.0 - lamp->part));
     double x[3], y[3];
-    find_across(lamp->axis, x, y);
+    find_across(lamp->axis, x);
+    cross(lamp->axis, x, y);
     for (int i = 0; i < RIM_PLACES; i++)
     {
         const double angle = 2.0 * PI * i / RIM_PLACES;

@@ -75,7 +75,8 @@ static void turn_into_cone(const tof_lamp *lamp, const double all[3], double wit
     const double cosine = across > 0.0 ? all[0] / across : 1.0;
     const double side = across > 0.0 ? all[1] / across : 0.0;
     double x[3], y[3];
-    find_across(lamp->axis, x, y);
+    find_across(lamp->axis, x);
+    cross(lamp->axis, x, y);
     for (int k = 0; k < 3; k++)
     {
         within[k] = (1.0 - height) * lamp->axis[k] + sine * (cosine * x[k] + side * y[k]);

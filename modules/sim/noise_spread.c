@@ -67,7 +67,7 @@ static double ratio_of(const cm_tof_sensor *sensor, int shot, const noise_charge
 /* ---- one pixel ---- */
 
 /* How dense the angle of a phasor with noise in both directions is: no normal distribution, but where noise is small, and
- * wider than that at wraps' borders. */
+ * wider than that at wraps' borders. Goodman 1985, "Statistical Optics", section 2.9, of a constant phasor and a random one. */
 static double density_of(double ratio, double angle)
 {
     const double along = ratio * cos(angle), across = ratio * sin(angle);

@@ -21,17 +21,14 @@ static inline void cross(const double a[3], const double b[3], double product[3]
     product[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* Two vectors of length 1 across one of that length, and across each other. */
-static inline void find_across(const double axis[3], double x[3], double y[3])
+/* A vector of length 1 across an axis of that length: Duff and others 2017, "Building an orthonormal basis, revisited". */
+static inline void find_across(const double axis[3], double across[3])
 {
-    const double away[3] = {fabs(axis[0]) < 0.6, fabs(axis[0]) >= 0.6, 0.0};
-    cross(away, axis, x);
-    const double length = sqrt(dot(x, x));
-    for (int k = 0; k < 3; k++)
-    {
-        x[k] /= length;
-    }
-    cross(axis, x, y);
+    const double sign = copysign(1.0, axis[2]);
+    const double a = -1.0 / (sign + axis[2]);
+    across[0] = 1.0 + sign * axis[0] * axis[0] * a;
+    across[1] = sign * axis[0] * axis[1] * a;
+    across[2] = -sign * axis[0];
 }
 
 /* Radians; NaN for a vector of no length. atan2 is exact for small angles, where the cosine is not. */

@@ -27,7 +27,7 @@ void write_row(const std::string &name, const std::vector<float> &row)
 
 // An OpenEXR file of such rows, whose parts have these names.
 void write_named_parts(const std::string &name, const std::vector<const char *> &names,
-                 const std::vector<std::vector<float>> &rows)
+                       const std::vector<std::vector<float>> &rows)
 {
     cm_image_description description = {};
     description.format = "openexr";

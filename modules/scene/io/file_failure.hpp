@@ -6,6 +6,7 @@
 #ifndef CUBEMAP_MODULES_SCENE_FILE_FAILURE_HPP
 #define CUBEMAP_MODULES_SCENE_FILE_FAILURE_HPP
 
+#include "text_begin.hpp"
 #include "modules/image/io/image_io.h"
 
 #include <cstddef>
@@ -71,14 +72,6 @@ template <typename Body> cm_status guarded_file(char *message, const Body &body)
         put_line(exception.what(), message);
         return CM_ERROR_DATA;
     }
-}
-
-// Of UTF-8, which some editors begin a text with.
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-// Where a text begins behind it.
-inline std::size_t begin_of_text(std::string_view text)
-{
-    return text.substr(0, byte_order_mark.size()) == byte_order_mark ? byte_order_mark.size() : 0;
 }
 
 // The words of a text's lines. What is empty or begins with # is passed over.

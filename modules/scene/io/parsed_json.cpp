@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "parsed_json.hpp"
+#include "text_begin.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -101,9 +102,8 @@ bool is_too_deep(std::string_view text)
 // Where the item with this number begins, or its key.
 std::size_t place_of_item(std::string_view text, std::size_t number)
 {
-    constexpr std::string_view mark = "\xef\xbb\xbf"; // of UTF-8
-    std::size_t begin = std::string_view::npos;       // of the key, if there is one
-    std::size_t place = text.substr(0, mark.size()) == mark ? mark.size() : 0;
+    std::size_t begin = std::string_view::npos; // of the key, if there is one
+    std::size_t place = begin_of_text(text);
     for (std::size_t seen = 0; place < text.size();)
     {
         if (is_space(text[place]) ||
