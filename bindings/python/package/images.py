@@ -125,8 +125,9 @@ class Surface(SurfaceMethods, Specified):
         if any(map(is_masked, (pictures, x, y, z))):
             return self._sample_masked(pictures, x, y, z, filter)
         images, channels, _ = images_of(pictures, self)
-        x, y, z = (np.ascontiguousarray(one, np.float64) for one in np.broadcast_arrays(x, y, z))
+        x, y, z = np.broadcast_arrays(x, y, z)
         out = np.empty((*x.shape, channels), np.float32)
+        x, y, z = (np.ascontiguousarray(one, np.float64) for one in (x, y, z))
         library.cm_sample(self._handle, images, number_of(filter, FILTERS, "filter"), x.size, x.ctypes.data, y.ctypes.data,
                           z.ctypes.data, out.ctypes.data)
         return out

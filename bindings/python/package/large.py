@@ -82,6 +82,8 @@ def apply(owner: Any, name: str, *arrays: Any) -> Any:
     """
     owner = owner if owner is not None else _methods
     function = getattr(owner, name)
+    if not hasattr(function, "ufunc"):
+        raise TypeError(f"name: a method that is a ufunc, not {name!r}")
     inputs, outputs, sizes = _signature(function)
     if len(arrays) != len(inputs):
         raise TypeError(f"{name} takes {len(inputs)} arrays, not {len(arrays)}")

@@ -82,12 +82,12 @@ def statistics(mapping: str | Mapping, quantity: str = "area", *, over: str = "f
 def percentiles(mapping: str | Mapping, quantity: str, percent: ArrayLike, *, over: str = "face",
                 faces: Iterable[int] | None = None) -> tuple[np.ndarray, np.ndarray]:
     """The values below which so many percent of the face or sphere have the quantity, and how far each is in doubt."""
-    percent = np.ascontiguousarray(percent, np.float64)
+    percent = np.asarray(percent, np.float64, order="C")
     value, doubt = np.empty_like(percent), np.empty_like(percent)
     options = _options(over, faces)
     library.cm_distortion_percentiles(mapping_of(mapping)._handle, number_of(quantity, QUANTITIES, "quantity"),
                                       ctypes.byref(options), percent.size, percent.ctypes.data, value.ctypes.data, doubt.ctypes.data)
-    return value, doubt
+    return value[()], doubt[()]
 
 
 class Orient(NamedTuple):

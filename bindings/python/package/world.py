@@ -200,8 +200,11 @@ class Primitive(NamedTuple):
     @classmethod
     def _read(cls, made, parts):
         mesh, motion, brdf = parts
-        return cls(PRIMITIVES[made.kind], tuple(made.first), tuple(made.second), made.radius, mesh,
-                   Pose._read(made.pose), Material(tuple(made.material.color), made.material.reflectance), motion, brdf)
+        pose = Pose._read(made.pose)
+        if mesh is None and not pose.rotation.any():  # the library's own worlds have zeros where it reads no pose
+            pose = Pose()
+        return cls(PRIMITIVES[made.kind], tuple(made.first), tuple(made.second), made.radius, mesh, pose,
+                   Material(tuple(made.material.color), made.material.reflectance), motion, brdf)
 
 
 def _three(values):
