@@ -60,6 +60,8 @@ def _options(over, faces, pixels=0, tolerance=0.0):
         if not 0 <= face <= 5:
             raise Error(library.CM_ERROR_ARGUMENT, f"faces: 0 to 5, not {face}")
         bits |= 1 << face
+    if bits == 0:  # which is all of them for the library
+        raise Error(library.CM_ERROR_ARGUMENT, "faces: there are none")
     return struct(library.cm_statistics_options, measure=number_of(over, OVER, "over"), faces=bits, pixels=pixels, tolerance=tolerance)
 
 

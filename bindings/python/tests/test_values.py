@@ -21,7 +21,7 @@ def test_faces_of_unsigned_numbers_of_64_bits():
     for faces in (wrong, wrong.astype(">u8"), wrong[::-1][::-1]):
         x, y, z = cubemap.Mapping("coupled").inverse(faces, 0.1, 0.2)
         assert np.isnan(x[:5]).all() and (x[5], y[5], z[5]) == cubemap.Mapping("coupled").inverse(1, 0.1, 0.2)
-    assert np.isnan(cubemap.Mapping("coupled").inverse([2**64 - 1, 256], 0.1, 0.2)[0]).all()
+    assert np.isnan(cubemap.Mapping("coupled").inverse([2**64 - 1, 2**63], 0.1, 0.2)[0]).all()
     assert cubemap.Mapping("coupled").inverse(np.uint64(1), 0.1, 0.2) == cubemap.Mapping("coupled").inverse(1, 0.1, 0.2)
     with pytest.raises(TypeError):
         cubemap.Mapping("coupled").inverse(np.array([1.0]), 0.1, 0.2)
@@ -107,3 +107,21 @@ def test_lists_of_one_resolution():
     for take in (lambda: healpy.boundaries([2, 8], 5), lambda: healpy.query_disc((2, 8), (1, 0, 0), 0.3)):
         with pytest.raises(ValueError, match="nside is one number here, not 2"):
             take()
+
+
+def test_what_would_be_another_thing_is_refused():
+    """All faces for none, and words of Python's own."""
+    for take in (lambda: cubemap.statistics("coupled", "area", faces=[]), lambda: cubemap.percentiles("coupled", "area", 50, faces=())):
+        with pytest.raises(cubemap.Error, match="^faces: there are none$"):
+            take()
+    surface, picture = cubemap.Surface("equirect;size=8"), np.ones((4, 8), np.float32)
+    plan = cubemap.Plan(surface, "cube:coupled;size=4")
+    for take in (lambda: cubemap.border(surface, picture, 1, dtype=float), lambda: plan.filter_of(picture, dtype="f8")):
+        with pytest.raises(TypeError, match="^dtype: uint8, uint16, float16, float32, not float64$"):
+            take()
+    assert cubemap.border(surface, picture, 1, dtype="u1").dtype == np.uint8
+    for nside in (0, -2):
+        with pytest.raises(cubemap.Error, match=f"^nside: 1 to 2.29, not {nside}$"):
+            cubemap.healpix_arrange(np.arange(48), nside)
+    turned = cubemap.Rotation("10,20,30")
+    assert cubemap.Rotation(turned) == turned
