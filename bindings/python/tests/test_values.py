@@ -35,6 +35,25 @@ def test_faces_of_unsigned_numbers_of_dask():
         large.apply(cubemap.Mapping("coupled"), "specification", da.ones(3))
 
 
+def test_cells_of_dask_and_of_xarray():
+    """The level is no array."""
+    da, xarray = pytest.importorskip("dask.array"), pytest.importorskip("xarray")
+    cells, (lon, lat) = cubemap.CellGrid(), np.random.default_rng(3).uniform(-1, 1, (2, 50))
+    expected = cells.forward_lonlat(lon, lat, 12)
+    made = large.apply(cells, "forward_lonlat", da.from_array(lon, chunks=20), da.from_array(lat, chunks=20), level=12)
+    assert made.dtype == np.uint64 and np.array_equal(made.compute(), expected)
+    named = large.apply(cells, "forward_lonlat", xarray.DataArray(lon, dims="point"), lat, level=12)
+    assert named.dims == ("point",) and np.array_equal(named.values, expected)
+    made = large.apply(cells, "forward", da.from_array(lon, chunks=20), lat, 0.5, level=np.int8(30))
+    assert np.array_equal(made.compute(), cells.forward(lon, lat, 0.5, 30))
+    with pytest.raises(TypeError, match="level"):
+        large.apply(cells, "forward_lonlat", da.from_array(lon), lat)
+    with pytest.raises(cubemap.Error, match="level: 0 to 30, not 31"):
+        large.apply(cells, "forward_lonlat", da.from_array(lon), lat, level=31)
+    with pytest.raises(TypeError, match="^forward has no option level$"):
+        large.apply(cubemap.Mapping(), "forward", da.from_array(lon), lat, 1.0, level=3)
+
+
 def test_frames_are_values_whatever_their_rows_are():
     table = cubemap.Frame.named("gl").faces
     frames = [cubemap.Frame("mine", rows) for rows in (table, list(table), [list(row) for row in table], map(tuple, table))]
@@ -63,6 +82,19 @@ def test_worlds_print_what_makes_them_again():
         world = cubemap.Scene.named(name)
         assert eval(repr(world), {"cubemap": cubemap, **vars(cubemap)}) == world
         assert all(one.pose == cubemap.Pose() for one in world.primitives if one.kind != "mesh")
+
+
+def test_worlds_of_what_can_be_read_once():
+    """They had all surfaces, and said that there were none."""
+    spheres = [cubemap.Primitive.sphere((place, 0, 0), 0.1) for place in range(3)]
+    world = cubemap.Scene(iter(spheres))
+    assert world == cubemap.Scene(spheres) == pickle.loads(pickle.dumps(world)) and world.primitives == tuple(spheres)
+    for take, words in ((lambda: cubemap.Primitive.sphere((0, 0), 1), r"^centre: three numbers, not \(2,\)$"),
+                        (lambda: cubemap.Scene([cubemap.Primitive("sphere", first=(1, 2), radius=1.0)]), r"^first: three numbers, not \(2,\)$"),
+                        (lambda: cubemap.Scene([spheres[0]._replace(material=cubemap.Material((1, 2), 0.5))]), r"^color: three numbers"),
+                        (lambda: cubemap.Scene([cubemap.Primitive("cone")]), "^kind: 'cone' is none of plane, box, sphere, cylinder, mesh$")):
+        with pytest.raises(ValueError, match=words):
+            take()
 
 
 def test_what_is_of_the_module_sim_says_so():
