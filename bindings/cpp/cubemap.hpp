@@ -58,7 +58,8 @@ public:
     constexpr span() noexcept = default;
     constexpr span(T *data, std::size_t size) noexcept : data_(data), size_(size) {}
     template <std::size_t N> constexpr span(T (&array)[N]) noexcept : data_(array), size_(N) {}
-    template <class C, class = std::enable_if_t<std::is_convertible_v<
+    /* Of what ends with the call only what is read, as std::span has it. */
+    template <class C, class = std::enable_if_t<(std::is_lvalue_reference_v<C> || std::is_const_v<T>) && std::is_convertible_v<
                            std::remove_pointer_t<decltype(std::declval<C &>().data())> (*)[], T (*)[]>>>
     constexpr span(C &&container) noexcept : data_(container.data()), size_(container.size()) {}
     constexpr T *data() const noexcept { return data_; }
@@ -191,8 +192,9 @@ public:
     }
     owner &operator=(owner &&other) noexcept
     {
-        std::swap(static_cast<View &>(*this), static_cast<View &>(other));
-        std::swap(handle_, other.handle_);
+        owner moved(std::move(other)); /* so that the other is empty, but for oneself */
+        std::swap(static_cast<View &>(*this), static_cast<View &>(moved));
+        std::swap(handle_, moved.handle_);
         return *this;
     }
     owner(const owner &) = delete;

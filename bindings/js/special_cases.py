@@ -7,6 +7,7 @@ CHECKS = {"cm_mapping_create_with": ("cm_specification_check", ["specification"]
           "cm_healpix_create": ("cm_healpix_check", ["nside", "order"])}
 
 FINDERS = {"cm_frame": "cm_frame_find", "cm_ellipsoid": "cm_ellipsoid_find"}  # structs that a text may stand for
+FINDERS_ERRORS = {"cm_frame": 6, "cm_ellipsoid": 10}  # as cm_status has them, of a text that names none
 
 # Structs that are results, though they are read and written: their size is to be set before.
 RESULTS = {"cm_evaluation", "cm_motion_state"}

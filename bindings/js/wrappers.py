@@ -8,7 +8,7 @@ names in camel case, enumerators texts."""
 import re
 
 from layouts import SCALARS
-from special_cases import (BY_HAND, CHECKS, COUNTED, EXTENTS, FEWER, FINDERS, METHODS, NEEDS, NULLABLE, REQUIRED, RESULTS, SEEKERS,
+from special_cases import (BY_HAND, CHECKS, COUNTED, EXTENTS, FEWER, FINDERS, FINDERS_ERRORS, METHODS, NEEDS, NULLABLE, REQUIRED, RESULTS, SEEKERS,
                            TELLERS)
 
 KINDS = {"double": "F64", "float": "F32", "uint8_t": "U8", "uint32_t": "U32", "size_t": "U32", "int64_t": "I64",
@@ -246,7 +246,7 @@ class Writer:
         lines = [f"function write_{name}(o, to) {{"]
         if name in FINDERS:
             lines += [f"if (typeof o === \"string\") {{ const p = {self.call(FINDERS[name])}(M.text(o)); "
-                      f"if (p === 0) {{ throw new ArgumentError(`there is no {name[3:]} '${{o}}'`, 1); }} return p; }}"]
+                      f"if (p === 0) {{ throw errorOf({FINDERS_ERRORS[name]}, `there is no {name[3:]} '${{o}}'`); }} return p; }}"]
         lines += ["if (o === undefined || o === null) { return 0; }",
                   f"object(o, {sorted(camel(one.name) for one in self.given(layout))!r}, \"{camel(name[3:])}\");",
                   f"const p = to ?? M.zeros({layout.size});", *self.counts_text(layout)]

@@ -36,10 +36,36 @@ LEADS = {
     "cm_inverse_distortion_array": "Tissot's indicatrix and what follows from it, as Distortion, at points of faces.",
     "cm_warp_array": "The plane part alone: p, q on the gnomonic cube, or in the disc, to u, v.",
     "cm_unwarp_array": "The plane part back: u, v to p, q.",
+    "cm_healpix_pixel_from_direction_array": "The pixels at directions of any length; -1 where there is none.",
+    "cm_healpix_pixel_from_angles_array": "The pixels at colatitudes theta and longitudes phi, radians; -1 where there is none.",
+    "cm_healpix_pixel_from_lonlat_array": "The pixels at longitudes and latitudes, radians; -1 where there is none.",
+    "cm_healpix_direction_from_pixel_array": "The unit directions of pixels' centres; NaN of what is no pixel.",
+    "cm_healpix_angles_from_pixel_array": "Colatitudes and longitudes of pixels' centres, radians; NaN of what is no pixel.",
+    "cm_healpix_lonlat_from_pixel_array": "Longitudes and latitudes of pixels' centres, radians; NaN of what is no pixel.",
+    "cm_healpix_nested_from_ring_array": "Numbers in the order RING to those in NESTED; -1 of what is no pixel.",
+    "cm_healpix_ring_from_nested_array": "Numbers in the order NESTED to those in RING; -1 of what is no pixel.",
+    "cm_latitude_convert_array": "Latitudes, radians, to the other kind of latitude.",
+    "cm_latitude_convert_direction_array": "Directions whose latitude is the one kind to those of the other, in the same longitude.",
+    "cm_cell_forward_array": "The cells of a level at directions; 0 where there is none.",
+    "cm_cell_forward_lonlat_array": "The cells of a level at longitudes and latitudes, radians; 0 where there is none.",
+    "cm_direction_from_lonlat_array": "Longitudes and latitudes, radians, to unit directions.",
+    "cm_lonlat_from_direction_array": "Directions of any length to longitudes and latitudes, radians.",
     "cm_camera_project_array": "Points of the camera's axes to columns and rows. What the camera does not see has NaN.",
     "cm_camera_ray_array": "Columns and rows to rays of the camera's axes. Where no ray comes from there is NaN.",
     "cm_scene_cast_array": "What rays from origins in directions meet first, as Hit.",
 }
+# What comments say of pointers and of where arrays may lie, which NumPy sees to.
+MEMORY = re.compile(r"(?:(?:" + "|".join((
+    r"(?:Arrays|Arrays here and below|pointers|voxel) may be NULL(?: if n is 0)?[.;]", r"No pointer may be NULL\.",
+    r": either output may be NULL\.", r"viewing may be NULL: those of sRGB, as above\.",
+    r"map must not be NULL here and below\.", r"Not to be given NULL\.", r"to may be from\.",
+    r"(?:[Aa]n|the) output(?: array)? may be [^.;]*\binputs?\b(?: array)?(?: in its place, but not overlap it otherwise| \(x and u, say\))?[.;]",
+    r"other overlaps are not allowed\.", r"the result may overwrite the argument\.?", r"No alignment beyond the element's own is needed\.",
+    r"n points in separate arrays of n elements each\.", r"n at once, n numbers in each array;",
+    r"Arrays take six outputs of n elements each, in that order;", r"an input array may be the same as one of them\.",
+    r"---- Outputs must not overlap inputs, but for the two last ones, whose pixels may be written over themselves\.",
+    r"Those return CM_OK, or CM_ERROR_PIXEL, with nothing written, if nside is no power of two\.",
+)) + r")\s*)+")
 # outputs of these must not overlap inputs (healpix.h, world.h)
 APART = ("cm_healpix_", "cm_scene_")
 # what the package makes of the results of functions with several outputs, as its modules say by name_results
@@ -201,14 +227,29 @@ def call_line(name, loop):
     return f"{name.split('.')[-1]}({inputs}, /, out=None, *, where=True, ...) -> {outputs}"
 
 
+def told_in_python(comment):
+    """A comment of C without what it says of memory: clauses that stay are sentences."""
+    kept, begin = "", 0
+    for found in MEMORY.finditer(comment):
+        kept += comment[begin:found.start()]
+        begin = found.end()
+        if kept.rstrip().endswith(";"):
+            kept = kept.rstrip()[:-1] + ". "
+        elif kept and not kept.rstrip().endswith((".", ":")):
+            kept = kept.rstrip() + ". "
+        if found.group().rstrip().endswith(";"):
+            comment = comment[:begin] + comment[begin:begin + 1].upper() + comment[begin + 1:]
+    return (kept + comment[begin:]).strip()
+
+
 def doc_of(name, loop):
-    comment = loop.declared.comment or "See the header."
+    comment = told_in_python(" ".join((loop.declared.comment or "").split()))
     shapes = [f"{operand.name} {shape_text(operand.shape)}" for operand in loop.inputs + loop.outputs if operand.shape]
     more = f"\n\nTrailing axes: {', '.join(shapes)}." if shapes else ""
     if any(operand.base == "float" for operand in loop.inputs):
         more += "\n\nThere is single precision alone: what NumPy turns into float64 is rounded to float32."
     lead = LEADS.get(loop.function.name)
-    said = [lead, ""] if lead else []
+    said = [lead, *[""] * bool(comment)] if lead else [] if comment else ["See the header."]
     return "\n".join([call_line(name, loop), "", *said, *textwrap.wrap(comment, 100)]) + more + \
         f"\n\nIn C: {loop.function.name}, cubemap/{loop.declared.header}."
 

@@ -93,7 +93,11 @@ static void test_life()
     expect(two.get() == handle && one.get() == nullptr, "an object moves, and leaves nothing");
     cubemap::mapping three("tangent");
     three = std::move(two);
-    expect(three.get() == handle, "and is assigned");
+    expect(three.get() == handle && two.get() == nullptr,
+           "and is assigned, what was there ends, and nothing is left either");
+    cubemap::mapping &itself = three;
+    three = std::move(itself);
+    expect(three.get() == handle, "to itself, too");
     cm_mapping *released = three.release();
     expect(released == handle && three.get() == nullptr, "and is given away");
     cm_mapping_destroy(released);
@@ -106,6 +110,11 @@ static void test_life()
     expect(cells.grid().get() == grid.get(), "objects are made of others");
     static_assert(!std::is_copy_constructible_v<cubemap::mapping>, "objects are not copied");
     static_assert(sizeof(cubemap::mapping_view) == sizeof(void *), "a view is a pointer");
+    using of_numbers = std::vector<double>;
+    static_assert(std::is_convertible_v<of_numbers, cubemap::span<const double>> &&
+                      std::is_convertible_v<of_numbers &, cubemap::span<double>> &&
+                      !std::is_convertible_v<of_numbers, cubemap::span<double>>,
+                  "what ends with the call is read, and not written");
 }
 
 static void test_points()

@@ -2,6 +2,8 @@
 //
 // A module's bytes from beside this file, in Node and in browsers; the one with vectors where the engine knows them.
 
+import { present, shown } from "./numbers.js";
+
 /** A function whose body is i32.const 0, i8x16.splat, drop. */
 const VECTORS = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 9, 1, 7, 0, 65, 0, 253,
     15, 26, 11]);
@@ -39,13 +41,27 @@ function importsOf(module, called) {
     return imports;
 }
 
+/** What is to be compiled: bytes, or what is at an address, which in a page or a worker may be one beside it. */
+async function bytesFrom(source) {
+    if (Object.prototype.toString.call(source).endsWith("ArrayBuffer]") || ArrayBuffer.isView(source)) {
+        return source;
+    }
+    const address = typeof source === "string" ? source : source.href;
+    const base = globalThis.document?.baseURI ?? globalThis.location?.href;
+    try {
+        return bytesOf(new URL(present(address, "source"), base));
+    } catch {
+        throw new TypeError(`source is to be a WebAssembly.Module, its bytes or its address, not ${shown(source)}`);
+    }
+}
+
 /** The exports of a module. source: a WebAssembly.Module, bytes, or a URL; else the file beside this one. */
-export async function exportsOf(name, { simd = hasSimd(), source } = {}) {
+export async function exportsOf(name, options) {
+    const { simd, source } = options ?? {};
     let module = source;
     if (!(module instanceof WebAssembly.Module)) {
-        const url = new URL(`./${name}-${simd ? "simd128" : "scalar"}.wasm`, import.meta.url);
-        const isBytes = source instanceof ArrayBuffer || ArrayBuffer.isView(source);
-        module = await WebAssembly.compile(isBytes ? source : await bytesOf(source === undefined ? url : new URL(source)));
+        const beside = new URL(`./${name}-${simd ?? hasSimd() ? "simd128" : "scalar"}.wasm`, import.meta.url);
+        module = await WebAssembly.compile(await bytesFrom(source ?? beside));
     }
     const called = {};
     const instance = await WebAssembly.instantiate(module, importsOf(module, called));

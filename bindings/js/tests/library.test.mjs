@@ -3,10 +3,11 @@
 // What users call: results, errors in the library's words, arrays in the module's memory, objects' lives.
 
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import test from "node:test";
 import vm from "node:vm";
 
-import { CubemapError, MappingError, OutOfRangeError, PixelError, Vector, hasSimd, load } from "cubemap";
+import { CubemapError, EllipsoidError, FrameError, MappingError, OutOfRangeError, PixelError, Vector, hasSimd, load } from "cubemap";
 
 const cubemap = await load();
 
@@ -49,6 +50,35 @@ test("errors have the library's words", () => {
     assert.throws(() => new cubemap.Mapping("healpix").warp(0, 0), /no such operation/);
     assert.equal(cubemap.specificationCheck("coupled"), null);
     assert.match(cubemap.specificationCheck("bogus"), /^no mapping is called 'bogus'/);
+});
+
+test("names of frames and ellipsoids that are none are of the kinds that such errors have", () => {
+    const kind = (Class, code) => (error) => error.constructor === Class && error.code === code && error.message.startsWith("there is no ");
+    assert.throws(() => new cubemap.Mapping("coupled", "up"), kind(FrameError, 6));
+    assert.throws(() => new cubemap.Grid({ frame: "up" }), kind(FrameError, 6));
+    assert.throws(() => new cubemap.Grid({ ellipsoid: "WGS1884" }), kind(EllipsoidError, 10));
+    assert.throws(() => new cubemap.LatitudeConversion("WGS1884", "geographic", "authalic"), kind(EllipsoidError, 10));
+});
+
+test("where a module may come from", async () => {
+    const address = new URL(import.meta.resolve === undefined ? "../dist/core-scalar.wasm" : "./core-scalar.wasm", import.meta.resolve?.("cubemap") ?? import.meta.url);
+    const bytes = await readFile(address);
+    const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+    for (const source of [address, address.href, bytes, buffer, vm.runInNewContext("b => { const c = new ArrayBuffer(b.length); new Uint8Array(c).set(b); return c; }")(bytes),
+        await WebAssembly.compile(bytes), null]) {
+        assert.equal(new (await load({ source })).Mapping("coupled").forward(2, 1, 0.5).face, 0);
+    }
+    assert.ok(await load(null) && await load({ simd: null }));
+    // in a page or a worker, beside it
+    globalThis.location = { href: new URL("page.html", address).href };
+    try {
+        assert.equal(new (await load({ source: "core-scalar.wasm" })).Mapping("coupled").instructions, "scalar");
+    } finally {
+        delete globalThis.location;
+    }
+    for (const source of ["core-scalar.wasm", 5, {}, true]) {
+        await assert.rejects(load({ source }), (error) => error instanceof TypeError && error.message.startsWith("source is to be a WebAssembly.Module, its bytes or its address, not "));
+    }
 });
 
 test("arguments of other types are refused", () => {

@@ -59,3 +59,11 @@ def unmasked(values, name):
     if is_masked(values) and np.ma.getmaskarray(values).any():
         raise TypeError(f"{name}: an array without masked numbers; .filled(...) says what they count as")
     return np.ma.getdata(values) if is_masked(values) else values
+
+
+def three_numbers(values, name):
+    """A list of three numbers, of which none is masked."""
+    values = np.asarray(unmasked(values, name), float)
+    if values.shape != (3,):
+        raise ValueError(f"{name}: three numbers, not {values.shape}")
+    return values.tolist()

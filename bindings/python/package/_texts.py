@@ -63,7 +63,8 @@ class Specified:
         shown = [f"{name}={value!r}" if place else f"{value!r}"
                  for place, (name, value) in enumerate(self._arguments().items())
                  if place == 0 or name not in self._standard or self._standard[name] != value]
-        return f"cubemap.{type(self).__name__}({', '.join(shown)})"
+        where = "cubemap.sim" if _own_kind(type(self)).__module__.startswith("cubemap.sim") else "cubemap"
+        return f"{where}.{type(self).__name__}({', '.join(shown)})"
 
     def _same(self):
         """What makes two of them equal: the threads that work do not."""

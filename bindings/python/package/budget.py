@@ -49,6 +49,18 @@ class Budget(NamedTuple):
     error: float = 0.0
     cost: float = 0.0
 
+    def __eq__(self, other):
+        if not isinstance(other, Budget):
+            return NotImplemented
+        return (self._entries, *self[1:]) == (other._entries, *other[1:])
+
+    def __ne__(self, other):
+        return not self == other
+
+    def __hash__(self):
+        """Of a list of entries, too."""
+        return hash((*self._entries, *self[1:]))
+
     @property
     def _entries(self):
         return [BudgetEntry(*entry) for entry in self.entries]

@@ -89,6 +89,12 @@ class CellGrid(CellGridMethods, Specified):
             self._levels[name, level] = bind(self, name, (level,))
         return self._levels[name, level]
 
+    def _bound_with(self, name, level):
+        """The function behind a method that takes a level beside arrays."""
+        return self._at_level(f"cm_cell_{name}_array", level)
+
+    _bound_names = ("forward", "forward_lonlat")
+
     def forward(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, level: int, **keywords: Any) -> Any:
         """The cells of a level at the points of normals; 0 where there is no point. A ufunc: out= and where= go with it."""
         return self._at_level("cm_cell_forward_array", level)(x, y, z, **keywords)

@@ -149,13 +149,13 @@ class Rotation(Specified):
     [1.0, 0.0, 0.0]
     """
 
-    def __init__(self, rotation: str | ArrayLike = "0,0,0") -> None:
+    def __init__(self, rotation: str | ArrayLike | Rotation = "0,0,0") -> None:
         if isinstance(rotation, str):
             made = struct(library.cm_rotation)
             in_words(library.cm_rotation_parse, checked_text(rotation, "rotation"), ctypes.byref(made))
             self._matrix = np.array(made.row)
         else:
-            self._matrix = np.array(rotation, dtype=np.float64)
+            self._matrix = np.array(rotation.matrix if isinstance(rotation, Rotation) else rotation, dtype=np.float64)
             if self._matrix.shape != (3, 3):
                 raise ValueError(f"rotation: a matrix of 3 x 3, not of {self._matrix.shape}")
             try:

@@ -57,10 +57,10 @@ _PI, _MOST = math.pi, np.finfo(np.float64).max.item()  # names of the module are
 
 
 def _healpix(nside, nest):
-    if isinstance(nside, np.ndarray):
-        if nside.size != 1:
-            raise ValueError(f"nside is one number here, not {nside.size}")
-        nside = nside.item()
+    if isinstance(nside, (np.ndarray, list, tuple)):
+        if np.size(nside) != 1:
+            raise ValueError(f"nside is one number here, not {np.size(nside)}")
+        nside = np.asarray(nside).item()
     return _made(nside, nest)
 
 
@@ -77,7 +77,7 @@ _from_angles, _to_angles, _from_lonlat, _to_lonlat, _from_direction, _to_directi
 
 def _bind(table, method, nside, nest):
     bound = getattr(_healpix(nside, nest), method)
-    if isinstance(nside, np.ndarray):  # of no dimension: the same number may be found as one
+    if isinstance(nside, (np.ndarray, list, tuple)):  # of no dimension: the same number may be found as one
         return bound
     if len(table) >= 128:
         table.clear()

@@ -16,6 +16,7 @@ nor is what is made from it: that is masked, too.
 from __future__ import annotations
 
 import ctypes
+import operator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -125,8 +126,9 @@ class Surface(SurfaceMethods, Specified):
         if any(map(is_masked, (pictures, x, y, z))):
             return self._sample_masked(pictures, x, y, z, filter)
         images, channels, _ = images_of(pictures, self)
-        x, y, z = (np.ascontiguousarray(one, np.float64) for one in np.broadcast_arrays(x, y, z))
+        x, y, z = np.broadcast_arrays(x, y, z)
         out = np.empty((*x.shape, channels), np.float32)
+        x, y, z = (np.ascontiguousarray(one, np.float64) for one in (x, y, z))
         library.cm_sample(self._handle, images, number_of(filter, FILTERS, "filter"), x.size, x.ctypes.data, y.ctypes.data,
                           z.ctypes.data, out.ctypes.data)
         return out
@@ -172,6 +174,14 @@ def surface_presets() -> tuple[SurfacePreset, ...]:
     found = [library.cm_surface_preset_at(index).contents for index in range(library.cm_surface_preset_count())]
     return tuple(SurfacePreset(decoded(one.identifier), decoded(one.name), decoded(one.source), decoded(one.specification),
                                Rotation(np.array(one.rotation.row))) for one in found)
+
+
+def pixel_type(dtype):
+    """The number of a type of pixels; TypeError for others."""
+    name = np.dtype(dtype).name
+    if name not in PIXEL_TYPES:
+        raise TypeError(f"dtype: {', '.join(PIXEL_TYPES)}, not {name}")
+    return PIXEL_TYPES.index(name)
 
 
 def images_of(pictures, surface, writes=False):
@@ -319,7 +329,7 @@ class Plan(Specified):
         """The filter that is taken for pictures: the plan's, or what "auto" chooses."""
         images, _, kept = images_of(levelled(pictures) if is_masked(pictures) else pictures, self.source)
         source = created(library.cm_source_create, "cm_source_destroy", self._handle, images,
-                         PIXEL_TYPES.index(np.dtype(dtype or kept.dtype).name), 1, keep=(self._handle, images, kept))
+                         pixel_type(kept.dtype if dtype is None else dtype), 1, keep=(self._handle, images, kept))
         return FILTERS[library.cm_source_filter(source)]
 
 
@@ -388,10 +398,11 @@ def border(surface: Surface, pictures: ArrayLike, pixels: int, *, dtype: DTypeLi
                          border(surface, as_nan(pictures), pixels, threads=threads))
     images, channels, kept = images_of(pictures, surface)
     planes, rows, columns = surface.plane_shape
-    out = np.zeros((planes, rows + 2 * pixels, columns + 2 * pixels, channels), kept.dtype if dtype is None else dtype)
+    kind = pixel_type(kept.dtype if dtype is None else dtype)
+    out = np.zeros((planes, rows + 2 * pixels, columns + 2 * pixels, channels), PIXEL_TYPES[kind])
     to = (library.cm_image * planes)()
     for image, picture in zip(to, out, strict=True):
-        image.size, image.data, image.type = ctypes.sizeof(library.cm_image), picture.ctypes.data, PIXEL_TYPES.index(out.dtype.name)
+        image.size, image.data, image.type = ctypes.sizeof(library.cm_image), picture.ctypes.data, kind
         image.height, image.width, image.channels = picture.shape
     library.cm_border(surface._handle, images, pixels, None, checked_threads(threads), to)
     return out if np.ndim(pictures) > len(surface.shape) else out[..., 0]
@@ -404,6 +415,8 @@ def healpix_arrange(values: ArrayLike, nside: int, order: str = "ring", *, to_li
         data, mask = (healpix_arrange(one, nside, order, to_list=to_list) for one in (values.data, np.ma.getmaskarray(values)))
         return np.ma.array(data, mask=mask)
     values = np.ascontiguousarray(values)
+    if operator.index(nside) < 1:
+        raise Error(library.CM_ERROR_PIXEL, f"nside: 1 to 2^29, not {nside}")
     shape = (nside, 12 * nside) if to_list else (12 * nside * nside,)
     if values.shape[:len(shape)] != shape or values.ndim > len(shape) + 1:
         raise ValueError(f"values: {shape}, not {values.shape}")

@@ -35,12 +35,12 @@ from .mapping import Mapping
 class _Call:
     """A method by its name, and by its types, which are those of all chunks: it travels to workers as the object's specification."""
 
-    def __init__(self, owner, name, types):
-        self.owner, self.name, self.types = owner, name, types
+    def __init__(self, owner, name, types, options):
+        self.owner, self.name, self.types, self.options = owner, name, types, options
         self.__name__ = name
 
     def __call__(self, *arrays):
-        result = getattr(self.owner, self.name)(*arrays, signature=self.types)
+        result = getattr(self.owner, self.name)(*arrays, **self.options, signature=self.types)
         return tuple(result) if isinstance(result, tuple) else result
 
 
@@ -75,18 +75,31 @@ def _signature(function):
     return sides[0], sides[1], sizes
 
 
-def apply(owner: Any, name: str, *arrays: Any) -> Any:
+def _bound(owner, name, options):
+    """The function behind a method, which has a ufunc: of one that takes options, that of these."""
+    if name in getattr(owner, "_bound_names", ()):
+        return owner._bound_with(name, **options)
+    function = getattr(owner, name)
+    if not hasattr(function, "ufunc"):
+        raise TypeError(f"name: a method that is a ufunc, not {name!r}")
+    if options:
+        raise TypeError(f"{name} has no option {', '.join(options)}")
+    return function
+
+
+def apply(owner: Any, name: str, *arrays: Any, **options: Any) -> Any:
     """A method of an object of this package, or a function if owner is the package, for arrays of Dask or xarray.
 
-    The ufuncs themselves cannot: Dask refuses those of several outputs. DataArrays keep their coordinates.
+    The ufuncs themselves cannot: Dask refuses those of several outputs. DataArrays keep their coordinates. What a method takes
+    beside arrays is an option: apply(cells, "forward_lonlat", lon, lat, level=12).
     """
     owner = owner if owner is not None else _methods
-    function = getattr(owner, name)
+    function = _bound(owner, name, options)
     inputs, outputs, sizes = _signature(function)
     if len(arrays) != len(inputs):
         raise TypeError(f"{name} takes {len(inputs)} arrays, not {len(arrays)}")
     types = _types(function, arrays)
-    call, dtypes = _Call(owner, name, types), [np.dtype(kind) for kind in types.partition("->")[2]]
+    call, dtypes = _Call(owner, name, types, options), [np.dtype(kind) for kind in types.partition("->")[2]]
     if any(type(array).__module__.startswith("xarray.") for array in arrays):
         import xarray
 

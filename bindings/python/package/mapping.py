@@ -74,6 +74,14 @@ class Frame:
     first_row_v: int = 1
     name: str = ""
 
+    def __post_init__(self):
+        """Rows of any kind are Faces: a frame is a value, whatever it was made of."""
+        try:
+            faces = tuple(Face(*face) for face in self.faces)
+        except TypeError:
+            raise Error(library.CM_ERROR_FRAME, f"faces: six of (name, outward, u, v), not {self.faces!r}") from None
+        object.__setattr__(self, "faces", faces)
+
     @classmethod
     def named(cls, identifier: str) -> Frame:
         """The frame geo, gl, fits or s2."""
@@ -93,7 +101,7 @@ class Frame:
                        first_row_v=self.first_row_v)
         if len(self.faces) != 6:
             raise Error(library.CM_ERROR_FRAME, f"a frame has six faces, not {len(self.faces)}")
-        for to, face in zip(table.face, map(lambda face: Face(*face), self.faces), strict=True):
+        for to, face in zip(table.face, self.faces, strict=True):
             to.name, to.outward, to.u, to.v = checked_text(face.name, "name"), face.outward, face.u, face.v
         library.cm_frame_check(ctypes.byref(table))
         return table
@@ -269,6 +277,8 @@ def checked_threads(threads: int) -> int:
     """Threads as the library counts them."""
     if isinstance(threads, bool) or not hasattr(threads, "__index__") or threads < 0:
         raise ValueError(f"threads: a whole number, 0 for all processors, not {threads!r}")
+    if operator.index(threads) >= 2**32:
+        raise Error(library.CM_ERROR_RANGE, f"threads: from 0 to {2**32 - 1}, not {threads}")
     return operator.index(threads) or library.cm_threads_available()
 
 

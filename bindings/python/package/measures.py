@@ -60,6 +60,8 @@ def _options(over, faces, pixels=0, tolerance=0.0):
         if not 0 <= face <= 5:
             raise Error(library.CM_ERROR_ARGUMENT, f"faces: 0 to 5, not {face}")
         bits |= 1 << face
+    if bits == 0:  # which is all of them for the library
+        raise Error(library.CM_ERROR_ARGUMENT, "faces: there are none")
     return struct(library.cm_statistics_options, measure=number_of(over, OVER, "over"), faces=bits, pixels=pixels, tolerance=tolerance)
 
 
@@ -82,12 +84,12 @@ def statistics(mapping: str | Mapping, quantity: str = "area", *, over: str = "f
 def percentiles(mapping: str | Mapping, quantity: str, percent: ArrayLike, *, over: str = "face",
                 faces: Iterable[int] | None = None) -> tuple[np.ndarray, np.ndarray]:
     """The values below which so many percent of the face or sphere have the quantity, and how far each is in doubt."""
-    percent = np.ascontiguousarray(percent, np.float64)
+    percent = np.asarray(percent, np.float64, order="C")
     value, doubt = np.empty_like(percent), np.empty_like(percent)
     options = _options(over, faces)
     library.cm_distortion_percentiles(mapping_of(mapping)._handle, number_of(quantity, QUANTITIES, "quantity"),
                                       ctypes.byref(options), percent.size, percent.ctypes.data, value.ctypes.data, doubt.ctypes.data)
-    return value, doubt
+    return value[()], doubt[()]
 
 
 class Orient(NamedTuple):

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._errors import Error
-from ._masked_pictures import unmasked
+from ._masked_pictures import three_numbers
 from ._method import name_results
 from ._methods import OctreeMethods
 from ._texts import Changing, checked_kind, checked_text, created, handle_of, number_of, struct
@@ -128,7 +128,7 @@ class Octree(OctreeMethods, Changing):
                          **_paging(memory, pages, instructions))
         if options.rule:
             options.hit, options.miss, options.low, options.high = hit, miss, low, high
-        options.centre[:] = _three(centre, "centre")
+        options.centre[:] = three_numbers(centre, "centre")
         self._begin(library.cm_octree_create, (ctypes.byref(options),), pages, threads)
 
     def _begin(self, creator, arguments, pages, threads):
@@ -289,9 +289,9 @@ class Octree(OctreeMethods, Changing):
         before = handle_of(camera, Camera, "camera")
         shading = struct(library.cm_octree_shading, coarsest=coarsest, far=far, light=light is not None,
                          light_angle=light_angle, ambient=ambient, pool=None if self._pool is None else self._pool.address)
-        shading.background[:] = _three(background, "background")
+        shading.background[:] = three_numbers(background, "background")
         if light is not None:
-            shading.light_position[:] = _three(light, "light")
+            shading.light_position[:] = three_numbers(light, "light")
         if mesh is not None:
             shading.mesh = handle_of(mesh, Raster, "mesh").address
         if mesh_color is not None:
@@ -314,16 +314,9 @@ def _paging(memory, pages, instructions):
     return {"memory": memory, "pages": None if pages is None else handle_of(pages, Store, "pages").address, "instructions": text}
 
 
-def _three(values, name):
-    values = np.asarray(unmasked(values, name), float)
-    if values.shape != (3,):
-        raise ValueError(f"{name}: three numbers, not {values.shape}")
-    return values.tolist()
-
-
 def _pointer(values, name):
     """Three numbers for the library."""
-    return (ctypes.c_double * 3)(*_three(values, name))
+    return (ctypes.c_double * 3)(*three_numbers(values, name))
 
 
 def _view(camera, pose, **pictures):

@@ -19,9 +19,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection, LineCollection
+from matplotlib.colors import Normalize
 from numpy.typing import ArrayLike
 
-from .mapping import Mapping, mapping_of
+from .mapping import Distortion, Mapping, mapping_of
 
 # where faces stand in a cross, by their names in each frame: column and row, the row upwards
 _PLACES = {"geo": ((0, 0), (1, 0), (2, 0), (-1, 0), (0, 1), (0, -1)),
@@ -56,23 +57,41 @@ def _outlines(axes, mapping, offsets):
     axes.set_ylim(low[1], high[1])
 
 
+def _in_one_scale(pictures, keywords):
+    """Keywords of imshow with which a colour means the same number on all faces: of all finite ones, if nothing else is said."""
+    norm = keywords.get("norm")
+    finite = np.ma.masked_invalid(pictures).compressed()
+    if isinstance(norm, Normalize):
+        norm.autoscale_None(finite)  # matplotlib refuses limits beside it
+        return keywords
+    return {"vmin": finite.min(), "vmax": finite.max(), **keywords} if finite.size else keywords
+
+
+def _checked_count(count, name):
+    if not count > 0:
+        raise ValueError(f"{name}: more than 0, not {count}")
+
+
 def faces(pictures: ArrayLike, mapping: str | Mapping = "coupled", *, axes: Axes | None = None,
           arrangement: str = "cross", **keywords: Any) -> Axes:
     """The pictures of six faces, (6, rows, columns[, channels]), the first row at the top: as a cross, or in a row.
 
-    keywords go to imshow: cmap="cubemap.sequential-single", vmin=...
+    keywords go to imshow: cmap="cubemap.sequential-single", vmin=..., norm=..., interpolation="bilinear". All faces have one
+    scale of colours.
     """
     mapping = mapping_of(mapping)
     pictures = np.asanyarray(pictures)
-    if len(pictures) != mapping.face_count:
-        raise ValueError(f"pictures: {mapping.face_count} of them, not {len(pictures)}")
+    if pictures.ndim not in (3, 4) or len(pictures) != mapping.face_count:
+        raise ValueError(f"pictures: ({mapping.face_count}, rows, columns[, channels]), not {pictures.shape}")
+    if pictures.shape[3:] == (1,):
+        pictures = pictures[..., 0]
     offsets = _offsets(mapping, arrangement)
     axes = _axes(axes, (8, 6) if arrangement == "cross" else (12, 2.4))
     if pictures.ndim == 3:
-        keywords = {"vmin": np.nanmin(pictures), "vmax": np.nanmax(pictures), **keywords}
+        keywords = _in_one_scale(pictures, keywords)
     # v grows down in the pictures of gl: its cross is drawn as pictures are stored
     for picture, (column, row) in zip(pictures, offsets, strict=True):
-        axes.imshow(picture, extent=(column - 1, column + 1, row - 1, row + 1), interpolation="nearest", **keywords)
+        axes.imshow(picture, extent=(column - 1, column + 1, row - 1, row + 1), **{"interpolation": "nearest", **keywords})
     _outlines(axes, mapping, offsets)
     return axes
 
@@ -93,6 +112,7 @@ def _broken(points, face):
 def graticule(mapping: str | Mapping = "coupled", *, step: float = 15, axes: Axes | None = None,
               arrangement: str = "cross", color: Any = "0.55") -> Axes:
     """Meridians and parallels each so many degrees."""
+    _checked_count(step, "step")
     mapping = mapping_of(mapping)
     offsets = _offsets(mapping, arrangement)
     axes = _axes(axes, (8, 6) if arrangement == "cross" else (12, 2.4))
@@ -116,6 +136,7 @@ def indicatrices(mapping: str | Mapping = "coupled", *, count: int = 7, radius: 
 
     radius   of the circles, radians; without one they nearly touch
     """
+    _checked_count(count, "count")
     mapping = mapping_of(mapping)
     offsets = _offsets(mapping, arrangement)
     axes = graticule(mapping, axes=axes, arrangement=arrangement)
@@ -136,13 +157,16 @@ def indicatrices(mapping: str | Mapping = "coupled", *, count: int = 7, radius: 
 def distortion(mapping: str | Mapping = "coupled", quantity: str = "area", *, size: int = 128, axes: Axes | None = None,
                arrangement: str = "cross", **keywords: Any) -> Axes:
     """A quantity of Distortion over the faces in colours, with a bar that says what they mean."""
+    if quantity not in Distortion._fields:
+        raise ValueError(f"quantity: {quantity!r} is none of {', '.join(Distortion._fields)}")
+    _checked_count(size, "size")
     mapping = mapping_of(mapping)
     middle = (2 * np.arange(size) + 1) / size - 1
     v = middle if mapping.frame.first_row_v < 0 else -middle
     face = np.arange(mapping.face_count, dtype=np.uint8)[:, np.newaxis, np.newaxis]
     values = getattr(mapping.inverse_distortion(face, middle[np.newaxis, np.newaxis], v[np.newaxis, :, np.newaxis]), quantity)
     axes = faces(values, mapping, axes=axes, arrangement=arrangement, **keywords)
-    axes.figure.colorbar(axes.images[0], ax=axes, shrink=0.6, label=quantity)
+    axes.figure.colorbar(axes.images[-1], ax=axes, shrink=0.6, label=quantity)
     return axes
 
 

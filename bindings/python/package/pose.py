@@ -11,6 +11,7 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -122,6 +123,9 @@ class Pose(Specified):
     def __getitem__(self, index: Any) -> Pose:
         places = np.arange(np.prod(self.shape, dtype=int)).reshape(self.shape)[index]
         return Pose._make((self._rotation.reshape(-1, 3, 3)[places], self._position.reshape(-1, 3)[places]))
+
+    def __iter__(self) -> Iterator[Pose]:
+        return (self[index] for index in range(len(self)))
 
     def __len__(self) -> int:
         if self.shape == ():

@@ -17,9 +17,10 @@ from numpy.typing import ArrayLike
 
 from . import _library as library
 from ._errors import Error
+from ._masked_pictures import three_numbers
 from ._method import name_results
 from ._methods import SceneMethods
-from ._texts import Specified, checked_kind, checked_text, created, handle_of, struct, words_of
+from ._texts import Specified, checked_kind, checked_text, created, handle_of, number_of, struct, words_of
 from .camera import Camera
 from .mapping import checked_threads
 from .pose import Pose
@@ -133,7 +134,7 @@ def _copied(address, shape, dtype):
 
 def _set_material(to, material):
     color, to.reflectance = material
-    to.color[:] = np.asarray(color, float).tolist()
+    to.color[:] = three_numbers(color, "color")
 
 
 class Primitive(NamedTuple):
@@ -154,22 +155,22 @@ class Primitive(NamedTuple):
     @classmethod
     def plane(cls, point: ArrayLike, normal: ArrayLike, material: Material = Material()) -> Primitive:
         """An endless plane through a point, with a normal of any length."""
-        return cls("plane", _three(point), _three(normal), material=material)
+        return cls("plane", tuple(three_numbers(point, "point")), tuple(three_numbers(normal, "normal")), material=material)
 
     @classmethod
     def box(cls, least: ArrayLike, greatest: ArrayLike, material: Material = Material()) -> Primitive:
         """A box along the axes; a room for who is inside."""
-        return cls("box", _three(least), _three(greatest), material=material)
+        return cls("box", tuple(three_numbers(least, "least")), tuple(three_numbers(greatest, "greatest")), material=material)
 
     @classmethod
     def sphere(cls, centre: ArrayLike, radius: float, material: Material = Material()) -> Primitive:
         """A sphere."""
-        return cls("sphere", _three(centre), radius=float(radius), material=material)
+        return cls("sphere", tuple(three_numbers(centre, "centre")), radius=float(radius), material=material)
 
     @classmethod
     def cylinder(cls, start: ArrayLike, end: ArrayLike, radius: float, material: Material = Material()) -> Primitive:
         """A cylinder along its axis from start to end, closed by caps."""
-        return cls("cylinder", _three(start), _three(end), float(radius), material=material)
+        return cls("cylinder", tuple(three_numbers(start, "start")), tuple(three_numbers(end, "end")), float(radius), material=material)
 
     @classmethod
     def mesh(cls, mesh: Mesh, pose: Pose = Pose(), material: Material = Material()) -> Primitive:
@@ -177,11 +178,11 @@ class Primitive(NamedTuple):
         return cls("mesh", of=mesh, pose=pose, material=material)
 
     def _struct(self):
-        made = struct(library.cm_primitive, kind=PRIMITIVES.index(self.kind), radius=self.radius,
+        made = struct(library.cm_primitive, kind=number_of(self.kind, PRIMITIVES, "kind"), radius=self.radius,
                       pose=self.pose._struct(),
                       **{name: None if part is None else handle_of(part, kind, name).address
                          for name, part, kind in zip(("mesh", "motion", "brdf"), self._parts, self._kinds(), strict=True)})
-        made.first[:], made.second[:] = self.first, self.second
+        made.first[:], made.second[:] = three_numbers(self.first, "first"), three_numbers(self.second, "second")
         _set_material(made.material, self.material)
         return made
 
@@ -200,12 +201,11 @@ class Primitive(NamedTuple):
     @classmethod
     def _read(cls, made, parts):
         mesh, motion, brdf = parts
-        return cls(PRIMITIVES[made.kind], tuple(made.first), tuple(made.second), made.radius, mesh,
-                   Pose._read(made.pose), Material(tuple(made.material.color), made.material.reflectance), motion, brdf)
-
-
-def _three(values):
-    return tuple(np.asarray(values, float).tolist())
+        pose = Pose._read(made.pose)
+        if mesh is None and not pose.rotation.any():  # the library's own worlds have zeros where it reads no pose
+            pose = Pose()
+        return cls(PRIMITIVES[made.kind], tuple(made.first), tuple(made.second), made.radius, mesh, pose,
+                   Material(tuple(made.material.color), made.material.reflectance), motion, brdf)
 
 
 class Scene(SceneMethods, Specified):
@@ -229,6 +229,7 @@ class Scene(SceneMethods, Specified):
     _is_remade = False
 
     def __init__(self, primitives: list | tuple = (), *, threads: int = 1) -> None:
+        primitives = tuple(primitives)
         given = [checked_kind(one, Primitive, "primitives")._struct() for one in primitives]
         parts = tuple(one._parts for one in primitives)
         self._handle = created(library.cm_scene_create, "cm_scene_destroy",

@@ -95,13 +95,22 @@ extern const struct core_function core_functions[];
 extern const struct core_destroyer core_destroyers[];
 extern const struct core_size core_sizes[];
 
+/* What NumPy has for unsigned inputs. */
+enum core_integers
+{
+    CORE_AS_THEY_ARE,
+    CORE_AS_SIGNED,   /* 64 bits */
+    CORE_AS_UNSIGNED, /* 64 bits, of faces */
+    CORE_INTEGERS
+};
+
 /* A function for operands of NumPy's types: what a loop of a ufunc is given as data. */
 struct core_loop
 {
     const struct core_function *function;
     const struct core_variant *variant;
     struct core_context context;
-    unsigned char integers; /* are unsigned inputs signed 64-bit ones for NumPy? */
+    unsigned char integers; /* what unsigned inputs are for NumPy, of core_integers */
     unsigned char rounds; /* are inputs of float, for which there is no double, double for NumPy? */
 };
 

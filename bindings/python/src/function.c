@@ -375,25 +375,28 @@ static PyObject *function_call(PyObject *object, PyObject *const *args, size_t f
 /* What the ufunc owns in one block: its loops, their types and their data. */
 struct loops
 {
-    PyUFuncGenericFunction function[4];
-    void *data[4];
-    struct core_loop loop[4];
-    char types[4 * CORE_OPERANDS_MAX];
+    PyUFuncGenericFunction function[2 * CORE_INTEGERS];
+    void *data[2 * CORE_INTEGERS];
+    struct core_loop loop[2 * CORE_INTEGERS];
+    char types[2 * CORE_INTEGERS * CORE_OPERANDS_MAX];
 };
 
-/* Is there an input of unsigned numbers, for which NumPy shall take signed ones too? Faces that do not fit into a byte are
- * refused; numbers of cells are the same 64 bits, as which databases have them. */
-static int has_unsigned(const struct core_function *function)
+/* The last of core_integers that there is to be a loop for, if there is an input of unsigned numbers. Faces may be of any
+ * whole numbers: those that do not fit into a byte are refused. Numbers of cells are the same 64 bits, as which databases have
+ * them. */
+static unsigned char last_integers(const struct core_function *function)
 {
+    unsigned char last = CORE_AS_THEY_ARE;
     for (int k = 0; k < function->inputs; k++)
     {
         const unsigned char type = function->variant[0]->operand[k].type;
-        if (type == CORE_UINT8 || type == CORE_UINT64)
+        if (type == CORE_UINT8)
         {
-            return 1;
+            return CORE_AS_UNSIGNED;
         }
+        last = type == CORE_UINT64 ? CORE_AS_SIGNED : last;
     }
-    return 0;
+    return last;
 }
 
 /* Is there an input of float, of which no other loop takes what has more digits? */
@@ -433,7 +436,7 @@ static int fill_loops(const struct core_function *function, const struct core_co
     {
         for (unsigned char rounds = 0; rounds <= has_float_alone(function); rounds++)
         {
-            for (unsigned char integers = 0; integers <= has_unsigned(function); integers++)
+            for (unsigned char integers = 0; integers <= last_integers(function); integers++)
             {
                 const struct core_loop loop = {function, function->variant[variant], *context,
                                                integers, rounds};

@@ -28,8 +28,12 @@ enum core_type core_seen_type(const struct core_loop *loop, int operand)
     {
         return type;
     }
+    if (type == CORE_UINT8 && loop->integers == CORE_AS_UNSIGNED)
+    {
+        return CORE_UINT64;
+    }
     if (type == CORE_INT || type == CORE_UINT32 ||
-        ((type == CORE_UINT8 || type == CORE_UINT64) && loop->integers))
+        ((type == CORE_UINT8 || type == CORE_UINT64) && loop->integers != CORE_AS_THEY_ARE))
     {
         return CORE_INT64;
     }
@@ -75,7 +79,7 @@ const char *core_read_extents(const char *text, int *extents, int extent[2])
 }
 
 /* A number of 64 bits where the library has fewer: a real one is rounded; a whole one that does not fit becomes one that it
- * refuses. */
+ * refuses. An unsigned one of the upper half is seen as one below zero, which does not fit either. */
 static void narrow(enum core_type type, const char *from, char *to)
 {
     if (type == CORE_FLOAT)

@@ -165,7 +165,7 @@ def test_brdfs():
     assert abs(table.value(up, up, (0, 0.6, 0.8)) - 0.4) < 1e-6
     for one in (lambert, facets, table):
         assert pickle.loads(pickle.dumps(one)) == one
-    assert lambert != facets and repr(facets).startswith("cubemap.Brdf('cook-torrance', diffuse=0.2")
+    assert lambert != facets and repr(facets).startswith("cubemap.sim.Brdf('cook-torrance', diffuse=0.2")
     np.testing.assert_allclose(sim.brdf_goniometer(0.0, 0.0, 0.0), 0.0, atol=1e-12)
     for wrong in (dict(kind="phong"), dict(diffuse=0.5), dict(kind="measured"), dict(kind="cook-torrance", diffuse=2)):
         with pytest.raises(ValueError):

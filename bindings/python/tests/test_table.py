@@ -126,6 +126,14 @@ def test_examples_of_docstrings_run(name):
     assert runner.tries > 0 and runner.failures == 0
 
 
+def test_helps_are_not_of_pointers():
+    """Of C's memory NumPy sees to it; and each says what the function does."""
+    for name in _core.functions:
+        lines = _method.documents.get(name).split("\n\n")
+        assert not re.search(r"may be NULL|must not be NULL|given NULL|overlap|overwrite|alignment|elements each\.|----", _method.documents.get(name)), name
+        assert len(lines) > 2 and lines[1].strip() and not lines[1].startswith("In C:"), name
+
+
 def code_of(path):
     return re.findall(r"```python\n(.*?)```", path.read_text(), re.S)
 
