@@ -7,6 +7,7 @@
 #include "picture_checks.hpp"
 #include "tiff_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -206,6 +207,21 @@ void gaps()
     write_tiff("floats.tif", 60, 40, std::vector<float>(2400, 0.75f),
                {doubles(33550, {15000, 15000, 0}), doubles(33922, {0, 0, 0, 200000, 5700000, 0}),
                 geo_keys(1, 1, 3072, 32633)});
+    write_even("words.vrt", 60, 40, "EPSG:32633", "200000, 15000, 0, 5700000, 0, -15000", "", 0);
+    std::string words = content_of("words.vrt");
+    words.replace(words.find("Byte"), 4, "Int16");
+    words.replace(words.find("<PixelOffset>1"), 14, "<PixelOffset>2"); // rows overlap, all zeros
+    write_file("words.vrt", words);
+    does("reproject --filter nearest --not-finite spread --to " + part + "words.vrt words.exr");
+    holds("numbers with a sign are values where they are 0",
+          []
+          {
+              const Picture picture("words.exr");
+              const auto missing = std::count_if(picture.values.begin(), picture.values.end(),
+                                                 [](float value) { return std::isnan(value); });
+              expect(missing > 0 && missing < static_cast<long>(picture.values.size()) / 4,
+                     std::to_string(missing) + " are missing");
+          });
     says("corners of floats are no values", "values that are not finite skipped",
          "reproject --filter lanczos3 --to " + part + "floats.tif floats.exr");
     holds("and are not mixed in",

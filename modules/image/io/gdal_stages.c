@@ -132,7 +132,7 @@ GDALDatasetH cm_gdal_warped(GDALDatasetH raster)
 {
     const char *const text[] = {"-of", "VRT",   "-t_srs", "EPSG:4326",
                                 "-r",  "cubic", "-et",    WARP_ERROR};
-    const char *const none[] = {"-dstnodata", "nan"};
+    const char *const none[] = {"-ot", "Float32", "-dstnodata", "nan"};
     words with = {.count = 0};
     int has_none = 0;
     add_words(&with, sizeof text / sizeof *text, text);
@@ -143,7 +143,7 @@ GDALDatasetH cm_gdal_warped(GDALDatasetH raster)
     }
     else if (!has_none)
     {
-        add_words(&with, 2, none);
+        add_words(&with, sizeof none / sizeof *none, none);
     }
     return warped(raster, &with);
 }
