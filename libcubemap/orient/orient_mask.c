@@ -24,7 +24,7 @@ static double latitude_of(size_t row, size_t height)
 /* The columns' directions, cosine and sine by turns, to be freed. */
 static double *make_columns(size_t width)
 {
-    double *columns = malloc(2 * width * sizeof *columns);
+    double *columns = calloc(width, 2 * sizeof *columns);
     for (size_t i = 0; i < width && columns != NULL; i++)
     {
         const double lon = 2.0 * PI * (((double)i + 0.5) / (double)width - 0.5);

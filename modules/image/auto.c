@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "auto.h"
 #include "filter_set.h"
 #include "level_object.h"
@@ -251,11 +252,13 @@ static int make_room(auto_desk *desk)
 {
     const size_t pixel = desk->level.pixel_size;
     const size_t slack = CM_WINDOW_SLACK;
-    desk->window = calloc(1, WINDOW_MOST * pixel + slack);
-    desk->coefficients = calloc(1, WINDOW_MOST * pixel + slack);
-    desk->desk = malloc(CM_BUNDLE_ROWS * WINDOW_MOST * pixel);
-    desk->pixels[0] = malloc(CM_BLOCK_PIXELS * pixel + slack);
-    desk->pixels[1] = malloc(CM_BLOCK_PIXELS * pixel + slack);
+    const size_t window = cm_size_sum(cm_size_product(WINDOW_MOST, pixel), slack);
+    const size_t block = cm_size_sum(cm_size_product(CM_BLOCK_PIXELS, pixel), slack);
+    desk->window = calloc(1, window);
+    desk->coefficients = calloc(1, window);
+    desk->desk = cm_array_of(pixel, CM_BUNDLE_ROWS * WINDOW_MOST);
+    desk->pixels[0] = malloc(block);
+    desk->pixels[1] = malloc(block);
     return desk->window != NULL && desk->coefficients != NULL && desk->desk != NULL &&
            desk->pixels[0] != NULL && desk->pixels[1] != NULL;
 }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "compare_tile.h"
 #include "compare_sum.h"
 
@@ -181,7 +182,7 @@ static void measure_tiles(size_t begin, size_t end, void *user)
 {
     const tile_job *const job = user;
     const size_t values = job->task->values * (size_t)CM_TILE_PIXELS;
-    double *const value = malloc((values + job->task->work) * sizeof *value);
+    double *const value = cm_array_of(values + job->task->work, sizeof *value);
     for (size_t i = begin / THREAD_STEP; i < end / THREAD_STEP; i++)
     {
         if (value != NULL)

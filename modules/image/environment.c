@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "modules/memory/checked_size.h"
 #include "environment_angles.h"
 #include "environment_levels.h"
 #include "environment_pixels.h"
@@ -137,8 +138,8 @@ static int make_level(cm_environment *environment, uint32_t size)
     const size_t wide = (size_t)size + 2;
     const size_t faces = cm_angle_faces(environment->mapping);
     level->size = size;
-    level->texels = malloc(6 * wide * wide * CM_TEXEL * sizeof *level->texels);
-    level->angle = malloc(faces * size * size * sizeof *level->angle);
+    level->texels = cm_array_of(wide * wide, 6 * CM_TEXEL * sizeof *level->texels);
+    level->angle = cm_array_of((size_t)size * size, faces * sizeof *level->angle);
     environment->level_count++;
     return level->texels != NULL && level->angle != NULL;
 }

@@ -5,6 +5,7 @@
  * circles, is 4 times that of the second but for higher orders, and is extrapolated away. Large texels are sums of
  * smaller ones.
  */
+#include "modules/memory/checked_size.h"
 #include "environment_angles.h"
 
 #include <cubemap/environment.h>
@@ -156,7 +157,7 @@ cm_status cm_face_angles(const cm_mapping *mapping, uint8_t face, uint32_t size,
     const uint32_t parts = size >= FINE ? 1 : (FINE + size - 1) / size;
     const size_t length = 2 * (size_t)size * parts + 1;
     const size_t bands = size < BANDS ? size : BANDS;
-    point *lines = malloc(bands * 3 * length * sizeof *lines);
+    point *lines = cm_array_of(bands * 3 * length, sizeof *lines);
     if (lines == NULL)
     {
         return CM_ERROR_MEMORY;
@@ -172,8 +173,8 @@ cm_status cm_angle_edges_make(const cm_mapping *mapping, uint32_t size, unsigned
 {
     const size_t count = (size_t)CM_DENSITY_SIZE * CM_DENSITY_SIZE;
     const uint8_t faces = cm_angle_faces(mapping);
-    float *made = malloc(faces * count * sizeof *made);
-    double *angle = malloc(count * sizeof *angle);
+    float *made = cm_array_of(faces * count, sizeof *made);
+    double *angle = cm_array_of(count, sizeof *angle);
     cm_status status = made != NULL && angle != NULL ? CM_OK : CM_ERROR_MEMORY;
     for (uint8_t face = 0; face < faces && status == CM_OK; face++)
     {

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "environment_cells.h"
 
 #include <math.h>
@@ -82,7 +83,7 @@ static cm_status make_cells(cells_job *job, unsigned threads)
     for (uint32_t k = 0; k <= job->top; k++)
     {
         const cm_level *level = &environment->level[k];
-        job->level[k] = malloc(6 * (size_t)level->size * level->size * sizeof(cell));
+        job->level[k] = cm_array_of((size_t)level->size * level->size, 6 * sizeof(cell));
         if (job->level[k] == NULL)
         {
             return CM_ERROR_MEMORY;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "environment_lobe.h"
 
 #include <math.h>
@@ -118,7 +119,7 @@ static void make_hammersley(double a, uint32_t samples, double blur, cm_lobe *lo
 cm_status cm_lobe_make(cm_prefilter_method method, double alpha_squared, uint32_t samples,
                        double blur, cm_lobe *lobe)
 {
-    float *memory = malloc((size_t)samples * 5 * sizeof *memory);
+    float *memory = cm_array_of(samples, 5 * sizeof *memory);
     if (memory == NULL)
     {
         return CM_ERROR_MEMORY;

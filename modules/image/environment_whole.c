@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "environment_whole.h"
 
 #include <math.h>
@@ -44,7 +45,7 @@ typedef struct whole_job
 static cm_status allocate_points(size_t count, points *p)
 {
     p->count = (count + SOME - 1) / SOME * SOME;
-    p->memory = malloc(p->count * 8 * sizeof *p->memory);
+    p->memory = cm_array_of(p->count, 8 * sizeof *p->memory);
     if (p->memory == NULL)
     {
         return CM_ERROR_MEMORY;

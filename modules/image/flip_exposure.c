@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "flip_exposure.h"
 #include "flip_color.h"
 
@@ -159,7 +160,7 @@ cm_status cm_flip_find_exposures(const cm_compare_pair *pair, const cm_compare_o
                                          options->exposure_count};
         return CM_OK;
     }
-    uint64_t *const count = malloc(HALF * sizeof *count);
+    uint64_t *const count = cm_array_of(HALF, sizeof *count);
     if (count == NULL)
     {
         return CM_ERROR_MEMORY;

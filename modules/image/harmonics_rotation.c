@@ -14,6 +14,8 @@
  */
 #include <cubemap/environment.h>
 
+#include "modules/memory/checked_size.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -194,7 +196,7 @@ cm_status cm_harmonics_rotate(uint32_t degree, uint32_t channels, const cm_rotat
         return status;
     }
     const size_t width = (size_t)degree + 1;
-    double *memory = malloc((width + 7) * width * sizeof *memory);
+    double *memory = cm_array_of((width + 7) * width, sizeof *memory);
     if (memory == NULL)
     {
         return CM_ERROR_MEMORY;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "level_rim.h"
 
 #include <stdlib.h>
@@ -10,7 +11,7 @@
 static size_t skirt_size(const cm_level *level)
 {
     const size_t reach = (size_t)level->reach;
-    return level->pixel_size * 2 * reach * (level->width + 2 * reach + level->height);
+    return cm_size_product(level->pixel_size * 2 * reach, level->width + 2 * reach + level->height);
 }
 
 unsigned char *cm_level_skirt_pixel(const cm_level *level, unsigned plane, int32_t column,
@@ -209,7 +210,7 @@ cm_status cm_level_of_pictures(const cm_surface *surface, const cm_image *pictur
     for (unsigned plane = 0; plane < level->planes; plane++)
     {
         lay_plane(level, surface, pictures, plane);
-        level->plane[plane].skirt = malloc(skirt_size(level) + CM_WINDOW_SLACK);
+        level->plane[plane].skirt = malloc(cm_size_sum(skirt_size(level), CM_WINDOW_SLACK));
         if (level->plane[plane].skirt == NULL)
         {
             cm_level_free(level);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "level_rim.h"
 
 #include <cubemap/threads.h>
@@ -329,8 +330,8 @@ static cm_status allocate_values(const cm_level *level, cm_gaps *gaps, size_t ro
         gaps->first[at + 1] += gaps->first[at];
     }
     /* one more, as an empty list needs memory, too, and a column is written before it counts */
-    gaps->column = malloc((gaps->first[rows] + 1) * sizeof *gaps->column);
-    gaps->pixels = malloc((gaps->first[rows] + 1) * level->pixel_size);
+    gaps->column = cm_array_of(gaps->first[rows] + 1, sizeof *gaps->column);
+    gaps->pixels = cm_array_of(gaps->first[rows] + 1, level->pixel_size);
     return gaps->column == NULL || gaps->pixels == NULL ? CM_ERROR_MEMORY : CM_OK;
 }
 
@@ -344,7 +345,7 @@ cm_status cm_gaps_create(const cm_level *level, const cm_surface *surface, unsig
         return CM_ERROR_MEMORY;
     }
     made->words = (level->width + 63) / 64;
-    made->on_map = malloc(rows * made->words * sizeof *made->on_map);
+    made->on_map = cm_array_of(rows, cm_size_product(made->words, sizeof *made->on_map));
     made->first = calloc(rows + 1, sizeof *made->first);
     gap_job job = {level, surface, made};
     cm_status status = made->on_map == NULL || made->first == NULL ? CM_ERROR_MEMORY : CM_OK;

@@ -5,6 +5,7 @@
 #include <cubemap/mips.h>
 #include <cubemap/threads.h>
 
+#include "modules/memory/checked_size.h"
 #include "pyramid.h"
 #include "source.h"
 
@@ -84,7 +85,7 @@ static void store_rows(size_t begin, size_t end, void *user)
     const cm_padded *padded = job->padded;
     const uint32_t wide = padded->width + 2 * (uint32_t)job->border;
     const uint32_t high = padded->height + 2 * (uint32_t)job->border;
-    float *desk = malloc(RUN * padded->channels * sizeof(float));
+    float *desk = cm_array_of(RUN * padded->channels, sizeof(float));
     if (desk == NULL)
     {
         atomic_store(&job->failed, CM_ERROR_MEMORY);

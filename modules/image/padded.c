@@ -2,6 +2,7 @@
  *
  * Planes of floats with memory of their own, from pictures.
  */
+#include "modules/memory/checked_size.h"
 #include "padded.h"
 #include "filter_set.h"
 #include "large_memory.h"
@@ -64,13 +65,13 @@ static void clear_frame(const cm_padded *padded, unsigned threads)
 
 static size_t rounded(size_t floats)
 {
-    return (floats + 15) / 16 * 16;
+    return cm_size_sum(floats, 15) / 16 * 16;
 }
 
 static size_t bytes_of(const cm_padded *padded)
 {
     const size_t number = padded->is_whole ? sizeof(int16_t) : sizeof(float);
-    return padded->plane_floats * padded->planes * number;
+    return cm_size_product(padded->plane_floats, padded->planes * number);
 }
 
 void cm_padded_shape(const cm_surface *surface, uint32_t width, uint32_t height, uint32_t channels,
@@ -86,11 +87,12 @@ void cm_padded_shape(const cm_surface *surface, uint32_t width, uint32_t height,
     shape->beyond = cm_border_of(surface, width < height ? width : height, beyond);
     const size_t wide = width + 2 * (size_t)shape->beside;
     const size_t high = height + 2 * (size_t)shape->beyond;
-    const size_t line = rounded(order == CM_PADDED_PIXELS ? wide * channels + slack : wide + slack);
+    const size_t row = order == CM_PADDED_PIXELS ? cm_size_product(wide, channels) : wide;
+    const size_t line = rounded(cm_size_sum(row, slack));
     shape->pixel = order == CM_PADDED_PIXELS ? (ptrdiff_t)channels : 1;
     shape->channel = order == CM_PADDED_PIXELS ? 1 : (ptrdiff_t)line;
-    shape->row = (ptrdiff_t)(order == CM_PADDED_PIXELS ? line : line * channels);
-    shape->plane_floats = (size_t)shape->row * high;
+    shape->row = (ptrdiff_t)(order == CM_PADDED_PIXELS ? line : cm_size_product(line, channels));
+    shape->plane_floats = cm_size_product((size_t)shape->row, high);
 }
 
 cm_status cm_padded_allocate(int is_whole, const cm_memory *memory, unsigned threads,
@@ -194,7 +196,8 @@ static void load_rows(size_t begin, size_t end, void *user)
 {
     load_job *job = user;
     int has_more = 0;
-    float *run = malloc(RUN * job->padded->channels * sizeof(float) + CM_WINDOW_SLACK);
+    const size_t floats = cm_size_product(RUN, job->padded->channels);
+    float *run = cm_array_of(cm_size_sum(floats, CM_WINDOW_SLACK / sizeof *run), sizeof *run);
     if (run == NULL)
     {
         atomic_store(&job->failed, CM_ERROR_MEMORY);

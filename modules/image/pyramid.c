@@ -449,7 +449,8 @@ static void do_rows(size_t begin, size_t end, void *user)
     const size_t bytes = length * job->pixel * number_size(job);
     const size_t kept = job->above == NULL ? KEPT * bytes : 0;
     const size_t parts = (length * job->pixel + CM_HALF_DESK) * sizeof(float);
-    char *memory = malloc(kept + 4 * bytes + parts);
+    const size_t all = kept + 4 * bytes + parts;
+    char *memory = malloc(all);
     if (memory == NULL)
     {
         atomic_store(&job->failed, CM_ERROR_MEMORY);

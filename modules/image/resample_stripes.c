@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "resample_stripes.h"
 #include "past_caches.h"
 #include "spline_stripes.h"
@@ -153,7 +154,7 @@ static int add_part(part_list *list, uint32_t block, uint8_t plane, int32_t firs
     if (list->count == list->room)
     {
         const size_t room = list->room == 0 ? 1024 : 2 * list->room;
-        block_part *parts = realloc(list->parts, room * sizeof *parts);
+        block_part *parts = cm_array_resized(list->parts, room, sizeof *parts);
         if (parts == NULL)
         {
             return 0;
@@ -249,7 +250,7 @@ static cm_status sort_parts(stripe_job *job)
     {
         count += list->count;
     }
-    job->order = malloc((count > 0 ? count : 1) * sizeof *job->order);
+    job->order = cm_array_of(count > 0 ? count : 1, sizeof *job->order);
     if (job->begin == NULL || job->order == NULL)
     {
         return CM_ERROR_MEMORY;

@@ -2,6 +2,7 @@
  *
  * Values at directions.
  */
+#include "modules/memory/checked_size.h"
 #include "source.h"
 
 #include <math.h>
@@ -119,7 +120,7 @@ cm_status cm_sample(const cm_surface *surface, const cm_image *pictures, cm_filt
         if (desk != NULL)
         {
             desk->source = source;
-            desk->pixels = malloc(CM_BLOCK_PIXELS * source->level.pixel_size + CM_WINDOW_SLACK);
+            desk->pixels = cm_array_of(source->level.pixel_size, CM_BLOCK_PIXELS + CM_WINDOW_SLACK);
             status =
                 desk->pixels == NULL ? CM_ERROR_MEMORY : sample_all(surface, desk, n, x, y, z, out);
             free(desk->pixels);

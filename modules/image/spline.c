@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "spline.h"
 #include "filter_set.h"
 #include "large_memory.h"
@@ -28,7 +29,7 @@ static void do_rows(size_t begin, size_t end, void *user)
 {
     spline_job *job = user;
     const cm_padded *padded = job->padded;
-    float *desk = malloc(CM_BUNDLE_ROWS * job->floats * sizeof(float));
+    float *desk = cm_array_of(job->floats, CM_BUNDLE_ROWS * sizeof(float));
     if (desk == NULL)
     {
         atomic_store(&job->failed, CM_ERROR_MEMORY);
@@ -111,7 +112,7 @@ static void do_plane(const spline_job *all, size_t plane, cm_spline_way way, uns
 static cm_status do_planes(const spline_job *all, unsigned threads)
 {
     const size_t bundles = (all->floats + CM_BUNDLE_COLUMNS - 1) / CM_BUNDLE_COLUMNS;
-    float *state = malloc(bundles * 2 * CM_BUNDLE_COLUMNS * sizeof(float));
+    float *state = cm_array_of(bundles, 2 * CM_BUNDLE_COLUMNS * sizeof(float));
     for (size_t plane = 0; state != NULL && plane < all->padded->planes; plane++)
     {
         do_plane(all, plane, CM_SPLINE_FORTH, threads, state);

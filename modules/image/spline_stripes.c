@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "spline_stripes.h"
 #include "filter_set.h"
 #include "past_caches.h"
@@ -88,7 +89,7 @@ static size_t frame_floats(const cm_spline_stripes *stripes)
 static size_t window_floats(const cm_spline_stripes *stripes)
 {
     const size_t rows = stripes->rows + 2 * (size_t)stripes->shape.beyond + (size_t)stripes->below;
-    return rows * (size_t)stripes->shape.row;
+    return cm_size_product(rows, (size_t)stripes->shape.row);
 }
 
 static size_t state_floats(const cm_spline_stripes *stripes)
@@ -98,8 +99,8 @@ static size_t state_floats(const cm_spline_stripes *stripes)
 
 static size_t all_floats(const cm_spline_stripes *stripes)
 {
-    return frame_floats(stripes) + window_floats(stripes) +
-           state_floats(stripes) * (stripes->count + 1);
+    const size_t states = cm_size_product(state_floats(stripes), stripes->count + (size_t)1);
+    return cm_size_sum(cm_size_sum(frame_floats(stripes), window_floats(stripes)), states);
 }
 
 /* The highest stripes that memory has room for; rows of a bundle are filtered together. */
@@ -112,7 +113,7 @@ static void choose_rows(cm_spline_stripes *stripes, size_t bytes)
     {
         stripes->rows = rows;
         stripes->count = (height + rows - 1) / rows;
-        if (rows <= least || all_floats(stripes) * sizeof(float) <= bytes)
+        if (rows <= least || all_floats(stripes) <= bytes / sizeof(float))
         {
             return;
         }
@@ -224,14 +225,14 @@ static void lay_frame(cm_spline_stripes *stripes)
 
 static float *allocate(size_t floats)
 {
-    return malloc((floats > 0 ? floats : 1) * sizeof(float));
+    return cm_array_of(floats > 0 ? floats : 1, sizeof(float));
 }
 
 static cm_status make_room(cm_spline_stripes *stripes)
 {
     stripes->frame = allocate(frame_floats(stripes));
-    stripes->window_memory = allocate(window_floats(stripes) + CM_LINE / sizeof(float));
-    stripes->forth = allocate(state_floats(stripes) * stripes->count);
+    stripes->window_memory = allocate(cm_size_sum(window_floats(stripes), CM_LINE / sizeof(float)));
+    stripes->forth = allocate(cm_size_product(state_floats(stripes), stripes->count));
     stripes->back = allocate(state_floats(stripes));
     if (stripes->frame == NULL || stripes->window_memory == NULL || stripes->forth == NULL ||
         stripes->back == NULL)

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "survey.h"
 
 #include <math.h>
@@ -32,7 +33,7 @@ static cm_status visit_blocks(const cm_plan *plan, uint32_t blocks, cm_geometry 
 cm_status cm_survey(const cm_plan *plan, uint32_t blocks, cm_survey_visitor *visit, void *user)
 {
     cm_geometry *geometry = cm_geometry_create(plan, 1);
-    cm_group *groups = malloc(CM_GROUPS_MAX * sizeof *groups);
+    cm_group *groups = cm_array_of(CM_GROUPS_MAX, sizeof *groups);
     const cm_status status = geometry == NULL || groups == NULL
                                  ? CM_ERROR_MEMORY
                                  : visit_blocks(plan, blocks, geometry, groups, visit, user);

@@ -2,6 +2,7 @@
  *
  * Blocks with few values in few bits a cell, and with colors of occupied cells alone.
  */
+#include "modules/memory/checked_size.h"
 #include "voxel_region.h"
 
 #include <stdlib.h>
@@ -84,7 +85,7 @@ static int packed_colors(const uint8_t *alpha, const uint32_t *color, size_t cel
     {
         return 1;
     }
-    *to = malloc((*is_one ? 1 : occupied) * sizeof **to);
+    *to = cm_array_of(*is_one ? 1 : occupied, sizeof **to);
     if (*to == NULL)
     {
         return 0;

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "modules/memory/checked_size.h"
 #include "block_access.h"
 #include "hull_mask.h"
 #include "octree_object.h"
@@ -147,7 +148,7 @@ static cm_status settle(hull *h)
 
 static cm_status divide(hull *h)
 {
-    hull_cube *eighths = malloc((8 * h->cube_count + 1) * sizeof *eighths);
+    hull_cube *eighths = cm_array_of(h->cube_count + 1, 8 * sizeof *eighths);
     if (eighths == NULL)
     {
         return CM_ERROR_MEMORY;
@@ -175,7 +176,7 @@ static cm_status begin_cubes(hull *h)
     h->level = h->level < 3 ? 3 : h->level;
     h->cube_count = 8;
     h->cube = calloc(h->cube_count, sizeof *h->cube);
-    h->alive = malloc(BATCH * sizeof *h->alive);
+    h->alive = cm_array_of(BATCH, sizeof *h->alive);
     for (unsigned i = 0; h->cube != NULL && i < 8; i++)
     {
         for (unsigned axis = 0; axis < 3; axis++)

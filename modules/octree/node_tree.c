@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "node_tree.h"
 
 #include <stdlib.h>
@@ -44,7 +45,8 @@ static uint32_t take_eight(cm_octree *octree)
     if (octree->node_count + 8 > octree->node_room)
     {
         const size_t room = 2 * octree->node_room;
-        cm_node *more = room > UINT32_MAX ? NULL : realloc(octree->node, room * sizeof *more);
+        cm_node *more =
+            room > UINT32_MAX ? NULL : cm_array_resized(octree->node, room, sizeof *more);
         if (more == NULL)
         {
             return 0;
@@ -72,13 +74,13 @@ static uint32_t take_region_index(cm_octree *octree)
     if (octree->region_count == octree->region_room)
     {
         const size_t room = octree->region_room == 0 ? 64 : 2 * octree->region_room;
-        cm_region **more = realloc(octree->region, room * sizeof *more);
+        cm_region **more = cm_array_resized(octree->region, room, sizeof *more);
         if (more == NULL)
         {
             return UINT32_MAX;
         }
         octree->region = more;
-        uint32_t *free_more = realloc(octree->free_region, room * sizeof *free_more);
+        uint32_t *free_more = cm_array_resized(octree->free_region, room, sizeof *free_more);
         if (free_more == NULL)
         {
             return UINT32_MAX;

@@ -4,6 +4,7 @@
  * has colors, 2 if all are one (u8), alpha or misses (u8), the step of its last change (u32), and the bytes of the block itself: palette and bits,
  * or bytes, and a word of color for each occupied cell, or of all.
  */
+#include "modules/memory/checked_size.h"
 #include "page.h"
 
 #include <stdlib.h>
@@ -188,7 +189,7 @@ static cm_status read_colors(page_reader *reader, cm_region *region, unsigned bl
     {
         region->color = calloc(CM_REGION_BLOCKS, sizeof *region->color);
     }
-    uint32_t *color = region->color == NULL ? NULL : malloc(colors * sizeof *color);
+    uint32_t *color = region->color == NULL ? NULL : cm_array_of(colors, sizeof *color);
     if (color == NULL)
     {
         return CM_ERROR_MEMORY;

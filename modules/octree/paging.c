@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "paging.h"
 
 #include <stdlib.h>
@@ -90,7 +91,7 @@ cm_status cm_pages_trim(cm_octree *octree)
     {
         return CM_OK;
     }
-    cm_region **list = malloc((octree->region_count + 1) * sizeof *list);
+    cm_region **list = cm_array_of(octree->region_count + 1, sizeof *list);
     if (list == NULL)
     {
         return CM_ERROR_MEMORY;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "pixel_tree.h"
 
 #include <math.h>
@@ -204,7 +205,7 @@ static cm_status take_memory(cm_pixel_tree *tree)
     }
     const size_t apart = (size_t)tree->width * tree->height + 2 * CM_PIXEL_SLACK;
     tree->memory = calloc(cells, sizeof *tree->memory);
-    tree->rays = calloc(3 * apart, sizeof *tree->rays);
+    tree->rays = calloc(apart, 3 * sizeof *tree->rays);
     if (tree->memory == NULL || tree->rays == NULL)
     {
         return CM_ERROR_MEMORY;
@@ -225,7 +226,7 @@ static cm_status take_memory(cm_pixel_tree *tree)
 static cm_status take_rays(const cm_camera *camera, cm_pixel_tree *tree)
 {
     const double centre = cm_camera_describe(camera)->pixel_centre;
-    double *row_of = malloc(5 * (size_t)tree->width * sizeof *row_of);
+    double *row_of = cm_array_of(tree->width, 5 * sizeof *row_of);
     if (row_of == NULL)
     {
         return CM_ERROR_MEMORY;

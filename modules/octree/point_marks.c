@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "point_marks.h"
 
 #include <stdlib.h>
@@ -26,7 +27,7 @@ static int has_room(void **list, size_t count, size_t *room, size_t size, size_t
         return 1;
     }
     const size_t wanted = *room == 0 ? first : 2 * *room;
-    void *more = wanted > INT32_MAX ? NULL : realloc(*list, wanted * size);
+    void *more = wanted > INT32_MAX ? NULL : cm_array_resized(*list, wanted, size);
     if (more == NULL)
     {
         return 0;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "ray_ends.h"
 
 #include <math.h>
@@ -238,7 +239,7 @@ static int has_room(cm_view_desk *desk)
     if (wanted > desk->end_room)
     {
         free(desk->end);
-        desk->end = malloc(wanted * sizeof *desk->end);
+        desk->end = cm_array_of(wanted, sizeof *desk->end);
         desk->end_room = desk->end == NULL ? 0 : wanted;
     }
     return wanted <= desk->end_room;

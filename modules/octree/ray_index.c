@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "ray_index.h"
 
 #include <limits.h>
@@ -45,7 +46,7 @@ static int add(finding *f, const uint32_t place[3], const cm_region *region, uns
     {
         const size_t room = f->room == 0 ? 1024 : 2 * f->room;
         found_block *more =
-            f->count >= f->most_found ? NULL : realloc(f->found, room * sizeof *f->found);
+            f->count >= f->most_found ? NULL : cm_array_resized(f->found, room, sizeof *f->found);
         if (more == NULL)
         {
             return 1;
@@ -300,7 +301,7 @@ static int build(const finding *f, cm_ray_index *index)
     }
     index->away = malloc(blocks);
     index->has = calloc(words, sizeof *index->has);
-    index->before = malloc(words * sizeof *index->before);
+    index->before = cm_array_of(words, sizeof *index->before);
     index->block = calloc(f->count + 1, sizeof *index->block);
     if (index->away == NULL || index->has == NULL || index->before == NULL || index->block == NULL)
     {
@@ -309,7 +310,7 @@ static int build(const finding *f, cm_ray_index *index)
     number_blocks(f, index, words);
     const size_t values = mask_blocks(f, index);
     index->alpha = malloc(values + 1);
-    index->color = malloc((values + 1) * sizeof *index->color);
+    index->color = cm_array_of(values + 1, sizeof *index->color);
     if (values > UINT32_MAX || index->alpha == NULL || index->color == NULL)
     {
         return 0;

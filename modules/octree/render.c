@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "modules/memory/checked_size.h"
 #include "light.h"
 #include "picture.h"
 #include "snapshot.h"
@@ -278,7 +279,7 @@ static double measure_widths(rendering *r)
     }
     r->width_stride = (r->lens->width + SQUARE - 1) / SQUARE;
     const size_t count = r->width_stride * ((r->lens->height + SQUARE - 1) / SQUARE);
-    r->width = malloc(count * sizeof *r->width);
+    r->width = cm_array_of(count, sizeof *r->width);
     if (r->width == NULL)
     {
         return 0.0;
@@ -377,7 +378,7 @@ static cm_status draw(const cm_octree *octree, rendering *r)
     {
         return CM_ERROR_ARGUMENT;
     }
-    float *mesh = raster != NULL ? malloc(pixels * sizeof *mesh) : NULL;
+    float *mesh = raster != NULL ? cm_array_of(pixels, sizeof *mesh) : NULL;
     r->start = malloc(sizeof *r->start);
     cm_status status =
         r->start == NULL || (raster != NULL && mesh == NULL) ? CM_ERROR_MEMORY : CM_OK;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "update_round.h"
 
 #include <math.h>
@@ -145,7 +146,7 @@ cm_status cm_round_ends_find(const cm_update *update, const cm_round_desk *round
     if (pixels > desk->end_room)
     {
         free(desk->end);
-        desk->end = malloc(pixels * sizeof *desk->end);
+        desk->end = cm_array_of(pixels, sizeof *desk->end);
         desk->end_room = desk->end == NULL ? 0 : pixels;
     }
     if (desk->end == NULL)

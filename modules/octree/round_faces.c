@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "round_faces.h"
 
 #include <math.h>
@@ -347,7 +348,7 @@ static cm_status take_runs(cm_round_face *face, const pixel_reaches *reaches)
 {
     const cm_window_level *level = &face->desk.table.level[1];
     const size_t cells = (size_t)level->width * level->height;
-    face->start = malloc((cells + 1) * sizeof *face->start);
+    face->start = cm_array_of(cells + 1, sizeof *face->start);
     face->is_border = calloc(cells, 1);
     run_writer writer = {face, calloc(cells, sizeof *writer.count),
                          calloc(cells, sizeof *writer.end)};
@@ -364,7 +365,7 @@ static cm_status take_runs(cm_round_face *face, const pixel_reaches *reaches)
         }
         face->start[cells] = (uint32_t)runs;
         has_memory = runs < UINT32_MAX;
-        face->run = has_memory ? malloc((runs + 1) * sizeof *face->run) : NULL;
+        face->run = has_memory ? cm_array_of(runs + 1, sizeof *face->run) : NULL;
         has_memory = face->run != NULL;
     }
     if (has_memory)
@@ -408,8 +409,8 @@ static cm_status make_face(const pixel_reaches *reaches, double mean_pixel, int 
 cm_status cm_round_faces_make(const cm_pixel_tree *tree, double mean_pixel, cm_round_faces *faces)
 {
     const size_t pixels = (size_t)tree->width * tree->height;
-    pixel_reaches reaches = {tree, malloc(pixels * sizeof *reaches.sine),
-                             malloc(pixels * sizeof *reaches.span)};
+    pixel_reaches reaches = {tree, cm_array_of(pixels, sizeof *reaches.sine),
+                             cm_array_of(pixels, sizeof *reaches.span)};
     memset(faces, 0, sizeof *faces);
     cm_status status = reaches.sine == NULL || reaches.span == NULL ? CM_ERROR_MEMORY : CM_OK;
     if (status == CM_OK)

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "snapshot.h"
 
 #include <math.h>
@@ -29,7 +30,7 @@ static int make_room(void **list, size_t *room, size_t count, size_t more, size_
         return 1;
     }
     const size_t wanted = 2 * (count + more) + 256;
-    void *longer = realloc(*list, wanted * size);
+    void *longer = cm_array_resized(*list, wanted, size);
     if (longer == NULL)
     {
         return 0;
@@ -384,7 +385,7 @@ static int build_stage(cm_snapshot *snapshot, int stage, const int32_t *corner)
     snapshot->node[stage] = calloc(count + copy_count + 1, sizeof *snapshot->node[stage]);
     snapshot->node_count[stage] = 0;
     const size_t tables = snapshot->table_count + count + 1;
-    uint32_t *children = realloc(snapshot->children, 512 * tables * sizeof *children);
+    uint32_t *children = cm_array_resized(snapshot->children, tables, 512 * sizeof *children);
     snapshot->children = children == NULL ? snapshot->children : children;
     const int has_room = snapshot->node[stage] != NULL && children != NULL;
     if (has_room)
@@ -417,7 +418,7 @@ static void fill_stage(cm_snapshot *snapshot, int stage)
 
 static cm_status fill_all(cm_snapshot *snapshot, cm_pool *pool)
 {
-    snapshot->cell = malloc((snapshot->cell_count + 1) * sizeof *snapshot->cell);
+    snapshot->cell = cm_array_of(snapshot->cell_count + 1, sizeof *snapshot->cell);
     if (snapshot->cell == NULL)
     {
         return CM_ERROR_MEMORY;

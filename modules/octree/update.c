@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "modules/memory/checked_size.h"
 #include "color_word.h"
 #include "interleave.h"
 #include "paging.h"
@@ -138,7 +139,7 @@ static int has_room(uint32_t **list, size_t count, size_t *room)
     if (count == *room)
     {
         const size_t wanted = *room == 0 ? 256 : 2 * *room;
-        uint32_t *more = realloc(*list, wanted * sizeof *more);
+        uint32_t *more = cm_array_resized(*list, wanted, sizeof *more);
         if (more == NULL)
         {
             return 0;

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "modules/memory/checked_size.h"
 #include "interleave.h"
 #include "paging.h"
 #include "point_marks.h"
@@ -202,7 +203,7 @@ static int in_order(const void *a, const void *b)
 static ordered_region *order_regions(const cm_octree *octree, const cm_point_marks *marks,
                                      size_t *count)
 {
-    ordered_region *list = malloc(marks->region_count * sizeof *list);
+    ordered_region *list = cm_array_of(marks->region_count, sizeof *list);
     *count = 0;
     for (size_t i = 0; list != NULL && i < marks->region_count; i++)
     {

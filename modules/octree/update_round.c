@@ -4,6 +4,7 @@
  * sides of a cube around the camera. What a pixel says of a voxel is as for straight cameras, but that pixels beside its own are asked only for the least of
  * their fronts.
  */
+#include "modules/memory/checked_size.h"
 #include "update_round.h"
 
 #include <math.h>
@@ -83,9 +84,10 @@ static cm_status take_round_images(cm_round_desk *round, size_t pixels)
                               &round->ray[0],   &round->ray[1],   &round->ray[2]};
     const size_t all = sizeof images / sizeof *images, own = round->is_range ? all - 3 : all;
     const size_t apart = pixels + 2 * CM_PIXEL_SLACK;
-    const size_t floats = own * apart + round->tree.width + CM_PIXEL_SLACK;
-    round->memory = malloc(floats * sizeof *round->memory);
-    round->rule = malloc(pixels * sizeof *round->rule);
+    const size_t floats =
+        cm_size_sum(cm_size_product(own, apart), (size_t)round->tree.width + CM_PIXEL_SLACK);
+    round->memory = cm_array_of(floats, sizeof *round->memory);
+    round->rule = cm_array_of(pixels, sizeof *round->rule);
     if (round->memory == NULL || round->rule == NULL)
     {
         return CM_ERROR_MEMORY;

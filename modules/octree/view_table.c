@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "view_table.h"
 
 #include <math.h>
@@ -70,9 +71,11 @@ static int take_images(cm_view_desk *desk)
     const size_t dense = (size_t)desk->width * desk->height, packed = dense / 16 * 16 + 32;
     float **const images[] = {&desk->least[0], &desk->least[1], &desk->most[0], &desk->most[1]};
     const size_t count = sizeof images / sizeof *images;
-    desk->memory = cm_huge_allocate(pixels * (sizeof *desk->rule + sizeof *desk->word) +
-                                    (packed + count * cells) * sizeof *desk->packed);
-    desk->gap = cm_huge_allocate(pixels * sizeof *desk->gap);
+    const size_t marks = cm_size_product(pixels, sizeof *desk->rule + sizeof *desk->word);
+    const size_t floats = cm_size_sum(packed, cm_size_product(count, cells));
+    desk->memory =
+        cm_huge_allocate(cm_size_sum(marks, cm_size_product(floats, sizeof *desk->packed)));
+    desk->gap = cm_huge_allocate(cm_size_product(pixels, sizeof *desk->gap));
     desk->may_end = malloc(pixels / CM_BREAK_RUN);
     if (desk->memory == NULL || desk->gap == NULL || desk->may_end == NULL)
     {
@@ -100,7 +103,7 @@ static int take_band(const cm_view_desk *desk, cm_view_band *band)
     const size_t count = sizeof rings / sizeof *rings,
                  bounds = sizeof band->bound / sizeof *band->bound;
     const size_t floats = count * ring + (bounds + 1) * desk->stride;
-    band->memory = cm_huge_allocate(floats * sizeof *band->memory);
+    band->memory = cm_huge_allocate(cm_size_product(floats, sizeof *band->memory));
     band->kind = calloc(CM_BAND_ROWS, desk->stride);
     band->is_taken = calloc(CM_BAND_ROWS, desk->stride / CM_BREAK_RUN);
     if (band->memory == NULL || band->kind == NULL || band->is_taken == NULL)
@@ -134,7 +137,7 @@ static int take_bands(cm_view_desk *desk, size_t bands)
 {
     if (bands > desk->bands)
     {
-        cm_view_band *more = realloc(desk->band, bands * sizeof *more);
+        cm_view_band *more = cm_array_resized(desk->band, bands, sizeof *more);
         if (more == NULL)
         {
             return 0;
@@ -242,7 +245,7 @@ static cm_status too_near_for(cm_view_desk *desk, const cm_octree_options *optio
     const int is_told = options->no_return_is_free && options->near > 0.0;
     if (is_told && desk->too_near == NULL)
     {
-        desk->too_near = malloc((size_t)desk->width * desk->height);
+        desk->too_near = cm_array_of(desk->width, desk->height);
         return desk->too_near == NULL ? CM_ERROR_MEMORY : CM_OK;
     }
     return CM_OK;

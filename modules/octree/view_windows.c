@@ -2,6 +2,7 @@
  *
  * Bounds of what the pixels of a view say, in windows of all levels.
  */
+#include "modules/memory/checked_size.h"
 #include "view_table.h"
 
 #include <math.h>
@@ -30,7 +31,7 @@ int cm_view_windows_take(cm_view_desk *desk)
             level_cells(desk->width, levels) * level_cells(desk->height, levels) + CM_OCTREE_SLACK;
         levels++;
     } while (has_more_levels(desk, levels - 1));
-    desk->windows = cm_huge_allocate(windows * sizeof *desk->windows);
+    desk->windows = cm_huge_allocate(cm_size_product(windows, sizeof *desk->windows));
     cm_cube_bounds *next = desk->windows;
     desk->table.levels = levels;
     desk->table.window = desk->windows;
@@ -53,7 +54,8 @@ int cm_view_cells_take(cm_view_desk *desk)
     desk->stride = cm_view_stride(desk->width);
     float **const images[] = {&desk->least[0], &desk->least[1], &desk->most[0], &desk->most[1]};
     const size_t count = sizeof images / sizeof *images, cells = cm_view_cells(desk);
-    float *const memory = cm_huge_allocate(count * cells * sizeof *memory);
+    const size_t numbers = cm_size_product(count, cells);
+    float *const memory = cm_huge_allocate(cm_size_product(numbers, sizeof *memory));
     desk->memory = memory;
     for (size_t i = 0; memory != NULL && i < count; i++)
     {

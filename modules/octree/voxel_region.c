@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "voxel_region.h"
 
 #include <stdlib.h>
@@ -271,7 +272,7 @@ uint8_t *cm_block_open(cm_region *region, unsigned block, const cm_count_rule *r
     const size_t cells = cm_cell_count(wanted);
     uint8_t *alpha =
         malloc(cells < CM_BLOCK_CELLS ? CM_BLOCK_CELLS : alpha_bytes(CM_BLOCK_PLAIN, wanted));
-    uint32_t *color = has_colors ? malloc(CM_BLOCK_CELLS * sizeof *color) : NULL;
+    uint32_t *color = has_colors ? cm_array_of(CM_BLOCK_CELLS, sizeof *color) : NULL;
     if (alpha == NULL || (has_colors && color == NULL))
     {
         free(alpha);

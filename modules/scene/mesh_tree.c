@@ -6,6 +6,7 @@
  * no ray passes between them. Where it is 0 both are met, and no more digits are asked for. The boxes' distances are
  * widened as in Ize, "Robust BVH ray traversal", JCGT 2:2 (2013).
  */
+#include "modules/memory/checked_size.h"
 #include "mesh_tree.h"
 
 #include <float.h>
@@ -251,8 +252,8 @@ cm_status mesh_tree_make(const cm_mesh_options *mesh, mesh_tree *tree)
     mesh_tree made = {NULL, NULL};
     if (count > 0)
     {
-        made.node = malloc(2 * count * sizeof *made.node);
-        made.triangle = malloc(count * sizeof *made.triangle);
+        made.node = cm_array_of(count, 2 * sizeof *made.node);
+        made.triangle = cm_array_of(count, sizeof *made.triangle);
         if (made.node == NULL || made.triangle == NULL)
         {
             free(made.node);

@@ -2,6 +2,7 @@
  *
  * The life of a canvas, and what is read from it.
  */
+#include "modules/memory/checked_size.h"
 #include "raster_object.h"
 
 #include <float.h>
@@ -69,7 +70,7 @@ static void settle_rays(cm_raster *raster, double *rays, size_t count)
 /* Of pairs of rows. */
 static size_t keys_of(const cm_raster *raster)
 {
-    return (raster->height + 1 + CM_RASTER_SLACK) / 2 * raster->stride;
+    return cm_size_product((raster->height + 1 + CM_RASTER_SLACK) / 2, raster->stride);
 }
 
 static void round_rays(cm_raster *raster)
@@ -95,7 +96,8 @@ static cm_status take_memory(cm_raster *raster)
     raster->z = raster->is_plain ? NULL : calloc(pixels, sizeof *raster->z);
     raster->column_x =
         raster->is_plain ? calloc(columns + rows + 2 * CM_RASTER_SLACK, sizeof(float)) : NULL;
-    raster->key_memory = malloc(keys_of(raster) * sizeof *raster->key + line);
+    raster->key_memory =
+        cm_array_of(cm_size_sum(keys_of(raster), line / sizeof *raster->key), sizeof *raster->key);
     if (raster->x == NULL || raster->y == NULL || raster->key_memory == NULL ||
         (raster->is_plain ? raster->column_x == NULL : raster->z == NULL))
     {

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "ray_table.h"
 
 #include <math.h>
@@ -28,7 +29,7 @@ size_t cm_row_stride(size_t width)
 int cm_row_desk_make(size_t count, cm_row_desk *desk)
 {
     const size_t line = CM_DEPTH_SLACK * sizeof *desk->rows;
-    desk->memory = malloc(count * sizeof *desk->rows + line);
+    desk->memory = cm_array_of(cm_size_sum(count, CM_DEPTH_SLACK), sizeof *desk->rows);
     if (desk->memory == NULL)
     {
         return 0;
@@ -87,7 +88,7 @@ static void fill_sides(const cm_camera *camera, const cm_rays *rays)
 static cm_status fill_all(const cm_camera *camera, const cm_rays *rays)
 {
     const size_t width = rays->width;
-    double *desk = malloc(3 * width * sizeof *desk);
+    double *desk = cm_array_of(width, 3 * sizeof *desk);
     if (desk == NULL)
     {
         return CM_ERROR_MEMORY;
@@ -127,9 +128,10 @@ static cm_status fill(const cm_camera *camera, cm_rays *rays)
     const size_t pixels = rays->width * rays->height;
     const size_t columns = (rays->is_separable ? rays->width : pixels) + CM_DEPTH_SLACK;
     const size_t rows = (rays->is_separable ? rays->height : pixels) + CM_DEPTH_SLACK;
-    const size_t all = columns + rows + (rays->is_separable ? 0 : columns) + CM_DEPTH_SLACK;
+    const size_t all = cm_size_sum(cm_size_sum(columns, rows),
+                                   (rays->is_separable ? 0 : columns) + CM_DEPTH_SLACK);
     rays->memory = calloc(all, sizeof *rays->memory);
-    rays->pixel_side = rays->is_all_round ? malloc(pixels * sizeof *rays->pixel_side) : NULL;
+    rays->pixel_side = rays->is_all_round ? cm_array_of(pixels, sizeof *rays->pixel_side) : NULL;
     if (rays->memory == NULL || (rays->is_all_round && rays->pixel_side == NULL))
     {
         return CM_ERROR_MEMORY;

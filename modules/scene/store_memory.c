@@ -5,6 +5,8 @@
  */
 #include <cubemap/store.h>
 
+#include "modules/memory/checked_size.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -152,8 +154,7 @@ static int has_room(memory_store *store)
         return 1;
     }
     const size_t room = store->change_room == 0 ? 16 : 2 * store->change_room;
-    change *more =
-        room > SIZE_MAX / sizeof *more ? NULL : realloc(store->changes, room * sizeof *more);
+    change *more = cm_array_resized(store->changes, room, sizeof *more);
     if (more == NULL)
     {
         return 0;

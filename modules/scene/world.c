@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "mesh_tree.h"
 #include "named_world.h"
 
@@ -112,7 +113,7 @@ static cm_status grow(cm_scene *scene)
         return CM_OK;
     }
     const size_t room = scene->room == 0 ? 16 : 2 * scene->room;
-    solid *moved = realloc(scene->solids, room * sizeof *moved);
+    solid *moved = cm_array_resized(scene->solids, room, sizeof *moved);
     if (moved == NULL)
     {
         return CM_ERROR_MEMORY;

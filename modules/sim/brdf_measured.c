@@ -2,6 +2,7 @@
  *
  * Measured isotropic BRDFs: Bulczak, Lambers and Kolb 2018, section 4.
  */
+#include "modules/memory/checked_size.h"
 #include "brdf_object.h"
 #include "brdf_neighbours.h"
 
@@ -209,9 +210,9 @@ static brdf_table *make_table(int steps)
     const size_t side = (size_t)steps + 1;
     t->steps = steps;
     t->step = 0.5 * PI / steps;
-    t->value = malloc(side * side * (2 * (size_t)steps + 1) * sizeof *t->value);
-    t->sum = malloc(side * (cells_of(t) + 1) * sizeof *t->sum);
-    t->whole = malloc(side * sizeof *t->whole);
+    t->value = cm_array_of(side * side * (2 * (size_t)steps + 1), sizeof *t->value);
+    t->sum = cm_array_of(side * (cells_of(t) + 1), sizeof *t->sum);
+    t->whole = cm_array_of(side, sizeof *t->whole);
     if (t->value == NULL || t->sum == NULL || t->whole == NULL)
     {
         brdf_table_destroy(t);

@@ -4,6 +4,7 @@
  * turned, and so the nearer of two distances counts: that with one, and that with the other pair of directions above each
  * other. Each measurement holds for light that goes the other way, too.
  */
+#include "modules/memory/checked_size.h"
 #include "brdf_neighbours.h"
 #include "brdf_object.h"
 
@@ -57,7 +58,7 @@ brdf_neighbours *brdf_neighbours_create(size_t n, const cm_brdf_sample *sample)
     {
         return NULL;
     }
-    made->all = malloc(2 * n * sizeof *made->all);
+    made->all = cm_array_of(n, 2 * sizeof *made->all);
     if (made->all == NULL)
     {
         free(made);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "modules/memory/checked_size.h"
 #include "compensate_warp.h"
 
 /* ---- schemes ---- */
@@ -301,12 +302,8 @@ enum
 /* Pieces of work begin at different channels, and each takes the desk of its first. */
 static float *make_desks(channel_desk *desk, size_t count, size_t pixels)
 {
-    const size_t each = pixels * (FLOATS_OF_A_DESK * sizeof(float) + sizeof(uint32_t) + 1);
-    if (each / pixels > SIZE_MAX / pixels / count)
-    {
-        return NULL;
-    }
-    float *memory = malloc(each * count);
+    const size_t each = FLOATS_OF_A_DESK * sizeof(float) + sizeof(uint32_t) + 1;
+    float *memory = cm_array_of(pixels, cm_size_product(each, count));
     if (memory == NULL)
     {
         return NULL;

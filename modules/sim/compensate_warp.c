@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "compensate_warp.h"
 
 #include <cubemap/compensate.h>
@@ -304,8 +305,8 @@ cm_status cm_flow_warp(uint32_t width, uint32_t height, const float *picture, co
     }
     const cm_picture_size size = {width, height};
     const size_t pixels = cm_pixels_of(size);
-    float *memory = malloc(6 * pixels * sizeof *memory);
-    uint32_t *front = malloc(pixels * sizeof *front);
+    float *memory = cm_array_of(pixels, 6 * sizeof *memory);
+    uint32_t *front = cm_array_of(pixels, sizeof *front);
     const int is_there = memory != NULL && front != NULL;
     if (is_there)
     {

@@ -4,6 +4,7 @@
  */
 #include <cubemap/depth_error.h>
 
+#include "modules/memory/checked_size.h"
 #include "depth_error_pair.h"
 #include "vector.h"
 
@@ -113,7 +114,7 @@ cm_status cm_depth_error_edges(uint32_t width, uint32_t height, const float *dep
         return CM_ERROR_RANGE;
     }
     const size_t cells = ((size_t)width + 1) * ((size_t)height + 1);
-    uint32_t *measured = malloc(2 * cells * sizeof *measured);
+    uint32_t *measured = cm_array_of(cells, 2 * sizeof *measured);
     if (measured == NULL)
     {
         return CM_ERROR_MEMORY;

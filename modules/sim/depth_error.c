@@ -4,6 +4,7 @@
  */
 #include <cubemap/depth_error.h>
 
+#include "modules/memory/checked_size.h"
 #include "depth_error_pair.h"
 
 #include <stdlib.h>
@@ -47,7 +48,7 @@ static double quantile_of(const double *sorted, size_t count, double fraction)
 /* The errors of pixels that count; NULL without memory. */
 static double *collect(size_t n, const float *depth, const float *truth, size_t *count)
 {
-    double *error = malloc((n > 0 ? n : 1) * sizeof *error);
+    double *error = cm_array_of(n > 0 ? n : 1, sizeof *error);
     *count = 0;
     for (size_t i = 0; i < n && error != NULL; i++)
     {

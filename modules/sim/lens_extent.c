@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "lens_extent.h"
 
 #include <math.h>
@@ -93,7 +94,7 @@ cm_status cm_lens_find_extent(const cm_camera *camera, cm_lens_extent *extent)
     const double all = (double)INFINITY;
     const size_t n = (size_t)cm_camera_describe(camera)->width + 1;
     cm_lens_extent found = {{all, all}, {-all, -all}, {all, all}, {-all, -all}, all};
-    double *memory = malloc(7 * n * sizeof *memory);
+    double *memory = cm_array_of(n, 7 * sizeof *memory);
     if (memory == NULL)
     {
         return CM_ERROR_MEMORY;

@@ -4,6 +4,7 @@
  */
 #include <cubemap/lens.h>
 
+#include "modules/memory/checked_size.h"
 #include "lens_extent.h"
 
 #include <math.h>
@@ -118,7 +119,7 @@ cm_status cm_lens_map_create(const cm_camera *camera, const cm_camera *pinhole, 
     made->camera = camera;
     made->pinhole = pinhole;
     made->pixels = (size_t)options->width * options->height;
-    made->column = malloc(2 * made->pixels * sizeof *made->column);
+    made->column = cm_array_of(made->pixels, 2 * sizeof *made->column);
     if (made->column == NULL)
     {
         free(made);

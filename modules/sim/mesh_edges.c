@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "mesh_edges.h"
 #include "vector.h"
 
@@ -56,7 +57,7 @@ static cm_status merge_vertices(const cm_mesh_options *mesh, uint32_t *same)
     {
         room *= 2;
     }
-    uint32_t *const table = malloc(room * sizeof *table);
+    uint32_t *const table = cm_array_of(room, sizeof *table);
     if (table == NULL)
     {
         return CM_ERROR_MEMORY;
@@ -193,7 +194,7 @@ static cm_status collect(const cm_mesh_options *mesh, const sides *of, mesh_edge
         sort_sides(n, of->side + of->first[v]);
         made->count += put_edges((uint32_t)v, n, of->side + of->first[v], NULL);
     }
-    made->edge = malloc((made->count + 1) * sizeof *made->edge);
+    made->edge = cm_array_of(made->count + 1, sizeof *made->edge);
     if (made->edge == NULL)
     {
         return CM_ERROR_MEMORY;
@@ -212,8 +213,9 @@ cm_status mesh_edges_create(const cm_mesh *mesh, mesh_edges **made)
     const cm_mesh_options *options = cm_mesh_describe(mesh);
     const size_t vertices = options->vertex_count;
     mesh_edges *edges = calloc(1, sizeof *edges);
-    sides all = {malloc((vertices + 1) * sizeof *all.same), calloc(vertices + 1, sizeof *all.first),
-                 malloc((3 * options->triangle_count + 1) * sizeof *all.side)};
+    sides all = {cm_array_of(vertices + 1, sizeof *all.same),
+                 calloc(vertices + 1, sizeof *all.first),
+                 cm_array_of(options->triangle_count + 1, 3 * sizeof *all.side)};
     cm_status status = edges == NULL || all.same == NULL || all.first == NULL || all.side == NULL
                            ? CM_ERROR_MEMORY
                            : merge_vertices(options, all.same);

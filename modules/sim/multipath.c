@@ -3,6 +3,7 @@
  * Light once scattered: instant radiosity (Keller 1997) as Bulczak, Lambers and Kolb 2018 have it in section 3.3, but that
  * lights may cast shadows.
  */
+#include "modules/memory/checked_size.h"
 #include "multipath_object.h"
 #include "brdf_object.h"
 
@@ -57,7 +58,7 @@ static void make_fast(tof_virtual_lights *lights)
 static cm_status sort_lights(tof_virtual_lights *lights)
 {
     const tof_surface *surface = tof_instant_surfaces(lights->instant);
-    virtual_light *const sorted = malloc((lights->count + (size_t)1) * sizeof *sorted);
+    virtual_light *const sorted = cm_array_of(lights->count + (size_t)1, sizeof *sorted);
     if (sorted == NULL)
     {
         return CM_ERROR_MEMORY;
@@ -108,9 +109,10 @@ static cm_status make_lights(tof_virtual_lights *lights, const tof_lamp *lamp, s
         return status;
     }
     lights->set = gather_set_find(cm_mapping_instructions(lights->mapping));
-    lights->light = malloc(count * sizeof *lights->light);
-    lights->fast = malloc(count * sizeof *lights->fast);
-    lights->begun = malloc(count * (lights->waves.count + 1) * sizeof *lights->begun);
+    lights->light = cm_array_of(count, sizeof *lights->light);
+    lights->fast = cm_array_of(count, sizeof *lights->fast);
+    lights->begun =
+        cm_array_of(count, cm_size_product(lights->waves.count + 1, sizeof *lights->begun));
     if (lights->light == NULL || lights->fast == NULL || lights->begun == NULL)
     {
         return CM_ERROR_MEMORY;
@@ -323,7 +325,8 @@ cm_status tof_virtual_lights_add(const tof_virtual_lights *lights, const tof_poi
 {
     const tof_surface *surface = tof_instant_surfaces(lights->instant);
     block *const b = malloc(sizeof *b);
-    float *const waves = malloc((2 * lights->waves.count + 1) * BLOCK * sizeof *waves);
+    float *const waves =
+        cm_array_of(cm_size_sum(lights->waves.count, 1), 2 * BLOCK * sizeof *waves);
     if (b == NULL || waves == NULL)
     {
         free(b);

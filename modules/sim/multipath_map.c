@@ -4,6 +4,7 @@
  * cell has the lamp's intensity times its solid angle, whatever it falls onto. Cells are in the order of Hilbert's curve, along
  * which a systematic draw takes every so many watts: lights are spread evenly over the sphere.
  */
+#include "modules/memory/checked_size.h"
 #include "multipath_object.h"
 #include "brdf_object.h"
 #include "map_cells.h"
@@ -244,7 +245,7 @@ static cm_status draw(map *m, size_t cells, uint32_t count, virtual_light *light
     {
         return CM_OK;
     }
-    size_t *const cell = malloc(count * sizeof *cell);
+    size_t *const cell = cm_array_of(count, sizeof *cell);
     rays *const r = malloc(sizeof *r);
     if (cell == NULL || r == NULL)
     {
@@ -282,7 +283,7 @@ cm_status draw_virtual_lights(const tof_instant *instant, const cm_mapping *mapp
         return CM_ERROR_MEMORY;
     }
     const size_t cells = m.each * lamps;
-    m.scattered = malloc(cells * sizeof *m.scattered);
+    m.scattered = cm_array_of(cells, sizeof *m.scattered);
     if (m.scattered == NULL)
     {
         return CM_ERROR_MEMORY;

@@ -3,6 +3,7 @@
  * Shadow maps of virtual lights, small ones: a cell has not the distance of what is seen there, which changes within the cell,
  * but its plane.
  */
+#include "modules/memory/checked_size.h"
 #include "map_cells.h"
 #include "multipath_object.h"
 #include "surface_ray.h"
@@ -174,9 +175,9 @@ cm_status draw_shadows(tof_virtual_lights *lights, cm_pool *pool)
     const size_t faces = (size_t)map_faces(lights->shadow_mapping);
     const size_t edge = faces == 1 ? SQUARE_EDGE : CUBE_EDGE;
     const size_t cells = faces * edge * edge;
-    double *const number = malloc(5 * cells * sizeof *number);
+    double *const number = cm_array_of(5 * cells, sizeof *number);
     uint8_t *const face = malloc(cells);
-    lights->plane = malloc(lights->count * cells * sizeof *lights->plane);
+    lights->plane = cm_array_of(lights->count, cells * sizeof *lights->plane);
     if (number == NULL || face == NULL || lights->plane == NULL)
     {
         free(number);

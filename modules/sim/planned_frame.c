@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "planned_frame.h"
 #include "tof_object.h"
 
@@ -33,7 +34,7 @@ cm_status planned_frame_take(const planning *with, const cm_tof_sensor *sensor,
 {
     const cm_camera_options *camera = cm_camera_describe(sensor->camera);
     frame->pixels = (size_t)camera->width * camera->height;
-    frame->distance = malloc(frame->pixels * sizeof(float));
+    frame->distance = cm_array_of(frame->pixels, sizeof(float));
     if (frame->distance == NULL)
     {
         return CM_ERROR_MEMORY;

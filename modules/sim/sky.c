@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "modules/memory/checked_size.h"
 #include "sky.h"
 #include "map_cells.h"
 
@@ -110,8 +111,8 @@ static cm_status find_cells(const cm_tof_environment *environment, cm_pool *pool
     const size_t edge = environment->edge;
     sky->edge = environment->edge;
     sky->cells = (size_t)map_faces(environment->mapping) * edge * edge;
-    sky->until = malloc(sky->cells * sizeof *sky->until);
-    sky->radiance = malloc(sky->cells * sizeof *sky->radiance);
+    sky->until = cm_array_of(sky->cells, sizeof *sky->until);
+    sky->radiance = cm_array_of(sky->cells, sizeof *sky->radiance);
     if (sky->until == NULL || sky->radiance == NULL)
     {
         return CM_ERROR_MEMORY;

@@ -4,6 +4,7 @@
  */
 #include <cubemap/depth_error.h>
 
+#include "modules/memory/checked_size.h"
 #include "depth_error_pair.h"
 
 #include <stdlib.h>
@@ -124,8 +125,8 @@ cm_status cm_depth_error_sparsify(size_t n, const float *depth, const float *tru
     {
         return CM_ERROR_RANGE;
     }
-    ranked *pixel = malloc((n + 1) * sizeof *pixel);
-    double *sum = malloc(2 * (n + 1) * sizeof *sum);
+    ranked *pixel = cm_array_of(n + 1, sizeof *pixel);
+    double *sum = cm_array_of(n + 1, 2 * sizeof *sum);
     const size_t pixels =
         pixel == NULL || sum == NULL ? 0 : collect(n, depth, truth, confidence, is_square, pixel);
     if (pixels > 0)

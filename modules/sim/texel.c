@@ -2,6 +2,7 @@
  *
  * Killpack 2016, sections 3.3 to 3.5: from a fine picture of depths to a coarse cloud of points.
  */
+#include "modules/memory/checked_size.h"
 #include "texel_canvas.h"
 #include "vector.h"
 
@@ -124,7 +125,7 @@ cm_status cm_texel_places(const cm_texel_options *options, double *column, doubl
 cm_status cm_texel_make_grid(const cm_texel_options *complete, cm_texel_grid *grid)
 {
     const size_t columns = complete->columns, rows = complete->rows;
-    grid->column = malloc(2 * (columns + rows) * sizeof *grid->column);
+    grid->column = cm_array_of(columns + rows, 2 * sizeof *grid->column);
     if (grid->column == NULL)
     {
         return CM_ERROR_MEMORY;

@@ -2,6 +2,7 @@
  *
  * Killpack 2016, algorithms 2 and 3, with rays in the place of a z-buffer: depth comes along the axis at once.
  */
+#include "modules/memory/checked_size.h"
 #include "texel_canvas.h"
 
 #include <math.h>
@@ -144,7 +145,7 @@ cm_status cm_texel_render(const cm_scene *scene, const cm_pose *pose,
     }
     const size_t pixels = (size_t)complete.width * complete.height;
     const size_t samples = (size_t)complete.columns * complete.rows;
-    float *memory = malloc((pixels + samples) * sizeof *memory);
+    float *memory = cm_array_of(pixels + samples, sizeof *memory);
     if (memory == NULL)
     {
         return CM_ERROR_MEMORY;

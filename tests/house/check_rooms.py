@@ -36,9 +36,10 @@ ROOMS = [
     Room("libcubemap/orient", ["public", "libcubemap/batch", "libcubemap/mapping", "libcubemap/earth",
                                "libcubemap/measure"]),
     # who uses it
-    Room("modules/image", ["public"]),
+    Room("modules/memory", []),
+    Room("modules/image", ["public", "modules/memory"]),
     Room("modules/image/io", ["public", "modules/image"]),
-    Room("modules/*", ["public"]),
+    Room("modules/*", ["public", "modules/memory"]),
     Room("modules/*/io", ["public", "..", "modules/image/io"]),
     Room("truth", ["public"]),
     Room("bench/harness", ["public", "truth"]),
@@ -66,6 +67,11 @@ KEPT = {"OpenImageIO/": ["modules/image/io"], "gdal": ["modules/image/io"], "sql
 # an example is as short as a user's program.
 READS_NUMBERS = re.compile(r"\b(?:strto(?:d|f|ld)|atof|sto(?:d|f|ld))\s*\(|scanf\s*\([^;]*%\*?\d*(?:l|L)?[aefg]")
 MAY_READ_NUMBERS = ["tests/*", "bindings/*/tests/*", "examples/*"]
+
+# Products of sizes wrap where size_t has 32 bits: <modules/memory/checked_size.h> counts memory for modules.
+ALLOCATES = re.compile(r"\b(?:malloc|realloc|aligned_alloc|cm_large_allocate|cm_huge_allocate)\(")
+COUNTS_MEMORY = "modules/*.c"
+MAY_MULTIPLY = ["modules/*/io/*"]
 
 SOURCES = (".c", ".cpp")
 HEADERS = (".h", ".hpp")
@@ -144,6 +150,25 @@ def check_numbers(path, text, complaints):
         return
     for match in READS_NUMBERS.finditer(text):
         complaints.append(f"{path}:{line_of(text, match.start())}: {match[0]} reads a number; cm_number_parse does in every locale")
+
+
+def arguments_at(text, begin):
+    """What stands between the bracket before `begin` and the one that closes it."""
+    depth, end = 1, begin
+    while depth > 0 and end < len(text):
+        depth += {"(": 1, ")": -1}.get(text[end], 0)
+        end += 1
+    return text[begin:end - 1]
+
+
+def check_sizes(path, text, complaints):
+    """Nothing is asked for by a product that may wrap."""
+    if not fnmatch.fnmatchcase(path, COUNTS_MEMORY) or any(fnmatch.fnmatchcase(path, other) for other in MAY_MULTIPLY):
+        return
+    for match in ALLOCATES.finditer(text):
+        if re.search(r"[\w)\]] \* \S", arguments_at(text, match.end())):
+            complaints.append(f"{path}:{line_of(text, match.start())}: {match[0]} of a product, which may wrap: cm_array_of, "
+                              "or cm_size_product")
 
 
 def check_include(include, target, complaints):
@@ -357,6 +382,7 @@ def check(tree):
                     readers[target].add(path)
             check_kept(path, text, complaints)
             check_numbers(path, text, complaints)
+            check_sizes(path, text, complaints)
         if path.endswith(HEADERS):
             check_guard(path, text, guards, complaints)
         if path.endswith(".c"):
@@ -462,6 +488,8 @@ FAULTS = [
     ("bench/grids/x.c", "\ndouble x = strtod(word, NULL);\n", "bench/grids/x.c:2: strtod( reads a number"),
     ("tools/cli/x.cpp", "\n\nconst double x = std::stod(word);\n", "tools/cli/x.cpp:3: stod( reads a number"),
     ("modules/scene/io/x.c", 'sscanf(text, "%d %lf", &i, &x);\n', "modules/scene/io/x.c:1: scanf"),
+    ("modules/scene/x.c", "\nlong *x = malloc(n * sizeof *x);\n", "modules/scene/x.c:2: malloc( of a product"),
+    ("modules/scene/x.c", "int *x = realloc(at(1), (n + 1) * 4);\n", "modules/scene/x.c:1: realloc( of a product"),
     ("tools/meson.build", "files('a.c',\n  'b.inc')\n", "tools/meson.build:2: 'b.inc' is compiled"),
 ]
 

@@ -208,6 +208,7 @@ std::vector<Subject> chosen_subjects(std::set<std::string> names)
         {"mistakes", reproject_mistake_subjects()},
         {"surfaces", reproject_surface_subjects()},
         {"tags", reproject_tag_subjects()},
+        {"rasters", reproject_raster_subjects()},
         {"outputs", reproject_output_subjects()},
         {"tiles", reproject_tile_subjects()},
         {"streams", reproject_stream_subjects()},

@@ -100,6 +100,7 @@ const std::vector<Subject> &reproject_pixel_subjects();
 const std::vector<Subject> &reproject_mistake_subjects();
 const std::vector<Subject> &reproject_surface_subjects();
 const std::vector<Subject> &reproject_tag_subjects();
+const std::vector<Subject> &reproject_raster_subjects();
 const std::vector<Subject> &reproject_output_subjects();
 const std::vector<Subject> &reproject_tile_subjects();
 const std::vector<Subject> &reproject_stream_subjects();

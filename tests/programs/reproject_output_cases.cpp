@@ -421,6 +421,9 @@ void mappings()
     {
         result(size_of(mapping) * 1.05 >= best, std::string("needs no fewer pixels: ") + mapping);
     }
+    // QSC has 1.109 pixels a radian and half an edge at least, beside its diagonals, where it has a crease: 2 * 64 / (2 pi) / 1.109
+    result(size_of("qsc") == 19, "nothing is measured across a crease",
+           std::to_string(size_of("qsc")));
     says("for labels", "\\(cube:[a-z-]+, .*; nearest; mapping [a-z-]+, of equal areas",
          "reproject --mapping auto --filter nearest noise.ppm label_%f.png");
     says("for a texture", "\\(cube:gnomonic, .*mapping gnomonic, which graphics",

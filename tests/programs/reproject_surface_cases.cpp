@@ -69,6 +69,12 @@ void parts()
     does("reproject --quiet --to equirect --filter bilinear --size 72 --from " + spec +
          " part.ppm again.png");
     passes("and what --from says is the same", "compare --max 0 back.png again.png");
+    does("reproject --quiet --to " + spec + " noise.ppm same.png");
+    passes("without a size a part has the columns that the whole has there",
+           "compare --max 0 same.png part.ppm");
+    does("reproject --quiet --to equirect same.png whole.png");
+    does("reproject --quiet --to " + spec + " whole.png same.png");
+    passes("and the whole those of the part", "compare --max 0 same.png part.ppm");
     says("a view has the density of its source", "-> view\\.png \\(view:fov=90 [12][0-9]x1[0-9];",
          "reproject --to view:fov=90 noise.ppm view.png");
 }

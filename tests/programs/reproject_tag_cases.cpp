@@ -198,11 +198,6 @@ void photo_spheres()
 }
 
 // Keys: version, then of geographic coordinates, pixels that are areas, in degrees of EPSG:4326.
-TiffTag geo_keys(std::uint16_t model, std::uint16_t raster, std::uint16_t key, std::uint16_t code)
-{
-    return shorts(34735, {1, 1, 0, 3, 1024, 0, 1, model, 1025, 0, 1, raster, key, 0, 1, code});
-}
-
 void georeferences()
 {
     const std::vector<float> pixels(32, 0.5f);
@@ -503,127 +498,6 @@ void odd_pictures()
     result(ran.status == 1 && matches(ran.err, "GB of memory"), "135 GB in 24 bytes", ran.err);
 }
 
-// GDAL's virtual format over area.img: a system, where it is, a type and what the band has.
-void write_virtual(const std::string &name, const std::string &system, const std::string &transform,
-                   const std::string &type, const std::string &band)
-{
-    write_file(name, "<VRTDataset rasterXSize=\"8\" rasterYSize=\"4\"><SRS>" + system +
-                         "</SRS><GeoTransform>" + transform +
-                         "</GeoTransform><VRTRasterBand dataType=\"" + type + "\" band=\"1\">" +
-                         band +
-                         "<SimpleSource><SourceFilename relativeToVRT=\"1\">area.img"
-                         "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
-                         "</VRTRasterBand></VRTDataset>\n");
-}
-
-void virtual_rasters()
-{
-    const std::string degrees = "20, 10, 0, 50, 0, -10";
-    const std::string nearest = "reproject --to equirect --size 36 --filter nearest ";
-    write_virtual("web.vrt", "EPSG:3857", "0, 1000000, 0, 4000000, 0, -1000000", "Byte", "");
-    says("web maps", "^web\\.vrt \\(mercator;west=0;east=71\\.8", nearest + "web.vrt out.png");
-    write_virtual("moon.vrt", "+proj=longlat +a=1737400 +b=1737400 +no_defs", degrees, "UInt16",
-                  "");
-    says("another body", "^moon\\.vrt \\(equirect;west=20;.*, 1 channel, uint16\\)",
-         nearest + "moon.vrt out.png");
-    says("of 16 bits are compared, too", "^maximum  *0 grey levels",
-         "compare -m max --surface equirect;west=20;east=100;south=10;north=50 moon.vrt moon.vrt");
-    write_virtual("turned.vrt", "EPSG:4326", "20, 5, 5, 50, 5, -5", "Byte", "");
-    says("turned rasters", "^turned\\.vrt \\(equirect;west=", nearest + "turned.vrt out.png");
-    write_virtual("none.vrt", "EPSG:4326", degrees, "Float32", "<NoDataValue>72</NoDataValue>");
-    says("no data is left out", "1 value that is not finite kept", nearest + "none.vrt out.tif");
-    write_virtual(
-        "colors.vrt", "EPSG:4326", degrees, "Byte",
-        "<ColorInterp>Palette</ColorInterp><ColorTable>" +
-            []
-            {
-                std::string entries;
-                for (int i = 0; i < 256; ++i)
-                {
-                    entries += "<Entry c1=\"" + std::to_string(255 - i) + "\" c2=\"" +
-                               std::to_string(i) + "\" c3=\"17\" c4=\"255\"/>";
-                }
-                return entries;
-            }() +
-            "</ColorTable>");
-    says("a palette", "3 channels, uint8", nearest + "colors.vrt out.png");
-    holds("is colours",
-          [] {
-              check_pixel("out.png", 18 + 3, 5, {183 / 255.0, 72 / 255.0, 17 / 255.0});
-          });
-    write_virtual("far.vrt", "EPSG:32633", "1e12, 1, 0, 1e12, 0, -1", "Byte", "");
-    fails("a place that is none", 1, "and it cannot be warped to EPSG:4326",
-          "reproject far.vrt made/a.png");
-    write_virtual("bare.vrt", "", degrees, "Byte", "");
-    fails(
-        "a raster in nobody knows what", 1,
-        "'bare.vrt' is placed on the Earth by numbers without a system of coordinates; say --from "
-        "'equirect;west=20;east=100;south=10;north=50' if",
-        "reproject bare.vrt made/a.png");
-    write_virtual("nowhere.vrt", "", "0, 1, 0, 0, 0, 1", "Byte", "");
-    says("a raster that is not placed", "^nowhere\\.vrt \\(equirect 8x4",
-         nearest + "nowhere.vrt out.png");
-}
-
-// Of Earth's systems by GDAL, where it is.
-void rasters()
-{
-    if (!open_gdal())
-    {
-        result(true, "rasters # SKIP GDAL is not built in");
-        return;
-    }
-    // from 9 E, 45.15 N: EPSG:32632 has 500 km at its middle, 9 E
-    const TiffTag scale = doubles(33550, {10000, 10000, 0});
-    const TiffTag tie = doubles(33922, {0, 0, 0, 500000, 5000000, 0});
-    write_tiff("utm.tif", 32, 16, std::vector<float>(std::size_t{32} * 16, 0.5f),
-               {scale, tie, geo_keys(1, 1, 3072, 32632)});
-    write_tagged("tagged.tif", "cubemap:surface=equirect;size=8;height=4",
-                 {doubles(33550, {10000, 10000, 0}), tie, geo_keys(1, 1, 3072, 32632)});
-    says("whatever its tag says", "^tagged\\.tif \\(equirect;west=(8\\.9|9)",
-         "reproject --to equirect --size 36 --filter nearest tagged.tif out.tif");
-    const std::string part = "equirect;west=8;east=14;south=43;north=46;size=60";
-    says("a raster in metres is warped",
-         "^utm\\.tif \\(equirect;west=(8\\.9|9).*, 1 channel, float\\)",
-         "reproject --filter bilinear --to " + part + " utm.tif part.tif");
-    holds("to where it is",
-          []
-          {
-              check_pixel("part.tif", 15, 11, {0.5}); // 9.55 E, 44.85 N
-              check_pixel("part.tif", 4, 11, {0});
-              check_pixel("part.tif", 15, 4, {0});
-          });
-    write_tiff("plain.tif", 32, 16, std::vector<float>(std::size_t{32} * 16, 0.5f));
-    for (const std::string other : {"utm.tif", "plain.tif"})
-    {
-        passes("rasters of one size are compared as they stand, in metres, too: " + other,
-               "compare --max 0 utm.tif " + other);
-    }
-    says("on the sphere where they are", "^maximum  *0\\.?[0-9]* ",
-         "compare -m max --reference-surface " + part + " part.tif utm.tif");
-    std::string pixels;
-    for (int i = 0; i < 32; ++i)
-    {
-        pixels += static_cast<char>(8 * i);
-    }
-    write_file("area.img", pixels);
-    write_file("area.hdr",
-               "ENVI\nsamples = 8\nlines = 4\nbands = 1\nheader offset = 0\nfile type = ENVI "
-               "Standard\ndata type = 1\ninterleave = bsq\nbyte order = 0\nmap info = {Geographic "
-               "Lat/Lon, 1, 1, 20, 50, 10, 10, WGS-84}\n");
-    says("a format of GDAL alone",
-         "^area\\.img \\(equirect;west=20;east=100;south=10;north=50 8x4, 1 channel, uint8\\)",
-         "reproject --to equirect --size 36 --filter nearest area.img whole.png");
-    says("which are compared, too", "^maximum  *0 grey levels",
-         "compare -m max --surface equirect;west=20;east=100;south=10;north=50 area.img area.img");
-    holds("and its pixels", [] { check_pixel("whole.png", 18 + 3, 5, {8 * 9 / 255.0}); });
-    virtual_rasters();
-    write_file("no.img", "nothing");
-    fails("what GDAL does not read either", 1,
-          "is not an image that can be read: .*, and it is not a raster that GDAL reads",
-          "reproject no.img made/a.png");
-}
-
 void sidecars()
 {
     make_noise(64, 32, "noise.ppm");
@@ -713,7 +587,6 @@ const std::vector<Subject> &reproject_tag_subjects()
                                                   {"sizes_in_tags", sizes_in_tags},
                                                   {"written_georeferences", written_georeferences},
                                                   {"odd_pictures", odd_pictures},
-                                                  {"rasters", rasters},
                                                   {"sidecars", sidecars}};
     return subjects;
 }

@@ -61,3 +61,8 @@ void write_tiff(const std::string &name, std::uint16_t width, std::uint16_t heig
     }
     write_file(name, file + entries + bytes_of(std::uint32_t{0}) + behind);
 }
+
+TiffTag geo_keys(std::uint16_t model, std::uint16_t raster, std::uint16_t key, std::uint16_t code)
+{
+    return shorts(34735, {1, 1, 0, 3, 1024, 0, 1, model, 1025, 0, 1, raster, key, 0, 1, code});
+}

@@ -30,6 +30,9 @@ TiffTag shorts(std::uint16_t number, const std::vector<std::uint16_t> &values);
 TiffTag text(std::uint16_t number, const std::string &value);
 TiffTag doubles(std::uint16_t number, const std::vector<double> &values);
 
+// GeoKeys: the model, where pixels are, and a key of the system of coordinates.
+TiffTag geo_keys(std::uint16_t model, std::uint16_t raster, std::uint16_t key, std::uint16_t code);
+
 // One channel of floats, with further tags.
 void write_tiff(const std::string &name, std::uint16_t width, std::uint16_t height,
                 const std::vector<float> &pixels, const std::vector<TiffTag> &more = {});

@@ -123,6 +123,14 @@ std::string with_bounds(const char *kind, double west, double east, double south
     return kind + key("west", west) + key("east", east) + key("south", south) + key("north", north);
 }
 
+// Further round than once, or beyond a pole, as grids do whose nodes stand at both ends.
+bool goes_beyond(const ImageFile &image, const Bounds &at, double around, double highest)
+{
+    return image.width() * at.column > around + nearly * at.column ||
+           at.north > highest + nearly * at.row ||
+           at.north - image.height() * at.row < -highest - nearly * at.row;
+}
+
 std::string in_degrees(const ImageFile &image, const Bounds &at)
 {
     const double west = near_to(at.west, -180, at.column);
@@ -223,14 +231,25 @@ GeoPlace geographic_place(const ImageFile &image)
         }
         const unsigned system = system_of(*tags);
         const Bounds at = bounds_of(*tags);
-        place.specification =
-            system == web_mercator ? in_web_metres(image, at) : in_degrees(image, at);
+        const bool web = system == web_mercator;
+        if (goes_beyond(image, at, web ? 2 * pi * web_radius : 360, web ? HUGE_VAL : 90))
+        {
+            throw PlacedOtherwise{"beyond the whole sphere"};
+        }
+        place.specification = web ? in_web_metres(image, at) : in_degrees(image, at);
+        place.misses_values = tags->no_data != nullptr && tags->no_data[0] != '\0';
     }
     catch (const PlacedOtherwise &placement)
     {
         place.otherwise = placement.how;
     }
     return place;
+}
+
+bool has_gdal()
+{
+    char message[CM_IMAGE_MESSAGE] = "";
+    return cm_image_gdal_get(message) != nullptr;
 }
 
 ImageFile open_by_gdal(const std::string &path, const std::string &why)

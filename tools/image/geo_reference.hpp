@@ -22,7 +22,8 @@ struct GeoPlace
     // numbers in an unknown unit: otherwise says so, and this is the surface if they are degrees, "" if they cannot be
     bool unit_is_unknown = false;
     std::string in_degrees;
-    std::string ignored; // numbers that place nothing: "pixel coordinates"
+    bool misses_values = false; // is there a value that stands for none?
+    std::string ignored;        // numbers that place nothing: "pixel coordinates"
 };
 
 // Writes it into a TIFF file that is complete: EPSG:4326 of equirectangular pictures and EPSG:3857 of Mercator's. Nothing
@@ -34,6 +35,9 @@ bool has_geographic_place(const cm_surface &surface, const std::optional<cm_rota
 
 // Neither of both if it does not say where it is.
 GeoPlace geographic_place(const ImageFile &image);
+
+// Can rasters be opened so?
+bool has_gdal();
 
 // Opens a raster as what is placed so, by warping it if it must be. Failure if there is nothing that can do it. why is
 // what stands against taking the file as it is.

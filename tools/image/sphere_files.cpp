@@ -116,6 +116,13 @@ std::string why_by_gdal(const ImageFile &image, const SphereOptions &options)
            " SPEC to take it as something else";
 }
 
+// Are there pixels without a value that only GDAL tells? Of several channels of whole numbers it does not tell them.
+bool may_miss_values(const ImageFile &image, const SphereOptions &options)
+{
+    return geographic_place(image).misses_values && !is_said(options.from) &&
+           (image.stored().channels == 1 || !image.stored().whole_numbers);
+}
+
 // Are pixels of both surfaces, which are of one size, in the same places, but for a tenth of a pixel?
 bool shows_alike(const cm_surface &one, const cm_surface &other)
 {
@@ -228,11 +235,18 @@ void SphereFiles::open(int threads)
 void SphereFiles::open_placed()
 {
     const std::string why = images.size() == 1 ? why_by_gdal(images.front(), asked) : "";
-    if (!why.empty())
+    const bool may_miss = images.size() == 1 && may_miss_values(images.front(), asked);
+    if (!why.empty() || (may_miss && has_gdal()))
     {
         images.front() = open_by_gdal(images.front().path(), why);
         remarks.clear(); // they were of the picture that GDAL has read otherwise
         choose_type();
+    }
+    else if (may_miss)
+    {
+        remarks.push_back(in_quotes(images.front().path()) +
+                          " has a value that stands for none, which is taken as a value: these "
+                          "programs were built without GDAL");
     }
 }
 

@@ -110,6 +110,13 @@ double span(const std::string &specification)
                : 2 / std::sqrt(ChartImage(head_of(specification), 1).mean_scale());
 }
 
+// Degrees from the western edge to the eastern one.
+double lon_span(const std::string &equirect)
+{
+    return read_number(key_of(equirect, "east")).value_or(180) -
+           read_number(key_of(equirect, "west")).value_or(-180);
+}
+
 PictureDensity measured_density(const std::string &specification)
 {
     std::string message;
@@ -129,6 +136,11 @@ double natural_size(const std::string &specification, Keep keep, const Input &in
     if (keep == Keep::equator && has_span(from) && has_span(specification))
     {
         return cm_surface_plane_width(&input.surface()) / span(from) * span(specification);
+    }
+    if (keep == Keep::equator && kind_of(from) == "equirect" &&
+        kind_of(specification) == "equirect")
+    {
+        return cm_surface_plane_width(&input.surface()) / lon_span(from) * lon_span(specification);
     }
     const PictureDensity source = density_of(input.surface());
     const PictureDensity target = measured_density(specification);

@@ -9,10 +9,13 @@
 namespace
 {
 
-// Places along each edge of a plane; the outermost are half a step inside, where no pixel is far.
-constexpr int density_grid = 96;
-// Of the difference for a derivative, in pixels.
+// Places along a row and a column of a plane; the outermost are half a step inside, where no pixel is far. None is on
+// an axis or a diagonal, where mappings have creases: a difference across one is that of neither side.
+constexpr int density_columns = 96;
+constexpr int density_rows = 94;
+// Of the difference for a derivative, in pixels, and the most of the plane's edge.
 constexpr double density_step = 1e-3;
+constexpr double density_part = 1e-5;
 
 struct Vector
 {
@@ -29,9 +32,9 @@ Vector direction(const cm_surface &surface, unsigned plane, double column, doubl
     return at;
 }
 
-Vector difference(const Vector &a, const Vector &b)
+Vector difference(const Vector &a, const Vector &b, double step)
 {
-    return {(a.x - b.x) / density_step, (a.y - b.y) / density_step, (a.z - b.z) / density_step};
+    return {(a.x - b.x) / step, (a.y - b.y) / step, (a.z - b.z) / step};
 }
 
 double dot(const Vector &a, const Vector &b)
@@ -45,19 +48,20 @@ PictureDensity density_of(const cm_surface &surface)
 {
     const double width = cm_surface_plane_width(&surface);
     const double height = cm_surface_plane_height(&surface);
+    const double step = std::min(density_step, density_part * std::min(width, height));
     double area = 0;
     double count = 0;
     double longest = 0;
     double shortest = INFINITY;
-    for (int i = 0;
-         i < density_grid * density_grid * static_cast<int>(cm_surface_plane_count(&surface)); ++i)
+    const int places = density_columns * density_rows;
+    for (int i = 0; i < places * static_cast<int>(cm_surface_plane_count(&surface)); ++i)
     {
-        const auto plane = static_cast<unsigned>(i / (density_grid * density_grid));
-        const double column = width * ((i % density_grid + 0.5) / density_grid);
-        const double row = height * ((i / density_grid % density_grid + 0.5) / density_grid);
+        const auto plane = static_cast<unsigned>(i / places);
+        const double column = width * ((i % density_columns + 0.5) / density_columns);
+        const double row = height * ((i / density_columns % density_rows + 0.5) / density_rows);
         const Vector at = direction(surface, plane, column, row);
-        const Vector right = difference(direction(surface, plane, column + density_step, row), at);
-        const Vector down = difference(direction(surface, plane, column, row + density_step), at);
+        const Vector right = difference(direction(surface, plane, column + step, row), at, step);
+        const Vector down = difference(direction(surface, plane, column, row + step), at, step);
         const double xx = dot(right, right);
         const double yy = dot(down, down);
         const double xy = dot(right, down);

@@ -4,14 +4,13 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "gdal_stages.h"
 #include "image_gdal.h"
 #include "image_io_entry.h"
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
-#include <gdal_utils.h>
-#include <gdalwarper.h>
 #include <ogr_srs_api.h>
 
 #include <math.h>
@@ -27,17 +26,14 @@ enum
     KEY_COUNT = 16
 };
 
-/* How far off a pixel may be that is warped, in pixels: what gdalwarp allows. */
-#define WARP_ERROR 0.125
-
 /* Of datasets, each made from the one before it. */
-#define STAGE_COUNT 3
+#define STAGE_COUNT 5
 
 /* What stands behind cm_image_reader. */
 typedef struct raster
 {
-    GDALDatasetH
-        stages[STAGE_COUNT]; /* the file, its colours, the warped one; NULL behind the last */
+    GDALDatasetH stages
+        [STAGE_COUNT]; /* the file, its colours, with alpha, warped, cut; NULL behind the last */
     GDALDatasetH last;
     GDALDataType type;
     cm_image_description description;
@@ -70,8 +66,13 @@ static cm_status fail(char *message, const char *what)
     return CM_ERROR_UNSUPPORTED;
 }
 
-static void add_stage(raster *r, GDALDatasetH stage)
+/* One more, or what could not be done. */
+static cm_status add_stage(raster *r, GDALDatasetH stage, const char *complaint, char *message)
 {
+    if (stage == NULL)
+    {
+        return fail(message, complaint);
+    }
     size_t i = 0;
     while (r->stages[i] != NULL)
     {
@@ -79,6 +80,7 @@ static void add_stage(raster *r, GDALDatasetH stage)
     }
     r->stages[i] = stage;
     r->last = stage;
+    return CM_OK;
 }
 
 static void close_raster(raster *r)
@@ -103,24 +105,18 @@ static cm_status expand_palette(raster *r, char *message)
     {
         return CM_OK;
     }
-    char *words[] = {"-of", "VRT", "-expand", "rgb", NULL};
-    GDALTranslateOptions *const options = GDALTranslateOptionsNew(words, NULL);
-    const GDALDatasetH colors = options != NULL ? GDALTranslate("", r->last, options, NULL) : NULL;
-    GDALTranslateOptionsFree(options);
-    if (colors == NULL)
-    {
-        return fail(message, "has a palette that cannot be read");
-    }
-    add_stage(r, colors);
-    return CM_OK;
+    return add_stage(r, cm_gdal_expanded(r->last), "has a palette that cannot be read", message);
+}
+
+/* Whole numbers are not NaN where there is none. */
+static cm_status show_missing(raster *r, char *message)
+{
+    return cm_gdal_lacks_alpha(r->last) ? add_stage(r, cm_gdal_with_alpha(r->last),
+                                                    "has a mask that cannot be read", message)
+                                        : CM_OK;
 }
 
 /* ---- where it is ---- */
-
-static bool is_upright(const double transform[6])
-{
-    return transform[2] == 0 && transform[4] == 0 && transform[1] > 0 && transform[5] < 0;
-}
 
 static bool has_code(OGRSpatialReferenceH system, int code)
 {
@@ -139,24 +135,18 @@ static bool is_of_another_body(OGRSpatialReferenceH system)
     return error == OGRERR_NONE && OSRIsGeographic(system) && fabs(axis / earth - 1) > 0.01;
 }
 
+/* Not more than once around the Earth. */
+static cm_status cut(raster *r, cm_gdal_extent most, char *message)
+{
+    return cm_gdal_goes_beyond(r->last, most)
+               ? add_stage(r, cm_gdal_cut(r->last, most), "cannot be cut to the whole sphere",
+                           message)
+               : CM_OK;
+}
+
 static cm_status warp(raster *r, char *message)
 {
-    const OGRSpatialReferenceH target = OSRNewSpatialReference(NULL);
-    char *text = NULL;
-    GDALDatasetH warped = NULL;
-    if (OSRImportFromEPSG(target, WGS84) == OGRERR_NONE &&
-        OSRExportToWkt(target, &text) == OGRERR_NONE)
-    {
-        warped = GDALAutoCreateWarpedVRT(r->last, NULL, text, GRA_Cubic, WARP_ERROR, NULL);
-    }
-    CPLFree(text);
-    OSRDestroySpatialReference(target);
-    if (warped == NULL)
-    {
-        return fail(message, "cannot be warped to EPSG:4326");
-    }
-    add_stage(r, warped);
-    return CM_OK;
+    return add_stage(r, cm_gdal_warped(r->last), "cannot be warped to EPSG:4326", message);
 }
 
 /* As GeoTIFF has it; without keys where code is 0. */
@@ -205,7 +195,7 @@ static cm_status find_place(raster *r, char *message)
     const bool has_system = system != NULL && *GDALGetProjectionRef(r->last) != '\0';
     const bool has_transform = GDALGetGeoTransform(r->last, transform) == CE_None;
     const bool placed = has_system && has_transform;
-    const bool upright = has_transform && is_upright(transform);
+    const bool upright = has_transform && cm_gdal_is_upright(transform);
     if (!placed && GDALGetGCPCount(r->last) == 0)
     {
         if (upright)
@@ -214,20 +204,17 @@ static cm_status find_place(raster *r, char *message)
         }
         return CM_OK;
     }
-    if (placed && upright && (has_code(system, WGS84) || is_of_another_body(system)))
-    {
-        note_place(r, WGS84);
-        return CM_OK;
-    }
-    if (placed && upright && has_code(system, WEB_MERCATOR))
-    {
-        note_place(r, WEB_MERCATOR);
-        return CM_OK;
-    }
-    const cm_status status = warp(r, message);
+    const bool in_degrees =
+        placed && upright && (has_code(system, WGS84) || is_of_another_body(system));
+    const bool in_metres = placed && upright && has_code(system, WEB_MERCATOR);
+    cm_status status = in_degrees || in_metres ? CM_OK : warp(r, message);
     if (status == CM_OK)
     {
-        note_place(r, WGS84);
+        status = cut(r, in_metres ? cm_gdal_web_metres : cm_gdal_degrees, message);
+    }
+    if (status == CM_OK)
+    {
+        note_place(r, in_metres ? WEB_MERCATOR : WGS84);
     }
     return status;
 }
@@ -283,12 +270,9 @@ static cm_status describe_raster(raster *r, char *message)
 static cm_status open_raster(const char *path, raster *r, char *message)
 {
     const GDALDatasetH file = GDALOpenEx(path, GDAL_OF_RASTER | GDAL_OF_READONLY, NULL, NULL, NULL);
-    if (file == NULL)
-    {
-        return fail(message, "is not a raster that GDAL reads");
-    }
-    add_stage(r, file);
-    cm_status status = expand_palette(r, message);
+    cm_status status = add_stage(r, file, "is not a raster that GDAL reads", message);
+    status = status == CM_OK ? expand_palette(r, message) : status;
+    status = status == CM_OK ? show_missing(r, message) : status;
     status = status == CM_OK ? find_place(r, message) : status;
     return status == CM_OK ? describe_raster(r, message) : status;
 }
