@@ -107,7 +107,8 @@ CM_API cm_status cm_octree_update_points(cm_octree *octree, const double origin[
 
 /* Add a map to another of the same rule: alphas add, less 127, and colors are averaged by their hits. With pose, which takes
  * points of `from` to points of `to`, and where edge or centre differ by more than whole voxels, each voxel of `to` takes
- * what is at its centre in `from`; NULL: the axes are the same. It may be cut at the root of `to`.
+ * what is at its centre in `from`; NULL: the axes are the same. It may be cut at the root of `to`. What is even may be so large
+ * that its borders are more than memory has room for: without pages that is CM_ERROR_MEMORY, and `to` is as it was.
  * CM_OK; CM_ERROR_ARGUMENT (to is from, too); CM_ERROR_UNSUPPORTED (other rules); CM_ERROR_CAMERA; CM_ERROR_FILE, _DATA,
  * _SPACE; CM_ERROR_MEMORY. */
 CM_API cm_status cm_octree_merge(cm_octree *to, const cm_octree *from, const cm_pose *pose);

@@ -293,17 +293,13 @@ static int add_same_block(void *user, const cm_region *region, unsigned block, u
 
 /* ---- other places ---- */
 
-/* A point of the world of `to` in places of `from`, whole ones. */
+/* A point of the world of `to` in that of `from`. */
 static void to_from(const merge_work *work, const double world[3], double in_from[3])
 {
-    double at[3] = {world[0], world[1], world[2]};
+    memcpy(in_from, world, 3 * sizeof *in_from);
     if (work->pose != NULL)
     {
-        cm_pose_apply(work->pose, world, at);
-    }
-    for (int axis = 0; axis < 3; axis++)
-    {
-        in_from[axis] = cm_world_place(work->from, axis, at[axis]);
+        cm_pose_apply(work->pose, world, in_from);
     }
 }
 
@@ -313,7 +309,8 @@ typedef struct even_box
     uint32_t first[3];
     uint32_t beyond[3];
     int looks_into_regions;
-    int alpha; /* of all that was looked at; below 0: nothing was */
+    int has_region; /* 1: there was one */
+    int alpha;      /* of all that was looked at; below 0: nothing was */
     cm_status status;
 } even_box;
 
@@ -358,6 +355,7 @@ static int is_node_even(const cm_octree *from, even_box *box, uint32_t index,
     if (node->kind != CM_NODE_INNER)
     {
         const cm_region *region = NULL;
+        box->has_region = 1;
         box->status = box->looks_into_regions ? cm_node_look(from, index, place, &region) : CM_OK;
         return region != NULL && is_region_even(from, box, region, more);
     }
@@ -375,8 +373,20 @@ static int is_node_even(const cm_octree *from, even_box *box, uint32_t index,
     return is_even;
 }
 
-/* The voxels of `from` that the centres of a cube of `to` may fall on, and one more each way for rounding. Sets whether some may be
- * beyond it. 0: all are. */
+/* What points of the world of `from` are off by, at most: some roundings of each number that they and their places are made of. */
+static double rounding_of(const merge_work *work, const double world[3])
+{
+    const cm_octree_options *from = &work->from->options;
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        sum += fabs(world[axis]) + fabs(from->centre[axis]) +
+               (work->pose == NULL ? 0.0 : fabs(work->pose->position[axis]));
+    }
+    return 0x1p-46 * (sum + ldexp(from->edge, work->from->tree_level));
+}
+
+/* The voxels of `from` that the centres of a cube of `to` may fall on. Sets whether some may be beyond it. 0: all are. */
 static int box_of(const merge_work *work, const uint32_t place[3], int level, even_box *box,
                   int *is_beyond)
 {
@@ -391,10 +401,11 @@ static int box_of(const merge_work *work, const uint32_t place[3], int level, ev
                 cm_place_world(work->to, axis, place[axis] + (corner >> axis & 1u ? last : 0.5));
         }
         to_from(work, world, at);
+        const double more = rounding_of(work, world);
         for (int axis = 0; axis < 3; axis++)
         {
-            low[axis] = fmin(low[axis], at[axis] - 1.0);
-            high[axis] = fmax(high[axis], at[axis] + 2.0);
+            low[axis] = fmin(low[axis], cm_world_place(work->from, axis, at[axis] - more));
+            high[axis] = fmax(high[axis], cm_world_place(work->from, axis, at[axis] + more) + 1.0);
         }
     }
     *is_beyond = 0;
@@ -413,19 +424,50 @@ static int box_of(const merge_work *work, const uint32_t place[3], int level, ev
 }
 
 /* The alpha that all centres of a cube of `to` find in `from`; below 0: more than one, perhaps. */
-static int even_alpha(merge_work *work, const uint32_t place[3], int level)
+static int find_even(merge_work *work, const uint32_t place[3], int level, even_box *box)
 {
     const uint32_t root[3] = {0, 0, 0};
-    even_box box = {.looks_into_regions = level <= CM_REGION_LEVEL, .alpha = -1, .status = CM_OK};
     int is_beyond = 0;
-    if (!box_of(work, place, level, &box, &is_beyond))
+    if (!box_of(work, place, level, box, &is_beyond))
     {
         return CM_UNKNOWN;
     }
-    box.alpha = is_beyond ? CM_UNKNOWN : -1;
-    const int is_even = is_node_even(work->from, &box, 0, root, work->from->tree_level, 0);
-    work->status = box.status;
-    return is_even ? box.alpha : -1;
+    box->alpha = is_beyond ? CM_UNKNOWN : -1;
+    const int is_even = is_node_even(work->from, box, 0, root, work->from->tree_level, 0);
+    work->status = box->status;
+    return is_even ? box->alpha : -1;
+}
+
+static int even_alpha(merge_work *work, const uint32_t place[3], int level)
+{
+    even_box box = {.looks_into_regions = level <= CM_REGION_LEVEL, .status = CM_OK};
+    return find_even(work, place, level, &box);
+}
+
+/* What a region that the border of even cubes falls across costs, where an even one costs 1. */
+#define BORDER_COST 8
+
+/* Takes from *left what the even cubes of `from` and their borders cost in `to`. A border may be of a cube of 2^19 voxels, whose
+ * regions no memory has room for. What has regions in `from`, too, has room. */
+static void count_borders(merge_work *work, const uint32_t place[3], int level, uint32_t *left)
+{
+    even_box box = {.looks_into_regions = 0, .status = CM_OK};
+    const int alpha = find_even(work, place, level, &box);
+    if (alpha >= 0 || level == CM_REGION_LEVEL)
+    {
+        const uint32_t cost = alpha >= 0 ? alpha != CM_UNKNOWN : box.has_region ? 0 : BORDER_COST;
+        *left = *left > cost ? *left - cost : 0;
+        return;
+    }
+    for (unsigned child = 0; *left > 0 && child < 8; child++)
+    {
+        uint32_t below[3];
+        for (int axis = 0; axis < 3; axis++)
+        {
+            below[axis] = place[axis] + ((child >> axis & 1u) << (level - 1));
+        }
+        count_borders(work, below, level - 1, left);
+    }
 }
 
 /* What is at a point of the world of `to` in `from`. */
@@ -438,11 +480,12 @@ static uint8_t sample(merge_work *work, const double world[3], uint32_t *color)
     to_from(work, world, in_from);
     for (int axis = 0; axis < 3; axis++)
     {
-        if (!(in_from[axis] >= from->first[axis] && in_from[axis] < from->beyond[axis]))
+        const double at = cm_world_place(from, axis, in_from[axis]);
+        if (!(at >= from->first[axis] && at < from->beyond[axis]))
         {
             return CM_UNKNOWN;
         }
-        place[axis] = (uint32_t)in_from[axis];
+        place[axis] = (uint32_t)at;
     }
     const cm_spot spot = cm_node_find(from, place);
     const cm_node *node = &from->node[spot.node];
@@ -519,6 +562,9 @@ static cm_status add_other_places(merge_work *work, const uint32_t place[3], int
 
 /* ---- maps ---- */
 
+/* Borders of 2^21 regions take some 80 GB. */
+#define COST_MOST ((uint32_t)BORDER_COST << 21)
+
 /* Do voxels fall on voxels and blocks on blocks? */
 static int are_aligned(merge_work *work)
 {
@@ -544,6 +590,25 @@ static int is_wider(const cm_octree *to, const cm_octree *from)
     return from->tree_level > to->tree_level;
 }
 
+/* Can all of it be in memory? With pages it need not. Where the roots' centres are one, cubes are added to cubes. */
+static int has_room(merge_work *work, int are_same_places)
+{
+    const uint32_t root[3] = {0, 0, 0};
+    const int64_t inside =
+        ((int64_t)1 << (work->to->tree_level - 1)) - ((int64_t)1 << (work->from->tree_level - 1));
+    uint32_t left = COST_MOST;
+    int are_cubes = are_same_places;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        are_cubes &= work->shift[axis] == inside;
+    }
+    if (!are_cubes && work->to->options.pages == NULL)
+    {
+        count_borders(work, root, work->to->tree_level, &left);
+    }
+    return left > 0;
+}
+
 cm_status cm_octree_merge(cm_octree *to, const cm_octree *from, const cm_pose *pose)
 {
     if (to == NULL || from == NULL || to == from)
@@ -560,12 +625,17 @@ cm_status cm_octree_merge(cm_octree *to, const cm_octree *from, const cm_pose *p
         return CM_ERROR_UNSUPPORTED;
     }
     merge_work work = {.to = to, .from = from, .pose = pose, .status = CM_OK};
+    const int is_same = are_aligned(&work) && !is_wider(to, from);
+    if (!has_room(&work, is_same))
+    {
+        return CM_ERROR_MEMORY;
+    }
     cm_walk walk = {.user = &work, .even = add_even, .block = add_same_block};
     cm_walk_all(from, &walk);
     cm_ray_index_forget(to);
     to->step++;
     to->clock++;
-    if (are_aligned(&work) && !is_wider(to, from))
+    if (is_same)
     {
         status = cm_walk_run(from, &walk);
         status = status == CM_ERROR_STOPPED ? work.status : status;

@@ -10,6 +10,7 @@
 #include "paging.h"
 #include "ray_index.h"
 #include "update_desk.h"
+#include "voxel_region.h"
 
 /* From the root's centre to the tree's corner; 0 if the cube is not in the tree. */
 static int place_of(const cm_octree *octree, const int64_t corner[3], int level, uint32_t place[3])
@@ -124,7 +125,8 @@ static int put_values(cm_octree *octree, cm_region *region, unsigned block,
     {
         cm_block_settle(region, block);
     }
-    return 1;
+    /* Colors are packed at once: a large voxel of a file, some bytes there, is many blocks, each some kilobytes if it stays open. */
+    return color == NULL || cm_block_pack(region, block, &octree->rule);
 }
 
 cm_status cm_octree_set_block(cm_octree *octree, const int64_t corner[3], const uint8_t alpha[512],

@@ -7,6 +7,7 @@
 
 #include "tests/suite.h"
 
+#include "modules/octree/block_access.h"
 #include "modules/octree/io/octomap_file.h"
 #include "modules/octree/io/vdb_file.h"
 
@@ -263,6 +264,35 @@ START_TEST(colors)
 }
 END_TEST
 
+/* A colored leaf of 32 voxels each way has 8 bytes in a file: what is read must not take kilobytes for each of its 64 blocks until
+ * all of the file is read. */
+START_TEST(colored_blocks_are_small_at_once)
+{
+    const cm_octree_options options = {
+        .size = sizeof options, .edge = 0.1, .levels = LEVELS, .color = 1};
+    cm_octree *map;
+    uint8_t alpha[CM_BLOCK_CELLS], color[CM_BLOCK_CELLS][3];
+    ck_assert_int_eq(cm_octree_create(&options, &map), CM_OK);
+    memset(alpha, 200, sizeof alpha);
+    memset(color, 90, sizeof color);
+    for (int64_t block = 0; block < 64; block++)
+    {
+        const int64_t corner[3] = {block % 4 * CM_BLOCK_EDGE, block / 4 % 4 * CM_BLOCK_EDGE,
+                                   block / 16 * CM_BLOCK_EDGE};
+        ck_assert_int_eq(cm_octree_set_block(map, corner, alpha, (const uint8_t(*)[3])color),
+                         CM_OK);
+    }
+    cm_octree_count count = {.size = sizeof count};
+    ck_assert_int_eq(cm_octree_count_voxels(map, &count), CM_OK);
+    ck_assert_uint_eq(count.occupied, 64 * CM_BLOCK_CELLS);
+    ck_assert_uint_lt(count.bytes, 30000);
+    cm_voxel voxel;
+    cm_octree_at(map, (const double[3]){3.15, 3.15, 3.15}, 0, &voxel);
+    ck_assert(voxel.alpha == 200 && abs(voxel.color[1] - 90) <= 1);
+    cm_octree_destroy(map);
+}
+END_TEST
+
 START_TEST(empty_maps)
 {
     const file none = begin_bits("0");
@@ -427,6 +457,7 @@ int main(void)
                                   a_root_without_children_is_occupied,
                                   values,
                                   colors,
+                                  colored_blocks_are_small_at_once,
                                   empty_maps,
                                   files_that_are_cut,
                                   numbers_of_nodes,

@@ -199,6 +199,38 @@ START_TEST(large_cubes_are_merged_at_once)
 }
 END_TEST
 
+/* Turned by a quarter, as a quaternion has it: on each axis borders fall on borders of cubes. By a pose across the
+ * axes it would be more regions than there is memory for, which is told before anything is done. */
+START_TEST(largest_cubes_are_merged_or_refused)
+{
+    const double place[3] = {0.0, 0.0, 0.0}, half = sqrt(0.5);
+    const double turned[4] = {0.0, 0.0, half, half}, none[4] = {0.0, 0.0, 0.0, 1.0};
+    const double at[3] = {1.0, 0.5, -2.0};
+    const cm_octree_options options = {.size = sizeof options, .levels = 20, .edge = 0.01};
+    cm_octree_options half_options = options;
+    half_options.levels = 19;
+    cm_octree *from = even_map(&half_options, 1);
+    cm_octree_count count = {.size = sizeof count};
+    for (int turns = 0; turns < 2; turns++)
+    {
+        cm_pose pose;
+        cm_octree *to = make_map(&options);
+        ck_assert_int_eq(cm_pose_from_quaternion(place, turns ? turned : none, &pose), CM_OK);
+        ck_assert_int_eq(cm_octree_merge(to, from, &pose), CM_OK);
+        ck_assert_int_eq(cm_octree_count_voxels(to, &count), CM_OK);
+        ck_assert_uint_eq(count.occupied, (uint64_t)1 << 3 * half_options.levels);
+        cm_octree_destroy(to);
+    }
+    const cm_pose across = look_at(place, at, 0.5);
+    cm_octree *to = make_map(&options);
+    ck_assert_int_eq(cm_octree_merge(to, from, &across), CM_ERROR_MEMORY);
+    ck_assert_int_eq(cm_octree_count_voxels(to, &count), CM_OK);
+    ck_assert(count.occupied == 0 && cm_octree_step(to) == 0);
+    cm_octree_destroy(to);
+    cm_octree_destroy(from);
+}
+END_TEST
+
 /* Where the roots' borders cross each other, too. */
 START_TEST(borders_of_large_cubes_are_sampled)
 {
@@ -276,11 +308,15 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const tests[] = {
-        merging_is_as_updating_with_both,   other_roots_are_sampled,
-        poses_and_edges_are_sampled,        large_cubes_are_merged_at_once,
-        borders_of_large_cubes_are_sampled, colors_are_averaged_by_hits,
-        wrong_merges_are_refused,           NULL};
+    const TTest *const tests[] = {merging_is_as_updating_with_both,
+                                  other_roots_are_sampled,
+                                  poses_and_edges_are_sampled,
+                                  large_cubes_are_merged_at_once,
+                                  largest_cubes_are_merged_or_refused,
+                                  borders_of_large_cubes_are_sampled,
+                                  colors_are_averaged_by_hits,
+                                  wrong_merges_are_refused,
+                                  NULL};
     camera = straight_camera(60, 44, 0.5);
     const int result = run_suite("octree merge", tests);
     cm_camera_destroy(camera);

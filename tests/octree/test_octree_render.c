@@ -223,6 +223,38 @@ START_TEST(depths_are_where_rays_end)
 }
 END_TEST
 
+/* Whole principal points, and poses whose axes are the world's: the middle row and column look along planes of the world, and a
+ * coordinate of theirs never changes. It may grow or fall by nothing, and begin on a border of voxels. */
+START_TEST(rays_along_axes)
+{
+    cm_octree *octree = make_map(is_room, 1);
+    const cm_camera_options lens = {.size = sizeof lens,
+                                    .width = WIDTH,
+                                    .height = HEIGHT,
+                                    .fx = 100.0,
+                                    .fy = 101.0,
+                                    .cx = 59.0,
+                                    .cy = 44.0};
+    for (int view = 0; view < 12; view++)
+    {
+        cm_pose pose = {.position = {0.1, 0.2, -0.3}};
+        pose.position[view % 3] = view % 2 ? 0.3 : pose.position[view % 3];
+        for (int row = 0; row < 3; row++)
+        {
+            pose.rotation.row[row][(row + view) % 3] = view / 3 % 2 && row > 0 ? -1.0 : 1.0;
+        }
+        seen *s = make_camera(0, pose);
+        cm_camera_destroy(s->camera);
+        ck_assert_int_eq(cm_camera_create(&lens, &s->camera), CM_OK);
+        render(octree, s, NULL);
+        const size_t off = count_off(octree, s, 1e-5);
+        ck_assert_msg(off == 0, "view %d: %zu", view, off);
+        drop_camera(s);
+    }
+    cm_octree_destroy(octree);
+}
+END_TEST
+
 START_TEST(coarse_levels_are_near)
 {
     cm_octree *octree = make_map(is_room, 1);
@@ -628,6 +660,7 @@ END_TEST
 int main(void)
 {
     const TTest *const tests[] = {depths_are_where_rays_end,
+                                  rays_along_axes,
                                   coarse_levels_are_near,
                                   colors_are_those_of_voxels,
                                   threads_do_not_matter,

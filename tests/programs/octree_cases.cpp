@@ -394,6 +394,47 @@ void keeps_old_maps()
           "octree integrate room -o kept.map --edge 0.1");
 }
 
+// Black everywhere, and opaque.
+void make_opaque_mask(const std::string &name, int width, int height)
+{
+    std::string targa("\0\0\2\0\0\0\0\0\0\0\0\0", 12);
+    for (const int number : {width & 255, width >> 8, height & 255, height >> 8, 32, 40})
+    {
+        targa += static_cast<char>(number);
+    }
+    for (int i = 0; i < width * height; ++i)
+    {
+        targa += std::string("\0\0\0\377", 4);
+    }
+    write_file(name, targa);
+}
+
+// Masks have no depth, and may be opaque where they are black.
+void carves_files_of_others(const std::string &hull)
+{
+    std::filesystem::rename("masks/depth.txt", "masks/kept.txt");
+    std::filesystem::rename("masks/depth", "masks/kept");
+    const Ran ran = passes("hull of colours alone",
+                           "octree hull masks -o flat.map --edge 0.02 --centre 0,0,1.3 "
+                           "--levels 6 --outside dies --json");
+    result(ran.out == hull, "depth is not needed", ran.out + hull);
+    std::filesystem::rename("masks/kept.txt", "masks/depth.txt");
+    std::filesystem::rename("masks/kept", "masks/depth");
+    std::filesystem::create_directory("opaque");
+    std::filesystem::copy("masks/camera.json", "opaque/camera.json",
+                          std::filesystem::copy_options::overwrite_existing);
+    write_file("opaque/groundtruth.txt", "1 0 0 0 0 0 0 1\n");
+    write_file("opaque/rgb.txt", "1 black.tga\n");
+    const Picture mask("masks/rgb/1.000000.png");
+    make_opaque_mask("opaque/black.tga", mask.width, mask.height);
+    const Ran black = passes("an opaque black mask", "octree hull opaque -o flat.map --edge 0.02 "
+                                                     "--levels 6 --outside dies --json");
+    result(json_value(black.out, "occupied") == 0, "alpha is no colour", black.out);
+    write_file("opaque/rgb.txt", "1 black.tga\n2 away.tga\n");
+    write_file("opaque/groundtruth.txt", "1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n");
+    fails("a mask that is missing", 1, "away.tga", "octree hull opaque -o made/x --edge 0.02");
+}
+
 void carves()
 {
     make_octree_inputs();
@@ -427,6 +468,7 @@ void carves()
     const Ran asked = run_with_input("0 0 1.3\n0.15 0 1.3\n0.3 0 1.3\n", "octree query hull.map");
     result(asked.out == "occupied 0.02 0 0 0\noccupied 0.02 0 0 0\nfree 0.02 0 0 0\n",
            "inside is occupied, outside free", asked.out);
+    carves_files_of_others(ran.out);
     std::filesystem::remove("masks/rgb.txt");
     fails("no masks", 1, "view 1 has no colours", "octree hull masks -o made/x --edge 0.02");
 }

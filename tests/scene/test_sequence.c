@@ -400,6 +400,42 @@ START_TEST(what_is_absent_is_counted)
 }
 END_TEST
 
+/* Who looks at colours alone needs no depth, in each layout; others do. */
+START_TEST(colours_will_do)
+{
+    const cm_sequence_options options = {.size = sizeof options, .colors_will_do = 1};
+    const char *const depth[] = {NULL, "depth", "depth_%05u.png", "frame-%06u.depth.png"};
+    for (unsigned layout = CM_SEQUENCE_TUM; layout <= CM_SEQUENCE_SEVEN_SCENES; layout++)
+    {
+        const char *folder = write_views("colours", (cm_sequence_layout)layout, 0);
+        for (unsigned k = 0; k < VIEWS; k++)
+        {
+            char name[100] = "colours/", file[60];
+            snprintf(file, sizeof file, layout == CM_SEQUENCE_TUM ? "depth" : depth[layout], k);
+            strcat(name, file);
+            remove_all(in_folder(name));
+        }
+        remove_all(in_folder("colours/depth.txt"));
+        ck_assert_int_ne(open_all(folder, NULL), CM_OK);
+        cm_sequence *sequence = NULL;
+        REQUIRE(cm_sequence_open(folder, &options, &sequence, message) == CM_OK, "%s", message);
+        ck_assert_uint_eq(cm_sequence_count(sequence), VIEWS);
+        for (unsigned k = 0; k < VIEWS; k++)
+        {
+            cm_sequence_entry entry;
+            const cm_view *view = NULL;
+            ck_assert_int_eq(cm_sequence_entry_at(sequence, k, &entry, message), CM_OK);
+            REQUIRE(entry.depth == NULL && entry.color != NULL, "view %u", k);
+            REQUIRE(cm_sequence_view(sequence, k, &view, message) == CM_OK, "%s", message);
+            const cm_view wanted = make_view(view->camera, k, 0);
+            ck_assert(view->depth.data == NULL && view->color.data != NULL);
+            ck_assert(fabs(view->pose.position[1] - wanted.pose.position[1]) < 1e-6);
+        }
+        cm_sequence_close(sequence);
+    }
+}
+END_TEST
+
 /* Poses and colours 0.02 s from the depth, as they are written; a millionth more is too much. */
 START_TEST(times_are_near_as_written)
 {
@@ -654,6 +690,7 @@ int main(void)
                                   what_was_killed_had_our_number,
                                   ranges_become_depths,
                                   what_is_absent_is_counted,
+                                  colours_will_do,
                                   times_are_near_as_written,
                                   bad_pictures_are_refused,
                                   depths_of_floating_point_are_read,

@@ -40,10 +40,12 @@ TimedPoses read_poses(const std::string &path)
     return {{list.time, list.time + list.count}, {list.pose, list.pose + list.count}};
 }
 
-SequencePointer open_sequence(const std::string &folder, const std::string &camera)
+SequencePointer open_sequence(const std::string &folder, const std::string &camera,
+                              bool colors_will_do)
 {
     cm_sequence_options options = {};
     options.size = sizeof options;
+    options.colors_will_do = colors_will_do ? 1 : 0;
     options.camera = camera.empty() ? nullptr : camera.c_str();
     cm_sequence *sequence = nullptr;
     char message[CM_IMAGE_MESSAGE] = "";

@@ -62,7 +62,9 @@ void check_scene(cm_status status, const char *message);
 
 CameraFile read_camera(const std::string &path);
 TimedPoses read_poses(const std::string &path);
-SequencePointer open_sequence(const std::string &folder, const std::string &camera);
+// colors_will_do: its views need have no depth.
+SequencePointer open_sequence(const std::string &folder, const std::string &camera,
+                              bool colors_will_do = false);
 // Calls body for each view, in the order of time: of a stream, whose end is not known before, up to its end.
 void for_each_view(cm_sequence *sequence, const std::function<void(const cm_view &)> &body);
 SequenceWriterPointer create_sequence(const std::string &folder, cm_sequence_layout layout,

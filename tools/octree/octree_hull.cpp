@@ -72,6 +72,7 @@ public:
     {
         const cm_image &from = view.color;
         const std::size_t pixel = from.channels * cm_pixel_size(from.type);
+        const std::size_t colors = pixel - (from.channels % 2 == 0 ? cm_pixel_size(from.type) : 0);
         const std::ptrdiff_t step =
             from.pixel_stride != 0 ? from.pixel_stride : static_cast<std::ptrdiff_t>(pixel);
         const std::ptrdiff_t row_step =
@@ -82,8 +83,8 @@ public:
             const auto *const at = static_cast<const unsigned char *>(from.data) +
                                    static_cast<std::ptrdiff_t>(i / from.width) * row_step +
                                    static_cast<std::ptrdiff_t>(i % from.width) * step;
-            // of every type the bytes of 0 are 0; of floats -0 is left, which no picture has
-            inside[i] = std::any_of(at, at + pixel, [](unsigned char byte) { return byte != 0; });
+            // What hides, the last of two or four channels, is no color. Of every type the bytes of 0 are 0; of floats -0 is left, which no picture has
+            inside[i] = std::any_of(at, at + colors, [](unsigned char byte) { return byte != 0; });
         }
         pictures.push_back(std::move(inside));
         cm_view copy = view;
@@ -132,7 +133,7 @@ MaskList read_masks(cm_sequence *sequence, const std::string &folder)
 
 int carve(const HullOptions &options, const cm_streams &streams)
 {
-    const SequencePointer sequence = open_sequence(options.folder, options.camera);
+    const SequencePointer sequence = open_sequence(options.folder, options.camera, true);
     MaskList masks = read_masks(sequence.get(), options.folder);
     const std::vector<cm_view> &views = masks.views();
     cm_octree *made = nullptr;

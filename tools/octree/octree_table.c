@@ -355,8 +355,9 @@ const cm_command octree_hull_command = {
     .name = "cubemap-octree hull",
     .usage = "[OPTION]... DIR -o MAP",
     .summary =
-        "Carves the visual hull of masks, which are the colours of a sequence, not 0 inside: "
-        "what all of them have inside is occupied, the rest free.",
+        "Carves the visual hull of masks, which are the colours of a sequence, not 0 inside, "
+        "whatever alpha says: what all of them have inside is occupied, the rest free. The "
+        "sequence needs no depth.",
     .groups = hull_groups,
     .group_count = 1,
     .words = "DIR MAP",

@@ -50,6 +50,7 @@ typedef struct cm_sequence_options
     const char *camera;        /* a CAMERA.json that goes before the folder's; NULL */
     double pose_within;        /* seconds from a depth image to its pose at most; 0: 0.02 */
     double color_within;       /* seconds from a depth image to its colours at most; 0: 0.02 */
+    int colors_will_do; /* 1: a folder without depth images is one, too, whose views are its colours and have no depth */
 } cm_sequence_options;
 
 /* What was found, and what was left out. */
@@ -74,7 +75,7 @@ typedef struct cm_sequence_entry
 {
     double time; /* of the depth image, seconds */
     cm_pose pose;
-    const char *depth;
+    const char *depth; /* there, unless colors_will_do */
     const char *color;
 } cm_sequence_entry;
 

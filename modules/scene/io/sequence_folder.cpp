@@ -76,15 +76,26 @@ std::vector<TimedName> present(const std::string &folder, std::vector<TimedName>
     return names;
 }
 
+// In TUM's layout, where colours alone are looked at in place of a list that is not there.
+bool has_depth_list(const std::string &folder, const cm_sequence_options &options)
+{
+    return options.colors_will_do == 0 || file_is_there(path_in(folder, "depth.txt")) ||
+           !file_is_there(path_in(folder, "rgb.txt"));
+}
+
 std::vector<SequenceItem> list_tum(const std::string &folder, const cm_sequence_options &options,
                                    cm_sequence_report &report)
 {
-    const std::vector<TimedName> listed = read_time_list(path_in(folder, "depth.txt"));
-    report.listed = listed.size();
-    const std::vector<TimedName> depths = present(folder, listed, report.absent);
-    std::vector<TimedName> colors;
     const std::string color_list = path_in(folder, "rgb.txt");
-    if (file_is_there(color_list))
+    const bool has_depth = has_depth_list(folder, options);
+    const std::vector<TimedName> listed =
+        read_time_list(has_depth ? path_in(folder, "depth.txt") : color_list);
+    report.listed = listed.size();
+    // a mask that is missing is not left out: without it a hull is another
+    const std::vector<TimedName> depths =
+        has_depth ? present(folder, listed, report.absent) : listed;
+    std::vector<TimedName> colors;
+    if (has_depth && file_is_there(color_list))
     {
         colors = present(folder, read_time_list(color_list), report.color_absent);
     }
@@ -107,8 +118,15 @@ std::vector<SequenceItem> list_tum(const std::string &folder, const cm_sequence_
         const std::size_t color = nearest_time(
             colors.size(), [&colors](std::size_t i) { return colors[i].time; }, depth.time,
             options.color_within);
-        items.push_back({depth.time, poses.pose[pose], depth.name,
-                         color == colors.size() ? "" : colors[color].name});
+        if (has_depth)
+        {
+            items.push_back({depth.time, poses.pose[pose], depth.name,
+                             color == colors.size() ? "" : colors[color].name});
+        }
+        else
+        {
+            items.push_back({depth.time, poses.pose[pose], "", depth.name});
+        }
     }
     return items;
 }
@@ -132,7 +150,8 @@ std::string numbered_depth(const std::string &folder, std::size_t number)
                                   numbered("depth_", number, 5, ".exr")});
 }
 
-std::vector<SequenceItem> list_open3d(const std::string &folder, cm_sequence_report &report)
+std::vector<SequenceItem> list_open3d(const std::string &folder, const cm_sequence_options &options,
+                                      cm_sequence_report &report)
 {
     PoseList poses;
     char message[CM_IMAGE_MESSAGE] = "";
@@ -143,14 +162,14 @@ std::vector<SequenceItem> list_open3d(const std::string &folder, cm_sequence_rep
     for (std::size_t i = 0; i < poses.count; ++i)
     {
         const std::string depth = numbered_depth(folder, i);
-        if (depth.empty())
+        const std::string color = first_present(
+            folder, {numbered("image_", i, 5, ".jpg"), numbered("image_", i, 5, ".png")});
+        if (depth.empty() && (options.colors_will_do == 0 || color.empty()))
         {
             ++report.absent;
             continue;
         }
-        items.push_back({static_cast<double>(i) / numbered_rate, poses.pose[i], depth,
-                         first_present(folder, {numbered("image_", i, 5, ".jpg"),
-                                                numbered("image_", i, 5, ".png")})});
+        items.push_back({static_cast<double>(i) / numbered_rate, poses.pose[i], depth, color});
     }
     // of a log that was cut off
     while (!numbered_depth(folder, poses.count + report.without_pose).empty())
@@ -186,16 +205,22 @@ std::map<std::size_t, FrameFiles> frame_files(const std::string &folder)
     return found;
 }
 
-std::vector<SequenceItem> list_seven_scenes(const std::string &folder, cm_sequence_report &report)
+std::vector<SequenceItem> list_seven_scenes(const std::string &folder,
+                                            const cm_sequence_options &options,
+                                            cm_sequence_report &report)
 {
     std::vector<SequenceItem> items;
     for (const auto &[number, files] : frame_files(folder))
     {
         report.poses += files.pose;
         ++report.listed;
-        if (!files.depth || !files.pose)
+        const std::string color =
+            first_present(folder, {numbered("frame-", number, 6, ".color.png"),
+                                   numbered("frame-", number, 6, ".color.jpg")});
+        const bool is_there = files.depth || (options.colors_will_do != 0 && !color.empty());
+        if (!is_there || !files.pose)
         {
-            ++(files.depth ? report.without_pose : report.absent);
+            ++(is_there ? report.without_pose : report.absent);
             continue;
         }
         const std::string path = path_in(folder, numbered("frame-", number, 6, ".pose.txt"));
@@ -205,9 +230,8 @@ std::vector<SequenceItem> list_seven_scenes(const std::string &folder, cm_sequen
         check_read(cm_pose_file_parse(path.c_str(), text.data(), text.size(), &item.pose, message),
                    message);
         item.time = static_cast<double>(number) / numbered_rate;
-        item.depth = numbered("frame-", number, 6, ".depth.png");
-        item.color = first_present(folder, {numbered("frame-", number, 6, ".color.png"),
-                                            numbered("frame-", number, 6, ".color.jpg")});
+        item.depth = files.depth ? numbered("frame-", number, 6, ".depth.png") : "";
+        item.color = color;
         items.push_back(item);
     }
     return items;
@@ -241,7 +265,7 @@ std::vector<TimedName> parse_time_list(const std::string &name, std::string_view
     return names;
 }
 
-cm_sequence_layout layout_of(const std::string &folder)
+cm_sequence_layout layout_of(const std::string &folder, const cm_sequence_options &options)
 {
     if (!folder_is_there(folder))
     {
@@ -259,8 +283,13 @@ cm_sequence_layout layout_of(const std::string &folder)
     {
         return CM_SEQUENCE_SEVEN_SCENES;
     }
-    fail_file(folder, "is no sequence: it has neither depth.txt nor trajectory.log nor "
-                      "frame-NNNNNN.depth.png");
+    if (!has_depth_list(folder, options))
+    {
+        return CM_SEQUENCE_TUM;
+    }
+    fail_file(folder, std::string("is no sequence: it has neither depth.txt nor ") +
+                          (options.colors_will_do != 0 ? "rgb.txt nor " : "") +
+                          "trajectory.log nor frame-NNNNNN.depth.png");
 }
 
 std::vector<SequenceItem> list_views(const std::string &folder, const cm_sequence_options &options,
@@ -268,12 +297,13 @@ std::vector<SequenceItem> list_views(const std::string &folder, const cm_sequenc
 {
     std::vector<SequenceItem> items =
         report.layout == CM_SEQUENCE_TUM      ? list_tum(folder, options, report)
-        : report.layout == CM_SEQUENCE_OPEN3D ? list_open3d(folder, report)
-                                              : list_seven_scenes(folder, report);
+        : report.layout == CM_SEQUENCE_OPEN3D ? list_open3d(folder, options, report)
+                                              : list_seven_scenes(folder, options, report);
     if (items.empty())
     {
         fail_file(folder,
-                  "has no view: of " + std::to_string(report.listed) + " depth images " +
+                  "has no view: of " + std::to_string(report.listed) +
+                      (options.colors_will_do != 0 ? " images " : " depth images ") +
                       std::to_string(report.absent) + " are absent and " +
                       std::to_string(report.without_pose) + " have no pose",
                   CM_ERROR_FILE);

@@ -15,7 +15,7 @@ struct SequenceItem
 {
     double time = 0.0;
     cm_pose pose = {};
-    std::string depth; // within the folder
+    std::string depth; // within the folder; "": none, where colours will do
     std::string color; // "": none
 };
 
@@ -30,7 +30,7 @@ struct TimedName
 std::vector<TimedName> parse_time_list(const std::string &name, std::string_view text);
 
 // The layout that a folder has. FileFailure if it has none.
-cm_sequence_layout layout_of(const std::string &folder);
+cm_sequence_layout layout_of(const std::string &folder, const cm_sequence_options &options);
 
 // Its views in time; report's counts are filled. FileFailure if there is none.
 std::vector<SequenceItem> list_views(const std::string &folder, const cm_sequence_options &options,

@@ -104,7 +104,7 @@ void cm_sequence::open_camera(const char *given)
 
 void cm_sequence::open_folder(const cm_sequence_options &options)
 {
-    report.layout = options.layout == CM_SEQUENCE_ANY ? layout_of(folder) : options.layout;
+    report.layout = options.layout == CM_SEQUENCE_ANY ? layout_of(folder, options) : options.layout;
     if (!folder_is_there(folder))
     {
         fail_file(folder, "is no folder", CM_ERROR_FILE);
@@ -131,7 +131,7 @@ void cm_sequence::describe_entry(std::size_t k, cm_sequence_entry &entry) const
     }
     check_index(k);
     const SequenceItem &item = items[k];
-    entry = {item.time, item.pose, item.depth.c_str(),
+    entry = {item.time, item.pose, item.depth.empty() ? nullptr : item.depth.c_str(),
              item.color.empty() ? nullptr : item.color.c_str()};
 }
 
@@ -164,8 +164,13 @@ const cm_view *cm_sequence::view_at(std::size_t k)
     check_index(k);
     const SequenceItem &item = items[k];
     const cm_camera_options &options = *cm_camera_describe(camera.get());
-    read_depth(path_in(folder, item.depth), options, depth);
-    if (report.layout == CM_SEQUENCE_SEVEN_SCENES && depth.image.type == CM_PIXEL_U16)
+    depth.clear();
+    if (!item.depth.empty())
+    {
+        read_depth(path_in(folder, item.depth), options, depth);
+    }
+    if (report.layout == CM_SEQUENCE_SEVEN_SCENES && !item.depth.empty() &&
+        depth.image.type == CM_PIXEL_U16)
     {
         for (std::size_t i = 0; i < depth.bytes.size(); i += 2)
         {
