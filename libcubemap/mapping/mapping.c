@@ -117,7 +117,7 @@ static double area_scale_of(const cm_mapping *mapping)
     }
 }
 
-/* Whose powers underflow in float, beside corners, diagonals and axes, and whose inverse divides zero by zero where that is
+/* Whose powers underflow in float, beside diagonals and axes, and whose inverse divides zero by zero where that is
  * not chosen, keep the flags. */
 static void hold_flags(cm_mapping *mapping)
 {
@@ -130,12 +130,6 @@ static void hold_flags(cm_mapping *mapping)
     {
         mapping->lone_f32 = cm_lone_held_f32;
     }
-#ifndef __clang__
-    if (strcmp(mapping->info->identifier, "conformal") == 0)
-    {
-        mapping->lone_f32 = cm_lone_held_beside_f32;
-    }
-#endif
     if (strcmp(mapping->info->identifier, "rhealpix") == 0)
     {
         mapping->lone_f64.inverse = cm_lone_held_f64.inverse;
