@@ -15,7 +15,7 @@
  * that the whole axis q = 0 does, on which v then vanishes without a difference. What that costs in
  * convergence, a variable of forward's series that is no power gives back, and coefficients that are made
  * for the zones alone (research/mappings/conformal-series). As a point is in one zone, its coefficients are selected
- * and there is one evaluation.
+ * and there is one evaluation; a point alone takes the way of its zone (dialect.h).
  *
  * Of forward, the rounding of p and q beside a corner comes out magnified without bound, as w^(3/4):
  * by 2^13 in double at most, as p and q cannot be nearer to 1 than an ulp.
