@@ -117,7 +117,7 @@ static double area_scale_of(const cm_mapping *mapping)
     }
 }
 
-/* Whose powers underflow in float, beside diagonals and axes, and whose inverse divides zero by zero where that is
+/* Whose powers underflow in float, beside corners, diagonals and axes, and whose inverse divides zero by zero where that is
  * not chosen, keep the flags. */
 static void hold_flags(cm_mapping *mapping)
 {
