@@ -130,12 +130,6 @@ static void hold_flags(cm_mapping *mapping)
     {
         mapping->lone_f32 = cm_lone_held_f32;
     }
-#ifndef __clang__
-    if (strcmp(mapping->info->identifier, "conformal") == 0)
-    {
-        mapping->lone_f32 = cm_lone_held_beside_f32;
-    }
-#endif
     if (strcmp(mapping->info->identifier, "rhealpix") == 0)
     {
         mapping->lone_f64.inverse = cm_lone_held_f64.inverse;

@@ -15,7 +15,5 @@ extern const cm_lone_f64 cm_lone_by_loops_f64;
 extern const cm_lone_f32 cm_lone_by_loops_f32;
 extern const cm_lone_f64 cm_lone_held_f64;
 extern const cm_lone_f32 cm_lone_held_f32;
-extern const cm_lone_f32
-    cm_lone_held_beside_f32; /* beside corners and diagonals (points_float.c) */
 
 #endif

@@ -2,7 +2,7 @@
  *
  * One point alone has the bits that it has in an array, and raises no exception but inexact: every mapping to a cube or of
  * one kernel, in every frame, with every instruction set, in double and in float, at coordinates that are equal, ones, zeros,
- * tiny, huge or bad, and beside where a way alone begins and ends (batch/lone_easy.inc).
+ * tiny, huge or bad, and beside where a way alone begins and ends (batch/lone_easy.inc) and conformal's zones meet.
  */
 #include "tests/suite.h"
 
@@ -18,7 +18,9 @@ static const double special[] = {0.0,       -0.0,
                                  1e-300,    1e300,
                                  3.0,       0.99999994039535522,
                                  1e-9,      1.0e-40,
-                                 0.25,      0.70710678118654752};
+                                 0.25,      0.70710678118654752,
+                                 0x1p-6,    0.99609375,
+                                 0.3,       0.25988532984559076};
 static const double bad[] = {(double)NAN, (double)INFINITY};
 
 enum
@@ -65,6 +67,12 @@ static void lone_numbers(uint64_t *state, double x[3])
     if (bits % 32 == 7) /* beside a diagonal */
     {
         x[1] = (double)nextafterf((float)x[0], 2.0f);
+    }
+    if (bits % 32 == 9) /* beside a diagonal at a face's centre, where eighth powers underflow */
+    {
+        x[0] = ldexp(1.0, (int)(bits / 256 % 64));
+        x[1] = ldexp(1.0, -(int)(bits / 16384 % 64));
+        x[2] = nextafter(x[1], 0.0);
     }
 }
 

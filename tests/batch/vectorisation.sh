@@ -15,7 +15,7 @@ fi
 
 # NAME COUNT: the identifiers of the catalogue's rooms and the number of their variants
 rooms=$(sed -n 's/^#include "\(.*\)"$/\1/p' "$include/cubemap/kernel/kernel_catalogue.h" | while read -r file; do
-    sed -n 's/^CM_WARP_VARIANTS(\([a-z0-9_]*\),.*/\1 2/p; s/^CM_\(WARP\|WARP_ASYMMETRIC\|SPHERE\)(\([a-z0-9_]*\),.*/\2 1/p' \
+    sed -n 's/^CM_WARP_VARIANTS(\([a-z0-9_]*\),.*/\1 2/p; s/^CM_\(WARP\|WARP_ASYMMETRIC\|WARP_UNDERFLOW\|SPHERE\)(\([a-z0-9_]*\),.*/\2 1/p' \
         "$include/cubemap/kernel/$file"
 done)
 variants=$(echo "$rooms" | awk '{sum += $2} END {print sum}')

@@ -15,14 +15,14 @@
  * that the whole axis q = 0 does, on which v then vanishes without a difference. What that costs in
  * convergence, a variable of forward's series that is no power gives back, and coefficients that are made
  * for the zones alone (research/mappings/conformal-series). As a point is in one zone, its coefficients are selected
- * and there is one evaluation.
+ * and there is one evaluation; a point alone takes the way of its zone (dialect.h).
  *
  * Of forward, the rounding of p and q beside a corner comes out magnified without bound, as w^(3/4):
  * by 2^13 in double at most, as p and q cannot be nearer to 1 than an ulp.
  */
 #ifdef CM_DESCRIPTORS
 /* clang-format off */
-CM_WARP(conformal,
+CM_WARP_UNDERFLOW(conformal,
         .identifier = "conformal",
         .aliases = "rancic lee-cube",
         .name = "conformal cube",
@@ -47,10 +47,9 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_conformal_prepare)(CM_NAME(cm_constants) 
 #define CM_CONFORMAL_INVERSE_SQRT3 CM_LIT(0.57735026918962576450914878050195745565)
 
 CM_FN CM_NAME(cm_complex)
-    CM_NAME(cm_conformal_select)(CM_BOOL condition, CM_NAME(cm_complex) a, CM_NAME(cm_complex) b)
+    CM_NAME(cm_conformal_select)(CM_ZONE corner, CM_NAME(cm_complex) a, CM_NAME(cm_complex) b)
 {
-    return CM_NAME(cm_make_complex)(CM_SELECT(condition, a.re, b.re),
-                                    CM_SELECT(condition, a.im, b.im));
+    return CM_NAME(cm_make_complex)(CM_IN_ZONE(corner, a.re, b.re), CM_IN_ZONE(corner, a.im, b.im));
 }
 
 /* The root of an a with a.re >= 0, from |a|. */
@@ -72,21 +71,23 @@ CM_STRUCT(cm_conformal_sum)
 }
 CM_STRUCT_END(cm_conformal_sum)
 
-CM_FN CM_NAME(cm_conformal_sum) CM_NAME(cm_conformal_begin)(CM_NAME(cm_complex) x)
+/* with the last coefficient, of the centre's zone: that of the corner has fewer, and begins with 0 */
+CM_FN CM_NAME(cm_conformal_sum)
+    CM_NAME(cm_conformal_begin)(CM_NAME(cm_complex) x, CM_ZONE corner, CM_REAL at_centre)
 {
     CM_NAME(cm_conformal_sum) b;
     b.twice = CM_LIT(2.0) * x.re;
     b.minus_square = -cm_mad(x.re, x.re, x.im * x.im);
-    b.last = CM_LIT(0.0);
+    b.last = CM_IN_ZONE(corner, CM_LIT(0.0), at_centre);
     b.before = CM_LIT(0.0);
     return b;
 }
 
 CM_FN CM_NAME(cm_conformal_sum)
-    CM_NAME(cm_conformal_term)(CM_NAME(cm_conformal_sum) b, CM_BOOL corner, CM_REAL at_corner,
+    CM_NAME(cm_conformal_term)(CM_NAME(cm_conformal_sum) b, CM_ZONE corner, CM_REAL at_corner,
                                CM_REAL at_centre)
 {
-    CM_REAL a = CM_SELECT(corner, at_corner, at_centre);
+    CM_REAL a = CM_IN_ZONE(corner, at_corner, at_centre);
     CM_REAL next = cm_mad(b.twice, b.last, cm_mad(b.minus_square, b.before, a));
     b.before = b.last;
     b.last = next;
@@ -110,16 +111,19 @@ CM_FN CM_NAME(cm_complex)
 #if CM_REAL_BITS <= 64
 
 /* F(s) - 2 from the variable of the centre's zone, or -2 B(w^3) from w^3 */
-CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_forward_sum)(CM_BOOL corner, CM_NAME(cm_complex) x)
+CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_forward_sum)(CM_ZONE corner, CM_NAME(cm_complex) x)
 {
-    CM_NAME(cm_conformal_sum) b = CM_NAME(cm_conformal_begin)(x);
 #if CM_REAL_BITS == 64
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-3.5301706306461124e-2));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(3.1406354599196759e-3));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-3.5958105842181243e-2));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-2.0184747144157709e-3));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-3.7057139601975952e-2));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-7.328383306140445e-3));
+    CM_NAME(cm_conformal_sum) b =
+        CM_NAME(cm_conformal_begin)(x, corner, CM_LIT(-3.5301706306461124e-2));
+    if (CM_OUTSIDE_ZONE(corner))
+    {
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(3.1406354599196759e-3));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-3.5958105842181243e-2));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-2.0184747144157709e-3));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-3.7057139601975952e-2));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-7.328383306140445e-3));
+    }
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-2.4960360556899995e-3),
                                    CM_LIT(-4.0581269502832169e-2));
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-3.0500622918975661e-3),
@@ -139,29 +143,32 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_forward_sum)(CM_BOOL corner, CM_N
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-7.9369442056988044e-2),
                                    CM_LIT(-2.8844324061609298e-1));
     return CM_NAME(cm_conformal_end)(
-        b, CM_SELECT(corner, CM_LIT(-1.8141586755882982), CM_LIT(4.3859144818194689e-1)), x);
+        b, CM_IN_ZONE(corner, CM_LIT(-1.8141586755882982), CM_LIT(4.3859144818194689e-1)), x);
 #else
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-2.35547644e-2));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-6.19817122e-2));
+    CM_NAME(cm_conformal_sum) b = CM_NAME(cm_conformal_begin)(x, corner, CM_LIT(-2.35547644e-2));
+    if (CM_OUTSIDE_ZONE(corner))
+    {
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-6.19817122e-2));
+    }
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-9.81155393e-3), CM_LIT(-3.38675597e-2));
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-1.57254353e-2), CM_LIT(-9.96485455e-2));
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-3.04131419e-2), CM_LIT(-6.1536343e-2));
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-7.93694421e-2), CM_LIT(-2.88443235e-1));
     return CM_NAME(cm_conformal_end)(
-        b, CM_SELECT(corner, CM_LIT(-1.81415868), CM_LIT(4.38591448e-1)), x);
+        b, CM_IN_ZONE(corner, CM_LIT(-1.81415868), CM_LIT(4.38591448e-1)), x);
 #endif
 }
 
 #else /* the power series: (1 + alpha x + beta x^2)^(-1/4), integrated term by term */
 
-CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_forward_sum)(CM_BOOL corner, CM_NAME(cm_complex) x)
+CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_forward_sum)(CM_ZONE corner, CM_NAME(cm_complex) x)
 {
-    CM_REAL scale = CM_SELECT(corner, CM_LIT(-1.3606190066912236182756960794010114889),
-                              CM_LIT(2.4589161211916530669900713824564418560)); /* -2 C, k0 */
-    CM_REAL alpha = CM_SELECT(corner, CM_LIT(-0.875), CM_LIT(14.0));
-    CM_REAL beta = CM_SELECT(corner, CM_LIT(-0.125), CM_LIT(1.0));
-    CM_REAL step = CM_SELECT(corner, CM_LIT(3.0), CM_LIT(4.0));
-    CM_REAL order = CM_SELECT(corner, CM_LIT(0.75), CM_LIT(1.0)); /* of the integral */
+    CM_REAL scale = CM_IN_ZONE(corner, CM_LIT(-1.3606190066912236182756960794010114889),
+                               CM_LIT(2.4589161211916530669900713824564418560)); /* -2 C, k0 */
+    CM_REAL alpha = CM_IN_ZONE(corner, CM_LIT(-0.875), CM_LIT(14.0));
+    CM_REAL beta = CM_IN_ZONE(corner, CM_LIT(-0.125), CM_LIT(1.0));
+    CM_REAL step = CM_IN_ZONE(corner, CM_LIT(3.0), CM_LIT(4.0));
+    CM_REAL order = CM_IN_ZONE(corner, CM_LIT(0.75), CM_LIT(1.0)); /* of the integral */
     CM_REAL left = CM_LIT(1.0) - x.re;
     CM_REAL inverse = CM_LIT(1.0) / (left * left + x.im * x.im);
     CM_NAME(cm_complex) s = CM_NAME(cm_complex_multiply)(
@@ -186,7 +193,7 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_forward_sum)(CM_BOOL corner, CM_N
         k += CM_LIT(1.0);
         order += step;
     }
-    sum.re = sum.re * scale - CM_SELECT(corner, CM_LIT(0.0), CM_LIT(2.0));
+    sum.re = sum.re * scale - CM_IN_ZONE(corner, CM_LIT(0.0), CM_LIT(2.0));
     return CM_NAME(cm_make_complex)(sum.re, sum.im * scale);
 }
 
@@ -209,13 +216,24 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_power)(CM_NAME(cm_complex) w)
                                       modulus * CM_NAME(cm_root)(modulus));
 }
 
+/* sqrt(1 + p^2 + q^2) */
+CM_FN CM_REAL CM_NAME(cm_conformal_length)(CM_REAL p, CM_REAL q)
+{
+    return CM_NAME(cm_root)(CM_LIT(1.0) + cm_mad(p, p, q * q));
+}
+
+/* The component towards the corner, which is that length at it. */
+CM_FN CM_REAL CM_NAME(cm_conformal_along)(CM_REAL p, CM_REAL q)
+{
+    return ((CM_LIT(1.0) + p) + q) * CM_CONFORMAL_INVERSE_SQRT3;
+}
+
 /* for 0 <= q <= p */
-CM_FN CM_NAME(cm_uv) CM_NAME(cm_conformal_octant)(CM_REAL p, CM_REAL q)
+CM_FN CM_NAME(cm_uv) CM_NAME(cm_conformal_octant_zone)(CM_ZONE corner, CM_REAL p, CM_REAL q)
 {
     CM_REAL square = cm_mad(p, p, q * q);
-    CM_REAL n = CM_NAME(cm_root)(CM_LIT(1.0) + square);
-    CM_REAL along = ((CM_LIT(1.0) + p) + q) * CM_CONFORMAL_INVERSE_SQRT3;
-    CM_BOOL corner = cm_less(n * CM_LIT(0.9074), along); /* the cosine of the angle from it */
+    CM_REAL n = CM_NAME(cm_conformal_length)(p, q);
+    CM_REAL along = CM_NAME(cm_conformal_along)(p, q);
     /* one division for both zones: by n + along for w, and for zeta and the variable */
     CM_NAME(cm_complex) fourth =
         CM_NAME(cm_complex_square)(CM_NAME(cm_complex_square)(CM_NAME(cm_make_complex)(p, q)));
@@ -223,7 +241,7 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_conformal_octant)(CM_REAL p, CM_REAL q)
     CM_REAL m4 = (m * m) * (m * m);
     CM_REAL below = cm_mad(m4, CM_CONFORMAL_POLE, fourth.re);
     CM_REAL below_square = cm_mad(below, below, fourth.im * fourth.im);
-    CM_REAL inverse = CM_LIT(1.0) / CM_SELECT(corner, n + along, m * below_square);
+    CM_REAL inverse = CM_LIT(1.0) / CM_IN_ZONE(corner, n + along, m * below_square);
     CM_REAL inverse_m = inverse * below_square;
     CM_REAL inverse_below = inverse * m;
     CM_NAME(cm_complex) w = CM_NAME(cm_make_complex)(
@@ -243,10 +261,18 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_conformal_octant)(CM_REAL p, CM_REAL q)
         CM_NAME(cm_conformal_select)(corner, CM_NAME(cm_conformal_power)(w),
                                      CM_NAME(cm_make_complex)(p, q)),
         CM_NAME(cm_conformal_select)(corner, sum, factor));
-    CM_REAL u = CM_SELECT(corner, CM_LIT(1.0), p) + CM_SELECT(corner, d.im, d.re);
-    CM_REAL v = CM_SELECT(corner, CM_LIT(1.0), q) + CM_SELECT(corner, d.re, d.im);
+    CM_REAL u = CM_IN_ZONE(corner, CM_LIT(1.0), p) + CM_IN_ZONE(corner, d.im, d.re);
+    CM_REAL v = CM_IN_ZONE(corner, CM_LIT(1.0), q) + CM_IN_ZONE(corner, d.re, d.im);
     u = CM_SELECT(cm_equal(p, CM_LIT(1.0)), p, cm_min(CM_LIT(1.0), u));
     return CM_NAME(cm_make_uv)(u, CM_SELECT(cm_equal(p, q), u, v));
+}
+
+CM_FN CM_NAME(cm_uv) CM_NAME(cm_conformal_octant)(CM_REAL p, CM_REAL q)
+{
+    /* the cosine of the angle from the corner */
+    CM_BOOL corner = cm_less(CM_NAME(cm_conformal_length)(p, q) * CM_LIT(0.9074),
+                             CM_NAME(cm_conformal_along)(p, q));
+    return CM_BY_ZONE(corner, CM_NAME(cm_conformal_octant_zone), p, q);
 }
 
 CM_FN CM_NAME(cm_uv) CM_NAME(cm_conformal_forward)(CM_REAL p, CM_REAL q, CM_NAME(cm_constants) k)
@@ -344,18 +370,21 @@ CM_FN CM_NAME(cm_jacobian) CM_NAME(cm_conformal_jacobian)(CM_REAL p, CM_REAL q, 
 /* ---- Inverse ---- */
 
 /* 1 - 2 G(z^4), or D(z_c^4) */
-CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_inverse_sum)(CM_BOOL corner, CM_NAME(cm_complex) x)
+CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_inverse_sum)(CM_ZONE corner, CM_NAME(cm_complex) x)
 {
-    CM_NAME(cm_conformal_sum) b = CM_NAME(cm_conformal_begin)(x);
 #if CM_REAL_BITS >= 64
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(3.4617459115121631e-15));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-4.1100613804822669e-14));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(2.8815452752936259e-13));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-1.6129418151703708e-12));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(8.2330842037818149e-12));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-4.0993775298643973e-11));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(2.0542941297539589e-10));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-1.0504077853771953e-9));
+    CM_NAME(cm_conformal_sum) b =
+        CM_NAME(cm_conformal_begin)(x, corner, CM_LIT(3.4617459115121631e-15));
+    if (CM_OUTSIDE_ZONE(corner))
+    {
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-4.1100613804822669e-14));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(2.8815452752936259e-13));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-1.6129418151703708e-12));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(8.2330842037818149e-12));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-4.0993775298643973e-11));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(2.0542941297539589e-10));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-1.0504077853771953e-9));
+    }
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-6.7083924836925097e-4),
                                    CM_LIT(5.5245952106600601e-9));
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-9.132876999908829e-4),
@@ -373,15 +402,18 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_inverse_sum)(CM_BOOL corner, CM_N
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-9.8131551251846997e-2),
                                    CM_LIT(-1.557433328562802e-2));
     return CM_NAME(cm_conformal_end)(
-        b, CM_SELECT(corner, CM_LIT(1.1388668914555421), CM_LIT(1.8663349971012866e-1)), x);
+        b, CM_IN_ZONE(corner, CM_LIT(1.1388668914555421), CM_LIT(1.8663349971012866e-1)), x);
 #else
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(1.01883747e-7));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-9.47644384e-7));
-    b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(6.9753036e-6));
+    CM_NAME(cm_conformal_sum) b = CM_NAME(cm_conformal_begin)(x, corner, CM_LIT(1.01883747e-7));
+    if (CM_OUTSIDE_ZONE(corner))
+    {
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(-9.47644384e-7));
+        b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(0.0), CM_LIT(6.9753036e-6));
+    }
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-5.98536118e-3), CM_LIT(-5.53602509e-5));
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-2.27783482e-2), CM_LIT(5.62939093e-4));
     b = CM_NAME(cm_conformal_term)(b, corner, CM_LIT(-9.81315513e-2), CM_LIT(-1.55743296e-2));
-    return CM_NAME(cm_conformal_end)(b, CM_SELECT(corner, CM_LIT(1.13886689), CM_LIT(1.866335e-1)),
+    return CM_NAME(cm_conformal_end)(b, CM_IN_ZONE(corner, CM_LIT(1.13886689), CM_LIT(1.866335e-1)),
                                      x);
 #endif
 }
@@ -511,13 +543,18 @@ CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_inverse_power)(CM_NAME(cm_complex
     return CM_NAME(cm_make_complex)(cm_mad(size, square * even, size), size * (r * odd));
 }
 
+/* from the corner in the map: see above */
+CM_FN CM_NAME(cm_complex) CM_NAME(cm_conformal_from_corner)(CM_REAL u, CM_REAL v)
+{
+    return CM_NAME(cm_make_complex)(CM_LIT(0.5) * (CM_LIT(1.0) - v),
+                                    CM_LIT(0.5) * (CM_LIT(1.0) - u));
+}
+
 /* for 0 <= v <= u */
-CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_octant_inverse)(CM_REAL u, CM_REAL v)
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_octant_inverse_zone)(CM_ZONE corner, CM_REAL u, CM_REAL v)
 {
     CM_NAME(cm_complex) z = CM_NAME(cm_make_complex)(u, v);
-    CM_NAME(cm_complex) z_c =
-        CM_NAME(cm_make_complex)(CM_LIT(0.5) * (CM_LIT(1.0) - v), CM_LIT(0.5) * (CM_LIT(1.0) - u));
-    CM_BOOL corner = cm_less(cm_mad(z_c.re, z_c.re, z_c.im * z_c.im), CM_LIT(0.1225));
+    CM_NAME(cm_complex) z_c = CM_NAME(cm_conformal_from_corner)(u, v);
     CM_NAME(cm_complex) square =
         CM_NAME(cm_complex_square)(CM_NAME(cm_conformal_select)(corner, z_c, z));
     CM_NAME(cm_complex) sum =
@@ -534,13 +571,20 @@ CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_octant_inverse)(CM_REAL u, CM_REAL v)
         (CM_LIT(0.25) * cm_mad(u, u, v * v)) * cm_mad(rest, rest, sum.im * sum.im);
     CM_NAME(cm_complex) d =
         CM_NAME(cm_complex_multiply)(z, CM_NAME(cm_make_complex)(zeta_square - sum.re, -sum.im));
-    CM_REAL inverse = CM_LIT(1.0) / CM_SELECT(corner, y, CM_LIT(1.0) - zeta_square);
-    CM_REAL p = cm_mad(CM_SELECT(corner, CM_LIT(-2.0) * rise, d.re), inverse,
-                       CM_SELECT(corner, CM_LIT(1.0), u));
-    CM_REAL q = cm_mad(CM_SELECT(corner, cm_mad(CM_LIT(-3.0), w.re, -rise), d.im), inverse,
-                       CM_SELECT(corner, CM_LIT(1.0), v));
+    CM_REAL inverse = CM_LIT(1.0) / CM_IN_ZONE(corner, y, CM_LIT(1.0) - zeta_square);
+    CM_REAL p = cm_mad(CM_IN_ZONE(corner, CM_LIT(-2.0) * rise, d.re), inverse,
+                       CM_IN_ZONE(corner, CM_LIT(1.0), u));
+    CM_REAL q = cm_mad(CM_IN_ZONE(corner, cm_mad(CM_LIT(-3.0), w.re, -rise), d.im), inverse,
+                       CM_IN_ZONE(corner, CM_LIT(1.0), v));
     p = CM_SELECT(cm_equal(u, CM_LIT(1.0)), u, cm_min(CM_LIT(1.0), p));
     return CM_NAME(cm_make_pq)(p, CM_SELECT(cm_equal(u, v), p, q));
+}
+
+CM_FN CM_NAME(cm_pq) CM_NAME(cm_conformal_octant_inverse)(CM_REAL u, CM_REAL v)
+{
+    CM_NAME(cm_complex) z_c = CM_NAME(cm_conformal_from_corner)(u, v);
+    CM_BOOL corner = cm_less(cm_mad(z_c.re, z_c.re, z_c.im * z_c.im), CM_LIT(0.1225));
+    return CM_BY_ZONE(corner, CM_NAME(cm_conformal_octant_inverse_zone), u, v);
 }
 
 #if CM_REAL_BITS > 64

@@ -17,6 +17,11 @@
  *     cm_at_least(a, b) or cm_equal(a, b), or by cm_both(c, d) of two conditions: both sides are
  *     evaluated, so that a kernel has no branch. A branch on a mapping's variant (types.h), CM_VARIANT(k),
  *     is allowed: it is the same for every point;
+ *   - where a mapping has zones with a formula each, the condition that tells them apart goes as a CM_ZONE through
+ *     CM_BY_ZONE(condition, f, a, b) to f(zone, a, b), which chooses by CM_IN_ZONE(zone, a, b). That is
+ *     CM_SELECT, but where points are computed one at a time, one zone's formula is computed alone:
+ *     f is made twice, for a zone that is a constant. What is for points outside the zone alone may stand
+ *     behind if (CM_OUTSIDE_ZONE(zone)), whether there may be some;
  *   - loops have a literal number of turns.
  *
  * Backends, chosen by defining CM_BACKEND before the first include:
@@ -144,6 +149,24 @@
 #define cm_min(a, b) CM_SELECT((a) < (b), a, b)
 #define cm_max(a, b) CM_SELECT((a) > (b), a, b)
 #define CM_VARIANT(k) ((k).variant != CM_LIT(0.0))
+#endif
+
+/* Who computes points one at a time defines CM_ALONE(condition), whether the only point's condition is true. By a branch
+ * a point waits for its own zone's arithmetic, not for all. */
+#ifdef CM_ALONE
+#define CM_ZONE int
+#define CM_BY_ZONE(condition, f, a, b) (CM_ALONE(condition) ? f(1, a, b) : f(0, a, b))
+#define CM_IN_ZONE(zone, a, b) ((zone) ? (CM_REAL)(a) : (CM_REAL)(b))
+#define CM_OUTSIDE_ZONE(zone) (!(zone))
+#else
+#define CM_ZONE CM_BOOL
+#define CM_BY_ZONE(condition, f, a, b) f(condition, a, b)
+#define CM_IN_ZONE(zone, a, b) CM_SELECT(zone, a, b)
+#if CM_BACKEND == CM_BACKEND_GLSL || CM_BACKEND == CM_BACKEND_HLSL
+#define CM_OUTSIDE_ZONE(zone) true
+#else
+#define CM_OUTSIDE_ZONE(zone) 1
+#endif
 #endif
 
 /* The two functions of a univariate mapping from those of one coordinate: u = f(p), v = f(q). */

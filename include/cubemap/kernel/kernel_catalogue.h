@@ -5,7 +5,7 @@
  *
  * A descriptor is CM_WARP(NAME, fields...), NAME being that of its kernel's functions, CM_WARP_VARIANTS if
  * the kernel has two variants (types.h), CM_WARP_ASYMMETRIC if v(p, q) is not u(q, p) to the bit, nor q(u, v)
- * p(v, u), or CM_SPHERE if it is no warp of the cube's faces but maps
+ * p(v, u), CM_WARP_UNDERFLOW if its powers underflow beside a face's centre and corners (lone_points.inc), or CM_SPHERE if it is no warp of the cube's faces but maps
  * directions to them, or to a square, itself. What maps only part of the way is a CM_AZIMUTHAL (sphere to
  * disc), a CM_SQUARE (disc to square) or a CM_LAYOUT, which joins the two; who does not tell those
  * three apart defines CM_CHART for all of them.
@@ -17,6 +17,10 @@
 #if defined(CM_DESCRIPTORS) && !defined(CM_WARP_ASYMMETRIC)
 #define CM_WARP_ASYMMETRIC(...) CM_WARP(__VA_ARGS__)
 #define CM_WARP_ASYMMETRIC_HERE
+#endif
+#if defined(CM_DESCRIPTORS) && !defined(CM_WARP_UNDERFLOW)
+#define CM_WARP_UNDERFLOW(...) CM_WARP(__VA_ARGS__)
+#define CM_WARP_UNDERFLOW_HERE
 #endif
 #if defined(CM_DESCRIPTORS) && defined(CM_CHART)
 #define CM_AZIMUTHAL(...) CM_CHART(__VA_ARGS__)
@@ -92,6 +96,10 @@
 #undef CM_AZIMUTHAL
 #undef CM_SQUARE
 #undef CM_LAYOUT
+#endif
+#ifdef CM_WARP_UNDERFLOW_HERE
+#undef CM_WARP_UNDERFLOW
+#undef CM_WARP_UNDERFLOW_HERE
 #endif
 #ifdef CM_WARP_ASYMMETRIC_HERE
 #undef CM_WARP_ASYMMETRIC

@@ -12,6 +12,10 @@
 #undef CM_STRUCT
 #undef CM_STRUCT_END
 #undef CM_SELECT
+#undef CM_ZONE
+#undef CM_IN_ZONE
+#undef CM_OUTSIDE_ZONE
+#undef CM_BY_ZONE
 #undef cm_sqrt
 #undef cm_abs
 #undef cm_copysign
