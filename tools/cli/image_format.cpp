@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "image_format.hpp"
+#include "lower_case.hpp"
 #include "program.hpp"
 #include "stream_format.hpp"
 
@@ -77,14 +78,6 @@ constexpr std::array<const char *, 44> dropped_metadata = {"Orientation",
 // Of the names that begin with "oiio:", those that hold for the pixels' values.
 constexpr std::array<const char *, 2> kept_metadata = {"oiio:ColorSpace", "oiio:Gamma"};
 
-std::string lower(std::string text)
-{
-    const auto lower_letter = [](char letter)
-    { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; };
-    std::transform(text.begin(), text.end(), text.begin(), lower_letter);
-    return text;
-}
-
 bool matches(const std::string &name, const std::string &pattern)
 {
     return pattern.back() == '*'
@@ -101,7 +94,7 @@ bool metadata_still_holds(const std::string &name)
 
 bool is_compression(const std::string &name)
 {
-    return lower(name) == "compression" || lower(name) == "compressionquality";
+    return lower_case(name) == "compression" || lower_case(name) == "compressionquality";
 }
 
 // The type in which a format keeps all of the source's precision, or what comes closest.
@@ -155,7 +148,7 @@ int held_channels(const std::string &format, const ImageDescription &source,
 
 std::string output_format(const std::string &path)
 {
-    const std::string extension = lower(std::filesystem::path(path).extension().string());
+    const std::string extension = lower_case(std::filesystem::path(path).extension().string());
     for (const Extension &known : extensions)
     {
         if (extension == known.extension)

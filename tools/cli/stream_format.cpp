@@ -8,7 +8,7 @@
 namespace
 {
 
-constexpr StreamFormat formats[] = {
+constexpr StreamFormat stream_formats[] = {
     {"pgm", CM_PNM_PGM, 1, CM_PIXEL_U8, false, false},
     {"ppm", CM_PNM_PPM, 3, CM_PIXEL_U8, false, false},
     {"pam", CM_PNM_PAM, 0, CM_PIXEL_U8, false, false},
@@ -29,14 +29,15 @@ constexpr StreamFormat formats[] = {
 const StreamFormat *find_stream_format(const std::string &name)
 {
     const auto is_it = [&name](const StreamFormat &format) { return name == format.name; };
-    const auto *const found = std::find_if(std::begin(formats), std::end(formats), is_it);
-    return found == std::end(formats) ? nullptr : found;
+    const auto *const found =
+        std::find_if(std::begin(stream_formats), std::end(stream_formats), is_it);
+    return found == std::end(stream_formats) ? nullptr : found;
 }
 
 std::string stream_format_names(bool bare)
 {
     std::string names;
-    for (const StreamFormat &format : formats)
+    for (const StreamFormat &format : stream_formats)
     {
         if ((format.kind == CM_PNM_RAW) == bare)
         {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 
 #include "face_parts.hpp"
+#include "tools/cli/lower_case.hpp"
 
 #include <cubemap/frame.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 namespace
@@ -13,17 +13,10 @@ namespace
 
 constexpr std::size_t part_count = 6;
 
-std::string lower(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return text;
-}
-
 // Other words for the name of a face, as renderers have them: "px" and "posx" for "+x", "up" for "top".
 std::string usual_name(const std::string &name)
 {
-    const std::string text = lower(name);
+    const std::string text = lower_case(name);
     const std::string axis = text.empty() ? "" : text.substr(text.size() - 1);
     if (text == "p" + axis || text == "pos" + axis)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "surface_text.hpp"
+#include "tools/cli/lower_case.hpp"
 #include "tools/cli/program.hpp"
 
 #include <cubemap/catalogue.h>
@@ -14,18 +15,10 @@
 namespace
 {
 
-std::string lower(std::string text)
-{
-    const auto lower_letter = [](char letter)
-    { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; };
-    std::transform(text.begin(), text.end(), text.begin(), lower_letter);
-    return text;
-}
-
 // Where ";KEY=" begins, npos if it does not.
 std::size_t place_of_key(const std::string &specification, const std::string &key)
 {
-    return lower(specification).find(";" + key + "=");
+    return lower_case(specification).find(";" + key + "=");
 }
 
 // What a double has of degrees for certain: more digits would be those of rounding.
@@ -45,7 +38,7 @@ std::string head_of(const std::string &specification)
 
 std::string kind_of(const std::string &specification)
 {
-    return lower(specification.substr(0, specification.find_first_of(":;")));
+    return lower_case(specification.substr(0, specification.find_first_of(":;")));
 }
 
 std::string key_of(const std::string &specification, const std::string &key)

@@ -54,8 +54,8 @@ std::size_t wanted_of(MainFile &main_file, std::size_t size)
                                                              : size;
 }
 
-bool read_whole(std::vector<unsigned char> *out, std::string *error, const std::string &path,
-                void *user)
+bool read_gltf_part(std::vector<unsigned char> *out, std::string *error, const std::string &path,
+                    void *user)
 {
     MainFile &main_file = *static_cast<MainFile *>(user);
     const bool is_main = path == main_file.path;
@@ -401,7 +401,7 @@ FlatMesh read_gltf(const std::string &path)
     std::string error;
     std::string warning;
     MainFile main_file = {path, "", {}};
-    loader.SetFsCallbacks({is_there, as_it_is, read_whole, nullptr, &main_file});
+    loader.SetFsCallbacks({is_there, as_it_is, read_gltf_part, nullptr, &main_file});
     loader.SetImageLoader(no_picture, nullptr);
     const bool is_binary = path.size() > 4 && (path.compare(path.size() - 4, 4, ".glb") == 0 ||
                                                path.compare(path.size() - 4, 4, ".GLB") == 0);
