@@ -9,6 +9,16 @@ enum
     POINTS = 40
 };
 
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static double greater(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /* How much of a segment from a to b is in the voxel made larger by so much; below 0: it is beside it. */
 static double part_within(const double a[3], const double b[3], const double low[3], double edge,
                           double more)
@@ -23,8 +33,8 @@ static double part_within(const double a[3], const double b[3], const double low
             last = l > 0.0 || h < 0.0 ? -1.0 : last;
             continue;
         }
-        first = fmax(first, fmin(l / step, h / step));
-        last = fmin(last, fmax(l / step, h / step));
+        first = greater(first, smaller(l / step, h / step));
+        last = smaller(last, greater(l / step, h / step));
     }
     return last - first;
 }
@@ -72,36 +82,62 @@ static void draw_case(points_case *drawn, int levels, int points, dice *from)
     memcpy(drawn->xyz[5], drawn->xyz[4], sizeof drawn->xyz[4]);
 }
 
-/* What is to be: bits 1 may and 2 must be missed; 4 may, 8 must be hit. */
-static int expected(const points_case *drawn, const double low[3], int *first)
+/* What of a point is the same for every voxel. */
+typedef struct ray
 {
-    const double edge = drawn->options.edge;
+    double end[3];
+    double low[3],
+        high[3]; /* of the box around it, and a little more than any voxel is made larger by */
+    int counts, is_far;
+} ray;
+
+static ray ray_of(const points_case *drawn, int i)
+{
+    ray to = {.counts = 0};
+    double square = 0.0;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        to.end[axis] = (double)drawn->xyz[i][axis];
+        square += (to.end[axis] - drawn->origin[axis]) * (to.end[axis] - drawn->origin[axis]);
+    }
+    const double range = sqrt(square), far = drawn->options.far;
+    to.counts = range >= drawn->options.near;
+    to.is_far = far > 0.0 && range > far;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const double from = drawn->origin[axis];
+        to.end[axis] = to.is_far ? from + (to.end[axis] - from) * far / range : to.end[axis];
+        to.low[axis] = smaller(from, to.end[axis]) - 1e-6;
+        to.high[axis] = greater(from, to.end[axis]) + 1e-6;
+    }
+    return to;
+}
+
+static int is_beside(const ray *to, const double low[3], double edge)
+{
+    return low[0] > to->high[0] || low[0] + edge < to->low[0] || low[1] > to->high[1] ||
+           low[1] + edge < to->low[1] || low[2] > to->high[2] || low[2] + edge < to->low[2];
+}
+
+/* What is to be: bits 1 may and 2 must be missed; 4 may, 8 must be hit. */
+static int expected(const points_case *drawn, const ray *to, const double low[3], int *first)
+{
+    const double edge = drawn->options.edge, *const origin = drawn->origin;
     int bits = 0;
     *first = -1;
     for (int i = 0; i < drawn->points; i++)
     {
-        double end[3], square = 0.0;
-        for (int axis = 0; axis < 3; axis++)
-        {
-            end[axis] = (double)drawn->xyz[i][axis];
-            square += (end[axis] - drawn->origin[axis]) * (end[axis] - drawn->origin[axis]);
-        }
-        const double range = sqrt(square), far = drawn->options.far;
-        if (!(range >= drawn->options.near))
+        if (!to[i].counts || is_beside(&to[i], low, edge))
         {
             continue;
         }
-        const int is_far = far > 0.0 && range > far;
-        for (int axis = 0; is_far && axis < 3; axis++)
-        {
-            end[axis] = drawn->origin[axis] + (end[axis] - drawn->origin[axis]) * far / range;
-        }
+        const double *const end = to[i].end;
         const int may_be_hit = part_within(end, end, low, edge, 1e-7) >= 0.0;
         const int is_hit = part_within(end, end, low, edge, -1e-7) >= 0.0;
-        bits |= !is_far ? 4 * may_be_hit | 8 * is_hit : 0;
-        *first = *first < 0 && is_hit && !is_far ? i : *first;
-        bits |= !is_hit && part_within(drawn->origin, end, low, edge, 1e-7) >= 0.0 ? 1 : 0;
-        bits |= !may_be_hit && part_within(drawn->origin, end, low, edge, -1e-7) > 0.0 ? 2 : 0;
+        bits |= !to[i].is_far ? 4 * may_be_hit | 8 * is_hit : 0;
+        *first = *first < 0 && is_hit && !to[i].is_far ? i : *first;
+        bits |= !is_hit && part_within(origin, end, low, edge, 1e-7) >= 0.0 ? 1 : 0;
+        bits |= !may_be_hit && part_within(origin, end, low, edge, -1e-7) > 0.0 ? 2 : 0;
     }
     return bits;
 }
@@ -109,6 +145,11 @@ static int expected(const points_case *drawn, const double low[3], int *first)
 static size_t check_voxels(const points_case *drawn, const dense_map *map)
 {
     size_t hits = 0, misses = 0;
+    ray to[POINTS];
+    for (int i = 0; i < drawn->points; i++)
+    {
+        to[i] = ray_of(drawn, i);
+    }
     for (size_t i = 0; i < (size_t)1 << 3 * drawn->options.levels; i++)
     {
         const int64_t n = map->n,
@@ -120,7 +161,7 @@ static size_t check_voxels(const points_case *drawn, const dense_map *map)
                 drawn->options.centre[axis] + (double)(place[axis] - n / 2) * drawn->options.edge;
         }
         int first;
-        const int bits = expected(drawn, low, &first), is = map->alpha[i];
+        const int bits = expected(drawn, to, low, &first), is = map->alpha[i];
         ck_assert(is == 125 || is == 127 || is == 129);
         ck_assert_msg(is != 129 || (bits & 4), "a hit without a point");
         ck_assert_msg(is != 125 || ((bits & 1) && !(bits & 8)),

@@ -140,7 +140,7 @@ for _ in range(1000):
     if len(os.listdir("made")) == int(sys.argv[2]) or child.poll() is not None:
         break
     time.sleep(0.01)
-time.sleep(0.2)
+time.sleep(0.05)
 running = child.poll() is None
 child.send_signal(number)
 sys.exit(0 if child.wait() == -number and running else 1)
