@@ -144,7 +144,8 @@ typedef enum cm_cube_class
     CM_CUBE_FREE = 1,    /* all of it is missed */
     CM_CUBE_BAND = 2,    /* perhaps not, and all of it falls on the picture */
     CM_CUBE_PART = 3,    /* perhaps not */
-    CM_CUBE_UNKNOWN = 4  /* not told here; no loop says so */
+    CM_CUBE_FRONT = 4,   /* what of it falls on the picture is missed, and nothing is hit */
+    CM_CUBE_UNKNOWN = 5  /* not told here; no loop says so */
 } cm_cube_class;
 
 /* Offsets of the cells' centres of a block from that of its first voxel, in the camera's axes; those of each detail. */
@@ -164,6 +165,7 @@ typedef struct cm_visited_group
     const float *z;
     float scale;           /* edges that cells are wide */
     int is_inside;         /* 1: all fall on the picture */
+    int is_front;          /* 1: all are in front of what their pixels say */
     cm_cube_bounds bounds; /* of the pixels that they fall on */
 } cm_visited_group;
 

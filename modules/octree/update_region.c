@@ -105,6 +105,7 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
         .z = offset->z + 64 * group,
         .scale = (float)(1u << detail),
         .is_inside = class_of == CM_CUBE_BAND,
+        .is_front = class_of == CM_CUBE_FRONT,
         .bounds = detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY}};
     update->set->visit(&update->desk->view.table, &visited, &change->hits[group],
                        &change->misses[group], change->pixel[group]);
@@ -386,6 +387,16 @@ typedef struct chosen_blocks
     float first[CM_REGION_BLOCKS][3];
 } chosen_blocks;
 
+/* Misses change nothing of a block that is wholly at the lowest, and at the picture's border nothing else happens in what is in front
+ * of all. Coarser cells are hit from farther away. */
+static int is_missed_already(const cm_update *update, cm_region *region, unsigned block,
+                             unsigned class_of, float z)
+{
+    return class_of == CM_CUBE_FRONT && region->form[block] == CM_BLOCK_EVEN &&
+           region->value[block] == update->octree->rule.low &&
+           cm_update_detail(update, region, block, update->pixel * (double)z) == 0;
+}
+
 /* Chooses them; those that are wholly free are counted as such at once. */
 static void choose_blocks(cm_update *update, cm_region *region, const block_bits *ended,
                           cube_places *places, chosen_blocks *chosen)
@@ -405,7 +416,7 @@ static void choose_blocks(cm_update *update, cm_region *region, const block_bits
         {
             cm_update_free_block(update, region, block);
         }
-        else
+        else if (!is_missed_already(update, region, block, class_of[i], chosen->z[i]))
         {
             first_voxel(update, region->place, block, chosen->first[chosen->count]);
             chosen->z[chosen->count] = chosen->z[i];
