@@ -49,6 +49,14 @@ typedef struct block_work
     cm_ray_ends ends;
 } block_work;
 
+/* Those of a block that are visited. */
+typedef struct visited_groups
+{
+    size_t count;
+    unsigned number[CM_BLOCK_GROUPS];
+    cm_visited_group group[CM_BLOCK_GROUPS];
+} visited_groups;
+
 static void first_voxel(const cm_update *update, const uint32_t place[3], unsigned block,
                         float first[3])
 {
@@ -83,9 +91,9 @@ static void fetch_colors(const cm_update *update, int is_fetched, const uint32_t
     }
 }
 
-/* Hits and misses of a group; nothing of one that nothing happens in. */
-static void visit_group(const cm_update *update, const block_work *work, unsigned detail,
-                        unsigned group, cm_block_change *change)
+/* A group that is to be visited comes to a list; nothing happens to one that does not, or all of it is missed. */
+static void list_group(const cm_update *update, const block_work *work, unsigned detail,
+                       unsigned group, cm_block_change *change, visited_groups *list)
 {
     const unsigned class_of = detail == 0 ? work->group_class[group] : (unsigned)CM_CUBE_PART;
     if (cm_update_is_left_out(update, class_of))
@@ -98,7 +106,8 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
         return;
     }
     const cm_cell_offsets *offset = &update->offset[detail];
-    const cm_visited_group visited = {
+    list->number[list->count] = group;
+    list->group[list->count++] = (cm_visited_group){
         .first = work->first,
         .x = offset->x + 64 * group,
         .y = offset->y + 64 * group,
@@ -106,14 +115,32 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
         .scale = (float)(1u << detail),
         .is_inside = class_of == CM_CUBE_BAND,
         .is_front = class_of == CM_CUBE_FRONT,
-        .bounds = detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY}};
-    update->set->visit(&update->desk->view.table, &visited, &change->hits[group],
-                       &change->misses[group], change->pixel[group]);
-    if (change->hits[group] != 0 && update->has_color)
+        .bounds = detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY},
+        .hits = &change->hits[group],
+        .misses = &change->misses[group],
+        .pixel = change->pixel[group]};
+}
+
+/* Hits and misses of a block's groups. */
+static void visit_groups(const cm_update *update, const block_work *work, unsigned detail,
+                         cm_block_change *change)
+{
+    visited_groups list;
+    list.count = 0;
+    for (unsigned group = 0; group * 64 < cm_cell_count(detail); group++)
     {
-        fetch_colors(update, work->is_fetched,
-                     work->color == NULL ? NULL : work->color + 64 * group, change->hits[group],
-                     change->pixel[group]);
+        list_group(update, work, detail, group, change, &list);
+    }
+    update->set->visit(&update->desk->view.table, list.count, list.group);
+    for (size_t i = 0; update->has_color && i < list.count; i++)
+    {
+        const unsigned group = list.number[i];
+        if (change->hits[group] != 0)
+        {
+            fetch_colors(update, work->is_fetched,
+                         work->color == NULL ? NULL : work->color + 64 * group,
+                         change->hits[group], change->pixel[group]);
+        }
     }
 }
 
@@ -139,10 +166,7 @@ static void visit_block(cm_update *update, cm_region *region, const block_work *
     const uint64_t all = cells < 64 ? ((uint64_t)1 << cells) - 1 : ~(uint64_t)0;
     const int is_whole = cm_update_is_within(update->octree, region, block);
     uint64_t any = 0, every_miss = all;
-    for (unsigned group = 0; group * 64 < cells; group++)
-    {
-        visit_group(update, work, detail, group, change);
-    }
+    visit_groups(update, work, detail, change);
     if (detail == 0) /* coarser cells are large enough for their own pixel */
     {
         cm_ray_ends_hit(work->ends, change->hits, change->pixel);
