@@ -283,8 +283,8 @@ typedef struct cm_octree_set
                           uint32_t row, cm_ended_run *run);
     /* Colors of groups of up to 64 cells after hits by pixels, mixed as cm_color_blend; alpha: before them. Returns 1 if any
      * changed. */
-    int (*color)(const cm_hit_colors *hit, size_t groups, const uint8_t *alpha, const uint64_t *hits,
-                 const int32_t (*pixel)[64], uint32_t *color);
+    int (*color)(const cm_hit_colors *hit, size_t groups, const uint8_t *alpha,
+                 const uint64_t *hits, const int32_t (*pixel)[64], uint32_t *color);
     /* Alphas of groups of 64 after hits and misses: saturating. Those that nothing happens in stay as they are. Returns 1 if any
      * changed. */
     int (*count)(size_t groups, uint8_t *alpha, const uint64_t *hits, const uint64_t *misses,

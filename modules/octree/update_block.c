@@ -94,8 +94,7 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block,
         any_hits |= change->hits[group];
     }
     int has_changed = 0;
-    if (any_hits != 0 &&
-        !update_colors(update, region, block, alpha, change, groups, &has_changed))
+    if (any_hits != 0 && !update_colors(update, region, block, alpha, change, groups, &has_changed))
     {
         return 0;
     }

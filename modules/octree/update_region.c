@@ -85,6 +85,7 @@ static void fetch_colors(const cm_update *update, int is_fetched, const uint32_t
             __builtin_prefetch(color + line, 1);
         }
     }
+    hits &= ~(hits << 1 & 0xaaaaaaaaaaaaaaaau); /* of neighbours one: the other's is close by */
     for (; !is_fetched && hits != 0; hits &= hits - 1)
     {
         __builtin_prefetch(update->hit.word + pixel[__builtin_ctzll(hits)]);
@@ -138,8 +139,8 @@ static void visit_groups(const cm_update *update, const block_work *work, unsign
         if (change->hits[group] != 0)
         {
             fetch_colors(update, work->is_fetched,
-                         work->color == NULL ? NULL : work->color + 64 * group,
-                         change->hits[group], change->pixel[group]);
+                         work->color == NULL ? NULL : work->color + 64 * group, change->hits[group],
+                         change->pixel[group]);
         }
     }
 }
