@@ -144,7 +144,8 @@ typedef enum cm_cube_class
     CM_CUBE_FREE = 1,    /* all of it is missed */
     CM_CUBE_BAND = 2,    /* perhaps not, and all of it falls on the picture */
     CM_CUBE_PART = 3,    /* perhaps not */
-    CM_CUBE_UNKNOWN = 4  /* not told here; no loop says so */
+    CM_CUBE_FRONT = 4,   /* what of it falls on the picture is missed, and nothing is hit */
+    CM_CUBE_UNKNOWN = 5  /* not told here; no loop says so */
 } cm_cube_class;
 
 /* Offsets of the cells' centres of a block from that of its first voxel, in the camera's axes; those of each detail. */
@@ -155,7 +156,9 @@ typedef struct cm_cell_offsets
     float z[512];
 } cm_cell_offsets;
 
-/* 64 cells of a block. */
+#define CM_BLOCK_GROUPS 8
+
+/* 64 cells of a block, and what happens to them. */
 typedef struct cm_visited_group
 {
     const float *first; /* the centre of the block's first voxel, in the camera's axes */
@@ -164,7 +167,11 @@ typedef struct cm_visited_group
     const float *z;
     float scale;           /* edges that cells are wide */
     int is_inside;         /* 1: all fall on the picture */
+    int is_front;          /* 1: all are in front of what their pixels say */
     cm_cube_bounds bounds; /* of the pixels that they fall on */
+    uint64_t *hits;        /* bits */
+    uint64_t *misses;
+    int32_t *pixel; /* 64: the rules' indices of those that are hit, perhaps of others */
 } cm_visited_group;
 
 /* A row of a depth image and its surroundings: 1 / depth, NaN where nothing was measured. */
@@ -268,20 +275,20 @@ typedef struct cm_octree_set
                              const float *z, const float half[3], const float *near,
                              const float *far, float nearest, uint8_t *class_of,
                              cm_cube_bounds *bounds);
-    /* What happens to the cells of a group: bits of hits and misses, and the rules' indices of those that are hit, perhaps of
-     * others. */
-    void (*visit)(const cm_view_table *view, const cm_visited_group *group, uint64_t *hits,
-                  uint64_t *misses, int32_t pixel[64]);
+    /* What happens to the cells of up to CM_BLOCK_GROUPS groups. */
+    void (*visit)(const cm_view_table *view, size_t n, const cm_visited_group *group);
     /* Bits of a run of pixels, from a column on, that hit something while the voxel that their ray ends in is not hit by the pixel its
      * centre falls on. Pixels behind the end of the row may have bits, too. */
     uint32_t (*lost_ends)(const cm_view_table *view, const cm_eye *eye, uint32_t column,
                           uint32_t row, cm_ended_run *run);
-    /* Colors of up to 64 cells after hits by pixels, mixed as cm_color_blend; alpha: before them. Returns 1 if any changed. */
-    int (*color)(const cm_hit_colors *hit, const uint8_t alpha[64], uint64_t hits,
-                 const int32_t pixel[64], uint32_t *color);
-    /* 64 alphas after hits and misses: saturating. Returns 1 if any changed. */
-    int (*count)(uint8_t alpha[64], uint64_t hits, uint64_t misses, uint8_t hit, uint8_t miss,
-                 uint8_t low, uint8_t high);
+    /* Colors of groups of up to 64 cells after hits by pixels, mixed as cm_color_blend; alpha: before them. Returns 1 if any
+     * changed. */
+    int (*color)(const cm_hit_colors *hit, size_t groups, const uint8_t *alpha,
+                 const uint64_t *hits, const int32_t (*pixel)[64], uint32_t *color);
+    /* Alphas of groups of 64 after hits and misses: saturating. Those that nothing happens in stay as they are. Returns 1 if any
+     * changed. */
+    int (*count)(size_t groups, uint8_t *alpha, const uint64_t *hits, const uint64_t *misses,
+                 uint8_t hit, uint8_t miss, uint8_t low, uint8_t high);
     /* Voxels of CM_POINTS_TOGETHER points. place[-1] is that before the first. Returns bits of those that are in a voxel, and not in
      * that of the point before. */
     uint64_t (*places)(const cm_point_grid *grid, const float *xyz, uint64_t *place);

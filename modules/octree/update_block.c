@@ -54,6 +54,30 @@ static void forget_colors(const uint8_t alpha[64], uint32_t *color, uint64_t hit
     }
 }
 
+/* Before its alphas change. Adds to *has_changed; 0 if there is no memory. */
+static int update_colors(const cm_update *update, cm_region *region, unsigned block,
+                         const uint8_t *alpha, const cm_block_change *change, size_t groups,
+                         int *has_changed)
+{
+    if (update->has_color)
+    {
+        uint32_t *color = cm_block_colors(region, block);
+        if (color == NULL)
+        {
+            return 0;
+        }
+        *has_changed |= update->set->color(&update->hit, groups, alpha, change->hits,
+                                           (const int32_t(*)[64])change->pixel, color);
+        return 1;
+    }
+    uint32_t *color = region->color != NULL ? region->color[block] : NULL;
+    for (size_t group = 0; color != NULL && group < groups; group++)
+    {
+        forget_colors(alpha + 64 * group, color + 64 * group, change->hits[group]);
+    }
+    return 1;
+}
+
 int cm_update_block(cm_update *update, cm_region *region, unsigned block,
                     const cm_block_change *change)
 {
@@ -63,34 +87,19 @@ int cm_update_block(cm_update *update, cm_region *region, unsigned block,
     {
         return 0;
     }
-    const size_t cells = cm_cell_count(region->detail[block]);
+    const size_t groups = (cm_cell_count(region->detail[block]) + 63) / 64;
     uint64_t any_hits = 0;
-    int has_changed = 0;
-    for (size_t group = 0; group * 64 < cells; group++)
+    for (size_t group = 0; group < groups; group++)
     {
         any_hits |= change->hits[group];
-        if (change->hits[group] != 0 && update->has_color)
-        {
-            uint32_t *color = cm_block_colors(region, block);
-            if (color == NULL)
-            {
-                return 0;
-            }
-            has_changed |= update->set->color(&update->hit, alpha + 64 * group, change->hits[group],
-                                              change->pixel[group], color + 64 * group);
-        }
-        else if (change->hits[group] != 0 && region->color != NULL && region->color[block] != NULL)
-        {
-            forget_colors(alpha + 64 * group, region->color[block] + 64 * group,
-                          change->hits[group]);
-        }
-        if ((change->hits[group] | change->misses[group]) != 0)
-        {
-            has_changed |=
-                update->set->count(alpha + 64 * group, change->hits[group], change->misses[group],
-                                   rule->hit, rule->miss, rule->low, rule->high);
-        }
     }
+    int has_changed = 0;
+    if (any_hits != 0 && !update_colors(update, region, block, alpha, change, groups, &has_changed))
+    {
+        return 0;
+    }
+    has_changed |= update->set->count(groups, alpha, change->hits, change->misses, rule->hit,
+                                      rule->miss, rule->low, rule->high);
     if (has_changed)
     {
         region->changed[block] = update->octree->step;

@@ -49,6 +49,14 @@ typedef struct block_work
     cm_ray_ends ends;
 } block_work;
 
+/* Those of a block that are visited. */
+typedef struct visited_groups
+{
+    size_t count;
+    unsigned number[CM_BLOCK_GROUPS];
+    cm_visited_group group[CM_BLOCK_GROUPS];
+} visited_groups;
+
 static void first_voxel(const cm_update *update, const uint32_t place[3], unsigned block,
                         float first[3])
 {
@@ -77,15 +85,16 @@ static void fetch_colors(const cm_update *update, int is_fetched, const uint32_t
             __builtin_prefetch(color + line, 1);
         }
     }
+    hits &= ~(hits << 1 & 0xaaaaaaaaaaaaaaaau); /* of neighbours one: the other's is close by */
     for (; !is_fetched && hits != 0; hits &= hits - 1)
     {
         __builtin_prefetch(update->hit.word + pixel[__builtin_ctzll(hits)]);
     }
 }
 
-/* Hits and misses of a group; nothing of one that nothing happens in. */
-static void visit_group(const cm_update *update, const block_work *work, unsigned detail,
-                        unsigned group, cm_block_change *change)
+/* A group that is to be visited comes to a list; nothing happens to one that does not, or all of it is missed. */
+static void list_group(const cm_update *update, const block_work *work, unsigned detail,
+                       unsigned group, cm_block_change *change, visited_groups *list)
 {
     const unsigned class_of = detail == 0 ? work->group_class[group] : (unsigned)CM_CUBE_PART;
     if (cm_update_is_left_out(update, class_of))
@@ -98,21 +107,41 @@ static void visit_group(const cm_update *update, const block_work *work, unsigne
         return;
     }
     const cm_cell_offsets *offset = &update->offset[detail];
-    const cm_visited_group visited = {
+    list->number[list->count] = group;
+    list->group[list->count++] = (cm_visited_group){
         .first = work->first,
         .x = offset->x + 64 * group,
         .y = offset->y + 64 * group,
         .z = offset->z + 64 * group,
         .scale = (float)(1u << detail),
         .is_inside = class_of == CM_CUBE_BAND,
-        .bounds = detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY}};
-    update->set->visit(&update->desk->view.table, &visited, &change->hits[group],
-                       &change->misses[group], change->pixel[group]);
-    if (change->hits[group] != 0 && update->has_color)
+        .is_front = class_of == CM_CUBE_FRONT,
+        .bounds = detail == 0 ? work->bounds[group] : (cm_cube_bounds){-INFINITY, INFINITY},
+        .hits = &change->hits[group],
+        .misses = &change->misses[group],
+        .pixel = change->pixel[group]};
+}
+
+/* Hits and misses of a block's groups. */
+static void visit_groups(const cm_update *update, const block_work *work, unsigned detail,
+                         cm_block_change *change)
+{
+    visited_groups list;
+    list.count = 0;
+    for (unsigned group = 0; group * 64 < cm_cell_count(detail); group++)
     {
-        fetch_colors(update, work->is_fetched,
-                     work->color == NULL ? NULL : work->color + 64 * group, change->hits[group],
-                     change->pixel[group]);
+        list_group(update, work, detail, group, change, &list);
+    }
+    update->set->visit(&update->desk->view.table, list.count, list.group);
+    for (size_t i = 0; update->has_color && i < list.count; i++)
+    {
+        const unsigned group = list.number[i];
+        if (change->hits[group] != 0)
+        {
+            fetch_colors(update, work->is_fetched,
+                         work->color == NULL ? NULL : work->color + 64 * group, change->hits[group],
+                         change->pixel[group]);
+        }
     }
 }
 
@@ -138,10 +167,7 @@ static void visit_block(cm_update *update, cm_region *region, const block_work *
     const uint64_t all = cells < 64 ? ((uint64_t)1 << cells) - 1 : ~(uint64_t)0;
     const int is_whole = cm_update_is_within(update->octree, region, block);
     uint64_t any = 0, every_miss = all;
-    for (unsigned group = 0; group * 64 < cells; group++)
-    {
-        visit_group(update, work, detail, group, change);
-    }
+    visit_groups(update, work, detail, change);
     if (detail == 0) /* coarser cells are large enough for their own pixel */
     {
         cm_ray_ends_hit(work->ends, change->hits, change->pixel);
@@ -386,6 +412,16 @@ typedef struct chosen_blocks
     float first[CM_REGION_BLOCKS][3];
 } chosen_blocks;
 
+/* Misses change nothing of a block that is wholly at the lowest, and at the picture's border nothing else happens in what is in front
+ * of all. Coarser cells are hit from farther away. */
+static int is_missed_already(const cm_update *update, cm_region *region, unsigned block,
+                             unsigned class_of, float z)
+{
+    return class_of == CM_CUBE_FRONT && region->form[block] == CM_BLOCK_EVEN &&
+           region->value[block] == update->octree->rule.low &&
+           cm_update_detail(update, region, block, update->pixel * (double)z) == 0;
+}
+
 /* Chooses them; those that are wholly free are counted as such at once. */
 static void choose_blocks(cm_update *update, cm_region *region, const block_bits *ended,
                           cube_places *places, chosen_blocks *chosen)
@@ -405,7 +441,7 @@ static void choose_blocks(cm_update *update, cm_region *region, const block_bits
         {
             cm_update_free_block(update, region, block);
         }
-        else
+        else if (!is_missed_already(update, region, block, class_of[i], chosen->z[i]))
         {
             first_voxel(update, region->place, block, chosen->first[chosen->count]);
             chosen->z[chosen->count] = chosen->z[i];
