@@ -10,10 +10,12 @@
 
 /* ---- where to look ---- */
 
-/* Voxels reach over the picture's border no farther than breaks are heeded. */
-static void mark_borders(const cm_view_desk *desk, size_t row, uint8_t *may_end)
+/* Voxels reach over the picture's border no farther than breaks are heeded. What is steep is wider than a few pixels, or beside breaks,
+ * and marked with the rules. */
+void cm_ray_ends_mark(const cm_view_desk *desk, size_t row)
 {
     const size_t runs = (desk->width + CM_BREAK_RUN - 1) / CM_BREAK_RUN;
+    uint8_t *const may_end = desk->may_end + row * (desk->stride / CM_BREAK_RUN);
     if (row < CM_BREAK_RADIUS || row + CM_BREAK_RADIUS >= desk->height)
     {
         memset(may_end, 1, runs);
@@ -24,22 +26,6 @@ static void mark_borders(const cm_view_desk *desk, size_t row, uint8_t *may_end)
     {
         may_end[run] = 1;
     }
-}
-
-/* What is steep is wider than a few pixels, or beside breaks. */
-void cm_ray_ends_mark(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
-                      size_t row, float most)
-{
-    const size_t runs = (desk->width + CM_BREAK_RUN - 1) / CM_BREAK_RUN;
-    const size_t first = cm_view_row(desk, row);
-    const uint8_t *is_taken = band->is_taken + first / CM_BREAK_RUN;
-    uint8_t *const may_end = desk->may_end + row * (desk->stride / CM_BREAK_RUN);
-    set->steep(runs, band->reach + first, most, may_end);
-    for (size_t run = 0; run < runs; run++)
-    {
-        may_end[run] |= is_taken[run];
-    }
-    mark_borders(desk, row, may_end);
 }
 
 /* ---- a picture ---- */
