@@ -101,9 +101,6 @@ typedef struct cm_ruled_row
         *may_end; /* of runs: 1 if it is taken or steep: of four pixels one reaches most_reach */
     cm_pixel_rule *rule;
     cm_pixel_gap *gap;
-    float *least; /* bounds of pixels; with those that are there if this is the second row */
-    float *most;
-    int is_second;
     float far; /* what is farther is no hit */
     float
         free_far; /* what pixels without a measurement are free up to, NaN: nothing is said of them */
@@ -284,9 +281,9 @@ typedef struct cm_octree_set
     /* Rules and bounds of a row; front_of: the least front that each pixel heeds; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
     void (*rules)(size_t n, const float *depth, const float *reach, const float *front_of,
                   float far, float free_far, cm_pixel_rule *rule, float *least, float *most);
-    /* The same, and gaps, of a row of a band, where pixels without a front measured what is too near: nothing is said of them. n is
-     * whole runs. */
-    void (*band_rules)(size_t n, const cm_ruled_row *row);
+    /* The same, and gaps, of a row of a band or two, and bounds in the cells of 2 x 2 pixels that are theirs. Pixels without a front
+     * measured what is too near: nothing is said of them. */
+    void (*band_rules)(size_t width, const cm_ruled_row *row, int rows, float *least, float *most);
     /* Words of colors (region.h) of pixels that are `apart` bytes from each other. */
     void (*words)(size_t n, const uint8_t *rgb, ptrdiff_t apart, uint32_t *word);
     /* Cells of twice the size from two rows of cells; n of the new ones. */

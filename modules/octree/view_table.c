@@ -111,7 +111,7 @@ static int take_band(const cm_view_desk *desk, cm_view_band *band)
                              &band->heard.near_back};
     const size_t count = sizeof rings / sizeof *rings, runs = desk->stride / CM_BREAK_RUN;
     const size_t plane = ring + PLANES_APART;
-    const size_t floats = count * plane + 5 * desk->stride + CM_OCTREE_SLACK;
+    const size_t floats = count * plane + desk->stride + CM_OCTREE_SLACK;
     band->memory = cm_huge_allocate(floats * sizeof *band->memory);
     band->is_break = calloc(CM_BAND_ROWS * runs, sizeof *band->is_break);
     band->heard.is_taken = calloc(CM_BAND_ROWS, runs);
@@ -131,13 +131,6 @@ static int take_band(const cm_view_desk *desk, cm_view_band *band)
     band->heard.stride = desk->stride;
     band->heard.front = band->front;
     band->beyond = next;
-    band->least = next + desk->stride;
-    band->most = band->least + 2 * desk->stride;
-    for (size_t i = 0; i < 2 * desk->stride - CM_OCTREE_SLACK; i++)
-    {
-        band->least[i] = INFINITY;
-        band->most[i] = -INFINITY;
-    }
     return 1;
 }
 
@@ -402,51 +395,37 @@ static void break_row(const fill_work *work, const cm_view_band *band, size_t ro
     work->set->breaks(padded, fronts, band->back + first, band->is_break + first / CM_BREAK_RUN);
 }
 
-static void rule_row(const fill_work *work, const cm_view_band *band, size_t row, int is_second)
+static cm_ruled_row ruled_row(const fill_work *work, const cm_view_band *band, size_t row)
 {
     const cm_view_desk *desk = work->desk;
     const size_t from = cm_view_row(desk, row), to = row * desk->stride;
-    const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK;
-    const cm_ruled_row at = {.depth = desk->packed + row * desk->width,
-                             .reach = band->reach + from,
-                             .front = band->front + from,
-                             .own_front = band->heard.own_front + from,
-                             .near_front = band->heard.near_front + from,
-                             .near_back = band->heard.near_back + from,
-                             .is_taken = band->heard.is_taken + from / CM_BREAK_RUN,
-                             .may_end = desk->may_end + to / CM_BREAK_RUN,
-                             .rule = desk->rule + to,
-                             .gap = desk->gap + to,
-                             .least = band->least,
-                             .most = band->most,
-                             .is_second = is_second,
-                             .far = work->row.far,
-                             .free_far = work->row.free_far,
-                             .most_reach = work->row.most};
-    work->set->band_rules(padded, &at);
-    cm_ray_ends_mark(desk, row);
+    return (cm_ruled_row){.depth = desk->packed + row * desk->width,
+                          .reach = band->reach + from,
+                          .front = band->front + from,
+                          .own_front = band->heard.own_front + from,
+                          .near_front = band->heard.near_front + from,
+                          .near_back = band->heard.near_back + from,
+                          .is_taken = band->heard.is_taken + from / CM_BREAK_RUN,
+                          .may_end = desk->may_end + to / CM_BREAK_RUN,
+                          .rule = desk->rule + to,
+                          .gap = desk->gap + to,
+                          .far = work->row.far,
+                          .free_far = work->row.free_far,
+                          .most_reach = work->row.most};
 }
 
 /* Rules of two rows, the cells of the first level that are theirs, and windows of those above, of the same band. */
 static void rule_rows(const fill_work *work, const cm_view_band *band, size_t begin, size_t row)
 {
     const cm_view_desk *desk = work->desk;
-    const size_t to = row / 2 * desk->stride, padded = desk->stride - 2 * CM_OCTREE_SLACK;
-    rule_row(work, band, row, 0);
-    if (row + 1 < desk->height)
+    const size_t to = row / 2 * desk->stride;
+    const int rows = row + 1 < desk->height ? 2 : 1;
+    const cm_ruled_row at[2] = {ruled_row(work, band, row), ruled_row(work, band, row + 1)};
+    work->set->band_rules(desk->width, at, rows, desk->least[1] + to, desk->most[1] + to);
+    for (int k = 0; k < rows; k++)
     {
-        rule_row(work, band, row + 1, 1);
+        cm_ray_ends_mark(desk, row + (size_t)k);
     }
-    for (size_t i = desk->width; i < padded; i++)
-    {
-        band->least[i] = INFINITY;
-        band->most[i] = -INFINITY;
-    }
-    /* two rows are one already */
-    const float *const leasts[2] = {band->least, band->least};
-    const float *const mosts[2] = {band->most, band->most};
-    work->set->halve(desk->table.level[1].width, leasts, mosts, desk->least[1] + to,
-                     desk->most[1] + to);
     cm_view_windows_close(desk, row / 2);
     if (row > begin)
     {

@@ -38,10 +38,7 @@ typedef struct cm_view_band
     float *front;
     float *back;
     cm_break_planes heard; /* by pixels beside breaks; nothing is taken between views */
-    float *
-        least; /* of pixels of two rows, and behind them of what is beyond the picture; the same of most */
-    float *most;
-    uint16_t *is_break; /* bits of runs of pixels */
+    uint16_t *is_break;    /* bits of runs of pixels */
 } cm_view_band;
 
 /* The images of a view and the memory of tables, kept from view to view. */
