@@ -123,6 +123,10 @@ static inline size_t cm_view_row(const cm_view_desk *desk, size_t row)
     return (row & (CM_BAND_ROWS - 1)) * desk->stride;
 }
 
+/* As many bands at least. 0: no memory. */
+int cm_view_bands_take(cm_view_desk *desk, size_t bands);
+void cm_view_bands_clear(cm_view_desk *desk);
+
 /* Pixels of a row that are breaks tell those of some rows of the band what they see. All fronts that it is told to are there. */
 void cm_breaks_tell(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
                     size_t row, size_t first_row, size_t end_row);
