@@ -50,27 +50,62 @@ typedef struct cm_pixel_gap
     float to;
 } cm_pixel_gap;
 
-/* Kinds of pixels, bits: a neighbour sees something behind it, apart from it; its surface bends. */
-#define CM_BREAK_NEAR 1
-#define CM_BREAK_BEND 2
-
 /* Pixels beside a break are no farther from it. */
 #define CM_BREAK_RADIUS 8
 
 /* Runs of so many pixels of a row are worked on together. */
 #define CM_BREAK_RUN 16
 
-/* A pixel at a break tells pixels around it, in a row, what it sees. */
+/* Rows of a band of a view that are made one after the other and forgotten soon, so that they stay near: a power of two of them, as
+ * many as lie between the first and the last that a pixel has to do with. Row r of each plane begins so many rows after its first. */
+#define CM_BAND_ROWS 32
+
+/* What is told in a band: planes of rows that are `stride` apart. Of runs of pixels that were not told anything yet only is_taken
+ * is known, which is 0. */
+typedef struct cm_break_planes
+{
+    size_t stride;
+    const float *front; /* of the surface of each pixel */
+    float *own_front;   /* of it and those that join it */
+    float *near_front;  /* of all surfaces in front of it; infinite: none */
+    float *near_back;   /* voxels that are farther do not reach them */
+    uint8_t *is_taken;  /* of runs, in rows that are stride / CM_BREAK_RUN apart */
+} cm_break_planes;
+
+/* A pixel at a break tells pixels around it what it sees. */
 typedef struct cm_break_teller
 {
+    size_t column;
+    size_t row;
+    size_t width;     /* of the picture */
+    size_t first_row; /* that may hear it: no farther than the radius */
+    size_t end_row;
     float front; /* of its surface */
     float back;
     float heed;   /* so far pixels at distance 1 heed each other */
     float hides;  /* and no farther behind what they see */
-    float radius; /* in pixels */
-    float down;   /* rows between them */
-    size_t first; /* how far the first of the row is right of the leftmost possible */
+    float radius; /* in pixels, whole ones */
 } cm_break_teller;
+
+/* A row of a band whose pixels have heard all, in memory that has room for whole runs. */
+typedef struct cm_ruled_row
+{
+    const float *depth; /* clean */
+    const float *reach;
+    const float *front;
+    const float *own_front; /* of runs that are taken */
+    const float *near_front;
+    const float *near_back;
+    uint8_t *is_taken; /* 0 after it */
+    uint8_t
+        *may_end; /* of runs: 1 if it is taken or steep: of four pixels one reaches most_reach */
+    cm_pixel_rule *rule;
+    cm_pixel_gap *gap;
+    float far; /* what is farther is no hit */
+    float
+        free_far; /* what pixels without a measurement are free up to, NaN: nothing is said of them */
+    float most_reach; /* no hit reaches more, but for noise */
+} cm_ruled_row;
 
 /* What is nearer than least is missed, what is farther than most is not touched; with a little room for rounding. */
 typedef struct cm_cube_bounds
@@ -180,7 +215,9 @@ typedef struct cm_rule_row
     const float *depth; /* clean */
     const float *at;    /* 1 / depth of this row, `apart` above and below */
     const float *above;
-    const float *below;
+    float *below;
+    const float *
+        next; /* depth of the row below, of which 1 / depth is found, too; NULL: there is none, or it is there */
     uint32_t apart;     /* pixels between those that slopes are found by */
     float column_place; /* of the first column from the principal point */
     float row_place;
@@ -240,21 +277,20 @@ typedef struct cm_octree_set
     /* 1 / depth. */
     void (*invert)(size_t n, const float *depth, float *inverse);
     /* How far a hit reaches around each depth; depth less reach and noise: what is nearer is in front of the surface; depth with
-     * both. Where nothing was measured they are free_far and infinite. */
-    void (*reaches)(size_t n, const cm_rule_row *row, float *reach, float *front, float *back);
-    /* CM_BREAK_BEND or 0. */
-    void (*bends)(size_t n, const cm_rule_row *row, uint8_t *kind);
-    /* Adds CM_BREAK_NEAR to kinds of a row; fronts of the row above, of this and of the one below. */
-    void (*breaks)(size_t n, const float *const front[3], const float *back, uint8_t *kind);
-    /* To those of n pixels that see something behind the teller: fronts of surfaces that join theirs; of surfaces in front, and up
-     * to where voxels reach those. */
-    void (*tell)(size_t n, const cm_break_teller *teller, const float *front, float *own_front,
-                 float *near_front, float *near_back);
-    /* 1 for runs of pixels of which one, of every four, has a reach that is not below the most; else 0. */
-    void (*steep)(size_t runs, const float *reach, float most, uint8_t *is_steep);
+     * both. Where nothing was measured they are free_far and infinite. Bits of runs: where the surface bends. n is whole runs. */
+    void (*reaches)(size_t n, const cm_rule_row *row, float *reach, float *front, float *back,
+                    uint16_t *is_break);
+    /* And where a neighbour sees something behind the pixel, apart from it; fronts of the row above, of this and of the one below. */
+    void (*breaks)(size_t n, const float *const front[3], const float *back, uint16_t *is_break);
+    /* To those around it that see something behind the teller: fronts of surfaces that join theirs; of surfaces in front, and up to
+     * where voxels reach those. Runs within the radius are taken. */
+    void (*tell)(const cm_break_teller *teller, const cm_break_planes *to);
     /* Rules and bounds of a row; front_of: the least front that each pixel heeds; free_far: what pixels without a measurement are free up to, NaN: nothing is said of them. */
     void (*rules)(size_t n, const float *depth, const float *reach, const float *front_of,
                   float far, float free_far, cm_pixel_rule *rule, float *least, float *most);
+    /* The same, and gaps, of a row of a band or two, and bounds in the cells of 2 x 2 pixels that are theirs. Pixels without a front
+     * measured what is too near: nothing is said of them. */
+    void (*band_rules)(size_t width, const cm_ruled_row *row, int rows, float *least, float *most);
     /* Words of colors (region.h) of pixels that are `apart` bytes from each other. */
     void (*words)(size_t n, const uint8_t *rgb, ptrdiff_t apart, uint32_t *word);
     /* Cells of twice the size from two rows of cells; n of the new ones. */

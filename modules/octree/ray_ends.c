@@ -11,10 +11,12 @@
 
 /* ---- where to look ---- */
 
-/* Voxels reach over the picture's border no farther than breaks are heeded. */
-static void mark_borders(const cm_view_desk *desk, size_t row, uint8_t *may_end)
+/* Voxels reach over the picture's border no farther than breaks are heeded. What is steep is wider than a few pixels, or beside breaks,
+ * and marked with the rules. */
+void cm_ray_ends_mark(const cm_view_desk *desk, size_t row)
 {
     const size_t runs = (desk->width + CM_BREAK_RUN - 1) / CM_BREAK_RUN;
+    uint8_t *const may_end = desk->may_end + row * (desk->stride / CM_BREAK_RUN);
     if (row < CM_BREAK_RADIUS || row + CM_BREAK_RADIUS >= desk->height)
     {
         memset(may_end, 1, runs);
@@ -25,22 +27,6 @@ static void mark_borders(const cm_view_desk *desk, size_t row, uint8_t *may_end)
     {
         may_end[run] = 1;
     }
-}
-
-/* What is steep is wider than a few pixels, or beside breaks. */
-void cm_ray_ends_mark(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
-                      size_t row, float most)
-{
-    const size_t runs = (desk->width + CM_BREAK_RUN - 1) / CM_BREAK_RUN;
-    const size_t first = cm_view_row(desk, row);
-    const uint8_t *is_taken = band->is_taken + first / CM_BREAK_RUN;
-    uint8_t *const may_end = desk->may_end + row * (desk->stride / CM_BREAK_RUN);
-    set->steep(runs, band->reach + first, most, may_end);
-    for (size_t run = 0; run < runs; run++)
-    {
-        may_end[run] |= is_taken[run];
-    }
-    mark_borders(desk, row, may_end);
 }
 
 /* ---- a picture ---- */
@@ -99,6 +85,9 @@ static void take_ends(end_work *work, const cm_ended_run *run, uint32_t lost, si
     }
 }
 
+/* So many rows are asked for before they are looked at. */
+#define ROWS_AHEAD 4
+
 static void find_in_rows(size_t first_row, size_t end_row, void *user)
 {
     end_work *work = user;
@@ -113,6 +102,13 @@ static void find_in_rows(size_t first_row, size_t end_row, void *user)
             {
                 continue;
             }
+            /* what is marked often goes down, along a border or a silhouette */
+            const cm_pixel_rule *below =
+                &desk->rule[(row + ROWS_AHEAD < desk->height ? row + ROWS_AHEAD : row) *
+                                desk->stride +
+                            column];
+            __builtin_prefetch(below);
+            __builtin_prefetch(below + CM_BREAK_RUN / 2);
             uint32_t lost = work->octree->set->lost_ends(&desk->table, &work->eye, (uint32_t)column,
                                                          (uint32_t)row, &run);
             lost &=

@@ -25,19 +25,6 @@
 #define BEND_EDGES 0.1
 #define BEND_SIGMAS 10.0
 
-static void clear_bands(cm_view_desk *desk)
-{
-    for (size_t i = 0; i < desk->bands; i++)
-    {
-        free(desk->band[i].memory);
-        free(desk->band[i].kind);
-        free(desk->band[i].is_taken);
-    }
-    free(desk->band);
-    desk->band = NULL;
-    desk->bands = 0;
-}
-
 void cm_view_desk_clear(cm_view_desk *desk)
 {
     free(desk->memory);
@@ -46,7 +33,7 @@ void cm_view_desk_clear(cm_view_desk *desk)
     free(desk->may_end);
     free(desk->end);
     free(desk->too_near);
-    clear_bands(desk);
+    cm_view_bands_clear(desk);
     cm_rays_destroy(desk->rays);
     memset(desk, 0, sizeof *desk);
 }
@@ -90,69 +77,6 @@ static int take_images(cm_view_desk *desk)
     for (size_t i = 0; i < count; i++)
     {
         *images[i] = first + i * cells + CM_OCTREE_SLACK;
-    }
-    return 1;
-}
-
-/* What is beside rows is never written again: nothing measured, no bounds. */
-static int take_band(const cm_view_desk *desk, cm_view_band *band)
-{
-    const size_t ring = CM_BAND_ROWS * desk->stride;
-    float **const rings[] = {&band->inverse,   &band->reach,      &band->front,    &band->back,
-                             &band->own_front, &band->near_front, &band->near_back};
-    const size_t count = sizeof rings / sizeof *rings,
-                 bounds = sizeof band->bound / sizeof *band->bound;
-    const size_t floats = count * ring + (bounds + 1) * desk->stride;
-    band->memory = cm_huge_allocate(cm_size_product(floats, sizeof *band->memory));
-    band->kind = calloc(CM_BAND_ROWS, desk->stride);
-    band->is_taken = calloc(CM_BAND_ROWS, desk->stride / CM_BREAK_RUN);
-    if (band->memory == NULL || band->kind == NULL || band->is_taken == NULL)
-    {
-        return 0;
-    }
-    for (size_t i = 0; i < floats; i++)
-    {
-        band->memory[i] = NAN;
-    }
-    float *next = band->memory + CM_OCTREE_SLACK;
-    for (size_t i = 0; i < count; i++, next += ring)
-    {
-        *rings[i] = next;
-    }
-    band->beyond = next;
-    for (size_t k = 0; k < bounds; k++)
-    {
-        next += desk->stride;
-        band->bound[k] = next;
-        for (size_t i = 0; i < desk->stride - CM_OCTREE_SLACK; i++)
-        {
-            next[i] = k < bounds / 2 ? INFINITY : -INFINITY;
-        }
-    }
-    return 1;
-}
-
-/* As many bands at least. 0: no memory. */
-static int take_bands(cm_view_desk *desk, size_t bands)
-{
-    if (bands > desk->bands)
-    {
-        cm_view_band *more = cm_array_resized(desk->band, bands, sizeof *more);
-        if (more == NULL)
-        {
-            return 0;
-        }
-        desk->band = more;
-    }
-    while (desk->bands < bands)
-    {
-        cm_view_band *band = &desk->band[desk->bands++];
-        memset(band, 0, sizeof *band);
-        if (!take_band(desk, band))
-        {
-            clear_bands(desk);
-            return 0;
-        }
     }
     return 1;
 }
@@ -329,8 +253,8 @@ typedef struct fill_work
 } fill_work;
 
 /* A row of a ring of the band's, or what is beyond the picture. */
-static const float *row_or_beyond(const cm_view_desk *desk, const cm_view_band *band,
-                                  const float *ring, ptrdiff_t row)
+static float *row_or_beyond(const cm_view_desk *desk, const cm_view_band *band, float *ring,
+                            ptrdiff_t row)
 {
     return row < 0 || row >= (ptrdiff_t)desk->height ? band->beyond
                                                      : ring + cm_view_row(desk, (size_t)row);
@@ -343,6 +267,21 @@ static void invert_row(const fill_work *work, const cm_view_band *band, size_t r
                       band->inverse + cm_view_row(desk, row));
 }
 
+/* Behind the last pixel of a row nothing is measured. Vectors are whole, and what follows there in memory is of the next row. */
+static void close_row(const cm_view_desk *desk, const cm_rule_row *at, float *front, float *back,
+                      uint16_t *is_break)
+{
+    const size_t padded = desk->stride - 2 * CM_OCTREE_SLACK;
+    for (size_t i = desk->width; i < padded; i++)
+    {
+        front[i] = back[i] = at->below[i] = NAN;
+    }
+    if (desk->width < padded)
+    {
+        is_break[padded / CM_BREAK_RUN - 1] &= (uint16_t)((1u << desk->width % CM_BREAK_RUN) - 1u);
+    }
+}
+
 static void reach_row(const fill_work *work, const cm_view_band *band, size_t row)
 {
     const cm_view_desk *desk = work->desk;
@@ -353,55 +292,67 @@ static void reach_row(const fill_work *work, const cm_view_band *band, size_t ro
     at.at = band->inverse + first;
     at.above = row_or_beyond(desk, band, band->inverse, place - apart);
     at.below = row_or_beyond(desk, band, band->inverse, place + apart);
+    at.next =
+        row + work->row.apart < desk->height ? at.depth + work->row.apart * desk->width : NULL;
     at.column_place = work->first_column;
     at.row_place = (float)((double)row + work->first_row);
-    work->set->reaches(padded, &at, band->reach + first, band->front + first, band->back + first);
+    uint16_t *const is_break = band->is_break + first / CM_BREAK_RUN;
+    work->set->reaches(padded, &at, band->reach + first, band->front + first, band->back + first,
+                       is_break);
     for (size_t i = 0; desk->too_near != NULL && i < desk->width; i++)
     {
         const int is_silent = desk->too_near[row * desk->width + i];
         band->front[first + i] = is_silent ? NAN : band->front[first + i];
     }
-    work->set->bends(desk->width, &at, band->kind + first);
-    for (size_t i = desk->width; i < padded; i++)
-    {
-        band->front[first + i] = band->back[first + i] = NAN;
-    }
-    memset(band->kind + first + desk->width, 0, desk->stride - desk->width);
+    close_row(desk, &at, band->front + first, band->back + first, is_break);
 }
 
 static void break_row(const fill_work *work, const cm_view_band *band, size_t row)
 {
     const cm_view_desk *desk = work->desk;
-    const size_t first = cm_view_row(desk, row);
+    const size_t first = cm_view_row(desk, row), padded = desk->stride - 2 * CM_OCTREE_SLACK;
     const float *const fronts[3] = {row_or_beyond(desk, band, band->front, (ptrdiff_t)row - 1),
                                     band->front + first,
                                     row_or_beyond(desk, band, band->front, (ptrdiff_t)row + 1)};
-    work->set->breaks(desk->width, fronts, band->back + first, band->kind + first);
+    work->set->breaks(padded, fronts, band->back + first, band->is_break + first / CM_BREAK_RUN);
 }
 
-/* Rules of two rows, and the cells of the first level that are theirs. */
-static void rule_rows(const fill_work *work, const cm_view_band *band, size_t row)
+static cm_ruled_row ruled_row(const fill_work *work, const cm_view_band *band, size_t row)
+{
+    const cm_view_desk *desk = work->desk;
+    const size_t from = cm_view_row(desk, row), to = row * desk->stride;
+    return (cm_ruled_row){.depth = desk->packed + row * desk->width,
+                          .reach = band->reach + from,
+                          .front = band->front + from,
+                          .own_front = band->heard.own_front + from,
+                          .near_front = band->heard.near_front + from,
+                          .near_back = band->heard.near_back + from,
+                          .is_taken = band->heard.is_taken + from / CM_BREAK_RUN,
+                          .may_end = desk->may_end + to / CM_BREAK_RUN,
+                          .rule = desk->rule + to,
+                          .gap = desk->gap + to,
+                          .far = work->row.far,
+                          .free_far = work->row.free_far,
+                          .most_reach = work->row.most};
+}
+
+/* Rules of two rows, the cells of the first level that are theirs, and windows of those above, of the same band. */
+static void rule_rows(const fill_work *work, const cm_view_band *band, size_t begin, size_t row)
 {
     const cm_view_desk *desk = work->desk;
     const size_t to = row / 2 * desk->stride;
-    const size_t second = row + 1 < desk->height ? 1 : 2;
-    float *const *least = band->bound, *const *most = band->bound + 3;
-    for (size_t k = 0; k < 2 && row + k < desk->height; k++)
+    const int rows = row + 1 < desk->height ? 2 : 1;
+    const cm_ruled_row at[2] = {ruled_row(work, band, row), ruled_row(work, band, row + 1)};
+    work->set->band_rules(desk->width, at, rows, desk->least[1] + to, desk->most[1] + to);
+    for (int k = 0; k < rows; k++)
     {
-        const size_t at = cm_view_row(desk, row + k);
-        cm_breaks_heed(desk, band, row + k);
-        work->set->rules(desk->width, desk->packed + (row + k) * desk->width, band->reach + at,
-                         band->front + at, work->row.far, work->row.free_far,
-                         desk->rule + (row + k) * desk->stride, least[k], most[k]);
-        cm_view_desk_silence(desk, row + k, desk->rule + (row + k) * desk->stride, least[k],
-                             most[k]);
-        cm_ray_ends_mark(desk, work->set, band, row + k, work->row.most);
-        cm_breaks_gaps(desk, band, row + k);
+        cm_ray_ends_mark(desk, row + (size_t)k);
     }
-    const float *const leasts[2] = {least[0], least[second]};
-    const float *const mosts[2] = {most[0], most[second]};
-    work->set->halve(desk->table.level[1].width, leasts, mosts, desk->least[1] + to,
-                     desk->most[1] + to);
+    cm_view_windows_close(desk, row / 2);
+    if (row > begin)
+    {
+        cm_view_windows_row(desk, work->set, row / 2 - 1);
+    }
 }
 
 /* Bands begin at even rows: cells of the first level are of two. */
@@ -429,15 +380,14 @@ static void fill_one(const fill_work *work, const cm_view_band *band, size_t beg
     const size_t radius = CM_BREAK_RADIUS;
     const size_t first_teller = behind(begin, radius), end_teller = before(desk, end, radius);
     const size_t first_reach = behind(first_teller, 1), end_reach = before(desk, end_teller, 1);
-    size_t inverted = behind(first_reach, work->row.apart), broken = first_teller;
-    size_t told = first_teller, ruled = begin;
+    size_t broken = first_teller, told = first_teller, ruled = begin;
+    for (size_t row = behind(first_reach, work->row.apart);
+         row < before(desk, first_reach, work->row.apart); row++)
+    {
+        invert_row(work, band, row);
+    }
     for (size_t row = first_reach; ruled < end; row++)
     {
-        const size_t end_inverted = before(desk, row, work->row.apart + 1);
-        for (; row < end_reach && inverted < end_inverted; inverted++)
-        {
-            invert_row(work, band, inverted);
-        }
         if (row < end_reach)
         {
             reach_row(work, band, row);
@@ -452,7 +402,7 @@ static void fill_one(const fill_work *work, const cm_view_band *band, size_t beg
         }
         for (; ruled < end && ruled + 2 * radius + 1 <= row; ruled += 2)
         {
-            rule_rows(work, band, ruled);
+            rule_rows(work, band, begin, ruled);
         }
     }
 }
@@ -465,6 +415,18 @@ static void fill_bands(size_t first, size_t end, void *user)
         fill_one(work, &work->desk->band[index], band_begin(work, index),
                  band_begin(work, index + 1));
     }
+}
+
+/* The last row of each band and the first of the next have windows, too. */
+static void make_windows(const fill_work *work)
+{
+    cm_view_desk *desk = work->desk;
+    cm_view_windows_close(desk, desk->table.level[1].height);
+    for (size_t index = 0; index < work->bands; index++)
+    {
+        cm_view_windows_row(desk, work->set, (band_begin(work, index + 1) + 1) / 2 - 1);
+    }
+    cm_view_windows_above(desk, work->set);
 }
 
 /* Of a table that is described. */
@@ -556,12 +518,12 @@ cm_status cm_view_desk_fill(cm_view_desk *desk, const cm_octree *octree, const c
     work.row.bend_relative = (float)(BEND_SIGMAS * octree->options.noise);
     const size_t pairs = (desk->height + 1) / 2;
     work.bands = work.bands < pairs ? work.bands : pairs;
-    if (!take_bands(desk, work.bands))
+    if (!cm_view_bands_take(desk, work.bands))
     {
         return CM_ERROR_MEMORY;
     }
     cm_pool_run(pool, work.bands, 1, fill_bands, &work);
-    cm_view_desk_windows(desk, octree->set, pool);
+    make_windows(&work);
     return CM_OK;
 }
 

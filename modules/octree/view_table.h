@@ -28,25 +28,17 @@
  * needs for the nearest seen, but not more often. */
 #define CM_AROUND_MOST 4
 
-/* Rows of a band of a view that are made one after the other and forgotten soon, so that they stay near: a power of two of them, as
- * many as lie between the first and the last that a pixel has to do with. Row r of each begins at cm_view_row. */
-#define CM_BAND_ROWS 32
-
+/* Rows of a view that are made one after the other: CM_BAND_ROWS of each plane, row r of each at cm_view_row. */
 typedef struct cm_view_band
 {
     float *memory;
-    const float *beyond; /* a row that the picture does not have */
-    float *inverse;      /* 1 / depth */
-    float *reach;        /* of hits of each pixel; front and back of the surface there */
+    float *beyond;  /* a row that the picture does not have */
+    float *inverse; /* 1 / depth */
+    float *reach;   /* of hits of each pixel; front and back of the surface there */
     float *front;
     float *back;
-    float *own_front;  /* of pixels beside breaks: of their surface and those that join it */
-    float *near_front; /* of all surfaces in front of it; infinite: none */
-    float *near_back;  /* voxels that are farther do not reach them */
-    float *bound
-        [6]; /* least of two rows of pixels, and after them of what is beyond the picture; the same of most */
-    uint8_t *kind;     /* of each pixel, bits of CM_BREAK_... */
-    uint8_t *is_taken; /* of runs of pixels: 1 while they are beside breaks; 0 between views */
+    cm_break_planes heard; /* by pixels beside breaks; nothing is taken between views */
+    uint16_t *is_break;    /* bits of runs of pixels */
 } cm_view_band;
 
 /* The images of a view and the memory of tables, kept from view to view. */
@@ -120,22 +112,27 @@ int cm_view_cells_take(cm_view_desk *desk);
 /* Bounds in windows from those in cells of the first level, desk->least[1] and desk->most[1]. */
 void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool);
 
+/* The same in parts, while cells are made. A row of these cells, or the row behind the last, is closed; windows of a row, when it and
+ * the one below are closed; and when all of them are there, those of the other levels. */
+void cm_view_windows_close(const cm_view_desk *desk, size_t row);
+void cm_view_windows_row(const cm_view_desk *desk, const cm_octree_set *set, size_t row);
+void cm_view_windows_above(cm_view_desk *desk, const cm_octree_set *set);
+
 static inline size_t cm_view_row(const cm_view_desk *desk, size_t row)
 {
     return (row & (CM_BAND_ROWS - 1)) * desk->stride;
 }
 
+/* As many bands at least. 0: no memory. */
+int cm_view_bands_take(cm_view_desk *desk, size_t bands);
+void cm_view_bands_clear(cm_view_desk *desk);
+
 /* Pixels of a row that are breaks tell those of some rows of the band what they see. All fronts that it is told to are there. */
 void cm_breaks_tell(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
                     size_t row, size_t first_row, size_t end_row);
 
-/* The fronts that pixels of a row heed, after all have told; and after the rules, what lies in their gaps. */
-void cm_breaks_heed(const cm_view_desk *desk, const cm_view_band *band, size_t row);
-void cm_breaks_gaps(const cm_view_desk *desk, const cm_view_band *band, size_t row);
-
-/* Of a row, before what was told of its breaks is forgotten: runs of pixels whose rays may end in voxels that do not see them
- * (ray_ends.h). most: no hit reaches more but for noise. */
-void cm_ray_ends_mark(const cm_view_desk *desk, const cm_octree_set *set, const cm_view_band *band,
-                      size_t row, float most);
+/* Of a row whose rules are there: runs at the picture's border, too, have pixels whose rays may end in voxels that do not see them
+ * (ray_ends.h). */
+void cm_ray_ends_mark(const cm_view_desk *desk, size_t row);
 
 #endif

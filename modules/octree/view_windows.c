@@ -16,6 +16,12 @@ static size_t level_cells(uint32_t pixels, int level)
     return (size_t)(((uint64_t)pixels + (1u << level) - 1) >> level);
 }
 
+/* Windows from row to row: vectors are stored whole. */
+static size_t row_windows(uint32_t pixels, int level)
+{
+    return (level_cells(pixels, level) + CM_OCTREE_SLACK - 1) / CM_OCTREE_SLACK * CM_OCTREE_SLACK;
+}
+
 static int has_more_levels(const cm_view_desk *desk, int level)
 {
     return level_cells(desk->width, level) > 2 || level_cells(desk->height, level) > 2;
@@ -27,8 +33,7 @@ int cm_view_windows_take(cm_view_desk *desk)
     int levels = 1;
     do
     {
-        windows +=
-            level_cells(desk->width, levels) * level_cells(desk->height, levels) + CM_OCTREE_SLACK;
+        windows += row_windows(desk->width, levels) * level_cells(desk->height, levels);
         levels++;
     } while (has_more_levels(desk, levels - 1));
     desk->windows = cm_huge_allocate(cm_size_product(windows, sizeof *desk->windows));
@@ -40,11 +45,11 @@ int cm_view_windows_take(cm_view_desk *desk)
         cm_window_level *at = &desk->table.level[level];
         at->width = (uint32_t)level_cells(desk->width, level);
         at->height = (uint32_t)level_cells(desk->height, level);
-        const size_t cells = (size_t)at->width * at->height + CM_OCTREE_SLACK;
+        const size_t row = row_windows(desk->width, level);
         at->bounds = next;
         desk->table.first_window[level] = (uint32_t)(next - desk->windows);
-        desk->table.window_row[level] = at->width;
-        next += cells;
+        desk->table.window_row[level] = (uint32_t)row;
+        next += row * at->height;
     }
     return desk->windows != NULL;
 }
@@ -66,90 +71,103 @@ int cm_view_cells_take(cm_view_desk *desk)
 
 /* ---- windows ---- */
 
-/* One cell more to the right and below, where nothing is: windows there are of what there is. */
-static void close_cells(cm_view_desk *desk, int which, size_t width, size_t height)
+/* Behind the cells of a row nothing is, and in the row behind the last: windows there are of what there is. */
+static void close_row(const cm_view_desk *desk, int level, size_t row)
 {
-    float *least = desk->least[which], *most = desk->most[which];
-    for (size_t row = 0; row < height; row++)
+    const cm_window_level *at = &desk->table.level[level];
+    float *least = desk->least[level & 1] + row * desk->stride;
+    float *most = desk->most[level & 1] + row * desk->stride;
+    for (size_t i = row < at->height ? at->width : 0; i < at->width + CM_OCTREE_SLACK; i++)
     {
-        for (size_t i = width; i < width + CM_OCTREE_SLACK; i++)
-        {
-            least[row * desk->stride + i] = INFINITY;
-            most[row * desk->stride + i] = -INFINITY;
-        }
-    }
-    for (size_t i = 0; i < width + CM_OCTREE_SLACK; i++)
-    {
-        least[height * desk->stride + i] = INFINITY;
-        most[height * desk->stride + i] = -INFINITY;
+        least[i] = INFINITY;
+        most[i] = -INFINITY;
     }
 }
 
-/* Rows of a level's windows or cells, for threads. */
-typedef struct window_work
+static void close_rows(const cm_view_desk *desk, int level)
 {
-    cm_view_desk *desk;
-    const cm_octree_set *set;
-    int level;
-} window_work;
-
-/* As many rows at a time: fewer are not worth a thread. */
-#define ROWS_AT_A_TIME 64
-
-/* Whole vectors are stored, over the first windows of the next row where they do not end with their own: then one thread goes down. */
-static size_t window_rows(const cm_window_level *level)
-{
-    return level->width % CM_OCTREE_SLACK == 0 ? ROWS_AT_A_TIME : level->height;
-}
-
-static void make_windows(size_t first, size_t end, void *user)
-{
-    const window_work *work = user;
-    const cm_view_desk *desk = work->desk;
-    const cm_window_level *at = &desk->table.level[work->level];
-    const int which = work->level & 1;
-    for (size_t row = first; row < end; row++)
+    for (size_t row = 0; row <= desk->table.level[level].height; row++)
     {
-        const float *least = desk->least[which] + row * desk->stride;
-        const float *most = desk->most[which] + row * desk->stride;
-        const float *const leasts[2] = {least, least + desk->stride};
-        const float *const mosts[2] = {most, most + desk->stride};
-        work->set->windows(at->width, leasts, mosts, at->bounds + row * at->width);
+        close_row(desk, level, row);
     }
 }
 
-static void make_cells(size_t first, size_t end, void *user)
+/* Windows of a row of cells and the one below. */
+static void make_row(const cm_view_desk *desk, const cm_octree_set *set, int level, size_t row)
 {
-    const window_work *work = user;
-    const cm_view_desk *desk = work->desk;
-    const cm_window_level *at = &desk->table.level[work->level];
-    const int from = (work->level - 1) & 1, to = work->level & 1;
-    for (size_t row = first; row < end; row++)
+    const cm_window_level *at = &desk->table.level[level];
+    const float *least = desk->least[level & 1] + row * desk->stride;
+    const float *most = desk->most[level & 1] + row * desk->stride;
+    const float *const leasts[2] = {least, least + desk->stride};
+    const float *const mosts[2] = {most, most + desk->stride};
+    set->windows(at->width, leasts, mosts, at->bounds + row * desk->table.window_row[level]);
+}
+
+/* Cells of a level from those of the level below it. */
+static void make_cells(const cm_view_desk *desk, const cm_octree_set *set, int level)
+{
+    const cm_window_level *at = &desk->table.level[level];
+    const int from = (level - 1) & 1, to = level & 1;
+    for (size_t row = 0; row < at->height; row++)
     {
         const float *least = desk->least[from] + 2 * row * desk->stride;
         const float *most = desk->most[from] + 2 * row * desk->stride;
         const float *const leasts[2] = {least, least + desk->stride};
         const float *const mosts[2] = {most, most + desk->stride};
-        work->set->halve(at->width, leasts, mosts, desk->least[to] + row * desk->stride,
-                         desk->most[to] + row * desk->stride);
+        set->halve(at->width, leasts, mosts, desk->least[to] + row * desk->stride,
+                   desk->most[to] + row * desk->stride);
+    }
+}
+
+void cm_view_windows_close(const cm_view_desk *desk, size_t row)
+{
+    close_row(desk, 1, row);
+}
+
+void cm_view_windows_row(const cm_view_desk *desk, const cm_octree_set *set, size_t row)
+{
+    make_row(desk, set, 1, row);
+}
+
+/* All of these levels are less than a third of the first: not worth waiting for threads. */
+void cm_view_windows_above(cm_view_desk *desk, const cm_octree_set *set)
+{
+    for (int level = 2; level < desk->table.levels; level++)
+    {
+        make_cells(desk, set, level);
+        close_rows(desk, level);
+        for (size_t row = 0; row < desk->table.level[level].height; row++)
+        {
+            make_row(desk, set, level, row);
+        }
+    }
+    const cm_window_level *last = &desk->table.level[desk->table.levels - 1];
+    desk->greatest = last->bounds[0].most;
+}
+
+/* Rows of the first level, for threads. */
+typedef struct window_work
+{
+    const cm_view_desk *desk;
+    const cm_octree_set *set;
+} window_work;
+
+/* As many rows at a time: fewer are not worth a thread. */
+#define ROWS_AT_A_TIME 64
+
+static void make_rows(size_t first, size_t end, void *user)
+{
+    const window_work *work = user;
+    for (size_t row = first; row < end; row++)
+    {
+        make_row(work->desk, work->set, 1, row);
     }
 }
 
 void cm_view_desk_windows(cm_view_desk *desk, const cm_octree_set *set, cm_pool *pool)
 {
-    window_work work = {.desk = desk, .set = set};
-    for (int level = 1; level < desk->table.levels; level++)
-    {
-        const cm_window_level *at = &desk->table.level[level];
-        work.level = level;
-        if (level > 1)
-        {
-            make_cells(0, at->height, &work);
-        }
-        close_cells(desk, level & 1, at->width, at->height);
-        /* all levels above the first are less than its third: not worth waiting for threads */
-        cm_pool_run(level == 1 ? pool : NULL, at->height, window_rows(at), make_windows, &work);
-    }
-    const cm_window_level *last = &desk->table.level[desk->table.levels - 1];
-    desk->greatest = last->bounds[0].most;
+    window_work work = {desk, set};
+    close_rows(desk, 1);
+    cm_pool_run(pool, desk->table.level[1].height, ROWS_AT_A_TIME, make_rows, &work);
+    cm_view_windows_above(desk, set);
 }

@@ -42,30 +42,16 @@ static float limit_of(double limit, double none)
     return wanted >= FLT_MAX ? FLT_MAX : wanted <= FLT_TRUE_MIN ? FLT_TRUE_MIN : (float)wanted;
 }
 
-/* Floats that lie close, perhaps where they are to be; in metres they are what they should be. */
-static void read_dense(const float *from, size_t n, double unit, float *to)
+static void read_row(const cleaning *c, const char *from, float *to)
 {
-    if (unit == 1.0)
-    {
-        if (from != to)
-        {
-            memcpy(to, from, n * sizeof *to);
-        }
-        return;
-    }
-    for (size_t i = 0; i < n; i++)
-    {
-        to[i] = (float)((double)from[i] * unit);
-    }
-}
-
-static void read_row(const cleaning *c, size_t row, float *to)
-{
-    const char *from = c->data + (ptrdiff_t)row * c->row_stride;
     const ptrdiff_t step = c->pixel_stride;
     if (c->type == CM_PIXEL_FLOAT && step == (ptrdiff_t)sizeof(float))
     {
-        read_dense((const float *)(const void *)from, c->width, c->unit, to);
+        const float *dense = (const float *)(const void *)from;
+        for (size_t i = 0; i < c->width; i++)
+        {
+            to[i] = (float)((double)dense[i] * c->unit);
+        }
         return;
     }
     if (c->type == CM_PIXEL_U16 && step == (ptrdiff_t)sizeof(uint16_t))
@@ -84,6 +70,48 @@ static void read_row(const cleaning *c, size_t row, float *to)
                                                      : (double)*(const float *)pixel;
         to[i] = (float)(value * c->unit);
     }
+}
+
+static uint32_t count_valid(const cleaning *c, const float *value)
+{
+    const float nearest = c->nearest, farthest = c->farthest;
+    uint32_t valid = 0;
+    for (size_t i = 0; i < c->width; i++)
+    {
+        valid += (uint32_t)(value[i] >= nearest) & (uint32_t)(value[i] <= farthest);
+    }
+    return valid;
+}
+
+/* Floats that lie close, and elsewhere than they are to be. In metres they are what they should be. */
+static uint32_t copy_row(const cleaning *c, const float *restrict from, float *restrict to)
+{
+    const float nearest = c->nearest, farthest = c->farthest;
+    uint32_t valid = 0;
+    for (size_t i = 0; i < c->width; i++)
+    {
+        const float value = from[i];
+        to[i] = value;
+        valid += (uint32_t)(value >= nearest) & (uint32_t)(value <= farthest);
+    }
+    return valid;
+}
+
+/* Returns how many are valid. */
+static uint32_t take_row(const cleaning *c, size_t row, float *to)
+{
+    const char *from = c->data + (ptrdiff_t)row * c->row_stride;
+    const int is_metres =
+        c->type == CM_PIXEL_FLOAT && c->unit == 1.0 && c->pixel_stride == (ptrdiff_t)sizeof(float);
+    if (is_metres && from != (const char *)to)
+    {
+        return copy_row(c, (const float *)(const void *)from, to);
+    }
+    if (!is_metres)
+    {
+        read_row(c, from, to);
+    }
+    return count_valid(c, to);
 }
 
 /* How many of a row are which kind: 32 bits, as vectors count. */
@@ -123,12 +151,7 @@ static void clean_band(size_t first, size_t last, size_t band, void *user)
     for (size_t row = first; row < last; row++)
     {
         float *to = c->depth + row * c->width;
-        uint32_t valid = 0;
-        read_row(c, row, to);
-        for (size_t i = 0; i < c->width; i++)
-        {
-            valid += (uint32_t)(to[i] >= nearest) & (uint32_t)(to[i] <= farthest);
-        }
+        const uint32_t valid = take_row(c, row, to);
         count.valid += valid;
         if (valid == c->width)
         {
