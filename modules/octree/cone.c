@@ -117,7 +117,7 @@ static int enter(const cm_snapshot *snapshot, const cm_cone *cone, walk *w)
     for (int axis = 0; axis < 3; axis++)
     {
         const double d = cone->direction[axis];
-        w->is_up[axis] = !(d < 0.0); /* of 0, too: the side that is far away, as inverse has it */
+        w->is_up[axis] = d >= 0.0; /* of 0, too: the side that is far away, as inverse has it */
         w->inverse[axis] = 1.0 / (fabs(d) > 1e-300 ? d : d < 0.0 ? -1e-300 : 1e-300);
         const double low = -cone->origin[axis] * w->inverse[axis];
         const double high = (w->size - cone->origin[axis]) * w->inverse[axis];
