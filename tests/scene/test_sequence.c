@@ -400,18 +400,30 @@ START_TEST(what_is_absent_is_counted)
 }
 END_TEST
 
+/* Where the depth of a view is; of TUM's layout the folder of all. */
+static void name_depth(char file[60], unsigned layout, unsigned k)
+{
+    if (layout == CM_SEQUENCE_TUM)
+    {
+        strcpy(file, "depth");
+        return;
+    }
+    snprintf(file, 60, "%s%0*u%s", layout == CM_SEQUENCE_OPEN3D ? "depth_" : "frame-",
+             layout == CM_SEQUENCE_OPEN3D ? 5 : 6, k,
+             layout == CM_SEQUENCE_OPEN3D ? ".png" : ".depth.png");
+}
+
 /* Who looks at colours alone needs no depth, in each layout; others do. */
 START_TEST(colours_will_do)
 {
     const cm_sequence_options options = {.size = sizeof options, .colors_will_do = 1};
-    const char *const depth[] = {NULL, "depth", "depth_%05u.png", "frame-%06u.depth.png"};
     for (unsigned layout = CM_SEQUENCE_TUM; layout <= CM_SEQUENCE_SEVEN_SCENES; layout++)
     {
         const char *folder = write_views("colours", (cm_sequence_layout)layout, 0);
         for (unsigned k = 0; k < VIEWS; k++)
         {
             char name[100] = "colours/", file[60];
-            snprintf(file, sizeof file, layout == CM_SEQUENCE_TUM ? "depth" : depth[layout], k);
+            name_depth(file, layout, k);
             strcat(name, file);
             remove_all(in_folder(name));
         }
