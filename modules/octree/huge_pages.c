@@ -12,10 +12,14 @@
 
 #define HUGE_PAGE ((size_t)1 << 21)
 
+/* Less is not worth a large page. What is, as windows of a view are, also begins at a whole line
+ * of the cache: vectors that are stored there reach over two lines otherwise. */
+#define WORTH_A_PAGE (HUGE_PAGE / 8)
+
 void *cm_huge_allocate(size_t bytes)
 {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-    if (bytes >= HUGE_PAGE && bytes <= SIZE_MAX / 2)
+    if (bytes >= WORTH_A_PAGE && bytes <= SIZE_MAX / 2)
     {
         const size_t whole = (bytes + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE;
         void *pointer = aligned_alloc(HUGE_PAGE, whole);
