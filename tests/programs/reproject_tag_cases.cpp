@@ -197,7 +197,6 @@ void photo_spheres()
     result(face.find("GPano") == std::string::npos, "a face is none");
 }
 
-// Keys: version, then of geographic coordinates, pixels that are areas, in degrees of EPSG:4326.
 void georeferences()
 {
     const std::vector<float> pixels(32, 0.5f);

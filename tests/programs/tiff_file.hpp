@@ -30,7 +30,7 @@ TiffTag shorts(std::uint16_t number, const std::vector<std::uint16_t> &values);
 TiffTag text(std::uint16_t number, const std::string &value);
 TiffTag doubles(std::uint16_t number, const std::vector<double> &values);
 
-// GeoKeys: the model, where pixels are, and a key of the system of coordinates.
+// GeoKeys: their version, the model (2: geographic), where pixels are (1: areas), and a key of the system of coordinates.
 TiffTag geo_keys(std::uint16_t model, std::uint16_t raster, std::uint16_t key, std::uint16_t code);
 
 // One channel of floats, with further tags.
