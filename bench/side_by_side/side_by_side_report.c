@@ -104,8 +104,9 @@ void print_table(FILE *out, const roster *all, const settings *set)
     fprintf(
         out,
         "\n"
-        "Arrays of %zu points on one core, %zu interleaved repetitions. Nanoseconds a point: the\n"
-        "best, the median, and half the distance of the quartiles in per cent of it; ratio: to\n"
+        "Arrays of %zu points on one core, %zu interleaved repetitions, with other points each, up\n"
+        "to 2^17 in all: processors learn by heart what comes again. Nanoseconds a point: the best,\n"
+        "the median, and half the distance of the quartiles in per cent of it; ratio: to\n"
         "libcubemap's fastest exact double path in the same repetition, the median. Worst round\n"
         "trip: the angle between a direction and what comes back, on Earth, at %zu random points\n"
         "and at hard ones; refused: so many of these have no answer. takes: unit vectors, or\n"

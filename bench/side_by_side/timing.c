@@ -86,50 +86,82 @@ static void summarise(roster *all, int direction, size_t repetitions)
     }
 }
 
-/* Contestants that take the same form of points share a batch. */
+/* Points of several repetitions: processors remember the branches of thousands of points that come again and again, which a
+ * program's points do not. */
+enum
+{
+    DISTINCT = 1 << 17,
+    WINDOWS = 16
+};
+
+/* Contestants that take the same form of points share batches, each of which has other points. */
 typedef struct shared_batches
 {
     size_t count;
+    size_t points;
+    size_t windows;
     const contestant *of[8];
-    batch batches[8];
+    batch batches[8][WINDOWS];
 } shared_batches;
 
-static batch *batch_of(shared_batches *all, const contestant *c, size_t points)
+static shared_batches *share_batches(size_t points, size_t most_windows)
 {
-    size_t i;
-    for (i = 0; i < all->count; i++)
+    shared_batches *all = allocate(1, sizeof *all);
+    const size_t windows = DISTINCT / points;
+    all->count = 0;
+    all->points = points;
+    all->windows = windows < 1 ? 1 : windows < most_windows ? windows : most_windows;
+    return all;
+}
+
+static void load_windows(const shared_batches *all, const contestant *c, batch *batches)
+{
+    double *list = random_points(c, all->points * all->windows);
+    for (size_t window = 0; window < all->windows; window++)
     {
-        if (all->of[i]->unit == c->unit && all->of[i]->by_face == c->by_face)
-        {
-            return &all->batches[i];
-        }
+        batch_allocate(&batches[window], all->points);
+        batch_load(&batches[window], c, list + 3 * all->points * window, all->points);
     }
-    double *list = random_points(c, points);
-    all->of[i] = c;
-    all->count++;
-    batch_allocate(&all->batches[i], points);
-    batch_load(&all->batches[i], c, list, points);
     free(list);
-    return &all->batches[i];
+}
+
+static batch *batch_of(shared_batches *all, const contestant *c, size_t repetition)
+{
+    size_t i = 0;
+    while (i < all->count && (all->of[i]->unit != c->unit || all->of[i]->by_face != c->by_face))
+    {
+        i++;
+    }
+    if (i == all->count)
+    {
+        all->of[i] = c;
+        load_windows(all, c, all->batches[i]);
+        all->count++;
+    }
+    return &all->batches[i][repetition % all->windows];
 }
 
 static void free_batches(shared_batches *all)
 {
     for (size_t i = 0; i < all->count; i++)
     {
-        batch_free(&all->batches[i]);
+        for (size_t window = 0; window < all->windows; window++)
+        {
+            batch_free(&all->batches[i][window]);
+        }
     }
+    free(all);
 }
 
 void time_all(roster *all, size_t points, size_t repetitions)
 {
-    shared_batches shared = {0};
+    shared_batches *shared = share_batches(points, WINDOWS);
     for (size_t r = 0; r < repetitions; r++)
     {
         for (size_t i = 0; i < all->count; i++)
         {
             contestant *c = &all->list[i];
-            batch *b = batch_of(&shared, c, points);
+            batch *b = batch_of(shared, c, r);
             progress("times: repetition %zu of %zu, %s %s", r + 1, repetitions, c->library,
                      c->specification);
             for (int direction = 0; direction < DIRECTIONS; direction++)
@@ -150,18 +182,18 @@ void time_all(roster *all, size_t points, size_t repetitions)
     summarise(all, FORWARD, repetitions);
     summarise(all, INVERSE, repetitions);
     progress(NULL);
-    free_batches(&shared);
+    free_batches(shared);
 }
 
 #ifdef HAVE_CALLGRIND
 int count_all(roster *all, size_t points)
 {
-    shared_batches shared = {0};
+    shared_batches *shared = share_batches(points, 1);
     CALLGRIND_START_INSTRUMENTATION;
     for (size_t i = 0; i < all->count; i++)
     {
         const contestant *c = &all->list[i];
-        batch *b = batch_of(&shared, c, points);
+        batch *b = batch_of(shared, c, 0);
         for (int direction = 0; direction < DIRECTIONS; direction++)
         {
             char label[128];
@@ -177,7 +209,7 @@ int count_all(roster *all, size_t points)
             CALLGRIND_DUMP_STATS_AT(text);
         }
     }
-    free_batches(&shared);
+    free_batches(shared);
     return 1;
 }
 #else
