@@ -58,6 +58,7 @@ needs_for_browsers="chromium"
 sanitized_by_clang="-Dbuildtype=debugoptimized -Doptimization=1 -Db_sanitize=address,undefined -Db_lundef=false
     -Dfuzzers=enabled"
 sanitized_flags="-g1 -fsanitize=fuzzer-no-link -fno-sanitize-recover=all"
+untraced=-fno-sanitize-coverage=trace-cmp
 
 die()
 {
