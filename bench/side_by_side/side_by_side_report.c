@@ -104,8 +104,8 @@ void print_table(FILE *out, const roster *all, const settings *set)
     fprintf(
         out,
         "\n"
-        "Arrays of %zu points on one core, %zu interleaved repetitions, with other points each, up\n"
-        "to 2^17 in all: processors learn by heart what comes again. Nanoseconds a point: the best,\n"
+        "Arrays of %zu points on one core, %zu interleaved repetitions, with other points each,\n"
+        "up to 2^17: processors learn by heart what comes again. Nanoseconds a point: the best,\n"
         "the median, and half the distance of the quartiles in per cent of it; ratio: to\n"
         "libcubemap's fastest exact double path in the same repetition, the median. Worst round\n"
         "trip: the angle between a direction and what comes back, on Earth, at %zu random points\n"
