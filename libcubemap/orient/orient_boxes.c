@@ -134,21 +134,32 @@ static cm_quaternion place(const cm_box *box, const int at[3])
     return result;
 }
 
-/* All eight; of tangents, which cost most, each is taken once. */
-static void find_corners(const cm_box *box, cm_quaternion corner[8])
+/* All eight, between the tangents of its ends. */
+static void put_corners(uint8_t axis, const double low[3], const double high[3],
+                        cm_quaternion corner[8])
 {
-    static const int low[3] = {0, 0, 0};
-    static const int high[3] = {2, 2, 2};
-    const cm_quaternion ends[2] = {place(box, low), place(box, high)};
     for (unsigned c = 0; c < 8; c++)
     {
         unsigned next = 0;
         for (unsigned i = 0; i < 4; i++)
         {
-            corner[c].q[i] = ends[c >> next & 1].q[i];
-            next += i != box->axis;
+            corner[c].q[i] = i == axis ? 1.0 : (c >> next & 1) != 0 ? high[next] : low[next];
+            next += i != axis;
         }
     }
+}
+
+/* Of tangents, which cost most, each is taken once. */
+static void find_corners(const cm_box *box, cm_quaternion corner[8])
+{
+    double low[3];
+    double high[3];
+    for (int i = 0; i < 3; i++)
+    {
+        low[i] = coordinate(box, i, 0);
+        high[i] = coordinate(box, i, 2);
+    }
+    put_corners(box->axis, low, high, corner);
 }
 
 void cm_box_find_shape(const cm_box *box, cm_box_shape *shape)
@@ -182,34 +193,51 @@ void cm_box_find_shape(const cm_box *box, cm_box_shape *shape)
     }
 }
 
-int cm_box_is_spare(const cm_box *box, const cm_symmetries *symmetries)
+/* Are all corners nearer to that turn, or all to its opposite, than to none? The first, which is so of few, says to which. */
+static int is_nearer(const cm_quaternion corner[8], const double t[4])
 {
     const double slack = 1e-9;
-    cm_quaternion corner[8];
-    find_corners(box, corner);
-    for (unsigned i = 1; i < symmetries->count; i++)
+    double sign = 0.0;
+    for (int c = 0; c < 8; c++)
     {
-        const double *t = symmetries->turn[i].q;
-        int nearer = 0;
-        int nearer_opposite = 0;
-        for (int c = 0; c < 8; c++)
+        const double *q = corner[c].q;
+        const double scalar = t[0] * q[0] - t[1] * q[1] - t[2] * q[2] - t[3] * q[3];
+        sign = c > 0 ? sign : scalar < 0.0 ? -1.0 : 1.0;
+        if (!(sign * scalar > fabs(q[0]) + slack))
         {
-            const double *q = corner[c].q;
-            const double scalar = t[0] * q[0] - t[1] * q[1] - t[2] * q[2] - t[3] * q[3];
-            nearer += scalar > fabs(q[0]) + slack;
-            nearer_opposite += -scalar > fabs(q[0]) + slack;
-        }
-        if (nearer == 8 || nearer_opposite == 8)
-        {
-            return 1;
+            return 0;
         }
     }
-    return 0;
+    return 1;
+}
+
+static int are_spare(const cm_quaternion corner[8], const cm_symmetries *symmetries)
+{
+    unsigned i = 1;
+    while (i < symmetries->count && !is_nearer(corner, symmetries->turn[i].q))
+    {
+        i++;
+    }
+    return i < symmetries->count;
+}
+
+int cm_box_is_spare(const cm_box *box, const cm_symmetries *symmetries)
+{
+    cm_quaternion corner[8];
+    find_corners(box, corner);
+    return are_spare(corner, symmetries);
 }
 
 int cm_boxes_make(cm_boxes *boxes, const cm_symmetries *symmetries)
 {
     const size_t all = (size_t)4 * CM_BOXES_ROOT * CM_BOXES_ROOT * CM_BOXES_ROOT;
+    /* the tangents of all boxes' ends */
+    double end[CM_BOXES_ROOT + 1];
+    for (uint16_t i = 0; i <= CM_BOXES_ROOT; i++)
+    {
+        const cm_box box = {0, 0, {i, 0, 0}};
+        end[i] = coordinate(&box, 0, 0);
+    }
     *boxes = (cm_boxes){malloc(all * sizeof *boxes->box), 0};
     for (size_t i = 0; i < all && boxes->box != NULL; i++)
     {
@@ -218,7 +246,12 @@ int cm_boxes_make(cm_boxes *boxes, const cm_symmetries *symmetries)
                             {(uint16_t)(i / 4 % CM_BOXES_ROOT),
                              (uint16_t)(i / 4 / CM_BOXES_ROOT % CM_BOXES_ROOT),
                              (uint16_t)(i / 4 / CM_BOXES_ROOT / CM_BOXES_ROOT)}};
-        if (!cm_box_is_spare(&box, symmetries))
+        const uint16_t *at = box.index;
+        const double low[3] = {end[at[0]], end[at[1]], end[at[2]]};
+        const double high[3] = {end[at[0] + 1], end[at[1] + 1], end[at[2] + 1]};
+        cm_quaternion corner[8];
+        put_corners(box.axis, low, high, corner);
+        if (!are_spare(corner, symmetries))
         {
             boxes->box[boxes->count++] = box;
         }

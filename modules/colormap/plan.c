@@ -60,6 +60,7 @@ typedef struct bend
     double span; /* asin(cosine) */
     double more; /* what s is above that of two straight legs */
     double base; /* a whole number close to m */
+    double legs; /* what a walk has for u: the difference of the legs it took */
     double u;    /* position on the curve of solutions, above base; whole where m is */
     double m;    /* above base */
     double g;
@@ -269,10 +270,20 @@ static void cross(bend *c, double x, choice wanted)
         side = wanted.is_near ? -1.0 : 1.0;
     }
     const double b = a * phi_cosine + side * sqrt(1.0 - a * phi_sine * (a * phi_sine));
-    const double swing = asin(fmin(fmax((a - b) * c->cosine, -1.0), 1.0)) / c->span;
     c->base = last;
-    c->u = fmin(fmax(0.5 + 0.5 * swing, 0.0), 1.0);
+    c->legs = a - b;
     c->g = 1.0 - a - b - c->more;
+}
+
+/* Where the last walk went, as a position on the curve; of the many walks before it nobody asks. */
+static void take_walk(way *w)
+{
+    for (size_t k = 0; k < w->count; k++)
+    {
+        bend *c = &w->corner[k];
+        const double swing = asin(fmin(fmax(c->legs * c->cosine, -1.0), 1.0)) / c->span;
+        c->u = fmin(fmax(0.5 + 0.5 * swing, 0.0), 1.0);
+    }
 }
 
 /* How far beyond the end a walk of q steps comes. */
@@ -298,7 +309,12 @@ static int close_in(way *w, double too_short, double too_far, const choice choic
         past = overshoot(w, middle, choices);
         *(past < 0.0 ? &too_short : &too_far) = middle;
     }
-    return fabs(past) < 1e-3 && improve(w);
+    if (!(fabs(past) < 1e-3))
+    {
+        return 0;
+    }
+    take_walk(w);
+    return improve(w);
 }
 
 /* The same numbers at each call. */
@@ -390,14 +406,16 @@ static double step_of(const way *w)
     return w->end / steps;
 }
 
-/* The length of the line between two places, in steps. Only maps in CIELUV have corners to ask about: that of a uniform map
- * is its middle, about which it is the same both ways. */
-static double line_between(const cm_colormap *map, double step, double from, double to)
+/* Only maps in CIELUV have corners to ask about: that of a uniform map is its middle, about which it is the same both ways. */
+static void point_at(const cm_colormap *map, double t, double luv[3])
 {
-    double one[3];
-    double other[3];
-    cm_colormap_luv_at(map, fmin(fmax(from, 0.0), 1.0), one);
-    cm_colormap_luv_at(map, fmin(fmax(to, 0.0), 1.0), other);
+    cm_colormap_luv_at(map, fmin(fmax(t, 0.0), 1.0), luv);
+}
+
+/* The length of the line between two points, in steps. */
+static double line_between(const cm_colormap *map, double step, const double one[3],
+                           const double other[3])
+{
     return hypot(one[0] - other[0], hypot(one[1] - other[1], one[2] - other[2])) /
            (step * map->length);
 }
@@ -410,9 +428,17 @@ static double shortage(const cm_colormap *map, const way *w, const bend *c)
     const double t = c->at * w->end;
     double legs[2];
     legs_of(c, legs);
-    const double across = line_between(map, step, t - legs[0] * step, t + legs[1] * step);
-    const double before = line_between(map, step, t - step, t);
-    const double behind = line_between(map, step, t, t + step);
+    /* the ends of the line across, and the corner between the ends of two whole steps */
+    double end[2][3];
+    double place[3][3];
+    point_at(map, t - legs[0] * step, end[0]);
+    point_at(map, t + legs[1] * step, end[1]);
+    point_at(map, t - step, place[0]);
+    point_at(map, t, place[1]);
+    point_at(map, t + step, place[2]);
+    const double across = line_between(map, step, end[0], end[1]);
+    const double before = line_between(map, step, place[0], place[1]);
+    const double behind = line_between(map, step, place[1], place[2]);
     return (legs[0] * before + legs[1] * behind) / (legs[0] + legs[1]) - across;
 }
 

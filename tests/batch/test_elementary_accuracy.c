@@ -153,17 +153,18 @@ static double random_unit(void)
 }
 
 /* ulp of the binade that `value` lies in, for a format with that many bits and that least exponent
- * (of the smallest subnormal) */
+ * (of the smallest subnormal), from the word: frexp and ldexp would take as long as the functions */
 static double ulp_of(double value, int bits, int least)
 {
+    uint64_t word;
     int e;
-    if (value == 0)
-    {
-        return ldexp(1.0, least);
-    }
-    (void)frexp(value, &e);
-    e -= bits;
-    return ldexp(1.0, e < least ? least : e);
+    memcpy(&word, &value, sizeof word);
+    /* of zero and of subnormals less than any format has */
+    e = (int)(word >> 52 & 0x7ff) - 1022 - bits;
+    e = e < least ? least : e;
+    word = e < -1022 ? UINT64_C(1) << (e + 1074) : (uint64_t)(e + 1023) << 52;
+    memcpy(&value, &word, sizeof value);
+    return value;
 }
 
 static int same64(double a, double b)
