@@ -126,6 +126,17 @@ static block_walk walk_of(const cm_surface *to)
 /* ---- nearness ---- */
 
 /* Without hypot's care for what is huge or tiny, which places in pixels are not. */
+/* What is no number counts for nothing, as with fmin and fmax, which at the optimization of tests are calls. */
+static double lesser(double a, double limit)
+{
+    return a < limit ? a : limit;
+}
+
+static double greater(double most, double b)
+{
+    return b > most ? b : most;
+}
+
 static double far_by(double x, double y)
 {
     return sqrt(x * x + y * y);
@@ -148,8 +159,8 @@ static void find_exactly(const pair *of, unsigned plane, uint32_t column, uint32
     double right[CM_BLOCK_PIXELS], down[CM_BLOCK_PIXELS], z[CM_BLOCK_PIXELS];
     for (unsigned i = 0; i < CM_BLOCK_PIXELS; i++)
     {
-        right[i] = fmin(column * CM_BLOCK_EDGE + i % CM_BLOCK_EDGE + 0.5, of->to->width - 0.5);
-        down[i] = fmin(row * CM_BLOCK_EDGE + i / CM_BLOCK_EDGE + 0.5, of->to->height - 0.5);
+        right[i] = lesser(column * CM_BLOCK_EDGE + i % CM_BLOCK_EDGE + 0.5, of->to->width - 0.5);
+        down[i] = lesser(row * CM_BLOCK_EDGE + i / CM_BLOCK_EDGE + 0.5, of->to->height - 0.5);
     }
     cm_surface_own_directions(of->to, plane, CM_BLOCK_PIXELS, right, down, at->x, at->y, z);
     cm_surface_find(of->from, CM_BLOCK_PIXELS, at->x, at->y, z, at->plane, at->x, at->y);
@@ -180,7 +191,7 @@ static double distance(const pair *of, const places *near, const places *exact)
                       ? INFINITY
                       : to_edge(of->from, near->x[i], near->y[i]);
         }
-        most = fmax(most, off);
+        most = greater(most, off);
     }
     return most;
 }
@@ -214,7 +225,7 @@ static void check_pair(const pair *of, double tolerance, tally *sum)
             const double off = distance(of, &near, &exact) / allowed;
             REQUIRE(off <= 1.0, "%s: plane %u, block %u, %u%s: %g of what is allowed", of->words, p,
                     column, row, is_exact ? ", exact" : "", off);
-            sum->worst = is_exact ? sum->worst : fmax(sum->worst, off);
+            sum->worst = is_exact ? sum->worst : greater(sum->worst, off);
         }
     }
     const cm_geometry_count count = cm_geometry_counted(geometry);
@@ -401,8 +412,8 @@ static void find_beside(const pair *of, unsigned plane, uint32_t column, uint32_
     uint8_t found[CM_BLOCK_PIXELS];
     for (unsigned i = 0; i < CM_BLOCK_PIXELS; i++)
     {
-        x[i] = fmin(column * CM_BLOCK_EDGE + i % CM_BLOCK_EDGE + 0.5 + right, of->to->width);
-        y[i] = fmin(row * CM_BLOCK_EDGE + i / CM_BLOCK_EDGE + 0.5 + down, of->to->height);
+        x[i] = lesser(column * CM_BLOCK_EDGE + i % CM_BLOCK_EDGE + 0.5 + right, of->to->width);
+        y[i] = lesser(row * CM_BLOCK_EDGE + i / CM_BLOCK_EDGE + 0.5 + down, of->to->height);
     }
     cm_surface_own_directions(of->to, plane, CM_BLOCK_PIXELS, x, y, x, y, z);
     cm_surface_find(of->from, CM_BLOCK_PIXELS, x, y, z, found, x, y);
