@@ -65,13 +65,21 @@ cm_status cm_latitude_find(const char *name, cm_latitude *latitude)
 
 /* ---- The way from one to another ---- */
 
-/* The tangent is that of geographic latitude times (1 - f) to this power; those that have none are in the table of
+/* The tangent is that of geographic latitude times (1 - f) to so many thirds; those that have none are in the table of
  * series. */
-static const double power_of_axes[CM_LATITUDE_COUNT] = {[CM_LATITUDE_GEOGRAPHIC] = 0.0,
-                                                        [CM_LATITUDE_GEOCENTRIC] = 2.0,
-                                                        [CM_LATITUDE_PARAMETRIC] = 1.0,
-                                                        [CM_LATITUDE_AUTHALIC_APPROXIMATION] =
-                                                            4.0 / 3.0};
+static const int thirds_of_axes[CM_LATITUDE_COUNT] = {[CM_LATITUDE_GEOGRAPHIC] = 0,
+                                                      [CM_LATITUDE_GEOCENTRIC] = 6,
+                                                      [CM_LATITUDE_PARAMETRIC] = 3,
+                                                      [CM_LATITUDE_AUTHALIC_APPROXIMATION] = 4};
+
+/* To the power of so many thirds. What a third lacks as a double counts where the base is far from 1. */
+static double power_of_thirds(double base, int thirds)
+{
+    double power = thirds / 3.0;
+    double lacking = fma(-3.0, power, thirds) / 3.0;
+    double near = pow(base, power);
+    return near + near * (lacking * log(base));
+}
 
 static void choose_tangents(cm_latitude_conversion *made, double ratio)
 {
@@ -175,7 +183,8 @@ static void choose_way(cm_latitude_conversion *made, double f, const cm_latitude
     }
     else if (row < 0)
     {
-        choose_tangents(made, pow(1.0 - f, power_of_axes[made->to] - power_of_axes[made->from]));
+        choose_tangents(
+            made, power_of_thirds(1.0 - f, thirds_of_axes[made->to] - thirds_of_axes[made->from]));
     }
     else if ((options != NULL && options->exact) || !(fabs(f) <= CM_LATITUDE_SERIES_FLATTENING))
     {

@@ -137,7 +137,7 @@ static value conformal(const cm_latitude_shape *shape, place p)
     value v;
     if (shape->m > 0.0)
     {
-        double less = shape->axes * shape->axes / (1.0 + shape->e); /* 1 - e */
+        double less = (1.0 - shape->e) - shape->e_rest;
         double first = less * tangent / w;
         double second = less * asinh(shape->e * sine / w);
         v.tangent = first * cosh(second) + sqrt(1.0 + first * first) * sinh(second);
@@ -235,6 +235,25 @@ static double arc(double sine, double cosine, double r, double m)
     }
     return sine * (r2 * carlson_f(x, y, 1.0) - m * r2 / 3.0 * s2 * carlson_d(x, 1.0, y) -
                    m * cosine / sqrt(y));
+}
+
+/* The quadrant of the meridian over b. Of mild ellipsoids by Gauss and Kummer's series in n^2 = ((a - b) / (a + b))^2, which
+ * has a third of the rounding. */
+static double quadrant_of(const cm_latitude_shape *shape, double f)
+{
+    static const double series[] = {
+        1.0, 1.0 / 4.0, 1.0 / 64.0, 1.0 / 256.0, 25.0 / 16384.0, 49.0 / 65536.0, 441.0 / 1048576.0};
+    double n = f / (2.0 - f);
+    double sum = 0.0;
+    if (fabs(n) > 0.1)
+    {
+        return arc(1.0, 0.0, shape->ratio, shape->m);
+    }
+    for (size_t i = sizeof series / sizeof *series; i-- > 0;)
+    {
+        sum = sum * (n * n) + series[i];
+    }
+    return 0.5 * half_pi * (1.0 + shape->ratio) * sum;
 }
 
 static value rectifying(const cm_latitude_shape *shape, place p)
@@ -348,14 +367,17 @@ static double root_rest(double f, double root)
 void cm_latitude_shape_make(double f, cm_latitude_shape *shape)
 {
     cm_latitude_shape s = {.axes = 1.0 - f};
+    double axes_rest = (1.0 - s.axes) - f;
     double e2 = f * (2.0 - f);
-    s.ratio = 1.0 / s.axes;
-    s.m = e2 * s.ratio * s.ratio;
+    double over = 1.0 / s.axes;
+    s.ratio = over - over * (fma(over, s.axes, -1.0) + over * axes_rest);
+    double beyond = f * s.ratio; /* a / b - 1 */
+    s.m = beyond * (2.0 + beyond);
     s.root_m = sqrt(fabs(s.m));
     s.e = sqrt(fabs(e2));
     s.e_rest = root_rest(f, s.e);
     s.zone = zone_over_sine(&s, (place){.sine = 1.0, .stretch = s.ratio});
-    s.quadrant = arc(1.0, 0.0, s.ratio, s.m);
+    s.quadrant = quadrant_of(&s, f);
     s.least[CM_LATITUDE_GEOGRAPHIC] = s.ratio;
     s.least[CM_LATITUDE_GEOCENTRIC] = s.axes;
     s.least[CM_LATITUDE_PARAMETRIC] = 1.0;

@@ -98,6 +98,11 @@ void random_points(subject *s, uint64_t *state, uint8_t *face, double (*uv)[BLOC
 size_t hard_directions(const subject *s, uint64_t step, uint64_t *index, double (*d)[BLOCK]);
 size_t hard_face_points(const subject *s, uint64_t step, uint64_t *index, double (*uv)[BLOCK]);
 
+/* certificate_tear.c */
+int is_across_tear(const subject *s, const double d[3], const long double meant[3],
+                   const long double truth[2], const double got[2]);
+
+/* certificate_condition.c */
 double condition_of(const cm_mapping *mapping, const quad_mapping *truth);
 
 #endif

@@ -81,10 +81,11 @@ CM_STRUCT(cm_bearing)
 CM_STRUCT_END(cm_bearing)
 
 /* Powers of two by which directions of all lengths are brought to where squares are normal numbers, and
- * those that it takes for the distance from the axis of one beside it. */
+ * those that it takes for the distance from the axis of one beside it. What is too long becomes 2^38 in float
+ * and 2^324 in double, which is not too long: who scales twice loses nothing of a small component. */
 #if CM_REAL_BITS == 32
 #define CM_AZIMUTHAL_SMALL CM_LIT(9.313225746154785e-10) /* 2^-30 */
-#define CM_AZIMUTHAL_LARGE CM_LIT(1.073741824e9)         /* 2^30 */
+#define CM_AZIMUTHAL_LARGE CM_LIT(1.099511627776e12)     /* 2^40 */
 #define CM_AZIMUTHAL_UP CM_LIT(1.237940039285380e27)     /* 2^90 */
 #define CM_AZIMUTHAL_DOWN CM_LIT(8.077935669463161e-28)  /* 2^-90 */
 #else
