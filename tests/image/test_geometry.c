@@ -125,7 +125,6 @@ static block_walk walk_of(const cm_surface *to)
 
 /* ---- nearness ---- */
 
-/* Without hypot's care for what is huge or tiny, which places in pixels are not. */
 /* What is no number counts for nothing, as with fmin and fmax, which at the optimization of tests are calls. */
 static double lesser(double a, double limit)
 {
@@ -137,6 +136,7 @@ static double greater(double most, double b)
     return b > most ? b : most;
 }
 
+/* Without hypot's care for what is huge or tiny, which places in pixels are not. */
 static double far_by(double x, double y)
 {
     return sqrt(x * x + y * y);

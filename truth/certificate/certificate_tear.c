@@ -10,7 +10,9 @@
 
 enum
 {
-    CORNERS = 8,  /* of a box of directions */
+    CORNERS = 8, /* of a box of directions */
+    FARTHEST =
+        64, /* roundings from a direction to what is meant: more is an error, beside a tear as well */
     HALVINGS = 50 /* of a few roundings; quadruple precision has 60 bits more than double */
 };
 
@@ -73,18 +75,16 @@ static quad longest_of(const quad d[3])
     return fmaxq(fabsq(d[0]), fmaxq(fabsq(d[1]), fabsq(d[2])));
 }
 
-/* From d twice as far as to what is meant, of any length, and a rounding of the precision under test. */
-static quad reach_of(const subject *s, const double d[3], const long double meant[3])
+/* From d, which is so long, as far as to what is meant, of any length. */
+static quad step_to(const double d[3], quad length, const long double meant[3])
 {
-    const quad from[3] = {(quad)d[0], (quad)d[1], (quad)d[2]};
     const quad to[3] = {(quad)meant[0], (quad)meant[1], (quad)meant[2]};
-    const quad length = longest_of(from);
     quad step[3];
     for (int k = 0; k < 3; k++)
     {
-        step[k] = to[k] / longest_of(to) - from[k] / length;
+        step[k] = to[k] / longest_of(to) - (quad)d[k] / length;
     }
-    return (quad)2.0 * length * (longest_of(step) + (quad)s->eps);
+    return longest_of(step);
 }
 
 static quad distance_of(const quad a[2], const double b[2])
@@ -98,8 +98,14 @@ int is_across_tear(const subject *s, const double d[3], const long double meant[
                    const long double truth[2], const double got[2])
 {
     const quad on_this_side[2] = {(quad)truth[0], (quad)truth[1]};
-    const quad reach = reach_of(s, d, meant);
     beside here = {.d = {(quad)d[0], (quad)d[1], (quad)d[2]}};
+    const quad length = longest_of(here.d), step = step_to(d, length, meant);
+    if (!(step <= FARTHEST * (quad)s->eps))
+    {
+        return 0;
+    }
+    /* twice as far, and a rounding of the precision under test */
+    const quad reach = (quad)2.0 * length * (step + (quad)s->eps);
     place_truly(s, &here);
     for (int i = 0; i < CORNERS; i++)
     {
