@@ -94,53 +94,59 @@ void run_arrays(const cm_mapping *mapping, int narrow, batch *b, int direction)
     }
 }
 
+/* Of the batch a copy, which what is written to it cannot change: nobody's point pays for reading it again. */
+
 static void forward_points(const cm_mapping *mapping, batch *b)
 {
-    for (size_t i = 0; i < b->count; i++)
+    const batch at = *b;
+    for (size_t i = 0; i < at.count; i++)
     {
-        const double direction[3] = {b->from[0][i], b->from[1][i], b->from[2][i]};
+        const double direction[3] = {at.from[0][i], at.from[1][i], at.from[2][i]};
         double uv[2];
-        b->face[i] = cm_forward(mapping, direction, uv);
-        b->plane[0][i] = uv[0];
-        b->plane[1][i] = uv[1];
+        at.face[i] = cm_forward(mapping, direction, uv);
+        at.plane[0][i] = uv[0];
+        at.plane[1][i] = uv[1];
     }
 }
 
 static void inverse_points(const cm_mapping *mapping, batch *b)
 {
-    for (size_t i = 0; i < b->count; i++)
+    const batch at = *b;
+    for (size_t i = 0; i < at.count; i++)
     {
-        const double uv[2] = {b->plane[0][i], b->plane[1][i]};
+        const double uv[2] = {at.plane[0][i], at.plane[1][i]};
         double direction[3];
-        cm_inverse(mapping, b->face[i], uv, direction);
-        b->back[0][i] = direction[0];
-        b->back[1][i] = direction[1];
-        b->back[2][i] = direction[2];
+        cm_inverse(mapping, at.face[i], uv, direction);
+        at.back[0][i] = direction[0];
+        at.back[1][i] = direction[1];
+        at.back[2][i] = direction[2];
     }
 }
 
 static void forward_points_f32(const cm_mapping *mapping, batch *b)
 {
-    for (size_t i = 0; i < b->count; i++)
+    const batch at = *b;
+    for (size_t i = 0; i < at.count; i++)
     {
-        const float direction[3] = {b->from_f32[0][i], b->from_f32[1][i], b->from_f32[2][i]};
+        const float direction[3] = {at.from_f32[0][i], at.from_f32[1][i], at.from_f32[2][i]};
         float uv[2];
-        b->face[i] = cm_forward_f32(mapping, direction, uv);
-        b->plane_f32[0][i] = uv[0];
-        b->plane_f32[1][i] = uv[1];
+        at.face[i] = cm_forward_f32(mapping, direction, uv);
+        at.plane_f32[0][i] = uv[0];
+        at.plane_f32[1][i] = uv[1];
     }
 }
 
 static void inverse_points_f32(const cm_mapping *mapping, batch *b)
 {
-    for (size_t i = 0; i < b->count; i++)
+    const batch at = *b;
+    for (size_t i = 0; i < at.count; i++)
     {
-        const float uv[2] = {b->plane_f32[0][i], b->plane_f32[1][i]};
+        const float uv[2] = {at.plane_f32[0][i], at.plane_f32[1][i]};
         float direction[3];
-        cm_inverse_f32(mapping, b->face[i], uv, direction);
-        b->back_f32[0][i] = direction[0];
-        b->back_f32[1][i] = direction[1];
-        b->back_f32[2][i] = direction[2];
+        cm_inverse_f32(mapping, at.face[i], uv, direction);
+        at.back_f32[0][i] = direction[0];
+        at.back_f32[1][i] = direction[1];
+        at.back_f32[2][i] = direction[2];
     }
 }
 

@@ -36,26 +36,28 @@ struct quadratic
 
 template <class projection> void forward(const contestant *, batch *b)
 {
-    for (size_t i = 0; i < b->count; i++)
+    const batch at = *b; /* as in columns.c */
+    for (size_t i = 0; i < at.count; i++)
     {
         double u = 0.0;
         double v = 0.0;
-        const S2Point point(b->from[0][i], b->from[1][i], b->from[2][i]);
-        b->face[i] = static_cast<uint8_t>(S2::XYZtoFaceUV(point, &u, &v));
-        b->plane[0][i] = projection::to_plane(u);
-        b->plane[1][i] = projection::to_plane(v);
+        const S2Point point(at.from[0][i], at.from[1][i], at.from[2][i]);
+        at.face[i] = static_cast<uint8_t>(S2::XYZtoFaceUV(point, &u, &v));
+        at.plane[0][i] = projection::to_plane(u);
+        at.plane[1][i] = projection::to_plane(v);
     }
 }
 
 template <class projection> void inverse(const contestant *, batch *b)
 {
-    for (size_t i = 0; i < b->count; i++)
+    const batch at = *b; /* as in columns.c */
+    for (size_t i = 0; i < at.count; i++)
     {
-        const S2Point point = S2::FaceUVtoXYZ(b->face[i], projection::from_plane(b->plane[0][i]),
-                                              projection::from_plane(b->plane[1][i]));
+        const S2Point point = S2::FaceUVtoXYZ(at.face[i], projection::from_plane(at.plane[0][i]),
+                                              projection::from_plane(at.plane[1][i]));
         for (int k = 0; k < 3; k++)
         {
-            b->back[k][i] = point[k];
+            at.back[k][i] = point[k];
         }
     }
 }

@@ -27,7 +27,7 @@ CM_WARP(coupled,
 /* clang-format on */
 #else
 
-/* k0 = g0, k1 = g1, k2 = K = 1 + g0, k3 = s = g0 + g1, k4 = 4 g1 / K */
+/* k0 = g0, k1 = g1, k2 = K = 1 + g0, k3 = s = g0 + g1, k4 = 4 g1 / K, k5 = 2 g1 */
 CM_FN CM_NAME(cm_constants) CM_NAME(cm_coupled_prepare)(CM_NAME(cm_constants) k)
 {
     k.k0 = CM_LIT(0.9063);
@@ -35,6 +35,7 @@ CM_FN CM_NAME(cm_constants) CM_NAME(cm_coupled_prepare)(CM_NAME(cm_constants) k)
     k.k2 = CM_LIT(1.9063);
     k.k3 = CM_LIT(0.6504);
     k.k4 = CM_LIT(4.0) * k.k1 / k.k2;
+    k.k5 = CM_LIT(2.0) * k.k1;
     return k;
 }
 
@@ -48,8 +49,8 @@ CM_FN CM_NAME(cm_uv) CM_NAME(cm_coupled_forward)(CM_REAL p, CM_REAL q, CM_NAME(c
     CM_REAL beta = k.k2 * y * cm_mad(k.k3, x, CM_LIT(1.0));
     CM_REAL r = delta + cm_sqrt(cm_mad(k.k4, alpha * beta, delta * delta));
     CM_REAL g0r = k.k0 * r;
-    CM_REAL n = cm_mad(CM_LIT(2.0) * k.k1, beta, g0r);
-    CM_REAL m = cm_mad(CM_LIT(2.0) * k.k1, alpha, g0r);
+    CM_REAL n = cm_mad(k.k5, beta, g0r);
+    CM_REAL m = cm_mad(k.k5, alpha, g0r);
     CM_REAL a = (CM_LIT(1.0) - p) * (CM_LIT(1.0) + p);
     CM_REAL b = (CM_LIT(1.0) - q) * (CM_LIT(1.0) + q);
     return CM_NAME(cm_make_uv)(CM_NAME(cm_times_root_of_ratio)(p, r + n, cm_mad(x, n, r), a * n),

@@ -6,10 +6,14 @@
  */
 #ifndef CM_DESCRIPTORS
 
-/* w (1 + d), d > -1 */
+/* w (1 + d), d > -1; with CM_STRETCH_NONE_ZERO no w is 0, so that the sum has its sign. */
 CM_FN CM_REAL CM_NAME(cm_stretch)(CM_REAL w, CM_REAL d)
 {
+#ifdef CM_STRETCH_NONE_ZERO
+    return cm_mad(w, d, w);
+#else
     return cm_copysign(cm_mad(w, d, w), w);
+#endif
 }
 
 /* The same for a d that vanishes at |w| = 1 but for rounding errors, which differ between compilers:
