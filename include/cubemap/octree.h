@@ -65,7 +65,8 @@ typedef struct cm_octree_options
     double low;            /* the least, below 0 */
     double high;           /* the greatest, above 0 */
     double near;           /* depths, or ranges, that are nearer say nothing */
-    double far;            /* what is farther is free up to here and no hit; 0: no limit */
+    double far;            /* what is farther is free up to here and no hit; 0: no limit, and a background of 1e10
+                         * frees all of a map, in its finest voxels */
     int no_return_is_free; /* 1: pixels without a measurement are free up to far, which must be given */
     double noise;     /* of the sensor: sigma / range; hits reach 2 sigma around what is seen */
     double footprint; /* voxels are no finer than so many pixels, up to 8 edges; 0: one size */

@@ -554,6 +554,15 @@ void refuses_views()
     does("scene render room camera.json far.txt -o far --quiet");
     fails("a pose that is kilometres away", 1, "view 2 at 2.000000 s is [0-9.]+ from the map",
           "octree integrate far -o made/x --edge 0.01");
+    write_file("huge.json", "{\"width\":96,\"height\":72,\"fx\":80,\"fy\":80,\"cx\":47.5,\"cy\":35.5,"
+                            "\"depth_scale\":1e-6}");
+    fails("depths beyond all maps", 1,
+          "view 1 at 1.000000 s has depths up to [0-9.]+e\\+[0-9]+, .*--far says how far",
+          "octree integrate room -o made/x --edge 0.05 --camera huge.json");
+    says("but a small map is free", "\"occupied\": 0, \"free\": [1-9]",
+         "octree integrate room -o free.map --edge 0.05 --camera huge.json --levels 8 --json");
+    says("and a large one up to where a sensor sees", "\"occupied\": 0, \"free\": [1-9]",
+         "octree integrate room -o free.map --edge 0.05 --camera huge.json --far 2 --json");
     write_file("nothing.json", "{\"spheres\":[{\"centre\":[0,0,-9],\"radius\":0.1}]}");
     does("scene render nothing.json camera.json pose.txt -o nothing --quiet");
     fails("views without a pixel", 1, "none of its 1 views has a pixel",

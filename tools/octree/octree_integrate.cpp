@@ -424,6 +424,7 @@ void integrate_all(const IntegrateOptions &options, cm_sequence *sequence, Worki
     {
         const double depth = greatest_depth(view);
         check_near_map(options.map, view, depth, working.run.views + 1, options.folder);
+        check_depth(options.map, view, depth, working.run.views + 1, options.folder);
         update(options, view, pool.get(), working, took);
         working.run.views++;
         working.run.empty += depth > 0 ? 0 : 1;
