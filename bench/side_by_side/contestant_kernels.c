@@ -51,10 +51,17 @@ static const kernel kernels[] = {
 
 static kernel_constants prepare(const kernel *with, const cm_mapping_info *info)
 {
-    const double first = info->parameter_count > 0 ? info->parameter[0].standard : 0.0;
-    const double second = info->parameter_count > 1 ? info->parameter[1].standard : 0.0;
-    kernel_constants k = {cm_make_parameters_f64(first, second),
-                          cm_make_parameters_f32((float)first, (float)second)};
+    double of[4] = {0.0};
+    for (size_t i = 0; i < info->parameter_count && i < sizeof of / sizeof *of; i++)
+    {
+        of[i] = info->parameter[i].standard;
+    }
+    kernel_constants k = {cm_make_parameters_f64(of[0], of[1]),
+                          cm_make_parameters_f32((float)of[0], (float)of[1])};
+    k.of_f64.k2 = of[2];
+    k.of_f64.k3 = of[3];
+    k.of_f32.k2 = (float)of[2];
+    k.of_f32.k3 = (float)of[3];
     k.of_f64 = with->prepare_f64(k.of_f64);
     k.of_f32 = with->prepare_f32(k.of_f32);
     return k;

@@ -60,13 +60,13 @@ typedef struct cm_octree_options
     int levels;       /* 1 to CM_OCTREE_LEVELS_MAX: the root has 2^levels voxels each way */
     int rule;         /* a cm_octree_rule */
     /* Of log-odds, in steps of which 127 fit between 0 and the farther of low and high; each is a whole step at least: */
-    double hit;            /* what a hit adds, above 0 */
-    double miss;           /* what a miss adds, below 0 */
-    double low;            /* the least, below 0 */
-    double high;           /* the greatest, above 0 */
-    double near;           /* depths, or ranges, that are nearer say nothing */
-    double far;            /* what is farther is free up to here and no hit; 0: no limit, and a background of 1e10
-                         * frees all of a map, in its finest voxels */
+    double hit;  /* what a hit adds, above 0 */
+    double miss; /* what a miss adds, below 0 */
+    double low;  /* the least, below 0 */
+    double high; /* the greatest, above 0 */
+    double near; /* depths, or ranges, that are nearer say nothing */
+    /* What is farther is free up to here and no hit; 0: no limit: a background of 1e10 frees the map in finest voxels. */
+    double far;
     int no_return_is_free; /* 1: pixels without a measurement are free up to far, which must be given */
     double noise;     /* of the sensor: sigma / range; hits reach 2 sigma around what is seen */
     double footprint; /* voxels are no finer than so many pixels, up to 8 edges; 0: one size */

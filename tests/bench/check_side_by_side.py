@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-MAPPINGS = ["gnomonic", "coupled", "healpix"]
+MAPPINGS = ["gnomonic", "coupled", "difference", "healpix"]  # of none to three parameters
 NUMBERS = ["ns_best", "ns_lower_quartile", "ns_median", "ns_upper_quartile", "ratio",
            "worst_random_m", "worst_hard_m"]
 

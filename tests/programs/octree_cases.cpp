@@ -554,8 +554,9 @@ void refuses_views()
     does("scene render room camera.json far.txt -o far --quiet");
     fails("a pose that is kilometres away", 1, "view 2 at 2.000000 s is [0-9.]+ from the map",
           "octree integrate far -o made/x --edge 0.01");
-    write_file("huge.json", "{\"width\":96,\"height\":72,\"fx\":80,\"fy\":80,\"cx\":47.5,\"cy\":35.5,"
-                            "\"depth_scale\":1e-6}");
+    write_file("huge.json",
+               "{\"width\":96,\"height\":72,\"fx\":80,\"fy\":80,\"cx\":47.5,\"cy\":35.5,"
+               "\"depth_scale\":1e-6}");
     fails("depths beyond all maps", 1,
           "view 1 at 1.000000 s has depths up to [0-9.]+e\\+[0-9]+, .*--far says how far",
           "octree integrate room -o made/x --edge 0.05 --camera huge.json");

@@ -12,8 +12,7 @@ namespace
 
 constexpr double farthest = 100; // in what a view measured
 
-// In edges: the widest map that there is. In one of fewer levels than these, all may become free in seconds.
-constexpr int levels_measured = CM_OCTREE_LEVELS_MAX;
+// A map of so many may become free as a whole: that takes seconds a view.
 constexpr int levels_in_seconds = 13;
 
 double stored_at(const char *at, bool is_float)
@@ -92,14 +91,15 @@ void check_depth(const cm_octree_options &map, const cm_view &view, double depth
 {
     const bool is_bounded =
         map.far > 0 || map.endpoints_only != 0 || map.levels <= levels_in_seconds;
-    if (!is_bounded && depth > std::ldexp(map.edge, levels_measured))
+    if (!is_bounded && depth > std::ldexp(map.edge, CM_OCTREE_LEVELS_MAX))
     {
         char text[300];
-        std::snprintf(text, sizeof text,
-                      ": view %llu at %.6f s has depths up to %.6g, as if they were measured: all in "
-                      "front of them would be free, in voxels of %.6g; --far says how far the "
-                      "sensor sees",
-                      static_cast<unsigned long long>(number), view.time, depth, map.edge);
+        std::snprintf(
+            text, sizeof text,
+            ": view %llu at %.6f s has depths up to %.6g, as if they were measured: all in "
+            "front of them would be free, in voxels of %.6g; --far says how far the "
+            "sensor sees",
+            static_cast<unsigned long long>(number), view.time, depth, map.edge);
         throw Failure(in_quotes(folder) + text);
     }
 }
