@@ -65,7 +65,7 @@ typedef struct cm_octree_options
     double low;  /* the least, below 0 */
     double high; /* the greatest, above 0 */
     double near; /* depths, or ranges, that are nearer say nothing */
-    /* What is farther is free up to here and no hit; 0: no limit: a background of 1e10 frees the map in finest voxels. */
+    /* What is farther is free up to here and no hit; 0: no limit; see cm_octree_update. */
     double far;
     int no_return_is_free; /* 1: pixels without a measurement are free up to far, which must be given */
     double noise;     /* of the sensor: sigma / range; hits reach 2 sigma around what is seen */
@@ -96,7 +96,8 @@ CM_API const cm_octree_options *cm_octree_describe(const cm_octree *octree);
  * NULL. A view without a valid pixel changes nothing. near and far of the options are depths for every camera that has an optical
  * axis, even where its image is of ranges; ranges for whole surroundings, and for points.
  * CM_OK; CM_ERROR_ARGUMENT (no depth, or images that are not the camera's size); CM_ERROR_CAMERA (no such pose);
- * CM_ERROR_RANGE (unit, type); CM_ERROR_FILE, _DATA, _SPACE (pages: the map is as before the view, or whole with it);
+ * CM_ERROR_RANGE (unit, type; depths beyond 2^20 edges, as of a background of 1e10, in a map of more than 13 levels without far:
+ * all in front of them would be free, and take all memory. The map is as before); CM_ERROR_FILE, _DATA, _SPACE (pages: the map is as before the view, or whole with it);
  * CM_ERROR_MEMORY. */
 CM_API cm_status cm_octree_update(cm_octree *octree, const cm_view *view, cm_pool *pool);
 

@@ -300,6 +300,18 @@ uint64_t cm_update_listed_bytes(const cm_update *update)
 
 /* ---- views ---- */
 
+/* To free a map of so many takes seconds a view and some hundred megabytes. */
+#define LEVELS_IN_SECONDS 13
+
+cm_status cm_update_check_reach(const cm_octree *octree, float greatest)
+{
+    const cm_octree_options *options = &octree->options;
+    const int is_bounded = options->far > 0.0 || options->levels <= LEVELS_IN_SECONDS;
+    return is_bounded || (double)greatest <= ldexp(options->edge, CM_OCTREE_LEVELS_MAX)
+               ? CM_OK
+               : CM_ERROR_RANGE;
+}
+
 static cm_status check_color(const cm_octree *octree, const cm_view *view)
 {
     const cm_image *color = &view->color;
@@ -333,6 +345,7 @@ static cm_status update_straight(cm_update *update, cm_pool *pool)
     cm_octree *octree = update->octree;
     const cm_camera_options *camera = cm_camera_describe(update->view->camera);
     cm_status status = cm_view_desk_fill(&update->desk->view, octree, update->view, pool);
+    status = status == CM_OK ? cm_update_check_reach(octree, update->desk->view.greatest) : status;
     status = status == CM_OK
                  ? cm_ray_ends_find(&update->desk->view, octree, update->view, pool, &update->ends)
                  : status;

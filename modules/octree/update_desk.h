@@ -56,6 +56,10 @@ cm_update_desk *cm_update_desk_of(cm_octree *octree);
 /* What colors are mixed in, by the map's rule. */
 void cm_update_make_parts(cm_update *update);
 
+/* CM_ERROR_RANGE if all in front of what is so far away would be more voxels than there is memory for: depths beyond 2^20 edges,
+ * which no map is wide, where nothing bounds what they free. */
+cm_status cm_update_check_reach(const cm_octree *octree, float greatest);
+
 /* A voxel's centre in the camera's axes. */
 static inline void cm_update_place(const cm_update *update, const double place[3], double at[3])
 {

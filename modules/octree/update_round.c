@@ -257,6 +257,8 @@ cm_status cm_update_round(cm_update *update, cm_pool *pool)
     cm_round_work work = {.update = update};
     cm_status status = round_of(update, &work.round);
     status = status == CM_OK ? cm_round_rules_make(update, work.round, pool) : status;
+    status = status == CM_OK ? cm_update_check_reach(update->octree, work.round->faces.greatest)
+                             : status;
     status = status == CM_OK ? cm_round_ends_find(update, work.round, pool, &update->ends) : status;
     if (status != CM_OK)
     {

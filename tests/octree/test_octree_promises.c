@@ -237,9 +237,8 @@ static cm_camera *camera_all_around(uint32_t edge)
     return camera;
 }
 
-/* Of one view along the world's axes, whose pixels are these. */
-static cm_octree *map_of_image(const cm_octree_options *options, const cm_camera *camera,
-                               float *image, int is_range)
+/* A view along the world's axes, whose pixels are these. */
+static cm_view view_of_image(const cm_camera *camera, float *image, int is_range)
 {
     const cm_camera_options *shape = cm_camera_describe(camera);
     const cm_view view = {.size = sizeof view,
@@ -253,6 +252,14 @@ static cm_octree *map_of_image(const cm_octree_options *options, const cm_camera
                                     .channels = 1},
                           .depth_is_range = is_range,
                           .depth_unit = 1.0};
+    return view;
+}
+
+/* Of one such view. */
+static cm_octree *map_of_image(const cm_octree_options *options, const cm_camera *camera,
+                               float *image, int is_range)
+{
+    const cm_view view = view_of_image(camera, image, is_range);
     cm_octree *octree = make_map(options);
     ck_assert_int_eq(cm_octree_update(octree, &view, NULL), CM_OK);
     return octree;
@@ -353,6 +360,48 @@ START_TEST(limits_are_of_depth_where_there_is_an_axis)
 }
 END_TEST
 
+/* A background of 1e10 that is not marked would free a large map in its finest voxels: no memory is enough. */
+START_TEST(depths_beyond_all_maps_are_refused)
+{
+    cm_camera *cameras[] = {straight_camera(40, 30, 0.5), NULL, camera_all_around(31)};
+    cm_camera_options lens = *cm_camera_describe(cameras[0]);
+    lens.distortion[0] = 1e-3;
+    ck_assert_int_eq(cm_camera_create(&lens, &cameras[1]), CM_OK);
+    cm_octree_options large = {.size = sizeof large, .levels = 20, .edge = 0.05};
+    cm_octree_options small = large, near = large;
+    small.levels = 6;
+    near.far = 1.0;
+    float *image = malloc(40 * 31 * sizeof *image);
+    ck_assert(image != NULL);
+    for (size_t i = 0; i < sizeof cameras / sizeof *cameras; i++)
+    {
+        for (size_t k = 0; k < 40 * 31; k++)
+        {
+            image[k] = k % 3 == 0 ? 1e10f : 1.0f;
+        }
+        cm_octree_destroy(map_of_image(&small, cameras[i], image, i == 2));
+        cm_octree_destroy(map_of_image(&near, cameras[i], image, i == 2));
+        const cm_view view = view_of_image(cameras[i], image, i == 2);
+        cm_octree *octree = make_map(&large);
+        ck_assert_int_eq(cm_octree_update(octree, &view, NULL), CM_ERROR_RANGE);
+        ck_assert_uint_eq(cm_octree_step(octree), 0);
+        cm_octree_count count = {.size = sizeof count};
+        ck_assert_int_eq(cm_octree_count_voxels(octree, &count), CM_OK);
+        ck_assert(count.free == 0 && count.occupied == 0);
+        for (size_t k = 0; k < 40 * 31; k++)
+        {
+            image[k] = 1.0f;
+        }
+        ck_assert_int_eq(cm_octree_update(octree, &view, NULL), CM_OK);
+        ck_assert_int_eq(cm_octree_count_voxels(octree, &count), CM_OK);
+        ck_assert(count.free > 0 && count.occupied > 0);
+        cm_octree_destroy(octree);
+        cm_camera_destroy(cameras[i]);
+    }
+    free(image);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {bits_are_the_same,
@@ -361,6 +410,7 @@ int main(void)
                                   views_that_say_nothing_change_nothing,
                                   behind_what_is_too_near_nothing_is_free,
                                   limits_are_of_depth_where_there_is_an_axis,
+                                  depths_beyond_all_maps_are_refused,
                                   NULL};
     return run_suite("octree promises", tests);
 }

@@ -390,8 +390,8 @@ void begin_run(const IntegrateOptions &options, const std::string &settings, Wor
     }
 }
 
-void update(const IntegrateOptions &options, const cm_view &view, cm_pool *pool, Working &working,
-            std::vector<double> &took)
+void update(const IntegrateOptions &options, const cm_view &view, double depth, cm_pool *pool,
+            Working &working, std::vector<double> &took)
 {
     cm_store *const store = working.open.store.get();
     const Clock::time_point begin = Clock::now();
@@ -400,6 +400,10 @@ void update(const IntegrateOptions &options, const cm_view &view, cm_pool *pool,
     if (status == CM_ERROR_MEMORY)
     {
         throw std::bad_alloc();
+    }
+    if (status == CM_ERROR_RANGE)
+    {
+        throw refused_depth(options.map, view, depth, working.run.views + 1, options.folder);
     }
     if (status != CM_OK)
     {
@@ -424,8 +428,7 @@ void integrate_all(const IntegrateOptions &options, cm_sequence *sequence, Worki
     {
         const double depth = greatest_depth(view);
         check_near_map(options.map, view, depth, working.run.views + 1, options.folder);
-        check_depth(options.map, view, depth, working.run.views + 1, options.folder);
-        update(options, view, pool.get(), working, took);
+        update(options, view, depth, pool.get(), working, took);
         working.run.views++;
         working.run.empty += depth > 0 ? 0 : 1;
         const double since = std::chrono::duration<double>(Clock::now() - committed).count();

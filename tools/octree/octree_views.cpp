@@ -12,9 +12,6 @@ namespace
 
 constexpr double farthest = 100; // in what a view measured
 
-// A map of so many may become free as a whole: that takes seconds a view.
-constexpr int levels_in_seconds = 13;
-
 double stored_at(const char *at, bool is_float)
 {
     const double stored = is_float ? static_cast<double>(*reinterpret_cast<const float *>(at))
@@ -86,20 +83,14 @@ void check_near_map(const cm_octree_options &map, const cm_view &view, double de
     }
 }
 
-void check_depth(const cm_octree_options &map, const cm_view &view, double depth,
-                 std::uint64_t number, const std::string &folder)
+Failure refused_depth(const cm_octree_options &map, const cm_view &view, double depth,
+                      std::uint64_t number, const std::string &folder)
 {
-    const bool is_bounded =
-        map.far > 0 || map.endpoints_only != 0 || map.levels <= levels_in_seconds;
-    if (!is_bounded && depth > std::ldexp(map.edge, CM_OCTREE_LEVELS_MAX))
-    {
-        char text[300];
-        std::snprintf(
-            text, sizeof text,
-            ": view %llu at %.6f s has depths up to %.6g, as if they were measured: all in "
-            "front of them would be free, in voxels of %.6g; --far says how far the "
-            "sensor sees",
-            static_cast<unsigned long long>(number), view.time, depth, map.edge);
-        throw Failure(in_quotes(folder) + text);
-    }
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  ": view %llu at %.6f s has depths up to %.6g, as if they were measured: all in "
+                  "front of them would be free, in voxels of %.6g; --far says how far the "
+                  "sensor sees",
+                  static_cast<unsigned long long>(number), view.time, depth, map.edge);
+    return Failure(in_quotes(folder) + text);
 }

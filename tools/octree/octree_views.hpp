@@ -21,9 +21,8 @@ void for_views_from(cm_sequence *sequence, std::size_t first,
 void check_near_map(const cm_octree_options &map, const cm_view &view, double depth,
                     std::uint64_t number, const std::string &folder);
 
-// Failure if depths are farther than the widest map, as those of a background that is not marked: in a large map, without --far, more
-// voxels would become free than there is memory for.
-void check_depth(const cm_octree_options &map, const cm_view &view, double depth,
-                 std::uint64_t number, const std::string &folder);
+// What is said of a view that cm_octree_update refuses for its depths, as of a background that is not marked.
+Failure refused_depth(const cm_octree_options &map, const cm_view &view, double depth,
+                      std::uint64_t number, const std::string &folder);
 
 #endif

@@ -167,6 +167,8 @@ class Octree(OctreeMethods, Changing):
         color   (rows, columns, 3), or None
         unit    metres per stored unit
         kind    "depth" or "range"; None: what images of the camera hold
+
+        ValueError for depths beyond 2^20 edges, as of a background of 1e10, in maps of more than 13 levels without `far`.
         """
         view, _kept = _view(camera, pose, depth=depth, color=color)
         view.depth_unit = unit
