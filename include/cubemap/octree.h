@@ -112,7 +112,7 @@ CM_API cm_status cm_octree_update_points(cm_octree *octree, const double origin[
  * what is at its centre in `from`; NULL: the axes are the same. It may be cut at the root of `to`. What is even may be so large
  * that its borders are more than memory has room for: without pages that is CM_ERROR_MEMORY, and `to` is as it was.
  * CM_OK; CM_ERROR_ARGUMENT (to is from, too); CM_ERROR_UNSUPPORTED (other rules); CM_ERROR_CAMERA; CM_ERROR_FILE, _DATA,
- * _SPACE; CM_ERROR_MEMORY. */
+ * _SPACE; CM_ERROR_MEMORY. Where pages or memory fail midway, `to` has some voxels of `from` and can be used as before. */
 CM_API cm_status cm_octree_merge(cm_octree *to, const cm_octree *from, const cm_pose *pose);
 
 /* Give memory back that equal voxels need not have. Nothing that is asked changes.
