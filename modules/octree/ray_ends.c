@@ -29,6 +29,42 @@ void cm_ray_ends_mark(const cm_view_desk *desk, size_t row)
     }
 }
 
+static int has_hole(const cm_view_desk *desk, size_t row, size_t run)
+{
+    const float *const depth = desk->packed + row * desk->width;
+    const size_t first = run * CM_BREAK_RUN;
+    const size_t end = first + CM_BREAK_RUN < desk->width ? first + CM_BREAK_RUN : desk->width;
+    int has = 0;
+    for (size_t i = first; i < end; i++)
+    {
+        has |= isnan(depth[i]);
+    }
+    return has;
+}
+
+/* A voxel whose centre falls on a pixel that measured nothing is known by the rays beside that alone. */
+static void mark_beside_holes(const cm_view_desk *desk)
+{
+    const size_t apart = desk->stride / CM_BREAK_RUN;
+    const size_t runs = (desk->width + CM_BREAK_RUN - 1) / CM_BREAK_RUN;
+    for (size_t row = 0; row < desk->height; row++)
+    {
+        for (size_t run = 0; run < runs; run++)
+        {
+            if (!has_hole(desk, row, run))
+            {
+                continue;
+            }
+            const size_t first = run > 0 ? run - 1 : 0, end = run + 1 < runs ? run + 2 : runs;
+            const size_t last_row = row + 1 < desk->height ? row + 1 : row;
+            for (size_t beside = row > 0 ? row - 1 : 0; beside <= last_row; beside++)
+            {
+                memset(desk->may_end + beside * apart + first, 1, end - first);
+            }
+        }
+    }
+}
+
 /* ---- a picture ---- */
 
 typedef struct end_work
@@ -249,6 +285,10 @@ cm_status cm_ray_ends_find(cm_view_desk *desk, const cm_octree *octree, const cm
     if (!describe_eye(&work, view))
     {
         return CM_OK;
+    }
+    if (desk->has_holes)
+    {
+        mark_beside_holes(desk);
     }
     if (!has_room(desk))
     {

@@ -194,6 +194,7 @@ cm_status cm_view_desk_clean(cm_view_desk *desk, const cm_octree *octree, const 
     clean_work work = {.desk = desk, .view = view, .limits = &limits};
     cm_pool_run(pool, camera->height, 64, clean_rows, &work);
     *valid = atomic_load(&work.valid);
+    desk->has_holes = *valid < (size_t)desk->width * desk->height;
     return (cm_status)atomic_load(&work.status);
 }
 

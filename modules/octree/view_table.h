@@ -59,6 +59,7 @@ typedef struct cm_view_desk
     cm_view_band *band; /* as many as threads have served */
     size_t bands;
     cm_pixel_gap *gap;
+    int has_holes;    /* pixels that measured nothing */
     uint8_t *may_end; /* of runs of pixels, CM_BREAK_RUN each: 1 where ray_ends.h is to look */
     struct cm_ray_end *end;
     size_t end_room;

@@ -402,6 +402,44 @@ START_TEST(depths_beyond_all_maps_are_refused)
 }
 END_TEST
 
+/* A wall whose voxels are six pixels wide; the pixel that one's centre falls on, or more, measured nothing. */
+START_TEST(pixels_beside_holes_hit)
+{
+    const cm_octree_options options = {.size = sizeof options, .levels = 6, .edge = 0.1};
+    cm_camera_options shape = {.size = sizeof shape,
+                               .width = 64,
+                               .height = 64,
+                               .fx = 60.0,
+                               .fy = 60.0,
+                               .cx = 32.0,
+                               .cy = 32.0,
+                               .pixel_centre = 0.5};
+    const double centre[3] = {0.05, 0.05, 1.05};
+    for (int which = 0; which < 6; which++)
+    {
+        shape.distortion[0] = which % 2 == 0 ? 0.0 : 0.01;
+        cm_camera *camera = NULL;
+        ck_assert_int_eq(cm_camera_create(&shape, &camera), CM_OK);
+        double column, row;
+        cm_camera_project_array(camera, 1, &centre[0], &centre[1], &centre[2], &column, &row);
+        float *image = malloc(64 * 64 * sizeof *image);
+        ck_assert(image != NULL);
+        for (int i = 0; i < 64 * 64; i++)
+        {
+            const int aside = abs(i % 64 - (int)column), below = abs(i / 64 - (int)row);
+            image[i] = aside <= which / 2 && below <= which / 2 ? 0.0f : 1.03f;
+        }
+        cm_octree *octree = map_of_image(&options, camera, image, 0);
+        ck_assert_msg(cm_octree_at(octree, centre, 0, NULL) == CM_VOXEL_OCCUPIED,
+                      "%s camera, %d pixels around it without depth",
+                      which % 2 == 0 ? "straight" : "bent", which / 2);
+        cm_octree_destroy(octree);
+        cm_camera_destroy(camera);
+        free(image);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {bits_are_the_same,
@@ -411,6 +449,7 @@ int main(void)
                                   behind_what_is_too_near_nothing_is_free,
                                   limits_are_of_depth_where_there_is_an_axis,
                                   depths_beyond_all_maps_are_refused,
+                                  pixels_beside_holes_hit,
                                   NULL};
     return run_suite("octree promises", tests);
 }
