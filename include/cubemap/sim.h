@@ -78,7 +78,10 @@ typedef struct cm_tof_sensor
         harmonic; /* amplitude of cos(j x) for j from 1; 1 is the cosine itself, 1000 the most. Triangle: 1, 0, 1/9.
                      Where contrast times their sum is beyond 1, a circuit that would be below 0 is cut at 0 */
     double
-        second_frequency; /* a second series of phase images, which resolves the ambiguity, as frequency; 0: none */
+        second_frequency; /* a second series of phase images, as frequency; 0: none. Distances are told to where both
+                             repeat together, or to 1000 wraps of the first. The ratio is taken to 1e-9; where that
+                             needs more wraps, but both have the decimals of a smaller ratio, that is taken: 1 to 3 of
+                             33.33e6 and 100e6; but never 1 to 1 */
     double
         fixed_pattern; /* standard deviation of the pixels' own phase offsets, radians, to 1000; by seed and pixel */
     size_t shot_terms; /* to 32, of a measured polynomial for CM_TOF_FREEMAN_TUKEY; 0: Poisson's */
