@@ -632,6 +632,42 @@ START_TEST(bad_options_are_refused)
 }
 END_TEST
 
+/* As the header says. */
+START_TEST(phases_and_harmonics_have_a_most)
+{
+    static const double amplitude[33] = {1.0};
+    static const float charges[2 * 64] = {0};
+    static const struct
+    {
+        int phases;
+        size_t harmonics;
+        double second;
+        cm_status status;
+    } cases[] = {{64, 0, 0, CM_OK},
+                 {65, 0, 0, CM_ERROR_RANGE},
+                 {64, 16, 15e6, CM_OK},
+                 {3, 32, 0, CM_OK},
+                 {3, 33, 0, CM_ERROR_RANGE},
+                 {3, 16, 15e6, CM_OK},
+                 {3, 17, 15e6, CM_ERROR_RANGE},
+                 {2, 0, 0, CM_ERROR_RANGE}};
+    stage at = make_stage(&wall, 1);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    {
+        float told = 0.0f;
+        at.sensor.phases = cases[i].phases;
+        at.sensor.harmonics = cases[i].harmonics;
+        at.sensor.harmonic = amplitude;
+        at.sensor.second_frequency = cases[i].second;
+        const cm_status status =
+            cm_tof_reconstruct(&at.sensor, 1, charges, charges, &told, NULL, NULL, NULL);
+        REQUIRE(status == cases[i].status, "%d phases, %zu harmonics, %g Hz: %d", cases[i].phases,
+                cases[i].harmonics, cases[i].second, (int)status);
+    }
+    free_stage(&at);
+}
+END_TEST
+
 START_TEST(bad_input_is_refused)
 {
     stage at = make_stage(&wall, 1);
@@ -660,6 +696,7 @@ START_TEST(bad_input_is_refused)
     REFUSES(at.sensor.pitch = NAN, CM_ERROR_RANGE);
     REFUSES(at.sensor.efficiency = 1.5, CM_ERROR_RANGE);
     REFUSES(at.sensor.phases = 2, CM_ERROR_RANGE);
+    REFUSES(at.sensor.phases = 65, CM_ERROR_RANGE);
     REFUSES(at.sensor.frequency = -1, CM_ERROR_RANGE);
     REFUSES(at.sensor.contrast = 0, CM_ERROR_RANGE);
     REFUSES(at.sensor.duty = 2, CM_ERROR_RANGE);
@@ -724,6 +761,7 @@ int main(void)
                                   masks_take_light_away,
                                   motion_disturbs_what_moves_alone,
                                   meshes_are_met_in_double_precision,
+                                  phases_and_harmonics_have_a_most,
                                   bad_input_is_refused,
                                   bad_options_are_refused,
                                   NULL};
